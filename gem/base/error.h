@@ -1,0 +1,31 @@
+// The one exception of the program: what is wrong, why, and what to do, with the exit code that a script sees.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace gem {
+
+enum class ExitCode : int {
+  done = 0,
+  usage = 2,
+  scene_rejected = 3,
+  file_system = 4,
+  device = 5,
+  numerical_stop = 6,
+  resource_limit = 7,
+  interrupted = 130,
+  terminated = 143,
+};
+
+/// A fault that a user can act on. `what()` is one line: problem (why) suggestion.
+class Error : public std::runtime_error {
+ public:
+  Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  ExitCode code() const { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
+}  // namespace gem

@@ -1,0 +1,100 @@
+// What every engine offers: it moves a field in time and says what the platform felt.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gem/base/vec2.h"
+#include "gem/engine/ledger.h"
+#include "gem/field/bodies.h"
+#include "gem/scene/scene_def.h"
+
+namespace gem {
+
+/// What the platform felt in one moment, and its state at the moment's end. Impulses act on the platform.
+struct PlatformMoment {
+  Vec2 position;             // [m]
+  Rotation rotation;
+  Vec2 velocity;             // [m/s]
+  double spin = 0.0;         // [rad/s]
+  Vec2 ice_impulse;          // [N s]
+  double ice_yaw_impulse = 0.0;  // about the platform's centre [N m s]
+  Vec2 mooring_impulse;      // [N s]
+  Vec2 drag_impulse;         // [N s]
+  std::int32_t contacts = 0; // contacts of the platform that carried an impulse
+};
+
+/// One event on the platform. The normal points from the platform into the ice; the impulse acts on the ice.
+struct ContactEvent {
+  double time = 0.0;             // start of the moment [s]
+  std::int32_t body_a = 0;       // the platform
+  std::int32_t body_b = 0;
+  Vec2 point;                    // world [m]
+  Vec2 normal;
+  double closing_speed = 0.0;    // before the event [m/s]
+  double impulse_normal = 0.0;   // [N s]
+  double impulse_tangential = 0.0;  // along the normal turned left [N s]
+  double effective_mass = 0.0;   // [kg]
+  double peak_force = 0.0;       // closed-form crushing peak (Popov) of the closing speed [N]
+  double width = 0.0;            // chord, 0 for a corner that only touches [m]
+  double depth = 0.0;            // overlap depth [m]
+};
+
+/// How well one moment was resolved.
+struct MomentQuality {
+  std::int32_t contacts = 0;          // touching contact points
+  std::int32_t iterations = 0;        // sweeps of the coupled resolution
+  double residual = 0.0;              // largest closing speed left over [m/s]
+  double maximum_overlap = 0.0;       // deepest overlap depth at the start of the moment [m]
+};
+
+/// Filled by advance(): one entry of `platform` and `quality` per moment, events in time and id order.
+struct MomentLog {
+  bool wants_events = true;
+  std::vector<PlatformMoment> platform;
+  std::vector<MomentQuality> quality;
+  std::vector<ContactEvent> events;
+  void clear() { platform.clear(); quality.clear(); events.clear(); }
+};
+
+/// Everything that a run needs to go on with the same bits.
+struct EngineState {
+  std::int64_t moment = 0;
+  Bodies bodies;
+  Ledger ledger;
+  std::vector<std::uint64_t> impulse_key;  // warm start of `coupled`: contact identity, ascending
+  std::vector<Vec2> impulse_value;         // normal and tangential impulse [N s]
+};
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  virtual std::string name() const = 0;
+  /// Moves the field on by `moments` moments and appends to `log`. Throws Error(numerical_stop) at a non-finite state.
+  virtual void advance(std::int64_t moments, MomentLog& log) = 0;
+  /// Moments done since t = 0; time is moment() * moment_s.
+  virtual std::int64_t moment() const = 0;
+  /// State after the last moment.
+  virtual const Bodies& bodies() = 0;
+  /// The books since t = 0.
+  virtual Ledger ledger() = 0;
+  virtual EngineState save() = 0;
+  virtual void restore(const EngineState& state) = 0;
+  /// Hash of the whole moving state: same bits, same hash.
+  std::uint64_t state_hash();
+};
+
+struct EngineOptions {
+  std::string name = "cpu";  // reference | cpu
+  int threads = 0;           // 0: all that the machine offers
+};
+
+/// Makes the named engine for a scene and its field.
+std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options);
+
+/// Names that make_engine accepts, for messages and for tests that run on every engine.
+std::vector<std::string> engine_names();
+
+}  // namespace gem

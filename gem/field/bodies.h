@@ -1,0 +1,64 @@
+// The state of a field: bodies as arrays. Body 0 is the platform, then the fixed bodies, then the floes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "gem/base/vec2.h"
+
+namespace gem {
+
+enum class BodyKind : std::uint8_t { platform = 0, fixed = 1, floe = 2 };
+
+/// All bodies of one scene. Arrays of length count() unless said otherwise. SI units.
+/// Outlines are convex, counter-clockwise, in body coordinates about the centroid.
+struct Bodies {
+  // what a body is: constant during a run
+  std::vector<BodyKind> kind;
+  std::vector<std::uint8_t> ice_class;      // index into FloesDef::classes; 0 for bodies that are not ice
+  std::vector<std::int32_t> vertex_begin;   // count() + 1 entries: outline of i is vertex[vertex_begin[i]..vertex_begin[i+1])
+  std::vector<Vec2> vertex;                 // [m]
+  std::vector<double> radius;               // farthest vertex from the centroid [m]
+  std::vector<double> area;                 // [m2]
+  std::vector<double> thickness;            // [m]; contact height for a body that is not ice
+  std::vector<double> mass;                 // [kg]; 0 for fixed bodies
+  std::vector<double> inertia;              // about the centroid [kg m2]; 0 for fixed bodies
+  std::vector<double> inverse_mass;         // [1/kg]; 0 for fixed bodies
+  std::vector<double> inverse_inertia;      // [1/(kg m2)]; 0 for fixed bodies and locked yaw
+  std::vector<double> drag;                 // k of dw/dt = -k |w| w [1/m] (quadratic) or 1/tau [1/s] (linear)
+  std::vector<double> spin_drag;            // k of dω/dt = -k |ω| ω [-] (quadratic) or 1/tau [1/s] (linear)
+
+  // how it moves
+  std::vector<Vec2> position;      // centroid, world [m]
+  std::vector<Rotation> rotation;
+  std::vector<Vec2> velocity;      // [m/s]
+  std::vector<double> spin;        // [rad/s]
+  std::vector<std::uint8_t> active;  // 0: retired, takes no part any more
+
+  std::size_t count() const { return kind.size(); }
+  int vertex_count(std::size_t i) const { return vertex_begin[i + 1] - vertex_begin[i]; }
+};
+
+/// Everything needed to append one body; mass and inertia follow from the outline, density and thickness.
+struct BodyDef {
+  BodyKind kind = BodyKind::floe;
+  std::vector<Vec2> outline;  // counter-clockwise, convex, any origin [m]
+  Vec2 origin;                // where the outline's origin stands in the world [m]
+  Rotation rotation;
+  Vec2 velocity;
+  double spin = 0.0;
+  double thickness = 0.5;
+  double density = 900.0;
+  double mass = 0.0;          // > 0: replaces density x area x thickness, e.g. for the platform
+  std::uint8_t ice_class = 0;
+  bool locked_yaw = false;
+};
+
+/// Appends a body. A platform without outline (absent) is allowed; fixed bodies get zero inverse mass and inertia.
+void append(Bodies& bodies, const BodyDef& def);
+
+/// Outline of body i in world coordinates [m].
+std::vector<Vec2> world_outline(const Bodies& bodies, std::size_t i);
+
+}  // namespace gem

@@ -1,0 +1,32 @@
+// From a scene to its field: platform, boundary, obstacles and floes, checked before anything runs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gem/field/bodies.h"
+#include "gem/scene/scene_def.h"
+
+namespace gem {
+
+/// Builds body 0 (platform), the fixed bodies and the floes of a scene. Same scene, same bits, everywhere.
+/// Throws Error(scene_rejected) if the floes do not fit, overlap or lie outside the channel.
+Bodies make_field(const SceneDef& scene);
+
+/// Statistics of the floes for `gem case check` and the tests.
+struct FieldSummary {
+  std::int64_t floe_count = 0;
+  double size_mean = 0.0;       // size = sqrt(area) [m]
+  double size_deviation = 0.0;  // [m]
+  double size_minimum = 0.0;
+  double size_maximum = 0.0;
+  double cover = 0.0;           // floe area over the area of the field rectangle [-]
+  double smallest_gap = 0.0;    // between any two bodies [m]; infinity with fewer than two bodies
+  double ice_mass = 0.0;        // [kg]
+  std::vector<std::int64_t> sides;  // sides[n]: floes with n sides
+};
+
+FieldSummary summarise(const SceneDef& scene, const Bodies& bodies);
+
+}  // namespace gem

@@ -1,0 +1,27 @@
+// Area, centroid and second moment of a simple polygon, and the checks that an outline must pass.
+#pragma once
+
+#include <vector>
+
+#include "gem/base/vec2.h"
+
+namespace gem {
+
+/// Area integrals of one outline; the second moment is about the centroid.
+struct PolygonMoments {
+  double area = 0.0;           // [m2], negative for a clockwise outline
+  Vec2 centroid;               // [m]
+  double second_moment = 0.0;  // polar, about the centroid [m4], sign of the area
+};
+
+/// Shoelace sums about the first vertex, so that a far-away outline loses no digits.
+PolygonMoments polygon_moments(const std::vector<Vec2>& outline);
+
+/// Index of the first vertex where a counter-clockwise outline turns right or goes straight on; -1 if strictly convex
+/// and simple.
+int first_non_convex_vertex(const std::vector<Vec2>& outline);
+
+/// Distance between two convex counter-clockwise outlines: > 0 apart, < 0 the depth of the overlap [m].
+double convex_separation(const std::vector<Vec2>& a, const std::vector<Vec2>& b);
+
+}  // namespace gem

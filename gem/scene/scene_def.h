@@ -1,0 +1,175 @@
+// What a user may ask for: every option with its default and unit. Constant during a run.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gem/base/vec2.h"
+
+namespace gem {
+
+/// How the events of one moment are resolved.
+enum class Resolution {
+  independent,  ///< the paper: every pair event once, from the same start-of-moment state
+  coupled       ///< all events of the moment together, to a stated residual
+};
+
+/// Where the impulses of one contact act.
+enum class Manifold {
+  chord_middle,  ///< one point, the middle of the chord that joins the crossings of the outlines
+  chord_ends     ///< both ends of the touching stretch: a resting face can carry a moment
+};
+
+enum class FrictionLaw {
+  one_step,        ///< stick or slip such that the velocity after the event obeys Coulomb's law
+  fixed_direction  ///< the paper: friction against the tangential motion before the event
+};
+
+enum class DragLaw { none, quadratic, linear };
+enum class DampingWater { still, current };
+enum class Yaw { free, locked };
+enum class Placement { random, tiled };
+enum class FloeSource { generated, copied, file, listed };
+enum class SizeLaw { lognormal, gamma };
+
+struct RunDef {
+  std::string name = "run";
+  double duration_s = 7200.0;
+  std::uint64_t seed = 1;
+};
+
+struct CurrentDef {
+  Vec2 velocity_m_per_s = {0.25, 0.0};
+};
+
+struct WaterDef {
+  double density_kg_per_m3 = 1025.0;
+  DragLaw drag_law = DragLaw::quadratic;
+  double form_coefficient = 1.0;   ///< C_f, on sqrt(area) x draft
+  double skin_coefficient = 5e-3;  ///< C_s, on the area
+  double linear_time_s = 100.0;    ///< tau of the linear law
+  bool spin_drag = true;           ///< the same terms slow the spin
+};
+
+struct IceDef {
+  double density_kg_per_m3 = 900.0;
+  double crushing_pressure_Pa = 2.5e6;  ///< P0: pressure on 1 m2
+  double pressure_area_exponent = -0.1;
+  double friction_ice = 0.35;        ///< floe on floe and floe on boundary
+  double friction_structure = 0.10;  ///< floe on platform
+};
+
+/// One class of ice: its thickness and its share of the sea surface in tenths, as the paper states it.
+struct IceClassDef {
+  std::string name = "thin";
+  double thickness_m = 0.5;
+  double tenths = 4.0;
+};
+
+/// The generated field, or where the floes come from.
+struct FloesDef {
+  FloeSource source = FloeSource::generated;
+  std::string path;  ///< for `file`: .csv, .geojson or a run file; relative to the case file
+  std::int64_t count = 4008;
+  double length_m = 1500.0;  ///< along the current
+  double width_m = 400.0;
+  double start_x_m = -1575.0;  ///< upstream end of the field; it ends at start_x_m + length_m
+  SizeLaw size_law = SizeLaw::lognormal;
+  double size_minimum_m = 2.0;  ///< size = sqrt(area)
+  double size_maximum_m = 20.0;
+  double size_mean_m = 6.9;
+  double size_deviation_m = 3.9;
+  double gap_m = 0.05;                        ///< smallest distance between floes at the start
+  Placement placement = Placement::random;    ///< for `copied`
+  std::int64_t shape_count = 24;              ///< for `copied`: how many traced shapes are repeated
+  std::vector<IceClassDef> classes = {IceClassDef{}};
+};
+
+/// Two fixed bodies beside the channel, inlet_width apart upstream, straight to gap at x = 0, parallel after it.
+struct BoundaryDef {
+  bool present = true;
+  double inlet_x_m = -1600.0;
+  double inlet_width_m = 400.0;
+  double gap_m = 400.0;
+  double outlet_x_m = 60.0;
+};
+
+struct PlatformDef {
+  bool present = true;
+  int sides = 20;
+  double diameter_m = 100.0;  ///< of the circle through the corners
+  double mass_kg = 1e8;
+  Vec2 anchor_m = {0.0, 0.0};
+  Vec2 start_offset_m = {0.0, 0.0};
+  Vec2 start_velocity_m_per_s = {0.0, 0.0};
+  Yaw yaw = Yaw::free;
+};
+
+struct MooringDef {
+  double stiffness_N_per_m = 5e5;  ///< in x and in y; 0 is unmoored
+  double damping_ratio = 0.0;
+};
+
+struct PlatformDragDef {
+  bool present = false;
+  double coefficient = 0.8;
+  double draft_m = 12.42;
+  DampingWater water = DampingWater::still;
+};
+
+struct ContactDef {
+  Resolution resolution = Resolution::coupled;
+  Manifold manifold = Manifold::chord_ends;
+  FrictionLaw friction_law = FrictionLaw::one_step;
+  double elastic_stiffness_N_per_m = 1e6;  ///< of the static event in `independent`; 0 leaves it out
+};
+
+struct NumericsDef {
+  double moment_s = 0.05;             ///< dt
+  double residual_tolerance = 1e-3;   ///< coupled: largest closing speed left, relative to the current speed
+  std::int64_t iterations_maximum = 50;
+  double list_margin_m = 0.75;        ///< pairs closer than this are kept in the list
+};
+
+struct OutputDef {
+  double platform_interval_s = 0.1;
+  double floes_interval_s = 10.0;
+  double force_window_s = 1.0;     ///< the stated average of the ice force
+  bool platform_events = true;
+  double retire_x_m = 300.0;       ///< a floe whose centre passes this line is retired
+};
+
+/// A floe or fixed body given by its outline (body coordinates, any origin, either direction).
+struct FloeDef {
+  std::vector<Vec2> outline_m;
+  Vec2 position_m;  ///< where the outline's origin stands
+  double angle_rad = 0.0;
+  Vec2 velocity_m_per_s;
+  double spin_rad_per_s = 0.0;
+  double thickness_m = 0.5;
+};
+
+struct FixedDef {
+  std::vector<Vec2> outline_m;  ///< world coordinates
+};
+
+struct SceneDef {
+  RunDef run;
+  CurrentDef current;
+  WaterDef water;
+  IceDef ice;
+  FloesDef floes;
+  BoundaryDef boundary;
+  PlatformDef platform;
+  MooringDef mooring;
+  PlatformDragDef platform_drag;
+  ContactDef contact;
+  NumericsDef numerics;
+  OutputDef output;
+  std::vector<FloeDef> floe;    ///< for source = listed
+  std::vector<FixedDef> fixed;  ///< obstacles besides the boundary
+};
+
+}  // namespace gem

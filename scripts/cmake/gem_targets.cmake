@@ -1,0 +1,46 @@
+# One library per licence and audience: the simulator without GSL, the analysis with it, and the program.
+
+# Same bits everywhere: a*b+c is never contracted to a fused operation, whatever the instruction set.
+add_library(gem_flags INTERFACE)
+target_compile_options(gem_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
+  -Wno-sign-conversion $<$<BOOL:${GEM_WERROR}>:-Werror>)
+target_include_directories(gem_flags INTERFACE ${PROJECT_SOURCE_DIR})
+if(GEM_STATIC)
+  target_link_options(gem_flags INTERFACE -static-libstdc++ -static-libgcc)
+endif()
+
+function(gem_sources out)
+  set(found)
+  foreach(folder IN LISTS ARGN)
+    file(GLOB_RECURSE files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+    list(APPEND found ${files})
+  endforeach()
+  list(FILTER found EXCLUDE REGEX "_(test|bench)\\.cpp$")
+  set(${out} ${found} PARENT_SCOPE)
+endfunction()
+
+# The build's identity is read at build time, so that a file never names an older commit.
+add_custom_target(gem_version
+  COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DOUTPUT=${PROJECT_BINARY_DIR}/generated/gem_version.h
+    -DVERSION=${PROJECT_VERSION} -DBUILD_TYPE=${CMAKE_BUILD_TYPE}
+    "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
+    -P ${PROJECT_SOURCE_DIR}/scripts/cmake/gem_version.cmake
+  BYPRODUCTS ${PROJECT_BINARY_DIR}/generated/gem_version.h VERBATIM)
+
+gem_sources(simulator_sources gem/base gem/geometry gem/events gem/scene gem/field gem/engine gem/record)
+add_library(gem_simulator STATIC ${simulator_sources})
+add_dependencies(gem_simulator gem_version)
+target_include_directories(gem_simulator PUBLIC ${PROJECT_BINARY_DIR}/generated)
+target_include_directories(gem_simulator SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR})
+target_link_libraries(gem_simulator PUBLIC gem_flags OpenMP::OpenMP_CXX Threads::Threads
+  PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
+
+gem_sources(analysis_sources gem/analysis gem/report)
+add_library(gem_analysis STATIC ${analysis_sources})
+target_link_libraries(gem_analysis PUBLIC gem_simulator PRIVATE GSL::gsl GSL::gslcblas Eigen3::Eigen nlohmann_json::nlohmann_json)
+
+add_library(gem_command STATIC gem/run_scene.cpp)
+target_link_libraries(gem_command PUBLIC gem_simulator gem_analysis)
+
+add_executable(gem gem/main.cpp)
+target_link_libraries(gem PRIVATE gem_command CLI11::CLI11 nlohmann_json::nlohmann_json)

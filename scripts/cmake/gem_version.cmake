@@ -1,0 +1,19 @@
+# Writes gem_version.h; touches it only when something changed.
+execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --dirty --abbrev=12
+  OUTPUT_VARIABLE COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+if(failed)
+  set(COMMIT "unknown")
+endif()
+set(text "// Identity of this build.
+#pragma once
+#define GEM_VERSION \"${VERSION}\"
+#define GEM_COMMIT \"${COMMIT}\"
+#define GEM_BUILD_TYPE \"${BUILD_TYPE}\"
+#define GEM_COMPILER \"${COMPILER}\"
+")
+if(EXISTS ${OUTPUT})
+  file(READ ${OUTPUT} old)
+endif()
+if(NOT "${old}" STREQUAL "${text}")
+  file(WRITE ${OUTPUT} "${text}")
+endif()

@@ -104,8 +104,8 @@ class Packing {
   /// The gap need not be kept from the region's edge, so the walls stand back by it.
   void add_region_walls(const Box& region) {
     constexpr double depth = 50.0;
-    const Vec2 low = region.low - Vec2{target_, target_};
-    const Vec2 high = region.high + Vec2{target_, target_};
+    const Vec2 low = region.low - Vec2{gap_, gap_};
+    const Vec2 high = region.high + Vec2{gap_, gap_};
     const auto wall = [&](Vec2 a, Vec2 b) { add_obstacle({a, {b.x, a.y}, b, {a.x, b.y}}); };
     wall({low.x - depth, low.y - depth}, {low.x, high.y + depth});
     wall({high.x, low.y - depth}, {high.x + depth, high.y + depth});

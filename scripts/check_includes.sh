@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Checks the rules that no compiler enforces: the one-way order of layers, where third parties may appear, and which
+# functions would make two machines or two locales disagree. Prints file:line: rule: text; exit code 1 when there is any.
+# Usage: scripts/check_includes.sh [TREE]      scripts/check_includes.sh --rules
+set -euo pipefail
+scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+# Exceptions: path, rule, word, reason. One that excuses nothing is itself reported.
+allowances=$(
+  cat <<'END'
+END
+)
+
+rules="layer unknown-layer events-sees analysis-sees cuda toml hdf5 gsl eigen box2d cli11 locale bits order allowance"
+if [ "${1:-}" = --rules ]; then
+  printf '%s\n' $rules
+  exit 0
+fi
+
+cd "${1:-$scripts/..}"
+mapfile -t files < <(find gem baseline_box2d validation bench -type f \
+  \( -name '*.h' -o -name '*.cpp' -o -name '*.cu' -o -name '*.cuh' \) 2>/dev/null | sort)
+[ "${#files[@]}" -gt 0 ] || { echo "no C++ files under $PWD" >&2 && exit 2; }
+
+ALLOWANCES=$allowances awk -f "$scripts/check_includes.awk" "${files[@]}"

@@ -18,6 +18,7 @@ phase() {
   local tenths=$(((${EPOCHREALTIME/[.,]/} - ${start/[.,]/}) / 100000))
   phase_times+=("$(printf '%8d.%d s  %s' $((tenths / 10)) $((tenths % 10)) "$title")")
   [ "$status" -eq 0 ] || fail "'$title' failed (exit code $status); what it said is above"
+  say "$title: done in $((tenths / 10)).$((tenths % 10)) s"
 }
 
 print_phase_times() {
@@ -73,10 +74,11 @@ install_missing() {
   local missing
   mapfile -t missing < <(missing_packages "$@")
   if [ "${#missing[@]}" -eq 0 ]; then
-    say "packages: all $(wanted_packages "$@" | wc -l) are installed"
+    say "packages of set '$*': all $(wanted_packages "$@" | wc -l) are installed"
     return
   fi
-  say "packages: ${#missing[@]} missing: ${missing[*]}"
+  say "packages of set '$*': ${#missing[@]} missing: ${missing[*]}"
+  say "apt writes to $root/build/apt.log"
   phase "install ${#missing[@]} packages" apt_install "${missing[@]}"
 }
 

@@ -14,4 +14,6 @@ if [ -n "${CI:-}" ]; then
 fi
 phase "tests" "${tests[@]}"
 print_phase_times
+# ctest names skipped tests but keeps their reasons to its own log.
+grep -h '^skipped: ' build/Testing/Temporary/LastTest.log | while read -r line; do say "$line"; done || true
 say "all selected tests passed; the long ones: ctest --test-dir build -L long"

@@ -37,7 +37,7 @@ add_custom_target(gem_version
     -DVERSION=${PROJECT_VERSION} -DBUILD_TYPE=${CMAKE_BUILD_TYPE}
     "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
     -P ${PROJECT_SOURCE_DIR}/scripts/cmake/gem_version.cmake
-  BYPRODUCTS ${PROJECT_BINARY_DIR}/generated/gem_version.h VERBATIM)
+  BYPRODUCTS ${PROJECT_BINARY_DIR}/generated/gem_version.h COMMENT "Reading the version of the tree" VERBATIM)
 
 gem_sources(simulator_sources gem/base gem/geometry gem/events gem/scene gem/field gem/engine gem/record)
 add_library(gem_simulator STATIC ${simulator_sources})

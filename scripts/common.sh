@@ -45,7 +45,7 @@ as_root() {
   if [ "$(id -u)" -eq 0 ]; then
     "$@"
   elif ! command -v sudo >/dev/null; then
-    say "this needs root and there is no sudo; as root, run: apt-get install --no-install-recommends ${missing[*]}" >&2
+    echo "this needs root and there is no sudo"
     return 1
   elif [ -t 2 ] && [ -z "${CI:-}" ]; then
     sudo "$@"
@@ -61,6 +61,7 @@ apt_install() {
       as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends -o Dpkg::Use-Pty=0 "$@"
   } </dev/null >"$log" 2>&1 && return
   tail -n 20 "$log" >&2
+  say "by hand: apt-get install --no-install-recommends $*" >&2
   return 1
 }
 
@@ -79,7 +80,7 @@ install_missing() {
   fi
   say "packages of set '$*': ${#missing[@]} missing: ${missing[*]}"
   say "apt writes to $root/build/apt.log"
-  phase "install ${#missing[@]} packages" apt_install "${missing[@]}"
+  phase "install packages" apt_install "${missing[@]}"
 }
 
 # build_targets [TARGET...]: default preset in build/; all targets when none is named.

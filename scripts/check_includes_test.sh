@@ -39,7 +39,8 @@ plant gem/geometry/polygon.h <<'END'
 #include "gem/shapes/outline.h"  // PLANT unknown-layer
 #include "gem/events/impact.h"  // PLANT layer
 #include <box2d/box2d.h>  // PLANT box2d
-inline double area(double r) { return std::pow(r, 2.0); }
+inline double area(double r) { return std::pow(r, 2.0); }  // PLANT bits
+inline double strict_area(double r) { return strict::pow(r, 2.0) + strict::log(r); }
 END
 plant gem/events/impact.h <<'END'
 #include "gem/base/number.h"

@@ -1,4 +1,5 @@
 # What run.sh and test.sh share: missing packages, configure and build, with the time that each phase took. Sourced, not run.
+# shellcheck shell=bash
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 phase_times=()

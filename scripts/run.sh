@@ -2,6 +2,7 @@
 # First command: installs what is missing, builds, runs the main job (case 004_400_25, two hours of drift) and makes its report.
 # Arguments go to `gem run`, e.g. scripts/run.sh --set run.duration_s=600
 set -euo pipefail
+# shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 run_file=runs/004_400_25.h5

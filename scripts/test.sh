@@ -2,6 +2,7 @@
 # Second command: installs what is missing, builds everything and runs every test except those labelled `long`.
 # Arguments go to ctest, e.g. scripts/test.sh -L unit
 set -euo pipefail
+# shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 install_missing build

@@ -24,7 +24,7 @@ BEGIN {
   home["cli11"] = "^gem/(main[.]cpp$|command/)"
 
   # Words that are calls of these functions, whole words only.
-  parsing = " strtod strtof strtold stod stof stold atof scanf sscanf fscanf setlocale istringstream stringstream "
+  parsing = " strtod strtof strtold stod stof stold atof scanf sscanf fscanf setlocale "
   # Everything but + - * / sqrt may differ by a bit between two mathematics libraries.
   inexact = " sin cos tan sincos asin acos atan atan2 sinh cosh tanh pow hypot exp exp2 expm1 log log2 log10 log1p cbrt lgamma tgamma erf "
   device = " __global__ __device__ __host__ __shared__ __CUDACC__ __CUDA_ARCH__ __syncthreads "
@@ -133,6 +133,18 @@ function check_words(code, n, words, i, word, next_is_call) {
   }
 }
 
+# A stream may be split into lines, but `stream >> number` obeys the locale.
+function check_streams(code, name) {
+  if (match(code, /[a-z]stream&? +[a-z_]+/)) {
+    name = substr(code, RSTART, RLENGTH)
+    sub(/.* /, "", name)
+    streams[name] = 1
+  }
+  for (name in streams)
+    if (code ~ ("(^|[^a-z_.])" name " *>>"))
+      report("locale", name, name " >> depends on the locale; use std::from_chars")
+}
+
 # Sums of doubles in an order that the machine chooses.
 function check_order(code) {
   if (code ~ /std::atomic<(double|float)>|std::atomic_ref<(double|float)>|atomicAdd *[(]/)
@@ -143,6 +155,8 @@ function check_order(code) {
 }
 
 FNR == 1 {
+  split("", streams)
+  streams["cin"] = 1
   seen[FILENAME] = 1
   in_comment = 0
   raw_end = ""
@@ -165,6 +179,7 @@ FNR == 1 {
   }
   code = code_of($0)
   check_words(code)
+  check_streams(code)
   check_order(code)
 }
 

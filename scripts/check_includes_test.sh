@@ -65,6 +65,16 @@ END
 plant gem/field/bodies.cpp <<'END'
 #include <toml++/toml.h>  // PLANT toml
 #include "gem/scene/scene_def.h"
+void lines(const std::string& text) {
+  std::istringstream rows(text);
+  for (std::string row; std::getline(rows, row);) {
+    std::istringstream fields(row);
+    double number;
+    fields >> number;  // PLANT locale
+    std::cin >> number;  // PLANT locale
+  }
+}
+double read(std::istream& file) { double x; file >> x; return x; }  // PLANT locale
 double turn(double angle) { return std::cos(angle); }
 END
 plant gem/engine/cpu_engine.cpp <<'END'

@@ -1,0 +1,25 @@
+// Numbers as text for messages: shortest form that reads back to the same value, in any locale.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace gem {
+
+/// Shortest text that reads back exactly, with a decimal point whatever the locale.
+inline std::string number_text(double value) {
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+/// The same with at most `digits` significant digits.
+inline std::string number_text(double value, int digits) {
+  std::array<char, 48> buffer;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits).ptr;
+  return {buffer.data(), end};
+}
+
+}  // namespace gem

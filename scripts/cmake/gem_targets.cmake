@@ -17,7 +17,7 @@ add_library(gem_openmp INTERFACE)
 if(GEM_OPENMP)
   target_link_libraries(gem_openmp INTERFACE OpenMP::OpenMP_CXX)
 else()
-  target_compile_options(gem_openmp INTERFACE -Wno-unknown-pragmas)
+  target_compile_options(gem_openmp INTERFACE -Wno-unknown-pragmas -Wno-unused-parameter -Wno-unused-but-set-parameter)
   target_link_libraries(gem_openmp INTERFACE ${OpenMP_CXX_LIBRARIES})
 endif()
 

@@ -69,6 +69,7 @@ void lines(const std::string& text) {
   std::istringstream rows(text);
   for (std::string row; std::getline(rows, row);) {
     std::istringstream fields(row);
+    for (std::string word; fields >> word;) count(word);
     double number;
     fields >> number;  // PLANT locale
     std::cin >> number;  // PLANT locale
@@ -98,6 +99,14 @@ plant gem/record/recorder.cpp <<'END'
 #include <H5DSpublic.h>
 #include <hdf5.h>
 #include "gem/analysis/spectrum.h"  // PLANT layer
+END
+plant gem/record/run_writer.cpp <<'END'
+std::atomic<double> saved_time;
+END
+plant gem/run_log.cpp <<'END'
+#include "gem/run_scene.h"
+#include "gem/record/recorder.h"
+#include "gem/main.h"  // PLANT layer
 END
 plant gem/analysis/spectrum.cpp <<'END'
 #include <gsl/gsl_fft.h>

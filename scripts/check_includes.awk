@@ -24,7 +24,7 @@ BEGIN {
   home["cli11"] = "^gem/(main[.]cpp$|command/)"
 
   # Words that are calls of these functions, whole words only.
-  parsing = " strtod strtof strtold stod stof stold atof scanf sscanf fscanf setlocale "
+  parsing = " strtod strtof strtold stod stof stold atof scanf sscanf fscanf "
   # Everything but + - * / sqrt may differ by a bit between two mathematics libraries.
   inexact = " sin cos tan sincos asin acos atan atan2 sinh cosh tanh pow hypot exp exp2 expm1 log log2 log10 log1p cbrt lgamma tgamma erf "
   device = " __global__ __device__ __host__ __shared__ __CUDACC__ __CUDA_ARCH__ __syncthreads "
@@ -126,6 +126,8 @@ function check_words(code, n, words, i, word, next_is_call) {
     word = words[i]
     next_is_call = words[i + 1] == "("
     if (index(parsing, " " word " ")) report("locale", word, word " depends on the locale; use std::from_chars")
+    # A test sets a foreign locale to show that nothing obeys it.
+    if (!is_test && word == "setlocale") report("locale", word, "setlocale changes how libraries read numbers")
     if (exact_code && next_is_call && index(inexact, " " word " "))
       report("bits", word, word " is not exactly rounded, so engines may differ; use gem/base/strict_math.h")
     if (cuda_free && (index(device, " " word " ") || (word ~ /^cuda[A-Z]/)))

@@ -56,6 +56,7 @@ plant gem/events/impact_test.cpp <<'END'
 #include "gem/events/impact.h"
 #include "gem/engine/engine.h"  // PLANT events-sees
 double expected() { return std::cos(0.5); }
+void comma() { setlocale(LC_NUMERIC, "de_DE.UTF-8"); }
 END
 plant gem/scene/scene_file.cpp <<'END'
 #include <toml++/toml.h>

@@ -43,16 +43,16 @@ gem_sources(simulator_sources gem/base gem/geometry gem/events gem/scene gem/fie
 add_library(gem_simulator STATIC ${simulator_sources})
 add_dependencies(gem_simulator gem_version)
 target_include_directories(gem_simulator PUBLIC ${PROJECT_BINARY_DIR}/generated)
-target_include_directories(gem_simulator SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR})
+target_include_directories(gem_simulator SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR} PRIVATE ${TOMLPLUSPLUS_INCLUDE_DIR})
 target_link_libraries(gem_simulator PUBLIC gem_flags gem_openmp Threads::Threads
-  PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
+  PRIVATE nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
 
 gem_sources(analysis_sources gem/analysis gem/report)
 add_library(gem_analysis STATIC ${analysis_sources})
 target_link_libraries(gem_analysis PUBLIC gem_simulator PRIVATE GSL::gsl GSL::gslcblas Eigen3::Eigen nlohmann_json::nlohmann_json)
 
 gem_sources(command_sources gem/command)
-add_library(gem_command STATIC gem/run_scene.cpp ${command_sources})
+add_library(gem_command STATIC gem/run_log.cpp gem/run_scene.cpp gem/run_signals.cpp ${command_sources})
 target_link_libraries(gem_command PUBLIC gem_simulator gem_analysis PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
 
 add_executable(gem gem/main.cpp)

@@ -1,0 +1,77 @@
+// Problem lists and the nearest-name search behind "did you mean".
+#include "gem/scene/problems.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "gem/base/error.h"
+
+namespace gem {
+namespace {
+
+constexpr std::size_t lines_shown_maximum = 50;
+
+/// Insertions, deletions and substitutions that turn a into b.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string last_part(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string::npos ? path : path.substr(dot + 1);
+}
+
+/// Smaller is closer. A name without its unit suffix counts as one slip; so does the right key in the wrong section.
+std::size_t distance(const std::string& name, const std::string& candidate) {
+  if (candidate.starts_with(name + "_")) return 1;
+  const std::string key = last_part(name);
+  const std::string other = last_part(candidate);
+  const std::size_t elsewhere = other.starts_with(key + "_") ? 2 : edit_distance(key, other) + 1;
+  return std::min(edit_distance(name, candidate), elsewhere);
+}
+
+}  // namespace
+
+void Problems::add(const TomlPlace& place, const std::string& key, const std::string& problem) {
+  std::string line = to_string(place) + ": " + key + ": " + problem;
+  if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(std::move(line));
+}
+
+void Problems::throw_if_any() const {
+  if (lines_.empty()) return;
+  std::string message;
+  for (std::size_t i = 0; i < std::min(lines_.size(), lines_shown_maximum); ++i)
+    message += (i == 0 ? "" : "\n") + lines_[i];
+  if (lines_.size() > lines_shown_maximum)
+    message += "\nand " + std::to_string(lines_.size() - lines_shown_maximum) + " more";
+  throw Error(ExitCode::scene_rejected, message);
+}
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
+  if (name.size() > 100) return "";
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(2, last_part(name).size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t d = distance(name, candidate);
+    if (d < best_distance) best_distance = d, best = candidate;
+  }
+  return best;
+}
+
+std::string suggestion(const std::string& name, const std::vector<std::string>& candidates) {
+  const std::string nearest = nearest_name(name, candidates);
+  return nearest.empty() ? "" : " did you mean `" + nearest + "`?";
+}
+
+}  // namespace gem

@@ -81,16 +81,10 @@ struct FloesDef {
   double size_maximum_m = 20.0;
   double size_mean_m = 6.9;
   double size_deviation_m = 3.9;
-<<<<<<< HEAD
   double gap_m = 0.05;                      ///< smallest distance between floes at the start
   Placement placement = Placement::random;  ///< for `copied`
   std::int64_t shape_count = 24;            ///< for `copied`: how many traced shapes are repeated
-=======
-  double gap_m = 0.05;                        ///< smallest distance between floes at the start
-  Placement placement = Placement::random;    ///< for `copied`
-  std::int64_t shape_count = 24;              ///< for `copied`: how many traced shapes are repeated
-  double tile_length_m = 100.0;               ///< for `tiled`: about how long the repeated block is
->>>>>>> field
+  double tile_length_m = 100.0;             ///< for `tiled`: about how long the repeated block is
   std::vector<IceClassDef> classes = {IceClassDef{}};
 };
 

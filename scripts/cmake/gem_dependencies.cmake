@@ -11,16 +11,12 @@ if(GEM_STATIC)
 else()
   find_package(HDF5 REQUIRED COMPONENTS C HL)
   find_package(GSL REQUIRED)
-  find_package(tomlplusplus REQUIRED CONFIG)
 endif()
 find_package(Eigen3 3.4 REQUIRED CONFIG)
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(Threads REQUIRED)
-<<<<<<< HEAD
-=======
 # Header-only on purpose: the packaged library reads numbers through a stream instead of std::from_chars.
 find_path(TOMLPLUSPLUS_INCLUDE_DIR toml++/toml.h REQUIRED)
->>>>>>> scene
 find_package(CLI11 REQUIRED CONFIG)
 find_package(nlohmann_json REQUIRED CONFIG)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)

@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "gem/analysis/moments.h"
+#include "gem/report/display.h"
 #include "gem/report/figures.h"
-#include "gem/report/number_text.h"
 #include "gem/report/series.h"
 
 namespace gem {

@@ -3,15 +3,16 @@
 #include <cmath>
 #include <sstream>
 
+#include "gem/report/display.h"
 #include "gem/report/figures.h"
-#include "gem/report/number_text.h"
 #include "gem/report/series.h"
 
 namespace gem {
 namespace {
 
 constexpr std::size_t kCurvePoints = 6000;
-constexpr std::size_t kOrbitPoints = 2500;  // each is a path of its own in the picture
+constexpr double kOrbitShape = 1.45;        // width over height of the orbit's frame
+constexpr std::size_t kOrbitPoints = 6000;  // each is a path of its own in the picture
 
 struct AxisCurve {
   std::string name;    // of the figure
@@ -44,12 +45,16 @@ Figure draw_orbit(const RunData& run, const Unit& length, const PlotFolder& fold
     csv.row({(run.platform.x[i] - run.rest.x) / length.size, (run.platform.y[i] - run.rest.y) / length.size,
              run.platform.time[i] / time.size});
   folder.write_csv("orbit", csv);
+  const double wide = std::abs(maximum_excursion(run.platform.x, run.rest.x).value);
+  const double high = std::abs(maximum_excursion(run.platform.y, run.rest.y).value);
+  const double reach = 1.05 * std::max({wide, kOrbitShape * high, 1e-9}) / length.size;
   std::ostringstream commands;
   commands << "set size ratio -1\nset border 15\nset xlabel 'x [" << length.name << "]' offset 0,0.4\nset ylabel 'y ["
            << length.name << "]'\nset cblabel 'time [" << time.name
            << "]'\nset cbrange [0:" << number_text(run.duration_s / time.size, 6)
            << "]\nset colorbox noborder\nset rmargin 9\n"
-           << "set xtics autofreq\nset ytics autofreq\n"
+           << "set xrange [-" << number_text(reach, 4) << ':' << number_text(reach, 4) << "]\nset yrange [-"
+           << number_text(reach / kOrbitShape, 4) << ':' << number_text(reach / kOrbitShape, 4) << "]\n"
            << "plot 'orbit.csv' using 1:2:3 with lines linewidth 1 linecolor palette\n";
   return folder.draw({"orbit", "Orbit of the platform",
                       "Orbit of the platform about its rest position, coloured by time; equal axes.", ""},

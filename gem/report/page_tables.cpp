@@ -4,7 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "gem/report/number_text.h"
+#include "gem/report/display.h"
 #include "gem/report/page.h"
 
 namespace gem {
@@ -77,9 +77,9 @@ std::string headline_html(const RunData& run, const RunSummary& summary) {
 std::string identity_html(const RunData& run) {
   const RunIdentity& id = run.identity;
   std::string rows = row("case", {stated(id.name)}) + row("status", {stated(id.status)}) +
-                     row("simulated time", {with_unit(run.duration_s, Unit{"s", 1.0}, 6)}) +
+                     row("simulated time", {plain_text(run.duration_s) + " s"}) +
                      row("floes", {std::to_string(run.floe_outlines.size())}) + row("engine", {stated(id.engine)}) +
-                     row("resolution", {stated(id.resolution)}) + row("moment", {number_text(id.moment_s, 3) + " s"}) +
+                     row("resolution", {stated(id.resolution)}) + row("moment", {plain_text(id.moment_s) + " s"}) +
                      row("threads", {id.threads > 0 ? std::to_string(id.threads) : "not stated"}) +
                      row("version", {stated(id.version)}) + row("commit", {code(id.commit)}) +
                      row("build", {stated(id.build)}) + row("machine", {stated(id.machine)}) +
@@ -115,10 +115,10 @@ std::string motion_html(const RunData& run, const RunSummary& summary) {
 std::string loads_html(const RunData& run, const RunSummary& summary) {
   if (run.platform.time.empty()) return "";
   const Loads& l = summary.loads;
-  const std::string window = number_text(run.force_window_s, 2) + " s";
+  const std::string window = plain_text(run.force_window_s) + " s";
   const double mean = std::hypot(l.ice_mean_x.mean, l.ice_mean_y.mean);
   std::string rows = row("event impulse, largest of one event", {impulse_text(l.event_impulse_largest)}) +
-                     row("net impulse of one sample (" + number_text(l.sample_s, 2) + " s), largest",
+                     row("net impulse of one sample (" + plain_text(l.sample_s) + " s), largest",
                          {impulse_text(l.sample_impulse_largest)}) +
                      row("ice force averaged over " + window + ", largest", {force_text(l.ice_window_largest)}) +
                      row("ice force averaged over the run, x, 95 %", {with_interval(l.ice_mean_x, force_unit(mean))}) +

@@ -1,4 +1,4 @@
-#include "gem/report/number_text.h"
+#include "gem/report/display.h"
 
 #include <algorithm>
 #include <charconv>
@@ -28,6 +28,10 @@ std::string number_text(double value, int digits) {
   if (size < 1e-4 || size >= 1e7) return to_text(value, std::chars_format::scientific, digits - 1);
   const int before_point = static_cast<int>(std::floor(std::log10(size))) + 1;
   return to_text(value, std::chars_format::fixed, std::max(0, digits - before_point));
+}
+
+std::string plain_text(double value) {
+  return std::isfinite(value) ? to_text(value, std::chars_format::general, 6) : "-";
 }
 
 std::string exponent_text(double value) {

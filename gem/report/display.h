@@ -8,6 +8,9 @@ namespace gem {
 /// `value` with `digits` significant digits and no exponent between 1e-4 and 1e7; "-" if it is not finite.
 std::string number_text(double value, int digits = 3);
 
+/// At most six significant digits without trailing zeros: for values that a user chose, 0.05 or 7200.
+std::string plain_text(double value);
+
 /// Two digits and a power of ten, for residuals: "3.1e-14".
 std::string exponent_text(double value);
 

@@ -21,9 +21,9 @@ struct FieldSummary {
   double size_deviation = 0.0;  // [m]
   double size_minimum = 0.0;
   double size_maximum = 0.0;
-  double cover = 0.0;           // floe area over the area of the field rectangle [-]
-  double smallest_gap = 0.0;    // between any two bodies [m]; infinity with fewer than two bodies
-  double ice_mass = 0.0;        // [kg]
+  double cover = 0.0;               // floe area over the area of the field rectangle [-]
+  double smallest_gap = 0.0;        // between any two bodies [m]; infinity with fewer than two bodies
+  double ice_mass = 0.0;            // [kg]
   std::vector<std::int64_t> sides;  // sides[n]: floes with n sides
 };
 

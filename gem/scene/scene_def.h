@@ -81,9 +81,9 @@ struct FloesDef {
   double size_maximum_m = 20.0;
   double size_mean_m = 6.9;
   double size_deviation_m = 3.9;
-  double gap_m = 0.05;                        ///< smallest distance between floes at the start
-  Placement placement = Placement::random;    ///< for `copied`
-  std::int64_t shape_count = 24;              ///< for `copied`: how many traced shapes are repeated
+  double gap_m = 0.05;                      ///< smallest distance between floes at the start
+  Placement placement = Placement::random;  ///< for `copied`
+  std::int64_t shape_count = 24;            ///< for `copied`: how many traced shapes are repeated
   std::vector<IceClassDef> classes = {IceClassDef{}};
 };
 
@@ -127,18 +127,22 @@ struct ContactDef {
 };
 
 struct NumericsDef {
-  double moment_s = 0.05;             ///< dt
-  double residual_tolerance = 1e-3;   ///< coupled: largest closing speed left, relative to the current speed
+  double moment_s = 0.05;            ///< dt
+  double residual_tolerance = 1e-3;  ///< coupled: largest closing speed left, relative to the current speed
   std::int64_t iterations_maximum = 50;
-  double list_margin_m = 0.75;        ///< pairs closer than this are kept in the list
+  double contact_margin_m = 0.05;      ///< coupled: faces closer than this are kept from overlapping
+  std::int64_t repair_iterations = 2;  ///< coupled: sweeps of the position repair
+  double repair_share = 0.2;           ///< coupled: share of an overlap that is taken away in one moment
+  double list_margin_m = 0.75;         ///< pairs closer than this are kept in the list
 };
 
 struct OutputDef {
   double platform_interval_s = 0.1;
   double floes_interval_s = 10.0;
-  double force_window_s = 1.0;     ///< the stated average of the ice force
+  double force_window_s = 1.0;  ///< the stated average of the ice force
   bool platform_events = true;
-  double retire_x_m = 300.0;       ///< a floe whose centre passes this line is retired
+  double event_speed_m_per_s = 0.01;  ///< slower closing is static stress: in the force channels, not in the events
+  double retire_x_m = 300.0;          ///< a floe whose centre passes this line is retired
 };
 
 /// A floe or fixed body given by its outline (body coordinates, any origin, either direction).

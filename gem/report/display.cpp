@@ -21,7 +21,7 @@ Unit scaled(const std::string& name, double largest) {
 
 }  // namespace
 
-std::string number_text(double value, int digits) {
+std::string rounded_text(double value, int digits) {
   if (!std::isfinite(value)) return "-";
   if (value == 0.0) return "0";
   const double size = std::abs(value);
@@ -30,8 +30,8 @@ std::string number_text(double value, int digits) {
   return to_text(value, std::chars_format::fixed, std::max(0, digits - before_point));
 }
 
-std::string plain_text(double value) {
-  return std::isfinite(value) ? to_text(value, std::chars_format::general, 6) : "-";
+std::string fixed_text(double value, int decimals) {
+  return std::isfinite(value) ? to_text(value, std::chars_format::fixed, decimals) : "-";
 }
 
 std::string exponent_text(double value) {
@@ -45,7 +45,7 @@ Unit impulse_unit(double largest) { return scaled("N s", largest); }
 Unit time_unit(double duration_s) { return duration_s >= 3600.0 ? Unit{"h", 3600.0} : Unit{"s", 1.0}; }
 
 std::string with_unit(double value, const Unit& unit, int digits) {
-  return number_text(value / unit.size, digits) + " " + unit.name;
+  return rounded_text(value / unit.size, digits) + " " + unit.name;
 }
 
 }  // namespace gem

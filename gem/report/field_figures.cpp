@@ -109,9 +109,9 @@ Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture
       << "set size ratio -1\nset lmargin 8\nset rmargin 1\nset border 15\nunset grid\n"
       << "set label 1 " << quoted(time_text(frame.time)) << " at graph 0, graph 1 offset 0,0.8 front\n"
       << "set xlabel 'x [m]' offset 0,0.4\nset ylabel 'y [m]' offset 1,0\n"
-      << "set xrange [" << number_text(picture.view.x_low, 5) << ':' << number_text(picture.view.x_high, 5)
-      << "]\nset yrange [" << number_text(picture.view.y_low, 5) << ':' << number_text(picture.view.y_high, 5)
-      << "]\nset cbrange [0:" << number_text(top_speed, 3) << "]\n"
+      << "set xrange [" << rounded_text(picture.view.x_low, 5) << ':' << rounded_text(picture.view.x_high, 5)
+      << "]\nset yrange [" << rounded_text(picture.view.y_low, 5) << ':' << rounded_text(picture.view.y_high, 5)
+      << "]\nset cbrange [0:" << rounded_text(top_speed, 3) << "]\n"
       << "set cblabel 'speed [m/s]' offset -0.5,0\nset colorbox noborder\n"
       << "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#eef2f5' fillstyle solid noborder\n"
       << "plot 'fixed.csv' using 1:2 with filledcurves closed fillcolor rgb '#b9bec6', \\\n"

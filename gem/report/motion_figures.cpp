@@ -30,7 +30,7 @@ Figure draw_axis(const RunData& run, const AxisCurve& curve, const std::vector<d
   folder.write_csv(curve.name, csv);
   std::ostringstream commands;
   commands << "set xlabel 'time [" << time.name << "]' offset 0,0.4\nset ylabel '" << curve.symbol << " ["
-           << length.name << "]'\nset xrange [0:" << number_text(run.duration_s / time.size, 6) << "]\n"
+           << length.name << "]'\nset xrange [0:" << rounded_text(run.duration_s / time.size, 6) << "]\n"
            << "set xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\n"
            << "plot '" << curve.name << ".csv' using 1:2 with lines linestyle " << curve.line_style << '\n';
   return folder.draw({curve.name, "Platform motion " + curve.symbol + "(t)",
@@ -51,14 +51,14 @@ Figure draw_orbit(const RunData& run, const Unit& length, const PlotFolder& fold
   std::ostringstream commands;
   commands << "set size ratio -1\nset border 15\nset xlabel 'x [" << length.name << "]' offset 0,0.4\nset ylabel 'y ["
            << length.name << "]'\nset cblabel 'time [" << time.name
-           << "]'\nset cbrange [0:" << number_text(run.duration_s / time.size, 6)
-           << "]\nset colorbox noborder\nset rmargin 9\n"
-           << "set xrange [-" << number_text(reach, 4) << ':' << number_text(reach, 4) << "]\nset yrange [-"
-           << number_text(reach / kOrbitShape, 4) << ':' << number_text(reach / kOrbitShape, 4) << "]\n"
+           << "]'\nset cbrange [0:" << rounded_text(run.duration_s / time.size, 6)
+           << "]\nset colorbox noborder\nset rmargin 1\n"
+           << "set xrange [-" << rounded_text(reach, 4) << ':' << rounded_text(reach, 4) << "]\nset yrange [-"
+           << rounded_text(reach / kOrbitShape, 4) << ':' << rounded_text(reach / kOrbitShape, 4) << "]\n"
            << "plot 'orbit.csv' using 1:2:3 with lines linewidth 1 linecolor palette\n";
   return folder.draw({"orbit", "Orbit of the platform",
                       "Orbit of the platform about its rest position, coloured by time; equal axes.", ""},
-                     {1000, 640}, commands.str());
+                     {1000, 610}, commands.str());
 }
 
 /// Highest frequency worth showing: five times the natural or, without mooring, the main frequency [Hz].
@@ -84,20 +84,20 @@ Figure draw_spectra(const RunData& run, const RunSummary& summary, const PlotFol
   std::ostringstream commands;
   commands << "set xlabel 'frequency [mHz]' offset 0,0.4\nset ylabel 'power spectral density [m²/Hz]'\n"
            << "set logscale y\nset format y '10^{%L}'\nset termoption enhanced\n"
-           << "set xrange [0:" << number_text(1e3 * limit, 4) << "]\nset yrange [" << exponent_text(1e-8 * top) << ':'
+           << "set xrange [0:" << rounded_text(1e3 * limit, 4) << "]\nset yrange [" << exponent_text(1e-8 * top) << ':'
            << exponent_text(top) << "]\n";
   if (run.natural_period_s > 0.0) {
-    const std::string at = number_text(1e3 / run.natural_period_s, 6);
+    const std::string at = rounded_text(1e3 / run.natural_period_s, 6);
     commands << "set arrow 1 from first " << at << ", graph 0 to first " << at
              << ", graph 1 nohead lc rgb '#3c4149' lw 1 dt (6,4) front\n"
-             << "set label 1 'natural period " << number_text(run.natural_period_s, 3) << " s' at first " << at
+             << "set label 1 'natural period " << rounded_text(run.natural_period_s, 3) << " s' at first " << at
              << ", graph 0.95 offset 0.8,0 textcolor rgb '#3c4149' front\n";
   }
   commands << "plot 'spectrum.csv' using 1:2 with lines linestyle 1 title 'x', '' using 1:3 with lines linestyle 2 "
               "title 'y'\n";
   return folder.draw({"spectrum", "Power spectra of x and y",
                       "Power spectra of x and y (multitaper, NW = 2.5, four tapers; two features closer than " +
-                          number_text(2e3 * x.half_bandwidth, 2) +
+                          rounded_text(2e3 * x.half_bandwidth, 2) +
                           " mHz are one). The dashed line is the natural period, 2&pi;&radic;(M/k).",
                       ""},
                      {1000, 380}, commands.str());

@@ -20,10 +20,10 @@ set border 3 lc rgb '#8a8f98' lw 1
 set tics nomirror out scale 0.5 font ',12' textcolor rgb '#3c4149'
 set xtics offset 0,0.3
 set grid xtics ytics back lc rgb '#e6e8eb' lw 1 dt solid
-set key top right Left reverse samplen 1.6 spacing 1.15 textcolor rgb '#3c4149'
+set key outside top left horizontal Left reverse width 1 samplen 1.6 spacing 1.15 textcolor rgb '#3c4149'
 set lmargin 11
 set rmargin 3
-set tmargin 1.6
+set tmargin 2
 set style line 1 lc rgb '#31688e' lw 1.2
 set style line 2 lc rgb '#c2571a' lw 1.4
 set style line 3 lc rgb '#35a37a' lw 1.2

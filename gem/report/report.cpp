@@ -14,7 +14,7 @@ namespace {
 
 std::string stamp(const RunIdentity& identity) {
   std::string text = identity.name;
-  if (!identity.commit.empty()) text += "  " + identity.commit;
+  if (!identity.source.empty()) text += "  " + identity.source;
   if (identity.status != "complete") text += "  " + identity.status;
   return text;
 }
@@ -22,7 +22,7 @@ std::string stamp(const RunIdentity& identity) {
 }  // namespace
 
 void write_report(const std::string& run_file, const std::string& out_dir, bool allow_incomplete) {
-  write_report(load_run(run_file), out_dir, allow_incomplete);
+  write_report(load_run(run_file, allow_incomplete), out_dir, allow_incomplete);
 }
 
 void write_report(const RunData& run, const std::string& out_dir, bool allow_incomplete) {

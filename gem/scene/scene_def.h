@@ -84,6 +84,7 @@ struct FloesDef {
   double gap_m = 0.05;                      ///< smallest distance between floes at the start
   Placement placement = Placement::random;  ///< for `copied`
   std::int64_t shape_count = 24;            ///< for `copied`: how many traced shapes are repeated
+  double tile_length_m = 100.0;             ///< for `tiled`: about how long the repeated block is
   std::vector<IceClassDef> classes = {IceClassDef{}};
 };
 
@@ -92,6 +93,7 @@ struct BoundaryDef {
   bool present = true;
   double inlet_x_m = -1600.0;
   double inlet_width_m = 400.0;
+  double taper_start_x_m = -1600.0;  ///< straight up to here; at or upstream of the inlet: the whole channel tapers
   double gap_m = 400.0;
   double outlet_x_m = 60.0;
 };

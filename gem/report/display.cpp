@@ -30,7 +30,7 @@ std::string rounded_text(double value, int digits) {
   return to_text(value, std::chars_format::fixed, std::max(0, digits - before_point));
 }
 
-std::string fixed_text(double value, int decimals) {
+std::string decimal_text(double value, int decimals) {
   return std::isfinite(value) ? to_text(value, std::chars_format::fixed, decimals) : "-";
 }
 

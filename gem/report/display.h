@@ -9,7 +9,7 @@ namespace gem {
 std::string rounded_text(double value, int digits = 3);
 
 /// `value` with `decimals` digits after the point.
-std::string fixed_text(double value, int decimals);
+std::string decimal_text(double value, int decimals);
 
 /// Two digits and a power of ten, for residuals: "3.1e-14".
 std::string exponent_text(double value);

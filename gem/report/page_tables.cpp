@@ -30,7 +30,8 @@ std::string with_interval(const MeanEstimate& estimate, const Unit& unit) {
   if (estimate.batches == 0) return "record too short";
   const double half = estimate.half_width / unit.size;
   const int decimals = half > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(half))), 0, 9) : 3;
-  return fixed_text(estimate.mean / unit.size, decimals) + " &plusmn; " + fixed_text(half, decimals) + " " + unit.name;
+  return decimal_text(estimate.mean / unit.size, decimals) + " &plusmn; " + decimal_text(half, decimals) + " " +
+         unit.name;
 }
 
 std::string at_time(double time, double duration) { return " at " + with_unit(time, time_unit(duration)); }

@@ -62,16 +62,16 @@ Figure draw_orbit(const RunData& run, const Unit& length, const PlotFolder& fold
 }
 
 /// Highest frequency worth showing: five times the natural or, without mooring, the main frequency [Hz].
-double frequency_limit(const RunData& run, const RunSummary& summary) {
+double frequency_limit(const RunData& run, const RunFindings& findings) {
   double base = run.natural_period_s > 0.0 ? 1.0 / run.natural_period_s : 0.0;
-  if (summary.x.spectral) base = std::max(base, 1.0 / summary.x.spectral->period);
-  return base > 0.0 ? 4.0 * base : summary.x.spectrum.frequency(summary.x.spectrum.density.size() - 1);
+  if (findings.x.spectral) base = std::max(base, 1.0 / findings.x.spectral->period);
+  return base > 0.0 ? 4.0 * base : findings.x.spectrum.frequency(findings.x.spectrum.density.size() - 1);
 }
 
-Figure draw_spectra(const RunData& run, const RunSummary& summary, const PlotFolder& folder) {
-  const double limit = frequency_limit(run, summary);
-  const Spectrum& x = summary.x.spectrum;
-  const Spectrum& y = summary.y.spectrum;
+Figure draw_spectra(const RunData& run, const RunFindings& findings, const PlotFolder& folder) {
+  const double limit = frequency_limit(run, findings);
+  const Spectrum& x = findings.x.spectrum;
+  const Spectrum& y = findings.y.spectrum;
   Csv csv("f [mHz],S_x [m2/Hz],S_y [m2/Hz]");
   double largest = 0.0;
   for (std::size_t i = 1; i < x.density.size() && x.frequency(i) <= limit; ++i) {
@@ -105,14 +105,14 @@ Figure draw_spectra(const RunData& run, const RunSummary& summary, const PlotFol
 
 }  // namespace
 
-std::vector<Figure> motion_figures(const RunData& run, const RunSummary& summary, const PlotFolder& folder) {
+std::vector<Figure> motion_figures(const RunData& run, const RunFindings& findings, const PlotFolder& folder) {
   if (run.platform.time.size() < kSamplesForStatistics) return {};
-  const Unit length = length_unit(summary.radial_excursion);
+  const Unit length = length_unit(findings.radial_excursion);
   const AxisCurve along{"motion_x", "x", "along the current", 1};
   const AxisCurve across{"motion_y", "y", "across the current", 2};
   return {draw_axis(run, along, run.platform.x, run.rest.x, length, folder),
           draw_axis(run, across, run.platform.y, run.rest.y, length, folder), draw_orbit(run, length, folder),
-          draw_spectra(run, summary, folder)};
+          draw_spectra(run, findings, folder)};
 }
 
 }  // namespace gem

@@ -84,17 +84,17 @@ std::string warning(const RunIdentity& identity) {
 
 }  // namespace
 
-std::string page_html(const RunData& run, const RunSummary& summary, const PageFigures& figures) {
+std::string page_html(const RunData& run, const RunFindings& findings, const PageFigures& figures) {
   const std::string name = escaped(run.identity.name);
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       name + " - run report</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
   html += "<header><h1>" + name + "</h1>\n<p>Ice loads on a moored platform: report of one run</p></header>\n";
-  html += warning(run.identity) + headline_html(run, summary);
+  html += warning(run.identity) + headline_html(run, findings);
   html += section("The field", figures.field, false);
-  html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + motion_html(run, summary) +
-          loads_html(run, summary) + quality_html(run, summary) + identity_html(run) + "</section>\n";
+  html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + motion_html(run, findings) +
+          loads_html(run, findings) + quality_html(run, findings) + identity_html(run) + "</section>\n";
   html += section("Motion of the platform", figures.motion, true);
   html += section("Forces on the platform", figures.force, true);
   html += section("Books of the run", figures.books, false);

@@ -56,21 +56,21 @@ std::string impulse_text(double impulse) { return with_unit(impulse, impulse_uni
 
 }  // namespace
 
-std::string headline_html(const RunData& run, const RunSummary& summary) {
+std::string headline_html(const RunData& run, const RunFindings& findings) {
   std::string html = "<section class=\"headline\">\n";
   if (!run.platform.time.empty()) {
-    html += figure_of_run(with_unit(summary.radial_excursion, length_unit(summary.radial_excursion)),
+    html += figure_of_run(with_unit(findings.radial_excursion, length_unit(findings.radial_excursion)),
                           "largest excursion of the platform");
-    if (summary.x.spectral)
-      html += figure_of_run(rounded_text(summary.x.spectral->period, 3) + " s",
+    if (findings.x.spectral)
+      html += figure_of_run(rounded_text(findings.x.spectral->period, 3) + " s",
                             run.natural_period_s > 0.0
                                 ? "main period in x; natural period " + rounded_text(run.natural_period_s, 3) + " s"
                                 : "main period in x");
-    html += figure_of_run(force_text(summary.loads.mooring_largest), "largest mooring force");
-    html += figure_of_run(force_text(summary.loads.crushing_largest), "largest crushing peak of one event");
+    html += figure_of_run(force_text(findings.loads.mooring_largest), "largest mooring force");
+    html += figure_of_run(force_text(findings.loads.crushing_largest), "largest crushing peak of one event");
   }
-  if (summary.quality.speed > 0.0)
-    html += figure_of_run(rounded_text(summary.quality.speed, 3) + " &times;", "real time");
+  if (findings.quality.speed > 0.0)
+    html += figure_of_run(rounded_text(findings.quality.speed, 3) + " &times;", "real time");
   return html + "</section>\n";
 }
 
@@ -86,11 +86,11 @@ std::string identity_html(const RunData& run) {
   return table("Identity", rows);
 }
 
-std::string motion_html(const RunData& run, const RunSummary& summary) {
+std::string motion_html(const RunData& run, const RunFindings& findings) {
   if (run.platform.time.empty()) return "";
-  const AxisMotion& x = summary.x;
-  const AxisMotion& y = summary.y;
-  const Unit unit = length_unit(summary.radial_excursion);
+  const AxisMotion& x = findings.x;
+  const AxisMotion& y = findings.y;
+  const Unit unit = length_unit(findings.radial_excursion);
   std::string rows =
       "<tr><td></td><th scope=\"col\">x, along the current</th><th scope=\"col\">y, across</th></tr>\n" +
       row("mean offset, 95 % interval", {with_interval(x.offset, unit), with_interval(y.offset, unit)}) +
@@ -98,7 +98,7 @@ std::string motion_html(const RunData& run, const RunSummary& summary) {
       row("largest excursion from rest", {with_unit(x.excursion, unit) + at_time(x.excursion_time, run.duration_s),
                                           with_unit(y.excursion, unit) + at_time(y.excursion_time, run.duration_s)}) +
       row("in the plane",
-          {with_unit(summary.radial_excursion, unit) + at_time(summary.radial_time, run.duration_s), ""});
+          {with_unit(findings.radial_excursion, unit) + at_time(findings.radial_time, run.duration_s), ""});
   rows += row("period, spectral peak", {spectral_text(x.spectral), spectral_text(y.spectral)}) +
           row("period, zero up-crossings", {counted(x.crossings.mean_period, x.crossings.count, "crossings"),
                                             counted(y.crossings.mean_period, y.crossings.count, "crossings")}) +
@@ -111,9 +111,9 @@ std::string motion_html(const RunData& run, const RunSummary& summary) {
   return table("Motion of the platform", rows);
 }
 
-std::string loads_html(const RunData& run, const RunSummary& summary) {
+std::string loads_html(const RunData& run, const RunFindings& findings) {
   if (run.platform.time.empty()) return "";
-  const Loads& l = summary.loads;
+  const PlatformLoads& l = findings.loads;
   const std::string window = number_text(run.force_window_s, 6) + " s";
   const double mean = std::hypot(l.ice_mean_x.mean, l.ice_mean_y.mean);
   std::string rows = row("event impulse, largest of one event", {impulse_text(l.event_impulse_largest)}) +
@@ -130,12 +130,12 @@ std::string loads_html(const RunData& run, const RunSummary& summary) {
                      row("events on the platform", {std::to_string(l.events)}) +
                      row("arrivals (different floes that hit it)", {std::to_string(l.arrivals)}) +
                      row("samples with contact", {rounded_text(100.0 * l.contact_fraction, 3) + " %"});
-  return table("Loads on the platform", rows);
+  return table("PlatformLoads on the platform", rows);
 }
 
-std::string quality_html(const RunData& run, const RunSummary& summary) {
+std::string quality_html(const RunData& run, const RunFindings& findings) {
   if (run.stats.time.empty()) return "";
-  const Quality& q = summary.quality;
+  const RunQuality& q = findings.quality;
   return table("Books and speed",
                row("momentum unexplained, relative", {exponent_text(q.residual_momentum)}) +
                    row("angular momentum unexplained, relative", {exponent_text(q.residual_angular_momentum)}) +

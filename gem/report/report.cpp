@@ -7,7 +7,7 @@
 #include "gem/report/figures.h"
 #include "gem/report/load_run.h"
 #include "gem/report/page.h"
-#include "gem/report/run_summary.h"
+#include "gem/report/run_findings.h"
 
 namespace gem {
 namespace {
@@ -31,11 +31,11 @@ void write_report(const RunData& run, const std::string& out_dir, bool allow_inc
                                      ") finish it, or ask for a report with --allow-incomplete");
   const std::filesystem::path folder(out_dir);
   const PlotFolder plots(folder / "figures", stamp(run.identity));
-  const RunSummary summary = summarise_run(run);
-  const PageFigures figures{field_figures(run, plots), motion_figures(run, summary, plots), force_figures(run, plots),
+  const RunFindings findings = run_findings(run);
+  const PageFigures figures{field_figures(run, plots), motion_figures(run, findings, plots), force_figures(run, plots),
                             book_figures(run, plots)};
   std::ofstream page(folder / "index.html", std::ios::binary);
-  page << page_html(run, summary, figures);
+  page << page_html(run, findings, figures);
   page.close();
   if (!page)
     throw Error(ExitCode::file_system, "cannot write " + (folder / "index.html").string() +

@@ -52,7 +52,7 @@ Csv floes_csv(const RunData& run, const FloeFrame& frame, const View& view) {
   for (std::size_t i = 0; i < run.floe_outlines.size() && i < frame.x.size(); ++i) {
     if (!std::isfinite(frame.x[i]) || !inside(view, frame.x[i], frame.y[i], 20.0)) continue;
     const Rotation turn{std::cos(frame.theta[i]), std::sin(frame.theta[i])};
-    const Outline& outline = run.floe_outlines[i];
+    const Corners& outline = run.floe_outlines[i];
     // The first corner comes again at the end, so that the same rows draw a closed line.
     for (std::size_t c = 0; c <= outline.size(); ++c) {
       const Vec2 p = Vec2{frame.x[i], frame.y[i]} + rotate(turn, outline[c % outline.size()]);
@@ -63,9 +63,9 @@ Csv floes_csv(const RunData& run, const FloeFrame& frame, const View& view) {
   return csv;
 }
 
-Csv outlines_csv(const std::vector<Outline>& outlines) {
+Csv outlines_csv(const std::vector<Corners>& outlines) {
   Csv csv("x [m],y [m]");
-  for (const Outline& outline : outlines) {
+  for (const Corners& outline : outlines) {
     for (const Vec2 p : outline) csv.row({p.x, p.y});
     csv.gap();
   }
@@ -80,8 +80,8 @@ Vec2 platform_position(const RunData& run, double time) {
   return {run.platform.x[at], run.platform.y[at]};
 }
 
-Outline moved(const Outline& outline, Vec2 by) {
-  Outline result = outline;
+Corners moved(const Corners& outline, Vec2 by) {
+  Corners result = outline;
   for (Vec2& p : result) p += by;
   return result;
 }

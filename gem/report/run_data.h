@@ -55,7 +55,7 @@ struct FloeFrame {
   std::vector<double> x, y, theta, speed;  // one entry per floe; not finite for a floe that is gone
 };
 
-using Outline = std::vector<Vec2>;
+using Corners = std::vector<Vec2>;
 
 struct RunData {
   RunIdentity identity;
@@ -67,9 +67,9 @@ struct RunData {
   PlatformRecord platform;
   EventRecord events;
   StatsRecord stats;
-  Outline platform_outline;            // about its centre
-  std::vector<Outline> fixed;          // world
-  std::vector<Outline> floe_outlines;  // about the centroid
+  Corners platform_outline;            // about its centre
+  std::vector<Corners> fixed;          // world
+  std::vector<Corners> floe_outlines;  // about the centroid
   std::vector<FloeFrame> frames;       // start, middle, end
 };
 

@@ -15,39 +15,39 @@ namespace gem {
 
 /// What the platform felt in one moment, and its state at the moment's end. Impulses act on the platform.
 struct PlatformMoment {
-  Vec2 position;             // [m]
+  Vec2 position;  // [m]
   Rotation rotation;
-  Vec2 velocity;             // [m/s]
-  double spin = 0.0;         // [rad/s]
-  Vec2 ice_impulse;          // [N s]
+  Vec2 velocity;                 // [m/s]
+  double spin = 0.0;             // [rad/s]
+  Vec2 ice_impulse;              // [N s]
   double ice_yaw_impulse = 0.0;  // about the platform's centre [N m s]
-  Vec2 mooring_impulse;      // [N s]
-  Vec2 drag_impulse;         // [N s]
-  std::int32_t contacts = 0; // contacts of the platform that carried an impulse
+  Vec2 mooring_impulse;          // [N s]
+  Vec2 drag_impulse;             // [N s]
+  std::int32_t contacts = 0;     // contacts of the platform that carried an impulse
 };
 
 /// One event on the platform. The normal points from the platform into the ice; the impulse acts on the ice.
 struct ContactEvent {
-  double time = 0.0;             // start of the moment [s]
-  std::int32_t body_a = 0;       // the platform
+  double time = 0.0;        // start of the moment [s]
+  std::int32_t body_a = 0;  // the platform
   std::int32_t body_b = 0;
-  Vec2 point;                    // world [m]
+  Vec2 point;  // world [m]
   Vec2 normal;
-  double closing_speed = 0.0;    // before the event [m/s]
-  double impulse_normal = 0.0;   // [N s]
+  double closing_speed = 0.0;       // before the event [m/s]
+  double impulse_normal = 0.0;      // [N s]
   double impulse_tangential = 0.0;  // along the normal turned left [N s]
-  double effective_mass = 0.0;   // [kg]
-  double peak_force = 0.0;       // closed-form crushing peak (Popov) of the closing speed [N]
-  double width = 0.0;            // chord, 0 for a corner that only touches [m]
-  double depth = 0.0;            // overlap depth [m]
+  double effective_mass = 0.0;      // [kg]
+  double peak_force = 0.0;          // closed-form crushing peak (Popov) of the closing speed [N]
+  double width = 0.0;               // chord, 0 for a corner that only touches [m]
+  double depth = 0.0;               // overlap depth [m]
 };
 
 /// How well one moment was resolved.
 struct MomentQuality {
-  std::int32_t contacts = 0;          // touching contact points
-  std::int32_t iterations = 0;        // sweeps of the coupled resolution
-  double residual = 0.0;              // largest closing speed left over [m/s]
-  double maximum_overlap = 0.0;       // deepest overlap depth at the start of the moment [m]
+  std::int32_t contacts = 0;     // touching contact points
+  std::int32_t iterations = 0;   // sweeps of the coupled resolution
+  double residual = 0.0;         // largest closing speed left over [m/s]
+  double maximum_overlap = 0.0;  // deepest overlap depth at the start of the moment [m]
 };
 
 /// Filled by advance(): one entry of `platform` and `quality` per moment, events in time and id order.
@@ -56,7 +56,11 @@ struct MomentLog {
   std::vector<PlatformMoment> platform;
   std::vector<MomentQuality> quality;
   std::vector<ContactEvent> events;
-  void clear() { platform.clear(); quality.clear(); events.clear(); }
+  void clear() {
+    platform.clear();
+    quality.clear();
+    events.clear();
+  }
 };
 
 /// Everything that a run needs to go on with the same bits.

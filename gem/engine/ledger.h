@@ -32,13 +32,13 @@ struct Quantity {
 
 /// Since t = 0. Contact channels hold what fixed bodies gave to momentum and what all contacts took from energy (<= 0).
 struct Ledger {
-  Quantity start;    // total at t = 0: kinetic energy plus mooring spring
-  Quantity now;      // total of the active bodies now
+  Quantity start;  // total at t = 0: kinetic energy plus mooring spring
+  Quantity now;    // total of the active bodies now
   std::array<Quantity, static_cast<std::size_t>(Channel::count)> channel;
-  Quantity mooring_force;        // momentum and angular momentum given by the mooring spring
-  double momentum_scale = 0.0;   // largest sum of mass x speed seen: what residuals are relative to [N s]
-  double angular_scale = 0.0;    // the same for angular momentum [N m s]
-  double energy_scale = 0.0;     // largest energy term [J]
+  Quantity mooring_force;       // momentum and angular momentum given by the mooring spring
+  double momentum_scale = 0.0;  // largest sum of mass x speed seen: what residuals are relative to [N s]
+  double angular_scale = 0.0;   // the same for angular momentum [N m s]
+  double energy_scale = 0.0;    // largest energy term [J]
 
   Quantity& operator[](Channel c) { return channel[static_cast<std::size_t>(c)]; }
   const Quantity& operator[](Channel c) const { return channel[static_cast<std::size_t>(c)]; }

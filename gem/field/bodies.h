@@ -16,24 +16,25 @@ enum class BodyKind : std::uint8_t { platform = 0, fixed = 1, floe = 2 };
 struct Bodies {
   // what a body is: constant during a run
   std::vector<BodyKind> kind;
-  std::vector<std::uint8_t> ice_class;      // index into FloesDef::classes; 0 for bodies that are not ice
-  std::vector<std::int32_t> vertex_begin;   // count() + 1 entries: outline of i is vertex[vertex_begin[i]..vertex_begin[i+1])
-  std::vector<Vec2> vertex;                 // [m]
-  std::vector<double> radius;               // farthest vertex from the centroid [m]
-  std::vector<double> area;                 // [m2]
-  std::vector<double> thickness;            // [m]; contact height for a body that is not ice
-  std::vector<double> mass;                 // [kg]; 0 for fixed bodies
-  std::vector<double> inertia;              // about the centroid [kg m2]; 0 for fixed bodies
-  std::vector<double> inverse_mass;         // [1/kg]; 0 for fixed bodies
-  std::vector<double> inverse_inertia;      // [1/(kg m2)]; 0 for fixed bodies and locked yaw
-  std::vector<double> drag;                 // k of dw/dt = -k |w| w [1/m] (quadratic) or 1/tau [1/s] (linear)
-  std::vector<double> spin_drag;            // k of dω/dt = -k |ω| ω [-] (quadratic) or 1/tau [1/s] (linear)
+  std::vector<std::uint8_t> ice_class;  // index into FloesDef::classes; 0 for bodies that are not ice
+  std::vector<std::int32_t>
+      vertex_begin;                  // count() + 1 entries: outline of i is vertex[vertex_begin[i]..vertex_begin[i+1])
+  std::vector<Vec2> vertex;          // [m]
+  std::vector<double> radius;        // farthest vertex from the centroid [m]
+  std::vector<double> area;          // [m2]
+  std::vector<double> thickness;     // [m]; contact height for a body that is not ice
+  std::vector<double> mass;          // [kg]; 0 for fixed bodies
+  std::vector<double> inertia;       // about the centroid [kg m2]; 0 for fixed bodies
+  std::vector<double> inverse_mass;  // [1/kg]; 0 for fixed bodies
+  std::vector<double> inverse_inertia;  // [1/(kg m2)]; 0 for fixed bodies and locked yaw
+  std::vector<double> drag;             // k of dw/dt = -k |w| w [1/m] (quadratic) or 1/tau [1/s] (linear)
+  std::vector<double> spin_drag;        // k of dω/dt = -k |ω| ω [-] (quadratic) or 1/tau [1/s] (linear)
 
   // how it moves
-  std::vector<Vec2> position;      // centroid, world [m]
+  std::vector<Vec2> position;  // centroid, world [m]
   std::vector<Rotation> rotation;
-  std::vector<Vec2> velocity;      // [m/s]
-  std::vector<double> spin;        // [rad/s]
+  std::vector<Vec2> velocity;        // [m/s]
+  std::vector<double> spin;          // [rad/s]
   std::vector<std::uint8_t> active;  // 0: retired, takes no part any more
 
   std::size_t count() const { return kind.size(); }
@@ -50,7 +51,7 @@ struct BodyDef {
   double spin = 0.0;
   double thickness = 0.5;
   double density = 900.0;
-  double mass = 0.0;          // > 0: replaces density x area x thickness, e.g. for the platform
+  double mass = 0.0;  // > 0: replaces density x area x thickness, e.g. for the platform
   std::uint8_t ice_class = 0;
   bool locked_yaw = false;
 };

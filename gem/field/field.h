@@ -11,6 +11,7 @@
 namespace gem {
 
 /// Builds body 0 (platform), the fixed bodies and the floes of a scene. Same scene, same bits, everywhere.
+/// The platform is a regular polygon with its first corner on the +x side; without platform, body 0 is inactive.
 /// Throws Error(scene_rejected) if the floes do not fit, overlap or lie outside the channel.
 Bodies make_field(const SceneDef& scene);
 
@@ -21,10 +22,12 @@ struct FieldSummary {
   double size_deviation = 0.0;  // [m]
   double size_minimum = 0.0;
   double size_maximum = 0.0;
-  double cover = 0.0;           // floe area over the area of the field rectangle [-]
-  double smallest_gap = 0.0;    // between any two bodies [m]; infinity with fewer than two bodies
-  double ice_mass = 0.0;        // [kg]
+  double cover = 0.0;               // floe area over the area of the field rectangle [-]
+  double smallest_gap = 0.0;        // between any two bodies [m]; infinity with fewer than two bodies
+  double ice_mass = 0.0;            // [kg]
   std::vector<std::int64_t> sides;  // sides[n]: floes with n sides
+  std::vector<double> class_share;  // share of the floe area in each ice class [-]
+  double asked_cover = 0.0;         // sum of the classes' tenths / 10, to compare with cover [-]
 };
 
 FieldSummary summarise(const SceneDef& scene, const Bodies& bodies);

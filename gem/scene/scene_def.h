@@ -81,9 +81,10 @@ struct FloesDef {
   double size_maximum_m = 20.0;
   double size_mean_m = 6.9;
   double size_deviation_m = 3.9;
-  double gap_m = 0.05;                        ///< smallest distance between floes at the start
-  Placement placement = Placement::random;    ///< for `copied`
-  std::int64_t shape_count = 24;              ///< for `copied`: how many traced shapes are repeated
+  double gap_m = 0.05;                      ///< smallest distance between floes at the start
+  Placement placement = Placement::random;  ///< for `copied`
+  std::int64_t shape_count = 24;            ///< for `copied`: how many traced shapes are repeated
+  double tile_length_m = 100.0;             ///< for `tiled`: about how long the repeated block is
   std::vector<IceClassDef> classes = {IceClassDef{}};
 };
 
@@ -92,6 +93,7 @@ struct BoundaryDef {
   bool present = true;
   double inlet_x_m = -1600.0;
   double inlet_width_m = 400.0;
+  double taper_start_x_m = -1600.0;  ///< straight up to here; at or upstream of the inlet: the whole channel tapers
   double gap_m = 400.0;
   double outlet_x_m = 60.0;
 };
@@ -127,18 +129,22 @@ struct ContactDef {
 };
 
 struct NumericsDef {
-  double moment_s = 0.05;             ///< dt
-  double residual_tolerance = 1e-3;   ///< coupled: largest closing speed left, relative to the current speed
+  double moment_s = 0.05;            ///< dt
+  double residual_tolerance = 1e-3;  ///< coupled: largest closing speed left, relative to the current speed
   std::int64_t iterations_maximum = 50;
-  double list_margin_m = 0.75;        ///< pairs closer than this are kept in the list
+  double contact_reach = 1.0;          ///< coupled: faces that the current could close in so many moments are held apart
+  std::int64_t repair_iterations = 2;  ///< coupled: sweeps of the position repair
+  double repair_share = 0.2;           ///< coupled: share of an overlap that is taken away in one moment
+  double list_margin_m = 0.75;         ///< pairs closer than this are kept in the list
 };
 
 struct OutputDef {
   double platform_interval_s = 0.1;
   double floes_interval_s = 10.0;
-  double force_window_s = 1.0;     ///< the stated average of the ice force
+  double force_window_s = 1.0;  ///< the stated average of the ice force
   bool platform_events = true;
-  double retire_x_m = 300.0;       ///< a floe whose centre passes this line is retired
+  double event_speed_m_per_s = 0.01;  ///< slower closing is static stress: in the force channels, not in the events
+  double retire_x_m = 300.0;          ///< a floe whose centre passes this line is retired
 };
 
 /// A floe or fixed body given by its outline (body coordinates, any origin, either direction).

@@ -14,7 +14,8 @@ namespace gem {
 SceneDef read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// The same from text; `origin` is the name used in messages.
-SceneDef parse_scene(const std::string& text, const std::string& origin, const std::vector<std::string>& overrides = {});
+SceneDef parse_scene(const std::string& text, const std::string& origin,
+                     const std::vector<std::string>& overrides = {});
 
 /// Every key with its value, in schema order: the form that is hashed and stored. Reading it gives the same scene.
 std::string resolved_toml(const SceneDef& scene);

@@ -1,0 +1,46 @@
+// Moments, extremes and percentiles of a record, with an interval for the mean that respects correlation.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace gem {
+
+struct Moments {
+  double mean = 0.0;
+  double deviation = 0.0;  // of the record about its mean
+  double minimum = 0.0;
+  double maximum = 0.0;
+};
+/// Moments of a record; all zero for an empty one.
+Moments moments(std::span<const double> signal);
+
+/// The largest departure from rest and the sample where it happens.
+struct Excursion {
+  double value = 0.0;  // signed for one axis, a distance for the plane
+  std::size_t sample = 0;
+};
+Excursion maximum_excursion(std::span<const double> signal, double rest = 0.0);
+/// The same in the plane, from (rest_x, rest_y). Both records have one length.
+Excursion maximum_radial_excursion(std::span<const double> x, std::span<const double> y, double rest_x = 0.0,
+                                   double rest_y = 0.0);
+
+/// Mean and the half width of its confidence interval.
+struct MeanEstimate {
+  double mean = 0.0;
+  double half_width = 0.0;
+  std::size_t batches = 0;
+};
+/// Batch means: the record is cut into `batches` equal stretches whose means are taken as independent, so a stretch
+/// must be longer than the correlation. Student's t with batches - 1 degrees of freedom. Needs batches >= 2 and at
+/// least one sample per batch, otherwise std::invalid_argument.
+MeanEstimate batch_mean(std::span<const double> signal, std::size_t batches = 20, double confidence = 0.95);
+
+/// Value that a fraction `p` in [0,1] of the record stays below, by linear interpolation; 0 for an empty record.
+double percentile(std::span<const double> signal, double p);
+
+/// Fraction of samples that are not zero: how much of the time there is contact.
+double intermittency(std::span<const double> contacts);
+
+}  // namespace gem

@@ -1,0 +1,96 @@
+#include "gem/analysis/period.h"
+
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace gem {
+namespace {
+
+/// Index of the largest density above the lobe that surrounds zero frequency.
+std::size_t strongest(const Spectrum& spectrum) {
+  const auto first = static_cast<std::size_t>(std::ceil(2.0 * spectrum.half_bandwidth / spectrum.step));
+  if (first >= spectrum.density.size()) return 0;
+  const auto from = spectrum.density.begin() + static_cast<std::ptrdiff_t>(first);
+  return static_cast<std::size_t>(std::max_element(from, spectrum.density.end()) - spectrum.density.begin());
+}
+
+/// Power-weighted mean frequency within twice the half-bandwidth of `middle` [Hz].
+double lobe_centre(const Spectrum& spectrum, double middle) {
+  const double reach = 2.0 * spectrum.half_bandwidth;
+  const auto begin = static_cast<std::size_t>(std::ceil(std::max(0.0, middle - reach) / spectrum.step));
+  const auto end = std::min(spectrum.density.size(), static_cast<std::size_t>((middle + reach) / spectrum.step) + 1);
+  double power = 0.0;
+  double moment = 0.0;
+  for (std::size_t i = begin; i < end; ++i) {
+    power += spectrum.density[i];
+    moment += spectrum.density[i] * spectrum.frequency(i);
+  }
+  return moment / power;
+}
+
+/// Centred twice: the maximum lies anywhere on the flat top, the second window lies evenly about it.
+double peak_frequency(const Spectrum& spectrum, std::size_t maximum) {
+  return lobe_centre(spectrum, lobe_centre(spectrum, spectrum.frequency(maximum)));
+}
+
+/// Half width of the 95 % interval of the peak's frequency from leaving out each taper in turn [Hz].
+double jackknife_half_width(const std::vector<Spectrum>& spectra, std::size_t maximum) {
+  const auto count = static_cast<double>(spectra.size());
+  std::vector<double> left_out;
+  for (std::size_t s = 0; s < spectra.size(); ++s)
+    left_out.push_back(peak_frequency(mean_spectrum(spectra, s), maximum));
+  const double mean = std::accumulate(left_out.begin(), left_out.end(), 0.0) / count;
+  double squares = 0.0;
+  for (const double value : left_out) squares += (value - mean) * (value - mean);
+  return gsl_cdf_tdist_Pinv(0.975, count - 1.0) * std::sqrt(squares * (count - 1.0) / count);
+}
+
+}  // namespace
+
+std::optional<PeriodEstimate> spectral_period(const std::vector<Spectrum>& eigenspectra) {
+  if (eigenspectra.size() < 2) return std::nullopt;
+  const Spectrum mean = mean_spectrum(eigenspectra);
+  const std::size_t maximum = strongest(mean);
+  if (maximum == 0 || !(mean.density[maximum] > 0.0)) return std::nullopt;
+  const double frequency = peak_frequency(mean, maximum);
+  if (frequency * mean.duration < 3.0) return std::nullopt;
+  const double half_width = std::max(jackknife_half_width(eigenspectra, maximum), 0.5 / mean.duration);
+  return PeriodEstimate{1.0 / frequency, 1.0 / (frequency + half_width),
+                        1.0 / std::max(frequency - half_width, 0.5 / mean.duration)};
+}
+
+Crossings zero_up_crossings(std::span<const double> signal, double interval_s) {
+  if (signal.empty()) return {};
+  const double mean = std::accumulate(signal.begin(), signal.end(), 0.0) / static_cast<double>(signal.size());
+  Crossings crossings;
+  double first = 0.0;
+  double last = 0.0;
+  for (std::size_t i = 1; i < signal.size(); ++i) {
+    const double before = signal[i - 1] - mean;
+    const double after = signal[i] - mean;
+    if (!(before < 0.0 && after >= 0.0)) continue;
+    last = (static_cast<double>(i) - after / (after - before)) * interval_s;
+    if (crossings.count == 0) first = last;
+    ++crossings.count;
+  }
+  if (crossings.count > 1) crossings.mean_period = (last - first) / static_cast<double>(crossings.count - 1);
+  return crossings;
+}
+
+Maxima local_maxima(std::span<const double> signal, double interval_s) {
+  Maxima maxima;
+  bool rising = false;
+  for (std::size_t i = 1; i < signal.size(); ++i) {
+    if (signal[i] < signal[i - 1] && rising) ++maxima.count;
+    // A level stretch keeps the direction: a flat top is one maximum.
+    if (signal[i] != signal[i - 1]) rising = signal[i] > signal[i - 1];
+  }
+  if (maxima.count > 0)
+    maxima.mean_period = static_cast<double>(signal.size()) * interval_s / static_cast<double>(maxima.count);
+  return maxima;
+}
+
+}  // namespace gem

@@ -1,0 +1,42 @@
+// The main period of a record by three methods that are kept apart: spectrum, zero crossings, local maxima.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gem/analysis/spectrum.h"
+
+namespace gem {
+
+/// A period with the interval that holds it with 95 % confidence [s].
+struct PeriodEstimate {
+  double period = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// The period of the strongest spectral peak.
+///
+/// A multitaper peak has a flat top one bandwidth wide, so its place is the power-weighted mean frequency over the
+/// whole lobe (twice the half-bandwidth each side of the maximum). The interval is the larger of a jackknife over the
+/// tapers and half a resolution cell, 1 / (2 T). Empty for a record without power or with fewer than three cycles of
+/// the peak.
+std::optional<PeriodEstimate> spectral_period(const std::vector<Spectrum>& eigenspectra);
+
+/// Up-crossings of zero by the mean-removed record, each placed by linear interpolation.
+struct Crossings {
+  std::size_t count = 0;
+  double mean_period = 0.0;  // between the first and the last; 0 with fewer than two [s]
+};
+Crossings zero_up_crossings(std::span<const double> signal, double interval_s);
+
+/// Local maxima of the record: every wiggle counts, so their mean period is a lower bound for broad-band records.
+struct Maxima {
+  std::size_t count = 0;
+  double mean_period = 0.0;  // duration over count; 0 without maxima [s]
+};
+Maxima local_maxima(std::span<const double> signal, double interval_s);
+
+}  // namespace gem

@@ -1,0 +1,41 @@
+// Power spectra of evenly sampled records: multitaper for short ones, Welch for long ones.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace gem {
+
+/// One-sided power spectral density of the mean-removed signal: its sum times `step` is the variance.
+struct Spectrum {
+  double step = 0.0;            // spacing of the frequencies, the first is 0 [Hz]
+  double half_bandwidth = 0.0;  // features closer than twice this are one [Hz]
+  double duration = 0.0;        // length of the record [s]
+  std::vector<double> density;  // [unit^2/Hz]
+
+  double frequency(std::size_t i) const { return step * static_cast<double>(i); }
+  /// The integral over all frequencies [unit^2].
+  double variance() const;
+};
+
+struct MultitaperOptions {
+  double time_bandwidth = 2.5;  // NW
+  std::size_t taper_count = 4;  // K, at most 2 NW - 1
+};
+
+/// The spectrum of each taper alone (Thomson 1982), zero-padded to a power of two: their mean is the estimate, their
+/// spread its uncertainty. Throws std::invalid_argument with fewer than 16 samples or an interval that is not positive.
+std::vector<Spectrum> eigenspectra(std::span<const double> signal, double interval_s,
+                                   const MultitaperOptions& options = {});
+
+/// Mean of several spectra of one record, leaving out number `without` if it is given.
+Spectrum mean_spectrum(const std::vector<Spectrum>& spectra, std::size_t without = static_cast<std::size_t>(-1));
+
+/// Multitaper estimate: the mean of the eigenspectra.
+Spectrum multitaper(std::span<const double> signal, double interval_s, const MultitaperOptions& options = {});
+
+/// Welch's estimate: Hann segments of `segment_s`, half overlapping. A record shorter than a segment is one segment.
+Spectrum welch(std::span<const double> signal, double interval_s, double segment_s);
+
+}  // namespace gem

@@ -1,0 +1,189 @@
+#include "gem/engine/books.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "gem/base/error.h"
+#include "gem/engine/contact_stages.h"
+#include "gem/engine/solo_stages.h"
+
+namespace gem {
+namespace {
+
+Quantity& operator+=(Quantity& sum, const Quantity& q) {
+  sum.momentum += q.momentum;
+  sum.angular_momentum += q.angular_momentum;
+  sum.energy += q.energy;
+  return sum;
+}
+
+Quantity of_body(const Bodies& b, std::size_t i) {
+  const Vec2 momentum = b.mass[i] * b.velocity[i];
+  return {momentum, cross(b.position[i], momentum) + b.inertia[i] * b.spin[i],
+          kinetic_energy(b.mass[i], b.inertia[i], b.velocity[i], b.spin[i])};
+}
+
+/// The platform event of one contact, seen at the impulse-weighted middle of its points.
+ContactEvent event_of(const FieldState& f, const Contact& contact, double time) {
+  ContactEvent e;
+  e.time = time;
+  e.body_a = contact.a;
+  e.body_b = contact.b;
+  e.normal = contact.normal;
+  e.width = contact.width;
+  Vec2 arm_a, arm_b;
+  for (int k = 0; k < contact.count; ++k) {
+    const ContactSlot& slot = contact.slot[k];
+    e.impulse_normal += slot.impulse.normal;
+    e.impulse_tangential += slot.impulse.tangential;
+    arm_a += slot.impulse.normal * slot.arm_a;
+    arm_b += slot.impulse.normal * slot.arm_b;
+    e.closing_speed -= slot.impulse.normal * slot.normal_before;
+    e.depth = std::max(e.depth, -slot.separation);
+  }
+  const double share = 1.0 / e.impulse_normal;
+  arm_a = share * arm_a;
+  arm_b = share * arm_b;
+  e.closing_speed *= share;
+  e.point = f.bodies.position[contact.b] + arm_b;
+  e.effective_mass = 1.0 / contact_compliance(collision_mass(f.bodies, contact.a), arm_a,
+                                              collision_mass(f.bodies, contact.b), arm_b, contact.normal)
+                               .nn;
+  const double energy = 0.5 * e.effective_mass * e.closing_speed * e.closing_speed;
+  const Vec2 offset = f.bodies.position[contact.b] - f.platform_position;
+  const double longest = contact.growth > 0.0 ? facing_length(f.outline(contact.a), f.outline(contact.b), offset,
+                                                              turned_left(contact.normal))
+                                              : contact.width;
+  e.peak_force = crushing_peak(crushing_ice(f, contact), contact.growth, longest, energy).force;
+  return e;
+}
+
+bool finite(const Bodies& b, std::size_t i) {
+  return std::isfinite(b.position[i].x + b.position[i].y + b.velocity[i].x + b.velocity[i].y + b.spin[i] +
+                       b.rotation[i].cosine + b.rotation[i].sine);
+}
+
+}  // namespace
+
+Quantity total(const FieldState& f) {
+  Quantity sum;
+  for (std::size_t i = 0; i < f.bodies.count(); ++i)
+    if (f.bodies.active[i]) sum += of_body(f.bodies, i);
+  if (f.constants.moored_or_free) {
+    const Vec2 offset = f.bodies.position[0] - f.constants.anchor;
+    sum.energy += 0.5 * f.constants.stiffness * dot(offset, offset);
+  }
+  return sum;
+}
+
+Ledger closed_books(const FieldState& f, const Ledger& running) {
+  Ledger ledger = running;
+  double momentum = 0.0, angular = 0.0;
+  for (std::size_t i = 0; i < f.bodies.count(); ++i) {
+    ledger[Channel::drag] += f.drag_book[i];
+    ledger[Channel::repair] += f.repair_book[i];
+    const Vec2 p = f.bodies.mass[i] * f.bodies.velocity[i];
+    momentum += length(p);
+    angular += length(f.bodies.position[i]) * length(p) + f.bodies.inertia[i] * std::fabs(f.bodies.spin[i]);
+  }
+  ledger.now = total(f);
+  double energy = std::fabs(ledger.now.energy) + std::fabs(ledger.start.energy);
+  for (const Quantity& q : ledger.channel) {
+    momentum = std::max(momentum, length(q.momentum));
+    angular = std::max(angular, std::fabs(q.angular_momentum));
+    energy += std::fabs(q.energy);
+  }
+  ledger.momentum_scale = std::max(momentum, length(ledger.mooring_force.momentum));
+  ledger.angular_scale = std::max(angular, std::fabs(ledger.mooring_force.angular_momentum));
+  ledger.energy_scale = energy;
+  return ledger;
+}
+
+void retire_and_check(FieldState& f, Ledger& ledger, std::int64_t moment) {
+  Bodies& b = f.bodies;
+  for (std::size_t i = 0; i < b.count(); ++i) {
+    if (!b.active[i] || b.kind[i] == BodyKind::fixed) continue;
+    if (!finite(b, i))
+      throw Error(ExitCode::numerical_stop,
+                  "body " + std::to_string(i) + " has a state that is no number after moment " +
+                      std::to_string(moment) + " (t = " + std::to_string(static_cast<double>(moment) * f.constants.dt) +
+                      " s); try a smaller numerics.moment_s");
+    if (b.kind[i] == BodyKind::floe && b.position[i].x > f.constants.retire_x) {
+      const Quantity gone = of_body(b, i);
+      ledger[Channel::retired].momentum -= gone.momentum;
+      ledger[Channel::retired].angular_momentum -= gone.angular_momentum;
+      ledger[Channel::retired].energy -= gone.energy;
+      b.active[i] = 0;
+    }
+  }
+}
+
+MomentQuality contact_quality(const std::vector<Contact>& contacts) {
+  MomentQuality quality;
+  for (const Contact& contact : contacts)
+    for (int k = 0; k < contact.count; ++k) {
+      const double depth = -contact.slot[k].separation;
+      if (depth >= 0.0) ++quality.contacts;
+      quality.maximum_overlap = std::max(quality.maximum_overlap, depth);
+    }
+  return quality;
+}
+
+void log_events(const FieldState& f, const std::vector<Contact>& contacts, std::int64_t moment, double event_speed,
+                MomentLog& log) {
+  if (!log.wants_events) return;
+  const double time = static_cast<double>(moment) * f.constants.dt;
+  for (const Contact& contact : contacts) {
+    if (contact.a != 0) break;
+    double closing = 0.0, pressed = 0.0;
+    for (int k = 0; k < contact.count; ++k) {
+      pressed += contact.slot[k].impulse.normal;
+      closing = std::max(closing, -contact.slot[k].normal_before);
+    }
+    if (pressed > 0.0 && closing > event_speed) log.events.push_back(event_of(f, contact, time));
+  }
+}
+
+void log_moment(const FieldState& f, const std::vector<Contact>& contacts, const Ledger& before, const Ledger& after,
+                const MomentQuality& quality, MomentLog& log) {
+  PlatformMoment p;
+  p.position = f.bodies.position[0];
+  p.rotation = f.bodies.rotation[0];
+  p.velocity = f.bodies.velocity[0];
+  p.spin = f.bodies.spin[0];
+  p.mooring_impulse = after.mooring_force.momentum - before.mooring_force.momentum;
+  p.drag_impulse = after[Channel::platform_drag].momentum - before[Channel::platform_drag].momentum;
+  for (const Contact& contact : contacts) {
+    if (contact.a != 0) break;
+    bool pressed = false;
+    for (int k = 0; k < contact.count; ++k) {
+      const ContactSlot& slot = contact.slot[k];
+      const Vec2 impulse = slot.impulse.normal * contact.normal + slot.impulse.tangential * turned_left(contact.normal);
+      p.ice_impulse -= impulse;
+      p.ice_yaw_impulse -= cross(slot.arm_a, impulse);
+      pressed = pressed || slot.impulse.normal > 0.0;
+    }
+    if (pressed) ++p.contacts;
+  }
+  log.platform.push_back(p);
+  log.quality.push_back(quality);
+}
+
+const char* channel_name(Channel channel) {
+  static const char* const names[] = {"impact", "friction", "elastic",       "repair",
+                                      "drag",   "mooring",  "platform_drag", "retired"};
+  return names[static_cast<std::size_t>(channel)];
+}
+
+LedgerResidual residual(const Ledger& ledger) {
+  Quantity explained = ledger.start;
+  for (const Quantity& q : ledger.channel) explained += q;
+  explained += ledger.mooring_force;
+  auto relative = [](double difference, double scale) { return scale > 0.0 ? std::fabs(difference) / scale : 0.0; };
+  return {relative(length(ledger.now.momentum - explained.momentum), ledger.momentum_scale),
+          relative(ledger.now.angular_momentum - explained.angular_momentum, ledger.angular_scale),
+          relative(ledger.now.energy - explained.energy, ledger.energy_scale)};
+}
+
+}  // namespace gem

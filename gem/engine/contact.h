@@ -1,0 +1,42 @@
+// One pair that touches in a moment: where, how heavy it feels, and the impulses that its event gave.
+#pragma once
+
+#include <cstdint>
+
+#include "gem/base/vec2.h"
+#include "gem/events/impact.h"
+#include "gem/events/mass_reduction.h"
+
+namespace gem {
+
+/// One point of a contact. Tangential is along the normal turned left; impulses act on B, the opposite on A.
+struct ContactSlot {
+  Vec2 arm_a, arm_b;             // from the centroids [m]
+  double separation = 0.0;       // < 0: depth [m]
+  std::int32_t feature = 0;      // the touching corner
+  ContactCompliance compliance;  // with the platform's mass as the resolution splits it [1/kg]
+  double normal_before = 0.0;    // velocity of B against A before the events [m/s]
+  double tangential_before = 0.0;
+  double target = 0.0;     // smallest normal velocity after the events [m/s]
+  ContactImpulse impulse;  // [N s]
+  double elastic = 0.0;    // part of impulse.normal that is elastic stress [N s]
+  double repair = 0.0;     // position repair, as an impulse [N s]
+};
+
+/// A touching pair; A is the lower id, the normal points from A to B.
+struct Contact {
+  std::int32_t a = 0, b = 0;
+  std::int32_t count = 0;
+  Vec2 normal;
+  double width = 0.0;   // chord or touching stretch [m]
+  double growth = 0.0;  // chord growth with depth, 0: flat [-]
+  double friction = 0.0;
+  ContactSlot slot[2];
+};
+
+/// Names a contact point from one moment to the next; ascending in (a, b, feature).
+constexpr std::uint64_t contact_key(std::int32_t a, std::int32_t b, std::int32_t feature) {
+  return static_cast<std::uint64_t>(a) << 36 | static_cast<std::uint64_t>(b) << 8 | static_cast<std::uint64_t>(feature);
+}
+
+}  // namespace gem

@@ -1,0 +1,38 @@
+// The CPU engine: near-pair lists and OpenMP threads; the same bits for any number of threads.
+#pragma once
+
+#include <vector>
+
+#include "gem/engine/coupled_solver.h"
+#include "gem/engine/engine.h"
+#include "gem/engine/field_state.h"
+#include "gem/engine/pair_list.h"
+
+namespace gem {
+
+class CpuEngine : public Engine {
+ public:
+  CpuEngine(const SceneDef& scene, Bodies bodies, int threads);
+
+  std::string name() const override { return "cpu"; }
+  void advance(std::int64_t moments, MomentLog& log) override;
+  std::int64_t moment() const override { return moment_; }
+  const Bodies& bodies() override { return field_.bodies; }
+  Ledger ledger() override;
+  EngineState save() override;
+  void restore(const EngineState& state) override;
+
+ private:
+  void one_moment(MomentLog& log);
+
+  FieldState field_;
+  double event_speed_;
+  int threads_;
+  Ledger ledger_;
+  std::int64_t moment_ = 0;
+  PairList pairs_;
+  CoupledSolver coupled_;
+  std::vector<Contact> contacts_;
+};
+
+}  // namespace gem

@@ -1,0 +1,37 @@
+// Where engines are made: one line each.
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "gem/base/error.h"
+#include "gem/base/hash.h"
+#include "gem/engine/cpu_engine.h"
+#include "gem/engine/engine.h"
+#include "gem/engine/reference_engine.h"
+
+namespace gem {
+
+std::vector<std::string> engine_names() { return {"reference", "cpu"}; }
+
+std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options) {
+  const int machine = std::max(1u, std::thread::hardware_concurrency());
+  const int threads = options.threads > 0 ? options.threads : machine;
+  if (options.name == "reference") return std::make_unique<ReferenceEngine>(scene, std::move(bodies));
+  if (options.name == "cpu") return std::make_unique<CpuEngine>(scene, std::move(bodies), threads);
+  throw Error(ExitCode::usage, "unknown engine '" + options.name + "' (reference or cpu)");
+}
+
+std::uint64_t Engine::state_hash() {
+  const Bodies& b = bodies();
+  Hash hash;
+  hash.add(static_cast<std::uint64_t>(moment()));
+  for (std::size_t i = 0; i < b.count(); ++i) {
+    for (const double value : {b.position[i].x, b.position[i].y, b.rotation[i].cosine, b.rotation[i].sine,
+                               b.velocity[i].x, b.velocity[i].y, b.spin[i]})
+      hash.add(value);
+    hash.add(static_cast<std::uint64_t>(b.active[i]));
+  }
+  return hash.value();
+}
+
+}  // namespace gem

@@ -1,0 +1,50 @@
+#include "gem/engine/moment_constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gem {
+
+MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
+  MomentConstants c;
+  c.dt = scene.numerics.moment_s;
+  c.current = scene.current.velocity_m_per_s;
+  c.drag_law = scene.water.drag_law;
+  c.linear_decay = std::exp(-c.dt / scene.water.linear_time_s);
+
+  c.moored_or_free = scene.platform.present;
+  c.anchor = scene.platform.anchor_m;
+  if (c.moored_or_free) {
+    const double mass = bodies.mass[0];
+    c.stiffness = scene.mooring.stiffness_N_per_m;
+    c.mooring_damped = c.stiffness > 0.0 && scene.mooring.damping_ratio > 0.0;
+    c.half_mooring = mooring_flow(c.stiffness, mass, scene.mooring.damping_ratio, 0.5 * c.dt);
+    if (scene.platform_drag.present) {
+      c.platform_drag_rate = platform_drag_rate(scene.water.density_kg_per_m3, scene.platform_drag.coefficient,
+                                                scene.platform.diameter_m, scene.platform_drag.draft_m, mass);
+      if (scene.platform_drag.water == DampingWater::current) c.platform_water = c.current;
+    }
+  }
+
+  c.resolution = scene.contact.resolution;
+  c.manifold = scene.contact.manifold;
+  c.friction_law = scene.contact.friction_law;
+  c.friction_ice = scene.ice.friction_ice;
+  c.friction_structure = scene.ice.friction_structure;
+  c.elastic_stiffness = scene.contact.elastic_stiffness_N_per_m;
+  c.ice = {scene.ice.crushing_pressure_Pa, scene.ice.pressure_area_exponent, 0.0};
+
+  const bool coupled = c.resolution == Resolution::coupled;
+  double fastest = length(c.current);
+  for (std::size_t i = 0; i < bodies.count(); ++i) fastest = std::max(fastest, length(bodies.velocity[i]));
+  if (coupled && c.manifold == Manifold::chord_ends) c.contact_margin = scene.numerics.contact_reach * fastest * c.dt;
+  c.residual_speed = scene.numerics.residual_tolerance * fastest;
+  c.iterations_maximum = scene.numerics.iterations_maximum;
+  c.repair_iterations = coupled ? scene.numerics.repair_iterations : 0;
+  c.repair_share = scene.numerics.repair_share;
+  c.list_margin = scene.numerics.list_margin_m;
+  c.retire_x = scene.output.retire_x_m;
+  return c;
+}
+
+}  // namespace gem

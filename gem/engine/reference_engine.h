@@ -1,0 +1,37 @@
+// The reference engine: all pairs, one thread, no list, no memory of the last moment but its impulses. The oracle.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "gem/engine/contact.h"
+#include "gem/engine/engine.h"
+#include "gem/engine/field_state.h"
+
+namespace gem {
+
+class ReferenceEngine : public Engine {
+ public:
+  ReferenceEngine(const SceneDef& scene, Bodies bodies);
+
+  std::string name() const override { return "reference"; }
+  void advance(std::int64_t moments, MomentLog& log) override;
+  std::int64_t moment() const override { return moment_; }
+  const Bodies& bodies() override { return field_.bodies; }
+  Ledger ledger() override;
+  EngineState save() override;
+  void restore(const EngineState& state) override;
+
+ private:
+  std::vector<Contact> all_contacts() const;
+  void resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality);
+  void sum_on_platform(const std::vector<Contact>& contacts, Vec2 velocity, double spin, std::int32_t sweep);
+
+  FieldState field_;
+  double event_speed_;
+  Ledger ledger_;
+  std::int64_t moment_ = 0;
+  std::map<std::uint64_t, ContactImpulse> last_;  // by contact key
+};
+
+}  // namespace gem

@@ -1,0 +1,52 @@
+// Water drag on a floe in a current, exact over a moment of any length.
+//
+//   quadratic   dw/dt = -k |w| w     w' = w / (1 + z),   z = k |w| dt,   path of w = (w / |w|) ln(1 + z) / k
+//   linear      dw/dt = -w / tau     w' = w e^(-dt/tau),                 path of w = tau (w - w')
+//
+//   w   slip, current minus floe velocity [m/s]      k   (rho_w / m)(C_f W T / 2 + C_s A) [1/m]
+//   The spin follows the same equation with the slip -omega and k in 1 (one per radian).
+//
+// Exact because the direction of w does not change. Neglected: lift, wake of a neighbour, added mass.
+#pragma once
+
+#include "gem/base/strict_math.h"
+#include "gem/base/vec2.h"
+
+namespace gem {
+
+/// Slip after a moment, and how much shorter its path is than (slip after) x dt would say.
+struct DragSolution {
+  Vec2 slip;             // after the moment [m/s]
+  Vec2 path_correction;  // integral of the slip over the moment minus slip x dt [m]
+};
+
+struct SpinDragSolution {
+  double spin = 0.0;              // [rad/s]
+  double angle_correction = 0.0;  // [rad]
+};
+
+/// Quadratic law; `speed` is |slip|.
+GEM_HD inline DragSolution drag_quadratic(double k, Vec2 slip, double speed, double dt) {
+  const double z = k * speed * dt;
+  const double factor = 1.0 / (1.0 + z);
+  if (!(z > 0.0)) return {slip, {}};
+  return {factor * slip, (dt * (strict::log1p(z) / z - factor)) * slip};
+}
+
+GEM_HD inline SpinDragSolution spin_drag_quadratic(double k, double spin, double dt) {
+  const double z = k * (spin < 0.0 ? -spin : spin) * dt;
+  const double factor = 1.0 / (1.0 + z);
+  if (!(z > 0.0)) return {spin, 0.0};
+  return {factor * spin, dt * (strict::log1p(z) / z - factor) * spin};
+}
+
+/// Linear law with rate = 1/tau [1/s]; `decay` is e^(-rate dt), the same for all floes and moments.
+GEM_HD inline DragSolution drag_linear(double rate, Vec2 slip, double decay, double dt) {
+  return {decay * slip, ((1.0 - decay) / rate - decay * dt) * slip};
+}
+
+GEM_HD inline SpinDragSolution spin_drag_linear(double rate, double spin, double decay, double dt) {
+  return {decay * spin, ((1.0 - decay) / rate - decay * dt) * spin};
+}
+
+}  // namespace gem

@@ -1,0 +1,41 @@
+// Linear mooring of the platform, exact over a stretch of time: a rotation in phase space.
+//
+//   M x'' + c x' + k x = 0,  x from the anchor:   (x, v)' = [a11 a12; a21 a22] (x, v)
+//   undamped:  a11 = a22 = cos(wt), a12 = sin(wt)/w, a21 = -w sin(wt),   w = sqrt(k/M)
+//
+//   k  stiffness, equal in x and y [N/m]    M  platform mass [kg]    zeta  damping ratio c / (2 sqrt(k M)), < 1 [-]
+//
+// The coefficients are computed once per run, so a step needs no trigonometry. k = 0 gives free drift.
+#pragma once
+
+#include <cmath>
+
+#include "gem/base/vec2.h"
+
+namespace gem {
+
+/// Coefficients of the exact solution over one stretch of time.
+struct MooringFlow {
+  double xx = 1.0, xv = 0.0, vx = 0.0, vv = 1.0;
+};
+
+/// Coefficients for a stretch of `duration` [s]; host only, once per run.
+inline MooringFlow mooring_flow(double stiffness, double mass, double damping_ratio, double duration) {
+  if (!(stiffness > 0.0)) return {1.0, duration, 0.0, 1.0};
+  const double natural = std::sqrt(stiffness / mass);
+  const double damped = natural * std::sqrt(1.0 - damping_ratio * damping_ratio);
+  const double rate = damping_ratio * natural;
+  const double decay = std::exp(-rate * duration);
+  const double cosine = std::cos(damped * duration), sine = std::sin(damped * duration);
+  return {decay * (cosine + rate / damped * sine), decay * sine / damped, -decay * natural * natural / damped * sine,
+          decay * (cosine - rate / damped * sine)};
+}
+
+/// Moves offset from the anchor and velocity on by one stretch.
+GEM_HD constexpr void apply(const MooringFlow& flow, Vec2& offset, Vec2& velocity) {
+  const Vec2 moved = flow.xx * offset + flow.xv * velocity;
+  velocity = flow.vx * offset + flow.vv * velocity;
+  offset = moved;
+}
+
+}  // namespace gem

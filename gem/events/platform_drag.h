@@ -1,0 +1,28 @@
+// Water drag on the platform: quadratic in its velocity through the water.
+//
+//   dw/dt = -b |w| w,   b = rho_w C_D D T / (2 M)       w' = w / (1 + b |w| dt)
+//
+//   w   platform velocity minus water velocity [m/s]     D, T  diameter and draft [m]
+//   C_D drag coefficient, 0.5 to 1.0 for a short cylinder at full scale [-]    M  platform mass [kg]
+//
+// Exact in itself; split symmetrically around the mooring. The reference paper does not say whether the water that
+// damps the platform moves with the current; both are offered.
+#pragma once
+
+#include "gem/base/vec2.h"
+
+namespace gem {
+
+/// b of a platform [1/m].
+GEM_HD constexpr double platform_drag_rate(double water_density, double coefficient, double diameter, double draft,
+                                           double mass) {
+  return 0.5 * water_density * coefficient * diameter * draft / mass;
+}
+
+/// Platform velocity after `dt` seconds of drag alone.
+GEM_HD inline Vec2 platform_drag(double rate, Vec2 velocity, Vec2 water, double dt) {
+  const Vec2 slip = velocity - water;
+  return water + (1.0 / (1.0 + rate * length(slip) * dt)) * slip;
+}
+
+}  // namespace gem

@@ -1,0 +1,25 @@
+// The checks that the outline of a floe or fixed body must pass.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gem/base/vec2.h"
+
+namespace gem {
+
+inline constexpr std::size_t outline_vertices_maximum = 20;
+inline constexpr double outline_edge_minimum = 1e-3;  // [m]
+
+struct CheckedOutline {
+  std::vector<Vec2> outline;  // counter-clockwise
+  bool reversed = false;      // it was given clockwise
+};
+
+/// Accepts a strictly convex outline of 3 to 20 corners in either direction. Throws Error(scene_rejected) naming the
+/// body (`name`) and the vertex (counted from 0, as given) for: too few or too many corners, non-finite numbers,
+/// repeated or nearly repeated corners, corners on a straight line, zero area, a corner that turns inwards,
+/// self-crossing. Nothing is repaired.
+CheckedOutline check_outline(const std::vector<Vec2>& outline, const std::string& name);
+
+}  // namespace gem

@@ -1,0 +1,121 @@
+// From a scene to its field: platform, sides, obstacles, floes, drag.
+#include "gem/field/field.h"
+
+#include "gem/base/error.h"
+#include "gem/base/portable_math.h"
+#include "gem/field/channel.h"
+#include "gem/field/check_field.h"
+#include "gem/field/check_outline.h"
+#include "gem/field/drag_coefficients.h"
+#include "gem/field/floe_file.h"
+#include "gem/field/floe_set.h"
+#include "gem/field/generator.h"
+#include "gem/geometry/polygon.h"
+
+namespace gem {
+namespace {
+
+/// Sides and obstacles reach higher than any ice [m].
+constexpr double fixed_height = 20.0;
+
+std::uint8_t class_of_thickness(const std::vector<IceClassDef>& classes, double thickness) {
+  for (std::size_t c = 0; c < classes.size(); ++c)
+    if (classes[c].thickness_m == thickness) return static_cast<std::uint8_t>(c);
+  return 0;
+}
+
+/// Regular polygon with its first corner on the x axis.
+std::vector<Vec2> platform_outline(const PlatformDef& platform) {
+  std::vector<Vec2> outline;
+  for (int i = 0; i < platform.sides; ++i)
+    outline.push_back(
+        rotate(rotation_of_turns(static_cast<double>(i) / platform.sides), {0.5 * platform.diameter_m, 0.0}));
+  return outline;
+}
+
+void append_platform(Bodies& bodies, const SceneDef& scene) {
+  BodyDef def;
+  def.kind = BodyKind::platform;
+  def.thickness = scene.platform_drag.draft_m;
+  if (scene.platform.present) {
+    def.outline = platform_outline(scene.platform);
+    def.origin = scene.platform.anchor_m + scene.platform.start_offset_m;
+    def.velocity = scene.platform.start_velocity_m_per_s;
+    def.mass = scene.platform.mass_kg;
+    def.locked_yaw = scene.platform.yaw == Yaw::locked;
+  }
+  append(bodies, def);
+}
+
+void append_fixed(Bodies& bodies, const SceneDef& scene) {
+  std::vector<std::vector<Vec2>> outlines = boundary_outlines(scene.boundary);
+  for (std::size_t i = 0; i < scene.fixed.size(); ++i)
+    outlines.push_back(check_outline(scene.fixed[i].outline_m, "fixed " + std::to_string(i)).outline);
+  for (const auto& outline : outlines) {
+    BodyDef def;
+    def.kind = BodyKind::fixed;
+    def.outline = outline;
+    def.thickness = fixed_height;
+    append(bodies, def);
+  }
+}
+
+void append_floes(Bodies& bodies, const SceneDef& scene, const std::vector<FloeDef>& floes) {
+  std::vector<BodyDef> defs;
+  std::vector<double> areas;
+  for (std::size_t i = 0; i < floes.size(); ++i) {
+    BodyDef def;
+    def.outline = check_outline(floes[i].outline_m, "floe " + std::to_string(i)).outline;
+    def.origin = floes[i].position_m;
+    def.rotation = rotation_of_angle(floes[i].angle_rad);
+    def.velocity = floes[i].velocity_m_per_s;
+    def.spin = floes[i].spin_rad_per_s;
+    def.thickness = floes[i].thickness_m;
+    def.density = scene.ice.density_kg_per_m3;
+    areas.push_back(polygon_moments(def.outline).area);
+    defs.push_back(def);
+  }
+  const std::vector<IceClassDef>& classes = scene.floes.classes;
+  const std::vector<std::uint8_t> mixed = mixed_classes(areas, classes);
+  for (std::size_t i = 0; i < defs.size(); ++i) {
+    if (defs[i].thickness > 0.0) {
+      defs[i].ice_class = class_of_thickness(classes, defs[i].thickness);
+    } else if (classes.empty()) {
+      throw Error(ExitCode::scene_rejected, "floes: a floe has no thickness (no ice class is given) add an ice class");
+    } else {
+      defs[i].ice_class = mixed[i];
+      defs[i].thickness = classes[mixed[i]].thickness_m;
+    }
+    append(bodies, defs[i]);
+  }
+}
+
+std::vector<FloeDef> floes_of(const SceneDef& scene, const std::vector<std::vector<Vec2>>& obstacles) {
+  switch (scene.floes.source) {
+    case FloeSource::listed:
+      return scene.floe;
+    case FloeSource::file:
+      return read_floe_file(scene.floes.path);
+    case FloeSource::generated:
+    case FloeSource::copied:
+      break;
+  }
+  return generate_floes(scene, obstacles);
+}
+
+}  // namespace
+
+Bodies make_field(const SceneDef& scene) {
+  Bodies bodies;
+  append_platform(bodies, scene);
+  append_fixed(bodies, scene);
+  std::vector<std::vector<Vec2>> obstacles;
+  for (std::size_t i = 0; i < bodies.count(); ++i)
+    if (bodies.vertex_count(i) > 0) obstacles.push_back(world_outline(bodies, i));
+  append_floes(bodies, scene, floes_of(scene, obstacles));
+  check_field(scene, bodies);
+  set_drag(bodies, scene);
+  return bodies;
+}
+
+}  // namespace gem

@@ -1,0 +1,206 @@
+// Floes from CSV and GeoJSON files.
+#include "gem/field/floe_file.h"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <system_error>
+
+#include "gem/base/error.h"
+#include "gem/field/check_outline.h"
+
+namespace gem {
+namespace {
+
+[[noreturn]] void refuse(const std::string& where, const std::string& text) {
+  throw Error(ExitCode::scene_rejected, where + ": " + text);
+}
+
+std::string read_text(const std::string& path) {
+  std::error_code ignored;
+  std::ifstream file(path, std::ios::binary);
+  if (!file.is_open() || std::filesystem::is_directory(path, ignored))
+    throw Error(ExitCode::file_system,
+                path + ": cannot read the floes (missing, a folder or no permission) check the path");
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> fields(1);
+  for (const char c : line) {
+    if (c == ',') {
+      fields.emplace_back();
+    } else if (c != ' ' && c != '\t' && c != '\r') {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+double number_of(const std::string& field, const std::string& where, const char* column) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
+    refuse(where, std::string(column) + " \"" + field +
+                      "\" is not a finite number (a decimal point is needed, no unit) correct it");
+  return value;
+}
+
+double thickness_of(double value, const std::string& where) {
+  if (!(value > 0.0)) refuse(where, "thickness must be positive (it is in m) correct it or leave the column out");
+  return value;
+}
+
+/// Collects the rows of a CSV file into floes.
+class CsvReader {
+ public:
+  explicit CsvReader(const std::string& path) : path_(path) {}
+
+  std::vector<FloeDef> read(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line;
+    while (std::getline(lines, line)) {
+      ++line_;
+      const std::vector<std::string> fields = split(line);
+      if (fields.size() == 1 && fields[0].empty()) continue;
+      if (columns_ == 0) {
+        read_header(fields);
+      } else {
+        read_row(fields);
+      }
+    }
+    if (columns_ == 0) refuse(path_, "no header line (the file is empty) write floe,x,y or floe,x,y,thickness");
+    finish();
+    return floes_;
+  }
+
+ private:
+  std::string where() const { return path_ + ":" + std::to_string(line_); }
+
+  void read_header(std::vector<std::string> fields) {
+    if (fields[0].rfind("\xEF\xBB\xBF", 0) == 0) fields[0].erase(0, 3);
+    const std::vector<std::string> plain = {"floe", "x", "y"};
+    const std::vector<std::string> thick = {"floe", "x", "y", "thickness"};
+    if (fields != plain && fields != thick)
+      refuse(where(), "unknown header (the columns are floe,x,y or floe,x,y,thickness) correct the first line");
+    columns_ = fields.size();
+  }
+
+  void read_row(const std::vector<std::string>& fields) {
+    if (fields.size() != columns_)
+      refuse(where(), std::to_string(fields.size()) + " fields (the header has " + std::to_string(columns_) +
+                          ") correct the row");
+    if (fields[0].empty()) refuse(where(), "no floe name (the first column is empty) number the floes");
+    if (floes_.empty() || fields[0] != name_) start(fields[0]);
+    const double x = number_of(fields[1], where(), "x");
+    const double y = number_of(fields[2], where(), "y");
+    floes_.back().outline_m.push_back({x, y});
+    if (columns_ == 4) set_thickness(thickness_of(number_of(fields[3], where(), "thickness"), where()));
+  }
+
+  void start(const std::string& name) {
+    finish();
+    if (!names_.insert(name).second)
+      refuse(where(), "floe " + name + " comes a second time (the rows of a floe stand together) rename or move it");
+    name_ = name;
+    first_line_ = line_;
+    floes_.emplace_back();
+    floes_.back().thickness_m = 0.0;
+  }
+
+  void set_thickness(double thickness) {
+    FloeDef& floe = floes_.back();
+    if (floe.outline_m.size() > 1 && floe.thickness_m != thickness)
+      refuse(where(), "thickness differs from the rows above (floe " + name_ + " has one thickness) make them equal");
+    floe.thickness_m = thickness;
+  }
+
+  void finish() const {
+    if (floes_.empty()) return;
+    check_outline(floes_.back().outline_m, path_ + ":" + std::to_string(first_line_) + ": floe " + name_);
+  }
+
+  std::string path_;
+  std::size_t line_ = 0;
+  std::size_t first_line_ = 0;
+  std::size_t columns_ = 0;
+  std::string name_;
+  std::set<std::string> names_;
+  std::vector<FloeDef> floes_;
+};
+
+using Json = nlohmann::json;
+
+Vec2 point_of(const Json& point, const std::string& where) {
+  if (!point.is_array() || point.size() < 2 || !point[0].is_number() || !point[1].is_number())
+    refuse(where, "a position is not [x, y] (two numbers in m are needed) correct it");
+  return {point[0].get<double>(), point[1].get<double>()};
+}
+
+/// A closed ring as GeoJSON demands; the closing corner is dropped.
+std::vector<Vec2> ring_of(const Json& feature, const std::string& where) {
+  const Json geometry = feature.is_object() && feature.contains("geometry") ? feature["geometry"] : Json();
+  if (!geometry.is_object() || geometry.value("type", Json()) != "Polygon" || !geometry.contains("coordinates"))
+    refuse(where, "not a Polygon (each floe is one polygon) convert or remove it");
+  const Json& rings = geometry["coordinates"];
+  if (!rings.is_array() || rings.size() != 1 || !rings[0].is_array())
+    refuse(where, "not exactly one ring (a floe has no holes) remove the inner rings");
+  std::vector<Vec2> outline;
+  for (const Json& point : rings[0]) outline.push_back(point_of(point, where));
+  if (outline.size() < 2 || outline.front().x != outline.back().x || outline.front().y != outline.back().y)
+    refuse(where, "the ring is not closed (the last position repeats the first) close it");
+  outline.pop_back();
+  return outline;
+}
+
+double feature_thickness(const Json& feature, const std::string& where) {
+  if (!feature.contains("properties") || !feature["properties"].is_object()) return 0.0;
+  const Json& properties = feature["properties"];
+  if (!properties.contains("thickness")) return 0.0;
+  if (!properties["thickness"].is_number()) refuse(where, "thickness is not a number (it is in m) correct it");
+  return thickness_of(properties["thickness"].get<double>(), where);
+}
+
+std::vector<FloeDef> read_geojson(const std::string& path, const std::string& text) {
+  Json json;
+  try {
+    json = Json::parse(text);
+  } catch (const Json::exception& fault) {
+    std::string why = fault.what();
+    for (char& c : why)
+      if (c == '\n') c = ' ';
+    refuse(path, "not valid JSON (" + why + ") correct the file");
+  }
+  if (!json.is_object() || json.value("type", Json()) != "FeatureCollection" || !json.contains("features") ||
+      !json["features"].is_array())
+    refuse(path, "not a FeatureCollection (floes are Polygon features) export it as one");
+  std::vector<FloeDef> floes;
+  for (const Json& feature : json["features"]) {
+    const std::string where = path + ": feature " + std::to_string(floes.size());
+    FloeDef floe;
+    floe.outline_m = ring_of(feature, where);
+    floe.thickness_m = feature_thickness(feature, where);
+    check_outline(floe.outline_m, where);
+    floes.push_back(floe);
+  }
+  return floes;
+}
+
+bool ends_with(const std::string& path, const std::string& ending) {
+  return path.size() >= ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+}  // namespace
+
+std::vector<FloeDef> read_floe_file(const std::string& path) {
+  if (ends_with(path, ".csv")) return CsvReader(path).read(read_text(path));
+  if (ends_with(path, ".geojson")) return read_geojson(path, read_text(path));
+  refuse(path, "unknown kind of floe file (known are .csv and .geojson) convert it");
+}
+
+}  // namespace gem

@@ -1,0 +1,280 @@
+// Contact of two convex outlines: the separating axis, the chord of an overlap, and the touching stretch of two faces.
+//
+// Outlines are given turned into world axes about their own centroid; B's centroid stands at `offset` from A's.
+// All results are relative to A's centroid; normals point from A to B.
+#pragma once
+
+#include "gem/base/vec2.h"
+
+namespace gem {
+
+/// A convex counter-clockwise outline in world axes: corners and the outward unit normals of the edges that follow
+/// them.
+struct Outline {
+  const Vec2* corner = nullptr;
+  const Vec2* normal = nullptr;
+  int count = 0;
+};
+
+/// The axis along which two outlines are farthest apart (or least deep in each other).
+struct Separation {
+  double distance = 0.0;  // > 0 apart, < 0 depth [m]
+  int edge = 0;           // index of the edge whose normal is the axis
+  bool edge_of_b = false;
+};
+
+/// How far B stands outside edge `edge` of A: the smallest signed distance of B's corners [m].
+GEM_HD inline double edge_separation(const Outline& a, int edge, const Outline& b, Vec2 offset) {
+  const Vec2 normal = a.normal[edge];
+  double smallest = dot(normal, b.corner[0]);
+  for (int j = 1; j < b.count; ++j) {
+    const double along = dot(normal, b.corner[j]);
+    if (along < smallest) smallest = along;
+  }
+  return smallest + dot(normal, offset - a.corner[edge]);
+}
+
+/// Largest edge separation over the edges of both. Stops early with a result above `limit` as soon as one is found;
+/// `hint` (an earlier result) is tried first. Ties go to A, then to the lower edge, so the result has one value.
+GEM_HD inline Separation find_separation(const Outline& a, const Outline& b, Vec2 offset, double limit,
+                                         Separation hint) {
+  if (hint.edge_of_b) {
+    hint.distance = edge_separation(b, hint.edge, a, -offset);
+  } else {
+    hint.distance = edge_separation(a, hint.edge, b, offset);
+  }
+  if (hint.distance > limit) return hint;
+  Separation best;
+  best.distance = edge_separation(a, 0, b, offset);
+  for (int i = 1; i < a.count; ++i) {
+    const double distance = edge_separation(a, i, b, offset);
+    if (distance > best.distance) best = {distance, i, false};
+    if (best.distance > limit) return best;
+  }
+  for (int j = 0; j < b.count; ++j) {
+    const double distance = edge_separation(b, j, a, -offset);
+    if (distance > best.distance) best = {distance, j, true};
+    if (best.distance > limit) return best;
+  }
+  return best;
+}
+
+/// One point of a contact.
+struct ContactPoint {
+  Vec2 position;            // relative to A's centroid, half-way between the two surfaces [m]
+  double separation = 0.0;  // < 0: depth [m]
+  int feature = 0;          // which corner touches: 2 x corner index + (0: of A, 1: of B)
+};
+
+/// Where and along which normal two outlines touch.
+struct ContactGeometry {
+  Vec2 normal;
+  int count = 0;  // points
+  ContactPoint point[2];
+  double width = 0.0;   // chord or touching stretch [m]
+  double growth = 0.0;  // how fast the chord grows with depth: cot + cot of the angles at its ends [-]; 0: flat
+};
+
+namespace detail {
+
+/// Parts of edge p -> q inside all edges of `a`: parameters and the edges of `a` that cut it; -1 where uncut.
+struct ClippedEdge {
+  double begin = 0.0, end = 1.0;
+  int entry = -1, exit = -1;
+};
+
+GEM_HD inline ClippedEdge clip_edge(const Outline& a, Vec2 p, Vec2 q) {
+  ClippedEdge clipped;
+  for (int i = 0; i < a.count; ++i) {
+    const double at_p = dot(a.normal[i], p - a.corner[i]);
+    const double at_q = dot(a.normal[i], q - a.corner[i]);
+    if (at_p > 0.0 && at_q > 0.0) {
+      clipped.begin = 1.0;
+      clipped.end = 0.0;
+      return clipped;
+    }
+    if (at_p > 0.0) {
+      const double t = at_p / (at_p - at_q);
+      if (t > clipped.begin) {
+        clipped.begin = t;
+        clipped.entry = i;
+      }
+    } else if (at_q > 0.0) {
+      const double t = at_p / (at_p - at_q);
+      if (t < clipped.end) {
+        clipped.end = t;
+        clipped.exit = i;
+      }
+    }
+  }
+  return clipped;
+}
+
+/// How fast the crossing of an edge of A (direction `edge_a`) with an edge of B (normal `normal_b`) runs along
+/// `tangent` as B sinks into A against `normal`; 0 for parallel edges.
+GEM_HD inline double crossing_rate(Vec2 edge_a, Vec2 normal_b, Vec2 normal, Vec2 tangent) {
+  const double denominator = dot(edge_a, normal_b);
+  if (denominator == 0.0) return 0.0;
+  return -(dot(normal, normal_b) / denominator) * dot(edge_a, tangent);
+}
+
+/// Corner of `outline` farthest against `direction`.
+GEM_HD inline int support_corner(const Outline& outline, Vec2 direction) {
+  int best = 0;
+  double smallest = dot(direction, outline.corner[0]);
+  for (int j = 1; j < outline.count; ++j) {
+    const double along = dot(direction, outline.corner[j]);
+    if (along < smallest) {
+      smallest = along;
+      best = j;
+    }
+  }
+  return best;
+}
+
+}  // namespace detail
+
+/// The chord of an overlap: it joins the two crossings of the outlines; the normal is perpendicular to it, the contact
+/// point its middle. Several crossings (deep overlap) add up to one resultant chord. Without a crossing (one outline
+/// inside the other, or an overlap smaller than rounding) the separating axis and its deepest corner stand in, width 0.
+GEM_HD inline ContactGeometry chord_contact(const Outline& a, const Outline& b, Vec2 offset, const Separation& axis) {
+  ContactGeometry contact;
+  Vec2 chord, middle;
+  int entries = 0, exits = 0;
+  int entry_a = 0, entry_b = 0, exit_a = 0, exit_b = 0;
+  for (int j = 0; j < b.count; ++j) {
+    const Vec2 p = offset + b.corner[j];
+    const Vec2 q = offset + b.corner[j + 1 < b.count ? j + 1 : 0];
+    const detail::ClippedEdge clipped = detail::clip_edge(a, p, q);
+    if (!(clipped.begin < clipped.end)) continue;
+    if (clipped.entry >= 0) {
+      const Vec2 crossing = p + clipped.begin * (q - p);
+      chord -= crossing;
+      middle += crossing;
+      entry_a = clipped.entry;
+      entry_b = j;
+      ++entries;
+    }
+    if (clipped.exit >= 0) {
+      const Vec2 crossing = p + clipped.end * (q - p);
+      chord += crossing;
+      middle += crossing;
+      exit_a = clipped.exit;
+      exit_b = j;
+      ++exits;
+    }
+  }
+  const double width = length(chord);
+  contact.count = 1;
+  contact.point[0].separation = axis.distance;
+  if (entries == exits && entries > 0 && width > 0.0) {
+    const Vec2 tangent = (1.0 / width) * chord;
+    contact.normal = turned_left(tangent);
+    contact.point[0].position = (0.5 / entries) * middle;
+    contact.width = width;
+    // edge direction = normal turned left; tangent runs from the entry of B into A to its exit
+    contact.growth = detail::crossing_rate(turned_left(a.normal[exit_a]), b.normal[exit_b], contact.normal, tangent) -
+                     detail::crossing_rate(turned_left(a.normal[entry_a]), b.normal[entry_b], contact.normal, tangent);
+    return contact;
+  }
+  if (axis.edge_of_b) {
+    contact.normal = -b.normal[axis.edge];
+    contact.point[0].position = a.corner[detail::support_corner(a, -contact.normal)];
+  } else {
+    contact.normal = a.normal[axis.edge];
+    contact.point[0].position = offset + b.corner[detail::support_corner(b, contact.normal)];
+  }
+  return contact;
+}
+
+/// The touching stretch of two outlines: both ends of the facing edges' common part, as far as they are closer than
+/// `margin`. Each end is a corner of A or of B, which names the point from one moment to the next. Points are ordered
+/// along the normal turned left.
+GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, Vec2 offset, const Separation& axis,
+                                           double margin) {
+  // reference r owns the axis, incident i faces it; coordinates relative to A's centroid
+  const Outline& r = axis.edge_of_b ? b : a;
+  const Outline& i = axis.edge_of_b ? a : b;
+  const Vec2 to_r = axis.edge_of_b ? offset : Vec2{};
+  const Vec2 to_i = axis.edge_of_b ? Vec2{} : offset;
+  const int side_r = axis.edge_of_b ? 1 : 0;
+  const Vec2 outward = r.normal[axis.edge];
+  const Vec2 along = turned_left(outward);
+
+  // the incident edge: of the two at the deepest corner, the one that faces the reference edge more squarely
+  const int deepest = detail::support_corner(i, outward);
+  const int before = deepest > 0 ? deepest - 1 : i.count - 1;
+  const double facing_before = dot(outward, i.normal[before]);
+  const double facing_after = dot(outward, i.normal[deepest]);
+  const int edge = facing_before < facing_after ? before : deepest;
+  const int edge_end = edge + 1 < i.count ? edge + 1 : 0;
+  const int reference_end = axis.edge + 1 < r.count ? axis.edge + 1 : 0;
+
+  // the reference edge runs along +along; the incident edge faces it and runs against it
+  const Vec2 p0 = to_r + r.corner[axis.edge];
+  const Vec2 p1 = to_r + r.corner[reference_end];
+  const Vec2 q0 = to_i + i.corner[edge_end];
+  const Vec2 q1 = to_i + i.corner[edge];
+  const double reach = dot(along, p1 - p0);
+  const double s0 = dot(along, q0 - p0);
+  const double s1 = dot(along, q1 - p0);
+  const double d0 = dot(outward, q0 - p0);
+  const double d1 = dot(outward, q1 - p0);
+
+  ContactGeometry contact;
+  contact.normal = axis.edge_of_b ? -outward : outward;
+  const double span = s1 - s0;
+  ContactPoint end[2];
+  // low end: where the later of the two starts; high end: where the earlier of the two stops
+  const bool low_is_incident = !(s0 < 0.0) || !(span > 0.0);
+  const bool high_is_incident = !(s1 > reach) || !(span > 0.0);
+  const double low_depth = low_is_incident ? d0 : d0 + (d1 - d0) * ((0.0 - s0) / span);
+  const double high_depth = high_is_incident ? d1 : d0 + (d1 - d0) * ((reach - s0) / span);
+  const Vec2 low = low_is_incident ? q0 - (0.5 * d0) * outward : p0 + (0.5 * low_depth) * outward;
+  const Vec2 high = high_is_incident ? q1 - (0.5 * d1) * outward : p1 + (0.5 * high_depth) * outward;
+  end[0] = {low, low_depth, low_is_incident ? 2 * edge_end + (1 - side_r) : 2 * axis.edge + side_r};
+  end[1] = {high, high_depth, high_is_incident ? 2 * edge + (1 - side_r) : 2 * reference_end + side_r};
+
+  // beyond each other's ends (corner against corner): only the deepest corner touches
+  const double low_s = low_is_incident ? s0 : 0.0;
+  const double high_s = high_is_incident ? s1 : reach;
+  const bool stretch = span > 0.0 && high_s > low_s;
+  if (!stretch) {
+    const Vec2 corner = to_i + i.corner[deepest];
+    contact.count = axis.distance < margin ? 1 : 0;
+    contact.point[0] = {corner - (0.5 * axis.distance) * outward, axis.distance, 2 * deepest + (1 - side_r)};
+  } else {
+    for (int k = 0; k < 2; ++k)
+      if (end[k].separation < margin) contact.point[contact.count++] = end[k];
+    contact.width = high_s - low_s;
+  }
+  // along the normal turned left: against `along` when the reference is B
+  if (contact.count == 2 && axis.edge_of_b) {
+    const ContactPoint first = contact.point[0];
+    contact.point[0] = contact.point[1];
+    contact.point[1] = first;
+  }
+  if (contact.count == 2) return contact;
+  // chord growth at the deepest corner: cotangents of its two sides against the reference edge
+  const Vec2 side_before = turned_left(i.normal[before]);
+  const Vec2 side_after = turned_left(i.normal[deepest]);
+  const double rise_before = -dot(outward, side_before);
+  const double rise_after = dot(outward, side_after);
+  if (rise_before > 0.0) contact.growth += -dot(along, side_before) / rise_before;
+  if (rise_after > 0.0) contact.growth += -dot(along, side_after) / rise_after;
+  return contact;
+}
+
+/// Length over which the two outlines face each other along `tangent` [m]: no chord of theirs can be longer.
+GEM_HD inline double facing_length(const Outline& a, const Outline& b, Vec2 offset, Vec2 tangent) {
+  const double a_low = dot(tangent, a.corner[detail::support_corner(a, tangent)]);
+  const double a_high = dot(tangent, a.corner[detail::support_corner(a, -tangent)]);
+  const double shift = dot(tangent, offset);
+  const double b_low = shift + dot(tangent, b.corner[detail::support_corner(b, tangent)]);
+  const double b_high = shift + dot(tangent, b.corner[detail::support_corner(b, -tangent)]);
+  const double low = a_low > b_low ? a_low : b_low;
+  const double high = a_high < b_high ? a_high : b_high;
+  return high > low ? high - low : 0.0;
+}
+
+}  // namespace gem

@@ -1,0 +1,19 @@
+// Whether a run file can be written at a path, asked before anything is computed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace gem {
+
+/// Throws Error(file_system) if the path is a directory, exists (and not overwrite), or its folder is missing or does
+/// not accept a test file. Leaves nothing behind.
+void check_output_path(const std::string& path, bool overwrite);
+
+/// Bytes that may still be written beside `path`: free space, or less if the process has a file size limit.
+std::uint64_t room_at(const std::string& path);
+
+/// Path for messages: control characters escaped, so that a message stays one line.
+std::string shown(const std::string& path);
+
+}  // namespace gem

@@ -1,0 +1,248 @@
+// Reading of run files through the HDF5 C library, every call checked.
+#include "gem/record/run_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "gem/base/error.h"
+#include "gem/record/hdf5_handle.h"
+#include "gem/record/output_path.h"
+#include "gem/record/schema.h"
+
+namespace gem {
+
+using hdf5::check;
+using hdf5::checked;
+using hdf5::Handle;
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why, const std::string& hint) {
+  throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + why + ") " + hint);
+}
+
+/// Turns a failed call into the one error of this file.
+template <class Body>
+auto reading(const std::string& path, Body body) {
+  try {
+    return body();
+  } catch (const hdf5::Failure& failure) {
+    refuse(path, failure.text, "the file may be damaged or made by another program");
+  }
+}
+
+std::string text_of(hid_t object, const std::string& name) {
+  if (H5Aexists(object, name.c_str()) <= 0) return "";
+  const Handle attribute = checked(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, name.c_str());
+  const Handle type = checked(H5Aget_type(attribute), H5Tclose, name.c_str());
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) return "";
+  std::string text(H5Tget_size(type), '\0');
+  check(H5Aread(attribute, type, text.data()), name.c_str());
+  const auto end = text.find('\0');
+  return end == std::string::npos ? text : text.substr(0, end);
+}
+
+std::vector<std::vector<Vec2>> split(const std::vector<double>& xy, const std::vector<double>& counts) {
+  std::vector<std::vector<Vec2>> outlines;
+  std::size_t next = 0;
+  for (const double count : counts) {
+    auto& outline = outlines.emplace_back();
+    for (int n = 0; n < static_cast<int>(count) && next + 1 < xy.size(); ++n, next += 2) {
+      outline.push_back({xy[next], xy[next + 1]});
+    }
+  }
+  return outlines;
+}
+
+}  // namespace
+
+bool is_run_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 8> head{};
+  file.read(head.data(), head.size());
+  return file && std::string(head.data(), 8) == "\x89HDF\r\n\x1a\n";
+}
+
+struct RunFile::Inside {
+  std::string path;
+  Handle file;
+
+  Handle open(const std::string& dataset) const {
+    Handle access = checked(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "access");
+    check(H5Pset_chunk_cache(access, 12421, 16 << 20, 1.0), "chunk cache");
+    return checked(H5Dopen2(file, dataset.c_str(), access), H5Dclose, dataset.c_str());
+  }
+
+  std::vector<hsize_t> extent(hid_t dataset) const {
+    const Handle space = checked(H5Dget_space(dataset), H5Sclose, "extent");
+    std::vector<hsize_t> size(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
+    check(H5Sget_simple_extent_dims(space, size.data(), nullptr), "extent");
+    return size;
+  }
+};
+
+RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::make_unique<Inside>()) {
+  hdf5::quiet_errors();
+  inside_->path = path;
+  std::error_code fault;
+  const auto kind = std::filesystem::status(path, fault).type();
+  if (kind == std::filesystem::file_type::not_found) refuse(path, "no such file", "check the name");
+  if (kind == std::filesystem::file_type::directory) refuse(path, "it is a directory", "name a run file");
+  if (fault) refuse(path, fault.message(), "check the path");
+  if (!std::ifstream(path)) refuse(path, "no permission", "check the permissions");
+  if (!is_run_file(path)) refuse(path, "not an HDF5 file", "name a file that `gem run` wrote");
+  reading(path, [&] {
+    const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
+    check(H5Pset_file_locking(access, true, true), "file locking");
+    inside_->file = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, "cannot open");
+    return 0;
+  });
+  const std::string version = attribute("gem_schema");
+  if (version.empty()) refuse(path, "no gem_schema attribute: not a run file", "name a file that `gem run` wrote");
+  if (version != schema_version) refuse(path, "schema " + version + ", this program reads " + schema_version, "use a matching gem");
+  if (!allow_incomplete && status() != "complete") {
+    refuse(path, "its status is '" + status() + "', not 'complete'", "use --allow-incomplete to read what is there");
+  }
+}
+
+RunFile::~RunFile() = default;
+RunFile::RunFile(RunFile&&) noexcept = default;
+
+const std::string& RunFile::path() const { return inside_->path; }
+
+std::string RunFile::status() const { return attribute("gem_status"); }
+
+std::string RunFile::attribute(const std::string& name) const {
+  return reading(path(), [&] {
+    if (name == "gem_case_toml" && has(name)) {
+      const Handle dataset = inside_->open(name);
+      const Handle type = checked(H5Dget_type(dataset), H5Tclose, name.c_str());
+      const Handle space = checked(H5Dget_space(dataset), H5Sclose, name.c_str());
+      if (H5Tis_variable_str(type) <= 0) return std::string();
+      char* text = nullptr;
+      check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &text), name.c_str());
+      const std::string copy = text != nullptr ? text : "";
+      check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, &text), name.c_str());
+      return copy;
+    }
+    return text_of(inside_->file, name);
+  });
+}
+
+double RunFile::number_attribute(const std::string& name) const {
+  return reading(path(), [&] {
+    const Handle attribute = checked(H5Aopen(inside_->file, name.c_str(), H5P_DEFAULT), H5Aclose, name.c_str());
+    const Handle space = checked(H5Aget_space(attribute), H5Sclose, name.c_str());
+    if (H5Sget_simple_extent_npoints(space) != 1) throw hdf5::Failure{name + ": not one number"};
+    double value = 0.0;
+    check(H5Aread(attribute, H5T_NATIVE_DOUBLE, &value), name.c_str());
+    return value;
+  });
+}
+
+std::vector<double> RunFile::column(const std::string& dataset) const {
+  return reading(path(), [&] {
+    const Handle id = inside_->open(dataset);
+    hsize_t total = 1;
+    for (const hsize_t size : inside_->extent(id)) total *= size;
+    if (total > std::numeric_limits<std::uint32_t>::max()) throw hdf5::Failure{dataset + ": too large to read at once"};
+    std::vector<double> values(total);
+    if (total > 0) check(H5Dread(id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), dataset.c_str());
+    return values;
+  });
+}
+
+std::vector<std::size_t> RunFile::shape(const std::string& dataset) const {
+  return reading(path(), [&] {
+    const std::vector<hsize_t> size = inside_->extent(inside_->open(dataset));
+    return std::vector<std::size_t>(size.begin(), size.end());
+  });
+}
+
+std::string RunFile::units(const std::string& dataset) const {
+  return reading(path(), [&] { return text_of(inside_->open(dataset), "units"); });
+}
+
+std::string RunFile::long_name(const std::string& dataset) const {
+  return reading(path(), [&] { return text_of(inside_->open(dataset), "long_name"); });
+}
+
+bool RunFile::has(const std::string& dataset) const {
+  const auto slash = dataset.find('/');
+  if (slash != std::string::npos && slash > 0 &&
+      H5Lexists(inside_->file, dataset.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
+    return false;
+  }
+  return H5Lexists(inside_->file, dataset.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::size_t RunFile::floe_count() const { return shape("shape/vertex_count").at(0); }
+
+std::size_t RunFile::frame_count() const { return shape("floes/time").at(0); }
+
+FrameView RunFile::frame(std::size_t index) const {
+  if (index >= frame_count()) {
+    refuse(path(), "no frame " + std::to_string(index) + " of " + std::to_string(frame_count()), "ask for an earlier one");
+  }
+  return reading(path(), [&] {
+    FrameView view;
+    const std::vector<std::pair<const char*, std::vector<float>*>> fields = {
+        {"floes/x", &view.x},   {"floes/y", &view.y},         {"floes/theta", &view.theta}, {"floes/vx", &view.vx},
+        {"floes/vy", &view.vy}, {"floes/omega", &view.omega}, {"floes/active", &view.active}};
+    for (const auto& [name, values] : fields) {
+      const Handle id = inside_->open(name);
+      const hsize_t count[2] = {1, inside_->extent(id).at(1)};
+      const hsize_t start[2] = {index, 0};
+      values->resize(count[1]);
+      if (count[1] == 0) continue;
+      const Handle space = checked(H5Dget_space(id), H5Sclose, name);
+      check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr), name);
+      const Handle memory = checked(H5Screate_simple(2, count, nullptr), H5Sclose, name);
+      check(H5Dread(id, H5T_NATIVE_FLOAT, memory, space, H5P_DEFAULT, values->data()), name);
+    }
+    view.time = column("floes/time").at(index);
+    return view;
+  });
+}
+
+std::vector<std::vector<Vec2>> RunFile::floe_outlines() const {
+  return split(column("shape/vertex_xy"), column("shape/vertex_count"));
+}
+
+std::vector<std::vector<Vec2>> RunFile::boundary_outlines() const {
+  return split(column("boundary/vertex_xy"), column("boundary/vertex_count"));
+}
+
+std::vector<Vec2> RunFile::platform_outline() const {
+  const std::vector<double> xy = column("shape/platform_xy");
+  return split(xy, {double(xy.size()) / 2.0}).front();
+}
+
+std::vector<FloeDef> floes_of_run_file(const std::string& path) {
+  const RunFile file(path, true);
+  const auto outlines = file.floe_outlines();
+  const auto x = file.column("shape/start_x");
+  const auto y = file.column("shape/start_y");
+  const auto theta = file.column("shape/start_theta");
+  const auto thickness = file.column("shape/thickness");
+  if (file.frame_count() == 0 && !outlines.empty()) {
+    refuse(path, "it holds no frame", "run it again for at least one floe frame");
+  }
+  const FrameView first = outlines.empty() ? FrameView{} : file.frame(0);
+  std::vector<FloeDef> floes(outlines.size());
+  for (std::size_t i = 0; i < floes.size(); ++i) {
+    floes[i].outline_m = outlines[i];
+    floes[i].position_m = {x.at(i), y.at(i)};
+    floes[i].angle_rad = theta.at(i);
+    floes[i].velocity_m_per_s = {first.vx.at(i), first.vy.at(i)};
+    floes[i].spin_rad_per_s = first.omega.at(i);
+    floes[i].thickness_m = thickness.at(i);
+  }
+  return floes;
+}
+
+}  // namespace gem

@@ -1,0 +1,64 @@
+// Reads a run file back: for the analysis, for `gem info`, and as a field for another run.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gem/scene/scene_def.h"
+
+namespace gem {
+
+/// One frame of the floes.
+struct FrameView {
+  double time = 0.0;
+  std::vector<float> x, y, theta, vx, vy, omega;
+  std::vector<float> active;  // 0 or 1
+};
+
+/// An open run file. Reading throws Error(file_system) that names the file and the dataset.
+class RunFile {
+ public:
+  /// Throws Error(file_system) if the file cannot be read, is no run file or another schema, or is not complete
+  /// (unless allow_incomplete).
+  explicit RunFile(const std::string& path, bool allow_incomplete = false);
+  ~RunFile();
+  RunFile(RunFile&&) noexcept;
+
+  const std::string& path() const;
+  /// "running" (or killed), "complete" or "stopped:<reason>".
+  std::string status() const;
+  /// A text attribute of the root, e.g. "gem_engine"; the whole case for "gem_case_toml". Empty if there is none.
+  std::string attribute(const std::string& name) const;
+  double number_attribute(const std::string& name) const;
+  /// Whole dataset by path, e.g. "platform/x"; two dimensions row by row.
+  std::vector<double> column(const std::string& dataset) const;
+  /// Length of each dimension of a dataset.
+  std::vector<std::size_t> shape(const std::string& dataset) const;
+  std::string units(const std::string& dataset) const;
+  std::string long_name(const std::string& dataset) const;
+  bool has(const std::string& dataset) const;
+
+  std::size_t floe_count() const;
+  std::size_t frame_count() const;
+  FrameView frame(std::size_t index) const;
+  /// Outlines of the floes about their centroids [m].
+  std::vector<std::vector<Vec2>> floe_outlines() const;
+  /// Outlines of the fixed bodies in the world [m].
+  std::vector<std::vector<Vec2>> boundary_outlines() const;
+  /// Outline of the platform about its centroid; empty without a platform [m].
+  std::vector<Vec2> platform_outline() const;
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+/// Whether the file starts like a run file (an HDF5 signature).
+bool is_run_file(const std::string& path);
+
+/// The field of a run file at t = 0 as listed floes. Incomplete files are good enough.
+std::vector<FloeDef> floes_of_run_file(const std::string& path);
+
+}  // namespace gem

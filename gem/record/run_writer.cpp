@@ -1,0 +1,196 @@
+// The writer's thread: takes slabs from a short queue, writes and flushes them, and remembers the first failure.
+#include "gem/record/run_writer.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "gem/base/error.h"
+#include "gem/base/number_text.h"
+#include "gem/record/output_path.h"
+#include "gem/record/run_layout.h"
+#include "gem_version.h"
+
+namespace gem {
+
+namespace {
+
+constexpr std::size_t queue_limit = 2;
+constexpr std::uint64_t spare_room = 1 << 20;  // for the file's own index and the last words
+
+std::uint64_t bytes(const Slab& slab) {
+  return slab.platform.size() * platform_columns().size() * 8 + slab.events.size() * event_columns().size() * 8 +
+         slab.stats.size() * stats_columns().size() * 8 + slab.floes.x.size() * floe_columns().size() * 4;
+}
+
+/// The library must not try to close a file at exit that a full disk did not let it close.
+void prepare_library() {
+  static const bool once = [] { return H5dont_atexit() >= 0; }();
+  static_cast<void>(once);
+  hdf5::quiet_errors();
+}
+
+Error cannot_create(const std::string& path, const std::string& why) {
+  return {ExitCode::file_system, "cannot create " + shown(path) + " (" + why + ") check that no other run writes it"};
+}
+
+}  // namespace
+
+std::string build_text() {
+  return "gem " GEM_VERSION " " GEM_COMMIT " " GEM_BUILD_TYPE " " GEM_COMPILER;
+}
+
+std::string hash_text(std::uint64_t hash) {
+  std::string text(16, '0');
+  for (std::size_t i = 16; i-- > 0; hash >>= 4) text[i] = "0123456789abcdef"[hash & 15];
+  return text;
+}
+
+class RunWriter::Thread {
+ public:
+  Thread(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
+         const Provenance& provenance)
+      : path_(path) {
+    prepare_library();
+    const bool existed = access(path.c_str(), F_OK) == 0;
+    try {
+      layout_ = std::make_unique<RunLayout>(path, overwrite, scene, bodies, provenance);
+    } catch (const hdf5::Failure& failure) {
+      if (!existed) unlink(path.c_str());
+      throw cannot_create(path, failure.text);
+    }
+    thread_ = std::thread([this] { work(); });
+  }
+
+  ~Thread() {
+    stop();
+    if (layout_ == nullptr) return;
+    close();
+    if (!any_written_) unlink(path_.c_str());
+  }
+
+  void put(Slab slab) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return queue_.size() < queue_limit || failed_; });
+    if (failed_) throw failure();
+    queue_.push_back(std::move(slab));
+    changed_.notify_all();
+  }
+
+  void check() const {
+    if (failed_) throw failure();
+  }
+
+  void finish(const std::string& status, std::uint64_t state_hash) {
+    stop();
+    any_written_ = true;
+    const std::string text = failed_ ? "stopped:" + why_ : status;
+    try {
+      layout_->set_text("gem_state_hash", hash_text(state_hash));
+      layout_->set_text("gem_status", text);
+      layout_->flush();
+    } catch (const hdf5::Failure& fault) {
+      remember(fault.text);
+    }
+    close();
+    if (failed_) throw failure();
+  }
+
+ private:
+  void work() {
+    hdf5::quiet_errors();
+    for (;;) {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [this] { return !queue_.empty() || stopping_; });
+      if (queue_.empty()) return;
+      const Slab slab = std::move(queue_.front());
+      lock.unlock();
+      if (!failed_) write(slab);
+      lock.lock();
+      queue_.pop_front();
+      changed_.notify_all();
+    }
+  }
+
+  /// A slab goes in only if it surely fits: what is on disk then stays readable when the disk is full.
+  void write(const Slab& slab) {
+    if (room_at(path_) < bytes(slab) + spare_room) return remember("no room left on the disk");
+    try {
+      layout_->append(slab);
+      layout_->flush();
+      any_written_ = true;
+      saved_time_ = slab.time;
+    } catch (const hdf5::Failure& fault) {
+      broken_ = true;
+      remember(fault.text);
+    }
+  }
+
+  void remember(const std::string& why) {
+    const std::lock_guard lock(mutex_);
+    if (why_.empty()) why_ = why;
+    failed_ = true;
+    changed_.notify_all();
+  }
+
+  void stop() {
+    {
+      const std::lock_guard lock(mutex_);
+      stopping_ = true;
+      changed_.notify_all();
+    }
+    if (thread_.joinable()) thread_.join();
+  }
+
+  void close() {
+    try {
+      if (broken_) {
+        layout_->abandon();
+      } else {
+        layout_->close();
+      }
+    } catch (const hdf5::Failure& fault) {
+      layout_->abandon();
+      remember(fault.text);
+    }
+    layout_.reset();
+  }
+
+  Error failure() const {
+    const std::string saved = any_written_ ? "saved up to " + number_text(saved_time_) + " s" : "nothing was saved";
+    return {ExitCode::file_system, "cannot write " + shown(path_) + " (" + why_ + "; " + saved + ") make room and run again"};
+  }
+
+  std::string path_;
+  std::unique_ptr<RunLayout> layout_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Slab> queue_;
+  std::string why_;
+  std::atomic<bool> failed_ = false;
+  std::atomic<double> saved_time_ = 0.0;
+  std::atomic<bool> any_written_ = false;
+  bool broken_ = false;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+RunWriter::RunWriter(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
+                     const Provenance& provenance) {
+  check_output_path(path, overwrite);
+  thread_ = std::make_unique<Thread>(path, overwrite, scene, bodies, provenance);
+}
+
+RunWriter::~RunWriter() = default;
+
+void RunWriter::write(Slab slab) { thread_->put(std::move(slab)); }
+
+void RunWriter::check() const { thread_->check(); }
+
+void RunWriter::finish(const std::string& status, std::uint64_t state_hash) { thread_->finish(status, state_hash); }
+
+}  // namespace gem

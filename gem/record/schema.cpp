@@ -1,0 +1,184 @@
+// The columns of /platform, /events, /stats and /floes, and where each value comes from.
+#include "gem/record/schema.h"
+
+#include <algorithm>
+
+namespace gem {
+
+std::size_t first_fixed(const Bodies& bodies) { return std::min<std::size_t>(1, bodies.count()); }
+
+std::size_t first_floe(const Bodies& bodies) {
+  const auto found = std::find(bodies.kind.begin(), bodies.kind.end(), BodyKind::floe);
+  return static_cast<std::size_t>(found - bodies.kind.begin());
+}
+
+const std::vector<RowColumn<PlatformRow>>& platform_columns() {
+  const auto row = [](const char* name, const char* units, const char* long_name,
+                      std::function<double(const PlatformRow&)> value, Stored stored = Stored::f8) {
+    return RowColumn<PlatformRow>{{"platform", name, "time", stored, units, long_name, ""}, std::move(value)};
+  };
+  using P = PlatformRow;
+  static const std::vector<RowColumn<P>> columns = {
+      row("time", "s", "time since the start of the run", [](const P& p) { return p.time; }),
+      row("x", "m", "platform centre, x", [](const P& p) { return p.position.x; }),
+      row("y", "m", "platform centre, y", [](const P& p) { return p.position.y; }),
+      row("psi", "rad", "platform yaw, counter-clockwise, counted on over full turns", [](const P& p) { return p.yaw; }),
+      row("vx", "m s-1", "platform velocity, x", [](const P& p) { return p.velocity.x; }),
+      row("vy", "m s-1", "platform velocity, y", [](const P& p) { return p.velocity.y; }),
+      row("r", "rad s-1", "platform yaw rate", [](const P& p) { return p.spin; }),
+      row("ice_force_x", "N", "ice impulse on the platform since the last sample over the sample interval, x",
+          [](const P& p) { return p.ice_force.x; }),
+      row("ice_force_y", "N", "ice impulse on the platform since the last sample over the sample interval, y",
+          [](const P& p) { return p.ice_force.y; }),
+      row("ice_impulse_x", "N s", "ice impulse on the platform since the last sample, x",
+          [](const P& p) { return p.ice_impulse.x; }),
+      row("ice_impulse_y", "N s", "ice impulse on the platform since the last sample, y",
+          [](const P& p) { return p.ice_impulse.y; }),
+      row("ice_force_mean_x", "N", "trailing mean of the ice force over the last force_window_s, x",
+          [](const P& p) { return p.ice_force_mean.x; }),
+      row("ice_force_mean_y", "N", "trailing mean of the ice force over the last force_window_s, y",
+          [](const P& p) { return p.ice_force_mean.y; }),
+      row("mooring_force_x", "N", "mooring force on the platform, mean over the sample interval, x",
+          [](const P& p) { return p.mooring_force.x; }),
+      row("mooring_force_y", "N", "mooring force on the platform, mean over the sample interval, y",
+          [](const P& p) { return p.mooring_force.y; }),
+      row("drag_force_x", "N", "water drag on the platform, mean over the sample interval, x",
+          [](const P& p) { return p.drag_force.x; }),
+      row("drag_force_y", "N", "water drag on the platform, mean over the sample interval, y",
+          [](const P& p) { return p.drag_force.y; }),
+      row("ice_yaw_moment", "N m", "yaw moment of the ice about the platform's centre, mean over the sample interval",
+          [](const P& p) { return p.ice_yaw_moment; }),
+      row("contacts", "1", "largest number of loaded contacts in one moment since the last sample",
+          [](const P& p) { return p.contacts; }, Stored::i4),
+  };
+  return columns;
+}
+
+const std::vector<RowColumn<ContactEvent>>& event_columns() {
+  const auto row = [](const char* name, Stored stored, const char* units, const char* long_name,
+                      std::function<double(const ContactEvent&)> value) {
+    return RowColumn<ContactEvent>{{"events", name, "event", stored, units, long_name, ""}, std::move(value)};
+  };
+  using C = ContactEvent;
+  static const std::vector<RowColumn<C>> columns = {
+      row("time", Stored::f8, "s", "start of the moment of the event", [](const C& e) { return e.time; }),
+      row("body_a", Stored::i4, "1", "body number of the platform", [](const C& e) { return double(e.body_a); }),
+      row("body_b", Stored::i4, "1", "body number of the floe; its floe index is body_b - gem_first_floe_body",
+          [](const C& e) { return double(e.body_b); }),
+      row("x", Stored::f4, "m", "contact point, x", [](const C& e) { return e.point.x; }),
+      row("y", Stored::f4, "m", "contact point, y", [](const C& e) { return e.point.y; }),
+      row("nx", Stored::f4, "1", "normal from the platform into the ice, x", [](const C& e) { return e.normal.x; }),
+      row("ny", Stored::f4, "1", "normal from the platform into the ice, y", [](const C& e) { return e.normal.y; }),
+      row("closing_speed", Stored::f4, "m s-1", "closing speed along the normal before the event",
+          [](const C& e) { return e.closing_speed; }),
+      row("impulse", Stored::f4, "N s", "normal impulse on the ice", [](const C& e) { return e.impulse_normal; }),
+      row("impulse_t", Stored::f4, "N s", "tangential impulse on the ice, along the normal turned left",
+          [](const C& e) { return e.impulse_tangential; }),
+      row("effective_mass", Stored::f4, "kg", "effective mass of the pair at the contact",
+          [](const C& e) { return e.effective_mass; }),
+      row("force_peak", Stored::f4, "N", "closed-form peak crushing force (Popov) of the closing speed",
+          [](const C& e) { return e.peak_force; }),
+      row("width", Stored::f4, "m", "width of the contact, 0 for a corner that only touches",
+          [](const C& e) { return e.width; }),
+      row("depth", Stored::f4, "m", "overlap depth", [](const C& e) { return e.depth; }),
+  };
+  return columns;
+}
+
+const std::vector<FloeColumn>& floe_columns() {
+  const auto row = [](const char* name, const char* units, const char* long_name,
+                      std::vector<float> FloeFrames::*values) {
+    return FloeColumn{{"floes", name, "time floe", Stored::f4, units, long_name, ""}, values};
+  };
+  static const std::vector<FloeColumn> columns = {
+      row("x", "m", "floe centroid, x", &FloeFrames::x),
+      row("y", "m", "floe centroid, y", &FloeFrames::y),
+      row("theta", "rad", "floe rotation since its outline in /shape, within one turn", &FloeFrames::theta),
+      row("vx", "m s-1", "floe velocity, x", &FloeFrames::vx),
+      row("vy", "m s-1", "floe velocity, y", &FloeFrames::vy),
+      row("omega", "rad s-1", "floe spin, counter-clockwise", &FloeFrames::omega),
+      {{"floes", "active", "time floe", Stored::u1, "1", "whether the floe takes part", "retired active"},
+       &FloeFrames::active},
+  };
+  return columns;
+}
+
+namespace {
+
+using StatsColumn = RowColumn<StatsRow>;
+
+StatsColumn stats_column(const std::string& name, const char* units, const std::string& long_name,
+                         std::function<double(const StatsRow&)> value) {
+  return {{"stats", name, "time", Stored::f8, units, long_name, ""}, std::move(value)};
+}
+
+void add_quantity(std::vector<StatsColumn>& columns, const std::string& name, const std::string& what,
+                  const std::function<Quantity(const Ledger&)>& of) {
+  columns.push_back(stats_column("momentum_x_" + name, "N s", "momentum in x, " + what,
+                                 [of](const StatsRow& s) { return of(s.ledger).momentum.x; }));
+  columns.push_back(stats_column("momentum_y_" + name, "N s", "momentum in y, " + what,
+                                 [of](const StatsRow& s) { return of(s.ledger).momentum.y; }));
+  columns.push_back(stats_column("angular_momentum_" + name, "N m s", "angular momentum about the origin, " + what,
+                                 [of](const StatsRow& s) { return of(s.ledger).angular_momentum; }));
+  columns.push_back(stats_column("energy_" + name, "J", "energy, " + what,
+                                 [of](const StatsRow& s) { return of(s.ledger).energy; }));
+}
+
+std::vector<StatsColumn> make_stats_columns() {
+  using S = StatsRow;
+  std::vector<StatsColumn> columns = {
+      stats_column("time", "s", "time since the start of the run", [](const S& s) { return s.time; }),
+      stats_column("kinetic_energy", "J", "kinetic energy of the active bodies",
+                   [](const S& s) { return s.kinetic_energy; }),
+      stats_column("residual_momentum", "1", "momentum that the books leave unexplained, relative",
+                   [](const S& s) { return s.residual.momentum; }),
+      stats_column("residual_angular_momentum", "1", "angular momentum that the books leave unexplained, relative",
+                   [](const S& s) { return s.residual.angular_momentum; }),
+      stats_column("residual_energy", "1", "energy that the books leave unexplained, relative",
+                   [](const S& s) { return s.residual.energy; }),
+      stats_column("contacts", "1", "largest number of contact points in one moment since the last row",
+                   [](const S& s) { return s.contacts; }),
+      stats_column("iterations", "1", "largest number of sweeps in one moment since the last row",
+                   [](const S& s) { return s.iterations; }),
+      stats_column("residual", "m s-1", "largest closing speed left over since the last row",
+                   [](const S& s) { return s.closing_residual; }),
+      stats_column("maximum_overlap", "m", "deepest overlap since the last row",
+                   [](const S& s) { return s.maximum_overlap; }),
+      stats_column("active_floes", "1", "floes that take part", [](const S& s) { return s.active_floes; }),
+      stats_column("wall_time", "s", "wall time since the start of the run", [](const S& s) { return s.wall_time; }),
+      stats_column("sim_rate", "1", "simulated time over wall time since the last row",
+                   [](const S& s) { return s.sim_rate; }),
+      stats_column("moments", "1", "moments since the start of the run", [](const S& s) { return s.moments; }),
+  };
+  add_quantity(columns, "total", "of the active bodies and the mooring spring now",
+               [](const Ledger& ledger) { return ledger.now; });
+  for (std::size_t c = 0; c < static_cast<std::size_t>(Channel::count); ++c) {
+    const auto channel = static_cast<Channel>(c);
+    const std::string name = channel_name(channel);
+    add_quantity(columns, name, "channel '" + name + "' since t = 0",
+                 [channel](const Ledger& ledger) { return ledger[channel]; });
+  }
+  add_quantity(columns, "mooring_spring", "given by the mooring spring since t = 0",
+               [](const Ledger& ledger) { return ledger.mooring_force; });
+  return columns;
+}
+
+}  // namespace
+
+const std::vector<RowColumn<StatsRow>>& stats_columns() {
+  static const std::vector<StatsColumn> columns = make_stats_columns();
+  return columns;
+}
+
+std::vector<Column> schema(const SceneDef& scene) {
+  std::vector<Column> all;
+  for (const auto& entry : shape_columns(scene)) all.push_back(entry.column);
+  all.push_back({"floes", "time", "time", Stored::f8, "s", "time since the start of the run", ""});
+  for (const auto& entry : floe_columns()) all.push_back(entry.column);
+  for (const auto& entry : platform_columns()) all.push_back(entry.column);
+  for (const auto& entry : event_columns()) all.push_back(entry.column);
+  for (const auto& entry : stats_columns()) all.push_back(entry.column);
+  return all;
+}
+
+}  // namespace gem

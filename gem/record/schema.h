@@ -1,0 +1,102 @@
+// Every dataset of a run file in one table: group, name, shape, type, unit and meaning.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gem/engine/engine.h"
+#include "gem/engine/ledger.h"
+#include "gem/field/bodies.h"
+#include "gem/scene/scene_def.h"
+
+namespace gem {
+
+/// Version of the layout, attribute gem_schema.
+inline constexpr const char* schema_version = "1";
+
+/// How a dataset is stored: IEEE 64 and 32 bit, signed 32 bit, unsigned 8 bit.
+enum class Stored { f8, f4, i4, u1 };
+
+/// One dataset. `dimensions` are names separated by blanks; `time` and `event` grow.
+struct Column {
+  std::string group;
+  std::string name;
+  std::string dimensions;
+  Stored stored = Stored::f8;
+  std::string units;
+  std::string long_name;
+  std::string flag_meanings;  // for u1: one word per value 0, 1, ...
+};
+
+/// One sample of the platform. Forces and impulses act on the platform. SI units.
+struct PlatformRow {
+  double time = 0.0;
+  Vec2 position;
+  double yaw = 0.0;
+  Vec2 velocity;
+  double spin = 0.0;
+  Vec2 ice_impulse;    // since the last sample
+  Vec2 ice_force;      // the same over the interval
+  Vec2 ice_force_mean; // trailing mean over output.force_window_s
+  Vec2 mooring_force;
+  Vec2 drag_force;
+  double ice_yaw_moment = 0.0;
+  double contacts = 0.0;
+};
+
+/// The books and the quality of the run at one floe frame; maxima are over the interval since the last one.
+struct StatsRow {
+  double time = 0.0;
+  Ledger ledger;
+  LedgerResidual residual;
+  double kinetic_energy = 0.0;
+  double contacts = 0.0;
+  double iterations = 0.0;
+  double closing_residual = 0.0;
+  double maximum_overlap = 0.0;
+  double active_floes = 0.0;
+  double wall_time = 0.0;
+  double sim_rate = 0.0;
+  double moments = 0.0;
+};
+
+/// Floe frames one after another: value of floe i in frame n at [n * floe_count + i].
+struct FloeFrames {
+  std::vector<double> time;
+  std::vector<float> x, y, theta, vx, vy, omega;
+  std::vector<float> active;
+};
+
+template <class Row>
+struct RowColumn {
+  Column column;
+  std::function<double(const Row&)> value;
+};
+
+struct FloeColumn {
+  Column column;
+  std::vector<float> FloeFrames::*values;
+};
+
+/// A dataset that is known before the first moment.
+struct ShapeColumn {
+  Column column;
+  std::function<std::vector<double>(const Bodies&)> values;
+};
+
+const std::vector<RowColumn<PlatformRow>>& platform_columns();
+const std::vector<RowColumn<ContactEvent>>& event_columns();
+const std::vector<RowColumn<StatsRow>>& stats_columns();
+const std::vector<FloeColumn>& floe_columns();
+std::vector<ShapeColumn> shape_columns(const SceneDef& scene);
+
+/// All datasets of a run file of this scene, for documentation and checks.
+std::vector<Column> schema(const SceneDef& scene);
+
+/// Bodies of one kind: the platform is body 0, then the fixed bodies, then the floes.
+std::size_t first_fixed(const Bodies& bodies);
+std::size_t first_floe(const Bodies& bodies);
+
+}  // namespace gem

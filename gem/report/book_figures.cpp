@@ -1,0 +1,46 @@
+// How well the run kept its books: unexplained momentum and energy, and overlap.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "gem/analysis/moments.h"
+#include "gem/report/figures.h"
+#include "gem/report/number_text.h"
+#include "gem/report/series.h"
+
+namespace gem {
+namespace {
+
+/// Zero has no place on a logarithmic axis: exact books are drawn just below rounding.
+double drawable(double residual) { return std::max(std::abs(residual), 1e-18); }
+
+}  // namespace
+
+std::vector<Figure> book_figures(const RunData& run, const PlotFolder& folder) {
+  const StatsRecord& s = run.stats;
+  if (s.time.size() < 2) return {};
+  const Unit time = time_unit(run.duration_s);
+  const Unit length = length_unit(std::abs(maximum_excursion(s.maximum_overlap).value));
+  Csv csv("t [" + time.name + "],momentum,angular momentum,energy,overlap [" + length.name + "]");
+  for (const std::size_t i : envelope(s.maximum_overlap, 2000))
+    csv.row({s.time[i] / time.size, drawable(s.residual_momentum[i]), drawable(s.residual_angular_momentum[i]),
+             drawable(s.residual_energy[i]), s.maximum_overlap[i] / length.size});
+  folder.write_csv("books", csv);
+  std::ostringstream commands;
+  commands << "set multiplot layout 2,1\nset xlabel 'time [" << time.name
+           << "]' offset 0,0.4\nset xrange [0:" << number_text(run.duration_s / time.size, 6) << "]\n"
+           << "set termoption enhanced\nset logscale y\nset format y '10^{%L}'\nset ylabel 'residual, relative'\n"
+           << "set yrange [1e-18:*]\nset key outside top center horizontal\n"
+           << "plot 'books.csv' using 1:2 with lines linestyle 1 title 'momentum', '' using 1:3 with lines linestyle 3 "
+              "title 'angular momentum', '' using 1:4 with lines linestyle 2 title 'energy'\n"
+           << "unset label 99\nunset logscale y\nset format y '%g'\nset yrange [0:*]\nset ylabel 'deepest overlap ["
+           << length.name << "]'\nplot 'books.csv' using 1:5 with lines linestyle 1\nunset multiplot\n";
+  return {
+      folder.draw({"books", "Residuals of the ledger and deepest overlap",
+                   "Above: what the ledger of momentum, angular momentum and energy leaves unexplained, relative to "
+                   "the largest amounts in the run. Below: the deepest overlap of any two bodies.",
+                   ""},
+                  {1000, 520}, commands.str())};
+}
+
+}  // namespace gem

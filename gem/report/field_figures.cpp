@@ -1,0 +1,154 @@
+// Pictures of the field to scale: outlines in metres, coloured by speed on one scale.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "gem/analysis/moments.h"
+#include "gem/report/figures.h"
+#include "gem/report/number_text.h"
+
+namespace gem {
+namespace {
+
+struct View {
+  double x_low, x_high, y_low, y_high;
+};
+
+bool inside(const View& view, double x, double y, double margin) {
+  return x > view.x_low - margin && x < view.x_high + margin && y > view.y_low - margin && y < view.y_high + margin;
+}
+
+/// Everything that floes and platform reach in any frame, with a rim that shows the inner edge of the boundary.
+View channel_view(const RunData& run) {
+  View view{0.0, 0.0, 0.0, 0.0};
+  for (const Vec2 p : run.platform_outline)
+    view = {std::min(view.x_low, p.x), std::max(view.x_high, p.x), std::min(view.y_low, p.y),
+            std::max(view.y_high, p.y)};
+  for (const FloeFrame& frame : run.frames)
+    for (std::size_t i = 0; i < frame.x.size(); ++i)
+      if (std::isfinite(frame.x[i]))
+        view = {std::min(view.x_low, frame.x[i]), std::max(view.x_high, frame.x[i]), std::min(view.y_low, frame.y[i]),
+                std::max(view.y_high, frame.y[i])};
+  const double rim = 0.02 * (view.x_high - view.x_low) + 5.0;
+  return {view.x_low - rim, view.x_high + rim, view.y_low - rim, view.y_high + rim};
+}
+
+/// One colour scale for all pictures: zero to the speed that 99.5 % of the floes stay below, at least the current.
+double speed_scale(const RunData& run) {
+  double top = run.current_speed;
+  for (const FloeFrame& frame : run.frames) {
+    std::vector<double> speeds;
+    std::copy_if(frame.speed.begin(), frame.speed.end(), std::back_inserter(speeds),
+                 [](double value) { return std::isfinite(value); });
+    top = std::max(top, percentile(speeds, 0.995));
+  }
+  const double step = std::pow(10.0, std::floor(std::log10(std::max(top, 1e-6)))) / 2.0;
+  return step * std::ceil(top / step - 1e-9);
+}
+
+Csv floes_csv(const RunData& run, const FloeFrame& frame, const View& view) {
+  Csv csv("x [m],y [m],speed [m/s]");
+  for (std::size_t i = 0; i < run.floe_outlines.size() && i < frame.x.size(); ++i) {
+    if (!std::isfinite(frame.x[i]) || !inside(view, frame.x[i], frame.y[i], 20.0)) continue;
+    const Rotation turn{std::cos(frame.theta[i]), std::sin(frame.theta[i])};
+    for (const Vec2 corner : run.floe_outlines[i]) {
+      const Vec2 p = Vec2{frame.x[i], frame.y[i]} + rotate(turn, corner);
+      csv.row({p.x, p.y, frame.speed[i]});
+    }
+    csv.gap();
+  }
+  return csv;
+}
+
+Csv outlines_csv(const std::vector<Outline>& outlines) {
+  Csv csv("x [m],y [m]");
+  for (const Outline& outline : outlines) {
+    for (const Vec2 p : outline) csv.row({p.x, p.y});
+    csv.gap();
+  }
+  return csv;
+}
+
+Vec2 platform_position(const RunData& run, double time) {
+  const auto& times = run.platform.time;
+  if (times.empty()) return run.rest;
+  const auto at =
+      std::min<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin(), times.size() - 1);
+  return {run.platform.x[at], run.platform.y[at]};
+}
+
+Outline moved(const Outline& outline, Vec2 by) {
+  Outline result = outline;
+  for (Vec2& p : result) p += by;
+  return result;
+}
+
+std::string time_text(double time) {
+  const Unit unit = time_unit(time);
+  return "t = " + with_unit(time, unit, unit.size > 1.0 ? 3 : 4);
+}
+
+struct FieldPicture {
+  std::string name;
+  std::string title;
+  View view;
+  PlotSize size;
+};
+
+Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture& picture, double top_speed,
+                  const PlotFolder& folder) {
+  folder.write_csv(picture.name, floes_csv(run, frame, picture.view));
+  const std::string platform_name = picture.name + "_platform";
+  folder.write_csv(platform_name, outlines_csv({moved(run.platform_outline, platform_position(run, frame.time))}));
+  std::ostringstream commands;
+  commands << "set size ratio -1\nset lmargin 8\nset rmargin 1\nset border 15\nunset grid\n"
+           << "set title " << quoted(time_text(frame.time)) << " left offset -1,-0.6\n"
+           << "set xlabel 'x [m]' offset 0,0.4\nset ylabel 'y [m]' offset 1,0\n"
+           << "set xrange [" << number_text(picture.view.x_low, 5) << ':' << number_text(picture.view.x_high, 5)
+           << "]\nset yrange [" << number_text(picture.view.y_low, 5) << ':' << number_text(picture.view.y_high, 5)
+           << "]\nset cbrange [0:" << number_text(top_speed, 3) << "]\n"
+           << "set cblabel 'speed [m/s]' offset -0.5,0\nset colorbox noborder\n"
+           << "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#eef2f5' fillstyle solid\n"
+           << "plot 'fixed.csv' using 1:2 with filledcurves closed fillcolor rgb '#b9bec6', \\\n"
+           << "  " << quoted(picture.name + ".csv") << " using 1:2:3 with filledcurves closed fillcolor palette, \\\n"
+           << "  " << quoted(platform_name + ".csv") << " using 1:2 with filledcurves closed fillcolor rgb '#c2571a'\n";
+  return folder.draw({picture.name, picture.title, "", ""}, picture.size, commands.str());
+}
+
+/// Height that leaves no empty band above or below a view drawn with equal axes.
+PlotSize channel_size(const View& view) {
+  const double drawn_width = 1000.0 - 175.0;
+  const double height = drawn_width * (view.y_high - view.y_low) / (view.x_high - view.x_low) + 85.0;
+  return {1000, static_cast<int>(std::clamp(height, 160.0, 800.0))};
+}
+
+View close_view(const RunData& run) {
+  double reach = 30.0;
+  for (const Vec2 p : run.platform_outline) reach = std::max(reach, 3.0 * length(p));
+  return {-1.4 * reach, reach, -reach, reach};
+}
+
+}  // namespace
+
+std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder) {
+  if (run.frames.size() < 3 || run.floe_outlines.empty()) return {};
+  folder.write_csv("fixed", outlines_csv(run.fixed));
+  const double top = speed_scale(run);
+  const View whole = channel_view(run);
+  const char* names[] = {"field_start", "field_middle", "field_end"};
+  const char* moments_of_run[] = {"start", "middle", "end"};
+  std::vector<Figure> figures;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string title = std::string("The field at the ") + moments_of_run[i] + " of the run";
+    figures.push_back(draw_field(run, run.frames[i], {names[i], title, whole, channel_size(whole)}, top, folder));
+    figures.back().caption = title + ", to scale; floes coloured by speed, platform orange, fixed bodies grey.";
+  }
+  if (run.platform_outline.empty()) return figures;
+  figures.push_back(draw_field(
+      run, run.frames[1], {"field_platform", "Ice around the platform", close_view(run), {1000, 760}}, top, folder));
+  figures.back().caption = "Ice around the platform at the middle of the run, on the same colour scale.";
+  return figures;
+}
+
+}  // namespace gem

@@ -1,0 +1,23 @@
+// The page of a run report: one HTML file with everything in it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gem/report/plot_folder.h"
+#include "gem/report/run_data.h"
+#include "gem/report/run_summary.h"
+
+namespace gem {
+
+struct PageFigures {
+  std::vector<Figure> field, motion, force, books;
+};
+
+/// Self-contained HTML: style and pictures inline, nothing loaded from elsewhere.
+std::string page_html(const RunData& run, const RunSummary& summary, const PageFigures& figures);
+
+/// Text made safe for HTML.
+std::string escaped(const std::string& text);
+
+}  // namespace gem

@@ -1,0 +1,54 @@
+// A folder of figures: for each one the numbers (CSV), the gnuplot script and the picture (SVG).
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace gem {
+
+/// Rows of numbers under a header, with blank lines between outlines.
+class Csv {
+ public:
+  explicit Csv(const std::string& header) : text_(header + "\n") {}
+  void row(std::initializer_list<double> values);
+  void gap() { text_ += "\n"; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// A finished figure on its way to the page.
+struct Figure {
+  std::string name;     // of its files
+  std::string title;    // what a reader who cannot see it is told
+  std::string caption;  // HTML
+  std::string svg;
+};
+
+struct PlotSize {
+  int width = 1000;
+  int height = 300;
+};
+
+class PlotFolder {
+ public:
+  /// Makes the folder. `stamp` is printed small on every figure: case and commit.
+  PlotFolder(std::filesystem::path folder, std::string stamp);
+  void write_csv(const std::string& name, const Csv& csv) const;
+  /// Writes NAME.gp, runs gnuplot on it and returns the picture. `commands` may use the line styles and the palette of
+  /// the house. Throws Error(file_system) if gnuplot is missing or fails, or a file cannot be written.
+  Figure draw(Figure figure, PlotSize size, const std::string& commands) const;
+
+ private:
+  void write(const std::string& file, const std::string& text) const;
+  std::filesystem::path folder_;
+  std::string stamp_;
+};
+
+/// Text between single quotes for gnuplot.
+std::string quoted(const std::string& text);
+
+}  // namespace gem

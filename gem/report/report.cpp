@@ -1,0 +1,45 @@
+#include "gem/report/report.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "gem/base/error.h"
+#include "gem/report/figures.h"
+#include "gem/report/load_run.h"
+#include "gem/report/page.h"
+#include "gem/report/run_summary.h"
+
+namespace gem {
+namespace {
+
+std::string stamp(const RunIdentity& identity) {
+  std::string text = identity.name;
+  if (!identity.commit.empty()) text += "  " + identity.commit;
+  if (identity.status != "complete") text += "  " + identity.status;
+  return text;
+}
+
+}  // namespace
+
+void write_report(const std::string& run_file, const std::string& out_dir, bool allow_incomplete) {
+  write_report(load_run(run_file), out_dir, allow_incomplete);
+}
+
+void write_report(const RunData& run, const std::string& out_dir, bool allow_incomplete) {
+  if (run.identity.status != "complete" && !allow_incomplete)
+    throw Error(ExitCode::usage, "the run " + run.identity.name + " is not complete (status: " + run.identity.status +
+                                     ") finish it, or ask for a report with --allow-incomplete");
+  const std::filesystem::path folder(out_dir);
+  const PlotFolder plots(folder / "figures", stamp(run.identity));
+  const RunSummary summary = summarise_run(run);
+  const PageFigures figures{field_figures(run, plots), motion_figures(run, summary, plots), force_figures(run, plots),
+                            book_figures(run, plots)};
+  std::ofstream page(folder / "index.html", std::ios::binary);
+  page << page_html(run, summary, figures);
+  page.close();
+  if (!page)
+    throw Error(ExitCode::file_system, "cannot write " + (folder / "index.html").string() +
+                                           " (disk full or no permission) choose another output folder");
+}
+
+}  // namespace gem

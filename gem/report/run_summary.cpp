@@ -1,0 +1,109 @@
+#include "gem/report/run_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "gem/analysis/spectrum.h"
+#include "gem/base/error.h"
+
+namespace gem {
+namespace {
+
+/// Batches of four natural periods are longer than the memory of the motion; between 5 and 20 of them.
+std::size_t batch_count(const RunData& run) {
+  if (run.natural_period_s <= 0.0) return 20;
+  const double batches = run.duration_s / (4.0 * run.natural_period_s);
+  return static_cast<std::size_t>(std::clamp(batches, 5.0, 20.0));
+}
+
+std::vector<double> from_rest(const std::vector<double>& position, double rest) {
+  std::vector<double> result = position;
+  for (double& value : result) value -= rest;
+  return result;
+}
+
+AxisMotion axis_motion(const RunData& run, const std::vector<double>& position, double rest) {
+  const std::vector<double> motion = from_rest(position, rest);
+  AxisMotion axis;
+  axis.deviation = moments(motion).deviation;
+  const Excursion largest = maximum_excursion(motion);
+  axis.excursion = largest.value;
+  axis.excursion_time = run.platform.time[largest.sample];
+  if (motion.size() < kSamplesForStatistics) return axis;
+  const double interval = sample_interval(run.platform.time);
+  axis.offset = batch_mean(motion, batch_count(run));
+  const std::vector<Spectrum> spectra = eigenspectra(motion, interval);
+  axis.spectral = spectral_period(spectra);
+  axis.spectrum = mean_spectrum(spectra);
+  axis.crossings = zero_up_crossings(motion, interval);
+  axis.maxima = local_maxima(motion, interval);
+  return axis;
+}
+
+double largest_length(const std::vector<double>& x, const std::vector<double>& y) {
+  return maximum_radial_excursion(x, y).value;
+}
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+Loads loads(const RunData& run) {
+  const PlatformRecord& p = run.platform;
+  Loads result;
+  result.contact_fraction = intermittency(p.contacts);
+  result.ice_window_largest = largest_length(p.ice_force_mean_x, p.ice_force_mean_y);
+  result.mooring_largest = largest_length(p.mooring_force_x, p.mooring_force_y);
+  if (p.time.size() >= kSamplesForStatistics) {
+    result.sample_s = sample_interval(p.time);
+    result.sample_impulse_largest = largest_length(p.ice_force_x, p.ice_force_y) * result.sample_s;
+    result.ice_mean_x = batch_mean(p.ice_force_x, batch_count(run));
+    result.ice_mean_y = batch_mean(p.ice_force_y, batch_count(run));
+    result.mooring_mean_x = batch_mean(p.mooring_force_x, batch_count(run));
+  }
+  result.events = run.events.time.size();
+  result.arrivals = std::set<std::int32_t>(run.events.body_b.begin(), run.events.body_b.end()).size();
+  result.event_impulse_largest = largest_of(run.events.impulse);
+  result.crushing_largest = largest_of(run.events.force_peak);
+  result.crushing_median = percentile(run.events.force_peak, 0.5);
+  return result;
+}
+
+Quality quality(const StatsRecord& stats) {
+  Quality result;
+  result.residual_momentum = largest_of(stats.residual_momentum);
+  result.residual_angular_momentum = largest_of(stats.residual_angular_momentum);
+  result.residual_energy = largest_of(stats.residual_energy);
+  result.maximum_overlap = largest_of(stats.maximum_overlap);
+  if (!stats.time.empty() && stats.wall_time.back() > 0.0) result.speed = stats.time.back() / stats.wall_time.back();
+  return result;
+}
+
+}  // namespace
+
+double sample_interval(const std::vector<double>& time) {
+  const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  for (std::size_t i = 0; i < time.size(); ++i)
+    if (std::abs(time[i] - time.front() - static_cast<double>(i) * interval) > 1e-6 * time.back())
+      throw Error(ExitCode::file_system,
+                  "the platform record has uneven samples (the file is damaged) run the case again");
+  return interval;
+}
+
+RunSummary summarise_run(const RunData& run) {
+  RunSummary summary;
+  summary.quality = quality(run.stats);
+  if (run.platform.time.empty()) return summary;
+  summary.x = axis_motion(run, run.platform.x, run.rest.x);
+  summary.y = axis_motion(run, run.platform.y, run.rest.y);
+  const Excursion radial = maximum_radial_excursion(run.platform.x, run.platform.y, run.rest.x, run.rest.y);
+  summary.radial_excursion = radial.value;
+  summary.radial_time = run.platform.time[radial.sample];
+  summary.loads = loads(run);
+  return summary;
+}
+
+}  // namespace gem

@@ -1,0 +1,66 @@
+// The numbers that describe one run: motion, period, loads, books, speed.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "gem/analysis/moments.h"
+#include "gem/analysis/period.h"
+#include "gem/report/run_data.h"
+
+namespace gem {
+
+/// One axis of the platform's motion, measured from rest [m, s].
+struct AxisMotion {
+  MeanEstimate offset;
+  double deviation = 0.0;
+  double excursion = 0.0;  // signed
+  double excursion_time = 0.0;
+  std::optional<PeriodEstimate> spectral;
+  Crossings crossings;
+  Maxima maxima;
+  Spectrum spectrum;
+};
+
+/// Three ice load channels that are never mixed, and the mooring. Largest values are magnitudes in the plane.
+struct Loads {
+  double sample_s = 0.0;                // one sample of the platform record [s]
+  double sample_impulse_largest = 0.0;  // net ice impulse of one sample [N s]
+  double event_impulse_largest = 0.0;   // normal impulse of one event [N s]
+  double ice_window_largest = 0.0;      // of the window average [N]
+  MeanEstimate ice_mean_x, ice_mean_y;  // over the run [N]
+  double crushing_largest = 0.0;        // closed-form peak of one event [N]
+  double crushing_median = 0.0;
+  double mooring_largest = 0.0;  // [N]
+  MeanEstimate mooring_mean_x;   // [N]
+  double contact_fraction = 0.0;
+  std::size_t events = 0;
+  std::size_t arrivals = 0;  // distinct floes that hit the platform
+};
+
+/// How well the run kept its books, and how fast it went.
+struct Quality {
+  double residual_momentum = 0.0, residual_angular_momentum = 0.0, residual_energy = 0.0;  // largest of the run
+  double maximum_overlap = 0.0;                                                            // [m]
+  double speed = 0.0;                                                                      // simulated over wall time
+};
+
+struct RunSummary {
+  AxisMotion x, y;
+  double radial_excursion = 0.0;  // [m]
+  double radial_time = 0.0;       // [s]
+  Loads loads;
+  Quality quality;
+};
+
+/// Platform records shorter than this have no spectrum and no interval of the mean.
+inline constexpr std::size_t kSamplesForStatistics = 64;
+
+/// Computes everything that the run's records allow; the rest stays zero or empty.
+RunSummary summarise_run(const RunData& run);
+
+/// Interval of evenly sampled times [s]. Throws Error(file_system) if the samples are not even to 1e-6.
+double sample_interval(const std::vector<double>& time);
+
+}  // namespace gem

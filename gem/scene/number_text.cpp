@@ -18,11 +18,18 @@ std::string number_text(double value) {
   return text;
 }
 
-std::string pair_text(Vec2 value) { return "[" + number_text(value.x) + ", " + number_text(value.y) + "]"; }
+std::string pair_text(Vec2 value) {
+  std::string text = "[";
+  text += number_text(value.x) + ", " + number_text(value.y) + "]";
+  return text;
+}
 
 std::string outline_text(const std::vector<Vec2>& outline) {
   std::string text = "[";
-  for (std::size_t i = 0; i < outline.size(); ++i) text += (i == 0 ? "" : ", ") + pair_text(outline[i]);
+  for (const Vec2 corner : outline) {
+    if (text.size() > 1) text += ", ";
+    text += pair_text(corner);
+  }
   return text + "]";
 }
 

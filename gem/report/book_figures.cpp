@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "gem/analysis/moments.h"
+#include "gem/report/display.h"
 #include "gem/report/figures.h"
-#include "gem/report/number_text.h"
 #include "gem/report/series.h"
 
 namespace gem {
@@ -28,9 +28,9 @@ std::vector<Figure> book_figures(const RunData& run, const PlotFolder& folder) {
   folder.write_csv("books", csv);
   std::ostringstream commands;
   commands << "set multiplot layout 2,1\nset xlabel 'time [" << time.name
-           << "]' offset 0,0.4\nset xrange [0:" << number_text(run.duration_s / time.size, 6) << "]\n"
+           << "]' offset 0,0.4\nset xrange [0:" << rounded_text(run.duration_s / time.size, 6) << "]\n"
            << "set termoption enhanced\nset logscale y\nset format y '10^{%L}'\nset ylabel 'residual, relative'\n"
-           << "set yrange [1e-18:*]\nset key outside top center horizontal\n"
+           << "set yrange [1e-18:*]\n"
            << "plot 'books.csv' using 1:2 with lines linestyle 1 title 'momentum', '' using 1:3 with lines linestyle 3 "
               "title 'angular momentum', '' using 1:4 with lines linestyle 2 title 'energy'\n"
            << "unset label 99\nunset logscale y\nset format y '%g'\nset yrange [0:*]\nset ylabel 'deepest overlap ["

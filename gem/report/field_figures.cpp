@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "gem/analysis/moments.h"
+#include "gem/report/display.h"
 #include "gem/report/figures.h"
-#include "gem/report/number_text.h"
 
 namespace gem {
 namespace {
@@ -52,8 +52,10 @@ Csv floes_csv(const RunData& run, const FloeFrame& frame, const View& view) {
   for (std::size_t i = 0; i < run.floe_outlines.size() && i < frame.x.size(); ++i) {
     if (!std::isfinite(frame.x[i]) || !inside(view, frame.x[i], frame.y[i], 20.0)) continue;
     const Rotation turn{std::cos(frame.theta[i]), std::sin(frame.theta[i])};
-    for (const Vec2 corner : run.floe_outlines[i]) {
-      const Vec2 p = Vec2{frame.x[i], frame.y[i]} + rotate(turn, corner);
+    const Corners& outline = run.floe_outlines[i];
+    // The first corner comes again at the end, so that the same rows draw a closed line.
+    for (std::size_t c = 0; c <= outline.size(); ++c) {
+      const Vec2 p = Vec2{frame.x[i], frame.y[i]} + rotate(turn, outline[c % outline.size()]);
       csv.row({p.x, p.y, frame.speed[i]});
     }
     csv.gap();
@@ -61,9 +63,9 @@ Csv floes_csv(const RunData& run, const FloeFrame& frame, const View& view) {
   return csv;
 }
 
-Csv outlines_csv(const std::vector<Outline>& outlines) {
+Csv outlines_csv(const std::vector<Corners>& outlines) {
   Csv csv("x [m],y [m]");
-  for (const Outline& outline : outlines) {
+  for (const Corners& outline : outlines) {
     for (const Vec2 p : outline) csv.row({p.x, p.y});
     csv.gap();
   }
@@ -78,8 +80,8 @@ Vec2 platform_position(const RunData& run, double time) {
   return {run.platform.x[at], run.platform.y[at]};
 }
 
-Outline moved(const Outline& outline, Vec2 by) {
-  Outline result = outline;
+Corners moved(const Corners& outline, Vec2 by) {
+  Corners result = outline;
   for (Vec2& p : result) p += by;
   return result;
 }
@@ -94,6 +96,7 @@ struct FieldPicture {
   std::string title;
   View view;
   PlotSize size;
+  bool floe_edges = false;  // thin white lines between floes: only where a floe is many pixels wide
 };
 
 Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture& picture, double top_speed,
@@ -102,17 +105,20 @@ Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture
   const std::string platform_name = picture.name + "_platform";
   folder.write_csv(platform_name, outlines_csv({moved(run.platform_outline, platform_position(run, frame.time))}));
   std::ostringstream commands;
-  commands << "set size ratio -1\nset lmargin 8\nset rmargin 1\nset border 15\nunset grid\n"
-           << "set title " << quoted(time_text(frame.time)) << " left offset -1,-0.6\n"
-           << "set xlabel 'x [m]' offset 0,0.4\nset ylabel 'y [m]' offset 1,0\n"
-           << "set xrange [" << number_text(picture.view.x_low, 5) << ':' << number_text(picture.view.x_high, 5)
-           << "]\nset yrange [" << number_text(picture.view.y_low, 5) << ':' << number_text(picture.view.y_high, 5)
-           << "]\nset cbrange [0:" << number_text(top_speed, 3) << "]\n"
-           << "set cblabel 'speed [m/s]' offset -0.5,0\nset colorbox noborder\n"
-           << "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#eef2f5' fillstyle solid\n"
-           << "plot 'fixed.csv' using 1:2 with filledcurves closed fillcolor rgb '#b9bec6', \\\n"
-           << "  " << quoted(picture.name + ".csv") << " using 1:2:3 with filledcurves closed fillcolor palette, \\\n"
-           << "  " << quoted(platform_name + ".csv") << " using 1:2 with filledcurves closed fillcolor rgb '#c2571a'\n";
+  commands
+      << "set size ratio -1\nset lmargin 8\nset rmargin 1\nset border 15\nunset grid\n"
+      << "set label 1 " << quoted(time_text(frame.time)) << " at graph 0, graph 1 offset 0,0.8 front\n"
+      << "set xlabel 'x [m]' offset 0,0.4\nset ylabel 'y [m]' offset 1,0\n"
+      << "set xrange [" << rounded_text(picture.view.x_low, 5) << ':' << rounded_text(picture.view.x_high, 5)
+      << "]\nset yrange [" << rounded_text(picture.view.y_low, 5) << ':' << rounded_text(picture.view.y_high, 5)
+      << "]\nset cbrange [0:" << rounded_text(top_speed, 3) << "]\n"
+      << "set cblabel 'speed [m/s]' offset -0.5,0\nset colorbox noborder\n"
+      << "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#eef2f5' fillstyle solid noborder\n"
+      << "plot 'fixed.csv' using 1:2 with filledcurves closed fillcolor rgb '#b9bec6', \\\n"
+      << "  " << quoted(picture.name + ".csv") << " using 1:2:3 with filledcurves closed fillcolor palette, \\\n";
+  if (picture.floe_edges)
+    commands << "  " << quoted(picture.name + ".csv") << " using 1:2 with lines lc rgb '#ffffff' lw 0.8, \\\n";
+  commands << "  " << quoted(platform_name + ".csv") << " using 1:2 with filledcurves closed fillcolor rgb '#c2571a'\n";
   return folder.draw({picture.name, picture.title, "", ""}, picture.size, commands.str());
 }
 
@@ -141,12 +147,14 @@ std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder) 
   std::vector<Figure> figures;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string title = std::string("The field at the ") + moments_of_run[i] + " of the run";
-    figures.push_back(draw_field(run, run.frames[i], {names[i], title, whole, channel_size(whole)}, top, folder));
+    figures.push_back(
+        draw_field(run, run.frames[i], {names[i], title, whole, channel_size(whole), false}, top, folder));
     figures.back().caption = title + ", to scale; floes coloured by speed, platform orange, fixed bodies grey.";
   }
   if (run.platform_outline.empty()) return figures;
-  figures.push_back(draw_field(
-      run, run.frames[1], {"field_platform", "Ice around the platform", close_view(run), {1000, 760}}, top, folder));
+  figures.push_back(draw_field(run, run.frames[1],
+                               {"field_platform", "Ice around the platform", close_view(run), {1000, 760}, true}, top,
+                               folder));
   figures.back().caption = "Ice around the platform at the middle of the run, on the same colour scale.";
   return figures;
 }

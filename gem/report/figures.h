@@ -5,7 +5,7 @@
 
 #include "gem/report/plot_folder.h"
 #include "gem/report/run_data.h"
-#include "gem/report/run_summary.h"
+#include "gem/report/run_findings.h"
 
 namespace gem {
 
@@ -13,7 +13,7 @@ namespace gem {
 std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder);
 
 /// x(t), y(t), the orbit and the spectra of both.
-std::vector<Figure> motion_figures(const RunData& run, const RunSummary& summary, const PlotFolder& folder);
+std::vector<Figure> motion_figures(const RunData& run, const RunFindings& findings, const PlotFolder& folder);
 
 /// Net ice force with a window around its largest value, and ice against mooring force.
 std::vector<Figure> force_figures(const RunData& run, const PlotFolder& folder);

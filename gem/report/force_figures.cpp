@@ -4,8 +4,9 @@
 #include <sstream>
 
 #include "gem/analysis/moments.h"
+#include "gem/base/number_text.h"
+#include "gem/report/display.h"
 #include "gem/report/figures.h"
-#include "gem/report/number_text.h"
 #include "gem/report/series.h"
 
 namespace gem {
@@ -59,14 +60,14 @@ double write_window(const RunData& run, const Window& window, const Unit& unit, 
 
 std::string window_plot(const RunData& run, const Window& window, const std::string& sample, bool has_events) {
   std::ostringstream commands;
-  commands << "set xrange [" << number_text(window.from, 7) << ':' << number_text(window.to, 7) << "]\n"
+  commands << "set xrange [" << rounded_text(window.from, 7) << ':' << rounded_text(window.to, 7) << "]\n"
            << "set xlabel 'time [s]' offset 0,0.4\nplot ";
   if (has_events)
     commands << "'ice_force_peaks.csv' using 1:2 with impulses lc rgb '#d9c3b4' lw 1.4, '' using 1:2 with points pt 7 "
                 "ps 0.3 lc rgb '#c2571a' title 'crushing peak of each event (closed form)', ";
-  commands << "'ice_force_window.csv' using 1:2 with steps linestyle 1 title 'net impulse of " << sample << " s over "
-           << sample << " s', '' using 1:3 with lines lc rgb '#440154' lw 1.8 title 'mean over "
-           << number_text(run.force_window_s, 2) << " s'\n";
+  commands << "'ice_force_window.csv' using 1:2 with fsteps linestyle 1 title 'impulse of each " << sample
+           << " s, over " << sample << " s', '' using 1:3 with lines lc rgb '#440154' lw 1.8 title 'mean over "
+           << number_text(run.force_window_s, 6) << " s'\n";
   return commands.str();
 }
 
@@ -77,20 +78,20 @@ Figure draw_ice_force(const RunData& run, const PlotFolder& folder) {
   const Window window = window_around_largest(run);
   write_whole(run, p.ice_force_x, "ice_force", unit, folder);
   const double peak = write_window(run, window, unit, folder);
-  const std::string sample = number_text(sample_interval(p.time), 2);
+  const std::string sample = number_text(sample_interval(p.time), 6);
   std::ostringstream commands;
   commands << "set multiplot layout 2,1\nset xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\nset ylabel 'ice force, x ["
            << unit.name << "]'\nset offsets graph 0, 0, 0.12, 0.02\n"
            << window_plot(run, window, sample, peak > 0.0) << "unset label 99\n"
-           << "set xrange [0:" << number_text(run.duration_s / time.size, 6) << "]\nset xlabel 'time [" << time.name
-           << "]' offset 0,0.4\nset object 1 rectangle from first " << number_text(window.from / time.size, 7)
-           << ", graph 0 to first " << number_text(window.to / time.size, 7)
-           << ", graph 1 behind fillcolor rgb '#f3d9c8' fillstyle solid\n"
+           << "set xrange [0:" << rounded_text(run.duration_s / time.size, 6) << "]\nset xlabel 'time [" << time.name
+           << "]' offset 0,0.4\nset object 1 rectangle from first " << rounded_text(window.from / time.size, 7)
+           << ", graph 0 to first " << rounded_text(window.to / time.size, 7)
+           << ", graph 1 behind fillcolor rgb '#f3d9c8' fillstyle solid noborder\n"
            << "plot 'ice_force.csv' using 1:2 with lines linestyle 1 lw 0.7\nunset multiplot\n";
   const std::string caption =
       "Net x force of the ice on the platform. Below: the whole record, each sample the net impulse of " + sample +
-      " s divided by " + sample + " s. Above: the " + number_text(window.to - window.from, 3) +
-      " s around the record's largest value (marked below), with the mean over " + number_text(run.force_window_s, 2) +
+      " s divided by " + sample + " s. Above: the " + number_text(window.to - window.from, 2) +
+      " s around the record's largest value (marked below), with the mean over " + number_text(run.force_window_s, 6) +
       " s and, as stems, the closed-form crushing peak of every single event, which an impulse over a sample cannot "
       "show.";
   return folder.draw({"ice_force", "Net x force of the ice on the platform", caption, ""}, {1000, 640}, commands.str());
@@ -109,7 +110,7 @@ Figure draw_ice_and_mooring(const RunData& run, const PlotFolder& folder) {
   std::ostringstream commands;
   commands << "set xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\nset ylabel 'force on the platform, x [" << unit.name
            << "]'\nset xlabel 'time [" << time.name
-           << "]' offset 0,0.4\nset xrange [0:" << number_text(run.duration_s / time.size, 6)
+           << "]' offset 0,0.4\nset xrange [0:" << rounded_text(run.duration_s / time.size, 6)
            << "]\nset offsets graph 0, 0, 0.1, 0.02\n"
            << "plot 'ice_and_mooring_ice.csv' using 1:2 with lines lc rgb '#9db8cf' lw 0.7 title 'ice', "
               "'ice_and_mooring_mooring.csv' using 1:2 with lines linestyle 2 title 'mooring'\n";

@@ -7,7 +7,8 @@
 
 namespace gem {
 
-/// Throws Error(file_system) if the file cannot be read or is no run file.
-RunData load_run(const std::string& run_file);
+/// Three frames of the floes (start, middle, end) and all of the other records. Throws Error(file_system) if the file
+/// cannot be read, is no run file, or is not complete (unless `allow_incomplete`).
+RunData load_run(const std::string& run_file, bool allow_incomplete);
 
 }  // namespace gem

@@ -3,15 +3,16 @@
 #include <cmath>
 #include <sstream>
 
+#include "gem/report/display.h"
 #include "gem/report/figures.h"
-#include "gem/report/number_text.h"
 #include "gem/report/series.h"
 
 namespace gem {
 namespace {
 
 constexpr std::size_t kCurvePoints = 6000;
-constexpr std::size_t kOrbitPoints = 2500;  // each is a path of its own in the picture
+constexpr double kOrbitShape = 1.45;        // width over height of the orbit's frame
+constexpr std::size_t kOrbitPoints = 6000;  // each is a path of its own in the picture
 
 struct AxisCurve {
   std::string name;    // of the figure
@@ -29,7 +30,7 @@ Figure draw_axis(const RunData& run, const AxisCurve& curve, const std::vector<d
   folder.write_csv(curve.name, csv);
   std::ostringstream commands;
   commands << "set xlabel 'time [" << time.name << "]' offset 0,0.4\nset ylabel '" << curve.symbol << " ["
-           << length.name << "]'\nset xrange [0:" << number_text(run.duration_s / time.size, 6) << "]\n"
+           << length.name << "]'\nset xrange [0:" << rounded_text(run.duration_s / time.size, 6) << "]\n"
            << "set xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\n"
            << "plot '" << curve.name << ".csv' using 1:2 with lines linestyle " << curve.line_style << '\n';
   return folder.draw({curve.name, "Platform motion " + curve.symbol + "(t)",
@@ -44,29 +45,33 @@ Figure draw_orbit(const RunData& run, const Unit& length, const PlotFolder& fold
     csv.row({(run.platform.x[i] - run.rest.x) / length.size, (run.platform.y[i] - run.rest.y) / length.size,
              run.platform.time[i] / time.size});
   folder.write_csv("orbit", csv);
+  const double wide = std::abs(maximum_excursion(run.platform.x, run.rest.x).value);
+  const double high = std::abs(maximum_excursion(run.platform.y, run.rest.y).value);
+  const double reach = 1.05 * std::max({wide, kOrbitShape * high, 1e-9}) / length.size;
   std::ostringstream commands;
   commands << "set size ratio -1\nset border 15\nset xlabel 'x [" << length.name << "]' offset 0,0.4\nset ylabel 'y ["
            << length.name << "]'\nset cblabel 'time [" << time.name
-           << "]'\nset cbrange [0:" << number_text(run.duration_s / time.size, 6)
-           << "]\nset colorbox noborder\nset rmargin 9\n"
-           << "set xtics autofreq\nset ytics autofreq\n"
+           << "]'\nset cbrange [0:" << rounded_text(run.duration_s / time.size, 6)
+           << "]\nset colorbox noborder\nset rmargin 1\n"
+           << "set xrange [-" << rounded_text(reach, 4) << ':' << rounded_text(reach, 4) << "]\nset yrange [-"
+           << rounded_text(reach / kOrbitShape, 4) << ':' << rounded_text(reach / kOrbitShape, 4) << "]\n"
            << "plot 'orbit.csv' using 1:2:3 with lines linewidth 1 linecolor palette\n";
   return folder.draw({"orbit", "Orbit of the platform",
                       "Orbit of the platform about its rest position, coloured by time; equal axes.", ""},
-                     {1000, 640}, commands.str());
+                     {1000, 610}, commands.str());
 }
 
 /// Highest frequency worth showing: five times the natural or, without mooring, the main frequency [Hz].
-double frequency_limit(const RunData& run, const RunSummary& summary) {
+double frequency_limit(const RunData& run, const RunFindings& findings) {
   double base = run.natural_period_s > 0.0 ? 1.0 / run.natural_period_s : 0.0;
-  if (summary.x.spectral) base = std::max(base, 1.0 / summary.x.spectral->period);
-  return base > 0.0 ? 4.0 * base : summary.x.spectrum.frequency(summary.x.spectrum.density.size() - 1);
+  if (findings.x.spectral) base = std::max(base, 1.0 / findings.x.spectral->period);
+  return base > 0.0 ? 4.0 * base : findings.x.spectrum.frequency(findings.x.spectrum.density.size() - 1);
 }
 
-Figure draw_spectra(const RunData& run, const RunSummary& summary, const PlotFolder& folder) {
-  const double limit = frequency_limit(run, summary);
-  const Spectrum& x = summary.x.spectrum;
-  const Spectrum& y = summary.y.spectrum;
+Figure draw_spectra(const RunData& run, const RunFindings& findings, const PlotFolder& folder) {
+  const double limit = frequency_limit(run, findings);
+  const Spectrum& x = findings.x.spectrum;
+  const Spectrum& y = findings.y.spectrum;
   Csv csv("f [mHz],S_x [m2/Hz],S_y [m2/Hz]");
   double largest = 0.0;
   for (std::size_t i = 1; i < x.density.size() && x.frequency(i) <= limit; ++i) {
@@ -79,20 +84,20 @@ Figure draw_spectra(const RunData& run, const RunSummary& summary, const PlotFol
   std::ostringstream commands;
   commands << "set xlabel 'frequency [mHz]' offset 0,0.4\nset ylabel 'power spectral density [m²/Hz]'\n"
            << "set logscale y\nset format y '10^{%L}'\nset termoption enhanced\n"
-           << "set xrange [0:" << number_text(1e3 * limit, 4) << "]\nset yrange [" << exponent_text(1e-8 * top) << ':'
+           << "set xrange [0:" << rounded_text(1e3 * limit, 4) << "]\nset yrange [" << exponent_text(1e-8 * top) << ':'
            << exponent_text(top) << "]\n";
   if (run.natural_period_s > 0.0) {
-    const std::string at = number_text(1e3 / run.natural_period_s, 6);
+    const std::string at = rounded_text(1e3 / run.natural_period_s, 6);
     commands << "set arrow 1 from first " << at << ", graph 0 to first " << at
              << ", graph 1 nohead lc rgb '#3c4149' lw 1 dt (6,4) front\n"
-             << "set label 1 'natural period " << number_text(run.natural_period_s, 3) << " s' at first " << at
+             << "set label 1 'natural period " << rounded_text(run.natural_period_s, 3) << " s' at first " << at
              << ", graph 0.95 offset 0.8,0 textcolor rgb '#3c4149' front\n";
   }
   commands << "plot 'spectrum.csv' using 1:2 with lines linestyle 1 title 'x', '' using 1:3 with lines linestyle 2 "
               "title 'y'\n";
   return folder.draw({"spectrum", "Power spectra of x and y",
                       "Power spectra of x and y (multitaper, NW = 2.5, four tapers; two features closer than " +
-                          number_text(2e3 * x.half_bandwidth, 2) +
+                          rounded_text(2e3 * x.half_bandwidth, 2) +
                           " mHz are one). The dashed line is the natural period, 2&pi;&radic;(M/k).",
                       ""},
                      {1000, 380}, commands.str());
@@ -100,14 +105,14 @@ Figure draw_spectra(const RunData& run, const RunSummary& summary, const PlotFol
 
 }  // namespace
 
-std::vector<Figure> motion_figures(const RunData& run, const RunSummary& summary, const PlotFolder& folder) {
+std::vector<Figure> motion_figures(const RunData& run, const RunFindings& findings, const PlotFolder& folder) {
   if (run.platform.time.size() < kSamplesForStatistics) return {};
-  const Unit length = length_unit(summary.radial_excursion);
+  const Unit length = length_unit(findings.radial_excursion);
   const AxisCurve along{"motion_x", "x", "along the current", 1};
   const AxisCurve across{"motion_y", "y", "across the current", 2};
   return {draw_axis(run, along, run.platform.x, run.rest.x, length, folder),
           draw_axis(run, across, run.platform.y, run.rest.y, length, folder), draw_orbit(run, length, folder),
-          draw_spectra(run, summary, folder)};
+          draw_spectra(run, findings, folder)};
 }
 
 }  // namespace gem

@@ -33,7 +33,8 @@ figure { margin: 1.4rem 0 2rem; }
 figure svg { display: block; width: 100%; height: auto; }
 figure svg text, figure svg tspan { font-family: "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-serif; }
 figcaption { color: var(--soft); font-size: .9rem; max-width: 52rem; margin-top: .3rem; }
-figcaption a { color: var(--accent); text-decoration: none; white-space: nowrap; }
+figcaption span { white-space: nowrap; }
+figcaption a { color: var(--accent); text-decoration: none; }
 figcaption a:hover { text-decoration: underline; }
 .notes { color: var(--soft); font-size: .9rem; max-width: 52rem; }
 @page { size: A4; margin: 16mm 15mm; }
@@ -43,7 +44,7 @@ figcaption a:hover { text-decoration: underline; }
   h2 { break-after: avoid; margin-top: 1.4rem; }
   h2.page { break-before: page; }
   figure, table, .headline { break-inside: avoid; }
-  figcaption a { display: none; }
+  figcaption span { display: none; }
   th[scope=row] { width: 16rem; }
 }
 )";
@@ -64,8 +65,8 @@ record without its mean. Local maxima count every wiggle and are given so that c
 
 std::string figure_html(const Figure& figure) {
   return "<figure role=\"img\" aria-label=\"" + escaped(figure.title) + "\">\n" + figure.svg + "\n<figcaption>" +
-         figure.caption + " <a href=\"figures/" + figure.name + ".csv\">numbers</a>, <a href=\"figures/" + figure.name +
-         ".gp\">script</a></figcaption>\n</figure>\n";
+         figure.caption + " <span><a href=\"figures/" + figure.name + ".csv\">numbers</a>, <a href=\"figures/" +
+         figure.name + ".gp\">script</a></span></figcaption>\n</figure>\n";
 }
 
 std::string section(const std::string& title, const std::vector<Figure>& figures, bool new_page) {
@@ -83,17 +84,17 @@ std::string warning(const RunIdentity& identity) {
 
 }  // namespace
 
-std::string page_html(const RunData& run, const RunSummary& summary, const PageFigures& figures) {
+std::string page_html(const RunData& run, const RunFindings& findings, const PageFigures& figures) {
   const std::string name = escaped(run.identity.name);
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       name + " - run report</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
   html += "<header><h1>" + name + "</h1>\n<p>Ice loads on a moored platform: report of one run</p></header>\n";
-  html += warning(run.identity) + headline_html(run, summary);
+  html += warning(run.identity) + headline_html(run, findings);
   html += section("The field", figures.field, false);
-  html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + motion_html(run, summary) +
-          loads_html(run, summary) + quality_html(run, summary) + identity_html(run) + "</section>\n";
+  html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + motion_html(run, findings) +
+          loads_html(run, findings) + quality_html(run, findings) + identity_html(run) + "</section>\n";
   html += section("Motion of the platform", figures.motion, true);
   html += section("Forces on the platform", figures.force, true);
   html += section("Books of the run", figures.books, false);

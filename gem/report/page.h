@@ -6,7 +6,7 @@
 
 #include "gem/report/plot_folder.h"
 #include "gem/report/run_data.h"
-#include "gem/report/run_summary.h"
+#include "gem/report/run_findings.h"
 
 namespace gem {
 
@@ -15,7 +15,7 @@ struct PageFigures {
 };
 
 /// Self-contained HTML: style and pictures inline, nothing loaded from elsewhere.
-std::string page_html(const RunData& run, const RunSummary& summary, const PageFigures& figures);
+std::string page_html(const RunData& run, const RunFindings& findings, const PageFigures& figures);
 
 /// Text made safe for HTML.
 std::string escaped(const std::string& text);

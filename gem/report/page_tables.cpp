@@ -4,7 +4,8 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "gem/report/number_text.h"
+#include "gem/base/number_text.h"
+#include "gem/report/display.h"
 #include "gem/report/page.h"
 
 namespace gem {
@@ -24,13 +25,12 @@ std::string stated(const std::string& text) { return text.empty() ? "not stated"
 
 std::string code(const std::string& text) { return text.empty() ? "not stated" : "<code>" + escaped(text) + "</code>"; }
 
-/// "12.3 ± 0.4 mm": both rounded where the uncertainty has two digits.
+/// "12.3 &plusmn; 0.4 mm": both rounded where the uncertainty has two digits.
 std::string with_interval(const MeanEstimate& estimate, const Unit& unit) {
   if (estimate.batches == 0) return "record too short";
-  const double mean = estimate.mean / unit.size;
   const double half = estimate.half_width / unit.size;
-  const double digits = half > 0.0 && mean != 0.0 ? std::floor(std::log10(std::abs(mean) / half)) + 2.0 : 3.0;
-  return number_text(mean, std::clamp(static_cast<int>(digits), 1, 5)) + " &plusmn; " + number_text(half, 2) + " " +
+  const int decimals = half > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(half))), 0, 9) : 3;
+  return decimal_text(estimate.mean / unit.size, decimals) + " &plusmn; " + decimal_text(half, decimals) + " " +
          unit.name;
 }
 
@@ -38,13 +38,13 @@ std::string at_time(double time, double duration) { return " at " + with_unit(ti
 
 std::string spectral_text(const std::optional<PeriodEstimate>& period) {
   if (!period) return "record too short";
-  return number_text(period->period, 3) + " s (" + number_text(period->low, 3) + " to " + number_text(period->high, 3) +
-         " s)";
+  return rounded_text(period->period, 3) + " s (" + rounded_text(period->low, 3) + " to " +
+         rounded_text(period->high, 3) + " s)";
 }
 
 std::string counted(double period, std::size_t count, const std::string& what) {
   if (period <= 0.0) return "none";
-  return number_text(period, 3) + " s (" + std::to_string(count) + " " + what + ")";
+  return rounded_text(period, 3) + " s (" + std::to_string(count) + " " + what + ")";
 }
 
 std::string figure_of_run(const std::string& value, const std::string& meaning) {
@@ -56,94 +56,93 @@ std::string impulse_text(double impulse) { return with_unit(impulse, impulse_uni
 
 }  // namespace
 
-std::string headline_html(const RunData& run, const RunSummary& summary) {
+std::string headline_html(const RunData& run, const RunFindings& findings) {
   std::string html = "<section class=\"headline\">\n";
   if (!run.platform.time.empty()) {
-    html += figure_of_run(with_unit(summary.radial_excursion, length_unit(summary.radial_excursion)),
+    html += figure_of_run(with_unit(findings.radial_excursion, length_unit(findings.radial_excursion)),
                           "largest excursion of the platform");
-    if (summary.x.spectral)
-      html += figure_of_run(number_text(summary.x.spectral->period, 3) + " s",
+    if (findings.x.spectral)
+      html += figure_of_run(rounded_text(findings.x.spectral->period, 3) + " s",
                             run.natural_period_s > 0.0
-                                ? "main period in x; natural period " + number_text(run.natural_period_s, 3) + " s"
+                                ? "main period in x; natural period " + rounded_text(run.natural_period_s, 3) + " s"
                                 : "main period in x");
-    html += figure_of_run(force_text(summary.loads.mooring_largest), "largest mooring force");
-    html += figure_of_run(force_text(summary.loads.crushing_largest), "largest crushing peak of one event");
+    html += figure_of_run(force_text(findings.loads.mooring_largest), "largest mooring force");
+    html += figure_of_run(force_text(findings.loads.crushing_largest), "largest crushing peak of one event");
   }
-  if (summary.quality.speed > 0.0)
-    html += figure_of_run(number_text(summary.quality.speed, 3) + " &times;", "real time");
+  if (findings.quality.speed > 0.0)
+    html += figure_of_run(rounded_text(findings.quality.speed, 3) + " &times;", "real time");
   return html + "</section>\n";
 }
 
 std::string identity_html(const RunData& run) {
   const RunIdentity& id = run.identity;
   std::string rows = row("case", {stated(id.name)}) + row("status", {stated(id.status)}) +
-                     row("simulated time", {with_unit(run.duration_s, Unit{"s", 1.0}, 6)}) +
+                     row("simulated time", {number_text(run.duration_s, 6) + " s"}) +
                      row("floes", {std::to_string(run.floe_outlines.size())}) + row("engine", {stated(id.engine)}) +
-                     row("resolution", {stated(id.resolution)}) + row("moment", {number_text(id.moment_s, 3) + " s"}) +
-                     row("threads", {id.threads > 0 ? std::to_string(id.threads) : "not stated"}) +
-                     row("version", {stated(id.version)}) + row("commit", {code(id.commit)}) +
-                     row("build", {stated(id.build)}) + row("machine", {stated(id.machine)}) +
+                     row("resolution", {stated(id.resolution)}) + row("moment", {number_text(id.moment_s, 6) + " s"}) +
+                     row("threads", {stated(id.threads)}) + row("seed", {stated(id.seed)}) +
+                     row("program", {stated(id.build)}) + row("written", {stated(id.history)}) +
                      row("case hash", {code(id.case_hash)}) + row("state hash", {code(id.state_hash)});
   return table("Identity", rows);
 }
 
-std::string motion_html(const RunData& run, const RunSummary& summary) {
+std::string motion_html(const RunData& run, const RunFindings& findings) {
   if (run.platform.time.empty()) return "";
-  const AxisMotion& x = summary.x;
-  const AxisMotion& y = summary.y;
-  const Unit unit = length_unit(summary.radial_excursion);
+  const AxisMotion& x = findings.x;
+  const AxisMotion& y = findings.y;
+  const Unit unit = length_unit(findings.radial_excursion);
   std::string rows =
       "<tr><td></td><th scope=\"col\">x, along the current</th><th scope=\"col\">y, across</th></tr>\n" +
-      row("mean offset, 95 %", {with_interval(x.offset, unit), with_interval(y.offset, unit)}) +
+      row("mean offset, 95 % interval", {with_interval(x.offset, unit), with_interval(y.offset, unit)}) +
       row("standard deviation", {with_unit(x.deviation, unit), with_unit(y.deviation, unit)}) +
       row("largest excursion from rest", {with_unit(x.excursion, unit) + at_time(x.excursion_time, run.duration_s),
                                           with_unit(y.excursion, unit) + at_time(y.excursion_time, run.duration_s)}) +
       row("in the plane",
-          {with_unit(summary.radial_excursion, unit) + at_time(summary.radial_time, run.duration_s), ""});
+          {with_unit(findings.radial_excursion, unit) + at_time(findings.radial_time, run.duration_s), ""});
   rows += row("period, spectral peak", {spectral_text(x.spectral), spectral_text(y.spectral)}) +
           row("period, zero up-crossings", {counted(x.crossings.mean_period, x.crossings.count, "crossings"),
                                             counted(y.crossings.mean_period, y.crossings.count, "crossings")}) +
           row("period, local maxima", {counted(x.maxima.mean_period, x.maxima.count, "maxima"),
                                        counted(y.maxima.mean_period, y.maxima.count, "maxima")});
   if (run.natural_period_s > 0.0) {
-    const std::string natural = number_text(run.natural_period_s, 4) + " s";
+    const std::string natural = rounded_text(run.natural_period_s, 4) + " s";
     rows += row("natural period, 2&pi;&radic;(M/k)", {natural, natural});
   }
   return table("Motion of the platform", rows);
 }
 
-std::string loads_html(const RunData& run, const RunSummary& summary) {
+std::string loads_html(const RunData& run, const RunFindings& findings) {
   if (run.platform.time.empty()) return "";
-  const Loads& l = summary.loads;
-  const std::string window = number_text(run.force_window_s, 2) + " s";
+  const PlatformLoads& l = findings.loads;
+  const std::string window = number_text(run.force_window_s, 6) + " s";
   const double mean = std::hypot(l.ice_mean_x.mean, l.ice_mean_y.mean);
   std::string rows = row("event impulse, largest of one event", {impulse_text(l.event_impulse_largest)}) +
-                     row("net impulse of one sample (" + number_text(l.sample_s, 2) + " s), largest",
+                     row("net impulse of one sample (" + number_text(l.sample_s, 6) + " s), largest",
                          {impulse_text(l.sample_impulse_largest)}) +
                      row("ice force averaged over " + window + ", largest", {force_text(l.ice_window_largest)}) +
-                     row("ice force averaged over the run, x, 95 %", {with_interval(l.ice_mean_x, force_unit(mean))}) +
-                     row("ice force averaged over the run, y, 95 %", {with_interval(l.ice_mean_y, force_unit(mean))}) +
+                     row("ice force averaged over the run, x", {with_interval(l.ice_mean_x, force_unit(mean))}) +
+                     row("ice force averaged over the run, y", {with_interval(l.ice_mean_y, force_unit(mean))}) +
                      row("crushing peak of one event (closed form), largest", {force_text(l.crushing_largest)}) +
                      row("crushing peak of one event, median", {force_text(l.crushing_median)}) +
                      row("mooring force, largest", {force_text(l.mooring_largest)}) +
-                     row("mooring force averaged over the run, x, 95 %",
+                     row("mooring force averaged over the run, x",
                          {with_interval(l.mooring_mean_x, force_unit(std::abs(l.mooring_mean_x.mean)))}) +
                      row("events on the platform", {std::to_string(l.events)}) +
                      row("arrivals (different floes that hit it)", {std::to_string(l.arrivals)}) +
-                     row("samples with contact", {number_text(100.0 * l.contact_fraction, 3) + " %"});
-  return table("Loads on the platform", rows);
+                     row("samples with contact", {rounded_text(100.0 * l.contact_fraction, 3) + " %"});
+  return table("PlatformLoads on the platform", rows);
 }
 
-std::string quality_html(const RunData& run, const RunSummary& summary) {
+std::string quality_html(const RunData& run, const RunFindings& findings) {
   if (run.stats.time.empty()) return "";
-  const Quality& q = summary.quality;
+  const RunQuality& q = findings.quality;
   return table("Books and speed",
                row("momentum unexplained, relative", {exponent_text(q.residual_momentum)}) +
                    row("angular momentum unexplained, relative", {exponent_text(q.residual_angular_momentum)}) +
                    row("energy unexplained, relative", {exponent_text(q.residual_energy)}) +
                    row("deepest overlap", {with_unit(q.maximum_overlap, length_unit(q.maximum_overlap))}) +
                    row("wall time", {with_unit(run.stats.wall_time.back(), Unit{"s", 1.0})}) +
-                   row("speed", {number_text(q.speed, 3) + " &times; real time"}));
+                   row("speed", {rounded_text(q.speed, 3) + " &times; real time"}));
 }
 
 }  // namespace gem

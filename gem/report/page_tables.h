@@ -4,14 +4,14 @@
 #include <string>
 
 #include "gem/report/run_data.h"
-#include "gem/report/run_summary.h"
+#include "gem/report/run_findings.h"
 
 namespace gem {
 
-std::string headline_html(const RunData& run, const RunSummary& summary);
+std::string headline_html(const RunData& run, const RunFindings& findings);
 std::string identity_html(const RunData& run);
-std::string motion_html(const RunData& run, const RunSummary& summary);
-std::string loads_html(const RunData& run, const RunSummary& summary);
-std::string quality_html(const RunData& run, const RunSummary& summary);
+std::string motion_html(const RunData& run, const RunFindings& findings);
+std::string loads_html(const RunData& run, const RunFindings& findings);
+std::string quality_html(const RunData& run, const RunFindings& findings);
 
 }  // namespace gem

@@ -17,12 +17,13 @@ set datafile separator ','
 set datafile columnheaders
 set key noautotitle
 set border 3 lc rgb '#8a8f98' lw 1
-set tics nomirror out scale 0.5 textcolor rgb '#3c4149'
+set tics nomirror out scale 0.5 font ',12' textcolor rgb '#3c4149'
+set xtics offset 0,0.3
 set grid xtics ytics back lc rgb '#e6e8eb' lw 1 dt solid
-set key top right samplen 1.6 spacing 1.15 textcolor rgb '#3c4149'
+set key outside top left horizontal Left reverse width 1 samplen 1.6 spacing 1.15 textcolor rgb '#3c4149'
 set lmargin 11
 set rmargin 3
-set tmargin 1.6
+set tmargin 2
 set style line 1 lc rgb '#31688e' lw 1.2
 set style line 2 lc rgb '#c2571a' lw 1.4
 set style line 3 lc rgb '#35a37a' lw 1.2
@@ -113,7 +114,7 @@ Figure PlotFolder::draw(Figure figure, PlotSize size, const std::string& command
          << " dynamic noenhanced font 'sans-serif,14' background '#ffffff'\n"
          << "set output " << quoted(figure.name + ".svg") << '\n'
          << kStyle << "set label 99 " << quoted(stamp_)
-         << " at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' front\n"
+         << " at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front\n"
          << commands;
   write(figure.name + ".gp", script.str());
   const ProgramResult result = run_program({"gnuplot", "-d", figure.name + ".gp"}, folder_);

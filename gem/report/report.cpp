@@ -7,14 +7,14 @@
 #include "gem/report/figures.h"
 #include "gem/report/load_run.h"
 #include "gem/report/page.h"
-#include "gem/report/run_summary.h"
+#include "gem/report/run_findings.h"
 
 namespace gem {
 namespace {
 
 std::string stamp(const RunIdentity& identity) {
   std::string text = identity.name;
-  if (!identity.commit.empty()) text += "  " + identity.commit;
+  if (!identity.source.empty()) text += "  " + identity.source;
   if (identity.status != "complete") text += "  " + identity.status;
   return text;
 }
@@ -22,7 +22,7 @@ std::string stamp(const RunIdentity& identity) {
 }  // namespace
 
 void write_report(const std::string& run_file, const std::string& out_dir, bool allow_incomplete) {
-  write_report(load_run(run_file), out_dir, allow_incomplete);
+  write_report(load_run(run_file, allow_incomplete), out_dir, allow_incomplete);
 }
 
 void write_report(const RunData& run, const std::string& out_dir, bool allow_incomplete) {
@@ -31,11 +31,11 @@ void write_report(const RunData& run, const std::string& out_dir, bool allow_inc
                                      ") finish it, or ask for a report with --allow-incomplete");
   const std::filesystem::path folder(out_dir);
   const PlotFolder plots(folder / "figures", stamp(run.identity));
-  const RunSummary summary = summarise_run(run);
-  const PageFigures figures{field_figures(run, plots), motion_figures(run, summary, plots), force_figures(run, plots),
+  const RunFindings findings = run_findings(run);
+  const PageFigures figures{field_figures(run, plots), motion_figures(run, findings, plots), force_figures(run, plots),
                             book_figures(run, plots)};
   std::ofstream page(folder / "index.html", std::ios::binary);
-  page << page_html(run, summary, figures);
+  page << page_html(run, findings, figures);
   page.close();
   if (!page)
     throw Error(ExitCode::file_system, "cannot write " + (folder / "index.html").string() +

@@ -12,16 +12,16 @@ namespace gem {
 /// Where a run comes from; empty text or 0 where the file does not say.
 struct RunIdentity {
   std::string name;
-  std::string status;  // running | complete | aborted
+  std::string status;  // running | complete | stopped:<reason>
   std::string case_hash;
   std::string state_hash;
-  std::string version;
-  std::string commit;
+  std::string seed;
+  std::string source;   // program, version and commit
+  std::string build;    // the same with build type and compiler
+  std::string history;  // when and by which command
   std::string engine;
   std::string resolution;
-  std::string build;
-  std::string machine;
-  int threads = 0;
+  std::string threads;
   double moment_s = 0.0;
 };
 
@@ -55,7 +55,7 @@ struct FloeFrame {
   std::vector<double> x, y, theta, speed;  // one entry per floe; not finite for a floe that is gone
 };
 
-using Outline = std::vector<Vec2>;
+using Corners = std::vector<Vec2>;
 
 struct RunData {
   RunIdentity identity;
@@ -67,9 +67,9 @@ struct RunData {
   PlatformRecord platform;
   EventRecord events;
   StatsRecord stats;
-  Outline platform_outline;            // about its centre
-  std::vector<Outline> fixed;          // world
-  std::vector<Outline> floe_outlines;  // about the centroid
+  Corners platform_outline;            // about its centre
+  std::vector<Corners> fixed;          // world
+  std::vector<Corners> floe_outlines;  // about the centroid
   std::vector<FloeFrame> frames;       // start, middle, end
 };
 

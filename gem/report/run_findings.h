@@ -24,7 +24,7 @@ struct AxisMotion {
 };
 
 /// Three ice load channels that are never mixed, and the mooring. Largest values are magnitudes in the plane.
-struct Loads {
+struct PlatformLoads {
   double sample_s = 0.0;                // one sample of the platform record [s]
   double sample_impulse_largest = 0.0;  // net ice impulse of one sample [N s]
   double event_impulse_largest = 0.0;   // normal impulse of one event [N s]
@@ -40,25 +40,25 @@ struct Loads {
 };
 
 /// How well the run kept its books, and how fast it went.
-struct Quality {
+struct RunQuality {
   double residual_momentum = 0.0, residual_angular_momentum = 0.0, residual_energy = 0.0;  // largest of the run
   double maximum_overlap = 0.0;                                                            // [m]
   double speed = 0.0;                                                                      // simulated over wall time
 };
 
-struct RunSummary {
+struct RunFindings {
   AxisMotion x, y;
   double radial_excursion = 0.0;  // [m]
   double radial_time = 0.0;       // [s]
-  Loads loads;
-  Quality quality;
+  PlatformLoads loads;
+  RunQuality quality;
 };
 
 /// Platform records shorter than this have no spectrum and no interval of the mean.
 inline constexpr std::size_t kSamplesForStatistics = 64;
 
 /// Computes everything that the run's records allow; the rest stays zero or empty.
-RunSummary summarise_run(const RunData& run);
+RunFindings run_findings(const RunData& run);
 
 /// Interval of evenly sampled times [s]. Throws Error(file_system) if the samples are not even to 1e-6.
 double sample_interval(const std::vector<double>& time);

@@ -6,7 +6,10 @@
 namespace gem {
 
 /// `value` with `digits` significant digits and no exponent between 1e-4 and 1e7; "-" if it is not finite.
-std::string number_text(double value, int digits = 3);
+std::string rounded_text(double value, int digits = 3);
+
+/// `value` with `decimals` digits after the point.
+std::string decimal_text(double value, int decimals);
 
 /// Two digits and a power of ten, for residuals: "3.1e-14".
 std::string exponent_text(double value);

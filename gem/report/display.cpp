@@ -1,4 +1,4 @@
-#include "gem/report/number_text.h"
+#include "gem/report/display.h"
 
 #include <algorithm>
 #include <charconv>
@@ -21,13 +21,21 @@ Unit scaled(const std::string& name, double largest) {
 
 }  // namespace
 
-std::string number_text(double value, int digits) {
+std::string rounded_text(double value, int digits) {
   if (!std::isfinite(value)) return "-";
   if (value == 0.0) return "0";
   const double size = std::abs(value);
   if (size < 1e-4 || size >= 1e7) return to_text(value, std::chars_format::scientific, digits - 1);
-  const int before_point = static_cast<int>(std::floor(std::log10(size))) + 1;
-  return to_text(value, std::chars_format::fixed, std::max(0, digits - before_point));
+  // The exponent after rounding: 99.97 with three digits is 100, not 100.0.
+  const std::string rounded = to_text(value, std::chars_format::scientific, digits - 1);
+  const std::size_t power = rounded.find('e') + 1;
+  int exponent = 0;
+  std::from_chars(rounded.data() + power + (rounded[power] == '+' ? 1 : 0), rounded.data() + rounded.size(), exponent);
+  return to_text(value, std::chars_format::fixed, std::max(0, digits - 1 - exponent));
+}
+
+std::string decimal_text(double value, int decimals) {
+  return std::isfinite(value) ? to_text(value, std::chars_format::fixed, decimals) : "-";
 }
 
 std::string exponent_text(double value) {
@@ -41,7 +49,7 @@ Unit impulse_unit(double largest) { return scaled("N s", largest); }
 Unit time_unit(double duration_s) { return duration_s >= 3600.0 ? Unit{"h", 3600.0} : Unit{"s", 1.0}; }
 
 std::string with_unit(double value, const Unit& unit, int digits) {
-  return number_text(value / unit.size, digits) + " " + unit.name;
+  return rounded_text(value / unit.size, digits) + " " + unit.name;
 }
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-#include "gem/report/run_summary.h"
+#include "gem/report/run_findings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +51,9 @@ double largest_of(const std::vector<double>& values) {
   return largest;
 }
 
-Loads loads(const RunData& run) {
+PlatformLoads loads(const RunData& run) {
   const PlatformRecord& p = run.platform;
-  Loads result;
+  PlatformLoads result;
   result.contact_fraction = intermittency(p.contacts);
   result.ice_window_largest = largest_length(p.ice_force_mean_x, p.ice_force_mean_y);
   result.mooring_largest = largest_length(p.mooring_force_x, p.mooring_force_y);
@@ -72,8 +72,8 @@ Loads loads(const RunData& run) {
   return result;
 }
 
-Quality quality(const StatsRecord& stats) {
-  Quality result;
+RunQuality quality(const StatsRecord& stats) {
+  RunQuality result;
   result.residual_momentum = largest_of(stats.residual_momentum);
   result.residual_angular_momentum = largest_of(stats.residual_angular_momentum);
   result.residual_energy = largest_of(stats.residual_energy);
@@ -93,17 +93,17 @@ double sample_interval(const std::vector<double>& time) {
   return interval;
 }
 
-RunSummary summarise_run(const RunData& run) {
-  RunSummary summary;
-  summary.quality = quality(run.stats);
-  if (run.platform.time.empty()) return summary;
-  summary.x = axis_motion(run, run.platform.x, run.rest.x);
-  summary.y = axis_motion(run, run.platform.y, run.rest.y);
+RunFindings run_findings(const RunData& run) {
+  RunFindings findings;
+  findings.quality = quality(run.stats);
+  if (run.platform.time.empty()) return findings;
+  findings.x = axis_motion(run, run.platform.x, run.rest.x);
+  findings.y = axis_motion(run, run.platform.y, run.rest.y);
   const Excursion radial = maximum_radial_excursion(run.platform.x, run.platform.y, run.rest.x, run.rest.y);
-  summary.radial_excursion = radial.value;
-  summary.radial_time = run.platform.time[radial.sample];
-  summary.loads = loads(run);
-  return summary;
+  findings.radial_excursion = radial.value;
+  findings.radial_time = run.platform.time[radial.sample];
+  findings.loads = loads(run);
+  return findings;
 }
 
 }  // namespace gem

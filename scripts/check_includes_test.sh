@@ -56,6 +56,7 @@ plant gem/events/impact_test.cpp <<'END'
 #include "gem/events/impact.h"
 #include "gem/engine/engine.h"  // PLANT events-sees
 double expected() { return std::cos(0.5); }
+void comma() { setlocale(LC_NUMERIC, "de_DE.UTF-8"); }
 END
 plant gem/scene/scene_file.cpp <<'END'
 #include <toml++/toml.h>
@@ -69,6 +70,7 @@ void lines(const std::string& text) {
   std::istringstream rows(text);
   for (std::string row; std::getline(rows, row);) {
     std::istringstream fields(row);
+    for (std::string word; fields >> word;) count(word);
     double number;
     fields >> number;  // PLANT locale
     std::cin >> number;  // PLANT locale
@@ -98,6 +100,14 @@ plant gem/record/recorder.cpp <<'END'
 #include <H5DSpublic.h>
 #include <hdf5.h>
 #include "gem/analysis/spectrum.h"  // PLANT layer
+END
+plant gem/record/run_writer.cpp <<'END'
+std::atomic<double> saved_time;
+END
+plant gem/run_log.cpp <<'END'
+#include "gem/run_scene.h"
+#include "gem/record/recorder.h"
+#include "gem/main.h"  // PLANT layer
 END
 plant gem/analysis/spectrum.cpp <<'END'
 #include <gsl/gsl_fft.h>

@@ -32,13 +32,18 @@ std::string last_part(const std::string& path) {
   return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
-/// Smaller is closer. A name without its unit suffix counts as one slip; so does the right key in the wrong section.
+/// The distance to a key or, if that is less, to its beginning up to some underscore: a unit left out is no slip.
+std::size_t distance_without_suffix(const std::string& name, const std::string& key) {
+  std::size_t least = edit_distance(name, key);
+  for (std::size_t cut = key.rfind('_'); cut != std::string::npos && cut > 0; cut = key.rfind('_', cut - 1))
+    least = std::min(least, edit_distance(name, key.substr(0, cut)));
+  return least;
+}
+
+/// Smaller is closer. The right key in the wrong section counts as one slip.
 std::size_t distance(const std::string& name, const std::string& candidate) {
-  if (candidate.starts_with(name + "_")) return 1;
-  const std::string key = last_part(name);
-  const std::string other = last_part(candidate);
-  const std::size_t elsewhere = other.starts_with(key + "_") ? 2 : edit_distance(key, other) + 1;
-  return std::min(edit_distance(name, candidate), elsewhere);
+  return std::min(distance_without_suffix(name, candidate),
+                  distance_without_suffix(last_part(name), last_part(candidate)) + 1);
 }
 
 }  // namespace

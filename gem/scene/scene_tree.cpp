@@ -95,11 +95,10 @@ SceneDef scene_from_tree(const TomlNode& document, Problems& problems) {
     } else if (name == "sweep") {
       problems.add(value.key_place, name, "the file is a sweep of several runs; choose one of them by its index");
     } else if (!sections.contains(name)) {
+      const bool table = value.kind == TomlKind::table;
       std::vector<std::string> candidates = known_keys();
-      candidates.insert(candidates.end(), sections.begin(), sections.end());
-      problems.add(
-          value.key_place, name,
-          (value.kind == TomlKind::table ? "unknown section;" : "unknown key;") + suggestion(name, candidates));
+      if (table) candidates.assign(sections.begin(), sections.end());
+      problems.add(value.key_place, name, (table ? "unknown section;" : "unknown key;") + suggestion(name, candidates));
     } else if (value.kind != TomlKind::table) {
       problems.add(value.place, name, "wrong type (value " + describe(value) + ", expected [" + name + "])");
     } else {

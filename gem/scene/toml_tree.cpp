@@ -9,7 +9,9 @@
 #include "gem/scene/number_text.h"
 
 // Header-only with std::from_chars: the packaged library reads numbers through a stream.
+// Its assertions are left out in every build: bad input reaches them, and the code behind them reports it in order.
 #define TOML_HEADER_ONLY 1
+#define TOML_ASSERT(expr) static_assert(true)
 #define TOML_FLOAT_CHARCONV 1
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
@@ -184,6 +186,8 @@ TomlNode parse_toml(const std::string& text, const std::string& origin) {
     std::string key = key_near_line(text, place.line);
     if (!key.empty()) key += ": ";
     std::string problem(error.description());
+    if (const std::string opening = "Error while parsing "; problem.starts_with(opening))
+      problem.replace(0, opening.size(), "malformed ");
     std::replace(problem.begin(), problem.end(), '\n', ' ');
     reject(place, key + problem);
   }

@@ -155,6 +155,7 @@ TEST_F(FloeFile, ReadsCsvInEitherDirection) {
   EXPECT_NEAR(bodies.area[3], 50.0, 1e-12);
   EXPECT_NEAR(bodies.area[4], 47.5, 1e-12);
   EXPECT_EQ(bodies.thickness[4], 1.2);
+  EXPECT_EQ(summarise(scene, bodies).clockwise_outlines, 1);
 }
 
 TEST_F(FloeFile, WithoutThicknessTheClassesDecide) {

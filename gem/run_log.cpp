@@ -19,7 +19,7 @@ double fraction(double time, double duration) { return duration > 0.0 ? std::min
 
 std::string clock_text(double seconds) {
   const auto whole = static_cast<long long>(std::min(std::round(seconds), 1e9));
-  const auto two = [](long long n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+  const auto two = [](long long n) { return std::string(n < 10 ? "0" : "") + std::to_string(n); };
   const std::string tail = two(whole / 60 % 60) + ":" + two(whole % 60);
   return whole >= 3600 ? std::to_string(whole / 3600) + ":" + tail : tail;
 }
@@ -65,7 +65,7 @@ void RunLog::message(const std::string& level, const std::string& text) {
     const nlohmann::json object = {{"level", level}, {"message", text}};
     print(object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   } else {
-    print("gem: " + (level == "info" ? "" : level + ": ") + text + "\n");
+    print(std::string("gem: ") + (level == "info" ? "" : level + ": ") + text + "\n");
   }
 }
 

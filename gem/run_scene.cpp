@@ -36,7 +36,7 @@ double peak_memory() {
 
 Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunOptions& options) {
   return {scene.run.name, resolved_toml(scene), scene_hash(scene), options.command_line, engine.name(),
-          scene.contact.resolution == Resolution::coupled ? "coupled" : "independent"};
+          scene.contact.resolution == Resolution::coupled ? "coupled" : "independent", options.threads};
 }
 
 void check_book(const char* what, double residual, double limit, double time) {
@@ -68,7 +68,7 @@ class Run {
     try {
       while (engine_.moment() < last_moment_ && StopSignals::received() == 0) block();
       if (engine_.moment() > frame_moment_) frame();
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
       end_in_failure(error);
       throw;
     }
@@ -145,9 +145,10 @@ class Run {
   }
 
   /// Saves what there is and says in the file why the run ended; the first error stays the one that is reported.
-  void end_in_failure(const Error& error) {
+  void end_in_failure(const std::exception& error) {
     if (!writer_) return;
-    const std::string reason = error.code() == ExitCode::numerical_stop ? "numerical" : "failure";
+    const auto* fault = dynamic_cast<const Error*>(&error);
+    const std::string reason = fault && fault->code() == ExitCode::numerical_stop ? "numerical" : "failure";
     try {
       flush();
       writer_->finish("stopped:" + reason + ": " + error.what(), engine_.state_hash());

@@ -24,7 +24,8 @@ struct RunOptions {
   BookLimits books;
   double flush_interval_s = 5.0;      ///< wall time between two flushes
   std::int64_t moment_limit = 0;      ///< > 0: stop after so many moments
-  std::string command_line = "gem";   ///< for the file's history
+  std::string command_line = "gem";  ///< for the file's history
+  int threads = 1;                   ///< the same
 };
 
 /// What a run came to.

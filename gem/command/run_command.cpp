@@ -78,6 +78,7 @@ int run(RunChoice choice) {
   const auto engine = make_engine(scene, field, choice.engine);
   log.message("info", scene.run.name + ": " + number_text(scene.run.duration_s) + " s, engine " + engine->name() + ", " +
                           std::to_string(choice.engine.threads) + " threads, to " + shown(choice.options.output));
+  choice.options.threads = choice.engine.threads;
   const RunSummary summary = run_scene(scene, *engine, choice.options);
   if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));
   if (summary.stop_signal == SIGINT) return static_cast<int>(ExitCode::interrupted);

@@ -28,6 +28,7 @@ struct Provenance {
   std::string command_line;
   std::string engine;
   std::string resolution;
+  int threads = 0;
 };
 
 /// A run file. The file exists from construction on; it is removed again if nothing was written when this is destroyed.

@@ -26,8 +26,12 @@ std::string rounded_text(double value, int digits) {
   if (value == 0.0) return "0";
   const double size = std::abs(value);
   if (size < 1e-4 || size >= 1e7) return to_text(value, std::chars_format::scientific, digits - 1);
-  const int before_point = static_cast<int>(std::floor(std::log10(size))) + 1;
-  return to_text(value, std::chars_format::fixed, std::max(0, digits - before_point));
+  // The exponent after rounding: 99.97 with three digits is 100, not 100.0.
+  const std::string rounded = to_text(value, std::chars_format::scientific, digits - 1);
+  const std::size_t power = rounded.find('e') + 1;
+  int exponent = 0;
+  std::from_chars(rounded.data() + power + (rounded[power] == '+' ? 1 : 0), rounded.data() + rounded.size(), exponent);
+  return to_text(value, std::chars_format::fixed, std::max(0, digits - 1 - exponent));
 }
 
 std::string decimal_text(double value, int decimals) {

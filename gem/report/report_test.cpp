@@ -1,0 +1,201 @@
+// A report is written from data and from a run file, says what it found, and refuses an incomplete run.
+#include "gem/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "gem/base/error.h"
+#include "gem/record/run_writer.h"
+#include "gem/report/run_findings.h"
+#include "gem/report/run_program.h"
+#include "gem/scene/scene_file.h"
+
+namespace gem {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Report : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() /
+              ("gem_report_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    if (!run_program({"gnuplot", "--version"}, folder_).found) GTEST_SKIP() << "gnuplot is not installed";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string page() const {
+    std::ifstream file(folder_ / "report" / "index.html");
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+  std::string out() const { return (folder_ / "report").string(); }
+  fs::path folder_;
+};
+
+const Corners kSquare = {{-2.0, -2.0}, {2.0, -2.0}, {2.0, 2.0}, {-2.0, 2.0}};
+
+/// 1200 s of a platform that swings with 60 s about an offset of 0.2 m and is hit twice by one floe.
+RunData swinging_platform() {
+  RunData run;
+  run.identity.name = "swing_<1>";
+  run.identity.status = "complete";
+  run.duration_s = 1200.0;
+  run.natural_period_s = 60.0;
+  run.current_speed = 0.5;
+  run.force_window_s = 1.0;
+  run.platform_outline = kSquare;
+  run.floe_outlines = {kSquare, kSquare};
+  for (int i = 0; i <= 2400; ++i) {
+    const double time = 0.5 * i;
+    const double x = 0.2 + 0.1 * std::sin(2.0 * std::numbers::pi * time / 60.0);
+    run.platform.time.push_back(time);
+    run.platform.x.push_back(x);
+    run.platform.y.push_back(0.5 * (x - 0.2));
+    run.platform.ice_force_x.push_back(i == 400 ? 2e4 : 0.0);
+    run.platform.ice_force_y.push_back(0.0);
+    run.platform.ice_force_mean_x.push_back(i == 400 ? 1e4 : 0.0);
+    run.platform.ice_force_mean_y.push_back(0.0);
+    run.platform.mooring_force_x.push_back(-5e5 * x);
+    run.platform.mooring_force_y.push_back(0.0);
+    run.platform.contacts.push_back(i == 400 ? 1.0 : 0.0);
+  }
+  run.events = {{199.7, 199.9}, {2, 2}, {-1.0, -1.0}, {0.0, 0.0}, {6e3, 4e3}, {9e4, 6e4}};
+  run.stats = {{0.0, 600.0, 1200.0}, {0.0, 1e-15, 2e-15}, {0.0, 0.0, 3e-15},  {0.0, 4e-14, 1e-14},
+               {0.0, 0.02, 0.01},    {0.0, 5.0, 10.0},    {0.0, 120.0, 120.0}};
+  for (const double time : {0.0, 600.0, 1200.0})
+    run.frames.push_back({time, {-20.0 + 0.01 * time, 30.0}, {0.0, 5.0}, {0.1, 0.2}, {0.5, 0.4}});
+  return run;
+}
+
+TEST(RunFindings, DescribeASwingingPlatform) {
+  const RunFindings findings = run_findings(swinging_platform());
+  EXPECT_NEAR(findings.x.offset.mean, 0.2, 1e-4);
+  EXPECT_NEAR(findings.x.deviation, 0.1 / std::sqrt(2.0), 1e-4);
+  EXPECT_NEAR(findings.x.excursion, 0.3, 1e-6);
+  EXPECT_NEAR(findings.radial_excursion, std::hypot(0.3, 0.05), 1e-6);
+  ASSERT_TRUE(findings.x.spectral.has_value());
+  EXPECT_LT(findings.x.spectral->low, 60.0);
+  EXPECT_GT(findings.x.spectral->high, 60.0);
+  EXPECT_NEAR(findings.x.crossings.mean_period, 60.0, 0.01);
+  EXPECT_EQ(findings.x.maxima.count, 20u);
+  EXPECT_EQ(findings.loads.events, 2u);
+  EXPECT_EQ(findings.loads.arrivals, 1u);
+  EXPECT_DOUBLE_EQ(findings.loads.event_impulse_largest, 6e3);
+  EXPECT_DOUBLE_EQ(findings.loads.sample_impulse_largest, 1e4);
+  EXPECT_DOUBLE_EQ(findings.loads.ice_window_largest, 1e4);
+  EXPECT_DOUBLE_EQ(findings.loads.crushing_largest, 9e4);
+  EXPECT_NEAR(findings.loads.mooring_largest, 1.5e5, 1.0);
+  EXPECT_DOUBLE_EQ(findings.quality.residual_energy, 4e-14);
+  EXPECT_DOUBLE_EQ(findings.quality.maximum_overlap, 0.02);
+  EXPECT_DOUBLE_EQ(findings.quality.speed, 120.0);
+}
+
+TEST(RunFindings, RefuseUnevenSamples) {
+  RunData run = swinging_platform();
+  run.platform.time[700] += 0.1;
+  EXPECT_THROW(run_findings(run), Error);
+}
+
+TEST_F(Report, IsOnePageWithItsFiguresInside) {
+  write_report(swinging_platform(), out(), false);
+  const std::string html = page();
+  EXPECT_NE(html.find("<h1>swing_&lt;1&gt;</h1>"), std::string::npos);
+  EXPECT_EQ(html.find("class=\"warning\""), std::string::npos);
+  for (const std::string name : {"field_start", "field_middle", "field_end", "field_platform", "motion_x", "motion_y",
+                                 "orbit", "spectrum", "ice_force", "ice_and_mooring", "books"}) {
+    for (const char* kind : {".svg", ".gp"})
+      EXPECT_TRUE(fs::exists(folder_ / "report" / "figures" / (name + kind))) << name << kind;
+    EXPECT_NE(html.find("figures/" + name + ".gp"), std::string::npos) << name;
+  }
+  std::size_t pictures = 0;
+  for (std::size_t at = html.find("<svg"); at != std::string::npos; at = html.find("<svg", at + 1)) ++pictures;
+  EXPECT_EQ(pictures, 11u);
+  EXPECT_EQ(html.find("<img"), std::string::npos);
+  EXPECT_EQ(html.find("src="), std::string::npos);
+}
+
+TEST_F(Report, RefusesAnIncompleteRunUnlessAsked) {
+  RunData run = swinging_platform();
+  run.identity.status = "stopped:signal";
+  EXPECT_THROW(write_report(run, out(), false), Error);
+  EXPECT_FALSE(fs::exists(folder_ / "report"));
+  write_report(run, out(), true);
+  EXPECT_NE(page().find("class=\"warning\""), std::string::npos);
+  EXPECT_NE(page().find("stopped:signal"), std::string::npos);
+}
+
+TEST_F(Report, DoesWithoutAPlatform) {
+  RunData run = swinging_platform();
+  run.platform = {};
+  run.events = {};
+  run.platform_outline = {};
+  write_report(run, out(), false);
+  EXPECT_EQ(page().find("Motion of the platform"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder_ / "report" / "figures" / "field_end.svg"));
+}
+
+/// Two floes, one of which is gone in the last frame, and a platform at rest.
+void write_run_file(const std::string& path, const std::string& status) {
+  SceneDef scene;
+  scene.run.name = "tiny";
+  scene.boundary.present = false;
+  Bodies bodies;
+  append(bodies, {.kind = BodyKind::platform, .outline = kSquare, .mass = 1e8});
+  append(bodies, {.kind = BodyKind::floe, .outline = kSquare, .origin = {-20.0, 0.0}});
+  append(bodies, {.kind = BodyKind::floe, .outline = kSquare, .origin = {20.0, 0.0}});
+  RunWriter writer(path, true, scene, bodies,
+                   {"tiny", resolved_toml(scene), scene_hash(scene), "gem run tiny.toml", "cpu", "coupled"});
+  Slab slab;
+  for (int i = 0; i < 200; ++i) {
+    PlatformRow row;
+    row.time = 0.1 * i;
+    row.position = {0.01 * std::sin(0.5 * row.time), 0.0};
+    slab.platform.push_back(row);
+  }
+  for (int i = 0; i < 3; ++i) {
+    StatsRow row;
+    row.time = 10.0 * i;
+    row.wall_time = 0.1 * i;
+    slab.stats.push_back(row);
+    slab.floes.time.push_back(row.time);
+    for (int floe = 0; floe < 2; ++floe) {
+      slab.floes.x.push_back(floe == 0 ? -20.0F : 20.0F);
+      for (auto* values : {&slab.floes.y, &slab.floes.theta, &slab.floes.vx, &slab.floes.vy, &slab.floes.omega})
+        values->push_back(0.0F);
+      slab.floes.active.push_back(i == 2 && floe == 1 ? 0.0F : 1.0F);
+    }
+  }
+  writer.write(slab);
+  writer.finish(status, 0x1234);
+}
+
+TEST_F(Report, ReadsARunFile) {
+  const std::string run_file = (folder_ / "tiny.h5").string();
+  write_run_file(run_file, "complete");
+  write_report(run_file, out(), false);
+  const std::string html = page();
+  EXPECT_NE(html.find("<h1>tiny</h1>"), std::string::npos);
+  EXPECT_NE(html.find("0000000000001234"), std::string::npos);
+  EXPECT_NE(html.find("88.86 s"), std::string::npos);
+  EXPECT_LT(fs::file_size(folder_ / "report" / "figures" / "field_end.csv"),
+            fs::file_size(folder_ / "report" / "figures" / "field_start.csv"));
+}
+
+TEST_F(Report, RefusesAnIncompleteRunFile) {
+  const std::string run_file = (folder_ / "tiny.h5").string();
+  write_run_file(run_file, "stopped:interrupted");
+  EXPECT_THROW(write_report(run_file, out(), false), Error);
+  write_report(run_file, out(), true);
+  EXPECT_NE(page().find("stopped:interrupted"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gem

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "gem/analysis/moments.h"
+#include "gem/base/number_text.h"
 #include "gem/report/display.h"
 #include "gem/report/figures.h"
 
@@ -88,7 +89,7 @@ Corners moved(const Corners& outline, Vec2 by) {
 
 std::string time_text(double time) {
   const Unit unit = time_unit(time);
-  return "t = " + with_unit(time, unit, unit.size > 1.0 ? 3 : 4);
+  return "t = " + number_text(time / unit.size, 4) + " " + unit.name;
 }
 
 struct FieldPicture {

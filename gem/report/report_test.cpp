@@ -87,6 +87,7 @@ TEST(RunFindings, DescribeASwingingPlatform) {
   EXPECT_NEAR(findings.x.crossings.mean_period, 60.0, 0.01);
   EXPECT_EQ(findings.x.maxima.count, 20u);
   EXPECT_EQ(findings.loads.events, 2u);
+  EXPECT_EQ(findings.loads.touches, 1u);
   EXPECT_EQ(findings.loads.arrivals, 1u);
   EXPECT_DOUBLE_EQ(findings.loads.event_impulse_largest, 6e3);
   EXPECT_DOUBLE_EQ(findings.loads.sample_impulse_largest, 1e4);

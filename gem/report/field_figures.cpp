@@ -44,8 +44,10 @@ double speed_scale(const RunData& run) {
                  [](double value) { return std::isfinite(value); });
     top = std::max(top, percentile(speeds, 0.995));
   }
-  const double step = std::pow(10.0, std::floor(std::log10(std::max(top, 1e-6)))) / 2.0;
-  return step * std::ceil(top / step - 1e-9);
+  const double decade = std::pow(10.0, std::floor(std::log10(std::max(top, 1e-6))));
+  for (const double nice : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (top <= nice * decade * (1.0 + 1e-9)) return nice * decade;
+  return 10.0 * decade;
 }
 
 Csv floes_csv(const RunData& run, const FloeFrame& frame, const View& view) {

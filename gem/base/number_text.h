@@ -1,9 +1,11 @@
-// Numbers as text for messages: shortest form that reads back to the same value, in any locale.
+// Numbers to text and back, the same in any locale.
 #pragma once
 
 #include <array>
 #include <charconv>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace gem {
 
@@ -20,6 +22,22 @@ inline std::string number_text(double value, int digits) {
   const auto end =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits).ptr;
   return {buffer.data(), end};
+}
+
+/// With a fixed number of decimals, for people; values beyond 1e15 in exponent form.
+inline std::string fixed_text(double value, int decimals) {
+  std::array<char, 64> buffer;
+  const bool huge = !(value < 1e15 && value > -1e15);
+  const auto format = huge ? std::chars_format::scientific : std::chars_format::fixed;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, decimals).ptr};
+}
+
+/// A whole text as one decimal number; nothing if any character is left over.
+inline std::optional<double> parse_number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
 }
 
 }  // namespace gem

@@ -161,9 +161,17 @@ inline void apply_impulses(Bodies& b, const Contact& contact, bool also_a) {
   for (int k = 0; k < contact.count; ++k) apply_impulse(b, contact, contact.slot[k], contact.slot[k].impulse, also_a);
 }
 
+/// A speed change below this share of the residual does not make the neighbours of a body look again.
+constexpr double quiet_share = 0.1;
+
+/// Whether a contact has anything to answer to: one of its bodies changed in this sweep or the one before.
+inline bool wants_visit(const FieldState& f, const Contact& contact, std::int32_t sweep) {
+  return f.changed[contact.a] >= sweep - 1 || f.changed[contact.b] >= sweep - 1;
+}
+
 /// One visit of a coupled sweep: each point gets the impulse that its law asks for, given all other impulses so far.
-/// Returns the largest change of speed [m/s].
-inline double resolve_together(FieldState& f, Contact& contact) {
+/// Returns the largest change of speed [m/s] and marks the bodies as changed.
+inline double resolve_together(FieldState& f, Contact& contact, std::int32_t sweep) {
   const Vec2 tangent = turned_left(contact.normal);
   const bool also_a = sweeps_write_a(f.bodies, contact);
   double change = 0.0;
@@ -183,7 +191,20 @@ inline double resolve_together(FieldState& f, Contact& contact) {
     if (change_n > change) change = change_n;
     if (change_t > change) change = change_t;
   }
+  if (change > quiet_share * f.constants.residual_speed) {
+    f.changed[contact.b] = sweep;
+    if (also_a) f.changed[contact.a] = sweep;
+  }
   return change;
+}
+
+/// Gives the platform its velocity after a sweep and marks it as changed if that is worth a look.
+inline void place_platform(FieldState& f, Vec2 velocity, double spin, std::int32_t sweep) {
+  const double change =
+      length(velocity - f.bodies.velocity[0]) + f.bodies.radius[0] * std::fabs(spin - f.bodies.spin[0]);
+  f.bodies.velocity[0] = velocity;
+  f.bodies.spin[0] = spin;
+  if (change > quiet_share * f.constants.residual_speed) f.changed[0] = sweep;
 }
 
 /// One visit of a position-repair sweep: pushes apart by a share of the overlap, without touching velocities.

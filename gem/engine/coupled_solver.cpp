@@ -1,8 +1,8 @@
 // Algorithm of one moment:
 //   start from the impulses that the same contact points carried a moment ago
-//   repeat: visit every contact once, colour by colour; each takes the impulse its law asks for given all others;
-//           then move the platform by the sum of its contacts' impulses
-//   until no visit changed a speed by more than the stated residual, or the bound on sweeps is reached
+//   repeat: visit the contacts of bodies that just changed, colour by colour; each takes the impulse its law asks for
+//           given all others; then move the platform by the sum of its contacts' impulses
+//   until a visit to every contact changes no speed by more than the stated residual, or the bound on sweeps is reached
 //   sweep the position repair the same way
 // Contacts of one colour share no moving body, so their order cannot matter; the platform, which would need a colour
 // for each of its contacts, is held still within a sweep and lends each contact point an equal share of its mass.
@@ -27,7 +27,8 @@ struct PlatformStart {
 };
 
 /// Platform velocity from the sum of all its contacts' impulses, in contact order.
-void move_platform(FieldState& f, const std::vector<Contact>& contacts, const PlatformStart& start) {
+void move_platform(FieldState& f, const std::vector<Contact>& contacts, const PlatformStart& start,
+                   std::int32_t sweep) {
   Vec2 impulse;
   double twist = 0.0;
   for (const Contact& contact : contacts) {
@@ -39,8 +40,8 @@ void move_platform(FieldState& f, const std::vector<Contact>& contacts, const Pl
       twist += cross(slot.arm_a, p);
     }
   }
-  f.bodies.velocity[0] = start.velocity - f.bodies.inverse_mass[0] * impulse;
-  f.bodies.spin[0] = start.spin - f.bodies.inverse_inertia[0] * twist;
+  place_platform(f, start.velocity - f.bodies.inverse_mass[0] * impulse,
+                 start.spin - f.bodies.inverse_inertia[0] * twist, sweep);
 }
 
 void shift_platform(FieldState& f, const std::vector<Contact>& contacts) {
@@ -130,8 +131,9 @@ void CoupledSolver::resolve(FieldState& f, std::vector<Contact>& contacts, int t
   const std::size_t colours = colour_begin_.size() - 1;
   if (contacts.size() < contacts_worth_threads) threads = 1;
   double residual = 0.0;
-  std::int64_t sweeps = 0;
-  bool done = contacts.empty();
+  std::int32_t sweeps = contacts.empty() ? 0 : 1;
+  bool done = contacts.empty(), all = true;
+  std::fill(f.changed.begin(), f.changed.end(), 0);
 
 #pragma omp parallel num_threads(threads)
   {
@@ -144,10 +146,12 @@ void CoupledSolver::resolve(FieldState& f, std::vector<Contact>& contacts, int t
     };
     sweep([&](Contact& contact) { apply_impulses(f.bodies, contact, sweeps_write_a(f.bodies, contact)); });
 #pragma omp single
-    move_platform(f, contacts, start);
+    move_platform(f, contacts, start, 0);
     while (!done) {
       double change = 0.0;
-      sweep([&](Contact& contact) { change = std::max(change, resolve_together(f, contact)); });
+      sweep([&](Contact& contact) {
+        if (all || wants_visit(f, contact, sweeps)) change = std::max(change, resolve_together(f, contact, sweeps));
+      });
 #pragma omp single
       residual = 0.0;
 #pragma omp critical
@@ -155,9 +159,11 @@ void CoupledSolver::resolve(FieldState& f, std::vector<Contact>& contacts, int t
 #pragma omp barrier
 #pragma omp single
       {
-        move_platform(f, contacts, start);
-        ++sweeps;
-        done = residual <= f.constants.residual_speed || sweeps >= f.constants.iterations_maximum;
+        move_platform(f, contacts, start, sweeps);
+        const bool settled = residual <= f.constants.residual_speed;
+        done = (settled && all) || sweeps >= f.constants.iterations_maximum;
+        all = settled;  // what looks settled is looked over once more in full
+        if (!done) ++sweeps;
       }
     }
     for (std::int64_t i = 0; i < f.constants.repair_iterations; ++i) {
@@ -166,7 +172,7 @@ void CoupledSolver::resolve(FieldState& f, std::vector<Contact>& contacts, int t
       shift_platform(f, contacts);
     }
   }
-  quality.iterations = static_cast<std::int32_t>(sweeps);
+  quality.iterations = sweeps;
   quality.residual = residual;
   keep(contacts);
 }

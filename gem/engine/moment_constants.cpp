@@ -35,9 +35,9 @@ MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
   c.ice = {scene.ice.crushing_pressure_Pa, scene.ice.pressure_area_exponent, 0.0};
 
   const bool coupled = c.resolution == Resolution::coupled;
-  c.contact_margin = coupled && c.manifold == Manifold::chord_ends ? scene.numerics.contact_margin_m : 0.0;
   double fastest = length(c.current);
   for (std::size_t i = 0; i < bodies.count(); ++i) fastest = std::max(fastest, length(bodies.velocity[i]));
+  if (coupled && c.manifold == Manifold::chord_ends) c.contact_margin = scene.numerics.contact_reach * fastest * c.dt;
   c.residual_speed = scene.numerics.residual_tolerance * fastest;
   c.iterations_maximum = scene.numerics.iterations_maximum;
   c.repair_iterations = coupled ? scene.numerics.repair_iterations : 0;

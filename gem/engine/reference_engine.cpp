@@ -58,7 +58,8 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
   }
 }
 
-void ReferenceEngine::place_platform(const std::vector<Contact>& contacts, Vec2 velocity, double spin) {
+void ReferenceEngine::sum_on_platform(const std::vector<Contact>& contacts, Vec2 velocity, double spin,
+                                      std::int32_t sweep) {
   Vec2 impulse, shift;
   double twist = 0.0, turn = 0.0;
   for (const Contact& contact : contacts)
@@ -71,8 +72,7 @@ void ReferenceEngine::place_platform(const std::vector<Contact>& contacts, Vec2 
       turn += cross(slot.arm_a, slot.repair * contact.normal);
     }
   const CollisionMass mass = collision_mass(field_.bodies, 0);
-  field_.bodies.velocity[0] = velocity - mass.inverse_mass * impulse;
-  field_.bodies.spin[0] = spin - mass.inverse_inertia * twist;
+  place_platform(field_, velocity - mass.inverse_mass * impulse, spin - mass.inverse_inertia * twist, sweep);
   field_.repair_shift[0] = -(mass.inverse_mass * shift);
   field_.repair_turn[0] = -(mass.inverse_inertia * turn);
 }
@@ -104,19 +104,25 @@ void ReferenceEngine::resolve_coupled(std::vector<Contact>& contacts, MomentQual
   const double spin = f.bodies.spin[0];
   for (auto& [colour, group] : colours)
     for (Contact* contact : group) apply_impulses(f.bodies, *contact, sweeps_write_a(f.bodies, *contact));
-  place_platform(contacts, velocity, spin);
+  sum_on_platform(contacts, velocity, spin, 0);
+  std::fill(f.changed.begin(), f.changed.end(), 0);
+  bool all = true;
   while (!contacts.empty()) {
+    ++quality.iterations;
     quality.residual = 0.0;
     for (auto& [colour, group] : colours)
-      for (Contact* contact : group) quality.residual = std::max(quality.residual, resolve_together(f, *contact));
-    place_platform(contacts, velocity, spin);
-    ++quality.iterations;
-    if (quality.residual <= f.constants.residual_speed || quality.iterations >= f.constants.iterations_maximum) break;
+      for (Contact* contact : group)
+        if (all || wants_visit(f, *contact, quality.iterations))
+          quality.residual = std::max(quality.residual, resolve_together(f, *contact, quality.iterations));
+    sum_on_platform(contacts, velocity, spin, quality.iterations);
+    const bool settled = quality.residual <= f.constants.residual_speed;
+    if ((settled && all) || quality.iterations >= f.constants.iterations_maximum) break;
+    all = settled;
   }
   for (std::int64_t sweep = 0; sweep < f.constants.repair_iterations; ++sweep) {
     for (auto& [colour, group] : colours)
       for (Contact* contact : group) repair_overlap(f, *contact);
-    place_platform(contacts, velocity, spin);
+    sum_on_platform(contacts, velocity, spin, quality.iterations);
   }
 
   last_.clear();

@@ -25,7 +25,7 @@ class ReferenceEngine : public Engine {
  private:
   std::vector<Contact> all_contacts() const;
   void resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality);
-  void place_platform(const std::vector<Contact>& contacts, Vec2 velocity, double spin);
+  void sum_on_platform(const std::vector<Contact>& contacts, Vec2 velocity, double spin, std::int32_t sweep);
 
   FieldState field_;
   double event_speed_;

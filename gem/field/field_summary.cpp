@@ -5,7 +5,8 @@
 
 #include "gem/field/check_field.h"
 #include "gem/field/field.h"
-#include "gem/field/outline_grid.h"
+#include "gem/field/floe_file.h"
+#include "gem/geometry/polygon.h"
 
 namespace gem {
 namespace {
@@ -47,11 +48,20 @@ double size_deviation(const Bodies& bodies, double mean, double count) {
   return std::sqrt(sum / count);
 }
 
+std::int64_t clockwise_outlines(const SceneDef& scene) {
+  std::vector<FloeDef> given;
+  if (scene.floes.source == FloeSource::listed) given = scene.floe;
+  if (scene.floes.source == FloeSource::file) given = read_floe_file(scene.floes.path);
+  return std::count_if(given.begin(), given.end(),
+                       [](const FloeDef& floe) { return polygon_moments(floe.outline_m).area < 0.0; });
+}
+
 }  // namespace
 
 FieldSummary summarise(const SceneDef& scene, const Bodies& bodies) {
   FieldSummary summary;
   summary.smallest_gap = smallest_gap(bodies);
+  summary.clockwise_outlines = clockwise_outlines(scene);
   for (const IceClassDef& c : scene.floes.classes) summary.asked_cover += 0.1 * c.tenths;
   summary.class_share.resize(scene.floes.classes.size(), 0.0);
   summary.size_minimum = std::numeric_limits<double>::infinity();

@@ -3,10 +3,13 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <system_error>
 
 #include "gem/base/error.h"
 #include "gem/field/check_outline.h"
@@ -19,12 +22,12 @@ namespace {
 }
 
 std::string read_text(const std::string& path) {
+  std::error_code ignored;
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf()))
+  if (!file.is_open() || std::filesystem::is_directory(path, ignored))
     throw Error(ExitCode::file_system,
-                path + ": cannot read the floes (missing, empty or no permission) check the path");
-  return text.str();
+                path + ": cannot read the floes (missing, a folder or no permission) check the path");
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 std::vector<std::string> split(const std::string& line) {

@@ -57,7 +57,11 @@ OutlineSet copied_set(const SceneDef& scene, std::size_t count) {
   spread(sizes, scene.floes);
   const OutlineSet library = shapes_of_sizes(scene, sizes);
   std::vector<std::size_t> which(count);
-  for (std::size_t i = 0; i < count; ++i) which[i] = i % library.size();
+  const std::size_t full_rounds = count / library.size() * library.size();
+  // The last, incomplete round takes shapes evenly spread over the library, so that the mean size stays.
+  for (std::size_t i = 0; i < count; ++i)
+    which[i] = i < full_rounds ? i % library.size()
+                               : (2 * (i - full_rounds) + 1) * library.size() / (2 * (count - full_rounds));
   shuffle(which, numbers_for(scene, FieldStream::size_order));
   OutlineSet set;
   for (std::size_t i = 0; i < count; ++i) {

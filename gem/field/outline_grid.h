@@ -38,9 +38,12 @@ inline Box box_of(const std::vector<Vec2>& outline) {
 /// Boxes filed by the cells they cover; what lies outside the domain is filed in the outermost cells.
 class OutlineGrid {
  public:
-  OutlineGrid(const Box& domain, double cell) : low_(domain.low), inverse_cell_(1.0 / cell) {
-    columns_ = cells_along(domain.high.x - domain.low.x);
-    rows_ = cells_along(domain.high.y - domain.low.y);
+  /// `cell` is enlarged where it would take millions of cells [m].
+  OutlineGrid(const Box& domain, double cell) : low_(domain.low) {
+    const Vec2 size = domain.high - domain.low;
+    inverse_cell_ = 1.0 / std::max({cell, std::sqrt(size.x * size.y / 2e6), size.x / 1e5, size.y / 1e5});
+    columns_ = cells_along(size.x);
+    rows_ = cells_along(size.y);
     cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   }
 
@@ -64,10 +67,7 @@ class OutlineGrid {
   }
 
  private:
-  /// At most 2048 cells along a side: what lies beyond shares the outermost cells.
-  int cells_along(double size) const {
-    return static_cast<int>(std::clamp(std::ceil(size * inverse_cell_), 1.0, 2048.0));
-  }
+  int cells_along(double size) const { return std::max(1, static_cast<int>(std::ceil(size * inverse_cell_))); }
   int cell_of(double x, double low, int count) const {
     return static_cast<int>(std::clamp(std::floor((x - low) * inverse_cell_), 0.0, static_cast<double>(count - 1)));
   }

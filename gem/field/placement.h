@@ -30,7 +30,8 @@ std::optional<std::vector<Pose>> place_at_random(const PlacementTask& task);
 
 /// Real packing: places the floes shrunk, then lets them grow while overlapping pairs push each other apart and turn
 /// (projected overlaps, each correction shared by inverse mass and inertia). Shapes and sizes end up exactly as asked.
-/// Nothing if the floes still overlap after the last growth step. Reaches a cover of about 0.85.
+/// Nothing if the floes still overlap after the last growth step. Reaches a cover of 0.8 of the
+/// free water with the paper's sizes (about 2 s for 1000 floes).
 std::optional<std::vector<Pose>> pack(const PlacementTask& task);
 
 /// Random placement, or packing if that finds no room. Throws Error(scene_rejected) if neither does.

@@ -8,6 +8,18 @@ target_include_directories(gem_flags INTERFACE ${PROJECT_SOURCE_DIR})
 if(GEM_STATIC)
   target_link_options(gem_flags INTERFACE -static-libstdc++ -static-libgcc)
 endif()
+if(GEM_SANITIZE)
+  target_compile_options(gem_flags INTERFACE -fsanitize=${GEM_SANITIZE} -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_link_options(gem_flags INTERFACE -fsanitize=${GEM_SANITIZE})
+endif()
+# Without GEM_OPENMP the pragmas are ignored and the runtime only answers "one thread".
+add_library(gem_openmp INTERFACE)
+if(GEM_OPENMP)
+  target_link_libraries(gem_openmp INTERFACE OpenMP::OpenMP_CXX)
+else()
+  target_compile_options(gem_openmp INTERFACE -Wno-unknown-pragmas -Wno-unused-parameter -Wno-unused-but-set-parameter)
+  target_link_libraries(gem_openmp INTERFACE ${OpenMP_CXX_LIBRARIES})
+endif()
 
 function(gem_sources out)
   set(found)
@@ -25,22 +37,25 @@ add_custom_target(gem_version
     -DVERSION=${PROJECT_VERSION} -DBUILD_TYPE=${CMAKE_BUILD_TYPE}
     "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
     -P ${PROJECT_SOURCE_DIR}/scripts/cmake/gem_version.cmake
-  BYPRODUCTS ${PROJECT_BINARY_DIR}/generated/gem_version.h VERBATIM)
+  BYPRODUCTS ${PROJECT_BINARY_DIR}/generated/gem_version.h COMMENT "Reading the version of the tree" VERBATIM)
 
 gem_sources(simulator_sources gem/base gem/geometry gem/events gem/scene gem/field gem/engine gem/record)
 add_library(gem_simulator STATIC ${simulator_sources})
 add_dependencies(gem_simulator gem_version)
 target_include_directories(gem_simulator PUBLIC ${PROJECT_BINARY_DIR}/generated)
-target_include_directories(gem_simulator SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR})
-target_link_libraries(gem_simulator PUBLIC gem_flags OpenMP::OpenMP_CXX Threads::Threads
-  PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
+target_include_directories(gem_simulator SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR} PRIVATE ${TOMLPLUSPLUS_INCLUDE_DIR})
+target_link_libraries(gem_simulator PUBLIC gem_flags gem_openmp Threads::Threads
+  PRIVATE nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
 
 gem_sources(analysis_sources gem/analysis gem/report)
 add_library(gem_analysis STATIC ${analysis_sources})
 target_link_libraries(gem_analysis PUBLIC gem_simulator PRIVATE GSL::gsl GSL::gslcblas Eigen3::Eigen nlohmann_json::nlohmann_json)
 
-add_library(gem_command STATIC gem/run_scene.cpp)
-target_link_libraries(gem_command PUBLIC gem_simulator gem_analysis)
+gem_sources(command_sources gem/command)
+file(GLOB run_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/run_*.cpp)
+list(FILTER run_sources EXCLUDE REGEX "_test\\.cpp$")
+add_library(gem_command STATIC ${run_sources} ${command_sources})
+target_link_libraries(gem_command PUBLIC gem_simulator gem_analysis PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
 
 add_executable(gem gem/main.cpp)
 target_link_libraries(gem PRIVATE gem_command CLI11::CLI11 nlohmann_json::nlohmann_json)

@@ -1,9 +1,27 @@
 # Every *_test.cpp is found by name: those beside the code carry the label `unit`, those in validation/ their folder's label.
 find_package(GTest REQUIRED)
 include(GoogleTest)
+include(gem_rules)
+
+# gem_test_program(NAME LABEL SOURCES...): one executable; tests whose name starts with Long carry the label `long` instead.
+function(gem_test_program name label)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE gem_command GTest::gtest_main nlohmann_json::nlohmann_json)
+  target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${name} TEST_FILTER "-Long*:*/Long*" PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${name} TEST_FILTER "Long*:*/Long*" PROPERTIES LABELS long DISCOVERY_TIMEOUT 60)
+endfunction()
 
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
-add_executable(gem_unit_tests ${unit_tests})
-target_link_libraries(gem_unit_tests PRIVATE gem_command GTest::gtest_main nlohmann_json::nlohmann_json)
-target_compile_definitions(gem_unit_tests PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-gtest_discover_tests(gem_unit_tests PROPERTIES LABELS unit DISCOVERY_TIMEOUT 60)
+gem_test_program(gem_unit_tests unit ${unit_tests})
+
+add_custom_target(gem_validation_tests)
+foreach(pair IN ITEMS verification:verify agreement:agree hard:hard published:published)
+  string(REPLACE ":" ";" pair ${pair})
+  list(POP_FRONT pair folder label)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/${folder}/*_test.cpp)
+  if(sources)
+    gem_test_program(gem_${folder}_tests ${label} ${sources})
+    add_dependencies(gem_validation_tests gem_${folder}_tests)
+  endif()
+endforeach()

@@ -1,0 +1,80 @@
+// Random numbers, portable functions and the hash: known values, moments, independence of the order of asking.
+#include "gem/base/random.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gem/base/hash.h"
+
+namespace gem {
+namespace {
+
+TEST(PortableMath, AgreesWithTheLibraryToAFewUnits) {
+  for (int i = -400; i <= 400; ++i) {
+    const double x = 0.0371 * i;
+    EXPECT_NEAR(portable_exp(x) / std::exp(x), 1.0, 1e-15) << x;
+    const double y = std::exp(x);
+    EXPECT_NEAR(portable_log(y), std::log(y), 4e-16 * std::max(1.0, std::fabs(x))) << y;
+    const Rotation r = rotation_of_turns(x);
+    const double angle = two_pi * (x - std::floor(x));
+    EXPECT_NEAR(r.cosine, std::cos(angle), 2e-15) << x;
+    EXPECT_NEAR(r.sine, std::sin(angle), 2e-15) << x;
+  }
+}
+
+TEST(PortableMath, QuarterTurnsAreExact) {
+  EXPECT_EQ(rotation_of_turns(0.25).sine, 1.0);
+  EXPECT_EQ(rotation_of_turns(0.25).cosine, 0.0);
+  EXPECT_EQ(rotation_of_turns(-0.5).cosine, -1.0);
+  EXPECT_EQ(rotation_of_turns(2.75).sine, -1.0);
+}
+
+TEST(Random, MatchesThePublishedPhiloxAnswers) {
+  // Known-answer test of Philox4x32-10 for counter and key 0: 6627e8d5 e169c58d bc57ac4c 9b00dbd8.
+  const auto words = Random(0, 0, 0).bits(0);
+  EXPECT_EQ(words[0], 0xe169c58d6627e8d5U);
+  EXPECT_EQ(words[1], 0x9b00dbd8bc57ac4cU);
+}
+
+TEST(Random, EverySeedStreamItemAndIndexCounts) {
+  const auto first = Random(1, 2, 3).bits(4);
+  EXPECT_EQ(first, Random(1, 2, 3).bits(4));
+  EXPECT_NE(first, Random(2, 2, 3).bits(4));
+  EXPECT_NE(first, Random(1, 3, 3).bits(4));
+  EXPECT_NE(first, Random(1, 2, 4).bits(4));
+  EXPECT_NE(first, Random(1, 2, 3).bits(5));
+  EXPECT_NE(first, Random(1ULL + (1ULL << 40), 2, 3).bits(4));
+}
+
+TEST(Random, MomentsOfUniformAndNormal) {
+  constexpr int n = 20000;
+  const Random random(7, 1);
+  double uniform_sum = 0.0, normal_sum = 0.0, normal_square = 0.0;
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const double u = random.uniform(i);
+    ASSERT_TRUE(u > 0.0 && u < 1.0);
+    uniform_sum += u;
+    const double z = random.normal(i);
+    normal_sum += z;
+    normal_square += z * z;
+  }
+  // Four standard errors: 4 x sqrt(1/12/n), 4 / sqrt(n), 4 sqrt(2/n).
+  EXPECT_NEAR(uniform_sum / n, 0.5, 0.0082);
+  EXPECT_NEAR(normal_sum / n, 0.0, 0.029);
+  EXPECT_NEAR(normal_square / n, 1.0, 0.04);
+}
+
+TEST(Hash, KnownValueAndSensitivity) {
+  // FNV-1a of eight zero bytes.
+  Hash zeros;
+  zeros.add(std::uint64_t{0});
+  EXPECT_EQ(zeros.value(), 0xa8c7f832281a39c5U);
+  Hash plus, minus;
+  plus.add(0.0);
+  minus.add(-0.0);
+  EXPECT_NE(plus.value(), minus.value());
+}
+
+}  // namespace
+}  // namespace gem

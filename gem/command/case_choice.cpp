@@ -1,0 +1,73 @@
+// Options that several commands share: which case, and standard output.
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "gem/base/error.h"
+#include "gem/command/command.h"
+#include "gem/field/field.h"
+#include "gem/record/run_file.h"
+#include "gem/scene/scene_file.h"
+#include "gem/scene/sweep.h"
+
+namespace gem {
+
+void add_case_options(CLI::App& command, CaseChoice& choice, bool required) {
+  auto* path = command.add_option("case", choice.path, "case file (TOML); without one the built-in case");
+  if (required) path->required();
+  command.add_option("--set", choice.overrides, "override an option: key.path=value, repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command.add_option("--index", choice.index, "the run of a sweep file, see `gem sweep list`")->type_name("N");
+}
+
+SceneDef read_case(const CaseChoice& choice) {
+  if (choice.path.empty()) {
+    if (choice.index >= 0) throw Error(ExitCode::usage, "--index needs a sweep file (none was given) name one");
+    return parse_scene("", "built-in case", choice.overrides);
+  }
+  if (!is_sweep(choice.path)) {
+    if (choice.index >= 0) {
+      throw Error(ExitCode::usage, choice.path + " is a single case (no [sweep] table) leave out --index");
+    }
+    return read_scene(choice.path, choice.overrides);
+  }
+  const std::vector<SweepMember> members = expand_sweep(choice.path, choice.overrides);
+  for (const SweepMember& member : members) {
+    if (member.index == choice.index) return member.scene;
+  }
+  const std::string range =
+      members.empty() ? "none"
+                      : std::to_string(members.front().index) + " to " + std::to_string(members.back().index);
+  if (choice.index < 0) {
+    throw Error(ExitCode::usage, choice.path + " is a sweep (runs " + range + ") choose one with --index");
+  }
+  throw Error(ExitCode::usage, "no run " + std::to_string(choice.index) + " in " + choice.path + " (runs " + range +
+                                   ") see `gem sweep list`");
+}
+
+Bodies field_of(const SceneDef& scene) {
+  if (scene.floes.source != FloeSource::file || !is_run_file(scene.floes.path)) return make_field(scene);
+  SceneDef listed = scene;
+  listed.floes.source = FloeSource::listed;
+  listed.floe = floes_of_run_file(scene.floes.path);
+  return make_field(listed);
+}
+
+void print(const std::string& text) {
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const auto part = ::write(STDOUT_FILENO, text.data() + done, text.size() - done);
+    if (part > 0) {
+      done += static_cast<std::size_t>(part);
+    } else if (errno == EPIPE || errno == EBADF) {
+      return;
+    } else if (errno != EINTR) {
+      throw Error(ExitCode::file_system,
+                  "cannot write to standard output (" + std::generic_category().message(errno) + ") check where it goes");
+    }
+  }
+}
+
+}  // namespace gem

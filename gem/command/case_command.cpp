@@ -1,0 +1,121 @@
+// gem case: check, resolve, explain, schema.
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "gem/base/number_text.h"
+#include "gem/command/command.h"
+#include "gem/field/field.h"
+#include "gem/scene/case_text.h"
+#include "gem/scene/check_scene.h"
+#include "gem/scene/scene_file.h"
+
+namespace gem {
+
+namespace {
+
+std::string check_json(const SceneDef& scene, const FieldSummary& field, const std::vector<std::string>& warnings) {
+  nlohmann::ordered_json object = {{"name", scene.run.name},
+                                   {"case_sha256", scene_hash(scene)},
+                                   {"floes", field.floe_count},
+                                   {"size_mean_m", field.size_mean},
+                                   {"size_deviation_m", field.size_deviation},
+                                   {"size_minimum_m", field.size_minimum},
+                                   {"size_maximum_m", field.size_maximum},
+                                   {"cover", field.cover},
+                                   {"smallest_gap_m", nullptr},
+                                   {"ice_mass_kg", field.ice_mass},
+                                   {"sides", field.sides},
+                                   {"warnings", warnings}};
+  if (std::isfinite(field.smallest_gap)) object["smallest_gap_m"] = field.smallest_gap;
+  return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string check_text(const SceneDef& scene, const FieldSummary& field, const std::vector<std::string>& warnings) {
+  std::string text = scene.run.name + ": the case is good\n";
+  const auto line = [&](const std::string& name, const std::string& value) {
+    text += "  " + name + std::string(18 - name.size(), ' ') + value + "\n";
+  };
+  line("case", scene_hash(scene));
+  line("floes", std::to_string(field.floe_count));
+  if (field.floe_count > 0) {
+    line("size sqrt(area)", "mean " + fixed_text(field.size_mean, 3) + " m, sd " +
+                                fixed_text(field.size_deviation, 3) + " m, " + fixed_text(field.size_minimum, 2) +
+                                " to " + fixed_text(field.size_maximum, 2) + " m");
+    line("cover", fixed_text(field.cover, 4));
+    line("smallest gap", number_text(field.smallest_gap, 4) + " m");
+    line("ice mass", number_text(field.ice_mass, 6) + " kg");
+    std::string sides;
+    for (std::size_t n = 0; n < field.sides.size(); ++n) {
+      if (field.sides[n] > 0) sides += (sides.empty() ? "" : ", ") + std::to_string(n) + ": " + std::to_string(field.sides[n]);
+    }
+    line("floes by sides", sides);
+  }
+  for (const std::string& warning : warnings) text += "  warning: " + warning + "\n";
+  return text;
+}
+
+struct CaseOptions {
+  CaseChoice chosen_case;
+  std::string out;
+  std::string key;
+  bool json = false;
+};
+
+int check(const CaseOptions& options) {
+  const SceneDef scene = read_case(options.chosen_case);
+  const std::vector<std::string> warnings = scene_warnings(scene);
+  const FieldSummary field = summarise(scene, field_of(scene));
+  print(options.json ? check_json(scene, field, warnings) : check_text(scene, field, warnings));
+  return 0;
+}
+
+int resolve(const CaseOptions& options) {
+  const SceneDef scene = read_case(options.chosen_case);
+  if (!options.json) {
+    print(resolved_toml(scene));
+    return 0;
+  }
+  const nlohmann::ordered_json object = {
+      {"name", scene.run.name}, {"case_sha256", scene_hash(scene)}, {"toml", resolved_toml(scene)}};
+  print(object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  return 0;
+}
+
+}  // namespace
+
+void add_case_command(CLI::App& app, Chosen& chosen) {
+  CLI::App* group = app.add_subcommand("case", "check, resolve and explain cases");
+  group->require_subcommand(1);
+  const auto options = std::make_shared<CaseOptions>();
+
+  CLI::App* check_case = group->add_subcommand("check", "read a case, make its field, print its statistics");
+  add_case_options(*check_case, options->chosen_case, false);
+  check_case->add_flag("--json", options->json, "as JSON");
+  check_case->callback([options, &chosen] { chosen.action = [options] { return check(*options); }; });
+
+  CLI::App* resolve_case = group->add_subcommand("resolve", "print a case with every option: what is hashed and stored");
+  add_case_options(*resolve_case, options->chosen_case, false);
+  resolve_case->add_flag("--json", options->json, "as JSON");
+  resolve_case->callback([options, &chosen] { chosen.action = [options] { return resolve(*options); }; });
+
+  CLI::App* explain_key = group->add_subcommand("explain", "explain the options of a case");
+  explain_key->add_option("key", options->key, "an option or a section; all if left out");
+  explain_key->add_flag("--json", options->json, "as JSON");
+  explain_key->callback([options, &chosen] {
+    chosen.action = [options] {
+      print(options->json ? explain_json(options->key) : explain(options->key));
+      return 0;
+    };
+  });
+
+  CLI::App* schema_text = group->add_subcommand("schema", "print the JSON Schema of a case");
+  schema_text->callback([&chosen] {
+    chosen.action = [] {
+      print(json_schema());
+      return 0;
+    };
+  });
+}
+
+}  // namespace gem

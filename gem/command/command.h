@@ -1,0 +1,66 @@
+// The commands of the program: each adds its options and leaves an action to be run after parsing.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gem/run_scene.h"
+#include "gem/scene/scene_def.h"
+
+namespace gem {
+
+/// What the user chose: the action returns the exit code.
+struct Chosen {
+  std::string command_line;
+  std::function<int()> action;
+};
+
+void add_run_command(CLI::App& app, Chosen& chosen);
+void add_case_command(CLI::App& app, Chosen& chosen);
+void add_sweep_command(CLI::App& app, Chosen& chosen);
+void add_info_command(CLI::App& app, Chosen& chosen);
+void add_report_command(CLI::App& app, Chosen& chosen);
+void add_devices_command(CLI::App& app, Chosen& chosen);
+
+/// A case file and what is changed in it.
+struct CaseChoice {
+  std::string path;  // empty: the case built into the program
+  std::vector<std::string> overrides;
+  long long index = -1;  // of a sweep
+};
+
+/// Adds the case file, --set and --index to a command.
+void add_case_options(CLI::App& command, CaseChoice& choice, bool required);
+
+/// Reads the chosen case. Throws Error(usage) for a sweep without --index and for a case with it.
+SceneDef read_case(const CaseChoice& choice);
+
+/// The field of a scene; a run file as floe source is read here.
+Bodies field_of(const SceneDef& scene);
+
+/// Writes to standard output. Throws Error(file_system) if that fails for another reason than a closed pipe.
+void print(const std::string& text);
+
+/// The threads to use: what was asked for, or OMP_NUM_THREADS, or all; silly values are clamped and `message` says so.
+int choose_threads(const std::string& asked, std::string& message);
+
+/// What a run needs, estimated before anything is allocated.
+struct Estimate {
+  double moments = 0.0;
+  double memory = 0.0;  // [bytes]
+  double disk = 0.0;    // [bytes], without the events
+};
+Estimate estimate(const SceneDef& scene);
+
+/// Throws Error(resource_limit) if the estimate is beyond the free memory, or beyond the free disk at `output`.
+void check_resources(const Estimate& need, const std::string& output);
+
+/// 12.3 MB and the like.
+std::string size_text(double bytes);
+
+std::string summary_text(const RunSummary& summary);
+std::string summary_json(const RunSummary& summary);
+
+}  // namespace gem

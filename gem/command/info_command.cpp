@@ -1,0 +1,65 @@
+// gem info: what a run file holds.
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "gem/base/number_text.h"
+#include "gem/command/command.h"
+#include "gem/record/run_file.h"
+
+namespace gem {
+
+namespace {
+
+nlohmann::ordered_json describe(const RunFile& file) {
+  nlohmann::ordered_json object = {{"file", file.path()}};
+  for (const char* name : {"title", "gem_status", "source", "gem_build", "gem_engine", "gem_resolution", "gem_seed",
+                           "gem_case_sha256", "gem_state_hash", "history"}) {
+    object[name] = file.attribute(name);
+  }
+  const std::vector<double> time = file.column("platform/time");
+  const std::vector<double> frames = file.column("floes/time");
+  object["floes"] = file.floe_count();
+  object["frames"] = frames.size();
+  object["platform_samples"] = time.size();
+  object["events"] = file.shape("events/time").at(0);
+  object["end_s"] = frames.empty() ? 0.0 : frames.back();
+  return object;
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, Chosen& chosen) {
+  struct Options {
+    std::string path;
+    bool show_case = false;
+    bool json = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("info", "say what a run file holds");
+  command->add_option("file", options->path, "run file")->required();
+  command->add_flag("--case", options->show_case, "print the case that was run");
+  command->add_flag("--json", options->json, "as JSON");
+  command->callback([options, &chosen] {
+    chosen.action = [options] {
+      const RunFile file(options->path, true);
+      if (options->show_case) {
+        print(file.attribute("gem_case_toml"));
+        return 0;
+      }
+      const nlohmann::ordered_json object = describe(file);
+      if (options->json) {
+        print(object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+        return 0;
+      }
+      std::string text;
+      for (const auto& [name, value] : object.items()) {
+        text += name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') +
+                (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
+      }
+      print(text);
+      return 0;
+    };
+  });
+}
+
+}  // namespace gem

@@ -1,0 +1,116 @@
+// gem run: one case to one run file.
+#include <csignal>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "gem/base/error.h"
+#include "gem/base/number_text.h"
+#include "gem/command/command.h"
+#include "gem/record/output_path.h"
+#include "gem/scene/check_scene.h"
+#include "gem/scene/scene_file.h"
+
+namespace gem {
+
+namespace {
+
+struct RunChoice {
+  CaseChoice chosen_case;
+  std::string until;
+  std::string threads;
+  EngineOptions engine;
+  RunOptions options;
+  std::string progress = "auto";
+  std::string log_format = "text";
+  bool dry_run = false;
+  bool force = false;
+  bool json = false;
+};
+
+ProgressMode progress_mode(const std::string& name) {
+  if (name == "none") return ProgressMode::none;
+  if (name == "line") return ProgressMode::line;
+  return name == "json" ? ProgressMode::json : ProgressMode::automatic;
+}
+
+std::string file_name(const std::string& run_name) {
+  std::string name = run_name.empty() ? "run" : run_name;
+  for (char& c : name) c = c == '/' ? '_' : c;
+  return name + ".h5";
+}
+
+std::string dry_run_text(const SceneDef& scene, const Bodies& field, const Estimate& need, const RunChoice& choice) {
+  const std::size_t floes = std::size_t(std::count(field.kind.begin(), field.kind.end(), BodyKind::floe));
+  if (choice.json) {
+    const nlohmann::ordered_json object = {
+        {"name", scene.run.name},        {"case_sha256", scene_hash(scene)},  {"engine", choice.engine.name},
+        {"threads", choice.engine.threads}, {"floes", floes},                 {"moments", need.moments},
+        {"memory_bytes", need.memory},   {"disk_bytes", need.disk},           {"file", choice.options.output}};
+    return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  }
+  return resolved_toml(scene) + "\n# dry run: nothing was computed\n# case    " + scene_hash(scene) + "\n# floes   " +
+         std::to_string(floes) + "\n# moments " + fixed_text(need.moments, 0) + "\n# engine  " + choice.engine.name +
+         ", " + std::to_string(choice.engine.threads) + " threads\n# memory  about " + size_text(need.memory) +
+         "\n# disk    about " + size_text(need.disk) + " in " + shown(choice.options.output) + "\n";
+}
+
+int run(RunChoice choice) {
+  choice.options.log = {progress_mode(choice.progress), choice.options.log.quiet, choice.log_format == "json"};
+  RunLog log(choice.options.log);
+  if (!choice.until.empty()) choice.chosen_case.overrides.push_back("run.duration_s=" + choice.until);
+  std::string thread_message;
+  choice.engine.threads = choose_threads(choice.threads, thread_message);
+  if (!thread_message.empty()) log.message("warning", thread_message);
+
+  const SceneDef scene = read_case(choice.chosen_case);
+  if (choice.chosen_case.path.empty()) log.message("info", "no case file: running the built-in case " + scene.run.name);
+  for (const std::string& warning : scene_warnings(scene)) log.message("warning", warning);
+  if (choice.options.output.empty()) choice.options.output = file_name(scene.run.name);
+  check_output_path(choice.options.output, choice.options.overwrite);
+  const Estimate need = estimate(scene);
+  if (!choice.force) check_resources(need, choice.options.output);
+
+  const Bodies field = field_of(scene);
+  if (choice.dry_run) {
+    print(dry_run_text(scene, field, need, choice));
+    return 0;
+  }
+  const auto engine = make_engine(scene, field, choice.engine);
+  log.message("info", scene.run.name + ": " + number_text(scene.run.duration_s) + " s, engine " + engine->name() + ", " +
+                          std::to_string(choice.engine.threads) + " threads, to " + shown(choice.options.output));
+  const RunSummary summary = run_scene(scene, *engine, choice.options);
+  if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));
+  if (summary.stop_signal == SIGINT) return static_cast<int>(ExitCode::interrupted);
+  return summary.stop_signal == SIGTERM ? static_cast<int>(ExitCode::terminated) : 0;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Chosen& chosen) {
+  const auto choice = std::make_shared<RunChoice>();
+  CLI::App* command = app.add_subcommand("run", "run a case and write a run file");
+  add_case_options(*command, choice->chosen_case, false);
+  command->add_option("-o,--out", choice->options.output, "run file; the run's name with .h5 if left out");
+  command->add_option("--engine", choice->engine.name, "engine that moves the field")
+      ->check(CLI::IsMember(engine_names()))
+      ->capture_default_str();
+  command->add_option("--threads", choice->threads, "threads of the cpu engine; all if left out")->type_name("N");
+  command->add_option("--until", choice->until, "end at this time: sets run.duration_s")->type_name("SECONDS");
+  command->add_flag("--overwrite", choice->options.overwrite, "replace an existing run file");
+  command->add_flag("--dry-run", choice->dry_run, "check the case and say what the run needs; compute nothing");
+  command->add_flag("--force", choice->force, "run even if memory or disk look too small");
+  command->add_option("--progress", choice->progress, "progress on standard error")
+      ->check(CLI::IsMember({"auto", "none", "line", "json"}))
+      ->capture_default_str();
+  command->add_flag("-q,--quiet", choice->options.log.quiet, "errors only");
+  command->add_option("--log-format", choice->log_format, "messages on standard error")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  command->add_flag("--json", choice->json, "summary as JSON");
+  command->callback([choice, &chosen] {
+    choice->options.command_line = chosen.command_line;
+    chosen.action = [choice] { return run(*choice); };
+  });
+}
+
+}  // namespace gem

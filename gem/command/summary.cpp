@@ -1,0 +1,55 @@
+// The summary of a run, for people and as JSON.
+#include <nlohmann/json.hpp>
+
+#include "gem/base/number_text.h"
+#include "gem/command/command.h"
+#include "gem/record/run_writer.h"
+
+namespace gem {
+
+std::string summary_text(const RunSummary& s) {
+  const auto line = [](const std::string& name, const std::string& value) {
+    return "  " + name + std::string(name.size() < 22 ? 22 - name.size() : 1, ' ') + value + "\n";
+  };
+  std::string text = s.status + (s.file.empty() ? "" : ": " + s.file) + "\n";
+  text += line("engine", s.engine);
+  text += line("simulated", number_text(s.time) + " s in " + std::to_string(s.moments) + " moments");
+  text += line("wall time", fixed_text(s.wall_time, 2) + " s, " + fixed_text(s.sim_rate, 1) + " x real time");
+  text += line("recorded", std::to_string(s.frames) + " floe frames, " + std::to_string(s.events) + " events");
+  text += line("active floes", fixed_text(s.active_floes, 0));
+  text += line("most contacts", std::to_string(s.contacts));
+  text += line("most iterations", std::to_string(s.iterations));
+  text += line("largest overlap", number_text(s.maximum_overlap, 3) + " m");
+  text += line("closing speed left", number_text(s.closing_residual, 3) + " m/s");
+  text += line("momentum residual", number_text(s.residual.momentum, 3));
+  text += line("angular residual", number_text(s.residual.angular_momentum, 3));
+  text += line("energy residual", number_text(s.residual.energy, 3));
+  text += line("peak memory", size_text(s.peak_memory));
+  text += line("state hash", hash_text(s.state_hash));
+  return text;
+}
+
+std::string summary_json(const RunSummary& s) {
+  const nlohmann::ordered_json object = {{"status", s.status},
+                                         {"file", s.file},
+                                         {"engine", s.engine},
+                                         {"time_s", s.time},
+                                         {"moments", s.moments},
+                                         {"wall_time_s", s.wall_time},
+                                         {"sim_rate", s.sim_rate},
+                                         {"frames", s.frames},
+                                         {"events", s.events},
+                                         {"active_floes", s.active_floes},
+                                         {"contacts", s.contacts},
+                                         {"iterations", s.iterations},
+                                         {"maximum_overlap_m", s.maximum_overlap},
+                                         {"closing_residual_m_per_s", s.closing_residual},
+                                         {"residual_momentum", s.residual.momentum},
+                                         {"residual_angular_momentum", s.residual.angular_momentum},
+                                         {"residual_energy", s.residual.energy},
+                                         {"peak_memory_bytes", s.peak_memory},
+                                         {"state_hash", hash_text(s.state_hash)}};
+  return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace gem

@@ -1,0 +1,156 @@
+// Sampling at three cadences: platform, floes with the books, and events as they happen.
+#include "gem/record/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gem {
+
+namespace {
+
+double angle_of(Rotation q) { return std::atan2(q.sine, q.cosine); }
+
+/// The angle of q, counted on from `before` over full turns.
+double unwrapped(Rotation q, double before) {
+  constexpr double turn = 6.283185307179586;
+  const double step = angle_of(q) - before;
+  return before + step - turn * std::round(step / turn);
+}
+
+double kinetic_energy(const Bodies& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < b.count(); ++i) {
+    if (b.active[i] != 0) {
+      sum += 0.5 * b.mass[i] * dot(b.velocity[i], b.velocity[i]) + 0.5 * b.inertia[i] * b.spin[i] * b.spin[i];
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::int64_t Cadence::next_after(std::int64_t moment) const {
+  const double time = double(moment) * moment_length_;
+  auto sample = static_cast<std::int64_t>(std::floor(time / interval_));
+  std::int64_t next = moment;
+  while (next <= moment) next = std::llround(double(++sample) * interval_ / moment_length_);
+  return next;
+}
+
+Recorder::Recorder(const SceneDef& scene, Engine& engine)
+    : moment_length_(scene.numerics.moment_s),
+      has_platform_(scene.platform.present),
+      platform_(scene.output.platform_interval_s, moment_length_),
+      frames_(scene.output.floes_interval_s, moment_length_),
+      window_moments_(static_cast<std::size_t>(
+          std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / moment_length_)))) {
+  if (has_platform_) {
+    const Bodies& b = engine.bodies();
+    yaw_ = angle_of(b.rotation[0]);
+    PlatformRow row;
+    row.position = b.position[0];
+    row.yaw = yaw_;
+    row.velocity = b.velocity[0];
+    row.spin = b.spin[0];
+    slab_.platform.push_back(row);
+  }
+  keep_frame(engine.bodies());
+  keep_stats(engine, 0.0);
+}
+
+void Recorder::add(const MomentLog& log, std::int64_t last_moment) {
+  for (std::size_t i = 0; i < log.quality.size(); ++i) {
+    ++moment_;
+    const MomentQuality& quality = log.quality[i];
+    worst_.contacts = std::max(worst_.contacts, quality.contacts);
+    worst_.iterations = std::max(worst_.iterations, quality.iterations);
+    worst_.residual = std::max(worst_.residual, quality.residual);
+    worst_.maximum_overlap = std::max(worst_.maximum_overlap, quality.maximum_overlap);
+    if (!has_platform_) continue;
+    const PlatformMoment& now = log.platform[i];
+    since_sample_.ice_impulse += now.ice_impulse;
+    since_sample_.ice_yaw_impulse += now.ice_yaw_impulse;
+    since_sample_.mooring_impulse += now.mooring_impulse;
+    since_sample_.drag_impulse += now.drag_impulse;
+    since_sample_.contacts = std::max(since_sample_.contacts, now.contacts);
+    window_.push_back(now.ice_impulse);
+    if (window_.size() > window_moments_) window_.pop_front();
+    if (moment_ == platform_.next_after(sample_moment_) || moment_ == last_moment) sample(now, moment_);
+  }
+  slab_.events.insert(slab_.events.end(), log.events.begin(), log.events.end());
+  events_seen_ += static_cast<std::int64_t>(log.events.size());
+  slab_.time = double(moment_) * moment_length_;
+}
+
+void Recorder::sample(const PlatformMoment& now, std::int64_t moment) {
+  const double per_second = 1.0 / (double(moment - sample_moment_) * moment_length_);
+  Vec2 window_impulse;
+  for (const Vec2& impulse : window_) window_impulse += impulse;
+  yaw_ = unwrapped(now.rotation, yaw_);
+  PlatformRow row;
+  row.time = double(moment) * moment_length_;
+  row.position = now.position;
+  row.yaw = yaw_;
+  row.velocity = now.velocity;
+  row.spin = now.spin;
+  row.ice_impulse = since_sample_.ice_impulse;
+  row.ice_force = per_second * since_sample_.ice_impulse;
+  row.ice_force_mean = (1.0 / (double(window_.size()) * moment_length_)) * window_impulse;
+  row.mooring_force = per_second * since_sample_.mooring_impulse;
+  row.drag_force = per_second * since_sample_.drag_impulse;
+  row.ice_yaw_moment = per_second * since_sample_.ice_yaw_impulse;
+  row.contacts = since_sample_.contacts;
+  slab_.platform.push_back(row);
+  since_sample_ = {};
+  sample_moment_ = moment;
+}
+
+StatsRow Recorder::add_frame(Engine& engine, double wall_time) {
+  keep_frame(engine.bodies());
+  keep_stats(engine, wall_time);
+  frame_moment_ = moment_;
+  frame_wall_time_ = wall_time;
+  worst_ = {};
+  return slab_.stats.back();
+}
+
+void Recorder::keep_frame(const Bodies& b) {
+  FloeFrames& f = slab_.floes;
+  f.time.push_back(double(moment_) * moment_length_);
+  for (std::size_t i = first_floe(b); i < b.count(); ++i) {
+    f.x.push_back(static_cast<float>(b.position[i].x));
+    f.y.push_back(static_cast<float>(b.position[i].y));
+    f.theta.push_back(static_cast<float>(angle_of(b.rotation[i])));
+    f.vx.push_back(static_cast<float>(b.velocity[i].x));
+    f.vy.push_back(static_cast<float>(b.velocity[i].y));
+    f.omega.push_back(static_cast<float>(b.spin[i]));
+    f.active.push_back(b.active[i] != 0 ? 1.0F : 0.0F);
+  }
+}
+
+void Recorder::keep_stats(Engine& engine, double wall_time) {
+  const Bodies& b = engine.bodies();
+  StatsRow row;
+  row.time = double(moment_) * moment_length_;
+  row.ledger = engine.ledger();
+  row.residual = residual(row.ledger);
+  row.kinetic_energy = kinetic_energy(b);
+  row.contacts = worst_.contacts;
+  row.iterations = worst_.iterations;
+  row.closing_residual = worst_.residual;
+  row.maximum_overlap = worst_.maximum_overlap;
+  for (std::size_t i = first_floe(b); i < b.count(); ++i) row.active_floes += b.active[i] != 0 ? 1.0 : 0.0;
+  row.wall_time = wall_time;
+  const double wall = wall_time - frame_wall_time_;
+  row.sim_rate = wall > 0.0 ? double(moment_ - frame_moment_) * moment_length_ / wall : 0.0;
+  row.moments = double(moment_);
+  slab_.stats.push_back(row);
+}
+
+Slab Recorder::take() {
+  slab_.time = double(moment_) * moment_length_;
+  return std::exchange(slab_, Slab{});
+}
+
+}  // namespace gem

@@ -1,0 +1,63 @@
+// Turns the log of every moment into the rows of a run file: platform samples, floe frames, events and statistics.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+#include "gem/record/run_writer.h"
+
+namespace gem {
+
+/// The moments at which something is recorded every `interval` seconds. A moment is never recorded twice.
+class Cadence {
+ public:
+  Cadence(double interval, double moment_length) : interval_(interval), moment_length_(moment_length) {}
+  /// The next moment to record after `moment`.
+  std::int64_t next_after(std::int64_t moment) const;
+
+ private:
+  double interval_;
+  double moment_length_;
+};
+
+/// Samples one run. Knows no files: what is recorded is taken from it as slabs.
+class Recorder {
+ public:
+  /// Records t = 0.
+  Recorder(const SceneDef& scene, Engine& engine);
+
+  /// Samples the platform and keeps the events of the moments in `log`, which follow those seen before; samples the
+  /// platform at `last_moment` in any case.
+  void add(const MomentLog& log, std::int64_t last_moment);
+  /// Records all floes and the books after the last moment that was added. Returns the row of statistics.
+  StatsRow add_frame(Engine& engine, double wall_time);
+  std::int64_t next_frame() const { return frames_.next_after(frame_moment_); }
+  /// Hands over what was recorded since the last call.
+  Slab take();
+  std::size_t frames_waiting() const { return slab_.floes.time.size(); }
+  std::int64_t events_seen() const { return events_seen_; }
+
+ private:
+  void sample(const PlatformMoment& now, std::int64_t moment);
+  void keep_frame(const Bodies& bodies);
+  void keep_stats(Engine& engine, double wall_time);
+
+  double moment_length_;
+  bool has_platform_;
+  Cadence platform_;
+  Cadence frames_;
+  std::size_t window_moments_;
+  std::int64_t moment_ = 0;
+  std::int64_t sample_moment_ = 0;
+  std::int64_t frame_moment_ = 0;
+  std::int64_t events_seen_ = 0;
+  double frame_wall_time_ = 0.0;
+  double yaw_ = 0.0;
+  PlatformMoment since_sample_;      // sums since the last platform sample
+  std::deque<Vec2> window_;          // ice impulses of the last moments
+  MomentQuality worst_;              // since the last frame
+  Slab slab_;
+};
+
+}  // namespace gem

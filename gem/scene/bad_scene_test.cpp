@@ -1,0 +1,255 @@
+// Bad input: every fault is refused with its place, key, value and range, and nothing is repaired.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+
+#include "gem/base/error.h"
+#include "gem/scene/scene_file.h"
+
+namespace gem {
+namespace {
+
+struct BadScene {
+  const char* name;
+  std::string text;
+  std::vector<std::string> expected;  ///< every one of these is part of the message
+};
+
+void PrintTo(const BadScene& bad, std::ostream* out) { *out << bad.name; }
+
+std::string rejection(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    parse_scene(text, "bad.toml", overrides);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::scene_rejected);
+    return error.what();
+  }
+  return "accepted";
+}
+
+class BadSceneTest : public testing::TestWithParam<BadScene> {};
+
+TEST_P(BadSceneTest, IsRefusedWithItsPlace) {
+  const std::string message = rejection(GetParam().text);
+  for (const std::string& part : GetParam().expected)
+    EXPECT_NE(message.find(part), std::string::npos) << "expected: " << part << "\nmessage: " << message;
+}
+
+std::string repeated(const std::string& part, int times) {
+  std::string out;
+  for (int i = 0; i < times; ++i) out += part;
+  return out;
+}
+
+const std::string square = "outline_m = [[0, 0], [1, 0], [1, 1], [0, 1]]\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Syntax, BadSceneTest,
+    testing::Values(
+        BadScene{"malformed", "[run]\nname = \n", {"bad.toml:2:", "run.name: malformed"}},
+        BadScene{"garbage", "\n\n}{\n", {"bad.toml:3:1"}},
+        BadScene{
+            "truncated_list", "[current]\nvelocity_m_per_s = [0.2", {"bad.toml:2:", "velocity_m_per_s", "end-of-file"}},
+        BadScene{"truncated_header", "[platf", {"bad.toml:1:", "end-of-file"}},
+        BadScene{"truncated_text", "[run]\nname = \"abc", {"bad.toml:2:", "run.name"}},
+        BadScene{"duplicate_key", "[run]\nseed = 1\nseed = 2\n", {"bad.toml:3:", "run.seed", "redefine"}},
+        BadScene{"duplicate_section", "[run]\nseed = 1\n[run]\nduration_s = 2\n", {"bad.toml:3:", "redefine"}},
+        BadScene{"too_large_number", "[platform]\nmass_kg = 1e400\n", {"bad.toml:2:", "platform.mass_kg", "1e400"}},
+        BadScene{"hex_float", "[platform]\nmass_kg = 0x1p3\n", {"bad.toml:2:", "platform.mass_kg", "hexadecimal"}},
+        BadScene{"decimal_comma", "[platform]\nmass_kg = 1,5\n", {"bad.toml:2:12", "platform.mass_kg"}},
+        BadScene{"too_large_integer", "[floes]\ncount = 99999999999999999999\n", {"bad.toml:2:", "floes.count"}},
+        BadScene{"invalid_utf8", "[run]\nname = \"\xff\xfe\"\n", {"bad.toml:2:", "utf-8"}},
+        BadScene{"multi_line_text", "[run]\nname = \"\"\"a\nb\"\"\"\n", {"bad.toml:2:8", "multi-line"}},
+        BadScene{"deep_brackets", "x = " + repeated("[", 100000), {"bad.toml:1:", "nested too deep"}},
+        BadScene{"deep_keys", repeated("a.", 100000) + "a = 1", {"bad.toml:1:", "nested too deep"}},
+        BadScene{
+            "deep_quoted_keys", "x = {" + repeated("\"=\".", 100000) + "a = 1}", {"bad.toml:1:", "nested too deep"}},
+        BadScene{"long_text", "[run]\nname = \"" + repeated("x", 5000) + "\"\n", {"bad.toml:2:", "too long"}},
+        BadScene{"large_file", repeated("#" + repeated("x", 1023), 16385), {"bad.toml: ", "too large", "16777216"}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, BadSceneTest,
+    testing::Values(
+        BadScene{"unknown_key",
+                 "[platform]\nmas = 1e8\n",
+                 {"bad.toml:2:1: platform.mas: unknown key", "`platform.mass_kg`"}},
+        BadScene{"key_without_unit", "[mooring]\nstiffness = 1\n", {"bad.toml:2:1", "`mooring.stiffness_N_per_m`"}},
+        BadScene{
+            "key_in_wrong_section", "[ice]\ndrag_law = \"none\"\n", {"bad.toml:2:1: ice.drag_law", "`water.drag_law`"}},
+        BadScene{"unknown_section",
+                 "[plattform]\nmass_kg = 1\n",
+                 {"bad.toml:1:2: plattform: unknown section", "`platform`"}},
+        BadScene{"key_without_section", "mass_kg = 1\n", {"bad.toml:1:1: mass_kg: unknown key", "`platform.mass_kg`"}},
+        BadScene{"section_as_value", "platform = 3\n", {"bad.toml:1:12: platform: wrong type (value 3"}},
+        BadScene{"text_for_number",
+                 "[platform]\nmass_kg = \"1e8 kg\"\n",
+                 {"bad.toml:2:11: platform.mass_kg: wrong type (value \"1e8 kg\", expected a number in kg)"}},
+        BadScene{
+            "number_for_integer", "[floes]\ncount = 4008.0\n", {"bad.toml:2:9: floes.count: wrong type (value 4008.0"}},
+        BadScene{"number_for_text", "[run]\nname = 7\n", {"bad.toml:2:8: run.name: wrong type"}},
+        BadScene{"number_for_flag", "[boundary]\npresent = 1\n", {"bad.toml:2:11", "expected true or false"}},
+        BadScene{
+            "date", "[run]\nduration_s = 1979-05-27\n", {"bad.toml:2:14: run.duration_s: wrong type (value a date"}},
+        BadScene{"number_for_pair", "[current]\nvelocity_m_per_s = 0.25\n", {"bad.toml:2:20", "expected a pair"}},
+        BadScene{"triple_for_pair", "[current]\nvelocity_m_per_s = [1, 2, 3]\n", {"bad.toml:2:20", "expected a pair"}},
+        BadScene{"unknown_choice",
+                 "[contact]\nresolution = \"couple\"\n",
+                 {"bad.toml:2:14", "allowed independent, coupled", "`coupled`"}},
+        BadScene{"nan", "[platform]\nmass_kg = nan\n", {"bad.toml:2:11: platform.mass_kg: not finite (value nan"}},
+        BadScene{"infinity",
+                 "[current]\nvelocity_m_per_s = [-inf, 0]\n",
+                 {"bad.toml:2:21: current.velocity_m_per_s: not finite (value -inf, allowed [-10, 10] m/s)"}},
+        BadScene{"negative",
+                 "[ice]\ndensity_kg_per_m3 = -900\n",
+                 {"bad.toml:2:21: ice.density_kg_per_m3: out of range (value -900, allowed [1, 10000] kg/m3)"}},
+        BadScene{
+            "zero_moment", "[numerics]\nmoment_s = 0\n", {"bad.toml:2:12: numerics.moment_s: out of range (value 0"}},
+        BadScene{"open_bound", "[mooring]\ndamping_ratio = 1\n", {"bad.toml:2:17", "allowed [0, 1)"}},
+        BadScene{"friction", "[ice]\nfriction_ice = 10.5\n", {"bad.toml:2:16: ice.friction_ice", "allowed [0, 10]"}},
+        BadScene{"millimetres",
+                 "[[ice.class]]\nthickness_m = 500\n",
+                 {"bad.toml:2:15: ice.class[0].thickness_m: out of range (value 500, allowed [0.01, 10] m)"}},
+        BadScene{
+            "centimetres_per_second", "[current]\nvelocity_m_per_s = [25, 0]\n", {"bad.toml:2:21", "[-10, 10] m/s"}},
+        BadScene{"absurd_count", "[floes]\ncount = 3000000000\n", {"bad.toml:2:9: floes.count: out of range"}},
+        BadScene{"seed_below_zero", "[run]\nseed = -1\n", {"bad.toml:2:8: run.seed: out of range"}},
+        BadScene{"list_as_table", "[floe]\n" + square, {"bad.toml:1:1: floe: wrong type", "[[floe]]"}},
+        BadScene{"entry_not_a_table", "floe = [1]\n", {"bad.toml:1:9: floe[0]: wrong type"}},
+        BadScene{"unknown_key_in_list",
+                 "[[floe]]\n" + square + "thicknes_m = 1\n",
+                 {"bad.toml:3:1: floe[0].thicknes_m", "`thickness_m`"}},
+        BadScene{"outline_missing", "[[fixed]]\n", {"bad.toml:1:1: fixed[0].outline_m: missing"}},
+        BadScene{"two_corners",
+                 "[[fixed]]\noutline_m = [[0, 0], [1, 1]]\n",
+                 {"bad.toml:2:13: fixed[0].outline_m: wrong number of corners (value 2"}},
+        BadScene{"bad_corner",
+                 "[[fixed]]\noutline_m = [[0, 0], [1, nan], [1, 1]]\n",
+                 {"bad.toml:2:26: fixed[0].outline_m"}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Comparisons, BadSceneTest,
+    testing::Values(
+        BadScene{"moment_against_floes",
+                 "[numerics]\nmoment_s = 0.9\n",
+                 {"bad.toml:2:12: numerics.moment_s", "value 0.9, allowed at most 0.8 s"}},
+        BadScene{"moment_against_mooring",
+                 "[floes]\ncount = 0\n[mooring]\nstiffness_N_per_m = 1e10\n[numerics]\nmoment_s = 0.1\n",
+                 {"bad.toml:6:12: numerics.moment_s", "mooring (value 0.1, allowed at most 0.02 s"}},
+        BadScene{"too_many_moments",
+                 "[run]\nduration_s = 1e8\n[numerics]\nmoment_s = 1e-6\n",
+                 {"bad.toml:2:14: run.duration_s", "allowed at most 10000 s"}},
+        BadScene{"sample_below_moment",
+                 "[output]\nplatform_interval_s = 0.01\n",
+                 {"bad.toml:2:23: output.platform_interval_s", "at least 0.05 s"}},
+        BadScene{
+            "mean_outside_limits", "[floes]\nsize_mean_m = 25\n", {"bad.toml:2:15: floes.size_mean_m", "(2, 20) m"}},
+        BadScene{"limits_reversed",
+                 "[floes]\nsize_minimum_m = 20\nsize_maximum_m = 2\n",
+                 {"floes.size_mean_m", "(20, 2) m"}},
+        BadScene{"deviation_infeasible",
+                 "[floes]\nsize_deviation_m = 9\n",
+                 {"bad.toml:2:20: floes.size_deviation_m", "allowed below 8.01"}},
+        BadScene{"field_too_full", "[floes]\ncount = 100000\n", {"bad.toml:2:9: floes.count", "do not fit"}},
+        BadScene{"no_classes", "[ice]\nclass = []\n", {"bad.toml:2:9: ice.class", "value 0, allowed (0, 9]"}},
+        BadScene{"too_many_tenths", "[[ice.class]]\ntenths = 9.5\n", {"ice.class", "value 9.5, allowed (0, 9]"}},
+        BadScene{
+            "field_in_platform", "[floes]\nstart_x_m = -1540\n", {"bad.toml:2:13: floes.start_x_m", "at most -1550 m"}},
+        BadScene{"field_before_boundary",
+                 "[floes]\nstart_x_m = -1700\n",
+                 {"floes.start_x_m", "at least boundary.inlet_x_m"}},
+        BadScene{"field_wider_than_channel", "[floes]\nwidth_m = 500\n", {"bad.toml:2:11: floes.width_m", "at most"}},
+        BadScene{"gap_below_platform", "[boundary]\ngap_m = 90\n", {"bad.toml:2:9: boundary.gap_m", "at least 100 m"}},
+        BadScene{
+            "retired_too_early", "[output]\nretire_x_m = 20\n", {"bad.toml:2:14: output.retire_x_m", "at least 50 m"}},
+        BadScene{"ice_sinks", "[ice]\ndensity_kg_per_m3 = 1030\n", {"bad.toml:2:21", "does not float"}},
+        BadScene{"file_without_path", "[floes]\nsource = \"file\"\n", {"bad.toml: floes.path: missing"}},
+        BadScene{"path_not_used", "[floes]\npath = \"a.csv\"\n", {"bad.toml:2:8: floes.path: not used"}},
+        BadScene{"floes_not_used", "[[floe]]\n" + square, {"bad.toml:1:1: floe:", "set floes.source = \"listed\""}},
+        BadScene{"name_with_slash", "[run]\nname = \"a/b\"\n", {"bad.toml:2:8: run.name"}},
+        BadScene{"name_empty", "[run]\nname = \"\"\n", {"bad.toml:2:8: run.name"}},
+        BadScene{"name_with_control", "[run]\nname = \"a\\u0007\"\n", {"bad.toml:2:8: run.name", "a\\u0007"}},
+        BadScene{"sweep_as_case", "[sweep]\nmode = \"list\"\n", {"bad.toml:1:2: sweep", "index"}}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(BadScene, AllProblemsAreReportedTogetherOneLineEach) {
+  const std::string message = rejection("[platform]\nmas = 1\nsides = 2\n[floes]\ncount = \"x\"\n[nothing]\n");
+  EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 3) << message;
+  for (const char* place : {"bad.toml:2:1", "bad.toml:3:9", "bad.toml:5:9", "bad.toml:6:2"})
+    EXPECT_NE(message.find(place), std::string::npos) << place << " in " << message;
+}
+
+TEST(BadScene, OverridesNameThemselves) {
+  EXPECT_NE(rejection("", {"platform.mas=3"}).find("--set platform.mas=3:1:10: platform.mas: unknown key"),
+            std::string::npos);
+  EXPECT_NE(rejection("", {"contact.resolution=coupled"}).find("text needs quotes"), std::string::npos);
+}
+
+TEST(BadScene, ListedFloesLimitTheMoment) {
+  // Two floes of 2 m that close at 1 m/s: a tenth of the floe is passed in 0.2 s.
+  const std::string pair =
+      "[current]\nvelocity_m_per_s = [0, 0]\n[boundary]\npresent = false\n[floes]\nsource = \"listed\"\n"
+      "[[floe]]\noutline_m = [[0,0],[2,0],[2,2],[0,2]]\nposition_m = [-80, 0]\nvelocity_m_per_s = [0.5, 0]\n"
+      "[[floe]]\noutline_m = [[0,0],[2,0],[2,2],[0,2]]\nposition_m = [-70, 0]\nvelocity_m_per_s = [-0.5, 0]\n"
+      "[output]\nplatform_interval_s = 1\n[numerics]\nmoment_s = ";
+  EXPECT_EQ(rejection(pair + "0.2\n"), "accepted");
+  EXPECT_NE(rejection(pair + "0.21\n").find("allowed at most 0.2 s"), std::string::npos);
+}
+
+class SceneFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              ("gem_scene_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::create_directories(folder_ / "parts");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return (folder_ / name).string();
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(SceneFiles, LaterIncludesWinAndPathsFollowTheirFile) {
+  write("parts/a.toml", "[platform]\nmass_kg = 2e8\nsides = 12\n[floes]\nsource = \"file\"\npath = \"floes.csv\"\n");
+  write("b.toml", "[platform]\nmass_kg = 3e8\n");
+  const std::string main =
+      write("main.toml", "include = [\"parts/a.toml\", \"b.toml\"]\n[platform]\ndiameter_m = 80\n");
+  const SceneDef scene = read_scene(main, {"platform.diameter_m=90"});
+  EXPECT_EQ(scene.platform.mass_kg, 3e8);
+  EXPECT_EQ(scene.platform.sides, 12);
+  EXPECT_EQ(scene.platform.diameter_m, 90.0);
+  EXPECT_EQ(scene.floes.path, (folder_ / "parts/floes.csv").string());
+}
+
+TEST_F(SceneFiles, IncludeCycleIsRefused) {
+  write("b.toml", "include = [\"a.toml\"]\n");
+  const std::string a = write("a.toml", "include = [\"./b.toml\"]\n");
+  try {
+    read_scene(a);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::scene_rejected);
+    EXPECT_NE(std::string(error.what()).find("b.toml:1:12: include: the file includes itself"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(SceneFiles, UnreadableFilesAreFaultsOfTheFileSystem) {
+  const std::string main = write("main.toml", "include = [\"missing.toml\"]\n");
+  for (const std::string& path : {main, folder_.string(), (folder_ / "none.toml").string()}) {
+    try {
+      read_scene(path);
+      FAIL() << "accepted " << path;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::file_system) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gem

@@ -1,0 +1,259 @@
+// Each rule is one small function that looks at a few options and may add a problem.
+#include "gem/scene/check_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "gem/scene/number_text.h"
+
+namespace gem {
+namespace {
+
+using List = std::vector<SceneProblem>;
+
+// Two floes that close at speed V sink into each other by V dt before the overlap is seen: keep this below a tenth of
+// the smaller one, well before the contact normal can flip (V dt = width).
+constexpr double overlap_fraction = 0.1;
+// The mooring is split around the contacts; the split is accurate while omega dt is small.
+constexpr double mooring_phase_maximum = 0.2;
+constexpr double moments_maximum = 1e10;
+constexpr double samples_maximum = 1e9;
+constexpr double cover_maximum = 0.95;
+constexpr std::size_t name_bytes_maximum = 200;
+// No pair of compact rigid bodies can jam below this friction (least bound over polygons: 1.118, equilateral triangle).
+constexpr double jamming_friction = 1.1;
+
+std::string number(double value) { return plain_number_text(value); }
+
+void check_name(const SceneDef& s, List& out) {
+  const std::string& name = s.run.name;
+  const bool printable = std::none_of(
+      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '/'; });
+  if (name.empty() || name.size() > name_bytes_maximum || name.front() == '.' || !printable)
+    out.push_back({"run.name", "not fit for a file name (value " + quoted_text(name) + ", allowed 1 to " +
+                                   std::to_string(name_bytes_maximum) +
+                                   " bytes without '/' and control characters, not starting with '.')"});
+}
+
+void check_moment(const SceneDef& s, List& out) {
+  const double dt = s.numerics.moment_s;
+  const double width = smallest_floe_width(s);
+  const double speed = closing_speed_bound(s);
+  const double largest = overlap_fraction * width / speed;
+  if (std::isfinite(width) && speed > 0.0 && dt > largest)
+    out.push_back({"numerics.moment_s", "the moment is too long for the smallest floe (value " + number(dt) +
+                                            ", allowed at most " + number(largest) + " s: bodies closing at " +
+                                            number(speed) + " m/s would overlap by more than a tenth of " +
+                                            number(width) + " m) give a smaller moment"});
+  const double moments = s.run.duration_s / dt;
+  if (moments > moments_maximum)
+    out.push_back({"run.duration_s", "too many moments (value " + number(s.run.duration_s) + ", allowed at most " +
+                                         number(moments_maximum * dt) + " s at this moment_s)"});
+}
+
+void check_mooring(const SceneDef& s, List& out) {
+  if (!s.platform.present || s.mooring.stiffness_N_per_m == 0.0) return;
+  const double omega = std::sqrt(s.mooring.stiffness_N_per_m / s.platform.mass_kg);
+  if (omega * s.numerics.moment_s > mooring_phase_maximum)
+    out.push_back({"numerics.moment_s", "the moment is too long for the mooring (value " + number(s.numerics.moment_s) +
+                                            ", allowed at most " + number(mooring_phase_maximum / omega) +
+                                            " s: omega dt <= " + number(mooring_phase_maximum) +
+                                            ") give a smaller moment or check stiffness and mass"});
+}
+
+void check_record(const SceneDef& s, List& out) {
+  const auto check = [&](const char* key, double interval) {
+    if (interval < s.numerics.moment_s)
+      out.push_back({key, "shorter than one moment (value " + number(interval) + ", allowed at least " +
+                              number(s.numerics.moment_s) + " s)"});
+    else if (s.run.duration_s / interval > samples_maximum)
+      out.push_back({key, "too many samples (value " + number(interval) + ", allowed at least " +
+                              number(s.run.duration_s / samples_maximum) + " s)"});
+  };
+  check("output.platform_interval_s", s.output.platform_interval_s);
+  check("output.floes_interval_s", s.output.floes_interval_s);
+  check("output.force_window_s", s.output.force_window_s);
+}
+
+bool is_made(const FloesDef& floes) {
+  return floes.source == FloeSource::generated || floes.source == FloeSource::copied;
+}
+
+void check_source(const SceneDef& s, List& out) {
+  const bool from_file = s.floes.source == FloeSource::file;
+  if (from_file && s.floes.path.empty())
+    out.push_back({"floes.path", "missing (source = \"file\") name the floe file"});
+  if (!from_file && !s.floes.path.empty())
+    out.push_back({"floes.path", "not used (value " + quoted_text(s.floes.path) +
+                                     ", allowed only with floes.source = \"file\") remove it or change the source"});
+  if (s.floes.source != FloeSource::listed && !s.floe.empty())
+    out.push_back({"floe", "floes are listed but not used (value " + std::to_string(s.floe.size()) +
+                               " floes) set floes.source = \"listed\""});
+}
+
+void check_sizes(const SceneDef& s, List& out) {
+  const FloesDef& f = s.floes;
+  if (!is_made(f) || f.count == 0) return;
+  if (!(f.size_minimum_m < f.size_mean_m && f.size_mean_m < f.size_maximum_m)) {
+    out.push_back({"floes.size_mean_m", "not between the limits (value " + number(f.size_mean_m) + ", allowed (" +
+                                            number(f.size_minimum_m) + ", " + number(f.size_maximum_m) + ") m)"});
+    return;
+  }
+  // No distribution on [a, b] with this mean spreads more than one with all its weight on a and b.
+  const double most = std::sqrt((f.size_mean_m - f.size_minimum_m) * (f.size_maximum_m - f.size_mean_m));
+  if (f.size_deviation_m >= most)
+    out.push_back({"floes.size_deviation_m", "no distribution within the limits spreads so much (value " +
+                                                 number(f.size_deviation_m) + ", allowed below " + number(most) +
+                                                 " m)"});
+  const double mean_area = f.size_mean_m * f.size_mean_m + f.size_deviation_m * f.size_deviation_m;
+  const double cover = static_cast<double>(f.count) * mean_area / (f.length_m * f.width_m);
+  if (cover > cover_maximum)
+    out.push_back({"floes.count", "the floes do not fit into the field (value " + std::to_string(f.count) +
+                                      ", allowed at most " +
+                                      number(std::floor(cover_maximum * f.length_m * f.width_m / mean_area)) +
+                                      " for floes.length_m x floes.width_m)"});
+}
+
+void check_classes(const SceneDef& s, List& out) {
+  if (!is_made(s.floes) || s.floes.count == 0) return;
+  double sum = 0.0;
+  for (const IceClassDef& c : s.floes.classes) sum += c.tenths;
+  if (!(sum > 0.0) || sum > 9.0)
+    out.push_back({"ice.class",
+                   "the tenths of all classes together are out of range (value " + number(sum) + ", allowed (0, 9])"});
+  if (s.floes.classes.size() > 255)
+    out.push_back(
+        {"ice.class", "too many classes (value " + std::to_string(s.floes.classes.size()) + ", allowed at most 255)"});
+}
+
+void check_field_place(const SceneDef& s, List& out) {
+  const FloesDef& f = s.floes;
+  if (!is_made(f) || f.count == 0) return;
+  const double end = f.start_x_m + f.length_m;
+  const double bow = s.platform.anchor_m.x + s.platform.start_offset_m.x - 0.5 * s.platform.diameter_m;
+  if (s.platform.present && end > bow)
+    out.push_back({"floes.start_x_m", "the field reaches the platform (value " + number(f.start_x_m) +
+                                          ", allowed at most " + number(bow - f.length_m) + " m)"});
+  if (s.boundary.present && f.start_x_m < s.boundary.inlet_x_m)
+    out.push_back({"floes.start_x_m", "the field begins before the boundary (value " + number(f.start_x_m) +
+                                          ", allowed at least boundary.inlet_x_m = " + number(s.boundary.inlet_x_m) +
+                                          " m)"});
+  if (s.boundary.present && f.width_m > s.boundary.inlet_width_m)
+    out.push_back({"floes.width_m",
+                   "the field is wider than the channel (value " + number(f.width_m) +
+                       ", allowed at most boundary.inlet_width_m = " + number(s.boundary.inlet_width_m) + " m)"});
+}
+
+void check_platform(const SceneDef& s, List& out) {
+  if (!s.platform.present) return;
+  const double radius = 0.5 * s.platform.diameter_m;
+  const Vec2 place = s.platform.anchor_m + s.platform.start_offset_m;
+  if (s.boundary.present && 0.5 * s.boundary.gap_m < std::abs(place.y) + radius)
+    out.push_back({"boundary.gap_m", "the platform does not fit between the boundaries (value " +
+                                         number(s.boundary.gap_m) + ", allowed at least " +
+                                         number(2.0 * (std::abs(place.y) + radius)) + " m)"});
+  if (s.output.retire_x_m < place.x + radius)
+    out.push_back({"output.retire_x_m", "floes would be retired before they pass the platform (value " +
+                                            number(s.output.retire_x_m) + ", allowed at least " +
+                                            number(place.x + radius) + " m)"});
+}
+
+void check_listed(const SceneDef& s, List& out) {
+  if (s.floes.source != FloeSource::listed) return;
+  for (std::size_t i = 0; i < s.floe.size(); ++i)
+    if (s.floe[i].position_m.x > s.output.retire_x_m)
+      out.push_back({"output.retire_x_m", "floe[" + std::to_string(i) + "] starts behind the line (value " +
+                                              number(s.output.retire_x_m) + ", allowed at least " +
+                                              number(s.floe[i].position_m.x) + " m)"});
+}
+
+void check_floating(const SceneDef& s, List& out) {
+  const bool drafts = s.water.drag_law == DragLaw::quadratic && s.water.form_coefficient > 0.0;
+  if (drafts && s.ice.density_kg_per_m3 >= s.water.density_kg_per_m3)
+    out.push_back({"ice.density_kg_per_m3",
+                   "the ice does not float (value " + number(s.ice.density_kg_per_m3) +
+                       ", allowed below water.density_kg_per_m3 = " + number(s.water.density_kg_per_m3) + " kg/m3)"});
+}
+
+/// Smallest distance between two parallel lines that hold the outline between them; repeated corners are left to the
+/// checks of the field.
+double outline_width(const std::vector<Vec2>& outline) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 edge = outline[(i + 1) % outline.size()] - outline[i];
+    if (dot(edge, edge) == 0.0) continue;
+    double low = 0.0;
+    double high = 0.0;
+    for (const Vec2 p : outline) {
+      const double side = cross(edge, p - outline[i]) / length(edge);
+      low = std::min(low, side);
+      high = std::max(high, side);
+    }
+    if (high > low) smallest = std::min(smallest, high - low);
+  }
+  return smallest;
+}
+
+}  // namespace
+
+double closing_speed_bound(const SceneDef& scene) {
+  Vec2 low = {std::min(0.0, scene.current.velocity_m_per_s.x), std::min(0.0, scene.current.velocity_m_per_s.y)};
+  Vec2 high = {std::max(0.0, scene.current.velocity_m_per_s.x), std::max(0.0, scene.current.velocity_m_per_s.y)};
+  for (const FloeDef& floe : scene.floe) {
+    low = {std::min(low.x, floe.velocity_m_per_s.x), std::min(low.y, floe.velocity_m_per_s.y)};
+    high = {std::max(high.x, floe.velocity_m_per_s.x), std::max(high.y, floe.velocity_m_per_s.y)};
+  }
+  return length(high - low);
+}
+
+double smallest_floe_width(const SceneDef& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  if (is_made(scene.floes) && scene.floes.count > 0) smallest = scene.floes.size_minimum_m;
+  for (const FloeDef& floe : scene.floe) smallest = std::min(smallest, outline_width(floe.outline_m));
+  return smallest;
+}
+
+std::vector<SceneProblem> check_scene(const SceneDef& scene) {
+  List problems;
+  for (const auto rule : {check_name, check_moment, check_mooring, check_record, check_source, check_sizes,
+                          check_classes, check_field_place, check_platform, check_listed, check_floating})
+    rule(scene, problems);
+  return problems;
+}
+
+std::vector<std::string> scene_warnings(const SceneDef& scene) {
+  std::vector<std::string> warnings;
+  const auto friction = [&](const char* key, double value) {
+    if (value >= jamming_friction)
+      warnings.push_back(std::string(key) + ": above the Painleve bound of compact floes (value " + number(value) +
+                         ", limit " + number(jamming_friction) +
+                         ") a sliding corner may jam; stick is then taken instead of slip");
+  };
+  friction("ice.friction_ice", scene.ice.friction_ice);
+  friction("ice.friction_structure", scene.ice.friction_structure);
+
+  const FloesDef& f = scene.floes;
+  if (is_made(f) && f.count > 0) {
+    double tenths = 0.0;
+    for (const IceClassDef& c : f.classes) tenths += c.tenths;
+    const double mean_area = f.size_mean_m * f.size_mean_m + f.size_deviation_m * f.size_deviation_m;
+    const double cover = 10.0 * static_cast<double>(f.count) * mean_area / (f.length_m * f.width_m);
+    if (std::abs(cover - tenths) > 1.0)
+      warnings.push_back("ice.class: the tenths differ from the cover of the field (value " + number(tenths) +
+                         ", the floes cover " + number(std::round(10.0 * cover) / 10.0) +
+                         " tenths) the classes only set the shares");
+  }
+  if (scene.platform.present) {
+    const double radius = 0.5 * scene.platform.diameter_m;
+    const double draught =
+        scene.platform.mass_kg / (std::numbers::pi * radius * radius * scene.water.density_kg_per_m3);
+    if (draught < 0.1 || draught > 200.0)
+      warnings.push_back("platform.mass_kg: unlikely for this diameter (value " + number(scene.platform.mass_kg) +
+                         ", it would float " + number(draught) + " m deep) give it in kg");
+  }
+  return warnings;
+}
+
+}  // namespace gem

@@ -1,0 +1,108 @@
+// Includes are followed depth first, each file parsed once per place where it is named.
+#include "gem/scene/document.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "gem/base/error.h"
+#include "gem/scene/number_text.h"
+
+namespace gem {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t include_depth_maximum = 16;
+
+std::string read_text(const std::string& path) {
+  std::error_code code;
+  if (fs::is_directory(path, code))
+    throw Error(ExitCode::file_system, "cannot read " + quoted_text(path) + " (it is a directory) name a case file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw Error(ExitCode::file_system,
+                "cannot read " + quoted_text(path) + " (" + std::strerror(errno) + ") check the path");
+  // One byte more than allowed is enough to refuse the file, however large it is.
+  std::string text(toml_bytes_maximum + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) throw Error(ExitCode::file_system, "cannot read " + quoted_text(path) + " (input error)");
+  return text;
+}
+
+/// Makes every floes.path in the document relative to where the document lies.
+void anchor_paths(TomlNode& node, const fs::path& folder) {
+  for (auto& [key, value] : node.entries) {
+    anchor_paths(value, folder);
+    TomlNode* path = key == "floes" ? value.find("path") : nullptr;
+    if (path != nullptr && path->kind == TomlKind::text && !path->text.empty())
+      path->text = (folder / path->text).lexically_normal().string();
+  }
+  for (TomlNode& item : node.items) anchor_paths(item, folder);
+}
+
+TomlNode with_includes(TomlNode document, const fs::path& folder, std::vector<fs::path>& open);
+
+TomlNode load_file(const fs::path& path, std::vector<fs::path>& open) {
+  open.push_back(fs::weakly_canonical(path));
+  TomlNode document = parse_toml(read_text(path.string()), path.string());
+  anchor_paths(document, path.parent_path());
+  document = with_includes(std::move(document), path.parent_path(), open);
+  open.pop_back();
+  return document;
+}
+
+[[noreturn]] void reject_include(const TomlNode& node, const std::string& problem) {
+  throw Error(ExitCode::scene_rejected, to_string(node.place) + ": include: " + problem);
+}
+
+TomlNode with_includes(TomlNode document, const fs::path& folder, std::vector<fs::path>& open) {
+  const TomlNode* include = document.find("include");
+  if (include == nullptr) return document;
+  if (include->kind != TomlKind::list)
+    reject_include(*include, "expected a list of file names, got " + describe(*include));
+  TomlNode merged;
+  merged.place = document.place;
+  for (const TomlNode& item : include->items) {
+    if (item.kind != TomlKind::text) reject_include(item, "expected a file name, got " + describe(item));
+    const fs::path path = folder / item.text;
+    if (std::find(open.begin(), open.end(), fs::weakly_canonical(path)) != open.end())
+      reject_include(item, "the file includes itself (value " + describe(item) + ")");
+    if (open.size() >= include_depth_maximum)
+      reject_include(item, "includes are nested too deep (allowed " + std::to_string(include_depth_maximum) + ")");
+    merge_toml(merged, load_file(path, open));
+  }
+  merge_toml(merged, document);
+  std::erase_if(merged.entries, [](const auto& entry) { return entry.first == "include"; });
+  return merged;
+}
+
+}  // namespace
+
+TomlNode load_document(const std::string& path) {
+  std::vector<fs::path> open;
+  return load_file(path, open);
+}
+
+TomlNode load_text(const std::string& text, const std::string& origin) {
+  std::vector<fs::path> open;
+  return with_includes(parse_toml(text, origin), {}, open);
+}
+
+TomlNode parse_override(const std::string& text) {
+  try {
+    return parse_toml(text, "--set " + text);
+  } catch (const Error& error) {
+    throw Error(error.code(), std::string(error.what()) + " (--set takes key=value in TOML syntax; text needs quotes)");
+  }
+}
+
+void apply_overrides(TomlNode& document, const std::vector<std::string>& overrides) {
+  for (const std::string& text : overrides) merge_toml(document, parse_override(text));
+}
+
+}  // namespace gem

@@ -1,0 +1,82 @@
+// Problem lists and the nearest-name search behind "did you mean".
+#include "gem/scene/problems.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "gem/base/error.h"
+
+namespace gem {
+namespace {
+
+constexpr std::size_t lines_shown_maximum = 50;
+
+/// Insertions, deletions and substitutions that turn a into b.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string last_part(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string::npos ? path : path.substr(dot + 1);
+}
+
+/// The distance to a key or, if that is less, to its beginning up to some underscore: a unit left out is no slip.
+std::size_t distance_without_suffix(const std::string& name, const std::string& key) {
+  std::size_t least = edit_distance(name, key);
+  for (std::size_t cut = key.rfind('_'); cut != std::string::npos && cut > 0; cut = key.rfind('_', cut - 1))
+    least = std::min(least, edit_distance(name, key.substr(0, cut)));
+  return least;
+}
+
+/// Smaller is closer. The right key in the wrong section counts as one slip.
+std::size_t distance(const std::string& name, const std::string& candidate) {
+  return std::min(distance_without_suffix(name, candidate),
+                  distance_without_suffix(last_part(name), last_part(candidate)) + 1);
+}
+
+}  // namespace
+
+void Problems::add(const TomlPlace& place, const std::string& key, const std::string& problem) {
+  std::string line = to_string(place) + ": " + key + ": " + problem;
+  if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(std::move(line));
+}
+
+void Problems::throw_if_any() const {
+  if (lines_.empty()) return;
+  std::string message;
+  for (std::size_t i = 0; i < std::min(lines_.size(), lines_shown_maximum); ++i)
+    message += (i == 0 ? "" : "\n") + lines_[i];
+  if (lines_.size() > lines_shown_maximum)
+    message += "\nand " + std::to_string(lines_.size() - lines_shown_maximum) + " more";
+  throw Error(ExitCode::scene_rejected, message);
+}
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
+  if (name.size() > 100) return "";
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(2, last_part(name).size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t d = distance(name, candidate);
+    if (d < best_distance) best_distance = d, best = candidate;
+  }
+  return best;
+}
+
+std::string suggestion(const std::string& name, const std::vector<std::string>& candidates) {
+  const std::string nearest = nearest_name(name, candidates);
+  return nearest.empty() ? "" : " did you mean `" + nearest + "`?";
+}
+
+}  // namespace gem

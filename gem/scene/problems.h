@@ -1,0 +1,29 @@
+// Collects everything that is wrong with a scene, so that a user sees all of it at once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gem/scene/toml_tree.h"
+
+namespace gem {
+
+class Problems {
+ public:
+  /// One line: "place: key: problem".
+  void add(const TomlPlace& place, const std::string& key, const std::string& problem);
+  bool empty() const { return lines_.empty(); }
+  /// Throws Error(scene_rejected) with one line per problem, if there is any.
+  void throw_if_any() const;
+
+ private:
+  std::vector<std::string> lines_;
+};
+
+/// The candidate closest to a mistyped name, or "" if none is close. Candidates may be dotted paths.
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
+
+/// " did you mean `x`?" or "" if nothing is close.
+std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
+
+}  // namespace gem

@@ -1,0 +1,69 @@
+// The one table of options: it drives reading, defaults, checks, messages, `explain` and the JSON Schema.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "gem/scene/scene_def.h"
+
+namespace gem {
+
+enum class OptionType { number, integer, text, choice, flag, pair, outline };
+
+/// Allowed values; for a pair of each component, for an outline of each coordinate.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;  ///< true: the bound itself is not allowed
+  bool high_open = false;
+
+  bool contains(double value) const {
+    return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
+  }
+};
+
+/// "[0, 1)" with the unit.
+std::string range_text(const Range& range, const std::string& unit);
+
+/// In the order of OptionType; text and choice are both strings.
+using OptionValue = std::variant<double, std::int64_t, std::string, bool, Vec2, std::vector<Vec2>>;
+
+/// What an option is, apart from where it is kept.
+struct OptionInfo {
+  std::string path;  ///< "section.key" of the scene; the bare key in a list
+  OptionType type = OptionType::number;
+  std::string unit;  ///< "" without dimension
+  Range range;
+  std::vector<std::string> choices;
+  std::string doc;
+};
+
+template <class T>
+struct Option : OptionInfo {
+  std::function<OptionValue(const T&)> get;
+  std::function<void(T&, const OptionValue&)> set;
+};
+
+/// Every option of a scene outside its lists, sections together, in the order of SceneDef.
+const std::vector<Option<SceneDef>>& scene_options();
+
+/// The lists [[ice.class]], [[floe]] and [[fixed]].
+const std::vector<Option<IceClassDef>>& ice_class_options();
+const std::vector<Option<FloeDef>>& floe_options();
+const std::vector<Option<FixedDef>>& fixed_options();
+
+/// Longest outline that a list may give, by its range of coordinates and this count.
+inline constexpr std::size_t outline_vertices_minimum = 3;
+inline constexpr std::size_t outline_vertices_maximum = 256;
+
+/// The value as TOML text.
+std::string value_text(const OptionValue& value);
+
+/// "number", "choice", ...
+std::string type_name(OptionType type);
+
+}  // namespace gem

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Checks the rules that no compiler enforces: the one-way order of layers, where third parties may appear, and which
+# functions would make two machines or two locales disagree. Prints file:line: rule: text; exit code 1 when there is any.
+# Usage: scripts/check_includes.sh [TREE]      scripts/check_includes.sh --rules
+set -euo pipefail
+scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+# Exceptions: path, rule, word, reason. One that excuses nothing is itself reported.
+allowances=$(
+  cat <<'END'
+gem/engine/moment_constants.cpp bits exp once per run on the host; every engine is given the number
+gem/geometry/polygon.cpp bits atan2 checks the outline that a user gave, before the first moment
+gem/events/mooring.h bits exp once per run on the host; every engine is given the coefficients
+gem/events/mooring.h bits cos once per run on the host; every engine is given the coefficients
+gem/events/mooring.h bits sin once per run on the host; every engine is given the coefficients
+gem/events/crushing.h bits exp the duration of crushing is a reported quantity outside the step
+gem/events/crushing.h bits lgamma the duration of crushing is a reported quantity outside the step
+END
+)
+
+rules=(layer unknown-layer events-sees analysis-sees cuda toml hdf5 gsl eigen box2d cli11 locale bits order allowance)
+if [ "${1:-}" = --rules ]; then
+  printf '%s\n' "${rules[@]}"
+  exit 0
+fi
+
+cd "${1:-$scripts/..}"
+mapfile -t files < <(find gem baseline_box2d validation bench -type f \
+  \( -name '*.h' -o -name '*.cpp' -o -name '*.cu' -o -name '*.cuh' \) 2>/dev/null | sort)
+[ "${#files[@]}" -gt 0 ] || { echo "no C++ files under $PWD" >&2 && exit 2; }
+
+ALLOWANCES=$allowances awk -f "$scripts/check_includes.awk" "${files[@]}"

@@ -1,0 +1,94 @@
+# What run.sh and test.sh share: missing packages, configure and build, with the time that each phase took. Sourced, not run.
+# shellcheck shell=bash
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+phase_times=()
+
+say() { printf '[gem] %s\n' "$*"; }
+fail() {
+  printf '[gem] error: %s\n' "$*" >&2
+  exit 1
+}
+
+# phase TITLE COMMAND...: says what happens, does it, keeps its time for the closing table.
+phase() {
+  local title=$1 start=$EPOCHREALTIME status=0
+  shift
+  say "$title ..."
+  "$@" || status=$?
+  local tenths=$(((${EPOCHREALTIME/[.,]/} - ${start/[.,]/}) / 100000))
+  phase_times+=("$(printf '%8d.%d s  %s' $((tenths / 10)) $((tenths % 10)) "$title")")
+  [ "$status" -eq 0 ] || fail "'$title' failed (exit code $status); what it said is above"
+  say "$title: done in $((tenths / 10)).$((tenths % 10)) s"
+}
+
+print_phase_times() {
+  say "time of each phase:"
+  printf '%s\n' "${phase_times[@]}"
+}
+
+# wanted_packages SET...: names in scripts/packages.txt of the given sets.
+wanted_packages() {
+  local set
+  for set in "$@"; do awk -v set="$set" '!/^#/ && $2 == set { print $1 }' "$root/scripts/packages.txt"; done
+}
+
+# missing_packages SET...: those of them that are not installed.
+missing_packages() {
+  local package
+  for package in $(wanted_packages "$@"); do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || echo "$package"
+  done
+}
+
+# as_root COMMAND...: without a terminal nobody can type a password, so sudo must not ask for one.
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif ! command -v sudo >/dev/null; then
+    echo "this needs root and there is no sudo"
+    return 1
+  elif [ -t 2 ] && [ -z "${CI:-}" ]; then
+    sudo "$@"
+  else
+    sudo -n "$@"
+  fi
+}
+
+apt_install() {
+  local log=$root/build/apt.log
+  {
+    as_root apt-get update -qq &&
+      as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends -o Dpkg::Use-Pty=0 "$@"
+  } </dev/null >"$log" 2>&1 && return
+  tail -n 20 "$log" >&2
+  say "by hand: apt-get install --no-install-recommends $*" >&2
+  return 1
+}
+
+# install_missing SET...: installs what is missing and nothing else; silent when everything is there.
+install_missing() {
+  mkdir -p "$root/build"
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    say "no apt here: install the counterparts of scripts/packages.txt by hand; going on with what is there"
+    return
+  fi
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
+  if [ "${#missing[@]}" -eq 0 ]; then
+    say "packages of set '$*': all $(wanted_packages "$@" | wc -l) are installed"
+    return
+  fi
+  say "packages of set '$*': ${#missing[@]} missing: ${missing[*]}"
+  say "apt writes to $root/build/apt.log"
+  phase "install packages" apt_install "${missing[@]}"
+}
+
+# build_targets [TARGET...]: default preset in build/; all targets when none is named.
+build_targets() {
+  local targets=()
+  [ "$#" -eq 0 ] || targets=(--target "$@")
+  cd "$root" || fail "cannot enter $root"
+  phase "configure" cmake --preset default --log-level=WARNING
+  phase "build" cmake --build --preset default --parallel "$(nproc)" "${targets[@]}"
+}

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Second command: installs what is missing, builds everything and runs every test except those labelled `long`.
+# Arguments go to ctest, e.g. scripts/test.sh -L unit
+set -euo pipefail
+# shellcheck source=scripts/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+install_missing build
+build_targets
+tests=(ctest --preset default --parallel "$(nproc)" "$@")
+if [ -n "${CI:-}" ]; then
+  # ctest's closing lines are the last word of a log that a machine reads.
+  print_phase_times
+  exec "${tests[@]}"
+fi
+phase "tests" "${tests[@]}"
+print_phase_times
+# ctest names skipped tests but keeps their reasons to its own log.
+grep -h '^skipped: ' build/Testing/Temporary/LastTest.log | while read -r line; do say "$line"; done || true
+say "all selected tests passed; the long ones: ctest --test-dir build -L long"

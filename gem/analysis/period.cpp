@@ -1,3 +1,4 @@
+// Spectral peaks, zero crossings and local maxima.
 #include "gem/analysis/period.h"
 
 #include <gsl/gsl_cdf.h>

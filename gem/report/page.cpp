@@ -1,3 +1,4 @@
+// The frame of the page: style, sections, notes.
 #include "gem/report/page.h"
 
 #include "gem/report/page_tables.h"

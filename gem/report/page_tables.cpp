@@ -1,3 +1,4 @@
+// Rows of the tables, with units and intervals.
 #include "gem/report/page_tables.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// From the records of a run to the numbers of its report.
 #include "gem/report/run_findings.h"
 
 #include <algorithm>

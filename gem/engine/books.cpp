@@ -32,6 +32,7 @@ ContactEvent event_of(const FieldState& f, const Contact& contact, double time) 
   e.body_b = contact.b;
   e.normal = contact.normal;
   e.width = contact.width;
+  e.growth = contact.growth;
   Vec2 arm_a, arm_b;
   for (int k = 0; k < contact.count; ++k) {
     const ContactSlot& slot = contact.slot[k];

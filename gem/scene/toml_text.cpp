@@ -1,5 +1,5 @@
 // Values as TOML text, by std::to_chars.
-#include "gem/scene/number_text.h"
+#include "gem/scene/toml_text.h"
 
 #include <array>
 #include <charconv>
@@ -12,7 +12,7 @@ std::string plain_number_text(double value) {
   return std::string(buffer.data(), end);
 }
 
-std::string number_text(double value) {
+std::string toml_number_text(double value) {
   std::string text = plain_number_text(value);
   if (text.find_first_of(".en") == std::string::npos) text += ".0";  // n: inf and nan
   return text;
@@ -20,7 +20,7 @@ std::string number_text(double value) {
 
 std::string pair_text(Vec2 value) {
   std::string text = "[";
-  text += number_text(value.x) + ", " + number_text(value.y) + "]";
+  text += toml_number_text(value.x) + ", " + toml_number_text(value.y) + "]";
   return text;
 }
 

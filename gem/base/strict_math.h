@@ -60,6 +60,11 @@ GEM_HD inline double log(double x) {
 
 /// ln(1 + z) for z >= 0, accurate for small z.
 GEM_HD inline double log1p(double z) {
+  if (z < 0.02) {  // the usual case of a short moment: five terms are as good as all
+    const double t = z / (2.0 + z);
+    const double q = t * t;
+    return 2.0 * (t + t * (q * (1.0 / 3.0 + q * (1.0 / 5.0 + q * (1.0 / 7.0 + q * (1.0 / 9.0))))));
+  }
   if (z < 0.25) return twice_atanh(z / (2.0 + z));
   return log(1.0 + z);
 }

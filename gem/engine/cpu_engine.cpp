@@ -31,7 +31,7 @@ void CpuEngine::one_moment(int rank, MomentLog& log) {
   FieldState& f = field_;
   const std::int64_t n = static_cast<std::int64_t>(f.bodies.count());
   pairs_.find(f, team_, rank);
-  const std::span<Contact> contacts = pairs_.contacts();
+  const Contacts contacts = pairs_.contacts();
 
   team_.for_each(rank, n, [&](std::int64_t i) {
     if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
@@ -47,7 +47,7 @@ void CpuEngine::one_moment(int rank, MomentLog& log) {
     resolve_independent(rank);
   }
   team_.single(rank, [&] {
-    for (const Contact& contact : contacts) book_contact(f, contact, ledger_);
+    for (const Contact* contact : contacts) book_contact(f, *contact, ledger_);
   });
 
   team_.for_each(rank, n, [&](std::int64_t i) {
@@ -64,13 +64,13 @@ void CpuEngine::one_moment(int rank, MomentLog& log) {
 
 void CpuEngine::resolve_independent(int rank) {
   FieldState& f = field_;
-  const std::span<Contact> contacts = pairs_.contacts();
+  const Contacts contacts = pairs_.contacts();
   team_.for_each(rank, static_cast<std::int64_t>(contacts.size()), [&](std::int64_t i) {
-    prepare_contact(f, contacts[i], 1.0);
-    resolve_alone(f, contacts[i]);
+    prepare_contact(f, *contacts[i], 1.0);
+    resolve_alone(f, *contacts[i]);
   });
   team_.single(rank, [&] {
-    for (const Contact& contact : contacts) apply_impulses(f.bodies, contact, true);
+    for (const Contact* contact : contacts) apply_impulses(f.bodies, *contact, true);
   });
 }
 

@@ -1,3 +1,4 @@
+// Statistics of records, by GSL where it has them.
 #include "gem/analysis/moments.h"
 
 #include <gsl/gsl_cdf.h>

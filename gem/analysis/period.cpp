@@ -1,3 +1,4 @@
+// Spectral peaks, zero crossings and local maxima.
 #include "gem/analysis/period.h"
 
 #include <gsl/gsl_cdf.h>
@@ -56,7 +57,8 @@ std::optional<PeriodEstimate> spectral_period(const std::vector<Spectrum>& eigen
   const std::size_t maximum = strongest(mean);
   if (maximum == 0 || !(mean.density[maximum] > 0.0)) return std::nullopt;
   const double frequency = peak_frequency(mean, maximum);
-  if (frequency * mean.duration < 3.0) return std::nullopt;
+  // The lobe must stand clear of zero frequency, where a drift would pull at its centre.
+  if (frequency < 2.0 * mean.half_bandwidth) return std::nullopt;
   const double half_width = std::max(jackknife_half_width(eigenspectra, maximum), 0.5 / mean.duration);
   return PeriodEstimate{1.0 / frequency, 1.0 / (frequency + half_width),
                         1.0 / std::max(frequency - half_width, 0.5 / mean.duration)};

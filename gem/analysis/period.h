@@ -21,8 +21,8 @@ struct PeriodEstimate {
 ///
 /// A multitaper peak has a flat top one bandwidth wide, so its place is the power-weighted mean frequency over the
 /// whole lobe (twice the half-bandwidth each side of the maximum). The interval is the larger of a jackknife over the
-/// tapers and half a resolution cell, 1 / (2 T). Empty for a record without power or with fewer than three cycles of
-/// the peak.
+/// tapers and half a resolution cell, 1 / (2 T). Empty for a record without power, and for a peak less than a lobe away
+/// from zero frequency: with NW = 2.5, fewer than five cycles in the record.
 std::optional<PeriodEstimate> spectral_period(const std::vector<Spectrum>& eigenspectra);
 
 /// Up-crossings of zero by the mean-removed record, each placed by linear interpolation.

@@ -1,3 +1,4 @@
+// Spectra by fast Fourier transform of windowed records.
 #include "gem/analysis/spectrum.h"
 
 #include <gsl/gsl_fft_real.h>

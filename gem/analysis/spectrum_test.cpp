@@ -144,6 +144,13 @@ TEST(SpectralPeriod, IsEmptyWithoutASignal) {
   EXPECT_FALSE(spectral_period(eigenspectra(std::vector<double>(500, 2.5), 0.1)).has_value());
 }
 
+TEST(SpectralPeriod, IsEmptyWithTooFewCycles) {
+  std::vector<double> signal(3600);
+  for (std::size_t i = 0; i < signal.size(); ++i)
+    signal[i] = 1e-4 * static_cast<double>(i) + std::sin(kTurn * static_cast<double>(i) / 900.0);
+  EXPECT_FALSE(spectral_period(eigenspectra(signal, 0.1)).has_value());
+}
+
 TEST(ZeroUpCrossings, MeasureThePeriodOfASineAboutItsMean) {
   std::vector<double> signal(7200);
   for (std::size_t i = 0; i < signal.size(); ++i) signal[i] = 5.0 + std::sin(kTurn * static_cast<double>(i) / 90.0);

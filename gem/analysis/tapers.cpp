@@ -1,3 +1,4 @@
+// Slepian tapers from a commuting tridiagonal matrix.
 #include "gem/analysis/tapers.h"
 
 #include <Eigen/Dense>

@@ -32,6 +32,7 @@ ContactEvent event_of(const FieldState& f, const Contact& contact, double time) 
   e.body_b = contact.b;
   e.normal = contact.normal;
   e.width = contact.width;
+  e.growth = contact.growth;
   Vec2 arm_a, arm_b;
   for (int k = 0; k < contact.count; ++k) {
     const ContactSlot& slot = contact.slot[k];
@@ -119,7 +120,7 @@ void retire_and_check(FieldState& f, Ledger& ledger, std::int64_t moment) {
   }
 }
 
-MomentQuality contact_quality(const std::vector<Contact>& contacts) {
+MomentQuality contact_quality(std::span<const Contact> contacts) {
   MomentQuality quality;
   for (const Contact& contact : contacts)
     for (int k = 0; k < contact.count; ++k) {
@@ -130,7 +131,7 @@ MomentQuality contact_quality(const std::vector<Contact>& contacts) {
   return quality;
 }
 
-void log_events(const FieldState& f, const std::vector<Contact>& contacts, std::int64_t moment, double event_speed,
+void log_events(const FieldState& f, std::span<const Contact> contacts, std::int64_t moment, double event_speed,
                 MomentLog& log) {
   if (!log.wants_events) return;
   const double time = static_cast<double>(moment) * f.constants.dt;
@@ -145,7 +146,7 @@ void log_events(const FieldState& f, const std::vector<Contact>& contacts, std::
   }
 }
 
-void log_moment(const FieldState& f, const std::vector<Contact>& contacts, const Ledger& before, const Ledger& after,
+void log_moment(const FieldState& f, std::span<const Contact> contacts, const Ledger& before, const Ledger& after,
                 const MomentQuality& quality, MomentLog& log) {
   PlatformMoment p;
   p.position = f.bodies.position[0];

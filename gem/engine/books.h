@@ -1,6 +1,8 @@
 // Opens, closes and reads the books of a host engine's field.
 #pragma once
 
+#include <span>
+
 #include "gem/engine/contact.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/field_state.h"
@@ -17,14 +19,14 @@ Ledger closed_books(const FieldState& f, const Ledger& running);
 void retire_and_check(FieldState& f, Ledger& ledger, std::int64_t moment);
 
 /// How many points touch and how deep, at the start of the moment.
-MomentQuality contact_quality(const std::vector<Contact>& contacts);
+MomentQuality contact_quality(std::span<const Contact> contacts);
 
 /// Appends the platform's events. Outlines and positions must be those of the moment's start or end: either will do.
-void log_events(const FieldState& f, const std::vector<Contact>& contacts, std::int64_t moment, double event_speed,
+void log_events(const FieldState& f, std::span<const Contact> contacts, std::int64_t moment, double event_speed,
                 MomentLog& log);
 
 /// Appends what the platform felt. `before` and `after` are the running ledgers around the moment.
-void log_moment(const FieldState& f, const std::vector<Contact>& contacts, const Ledger& before, const Ledger& after,
+void log_moment(const FieldState& f, std::span<const Contact> contacts, const Ledger& before, const Ledger& after,
                 const MomentQuality& quality, MomentLog& log);
 
 }  // namespace gem

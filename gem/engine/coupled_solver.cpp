@@ -18,17 +18,11 @@
 namespace gem {
 namespace {
 
-/// Below this many contacts a second thread costs more than it brings.
-constexpr std::size_t contacts_worth_threads = 256;
-
-struct PlatformStart {
-  Vec2 velocity;
-  double spin = 0.0;
-};
+/// A colour with fewer contacts is left to one thread: a second one costs more than it brings.
+constexpr std::int32_t contacts_worth_threads = 64;
 
 /// Platform velocity from the sum of all its contacts' impulses, in contact order.
-void move_platform(FieldState& f, const std::vector<Contact>& contacts, const PlatformStart& start,
-                   std::int32_t sweep) {
+void move_platform(FieldState& f, std::span<const Contact> contacts, Vec2 velocity, double spin, std::int32_t sweep) {
   Vec2 impulse;
   double twist = 0.0;
   for (const Contact& contact : contacts) {
@@ -40,11 +34,10 @@ void move_platform(FieldState& f, const std::vector<Contact>& contacts, const Pl
       twist += cross(slot.arm_a, p);
     }
   }
-  place_platform(f, start.velocity - f.bodies.inverse_mass[0] * impulse,
-                 start.spin - f.bodies.inverse_inertia[0] * twist, sweep);
+  place_platform(f, velocity - f.bodies.inverse_mass[0] * impulse, spin - f.bodies.inverse_inertia[0] * twist, sweep);
 }
 
-void shift_platform(FieldState& f, const std::vector<Contact>& contacts) {
+void shift_platform(FieldState& f, std::span<const Contact> contacts) {
   Vec2 impulse;
   double twist = 0.0;
   for (const Contact& contact : contacts) {
@@ -59,7 +52,7 @@ void shift_platform(FieldState& f, const std::vector<Contact>& contacts) {
   f.repair_turn[0] = -(f.bodies.inverse_inertia[0] * twist);
 }
 
-double platform_points(const std::vector<Contact>& contacts) {
+double platform_points(std::span<const Contact> contacts) {
   int points = 0;
   for (const Contact& contact : contacts) {
     if (contact.a != 0) break;
@@ -75,7 +68,7 @@ void CoupledSolver::restore(std::vector<std::uint64_t> keys, std::vector<Vec2> i
   impulses_ = std::move(impulses);
 }
 
-void CoupledSolver::warm_start(std::vector<Contact>& contacts) const {
+void CoupledSolver::warm_start(std::span<Contact> contacts) const {
   std::size_t at = 0;
   for (Contact& contact : contacts) {
     const std::uint64_t first = contact_key(contact.a, contact.b, 0);
@@ -88,7 +81,7 @@ void CoupledSolver::warm_start(std::vector<Contact>& contacts) const {
   }
 }
 
-void CoupledSolver::keep(const std::vector<Contact>& contacts) {
+void CoupledSolver::keep(std::span<const Contact> contacts) {
   keys_.clear();
   impulses_.clear();
   for (const Contact& contact : contacts)
@@ -98,7 +91,7 @@ void CoupledSolver::keep(const std::vector<Contact>& contacts) {
     }
 }
 
-void CoupledSolver::colour(const FieldState& f, const std::vector<Contact>& contacts) {
+void CoupledSolver::colour(const FieldState& f, std::span<const Contact> contacts) {
   used_.assign(f.bodies.count(), 0);
   colour_of_.resize(contacts.size());
   std::int32_t count[64] = {};
@@ -122,59 +115,73 @@ void CoupledSolver::colour(const FieldState& f, const std::vector<Contact>& cont
   for (std::size_t i = 0; i < contacts.size(); ++i) order_[next[colour_of_[i]]++] = static_cast<std::int32_t>(i);
 }
 
-void CoupledSolver::resolve(FieldState& f, std::vector<Contact>& contacts, int threads, MomentQuality& quality) {
-  const double share = platform_points(contacts);
-  for (Contact& contact : contacts) prepare_contact(f, contact, share);
-  colour(f, contacts);
-  warm_start(contacts);
-  const PlatformStart start{f.bodies.velocity[0], f.bodies.spin[0]};
-  const std::size_t colours = colour_begin_.size() - 1;
-  if (contacts.size() < contacts_worth_threads) threads = 1;
-  double residual = 0.0;
-  std::int32_t sweeps = contacts.empty() ? 0 : 1;
-  bool done = contacts.empty(), all = true;
-  std::fill(f.changed.begin(), f.changed.end(), 0);
-
-#pragma omp parallel num_threads(threads)
-  {
-    // visits every contact, a colour at a time; the loop's own barrier parts the colours
-    auto sweep = [&](auto&& visit) {
-      for (std::size_t c = 0; c < colours; ++c) {
-#pragma omp for schedule(static)
-        for (std::int32_t i = colour_begin_[c]; i < colour_begin_[c + 1]; ++i) visit(contacts[order_[i]]);
-      }
-    };
-    sweep([&](Contact& contact) { apply_impulses(f.bodies, contact, sweeps_write_a(f.bodies, contact)); });
-#pragma omp single
-    move_platform(f, contacts, start, 0);
-    while (!done) {
-      double change = 0.0;
-      sweep([&](Contact& contact) {
-        if (all || wants_visit(f, contact, sweeps)) change = std::max(change, resolve_together(f, contact, sweeps));
-      });
-#pragma omp single
-      residual = 0.0;
-#pragma omp critical
-      residual = std::max(residual, change);
-#pragma omp barrier
-#pragma omp single
-      {
-        move_platform(f, contacts, start, sweeps);
-        const bool settled = residual <= f.constants.residual_speed;
-        done = (settled && all) || sweeps >= f.constants.iterations_maximum;
-        all = settled;  // what looks settled is looked over once more in full
-        if (!done) ++sweeps;
-      }
-    }
-    for (std::int64_t i = 0; i < f.constants.repair_iterations; ++i) {
-      sweep([&](Contact& contact) { repair_overlap(f, contact); });
-#pragma omp single
-      shift_platform(f, contacts);
+template <class Visit>
+void CoupledSolver::sweep(std::span<Contact> contacts, ThreadTeam& team, int rank, Visit&& visit) {
+  for (std::size_t c = 0; c + 1 < colour_begin_.size(); ++c) {
+    const std::int32_t begin = colour_begin_[c], count = colour_begin_[c + 1] - begin;
+    if (count < contacts_worth_threads) {
+      if (rank == 0)
+        for (std::int32_t i = 0; i < count; ++i) visit(contacts[order_[begin + i]]);
+      team.barrier();
+    } else {
+      team.for_each(rank, count, [&](std::int64_t i) { visit(contacts[order_[begin + i]]); });
     }
   }
-  quality.iterations = sweeps;
-  quality.residual = residual;
-  keep(contacts);
+}
+
+void CoupledSolver::start_moment(FieldState& f, std::span<Contact> contacts) {
+  colour(f, contacts);
+  platform_velocity_ = f.bodies.velocity[0];
+  platform_spin_ = f.bodies.spin[0];
+  std::fill(f.changed.begin(), f.changed.end(), 0);
+  sweeps_ = contacts.empty() ? 0 : 1;
+  residual_ = 0.0;
+  all_ = true;
+  done_ = contacts.empty();
+}
+
+void CoupledSolver::end_sweep(FieldState& f, std::span<const Contact> contacts) {
+  move_platform(f, contacts, platform_velocity_, platform_spin_, sweeps_);
+  residual_ = 0.0;
+  for (const Change& change : change_) residual_ = std::max(residual_, change.speed);
+  const bool settled = residual_ <= f.constants.residual_speed;
+  done_ = (settled && all_) || sweeps_ >= f.constants.iterations_maximum;
+  all_ = settled;  // what looks settled is looked over once more in full
+  if (!done_) ++sweeps_;
+}
+
+void CoupledSolver::resolve(FieldState& f, std::span<Contact> contacts, ThreadTeam& team, int rank,
+                            MomentQuality& quality) {
+  const double share = platform_points(contacts);
+  team.single(rank, [&] {
+    change_.resize(team.size());
+    warm_start(contacts);
+    start_moment(f, contacts);
+  });
+  if (team.failed()) return;
+  team.for_each(rank, static_cast<std::int64_t>(contacts.size()),
+                [&](std::int64_t i) { prepare_contact(f, contacts[i], share); });
+  sweep(contacts, team, rank,
+        [&](Contact& contact) { apply_impulses(f.bodies, contact, sweeps_write_a(f.bodies, contact)); });
+  team.single(rank, [&] { move_platform(f, contacts, platform_velocity_, platform_spin_, 0); });
+  while (!done_) {
+    double change = 0.0;
+    sweep(contacts, team, rank, [&](Contact& contact) {
+      if (all_ || wants_visit(f, contact, sweeps_)) change = std::max(change, resolve_together(f, contact, sweeps_));
+    });
+    change_[rank].speed = change;
+    team.barrier();
+    team.single(rank, [&] { end_sweep(f, contacts); });
+  }
+  for (std::int64_t i = 0; i < f.constants.repair_iterations; ++i) {
+    sweep(contacts, team, rank, [&](Contact& contact) { repair_overlap(f, contact); });
+    team.single(rank, [&] { shift_platform(f, contacts); });
+  }
+  team.single(rank, [&] {
+    quality.iterations = sweeps_;
+    quality.residual = residual_;
+    keep(contacts);
+  });
 }
 
 }  // namespace gem

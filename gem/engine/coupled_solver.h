@@ -2,28 +2,36 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gem/engine/contact.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/field_state.h"
+#include "gem/engine/thread_team.h"
 
 namespace gem {
 
 /// Keeps what lasts from moment to moment: the impulses of the last one.
 class CoupledSolver {
  public:
-  /// Resolves the prepared contacts (ascending in a, b); changes velocities, impulses and repair shifts.
-  void resolve(FieldState& f, std::vector<Contact>& contacts, int threads, MomentQuality& quality);
+  /// Inside a team's run: resolves the contacts (ascending in a, b); changes velocities, impulses and repair shifts.
+  void resolve(FieldState& f, std::span<Contact> contacts, ThreadTeam& team, int rank, MomentQuality& quality);
 
   const std::vector<std::uint64_t>& keys() const { return keys_; }
   const std::vector<Vec2>& impulses() const { return impulses_; }
   void restore(std::vector<std::uint64_t> keys, std::vector<Vec2> impulses);
 
  private:
-  void warm_start(std::vector<Contact>& contacts) const;
-  void keep(const std::vector<Contact>& contacts);
-  void colour(const FieldState& f, const std::vector<Contact>& contacts);
+  void warm_start(std::span<Contact> contacts) const;
+  void keep(std::span<const Contact> contacts);
+  void colour(const FieldState& f, std::span<const Contact> contacts);
+  void start_moment(FieldState& f, std::span<Contact> contacts);
+  void end_sweep(FieldState& f, std::span<const Contact> contacts);
+
+  /// Calls visit(contact) for all contacts, a colour at a time.
+  template <class Visit>
+  void sweep(std::span<Contact> contacts, ThreadTeam& team, int rank, Visit&& visit);
 
   std::vector<std::uint64_t> keys_;
   std::vector<Vec2> impulses_;              // normal, tangential
@@ -31,6 +39,17 @@ class CoupledSolver {
   std::vector<std::int32_t> order_;         // contact indices, colour by colour
   std::vector<std::int32_t> colour_begin_;  // into order_
   std::vector<std::uint8_t> colour_of_;
+
+  struct alignas(64) Change {  // one per thread
+    double speed = 0.0;
+  };
+  std::vector<Change> change_;
+  Vec2 platform_velocity_;  // before the moment's events
+  double platform_spin_ = 0.0;
+  std::int32_t sweeps_ = 0;
+  double residual_ = 0.0;
+  bool all_ = true;  // the next sweep visits every contact
+  bool done_ = false;
 };
 
 }  // namespace gem

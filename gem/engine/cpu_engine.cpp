@@ -15,47 +15,63 @@
 namespace gem {
 
 CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads)
-    : event_speed_(scene.output.event_speed_m_per_s), threads_(threads) {
+    : event_speed_(scene.output.event_speed_m_per_s), team_(threads) {
   const MomentConstants constants = moment_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   ledger_.start = total(field_);
 }
 
 void CpuEngine::advance(std::int64_t moments, MomentLog& log) {
-  for (std::int64_t i = 0; i < moments; ++i) one_moment(log);
+  team_.run([&](int rank) {
+    for (std::int64_t i = 0; i < moments && !team_.failed(); ++i) one_moment(rank, log);
+  });
 }
 
-void CpuEngine::one_moment(MomentLog& log) {
+void CpuEngine::one_moment(int rank, MomentLog& log) {
   FieldState& f = field_;
   const std::int64_t n = static_cast<std::int64_t>(f.bodies.count());
-  const Ledger before = ledger_;
-  pairs_.find(f, threads_, contacts_);
+  pairs_.find(f, team_, rank);
+  const std::span<Contact> contacts = pairs_.contacts();
 
-#pragma omp parallel for num_threads(threads_) schedule(static)
-  for (std::int64_t i = 0; i < n; ++i)
+  team_.for_each(rank, n, [&](std::int64_t i) {
     if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
-  platform_first_half(f, ledger_);
-
-  MomentQuality quality = contact_quality(contacts_);
+  });
+  team_.single(rank, [&] {
+    before_ = ledger_;
+    platform_first_half(f, ledger_);
+    quality_ = contact_quality(contacts);
+  });
   if (f.constants.resolution == Resolution::coupled) {
-    coupled_.resolve(f, contacts_, threads_, quality);
+    coupled_.resolve(f, contacts, team_, rank, quality_);
   } else {
-    for (Contact& contact : contacts_) {
-      prepare_contact(f, contact, 1.0);
-      resolve_alone(f, contact);
-    }
-    for (const Contact& contact : contacts_) apply_impulses(f.bodies, contact, true);
+    resolve_independent(rank);
   }
-  for (const Contact& contact : contacts_) book_contact(f, contact, ledger_);
+  team_.single(rank, [&] {
+    for (const Contact& contact : contacts) book_contact(f, contact, ledger_);
+  });
 
-#pragma omp parallel for num_threads(threads_) schedule(static)
-  for (std::int64_t i = 0; i < n; ++i)
+  team_.for_each(rank, n, [&](std::int64_t i) {
     if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
-  log_events(f, contacts_, moment_, event_speed_, log);
-  platform_second_half(f, ledger_);
-  ++moment_;
-  retire_and_check(f, ledger_, moment_);
-  log_moment(f, contacts_, before, ledger_, quality, log);
+  });
+  team_.single(rank, [&] {
+    log_events(f, contacts, moment_, event_speed_, log);
+    platform_second_half(f, ledger_);
+    ++moment_;
+    retire_and_check(f, ledger_, moment_);
+    log_moment(f, contacts, before_, ledger_, quality_, log);
+  });
+}
+
+void CpuEngine::resolve_independent(int rank) {
+  FieldState& f = field_;
+  const std::span<Contact> contacts = pairs_.contacts();
+  team_.for_each(rank, static_cast<std::int64_t>(contacts.size()), [&](std::int64_t i) {
+    prepare_contact(f, contacts[i], 1.0);
+    resolve_alone(f, contacts[i]);
+  });
+  team_.single(rank, [&] {
+    for (const Contact& contact : contacts) apply_impulses(f.bodies, contact, true);
+  });
 }
 
 Ledger CpuEngine::ledger() { return closed_books(field_, ledger_); }

@@ -1,4 +1,4 @@
-// The CPU engine: near-pair lists and OpenMP threads; the same bits for any number of threads.
+// The CPU engine: near-pair lists and a team of threads; the same bits for any number of threads.
 #pragma once
 
 #include <vector>
@@ -7,6 +7,7 @@
 #include "gem/engine/engine.h"
 #include "gem/engine/field_state.h"
 #include "gem/engine/pair_list.h"
+#include "gem/engine/thread_team.h"
 
 namespace gem {
 
@@ -23,16 +24,18 @@ class CpuEngine : public Engine {
   void restore(const EngineState& state) override;
 
  private:
-  void one_moment(MomentLog& log);
+  void one_moment(int rank, MomentLog& log);
+  void resolve_independent(int rank);
 
   FieldState field_;
   double event_speed_;
-  int threads_;
+  ThreadTeam team_;
   Ledger ledger_;
   std::int64_t moment_ = 0;
   PairList pairs_;
   CoupledSolver coupled_;
-  std::vector<Contact> contacts_;
+  MomentQuality quality_;
+  Ledger before_;  // at the start of the moment
 };
 
 }  // namespace gem

@@ -4,8 +4,6 @@
 //   pair is skipped while it has not moved, relative to itself, by the gap it had when last looked at
 #include "gem/engine/pair_list.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,35 +17,28 @@ bool large(const FieldState& f, std::size_t i) { return f.bodies.kind[i] != Body
 
 }  // namespace
 
-bool PairList::still_valid(const FieldState& f, int threads) const {
-  if (!built_ || age_ >= horizon_) return false;
+void PairList::check_course(const FieldState& f, ThreadTeam& team, int rank) {
   const double allowed = 0.5 * f.constants.list_margin;
   const double elapsed = static_cast<double>(age_) * f.constants.dt;
   const std::int64_t n = static_cast<std::int64_t>(f.bodies.count());
-  int strayed = 0;
-#pragma omp parallel for num_threads(threads) schedule(static) reduction(| : strayed)
-  for (std::int64_t i = 0; i < n; ++i) {
+  bool strayed = false;
+  for (std::int64_t i = team.begin_of(rank, n); i < team.begin_of(rank + 1, n); ++i) {
     const Vec2 off = f.bodies.position[i] - position_[i] - elapsed * velocity_[i];
     const double left = allowed - (f.turn_travel[i] - turned_[i]);
-    strayed |= (f.bodies.active[i] && !(left > 0.0 && dot(off, off) < left * left)) ? 1 : 0;
+    strayed |= f.bodies.active[i] && !(left > 0.0 && dot(off, off) < left * left);
   }
-  return strayed == 0;
+  part_[rank].strayed = strayed;
 }
 
-void PairList::make_boxes(const FieldState& f, int threads) {
-  const std::int64_t n = static_cast<std::int64_t>(f.bodies.count());
-  box_.resize(n);
-#pragma omp parallel for num_threads(threads) schedule(static)
-  for (std::int64_t i = 0; i < n; ++i) {
-    const double infinity = std::numeric_limits<double>::infinity();
-    Box box{{infinity, infinity}, {-infinity, -infinity}};
-    for (std::int32_t v = f.bodies.vertex_begin[i]; v < f.bodies.vertex_begin[i + 1]; ++v) {
-      const Vec2 p = f.bodies.position[i] + f.corner[v];
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
-    box_[i] = box;
+PairList::Box PairList::box_of(const FieldState& f, std::size_t i) const {
+  const double infinity = std::numeric_limits<double>::infinity();
+  Box box{{infinity, infinity}, {-infinity, -infinity}};
+  for (std::int32_t v = f.bodies.vertex_begin[i]; v < f.bodies.vertex_begin[i + 1]; ++v) {
+    const Vec2 p = f.bodies.position[i] + f.corner[v];
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
   }
+  return box;
 }
 
 bool PairList::near(const FieldState& f, std::size_t a, std::size_t b) const {
@@ -75,6 +66,7 @@ void PairList::fill_grid(const FieldState& f) {
     ++floes;
   }
   columns_ = rows_ = 0;
+  cell_of_.assign(n, -1);
   if (floes == 0) return;
   mean = (1.0 / static_cast<double>(floes)) * mean;
   for (std::size_t i = 0; i < n; ++i)
@@ -89,7 +81,6 @@ void PairList::fill_grid(const FieldState& f) {
   columns_ = static_cast<std::int32_t>((high.x - low.x) / cell_) + 1;
   rows_ = static_cast<std::int32_t>((high.y - low.y) / cell_) + 1;
   cell_begin_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
-  cell_of_.assign(n, -1);
   for (std::size_t i = 0; i < n; ++i) {
     if (large(f, i) || !f.bodies.active[i]) continue;
     const Vec2 p = f.bodies.position[i] - low;
@@ -115,79 +106,93 @@ void PairList::pairs_of_large_bodies(const FieldState& f) {
   }
 }
 
-void PairList::pairs_of_floes(const FieldState& f, int threads) {
-  const std::int64_t n = static_cast<std::int64_t>(f.bodies.count());
-  near_.resize(threads);
-  if (columns_ == 0) return;
-#pragma omp parallel num_threads(threads)
-  {
-    std::vector<Pair>& mine = near_[omp_get_thread_num()];
-    mine.clear();
-    std::vector<std::int32_t> partners;
-#pragma omp for schedule(static)
-    for (std::int64_t i = 0; i < n; ++i) {
-      if (large(f, i) || !f.bodies.active[i]) continue;
-      partners.clear();
-      const std::int32_t row = cell_of_[i] / columns_, column = cell_of_[i] % columns_;
-      for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, rows_ - 1); ++r) {
-        const std::int32_t first = cell_begin_[r * columns_ + std::max(column - 1, 0)];
-        const std::int32_t last = cell_begin_[r * columns_ + std::min(column + 1, columns_ - 1) + 1];
-        for (std::int32_t k = first; k < last; ++k)
-          if (cell_body_[k] > i && near(f, i, cell_body_[k])) partners.push_back(cell_body_[k]);
-      }
-      std::sort(partners.begin(), partners.end());
-      for (const std::int32_t b : partners) mine.push_back({static_cast<std::int32_t>(i), b, {}, {}, 0.0, -1.0});
+void PairList::pairs_of_floe(const FieldState& f, std::size_t i, std::vector<Pair>& found) const {
+  if (cell_of_[i] < 0) return;
+  const std::size_t first_found = found.size();
+  const std::int32_t row = cell_of_[i] / columns_, column = cell_of_[i] % columns_;
+  for (std::int32_t r = std::max(row - 1, 0); r <= std::min(row + 1, rows_ - 1); ++r) {
+    const std::int32_t first = cell_begin_[r * columns_ + std::max(column - 1, 0)];
+    const std::int32_t last = cell_begin_[r * columns_ + std::min(column + 1, columns_ - 1) + 1];
+    for (std::int32_t k = first; k < last; ++k) {
+      const std::int32_t b = cell_body_[k];
+      if (b > static_cast<std::int32_t>(i) && near(f, i, b))
+        found.push_back({static_cast<std::int32_t>(i), b, {}, {}, 0.0, -1.0});
     }
   }
-  for (const std::vector<Pair>& part : near_) pairs_.insert(pairs_.end(), part.begin(), part.end());
+  std::sort(found.begin() + static_cast<std::ptrdiff_t>(first_found), found.end(),
+            [](const Pair& p, const Pair& q) { return p.b < q.b; });
 }
 
-void PairList::build(const FieldState& f, int threads) {
+void PairList::note_course(const FieldState& f) {
   position_ = f.bodies.position;
   velocity_ = f.bodies.velocity;
   turned_ = f.turn_travel;
-  for (std::size_t i = 0; i < f.bodies.count(); ++i)
-    if (large(f, i) && i > 0) velocity_[i] = {};
+  for (std::size_t i = 1; i < f.bodies.count() && large(f, i); ++i) velocity_[i] = {};
   const double speed = length(f.constants.current) + 1e-3;
   horizon_ =
       std::clamp<std::int64_t>(static_cast<std::int64_t>(f.constants.list_margin / (speed * f.constants.dt)), 1, 400);
   age_ = 0;
-  pairs_.clear();
-  make_boxes(f, threads);
-  fill_grid(f);
-  pairs_of_large_bodies(f);
-  pairs_of_floes(f, threads);
-  built_ = true;
-  ++builds_;
+  box_.resize(f.bodies.count());
 }
 
-void PairList::find(const FieldState& f, int threads, std::vector<Contact>& contacts) {
-  if (!still_valid(f, threads)) build(f, threads);
-  ++age_;
-  found_.resize(threads);
-  const double limit = f.constants.contact_margin;
-  const std::int64_t n = static_cast<std::int64_t>(pairs_.size());
-#pragma omp parallel num_threads(threads)
-  {
-    std::vector<Contact>& mine = found_[omp_get_thread_num()];
-    mine.clear();
-    Contact contact;
-#pragma omp for schedule(static)
-    for (std::int64_t i = 0; i < n; ++i) {
-      Pair& pair = pairs_[i];
-      const Vec2 offset = f.bodies.position[pair.b] - f.bodies.position[pair.a];
-      const double turned = f.turn_travel[pair.a] + f.turn_travel[pair.b];
-      const double left = pair.gap - limit - (turned - pair.turned);
-      const Vec2 moved = offset - pair.offset;
-      if (left > 0.0 && dot(moved, moved) < left * left) continue;
-      if (!f.bodies.active[pair.a] || !f.bodies.active[pair.b]) continue;
-      if (find_contact(f, pair.a, pair.b, pair.axis, pair.gap, contact)) mine.push_back(contact);
-      pair.offset = offset;
-      pair.turned = turned;
-    }
+void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
+  const std::int64_t n = static_cast<std::int64_t>(f.bodies.count());
+  team.single(rank, [&] { note_course(f); });
+  team.for_each(rank, n, [&](std::int64_t i) { box_[i] = box_of(f, i); });
+  team.single(rank, [&] {
+    pairs_.clear();
+    fill_grid(f);
+    pairs_of_large_bodies(f);
+  });
+  part_[rank].near.clear();
+  team.for_each(rank, n, [&](std::int64_t i) { pairs_of_floe(f, i, part_[rank].near); });
+  team.single(rank, [&] {
+    for (const Part& part : part_) pairs_.insert(pairs_.end(), part.near.begin(), part.near.end());
+    valid_ = true;
+    ++builds_;
+  });
+}
+
+void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
+  team.single(rank, [&] {
+    part_.resize(team.size());
+    valid_ = valid_ && age_ < horizon_;
+  });
+  if (valid_) {
+    check_course(f, team, rank);
+    team.barrier();
+    team.single(rank, [&] {
+      for (const Part& part : part_) valid_ = valid_ && !part.strayed;
+    });
   }
-  contacts.clear();
-  for (const std::vector<Contact>& part : found_) contacts.insert(contacts.end(), part.begin(), part.end());
+  if (!valid_) build(f, team, rank);
+
+  std::vector<Contact>& mine = part_[rank].found;
+  mine.clear();
+  const double limit = f.constants.contact_margin;
+  Contact contact;
+  team.for_each(rank, static_cast<std::int64_t>(pairs_.size()), [&](std::int64_t i) {
+    Pair& pair = pairs_[i];
+    const Vec2 offset = f.bodies.position[pair.b] - f.bodies.position[pair.a];
+    const double turned = f.turn_travel[pair.a] + f.turn_travel[pair.b];
+    const double left = pair.gap - limit - (turned - pair.turned);
+    const Vec2 moved = offset - pair.offset;
+    if (left > 0.0 && dot(moved, moved) < left * left) return;
+    if (!f.bodies.active[pair.a] || !f.bodies.active[pair.b]) return;
+    if (find_contact(f, pair.a, pair.b, pair.axis, pair.gap, contact)) mine.push_back(contact);
+    pair.offset = offset;
+    pair.turned = turned;
+  });
+  team.single(rank, [&] {
+    ++age_;
+    contact_count_ = 0;
+    for (const Part& part : part_) contact_count_ += part.found.size();
+    if (contacts_.size() < contact_count_) contacts_.resize(contact_count_ + contact_count_ / 4);
+  });
+  std::size_t at = 0;
+  for (int r = 0; r < rank; ++r) at += part_[r].found.size();
+  std::copy(mine.begin(), mine.end(), contacts_.begin() + static_cast<std::ptrdiff_t>(at));
+  team.barrier();
 }
 
 }  // namespace gem

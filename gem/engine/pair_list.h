@@ -2,23 +2,24 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gem/engine/contact.h"
 #include "gem/engine/field_state.h"
+#include "gem/engine/thread_team.h"
 
 namespace gem {
 
 /// Finds contacts. Every result is that of testing all pairs; the list only spares work.
 class PairList {
  public:
-  /// Contacts of the field as it stands, ascending in (a, b).
-  void find(const FieldState& f, int threads, std::vector<Contact>& contacts);
+  /// Inside a team's run: finds the contacts of the field as it stands.
+  void find(const FieldState& f, ThreadTeam& team, int rank);
+  /// Contacts of the last find, ascending in (a, b); the caller may write to them.
+  std::span<Contact> contacts() { return {contacts_.data(), contact_count_}; }
   /// Forgets the list, e.g. after a restart.
-  void clear() {
-    pairs_.clear();
-    built_ = false;
-  }
+  void clear() { valid_ = false; }
   std::int64_t builds() const { return builds_; }
   std::size_t size() const { return pairs_.size(); }
 
@@ -35,22 +36,24 @@ class PairList {
     Vec2 low, high;
   };
 
-  bool still_valid(const FieldState& f, int threads) const;
-  void build(const FieldState& f, int threads);
-  void make_boxes(const FieldState& f, int threads);
+  /// Looks after every body whether it strayed from the course that the list was built on.
+  void check_course(const FieldState& f, ThreadTeam& team, int rank);
+  void build(const FieldState& f, ThreadTeam& team, int rank);
+  void note_course(const FieldState& f);
+  Box box_of(const FieldState& f, std::size_t i) const;
   void fill_grid(const FieldState& f);
   void pairs_of_large_bodies(const FieldState& f);
-  void pairs_of_floes(const FieldState& f, int threads);
+  void pairs_of_floe(const FieldState& f, std::size_t i, std::vector<Pair>& found) const;
   bool near(const FieldState& f, std::size_t a, std::size_t b) const;
 
   std::vector<Pair> pairs_;
-  bool built_ = false;
+  bool valid_ = false;
   std::int64_t builds_ = 0;
 
   // when the list was built: every body was expected to go on with its velocity for `horizon_` moments
   std::vector<Vec2> position_, velocity_;
   std::vector<double> turned_;
-  mutable std::int64_t age_ = 0;  // moments since
+  std::int64_t age_ = 0;  // moments since
   std::int64_t horizon_ = 0;
 
   std::vector<Box> box_;
@@ -59,8 +62,14 @@ class PairList {
   std::int32_t columns_ = 0, rows_ = 0;
   std::vector<std::int32_t> cell_of_, cell_begin_, cell_body_;
 
-  std::vector<std::vector<Contact>> found_;  // one per thread
-  std::vector<std::vector<Pair>> near_;      // one per thread
+  struct alignas(64) Part {  // one per thread
+    std::vector<Contact> found;
+    std::vector<Pair> near;
+    bool strayed = false;
+  };
+  std::vector<Part> part_;
+  std::vector<Contact> contacts_;  // as long as the longest moment so far
+  std::size_t contact_count_ = 0;
 };
 
 }  // namespace gem

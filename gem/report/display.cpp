@@ -1,3 +1,4 @@
+// Rounding and units for people.
 #include "gem/report/display.h"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "gem/analysis/moments.h"
+#include "gem/base/number_text.h"
 #include "gem/report/display.h"
 #include "gem/report/figures.h"
 
@@ -43,8 +44,10 @@ double speed_scale(const RunData& run) {
                  [](double value) { return std::isfinite(value); });
     top = std::max(top, percentile(speeds, 0.995));
   }
-  const double step = std::pow(10.0, std::floor(std::log10(std::max(top, 1e-6)))) / 2.0;
-  return step * std::ceil(top / step - 1e-9);
+  const double decade = std::pow(10.0, std::floor(std::log10(std::max(top, 1e-6))));
+  for (const double nice : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (top <= nice * decade * (1.0 + 1e-9)) return nice * decade;
+  return 10.0 * decade;
 }
 
 Csv floes_csv(const RunData& run, const FloeFrame& frame, const View& view) {
@@ -88,7 +91,7 @@ Corners moved(const Corners& outline, Vec2 by) {
 
 std::string time_text(double time) {
   const Unit unit = time_unit(time);
-  return "t = " + with_unit(time, unit, unit.size > 1.0 ? 3 : 4);
+  return "t = " + number_text(time / unit.size, 4) + " " + unit.name;
 }
 
 struct FieldPicture {

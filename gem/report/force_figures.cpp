@@ -37,37 +37,39 @@ void write_whole(const RunData& run, const std::vector<double>& force, const std
   folder.write_csv(name, csv);
 }
 
-/// The extract at full resolution, and the crushing peaks of its events. Returns the largest force drawn [N].
-double write_window(const RunData& run, const Window& window, const Unit& unit, const PlotFolder& folder) {
+/// The extract at full resolution, and the crushing peaks of its impacts.
+void write_window(const RunData& run, const Window& window, const Unit& unit, const Unit& peak_unit,
+                  const PlotFolder& folder) {
   const PlatformRecord& p = run.platform;
   const SampleRange range = samples_within(p.time, window.from, window.to);
   Csv samples("t [s],mean over a sample [" + unit.name + "],mean over the window [" + unit.name + "]");
   for (std::size_t i = range.begin; i < range.end; ++i)
     samples.row({p.time[i], p.ice_force_x[i] / unit.size, p.ice_force_mean_x[i] / unit.size});
   folder.write_csv("ice_force_window", samples);
-  Csv peaks("t [s],x component of the crushing peak [" + unit.name + "]");
-  double largest = 0.0;
-  const SampleRange events = samples_within(run.events.time, window.from, window.to);
-  for (std::size_t i = events.begin; i < events.end; ++i) {
-    // The normal points into the ice; the platform feels the opposite.
-    const double force = -run.events.nx[i] * run.events.force_peak[i];
-    peaks.row({run.events.time[i], force / unit.size});
-    largest = std::max(largest, std::abs(force));
-  }
+  Csv peaks("t [s],x component of the crushing peak [" + peak_unit.name + "]");
+  for (const std::size_t i : opening_events(run.events))
+    if (run.events.time[i] >= window.from && run.events.time[i] <= window.to)
+      // The normal points into the ice; the platform feels the opposite.
+      peaks.row({run.events.time[i], -run.events.nx[i] * run.events.force_peak[i] / peak_unit.size});
   folder.write_csv("ice_force_peaks", peaks);
-  return largest;
 }
 
-std::string window_plot(const RunData& run, const Window& window, const std::string& sample, bool has_events) {
+std::string range_text(const Window& window, double unit) {
+  return "set xrange [" + rounded_text(window.from / unit, 7) + ":" + rounded_text(window.to / unit, 7) + "]\n";
+}
+
+/// Upper two panels: the impacts' crushing peaks above the impulses, each on its own axis.
+std::string window_plots(const RunData& run, const Window& window, const std::string& sample, const Unit& unit,
+                         const Unit& peak_unit) {
   std::ostringstream commands;
-  commands << "set xrange [" << rounded_text(window.from, 7) << ':' << rounded_text(window.to, 7) << "]\n"
-           << "set xlabel 'time [s]' offset 0,0.4\nplot ";
-  if (has_events)
-    commands << "'ice_force_peaks.csv' using 1:2 with impulses lc rgb '#d9c3b4' lw 1.4, '' using 1:2 with points pt 7 "
-                "ps 0.3 lc rgb '#c2571a' title 'crushing peak of each event (closed form)', ";
-  commands << "'ice_force_window.csv' using 1:2 with fsteps linestyle 1 title 'impulse of each " << sample
-           << " s, over " << sample << " s', '' using 1:3 with lines lc rgb '#440154' lw 1.8 title 'mean over "
-           << number_text(run.force_window_s, 6) << " s'\n";
+  commands << range_text(window, 1.0) << "set xlabel\nset ylabel 'crushing peak, x [" << peak_unit.name
+           << "]'\nset yrange [*:*]\n"
+           << "plot 0 with lines lc rgb '#8a8f98' lw 0.8 notitle, 'ice_force_peaks.csv' using 1:2 with impulses lc rgb "
+              "'#d9b39c' lw 1.6 notitle, '' using 1:2 with points pt 7 ps 0.35 lc rgb '#c2571a' title 'each impact'\n"
+           << "unset label 99\nset xlabel 'time [s]' offset 0,0.4\nset ylabel 'ice force, x [" << unit.name
+           << "]'\nplot 'ice_force_window.csv' using 1:2 with fsteps linestyle 1 title 'over each " << sample
+           << " s', '' using 1:3 with lines lc rgb '#440154' lw 1.8 title 'over " << number_text(run.force_window_s, 6)
+           << " s'\n";
   return commands.str();
 }
 
@@ -77,24 +79,23 @@ Figure draw_ice_force(const RunData& run, const PlotFolder& folder) {
   const Unit time = time_unit(run.duration_s);
   const Window window = window_around_largest(run);
   write_whole(run, p.ice_force_x, "ice_force", unit, folder);
-  const double peak = write_window(run, window, unit, folder);
+  const Unit peak_unit = force_unit(maximum_excursion(run.events.force_peak).value);
+  write_window(run, window, unit, peak_unit, folder);
   const std::string sample = number_text(sample_interval(p.time), 6);
   std::ostringstream commands;
-  commands << "set multiplot layout 2,1\nset xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\nset ylabel 'ice force, x ["
-           << unit.name << "]'\nset offsets graph 0, 0, 0.12, 0.02\n"
-           << window_plot(run, window, sample, peak > 0.0) << "unset label 99\n"
-           << "set xrange [0:" << rounded_text(run.duration_s / time.size, 6) << "]\nset xlabel 'time [" << time.name
-           << "]' offset 0,0.4\nset object 1 rectangle from first " << rounded_text(window.from / time.size, 7)
-           << ", graph 0 to first " << rounded_text(window.to / time.size, 7)
+  commands << "set multiplot layout 3,1\nset xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\n"
+           << window_plots(run, window, sample, unit, peak_unit) << range_text({0.0, run.duration_s}, time.size)
+           << "set xlabel 'time [" << time.name << "]' offset 0,0.4\nset object 1 rectangle from first "
+           << rounded_text(window.from / time.size, 7) << ", graph 0 to first "
+           << rounded_text(window.to / time.size, 7)
            << ", graph 1 behind fillcolor rgb '#f3d9c8' fillstyle solid noborder\n"
            << "plot 'ice_force.csv' using 1:2 with lines linestyle 1 lw 0.7\nunset multiplot\n";
   const std::string caption =
-      "Net x force of the ice on the platform. Below: the whole record, each sample the net impulse of " + sample +
-      " s divided by " + sample + " s. Above: the " + number_text(window.to - window.from, 2) +
+      "Net x force of the ice on the platform. Bottom: the whole record, the impulse of each " + sample +
+      " s divided by " + sample + " s. Middle: the " + number_text(window.to - window.from, 2) +
       " s around the record's largest value (marked below), with the mean over " + number_text(run.force_window_s, 6) +
-      " s and, as stems, the closed-form crushing peak of every single event, which an impulse over a sample cannot "
-      "show.";
-  return folder.draw({"ice_force", "Net x force of the ice on the platform", caption, ""}, {1000, 640}, commands.str());
+      " s. Top: the closed-form crushing peaks of the impacts in that time, which no impulse over a sample can show.";
+  return folder.draw({"ice_force", "Net x force of the ice on the platform", caption, ""}, {1000, 780}, commands.str());
 }
 
 Figure draw_ice_and_mooring(const RunData& run, const PlotFolder& folder) {

@@ -1,3 +1,4 @@
+// From the datasets of a run file to plain arrays.
 #include "gem/report/load_run.h"
 
 #include <algorithm>

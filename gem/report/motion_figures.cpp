@@ -38,6 +38,23 @@ Figure draw_axis(const RunData& run, const AxisCurve& curve, const std::vector<d
                      {1000, 300}, commands.str());
 }
 
+/// The smallest frame of the fixed shape that holds the orbit and the rest position, from rest [m].
+struct OrbitFrame {
+  Vec2 middle;
+  double half_width;
+};
+
+OrbitFrame orbit_frame(const RunData& run) {
+  const Moments x = moments(run.platform.x);
+  const Moments y = moments(run.platform.y);
+  const double left = std::min(x.minimum - run.rest.x, 0.0);
+  const double right = std::max(x.maximum - run.rest.x, 0.0);
+  const double low = std::min(y.minimum - run.rest.y, 0.0);
+  const double high = std::max(y.maximum - run.rest.y, 0.0);
+  const double half_width = 0.53 * std::max({right - left, kOrbitShape * (high - low), 1e-9});
+  return {{0.5 * (left + right), 0.5 * (low + high)}, half_width};
+}
+
 Figure draw_orbit(const RunData& run, const Unit& length, const PlotFolder& folder) {
   const Unit time = time_unit(run.duration_s);
   Csv csv("x [" + length.name + "],y [" + length.name + "],t [" + time.name + "]");
@@ -45,20 +62,22 @@ Figure draw_orbit(const RunData& run, const Unit& length, const PlotFolder& fold
     csv.row({(run.platform.x[i] - run.rest.x) / length.size, (run.platform.y[i] - run.rest.y) / length.size,
              run.platform.time[i] / time.size});
   folder.write_csv("orbit", csv);
-  const double wide = std::abs(maximum_excursion(run.platform.x, run.rest.x).value);
-  const double high = std::abs(maximum_excursion(run.platform.y, run.rest.y).value);
-  const double reach = 1.05 * std::max({wide, kOrbitShape * high, 1e-9}) / length.size;
+  const OrbitFrame frame = orbit_frame(run);
   std::ostringstream commands;
   commands << "set size ratio -1\nset border 15\nset xlabel 'x [" << length.name << "]' offset 0,0.4\nset ylabel 'y ["
            << length.name << "]'\nset cblabel 'time [" << time.name
            << "]'\nset cbrange [0:" << rounded_text(run.duration_s / time.size, 6)
            << "]\nset colorbox noborder\nset rmargin 1\n"
-           << "set xrange [-" << rounded_text(reach, 4) << ':' << rounded_text(reach, 4) << "]\nset yrange [-"
-           << rounded_text(reach / kOrbitShape, 4) << ':' << rounded_text(reach / kOrbitShape, 4) << "]\n"
+           << "set xrange [" << rounded_text((frame.middle.x - frame.half_width) / length.size, 5) << ':'
+           << rounded_text((frame.middle.x + frame.half_width) / length.size, 5) << "]\nset yrange ["
+           << rounded_text((frame.middle.y - frame.half_width / kOrbitShape) / length.size, 5) << ':'
+           << rounded_text((frame.middle.y + frame.half_width / kOrbitShape) / length.size, 5) << "]\n"
+           << "set object 1 circle at 0,0 size graph 0.004 fillcolor rgb '#1f2530' fillstyle solid noborder front\n"
            << "plot 'orbit.csv' using 1:2:3 with lines linewidth 1 linecolor palette\n";
-  return folder.draw({"orbit", "Orbit of the platform",
-                      "Orbit of the platform about its rest position, coloured by time; equal axes.", ""},
-                     {1000, 610}, commands.str());
+  return folder.draw(
+      {"orbit", "Orbit of the platform",
+       "Orbit of the platform about its rest position, coloured by time; equal axes, the dot is rest.", ""},
+      {1000, 610}, commands.str());
 }
 
 /// Highest frequency worth showing: five times the natural or, without mooring, the main frequency [Hz].

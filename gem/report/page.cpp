@@ -1,3 +1,4 @@
+// The frame of the page: style, sections, notes.
 #include "gem/report/page.h"
 
 #include "gem/report/page_tables.h"
@@ -54,9 +55,12 @@ constexpr const char* kNotes = R"(<section><h2>How to read the numbers</h2>
 <p>x points along the current, y to its left; motion is measured from where the mooring pulls nothing. Forces and
 impulses act on the platform.</p>
 <p>Ice loads are three quantities that are never mixed. An <em>event impulse</em> is what one collision gives in one
-moment. An <em>average</em> is the impulse over a stated time, divided by that time. A <em>crushing peak</em> is the
+moment; a floe that rests against the platform has one in every moment. An <em>average</em> is the impulse over a stated time, divided by that time. A <em>crushing peak</em> is the
 closed-form force of one event at the end of its crushing, from closing speed, effective mass, thickness and contact
-width; it lasts about a tenth of a second or less and does not follow from the impulse over a moment.</p>
+width. It lasts about a tenth of a second or less and does not follow from the impulse over a moment. Against a flat
+side it is pressure times contact area whatever the speed, and lasts milliseconds: a bound on local load, not a load on
+the mooring. It is given for impacts, that is for events that follow at least a second without contact of the same
+floe.</p>
 <p>Mean values carry a 95 % interval from batch means, which allows for the slow memory of the motion. The spectral
 period carries the larger of a jackknife over the tapers and half a resolution cell. Zero up-crossings are of the
 record without its mean. Local maxima count every wiggle and are given so that counts by eye can be compared.</p>

@@ -1,3 +1,4 @@
+// Rows of the tables, with units and intervals.
 #include "gem/report/page_tables.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::string with_interval(const MeanEstimate& estimate, const Unit& unit) {
 std::string at_time(double time, double duration) { return " at " + with_unit(time, time_unit(duration)); }
 
 std::string spectral_text(const std::optional<PeriodEstimate>& period) {
-  if (!period) return "record too short";
+  if (!period) return "not resolved";
   return rounded_text(period->period, 3) + " s (" + rounded_text(period->low, 3) + " to " +
          rounded_text(period->high, 3) + " s)";
 }
@@ -67,7 +68,8 @@ std::string headline_html(const RunData& run, const RunFindings& findings) {
                                 ? "main period in x; natural period " + rounded_text(run.natural_period_s, 3) + " s"
                                 : "main period in x");
     html += figure_of_run(force_text(findings.loads.mooring_largest), "largest mooring force");
-    html += figure_of_run(force_text(findings.loads.crushing_largest), "largest crushing peak of one event");
+    html += figure_of_run(force_text(findings.loads.ice_window_largest),
+                          "largest ice force averaged over " + number_text(run.force_window_s, 6) + " s");
   }
   if (findings.quality.speed > 0.0)
     html += figure_of_run(rounded_text(findings.quality.speed, 3) + " &times;", "real time");
@@ -122,15 +124,16 @@ std::string loads_html(const RunData& run, const RunFindings& findings) {
                      row("ice force averaged over " + window + ", largest", {force_text(l.ice_window_largest)}) +
                      row("ice force averaged over the run, x", {with_interval(l.ice_mean_x, force_unit(mean))}) +
                      row("ice force averaged over the run, y", {with_interval(l.ice_mean_y, force_unit(mean))}) +
-                     row("crushing peak of one event (closed form), largest", {force_text(l.crushing_largest)}) +
-                     row("crushing peak of one event, median", {force_text(l.crushing_median)}) +
+                     row("crushing peak of one impact (closed form), largest", {force_text(l.crushing_largest)}) +
+                     row("crushing peak of one impact, median", {force_text(l.crushing_median)}) +
                      row("mooring force, largest", {force_text(l.mooring_largest)}) +
                      row("mooring force averaged over the run, x",
                          {with_interval(l.mooring_mean_x, force_unit(std::abs(l.mooring_mean_x.mean)))}) +
                      row("events on the platform", {std::to_string(l.events)}) +
+                     row("impacts (events that open a touch)", {std::to_string(l.touches)}) +
                      row("arrivals (different floes that hit it)", {std::to_string(l.arrivals)}) +
                      row("samples with contact", {rounded_text(100.0 * l.contact_fraction, 3) + " %"});
-  return table("PlatformLoads on the platform", rows);
+  return table("Loads on the platform", rows);
 }
 
 std::string quality_html(const RunData& run, const RunFindings& findings) {

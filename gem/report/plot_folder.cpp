@@ -1,3 +1,4 @@
+// Scripts in the house style, run through gnuplot, and pictures made fit for one page.
 #include "gem/report/plot_folder.h"
 
 #include <charconv>
@@ -72,6 +73,11 @@ std::string read(const std::filesystem::path& path) {
   return text.str();
 }
 
+Error no_gnuplot() {
+  return {ExitCode::file_system,
+          "gnuplot was not found (the figures of a report need it) install the package gnuplot-nox"};
+}
+
 }  // namespace
 
 void Csv::row(std::initializer_list<double> values) {
@@ -89,6 +95,8 @@ void Csv::row(std::initializer_list<double> values) {
 
 PlotFolder::PlotFolder(std::filesystem::path folder, std::string stamp)
     : folder_(std::move(folder)), stamp_(std::move(stamp)) {
+  // Asked before anything is written.
+  if (!run_program({"gnuplot", "--version"}, ".").found) throw no_gnuplot();
   std::error_code failed;
   std::filesystem::create_directories(folder_, failed);
   if (failed)
@@ -118,9 +126,7 @@ Figure PlotFolder::draw(Figure figure, PlotSize size, const std::string& command
          << commands;
   write(figure.name + ".gp", script.str());
   const ProgramResult result = run_program({"gnuplot", "-d", figure.name + ".gp"}, folder_);
-  if (!result.found)
-    throw Error(ExitCode::file_system,
-                "gnuplot was not found (the figures of a report need it) install the package gnuplot-nox");
+  if (!result.found) throw no_gnuplot();
   if (result.exit_code != 0)
     throw Error(ExitCode::file_system, "gnuplot failed on " + (folder_ / (figure.name + ".gp")).string() + " (" +
                                            result.output + ") run it by hand to see more");

@@ -35,7 +35,8 @@ struct PlotSize {
 
 class PlotFolder {
  public:
-  /// Makes the folder. `stamp` is printed small on every figure: case and commit.
+  /// Makes the folder. `stamp` is printed small on every figure: case and commit. Throws Error(file_system) if gnuplot
+  /// is missing or the folder cannot be made.
   PlotFolder(std::filesystem::path folder, std::string stamp);
   void write_csv(const std::string& name, const Csv& csv) const;
   /// Writes NAME.gp, runs gnuplot on it and returns the picture. `commands` may use the line styles and the palette of

@@ -1,3 +1,4 @@
+// The steps of a report: check, compute, draw, write the page.
 #include "gem/report/report.h"
 
 #include <filesystem>

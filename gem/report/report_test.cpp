@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -87,6 +88,7 @@ TEST(RunFindings, DescribeASwingingPlatform) {
   EXPECT_NEAR(findings.x.crossings.mean_period, 60.0, 0.01);
   EXPECT_EQ(findings.x.maxima.count, 20u);
   EXPECT_EQ(findings.loads.events, 2u);
+  EXPECT_EQ(findings.loads.touches, 1u);
   EXPECT_EQ(findings.loads.arrivals, 1u);
   EXPECT_DOUBLE_EQ(findings.loads.event_impulse_largest, 6e3);
   EXPECT_DOUBLE_EQ(findings.loads.sample_impulse_largest, 1e4);
@@ -132,6 +134,19 @@ TEST_F(Report, RefusesAnIncompleteRunUnlessAsked) {
   EXPECT_NE(page().find("stopped:signal"), std::string::npos);
 }
 
+TEST_F(Report, NamesThePackageWhenGnuplotIsMissing) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder_.c_str(), 1);
+  try {
+    write_report(swinging_platform(), out(), false);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("gnuplot-nox"), std::string::npos);
+  }
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_FALSE(fs::exists(folder_ / "report"));
+}
+
 TEST_F(Report, DoesWithoutAPlatform) {
   RunData run = swinging_platform();
   run.platform = {};
@@ -148,9 +163,17 @@ void write_run_file(const std::string& path, const std::string& status) {
   scene.run.name = "tiny";
   scene.boundary.present = false;
   Bodies bodies;
-  append(bodies, {.kind = BodyKind::platform, .outline = kSquare, .mass = 1e8});
-  append(bodies, {.kind = BodyKind::floe, .outline = kSquare, .origin = {-20.0, 0.0}});
-  append(bodies, {.kind = BodyKind::floe, .outline = kSquare, .origin = {20.0, 0.0}});
+  BodyDef body;
+  body.kind = BodyKind::platform;
+  body.outline = kSquare;
+  body.mass = 1e8;
+  append(bodies, body);
+  body.kind = BodyKind::floe;
+  body.mass = 0.0;
+  for (const double x : {-20.0, 20.0}) {
+    body.origin = {x, 0.0};
+    append(bodies, body);
+  }
   RunWriter writer(path, true, scene, bodies,
                    {"tiny", resolved_toml(scene), scene_hash(scene), "gem run tiny.toml", "cpu", "coupled"});
   Slab slab;

@@ -1,7 +1,9 @@
+// From the records of a run to the numbers of its report.
 #include "gem/report/run_findings.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "gem/analysis/spectrum.h"
@@ -67,8 +69,11 @@ PlatformLoads loads(const RunData& run) {
   result.events = run.events.time.size();
   result.arrivals = std::set<std::int32_t>(run.events.body_b.begin(), run.events.body_b.end()).size();
   result.event_impulse_largest = largest_of(run.events.impulse);
-  result.crushing_largest = largest_of(run.events.force_peak);
-  result.crushing_median = percentile(run.events.force_peak, 0.5);
+  std::vector<double> peaks;
+  for (const std::size_t i : opening_events(run.events)) peaks.push_back(run.events.force_peak[i]);
+  result.touches = peaks.size();
+  result.crushing_largest = largest_of(peaks);
+  result.crushing_median = percentile(peaks, 0.5);
   return result;
 }
 
@@ -91,6 +96,17 @@ double sample_interval(const std::vector<double>& time) {
       throw Error(ExitCode::file_system,
                   "the platform record has uneven samples (the file is damaged) run the case again");
   return interval;
+}
+
+std::vector<std::size_t> opening_events(const EventRecord& events) {
+  std::map<std::int32_t, double> last;
+  std::vector<std::size_t> opening;
+  for (std::size_t i = 0; i < events.time.size(); ++i) {
+    const auto [entry, first] = last.try_emplace(events.body_b[i], events.time[i]);
+    if (first || events.time[i] - entry->second >= kTouchGap) opening.push_back(i);
+    entry->second = events.time[i];
+  }
+  return opening;
 }
 
 RunFindings run_findings(const RunData& run) {

@@ -30,12 +30,13 @@ struct PlatformLoads {
   double event_impulse_largest = 0.0;   // normal impulse of one event [N s]
   double ice_window_largest = 0.0;      // of the window average [N]
   MeanEstimate ice_mean_x, ice_mean_y;  // over the run [N]
-  double crushing_largest = 0.0;        // closed-form peak of one event [N]
+  double crushing_largest = 0.0;        // closed-form peak among the events that open a touch [N]
   double crushing_median = 0.0;
   double mooring_largest = 0.0;  // [N]
   MeanEstimate mooring_mean_x;   // [N]
   double contact_fraction = 0.0;
   std::size_t events = 0;
+  std::size_t touches = 0;   // events that follow at least kTouchGap without one of the same floe
   std::size_t arrivals = 0;  // distinct floes that hit the platform
 };
 
@@ -56,6 +57,10 @@ struct RunFindings {
 
 /// Platform records shorter than this have no spectrum and no interval of the mean.
 inline constexpr std::size_t kSamplesForStatistics = 64;
+
+/// A floe that rests against the platform has an event in every moment; only the first one is an impact.
+inline constexpr double kTouchGap = 1.0;  // [s]
+std::vector<std::size_t> opening_events(const EventRecord& events);
 
 /// Computes everything that the run's records allow; the rest stays zero or empty.
 RunFindings run_findings(const RunData& run);

@@ -1,3 +1,4 @@
+// Starting and awaiting a process by POSIX calls.
 #include "gem/report/run_program.h"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// Choosing the samples that are drawn.
 #include "gem/report/series.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 #include "gem/base/error.h"
 #include "gem/scene/problems.h"
@@ -70,11 +69,6 @@ std::string heading(const std::string& section) {
   return "[" + section + "]";
 }
 
-int report(const Error& error, std::ostream& err) {
-  err << error.what() << '\n';
-  return static_cast<int>(error.code());
-}
-
 }  // namespace
 
 std::string explain(const std::string& key) {
@@ -83,8 +77,11 @@ std::string explain(const std::string& key) {
   for (const Row& row : rows_of(key)) {
     const std::size_t dot = row.info.path.rfind('.');
     const std::string section = row.info.path.substr(0, dot);
-    if (section != open) text += (text.empty() ? "" : "\n") + heading(section) + "\n";
-    open = section;
+    if (section != open) {
+      if (!text.empty()) text += '\n';
+      text += heading(section) + "\n";
+      open = section;
+    }
     text += row.info.path.substr(dot + 1) + " = " + (row.default_text.empty() ? "(must be given)" : row.default_text) +
             "\n";
     text += "    " + row.info.doc + "\n    " + type_name(row.info.type);
@@ -130,35 +127,6 @@ std::string sweep_list_json(const std::vector<SweepMember>& members) {
                     {"differences", member.differences},
                     {"sha256", scene_hash(member.scene)}});
   return list.dump(2) + "\n";
-}
-
-int explain_command(const std::string& key, bool json, std::ostream& out, std::ostream& err) try {
-  out << (json ? explain_json(key) : explain(key));
-  return static_cast<int>(ExitCode::done);
-} catch (const Error& error) {
-  return report(error, err);
-}
-
-int schema_command(std::ostream& out) {
-  out << json_schema();
-  return static_cast<int>(ExitCode::done);
-}
-
-int resolve_command(const std::string& path, const std::vector<std::string>& overrides, std::ostream& out,
-                    std::ostream& err) try {
-  out << resolved_toml(read_scene(path, overrides));
-  return static_cast<int>(ExitCode::done);
-} catch (const Error& error) {
-  return report(error, err);
-}
-
-int sweep_list_command(const std::string& path, const std::vector<std::string>& overrides, bool json, std::ostream& out,
-                       std::ostream& err) try {
-  const std::vector<SweepMember> members = expand_sweep(path, overrides);
-  out << (json ? sweep_list_json(members) : sweep_list_text(members));
-  return static_cast<int>(ExitCode::done);
-} catch (const Error& error) {
-  return report(error, err);
 }
 
 }  // namespace gem

@@ -1,7 +1,6 @@
 // What the command line says about cases: explanations, the JSON Schema, resolved text, lists of sweeps.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -24,13 +23,5 @@ std::string sweep_list_text(const std::vector<SweepMember>& members);
 
 /// The same as JSON, with the hash of each resolved case.
 std::string sweep_list_json(const std::vector<SweepMember>& members);
-
-// The commands: print to `out`, faults to `err`, and return the exit code.
-int explain_command(const std::string& key, bool json, std::ostream& out, std::ostream& err);
-int schema_command(std::ostream& out);
-int resolve_command(const std::string& path, const std::vector<std::string>& overrides, std::ostream& out,
-                    std::ostream& err);
-int sweep_list_command(const std::string& path, const std::vector<std::string>& overrides, bool json, std::ostream& out,
-                       std::ostream& err);
 
 }  // namespace gem

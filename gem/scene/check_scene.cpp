@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "gem/scene/number_text.h"
+#include "gem/scene/toml_text.h"
 
 namespace gem {
 namespace {

@@ -9,7 +9,7 @@
 #include <iterator>
 
 #include "gem/base/error.h"
-#include "gem/scene/number_text.h"
+#include "gem/scene/toml_text.h"
 
 namespace gem {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gem/scene/number_text.h"
+#include "gem/scene/toml_text.h"
 #include "gem/scene/scene_tree.h"
 
 namespace gem {

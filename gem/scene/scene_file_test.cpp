@@ -12,7 +12,7 @@
 
 #include "gem/base/error.h"
 #include "gem/scene/check_scene.h"
-#include "gem/scene/number_text.h"
+#include "gem/scene/toml_text.h"
 #include "gem/scene/problems.h"
 #include "gem/scene/schema.h"
 
@@ -170,10 +170,10 @@ TEST(NearestName, FindsSlipsAndRefusesNonsense) {
 }
 
 TEST(NumberText, IsTheShortestThatReadsBack) {
-  EXPECT_EQ(number_text(0.1), "0.1");
-  EXPECT_EQ(number_text(2.0), "2.0");
-  EXPECT_EQ(number_text(1e8), "1e+08");
-  EXPECT_EQ(number_text(std::numeric_limits<double>::denorm_min()), "5e-324");
+  EXPECT_EQ(toml_number_text(0.1), "0.1");
+  EXPECT_EQ(toml_number_text(2.0), "2.0");
+  EXPECT_EQ(toml_number_text(1e8), "1e+08");
+  EXPECT_EQ(toml_number_text(std::numeric_limits<double>::denorm_min()), "5e-324");
   EXPECT_EQ(plain_number_text(400.0), "400");
   EXPECT_EQ(quoted_text("a\"\\\n"), "\"a\\\"\\\\\\u000A\"");
 }

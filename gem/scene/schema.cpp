@@ -2,8 +2,8 @@
 // options with one another.
 #include "gem/scene/schema.h"
 
-#include "gem/scene/number_text.h"
 #include "gem/scene/schema_builder.h"
+#include "gem/scene/toml_text.h"
 
 // The accessor of one member, for const and mutable scenes alike.
 #define GEM_FIELD(member) \
@@ -82,6 +82,8 @@ void add_floe_sizes(SceneTable& t) {
            GEM_FIELD(floes.placement));
   t.integer("floes.shape_count", {1.0, 1e5}, "number of shapes that are copied (source = \"copied\")",
             GEM_FIELD(floes.shape_count));
+  t.number("floes.tile_length_m", "m", extent_range, "about how long the repeated block is (placement = \"tiled\")",
+           GEM_FIELD(floes.tile_length_m));
 }
 
 void add_boundary(SceneTable& t) {
@@ -90,6 +92,9 @@ void add_boundary(SceneTable& t) {
            GEM_FIELD(boundary.inlet_x_m));
   t.number("boundary.inlet_width_m", "m", extent_range, "width of the channel upstream",
            GEM_FIELD(boundary.inlet_width_m));
+  t.number("boundary.taper_start_x_m", "m", {-1e6, 0.0, false, true},
+           "x where the channel begins to narrow; at or upstream of the inlet: over its whole length",
+           GEM_FIELD(boundary.taper_start_x_m));
   t.number("boundary.gap_m", "m", extent_range, "width of the channel from x = 0 on", GEM_FIELD(boundary.gap_m));
   t.number("boundary.outlet_x_m", "m", {0.0, 1e6, true}, "x of the downstream end of the boundary",
            GEM_FIELD(boundary.outlet_x_m));
@@ -146,6 +151,13 @@ void add_numerics(SceneTable& t) {
             GEM_FIELD(numerics.iterations_maximum));
   t.number("numerics.list_margin_m", "m", {0.0, 1e3}, "pairs closer than this are kept in the list of neighbours",
            GEM_FIELD(numerics.list_margin_m));
+  t.number("numerics.contact_reach", "moments", {0.0, 100.0},
+           "coupled: faces that the current could close in so many moments are held apart",
+           GEM_FIELD(numerics.contact_reach));
+  t.integer("numerics.repair_iterations", {0.0, 1e4}, "coupled: sweeps of the position repair",
+            GEM_FIELD(numerics.repair_iterations));
+  t.number("numerics.repair_share", "", {0.0, 1.0}, "coupled: share of an overlap that is taken away in one moment",
+           GEM_FIELD(numerics.repair_share));
 }
 
 void add_output(SceneTable& t) {
@@ -157,6 +169,9 @@ void add_output(SceneTable& t) {
            GEM_FIELD(output.force_window_s));
   t.flag("output.platform_events", "whether every event on the platform is recorded",
          GEM_FIELD(output.platform_events));
+  t.number("output.event_speed_m_per_s", "m/s", {0.0, 10.0},
+           "slower closing is static stress: in the force channels, not in the events",
+           GEM_FIELD(output.event_speed_m_per_s));
   t.number("output.retire_x_m", "m", place_range, "a floe whose centre passes this x is retired",
            GEM_FIELD(output.retire_x_m));
 }
@@ -225,7 +240,7 @@ std::string range_text(const Range& range, const std::string& unit) {
 }
 
 std::string value_text(const OptionValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) return number_text(*number);
+  if (const auto* number = std::get_if<double>(&value)) return toml_number_text(*number);
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
   if (const auto* text = std::get_if<std::string>(&value)) return quoted_text(*text);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";

@@ -6,7 +6,7 @@
 
 #include "gem/base/error.h"
 #include "gem/scene/document.h"
-#include "gem/scene/number_text.h"
+#include "gem/scene/toml_text.h"
 #include "gem/scene/scene_tree.h"
 #include "gem/scene/sweep_draft.h"
 

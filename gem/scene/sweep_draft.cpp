@@ -6,7 +6,7 @@
 #include <set>
 
 #include "gem/base/error.h"
-#include "gem/scene/number_text.h"
+#include "gem/scene/toml_text.h"
 #include "gem/scene/problems.h"
 
 namespace gem {

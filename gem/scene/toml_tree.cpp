@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "gem/base/error.h"
-#include "gem/scene/number_text.h"
+#include "gem/scene/toml_text.h"
 
 // Header-only with std::from_chars: the packaged library reads numbers through a stream.
 // Its assertions are left out in every build: bad input reaches them, and the code behind them reports it in order.
@@ -235,7 +235,7 @@ std::string describe(const TomlNode& node) {
     case TomlKind::integer:
       return std::to_string(node.integer);
     case TomlKind::number:
-      return number_text(node.number);
+      return toml_number_text(node.number);
     case TomlKind::flag:
       return node.flag ? "true" : "false";
     case TomlKind::date:

@@ -4,6 +4,10 @@
 add_library(gem_flags INTERFACE)
 target_compile_options(gem_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
   -Wno-sign-conversion $<$<BOOL:${GEM_WERROR}>:-Werror>)
+# g++ 12 warns about its own std::string at -O3: "text" + string.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(gem_flags INTERFACE -Wno-restrict)
+endif()
 target_include_directories(gem_flags INTERFACE ${PROJECT_SOURCE_DIR})
 if(GEM_STATIC)
   target_link_options(gem_flags INTERFACE -static-libstdc++ -static-libgcc)

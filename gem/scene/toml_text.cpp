@@ -1,5 +1,5 @@
 // Values as TOML text, by std::to_chars.
-#include "gem/scene/number_text.h"
+#include "gem/scene/toml_text.h"
 
 #include <array>
 #include <charconv>
@@ -12,17 +12,24 @@ std::string plain_number_text(double value) {
   return std::string(buffer.data(), end);
 }
 
-std::string number_text(double value) {
+std::string toml_number_text(double value) {
   std::string text = plain_number_text(value);
   if (text.find_first_of(".en") == std::string::npos) text += ".0";  // n: inf and nan
   return text;
 }
 
-std::string pair_text(Vec2 value) { return "[" + number_text(value.x) + ", " + number_text(value.y) + "]"; }
+std::string pair_text(Vec2 value) {
+  std::string text = "[";
+  text += toml_number_text(value.x) + ", " + toml_number_text(value.y) + "]";
+  return text;
+}
 
 std::string outline_text(const std::vector<Vec2>& outline) {
   std::string text = "[";
-  for (std::size_t i = 0; i < outline.size(); ++i) text += (i == 0 ? "" : ", ") + pair_text(outline[i]);
+  for (const Vec2 corner : outline) {
+    if (text.size() > 1) text += ", ";
+    text += pair_text(corner);
+  }
   return text + "]";
 }
 

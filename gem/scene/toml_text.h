@@ -9,7 +9,7 @@
 namespace gem {
 
 /// A TOML float: always with a point or an exponent.
-std::string number_text(double value);
+std::string toml_number_text(double value);
 
 /// A number for people: the same digits, whole numbers without ".0".
 std::string plain_number_text(double value);

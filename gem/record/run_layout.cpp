@@ -90,6 +90,15 @@ void RunLayout::create_file(const std::string& path, bool overwrite) {
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
   check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "file format");
   check(H5Pset_file_locking(access, true, true), "file locking");
+  // the index of the file goes to disk when it is flushed and at no other time
+  H5AC_cache_config_t cache{};
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  check(H5Pget_mdc_config(access, &cache), "index cache");
+  cache.evictions_enabled = false;
+  cache.incr_mode = H5C_incr__off;
+  cache.flash_incr_mode = H5C_flash_incr__off;
+  cache.decr_mode = H5C_decr__off;
+  check(H5Pset_mdc_config(access, &cache), "index cache");
   const Handle creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "file creation");
   file_ = checked(H5Fcreate(path.c_str(), overwrite ? H5F_ACC_TRUNC : H5F_ACC_EXCL, creation, access), H5Fclose,
                   "cannot create");

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -19,6 +20,10 @@ namespace gem {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+// A kill in the milliseconds of a flush may tear the file's index, so a fast run does not flush without end.
+constexpr auto flush_pause = std::chrono::seconds(2);
 constexpr std::size_t queue_limit = 2;
 constexpr std::uint64_t spare_room = 1 << 20;  // for the file's own index and the last words
 
@@ -85,12 +90,12 @@ class RunWriter::Thread {
 
   void finish(const std::string& status, std::uint64_t state_hash) {
     stop();
-    const std::string text = failed_ ? "stopped:" + why_ : status;
     try {
+      if (!layout_->waiting().empty() && !has_room_for({}) && !failed_) remember("no room left on the disk");
       if (!failed_) layout_->append_rest();
       layout_->set_text("gem_state_hash", hash_text(state_hash));
-      layout_->set_text("gem_status", text);
-      layout_->flush();
+      layout_->set_text("gem_status", failed_ ? "stopped:" + why_ : status);
+      flush();
     } catch (const hdf5::Failure& fault) {
       broken_ = true;
       remember(fault.text);
@@ -119,17 +124,31 @@ class RunWriter::Thread {
 
   /// A slab goes in only if it surely fits: what is on disk then stays readable when the disk is full.
   void write(Slab slab) {
-    if (room_at(path_) < bytes(slab) + bytes(layout_->waiting()) + spare_room)
-      return remember("no room left on the disk");
     try {
+      if (!has_room_for(slab)) {
+        flush();
+        return remember("no room left on the disk");
+      }
+      unflushed_ += bytes(slab);
       layout_->append(std::move(slab));
-      layout_->flush();
-      any_written_ = layout_->any_written();
-      saved_time_ = layout_->saved_time();
+      if (Clock::now() - flushed_ >= flush_pause) flush();
     } catch (const hdf5::Failure& fault) {
       broken_ = true;
       remember(fault.text);
     }
+  }
+
+  /// Rows that wait or are not flushed yet need their room too.
+  bool has_room_for(const Slab& slab) const {
+    return room_at(path_) >= unflushed_ + bytes(slab) + bytes(layout_->waiting()) + spare_room;
+  }
+
+  void flush() {
+    layout_->flush();
+    flushed_ = Clock::now();
+    unflushed_ = 0;
+    any_written_ = layout_->any_written();
+    saved_time_ = layout_->saved_time();
   }
 
   void remember(const std::string& why) {
@@ -174,9 +193,11 @@ class RunWriter::Thread {
   std::condition_variable changed_;
   std::deque<Slab> queue_;
   std::string why_;
+  Clock::time_point flushed_ = Clock::now();
   std::atomic<bool> failed_ = false;
   std::atomic<double> saved_time_ = 0.0;
   std::atomic<bool> any_written_ = false;
+  std::uint64_t unflushed_ = 0;
   bool finished_ = false;
   bool broken_ = false;
   bool stopping_ = false;

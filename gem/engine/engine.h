@@ -39,6 +39,7 @@ struct ContactEvent {
   double effective_mass = 0.0;      // [kg]
   double peak_force = 0.0;          // closed-form crushing peak (Popov) of the closing speed [N]
   double width = 0.0;               // chord, 0 for a corner that only touches [m]
+  double growth = 0.0;              // chord growth with depth; 0: a flat contact [-]
   double depth = 0.0;               // overlap depth [m]
 };
 

@@ -78,7 +78,7 @@ Quantity total(const FieldState& f) {
   return sum;
 }
 
-Ledger closed_books(const FieldState& f, const Ledger& running) {
+Ledger closed_books(const FieldState& f, Ledger& running) {
   Ledger ledger = running;
   double momentum = 0.0, angular = 0.0;
   for (std::size_t i = 0; i < f.bodies.count(); ++i) {
@@ -95,9 +95,12 @@ Ledger closed_books(const FieldState& f, const Ledger& running) {
     angular = std::max(angular, std::fabs(q.angular_momentum));
     energy += std::fabs(q.energy);
   }
-  ledger.momentum_scale = std::max(momentum, length(ledger.mooring_force.momentum));
-  ledger.angular_scale = std::max(angular, std::fabs(ledger.mooring_force.angular_momentum));
-  ledger.energy_scale = energy;
+  running.momentum_scale = std::max({running.momentum_scale, momentum, length(ledger.mooring_force.momentum)});
+  running.angular_scale = std::max({running.angular_scale, angular, std::fabs(ledger.mooring_force.angular_momentum)});
+  running.energy_scale = std::max(running.energy_scale, energy);
+  ledger.momentum_scale = running.momentum_scale;
+  ledger.angular_scale = running.angular_scale;
+  ledger.energy_scale = running.energy_scale;
   return ledger;
 }
 

@@ -10,8 +10,10 @@ namespace gem {
 /// Momentum, angular momentum and energy (mooring spring included) of the active bodies.
 Quantity total(const FieldState& f);
 
-/// The ledger with every body's own books summed in id order and `now`, residual scales and totals filled in.
-Ledger closed_books(const FieldState& f, const Ledger& running);
+/// The ledger with every body's own books summed in id order, and `now`. The scales are the largest seen so far, so
+/// that a moment at which everything happens to stand still does not make rounding look large; `running` remembers
+/// them.
+Ledger closed_books(const FieldState& f, Ledger& running);
 
 /// Retires the floes past the retire line and stops on a state that is no number. `moment` names the place in messages.
 void retire_and_check(FieldState& f, Ledger& ledger, std::int64_t moment);

@@ -157,7 +157,7 @@ void CoupledSolver::end_sweep(FieldState& f, Contacts contacts) {
 void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality) {
   const double share = platform_points(contacts);
   team.single(rank, [&] {
-    change_.resize(team.size());
+    change_.assign(team.size(), {});
     warm_start(contacts);
     start_moment(f, contacts);
   });

@@ -146,7 +146,7 @@ void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
   part_[rank].near.clear();
   team.for_each(rank, n, [&](std::int64_t i) { pairs_of_floe(f, i, part_[rank].near); });
   team.single(rank, [&] {
-    for (const Part& part : part_) pairs_.insert(pairs_.end(), part.near.begin(), part.near.end());
+    for (int r = 0; r < team.size(); ++r) pairs_.insert(pairs_.end(), part_[r].near.begin(), part_[r].near.end());
     valid_ = true;
     ++builds_;
   });
@@ -154,14 +154,14 @@ void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
 
 void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
   team.single(rank, [&] {
-    part_.resize(team.size());
+    part_.resize(std::max(part_.size(), static_cast<std::size_t>(team.size())));
     valid_ = valid_ && age_ < horizon_;
   });
   if (valid_) {
     check_course(f, team, rank);
     team.barrier();
     team.single(rank, [&] {
-      for (const Part& part : part_) valid_ = valid_ && !part.strayed;
+      for (int r = 0; r < team.size(); ++r) valid_ = valid_ && !part_[r].strayed;
     });
   }
   if (!valid_) build(f, team, rank);
@@ -190,7 +190,7 @@ void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
   team.single(rank, [&] {
     ++age_;
     std::size_t count = 0;
-    for (const Part& part : part_) count += part.count;
+    for (int r = 0; r < team.size(); ++r) count += part_[r].count;
     contacts_.resize(count);
   });
   std::size_t at = 0;

@@ -154,7 +154,7 @@ TEST_P(Kinematics, V50_rod_turns_into_a_wall) {
   scene.numerics.moment_s = dt;
   scene.fixed = {floor_wall()};
   scene.floe = {rod({0.0, 6.0}, {}, 0.0, spin)};
-  Run run = start(scene, setting());
+  Simulation run = start(scene, setting());
   run.log.wants_events = false;
   const std::size_t floe = 2;
   while (run.bodies().spin[floe] == spin && run.engine->moment() < 100000) run.advance(1);

@@ -275,7 +275,7 @@ void fall_in_line(int n, const Setting& setting) {
   scene.numerics.moment_s = dt;
   for (int i = 0; i <= n; ++i) scene.floe.push_back(square({(10.0 + gap) * i, 0.0}));
   scene.floe[0].velocity_m_per_s = {speed, 0.0};
-  Run run = start(scene, setting);
+  Simulation run = start(scene, setting);
   run.log.wants_events = false;
   const std::size_t last = static_cast<std::size_t>(n) + 1;
   const std::string key = std::to_string(n);

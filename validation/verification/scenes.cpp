@@ -97,9 +97,9 @@ SceneDef row_of_squares(int count, double speed) {
   return scene;
 }
 
-Run start(SceneDef scene, const Setting& setting) {
+Simulation start(SceneDef scene, const Setting& setting) {
   scene.contact.resolution = setting.resolution;
-  Run run{make_engine(scene, make_field(scene), {setting.engine, 1}), {}, {}};
+  Simulation run{make_engine(scene, make_field(scene), {setting.engine, 1}), {}, {}};
   run.first = run.engine->ledger();
   return run;
 }
@@ -111,7 +111,7 @@ double angular_momentum(const Bodies& b) {
   return sum;
 }
 
-void expect_closed_books(Run& run, double tolerance) {
+void expect_closed_books(Simulation& run, double tolerance) {
   const Ledger now = run.engine->ledger();
   const LedgerResidual left = residual(now);
   const auto relative = [](double share, double scale, double first) {
@@ -130,7 +130,7 @@ Vec2 Impact::impulse(std::size_t floe) const {
 double Impact::energy_lost() const { return kinetic(before) - kinetic(after); }
 
 Impact one_impact(const SceneDef& scene, const Setting& setting) {
-  Run run = start(scene, setting);
+  Simulation run = start(scene, setting);
   Impact impact;
   impact.before = run.bodies();
   impact.first_floe = 1 + scene.fixed.size();

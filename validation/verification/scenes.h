@@ -69,7 +69,7 @@ FloeDef on_floor(FloeDef floe);
 SceneDef row_of_squares(int count, double speed);
 
 /// A running engine with its log.
-struct Run {
+struct Simulation {
   std::unique_ptr<Engine> engine;
   MomentLog log;
   Ledger first;  // the books at t = 0
@@ -79,13 +79,13 @@ struct Run {
 };
 
 /// Makes the field and the engine of a scene with the setting's resolution.
-Run start(SceneDef scene, const Setting& setting);
+Simulation start(SceneDef scene, const Setting& setting);
 
 /// Angular momentum of all bodies about the world origin [N m s].
 double angular_momentum(const Bodies& b);
 
 /// The books must close relative to what the run began or ended with, whichever is more: bodies at rest have no scale.
-void expect_closed_books(Run& run, double tolerance = 1e-13);
+void expect_closed_books(Simulation& run, double tolerance = 1e-13);
 
 /// One moment of a scene whose bodies touch at the start. Fails without contact and unless the books close.
 struct Impact {

@@ -27,9 +27,9 @@ SceneDef platform_alone(Vec2 offset, double dt) {
 
 /// The flow is exact; its coefficients, products, sums and the sum with the anchor are rounded to 1.1e-16 each, twice a
 /// moment: 8.9e-16 a moment of the largest value. The outline's corners are rounded at 50 m to 7e-15 m, and with them
-/// the centroid that the position means.
+/// the centroid that the position means, by up to three of them.
 double exact_flow(double moments) { return 8.9e-16 * moments; }
-constexpr double placed = 1e-14;
+constexpr double placed = 2e-14;
 
 Vec2 place(Simulation& run) { return run.bodies().position[0]; }
 Vec2 speed(Simulation& run) { return run.bodies().velocity[0]; }

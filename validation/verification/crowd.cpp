@@ -14,7 +14,8 @@ namespace gem::verification {
 SceneDef crowd(const Setting& setting, Surroundings surroundings) {
   SceneDef scene = quiet_scene();
   scene.numerics.moment_s = 0.05;
-  scene.numerics.iterations_maximum = 2000;
+  scene.numerics.residual_tolerance = 1e-6;
+  scene.numerics.iterations_maximum = 50;
   scene.current.velocity_m_per_s = {0.5, 0.125};
   scene.water.drag_law = DragLaw::quadratic;
   scene.ice.friction_ice = 0.35;
@@ -47,9 +48,16 @@ SceneDef crowd(const Setting& setting, Surroundings surroundings) {
   return scene;
 }
 
+SceneDef settled(SceneDef scene) {
+  scene.numerics.residual_tolerance = 1e-14;
+  scene.numerics.iterations_maximum = 20000;
+  scene.numerics.repair_iterations = 0;
+  return scene;
+}
+
 Bodies pressed(const SceneDef& scene, const Setting& setting) {
   Simulation run = start(scene, {"cpu", setting.resolution});
-  run.advance(400);
+  run.advance(1600);
   return run.bodies();
 }
 

@@ -20,6 +20,8 @@ class CoupledSolver {
   const std::vector<std::uint64_t>& keys() const { return keys_; }
   const std::vector<Vec2>& impulses() const { return impulses_; }
   void restore(std::vector<std::uint64_t> keys, std::vector<Vec2> impulses);
+  /// Colour of each contact of the last moment: contacts of one colour share no moving body.
+  const std::vector<std::uint8_t>& colours() const { return colour_of_; }
 
  private:
   void warm_start(Contacts contacts) const;

@@ -17,6 +17,15 @@ endfunction()
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
 gem_test_program(gem_unit_tests unit ${unit_tests})
 
+# Clipper judges the overlap of outlines; without it that test is skipped with its reason.
+find_path(POLYCLIPPING_INCLUDE_DIR polyclipping/clipper.hpp)
+find_library(POLYCLIPPING_LIBRARY polyclipping)
+if(POLYCLIPPING_INCLUDE_DIR AND POLYCLIPPING_LIBRARY)
+  target_include_directories(gem_unit_tests SYSTEM PRIVATE ${POLYCLIPPING_INCLUDE_DIR})
+  target_compile_definitions(gem_unit_tests PRIVATE GEM_HAS_CLIPPER)
+  target_link_libraries(gem_unit_tests PRIVATE ${POLYCLIPPING_LIBRARY})
+endif()
+
 add_custom_target(gem_validation_tests)
 foreach(pair IN ITEMS verification:verify agreement:agree hard:hard published:published)
   string(REPLACE ":" ";" pair ${pair})

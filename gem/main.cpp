@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   chosen.command_line = joined(argc, argv);
   CLI::App app("Loads of drifting pack ice on a moored platform, by event mechanics.", "gem");
   app.set_version_flag("--version", gem::build_text());
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // so that an unknown command is named
   gem::add_run_command(app, chosen);
   gem::add_case_command(app, chosen);
   gem::add_sweep_command(app, chosen);
@@ -38,7 +38,9 @@ int main(int argc, char** argv) {
   gem::add_devices_command(app, chosen);
   try {
     app.parse(argc, argv);
-    return chosen.action();
+    if (chosen.action) return chosen.action();
+    std::cerr << app.help();
+    return static_cast<int>(gem::ExitCode::usage);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(gem::ExitCode::usage);
   } catch (const gem::Error& error) {

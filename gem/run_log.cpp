@@ -81,10 +81,14 @@ void RunLog::show(const Progress& p) {
   shown_at_ = Clock::now();
   tenths_shown_ = static_cast<int>(10.0 * fraction(p.time, p.duration));
   if (options_.progress == ProgressMode::json) {
-    const nlohmann::json object = {{"level", "progress"},          {"fraction", fraction(p.time, p.duration)},
-                                   {"time_s", p.time},             {"wall_time_s", p.wall_time},
-                                   {"sim_rate", rate(p)},          {"contacts", p.contacts},
-                                   {"residual_energy", p.energy_residual}, {"left_s", left(p)}};
+    const nlohmann::json object = {{"level", "progress"},
+                                   {"fraction", fraction(p.time, p.duration)},
+                                   {"time_s", p.time},
+                                   {"wall_time_s", p.wall_time},
+                                   {"sim_rate", rate(p)},
+                                   {"contacts", p.contacts},
+                                   {"residual_energy", p.energy_residual},
+                                   {"left_s", left(p)}};
     print(object.dump() + "\n");
   } else if (terminal_) {
     std::string line = "\r" + progress_text(p);

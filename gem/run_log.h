@@ -21,9 +21,9 @@ struct LogOptions {
 
 /// Where a run stands.
 struct Progress {
-  double time = 0.0;      // simulated [s]
-  double duration = 0.0;  // [s]
-  double wall_time = 0.0; // [s]
+  double time = 0.0;       // simulated [s]
+  double duration = 0.0;   // [s]
+  double wall_time = 0.0;  // [s]
   int contacts = 0;
   double energy_residual = 0.0;
 };

@@ -24,9 +24,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::int64_t block_moments = 64;
 constexpr std::size_t slab_frames = 64;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 double peak_memory() {
   rusage usage{};
@@ -35,8 +33,10 @@ double peak_memory() {
 }
 
 Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunOptions& options) {
-  return {scene.run.name, resolved_toml(scene), scene_hash(scene), options.command_line, engine.name(),
-          scene.contact.resolution == Resolution::coupled ? "coupled" : "independent", options.threads};
+  return {scene.run.name,    resolved_toml(scene),
+          scene_hash(scene), options.command_line,
+          engine.name(),     scene.contact.resolution == Resolution::coupled ? "coupled" : "independent",
+          options.threads};
 }
 
 void check_book(const char* what, double residual, double limit, double time) {
@@ -127,8 +127,8 @@ class Run {
 
   void finish() {
     summary_.stop_signal = StopSignals::received();
-    summary_.status = summary_.stop_signal == SIGINT    ? "stopped:SIGINT"
-                      : summary_.stop_signal == SIGTERM ? "stopped:SIGTERM"
+    summary_.status = summary_.stop_signal == SIGINT          ? "stopped:SIGINT"
+                      : summary_.stop_signal == SIGTERM       ? "stopped:SIGTERM"
                       : engine_.moment() < moments_of(scene_) ? "stopped:moment limit"
                                                               : "complete";
     summary_.state_hash = engine_.state_hash();

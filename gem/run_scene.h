@@ -22,16 +22,16 @@ struct RunOptions {
   bool overwrite = false;
   LogOptions log;
   BookLimits books;
-  double flush_interval_s = 5.0;      ///< wall time between two flushes
-  std::int64_t moment_limit = 0;      ///< > 0: stop after so many moments
+  double flush_interval_s = 5.0;     ///< wall time between two flushes
+  std::int64_t moment_limit = 0;     ///< > 0: stop after so many moments
   std::string command_line = "gem";  ///< for the file's history
   int threads = 1;                   ///< the same
 };
 
 /// What a run came to.
 struct RunSummary {
-  std::string status;      // complete | stopped:<reason>
-  int stop_signal = 0;     // SIGINT, SIGTERM or 0
+  std::string status;   // complete | stopped:<reason>
+  int stop_signal = 0;  // SIGINT, SIGTERM or 0
   std::string file;
   std::string engine;
   double time = 0.0;       // simulated [s]
@@ -41,13 +41,13 @@ struct RunSummary {
   std::int64_t frames = 0;
   std::int64_t events = 0;
   std::uint64_t state_hash = 0;
-  LedgerResidual residual;       // largest over all floe frames
-  double maximum_overlap = 0.0;  // [m]
-  double closing_residual = 0.0; // [m/s]
-  int contacts = 0;              // most in one moment
-  int iterations = 0;            // most in one moment
+  LedgerResidual residual;        // largest over all floe frames
+  double maximum_overlap = 0.0;   // [m]
+  double closing_residual = 0.0;  // [m/s]
+  int contacts = 0;               // most in one moment
+  int iterations = 0;             // most in one moment
   double active_floes = 0.0;
-  double peak_memory = 0.0;      // of the process [bytes]
+  double peak_memory = 0.0;  // of the process [bytes]
 };
 
 /// Runs the engine from where it stands (moment 0) to the end of the scene. Throws Error(file_system) if the record

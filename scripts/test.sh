@@ -16,5 +16,6 @@ fi
 phase "tests" "${tests[@]}"
 print_phase_times
 # ctest names skipped tests but keeps their reasons to its own log.
-grep -h '^skipped: ' build/Testing/Temporary/LastTest.log | while read -r line; do say "$line"; done || true
+awk '/^skipped: / { print "[gem] " $0 } /: Skipped$/ { getline; print "[gem] skipped: " $0 }' \
+  build/Testing/Temporary/LastTest.log
 say "all selected tests passed; the long ones: ctest --test-dir build -L long"

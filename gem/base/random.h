@@ -1,7 +1,7 @@
 // Counter-based random numbers: number `index` of a stream is a pure function of seed, stream, item and index.
 //
 // Philox4x32 with 10 rounds, key = seed, counter = (index, item, stream). No state, so the order of asking, the number
-// of threads and what else was drawn change nothing. Transforms use gem/base/portable_math.h, not the C library.
+// of threads and what else was drawn change nothing. Transforms use gem/base/strict_math.h, not the C library.
 #pragma once
 
 #include <Random123/philox.h>
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "gem/base/portable_math.h"
+#include "gem/base/strict_math.h"
 
 namespace gem {
 
@@ -32,8 +32,8 @@ class Random {
   /// Standard normal (Box and Muller).
   double normal(std::uint64_t index) const {
     const auto words = bits(index);
-    const double distance = std::sqrt(-2.0 * portable_log(to_uniform(words[0])));
-    return distance * rotation_of_turns(to_uniform(words[1])).cosine;
+    const double distance = std::sqrt(-2.0 * strict::log(to_uniform(words[0])));
+    return distance * strict::rotation_of_turns(to_uniform(words[1])).cosine;
   }
 
  private:

@@ -1,4 +1,4 @@
-// Random numbers, portable functions and the hash: known values, moments, independence of the order of asking.
+// Random numbers and the hash: known values, moments, independence of the order of asking.
 #include "gem/base/random.h"
 
 #include <gtest/gtest.h>
@@ -9,26 +9,6 @@
 
 namespace gem {
 namespace {
-
-TEST(PortableMath, AgreesWithTheLibraryToAFewUnits) {
-  for (int i = -400; i <= 400; ++i) {
-    const double x = 0.0371 * i;
-    EXPECT_NEAR(portable_exp(x) / std::exp(x), 1.0, 1e-15) << x;
-    const double y = std::exp(x);
-    EXPECT_NEAR(portable_log(y), std::log(y), 4e-16 * std::max(1.0, std::fabs(x))) << y;
-    const Rotation r = rotation_of_turns(x);
-    const double angle = two_pi * (x - std::floor(x));
-    EXPECT_NEAR(r.cosine, std::cos(angle), 2e-15) << x;
-    EXPECT_NEAR(r.sine, std::sin(angle), 2e-15) << x;
-  }
-}
-
-TEST(PortableMath, QuarterTurnsAreExact) {
-  EXPECT_EQ(rotation_of_turns(0.25).sine, 1.0);
-  EXPECT_EQ(rotation_of_turns(0.25).cosine, 0.0);
-  EXPECT_EQ(rotation_of_turns(-0.5).cosine, -1.0);
-  EXPECT_EQ(rotation_of_turns(2.75).sine, -1.0);
-}
 
 TEST(Random, MatchesThePublishedPhiloxAnswers) {
   // Known-answer test of Philox4x32-10 for counter and key 0: 6627e8d5 e169c58d bc57ac4c 9b00dbd8.

@@ -38,8 +38,7 @@ SceneDef read_case(const CaseChoice& choice) {
     if (member.index == choice.index) return member.scene;
   }
   const std::string range =
-      members.empty() ? "none"
-                      : std::to_string(members.front().index) + " to " + std::to_string(members.back().index);
+      members.empty() ? "none" : std::to_string(members.front().index) + " to " + std::to_string(members.back().index);
   if (choice.index < 0) {
     throw Error(ExitCode::usage, choice.path + " is a sweep (runs " + range + ") choose one with --index");
   }
@@ -64,8 +63,8 @@ void print(const std::string& text) {
     } else if (errno == EPIPE || errno == EBADF) {
       return;
     } else if (errno != EINTR) {
-      throw Error(ExitCode::file_system,
-                  "cannot write to standard output (" + std::generic_category().message(errno) + ") check where it goes");
+      throw Error(ExitCode::file_system, "cannot write to standard output (" + std::generic_category().message(errno) +
+                                             ") check where it goes");
     }
   }
 }

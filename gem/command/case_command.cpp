@@ -39,15 +39,16 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
   line("case", scene_hash(scene));
   line("floes", std::to_string(field.floe_count));
   if (field.floe_count > 0) {
-    line("size sqrt(area)", "mean " + fixed_text(field.size_mean, 3) + " m, sd " +
-                                fixed_text(field.size_deviation, 3) + " m, " + fixed_text(field.size_minimum, 2) +
-                                " to " + fixed_text(field.size_maximum, 2) + " m");
+    line("size sqrt(area)", "mean " + fixed_text(field.size_mean, 3) + " m, sd " + fixed_text(field.size_deviation, 3) +
+                                " m, " + fixed_text(field.size_minimum, 2) + " to " +
+                                fixed_text(field.size_maximum, 2) + " m");
     line("cover", fixed_text(field.cover, 4));
     line("smallest gap", number_text(field.smallest_gap, 4) + " m");
     line("ice mass", number_text(field.ice_mass, 6) + " kg");
     std::string sides;
     for (std::size_t n = 0; n < field.sides.size(); ++n) {
-      if (field.sides[n] > 0) sides += (sides.empty() ? "" : ", ") + std::to_string(n) + ": " + std::to_string(field.sides[n]);
+      if (field.sides[n] > 0)
+        sides += (sides.empty() ? "" : ", ") + std::to_string(n) + ": " + std::to_string(field.sides[n]);
     }
     line("floes by sides", sides);
   }
@@ -94,7 +95,8 @@ void add_case_command(CLI::App& app, Chosen& chosen) {
   check_case->add_flag("--json", options->json, "as JSON");
   check_case->callback([options, &chosen] { chosen.action = [options] { return check(*options); }; });
 
-  CLI::App* resolve_case = group->add_subcommand("resolve", "print a case with every option: what is hashed and stored");
+  CLI::App* resolve_case =
+      group->add_subcommand("resolve", "print a case with every option: what is hashed and stored");
   add_case_options(*resolve_case, options->chosen_case, false);
   resolve_case->add_flag("--json", options->json, "as JSON");
   resolve_case->callback([options, &chosen] { chosen.action = [options] { return resolve(*options); }; });

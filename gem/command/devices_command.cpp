@@ -15,11 +15,14 @@ void add_devices_command(CLI::App& app, Chosen& chosen) {
     chosen.action = [json] {
       const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
       if (*json) {
-        const nlohmann::ordered_json object = {
-            {"cpu_threads", threads}, {"gpus", nlohmann::json::array()}, {"gpu_engine", "not built"}, {"engines", engine_names()}};
+        const nlohmann::ordered_json object = {{"cpu_threads", threads},
+                                               {"gpus", nlohmann::json::array()},
+                                               {"gpu_engine", "not built"},
+                                               {"engines", engine_names()}};
         print(object.dump(2) + "\n");
       } else {
-        print("cpu: " + std::to_string(threads) + " threads (engines cpu and reference)\ngpu: no GPU engine in this build\n");
+        print("cpu: " + std::to_string(threads) +
+              " threads (engines cpu and reference)\ngpu: no GPU engine in this build\n");
       }
       return 0;
     };

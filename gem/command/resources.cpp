@@ -16,10 +16,10 @@ namespace gem {
 namespace {
 
 // Measured on the paper's run; rounded up.
-constexpr double bytes_per_floe = 4096.0;      // state, outlines, pair lists and their copies
-constexpr double base_memory = 48e6;           // program, libraries, chunk caches
-constexpr double compression = 0.75;           // gzip with shuffle, of what a run holds
-constexpr double slabs_in_memory = 4.0;        // being filled, queued, being written
+constexpr double bytes_per_floe = 4096.0;  // state, outlines, pair lists and their copies
+constexpr double base_memory = 48e6;       // program, libraries, chunk caches
+constexpr double compression = 0.75;       // gzip with shuffle, of what a run holds
+constexpr double slabs_in_memory = 4.0;    // being filled, queued, being written
 
 double floe_count(const SceneDef& scene) {
   const bool listed = scene.floes.source == FloeSource::listed;
@@ -48,7 +48,8 @@ Estimate estimate(const SceneDef& scene) {
   const double frame_bytes = floe_count(scene) * (6.0 * sizeof(float) + 1.0);
   Estimate need;
   need.moments = double(moments_of(scene));
-  need.memory = base_memory + floe_count(scene) * bytes_per_floe + slabs_in_memory * std::min(frames, 64.0) * frame_bytes;
+  need.memory =
+      base_memory + floe_count(scene) * bytes_per_floe + slabs_in_memory * std::min(frames, 64.0) * frame_bytes;
   need.disk = compression * (frames * frame_bytes + samples * 8.0 * double(platform_columns().size()) +
                              frames * 8.0 * double(stats_columns().size()) + floe_count(scene) * 160.0) +
               1e6;

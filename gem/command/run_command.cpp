@@ -42,10 +42,15 @@ std::string file_name(const std::string& run_name) {
 std::string dry_run_text(const SceneDef& scene, const Bodies& field, const Estimate& need, const RunChoice& choice) {
   const std::size_t floes = std::size_t(std::count(field.kind.begin(), field.kind.end(), BodyKind::floe));
   if (choice.json) {
-    const nlohmann::ordered_json object = {
-        {"name", scene.run.name},        {"case_sha256", scene_hash(scene)},  {"engine", choice.engine.name},
-        {"threads", choice.engine.threads}, {"floes", floes},                 {"moments", need.moments},
-        {"memory_bytes", need.memory},   {"disk_bytes", need.disk},           {"file", choice.options.output}};
+    const nlohmann::ordered_json object = {{"name", scene.run.name},
+                                           {"case_sha256", scene_hash(scene)},
+                                           {"engine", choice.engine.name},
+                                           {"threads", choice.engine.threads},
+                                           {"floes", floes},
+                                           {"moments", need.moments},
+                                           {"memory_bytes", need.memory},
+                                           {"disk_bytes", need.disk},
+                                           {"file", choice.options.output}};
     return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   }
   return resolved_toml(scene) + "\n# dry run: nothing was computed\n# case    " + scene_hash(scene) + "\n# floes   " +
@@ -76,8 +81,9 @@ int run(RunChoice choice) {
     return 0;
   }
   const auto engine = make_engine(scene, field, choice.engine);
-  log.message("info", scene.run.name + ": " + number_text(scene.run.duration_s) + " s, engine " + engine->name() + ", " +
-                          std::to_string(choice.engine.threads) + " threads, to " + shown(choice.options.output));
+  log.message("info", scene.run.name + ": " + number_text(scene.run.duration_s) + " s, engine " + engine->name() +
+                          ", " + std::to_string(choice.engine.threads) + " threads, to " +
+                          shown(choice.options.output));
   choice.options.threads = choice.engine.threads;
   const RunSummary summary = run_scene(scene, *engine, choice.options);
   if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));

@@ -78,7 +78,7 @@ Quantity total(const FieldState& f) {
   return sum;
 }
 
-Ledger closed_books(const FieldState& f, const Ledger& running) {
+Ledger closed_books(const FieldState& f, Ledger& running) {
   Ledger ledger = running;
   double momentum = 0.0, angular = 0.0;
   for (std::size_t i = 0; i < f.bodies.count(); ++i) {
@@ -95,9 +95,12 @@ Ledger closed_books(const FieldState& f, const Ledger& running) {
     angular = std::max(angular, std::fabs(q.angular_momentum));
     energy += std::fabs(q.energy);
   }
-  ledger.momentum_scale = std::max(momentum, length(ledger.mooring_force.momentum));
-  ledger.angular_scale = std::max(angular, std::fabs(ledger.mooring_force.angular_momentum));
-  ledger.energy_scale = energy;
+  running.momentum_scale = std::max({running.momentum_scale, momentum, length(ledger.mooring_force.momentum)});
+  running.angular_scale = std::max({running.angular_scale, angular, std::fabs(ledger.mooring_force.angular_momentum)});
+  running.energy_scale = std::max(running.energy_scale, energy);
+  ledger.momentum_scale = running.momentum_scale;
+  ledger.angular_scale = running.angular_scale;
+  ledger.energy_scale = running.energy_scale;
   return ledger;
 }
 
@@ -120,22 +123,22 @@ void retire_and_check(FieldState& f, Ledger& ledger, std::int64_t moment) {
   }
 }
 
-MomentQuality contact_quality(std::span<const Contact> contacts) {
+MomentQuality contact_quality(Contacts contacts) {
   MomentQuality quality;
-  for (const Contact& contact : contacts)
-    for (int k = 0; k < contact.count; ++k) {
-      const double depth = -contact.slot[k].separation;
+  for (const Contact* contact : contacts)
+    for (int k = 0; k < contact->count; ++k) {
+      const double depth = -contact->slot[k].separation;
       if (depth >= 0.0) ++quality.contacts;
       quality.maximum_overlap = std::max(quality.maximum_overlap, depth);
     }
   return quality;
 }
 
-void log_events(const FieldState& f, std::span<const Contact> contacts, std::int64_t moment, double event_speed,
-                MomentLog& log) {
+void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, double event_speed, MomentLog& log) {
   if (!log.wants_events) return;
   const double time = static_cast<double>(moment) * f.constants.dt;
-  for (const Contact& contact : contacts) {
+  for (const Contact* at : contacts) {
+    const Contact& contact = *at;
     if (contact.a != 0) break;
     double closing = 0.0, pressed = 0.0;
     for (int k = 0; k < contact.count; ++k) {
@@ -146,7 +149,7 @@ void log_events(const FieldState& f, std::span<const Contact> contacts, std::int
   }
 }
 
-void log_moment(const FieldState& f, std::span<const Contact> contacts, const Ledger& before, const Ledger& after,
+void log_moment(const FieldState& f, Contacts contacts, const Ledger& before, const Ledger& after,
                 const MomentQuality& quality, MomentLog& log) {
   PlatformMoment p;
   p.position = f.bodies.position[0];
@@ -155,7 +158,8 @@ void log_moment(const FieldState& f, std::span<const Contact> contacts, const Le
   p.spin = f.bodies.spin[0];
   p.mooring_impulse = after.mooring_force.momentum - before.mooring_force.momentum;
   p.drag_impulse = after[Channel::platform_drag].momentum - before[Channel::platform_drag].momentum;
-  for (const Contact& contact : contacts) {
+  for (const Contact* at : contacts) {
+    const Contact& contact = *at;
     if (contact.a != 0) break;
     bool pressed = false;
     for (int k = 0; k < contact.count; ++k) {

@@ -1,8 +1,6 @@
 // Opens, closes and reads the books of a host engine's field.
 #pragma once
 
-#include <span>
-
 #include "gem/engine/contact.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/field_state.h"
@@ -12,21 +10,22 @@ namespace gem {
 /// Momentum, angular momentum and energy (mooring spring included) of the active bodies.
 Quantity total(const FieldState& f);
 
-/// The ledger with every body's own books summed in id order and `now`, residual scales and totals filled in.
-Ledger closed_books(const FieldState& f, const Ledger& running);
+/// The ledger with every body's own books summed in id order, and `now`. The scales are the largest seen so far, so
+/// that a moment at which everything happens to stand still does not make rounding look large; `running` remembers
+/// them.
+Ledger closed_books(const FieldState& f, Ledger& running);
 
 /// Retires the floes past the retire line and stops on a state that is no number. `moment` names the place in messages.
 void retire_and_check(FieldState& f, Ledger& ledger, std::int64_t moment);
 
 /// How many points touch and how deep, at the start of the moment.
-MomentQuality contact_quality(std::span<const Contact> contacts);
+MomentQuality contact_quality(Contacts contacts);
 
 /// Appends the platform's events. Outlines and positions must be those of the moment's start or end: either will do.
-void log_events(const FieldState& f, std::span<const Contact> contacts, std::int64_t moment, double event_speed,
-                MomentLog& log);
+void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, double event_speed, MomentLog& log);
 
 /// Appends what the platform felt. `before` and `after` are the running ledgers around the moment.
-void log_moment(const FieldState& f, std::span<const Contact> contacts, const Ledger& before, const Ledger& after,
+void log_moment(const FieldState& f, Contacts contacts, const Ledger& before, const Ledger& after,
                 const MomentQuality& quality, MomentLog& log);
 
 }  // namespace gem

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "gem/base/vec2.h"
 #include "gem/events/impact.h"
@@ -33,6 +34,9 @@ struct Contact {
   double friction = 0.0;
   ContactSlot slot[2];
 };
+
+/// The contacts of one moment, ascending in (a, b): those of the platform come first.
+using Contacts = std::span<Contact* const>;
 
 /// Names a contact point from one moment to the next; ascending in (a, b, feature).
 constexpr std::uint64_t contact_key(std::int32_t a, std::int32_t b, std::int32_t feature) {

@@ -16,21 +16,22 @@
 
 namespace gem {
 
-/// Looks whether a pair touches (or, coupled, is closer than the contact margin). `hint` is an earlier separating
-/// axis and is updated; `separation` returns a lower bound of the gap.
-inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, Separation& hint, double& separation,
+/// Looks whether a pair touches (or, coupled, is closer than the contact margin). `axes` are those of an earlier look,
+/// since which the bodies moved by at most `moved`; they are brought up to date. Everything of the contact that later
+/// stages only add to is set to zero.
+inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, SeparatingAxes& axes, double moved,
                          Contact& contact) {
+  // an axis cannot overtake another by rounding alone
+  constexpr double rounding = 1e-9;
   const double limit = f.constants.contact_margin;
   const Outline outline_a = f.outline(a), outline_b = f.outline(b);
   const Vec2 offset = f.bodies.position[b] - f.bodies.position[a];
-  hint = find_separation(outline_a, outline_b, offset, limit, hint);
-  separation = hint.distance;
-  if (!(hint.distance < limit)) return false;
+  follow_axes(axes, outline_a, outline_b, offset, moved + rounding, limit);
+  if (!(axes.first.distance < limit)) return false;
   const ContactGeometry geometry = f.constants.manifold == Manifold::chord_middle
-                                       ? chord_contact(outline_a, outline_b, offset, hint)
-                                       : face_contact(outline_a, outline_b, offset, hint, limit);
+                                       ? chord_contact(outline_a, outline_b, offset, axes.first)
+                                       : face_contact(outline_a, outline_b, offset, axes.first, limit);
   if (geometry.count == 0) return false;
-  contact = {};
   contact.a = a;
   contact.b = b;
   contact.count = geometry.count;
@@ -42,6 +43,10 @@ inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, Se
     contact.slot[k].arm_b = geometry.point[k].position - offset;
     contact.slot[k].separation = geometry.point[k].separation;
     contact.slot[k].feature = geometry.point[k].feature;
+    contact.slot[k].target = 0.0;
+    contact.slot[k].impulse = {};
+    contact.slot[k].elastic = 0.0;
+    contact.slot[k].repair = 0.0;
   }
   return true;
 }

@@ -22,10 +22,11 @@ namespace {
 constexpr std::int32_t contacts_worth_threads = 64;
 
 /// Platform velocity from the sum of all its contacts' impulses, in contact order.
-void move_platform(FieldState& f, std::span<const Contact> contacts, Vec2 velocity, double spin, std::int32_t sweep) {
+void move_platform(FieldState& f, Contacts contacts, Vec2 velocity, double spin, std::int32_t sweep) {
   Vec2 impulse;
   double twist = 0.0;
-  for (const Contact& contact : contacts) {
+  for (const Contact* at : contacts) {
+    const Contact& contact = *at;
     if (contact.a != 0) break;
     for (int k = 0; k < contact.count; ++k) {
       const ContactSlot& slot = contact.slot[k];
@@ -37,10 +38,11 @@ void move_platform(FieldState& f, std::span<const Contact> contacts, Vec2 veloci
   place_platform(f, velocity - f.bodies.inverse_mass[0] * impulse, spin - f.bodies.inverse_inertia[0] * twist, sweep);
 }
 
-void shift_platform(FieldState& f, std::span<const Contact> contacts) {
+void shift_platform(FieldState& f, Contacts contacts) {
   Vec2 impulse;
   double twist = 0.0;
-  for (const Contact& contact : contacts) {
+  for (const Contact* at : contacts) {
+    const Contact& contact = *at;
     if (contact.a != 0) break;
     for (int k = 0; k < contact.count; ++k) {
       const Vec2 p = contact.slot[k].repair * contact.normal;
@@ -52,9 +54,10 @@ void shift_platform(FieldState& f, std::span<const Contact> contacts) {
   f.repair_turn[0] = -(f.bodies.inverse_inertia[0] * twist);
 }
 
-double platform_points(std::span<const Contact> contacts) {
+double platform_points(Contacts contacts) {
   int points = 0;
-  for (const Contact& contact : contacts) {
+  for (const Contact* at : contacts) {
+    const Contact& contact = *at;
     if (contact.a != 0) break;
     points += contact.count;
   }
@@ -68,9 +71,10 @@ void CoupledSolver::restore(std::vector<std::uint64_t> keys, std::vector<Vec2> i
   impulses_ = std::move(impulses);
 }
 
-void CoupledSolver::warm_start(std::span<Contact> contacts) const {
+void CoupledSolver::warm_start(Contacts contacts) const {
   std::size_t at = 0;
-  for (Contact& contact : contacts) {
+  for (Contact* found : contacts) {
+    Contact& contact = *found;
     const std::uint64_t first = contact_key(contact.a, contact.b, 0);
     while (at < keys_.size() && keys_[at] < first) ++at;
     for (int k = 0; k < contact.count; ++k) {
@@ -81,22 +85,22 @@ void CoupledSolver::warm_start(std::span<Contact> contacts) const {
   }
 }
 
-void CoupledSolver::keep(std::span<const Contact> contacts) {
+void CoupledSolver::keep(Contacts contacts) {
   keys_.clear();
   impulses_.clear();
-  for (const Contact& contact : contacts)
-    for (int k = 0; k < contact.count; ++k) {
-      keys_.push_back(contact_key(contact.a, contact.b, contact.slot[k].feature));
-      impulses_.push_back({contact.slot[k].impulse.normal, contact.slot[k].impulse.tangential});
+  for (const Contact* contact : contacts)
+    for (int k = 0; k < contact->count; ++k) {
+      keys_.push_back(contact_key(contact->a, contact->b, contact->slot[k].feature));
+      impulses_.push_back({contact->slot[k].impulse.normal, contact->slot[k].impulse.tangential});
     }
 }
 
-void CoupledSolver::colour(const FieldState& f, std::span<const Contact> contacts) {
+void CoupledSolver::colour(const FieldState& f, Contacts contacts) {
   used_.assign(f.bodies.count(), 0);
   colour_of_.resize(contacts.size());
   std::int32_t count[64] = {};
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Contact& contact = contacts[i];
+    const Contact& contact = *contacts[i];
     const bool a_moves = sweeps_write_a(f.bodies, contact);
     const bool b_moves = f.bodies.inverse_mass[contact.b] > 0.0;
     const std::uint64_t taken = (a_moves ? used_[contact.a] : 0) | (b_moves ? used_[contact.b] : 0);
@@ -112,24 +116,24 @@ void CoupledSolver::colour(const FieldState& f, std::span<const Contact> contact
   for (int c = 0; c < 64 && count[c] > 0; ++c) colour_begin_.push_back(colour_begin_.back() + count[c]);
   order_.resize(contacts.size());
   std::vector<std::int32_t> next(colour_begin_.begin(), colour_begin_.end());
-  for (std::size_t i = 0; i < contacts.size(); ++i) order_[next[colour_of_[i]]++] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < contacts.size(); ++i) order_[next[colour_of_[i]]++] = contacts[i];
 }
 
 template <class Visit>
-void CoupledSolver::sweep(std::span<Contact> contacts, ThreadTeam& team, int rank, Visit&& visit) {
+void CoupledSolver::sweep(ThreadTeam& team, int rank, Visit&& visit) {
   for (std::size_t c = 0; c + 1 < colour_begin_.size(); ++c) {
     const std::int32_t begin = colour_begin_[c], count = colour_begin_[c + 1] - begin;
     if (count < contacts_worth_threads) {
       if (rank == 0)
-        for (std::int32_t i = 0; i < count; ++i) visit(contacts[order_[begin + i]]);
+        for (std::int32_t i = 0; i < count; ++i) visit(*order_[begin + i]);
       team.barrier();
     } else {
-      team.for_each(rank, count, [&](std::int64_t i) { visit(contacts[order_[begin + i]]); });
+      team.for_each(rank, count, [&](std::int64_t i) { visit(*order_[begin + i]); });
     }
   }
 }
 
-void CoupledSolver::start_moment(FieldState& f, std::span<Contact> contacts) {
+void CoupledSolver::start_moment(FieldState& f, Contacts contacts) {
   colour(f, contacts);
   platform_velocity_ = f.bodies.velocity[0];
   platform_spin_ = f.bodies.spin[0];
@@ -140,7 +144,7 @@ void CoupledSolver::start_moment(FieldState& f, std::span<Contact> contacts) {
   done_ = contacts.empty();
 }
 
-void CoupledSolver::end_sweep(FieldState& f, std::span<const Contact> contacts) {
+void CoupledSolver::end_sweep(FieldState& f, Contacts contacts) {
   move_platform(f, contacts, platform_velocity_, platform_spin_, sweeps_);
   residual_ = 0.0;
   for (const Change& change : change_) residual_ = std::max(residual_, change.speed);
@@ -150,23 +154,21 @@ void CoupledSolver::end_sweep(FieldState& f, std::span<const Contact> contacts) 
   if (!done_) ++sweeps_;
 }
 
-void CoupledSolver::resolve(FieldState& f, std::span<Contact> contacts, ThreadTeam& team, int rank,
-                            MomentQuality& quality) {
+void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality) {
   const double share = platform_points(contacts);
   team.single(rank, [&] {
-    change_.resize(team.size());
+    change_.assign(team.size(), {});
     warm_start(contacts);
     start_moment(f, contacts);
   });
   if (team.failed()) return;
   team.for_each(rank, static_cast<std::int64_t>(contacts.size()),
-                [&](std::int64_t i) { prepare_contact(f, contacts[i], share); });
-  sweep(contacts, team, rank,
-        [&](Contact& contact) { apply_impulses(f.bodies, contact, sweeps_write_a(f.bodies, contact)); });
+                [&](std::int64_t i) { prepare_contact(f, *contacts[i], share); });
+  sweep(team, rank, [&](Contact& contact) { apply_impulses(f.bodies, contact, sweeps_write_a(f.bodies, contact)); });
   team.single(rank, [&] { move_platform(f, contacts, platform_velocity_, platform_spin_, 0); });
   while (!done_) {
     double change = 0.0;
-    sweep(contacts, team, rank, [&](Contact& contact) {
+    sweep(team, rank, [&](Contact& contact) {
       if (all_ || wants_visit(f, contact, sweeps_)) change = std::max(change, resolve_together(f, contact, sweeps_));
     });
     change_[rank].speed = change;
@@ -174,7 +176,7 @@ void CoupledSolver::resolve(FieldState& f, std::span<Contact> contacts, ThreadTe
     team.single(rank, [&] { end_sweep(f, contacts); });
   }
   for (std::int64_t i = 0; i < f.constants.repair_iterations; ++i) {
-    sweep(contacts, team, rank, [&](Contact& contact) { repair_overlap(f, contact); });
+    sweep(team, rank, [&](Contact& contact) { repair_overlap(f, contact); });
     team.single(rank, [&] { shift_platform(f, contacts); });
   }
   team.single(rank, [&] {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "gem/engine/contact.h"
@@ -16,27 +15,29 @@ namespace gem {
 class CoupledSolver {
  public:
   /// Inside a team's run: resolves the contacts (ascending in a, b); changes velocities, impulses and repair shifts.
-  void resolve(FieldState& f, std::span<Contact> contacts, ThreadTeam& team, int rank, MomentQuality& quality);
+  void resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality);
 
   const std::vector<std::uint64_t>& keys() const { return keys_; }
   const std::vector<Vec2>& impulses() const { return impulses_; }
   void restore(std::vector<std::uint64_t> keys, std::vector<Vec2> impulses);
+  /// Colour of each contact of the last moment: contacts of one colour share no moving body.
+  const std::vector<std::uint8_t>& colours() const { return colour_of_; }
 
  private:
-  void warm_start(std::span<Contact> contacts) const;
-  void keep(std::span<const Contact> contacts);
-  void colour(const FieldState& f, std::span<const Contact> contacts);
-  void start_moment(FieldState& f, std::span<Contact> contacts);
-  void end_sweep(FieldState& f, std::span<const Contact> contacts);
+  void warm_start(Contacts contacts) const;
+  void keep(Contacts contacts);
+  void colour(const FieldState& f, Contacts contacts);
+  void start_moment(FieldState& f, Contacts contacts);
+  void end_sweep(FieldState& f, Contacts contacts);
 
   /// Calls visit(contact) for all contacts, a colour at a time.
   template <class Visit>
-  void sweep(std::span<Contact> contacts, ThreadTeam& team, int rank, Visit&& visit);
+  void sweep(ThreadTeam& team, int rank, Visit&& visit);
 
   std::vector<std::uint64_t> keys_;
   std::vector<Vec2> impulses_;              // normal, tangential
   std::vector<std::uint64_t> used_;         // per body: colours taken
-  std::vector<std::int32_t> order_;         // contact indices, colour by colour
+  std::vector<Contact*> order_;             // contacts, colour by colour
   std::vector<std::int32_t> colour_begin_;  // into order_
   std::vector<std::uint8_t> colour_of_;
 

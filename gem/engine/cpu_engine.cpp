@@ -15,45 +15,52 @@
 namespace gem {
 
 CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads)
-    : event_speed_(scene.output.event_speed_m_per_s), team_(threads) {
+    : event_speed_(scene.output.event_speed_m_per_s), all_threads_(threads) {
   const MomentConstants constants = moment_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   ledger_.start = total(field_);
 }
 
 void CpuEngine::advance(std::int64_t moments, MomentLog& log) {
-  team_.run([&](int rank) {
-    for (std::int64_t i = 0; i < moments && !team_.failed(); ++i) one_moment(rank, log);
-  });
+  while (moments > 0) {
+    const std::int64_t stretch = all_threads_.size() == 1 ? moments : choice_.stretch(moments);
+    ThreadTeam& team = choice_.all_threads() ? all_threads_ : one_thread_;
+    choice_.start();
+    team.run([&](int rank) {
+      for (std::int64_t i = 0; i < stretch && !team.failed(); ++i) one_moment(team, rank, log);
+    });
+    if (all_threads_.size() > 1) choice_.note(stretch);
+    moments -= stretch;
+  }
 }
 
-void CpuEngine::one_moment(int rank, MomentLog& log) {
+void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
   FieldState& f = field_;
   const std::int64_t n = static_cast<std::int64_t>(f.bodies.count());
-  pairs_.find(f, team_, rank);
-  const std::span<Contact> contacts = pairs_.contacts();
+  pairs_.find(f, team, rank);
+  const Contacts contacts = pairs_.contacts();
 
-  team_.for_each(rank, n, [&](std::int64_t i) {
+  team.for_each(rank, n, [&](std::int64_t i) {
     if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
   });
-  team_.single(rank, [&] {
+  team.single(rank, [&] {
     before_ = ledger_;
     platform_first_half(f, ledger_);
     quality_ = contact_quality(contacts);
   });
   if (f.constants.resolution == Resolution::coupled) {
-    coupled_.resolve(f, contacts, team_, rank, quality_);
+    coupled_.resolve(f, contacts, team, rank, quality_);
   } else {
-    resolve_independent(rank);
+    resolve_independent(team, rank);
   }
-  team_.single(rank, [&] {
-    for (const Contact& contact : contacts) book_contact(f, contact, ledger_);
+  team.single(rank, [&] {
+    for (const Contact* contact : contacts) book_contact(f, *contact, ledger_);
   });
 
-  team_.for_each(rank, n, [&](std::int64_t i) {
+  team.for_each(rank, n, [&](std::int64_t i) {
     if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
   });
-  team_.single(rank, [&] {
+  team.single(rank, [&] {
     log_events(f, contacts, moment_, event_speed_, log);
     platform_second_half(f, ledger_);
     ++moment_;
@@ -62,15 +69,15 @@ void CpuEngine::one_moment(int rank, MomentLog& log) {
   });
 }
 
-void CpuEngine::resolve_independent(int rank) {
+void CpuEngine::resolve_independent(ThreadTeam& team, int rank) {
   FieldState& f = field_;
-  const std::span<Contact> contacts = pairs_.contacts();
-  team_.for_each(rank, static_cast<std::int64_t>(contacts.size()), [&](std::int64_t i) {
-    prepare_contact(f, contacts[i], 1.0);
-    resolve_alone(f, contacts[i]);
+  const Contacts contacts = pairs_.contacts();
+  team.for_each(rank, static_cast<std::int64_t>(contacts.size()), [&](std::int64_t i) {
+    prepare_contact(f, *contacts[i], 1.0);
+    resolve_alone(f, *contacts[i]);
   });
-  team_.single(rank, [&] {
-    for (const Contact& contact : contacts) apply_impulses(f.bodies, contact, true);
+  team.single(rank, [&] {
+    for (const Contact* contact : contacts) apply_impulses(f.bodies, *contact, true);
   });
 }
 

@@ -7,6 +7,7 @@
 #include "gem/engine/engine.h"
 #include "gem/engine/field_state.h"
 #include "gem/engine/pair_list.h"
+#include "gem/engine/team_choice.h"
 #include "gem/engine/thread_team.h"
 
 namespace gem {
@@ -24,12 +25,14 @@ class CpuEngine : public Engine {
   void restore(const EngineState& state) override;
 
  private:
-  void one_moment(int rank, MomentLog& log);
-  void resolve_independent(int rank);
+  void one_moment(ThreadTeam& team, int rank, MomentLog& log);
+  void resolve_independent(ThreadTeam& team, int rank);
 
   FieldState field_;
   double event_speed_;
-  ThreadTeam team_;
+  ThreadTeam all_threads_;
+  ThreadTeam one_thread_{1};
+  TeamChoice choice_;
   Ledger ledger_;
   std::int64_t moment_ = 0;
   PairList pairs_;

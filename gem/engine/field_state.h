@@ -19,7 +19,7 @@ struct FieldState {
   std::vector<Vec2> corner;         // outlines in world axes about the centroid, as bodies.vertex
   std::vector<Vec2> normal;         // outward unit normals of the edges in world axes
   std::vector<Vec2> body_normal;    // the same in body axes
-  std::vector<double> turn_travel;  // radius x angle turned so far: how far any corner moved by turning [m]
+  std::vector<double> turn_travel;  // sum of the angles turned so far, either way [rad]
 
   std::vector<Vec2> path_correction;  // exact path of the drag minus velocity x dt [m]
   std::vector<double> angle_correction;

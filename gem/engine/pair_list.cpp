@@ -24,7 +24,7 @@ void PairList::check_course(const FieldState& f, ThreadTeam& team, int rank) {
   bool strayed = false;
   for (std::int64_t i = team.begin_of(rank, n); i < team.begin_of(rank + 1, n); ++i) {
     const Vec2 off = f.bodies.position[i] - position_[i] - elapsed * velocity_[i];
-    const double left = allowed - (f.turn_travel[i] - turned_[i]);
+    const double left = allowed - f.bodies.radius[i] * (f.turn_travel[i] - turned_[i]);
     strayed |= f.bodies.active[i] && !(left > 0.0 && dot(off, off) < left * left);
   }
   part_[rank].strayed = strayed;
@@ -100,8 +100,7 @@ void PairList::pairs_of_large_bodies(const FieldState& f) {
     if (!f.bodies.active[a]) continue;
     for (std::size_t b = a + 1; b < n; ++b) {
       if (!f.bodies.active[b] || (f.bodies.inverse_mass[a] == 0.0 && f.bodies.inverse_mass[b] == 0.0)) continue;
-      if (near(f, a, b))
-        pairs_.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), {}, {}, 0.0, -1.0});
+      if (near(f, a, b)) pairs_.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), {}, {}, 0.0});
     }
   }
 }
@@ -116,7 +115,7 @@ void PairList::pairs_of_floe(const FieldState& f, std::size_t i, std::vector<Pai
     for (std::int32_t k = first; k < last; ++k) {
       const std::int32_t b = cell_body_[k];
       if (b > static_cast<std::int32_t>(i) && near(f, i, b))
-        found.push_back({static_cast<std::int32_t>(i), b, {}, {}, 0.0, -1.0});
+        found.push_back({static_cast<std::int32_t>(i), b, {}, {}, 0.0, 0.0});
     }
   }
   std::sort(found.begin() + static_cast<std::ptrdiff_t>(first_found), found.end(),
@@ -147,7 +146,7 @@ void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
   part_[rank].near.clear();
   team.for_each(rank, n, [&](std::int64_t i) { pairs_of_floe(f, i, part_[rank].near); });
   team.single(rank, [&] {
-    for (const Part& part : part_) pairs_.insert(pairs_.end(), part.near.begin(), part.near.end());
+    for (int r = 0; r < team.size(); ++r) pairs_.insert(pairs_.end(), part_[r].near.begin(), part_[r].near.end());
     valid_ = true;
     ++builds_;
   });
@@ -155,43 +154,48 @@ void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
 
 void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
   team.single(rank, [&] {
-    part_.resize(team.size());
+    part_.resize(std::max(part_.size(), static_cast<std::size_t>(team.size())));
     valid_ = valid_ && age_ < horizon_;
   });
   if (valid_) {
     check_course(f, team, rank);
     team.barrier();
     team.single(rank, [&] {
-      for (const Part& part : part_) valid_ = valid_ && !part.strayed;
+      for (int r = 0; r < team.size(); ++r) valid_ = valid_ && !part_[r].strayed;
     });
   }
   if (!valid_) build(f, team, rank);
 
-  std::vector<Contact>& mine = part_[rank].found;
-  mine.clear();
+  Part& mine = part_[rank];
+  mine.count = 0;
   const double limit = f.constants.contact_margin;
-  Contact contact;
   team.for_each(rank, static_cast<std::int64_t>(pairs_.size()), [&](std::int64_t i) {
     Pair& pair = pairs_[i];
     const Vec2 offset = f.bodies.position[pair.b] - f.bodies.position[pair.a];
-    const double turned = f.turn_travel[pair.a] + f.turn_travel[pair.b];
-    const double left = pair.gap - limit - (turned - pair.turned);
-    const Vec2 moved = offset - pair.offset;
-    if (left > 0.0 && dot(moved, moved) < left * left) return;
+    const double turned_a = f.turn_travel[pair.a] - pair.turned_a, turned_b = f.turn_travel[pair.b] - pair.turned_b;
+    const double radius_a = f.bodies.radius[pair.a], radius_b = f.bodies.radius[pair.b];
+    const double left = pair.axes.first.distance - limit - (radius_a * turned_a + radius_b * turned_b);
+    const Vec2 shifted = offset - pair.offset;
+    if (left > 0.0 && dot(shifted, shifted) < left * left) return;
     if (!f.bodies.active[pair.a] || !f.bodies.active[pair.b]) return;
-    if (find_contact(f, pair.a, pair.b, pair.axis, pair.gap, contact)) mine.push_back(contact);
+    if (mine.count == mine.found.size()) mine.found.resize(2 * mine.count + 64);
+    // an axis turns with its body and sweeps over the other, whose far side is this far from it
+    const double far = 2.0 * (radius_a + radius_b) + length(shifted) + limit;
+    const double moved = length(shifted) + far * (turned_a + turned_b);
+    if (find_contact(f, pair.a, pair.b, pair.axes, moved, mine.found[mine.count])) ++mine.count;
     pair.offset = offset;
-    pair.turned = turned;
+    pair.turned_a = f.turn_travel[pair.a];
+    pair.turned_b = f.turn_travel[pair.b];
   });
   team.single(rank, [&] {
     ++age_;
-    contact_count_ = 0;
-    for (const Part& part : part_) contact_count_ += part.found.size();
-    if (contacts_.size() < contact_count_) contacts_.resize(contact_count_ + contact_count_ / 4);
+    std::size_t count = 0;
+    for (int r = 0; r < team.size(); ++r) count += part_[r].count;
+    contacts_.resize(count);
   });
   std::size_t at = 0;
-  for (int r = 0; r < rank; ++r) at += part_[r].found.size();
-  std::copy(mine.begin(), mine.end(), contacts_.begin() + static_cast<std::ptrdiff_t>(at));
+  for (int r = 0; r < rank; ++r) at += part_[r].count;
+  for (std::size_t i = 0; i < mine.count; ++i) contacts_[at + i] = &mine.found[i];
   team.barrier();
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "gem/engine/contact.h"
@@ -16,8 +15,8 @@ class PairList {
  public:
   /// Inside a team's run: finds the contacts of the field as it stands.
   void find(const FieldState& f, ThreadTeam& team, int rank);
-  /// Contacts of the last find, ascending in (a, b); the caller may write to them.
-  std::span<Contact> contacts() { return {contacts_.data(), contact_count_}; }
+  /// Contacts of the last find, ascending in (a, b); they stay until the next.
+  Contacts contacts() const { return contacts_; }
   /// Forgets the list, e.g. after a restart.
   void clear() { valid_ = false; }
   std::int64_t builds() const { return builds_; }
@@ -26,11 +25,10 @@ class PairList {
  private:
   struct Pair {
     std::int32_t a, b;
-    Separation axis;
-    // as they were when the pair was last looked at: a pair that was `gap` apart cannot touch before it moved so far
+    SeparatingAxes axes;
+    // as they were when the pair was last looked at
     Vec2 offset;
-    double turned;
-    double gap;
+    double turned_a = 0.0, turned_b = 0.0;
   };
   struct Box {
     Vec2 low, high;
@@ -62,14 +60,14 @@ class PairList {
   std::int32_t columns_ = 0, rows_ = 0;
   std::vector<std::int32_t> cell_of_, cell_begin_, cell_body_;
 
-  struct alignas(64) Part {  // one per thread
-    std::vector<Contact> found;
+  struct alignas(64) Part {      // one per thread
+    std::vector<Contact> found;  // as long as the longest moment so far
+    std::size_t count = 0;       // of them found in this moment
     std::vector<Pair> near;
     bool strayed = false;
   };
   std::vector<Part> part_;
-  std::vector<Contact> contacts_;  // as long as the longest moment so far
-  std::size_t contact_count_ = 0;
+  std::vector<Contact*> contacts_;
 };
 
 }  // namespace gem

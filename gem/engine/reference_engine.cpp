@@ -23,10 +23,9 @@ std::vector<Contact> ReferenceEngine::all_contacts() const {
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(b.count()); ++i)
     for (std::int32_t j = i + 1; j < static_cast<std::int32_t>(b.count()); ++j) {
       if (!b.active[i] || !b.active[j] || (b.inverse_mass[i] == 0.0 && b.inverse_mass[j] == 0.0)) continue;
-      Separation axis;
-      double gap = 0.0;
+      SeparatingAxes unknown;
       Contact contact;
-      if (find_contact(field_, i, j, axis, gap, contact)) contacts.push_back(contact);
+      if (find_contact(field_, i, j, unknown, 0.0, contact)) contacts.push_back(contact);
     }
   return contacts;
 }
@@ -36,10 +35,12 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
   for (std::int64_t m = 0; m < moments; ++m) {
     const Ledger before = ledger_;
     std::vector<Contact> contacts = all_contacts();
+    std::vector<Contact*> view;
+    for (Contact& contact : contacts) view.push_back(&contact);
     for (std::size_t i = 0; i < f.bodies.count(); ++i)
       if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
     platform_first_half(f, ledger_);
-    MomentQuality quality = contact_quality(contacts);
+    MomentQuality quality = contact_quality(view);
     if (f.constants.resolution == Resolution::coupled) {
       resolve_coupled(contacts, quality);
     } else {
@@ -50,11 +51,11 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
     for (const Contact& contact : contacts) book_contact(f, contact, ledger_);
     for (std::size_t i = 0; i < f.bodies.count(); ++i)
       if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
-    log_events(f, contacts, moment_, event_speed_, log);
+    log_events(f, view, moment_, event_speed_, log);
     platform_second_half(f, ledger_);
     ++moment_;
     retire_and_check(f, ledger_, moment_);
-    log_moment(f, contacts, before, ledger_, quality, log);
+    log_moment(f, view, before, ledger_, quality, log);
   }
 }
 

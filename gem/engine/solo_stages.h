@@ -60,7 +60,7 @@ inline void turn_outline(FieldState& f, std::size_t i) {
 inline void turn_body(FieldState& f, std::size_t i, double angle) {
   if (angle == 0.0) return;
   f.bodies.rotation[i] = turned(f.bodies.rotation[i], angle);
-  f.turn_travel[i] += f.bodies.radius[i] * (angle < 0.0 ? -angle : angle);
+  f.turn_travel[i] += angle < 0.0 ? -angle : angle;
   turn_outline(f, i);
 }
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "gem/base/portable_math.h"
+#include "gem/base/strict_math.h"
 
 namespace gem {
 namespace {
@@ -22,15 +22,15 @@ Edge edge_of(const std::vector<Vec2>& outline, std::size_t i) {
   return {cross(a, along), dot(a, along), dot(b, along)};
 }
 
-double portable_asinh(double x) {
-  const double size = portable_log(std::fabs(x) + std::sqrt(x * x + 1.0));
+double strict_asinh(double x) {
+  const double size = strict::log(std::fabs(x) + std::sqrt(x * x + 1.0));
   return x < 0.0 ? -size : size;
 }
 
 /// Antiderivative of (d^2 + s^2)^(3/2) in s.
 double primitive(double d, double s) {
   const double r = std::sqrt(d * d + s * s);
-  return s * r * (2.0 * s * s + 5.0 * d * d) / 8.0 + 3.0 / 8.0 * d * d * d * d * portable_asinh(s / d);
+  return s * r * (2.0 * s * s + 5.0 * d * d) / 8.0 + 3.0 / 8.0 * d * d * d * d * strict_asinh(s / d);
 }
 
 std::vector<Vec2> local_outline(const Bodies& bodies, std::size_t i) {

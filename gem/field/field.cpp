@@ -2,7 +2,7 @@
 #include "gem/field/field.h"
 
 #include "gem/base/error.h"
-#include "gem/base/portable_math.h"
+#include "gem/base/strict_math.h"
 #include "gem/field/channel.h"
 #include "gem/field/check_field.h"
 #include "gem/field/check_outline.h"
@@ -29,7 +29,7 @@ std::vector<Vec2> platform_outline(const PlatformDef& platform) {
   std::vector<Vec2> outline;
   for (int i = 0; i < platform.sides; ++i)
     outline.push_back(
-        rotate(rotation_of_turns(static_cast<double>(i) / platform.sides), {0.5 * platform.diameter_m, 0.0}));
+        rotate(strict::rotation_of_turns(static_cast<double>(i) / platform.sides), {0.5 * platform.diameter_m, 0.0}));
   return outline;
 }
 
@@ -67,7 +67,7 @@ void append_floes(Bodies& bodies, const SceneDef& scene, const std::vector<FloeD
     BodyDef def;
     def.outline = check_outline(floes[i].outline_m, "floe " + std::to_string(i)).outline;
     def.origin = floes[i].position_m;
-    def.rotation = rotation_of_angle(floes[i].angle_rad);
+    def.rotation = strict::rotation_of_angle(floes[i].angle_rad);
     def.velocity = floes[i].velocity_m_per_s;
     def.spin = floes[i].spin_rad_per_s;
     def.thickness = floes[i].thickness_m;

@@ -65,7 +65,7 @@ OutlineSet copied_set(const SceneDef& scene, std::size_t count) {
   shuffle(which, numbers_for(scene, FieldStream::size_order));
   OutlineSet set;
   for (std::size_t i = 0; i < count; ++i) {
-    const Rotation turn = rotation_of_turns(numbers_for(scene, FieldStream::copy, i).uniform());
+    const Rotation turn = strict::rotation_of_turns(numbers_for(scene, FieldStream::copy, i).uniform());
     set.emplace_back();
     for (const Vec2 p : library[which[i]]) set.back().push_back(rotate(turn, p));
   }

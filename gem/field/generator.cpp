@@ -7,7 +7,6 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/base/portable_math.h"
 #include "gem/field/channel.h"
 #include "gem/field/floe_set.h"
 #include "gem/field/placement.h"

@@ -159,7 +159,7 @@ class Packing {
       for (int place = 0; place < places_per_jump; ++place) {
         const double x = numbers_.uniform(domain_.low.x, domain_.high.x);
         trial.pose.position = {x, numbers_.uniform(domain_.low.y, domain_.high.y)};
-        trial.pose.rotation = rotation_of_turns(numbers_.uniform());
+        trial.pose.rotation = strict::rotation_of_turns(numbers_.uniform());
         place_outline(trial, scale);
         const double depth = overlap(grid, i, trial, best);
         if (depth >= best) continue;

@@ -25,15 +25,15 @@ std::vector<Vec2> ring(std::size_t sides, double jitter, RandomSequence& numbers
     const double turns =
         (static_cast<double>(i) + 0.45 * jitter * numbers.uniform(-1.0, 1.0)) / static_cast<double>(sides);
     const double distance = 1.0 - 0.3 * jitter * numbers.uniform();
-    outline.push_back(rotate(rotation_of_turns(turns), {distance, 0.0}));
+    outline.push_back(rotate(strict::rotation_of_turns(turns), {distance, 0.0}));
   }
   return outline;
 }
 
 std::vector<Vec2> stretched_and_turned(const std::vector<Vec2>& outline, RandomSequence& numbers) {
   const double stretch = numbers.uniform(1.0, 1.7);
-  const Rotation before = rotation_of_turns(numbers.uniform());
-  const Rotation after = rotation_of_turns(numbers.uniform());
+  const Rotation before = strict::rotation_of_turns(numbers.uniform());
+  const Rotation after = strict::rotation_of_turns(numbers.uniform());
   std::vector<Vec2> result;
   for (const Vec2 p : outline) {
     const Vec2 q = rotate(before, p);

@@ -7,7 +7,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/base/portable_math.h"
+#include "gem/base/strict_math.h"
 
 namespace gem {
 namespace {
@@ -33,16 +33,16 @@ TruncatedSizeLaw::TruncatedSizeLaw(const FloesDef& floes) : law_(floes.size_law)
   const double high = floes.size_maximum_m;
   if (!(low > 0.0) || !(mean_ >= low) || !(mean_ <= high) || !(floes.size_deviation_m >= 0.0)) refuse(floes);
   if (floes.size_deviation_m == 0.0) return;
-  const double log_low = portable_log(low);
-  const double width = (portable_log(high) - log_low) / panels;
+  const double log_low = strict::log(low);
+  const double width = (strict::log(high) - log_low) / panels;
   edge_.push_back(low);
   for (int p = 0; p < panels; ++p) {
     for (std::size_t g = 0; g < gauss_node.size(); ++g) {
       node_.push_back(log_low + width * (p + 0.5 * (1.0 + gauss_node[g])));
-      node_size_.push_back(portable_exp(node_.back()));
+      node_size_.push_back(strict::exp(node_.back()));
       weight_.push_back(0.5 * width * gauss_weight[g] * node_size_.back());
     }
-    edge_.push_back(p + 1 == panels ? high : portable_exp(log_low + width * (p + 1)));
+    edge_.push_back(p + 1 == panels ? high : strict::exp(log_low + width * (p + 1)));
   }
   solve(mean_, floes.size_deviation_m);
   if (!(scale_ > 0.0)) refuse(floes);
@@ -50,7 +50,7 @@ TruncatedSizeLaw::TruncatedSizeLaw(const FloesDef& floes) : law_(floes.size_law)
 }
 
 double TruncatedSizeLaw::log_density(double log_x, double location, double scale) const {
-  if (law_ == SizeLaw::gamma) return (location - 1.0) * log_x - portable_exp(log_x) / scale;
+  if (law_ == SizeLaw::gamma) return (location - 1.0) * log_x - strict::exp(log_x) / scale;
   const double z = (log_x - location) / scale;
   return -0.5 * z * z - log_x;
 }
@@ -62,7 +62,7 @@ TruncatedSizeLaw::Moments TruncatedSizeLaw::moments(double location, double scal
   double total = 0.0;
   double first = 0.0;
   for (std::size_t i = 0; i < node_.size(); ++i) {
-    density[i] = weight_[i] * portable_exp(density[i] - largest);
+    density[i] = weight_[i] * strict::exp(density[i] - largest);
     total += density[i];
     first += density[i] * (node_size_[i] - mean_);
   }
@@ -78,11 +78,10 @@ TruncatedSizeLaw::Moments TruncatedSizeLaw::moments(double location, double scal
 /// Newton in (location, ln scale) with halved steps; leaves scale_ at 0 if it finds no solution.
 void TruncatedSizeLaw::solve(double mean, double deviation) {
   const double variation = (deviation / mean) * (deviation / mean);
-  double p = law_ == SizeLaw::gamma ? 1.0 / variation : portable_log(mean) - 0.5 * portable_log(1.0 + variation);
-  double q =
-      law_ == SizeLaw::gamma ? portable_log(mean * variation) : 0.5 * portable_log(portable_log(1.0 + variation));
+  double p = law_ == SizeLaw::gamma ? 1.0 / variation : strict::log(mean) - 0.5 * strict::log(1.0 + variation);
+  double q = law_ == SizeLaw::gamma ? strict::log(mean * variation) : 0.5 * strict::log(strict::log(1.0 + variation));
   const auto miss = [&](double a, double b) {
-    const Moments m = moments(a, portable_exp(b));
+    const Moments m = moments(a, strict::exp(b));
     return Vec2{m.mean - mean, m.deviation - deviation};
   };
   constexpr double step = 1e-6;
@@ -106,7 +105,7 @@ void TruncatedSizeLaw::solve(double mean, double deviation) {
   }
   if (!(length(now) < 1e-9 * mean)) return;
   location_ = p;
-  scale_ = portable_exp(q);
+  scale_ = strict::exp(q);
 }
 
 void TruncatedSizeLaw::tabulate() {
@@ -116,7 +115,7 @@ void TruncatedSizeLaw::tabulate() {
   for (std::size_t p = 0; p < panels; ++p) {
     double sum = 0.0;
     for (std::size_t g = 4 * p; g < 4 * p + 4; ++g)
-      sum += weight_[g] * portable_exp(log_density(node_[g], location_, scale_) - largest);
+      sum += weight_[g] * strict::exp(log_density(node_[g], location_, scale_) - largest);
     cumulative_.push_back(cumulative_.back() + sum);
   }
   const double total = cumulative_.back();
@@ -131,10 +130,9 @@ double TruncatedSizeLaw::quantile(double probability) const {
       1;
   // A panel is under 1 % wide in size: a density linear across it is good to about 1e-6 of the size.
   const double share = (probability - cumulative_[p]) / (cumulative_[p + 1] - cumulative_[p]);
-  const double log_low = portable_log(edge_[p]);
-  const double log_high = portable_log(edge_[p + 1]);
-  const double at_low =
-      portable_exp(log_density(log_low, location_, scale_) - log_density(log_high, location_, scale_));
+  const double log_low = strict::log(edge_[p]);
+  const double log_high = strict::log(edge_[p + 1]);
+  const double at_low = strict::exp(log_density(log_low, location_, scale_) - log_density(log_high, location_, scale_));
   // Density at_low + (1 - at_low) t over the panel: solve its integral = share of the whole for t.
   const double slope = 1.0 - at_low;
   const double t = share * (1.0 + at_low) / (at_low + std::sqrt(at_low * at_low + slope * (1.0 + at_low) * share));

@@ -34,29 +34,64 @@ GEM_HD inline double edge_separation(const Outline& a, int edge, const Outline& 
   return smallest + dot(normal, offset - a.corner[edge]);
 }
 
-/// Largest edge separation over the edges of both. Stops early with a result above `limit` as soon as one is found;
-/// `hint` (an earlier result) is tried first. Ties go to A, then to the lower edge, so the result has one value.
-GEM_HD inline Separation find_separation(const Outline& a, const Outline& b, Vec2 offset, double limit,
-                                         Separation hint) {
-  if (hint.edge_of_b) {
-    hint.distance = edge_separation(b, hint.edge, a, -offset);
-  } else {
-    hint.distance = edge_separation(a, hint.edge, b, offset);
+/// The two best separating axes of a pair and a bound on all others, kept from one look to the next: while the bodies
+/// have moved too little for another axis to overtake, only these two need a look.
+struct SeparatingAxes {
+  Separation first, second;
+  double others = 1e300;  // no other axis parts the outlines by more; unknown at first
+};
+
+namespace detail {
+
+/// Ranks one more axis. Ties go to A, then to the lower edge: the order in which find_axes offers them.
+GEM_HD inline void offer(SeparatingAxes& axes, const Separation& axis) {
+  if (axis.distance > axes.first.distance) {
+    axes.others = axes.second.distance;
+    axes.second = axes.first;
+    axes.first = axis;
+  } else if (axis.distance > axes.second.distance) {
+    axes.others = axes.second.distance;
+    axes.second = axis;
+  } else if (axis.distance > axes.others) {
+    axes.others = axis.distance;
   }
-  if (hint.distance > limit) return hint;
-  Separation best;
-  best.distance = edge_separation(a, 0, b, offset);
-  for (int i = 1; i < a.count; ++i) {
-    const double distance = edge_separation(a, i, b, offset);
-    if (distance > best.distance) best = {distance, i, false};
-    if (best.distance > limit) return best;
+}
+
+/// Whether p comes before q where both part the outlines equally.
+GEM_HD inline bool ranks_before(const Separation& p, const Separation& q) {
+  return p.edge_of_b == q.edge_of_b ? p.edge < q.edge : q.edge_of_b;
+}
+
+GEM_HD inline double separation_along(const Separation& axis, const Outline& a, const Outline& b, Vec2 offset) {
+  return axis.edge_of_b ? edge_separation(b, axis.edge, a, -offset) : edge_separation(a, axis.edge, b, offset);
+}
+
+}  // namespace detail
+
+/// The axes of a pair, looked for among the edges of both.
+GEM_HD inline SeparatingAxes find_axes(const Outline& a, const Outline& b, Vec2 offset) {
+  constexpr double none = -1e300;
+  SeparatingAxes axes{{none, 0, false}, {none, 0, false}, none};
+  for (int i = 0; i < a.count; ++i) detail::offer(axes, {edge_separation(a, i, b, offset), i, false});
+  for (int j = 0; j < b.count; ++j) detail::offer(axes, {edge_separation(b, j, a, -offset), j, true});
+  return axes;
+}
+
+/// The same result for a pair whose bodies moved by at most `moved` relative to each other since `axes` was found [m].
+/// Where the two axes already part the outlines by more than `limit`, the rest is left alone.
+GEM_HD inline void follow_axes(SeparatingAxes& axes, const Outline& a, const Outline& b, Vec2 offset, double moved,
+                               double limit) {
+  axes.first.distance = detail::separation_along(axes.first, a, b, offset);
+  axes.second.distance = detail::separation_along(axes.second, a, b, offset);
+  if (axes.second.distance > axes.first.distance ||
+      (axes.second.distance == axes.first.distance && detail::ranks_before(axes.second, axes.first))) {
+    const Separation second = axes.first;
+    axes.first = axes.second;
+    axes.second = second;
   }
-  for (int j = 0; j < b.count; ++j) {
-    const double distance = edge_separation(b, j, a, -offset);
-    if (distance > best.distance) best = {distance, j, true};
-    if (best.distance > limit) return best;
-  }
-  return best;
+  axes.others += moved;
+  if (axes.first.distance > limit || axes.first.distance > axes.others) return;
+  axes = find_axes(a, b, offset);
 }
 
 /// One point of a contact.

@@ -42,8 +42,9 @@ void write_text(hid_t object, const char* name, const std::string& text, std::si
   check(H5Tset_cset(type, H5T_CSET_UTF8), "text encoding");
   const Handle space = checked(H5Screate(H5S_SCALAR), H5Sclose, "text space");
   const bool exists = H5Aexists(object, name) > 0;
-  const Handle attribute = exists ? checked(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, name)
-                                  : checked(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
+  const Handle attribute =
+      exists ? checked(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, name)
+             : checked(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
   const Handle stored = checked(H5Aget_type(attribute), H5Tclose, name);
   padded.resize(H5Tget_size(stored), '\0');
   check(H5Awrite(attribute, stored, padded.data()), name);

@@ -67,7 +67,8 @@ void check_output_path(const std::string& path, bool overwrite) {
     if (S_ISDIR(status.st_mode)) refuse(path, "it is a directory", "give a file name with --out");
     if (!overwrite) refuse(path, "the file exists", "use --overwrite or another --out");
     if (!S_ISREG(status.st_mode)) refuse(path, "it is not a regular file", "choose another --out");
-    if (access(path.c_str(), W_OK) != 0) refuse(path, system_reason(errno), "change its permissions or choose another --out");
+    if (access(path.c_str(), W_OK) != 0)
+      refuse(path, system_reason(errno), "change its permissions or choose another --out");
   } else if (errno != ENOENT) {
     refuse(path, system_reason(errno), "choose another --out");
   }

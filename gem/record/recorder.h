@@ -54,9 +54,9 @@ class Recorder {
   std::int64_t events_seen_ = 0;
   double frame_wall_time_ = 0.0;
   double yaw_ = 0.0;
-  PlatformMoment since_sample_;      // sums since the last platform sample
-  std::deque<Vec2> window_;          // ice impulses of the last moments
-  MomentQuality worst_;              // since the last frame
+  PlatformMoment since_sample_;  // sums since the last platform sample
+  std::deque<Vec2> window_;      // ice impulses of the last moments
+  MomentQuality worst_;          // since the last frame
   Slab slab_;
 };
 

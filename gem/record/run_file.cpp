@@ -103,7 +103,8 @@ RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::
   });
   const std::string version = attribute("gem_schema");
   if (version.empty()) refuse(path, "no gem_schema attribute: not a run file", "name a file that `gem run` wrote");
-  if (version != schema_version) refuse(path, "schema " + version + ", this program reads " + schema_version, "use a matching gem");
+  if (version != schema_version)
+    refuse(path, "schema " + version + ", this program reads " + schema_version, "use a matching gem");
   if (!allow_incomplete && status() != "complete") {
     refuse(path, "its status is '" + status() + "', not 'complete'", "use --allow-incomplete to read what is there");
   }
@@ -186,12 +187,13 @@ std::size_t RunFile::frame_count() const { return shape("floes/time").at(0); }
 
 FrameView RunFile::frame(std::size_t index) const {
   if (index >= frame_count()) {
-    refuse(path(), "no frame " + std::to_string(index) + " of " + std::to_string(frame_count()), "ask for an earlier one");
+    refuse(path(), "no frame " + std::to_string(index) + " of " + std::to_string(frame_count()),
+           "ask for an earlier one");
   }
   return reading(path(), [&] {
     FrameView view;
     const std::vector<std::pair<const char*, std::vector<float>*>> fields = {
-        {"floes/x", &view.x},   {"floes/y", &view.y},         {"floes/theta", &view.theta}, {"floes/vx", &view.vx},
+        {"floes/x", &view.x},   {"floes/y", &view.y},         {"floes/theta", &view.theta},  {"floes/vx", &view.vx},
         {"floes/vy", &view.vy}, {"floes/omega", &view.omega}, {"floes/active", &view.active}};
     for (const auto& [name, values] : fields) {
       const Handle id = inside_->open(name);

@@ -18,18 +18,23 @@ using hdf5::Handle;
 
 namespace {
 
-constexpr hsize_t frames_per_chunk = 64;
-constexpr hsize_t floes_per_chunk = 512;
-constexpr hsize_t rows_per_chunk = 4096;
+// 131 kB per chunk of floe frames. Few frames per chunk: only whole chunks are safe from a kill.
+constexpr hsize_t frames_per_chunk = 16;
+constexpr hsize_t floes_per_chunk = 2048;
+constexpr hsize_t rows_per_chunk = 1024;
 constexpr std::size_t attribute_limit = 60000;  // the HDF5 1.8 format holds 64 kB per attribute
 constexpr std::size_t status_size = 240;        // reserved, so that a later status fits in place
 
 hid_t file_type(Stored stored) {
   switch (stored) {
-    case Stored::f8: return H5T_IEEE_F64LE;
-    case Stored::f4: return H5T_IEEE_F32LE;
-    case Stored::i4: return H5T_STD_I32LE;
-    case Stored::u1: return H5T_STD_U8LE;
+    case Stored::f8:
+      return H5T_IEEE_F64LE;
+    case Stored::f4:
+      return H5T_IEEE_F32LE;
+    case Stored::i4:
+      return H5T_STD_I32LE;
+    case Stored::u1:
+      return H5T_STD_U8LE;
   }
   return H5T_IEEE_F64LE;
 }
@@ -85,6 +90,15 @@ void RunLayout::create_file(const std::string& path, bool overwrite) {
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
   check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "file format");
   check(H5Pset_file_locking(access, true, true), "file locking");
+  // the index of the file goes to disk when it is flushed and at no other time
+  H5AC_cache_config_t cache{};
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  check(H5Pget_mdc_config(access, &cache), "index cache");
+  cache.evictions_enabled = false;
+  cache.incr_mode = H5C_incr__off;
+  cache.flash_incr_mode = H5C_flash_incr__off;
+  cache.decr_mode = H5C_decr__off;
+  check(H5Pset_mdc_config(access, &cache), "index cache");
   const Handle creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "file creation");
   file_ = checked(H5Fcreate(path.c_str(), overwrite ? H5F_ACC_TRUNC : H5F_ACC_EXCL, creation, access), H5Fclose,
                   "cannot create");
@@ -119,9 +133,10 @@ void RunLayout::write_header(const SceneDef& scene, const Bodies& bodies, const 
   hdf5::write_text(file_, "gem_threads", std::to_string(provenance.threads));
   hdf5::write_text(file_, "gem_build", build_text());
   hdf5::write_text(file_, "gem_platform", scene.platform.present ? "present" : "absent");
-  hdf5::write_text(file_, "gem_signs",
-                   "forces and impulses in /platform act on the platform; impulses in /events act on the ice, along the "
-                   "normal that points from the platform into the ice; angles are counter-clockwise");
+  hdf5::write_text(
+      file_, "gem_signs",
+      "forces and impulses in /platform act on the platform; impulses in /events act on the ice, along the "
+      "normal that points from the platform into the ice; angles are counter-clockwise");
   hdf5::write_numbers(file_, "gem_first_floe_body", H5T_STD_I32LE, {double(first_floe(bodies))});
   hdf5::write_numbers(file_, "gem_force_window_s", H5T_IEEE_F64LE, {scene.output.force_window_s});
   if (provenance.case_toml.size() <= attribute_limit) {
@@ -133,8 +148,8 @@ void RunLayout::write_header(const SceneDef& scene, const Bodies& bodies, const 
   check(H5Tset_size(type, H5T_VARIABLE), "case type");
   check(H5Tset_cset(type, H5T_CSET_UTF8), "case type");
   const Handle space = checked(H5Screate(H5S_SCALAR), H5Sclose, "case space");
-  const Handle dataset = checked(
-      H5Dcreate2(file_, "gem_case_toml", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, "case");
+  const Handle dataset =
+      checked(H5Dcreate2(file_, "gem_case_toml", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, "case");
   const char* text = provenance.case_toml.c_str();
   check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &text), "case");
 }
@@ -181,13 +196,14 @@ void RunLayout::add_column(const Column& column, const std::vector<double>* valu
     const bool open = grows(names[d]) || now == 0;
     size.push_back(now);
     maximum.push_back(open ? H5S_UNLIMITED : now);
-    const hsize_t wish = names.size() == 1 ? rows_per_chunk : d == 0 ? frames_per_chunk : floes_per_chunk;
+    const bool framed = column.group == "floes" || column.group == "stats";
+    const hsize_t wish = d > 0 ? floes_per_chunk : framed ? frames_per_chunk : rows_per_chunk;
     chunk.push_back(open ? wish : std::min(wish, now));
     chunked = chunked || open || now > 64;
   }
   const std::string path = "/" + column.group + "/" + column.name;
-  const Handle space = checked(H5Screate_simple(static_cast<int>(size.size()), size.data(), maximum.data()), H5Sclose,
-                               path.c_str());
+  const Handle space =
+      checked(H5Screate_simple(static_cast<int>(size.size()), size.data(), maximum.data()), H5Sclose, path.c_str());
   const Handle creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path.c_str());
   const Handle access = checked(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, path.c_str());
   if (chunked) {
@@ -252,29 +268,62 @@ void RunLayout::append_column(const std::string& path, const std::vector<Value>&
   check(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, nullptr, count, nullptr), path.c_str());
   const int rank = H5Sget_simple_extent_ndims(file_space);
   const Handle memory_space = checked(H5Screate_simple(rank, count, nullptr), H5Sclose, path.c_str());
-  check(H5Dwrite(dataset.id, memory_type(Value{}), memory_space, file_space, H5P_DEFAULT, values.data()),
-        path.c_str());
+  check(H5Dwrite(dataset.id, memory_type(Value{}), memory_space, file_space, H5P_DEFAULT, values.data()), path.c_str());
 }
 
 template <class Row>
-void RunLayout::append_rows(const std::vector<RowColumn<Row>>& columns, const std::vector<Row>& rows) {
-  std::vector<double> values(rows.size());
+void RunLayout::append_rows(const std::vector<RowColumn<Row>>& columns, std::vector<Row>& rows, std::size_t count) {
+  std::vector<double> values(count);
+  const auto end = rows.begin() + std::ptrdiff_t(count);
   for (const auto& entry : columns) {
-    std::transform(rows.begin(), rows.end(), values.begin(), entry.value);
-    append_column("/" + entry.column.group + "/" + entry.column.name, values, values.size());
+    std::transform(rows.begin(), end, values.begin(), entry.value);
+    append_column("/" + entry.column.group + "/" + entry.column.name, values, count);
   }
+  rows.erase(rows.begin(), end);
+  any_written_ = any_written_ || count > 0;
 }
 
-void RunLayout::append(const Slab& slab) {
-  append_rows(platform_columns(), slab.platform);
-  append_rows(event_columns(), slab.events);
-  append_rows(stats_columns(), slab.stats);
-  append_column("/events/event", std::vector<double>{}, slab.events.size());
-  const hsize_t frames = slab.floes.time.size();
+void RunLayout::append_events(std::size_t count) {
+  append_rows(event_columns(), waiting_.events, count);
+  append_column("/events/event", std::vector<double>{}, count);
+}
+
+void RunLayout::append_frames(std::size_t count) {
+  if (count == 0) return;
+  FloeFrames& floes = waiting_.floes;
   for (const auto& entry : floe_columns()) {
-    append_column("/floes/" + entry.column.name, slab.floes.*(entry.values), frames);
+    std::vector<float>& all = floes.*(entry.values);
+    const auto end = all.begin() + std::ptrdiff_t(count * size_.at("floe"));
+    append_column("/floes/" + entry.column.name, std::vector<float>(all.begin(), end), count);
+    all.erase(all.begin(), end);
   }
-  append_column("/floes/time", slab.floes.time, frames);
+  const auto end = floes.time.begin() + std::ptrdiff_t(count);
+  append_column("/floes/time", std::vector<double>(floes.time.begin(), end), count);
+  saved_time_ = floes.time[count - 1];
+  floes.time.erase(floes.time.begin(), end);
+  any_written_ = true;
+}
+
+void RunLayout::append(Slab slab) {
+  const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  add(waiting_.platform, slab.platform);
+  add(waiting_.events, slab.events);
+  add(waiting_.stats, slab.stats);
+  add(waiting_.floes.time, slab.floes.time);
+  for (const auto& entry : floe_columns()) add(waiting_.floes.*(entry.values), slab.floes.*(entry.values));
+
+  const auto whole = [](std::size_t rows, hsize_t chunk) { return rows - rows % chunk; };
+  append_rows(platform_columns(), waiting_.platform, whole(waiting_.platform.size(), rows_per_chunk));
+  append_events(whole(waiting_.events.size(), rows_per_chunk));
+  append_rows(stats_columns(), waiting_.stats, whole(waiting_.stats.size(), frames_per_chunk));
+  append_frames(whole(waiting_.floes.time.size(), frames_per_chunk));
+}
+
+void RunLayout::append_rest() {
+  append_rows(platform_columns(), waiting_.platform, waiting_.platform.size());
+  append_events(waiting_.events.size());
+  append_rows(stats_columns(), waiting_.stats, waiting_.stats.size());
+  append_frames(waiting_.floes.time.size());
 }
 
 void RunLayout::set_text(const char* attribute, const std::string& text) { hdf5::write_text(file_, attribute, text); }

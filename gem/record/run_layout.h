@@ -15,7 +15,16 @@ class RunLayout {
  public:
   RunLayout(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
             const Provenance& provenance);
-  void append(const Slab& slab);
+  /// Takes a slab over and writes the chunks that are full. A chunk is written once and never again: its room in the
+  /// file is never given to another chunk, so a killed run leaves every chunk readable that a flush has seen.
+  void append(Slab slab);
+  /// Writes the rows that fill no chunk; for the end of a run.
+  void append_rest();
+  /// What waits for its chunk to fill.
+  const Slab& waiting() const { return waiting_; }
+  /// Time of the last floe frame that was written [s].
+  double saved_time() const { return saved_time_; }
+  bool any_written() const { return any_written_; }
   void set_text(const char* attribute, const std::string& text);
   void flush();
   void close();
@@ -39,12 +48,17 @@ class RunLayout {
   template <class Value>
   void append_column(const std::string& path, const std::vector<Value>& values, hsize_t rows);
   template <class Row>
-  void append_rows(const std::vector<RowColumn<Row>>& columns, const std::vector<Row>& rows);
+  void append_rows(const std::vector<RowColumn<Row>>& columns, std::vector<Row>& rows, std::size_t count);
+  void append_events(std::size_t count);
+  void append_frames(std::size_t count);
 
   hdf5::Handle file_;
-  std::map<std::string, hsize_t> size_;                // of the fixed dimensions
-  std::map<std::string, Dataset> dataset_;             // by path, those that grow
-  std::map<std::string, hdf5::Handle> scale_;          // by path
+  Slab waiting_;
+  double saved_time_ = 0.0;
+  bool any_written_ = false;
+  std::map<std::string, hsize_t> size_;        // of the fixed dimensions
+  std::map<std::string, Dataset> dataset_;     // by path, those that grow
+  std::map<std::string, hdf5::Handle> scale_;  // by path
 };
 
 }  // namespace gem

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -19,6 +20,10 @@ namespace gem {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+// A kill in the milliseconds of a flush may tear the file's index, so a fast run does not flush without end.
+constexpr auto flush_pause = std::chrono::seconds(2);
 constexpr std::size_t queue_limit = 2;
 constexpr std::uint64_t spare_room = 1 << 20;  // for the file's own index and the last words
 
@@ -40,9 +45,7 @@ Error cannot_create(const std::string& path, const std::string& why) {
 
 }  // namespace
 
-std::string build_text() {
-  return "gem " GEM_VERSION " " GEM_COMMIT " " GEM_BUILD_TYPE " " GEM_COMPILER;
-}
+std::string build_text() { return "gem " GEM_VERSION " " GEM_COMMIT " " GEM_BUILD_TYPE " " GEM_COMPILER; }
 
 std::string hash_text(std::uint64_t hash) {
   std::string text(16, '0');
@@ -70,7 +73,7 @@ class RunWriter::Thread {
     stop();
     if (layout_ == nullptr) return;
     close();
-    if (!any_written_) unlink(path_.c_str());
+    if (!any_written_ && !finished_) unlink(path_.c_str());
   }
 
   void put(Slab slab) {
@@ -87,16 +90,19 @@ class RunWriter::Thread {
 
   void finish(const std::string& status, std::uint64_t state_hash) {
     stop();
-    any_written_ = true;
-    const std::string text = failed_ ? "stopped:" + why_ : status;
     try {
+      if (!layout_->waiting().empty() && !has_room_for({}) && !failed_) remember("no room left on the disk");
+      if (!failed_) layout_->append_rest();
       layout_->set_text("gem_state_hash", hash_text(state_hash));
-      layout_->set_text("gem_status", text);
-      layout_->flush();
+      layout_->set_text("gem_status", failed_ ? "stopped:" + why_ : status);
+      flush();
     } catch (const hdf5::Failure& fault) {
+      broken_ = true;
       remember(fault.text);
     }
     close();
+    finished_ = !failed_;
+    if (!finished_ && !any_written_) unlink(path_.c_str());
     if (failed_) throw failure();
   }
 
@@ -107,9 +113,9 @@ class RunWriter::Thread {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [this] { return !queue_.empty() || stopping_; });
       if (queue_.empty()) return;
-      const Slab slab = std::move(queue_.front());
+      Slab slab = std::move(queue_.front());
       lock.unlock();
-      if (!failed_) write(slab);
+      if (!failed_) write(std::move(slab));
       lock.lock();
       queue_.pop_front();
       changed_.notify_all();
@@ -117,17 +123,32 @@ class RunWriter::Thread {
   }
 
   /// A slab goes in only if it surely fits: what is on disk then stays readable when the disk is full.
-  void write(const Slab& slab) {
-    if (room_at(path_) < bytes(slab) + spare_room) return remember("no room left on the disk");
+  void write(Slab slab) {
     try {
-      layout_->append(slab);
-      layout_->flush();
-      any_written_ = true;
-      saved_time_ = slab.time;
+      if (!has_room_for(slab)) {
+        flush();
+        return remember("no room left on the disk");
+      }
+      unflushed_ += bytes(slab);
+      layout_->append(std::move(slab));
+      if (Clock::now() - flushed_ >= flush_pause) flush();
     } catch (const hdf5::Failure& fault) {
       broken_ = true;
       remember(fault.text);
     }
+  }
+
+  /// Rows that wait or are not flushed yet need their room too.
+  bool has_room_for(const Slab& slab) const {
+    return room_at(path_) >= unflushed_ + bytes(slab) + bytes(layout_->waiting()) + spare_room;
+  }
+
+  void flush() {
+    layout_->flush();
+    flushed_ = Clock::now();
+    unflushed_ = 0;
+    any_written_ = layout_->any_written();
+    saved_time_ = layout_->saved_time();
   }
 
   void remember(const std::string& why) {
@@ -162,7 +183,8 @@ class RunWriter::Thread {
 
   Error failure() const {
     const std::string saved = any_written_ ? "saved up to " + number_text(saved_time_) + " s" : "nothing was saved";
-    return {ExitCode::file_system, "cannot write " + shown(path_) + " (" + why_ + "; " + saved + ") make room and run again"};
+    return {ExitCode::file_system,
+            "cannot write " + shown(path_) + " (" + why_ + "; " + saved + ") make room and run again"};
   }
 
   std::string path_;
@@ -171,9 +193,12 @@ class RunWriter::Thread {
   std::condition_variable changed_;
   std::deque<Slab> queue_;
   std::string why_;
+  Clock::time_point flushed_ = Clock::now();
   std::atomic<bool> failed_ = false;
   std::atomic<double> saved_time_ = 0.0;
   std::atomic<bool> any_written_ = false;
+  std::uint64_t unflushed_ = 0;
+  bool finished_ = false;
   bool broken_ = false;
   bool stopping_ = false;
   std::thread thread_;

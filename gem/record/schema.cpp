@@ -22,7 +22,8 @@ const std::vector<RowColumn<PlatformRow>>& platform_columns() {
       row("time", "s", "time since the start of the run", [](const P& p) { return p.time; }),
       row("x", "m", "platform centre, x", [](const P& p) { return p.position.x; }),
       row("y", "m", "platform centre, y", [](const P& p) { return p.position.y; }),
-      row("psi", "rad", "platform yaw, counter-clockwise, counted on over full turns", [](const P& p) { return p.yaw; }),
+      row("psi", "rad", "platform yaw, counter-clockwise, counted on over full turns",
+          [](const P& p) { return p.yaw; }),
       row("vx", "m s-1", "platform velocity, x", [](const P& p) { return p.velocity.x; }),
       row("vy", "m s-1", "platform velocity, y", [](const P& p) { return p.velocity.y; }),
       row("r", "rad s-1", "platform yaw rate", [](const P& p) { return p.spin; }),
@@ -48,7 +49,8 @@ const std::vector<RowColumn<PlatformRow>>& platform_columns() {
           [](const P& p) { return p.drag_force.y; }),
       row("ice_yaw_moment", "N m", "yaw moment of the ice about the platform's centre, mean over the sample interval",
           [](const P& p) { return p.ice_yaw_moment; }),
-      row("contacts", "1", "largest number of loaded contacts in one moment since the last sample",
+      row(
+          "contacts", "1", "largest number of loaded contacts in one moment since the last sample",
           [](const P& p) { return p.contacts; }, Stored::i4),
   };
   return columns;
@@ -120,8 +122,8 @@ void add_quantity(std::vector<StatsColumn>& columns, const std::string& name, co
                                  [of](const StatsRow& s) { return of(s.ledger).momentum.y; }));
   columns.push_back(stats_column("angular_momentum_" + name, "N m s", "angular momentum about the origin, " + what,
                                  [of](const StatsRow& s) { return of(s.ledger).angular_momentum; }));
-  columns.push_back(stats_column("energy_" + name, "J", "energy, " + what,
-                                 [of](const StatsRow& s) { return of(s.ledger).energy; }));
+  columns.push_back(
+      stats_column("energy_" + name, "J", "energy, " + what, [of](const StatsRow& s) { return of(s.ledger).energy; }));
 }
 
 std::vector<StatsColumn> make_stats_columns() {

@@ -37,9 +37,9 @@ struct PlatformRow {
   double yaw = 0.0;
   Vec2 velocity;
   double spin = 0.0;
-  Vec2 ice_impulse;    // since the last sample
-  Vec2 ice_force;      // the same over the interval
-  Vec2 ice_force_mean; // trailing mean over output.force_window_s
+  Vec2 ice_impulse;     // since the last sample
+  Vec2 ice_force;       // the same over the interval
+  Vec2 ice_force_mean;  // trailing mean over output.force_window_s
   Vec2 mooring_force;
   Vec2 drag_force;
   double ice_yaw_moment = 0.0;

@@ -64,20 +64,18 @@ std::vector<ShapeColumn> shape_columns(const SceneDef& scene) {
       floe("mass", Stored::f8, "kg", "mass", per_floe([](const B& b, std::size_t i) { return b.mass[i]; })),
       floe("inertia", Stored::f8, "kg m2", "moment of inertia about the centroid",
            per_floe([](const B& b, std::size_t i) { return b.inertia[i]; })),
-      floe("class", Stored::u1, "1", "ice class", per_floe([](const B& b, std::size_t i) {
-             return double(b.ice_class[i]);
-           }),
-           class_names(scene)),
+      floe("class", Stored::u1, "1", "ice class",
+           per_floe([](const B& b, std::size_t i) { return double(b.ice_class[i]); }), class_names(scene)),
       floe("start_x", Stored::f8, "m", "centroid at t = 0, x",
            per_floe([](const B& b, std::size_t i) { return b.position[i].x; })),
       floe("start_y", Stored::f8, "m", "centroid at t = 0, y",
            per_floe([](const B& b, std::size_t i) { return b.position[i].y; })),
-      floe("start_theta", Stored::f8, "rad", "rotation at t = 0", per_floe([](const B& b, std::size_t i) {
-             return std::atan2(b.rotation[i].sine, b.rotation[i].cosine);
-           })),
+      floe("start_theta", Stored::f8, "rad", "rotation at t = 0",
+           per_floe([](const B& b, std::size_t i) { return std::atan2(b.rotation[i].sine, b.rotation[i].cosine); })),
       {{"shape", "platform_xy", "platform_vertex xy", Stored::f8, "m", "platform outline about its centroid", ""},
        [](const B& b) { return outlines(b, 0, first_fixed(b), false); }},
-      {{"boundary", "vertex_xy", "boundary_vertex xy", Stored::f8, "m", "outlines of the fixed bodies in the world", ""},
+      {{"boundary", "vertex_xy", "boundary_vertex xy", Stored::f8, "m", "outlines of the fixed bodies in the world",
+        ""},
        [](const B& b) { return outlines(b, first_fixed(b), first_floe(b), true); }},
       {{"boundary", "vertex_count", "boundary", Stored::i4, "1", "vertices of each fixed body in vertex_xy", ""},
        [](const B& b) {

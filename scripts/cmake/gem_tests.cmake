@@ -7,13 +7,24 @@ include(gem_rules)
 function(gem_test_program name label)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE gem_command GTest::gtest_main nlohmann_json::nlohmann_json)
-  target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    GEM_PROGRAM="$<TARGET_FILE:gem>")
+  add_dependencies(${name} gem)
   gtest_discover_tests(${name} TEST_FILTER "-Long*:*/Long*" PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
   gtest_discover_tests(${name} TEST_FILTER "Long*:*/Long*" PROPERTIES LABELS long DISCOVERY_TIMEOUT 60)
 endfunction()
 
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
 gem_test_program(gem_unit_tests unit ${unit_tests})
+
+# Clipper judges the overlap of outlines; without it that test is skipped with its reason.
+find_path(POLYCLIPPING_INCLUDE_DIR polyclipping/clipper.hpp)
+find_library(POLYCLIPPING_LIBRARY polyclipping)
+if(POLYCLIPPING_INCLUDE_DIR AND POLYCLIPPING_LIBRARY)
+  target_include_directories(gem_unit_tests SYSTEM PRIVATE ${POLYCLIPPING_INCLUDE_DIR})
+  target_compile_definitions(gem_unit_tests PRIVATE GEM_HAS_CLIPPER)
+  target_link_libraries(gem_unit_tests PRIVATE ${POLYCLIPPING_LIBRARY})
+endif()
 
 add_custom_target(gem_validation_tests)
 foreach(pair IN ITEMS verification:verify agreement:agree hard:hard published:published)
@@ -25,3 +36,8 @@ foreach(pair IN ITEMS verification:verify agreement:agree hard:hard published:pu
     add_dependencies(gem_validation_tests gem_${folder}_tests)
   endif()
 endforeach()
+
+# A run file read the way its users read it; without python3 and h5py this is skipped with its reason.
+add_test(NAME run_file_readers COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_run_file.sh $<TARGET_FILE:gem>
+  ${PROJECT_SOURCE_DIR}/cases/analytic/V10_floe_on_moored_platform.toml)
+set_tests_properties(run_file_readers PROPERTIES LABELS unit SKIP_RETURN_CODE 77)

@@ -1,0 +1,224 @@
+// The program as its users start it: exit codes, messages, signals, closed outputs, killed runs.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "gem/record/run_file.h"
+
+namespace gem {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CommandTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "gem command \xc3\xbc XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    std::ofstream(folder_ / "swing.toml")
+        << "[run]\nname = \"swing\"\nduration_s = 20.0\n[floes]\nsource = \"listed\"\n"
+           "[boundary]\npresent = false\n[platform]\nstart_offset_m = [1.0, 0.0]\n";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Runs a shell line in the test's folder; `gem` stands for the program. Output goes to out and err.
+  int shell(const std::string& line) {
+    const std::string all = "cd '" + folder_.string() + "' && gem() { '" GEM_PROGRAM "' \"$@\"; } && { " + line +
+                            " ; } >'" + folder_.string() + "/out' 2>'" + folder_.string() + "/err'";
+    const int status = std::system(("bash -c \"" + escaped(all) + "\"").c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  static std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+      if (c == '"' || c == '$' || c == '\\' || c == '`') out += '\\';
+      out += c;
+    }
+    return out;
+  }
+  std::string text_of(const std::string& name) const {
+    std::ifstream file(folder_ / name);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// Starts a run that would take hours and sends it a signal after a while. Returns the wait status.
+  int signalled(int signal_number, int wait_ms) {
+    const pid_t child = fork();
+    if (child == 0) {
+      if (chdir(folder_.c_str()) != 0) _exit(99);
+      execl(GEM_PROGRAM, "gem", "run", "swing.toml", "--until", "1e8", "--quiet", "--force", "--threads", "1", "--set",
+            "output.floes_interval_s=1.0", "--set", "mooring.stiffness_N_per_m=0", "--set",
+            "platform.start_velocity_m_per_s=[0.01, 0]", nullptr);
+      _exit(99);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
+    kill(child, signal_number);
+    int status = 0;
+    waitpid(child, &status, 0);
+    return status;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(CommandTest, RunWritesAFileAndASummary) {
+  ASSERT_EQ(shell("gem run swing.toml"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("state hash"), std::string::npos);
+  EXPECT_NE(text_of("err").find("100 %"), std::string::npos);
+  EXPECT_EQ(RunFile(path("swing.h5")).status(), "complete");
+  ASSERT_EQ(shell("gem info swing.h5 --json"), 0);
+  EXPECT_NE(text_of("out").find("\"platform_samples\": 201"), std::string::npos) << text_of("out");
+}
+
+TEST_F(CommandTest, ThePathMayHoldAnyCharacter) {
+  ASSERT_EQ(shell("mkdir -p 'a b' && gem run swing.toml -q --out $'a b/\xe6\xb5\xb7\\nice.h5'"), 0) << text_of("err");
+  EXPECT_TRUE(exists("a b/\xe6\xb5\xb7\nice.h5"));
+}
+
+TEST_F(CommandTest, FaultsHaveTheirExitCodeOneLineAndNoFile) {
+  const struct {
+    const char* line;
+    int code;
+    const char* message;
+  } rows[] = {
+      {"gem", 2, "Subcommands"},
+      {"gem fly", 2, "fly"},
+      {"gem run swing.toml --fast", 2, "--fast"},
+      {"gem run swing.toml --engine gpu", 2, "--engine"},
+      {"gem run swing.toml --threads two", 2, "--threads two"},
+      {"gem run swing.toml --index 1", 2, "single case"},
+      {"gem run --index 1", 2, "--index"},
+      {"gem run swing.toml --set run.duration=1", 3, "run.duration"},
+      {"gem run swing.toml --until nan", 3, "duration_s"},
+      {"gem run swing.toml --until -1", 3, "duration_s"},
+      {"gem run swing.toml --until 1e12", 3, "duration_s"},
+      {"gem run missing.toml", 4, "missing.toml"},
+      {"gem run swing.toml --out missing/run.h5", 4, "No such file"},
+      {"gem run swing.toml --out .", 4, "directory"},
+      {"gem run swing.toml --out /proc/run.h5", 4, "/proc"},
+      {"gem run --until 1e8", 7, "--force"},
+      {"gem info swing.toml", 4, "not an HDF5 file"},
+      {"gem report missing.h5", 4, "missing.h5"},
+      {"gem case check missing.toml", 4, "missing.toml"},
+      {"gem sweep list swing.toml", 3, "sweep"},
+  };
+  for (const auto& row : rows) {
+    EXPECT_EQ(shell(row.line), row.code) << row.line << "\n" << text_of("err");
+    EXPECT_NE(text_of("err").find(row.message), std::string::npos) << row.line << "\n" << text_of("err");
+    EXPECT_FALSE(exists("swing.h5") || exists("run.h5")) << row.line;
+  }
+}
+
+TEST_F(CommandTest, AnExistingFileIsKeptUnlessOverwritten) {
+  std::ofstream(folder_ / "swing.h5") << "precious";
+  EXPECT_EQ(shell("gem run swing.toml"), 4);
+  EXPECT_NE(text_of("err").find("--overwrite"), std::string::npos);
+  EXPECT_EQ(text_of("swing.h5"), "precious");
+  EXPECT_EQ(shell("gem run swing.toml --overwrite"), 0) << text_of("err");
+  EXPECT_EQ(RunFile(path("swing.h5")).status(), "complete");
+}
+
+TEST_F(CommandTest, DryRunComputesNothing) {
+  EXPECT_EQ(shell("gem run swing.toml --dry-run --json"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("\"memory_bytes\""), std::string::npos);
+  EXPECT_FALSE(exists("swing.h5"));
+}
+
+TEST_F(CommandTest, FullDiskIsExitCodeFour) {
+  EXPECT_EQ(shell("ulimit -f 1500; gem run swing.toml --until 200000 --force -q --threads 1"), 4);
+  EXPECT_NE(text_of("err").find("swing.h5"), std::string::npos);
+  EXPECT_NE(text_of("err").find("saved"), std::string::npos) << text_of("err");
+}
+
+TEST_F(CommandTest, ClosedOutputsDoNotStopARun) {
+  EXPECT_EQ(shell("gem run swing.toml >&- 2>&-"), 0);
+  EXPECT_EQ(RunFile(path("swing.h5")).status(), "complete");
+  EXPECT_EQ(shell("set -o pipefail; gem run swing.toml --overwrite | true"), 0) << text_of("err");
+  EXPECT_EQ(shell("gem case schema > /dev/full"), 4);
+}
+
+TEST_F(CommandTest, QuietAndJsonLogs) {
+  EXPECT_EQ(shell("gem run swing.toml -q"), 0);
+  EXPECT_EQ(text_of("err") + text_of("out"), "");
+  EXPECT_EQ(shell("gem run swing.toml --overwrite --log-format json --json"), 0);
+  std::istringstream lines(text_of("err"));
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    EXPECT_EQ(line.front(), '{') << line;
+    EXPECT_EQ(line.back(), '}') << line;
+  }
+  EXPECT_GE(count, 7);
+  EXPECT_EQ(text_of("out").front(), '{');
+}
+
+TEST_F(CommandTest, SillyThreadCountsAreClamped) {
+  EXPECT_EQ(shell("OMP_NUM_THREADS=1000 gem run swing.toml"), 0);
+  EXPECT_NE(text_of("err").find("OMP_NUM_THREADS=1000 is out of range"), std::string::npos) << text_of("err");
+  EXPECT_EQ(shell("OMP_NUM_THREADS=0 gem run swing.toml --overwrite"), 0);
+  EXPECT_NE(text_of("err").find("OMP_NUM_THREADS=0 is out of range"), std::string::npos) << text_of("err");
+}
+
+TEST_F(CommandTest, FirstInterruptEndsInOrder) {
+  const int status = signalled(SIGINT, 700);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(RunFile(path("swing.h5"), true).status(), "stopped:SIGINT");
+}
+
+TEST_F(CommandTest, TerminateEndsInOrder) {
+  const int status = signalled(SIGTERM, 700);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 143);
+  EXPECT_EQ(RunFile(path("swing.h5"), true).status(), "stopped:SIGTERM");
+}
+
+TEST_F(CommandTest, AKilledRunIsReadableToTheLastFlush) {
+  for (int n = 0; n < 2; ++n) {
+    fs::remove(path("swing.h5"));
+    ASSERT_TRUE(WIFSIGNALED(signalled(SIGKILL, 4500 + 300 * n)));
+    const RunFile file(path("swing.h5"), true);
+    EXPECT_EQ(file.status(), "running");
+    EXPECT_GE(file.column("floes/time").size(), 16U);
+    EXPECT_GE(file.column("platform/x").size(), 1024U);
+  }
+  EXPECT_EQ(shell("gem info swing.h5"), 0);
+}
+
+TEST_F(CommandTest, CaseAndSweepCommands) {
+  EXPECT_EQ(shell("gem case check swing.toml --json"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("\"floes\": 0"), std::string::npos);
+  EXPECT_EQ(shell("gem case resolve swing.toml > again.toml && gem case resolve again.toml | diff - again.toml"), 0);
+  EXPECT_EQ(shell("gem case explain mooring.stiffness_N_per_m --json && gem case schema && gem devices --json"), 0);
+  EXPECT_EQ(shell("gem sweep list '" GEM_SOURCE_DIR "/cases/table1.toml' --json"), 0);
+  EXPECT_NE(text_of("out").find("004_400_25"), std::string::npos);
+  EXPECT_EQ(shell("gem run '" GEM_SOURCE_DIR "/cases/table1.toml' --dry-run"), 2);
+  EXPECT_NE(text_of("err").find("--index"), std::string::npos);
+}
+
+TEST_F(CommandTest, ARunFileIsAFieldForAnotherRun) {
+  std::ofstream(folder_ / "one.toml") << "[run]\nname = \"one\"\nduration_s = 5.0\n[floes]\nsource = \"listed\"\n"
+                                         "[boundary]\npresent = false\n[platform]\npresent = false\n"
+                                         "[[floe]]\noutline_m = [[-2, -2], [2, -2], [2, 2], [-2, 2]]\n"
+                                         "position_m = [-30, 3]\n";
+  ASSERT_EQ(shell("gem run one.toml -q"), 0) << text_of("err");
+  ASSERT_EQ(shell("gem run one.toml -q --out two.h5 --set 'floes.source=\"file\"' --set 'floes.path=\"one.h5\"' --set "
+                  "'floe=[]'"),
+            0)
+      << text_of("err");
+  EXPECT_EQ(RunFile(path("two.h5")).column("floes/x"), RunFile(path("one.h5")).column("floes/x"));
+}
+
+}  // namespace
+}  // namespace gem

@@ -1,0 +1,51 @@
+// Chooses, while a run goes on, between all threads and one: a second thread only helps where a processor is free for
+// it.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+
+namespace gem {
+
+/// Times stretches of moments with all threads and with one and keeps to the faster; the other gets a trial now and
+/// then, more rarely each time it loses. The choice cannot change a result: every number of threads gives the same
+/// bits.
+class TeamChoice {
+ public:
+  /// Moments to run before the next call of note().
+  std::int64_t stretch(std::int64_t moments) const { return std::min<std::int64_t>(moments, 16); }
+  bool all_threads() const { return all_threads_; }
+
+  void start() { start_ = std::chrono::steady_clock::now(); }
+
+  /// Notes that a stretch of `moments` has been run since start().
+  void note(std::int64_t moments) {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    double& cost = cost_[all_threads_ ? 1 : 0];
+    const double now = seconds / static_cast<double>(moments);
+    cost = cost > 0.0 ? 0.5 * (cost + now) : now;
+    if (on_trial_) {
+      const bool won = cost_[all_threads_ ? 1 : 0] < cost_[all_threads_ ? 0 : 1];
+      wait_ = won ? shortest_wait : std::min(2 * wait_, longest_wait);
+      all_threads_ = all_threads_ == won;
+      on_trial_ = false;
+      waited_ = 0;
+    } else if (++waited_ >= wait_) {
+      cost_[all_threads_ ? 0 : 1] = 0.0;  // what it cost long ago says little
+      all_threads_ = !all_threads_;
+      on_trial_ = true;
+    }
+  }
+
+ private:
+  static constexpr std::int64_t shortest_wait = 16, longest_wait = 512;  // stretches between trials
+
+  bool all_threads_ = true;
+  bool on_trial_ = false;
+  std::int64_t wait_ = 4, waited_ = 0;
+  double cost_[2] = {0.0, 0.0};  // seconds a moment with one thread and with all
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace gem

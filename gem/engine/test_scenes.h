@@ -1,0 +1,65 @@
+// Scenes for the tests of the engines: small, with everything on, and with contacts from the first seconds.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "gem/base/random.h"
+#include "gem/engine/engine.h"
+#include "gem/field/field.h"
+
+namespace gem::test {
+
+/// A free platform with damping and drag in a narrowing channel, 150 floes of three thicknesses, friction, retire line.
+inline SceneDef busy_scene(std::uint64_t seed) {
+  SceneDef scene;
+  scene.run.seed = seed;
+  scene.current.velocity_m_per_s = {0.8, 0.1};
+  scene.floes.count = 150;
+  scene.floes.length_m = 150.0;
+  scene.floes.width_m = 80.0;
+  scene.floes.start_x_m = -175.0;
+  scene.floes.size_maximum_m = 12.0;
+  scene.floes.size_mean_m = 6.0;
+  scene.floes.size_deviation_m = 2.0;
+  scene.floes.classes = {{"thick", 1.2, 1.0}, {"medium", 0.7, 2.0}, {"thin", 0.5, 1.0}};
+  scene.boundary.inlet_x_m = scene.boundary.taper_start_x_m = -190.0;
+  scene.boundary.inlet_width_m = 90.0;
+  scene.boundary.gap_m = 50.0;
+  scene.boundary.outlet_x_m = 60.0;
+  scene.platform.diameter_m = 20.0;
+  scene.platform.mass_kg = 4e6;
+  scene.platform.start_offset_m = {0.3, -0.2};
+  scene.platform.start_velocity_m_per_s = {0.0, 0.1};
+  scene.mooring.stiffness_N_per_m = 2e5;
+  scene.mooring.damping_ratio = 0.02;
+  scene.platform_drag.present = true;
+  scene.platform_drag.water = DampingWater::current;
+  scene.output.retire_x_m = 20.0;
+  return scene;
+}
+
+/// Its field, the floes thrown about at random.
+inline Bodies busy_field(const SceneDef& scene) {
+  Bodies bodies = make_field(scene);
+  RandomSequence random(Random(scene.run.seed, 77));
+  for (std::size_t i = 0; i < bodies.count(); ++i) {
+    if (bodies.kind[i] != BodyKind::floe) continue;
+    bodies.velocity[i] = {random.uniform(-0.5, 1.5), random.uniform(-1.0, 1.0)};
+    bodies.spin[i] = random.uniform(-0.1, 0.1);
+  }
+  return bodies;
+}
+
+inline std::unique_ptr<Engine> busy_engine(const SceneDef& scene, const std::string& name, int threads = 1) {
+  return make_engine(scene, busy_field(scene), {name, threads});
+}
+
+/// Contact points over all moments of a log.
+inline std::int64_t contacts_in(const MomentLog& log) {
+  std::int64_t sum = 0;
+  for (const MomentQuality& quality : log.quality) sum += quality.contacts;
+  return sum;
+}
+
+}  // namespace gem::test

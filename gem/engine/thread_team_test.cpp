@@ -1,0 +1,82 @@
+// The thread team: every index once, every barrier a barrier, exceptions brought home.
+#include "gem/engine/thread_team.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <stdexcept>
+
+namespace gem {
+namespace {
+
+class ThreadTeamTest : public testing::TestWithParam<int> {};
+
+TEST_P(ThreadTeamTest, EveryIndexIsVisitedOnce) {
+  ThreadTeam team(GetParam());
+  for (const std::int64_t count : {0, 1, 2, 7, 1000}) {
+    std::vector<int> visits(count, 0);
+    team.run([&](int rank) { team.for_each(rank, count, [&](std::int64_t i) { ++visits[i]; }); });
+    for (const int v : visits) ASSERT_EQ(v, 1);
+  }
+  EXPECT_EQ(team.begin_of(0, 1000), 0);
+  EXPECT_EQ(team.begin_of(team.size(), 1000), 1000);
+}
+
+TEST_P(ThreadTeamTest, WhatWasWrittenBeforeABarrierIsSeenAfterIt) {
+  ThreadTeam team(GetParam());
+  const int size = team.size();
+  constexpr int rounds = 300;
+  std::vector<int> value(size, 0), wrong(size, 0);
+  team.run([&](int rank) {
+    for (int round = 1; round <= rounds; ++round) {
+      value[rank] = round;
+      team.barrier();
+      for (int other = 0; other < size; ++other) wrong[rank] += value[other] != round;
+      team.barrier();
+    }
+  });
+  EXPECT_EQ(std::accumulate(wrong.begin(), wrong.end(), 0), 0);
+}
+
+TEST_P(ThreadTeamTest, SingleRunsOnceAndOthersWait) {
+  ThreadTeam team(GetParam());
+  int runs = 0;
+  std::vector<int> seen(team.size(), 0);
+  team.run([&](int rank) {
+    for (int round = 0; round < 100; ++round) {
+      team.single(rank, [&] { ++runs; });
+      seen[rank] += runs == round + 1;
+      team.barrier();
+    }
+  });
+  EXPECT_EQ(runs, 100);
+  for (const int s : seen) EXPECT_EQ(s, 100);
+}
+
+TEST_P(ThreadTeamTest, ExceptionInSingleIsThrownAgain) {
+  ThreadTeam team(GetParam());
+  std::vector<int> told(team.size(), 0);
+  auto faulty = [&](int rank) {
+    team.single(rank, [] { throw std::runtime_error("no ice"); });
+    told[rank] = team.failed();
+  };
+  EXPECT_THROW(team.run(faulty), std::runtime_error);
+  for (const int t : told) EXPECT_EQ(t, 1);
+  // the team is as good as new
+  int runs = 0;
+  EXPECT_NO_THROW(team.run([&](int rank) { team.single(rank, [&] { ++runs; }); }));
+  EXPECT_EQ(runs, 1);
+  EXPECT_FALSE(team.failed());
+}
+
+TEST_P(ThreadTeamTest, ManyShortRuns) {
+  ThreadTeam team(GetParam());
+  std::vector<int> calls(team.size(), 0);
+  for (int i = 0; i < 300; ++i) team.run([&](int rank) { ++calls[rank]; });
+  for (const int c : calls) EXPECT_EQ(c, 300);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, ThreadTeamTest, testing::Values(1, 2, 3, 5, 8));
+
+}  // namespace
+}  // namespace gem

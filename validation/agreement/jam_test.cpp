@@ -1,0 +1,118 @@
+// Engines agree bit for bit on a jam, and nothing that should not matter does: threads, logging, blocks, restarts.
+#include "validation/agreement/jam.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+namespace gem {
+namespace {
+
+constexpr std::int64_t moments = 40;
+
+using Method = std::tuple<Resolution, Manifold>;
+
+/// A state with its scene; each comparison starts anew from it.
+class JamTest : public testing::TestWithParam<Method> {
+ protected:
+  JamTest() {
+    scene_ = agreement::jam_scene(std::get<0>(GetParam()));
+    scene_.contact.manifold = std::get<1>(GetParam());
+    field_ = agreement::drifting_field(scene_);
+    start_ = agreement::jam(scene_, field_);
+  }
+
+  std::unique_ptr<Engine> engine_in_jam(const EngineOptions& options) const {
+    auto engine = make_engine(scene_, field_, options);
+    engine->restore(start_);
+    return engine;
+  }
+
+  /// Hash after `count` moments in blocks of `block`; the log is checked to be dense in contacts.
+  std::uint64_t hash_after(Engine& engine, std::int64_t count = moments, std::int64_t block = moments,
+                           bool events = true) {
+    log_.clear();
+    log_.wants_events = events;
+    for (std::int64_t done = 0; done < count; done += block) engine.advance(std::min(block, count - done), log_);
+    EXPECT_EQ(log_.quality.size(), static_cast<std::size_t>(count));
+    for (const MomentQuality& quality : log_.quality) EXPECT_GT(quality.contacts, agreement::contacts_wanted);
+    return engine.state_hash();
+  }
+
+  SceneDef scene_;
+  Bodies field_;
+  EngineState start_;
+  MomentLog log_;
+};
+
+TEST_P(JamTest, AllEnginesGiveTheSameBits) {
+  std::vector<std::uint64_t> hashes;
+  std::vector<PlatformMoment> first;
+  for (const std::string& name : engine_names()) {
+    const auto engine = engine_in_jam(agreement::on(name));
+    hashes.push_back(hash_after(*engine));
+    EXPECT_EQ(hashes.back(), hashes.front()) << name;
+    if (first.empty()) first = log_.platform;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      EXPECT_EQ(log_.platform[i].ice_impulse.x, first[i].ice_impulse.x) << name << " moment " << i;
+      EXPECT_EQ(log_.platform[i].ice_yaw_impulse, first[i].ice_yaw_impulse) << name << " moment " << i;
+      EXPECT_EQ(log_.platform[i].contacts, first[i].contacts) << name << " moment " << i;
+    }
+  }
+  EXPECT_GE(hashes.size(), 2u);
+}
+
+TEST_P(JamTest, ThreadsChangeNothing) {
+  constexpr std::int64_t few = 10;  // more threads than processors wait for each other at every barrier
+  const std::uint64_t one = hash_after(*engine_in_jam(agreement::on("cpu", 1)), few);
+  for (const int threads : {2, 3, 5, 8})
+    EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu", threads)), few), one) << threads << " threads";
+}
+
+TEST_P(JamTest, LoggingAndBlocksChangeNothing) {
+  const std::uint64_t whole = hash_after(*engine_in_jam(agreement::on("cpu")));
+  const std::size_t platform_moments = log_.platform.size();
+  EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu")), moments, moments, false), whole) << "events not logged";
+  EXPECT_TRUE(log_.events.empty());
+  for (const std::int64_t block : {1, 7}) {
+    EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu")), moments, block), whole) << "blocks of " << block;
+    EXPECT_EQ(log_.platform.size(), platform_moments);
+  }
+}
+
+TEST_P(JamTest, ARestartChangesNothing) {
+  for (const std::string& name : engine_names()) {
+    const std::uint64_t whole = hash_after(*engine_in_jam(agreement::on(name)));
+    const auto before = engine_in_jam(agreement::on(name));
+    MomentLog log;
+    before->advance(moments / 2, log);
+    const EngineState half_way = before->save();
+    const auto after = make_engine(scene_, field_, agreement::on(name));
+    after->restore(half_way);
+    EXPECT_EQ(after->moment(), start_.moment + moments / 2);
+    after->advance(moments / 2, log);
+    EXPECT_EQ(after->state_hash(), whole) << name;
+    for (const MomentQuality& quality : log.quality) EXPECT_GT(quality.contacts, agreement::contacts_wanted);
+  }
+}
+
+TEST_P(JamTest, OneFloeMovedByALittleChangesTheHash) {
+  const std::uint64_t honest = hash_after(*engine_in_jam(agreement::on("cpu")));
+  const std::size_t middle = field_.count() / 2;
+  start_.bodies.position[middle].x += 1e-12;
+  EXPECT_NE(hash_after(*engine_in_jam(agreement::on("cpu"))), honest);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, JamTest,
+                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+                                          testing::Values(Manifold::chord_middle, Manifold::chord_ends)),
+                         [](const auto& method) {
+                           const bool coupled = std::get<0>(method.param) == Resolution::coupled;
+                           const bool ends = std::get<1>(method.param) == Manifold::chord_ends;
+                           return std::string(coupled ? "coupled" : "independent") + (ends ? "_ends" : "_middle");
+                         });
+
+}  // namespace
+}  // namespace gem

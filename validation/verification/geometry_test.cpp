@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gem/base/portable_math.h"
+#include "gem/base/strict_math.h"
 #include "gem/events/events.h"
 #include "gem/field/field.h"
 #include "gem/geometry/convex_contact.h"
@@ -18,7 +18,7 @@ namespace {
 std::vector<Vec2> regular(int sides, double radius) {
   std::vector<Vec2> outline;
   for (int i = 0; i < sides; ++i)
-    outline.push_back(rotate(rotation_of_turns(static_cast<double>(i) / sides), {radius, 0.0}));
+    outline.push_back(rotate(strict::rotation_of_turns(static_cast<double>(i) / sides), {radius, 0.0}));
   return outline;
 }
 
@@ -81,7 +81,7 @@ double overlap_area(const std::vector<Vec2>& a, std::vector<Vec2> b) {
 TEST(Geometry, V03_overlap_area) {
   // the program needs chords, not areas: its area formula is judged here on an overlap cut out by the test
   std::vector<Vec2> turned_square = rectangle(10.0, 10.0), offset = rectangle(10.0, 10.0);
-  for (Vec2& p : turned_square) p = rotate(rotation_of_angle(degrees(45.0)), p);
+  for (Vec2& p : turned_square) p = rotate(strict::rotation_of_angle(degrees(45.0)), p);
   for (Vec2& p : offset) p += {7.0, 4.0};
   check("V03.octagon", overlap_area(rectangle(10.0, 10.0), turned_square), rounding);
   check("V03.rect", overlap_area(rectangle(10.0, 10.0), offset), rounding);
@@ -117,7 +117,7 @@ double jamming_bound(const std::vector<Vec2>& outline) {
   constexpr int steps = 20000;
   for (const Vec2 corner : outline)
     for (int i = 0; i < steps; ++i) {
-      const Vec2 arm = rotate(rotation_of_turns(static_cast<double>(i) / steps), corner - moments.centroid);
+      const Vec2 arm = rotate(strict::rotation_of_turns(static_cast<double>(i) / steps), corner - moments.centroid);
       const ContactCompliance k =
           contact_compliance({}, {}, {1.0, moments.area / moments.second_moment}, arm, {0.0, 1.0});
       if (k.nt != 0.0) least = std::min(least, k.nn / std::fabs(k.nt));

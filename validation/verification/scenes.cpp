@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "gem/base/portable_math.h"
+#include "gem/base/strict_math.h"
 #include "gem/field/field.h"
 
 namespace gem::verification {
@@ -78,7 +78,7 @@ double degrees(double angle) { return angle * (std::numbers::pi / 180.0); }
 FixedDef floor_wall() { return {{{-64.0, -16.0}, {64.0, -16.0}, {64.0, 0.0}, {-64.0, 0.0}}}; }
 
 Vec2 lowest_corner(const FloeDef& floe) {
-  const Rotation turn = rotation_of_angle(floe.angle_rad);
+  const Rotation turn = strict::rotation_of_angle(floe.angle_rad);
   Vec2 lowest = rotate(turn, floe.outline_m[0]);
   for (const Vec2 corner : floe.outline_m)
     if (rotate(turn, corner).y < lowest.y) lowest = rotate(turn, corner);

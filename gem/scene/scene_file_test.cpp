@@ -12,9 +12,9 @@
 
 #include "gem/base/error.h"
 #include "gem/scene/check_scene.h"
-#include "gem/scene/toml_text.h"
 #include "gem/scene/problems.h"
 #include "gem/scene/schema.h"
+#include "gem/scene/toml_text.h"
 
 namespace gem {
 namespace {

@@ -71,6 +71,13 @@ TEST_P(JamTest, ThreadsChangeNothing) {
     EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu", threads)), few), one) << threads << " threads";
 }
 
+TEST_P(JamTest, GoingOnWithFewerThreadsChangesNothing) {
+  // long enough for the engine to have tried one thread and all
+  constexpr std::int64_t many = 120;
+  const std::uint64_t one = hash_after(*engine_in_jam(agreement::on("cpu", 1)), many, many);
+  EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu", 2)), many, many), one);
+}
+
 TEST_P(JamTest, LoggingAndBlocksChangeNothing) {
   const std::uint64_t whole = hash_after(*engine_in_jam(agreement::on("cpu")));
   const std::size_t platform_moments = log_.platform.size();

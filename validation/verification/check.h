@@ -1,0 +1,30 @@
+// One check: compares a computed number with its closed form and enters it as a row of the results table.
+#pragma once
+
+#include <string>
+
+namespace gem::verification {
+
+/// Where a number was computed.
+struct Where {
+  std::string engine = "law";
+  std::string resolution = "-";
+};
+
+/// Rounding of a closed form evaluated in double: a few hundred operations of 1.1e-16 each (class E of the cases).
+constexpr double rounding = 1e-12;
+
+/// Compares with the value of `key`, relative to it; the last printed digit of the file is allowed for.
+void check(const std::string& key, double computed, double relative_tolerance, const Where& where = {});
+
+/// The same with an absolute tolerance in the unit of the key.
+void check_absolute(const std::string& key, double computed, double tolerance, const Where& where = {});
+
+/// Compares with a value that is no key of the file (a zero, a ratio, a count). `key` starts with the case's id.
+void check_value(const std::string& key, double expected, double computed, double tolerance, const std::string& unit,
+                 const Where& where = {});
+
+/// Enters a row for something that this program does not offer, with its closed form.
+void not_offered(const std::string& key);
+
+}  // namespace gem::verification

@@ -1,0 +1,108 @@
+// Parts of scenes for the closed-form cases, and the settings that every scene runs on.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "gem/engine/engine.h"
+#include "gem/scene/scene_def.h"
+#include "validation/verification/check.h"
+
+namespace gem::verification {
+
+/// How deep touching bodies overlap at the start [m]. A power of two, so that a long row of floes stays exact; the
+/// contact point lies half of it off, which changes no closed form by more than 1e-13 relative.
+constexpr double touch = 0x1p-40;
+
+/// One engine with one resolution.
+struct Setting {
+  std::string engine;  // as make_engine knows it
+  Resolution resolution = Resolution::coupled;
+
+  bool coupled() const { return resolution == Resolution::coupled; }
+  Where where() const { return {engine, coupled() ? "coupled" : "independent"}; }
+};
+
+/// Every engine by name with both resolutions.
+std::vector<Setting> all_settings();
+/// Every engine, coupled only.
+std::vector<Setting> coupled_settings();
+std::string setting_name(const ::testing::TestParamInfo<Setting>& info);
+
+/// How a failing test names its setting.
+void PrintTo(const Setting& setting, std::ostream* out);
+
+class OnEngines : public ::testing::TestWithParam<Setting> {
+ protected:
+  const Setting& setting() const { return GetParam(); }
+  Where where() const { return GetParam().where(); }
+};
+
+/// Nothing but contacts: still water without drag, no platform, no sides, no friction, resolved to rounding.
+SceneDef quiet_scene();
+
+/// Rectangle about the origin, counter-clockwise [m].
+std::vector<Vec2> rectangle(double length, double width);
+
+/// The square floe 10 m x 10 m x 0.5 m of 45 t at `position`.
+FloeDef square(Vec2 position, Vec2 velocity = {}, double angle = 0.0, double spin = 0.0);
+
+/// The rod 20 m x 1 m x 0.5 m of 9 t.
+FloeDef rod(Vec2 position, Vec2 velocity = {}, double angle = 0.0, double spin = 0.0);
+
+double degrees(double angle);
+
+/// Fixed body below y = 0.
+FixedDef floor_wall();
+
+/// Lowest corner of a floe relative to its outline's origin, in world axes.
+Vec2 lowest_corner(const FloeDef& floe);
+
+/// Moves a floe so that its lowest corner touches the line y = 0.
+FloeDef on_floor(FloeDef floe);
+
+/// A row of `count` touching square floes along x, the first moving with `speed`.
+SceneDef row_of_squares(int count, double speed);
+
+/// A running engine with its log.
+struct Simulation {
+  std::unique_ptr<Engine> engine;
+  MomentLog log;
+  Ledger first;  // the books at t = 0
+
+  void advance(std::int64_t moments) { engine->advance(moments, log); }
+  const Bodies& bodies() { return engine->bodies(); }
+};
+
+/// Makes the field and the engine of a scene with the setting's resolution.
+Simulation start(SceneDef scene, const Setting& setting);
+
+/// Angular momentum of all bodies about the world origin [N m s].
+double angular_momentum(const Bodies& b);
+
+/// The books must close relative to what the run began or ended with, whichever is more: bodies at rest have no scale.
+/// `momentum_seen` is for runs whose largest momentum lies in between [N s].
+void expect_closed_books(Simulation& run, double tolerance = 1e-13, double momentum_seen = 0.0);
+
+/// One moment of a scene whose bodies touch at the start. Fails without contact and unless the books close.
+struct Impact {
+  Bodies before, after;
+  Ledger ledger;
+  EngineState state;
+  MomentQuality quality;
+  std::size_t first_floe = 0;
+
+  Vec2 velocity(std::size_t floe) const { return after.velocity[first_floe + floe]; }
+  double spin(std::size_t floe) const { return after.spin[first_floe + floe]; }
+  /// What a floe was given [N s].
+  Vec2 impulse(std::size_t floe) const;
+  /// Kinetic energy lost in the moment [J].
+  double energy_lost() const;
+};
+Impact one_impact(const SceneDef& scene, const Setting& setting);
+
+}  // namespace gem::verification

@@ -23,8 +23,6 @@ std::vector<Contact> all_pairs(const FieldState& f) {
   return contacts;
 }
 
-const Contact& contact_of(const Contact* contact) { return *contact; }
-
 void expect_same(const Contact& a, const Contact& b) {
   ASSERT_EQ(a.a, b.a);
   ASSERT_EQ(a.b, b.b);
@@ -70,9 +68,9 @@ TEST_P(PairListTest, FindsWhatAllPairsFind) {
     for (int m = 0; m < moments; ++m) {
       team.run([&](int rank) { pairs.find(f, team, rank); });
       const std::vector<Contact> expected = all_pairs(f);
-      const auto contacts = pairs.contacts();
+      const Contacts contacts = pairs.contacts();
       ASSERT_EQ(contacts.size(), expected.size()) << "seed " << seed << " moment " << m;
-      for (std::size_t i = 0; i < expected.size(); ++i) expect_same(contact_of(contacts[i]), expected[i]);
+      for (std::size_t i = 0; i < expected.size(); ++i) expect_same(*contacts[i], expected[i]);
       if (HasFatalFailure()) FAIL() << "seed " << seed << " moment " << m;
       found += expected.size();
       wander(f, random);

@@ -102,7 +102,7 @@ struct OutlineCopy {
 TEST(Geometry, V03_chord_of_the_overlap) {
   const OutlineCopy square_outline(rectangle(10.0, 10.0));
   const Vec2 offset{7.0, 4.0};
-  const Separation axis = find_separation(square_outline.view(), square_outline.view(), offset, 0.0, {});
+  const Separation axis = find_axes(square_outline.view(), square_outline.view(), offset).first;
   const ContactGeometry contact = chord_contact(square_outline.view(), square_outline.view(), offset, axis);
   // the overlap is the rectangle [2, 5] x [-1, 5]: its chord joins (2, 5) and (5, -1)
   check_value("V03.chord", std::sqrt(45.0), contact.width, 10.0 * rounding, "m");
@@ -181,7 +181,7 @@ TEST_P(Kinematics, V50_rod_turns_into_a_wall) {
 /// Two floes 2 m wide that close at 1 m/s from first touch, looked at after `elapsed` seconds.
 Separation after_closing(double elapsed) {
   const OutlineCopy small(rectangle(2.0, 8.0));
-  return find_separation(small.view(), small.view(), {2.0 - elapsed, 0.0}, 0.0, {});
+  return find_axes(small.view(), small.view(), {2.0 - elapsed, 0.0}).first;
 }
 
 /// Boundary between times where `late` is false and where it is true, in (low, high).

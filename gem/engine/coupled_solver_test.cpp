@@ -13,7 +13,6 @@
 namespace gem {
 namespace {
 
-const Contact& contact_of(const Contact& contact) { return contact; }
 const Contact& contact_of(const Contact* contact) { return *contact; }
 
 /// A crowd on its way, some seconds after the start, and one resolved moment of it.

@@ -13,9 +13,6 @@
 namespace gem {
 namespace {
 
-const Contact& contact_of(const Contact& contact) { return contact; }
-const Contact& contact_of(const Contact* contact) { return *contact; }
-
 /// A crowd on its way, some seconds after the start, and one resolved moment of it.
 struct Resolved {
   FieldState field;
@@ -43,13 +40,13 @@ TEST(CoupledSolver, NoMovingBodyTwiceInAColour) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     Resolved r;
     resolve(r, seed, 1);
-    const auto contacts = r.pairs.contacts();
+    const Contacts contacts = r.pairs.contacts();
     const std::vector<std::uint8_t>& colours = r.solver.colours();
     ASSERT_GT(contacts.size(), 50u);
     ASSERT_EQ(colours.size(), contacts.size());
     std::set<std::pair<int, std::int32_t>> taken;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const Contact& contact = contact_of(contacts[i]);
+      const Contact& contact = *contacts[i];
       if (sweeps_write_a(r.field.bodies, contact)) {
         EXPECT_TRUE(taken.insert({colours[i], contact.a}).second);
       }
@@ -66,14 +63,13 @@ TEST(CoupledSolver, LeavesNothingClosingAndKeepsTheCone) {
   const double residual = r.field.constants.residual_speed;
   ASSERT_LE(r.quality.residual, residual) << "did not settle within " << r.quality.iterations << " sweeps";
   int pressed = 0;
-  for (const auto& item : r.pairs.contacts()) {
-    const Contact& contact = contact_of(item);
-    for (int k = 0; k < contact.count; ++k) {
-      const ContactSlot& slot = contact.slot[k];
-      const double u_n = dot(relative_velocity(r.field.bodies, contact, slot), contact.normal);
+  for (const Contact* contact : r.pairs.contacts()) {
+    for (int k = 0; k < contact->count; ++k) {
+      const ContactSlot& slot = contact->slot[k];
+      const double u_n = dot(relative_velocity(r.field.bodies, *contact, slot), contact->normal);
       EXPECT_GE(u_n - slot.target, -30.0 * residual);  // a neighbour may have moved after the last visit
       EXPECT_GE(slot.impulse.normal, 0.0);
-      EXPECT_LE(std::fabs(slot.impulse.tangential), contact.friction * slot.impulse.normal * (1.0 + 1e-12));
+      EXPECT_LE(std::fabs(slot.impulse.tangential), contact->friction * slot.impulse.normal * (1.0 + 1e-12));
       pressed += slot.impulse.normal > 0.0;
     }
   }

@@ -16,16 +16,12 @@ std::vector<Contact> all_pairs(const FieldState& f) {
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(b.count()); ++i)
     for (std::int32_t j = i + 1; j < static_cast<std::int32_t>(b.count()); ++j) {
       if (!b.active[i] || !b.active[j] || (b.inverse_mass[i] == 0.0 && b.inverse_mass[j] == 0.0)) continue;
-      Separation axis;
-      double gap = 0.0;
+      SeparatingAxes unknown;
       Contact contact;
-      if (find_contact(f, i, j, axis, gap, contact)) contacts.push_back(contact);
+      if (find_contact(f, i, j, unknown, 0.0, contact)) contacts.push_back(contact);
     }
   return contacts;
 }
-
-const Contact& contact_of(const Contact& contact) { return contact; }
-const Contact& contact_of(const Contact* contact) { return *contact; }
 
 void expect_same(const Contact& a, const Contact& b) {
   ASSERT_EQ(a.a, b.a);
@@ -72,9 +68,9 @@ TEST_P(PairListTest, FindsWhatAllPairsFind) {
     for (int m = 0; m < moments; ++m) {
       team.run([&](int rank) { pairs.find(f, team, rank); });
       const std::vector<Contact> expected = all_pairs(f);
-      const auto contacts = pairs.contacts();
+      const Contacts contacts = pairs.contacts();
       ASSERT_EQ(contacts.size(), expected.size()) << "seed " << seed << " moment " << m;
-      for (std::size_t i = 0; i < expected.size(); ++i) expect_same(contact_of(contacts[i]), expected[i]);
+      for (std::size_t i = 0; i < expected.size(); ++i) expect_same(*contacts[i], expected[i]);
       if (HasFatalFailure()) FAIL() << "seed " << seed << " moment " << m;
       found += expected.size();
       wander(f, random);

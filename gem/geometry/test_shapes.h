@@ -92,7 +92,7 @@ inline double distance_to_boundary(const Shape& shape, Vec2 origin, Vec2 point) 
 }
 
 inline Separation separation_of(const Shape& a, const Shape& b, Vec2 offset) {
-  return find_separation(a.outline(), b.outline(), offset, 1e300, {});
+  return find_axes(a.outline(), b.outline(), offset).first;
 }
 
 inline ContactGeometry chord(const Shape& a, const Shape& b, Vec2 offset) {

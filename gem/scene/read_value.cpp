@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gem/scene/toml_text.h"
 #include "gem/scene/scene_tree.h"
+#include "gem/scene/toml_text.h"
 
 namespace gem {
 namespace {

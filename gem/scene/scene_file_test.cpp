@@ -12,9 +12,9 @@
 
 #include "gem/base/error.h"
 #include "gem/scene/check_scene.h"
-#include "gem/scene/toml_text.h"
 #include "gem/scene/problems.h"
 #include "gem/scene/schema.h"
+#include "gem/scene/toml_text.h"
 
 namespace gem {
 namespace {
@@ -41,7 +41,7 @@ TEST(SceneFile, EveryOptionIsReadBackFromItsOwnText) {
     SceneDef scene;
     OptionValue value = option.get(scene);
     if (auto* number = std::get_if<double>(&value))
-      *number = std::isfinite(option.range.high) && option.range.high <= 1.0 ? 0.25 : *number + 0.5;
+      *number = option.range.high > 0.25 && option.range.high <= 1.0 ? 0.25 : *number + 0.5;
     if (auto* integer = std::get_if<std::int64_t>(&value)) *integer += 1;
     if (auto* text = std::get_if<std::string>(&value))
       *text = option.type == OptionType::choice ? *std::find_if(option.choices.begin(), option.choices.end(),

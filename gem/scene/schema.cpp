@@ -92,7 +92,7 @@ void add_boundary(SceneTable& t) {
            GEM_FIELD(boundary.inlet_x_m));
   t.number("boundary.inlet_width_m", "m", extent_range, "width of the channel upstream",
            GEM_FIELD(boundary.inlet_width_m));
-  t.number("boundary.taper_start_x_m", "m", {-1e6, 0.0, false, true},
+  t.number("boundary.taper_start_x_m", "m", place_range,
            "x where the channel begins to narrow; at or upstream of the inlet: over its whole length",
            GEM_FIELD(boundary.taper_start_x_m));
   t.number("boundary.gap_m", "m", extent_range, "width of the channel from x = 0 on", GEM_FIELD(boundary.gap_m));

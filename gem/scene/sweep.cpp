@@ -6,9 +6,9 @@
 
 #include "gem/base/error.h"
 #include "gem/scene/document.h"
-#include "gem/scene/toml_text.h"
 #include "gem/scene/scene_tree.h"
 #include "gem/scene/sweep_draft.h"
+#include "gem/scene/toml_text.h"
 
 namespace gem {
 namespace {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "gem/base/error.h"
-#include "gem/scene/toml_text.h"
 #include "gem/scene/problems.h"
+#include "gem/scene/toml_text.h"
 
 namespace gem {
 namespace {

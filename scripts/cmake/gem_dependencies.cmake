@@ -13,7 +13,6 @@ else()
   find_package(GSL REQUIRED)
 endif()
 find_package(Eigen3 3.4 REQUIRED CONFIG)
-find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(Threads REQUIRED)
 # Header-only on purpose: the packaged library reads numbers through a stream instead of std::from_chars.
 find_path(TOMLPLUSPLUS_INCLUDE_DIR toml++/toml.h REQUIRED)

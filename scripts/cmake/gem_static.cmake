@@ -18,8 +18,3 @@ target_include_directories(hdf5::hdf5 INTERFACE ${GEM_STATIC_HDF5_INCLUDE})
 
 gem_static_library(GSL::gslcblas gslcblas m)
 gem_static_library(GSL::gsl gsl GSL::gslcblas)
-
-# find_package(OpenMP) takes what is already found.
-execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libgomp.a
-  OUTPUT_VARIABLE gomp OUTPUT_STRIP_TRAILING_WHITESPACE)
-set(OpenMP_gomp_LIBRARY ${gomp} CACHE FILEPATH "OpenMP runtime")

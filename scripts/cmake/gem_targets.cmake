@@ -1,6 +1,7 @@
 # One library per licence and audience: the simulator without GSL, the analysis with it, and the program.
 
-# Same bits everywhere: a*b+c is never contracted to a fused operation, whatever the instruction set.
+# Same bits everywhere: a*b+c is never contracted to a fused operation. g++ 12 fuses alternating sums in spite of this flag
+# where the instruction set has fused multiply-add, so that set stays off too: -march with avx2 needs -mno-fma beside it.
 add_library(gem_flags INTERFACE)
 target_compile_options(gem_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
   -Wno-sign-conversion $<$<BOOL:${GEM_WERROR}>:-Werror>)
@@ -15,14 +16,6 @@ endif()
 if(GEM_SANITIZE)
   target_compile_options(gem_flags INTERFACE -fsanitize=${GEM_SANITIZE} -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(gem_flags INTERFACE -fsanitize=${GEM_SANITIZE})
-endif()
-# Without GEM_OPENMP the pragmas are ignored and the runtime only answers "one thread".
-add_library(gem_openmp INTERFACE)
-if(GEM_OPENMP)
-  target_link_libraries(gem_openmp INTERFACE OpenMP::OpenMP_CXX)
-else()
-  target_compile_options(gem_openmp INTERFACE -Wno-unknown-pragmas -Wno-unused-parameter -Wno-unused-but-set-parameter)
-  target_link_libraries(gem_openmp INTERFACE ${OpenMP_CXX_LIBRARIES})
 endif()
 
 function(gem_sources out)
@@ -48,7 +41,7 @@ add_library(gem_simulator STATIC ${simulator_sources})
 add_dependencies(gem_simulator gem_version)
 target_include_directories(gem_simulator PUBLIC ${PROJECT_BINARY_DIR}/generated)
 target_include_directories(gem_simulator SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR} PRIVATE ${TOMLPLUSPLUS_INCLUDE_DIR})
-target_link_libraries(gem_simulator PUBLIC gem_flags gem_openmp Threads::Threads
+target_link_libraries(gem_simulator PUBLIC gem_flags Threads::Threads
   PRIVATE nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
 
 gem_sources(analysis_sources gem/analysis gem/report)

@@ -65,10 +65,17 @@ TEST_P(JamTest, AllEnginesGiveTheSameBits) {
 }
 
 TEST_P(JamTest, ThreadsChangeNothing) {
-  constexpr std::int64_t few = 10;  // more threads than processors wait for each other at every barrier
+  constexpr std::int64_t few = 4;  // more threads than processors wait for each other at every barrier
   const std::uint64_t one = hash_after(*engine_in_jam(agreement::on("cpu", 1)), few);
   for (const int threads : {2, 3, 5, 8})
     EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu", threads)), few), one) << threads << " threads";
+}
+
+TEST_P(JamTest, GoingOnWithFewerThreadsChangesNothing) {
+  // long enough for the engine to have tried one thread and all
+  constexpr std::int64_t many = 120;
+  const std::uint64_t one = hash_after(*engine_in_jam(agreement::on("cpu", 1)), many, many);
+  EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu", 2)), many, many), one);
 }
 
 TEST_P(JamTest, LoggingAndBlocksChangeNothing) {

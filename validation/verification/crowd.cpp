@@ -5,8 +5,8 @@
 #include <bit>
 #include <utility>
 
-#include "gem/base/portable_math.h"
 #include "gem/base/random.h"
+#include "gem/base/strict_math.h"
 #include "gem/field/field.h"
 
 namespace gem::verification {
@@ -38,7 +38,7 @@ SceneDef crowd(const Setting& setting, Surroundings surroundings) {
       const int sides = 4 + static_cast<int>(numbers.below(4));
       FloeDef floe;
       for (int i = 0; i < sides; ++i)
-        floe.outline_m.push_back(rotate(rotation_of_turns(static_cast<double>(i) / sides), {4.75, 0.0}));
+        floe.outline_m.push_back(rotate(strict::rotation_of_turns(static_cast<double>(i) / sides), {4.75, 0.0}));
       floe.position_m = {-18.0 - 10.0 * column, -20.0 + 10.0 * row};
       floe.angle_rad = numbers.uniform(0.0, 6.0);
       floe.velocity_m_per_s = {0.25 * numbers.uniform(-1.0, 1.0), 0.25 * numbers.uniform(-1.0, 1.0)};

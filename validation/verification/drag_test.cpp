@@ -1,7 +1,7 @@
 // Water drag on floes against closed form: V22 to V29.
 #include <cmath>
 
-#include "gem/base/portable_math.h"
+#include "gem/base/strict_math.h"
 #include "gem/events/events.h"
 #include "gem/field/drag_coefficients.h"
 #include "gem/field/field.h"
@@ -99,7 +99,7 @@ TEST(DragLaw, V25_spin_coefficients) {
   Bodies bodies;
   BodyDef disc;
   for (int i = 0; i < sides; ++i)
-    disc.outline.push_back(rotate(rotation_of_turns(static_cast<double>(i) / sides), {5.0, 0.0}));
+    disc.outline.push_back(rotate(strict::rotation_of_turns(static_cast<double>(i) / sides), {5.0, 0.0}));
   append(bodies, disc);
   set_drag(bodies, drifting({0.25, 0.0}, skin, 1.0));
   check("V25.kw_disc5", bodies.spin_drag[0], (M_PI / sides) * (M_PI / sides));

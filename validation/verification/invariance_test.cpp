@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gem/base/portable_math.h"
+#include "gem/base/strict_math.h"
 #include "gem/events/events.h"
 #include "gem/field/field.h"
 #include "validation/verification/crowd.h"
@@ -143,7 +143,7 @@ TEST_P(Invariance, M4_quarter_turn) {
 
 TEST_P(Invariance, M4_turn_by_37_degrees) {
   const SceneDef scene = crowd(setting());
-  const Rotation turn = rotation_of_angle(degrees(37.0));
+  const Rotation turn = strict::rotation_of_angle(degrees(37.0));
   SceneDef image = scene;
   image.current.velocity_m_per_s = rotate(turn, scene.current.velocity_m_per_s);
   const double apart = apart_after(5, scene, image, setting(), [&](const Bodies& b) { return turned_by(b, turn); });

@@ -84,8 +84,7 @@ Simulation start(SceneDef scene, const Setting& setting);
 /// Angular momentum of all bodies about the world origin [N m s].
 double angular_momentum(const Bodies& b);
 
-/// The books must close relative to what the run began or ended with, whichever is more: bodies at rest have no scale.
-/// `momentum_seen` is for runs whose largest momentum lies in between [N s].
+/// The books must close. `momentum_seen` is for runs whose largest momentum lies between two looks at the ledger [N s].
 void expect_closed_books(Simulation& run, double tolerance = 1e-13, double momentum_seen = 0.0);
 
 /// One moment of a scene whose bodies touch at the start. Fails without contact and unless the books close.

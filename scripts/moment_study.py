@@ -8,7 +8,6 @@ import argparse
 import math
 import pathlib
 import resource
-import shlex
 import subprocess
 import sys
 import tempfile
@@ -69,7 +68,8 @@ class Study:
         command = [self.gem, "run", str(ROOT / "cases/004_400_25.toml"),
                    "--until", f"{self.duration * scale:g}", "--threads", "1", "-q", "--overwrite", "--out", str(path)]
         for setting in [f"current.velocity_m_per_s=[{speed}, 0.0]", f"numerics.moment_s={dt:.10g}",
-                        f"run.seed={seed}", "output.platform_interval_s=1", f"output.floes_interval_s={20 * scale:g}", *settings]:
+                        f"run.seed={seed}", "output.platform_interval_s=1",
+                        f"output.floes_interval_s={20 * scale:g}", *settings]:
             command += ["--set", setting]
         if (speed, seed) not in self.startup:
             self.startup[speed, seed] = user_seconds(command + ["--dry-run"])[0]
@@ -108,8 +108,8 @@ def pm(pair):
     return f"{pair[0]:.2f} ± {pair[1]:.2f}"
 
 
-HEAD = ["U dt [m]", "dt [s]", "distance after 5 m; 25 m of drift: rms, mean [mm]", "mean x [mm]", "sd x [mm]", "mean force [kN]",
-        "sd force [kN]", "overlap, largest (median) [mm]", "sweeps", "left over [mm/s]", "CPU s per s", "ratio"]
+HEAD = ["U dt [m]", "dt [s]", "distance after 5 m; 25 m of drift: rms, mean [mm]", "mean x [mm]", "sd x [mm]",
+        "mean force [kN]", "sd force [kN]", "overlap, largest (median) [mm]", "sweeps", "left over [mm/s]", "CPU s per s", "ratio"]
 
 
 def row_of(run, finest, base, label):
@@ -169,7 +169,7 @@ def main():
     commit = subprocess.run(["git", "-C", str(ROOT), "describe", "--always", "--dirty", "--abbrev=12"],
                             capture_output=True, text=True).stdout.strip()
     lines, total = study(options.gem, options.duration, options.seeds)
-    command = shlex.join(["scripts/moment_study.py", *sys.argv[1:]])
+    command = f"scripts/moment_study.py --duration {options.duration:g} --seeds {options.seeds}"
     intro = [f"`{command}` at commit {commit}; {total:.0f} s of one core. CPU time is user time without the start; "
              "ratio: to the run with U dt = 0.0125 m. Statistics over the last half, force in windows of 1 s, ± 95 % "
              f"from {BATCHES} batches. Sweeps and left-over closing speed: mean and median of the worst moment of "

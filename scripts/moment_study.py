@@ -109,7 +109,8 @@ def pm(pair):
 
 
 HEAD = ["U dt [m]", "dt [s]", "distance after 5 m; 25 m of drift: rms, mean [mm]", "mean x [mm]", "sd x [mm]",
-        "mean force [kN]", "sd force [kN]", "overlap, largest (median) [mm]", "sweeps", "left over [mm/s]", "CPU s per s", "ratio"]
+        "mean force [kN]", "sd force [kN]", "overlap, largest (median) [mm]", "sweeps", "left over [mm/s]",
+        "CPU s per s", "ratio"]
 
 
 def row_of(run, finest, base, label):

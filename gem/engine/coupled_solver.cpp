@@ -18,8 +18,9 @@
 namespace gem {
 namespace {
 
-/// A colour with fewer contacts is left to one thread: a second one costs more than it brings.
-constexpr std::int32_t contacts_worth_threads = 64;
+/// A moment with fewer contacts is swept by one thread: the wait after each colour would cost more than a second
+/// brings.
+constexpr std::size_t contacts_worth_threads = 2048;
 
 /// Platform velocity from the sum of all its contacts' impulses, in contact order.
 void move_platform(FieldState& f, Contacts contacts, Vec2 velocity, double spin, std::int32_t sweep) {
@@ -122,14 +123,8 @@ void CoupledSolver::colour(const FieldState& f, Contacts contacts) {
 template <class Visit>
 void CoupledSolver::sweep(ThreadTeam& team, int rank, Visit&& visit) {
   for (std::size_t c = 0; c + 1 < colour_begin_.size(); ++c) {
-    const std::int32_t begin = colour_begin_[c], count = colour_begin_[c + 1] - begin;
-    if (count < contacts_worth_threads) {
-      if (rank == 0)
-        for (std::int32_t i = 0; i < count; ++i) visit(*order_[begin + i]);
-      team.barrier();
-    } else {
-      team.for_each(rank, count, [&](std::int64_t i) { visit(*order_[begin + i]); });
-    }
+    const std::int32_t begin = colour_begin_[c];
+    team.for_each(rank, colour_begin_[c + 1] - begin, [&](std::int64_t i) { visit(*order_[begin + i]); });
   }
 }
 
@@ -154,16 +149,7 @@ void CoupledSolver::end_sweep(FieldState& f, Contacts contacts) {
   if (!done_) ++sweeps_;
 }
 
-void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality) {
-  const double share = platform_points(contacts);
-  team.single(rank, [&] {
-    change_.assign(team.size(), {});
-    warm_start(contacts);
-    start_moment(f, contacts);
-  });
-  if (team.failed()) return;
-  team.for_each(rank, static_cast<std::int64_t>(contacts.size()),
-                [&](std::int64_t i) { prepare_contact(f, *contacts[i], share); });
+void CoupledSolver::sweep_to_residual(FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
   sweep(team, rank, [&](Contact& contact) { apply_impulses(f.bodies, contact, sweeps_write_a(f.bodies, contact)); });
   team.single(rank, [&] { move_platform(f, contacts, platform_velocity_, platform_spin_, 0); });
   while (!done_) {
@@ -178,6 +164,23 @@ void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, 
   for (std::int64_t i = 0; i < f.constants.repair_iterations; ++i) {
     sweep(team, rank, [&](Contact& contact) { repair_overlap(f, contact); });
     team.single(rank, [&] { shift_platform(f, contacts); });
+  }
+}
+
+void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality) {
+  const double share = platform_points(contacts);
+  team.single(rank, [&] {
+    change_.assign(team.size(), {});
+    warm_start(contacts);
+    start_moment(f, contacts);
+  });
+  if (team.failed()) return;
+  team.for_each(rank, static_cast<std::int64_t>(contacts.size()),
+                [&](std::int64_t i) { prepare_contact(f, *contacts[i], share); });
+  if (contacts.size() < contacts_worth_threads) {
+    team.single(rank, [&] { sweep_to_residual(f, contacts, alone_, 0); });
+  } else {
+    sweep_to_residual(f, contacts, team, rank);
   }
   team.single(rank, [&] {
     quality.iterations = sweeps_;

@@ -27,6 +27,7 @@ class CoupledSolver {
   void warm_start(Contacts contacts) const;
   void keep(Contacts contacts);
   void colour(const FieldState& f, Contacts contacts);
+  void sweep_to_residual(FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
   void start_moment(FieldState& f, Contacts contacts);
   void end_sweep(FieldState& f, Contacts contacts);
 
@@ -51,6 +52,7 @@ class CoupledSolver {
   double residual_ = 0.0;
   bool all_ = true;  // the next sweep visits every contact
   bool done_ = false;
+  ThreadTeam alone_{1};
 };
 
 }  // namespace gem

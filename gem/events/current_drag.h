@@ -28,15 +28,15 @@ struct SpinDragSolution {
 /// Quadratic law; `speed` is |slip|.
 GEM_HD inline DragSolution drag_quadratic(double k, Vec2 slip, double speed, double dt) {
   const double z = k * speed * dt;
-  const double factor = 1.0 / (1.0 + z);
   if (!(z > 0.0)) return {slip, {}};
+  const double factor = 1.0 / (1.0 + z);
   return {factor * slip, (dt * (strict::log1p(z) / z - factor)) * slip};
 }
 
 GEM_HD inline SpinDragSolution spin_drag_quadratic(double k, double spin, double dt) {
   const double z = k * (spin < 0.0 ? -spin : spin) * dt;
-  const double factor = 1.0 / (1.0 + z);
   if (!(z > 0.0)) return {spin, 0.0};
+  const double factor = 1.0 / (1.0 + z);
   return {factor * spin, dt * (strict::log1p(z) / z - factor) * spin};
 }
 

@@ -7,7 +7,8 @@
 //   one_step         stick (u_t' = 0) if |P_t| <= mu P_n, else slip with P_t = -mu P_n sign(u_t'): Coulomb's law for
 //                    the velocity after the event
 //   fixed_direction  P_t = -mu P_n sign(u_t): friction against the motion before the event, as the reference paper
-//                    words it; it may push a slip past zero
+//                    words it; it may push a slip past zero and, where mu |k_nt| comes near k_nn, even add
+//                    energy, which the ledger then shows; one_step never does
 //
 //   u_n     normal velocity, < 0 closing; u_t along the normal turned left                [m/s]
 //   target  normal velocity after the event: 0 for a plastic impact                       [m/s]

@@ -135,7 +135,7 @@ struct NumericsDef {
   double contact_reach = 1.0;  ///< coupled: faces that the current could close in so many moments are held apart
   std::int64_t repair_iterations = 2;  ///< coupled: sweeps of the position repair
   double repair_share = 0.2;           ///< coupled: share of an overlap that is taken away in one moment
-  double list_margin_m = 0.75;         ///< pairs closer than this are kept in the list
+  double list_margin_m = 2.5;          ///< pairs closer than this are kept in the list
 };
 
 struct OutputDef {

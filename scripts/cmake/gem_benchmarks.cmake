@@ -5,5 +5,14 @@ file(GLOB benchmarks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/*_bench.cpp)
 if(benchmarks)
   add_executable(gem_bench ${benchmarks})
   target_link_libraries(gem_bench PRIVATE gem_command benchmark::benchmark_main nlohmann_json::nlohmann_json)
-  target_compile_definitions(gem_bench PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+  string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off" bench_flags)
+  target_compile_definitions(gem_bench PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GEM_BENCH_FLAGS="${bench_flags}")
+  if(GEM_TESTS)
+    # A short run of the cheapest phase, so that the benchmarks keep building and their own checks keep holding; a
+    # benchmark that reports an error still exits with 0.
+    add_test(NAME bench.smoke COMMAND gem_bench "--benchmark_filter=^(moment|stage)/drift/")
+    set_tests_properties(bench.smoke PROPERTIES LABELS unit FAIL_REGULAR_EXPRESSION "ERROR OCCURRED"
+      PASS_REGULAR_EXPRESSION "moment/drift/independent/threads:2.*stage/drift/drift")
+  endif()
 endif()

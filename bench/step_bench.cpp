@@ -161,7 +161,8 @@ class StagedMoment {
     each_floe(drift_floe);
     lap(drift);
     platform_second_half(field_, ledger_);
-    retire_and_check(field_, ledger_, ++moment_);
+    check_finite(field_, ++moment_);
+    retire(field_, ledger_);
   }
 
   FieldState field_;

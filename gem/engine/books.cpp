@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gem/base/error.h"
+#include "gem/base/number_text.h"
 #include "gem/engine/contact_stages.h"
 #include "gem/engine/solo_stages.h"
 
@@ -104,22 +105,24 @@ Ledger closed_books(const FieldState& f, Ledger& running) {
   return ledger;
 }
 
-void retire_and_check(FieldState& f, Ledger& ledger, std::int64_t moment) {
-  Bodies& b = f.bodies;
-  for (std::size_t i = 0; i < b.count(); ++i) {
-    if (!b.active[i] || b.kind[i] == BodyKind::fixed) continue;
-    if (!finite(b, i))
+void check_finite(const FieldState& f, std::int64_t moment) {
+  for (std::size_t i = 0; i < f.bodies.count(); ++i)
+    if (f.bodies.active[i] && !finite(f.bodies, i))
       throw Error(ExitCode::numerical_stop,
                   "body " + std::to_string(i) + " has a state that is no number after moment " +
-                      std::to_string(moment) + " (t = " + std::to_string(static_cast<double>(moment) * f.constants.dt) +
+                      std::to_string(moment) + " (t = " + number_text(static_cast<double>(moment) * f.constants.dt) +
                       " s); try a smaller numerics.moment_s");
-    if (b.kind[i] == BodyKind::floe && b.position[i].x > f.constants.retire_x) {
-      const Quantity gone = of_body(b, i);
-      ledger[Channel::retired].momentum -= gone.momentum;
-      ledger[Channel::retired].angular_momentum -= gone.angular_momentum;
-      ledger[Channel::retired].energy -= gone.energy;
-      b.active[i] = 0;
-    }
+}
+
+void retire(FieldState& f, Ledger& ledger) {
+  Bodies& b = f.bodies;
+  for (std::size_t i = 0; i < b.count(); ++i) {
+    if (!b.active[i] || b.kind[i] != BodyKind::floe || !(b.position[i].x > f.constants.retire_x)) continue;
+    const Quantity gone = of_body(b, i);
+    ledger[Channel::retired].momentum -= gone.momentum;
+    ledger[Channel::retired].angular_momentum -= gone.angular_momentum;
+    ledger[Channel::retired].energy -= gone.energy;
+    b.active[i] = 0;
   }
 }
 

@@ -15,8 +15,11 @@ Quantity total(const FieldState& f);
 /// them.
 Ledger closed_books(const FieldState& f, Ledger& running);
 
-/// Retires the floes past the retire line and stops on a state that is no number. `moment` names the place in messages.
-void retire_and_check(FieldState& f, Ledger& ledger, std::int64_t moment);
+/// Throws Error(numerical_stop) naming the first body whose state is no number; `moment` names the place.
+void check_finite(const FieldState& f, std::int64_t moment);
+
+/// Retires the floes past the retire line and enters what they take along.
+void retire(FieldState& f, Ledger& ledger);
 
 /// How many points touch and how deep, at the start of the moment.
 MomentQuality contact_quality(Contacts contacts);

@@ -22,6 +22,7 @@ CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads)
 }
 
 void CpuEngine::advance(std::int64_t moments, MomentLog& log) {
+  check_finite(field_, moment_);
   while (moments > 0) {
     const std::int64_t stretch = all_threads_.size() == 1 ? moments : choice_.stretch(moments);
     ThreadTeam& team = choice_.all_threads() ? all_threads_ : one_thread_;
@@ -64,7 +65,8 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
     log_events(f, contacts, moment_, event_speed_, log);
     platform_second_half(f, ledger_);
     ++moment_;
-    retire_and_check(f, ledger_, moment_);
+    check_finite(f, moment_);
+    retire(f, ledger_);
     log_moment(f, contacts, before_, ledger_, quality_, log);
   });
 }

@@ -32,6 +32,7 @@ std::vector<Contact> ReferenceEngine::all_contacts() const {
 
 void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
   FieldState& f = field_;
+  check_finite(f, moment_);
   for (std::int64_t m = 0; m < moments; ++m) {
     const Ledger before = ledger_;
     std::vector<Contact> contacts = all_contacts();
@@ -54,7 +55,8 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
     log_events(f, view, moment_, event_speed_, log);
     platform_second_half(f, ledger_);
     ++moment_;
-    retire_and_check(f, ledger_, moment_);
+    check_finite(f, moment_);
+    retire(f, ledger_);
     log_moment(f, view, before, ledger_, quality, log);
   }
 }

@@ -175,6 +175,7 @@ GEM_HD inline int support_corner(const Outline& outline, Vec2 direction) {
 GEM_HD inline ContactGeometry chord_contact(const Outline& a, const Outline& b, Vec2 offset, const Separation& axis) {
   ContactGeometry contact;
   Vec2 chord, middle;
+  double size = 0.0;  // of the coordinates that the chord is the difference of
   int entries = 0, exits = 0;
   int entry_a = 0, entry_b = 0, exit_a = 0, exit_b = 0;
   for (int j = 0; j < b.count; ++j) {
@@ -185,6 +186,7 @@ GEM_HD inline ContactGeometry chord_contact(const Outline& a, const Outline& b, 
     if (clipped.entry >= 0) {
       const Vec2 crossing = p + clipped.begin * (q - p);
       chord -= crossing;
+      size += length(crossing);
       middle += crossing;
       entry_a = clipped.entry;
       entry_b = j;
@@ -193,6 +195,7 @@ GEM_HD inline ContactGeometry chord_contact(const Outline& a, const Outline& b, 
     if (clipped.exit >= 0) {
       const Vec2 crossing = p + clipped.end * (q - p);
       chord += crossing;
+      size += length(crossing);
       middle += crossing;
       exit_a = clipped.exit;
       exit_b = j;
@@ -202,7 +205,8 @@ GEM_HD inline ContactGeometry chord_contact(const Outline& a, const Outline& b, 
   const double width = length(chord);
   contact.count = 1;
   contact.point[0].separation = axis.distance;
-  if (entries == exits && entries > 0 && width > 0.0) {
+  constexpr double rounding = 4e-15;
+  if (entries == exits && entries > 0 && width > rounding * size) {
     const Vec2 tangent = (1.0 / width) * chord;
     contact.normal = turned_left(tangent);
     contact.point[0].position = (0.5 / entries) * middle;

@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""Rewrites the tables of README.md from the files under bench/results: no number of them is typed.
+
+usage: scripts/readme_tables.py
+
+clean_root_run.txt, clean_root_test.txt   what scripts/run.sh and scripts/test.sh printed in a bare Debian 12 root
+real_time_factor*.csv                     what bench/real_time_factor.py wrote
+"""
+import csv
+import glob
+import os
+import re
+
+TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
+RESULTS = os.path.join(TOP, "bench", "results")
+NAMES = {1: "004_400_25", 2: "004_400_50", 27: "400_200_100"}
+
+
+def phases(name):
+    """(seconds, title) of each phase that a script listed at its end."""
+    with open(os.path.join(RESULTS, name), encoding="utf-8") as file:
+        return [(match[1], match[2]) for line in file if (match := re.match(r"\s+([\d.]+) s  (.+)", line))]
+
+
+def set_up_table():
+    rows = ["| command | part | time, s |", "|---|---|---|"]
+    for command, name in (("scripts/run.sh", "clean_root_run.txt"), ("scripts/test.sh", "clean_root_test.txt")):
+        rows += [f"| `{command}` | {title} | {seconds} |" for seconds, title in phases(name)]
+    return rows
+
+
+def speed_table():
+    rows = ["| run | threads | simulated, s | x real time | wall, s (fastest to slowest) | deepest overlap, mm | "
+            "momentum, energy unexplained | memory, MB | state hash | processor |", "|" + "---|" * 10]
+    for path in sorted(glob.glob(os.path.join(RESULTS, "real_time_factor*.csv"))):
+        with open(path, newline="", encoding="utf-8") as file:
+            for r in csv.DictReader(file):
+                rows.append(
+                    f"| {NAMES.get(int(r['index']), r['index'])} | {r['threads']} | {float(r['time_s']):.0f} | "
+                    f"{float(r['x_real_time']):.0f} | {float(r['median_wall_s']):.1f} "
+                    f"({float(r['fastest_wall_s']):.1f} to {float(r['slowest_wall_s']):.1f}) | "
+                    f"{1e3 * float(r['maximum_overlap_m']):.1f} | {float(r['residual_momentum']):.1e}, "
+                    f"{float(r['residual_energy']):.1e} | {float(r['peak_memory_bytes']) / 1e6:.0f} | "
+                    f"`{r['state_hash']}` | {r['processor']} |")
+    return rows
+
+
+def main():
+    path = os.path.join(TOP, "README.md")
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    for mark, rows in (("set-up", set_up_table()), ("speed", speed_table())):
+        begin, end = f"<!-- table: {mark} -->", "<!-- end of table -->"
+        head, rest = text.split(begin, 1)
+        text = head + begin + "\n" + "\n".join(rows) + "\n" + end + rest.split(end, 1)[1]
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+if __name__ == "__main__":
+    main()

@@ -10,11 +10,11 @@
 
 namespace gem {
 
-/// Largest share of momentum and energy that the books may leave unexplained.
+/// Largest share of momentum and energy that the books may leave unexplained: rounding over 72 hours stays below.
 struct BookLimits {
-  double momentum = 1e-10;
-  double angular_momentum = 1e-8;
-  double energy = 1e-6;
+  double momentum = 1e-11;
+  double angular_momentum = 1e-11;
+  double energy = 1e-8;
 };
 
 struct RunOptions {

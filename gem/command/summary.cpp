@@ -20,7 +20,7 @@ std::string summary_text(const RunSummary& s) {
   text += line("most contacts", std::to_string(s.contacts));
   text += line("most iterations", std::to_string(s.iterations));
   text += line("largest overlap", number_text(s.maximum_overlap, 3) + " m");
-  text += line("closing speed left", number_text(s.closing_residual, 3) + " m/s");
+  text += line("last sweep changed", number_text(s.closing_residual, 3) + " m/s");
   text += line("momentum residual", number_text(s.residual.momentum, 3));
   text += line("angular residual", number_text(s.residual.angular_momentum, 3));
   text += line("energy residual", number_text(s.residual.energy, 3));

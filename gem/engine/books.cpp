@@ -143,6 +143,7 @@ void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, dou
   for (const Contact* at : contacts) {
     const Contact& contact = *at;
     if (contact.a != 0) break;
+    if (f.bodies.kind[contact.b] != BodyKind::floe) continue;  // a wall is not ice
     double closing = 0.0, pressed = 0.0;
     for (int k = 0; k < contact.count; ++k) {
       pressed += contact.slot[k].impulse.normal;
@@ -164,6 +165,7 @@ void log_moment(const FieldState& f, Contacts contacts, const Ledger& before, co
   for (const Contact* at : contacts) {
     const Contact& contact = *at;
     if (contact.a != 0) break;
+    if (f.bodies.kind[contact.b] != BodyKind::floe) continue;  // a wall is not ice
     bool pressed = false;
     for (int k = 0; k < contact.count; ++k) {
       const ContactSlot& slot = contact.slot[k];

@@ -24,7 +24,7 @@ void retire(FieldState& f, Ledger& ledger);
 /// How many points touch and how deep, at the start of the moment.
 MomentQuality contact_quality(Contacts contacts);
 
-/// Appends the platform's events. Outlines and positions must be those of the moment's start or end: either will do.
+/// Appends the platform's events, before the floes move: one row for each contact and moment.
 void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, double event_speed, MomentLog& log);
 
 /// Appends what the platform felt. `before` and `after` are the running ledgers around the moment.

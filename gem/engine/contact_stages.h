@@ -16,13 +16,14 @@
 
 namespace gem {
 
+/// Slack for rounding where a bound on motion spares a look [m].
+constexpr double rounding = 1e-9;
+
 /// Looks whether a pair touches (or, coupled, is closer than the contact margin). `axes` are those of an earlier look,
 /// since which the bodies moved by at most `moved`; they are brought up to date. Everything of the contact that later
 /// stages only add to is set to zero.
 inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, SeparatingAxes& axes, double moved,
                          Contact& contact) {
-  // an axis cannot overtake another by rounding alone
-  constexpr double rounding = 1e-9;
   const double limit = f.constants.contact_margin;
   const Outline outline_a = f.outline(a), outline_b = f.outline(b);
   const Vec2 offset = f.bodies.position[b] - f.bodies.position[a];
@@ -238,7 +239,10 @@ inline void repair_overlap(FieldState& f, Contact& contact) {
 /// Enters a resolved contact in the books and marks its bodies as struck. Velocities must be those after the events.
 inline void book_contact(FieldState& f, const Contact& contact, Ledger& ledger) {
   const Vec2 tangent = turned_left(contact.normal);
-  const bool on_fixed = f.bodies.kind[contact.a] == BodyKind::fixed;
+  // what a fixed body gives: A acts on B with +impulse, B on A with -impulse
+  const bool fixed_b = f.bodies.kind[contact.b] == BodyKind::fixed;
+  const bool on_fixed = fixed_b || f.bodies.kind[contact.a] == BodyKind::fixed;
+  const double given = fixed_b ? -1.0 : 1.0;
   const bool on_locked = contact.a == 0 && f.bodies.inverse_inertia[0] == 0.0;
   for (int k = 0; k < contact.count; ++k) {
     const ContactSlot& slot = contact.slot[k];
@@ -253,8 +257,8 @@ inline void book_contact(FieldState& f, const Contact& contact, Ledger& ledger) 
     if (on_fixed) {
       const Vec2 point = f.bodies.position[contact.b] + slot.arm_b;
       auto enter = [&](Channel channel, Vec2 impulse) {
-        ledger[channel].momentum += impulse;
-        ledger[channel].angular_momentum += cross(point, impulse);
+        ledger[channel].momentum += given * impulse;
+        ledger[channel].angular_momentum += given * cross(point, impulse);
       };
       enter(Channel::impact, (p.normal - slot.elastic) * contact.normal);
       enter(Channel::elastic, slot.elastic * contact.normal);

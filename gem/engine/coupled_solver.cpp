@@ -18,10 +18,6 @@
 namespace gem {
 namespace {
 
-/// A moment with fewer contacts is swept by one thread: the wait after each colour would cost more than a second
-/// brings.
-constexpr std::size_t contacts_worth_threads = 2048;
-
 /// Platform velocity from the sum of all its contacts' impulses, in contact order.
 void move_platform(FieldState& f, Contacts contacts, Vec2 velocity, double spin, std::int32_t sweep) {
   Vec2 impulse;
@@ -80,7 +76,7 @@ void CoupledSolver::warm_start(Contacts contacts) const {
     while (at < keys_.size() && keys_[at] < first) ++at;
     for (int k = 0; k < contact.count; ++k) {
       const std::uint64_t key = contact_key(contact.a, contact.b, contact.slot[k].feature);
-      for (std::size_t i = at; i < keys_.size() && keys_[i] >> 8 == key >> 8; ++i)
+      for (std::size_t i = at; i < keys_.size() && keys_[i] >> feature_bits == key >> feature_bits; ++i)
         if (keys_[i] == key) contact.slot[k].impulse = {impulses_[i].x, impulses_[i].y};
     }
   }
@@ -177,7 +173,7 @@ void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, 
   if (team.failed()) return;
   team.for_each(rank, static_cast<std::int64_t>(contacts.size()),
                 [&](std::int64_t i) { prepare_contact(f, *contacts[i], share); });
-  if (contacts.size() < contacts_worth_threads) {
+  if (contacts.size() < contacts_worth_threads_) {
     team.single(rank, [&] { sweep_to_residual(f, contacts, alone_, 0); });
   } else {
     sweep_to_residual(f, contacts, team, rank);

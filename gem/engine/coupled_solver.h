@@ -14,6 +14,9 @@ namespace gem {
 /// Keeps what lasts from moment to moment: the impulses of the last one.
 class CoupledSolver {
  public:
+  /// Moments with fewer contacts are swept by one thread: the wait after each colour would cost more than it brings.
+  explicit CoupledSolver(std::size_t contacts_worth_threads = 2048) : contacts_worth_threads_(contacts_worth_threads) {}
+
   /// Inside a team's run: resolves the contacts (ascending in a, b); changes velocities, impulses and repair shifts.
   void resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality);
 
@@ -53,6 +56,7 @@ class CoupledSolver {
   bool all_ = true;  // the next sweep visits every contact
   bool done_ = false;
   ThreadTeam alone_{1};
+  std::size_t contacts_worth_threads_;
 };
 
 }  // namespace gem

@@ -14,8 +14,8 @@
 
 namespace gem {
 
-CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads)
-    : event_speed_(scene.output.event_speed_m_per_s), all_threads_(threads) {
+CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_threads)
+    : event_speed_(scene.output.event_speed_m_per_s), all_threads_(threads), coupled_(contacts_worth_threads) {
   const MomentConstants constants = moment_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   ledger_.start = total(field_);
@@ -56,13 +56,13 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
   }
   team.single(rank, [&] {
     for (const Contact* contact : contacts) book_contact(f, *contact, ledger_);
+    log_events(f, contacts, moment_, event_speed_, log);
   });
 
   team.for_each(rank, n, [&](std::int64_t i) {
     if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
   });
   team.single(rank, [&] {
-    log_events(f, contacts, moment_, event_speed_, log);
     platform_second_half(f, ledger_);
     ++moment_;
     check_finite(f, moment_);

@@ -47,7 +47,7 @@ struct ContactEvent {
 struct MomentQuality {
   std::int32_t contacts = 0;     // touching contact points
   std::int32_t iterations = 0;   // sweeps of the coupled resolution
-  double residual = 0.0;         // largest closing speed left over [m/s]
+  double residual = 0.0;         // largest change of speed in the last sweep [m/s]
   double maximum_overlap = 0.0;  // deepest overlap depth at the start of the moment [m]
 };
 
@@ -92,8 +92,9 @@ class Engine {
 };
 
 struct EngineOptions {
-  std::string name = "cpu";  // reference | cpu
-  int threads = 0;           // 0: all that the machine offers
+  std::string name = "cpu";                   // reference | cpu
+  int threads = 0;                            // 0: all that the machine offers
+  std::size_t contacts_worth_threads = 2048;  // coupled: fewer are swept by one thread
 };
 
 /// Makes the named engine for a scene and its field.

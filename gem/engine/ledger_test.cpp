@@ -10,6 +10,7 @@
 
 #include "gem/base/error.h"
 #include "gem/engine/test_scenes.h"
+#include "gem/field/field.h"
 
 namespace gem {
 namespace {
@@ -129,6 +130,31 @@ TEST(NumericalStop, NamesTheBodyWhoseStateIsNoNumber) {
       EXPECT_NE(text.find("moment 4 "), std::string::npos) << name << ": " << text;
     }
   }
+}
+
+// The platform has the lower id, so the fixed body is the contact's B.
+TEST(Ledger, ClosesWhereThePlatformMeetsAFixedBody) {
+  for (const std::string& name : engine_names())
+    for (const Resolution resolution : {Resolution::independent, Resolution::coupled}) {
+      SceneDef scene;
+      scene.floes.source = FloeSource::listed;
+      scene.boundary.present = false;
+      scene.mooring.stiffness_N_per_m = 0.0;
+      scene.platform.start_velocity_m_per_s = {0.2, 0.0};
+      scene.contact.resolution = resolution;
+      scene.fixed.push_back({{{51.0, -20.0}, {70.0, -20.0}, {70.0, 30.0}, {51.0, 30.0}}});
+      const auto engine = make_engine(scene, make_field(scene), {.name = name, .threads = 1});
+      MomentLog log;
+      engine->advance(300, log);
+      const Ledger ledger = engine->ledger();
+      EXPECT_LT(length(engine->bodies().velocity[0]), 0.01) << name;
+      EXPECT_LT(ledger[Channel::impact].momentum.x, -1.9e7) << name;
+      const LedgerResidual left = residual(ledger);
+      EXPECT_LT(left.momentum, 1e-12) << name;
+      EXPECT_LT(left.angular_momentum, 1e-12) << name;
+      EXPECT_LT(left.energy, 1e-9) << name;
+      for (const PlatformMoment& moment : log.platform) EXPECT_EQ(moment.ice_impulse.x, 0.0);
+    }
 }
 
 }  // namespace

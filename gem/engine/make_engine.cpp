@@ -17,7 +17,8 @@ std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const 
   const int machine = std::max(1u, std::thread::hardware_concurrency());
   const int threads = options.threads > 0 ? options.threads : machine;
   if (options.name == "reference") return std::make_unique<ReferenceEngine>(scene, std::move(bodies));
-  if (options.name == "cpu") return std::make_unique<CpuEngine>(scene, std::move(bodies), threads);
+  if (options.name == "cpu")
+    return std::make_unique<CpuEngine>(scene, std::move(bodies), threads, options.contacts_worth_threads);
   throw Error(ExitCode::usage, "unknown engine '" + options.name + "' (reference or cpu)");
 }
 

@@ -5,6 +5,21 @@
 
 namespace gem {
 
+namespace {
+
+/// Largest speed that the scene starts with or drives towards [m/s]: the measure of residual and contact margin.
+double fastest_of(const SceneDef& scene, const Bodies& bodies) {
+  constexpr double slowest_of_interest = 1e-3;
+  double fastest = std::max(slowest_of_interest, length(scene.current.velocity_m_per_s));
+  for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s));
+  if (!scene.platform.present) return fastest;
+  const double swing = std::sqrt(scene.mooring.stiffness_N_per_m / bodies.mass[0]);
+  return std::max(
+      {fastest, length(scene.platform.start_velocity_m_per_s), swing * length(scene.platform.start_offset_m)});
+}
+
+}  // namespace
+
 MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
   MomentConstants c;
   c.dt = scene.numerics.moment_s;
@@ -35,8 +50,7 @@ MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
   c.ice = {scene.ice.crushing_pressure_Pa, scene.ice.pressure_area_exponent, 0.0};
 
   const bool coupled = c.resolution == Resolution::coupled;
-  double fastest = length(c.current);
-  for (std::size_t i = 0; i < bodies.count(); ++i) fastest = std::max(fastest, length(bodies.velocity[i]));
+  const double fastest = fastest_of(scene, bodies);
   if (coupled && c.manifold == Manifold::chord_ends) c.contact_margin = scene.numerics.contact_reach * fastest * c.dt;
   c.residual_speed = scene.numerics.residual_tolerance * fastest;
   c.iterations_maximum = scene.numerics.iterations_maximum;

@@ -174,7 +174,7 @@ void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
     const Vec2 offset = f.bodies.position[pair.b] - f.bodies.position[pair.a];
     const double turned_a = f.turn_travel[pair.a] - pair.turned_a, turned_b = f.turn_travel[pair.b] - pair.turned_b;
     const double radius_a = f.bodies.radius[pair.a], radius_b = f.bodies.radius[pair.b];
-    const double left = pair.axes.first.distance - limit - (radius_a * turned_a + radius_b * turned_b);
+    const double left = pair.axes.first.distance - limit - rounding - (radius_a * turned_a + radius_b * turned_b);
     const Vec2 shifted = offset - pair.offset;
     if (left > 0.0 && dot(shifted, shifted) < left * left) return;
     if (!f.bodies.active[pair.a] || !f.bodies.active[pair.b]) return;

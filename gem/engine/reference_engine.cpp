@@ -50,9 +50,9 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
       for (Contact& contact : contacts) apply_impulses(f.bodies, contact, true);
     }
     for (const Contact& contact : contacts) book_contact(f, contact, ledger_);
+    log_events(f, view, moment_, event_speed_, log);
     for (std::size_t i = 0; i < f.bodies.count(); ++i)
       if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
-    log_events(f, view, moment_, event_speed_, log);
     platform_second_half(f, ledger_);
     ++moment_;
     check_finite(f, moment_);

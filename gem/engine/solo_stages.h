@@ -76,13 +76,13 @@ inline void drift_floe(FieldState& f, std::size_t i) {
     angle += f.repair_turn[i];
     f.repair_book[i].angular_momentum += b.mass[i] * cross(f.repair_shift[i], b.velocity[i]);
     f.struck[i] = 0;
-    f.repair_shift[i] = {};
-    f.repair_turn[i] = 0.0;
   } else {
     b.position[i] += dt * b.velocity[i] + f.path_correction[i];
     angle += f.angle_correction[i];
     f.drag_book[i].angular_momentum += b.mass[i] * cross(f.path_correction[i], b.velocity[i]);
   }
+  f.repair_shift[i] = {};
+  f.repair_turn[i] = 0.0;
   turn_body(f, i, angle);
 }
 

@@ -6,6 +6,13 @@ namespace {
 /// About 20 microseconds of waiting before the processor is given away.
 constexpr int spins = 2000;
 
+/// Tells the processor that this is a waiting loop.
+inline void relax() {
+#ifdef __x86_64__
+  __builtin_ia32_pause();
+#endif
+}
+
 }  // namespace
 
 ThreadTeam::ThreadTeam(int threads) : size_(threads) {
@@ -62,7 +69,7 @@ void ThreadTeam::barrier() {
   }
   for (int spin = 0; phase_.load(std::memory_order_acquire) == phase; ++spin) {
     if (spin < spins) {
-      __builtin_ia32_pause();
+      relax();
     } else {
       std::this_thread::yield();
     }

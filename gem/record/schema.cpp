@@ -142,7 +142,7 @@ std::vector<StatsColumn> make_stats_columns() {
                    [](const S& s) { return s.contacts; }),
       stats_column("iterations", "1", "largest number of sweeps in one moment since the last row",
                    [](const S& s) { return s.iterations; }),
-      stats_column("residual", "m s-1", "largest closing speed left over since the last row",
+      stats_column("residual", "m s-1", "largest change of speed in a moment's last sweep since the last row",
                    [](const S& s) { return s.closing_residual; }),
       stats_column("maximum_overlap", "m", "deepest overlap since the last row",
                    [](const S& s) { return s.maximum_overlap; }),

@@ -129,8 +129,9 @@ struct ContactDef {
 };
 
 struct NumericsDef {
-  double moment_s = 0.05;            ///< dt
-  double residual_tolerance = 1e-3;  ///< coupled: largest closing speed left, relative to the current speed
+  double moment_s = 0.05;  ///< dt
+  double residual_tolerance =
+      1e-3;  ///< coupled: largest change of speed in a sweep that ends the sweeps, over the current speed
   std::int64_t iterations_maximum = 200;
   double contact_reach = 1.0;  ///< coupled: faces that the current could close in so many moments are held apart
   std::int64_t repair_iterations = 2;  ///< coupled: sweeps of the position repair

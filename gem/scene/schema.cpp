@@ -145,7 +145,7 @@ void add_contact(SceneTable& t) {
 void add_numerics(SceneTable& t) {
   t.number("numerics.moment_s", "s", {1e-6, 100.0}, "time step dt", GEM_FIELD(numerics.moment_s));
   t.number("numerics.residual_tolerance", "", {0.0, 1.0, true},
-           "coupled: largest closing speed left, relative to the current speed",
+           "coupled: sweeps end when none changes a speed by more than this share of the current speed",
            GEM_FIELD(numerics.residual_tolerance));
   t.integer("numerics.iterations_maximum", {1.0, 1e6}, "coupled: most sweeps in one moment",
             GEM_FIELD(numerics.iterations_maximum));

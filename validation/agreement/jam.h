@@ -35,7 +35,12 @@ inline SceneDef jam_scene(Resolution resolution) {
 }
 
 /// What the engine is asked for.
-inline EngineOptions on(const std::string& name, int threads = 1) { return {name, threads}; }
+inline EngineOptions on(const std::string& name, int threads = 1) {
+  EngineOptions options;
+  options.name = name;
+  options.threads = threads;
+  return options;
+}
 
 /// The field of the scene with every floe already on its way.
 inline Bodies drifting_field(const SceneDef& scene) {

@@ -110,7 +110,7 @@ void check_finite(const FieldState& f, std::int64_t moment) {
     if (f.bodies.active[i] && !finite(f.bodies, i))
       throw Error(ExitCode::numerical_stop,
                   "body " + std::to_string(i) + " has a state that is no number after moment " +
-                      std::to_string(moment) + " (t = " + number_text(static_cast<double>(moment) * f.constants.dt) +
+                      std::to_string(moment) + " (t = " + number_text(static_cast<double>(moment) * f.constants.dt, 9) +
                       " s); try a smaller numerics.moment_s");
 }
 

@@ -17,9 +17,12 @@ NAMES = {1: "004_400_25", 2: "004_400_50", 27: "400_200_100"}
 
 
 def phases(name):
-    """(seconds, title) of each phase that a script listed at its end."""
+    """(seconds, title) of each phase that a script listed at its end, and of the tests that ctest closed with."""
     with open(os.path.join(RESULTS, name), encoding="utf-8") as file:
-        return [(match[1], match[2]) for line in file if (match := re.match(r"\s+([\d.]+) s  (.+)", line))]
+        text = file.read()
+    found = re.findall(r"^ +([\d.]+) s  (.+)$", text, re.MULTILINE)
+    tests = re.search(r"Total Test time \(real\) = +([\d.]+) sec", text)
+    return found + ([(tests[1], "tests")] if tests else [])
 
 
 def set_up_table():

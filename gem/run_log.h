@@ -31,6 +31,9 @@ struct Progress {
 class RunLog {
  public:
   explicit RunLog(const LogOptions& options);
+  ~RunLog() { clear_line(); }
+  RunLog(const RunLog&) = delete;
+  RunLog& operator=(const RunLog&) = delete;
   /// level: info, warning or error. Errors are printed even if quiet.
   void message(const std::string& level, const std::string& text);
   /// Whether show() would print now; so that the caller need not work out what is not shown.

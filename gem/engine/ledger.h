@@ -30,7 +30,8 @@ struct Quantity {
   double energy = 0.0;
 };
 
-/// Since t = 0. Contact channels hold what fixed bodies gave to momentum and what all contacts took from energy (<= 0).
+/// Since t = 0. Contact channels hold what fixed bodies gave to momentum and what contacts took from energy (negative:
+/// lost).
 struct Ledger {
   Quantity start;  // total at t = 0: kinetic energy plus mooring spring
   Quantity now;    // total of the active bodies now

@@ -1,7 +1,12 @@
 // Algorithm:
-//   a pair enters the list if it comes closer than the margin within the horizon, should both bodies keep their
-//   velocity the list is good as long as no body has strayed from that course by more than half the margin a listed
-//   pair is skipped while it has not moved, relative to itself, by the gap it had when last looked at
+//
+// - A pair enters the list if it comes closer than the margin within the horizon, should both bodies keep their
+// velocity.
+//
+// - The list is good as long as no body has strayed from that course by more than half the margin.
+//
+// - A listed pair is skipped while its bodies have not moved, one relative to the other, by the gap they had when last
+// looked at; else its separating axes are followed from that look on.
 #include "gem/engine/pair_list.h"
 
 #include <algorithm>

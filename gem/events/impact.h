@@ -16,7 +16,8 @@
 //   k_..    compliance (mass_reduction.h)                                                 [1/kg]
 //
 // Valid for mu below about 1.1 for compact outlines; above, a sliding corner may have no answer (k_nn - mu |k_nt| <= 0,
-// Painleve): the event then sticks. Neglected: restitution (the paper has none), growth of the arm during the event.
+// Painleve): one_step then sticks, fixed_direction drops the friction. Neglected: restitution (the paper has none),
+// growth of the arm during the event.
 #pragma once
 
 #include "gem/base/vec2.h"

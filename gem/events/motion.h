@@ -1,7 +1,8 @@
 // Motion of a free body over a moment: the turn without trigonometry.
 //
-//   half = tan(phi/2) = p + p^3/3 + 2 p^5/15,  p = phi/2:   cos phi = (1 - half^2)/(1 + half^2),  sin phi = 2 half/(1 +
-//   half^2)
+//   half = tan(phi/2) = p + p^3/3 + 2 p^5/15,  p = phi/2
+//
+//   cos phi = (1 - half^2) / (1 + half^2),  sin phi = 2 half / (1 + half^2)
 //
 // The turn is a rotation for any half; its angle is right to (17/315) p^7: 3e-14 rad for phi = 0.02. The
 // renormalisation is one Newton step towards cosine^2 + sine^2 = 1.

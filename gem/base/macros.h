@@ -1,8 +1,10 @@
-// The host/device macro: the one file that asks which compiler reads it.
+// Host, device and inlining macros: the one file that asks which compiler reads it.
 #pragma once
 
 #ifdef __CUDACC__
 #define GEM_HD __host__ __device__
+#define GEM_INLINE __forceinline__
 #else
 #define GEM_HD
+#define GEM_INLINE inline __attribute__((always_inline))
 #endif

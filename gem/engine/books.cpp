@@ -126,13 +126,20 @@ void retire(FieldState& f, Ledger& ledger) {
   }
 }
 
-MomentQuality contact_quality(Contacts contacts) {
+MomentQuality contact_quality(const FieldState& f, Contacts contacts, MomentLog& log) {
   MomentQuality quality;
   for (const Contact* contact : contacts)
     for (int k = 0; k < contact->count; ++k) {
       const double depth = -contact->slot[k].separation;
-      if (depth >= 0.0) ++quality.contacts;
+      if (!(depth >= 0.0)) continue;
+      ++quality.contacts;
+      if (depth == 0.0) continue;
+      const double area = std::min(f.bodies.area[contact->a], f.bodies.area[contact->b]);
+      const double share = depth / std::sqrt(area);
+      log.overlap.add(depth);
+      log.overlap_share.add(share);
       quality.maximum_overlap = std::max(quality.maximum_overlap, depth);
+      quality.maximum_share = std::max(quality.maximum_share, share);
     }
   return quality;
 }

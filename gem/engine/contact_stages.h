@@ -2,15 +2,16 @@
 //
 // | stage              | reads                                   | writes                                  |
 // | find_contact       | positions, outlines of a and b          | the contact's geometry                  |
-// | prepare_contact    | velocities, masses, platform shift      | arms, compliance, velocities before     |
+// | prepare_contact    | velocities, platform shift              | arms, velocities before                 |
+// | prepare_alone      | the same and masses                     | the same, compliance, elastic stress    |
 // | resolve_alone      | the contact                             | its impulses                            |
-// | resolve_together   | velocities of a and b                   | its impulses, velocities of a and b     |
 // | apply_impulses     | the contact's impulses                  | velocities of a and b                   |
-// | repair_overlap     | repair shifts of a and b                | its repair, repair shifts of a and b    |
+// | point_geometry     | the contact, masses                     | nothing: returns what iterations need   |
 // | book_contact       | velocities after                        | ledger, struck flags                    |
 #pragma once
 
 #include "gem/engine/contact.h"
+#include "gem/engine/coupled_point.h"
 #include "gem/engine/field_state.h"
 #include "gem/events/events.h"
 
@@ -71,36 +72,89 @@ inline CrushingIce crushing_ice(const FieldState& f, const Contact& contact) {
   return ice;
 }
 
-/// Velocity and compliance at the instant of the events. `platform_share` > 1 splits the platform's mass among so many
-/// contacts: their impulses can then be summed without overshoot.
-inline void prepare_contact(const FieldState& f, Contact& contact, double platform_share) {
+/// Friction, arms and relative velocity at the instant of the events.
+inline void prepare_contact(const FieldState& f, Contact& contact) {
   const Bodies& b = f.bodies;
-  const MomentConstants& c = f.constants;
-  CollisionMass mass_a = collision_mass(b, contact.a);
-  const CollisionMass mass_b = collision_mass(b, contact.b);
   Vec2 shift;
-  if (contact.a == 0) {
-    mass_a = {platform_share * mass_a.inverse_mass, platform_share * mass_a.inverse_inertia};
-    shift = b.position[0] - f.platform_position;
-  }
-  contact.friction = contact.a == 0 ? c.friction_structure : c.friction_ice;
+  if (contact.a == 0) shift = b.position[0] - f.platform_position;
+  contact.friction = contact.a == 0 ? f.constants.friction_structure : f.constants.friction_ice;
   const Vec2 tangent = turned_left(contact.normal);
   for (int k = 0; k < contact.count; ++k) {
     ContactSlot& slot = contact.slot[k];
     slot.arm_a -= shift;
-    slot.compliance = contact_compliance(mass_a, slot.arm_a, mass_b, slot.arm_b, contact.normal);
     const Vec2 velocity = relative_velocity(b, contact, slot);
     slot.normal_before = dot(velocity, contact.normal);
     slot.tangential_before = dot(velocity, tangent);
-    if (c.resolution == Resolution::coupled) {
-      slot.target = slot.separation > 0.0 ? -slot.separation / c.dt : 0.0;
-    } else if (c.elastic_stiffness > 0.0 && slot.separation < 0.0) {
-      const double asked =
-          elastic_separating_speed(c.elastic_stiffness, -slot.separation, 1.0 / slot.compliance.nn, c.dt);
-      const double cap = crushing_force(crushing_ice(f, contact), contact.width) * c.dt * slot.compliance.nn;
-      slot.target = asked < cap ? asked : cap;
-    }
   }
+}
+
+/// Compliance of a contact's points and the elastic stress that they ask for: `independent` only.
+inline void prepare_alone(const FieldState& f, Contact& contact) {
+  const MomentConstants& c = f.constants;
+  prepare_contact(f, contact);
+  const CollisionMass mass_a = collision_mass(f.bodies, contact.a), mass_b = collision_mass(f.bodies, contact.b);
+  for (int k = 0; k < contact.count; ++k) {
+    ContactSlot& slot = contact.slot[k];
+    slot.compliance = contact_compliance(mass_a, slot.arm_a, mass_b, slot.arm_b, contact.normal);
+    if (!(c.elastic_stiffness > 0.0 && slot.separation < 0.0)) continue;
+    const double asked =
+        elastic_separating_speed(c.elastic_stiffness, -slot.separation, 1.0 / slot.compliance.nn, c.dt);
+    const double cap = crushing_force(crushing_ice(f, contact), contact.width) * c.dt * slot.compliance.nn;
+    slot.target = asked < cap ? asked : cap;
+  }
+}
+
+/// Largest impulse that one point of a contact can carry in a moment: it crushes the smaller body across its whole size
+/// [N s]. The power of the law is only worked out for a point that carried `last_impulse` of its order a moment ago; a
+/// bound from below does for all others.
+inline double impulse_cap(const FieldState& f, const Contact& contact, double last_impulse) {
+  constexpr double none = 1e300;
+  if (f.bodies.kind[contact.a] != BodyKind::floe && f.bodies.kind[contact.b] != BodyKind::floe) return none;
+  const CrushingIce ice = crushing_ice(f, contact);
+  const double area_a = f.bodies.area[contact.a], area_b = f.bodies.area[contact.b];
+  const double width = std::sqrt(area_a < area_b ? area_a : area_b);
+  const double share = f.constants.dt / contact.count;
+  const double least = share * crushing_force_at_least(ice, width);
+  return last_impulse < 0.5 * least ? least : share * crushing_force(ice, width);
+}
+
+/// A contact point as the iterations of a coupled moment see it, with the mass of each body shared out among its
+/// points.
+inline PointGeometry<double> point_geometry(const FieldState& f, const Contact& contact, const ContactSlot& slot,
+                                            std::int32_t points_of_a, std::int32_t points_of_b, double last_impulse) {
+  const MomentConstants& c = f.constants;
+  const Vec2 normal = contact.normal, tangent = turned_left(normal);
+  PointGeometry<double> g{};
+  g.normal_x = normal.x;
+  g.normal_y = normal.y;
+  g.lever_a_n = cross(slot.arm_a, normal);
+  g.lever_a_t = cross(slot.arm_a, tangent);
+  g.lever_b_n = cross(slot.arm_b, normal);
+  g.lever_b_t = cross(slot.arm_b, tangent);
+  const double share_a = points_of_a, share_b = points_of_b;
+  const double mass = share_a * f.bodies.inverse_mass[contact.a] + share_b * f.bodies.inverse_mass[contact.b];
+  const double turn_a = share_a * f.bodies.inverse_inertia[contact.a];
+  const double turn_b = share_b * f.bodies.inverse_inertia[contact.b];
+  g.nn = mass + turn_a * g.lever_a_n * g.lever_a_n + turn_b * g.lever_b_n * g.lever_b_n;
+  g.tt = mass + turn_a * g.lever_a_t * g.lever_a_t + turn_b * g.lever_b_t * g.lever_b_t;
+  g.nt = turn_a * g.lever_a_n * g.lever_a_t + turn_b * g.lever_b_n * g.lever_b_t;
+  g.friction = contact.friction;
+  if (c.friction_law == FrictionLaw::fixed_direction) {
+    g.friction = slot.tangential_before > 0.0   ? -contact.friction
+                 : slot.tangential_before < 0.0 ? contact.friction
+                                                : 0.0;
+    const double sliding = g.nn + g.friction * g.nt;
+    if (sliding > 0.0)
+      g.nn = sliding;
+    else
+      g.friction = 0.0;
+  }
+  g.inverse_nn = 1.0 / g.nn;
+  g.inverse_tt = 1.0 / g.tt;
+  g.target = slot.separation > 0.0 ? -slot.separation / c.dt : 0.0;
+  g.cap = impulse_cap(f, contact, last_impulse);
+  if (slot.separation < 0.0) g.repair_target = smaller(-c.repair_share * slot.separation, c.repair_speed * c.dt);
+  return g;
 }
 
 /// Impulse of one contact point from the velocity that it would have without its own impulse.
@@ -113,15 +167,13 @@ inline ContactImpulse resolve_slot(const MomentConstants& c, const ContactSlot& 
 }
 
 /// Response of point k to the impulses of point j of the same pair.
-inline Vec2 cross_response(const FieldState& f, const Contact& contact, int k, int j, double platform_share) {
+inline Vec2 cross_response(const FieldState& f, const Contact& contact, int k, int j) {
   const ContactImpulse& p = contact.slot[j].impulse;
   const Vec2 impulse = p.normal * contact.normal + p.tangential * turned_left(contact.normal);
-  const double share = contact.a == 0 ? platform_share : 1.0;
   const CollisionMass a = collision_mass(f.bodies, contact.a), b = collision_mass(f.bodies, contact.b);
   const ContactSlot& at = contact.slot[k];
   const ContactSlot& from = contact.slot[j];
-  return (share * a.inverse_mass + b.inverse_mass) * impulse +
-         cross(share * a.inverse_inertia * cross(from.arm_a, impulse), at.arm_a) +
+  return (a.inverse_mass + b.inverse_mass) * impulse + cross(a.inverse_inertia * cross(from.arm_a, impulse), at.arm_a) +
          cross(b.inverse_inertia * cross(from.arm_b, impulse), at.arm_b);
 }
 
@@ -134,7 +186,7 @@ inline void resolve_alone(const FieldState& f, Contact& contact) {
     for (int k = 0; k < contact.count; ++k) {
       ContactSlot& slot = contact.slot[k];
       Vec2 other;
-      if (contact.count == 2) other = cross_response(f, contact, k, 1 - k, 1.0);
+      if (contact.count == 2) other = cross_response(f, contact, k, 1 - k);
       slot.impulse = resolve_slot(f.constants, slot, contact.friction, slot.normal_before + dot(other, contact.normal),
                                   slot.tangential_before + dot(other, tangent), slot.target);
     }
@@ -147,93 +199,18 @@ inline void resolve_alone(const FieldState& f, Contact& contact) {
   }
 }
 
-/// Adds an impulse on B, and its opposite on A unless A is the platform of a coupled moment (summed afterwards).
-inline void apply_impulse(Bodies& b, const Contact& contact, const ContactSlot& slot, ContactImpulse p, bool also_a) {
+/// Adds an impulse on B, and its opposite on A.
+inline void apply_impulse(Bodies& b, const Contact& contact, const ContactSlot& slot, ContactImpulse p) {
   const Vec2 impulse = p.normal * contact.normal + p.tangential * turned_left(contact.normal);
   b.velocity[contact.b] += b.inverse_mass[contact.b] * impulse;
   b.spin[contact.b] += b.inverse_inertia[contact.b] * cross(slot.arm_b, impulse);
-  if (!also_a) return;
   b.velocity[contact.a] -= b.inverse_mass[contact.a] * impulse;
   b.spin[contact.a] -= b.inverse_inertia[contact.a] * cross(slot.arm_a, impulse);
 }
 
-/// Whether a coupled sweep may write to A: the platform is summed after the sweep, fixed bodies never move.
-inline bool sweeps_write_a(const Bodies& b, const Contact& contact) {
-  return contact.a != 0 && b.inverse_mass[contact.a] > 0.0;
-}
-
 /// All impulses of a contact at once.
-inline void apply_impulses(Bodies& b, const Contact& contact, bool also_a) {
-  for (int k = 0; k < contact.count; ++k) apply_impulse(b, contact, contact.slot[k], contact.slot[k].impulse, also_a);
-}
-
-/// A speed change below this share of the residual does not make the neighbours of a body look again.
-constexpr double quiet_share = 0.1;
-
-/// Whether a contact has anything to answer to: one of its bodies changed in this sweep or the one before.
-inline bool wants_visit(const FieldState& f, const Contact& contact, std::int32_t sweep) {
-  return f.changed[contact.a] >= sweep - 1 || f.changed[contact.b] >= sweep - 1;
-}
-
-/// One visit of a coupled sweep: each point gets the impulse that its law asks for, given all other impulses so far.
-/// Returns the largest change of speed [m/s] and marks the bodies as changed.
-inline double resolve_together(FieldState& f, Contact& contact, std::int32_t sweep) {
-  const Vec2 tangent = turned_left(contact.normal);
-  const bool also_a = sweeps_write_a(f.bodies, contact);
-  double change = 0.0;
-  for (int k = 0; k < contact.count; ++k) {
-    ContactSlot& slot = contact.slot[k];
-    const Vec2 velocity = relative_velocity(f.bodies, contact, slot);
-    const ContactImpulse old = slot.impulse;
-    const double u_n =
-        dot(velocity, contact.normal) - slot.compliance.nn * old.normal - slot.compliance.nt * old.tangential;
-    const double u_t = dot(velocity, tangent) - slot.compliance.nt * old.normal - slot.compliance.tt * old.tangential;
-    slot.impulse = resolve_slot(f.constants, slot, contact.friction, u_n, u_t, slot.target);
-    const ContactImpulse step{slot.impulse.normal - old.normal, slot.impulse.tangential - old.tangential};
-    if (step.normal == 0.0 && step.tangential == 0.0) continue;
-    apply_impulse(f.bodies, contact, slot, step, also_a);
-    const double change_n = std::fabs(step.normal) * slot.compliance.nn;
-    const double change_t = std::fabs(step.tangential) * slot.compliance.tt;
-    if (change_n > change) change = change_n;
-    if (change_t > change) change = change_t;
-  }
-  if (change > quiet_share * f.constants.residual_speed) {
-    f.changed[contact.b] = sweep;
-    if (also_a) f.changed[contact.a] = sweep;
-  }
-  return change;
-}
-
-/// Gives the platform its velocity after a sweep and marks it as changed if that is worth a look.
-inline void place_platform(FieldState& f, Vec2 velocity, double spin, std::int32_t sweep) {
-  const double change =
-      length(velocity - f.bodies.velocity[0]) + f.bodies.radius[0] * std::fabs(spin - f.bodies.spin[0]);
-  f.bodies.velocity[0] = velocity;
-  f.bodies.spin[0] = spin;
-  if (change > quiet_share * f.constants.residual_speed) f.changed[0] = sweep;
-}
-
-/// One visit of a position-repair sweep: pushes apart by a share of the overlap, without touching velocities.
-inline void repair_overlap(FieldState& f, Contact& contact) {
-  for (int k = 0; k < contact.count; ++k) {
-    ContactSlot& slot = contact.slot[k];
-    if (!(slot.separation < 0.0)) continue;
-    const Vec2 shift = f.repair_shift[contact.b] + cross(f.repair_turn[contact.b], slot.arm_b) -
-                       f.repair_shift[contact.a] - cross(f.repair_turn[contact.a], slot.arm_a);
-    const double asked = -f.constants.repair_share * slot.separation;
-    const double repair = slot.repair + (asked - dot(shift, contact.normal)) / slot.compliance.nn;
-    const double step = (repair > 0.0 ? repair : 0.0) - slot.repair;
-    if (step == 0.0) continue;
-    slot.repair += step;
-    const Vec2 impulse = step * contact.normal;
-    const CollisionMass mass_b = collision_mass(f.bodies, contact.b);
-    f.repair_shift[contact.b] += mass_b.inverse_mass * impulse;
-    f.repair_turn[contact.b] += mass_b.inverse_inertia * cross(slot.arm_b, impulse);
-    if (!sweeps_write_a(f.bodies, contact)) continue;
-    const CollisionMass mass_a = collision_mass(f.bodies, contact.a);
-    f.repair_shift[contact.a] -= mass_a.inverse_mass * impulse;
-    f.repair_turn[contact.a] -= mass_a.inverse_inertia * cross(slot.arm_a, impulse);
-  }
+inline void apply_impulses(Bodies& b, const Contact& contact) {
+  for (int k = 0; k < contact.count; ++k) apply_impulse(b, contact, contact.slot[k], contact.slot[k].impulse);
 }
 
 /// Enters a resolved contact in the books and marks its bodies as struck. Velocities must be those after the events.

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/engine/coupled_point.h"
 #include "gem/engine/ledger.h"
+#include "gem/engine/overlap_count.h"
 #include "gem/field/bodies.h"
 #include "gem/scene/scene_def.h"
 
@@ -46,9 +48,10 @@ struct ContactEvent {
 /// How well one moment was resolved.
 struct MomentQuality {
   std::int32_t contacts = 0;     // touching contact points
-  std::int32_t iterations = 0;   // sweeps of the coupled resolution
-  double residual = 0.0;         // largest change of speed in the last sweep [m/s]
+  std::int32_t iterations = 0;   // of the coupled resolution
+  double residual = 0.0;         // largest speed that an event still asked for at the last iteration [m/s]
   double maximum_overlap = 0.0;  // deepest overlap depth at the start of the moment [m]
+  double maximum_share = 0.0;    // largest overlap over the size of the smaller body [-]
 };
 
 /// Filled by advance(): one entry of `platform` and `quality` per moment, events in time and id order.
@@ -57,10 +60,14 @@ struct MomentLog {
   std::vector<PlatformMoment> platform;
   std::vector<MomentQuality> quality;
   std::vector<ContactEvent> events;
+  OverlapCount overlap;        // depth of every overlap at the start of every moment [m]
+  OverlapCount overlap_share;  // the same over the size (root of the area) of the smaller body [-]
   void clear() {
     platform.clear();
     quality.clear();
     events.clear();
+    overlap = {};
+    overlap_share = {};
   }
 };
 
@@ -70,7 +77,7 @@ struct EngineState {
   Bodies bodies;
   Ledger ledger;
   std::vector<std::uint64_t> impulse_key;  // warm start of `coupled`: contact identity, ascending
-  std::vector<Vec2> impulse_value;         // normal and tangential impulse [N s]
+  std::vector<PointImpulse<double>> impulse_value;
 };
 
 class Engine {
@@ -94,7 +101,7 @@ class Engine {
 struct EngineOptions {
   std::string name = "cpu";                   // reference | cpu
   int threads = 0;                            // 0: all that the machine offers
-  std::size_t contacts_worth_threads = 2048;  // coupled: fewer are swept by one thread
+  std::size_t contacts_worth_threads = 2048;  // coupled: fewer are iterated by one thread
 };
 
 /// Makes the named engine for a scene and its field.

@@ -37,6 +37,12 @@ GEM_HD inline double crushing_force(const CrushingIce& ice, double width) {
   return ice.pressure * strict::power(ice.thickness * width, 1.0 + ice.exponent);
 }
 
+/// A bound of crushing_force from below without a power: A^(-ex) <= 1 - ex (A - 1) for -1 <= ex <= 0 (Bernoulli) [N].
+GEM_HD constexpr double crushing_force_at_least(const CrushingIce& ice, double width) {
+  const double area = ice.thickness * width;
+  return ice.pressure * area / (1.0 - ice.exponent * (area - 1.0));
+}
+
 /// Peak of an event of energy `energy` [J] on a flat contact of width `width` [m].
 GEM_HD inline CrushingPeak crushing_flat(const CrushingIce& ice, double width, double energy) {
   const double force = crushing_force(ice, width);

@@ -1,4 +1,4 @@
-// Four doubles that go through the same arithmetic side by side, and the choices that a lone double needs for it.
+// Four doubles that go through the same arithmetic side by side.
 //
 // A function written for `Real` runs on a double and on a Pack: every operation is IEEE and done lane by lane, so the
 // bits are the same.
@@ -6,17 +6,9 @@
 
 #include <cstdint>
 
-#include "gem/base/macros.h"
+#include "gem/base/choose.h"
 
 namespace gem {
-
-/// mask ? a : b
-GEM_HD GEM_INLINE double pick(bool mask, double a, double b) { return mask ? a : b; }
-GEM_HD GEM_INLINE double larger(double a, double b) { return a > b ? a : b; }
-GEM_HD GEM_INLINE double smaller(double a, double b) { return a < b ? a : b; }
-GEM_HD GEM_INLINE double magnitude(double a) { return a < 0.0 ? -a : a; }
-
-#ifndef __CUDACC__
 
 // every function on packs is inlined: none is passed by a convention that depends on the processor
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -29,7 +21,5 @@ GEM_INLINE Pack pick(PackMask mask, Pack a, Pack b) { return mask ? a : b; }
 GEM_INLINE Pack larger(Pack a, Pack b) { return a > b ? a : b; }
 GEM_INLINE Pack smaller(Pack a, Pack b) { return a < b ? a : b; }
 GEM_INLINE Pack magnitude(Pack a) { return a < 0.0 ? -a : a; }
-
-#endif
 
 }  // namespace gem

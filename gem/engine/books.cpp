@@ -126,22 +126,19 @@ void retire(FieldState& f, Ledger& ledger) {
   }
 }
 
-MomentQuality contact_quality(const FieldState& f, Contacts contacts, MomentLog& log) {
-  MomentQuality quality;
+void note_contacts(const FieldState& f, Contacts contacts, MomentQuality& quality, MomentLog& log) {
   for (const Contact* contact : contacts)
     for (int k = 0; k < contact->count; ++k) {
-      const double depth = -contact->slot[k].separation;
-      if (!(depth >= 0.0)) continue;
-      ++quality.contacts;
-      if (depth == 0.0) continue;
-      const double area = std::min(f.bodies.area[contact->a], f.bodies.area[contact->b]);
-      const double share = depth / std::sqrt(area);
+      const ContactSlot& slot = contact->slot[k];
+      if (slot.separation <= 0.0 || slot.impulse.normal > 0.0) ++quality.contacts;
+      if (!(slot.separation < 0.0)) continue;
+      const double depth = -slot.separation;
+      const double share = depth / std::sqrt(std::min(f.bodies.area[contact->a], f.bodies.area[contact->b]));
       log.overlap.add(depth);
       log.overlap_share.add(share);
       quality.maximum_overlap = std::max(quality.maximum_overlap, depth);
       quality.maximum_share = std::max(quality.maximum_share, share);
     }
-  return quality;
 }
 
 void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, double event_speed, MomentLog& log) {

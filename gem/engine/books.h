@@ -21,8 +21,9 @@ void check_finite(const FieldState& f, std::int64_t moment);
 /// Retires the floes past the retire line and enters what they take along.
 void retire(FieldState& f, Ledger& ledger);
 
-/// How many points touch and how deep, at the start of the moment; counts the overlaps in the log.
-MomentQuality contact_quality(const FieldState& f, Contacts contacts, MomentLog& log);
+/// How many points touched or were pressed, and how deep they were at the start of the moment; counts the overlaps in
+/// the log.
+void note_contacts(const FieldState& f, Contacts contacts, MomentQuality& quality, MomentLog& log);
 
 /// Appends the platform's events, before the floes move: one row for each contact and moment.
 void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, double event_speed, MomentLog& log);

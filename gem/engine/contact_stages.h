@@ -109,13 +109,14 @@ inline void prepare_alone(const FieldState& f, Contact& contact) {
 /// bound from below does for all others.
 inline double impulse_cap(const FieldState& f, const Contact& contact, double last_impulse) {
   constexpr double none = 1e300;
-  if (f.bodies.kind[contact.a] != BodyKind::floe && f.bodies.kind[contact.b] != BodyKind::floe) return none;
-  const CrushingIce ice = crushing_ice(f, contact);
+  const bool ice = f.bodies.kind[contact.a] == BodyKind::floe || f.bodies.kind[contact.b] == BodyKind::floe;
+  if (!ice || !f.constants.crushing_limit) return none;
+  const CrushingIce crushing = crushing_ice(f, contact);
   const double area_a = f.bodies.area[contact.a], area_b = f.bodies.area[contact.b];
   const double width = std::sqrt(area_a < area_b ? area_a : area_b);
   const double share = f.constants.dt / contact.count;
-  const double least = share * crushing_force_at_least(ice, width);
-  return last_impulse < 0.5 * least ? least : share * crushing_force(ice, width);
+  const double least = share * crushing_force_at_least(crushing, width);
+  return last_impulse < 0.5 * least ? least : share * crushing_force(crushing, width);
 }
 
 /// A contact point as the iterations of a coupled moment see it, with the mass of each body shared out among its

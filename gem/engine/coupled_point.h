@@ -18,8 +18,8 @@
 
 #include <cmath>
 
+#include "gem/base/choose.h"
 #include "gem/base/macros.h"
-#include "gem/base/pack.h"
 namespace gem {
 
 /// Friction between the events of a coupled moment.

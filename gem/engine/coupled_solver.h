@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "gem/base/pack.h"
 #include "gem/engine/contact.h"
 #include "gem/engine/coupled_point.h"
 #include "gem/engine/engine.h"
@@ -33,8 +34,8 @@ class CoupledSolver {
     std::int32_t a[pack_lanes], b[pack_lanes];            // into motion_
     std::int32_t push_a[pack_lanes], push_b[pack_lanes];  // into push_
   };
-  struct alignas(32) Slot {   // of a Motion or a Push
-    Pack linear;  // x, y, turning part, unused
+  struct alignas(32) Slot {  // of a Motion or a Push
+    Pack linear;             // x, y, turning part, unused
     Pack repair;
   };
 

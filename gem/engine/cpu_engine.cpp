@@ -47,7 +47,7 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
   team.single(rank, [&] {
     before_ = ledger_;
     platform_first_half(f, ledger_);
-    quality_ = contact_quality(f, contacts, log);
+    quality_ = {};
   });
   if (f.constants.resolution == Resolution::coupled) {
     coupled_.resolve(f, contacts, team, rank, quality_);
@@ -56,6 +56,7 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
   }
   team.single(rank, [&] {
     for (const Contact* contact : contacts) book_contact(f, *contact, ledger_);
+    note_contacts(f, contacts, quality_, log);
     log_events(f, contacts, moment_, event_speed_, log);
   });
 

@@ -47,7 +47,7 @@ struct ContactEvent {
 
 /// How well one moment was resolved.
 struct MomentQuality {
-  std::int32_t contacts = 0;     // touching contact points
+  std::int32_t contacts = 0;     // points that touched at its start or carried an impulse
   std::int32_t iterations = 0;   // of the coupled resolution
   double residual = 0.0;         // largest speed that an event still asked for at the last iteration [m/s]
   double maximum_overlap = 0.0;  // deepest overlap depth at the start of the moment [m]

@@ -46,6 +46,7 @@ MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
   c.friction_law = scene.contact.friction_law;
   c.friction_ice = scene.ice.friction_ice;
   c.friction_structure = scene.ice.friction_structure;
+  c.crushing_limit = scene.contact.crushing_limit;
   c.elastic_stiffness = scene.contact.elastic_stiffness_N_per_m;
   c.ice = {scene.ice.crushing_pressure_Pa, scene.ice.pressure_area_exponent, 0.0};
 

@@ -38,10 +38,11 @@ struct MomentConstants {
   PointFriction point_friction = PointFriction::coulomb;
   double residual_speed = 0.0;  // coupled: iterations stop when no point asks for more [m/s]
   std::int64_t iterations_maximum = 0;
-  double repair_share = 0.0;  // share of an overlap taken back in one moment [-]
-  double repair_speed = 0.0;  // ... at most at this speed [m/s]
-  double list_margin = 0.0;   // [m]
-  double retire_x = 0.0;      // [m]
+  bool crushing_limit = true;  // coupled
+  double repair_share = 0.0;   // share of an overlap taken back in one moment [-]
+  double repair_speed = 0.0;   // ... at most at this speed [m/s]
+  double list_margin = 0.0;    // [m]
+  double retire_x = 0.0;       // [m]
 };
 
 MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies);

@@ -41,7 +41,7 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
     for (std::size_t i = 0; i < f.bodies.count(); ++i)
       if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
     platform_first_half(f, ledger_);
-    MomentQuality quality = contact_quality(f, view, log);
+    MomentQuality quality;
     if (f.constants.resolution == Resolution::coupled) {
       resolve_coupled(contacts, quality);
     } else {
@@ -50,6 +50,7 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
       for (Contact& contact : contacts) apply_impulses(f.bodies, contact);
     }
     for (const Contact& contact : contacts) book_contact(f, contact, ledger_);
+    note_contacts(f, view, quality, log);
     log_events(f, view, moment_, event_speed_, log);
     for (std::size_t i = 0; i < f.bodies.count(); ++i)
       if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);

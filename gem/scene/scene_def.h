@@ -125,6 +125,7 @@ struct ContactDef {
   Resolution resolution = Resolution::coupled;
   Manifold manifold = Manifold::chord_ends;
   FrictionLaw friction_law = FrictionLaw::one_step;
+  bool crushing_limit = true;              ///< coupled: no event carries more than what crushes the smaller body
   double elastic_stiffness_N_per_m = 1e6;  ///< of the static event in `independent`; 0 leaves it out
 };
 

@@ -137,6 +137,9 @@ void add_contact(SceneTable& t) {
   t.choice("contact.friction_law", {"one_step", "fixed_direction"},
            "one_step: Coulomb's law on the velocity after; fixed_direction: on the direction before, as the paper does",
            GEM_FIELD(contact.friction_law));
+  t.flag("contact.crushing_limit",
+         "coupled: whether the crushing force of the smaller body bounds what an event carries",
+         GEM_FIELD(contact.crushing_limit));
   t.number("contact.elastic_stiffness_N_per_m", "N/m", {0.0, 1e12},
            "stiffness of the static event (independent); 0 leaves it out",
            GEM_FIELD(contact.elastic_stiffness_N_per_m));

@@ -227,9 +227,9 @@ TEST_P(Invariance, M7_order_of_the_floes) {
   // in one moment: 0.05 s x a speed known to the 1e-14 of the sweeps or the 1e-11 of a normal of a short chord
   check_value("M7.corners", 0.0, apart_after(1, scene, scene, setting(), reversed), 1e-12, "m", where());
   if (!setting().coupled()) return;
-  // position repair too is independent of the order once its sweeps have settled
-  scene.numerics.repair_iterations = 10000;
-  check_value("M7.repair_settled", 0.0, apart_after(1, scene, scene, setting(), reversed), 1e-12, "m", where());
+  // the order of the points changes the bits of a sum over a body's points, not its terms
+  scene.numerics.repair_share = 0.6;
+  check_value("M7.repair", 0.0, apart_after(1, scene, scene, setting(), reversed), 1e-12, "m", where());
 }
 
 TEST_P(Invariance, M8_far_company) {

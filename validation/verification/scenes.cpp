@@ -52,10 +52,11 @@ SceneDef quiet_scene() {
   scene.boundary.present = false;
   scene.platform.present = false;
   scene.contact.elastic_stiffness_N_per_m = 0.0;
+  scene.contact.crushing_limit = false;
   scene.numerics.moment_s = 1e-6;
   scene.numerics.residual_tolerance = 1e-14;
   scene.numerics.iterations_maximum = 20000;
-  scene.numerics.repair_iterations = 0;
+  scene.numerics.repair_share = 0.0;
   scene.output.retire_x_m = 1e9;
   return scene;
 }

@@ -29,6 +29,24 @@ std::set<std::string> read_misses() {
   return keys;
 }
 
+/// What went through the channels from one look at the books to the next [N s]; what bodies gave each other is not
+/// seen.
+double exchanged_between(const Ledger& before, const Ledger& after) {
+  double sum = length(after.mooring_force.momentum - before.mooring_force.momentum);
+  for (std::size_t c = 0; c < before.channel.size(); ++c)
+    sum += length(after.channel[c].momentum - before.channel[c].momentum);
+  return sum;
+}
+
+double farthest_place(const Bodies& b) {
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < b.count(); ++i)
+    if (b.active[i] && b.kind[i] != BodyKind::fixed) farthest = std::max(farthest, length(b.position[i]) + b.radius[i]);
+  return farthest;
+}
+
+double share(double part, double whole) { return whole > 0.0 ? part / whole : part; }
+
 }  // namespace
 
 std::vector<Setting> large_settings() {
@@ -71,7 +89,7 @@ Watched::Watched(const SceneDef& scene, const Setting& setting) : Watched(scene,
 Watched::Watched(const SceneDef& scene, Bodies bodies, const Setting& setting)
     : setting_(setting), engine_(make_engine(scene, std::move(bodies), {setting.engine, 1})) {
   log_.wants_events = false;
-  engine_->ledger();  // sets the scales to the start
+  last_ = engine_->ledger();
 }
 
 void Watched::advance(std::int64_t moments, std::int64_t block) {
@@ -90,9 +108,14 @@ void Watched::one_block(std::int64_t moments) {
   const double energy = hard::contact_energy(ledger);
   worst_.created += std::max(0.0, energy - contact_energy_);
   contact_energy_ = energy;
+  worst_.exchanged += exchanged_between(last_, ledger);
+  last_ = ledger;
   const LedgerResidual left = residual(ledger);
-  worst_.momentum = std::max(worst_.momentum, left.momentum);
-  worst_.angular_momentum = std::max(worst_.angular_momentum, left.angular_momentum);
+  const double momentum = std::max(ledger.momentum_scale, worst_.exchanged);
+  const double angular = std::max(ledger.angular_scale, worst_.exchanged * farthest_place(engine_->bodies()));
+  worst_.momentum = std::max(worst_.momentum, share(left.momentum * ledger.momentum_scale, momentum));
+  worst_.angular_momentum =
+      std::max(worst_.angular_momentum, share(left.angular_momentum * ledger.angular_scale, angular));
   worst_.energy = std::max(worst_.energy, left.energy);
 }
 
@@ -114,7 +137,7 @@ void expect_sound(const std::string& id, Watched& run) {
   bound(id + ".angular_books", worst.angular_momentum, 1e-11, "-", run.where());
   bound(id + ".energy_books", worst.energy, 1e-8, "-", run.where());
   // never: what is left is the rounding of the sum of all energies
-  bound(id + ".created", worst.created / run.ledger().energy_scale, 1e-9, "-", run.where());
+  bound(id + ".created", share(worst.created, run.ledger().energy_scale), 1e-9, "-", run.where());
 }
 
 Vec2 given_by_fixed(const Ledger& ledger) {
@@ -143,6 +166,11 @@ Overlaps overlaps(const Bodies& bodies) {
   found.deepest = depths.back();
   found.most = depths[static_cast<std::size_t>(0.999 * static_cast<double>(depths.size() - 1))];
   return found;
+}
+
+std::size_t points_of(Watched& run) {
+  return run.setting().coupled() ? run.engine().save().impulse_key.size()
+                                 : static_cast<std::size_t>(run.contacts_now());
 }
 
 double fastest_floe(const Bodies& bodies) {

@@ -35,9 +35,10 @@ struct Worst {
   std::int32_t iterations = 0;    // most in one moment
   double overlap = 0.0;           // deepest [m]
   double created = 0.0;           // energy that contacts and repair gave in blocks where they gave [J]
-  double momentum = 0.0;          // what the books left unexplained, relative to their scales
-  double angular_momentum = 0.0;  // the same
-  double energy = 0.0;            // the same
+  double exchanged = 0.0;         // impulse that the bodies were given, block by block [N s]
+  double momentum = 0.0;          // what the books left unexplained, relative to what was exchanged
+  double angular_momentum = 0.0;  // the same, relative to that at the farthest place
+  double energy = 0.0;            // the same, relative to the largest energy
 };
 
 /// A run under watch.
@@ -75,6 +76,7 @@ class Watched {
   MomentLog log_;
   Worst worst_;
   double contact_energy_ = 0.0;
+  Ledger last_;
 };
 
 /// Judges a number of a case by its bound: it must lie in [0, bound]. What `independent` is known to miss stands in
@@ -98,6 +100,10 @@ struct Overlaps {
   double size_share = 0.0;  // deepest, as a share of the smaller floe's size
 };
 Overlaps overlaps(const Bodies& bodies);
+
+/// Contact points that the engine holds: coupled those of its warm start, touching or about to; independent those that
+/// touch.
+std::size_t points_of(Watched& run);
 
 /// Fastest floe [m/s].
 double fastest_floe(const Bodies& bodies);

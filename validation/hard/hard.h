@@ -79,12 +79,16 @@ class Watched {
   Ledger last_;
 };
 
-/// Judges a number of a case by its bound: it must lie in [0, bound]. What `independent` is known to miss stands in
-/// independent_misses.txt and must be missed.
+/// Judges a number of a case by its bound: it must lie in [0, bound]. What a resolution is known to miss stands in
+/// known_misses.txt and must be missed.
 void bound(const std::string& key, double computed, double limit, const std::string& unit, const Where& where);
 
 /// What every hard case asks for: contacts, closed books, no energy created.
 void expect_sound(const std::string& id, Watched& run);
+
+/// Force with which the current pushes floes that are held where they are [N]: m k |U| U, less what the drag falls
+/// short because the wall lets go of a floe for one moment at a time, 1 + k |U| dt.
+double held_push(const SceneDef& scene, const Bodies& bodies);
 
 /// Total of what contacts with fixed bodies gave so far [N s].
 Vec2 given_by_fixed(const Ledger& ledger);

@@ -20,15 +20,6 @@ INSTANTIATE_TEST_SUITE_P(Engines, LongHardJam, ::testing::ValuesIn(large_setting
 constexpr double deepest_overlap = 20e-3;  // [m]
 constexpr double most_overlap = 2e-3;      // of 99.9 % of the touching pairs [m]
 
-/// Drag that the current would press with if every floe stood still [N].
-double full_push(const SceneDef& scene, const Bodies& b) {
-  const double speed = length(scene.current.velocity_m_per_s);
-  double push = 0.0;
-  for (std::size_t i = 0; i < b.count(); ++i)
-    if (b.active[i]) push += b.mass[i] * b.drag[i] * speed * speed;
-  return push;
-}
-
 /// Watches a jam for a while: overlaps at each look, and the impulse that walls and platform take from the ice.
 struct JamWatch {
   Overlaps worst;
@@ -55,7 +46,7 @@ void judge_jam(const std::string& id, const JamWatch& watch, Watched& run, const
   double momentum = 0.0;
   for (std::size_t i = first_floe_of(field); i < field.count(); ++i) momentum += field.mass[i];
   momentum *= length(scene.current.velocity_m_per_s);
-  const double most = full_push(scene, field) * watch.time + momentum;
+  const double most = held_push(scene, field) * watch.time + momentum;
   bound(id + ".force", length(watch.taken) / most, 1.0, "-", run.where());
   expect_sound(id, run);
 }

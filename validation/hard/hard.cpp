@@ -86,8 +86,8 @@ bool is_refused(const std::string& file, const std::vector<std::string>& overrid
 
 Watched::Watched(const SceneDef& scene, const Setting& setting) : Watched(scene, make_field(scene), setting) {}
 
-Watched::Watched(const SceneDef& scene, Bodies bodies, const Setting& setting)
-    : setting_(setting), engine_(make_engine(scene, std::move(bodies), {setting.engine, 1})) {
+Watched::Watched(const SceneDef& scene, Bodies bodies, const Setting& setting, int threads)
+    : setting_(setting), engine_(make_engine(scene, std::move(bodies), {setting.engine, threads})) {
   log_.wants_events = false;
   last_ = engine_->ledger();
 }

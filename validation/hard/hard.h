@@ -45,7 +45,8 @@ struct Worst {
 class Watched {
  public:
   Watched(const SceneDef& scene, const Setting& setting);
-  Watched(const SceneDef& scene, Bodies bodies, const Setting& setting);
+  /// `threads` as in EngineOptions: they change no bit.
+  Watched(const SceneDef& scene, Bodies bodies, const Setting& setting, int threads = 1);
 
   /// Advances in blocks and looks at the books after each; the log keeps the last block.
   void advance(std::int64_t moments, std::int64_t block = 1);

@@ -81,8 +81,10 @@ Quantity total(const FieldState& f) {
 
 Ledger closed_books(const FieldState& f, Ledger& running) {
   Ledger ledger = running;
-  double momentum = 0.0, angular = 0.0;
+  double momentum = 0.0, angular = 0.0, reach = 0.0;
   for (std::size_t i = 0; i < f.bodies.count(); ++i) {
+    if (f.bodies.active[i] && f.bodies.inverse_mass[i] > 0.0)
+      reach = std::max(reach, length(f.bodies.position[i]) + f.bodies.radius[i]);
     ledger[Channel::drag] += f.drag_book[i];
     ledger[Channel::repair] += f.repair_book[i];
     const Vec2 p = f.bodies.mass[i] * f.bodies.velocity[i];
@@ -97,7 +99,9 @@ Ledger closed_books(const FieldState& f, Ledger& running) {
     energy += std::fabs(q.energy);
   }
   running.momentum_scale = std::max({running.momentum_scale, momentum, length(ledger.mooring_force.momentum)});
-  running.angular_scale = std::max({running.angular_scale, angular, std::fabs(ledger.mooring_force.angular_momentum)});
+  // twists that cancel, as of a floe held at the origin, are known no better than the momentum at its place
+  running.angular_scale = std::max({running.angular_scale, angular, std::fabs(ledger.mooring_force.angular_momentum),
+                                    reach * running.momentum_scale});
   running.energy_scale = std::max(running.energy_scale, energy);
   ledger.momentum_scale = running.momentum_scale;
   ledger.angular_scale = running.angular_scale;

@@ -72,11 +72,12 @@ inline CrushingIce crushing_ice(const FieldState& f, const Contact& contact) {
   return ice;
 }
 
-/// Friction, arms and relative velocity at the instant of the events.
+/// Friction, arms and relative velocity at the instant of the events; a coupled moment lets gaps close and no more.
 inline void prepare_contact(const FieldState& f, Contact& contact) {
   const Bodies& b = f.bodies;
   Vec2 shift;
   if (contact.a == 0) shift = b.position[0] - f.platform_position;
+  const bool coupled = f.constants.resolution == Resolution::coupled;
   contact.friction = contact.a == 0 ? f.constants.friction_structure : f.constants.friction_ice;
   const Vec2 tangent = turned_left(contact.normal);
   for (int k = 0; k < contact.count; ++k) {
@@ -85,6 +86,7 @@ inline void prepare_contact(const FieldState& f, Contact& contact) {
     const Vec2 velocity = relative_velocity(b, contact, slot);
     slot.normal_before = dot(velocity, contact.normal);
     slot.tangential_before = dot(velocity, tangent);
+    if (coupled && slot.separation > 0.0) slot.target = -slot.separation / f.constants.dt;
   }
 }
 
@@ -152,7 +154,7 @@ inline PointGeometry<double> point_geometry(const FieldState& f, const Contact& 
   }
   g.inverse_nn = 1.0 / g.nn;
   g.inverse_tt = 1.0 / g.tt;
-  g.target = slot.separation > 0.0 ? -slot.separation / c.dt : 0.0;
+  g.target = slot.target;
   g.cap = impulse_cap(f, contact, last_impulse);
   if (slot.separation < 0.0) g.repair_target = smaller(-c.repair_share * slot.separation, c.repair_speed * c.dt);
   return g;

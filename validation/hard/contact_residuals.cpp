@@ -69,8 +69,8 @@ ContactResiduals contact_residuals(const SceneDef& scene, const EngineState& bef
     if (!found) continue;
     for (int k = 0; k < contact.count; ++k)
       if (contact_key(contact.a, contact.b, contact.slot[k].feature) == key)
-        worst.merge(
-            residuals_of(field, after.bodies, contact, k, {after.impulse_value[i].x, after.impulse_value[i].y}));
+        worst.merge(residuals_of(field, after.bodies, contact, k,
+                                 {after.impulse_value[i].normal, after.impulse_value[i].tangential}));
   }
   return worst;
 }

@@ -64,7 +64,7 @@ TEST_P(HardResiduals, A_wrong_impulse_is_seen) {
   run.advance(1);
   EngineState after = run.engine().save();
   ASSERT_FALSE(after.impulse_value.empty());
-  after.impulse_value[0] = {-450.0, 900.0};  // pulls, and rubs without friction: 0.01 and 0.02 m/s on 45 t
+  after.impulse_value[0] = {-450.0, 900.0, 0.0};  // pulls, and rubs without friction: 0.01 and 0.02 m/s on 45 t
   const ContactResiduals seen = contact_residuals(scene, before, after);
   EXPECT_GT(seen.pull, 0.005);
   EXPECT_GT(seen.cone, 0.005);

@@ -153,12 +153,12 @@ TEST_P(Invariance, M4_turn_by_37_degrees) {
 
 TEST_P(Invariance, M5_moving_frame) {
   SceneDef scene = settled(crowd(setting(), Surroundings::open_water));
-  // the reach of coupled contacts follows the largest speed, which the frame changes: take it large in both
-  scene.numerics.contact_reach = 4.0;
   const Vec2 frame{0.125, -0.25};
   const std::int64_t moments = 5;
   SceneDef moving = scene;
   moving.current.velocity_m_per_s += frame;
+  // the reach of coupled contacts follows the largest speed, which the frame changes: the same reach in both
+  moving.numerics.contact_reach *= length(scene.current.velocity_m_per_s) / length(moving.current.velocity_m_per_s);
   const Bodies bodies = pressed(crowd(setting(), Surroundings::open_water), setting());
   Bodies shifted = bodies;
   for (std::size_t i = 1; i < shifted.count(); ++i) shifted.velocity[i] += frame;

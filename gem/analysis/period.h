@@ -39,4 +39,15 @@ struct Maxima {
 };
 Maxima local_maxima(std::span<const double> signal, double interval_s);
 
+/// The mean time between zero up-crossings with its interval, by the scatter of the single times between them and how
+/// they correlate. Empty with fewer than 20 of them.
+std::optional<PeriodEstimate> crossing_period(std::span<const double> signal, double interval_s);
+
+/// The same for the time between local maxima.
+std::optional<PeriodEstimate> maxima_period(std::span<const double> signal, double interval_s);
+
+/// Mean up-crossing period of a normal record with this spectrum, from its moments within [low, high]: sqrt(m0 / m2)
+/// [s]. The limits [Hz] keep out noise, which m2 weighs by frequency squared. 0 without power between them.
+double moment_period(const Spectrum& spectrum, double low, double high);
+
 }  // namespace gem

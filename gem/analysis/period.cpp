@@ -40,11 +40,13 @@ double peak_frequency(const Spectrum& spectrum, std::size_t maximum) {
 }
 
 /// Half width of the 95 % interval of the peak's frequency from leaving out each taper in turn [Hz].
-double jackknife_half_width(const std::vector<Spectrum>& spectra, std::size_t maximum) {
+double jackknife_half_width(const std::vector<Spectrum>& spectra) {
   const auto count = static_cast<double>(spectra.size());
   std::vector<double> left_out;
-  for (std::size_t s = 0; s < spectra.size(); ++s)
-    left_out.push_back(peak_frequency(mean_spectrum(spectra, s), maximum));
+  for (std::size_t s = 0; s < spectra.size(); ++s) {
+    const Spectrum rest = mean_spectrum(spectra, s);
+    left_out.push_back(peak_frequency(rest, strongest(rest)));
+  }
   const double mean = std::accumulate(left_out.begin(), left_out.end(), 0.0) / count;
   double squares = 0.0;
   for (const double value : left_out) squares += (value - mean) * (value - mean);
@@ -98,7 +100,7 @@ std::optional<PeriodEstimate> spectral_period(const std::vector<Spectrum>& eigen
   const double frequency = peak_frequency(mean, maximum);
   // The lobe must stand clear of zero frequency, where a drift would pull at its centre.
   if (frequency < 2.0 * mean.half_bandwidth) return std::nullopt;
-  const double half_width = std::max(jackknife_half_width(eigenspectra, maximum), 0.5 / mean.duration);
+  const double half_width = jackknife_half_width(eigenspectra) + 0.5 / mean.duration;
   return PeriodEstimate{1.0 / frequency, 1.0 / (frequency + half_width),
                         1.0 / std::max(frequency - half_width, 0.5 / mean.duration)};
 }

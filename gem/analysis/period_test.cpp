@@ -45,7 +45,7 @@ TEST(MomentPeriod, OfAFlatBand) {
 }
 
 // The null model over 2 h: 90 s, 0.5 % damping, ten impulses a period. 200 intervals of 95 %: one deviation is 1.5 %.
-// Both methods see the damped natural period; a correlated phase may cost a few percent of coverage.
+// Both methods see the natural period; starting at rest costs a few percent of coverage at most.
 TEST(LongPeriods, CoverThePeriodOfADrivenOscillator) {
   int by_crossings = 0;
   int by_spectrum = 0;

@@ -35,20 +35,33 @@ double quantile(const std::vector<double>& sorted, double p) {
 
 }  // namespace
 
-Estimate bootstrap(std::size_t runs, const RunStatistic& statistic, const Resampling& resampling) {
+std::vector<Estimate> bootstrap_together(std::size_t runs, const RunStatistics& statistics,
+                                         const Resampling& resampling) {
   check(resampling, runs, "a bootstrap over runs needs two runs");
   std::vector<std::size_t> chosen(runs);
   std::iota(chosen.begin(), chosen.end(), std::size_t{0});
-  const double value = statistic(chosen);
-  std::vector<double> resampled;
+  const std::vector<double> values = statistics(chosen);
+  std::vector<std::vector<double>> resampled(values.size());
   RandomSequence random = random_sequence(resampling.seed, AnalysisStream::bootstrap);
   for (std::size_t b = 0; b < resampling.count; ++b) {
     for (std::size_t& run : chosen) run = random.below(runs);
-    resampled.push_back(statistic(chosen));
+    const std::vector<double> again = statistics(chosen);
+    for (std::size_t s = 0; s < values.size(); ++s) resampled[s].push_back(again[s]);
   }
-  std::sort(resampled.begin(), resampled.end());
   const double cut = tail(resampling.confidence, runs);
-  return {value, quantile(resampled, cut), quantile(resampled, 1.0 - cut)};
+  std::vector<Estimate> estimates;
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    std::sort(resampled[s].begin(), resampled[s].end());
+    estimates.push_back({values[s], quantile(resampled[s], cut), quantile(resampled[s], 1.0 - cut)});
+  }
+  return estimates;
+}
+
+Estimate bootstrap(std::size_t runs, const RunStatistic& statistic, const Resampling& resampling) {
+  return bootstrap_together(
+             runs, [&](std::span<const std::size_t> chosen) { return std::vector<double>{statistic(chosen)}; },
+             resampling)
+      .front();
 }
 
 Estimate bootstrap_values(std::span<const double> values, const ValueStatistic& statistic,

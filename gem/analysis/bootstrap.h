@@ -26,6 +26,11 @@ using ValueStatistic = std::function<double(std::span<const double> values)>;
 /// resamples, otherwise std::invalid_argument.
 Estimate bootstrap(std::size_t runs, const RunStatistic& statistic, const Resampling& resampling = {});
 
+/// The same for several numbers of one fit, so that each resample is fitted once.
+using RunStatistics = std::function<std::vector<double>(std::span<const std::size_t> runs)>;
+std::vector<Estimate> bootstrap_together(std::size_t runs, const RunStatistics& statistics,
+                                         const Resampling& resampling = {});
+
 /// The same where each run is one number.
 Estimate bootstrap_values(std::span<const double> values, const ValueStatistic& statistic,
                           const Resampling& resampling = {});

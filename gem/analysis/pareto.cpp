@@ -1,11 +1,15 @@
 // Maximum likelihood in one dimension (Grimshaw 1993).
 #include "gem/analysis/pareto.h"
 
+#include <gsl/gsl_min.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
+#include <vector>
 
 namespace gem {
 namespace {
@@ -26,16 +30,46 @@ double likelihood(std::span<const double> excesses, double ratio, double mean) {
   return -std::log(shape / ratio) - shape - 1.0;
 }
 
-/// The largest value of a function of one hump between low and high, by the golden section.
-template <class Function>
-double highest(double low, double high, const Function& function) {
-  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  for (int pass = 0; pass < 80; ++pass) {
-    const double left = high - golden * (high - low);
-    const double right = low + golden * (high - low);
-    (function(left) < function(right) ? low : high) = function(left) < function(right) ? left : right;
+struct Search {
+  std::span<const double> excesses;
+  double mean;
+
+  static double misfit(double ratio, void* search) {
+    const auto* self = static_cast<Search*>(search);
+    // The minimiser wants finite numbers.
+    return std::min(1e30, -likelihood(self->excesses, ratio, self->mean));
   }
-  return 0.5 * (low + high);
+};
+
+/// The ratio of the largest likelihood between low and high, by Brent's method from `middle`, or the best of the three
+/// if the largest is not between them.
+double most_likely_ratio(Search& search, double low, double middle, double high) {
+  const double at_low = Search::misfit(low, &search);
+  const double at_middle = Search::misfit(middle, &search);
+  const double at_high = Search::misfit(high, &search);
+  if (!(at_middle < at_low)) return at_low < at_high ? low : high;
+  if (!(at_middle < at_high)) return high;
+  struct Free {
+    void operator()(gsl_min_fminimizer* minimizer) const { gsl_min_fminimizer_free(minimizer); }
+  };
+  const std::unique_ptr<gsl_min_fminimizer, Free> minimizer(gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent));
+  gsl_function function = {&Search::misfit, &search};
+  gsl_min_fminimizer_set_with_values(minimizer.get(), &function, middle, at_middle, low, at_low, high, at_high);
+  for (int pass = 0; pass < 100; ++pass) {
+    if (gsl_min_fminimizer_iterate(minimizer.get()) != 0) break;
+    const double width = gsl_min_fminimizer_x_upper(minimizer.get()) - gsl_min_fminimizer_x_lower(minimizer.get());
+    if (width * search.mean < 1e-9) break;
+  }
+  return gsl_min_fminimizer_x_minimum(minimizer.get());
+}
+
+/// Ratios to try first: from just above -1 / largest, where the law ends at the largest excess, to heavy tails of shape
+/// about 2.
+std::vector<double> coarse_ratios(double largest, double mean) {
+  std::vector<double> ratios;
+  for (int i = 0; i < 20; ++i) ratios.push_back(-(1.0 - 0.05 * i) * (1.0 - 1e-6) / largest);
+  for (int i = 0; i < 20; ++i) ratios.push_back(std::expm1(0.3 * i) / mean);
+  return ratios;
 }
 
 }  // namespace
@@ -56,17 +90,13 @@ Pareto fit_pareto(std::span<const double> excesses) {
     throw std::invalid_argument("a Pareto law needs ten positive excesses");
   const double largest = *std::max_element(excesses.begin(), excesses.end());
   const double mean = std::accumulate(excesses.begin(), excesses.end(), 0.0) / static_cast<double>(excesses.size());
-  const auto function = [&](double ratio) { return likelihood(excesses, ratio, mean); };
-  // A coarse search first, because the likelihood may have several humps: ratios from just above -1 / largest, where
-  // the law ends at the largest excess, to heavy tails of shape about 2.
-  const auto ratio_at = [&](int i) {
-    const double u = static_cast<double>(i) / 100.0;
-    return i < 100 ? -(1.0 - u) * (1.0 - 1e-6) / largest : (std::exp(6.0 * (u - 1.0)) - 1.0) / mean;
-  };
-  int best = 1;
-  for (int i = 2; i < 199; ++i)
-    if (function(ratio_at(i)) > function(ratio_at(best))) best = i;
-  const double ratio = highest(ratio_at(best - 1), ratio_at(best + 1), function);
+  Search search{excesses, mean};
+  // A coarse search first, because the likelihood may have several humps.
+  const std::vector<double> ratios = coarse_ratios(largest, mean);
+  std::size_t best = 1;
+  for (std::size_t i = 1; i + 1 < ratios.size(); ++i)
+    if (Search::misfit(ratios[i], &search) < Search::misfit(ratios[best], &search)) best = i;
+  const double ratio = most_likely_ratio(search, ratios[best - 1], ratios[best], ratios[best + 1]);
   if (std::abs(ratio) * mean < 1e-9) return {0.0, mean};
   const double shape = shape_for(excesses, ratio);
   return {shape, shape / ratio};

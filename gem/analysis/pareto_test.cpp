@@ -52,6 +52,15 @@ TEST(Pareto, FitIsTheMostLikely) {
   }
 }
 
+// Uniform values have shape -1, where the likelihood has no largest value: the fit stays at the edge of its range.
+TEST(Pareto, FitOfABoundedSampleEndsAboveItsLargest) {
+  const std::vector<double> excesses = sample({-1.0, 2.0}, 100, 5);
+  const Pareto fit = fit_pareto(excesses);
+  EXPECT_LT(fit.shape, -0.7);
+  EXPECT_GE(fit.shape, -1.0);
+  EXPECT_NEAR(-fit.scale / fit.shape, 2.0, 0.1);
+}
+
 TEST(Pareto, RefusesFewOrNegativeExcesses) {
   EXPECT_THROW(fit_pareto(std::vector<double>(9, 1.0)), std::invalid_argument);
   std::vector<double> excesses(20, 1.0);

@@ -69,18 +69,16 @@ std::vector<ThresholdStability> threshold_stability(std::span<const RunPeaks> ru
     const std::size_t peaks = count_above(runs, threshold);
     if (peaks < 2 * kFewestPeaks) continue;
     const auto all = *fit_threshold_model(runs, threshold);
-    const auto over_runs = [&](auto&& number) {
-      return bootstrap(
-          runs.size(),
-          [&](std::span<const std::size_t> chosen) {
-            // A resample with too few peaks says nothing against the fit to all.
-            return number(fit_chosen(runs, chosen, threshold).value_or(all));
-          },
-          resampling);
-    };
-    rows.push_back({threshold, peaks, over_runs([](const ThresholdModel& m) { return m.law.shape; }),
-                    over_runs([](const ThresholdModel& m) { return m.law.scale - m.law.shape * m.threshold; }),
-                    over_runs([&](const ThresholdModel& m) { return m.quantile(asked.p, asked.duration); })});
+    const std::vector<Estimate> numbers = bootstrap_together(
+        runs.size(),
+        [&](std::span<const std::size_t> chosen) {
+          // A resample with too few peaks says nothing against the fit to all.
+          const ThresholdModel model = fit_chosen(runs, chosen, threshold).value_or(all);
+          return std::vector<double>{model.law.shape, model.law.scale - model.law.shape * threshold,
+                                     model.quantile(asked.p, asked.duration)};
+        },
+        resampling);
+    rows.push_back({threshold, peaks, numbers[0], numbers[1], numbers[2]});
   }
   return rows;
 }

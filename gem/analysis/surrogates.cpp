@@ -55,6 +55,20 @@ std::vector<double> surrogate(std::span<const double> signal, std::uint64_t seed
 
 double SurrogateTest::two_sided() const { return std::min(1.0, 2.0 * std::min(p_low, p_high)); }
 
+std::vector<double> end_matched(std::span<const double> signal, std::size_t length) {
+  if (length < 2 || signal.size() < length + 2) throw std::invalid_argument("the record is too short for its stretch");
+  const auto jump = [&](std::size_t begin) {
+    const double value = signal[begin + length] - signal[begin];
+    const double slope = value - (signal[begin + length - 1] - signal[begin - 1]);
+    return value * value + slope * slope;
+  };
+  std::size_t best = 1;
+  for (std::size_t begin = 2; begin + length < signal.size(); ++begin)
+    if (jump(begin) < jump(best)) best = begin;
+  const auto first = signal.begin() + static_cast<std::ptrdiff_t>(best);
+  return {first, first + static_cast<std::ptrdiff_t>(length)};
+}
+
 SurrogateTest test_against(std::span<const double> signal, const SignalStatistic& statistic,
                            const SignalGenerator& generator, std::size_t count, std::uint64_t seed) {
   SurrogateTest test;

@@ -165,8 +165,8 @@ std::optional<AcerTail> fit_acer_tail(const AcerCurve& curve, double tail_start)
   return best.tail;
 }
 
-std::optional<Estimate> acer_quantile(const std::vector<std::vector<double>>& runs, const AcerQuestion& question,
-                                      const Resampling& resampling) {
+std::optional<IntervalEstimate> acer_quantile(const std::vector<std::vector<double>>& runs,
+                                              const AcerQuestion& question, const Resampling& resampling) {
   const std::optional<double> all = quantile_of(runs, question);
   if (!all) return std::nullopt;
   return bootstrap(

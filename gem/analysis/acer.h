@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "gem/analysis/bootstrap.h"
-#include "gem/analysis/estimate.h"
+#include "gem/analysis/interval_estimate.h"
 
 namespace gem {
 
@@ -51,7 +51,7 @@ struct AcerQuestion {
 };
 
 /// Quantile of the largest peak with its interval by the bootstrap over runs; empty where the tail cannot be fitted.
-std::optional<Estimate> acer_quantile(const std::vector<std::vector<double>>& runs, const AcerQuestion& question,
-                                      const Resampling& resampling = {});
+std::optional<IntervalEstimate> acer_quantile(const std::vector<std::vector<double>>& runs,
+                                              const AcerQuestion& question, const Resampling& resampling = {});
 
 }  // namespace gem

@@ -35,8 +35,8 @@ double quantile(const std::vector<double>& sorted, double p) {
 
 }  // namespace
 
-std::vector<Estimate> bootstrap_together(std::size_t runs, const RunStatistics& statistics,
-                                         const Resampling& resampling) {
+std::vector<IntervalEstimate> bootstrap_together(std::size_t runs, const RunStatistics& statistics,
+                                                 const Resampling& resampling) {
   check(resampling, runs, "a bootstrap over runs needs two runs");
   std::vector<std::size_t> chosen(runs);
   std::iota(chosen.begin(), chosen.end(), std::size_t{0});
@@ -49,7 +49,7 @@ std::vector<Estimate> bootstrap_together(std::size_t runs, const RunStatistics& 
     for (std::size_t s = 0; s < values.size(); ++s) resampled[s].push_back(again[s]);
   }
   const double cut = tail(resampling.confidence, runs);
-  std::vector<Estimate> estimates;
+  std::vector<IntervalEstimate> estimates;
   for (std::size_t s = 0; s < values.size(); ++s) {
     std::sort(resampled[s].begin(), resampled[s].end());
     estimates.push_back({values[s], quantile(resampled[s], cut), quantile(resampled[s], 1.0 - cut)});
@@ -57,15 +57,15 @@ std::vector<Estimate> bootstrap_together(std::size_t runs, const RunStatistics& 
   return estimates;
 }
 
-Estimate bootstrap(std::size_t runs, const RunStatistic& statistic, const Resampling& resampling) {
+IntervalEstimate bootstrap(std::size_t runs, const RunStatistic& statistic, const Resampling& resampling) {
   return bootstrap_together(
              runs, [&](std::span<const std::size_t> chosen) { return std::vector<double>{statistic(chosen)}; },
              resampling)
       .front();
 }
 
-Estimate bootstrap_values(std::span<const double> values, const ValueStatistic& statistic,
-                          const Resampling& resampling) {
+IntervalEstimate bootstrap_values(std::span<const double> values, const ValueStatistic& statistic,
+                                  const Resampling& resampling) {
   std::vector<double> resample(values.size());
   return bootstrap(
       values.size(),
@@ -76,7 +76,7 @@ Estimate bootstrap_values(std::span<const double> values, const ValueStatistic& 
       resampling);
 }
 
-Estimate moving_block_mean(std::span<const double> signal, std::size_t block, const Resampling& resampling) {
+IntervalEstimate moving_block_mean(std::span<const double> signal, std::size_t block, const Resampling& resampling) {
   const std::size_t blocks = block == 0 ? 0 : signal.size() / block;
   check(resampling, blocks, "a moving-block bootstrap needs two blocks");
   std::vector<double> sum(signal.size() + 1, 0.0);

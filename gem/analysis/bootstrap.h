@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "gem/analysis/estimate.h"
+#include "gem/analysis/interval_estimate.h"
 
 namespace gem {
 
@@ -24,19 +24,20 @@ using ValueStatistic = std::function<double(std::span<const double> values)>;
 /// Bootstrap over `runs` independent runs: the statistic of all runs and its percentile interval, widened for few runs
 /// as Student's t widens a normal interval. The statistic must be finite for every resample. Needs two runs and ten
 /// resamples, otherwise std::invalid_argument.
-Estimate bootstrap(std::size_t runs, const RunStatistic& statistic, const Resampling& resampling = {});
+IntervalEstimate bootstrap(std::size_t runs, const RunStatistic& statistic, const Resampling& resampling = {});
 
 /// The same for several numbers of one fit, so that each resample is fitted once.
 using RunStatistics = std::function<std::vector<double>(std::span<const std::size_t> runs)>;
-std::vector<Estimate> bootstrap_together(std::size_t runs, const RunStatistics& statistics,
-                                         const Resampling& resampling = {});
+std::vector<IntervalEstimate> bootstrap_together(std::size_t runs, const RunStatistics& statistics,
+                                                 const Resampling& resampling = {});
 
 /// The same where each run is one number.
-Estimate bootstrap_values(std::span<const double> values, const ValueStatistic& statistic,
-                          const Resampling& resampling = {});
+IntervalEstimate bootstrap_values(std::span<const double> values, const ValueStatistic& statistic,
+                                  const Resampling& resampling = {});
 
 /// Mean of one correlated record by the moving-block bootstrap (Kuensch 1989). A block of `block` samples must be
 /// several correlation times long. Needs two blocks, otherwise std::invalid_argument.
-Estimate moving_block_mean(std::span<const double> signal, std::size_t block, const Resampling& resampling = {});
+IntervalEstimate moving_block_mean(std::span<const double> signal, std::size_t block,
+                                   const Resampling& resampling = {});
 
 }  // namespace gem

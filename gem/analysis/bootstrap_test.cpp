@@ -18,9 +18,9 @@ double mean_of(std::span<const double> values) {
 
 TEST(Bootstrap, TheSameSeedGivesTheSameInterval) {
   const std::vector<double> values = white_noise(30, 1.0, 3);
-  const Estimate once = bootstrap_values(values, mean_of);
-  const Estimate again = bootstrap_values(values, mean_of);
-  const Estimate other = bootstrap_values(values, mean_of, {1000, 0.95, 2});
+  const IntervalEstimate once = bootstrap_values(values, mean_of);
+  const IntervalEstimate again = bootstrap_values(values, mean_of);
+  const IntervalEstimate other = bootstrap_values(values, mean_of, {1000, 0.95, 2});
   EXPECT_DOUBLE_EQ(once.value, mean_of(values));
   EXPECT_EQ(once.low, again.low);
   EXPECT_EQ(once.high, again.high);
@@ -33,7 +33,7 @@ TEST(Bootstrap, OfAMeanIsAsWideAsStudents) {
   double squares = 0.0;
   for (const double value : values) squares += std::pow(value - mean_of(values), 2);
   const double student = 2.0 * 2.045 * std::sqrt(squares / 29.0 / 30.0);
-  const Estimate estimate = bootstrap_values(values, mean_of, {4000, 0.95, 1});
+  const IntervalEstimate estimate = bootstrap_values(values, mean_of, {4000, 0.95, 1});
   EXPECT_NEAR(estimate.high - estimate.low, student, 0.1 * student);
 }
 
@@ -60,7 +60,7 @@ TEST(LongBootstrap, MovingBlocksCoverTheMeanOfRedNoise) {
   int covered = 0;
   double width = 0.0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
-    const Estimate estimate = moving_block_mean(red_noise(8000, 0.9, seed), 200, {400, 0.95, seed});
+    const IntervalEstimate estimate = moving_block_mean(red_noise(8000, 0.9, seed), 200, {400, 0.95, seed});
     covered += estimate.holds(0.0) ? 1 : 0;
     width += (estimate.high - estimate.low) / 400.0;
   }

@@ -22,8 +22,8 @@ ContactSpells contact_spells(std::span<const double> contacts, double interval_s
   return spells;
 }
 
-Estimate contact_fraction(std::span<const double> contacts, double interval_s, double block_s,
-                          const Resampling& resampling) {
+IntervalEstimate contact_fraction(std::span<const double> contacts, double interval_s, double block_s,
+                                  const Resampling& resampling) {
   std::vector<double> touching(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) touching[i] = contacts[i] != 0.0 ? 1.0 : 0.0;
   return moving_block_mean(touching, static_cast<std::size_t>(std::llround(block_s / interval_s)), resampling);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gem/analysis/bootstrap.h"
-#include "gem/analysis/estimate.h"
+#include "gem/analysis/interval_estimate.h"
 
 namespace gem {
 
@@ -20,7 +20,7 @@ struct ContactSpells {
 ContactSpells contact_spells(std::span<const double> contacts, double interval_s);
 
 /// The fraction of time with contact and its interval by blocks of `block_s`, longer than spells and gaps are long.
-Estimate contact_fraction(std::span<const double> contacts, double interval_s, double block_s,
-                          const Resampling& resampling = {});
+IntervalEstimate contact_fraction(std::span<const double> contacts, double interval_s, double block_s,
+                                  const Resampling& resampling = {});
 
 }  // namespace gem

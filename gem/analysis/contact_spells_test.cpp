@@ -42,7 +42,7 @@ TEST(ContactSpells, OfATwoStateProcess) {
   double mean = 0.0;
   for (const double length : spells.contact) mean += length / static_cast<double>(spells.contact.size());
   EXPECT_NEAR(mean, 1.0, 0.15);
-  const Estimate fraction = contact_fraction(contacts, 0.1, 50.0);
+  const IntervalEstimate fraction = contact_fraction(contacts, 0.1, 50.0);
   EXPECT_DOUBLE_EQ(fraction.value, spells.fraction);
   EXPECT_TRUE(fraction.holds(0.2));
   EXPECT_LT(fraction.high - fraction.low, 0.08);

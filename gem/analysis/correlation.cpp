@@ -36,7 +36,7 @@ double effective_samples(std::span<const double> signal, std::size_t maximum_lag
   return static_cast<double>(signal.size()) / sum;
 }
 
-Estimate mean_by_effective_samples(std::span<const double> signal, std::size_t maximum_lag, double confidence) {
+IntervalEstimate mean_by_effective_samples(std::span<const double> signal, std::size_t maximum_lag, double confidence) {
   if (maximum_lag < 1 || signal.size() < 4 * maximum_lag)
     throw std::invalid_argument("the interval of a mean needs a record of four times the largest lag");
   const Moments about = moments(signal);

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "gem/analysis/estimate.h"
+#include "gem/analysis/interval_estimate.h"
 
 namespace gem {
 
@@ -21,6 +21,7 @@ double effective_samples(std::span<const double> signal, std::size_t maximum_lag
 /// Mean and its interval by the effective number of samples. Student's t with 1.5 size / maximum_lag degrees of
 /// freedom, those of the weighted sum. Needs size >= 4 maximum_lag and maximum_lag >= 1, otherwise
 /// std::invalid_argument.
-Estimate mean_by_effective_samples(std::span<const double> signal, std::size_t maximum_lag, double confidence = 0.95);
+IntervalEstimate mean_by_effective_samples(std::span<const double> signal, std::size_t maximum_lag,
+                                           double confidence = 0.95);
 
 }  // namespace gem

@@ -35,7 +35,7 @@ TEST(EffectiveSamples, OfASwingAreMoreThanItsSamples) {
 }
 
 TEST(MeanByEffectiveSamples, OfAConstantHasNoWidth) {
-  const Estimate estimate = mean_by_effective_samples(std::vector<double>(100, 2.5), 5);
+  const IntervalEstimate estimate = mean_by_effective_samples(std::vector<double>(100, 2.5), 5);
   EXPECT_EQ(estimate.value, 2.5);
   EXPECT_EQ(estimate.low, 2.5);
   EXPECT_EQ(estimate.high, 2.5);

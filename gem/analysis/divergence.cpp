@@ -68,7 +68,7 @@ std::optional<GrowthRate> growth_rate(const std::vector<std::vector<double>>& pa
   if (stretch.end < stretch.begin + kFewestSamples) return std::nullopt;
   const std::size_t middle = (stretch.begin + stretch.end) / 2;
   const Logs logs = logs_of(pairs);
-  const std::vector<Estimate> slopes = bootstrap_together(
+  const std::vector<IntervalEstimate> slopes = bootstrap_together(
       pairs.size(),
       [&](std::span<const std::size_t> chosen) {
         const std::vector<double> curve = mean_of(logs, chosen);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gem/analysis/bootstrap.h"
-#include "gem/analysis/estimate.h"
+#include "gem/analysis/interval_estimate.h"
 #include "gem/analysis/line_fit.h"
 
 namespace gem {
@@ -18,11 +18,11 @@ std::vector<double> mean_log_distance(const std::vector<std::vector<double>>& pa
 /// The growth of the mean ln(distance) between two sizes. Where growth is exponential, the early and the late half of
 /// it have the same rate. Intervals by the bootstrap over pairs.
 struct GrowthRate {
-  Estimate rate;       // [1/s]
-  Estimate early;      // of the first half of the stretch [1/s]
-  Estimate late;       // of the second half [1/s]
-  double begin = 0.0;  // of the stretch, from the first sample [s]
-  double end = 0.0;    // [s]
+  IntervalEstimate rate;   // [1/s]
+  IntervalEstimate early;  // of the first half of the stretch [1/s]
+  IntervalEstimate late;   // of the second half [1/s]
+  double begin = 0.0;      // of the stretch, from the first sample [s]
+  double end = 0.0;        // [s]
 };
 
 /// Fits a line from the first sample whose mean ln(distance) is at least ln(low) to the last before it reaches
@@ -35,8 +35,8 @@ std::optional<double> onset_time(std::span<const double> distance, double interv
 
 /// Onsets of disturbances of different size. Exponential growth at a rate delays the onset by ln(1 / size) / rate.
 struct OnsetShift {
-  LineFit line;   // onset [s] over ln(size)
-  Estimate rate;  // -1 / slope [1/s]; an end is infinite where the slope may be zero
+  LineFit line;           // onset [s] over ln(size)
+  IntervalEstimate rate;  // -1 / slope [1/s]; an end is infinite where the slope may be zero
 };
 /// Needs three onsets of at least two sizes, all positive, otherwise std::invalid_argument.
 OnsetShift onset_shift(std::span<const double> sizes, std::span<const double> onsets);

@@ -108,7 +108,7 @@ TEST(LongGrowthRate, OfTheLorenzSystem) {
 TEST(LongNeighbourDivergence, OfTheLorenzSystem) {
   const std::vector<double> x = Lorenz(0.3).record(5000, 0.05);
   const auto divergence = neighbour_divergence(x, {3, 2, 20}, 60);
-  const Estimate rate = divergence_rate(divergence, 0.05, 10, 40);
+  const IntervalEstimate rate = divergence_rate(divergence, 0.05, 10, 40);
   EXPECT_NEAR(rate.value, kLorenzExponent, 0.1 * kLorenzExponent);
   EXPECT_LT(rate.high - rate.low, 0.3);
 }
@@ -117,7 +117,7 @@ TEST(LongNeighbourDivergence, OfTheLorenzSystem) {
 // attractor; the parts' own scatter judges.
 TEST(NeighbourDivergence, OfTheLogisticMap) {
   const auto divergence = neighbour_divergence(logistic_map(2000, 4.0), {1, 1, 1}, 10);
-  const Estimate rate = divergence_rate(divergence, 1.0, 0, 5);
+  const IntervalEstimate rate = divergence_rate(divergence, 1.0, 0, 5);
   EXPECT_NEAR(rate.value, std::numbers::ln2, 0.05);
   EXPECT_LT(rate.high - rate.low, 0.1);
   EXPECT_THROW(divergence_rate(divergence, 1.0, 5, 6), std::invalid_argument);
@@ -128,7 +128,7 @@ TEST(NeighbourDivergence, OfTheLogisticMap) {
 // repeats itself exactly has neighbours at the distance of rounding.
 TEST(NeighbourDivergence, OfASineIsZero) {
   const auto divergence = neighbour_divergence(sine(1500, 20.0 * std::sqrt(3.5)), {2, 9, 40}, 60);
-  const Estimate rate = divergence_rate(divergence, 1.0, 0, 60);
+  const IntervalEstimate rate = divergence_rate(divergence, 1.0, 0, 60);
   EXPECT_NEAR(rate.value, 0.0, 1e-3);
 }
 

@@ -4,14 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "gem/analysis/estimate.h"
+#include "gem/analysis/interval_estimate.h"
 
 namespace gem {
 
 /// The difference of the means (b - a) with its interval of confidence 1 - 2 level, and the chance of so clear a result
 /// when the true difference is as large as the margin.
 struct Equivalence {
-  Estimate difference;
+  IntervalEstimate difference;
   double p = 1.0;
   bool equivalent = false;  // p < level: the interval lies within the margin
 };

@@ -74,8 +74,8 @@ std::optional<FreeDecay> free_decay(std::span<const double> signal, double inter
     number.push_back(static_cast<double>(n));
     if (n > 0) log_area.push_back(std::log(std::abs(integral.until(times[n]) - integral.until(times[n - 1]))));
   }
-  const Estimate half_period = fit_line(number, times).slope;
-  const Estimate fall = fit_line(std::span(number).first(log_area.size()), log_area).slope;
+  const IntervalEstimate half_period = fit_line(number, times).slope;
+  const IntervalEstimate fall = fit_line(std::span(number).first(log_area.size()), log_area).slope;
   FreeDecay decay;
   decay.half_cycles = log_area.size();
   decay.period = {2.0 * half_period.value, 2.0 * half_period.low, 2.0 * half_period.high};

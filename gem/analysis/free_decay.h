@@ -5,15 +5,15 @@
 #include <optional>
 #include <span>
 
-#include "gem/analysis/estimate.h"
+#include "gem/analysis/interval_estimate.h"
 
 namespace gem {
 
 struct FreeDecay {
-  Estimate period;              // damped [s]
-  Estimate damping_ratio;       // of critical
-  Estimate natural_period;      // undamped: period sqrt(1 - damping_ratio^2) [s]
-  std::size_t half_cycles = 0;  // between the first and the last crossing
+  IntervalEstimate period;          // damped [s]
+  IntervalEstimate damping_ratio;   // of critical
+  IntervalEstimate natural_period;  // undamped: period sqrt(1 - damping_ratio^2) [s]
+  std::size_t half_cycles = 0;      // between the first and the last crossing
 };
 
 /// Fits the decay of a linear oscillator about `rest`. The time of the n-th crossing of rest grows by half a period,

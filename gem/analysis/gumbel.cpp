@@ -67,7 +67,8 @@ Gumbel fit_gumbel(std::span<const double> maxima) {
   return {mode_for(maxima, about.minimum, high), high};
 }
 
-Estimate gumbel_quantile(std::span<const double> maxima, double p, double factor, const Resampling& resampling) {
+IntervalEstimate gumbel_quantile(std::span<const double> maxima, double p, double factor,
+                                 const Resampling& resampling) {
   if (maxima.size() < 5) throw std::invalid_argument("the interval of an extreme needs five maxima");
   checked_moments(maxima);
   return bootstrap_values(

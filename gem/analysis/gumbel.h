@@ -5,7 +5,7 @@
 #include <span>
 
 #include "gem/analysis/bootstrap.h"
-#include "gem/analysis/estimate.h"
+#include "gem/analysis/interval_estimate.h"
 
 namespace gem {
 
@@ -32,7 +32,7 @@ Gumbel fit_gumbel(std::span<const double> maxima);
 /// Quantile p of the largest value over `factor` times the duration of a block, by maximum likelihood, with its
 /// interval by the bootstrap over blocks (one block per run: over runs). Needs five maxima, not all alike, otherwise
 /// std::invalid_argument.
-Estimate gumbel_quantile(std::span<const double> maxima, double p, double factor = 1.0,
-                         const Resampling& resampling = {});
+IntervalEstimate gumbel_quantile(std::span<const double> maxima, double p, double factor = 1.0,
+                                 const Resampling& resampling = {});
 
 }  // namespace gem

@@ -26,7 +26,7 @@ LineFit fit_line(std::span<const double> x, std::span<const double> y, double co
   const double quantile = gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, freedom);
   const auto around = [quantile](double value, double variance) {
     const double half = quantile * std::sqrt(variance);
-    return Estimate{value, value - half, value + half};
+    return IntervalEstimate{value, value - half, value + half};
   };
   return {around(slope, var_slope), around(intercept, var_intercept), std::sqrt(squares / freedom)};
 }

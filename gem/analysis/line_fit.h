@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <span>
 
-#include "gem/analysis/estimate.h"
+#include "gem/analysis/interval_estimate.h"
 
 namespace gem {
 
 struct LineFit {
-  Estimate slope;
-  Estimate intercept;
+  IntervalEstimate slope;
+  IntervalEstimate intercept;
   double scatter = 0.0;  // standard deviation of the points about the line
 };
 

@@ -69,7 +69,7 @@ std::vector<ThresholdStability> threshold_stability(std::span<const RunPeaks> ru
     const std::size_t peaks = count_above(runs, threshold);
     if (peaks < 2 * kFewestPeaks) continue;
     const auto all = *fit_threshold_model(runs, threshold);
-    const std::vector<Estimate> numbers = bootstrap_together(
+    const std::vector<IntervalEstimate> numbers = bootstrap_together(
         runs.size(),
         [&](std::span<const std::size_t> chosen) {
           // A resample with too few peaks says nothing against the fit to all.

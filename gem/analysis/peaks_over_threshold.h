@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gem/analysis/bootstrap.h"
-#include "gem/analysis/estimate.h"
+#include "gem/analysis/interval_estimate.h"
 #include "gem/analysis/pareto.h"
 
 namespace gem {
@@ -42,9 +42,9 @@ std::optional<ThresholdModel> fit_threshold_model(std::span<const RunPeaks> runs
 struct ThresholdStability {
   double threshold = 0.0;
   std::size_t peaks = 0;
-  Estimate shape;
-  Estimate modified_scale;
-  Estimate quantile;
+  IntervalEstimate shape;
+  IntervalEstimate modified_scale;
+  IntervalEstimate quantile;
 };
 
 struct ReturnValue {

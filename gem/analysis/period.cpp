@@ -86,7 +86,7 @@ std::optional<PeriodEstimate> mean_gap(const std::vector<double>& times) {
   for (std::size_t i = 1; i < times.size(); ++i) gaps.push_back(times[i] - times[i - 1]);
   // A time measured late makes one gap long and the next one short: neighbours correlate, distant gaps do not.
   const auto lag = static_cast<std::size_t>(std::sqrt(static_cast<double>(gaps.size())));
-  const Estimate mean = mean_by_effective_samples(gaps, lag);
+  const IntervalEstimate mean = mean_by_effective_samples(gaps, lag);
   return PeriodEstimate{mean.value, mean.low, mean.high};
 }
 

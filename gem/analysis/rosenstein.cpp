@@ -53,8 +53,8 @@ NeighbourDivergence neighbour_divergence(std::span<const double> signal, const E
   return divergence;
 }
 
-Estimate divergence_rate(const NeighbourDivergence& divergence, double interval_s, std::size_t first,
-                         std::size_t last) {
+IntervalEstimate divergence_rate(const NeighbourDivergence& divergence, double interval_s, std::size_t first,
+                                 std::size_t last) {
   if (divergence.part.size() < 2 || last < first + 2 || last >= divergence.mean.size())
     throw std::invalid_argument("a rate of divergence needs two parts and three samples of the curve");
   std::vector<double> time;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "gem/analysis/embedding.h"
-#include "gem/analysis/estimate.h"
+#include "gem/analysis/interval_estimate.h"
 
 namespace gem {
 
@@ -25,6 +25,7 @@ NeighbourDivergence neighbour_divergence(std::span<const double> signal, const E
 
 /// Slope between two numbers of samples, and its 95 % interval by Student's t over the parts [1/s]. Needs two parts and
 /// three samples within the curve, otherwise std::invalid_argument.
-Estimate divergence_rate(const NeighbourDivergence& divergence, double interval_s, std::size_t first, std::size_t last);
+IntervalEstimate divergence_rate(const NeighbourDivergence& divergence, double interval_s, std::size_t first,
+                                 std::size_t last);
 
 }  // namespace gem

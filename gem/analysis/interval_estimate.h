@@ -3,7 +3,7 @@
 
 namespace gem {
 
-struct Estimate {
+struct IntervalEstimate {
   double value = 0.0;
   double low = 0.0;
   double high = 0.0;

@@ -10,10 +10,10 @@
 #include "gem/analysis/correlation.h"
 #include "gem/analysis/exceedance.h"
 #include "gem/analysis/hilbert.h"
-#include "gem/analysis/line_test.h"
 #include "gem/analysis/moments.h"
 #include "gem/analysis/orbit.h"
 #include "gem/analysis/period.h"
+#include "gem/analysis/spectral_line.h"
 
 namespace gem {
 namespace {
@@ -50,12 +50,21 @@ void add_mean(Findings& findings, const std::string& name, const std::vector<dou
   findings.add(name, std::optional<double>(moments(signal).mean));
 }
 
+/// Two periods at each end are disturbed by the record's end; a record with a main period has five or more.
+void drop_ends(HilbertEnvelope& envelope, std::size_t samples) {
+  for (std::vector<double>* column : {&envelope.amplitude, &envelope.frequency}) {
+    column->erase(column->end() - static_cast<std::ptrdiff_t>(samples), column->end());
+    column->erase(column->begin(), column->begin() + static_cast<std::ptrdiff_t>(samples));
+  }
+}
+
 /// The envelope about the main period, and the period of the weakest and the strongest quarter of the motion.
 void add_envelope(Findings& findings, const std::vector<double>& signal, double interval,
                   const std::optional<PeriodEstimate>& main) {
   std::optional<double> middle, high, small, large;
   if (main) {
-    const HilbertEnvelope envelope = hilbert_envelope(signal, interval, 0.5 / main->period, 1.5 / main->period);
+    HilbertEnvelope envelope = hilbert_envelope(signal, interval, 0.5 / main->period, 1.5 / main->period);
+    drop_ends(envelope, static_cast<std::size_t>(2.0 * main->period / interval));
     middle = percentile(envelope.amplitude, 0.5);
     high = percentile(envelope.amplitude, 0.9);
     const std::vector<BackbonePoint> points = backbone(envelope, 4);

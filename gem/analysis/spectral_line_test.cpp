@@ -1,5 +1,5 @@
 // The F-test finds a line in noise where it is, and finds none where there is none.
-#include "gem/analysis/line_test.h"
+#include "gem/analysis/spectral_line.h"
 
 #include <gtest/gtest.h>
 

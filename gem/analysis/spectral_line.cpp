@@ -1,5 +1,5 @@
 // Lines by the F-test of the tapered transforms.
-#include "gem/analysis/line_test.h"
+#include "gem/analysis/spectral_line.h"
 
 #include <gsl/gsl_cdf.h>
 

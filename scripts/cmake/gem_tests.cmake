@@ -6,7 +6,7 @@ include(gem_rules)
 # gem_test_program(NAME LABEL SOURCES...): one executable; tests whose name starts with Long carry the label `long` instead.
 function(gem_test_program name label)
   add_executable(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE gem_command GTest::gtest_main nlohmann_json::nlohmann_json)
+  target_link_libraries(${name} PRIVATE gem_command gem_baseline GTest::gtest_main nlohmann_json::nlohmann_json)
   target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     GEM_PROGRAM="$<TARGET_FILE:gem>")
   add_dependencies(${name} gem)
@@ -16,6 +16,11 @@ endfunction()
 
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
 gem_test_program(gem_unit_tests unit ${unit_tests})
+
+if(TARGET box2d::box2d)
+  file(GLOB baseline_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/baseline_box2d/*_test.cpp)
+  gem_test_program(gem_baseline_tests unit ${baseline_tests})
+endif()
 
 # Clipper judges the overlap of outlines; without it that test is skipped with its reason.
 find_path(POLYCLIPPING_INCLUDE_DIR polyclipping/clipper.hpp)

@@ -39,10 +39,10 @@ Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const BaselineOpt
 }
 
 std::string Box2dEngine::method() const {
-  return "box2d " + std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + "." +
-         std::to_string(b2_version.revision) + ", " + std::to_string(options_.velocity_iterations) + " velocity and " +
-         std::to_string(options_.position_iterations) + " position iterations, skin " + number_text(options_.skin_m) +
-         " m";
+  // the library 2.4.1 calls itself 2.4.0, so its last number says nothing
+  return "box2d " + std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + ", " +
+         std::to_string(options_.velocity_iterations) + " velocity and " + std::to_string(options_.position_iterations) +
+         " position iterations, skin " + number_text(options_.skin_m) + " m";
 }
 
 void Box2dEngine::make_world() {

@@ -106,7 +106,7 @@ struct EngineOptions {
   std::string name = "cpu";                   // reference | cpu
   int threads = 0;                            // 0: all that the machine offers
   std::size_t contacts_worth_threads = 2048;  // coupled: fewer are swept by one thread
-  BaselineOptions baseline;
+  BaselineOptions baseline = {};
 };
 
 /// Makes the named engine for a scene and its field.

@@ -49,8 +49,9 @@ void add_crushing(const FieldState& f, ContactEvent& e) {
   const Outline platform = f.outline(0), floe = f.outline(static_cast<std::size_t>(e.body_b));
   const Vec2 offset = b.position[e.body_b] - f.platform_position;
   const Separation axis = find_axes(platform, floe, offset).first;
-  constexpr double farther_than_any_skin = 1.0;
-  const ContactGeometry shape = face_contact(platform, floe, offset, axis, farther_than_any_skin);
+  // Box2D meets the floe up to two skins early: what counts is what would touch if it stood closer by that
+  const double reach = f.constants.contact_margin + std::max(0.0, axis.distance);
+  const ContactGeometry shape = face_contact(platform, floe, offset, axis, reach);
   e.width = shape.width;
   e.growth = shape.growth;
   e.depth = std::max(0.0, -axis.distance);

@@ -42,6 +42,13 @@ foreach(pair IN ITEMS verification:verify agreement:agree hard:hard published:pu
   endif()
 endforeach()
 
+# Tables beside a baseline: programs that print rows and judge nothing.
+file(GLOB verification_parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/verification/*.cpp)
+list(FILTER verification_parts EXCLUDE REGEX "_test\\.cpp$")
+add_executable(gem_sustained_survey ${PROJECT_SOURCE_DIR}/validation/baseline/sustained_survey.cpp ${verification_parts})
+target_link_libraries(gem_sustained_survey PRIVATE gem_command gem_baseline GTest::gtest)
+target_compile_definitions(gem_sustained_survey PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+
 # A run file read the way its users read it; without python3 and h5py this is skipped with its reason.
 add_test(NAME run_file_readers COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_run_file.sh $<TARGET_FILE:gem>
   ${PROJECT_SOURCE_DIR}/cases/analytic/V10_floe_on_moored_platform.toml)

@@ -126,10 +126,10 @@ void v32_along_a_barrier(const Survey& survey, double angle, double mu, const st
   const Vec2 along{std::cos(angle), std::sin(angle)}, out{-std::sin(angle), std::cos(angle)};
   SceneDef scene = pressed_scene({0.25, 0.0}, k_form);
   scene.ice.friction_ice = mu;
-  scene.fixed = {{{-20.0 * along - 16.0 * out, 300.0 * along - 16.0 * out, 300.0 * along, -20.0 * along}}};
+  scene.fixed = {{{-20.0 * along - 16.0 * out, 500.0 * along - 16.0 * out, 500.0 * along, -20.0 * along}}};
   scene.floe = {square(5.0 * out, 0.25 * along, angle)};
   Simulation run = survey.begin(scene);
-  run.advance(6000);  // six times the time in which speeds settle here, 1 / (2 k V)
+  run.advance(26000);  // 1300 s, eight times 1 / (k U sin(angle)) at 30 degrees; at the small angle it starts settled
   const Vec2 from = run.bodies().position[2];
   const MeanForce force = force_over(run, 200.0, scene.numerics.moment_s);
   const Vec2 total = force.normal + force.friction;

@@ -188,6 +188,7 @@ TEST(Box2dEngine, V33_columnOnAWall) {
   MomentLog log;
   engine->advance(600, log);
   const double before = engine->ledger()[Channel::impact].momentum.x;
+  log.clear();  // the row began with its skins in each other and was pushed apart
   engine->advance(200, log);
   ASSERT_GT(contacts_of(log), 0);
   const double force = (before - engine->ledger()[Channel::impact].momentum.x) / (200 * 0.05);

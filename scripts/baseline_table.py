@@ -16,6 +16,7 @@ SETTINGS = {
     "cpu independent": "gem independent",
     "box2d_8_3 coupled": "Box2D 8/3",
     "box2d_200_50 coupled": "Box2D 200/50",
+    "box2d_thin_skin coupled": "Box2D thin skin",
 }
 
 

@@ -8,11 +8,13 @@
 namespace gem::verification {
 namespace {
 
-/// Box2D with its usual iterations, and with so many that more of them change nothing.
+/// Box2D with its usual iterations and skin; with so many iterations that more of them change nothing; with the skin
+/// that lets true outlines rest on each other.
 const struct {
   const char* name;
   int velocity_iterations, position_iterations;
-} variants[] = {{"box2d_8_3", 8, 3}, {"box2d_200_50", 200, 50}};
+  double skin;
+} variants[] = {{"box2d_8_3", 8, 3, 0.01}, {"box2d_200_50", 200, 50, 0.01}, {"box2d_thin_skin", 8, 3, 0.0025}};
 
 void register_variants() {
   baseline::register_box2d();
@@ -22,6 +24,7 @@ void register_variants() {
       chosen.name = "box2d";
       chosen.baseline.velocity_iterations = variant.velocity_iterations;
       chosen.baseline.position_iterations = variant.position_iterations;
+      chosen.baseline.skin_m = variant.skin;
       return make_engine(scene, std::move(bodies), chosen);
     });
 }

@@ -27,12 +27,13 @@ b2PolygonShape shape_of(const std::vector<Vec2>& piece, std::size_t i, double sk
 }
 
 void add_fixtures(b2Body& body, const Bodies& bodies, std::size_t i, double skin) {
-  const auto begin = bodies.vertex.begin() + bodies.vertex_begin[i], end = bodies.vertex.begin() + bodies.vertex_begin[i + 1];
+  const auto begin = bodies.vertex.begin() + bodies.vertex_begin[i],
+             end = bodies.vertex.begin() + bodies.vertex_begin[i + 1];
   for (const auto& piece : convex_pieces({begin, end}, corners_maximum)) {
     const b2PolygonShape shape = shape_of(piece, i, skin);
     b2FixtureDef def;
     def.shape = &shape;
-    def.density = 0.0f;  // mass and inertia are given for the whole body
+    def.density = 0.0f;   // mass and inertia are given for the whole body
     def.friction = 0.0f;  // set by pair when two touch
     def.restitution = 0.0f;
     def.restitutionThreshold = 0.0f;

@@ -41,8 +41,9 @@ Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const BaselineOpt
 std::string Box2dEngine::method() const {
   // the library 2.4.1 calls itself 2.4.0, so its last number says nothing
   return "box2d " + std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + ", " +
-         std::to_string(options_.velocity_iterations) + " velocity and " + std::to_string(options_.position_iterations) +
-         " position iterations, skin " + number_text(options_.skin_m) + " m";
+         std::to_string(options_.velocity_iterations) + " velocity and " +
+         std::to_string(options_.position_iterations) + " position iterations, skin " + number_text(options_.skin_m) +
+         " m";
 }
 
 void Box2dEngine::make_world() {
@@ -209,7 +210,8 @@ void Box2dEngine::take_platform() {
   const Vec2 pushed = now - start - dt * from_box2d(body_[0]->GetLinearVelocity());
   if (length(pushed) > 2.0 * static_cast<double>(b2_epsilon) * (length(now) + length(start)))
     field_.repair_shift[0] = pushed;
-  const double turned = static_cast<double>(body_[0]->GetAngle()) - static_cast<double>(static_cast<float>(platform_angle_)) -
+  const double turned = static_cast<double>(body_[0]->GetAngle()) -
+                        static_cast<double>(static_cast<float>(platform_angle_)) -
                         dt * static_cast<double>(body_[0]->GetAngularVelocity());
   if (std::fabs(turned) > 4.0 * static_cast<double>(b2_epsilon) * (1.0 + std::fabs(platform_angle_)))
     field_.repair_turn[0] = turned;

@@ -55,11 +55,10 @@ void add_crushing(const FieldState& f, ContactEvent& e) {
   e.width = shape.width;
   e.growth = shape.growth;
   e.depth = std::max(0.0, -axis.distance);
-  e.effective_mass =
-      1.0 / contact_compliance({b.inverse_mass[0], b.inverse_inertia[0]}, arm_on_platform(f, e.point),
-                               {b.inverse_mass[e.body_b], b.inverse_inertia[e.body_b]}, e.point - b.position[e.body_b],
-                               e.normal)
-                .nn;
+  e.effective_mass = 1.0 / contact_compliance({b.inverse_mass[0], b.inverse_inertia[0]}, arm_on_platform(f, e.point),
+                                              {b.inverse_mass[e.body_b], b.inverse_inertia[e.body_b]},
+                                              e.point - b.position[e.body_b], e.normal)
+                               .nn;
   CrushingIce ice = f.constants.ice;
   ice.thickness = b.thickness[e.body_b];
   const double longest = e.growth > 0.0 ? facing_length(platform, floe, offset, turned_left(e.normal)) : e.width;

@@ -11,8 +11,8 @@ namespace gem::baseline {
 
 /// Impulse of everything that touches the platform, on it.
 struct PlatformImpulse {
-  Vec2 impulse;        // [N s]
-  double yaw = 0.0;    // about its centre at the instant of the events [N m s]
+  Vec2 impulse;      // [N s]
+  double yaw = 0.0;  // about its centre at the instant of the events [N m s]
 };
 
 /// Sum over all touches of the platform, fixed bodies included.

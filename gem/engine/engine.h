@@ -98,7 +98,7 @@ class Engine {
 struct BaselineOptions {
   int velocity_iterations = 8;
   int position_iterations = 3;
-  double skin_m = 0.01;           // radius round every outline within which two bodies are held apart [m]
+  double skin_m = 0.01;          // radius round every outline within which two bodies are held apart [m]
   bool measures_quality = true;  // false: overlap and residual of MomentQuality are NaN, and cost nothing
 };
 

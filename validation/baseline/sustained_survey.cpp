@@ -18,7 +18,7 @@
 namespace gem::verification {
 namespace {
 
-constexpr double k_form = 0.05;                 // [1/m]
+constexpr double k_form = 0.05;  // [1/m]
 constexpr double k_skin = 1025.0 * 0.005 / (2.0 * 900.0 * 0.5);
 
 /// Drag rate k on a floe 0.5 m thick, in this program's coefficient.
@@ -75,7 +75,9 @@ MeanForce force_over(Simulation& run, double seconds, double dt) {
   std::int64_t contacts = 0;
   for (const MomentQuality& quality : run.log.quality) contacts += quality.contacts;
   EXPECT_GT(contacts, 0) << "nothing touched";
-  const auto mean = [&](Channel channel) { return (1.0 / seconds) * (after[channel].momentum - before[channel].momentum); };
+  const auto mean = [&](Channel channel) {
+    return (1.0 / seconds) * (after[channel].momentum - before[channel].momentum);
+  };
   return {mean(Channel::impact) + mean(Channel::elastic), mean(Channel::friction)};
 }
 
@@ -214,8 +216,9 @@ void v38_jam_of_a_row(const Survey& survey) {
   const double stopped = static_cast<double>(run.engine->moment()) * scene.numerics.moment_s;
   survey.row("V38.front", 10.0 * count / stopped);
   run.advance(400);  // independent shares an impact among the row over several moments
-  survey.row("V38.Fmean", -(run.engine->ledger()[Channel::impact].momentum.x +
-                            run.engine->ledger()[Channel::elastic].momentum.x) / (60.0 * count));
+  survey.row("V38.Fmean",
+             -(run.engine->ledger()[Channel::impact].momentum.x + run.engine->ledger()[Channel::elastic].momentum.x) /
+                 (60.0 * count));
   double fastest = 0.0;
   for (std::size_t i = 2; i <= last; ++i) fastest = std::max(fastest, length(run.bodies().velocity[i]));
   survey.row("V38.speed_left", 0.0, fastest, "m/s");

@@ -8,7 +8,6 @@ scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # Exceptions: path, rule, word, reason. One that excuses nothing is itself reported.
 allowances=$(
   cat <<'END'
-gem/main.cpp unknown-layer baseline_box2d/register_box2d.h the program makes its baseline known by name
 gem/engine/moment_constants.cpp bits exp once per run on the host; every engine is given the number
 gem/geometry/polygon.cpp bits atan2 checks the outline that a user gave, before the first moment
 gem/events/mooring.h bits exp once per run on the host; every engine is given the coefficients

@@ -1,12 +1,15 @@
 // Speed and error of engines and settings, side by side: every setting starts from the same state of one case, runs the
 // same window, and is judged outside the engine. Prints CSV.
 //
-// Usage: speed_against_error CASE START_S WINDOW_S REPETITIONS SETTINGS [REFERENCE]
+// Usage: speed_against_error CASE START_S WINDOW_S REPETITIONS SETTINGS [REFERENCE [LEADER]]
 //   CASE          case file; a member of a sweep as FILE#INDEX
-//   START_S       when the window begins: gem's coupled cpu engine leads there, once, with the case's own numerics
+//   START_S       when the window begins
 //   SETTINGS      file, one setting a line: label | engine | options | scene overrides
 //                 options: threads= velocity_iterations= position_iterations= skin=
-//   REFERENCE     label of the setting whose end positions the others are compared with
+//   REFERENCE     label of the setting whose end positions the others are compared with; - for none
+//   LEADER        label of the setting that leads to START_S; without one gem's cpu engine does, with the case's own
+//                 numerics. It matters: floes that gem left touching begin inside Box2D's usual skins, and are pushed
+//                 apart in the window
 //
 // Each setting runs once to be judged (overlap at 20 instants, ice force, end state), then REPETITIONS times for its
 // time, settings taking turns so that a busy machine is busy for all. Times are of the process: user time is what the
@@ -121,8 +124,8 @@ std::vector<Setting> read_settings(const std::string& path, const CaseChoice& ch
 }
 
 /// State of the case at `time`, without the impulses of its last moment.
-EngineState state_at(const SceneDef& scene, const Bodies& field, double time) {
-  const auto engine = make_engine(scene, field, {});
+EngineState state_at(const SceneDef& scene, const EngineOptions& options, double time) {
+  const auto engine = make_engine(scene, field_of(scene), options);
   MomentLog log;
   log.wants_events = false;
   const std::int64_t last = std::llround(time / scene.numerics.moment_s);
@@ -241,16 +244,23 @@ int run(const std::vector<std::string>& arguments) {
     throw Error(ExitCode::usage, "a start, a window and at least one repetition are needed (values out of range)");
   std::vector<Setting> settings = read_settings(arguments[4], choice);
 
+  const auto labelled = [&](std::size_t argument) -> const Setting* {
+    if (arguments.size() <= argument || arguments[argument] == "-") return nullptr;
+    for (const Setting& setting : settings)
+      if (setting.label == arguments[argument]) return &setting;
+    throw Error(ExitCode::usage,
+                "no setting '" + arguments[argument] + "' in " + arguments[4] + " name one of its labels");
+  };
+  const Setting* const reference = labelled(5);
+  const Setting* const leader = labelled(6);
   const SceneDef scene = read_case(choice);
-  const EngineState state = state_at(scene, field_of(scene), time);
+  const EngineState state =
+      leader == nullptr ? state_at(scene, {}, time) : state_at(leader->scene, leader->engine, time);
   for (Setting& setting : settings) judge(setting, state, time, window);
   for (int repetition = 0; repetition < repetitions; ++repetition)
     for (std::size_t k = 0; k < settings.size(); ++k)
       time_once(settings[(k + static_cast<std::size_t>(repetition)) % settings.size()], state, time, window);
 
-  const Setting* reference = nullptr;
-  for (const Setting& setting : settings)
-    if (arguments.size() > 5 && setting.label == arguments[5]) reference = &setting;
   std::cout << "case,start_s,window_s,setting,engine,moment_s,user_s_per_s,user_least_s_per_s,wall_s_per_s,"
                "real_time_factor,overlap_maximum_m,overlap_999_m,overlap_mean_m,gap_mean_m,near_pairs,"
                "overlapping_pairs,ice_force_x_N,ice_force_y_N,floe_distance_rms_m,platform_distance_m,state_hash\n";

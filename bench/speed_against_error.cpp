@@ -6,7 +6,7 @@
 //   START_S       when the window begins
 //   SETTINGS      file, one setting a line: label | engine | options | scene overrides
 //                 options: threads= velocity_iterations= position_iterations= skin=
-//   REFERENCE     label of the setting whose end positions the others are compared with; - for none
+//   REFERENCE     label of the setting whose end positions the others are compared with; it is not timed; - for none
 //   LEADER        label of the setting that leads to START_S; without one gem's cpu engine does, with the case's own
 //                 numerics. It matters: floes that gem left touching begin inside Box2D's usual skins, and are pushed
 //                 apart in the window
@@ -33,6 +33,7 @@
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
 #include "gem/engine/engine.h"
+#include "gem_version.h"
 
 namespace gem::bench {
 namespace {
@@ -198,6 +199,7 @@ void time_once(Setting& setting, const EngineState& state, double time, double w
 }
 
 double median(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();
   return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
@@ -223,16 +225,16 @@ std::string hex(std::uint64_t value) {
 void print_row(const std::string& name, double time, double window, const Setting& s, const Setting* reference) {
   const double timed = window - s.scene.numerics.moment_s;
   std::string row = name + "," + number_text(time) + "," + number_text(window) + "," + s.label + "," + s.engine.name;
-  for (const double value :
-       {s.scene.numerics.moment_s, median(s.user) / timed, *std::min_element(s.user.begin(), s.user.end()) / timed,
-        median(s.wall) / timed, timed / median(s.user), s.worst.maximum, s.worst.quantile_999, s.worst.mean,
-        s.worst.mean_gap, static_cast<double>(s.worst.near_pairs), static_cast<double>(s.worst.overlapping_pairs),
-        s.mean_force.x, s.mean_force.y})
+  for (const double value : {s.scene.numerics.moment_s, median(s.user) / timed,
+                             s.user.empty() ? std::nan("") : *std::min_element(s.user.begin(), s.user.end()) / timed,
+                             median(s.wall) / timed, timed / median(s.user), s.worst.maximum, s.worst.quantile_999,
+                             s.worst.mean, s.worst.mean_gap, static_cast<double>(s.worst.near_pairs),
+                             static_cast<double>(s.worst.overlapping_pairs), s.mean_force.x, s.mean_force.y})
     row += "," + number_text(value, 6);
   row += reference == nullptr ? ",,"
                               : "," + number_text(floe_distance(s.end, reference->end), 6) + "," +
                                     number_text(length(s.end.position[0] - reference->end.position[0]), 6);
-  std::cout << row << ',' << hex(s.hash) << std::endl;
+  std::cout << row << ',' << hex(s.hash) << ',' << GEM_COMMIT << std::endl;
 }
 
 int run(const std::vector<std::string>& arguments) {
@@ -258,12 +260,14 @@ int run(const std::vector<std::string>& arguments) {
       leader == nullptr ? state_at(scene, {}, time) : state_at(leader->scene, leader->engine, time);
   for (Setting& setting : settings) judge(setting, state, time, window);
   for (int repetition = 0; repetition < repetitions; ++repetition)
-    for (std::size_t k = 0; k < settings.size(); ++k)
-      time_once(settings[(k + static_cast<std::size_t>(repetition)) % settings.size()], state, time, window);
+    for (std::size_t k = 0; k < settings.size(); ++k) {
+      Setting& setting = settings[(k + static_cast<std::size_t>(repetition)) % settings.size()];
+      if (&setting != reference) time_once(setting, state, time, window);
+    }
 
   std::cout << "case,start_s,window_s,setting,engine,moment_s,user_s_per_s,user_least_s_per_s,wall_s_per_s,"
                "real_time_factor,overlap_maximum_m,overlap_999_m,overlap_mean_m,gap_mean_m,near_pairs,"
-               "overlapping_pairs,ice_force_x_N,ice_force_y_N,floe_distance_rms_m,platform_distance_m,state_hash\n";
+               "overlapping_pairs,ice_force_x_N,ice_force_y_N,floe_distance_rms_m,platform_distance_m,state_hash,commit\n";
   for (const Setting& setting : settings) print_row(scene.run.name, time, window, setting, reference);
   return 0;
 }

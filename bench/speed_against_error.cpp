@@ -265,9 +265,10 @@ int run(const std::vector<std::string>& arguments) {
       if (&setting != reference) time_once(setting, state, time, window);
     }
 
-  std::cout << "case,start_s,window_s,setting,engine,moment_s,user_s_per_s,user_least_s_per_s,wall_s_per_s,"
-               "real_time_factor,overlap_maximum_m,overlap_999_m,overlap_mean_m,gap_mean_m,near_pairs,"
-               "overlapping_pairs,ice_force_x_N,ice_force_y_N,floe_distance_rms_m,platform_distance_m,state_hash,commit\n";
+  std::cout
+      << "case,start_s,window_s,setting,engine,moment_s,user_s_per_s,user_least_s_per_s,wall_s_per_s,"
+         "real_time_factor,overlap_maximum_m,overlap_999_m,overlap_mean_m,gap_mean_m,near_pairs,"
+         "overlapping_pairs,ice_force_x_N,ice_force_y_N,floe_distance_rms_m,platform_distance_m,state_hash,commit\n";
   for (const Setting& setting : settings) print_row(scene.run.name, time, window, setting, reference);
   return 0;
 }

@@ -33,9 +33,9 @@ double peak_memory() {
 }
 
 Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunOptions& options) {
-  return {scene.run.name,    resolved_toml(scene),
-          scene_hash(scene), options.command_line,
-          engine.name(),     scene.contact.resolution == Resolution::coupled ? "coupled" : "independent",
+  const std::string asked = scene.contact.resolution == Resolution::coupled ? "coupled" : "independent";
+  return {scene.run.name,       resolved_toml(scene), scene_hash(scene),
+          options.command_line, engine.name(),        engine.method().empty() ? asked : engine.method(),
           options.threads};
 }
 

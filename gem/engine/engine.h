@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -84,6 +85,8 @@ class Engine {
  public:
   virtual ~Engine() = default;
   virtual std::string name() const = 0;
+  /// How contacts are resolved, for the record; empty: as the scene's contact.resolution says.
+  virtual std::string method() const { return {}; }
   /// Moves the field on by `moments` moments and appends to `log`. Throws Error(numerical_stop) at a non-finite state.
   virtual void advance(std::int64_t moments, MomentLog& log) = 0;
   /// Moments done since t = 0; time is moment() * moment_s.
@@ -98,10 +101,23 @@ class Engine {
   std::uint64_t state_hash();
 };
 
+/// Settings of an engine that resolves contacts in its own way.
+struct BaselineOptions {
+  int velocity_iterations = 8;
+  int position_iterations = 3;
+  double skin_m = 0.01;          // radius round every outline within which two bodies are held apart [m]
+  bool measures_quality = true;  // false: overlap and residual of MomentQuality are NaN, and cost nothing
+};
+
 struct EngineOptions {
   std::string name = "cpu";                   // reference | cpu
   int threads = 0;                            // 0: all that the machine offers
+<<<<<<< HEAD
   std::size_t contacts_worth_threads = 2048;  // coupled: fewer are iterated by one thread
+=======
+  std::size_t contacts_worth_threads = 2048;  // coupled: fewer are swept by one thread
+  BaselineOptions baseline = {};
+>>>>>>> main
 };
 
 /// Makes the named engine for a scene and its field.
@@ -109,5 +125,14 @@ std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const 
 
 /// Names that make_engine accepts, for messages and for tests that run on every engine.
 std::vector<std::string> engine_names();
+
+/// Makes one engine that is built outside gem/engine.
+using BaselineMaker = std::function<std::unique_ptr<Engine>(const SceneDef&, Bodies, const EngineOptions&)>;
+
+/// Makes a baseline known to make_engine: another program's physics, judged by its own rows. Not for several threads.
+void register_baseline(const std::string& name, BaselineMaker make);
+
+/// Names of the registered baselines, which engine_names() leaves out: they share no bits with gem's engines.
+std::vector<std::string> baseline_names();
 
 }  // namespace gem

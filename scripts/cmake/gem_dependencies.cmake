@@ -20,6 +20,11 @@ find_package(CLI11 REQUIRED CONFIG)
 find_package(nlohmann_json REQUIRED CONFIG)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 
+# The baseline's library comes as a shared one only, so a static build goes without.
+if(GEM_BOX2D AND NOT GEM_STATIC)
+  find_package(box2d 2.4.1 REQUIRED CONFIG)
+endif()
+
 if(NOT GEM_CUDA STREQUAL OFF)
   include(CheckLanguage)
   check_language(CUDA)

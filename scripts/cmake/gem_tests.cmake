@@ -6,7 +6,7 @@ include(gem_rules)
 # gem_test_program(NAME LABEL SOURCES...): one executable; tests whose name starts with Long carry the label `long` instead.
 function(gem_test_program name label)
   add_executable(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE gem_command GTest::gtest_main nlohmann_json::nlohmann_json)
+  target_link_libraries(${name} PRIVATE gem_command gem_baseline GTest::gtest_main nlohmann_json::nlohmann_json)
   target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     GEM_PROGRAM="$<TARGET_FILE:gem>")
   add_dependencies(${name} gem)
@@ -16,6 +16,11 @@ endfunction()
 
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
 gem_test_program(gem_unit_tests unit ${unit_tests})
+
+if(TARGET box2d::box2d)
+  file(GLOB baseline_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/baseline_box2d/*_test.cpp)
+  gem_test_program(gem_baseline_tests unit ${baseline_tests})
+endif()
 
 # Clipper judges the overlap of outlines; without it that test is skipped with its reason.
 find_path(POLYCLIPPING_INCLUDE_DIR polyclipping/clipper.hpp)
@@ -43,6 +48,13 @@ foreach(pair IN ITEMS verification:verify agreement:agree hard:hard published:pu
     add_dependencies(gem_validation_tests gem_${folder}_tests)
   endif()
 endforeach()
+
+# Tables beside a baseline: programs that print rows and judge nothing.
+file(GLOB verification_parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/verification/*.cpp)
+list(FILTER verification_parts EXCLUDE REGEX "_test\\.cpp$")
+add_executable(gem_sustained_survey ${PROJECT_SOURCE_DIR}/validation/baseline/sustained_survey.cpp ${verification_parts})
+target_link_libraries(gem_sustained_survey PRIVATE gem_command gem_baseline GTest::gtest)
+target_compile_definitions(gem_sustained_survey PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
 # A run file read the way its users read it; without python3 and h5py this is skipped with its reason.
 add_test(NAME run_file_readers COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_run_file.sh $<TARGET_FILE:gem>

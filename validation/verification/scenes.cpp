@@ -8,6 +8,7 @@
 
 #include "gem/base/strict_math.h"
 #include "gem/field/field.h"
+#include "validation/verification/baselines.h"
 
 namespace gem::verification {
 namespace {
@@ -22,7 +23,8 @@ double kinetic(const Bodies& b) {
 }  // namespace
 
 std::vector<Setting> all_settings() {
-  std::vector<Setting> settings;
+  std::vector<Setting> settings = surveyed_baselines();
+  if (!settings.empty()) return settings;
   for (const std::string& engine : engine_names())
     for (const Resolution resolution : {Resolution::independent, Resolution::coupled})
       settings.push_back({engine, resolution});

@@ -84,7 +84,7 @@ struct PointResidual {
 /// those carried ahead by `ahead` times their change.
 template <PointFriction law, class Real>
 GEM_HD GEM_INLINE PointResidual<Real> visit_point(const PointGeometry<Real>& g, const Motion<Real>& a,
-                                                  const Motion<Real>& b, double dt, double ahead,
+                                                  const Motion<Real>& b, double dt, double per_moment, double ahead,
                                                   PointImpulse<Real>& at, PointImpulse<Real>& carried) {
   const Real zero{};
   const Real dx = b.x - a.x, dy = b.y - a.y;
@@ -113,7 +113,8 @@ GEM_HD GEM_INLINE PointResidual<Real> visit_point(const PointGeometry<Real>& g, 
   const Real repair = larger(wanted, zero);
 
   PointResidual<Real> residual;
-  residual.speed = larger(magnitude(step_n) * g.nn, magnitude(step_t) * g.tt);
+  residual.speed = larger(larger(magnitude(step_n) * g.nn, magnitude(step_t) * g.tt),
+                          magnitude(repair - carried.repair) * g.nn * per_moment);
   const Real change_n = normal - at.normal, change_t = tangential - at.tangential;
   residual.climb = -(step_n * change_n * g.nn + step_t * change_t * g.tt);
   carried = {normal + ahead * change_n, tangential + ahead * change_t, repair + ahead * (repair - at.repair)};
@@ -129,13 +130,37 @@ GEM_HD GEM_INLINE Motion<Real> moved_by(const Push<Real>& sum, double velocity_x
           inverse_mass * sum.shift_x,        inverse_mass * sum.shift_y,        inverse_inertia * sum.turn};
 }
 
+/// What the impulses on one body do: their work at its velocity before them, and twice the energy of the change.
+struct ImpulseWork {
+  double given, answered;  // [J]
+};
+
+GEM_HD inline ImpulseWork work_on_body(const Motion<double>& after, double velocity_x, double velocity_y, double spin,
+                                       double mass, double inertia) {
+  const double x = after.x - velocity_x, y = after.y - velocity_y, turned = after.spin - spin;
+  return {mass * (x * velocity_x + y * velocity_y) + inertia * turned * spin,
+          mass * (x * x + y * y) + inertia * turned * turned};
+}
+
+/// The share of a moment's impulses that leaves the least energy, at most all of them. The impulses of the last moment
+/// are taken over by this share, since a heavy body that they stopped must not be thrown back by them. Below a half,
+/// all of them would create energy: where the iterations stop short of an answer, this share is what they give.
+GEM_HD inline double best_share(const ImpulseWork& sum) {
+  if (!(sum.answered > 0.0)) return 1.0;
+  return smaller(larger(-sum.given / sum.answered, 0.0), 1.0);
+}
+
+/// Share of the last moment's repair that a moment starts from: less than all of it, so that a repair that is done does
+/// not go on to open gaps.
+constexpr double repair_memory = 0.9;
+
 /// How far the impulses are carried ahead along their last change, from iteration to iteration.
 class Acceleration {
  public:
   /// Factor of the next iteration. `restart`: the last one climbed, so this one is not carried ahead.
   GEM_HD double next(bool restart) {
-    if (restart) {
-      theta_ = begin;
+    if (restart) {  // from the beginning: the last moment's impulses are far behind
+      theta_ = 1.0;
       return 0.0;
     }
     const double theta = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * theta_ * theta_));

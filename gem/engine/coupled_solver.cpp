@@ -64,6 +64,8 @@ void CoupledSolver::lay_out(const FieldState& f, Contacts contacts) {
   block_.assign(blocks, Block{});
   motion_.assign(body_.size(), Slot{});
   push_.resize(2 * static_cast<std::size_t>(blocks) * pack_lanes);
+  given_.resize(body_.size() + sum_width);
+  answered_.resize(body_.size() + sum_width);
   climb_.resize((static_cast<std::size_t>(points) / sum_width + 1) * sum_width);
   // where each side of a point leaves its push: the moving bodies' in the order of the points, all others behind
   std::vector<std::int32_t>& next = next_push_;
@@ -104,7 +106,7 @@ void CoupledSolver::warm_start(Contacts contacts) {
         const int lane = point % pack_lanes;
         block.impulse.normal[lane] = impulses_[i].normal;
         block.impulse.tangential[lane] = impulses_[i].tangential;
-        block.impulse.repair[lane] = impulses_[i].repair;
+        block.impulse.repair[lane] = repair_memory * impulses_[i].repair;
       }
     }
   }
@@ -183,7 +185,7 @@ GEM_INLINE void CoupledSolver::visit_range(std::int32_t begin, std::int32_t end,
     Block& block = block_[i];
     const Motion<Pack> a = read_motions(motion_.data(), block.a), b = read_motions(motion_.data(), block.b);
     const PointResidual<Pack> residual =
-        visit_point<law>(block.geometry, a, b, dt, ahead, block.impulse, block.carried);
+        visit_point<law>(block.geometry, a, b, dt, 1.0 / dt, ahead, block.impulse, block.carried);
     most = larger(residual.speed, most);
     for (int lane = 0; lane < pack_lanes; ++lane) climb_[pack_lanes * i + lane] = residual.climb[lane];
     write_pushes(block, block.carried, push_.data());
@@ -225,6 +227,25 @@ GEM_CLONES void CoupledSolver::move_bodies(const FieldState& f, std::int32_t beg
   }
 }
 
+void CoupledSolver::weigh_impulses(const FieldState& f, std::int32_t begin, std::int32_t end) {
+  const Bodies& b = f.bodies;
+  for (std::int32_t k = begin; k < end; ++k) {
+    const std::int32_t i = body_[k];
+    const Pack& m = motion_[k].linear;
+    const ImpulseWork work = work_on_body({m[0], m[1], m[2], 0.0, 0.0, 0.0}, b.velocity[i].x, b.velocity[i].y,
+                                          b.spin[i], b.mass[i], b.inertia[i]);
+    given_[k - 1] = work.given;
+    answered_[k - 1] = work.answered;
+  }
+}
+
+void CoupledSolver::scale_impulses(std::int32_t begin, std::int32_t end, double share) {
+  for (std::int32_t i = begin; i < end; ++i) {
+    block_[i].impulse.normal *= share;
+    block_[i].impulse.tangential *= share;
+  }
+}
+
 void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
   const MomentConstants& c = f.constants;
   const std::int64_t blocks = static_cast<std::int64_t>(block_.size());
@@ -239,8 +260,20 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
     move_bodies(f, first_body, last_body);
     team.barrier();
   };
-  for (std::int32_t i = first_block; i < last_block; ++i) block_[i].carried = block_[i].impulse;
+  const auto keep_best_share = [&](double limit) {
+    weigh_impulses(f, first_body, last_body);
+    team.barrier();
+    if (rank == 0)
+      share_ =
+          best_share({ordered_sum(given_.data(), body_.size() - 1), ordered_sum(answered_.data(), body_.size() - 1)});
+    team.barrier();
+    if (!(share_ < limit)) return;
+    scale_impulses(first_block, last_block, share_);
+    settle();
+  };
   settle();
+  keep_best_share(1.0);
+  for (std::int32_t i = first_block; i < last_block; ++i) block_[i].carried = block_[i].impulse;
   const auto visit = c.point_friction == PointFriction::none      ? &CoupledSolver::visit_frictionless
                      : c.point_friction == PointFriction::coulomb ? &CoupledSolver::visit_coulomb
                                                                   : &CoupledSolver::visit_fixed_direction;
@@ -256,6 +289,7 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
         residual_ = residual;
       }
       settle();
+      keep_best_share(0.5);
       return;
     }
     move_bodies(f, first_body, last_body);

@@ -51,6 +51,8 @@ class CoupledSolver {
   void visit_fixed_direction(std::int32_t begin, std::int32_t end, double dt, double ahead, int rank);
   void push_blocks(std::int32_t begin, std::int32_t end);
   void move_bodies(const FieldState& f, std::int32_t begin, std::int32_t end);
+  void weigh_impulses(const FieldState& f, std::int32_t begin, std::int32_t end);
+  void scale_impulses(std::int32_t begin, std::int32_t end, double share);
   void hand_back(FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
 
   std::vector<std::uint64_t> keys_;
@@ -72,6 +74,8 @@ class CoupledSolver {
   std::int32_t iterations_ = 0;
   double residual_ = 0.0;
   double climb_sum_ = 0.0;
+  std::vector<double> given_, answered_;  // per entry of motion_: impulse on its velocity before, and on its change [J]
+  double share_ = 1.0;
   ThreadTeam alone_{1};
   std::size_t contacts_worth_threads_;
 };

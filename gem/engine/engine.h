@@ -112,12 +112,8 @@ struct BaselineOptions {
 struct EngineOptions {
   std::string name = "cpu";                   // reference | cpu
   int threads = 0;                            // 0: all that the machine offers
-<<<<<<< HEAD
   std::size_t contacts_worth_threads = 2048;  // coupled: fewer are iterated by one thread
-=======
-  std::size_t contacts_worth_threads = 2048;  // coupled: fewer are swept by one thread
   BaselineOptions baseline = {};
->>>>>>> main
 };
 
 /// Makes the named engine for a scene and its field.

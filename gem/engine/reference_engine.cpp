@@ -1,6 +1,7 @@
 #include "gem/engine/reference_engine.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "gem/engine/books.h"
@@ -91,11 +92,13 @@ PointResidual<double> ReferenceEngine::visit(Point& point, const std::vector<Mot
   const Motion<double>&a = motion[point.contact->a], &b = motion[point.contact->b];
   switch (c.point_friction) {
     case PointFriction::none:
-      return visit_point<PointFriction::none>(point.geometry, a, b, c.dt, ahead, point.impulse, point.carried);
+      return visit_point<PointFriction::none>(point.geometry, a, b, c.dt, 1.0 / c.dt, ahead, point.impulse,
+                                              point.carried);
     case PointFriction::coulomb:
-      return visit_point<PointFriction::coulomb>(point.geometry, a, b, c.dt, ahead, point.impulse, point.carried);
+      return visit_point<PointFriction::coulomb>(point.geometry, a, b, c.dt, 1.0 / c.dt, ahead, point.impulse,
+                                                 point.carried);
     default:
-      return visit_point<PointFriction::fixed_direction>(point.geometry, a, b, c.dt, ahead, point.impulse,
+      return visit_point<PointFriction::fixed_direction>(point.geometry, a, b, c.dt, 1.0 / c.dt, ahead, point.impulse,
                                                          point.carried);
   }
 }
@@ -113,7 +116,7 @@ std::vector<ReferenceEngine::Point> ReferenceEngine::points_of(std::vector<Conta
       Point point{&contact, &contact.slot[k], {}, {}, {}};
       const auto last = last_.find(contact_key(contact.a, contact.b, contact.slot[k].feature));
       if (last != last_.end()) point.impulse = last->second;
-      point.carried = point.impulse;
+      point.impulse.repair *= repair_memory;
       point.geometry =
           point_geometry(field_, contact, contact.slot[k], count[contact.a], count[contact.b], point.impulse.normal);
       points.push_back(point);
@@ -122,11 +125,37 @@ std::vector<ReferenceEngine::Point> ReferenceEngine::points_of(std::vector<Conta
   return points;
 }
 
+void ReferenceEngine::keep_best_share(std::vector<Point>& points, double limit) const {
+  const Bodies& b = field_.bodies;
+  const std::vector<Motion<double>> motion = motions(points, false);
+  std::set<std::int32_t> touched;
+  for (const Point& point : points) touched.insert({point.contact->a, point.contact->b});
+  std::vector<double> given, answered;
+  for (const std::int32_t i : touched) {
+    if (!(b.inverse_mass[i] > 0.0)) continue;
+    const ImpulseWork work =
+        work_on_body(motion[i], b.velocity[i].x, b.velocity[i].y, b.spin[i], b.mass[i], b.inertia[i]);
+    given.push_back(work.given);
+    answered.push_back(work.answered);
+  }
+  const std::size_t count = given.size();
+  given.resize(count + sum_width);
+  answered.resize(count + sum_width);
+  const double share = best_share({ordered_sum(given.data(), count), ordered_sum(answered.data(), count)});
+  if (!(share < limit)) return;
+  for (Point& point : points) {
+    point.impulse.normal *= share;
+    point.impulse.tangential *= share;
+  }
+}
+
 void ReferenceEngine::resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality) {
   FieldState& f = field_;
   std::vector<Point> points = points_of(contacts);
   last_.clear();
   if (points.empty()) return;
+  keep_best_share(points, 1.0);
+  for (Point& point : points) point.carried = point.impulse;
   std::vector<Motion<double>> motion = motions(points, true);
   Acceleration acceleration;
   bool restart = false;
@@ -145,6 +174,7 @@ void ReferenceEngine::resolve_coupled(std::vector<Contact>& contacts, MomentQual
     ++quality.iterations;
   } while (quality.residual > f.constants.residual_speed && quality.iterations < f.constants.iterations_maximum);
 
+  keep_best_share(points, 0.5);
   motion = motions(points, false);
   for (std::size_t i = 0; i < f.bodies.count(); ++i) {
     if (!(f.bodies.inverse_mass[i] > 0.0)) continue;

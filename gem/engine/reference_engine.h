@@ -34,6 +34,7 @@ class ReferenceEngine : public Engine {
   void resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality);
   std::vector<Point> points_of(std::vector<Contact>& contacts);
   std::vector<Motion<double>> motions(const std::vector<Point>& points, bool carried) const;
+  void keep_best_share(std::vector<Point>& points, double limit) const;
   PointResidual<double> visit(Point& point, const std::vector<Motion<double>>& motion, double ahead);
 
   FieldState field_;

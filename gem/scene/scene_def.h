@@ -131,7 +131,7 @@ struct ContactDef {
 
 struct NumericsDef {
   double moment_s = 0.05;            ///< dt
-  double residual_tolerance = 1e-3;  ///< coupled: speed that events may still ask for, over the current speed
+  double residual_tolerance = 1e-5;  ///< coupled: speed that events may still ask for, over the current speed
   std::int64_t iterations_maximum = 24;
   double contact_reach = 1.0;         ///< coupled: faces that the current could close in so many moments are held apart
   double repair_share = 0.6;          ///< coupled: share of an overlap that is taken back in one moment

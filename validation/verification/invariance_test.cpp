@@ -110,7 +110,10 @@ Bodies mirrored(Bodies b) {
 }
 
 TEST_P(Invariance, M3_mirror) {
-  const SceneDef scene = settled(crowd(setting()));
+  SceneDef scene = settled(crowd(setting()));
+  // friction in a crowd has many answers, and rounding decides which one the iterations find: without it the velocities
+  // are unique
+  if (setting().coupled()) scene.ice.friction_ice = scene.ice.friction_structure = 0.0;
   SceneDef image = scene;
   image.current.velocity_m_per_s.y *= -1.0;
   // an outline stays counter-clockwise in a mirror, so its edges begin at their other corners: crossings and depths are

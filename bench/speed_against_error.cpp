@@ -3,9 +3,11 @@
 //
 // Usage: speed_against_error CASE START_S WINDOW_S REPETITIONS SETTINGS [REFERENCE [LEADER]]
 //   CASE          case file; a member of a sweep as FILE#INDEX
-//   START_S       when the window begins
+//   START_S       when the window begins; several, ascending, with commas between them
+//   REPETITIONS   0: the judged run is timed
 //   SETTINGS      file, one setting a line: label | engine | options | scene overrides
-//                 options: threads= velocity_iterations= position_iterations= skin=
+//                 options: threads= velocity_iterations= position_iterations= skin= warm=
+//                 warm=1: starts from the leader's last impulses (gem's coupled only), scaled to its own moment
 //   REFERENCE     label of the setting whose end positions the others are compared with; it is not timed; - for none
 //   LEADER        label of the setting that leads to START_S; without one gem's cpu engine does, with the case's own
 //                 numerics. It matters: floes that gem left touching begin inside Box2D's usual skins, and are pushed
@@ -13,7 +15,8 @@
 //
 // Each setting runs once to be judged (overlap at 20 instants, ice force, end state), then REPETITIONS times for its
 // time, settings taking turns so that a busy machine is busy for all. Times are of the process: user time is what the
-// other load of a machine changes least. All begin without warm start, which is what a changed setting has.
+// other load of a machine changes least. Without warm=1 all begin without warm start, which is what a changed setting
+// has.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -50,6 +53,7 @@ struct Setting {
   std::string label;
   EngineOptions engine;
   std::vector<std::string> overrides;
+  bool warm = false;
   SceneDef scene;
 
   // judged
@@ -73,7 +77,8 @@ std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
 }
 
-void set_option(EngineOptions& options, const std::string& option) {
+void set_option(Setting& setting, const std::string& option) {
+  EngineOptions& options = setting.engine;
   const std::string key = option.substr(0, option.find('='));
   const double value = number_of(option.substr(option.find('=') + 1), key);
   if (key == "threads") {
@@ -82,11 +87,22 @@ void set_option(EngineOptions& options, const std::string& option) {
     options.baseline.velocity_iterations = static_cast<int>(value);
   } else if (key == "position_iterations") {
     options.baseline.position_iterations = static_cast<int>(value);
+  } else if (key == "warm") {
+    setting.warm = value != 0.0;
   } else if (key == "skin") {
     options.baseline.skin_m = value;
   } else {
     throw Error(ExitCode::usage, "unknown option '" + key + "' (see the head of bench/speed_against_error.cpp)");
   }
+}
+
+std::vector<double> times_of(const std::string& text) {
+  std::vector<double> times;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, ',');) times.push_back(number_of(word, "START_S"));
+  if (times.empty() || times[0] < 0.0 || !std::is_sorted(times.begin(), times.end()))
+    throw Error(ExitCode::usage, "START_S is no ascending list of times (got '" + text + "') give one");
+  return times;
 }
 
 CaseChoice case_named(const std::string& text) {
@@ -114,7 +130,7 @@ std::vector<Setting> read_settings(const std::string& path, const CaseChoice& ch
     setting.engine.name = trimmed(engine);
     setting.engine.threads = 1;
     setting.engine.baseline.measures_quality = false;  // judged outside
-    for (const std::string& option : words(options)) set_option(setting.engine, option);
+    for (const std::string& option : words(options)) set_option(setting, option);
     CaseChoice choice = chosen_case;
     choice.overrides = words(overrides);
     setting.overrides = choice.overrides;
@@ -124,23 +140,40 @@ std::vector<Setting> read_settings(const std::string& path, const CaseChoice& ch
   return settings;
 }
 
-/// State of the case at `time`, without the impulses of its last moment.
-EngineState state_at(const SceneDef& scene, const EngineOptions& options, double time) {
-  const auto engine = make_engine(scene, field_of(scene), options);
+/// Moves the leader on to `time`.
+EngineState state_at(Engine& leader, const SceneDef& scene, double time) {
   MomentLog log;
   log.wants_events = false;
   const std::int64_t last = std::llround(time / scene.numerics.moment_s);
-  while (engine->moment() < last) {
+  while (leader.moment() < last) {
     log.clear();
-    engine->advance(std::min<std::int64_t>(100, last - engine->moment()), log);
+    leader.advance(std::min<std::int64_t>(100, last - leader.moment()), log);
   }
-  EngineState state = engine->save();
-  state.impulse_key.clear();
-  state.impulse_value.clear();
-  return state;
+  return leader.save();
 }
 
-std::unique_ptr<Engine> engine_at(const Setting& setting, EngineState state, double time) {
+/// Where a window begins.
+struct Start {
+  EngineState state;
+  double moment_s = 0.0;  // of the leader
+  double time = 0.0;      // [s]
+};
+
+/// The impulses of a moment of another length: the same forces. The repair is left to begin anew.
+void scale_impulses(EngineState& state, double ratio) {
+  for (PointImpulse<double>& impulse : state.impulse_value)
+    impulse = {ratio * impulse.normal, ratio * impulse.tangential, 0.0};
+}
+
+std::unique_ptr<Engine> engine_at(const Setting& setting, const Start& start) {
+  EngineState state = start.state;
+  if (setting.warm) {
+    scale_impulses(state, setting.scene.numerics.moment_s / start.moment_s);
+  } else {
+    state.impulse_key.clear();
+    state.impulse_value.clear();
+  }
+  const double time = start.time;
   auto engine = make_engine(setting.scene, state.bodies, setting.engine);
   state.moment = std::llround(time / setting.scene.numerics.moment_s);
   engine->restore(state);
@@ -151,15 +184,37 @@ std::int64_t moments_in(const Setting& setting, double window) {
   return std::llround(window / setting.scene.numerics.moment_s);
 }
 
-void judge(Setting& setting, const EngineState& state, double time, double window) {
-  const auto engine = engine_at(setting, state, time);
+struct Spent {
+  double user = 0.0, wall = 0.0;  // [s]
+};
+
+Spent operator-(Spent a, Spent b) { return {a.user - b.user, a.wall - b.wall}; }
+void operator+=(Spent& a, Spent b) { a = {a.user + b.user, a.wall + b.wall}; }
+
+Spent spent_so_far() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const double user = static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+  return {user, std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count()};
+}
+
+/// `timed`: this is the only run, so what the engine takes is noted, less its first moment.
+void judge(Setting& setting, const Start& start, double window, bool timed) {
+  const auto engine = engine_at(setting, start);
+  setting.worst = {};
+  setting.user.clear();
+  setting.wall.clear();
   const std::int64_t first = engine->moment(), moments = moments_in(setting, window);
   Vec2 impulse;
   MomentLog log;
   log.wants_events = false;
+  Spent spent;
   for (int k = 1; k <= judged_instants; ++k) {
     log.clear();
+    if (k == 1) engine->advance(1, log);
+    const Spent before = spent_so_far();
     engine->advance(first + moments * k / judged_instants - engine->moment(), log);
+    spent += spent_so_far() - before;
     for (const PlatformMoment& moment : log.platform) impulse += moment.ice_impulse;
     const Overlaps now = overlaps_of(engine->bodies());
     Overlaps& worst = setting.worst;
@@ -170,28 +225,26 @@ void judge(Setting& setting, const EngineState& state, double time, double windo
     worst.mean = std::max(worst.mean, now.mean);
     worst.mean_gap = std::max(worst.mean_gap, now.mean_gap);
   }
+  if (timed) {
+    setting.user.push_back(spent.user);
+    setting.wall.push_back(spent.wall);
+  }
   setting.mean_force = (1.0 / window) * impulse;
   setting.hash = engine->state_hash();
   setting.end = engine->bodies();
 }
 
-double user_time() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
-}
-
 /// Times a window in which nothing but the engine runs; the first moment builds its lists and is not counted.
-void time_once(Setting& setting, const EngineState& state, double time, double window) {
-  const auto engine = engine_at(setting, state, time);
+void time_once(Setting& setting, const Start& start, double window) {
+  const auto engine = engine_at(setting, start);
   MomentLog log;
   log.wants_events = false;
   engine->advance(1, log);
-  const double user = user_time();
-  const auto start = std::chrono::steady_clock::now();
+  const Spent before = spent_so_far();
   engine->advance(moments_in(setting, window) - 1, log);
-  setting.user.push_back(user_time() - user);
-  setting.wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  const Spent spent = spent_so_far() - before;
+  setting.user.push_back(spent.user);
+  setting.wall.push_back(spent.wall);
   if (engine->state_hash() != setting.hash)
     throw Error(ExitCode::numerical_stop, setting.label +
                                               " gave other bits when repeated (its engine is not "
@@ -240,10 +293,11 @@ void print_row(const std::string& name, double time, double window, const Settin
 int run(const std::vector<std::string>& arguments) {
   if (arguments.size() < 5) throw Error(ExitCode::usage, "five arguments are needed (see the head of the source)");
   const CaseChoice choice = case_named(arguments[0]);
-  const double time = number_of(arguments[1], "START_S"), window = number_of(arguments[2], "WINDOW_S");
+  const std::vector<double> times = times_of(arguments[1]);
+  const double window = number_of(arguments[2], "WINDOW_S");
   const int repetitions = static_cast<int>(number_of(arguments[3], "REPETITIONS"));
-  if (!(time >= 0.0 && window > 0.0 && repetitions >= 1))
-    throw Error(ExitCode::usage, "a start, a window and at least one repetition are needed (values out of range)");
+  if (!(window > 0.0 && repetitions >= 0))
+    throw Error(ExitCode::usage, "a window and no negative number of repetitions are needed (values out of range)");
   std::vector<Setting> settings = read_settings(arguments[4], choice);
 
   const auto labelled = [&](std::size_t argument) -> const Setting* {
@@ -256,20 +310,22 @@ int run(const std::vector<std::string>& arguments) {
   const Setting* const reference = labelled(5);
   const Setting* const leader = labelled(6);
   const SceneDef scene = read_case(choice);
-  const EngineState state =
-      leader == nullptr ? state_at(scene, {}, time) : state_at(leader->scene, leader->engine, time);
-  for (Setting& setting : settings) judge(setting, state, time, window);
-  for (int repetition = 0; repetition < repetitions; ++repetition)
-    for (std::size_t k = 0; k < settings.size(); ++k) {
-      Setting& setting = settings[(k + static_cast<std::size_t>(repetition)) % settings.size()];
-      if (&setting != reference) time_once(setting, state, time, window);
-    }
-
+  const SceneDef& lead_scene = leader == nullptr ? scene : leader->scene;
+  const auto lead = make_engine(lead_scene, field_of(lead_scene), leader == nullptr ? EngineOptions{} : leader->engine);
   std::cout
       << "case,start_s,window_s,setting,engine,moment_s,user_s_per_s,user_least_s_per_s,wall_s_per_s,"
          "real_time_factor,overlap_maximum_m,overlap_999_m,overlap_mean_m,gap_mean_m,near_pairs,"
          "overlapping_pairs,ice_force_x_N,ice_force_y_N,floe_distance_rms_m,platform_distance_m,state_hash,commit\n";
-  for (const Setting& setting : settings) print_row(scene.run.name, time, window, setting, reference);
+  for (const double time : times) {
+    const Start start{state_at(*lead, lead_scene, time), lead_scene.numerics.moment_s, time};
+    for (Setting& setting : settings) judge(setting, start, window, repetitions == 0 && &setting != reference);
+    for (int repetition = 0; repetition < repetitions; ++repetition)
+      for (std::size_t k = 0; k < settings.size(); ++k) {
+        Setting& setting = settings[(k + static_cast<std::size_t>(repetition)) % settings.size()];
+        if (&setting != reference) time_once(setting, start, window);
+      }
+    for (const Setting& setting : settings) print_row(scene.run.name, time, window, setting, reference);
+  }
   return 0;
 }
 

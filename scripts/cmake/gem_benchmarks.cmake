@@ -19,3 +19,13 @@ endif()
 
 add_executable(speed_against_error bench/speed_against_error.cpp bench/overlaps.cpp)
 target_link_libraries(speed_against_error PRIVATE gem_command gem_baseline CLI11::CLI11)
+
+# The study behind the choice of the coupled resolution: bench/solver_study/README.md.
+file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/solver_study/*.cpp)
+list(FILTER study_sources EXCLUDE REGEX "_study\\.cpp$")
+add_library(gem_solver_study STATIC EXCLUDE_FROM_ALL ${study_sources})
+target_link_libraries(gem_solver_study PUBLIC gem_simulator)
+foreach(study IN ITEMS frozen_study moving_study)
+  add_executable(${study} EXCLUDE_FROM_ALL bench/solver_study/${study}.cpp)
+  target_link_libraries(${study} PRIVATE gem_solver_study)
+endforeach()

@@ -1,0 +1,77 @@
+// A field that moves moment by moment with any way of resolving its contacts, and what that way is judged by.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/solver_study/method.h"
+#include "gem/engine/engine.h"
+#include "gem/engine/overlap_count.h"
+#include "gem/engine/pair_list.h"
+
+namespace gem::bench {
+
+/// Sums over the moments of a run.
+struct MovingScore {
+  std::int64_t moments = 0, points = 0;
+  double deepest = 0.0;       // [m]
+  double depth_sum = 0.0;     // over all points, apart ones with 0 [m]
+  OverlapCount depth;         // of all points
+  Vec2 platform_impulse;      // from the ice [N s]
+  Vec2 fixed_impulse;         // given by fixed bodies [N s]
+  double created = 0.0;       // kinetic energy that resolving added, in the moments in which it added [J]
+  double lost = 0.0;          // ... took, in the others [J]
+  double fastest_back = 0.0;  // platform's largest speed against its start velocity [m/s]
+};
+
+class MovingField {
+ public:
+  MovingField(const SceneDef& scene, const EngineState& state);
+
+  /// Contacts of the moment, judged.
+  Contacts find();
+  /// Drag on the floes and the first half of the platform's motion, with the constants in force.
+  void kick();
+  /// Notes what impulses changed since the velocities given; changes up to the next kick count as one.
+  void note_change(const std::vector<Vec2>& velocity, const std::vector<double>& spin);
+  void drift();
+  /// The velocities and shifts of a resolved problem.
+  void take(const Problem& problem, const Motions& motions, const Impulses& impulses);
+
+  FieldState f;
+  WarmStart last;  // impulses of the last moment
+  MovingScore score;
+  ThreadTeam team{1};
+
+ private:
+  PairList pairs_;
+  Ledger ledger_;
+  double energy_change_ = 0.0;  // since the last kick [J]
+  Vec2 start_velocity_;         // of the platform
+};
+
+/// One way to move a field by a moment.
+struct Stepper {
+  std::string name;
+  std::function<void(MovingField&)> moment;
+};
+
+/// What a stepper of passes takes over from the last moment.
+struct WarmOptions {
+  bool impulses = true;
+  double repair = repair_memory;
+};
+
+/// gem's own solver, as the engine calls it.
+Stepper production(std::int64_t iterations);
+/// `passes` of a candidate in every moment.
+Stepper passes_of(const std::string& name, const Candidate& candidate, int passes, const WarmOptions& warm = {});
+/// Small steps: the contacts of a moment are followed through `steps` short moments of one Gauss-Seidel pass each.
+Stepper small_steps(const SceneDef& scene, int steps);
+/// Soft steps with relaxation as in Box2D v3: each short moment presses with soft contacts, moves, and takes the
+/// velocity of the softness back; two passes each.
+Stepper soft_steps(const SceneDef& scene, int steps);
+
+}  // namespace gem::bench

@@ -23,8 +23,8 @@ SOME = [(0.025, 24), (0.025, 96), (0.05, 12), (0.05, 24), (0.05, 48), (0.05, 96)
 WINDOWS = {
     "errors_004_400_25": ("cases/004_400_25.toml", 0.25, "100,1000,2000,3500,5000", 32, EVERY, True),
     "errors_400_200_100": ("cases/table1.toml#27", 1.0, "100,300,600", 10, EVERY, True),
-    "errors_400_300_100": ("cases/table1.toml#24", 1.0, "100,300,600", 10, EVERY, True),
-    "forces_400_200_100": ("cases/table1.toml#27", 1.0, "200,400", 60, SOME, False),
+    "errors_400_300_100": ("cases/table1.toml#24", 1.0, "100,400", 10, EVERY, True),
+    "forces_400_200_100": ("cases/table1.toml#27", 1.0, "300", 60, SOME, False),
     "forces_004_400_25": ("cases/004_400_25.toml", 0.25, "2000", 600, SOME, False),
 }
 

@@ -105,6 +105,8 @@ void through_steps(MovingField& field, const MomentConstants& small, int steps, 
   const MomentConstants whole = field.f.constants;
   const Contacts contacts = field.find();
   field.f.constants = small;
+  if (field.score.moments == 1)  // the leader's impulses are those of a whole moment
+    for (auto& [key, impulse] : field.last) impulse = {impulse.normal / steps, impulse.tangential / steps, 0.0};
   field.kick();
   Followed now = follow(field, contacts);
   for (int step = 0; step < steps; ++step) {

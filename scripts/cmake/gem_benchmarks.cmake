@@ -25,7 +25,7 @@ file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/solver_stu
 list(FILTER study_sources EXCLUDE REGEX "_study\\.cpp$")
 add_library(gem_solver_study STATIC EXCLUDE_FROM_ALL ${study_sources})
 target_link_libraries(gem_solver_study PUBLIC gem_simulator)
-foreach(study IN ITEMS frozen_study moving_study)
+foreach(study IN ITEMS frozen_study moving_study law_study)
   add_executable(${study} EXCLUDE_FROM_ALL bench/solver_study/${study}.cpp)
   target_link_libraries(${study} PRIVATE gem_solver_study)
 endforeach()

@@ -20,7 +20,7 @@ endif()
 add_executable(speed_against_error bench/speed_against_error.cpp bench/overlaps.cpp)
 target_link_libraries(speed_against_error PRIVATE gem_command gem_baseline CLI11::CLI11)
 
-# The study behind the choice of the coupled resolution: bench/solver_study/README.md.
+# The study behind the choice of the coupled resolution: validation/solver_study.md.
 file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/solver_study/*.cpp)
 list(FILTER study_sources EXCLUDE REGEX "_study\\.cpp$")
 add_library(gem_solver_study STATIC EXCLUDE_FROM_ALL ${study_sources})

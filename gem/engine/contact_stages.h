@@ -7,11 +7,12 @@
 // | resolve_together   | velocities of a and b                   | its impulses, velocities of a and b     |
 // | apply_impulses     | the contact's impulses                  | velocities of a and b                   |
 // | repair_overlap     | repair shifts of a and b                | its repair, repair shifts of a and b    |
-// | book_contact       | velocities after                        | ledger, struck flags                    |
+// | book_contact       | velocities after                        | books of B, struck flags                    |
 #pragma once
 
 #include "gem/engine/contact.h"
 #include "gem/engine/field_state.h"
+#include "gem/engine/pair_event.h"
 #include "gem/events/events.h"
 
 namespace gem {
@@ -33,22 +34,7 @@ inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, Se
                                        ? chord_contact(outline_a, outline_b, offset, axes.first)
                                        : face_contact(outline_a, outline_b, offset, axes.first, limit);
   if (geometry.count == 0) return false;
-  contact.a = a;
-  contact.b = b;
-  contact.count = geometry.count;
-  contact.normal = geometry.normal;
-  contact.width = geometry.width;
-  contact.growth = geometry.growth;
-  for (int k = 0; k < geometry.count; ++k) {
-    contact.slot[k].arm_a = geometry.point[k].position;
-    contact.slot[k].arm_b = geometry.point[k].position - offset;
-    contact.slot[k].separation = geometry.point[k].separation;
-    contact.slot[k].feature = geometry.point[k].feature;
-    contact.slot[k].target = 0.0;
-    contact.slot[k].impulse = {};
-    contact.slot[k].elastic = 0.0;
-    contact.slot[k].repair = 0.0;
-  }
+  open_contact(contact, a, b, geometry, offset);
   return true;
 }
 
@@ -65,9 +51,8 @@ inline Vec2 relative_velocity(const Bodies& b, const Contact& contact, const Con
 /// Crushing properties of a contact: the thinner ice crushes.
 inline CrushingIce crushing_ice(const FieldState& f, const Contact& contact) {
   CrushingIce ice = f.constants.ice;
-  ice.thickness = f.bodies.thickness[contact.b];
-  if (f.bodies.kind[contact.a] == BodyKind::floe && f.bodies.thickness[contact.a] < ice.thickness)
-    ice.thickness = f.bodies.thickness[contact.a];
+  ice.thickness =
+      crushed_thickness(f.bodies.kind[contact.a], f.bodies.thickness[contact.a], f.bodies.thickness[contact.b]);
   return ice;
 }
 
@@ -75,76 +60,24 @@ inline CrushingIce crushing_ice(const FieldState& f, const Contact& contact) {
 /// contacts: their impulses can then be summed without overshoot.
 inline void prepare_contact(const FieldState& f, Contact& contact, double platform_share) {
   const Bodies& b = f.bodies;
-  const MomentConstants& c = f.constants;
-  CollisionMass mass_a = collision_mass(b, contact.a);
-  const CollisionMass mass_b = collision_mass(b, contact.b);
+  const std::int32_t i = contact.a, j = contact.b;
+  PairBodies pair{collision_mass(b, i),
+                  collision_mass(b, j),
+                  b.velocity[i],
+                  b.velocity[j],
+                  b.spin[i],
+                  b.spin[j],
+                  crushed_thickness(b.kind[i], b.thickness[i], b.thickness[j])};
   Vec2 shift;
-  if (contact.a == 0) {
-    mass_a = {platform_share * mass_a.inverse_mass, platform_share * mass_a.inverse_inertia};
+  if (i == 0) {
+    pair.mass_a = {platform_share * pair.mass_a.inverse_mass, platform_share * pair.mass_a.inverse_inertia};
     shift = b.position[0] - f.platform_position;
   }
-  contact.friction = contact.a == 0 ? c.friction_structure : c.friction_ice;
-  const Vec2 tangent = turned_left(contact.normal);
-  for (int k = 0; k < contact.count; ++k) {
-    ContactSlot& slot = contact.slot[k];
-    slot.arm_a -= shift;
-    slot.compliance = contact_compliance(mass_a, slot.arm_a, mass_b, slot.arm_b, contact.normal);
-    const Vec2 velocity = relative_velocity(b, contact, slot);
-    slot.normal_before = dot(velocity, contact.normal);
-    slot.tangential_before = dot(velocity, tangent);
-    if (c.resolution == Resolution::coupled) {
-      slot.target = slot.separation > 0.0 ? -slot.separation / c.dt : 0.0;
-    } else if (c.elastic_stiffness > 0.0 && slot.separation < 0.0) {
-      const double asked =
-          elastic_separating_speed(c.elastic_stiffness, -slot.separation, 1.0 / slot.compliance.nn, c.dt);
-      const double cap = crushing_force(crushing_ice(f, contact), contact.width) * c.dt * slot.compliance.nn;
-      slot.target = asked < cap ? asked : cap;
-    }
-  }
+  prepare(f.constants, pair, shift, contact);
 }
 
-/// Impulse of one contact point from the velocity that it would have without its own impulse.
-inline ContactImpulse resolve_slot(const MomentConstants& c, const ContactSlot& slot, double friction, double u_n,
-                                   double u_t, double target) {
-  if (!(friction > 0.0)) return {impact_frictionless(slot.compliance.nn, u_n, target), 0.0};
-  if (c.friction_law == FrictionLaw::fixed_direction)
-    return impact_fixed_direction(slot.compliance, u_n, u_t, target, friction);
-  return impact_one_step(slot.compliance, u_n, u_t, target, friction);
-}
-
-/// Response of point k to the impulses of point j of the same pair.
-inline Vec2 cross_response(const FieldState& f, const Contact& contact, int k, int j, double platform_share) {
-  const ContactImpulse& p = contact.slot[j].impulse;
-  const Vec2 impulse = p.normal * contact.normal + p.tangential * turned_left(contact.normal);
-  const double share = contact.a == 0 ? platform_share : 1.0;
-  const CollisionMass a = collision_mass(f.bodies, contact.a), b = collision_mass(f.bodies, contact.b);
-  const ContactSlot& at = contact.slot[k];
-  const ContactSlot& from = contact.slot[j];
-  return (share * a.inverse_mass + b.inverse_mass) * impulse +
-         cross(share * a.inverse_inertia * cross(from.arm_a, impulse), at.arm_a) +
-         cross(b.inverse_inertia * cross(from.arm_b, impulse), at.arm_b);
-}
-
-/// Resolves a pair's event from the start-of-moment state, whatever its neighbours do. Two points of one pair are one
-/// event: they are iterated to their common answer.
 inline void resolve_alone(const FieldState& f, Contact& contact) {
-  constexpr int sweeps = 24;  // the error of two points falls by 1/25 a sweep for a face (V14)
-  const Vec2 tangent = turned_left(contact.normal);
-  for (int sweep = 0; sweep < (contact.count == 1 ? 1 : sweeps); ++sweep) {
-    for (int k = 0; k < contact.count; ++k) {
-      ContactSlot& slot = contact.slot[k];
-      Vec2 other;
-      if (contact.count == 2) other = cross_response(f, contact, k, 1 - k, 1.0);
-      slot.impulse = resolve_slot(f.constants, slot, contact.friction, slot.normal_before + dot(other, contact.normal),
-                                  slot.tangential_before + dot(other, tangent), slot.target);
-    }
-  }
-  for (int k = 0; k < contact.count; ++k) {
-    ContactSlot& slot = contact.slot[k];
-    const double closing = slot.normal_before < 0.0 ? -slot.normal_before : 0.0;
-    const double asked = slot.target + closing;
-    slot.elastic = asked > 0.0 && slot.target > 0.0 ? slot.impulse.normal * (slot.target / asked) : 0.0;
-  }
+  resolve_alone(f.constants, collision_mass(f.bodies, contact.a), collision_mass(f.bodies, contact.b), contact);
 }
 
 /// Adds an impulse on B, and its opposite on A unless A is the platform of a coupled moment (summed afterwards).
@@ -236,37 +169,25 @@ inline void repair_overlap(FieldState& f, Contact& contact) {
   }
 }
 
-/// Enters a resolved contact in the books and marks its bodies as struck. Velocities must be those after the events.
-inline void book_contact(FieldState& f, const Contact& contact, Ledger& ledger) {
-  const Vec2 tangent = turned_left(contact.normal);
-  // what a fixed body gives: A acts on B with +impulse, B on A with -impulse
+/// Enters a resolved contact in the books of its body B and marks its bodies as struck. Velocities must be those after
+/// the events.
+inline void book_contact(FieldState& f, const Contact& contact) {
   const bool fixed_b = f.bodies.kind[contact.b] == BodyKind::fixed;
   const bool on_fixed = fixed_b || f.bodies.kind[contact.a] == BodyKind::fixed;
-  const double given = fixed_b ? -1.0 : 1.0;
   const bool on_locked = contact.a == 0 && f.bodies.inverse_inertia[0] == 0.0;
+  const ContactBooks books{f.book(Channel::impact, contact.b), f.book(Channel::elastic, contact.b),
+                           f.book(Channel::friction, contact.b)};
   for (int k = 0; k < contact.count; ++k) {
     const ContactSlot& slot = contact.slot[k];
-    const ContactImpulse& p = slot.impulse;
-    if (p.normal == 0.0 && p.tangential == 0.0 && slot.repair == 0.0) continue;
+    if (!acted(slot)) continue;
     f.struck[contact.a] = f.struck[contact.b] = 1;
-    const Vec2 velocity = relative_velocity(f.bodies, contact, slot);
-    const double after_n = dot(velocity, contact.normal), after_t = dot(velocity, tangent);
-    ledger[Channel::impact].energy += impulse_work(p.normal - slot.elastic, slot.normal_before, after_n);
-    ledger[Channel::elastic].energy += impulse_work(slot.elastic, slot.normal_before, after_n);
-    ledger[Channel::friction].energy += impulse_work(p.tangential, slot.tangential_before, after_t);
-    if (on_fixed) {
-      const Vec2 point = f.bodies.position[contact.b] + slot.arm_b;
-      auto enter = [&](Channel channel, Vec2 impulse) {
-        ledger[channel].momentum += given * impulse;
-        ledger[channel].angular_momentum += given * cross(point, impulse);
-      };
-      enter(Channel::impact, (p.normal - slot.elastic) * contact.normal);
-      enter(Channel::elastic, slot.elastic * contact.normal);
-      enter(Channel::friction, p.tangential * tangent);
-    }
+    const SlotWork work = slot_work(contact, slot, relative_velocity(f.bodies, contact, slot));
+    books.impact.energy += work.impact;
+    books.elastic.energy += work.elastic;
+    books.friction.energy += work.friction;
+    if (on_fixed) book_fixed(books, contact, slot, f.bodies.position[contact.b], fixed_b);
     // a locked platform hands the twist on to whatever locks it
-    if (on_locked)
-      ledger.mooring_force.angular_momentum += cross(slot.arm_a, p.normal * contact.normal + p.tangential * tangent);
+    if (on_locked) f.mooring_force.angular_momentum += cross(slot.arm_a, world_impulse(contact, slot.impulse));
   }
 }
 

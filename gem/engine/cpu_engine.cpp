@@ -45,8 +45,8 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
     if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
   });
   team.single(rank, [&] {
-    before_ = ledger_;
-    platform_first_half(f, ledger_);
+    before_ = platform_impulses(f);
+    platform_first_half(f);
     quality_ = contact_quality(contacts);
   });
   if (f.constants.resolution == Resolution::coupled) {
@@ -55,7 +55,7 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
     resolve_independent(team, rank);
   }
   team.single(rank, [&] {
-    for (const Contact* contact : contacts) book_contact(f, *contact, ledger_);
+    for (const Contact* contact : contacts) book_contact(f, *contact);
     log_events(f, contacts, moment_, event_speed_, log);
   });
 
@@ -63,11 +63,11 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
     if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
   });
   team.single(rank, [&] {
-    platform_second_half(f, ledger_);
+    platform_second_half(f);
     ++moment_;
     check_finite(f, moment_);
-    retire(f, ledger_);
-    log_moment(f, contacts, before_, ledger_, quality_, log);
+    retire(f);
+    log_moment(f, contacts, before_, quality_, log);
   });
 }
 
@@ -91,6 +91,7 @@ EngineState CpuEngine::save() {
 
 void CpuEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);
+  open_books(field_, state.ledger);
   ledger_ = state.ledger;
   moment_ = state.moment;
   coupled_.restore(state.impulse_key, state.impulse_value);

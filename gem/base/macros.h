@@ -1,8 +1,11 @@
-// The host/device macro: the one file that asks which compiler reads it.
+// The host/device macros: the one file that asks which compiler reads it. GEM_DEVICE marks what a CUDA compiler builds
+// for the device alone.
 #pragma once
 
 #ifdef __CUDACC__
 #define GEM_HD __host__ __device__
+#define GEM_DEVICE __device__
 #else
 #define GEM_HD
+#define GEM_DEVICE
 #endif

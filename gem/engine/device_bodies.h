@@ -61,7 +61,10 @@ GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::
 GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
                                    std::int32_t stamp) {
   for (std::int32_t row = cell.row_begin; row < cell.row_begin + motion.lower_count; ++row)
-    if (s.stamp[row].work == stamp) book_work(s, i, s.work[row]);
+    if (s.stamp[row].work == stamp) {
+      book_work(s, i, s.work[row]);
+      s.stamp[row].work = -1;  // the books may be closed once more before the next moment
+    }
 }
 
 /// Adds the contacts of the moment in ascending order of the other body; returns whether any acted.

@@ -77,6 +77,8 @@ class Engine {
  public:
   virtual ~Engine() = default;
   virtual std::string name() const = 0;
+  /// What it runs on besides the processor, for the run file; empty: nothing.
+  virtual std::string device() const { return {}; }
   /// Moves the field on by `moments` moments and appends to `log`. Throws Error(numerical_stop) at a non-finite state.
   virtual void advance(std::int64_t moments, MomentLog& log) = 0;
   /// Moments done since t = 0; time is moment() * moment_s.
@@ -91,8 +93,11 @@ class Engine {
   std::uint64_t state_hash();
 };
 
+/// Hash of a moving state: same bits, same hash.
+std::uint64_t hash_of(std::int64_t moment, const Bodies& bodies);
+
 struct EngineOptions {
-  std::string name = "cpu";                   // reference | cpu
+  std::string name = "cpu";                   // reference | cpu | cuda
   int threads = 0;                            // 0: all that the machine offers
   std::size_t contacts_worth_threads = 2048;  // coupled: fewer are swept by one thread
 };
@@ -100,7 +105,7 @@ struct EngineOptions {
 /// Makes the named engine for a scene and its field.
 std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options);
 
-/// Names that make_engine accepts, for messages and for tests that run on every engine.
+/// The engines that run on every machine, for messages and for tests; make_engine also knows cuda.
 std::vector<std::string> engine_names();
 
 }  // namespace gem

@@ -36,6 +36,9 @@ struct OneLane {
     return mine;
   }
   void sync() const {}
+  /// Of the bits of a ballot: how many are set, and how many below the own.
+  int count(unsigned bits) const { return bits & 1U ? 1 : 0; }
+  int count_below(unsigned) const { return 0; }
 };
 
 /// The host's crew of one.

@@ -29,6 +29,7 @@ struct CudaOptions {
   int blocks = 0;          // that work on one scene, a power of two up to 16; 0: as many as fit
   int threads = 0;         // of a block, a multiple of 32; 0: chosen
   int ring_moments = 256;  // moments of one launch
+  int list_rows = 0;       // places of the list of near bodies to begin with; it grows on demand; 0: chosen
   bool samples = true;     // keep what the platform felt
 };
 

@@ -29,6 +29,7 @@ class CudaScene {
     sizes_ = scene_sizes(field_);
     sizes_.samples = options.ring_moments;
     sizes_.blocks = blocks;
+    if (options.list_rows > 0) sizes_.rows = options.list_rows;
     device_.wants_samples = options.samples;
     field_memory_ = DeviceMemory(place_field(device_, sizes_, nullptr));
     place_field(device_, sizes_, field_memory_.data());
@@ -125,6 +126,7 @@ class CudaScene {
     check_cuda(cudaMemcpy(field_memory_.data(), image.data(), image.size(), cudaMemcpyHostToDevice), "take the field");
     check_cuda(cudaMemcpy(status_, &status, sizeof status, cudaMemcpyHostToDevice), "take the field");
     forget_list();
+    settle();
     if (state_copy_.bytes() == 0) state_copy_ = PinnedMemory(sizeof(BodyState) * field_.bodies.count());
     fresh_ = state_here_ = books_here_ = true;
   }
@@ -147,7 +149,11 @@ class CudaScene {
     }
     place_rings(device_, sizes_, ring_memory_.data());
     forget_list();
+    settle();
   }
+
+  /// The kernels run in a stream of their own: what was written so far has to be there before they start.
+  static void settle() { check_cuda(cudaDeviceSynchronize(), "take the field"); }
 
   FieldState field_;
   Ledger ledger_;  // start and scales

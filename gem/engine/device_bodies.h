@@ -171,8 +171,8 @@ GEM_DEVICE inline bool is_finite(const BodyCell& cell, const BodyMotion& motion,
 /// One floe or fixed body through the bodies phase.
 template <class Crew>
 GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, std::int32_t i, const MomentStep& step) {
+  if (i == 0) return;  // the platform's warp moves it at the same time
   BodyCell cell = s.body[i];
-  if (cell.kind == BodyKind::platform) return;
   BodyMotion motion = s.motion[i];
   Vec2 velocity = cell.velocity;
   double spin = cell.spin;

@@ -24,6 +24,8 @@ class LaneGroup {
     return exchange(mine, [&](unsigned word) { return __shfl_xor_sync(mask(), word, step, count); });
   }
   __device__ void sync() const { __syncwarp(mask()); }
+  __device__ int count(unsigned bits) const { return __popc(bits); }
+  __device__ int count_below(unsigned bits) const { return __popc(bits & ((1U << rank()) - 1U)); }
 
  private:
   static constexpr unsigned ones = count == 32 ? 0xffffffffU : (1U << (count % 32)) - 1U;

@@ -7,7 +7,9 @@
 #include <tuple>
 
 #include "gem/engine/books.h"
+#include "gem/engine/same_bits.h"
 #include "gem/engine/scene_image.h"
+#include "gem/engine/team_crew.h"
 #include "gem/engine/test_scenes.h"
 
 namespace gem {
@@ -16,10 +18,12 @@ namespace {
 /// A device scene in the memory of the host.
 class HostScene {
  public:
-  HostScene(const SceneDef& scene, const Bodies& bodies, std::int32_t rows = 0)
+  HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0)
       : field_(make_field_state(bodies, moment_constants(scene, bodies))),
         sizes_(scene_sizes(field_)),
-        scene_(scene_constants(field_, scene.output.event_speed_m_per_s)) {
+        scene_(scene_constants(field_, scene.output.event_speed_m_per_s)),
+        threads_(threads) {
+    sizes_.blocks = blocks;
     if (rows > 0) sizes_.rows = rows;
     sizes_.samples = 32;
     scene_.wants_events = scene_.wants_samples = 1;
@@ -34,10 +38,14 @@ class HostScene {
   void advance(std::int64_t moments, MomentLog& log) {
     while (moments > 0) {
       const std::int32_t some = static_cast<std::int32_t>(std::min<std::int64_t>(moments, sizes_.samples));
-      SoloCrew crew;
-      advance_scene(scene_, crew, some);
+      if (sizes_.blocks == 1 && threads_ == 1) {
+        SoloCrew crew;
+        advance_scene(scene_, crew, some);
+      } else {
+        test::run_team(sizes_.blocks, threads_, [&](test::TeamCrew& crew) { advance_scene(scene_, crew, some); });
+      }
       const DeviceStatus& status = *scene_.status;
-      append_log(field_, scene_, status, 1, log);
+      append_log(field_, scene_, status, sizes_.blocks, log);
       moments -= status.samples;
       if (status.stop == DeviceStop::list_full) {
         sizes_.rows = std::max(sizes_.rows, status.rows_needed);
@@ -72,59 +80,10 @@ class HostScene {
   FieldState field_;
   SceneSizes sizes_;
   DeviceScene scene_;
+  int threads_;
   std::vector<std::byte> memory_[3];
   int growths_ = 0;
 };
-
-bool same(Vec2 a, Vec2 b) { return std::memcmp(&a, &b, sizeof a) == 0; }
-
-void expect_same_bodies(const Bodies& a, const Bodies& b) {
-  for (std::size_t i = 0; i < a.count(); ++i) {
-    ASSERT_TRUE(same(a.position[i], b.position[i])) << "position of body " << i;
-    ASSERT_TRUE(same(a.velocity[i], b.velocity[i])) << "velocity of body " << i;
-    ASSERT_EQ(std::memcmp(&a.rotation[i], &b.rotation[i], sizeof(Rotation)), 0) << "rotation of body " << i;
-    ASSERT_EQ(std::memcmp(&a.spin[i], &b.spin[i], sizeof(double)), 0) << "spin of body " << i;
-    ASSERT_EQ(a.active[i], b.active[i]) << "body " << i;
-  }
-}
-
-void expect_same_log(const MomentLog& a, const MomentLog& b) {
-  ASSERT_EQ(a.platform.size(), b.platform.size());
-  ASSERT_EQ(a.quality.size(), b.quality.size());
-  for (std::size_t m = 0; m < a.platform.size(); ++m) {
-    const PlatformMoment &p = a.platform[m], &q = b.platform[m];
-    ASSERT_TRUE(same(p.position, q.position)) << "moment " << m;
-    ASSERT_TRUE(same(p.velocity, q.velocity)) << "moment " << m;
-    ASSERT_TRUE(same(p.ice_impulse, q.ice_impulse)) << "moment " << m;
-    ASSERT_EQ(p.ice_yaw_impulse, q.ice_yaw_impulse) << "moment " << m;
-    ASSERT_TRUE(same(p.mooring_impulse, q.mooring_impulse)) << "moment " << m;
-    ASSERT_TRUE(same(p.drag_impulse, q.drag_impulse)) << "moment " << m;
-    ASSERT_EQ(p.spin, q.spin) << "moment " << m;
-    ASSERT_EQ(p.contacts, q.contacts) << "moment " << m;
-    ASSERT_EQ(a.quality[m].contacts, b.quality[m].contacts) << "moment " << m;
-    ASSERT_EQ(a.quality[m].maximum_overlap, b.quality[m].maximum_overlap) << "moment " << m;
-  }
-  ASSERT_EQ(a.events.size(), b.events.size());
-  for (std::size_t k = 0; k < a.events.size(); ++k) {
-    const ContactEvent &e = a.events[k], &g = b.events[k];
-    ASSERT_EQ(std::tie(e.time, e.body_a, e.body_b, e.closing_speed, e.impulse_normal, e.impulse_tangential),
-              std::tie(g.time, g.body_a, g.body_b, g.closing_speed, g.impulse_normal, g.impulse_tangential));
-    ASSERT_EQ(std::tie(e.effective_mass, e.peak_force, e.width, e.growth, e.depth),
-              std::tie(g.effective_mass, g.peak_force, g.width, g.growth, g.depth));
-    ASSERT_TRUE(same(e.point, g.point));
-  }
-}
-
-void expect_same_books(const Ledger& a, const Ledger& b) {
-  for (std::size_t c = 0; c < a.channel.size(); ++c) {
-    EXPECT_TRUE(same(a.channel[c].momentum, b.channel[c].momentum)) << channel_name(Channel(c));
-    EXPECT_EQ(a.channel[c].angular_momentum, b.channel[c].angular_momentum) << channel_name(Channel(c));
-    EXPECT_EQ(a.channel[c].energy, b.channel[c].energy) << channel_name(Channel(c));
-  }
-  EXPECT_TRUE(same(a.mooring_force.momentum, b.mooring_force.momentum));
-  EXPECT_EQ(a.mooring_force.angular_momentum, b.mooring_force.angular_momentum);
-  EXPECT_EQ(a.now.energy, b.now.energy);
-}
 
 using Choice = std::tuple<Manifold, Yaw, FrictionLaw, DragLaw>;
 
@@ -140,11 +99,11 @@ TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
   for (int block = 0; block < 8; ++block) {
     cpu->advance(50, expected);
     device.advance(50, log);
-    expect_same_bodies(device.bodies(), cpu->bodies());
-    expect_same_log(log, expected);
-    if (HasFatalFailure()) return;
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    if (HasFailure()) return;
   }
-  expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
   EXPECT_GT(test::contacts_in(expected), 5000);
   EXPECT_GT(expected.events.size(), 5u);
   EXPECT_GT(device.status().builds, 3);
@@ -156,17 +115,35 @@ INSTANTIATE_TEST_SUITE_P(Combinations, DeviceMomentsTest,
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
                                           testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
 
+TEST(DeviceMoments, BlocksAndThreadsChangeNothing) {
+  SceneDef scene = test::busy_scene(7);
+  scene.contact.resolution = Resolution::independent;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  MomentLog expected;
+  cpu->advance(60, expected);
+  EXPECT_GT(test::contacts_in(expected), 500);
+  for (const auto& [blocks, threads] : {std::pair{1, 3}, {3, 1}, {2, 3}}) {
+    HostScene device(scene, test::busy_field(scene), blocks, threads);
+    MomentLog log;
+    device.advance(60, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+    EXPECT_GT(device.status().builds, 1);
+  }
+}
+
 TEST(DeviceMoments, AListTooSmallGrowsAndLosesNothing) {
   SceneDef scene = test::busy_scene(6);
   scene.contact.resolution = Resolution::independent;
   const auto cpu = test::busy_engine(scene, "cpu");
-  HostScene device(scene, test::busy_field(scene), 64);
+  HostScene device(scene, test::busy_field(scene), 1, 1, 64);
   MomentLog expected, log;
   cpu->advance(200, expected);
   device.advance(200, log);
   EXPECT_GT(device.growths(), 0);
-  expect_same_bodies(device.bodies(), cpu->bodies());
-  expect_same_log(log, expected);
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
   EXPECT_GT(test::contacts_in(expected), 2000);
 }
 

@@ -44,13 +44,6 @@ GEM_DEVICE inline PlatformTerm platform_term(const BodyCell& cell, const Contact
   return term;
 }
 
-/// Number of bits below bit `k`.
-GEM_DEVICE inline int count_below(unsigned bits, int k) {
-  int count = 0;
-  for (int j = 0; j < k; ++j) count += static_cast<int>(bits >> j & 1U);
-  return count;
-}
-
 /// Lines up the terms of all contact points of the moment in order. Returns their number; `pressed` counts the floes
 /// that push, and events go to the ring.
 template <class Warp>
@@ -65,7 +58,7 @@ GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& w
     const int points = touched ? contact->count : 0;
     const unsigned one = warp.ballot(points > 0), two = warp.ballot(points > 1);
     const bool ice = touched && s.body[contact->b].kind == BodyKind::floe;
-    std::int32_t to = terms + count_below(one, warp.rank()) + count_below(two, warp.rank());
+    std::int32_t to = terms + warp.count_below(one) + warp.count_below(two);
     bool presses = false;
     for (int k = 0; k < points; ++k) {
       s.term[to++] = platform_term(cell, *contact, contact->slot[k], ice);
@@ -73,10 +66,10 @@ GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& w
     }
     const bool event = touched && s.wants_events && s.row_event_moment[at] == moment;
     const unsigned pressing = warp.ballot(presses), recorded = warp.ballot(event);
-    if (event) s.event[events + count_below(recorded, warp.rank())] = s.row_event[at];
-    terms += count_below(one, Warp::size) + count_below(two, Warp::size);
-    events += count_below(recorded, Warp::size);
-    pressed += count_below(pressing, Warp::size);
+    if (event) s.event[events + warp.count_below(recorded)] = s.row_event[at];
+    terms += warp.count(one) + warp.count(two);
+    events += warp.count(recorded);
+    pressed += warp.count(pressing);
   }
   warp.sync();
   if (warp.rank() == 0) status.events = events;

@@ -43,7 +43,7 @@ if(GEM_HAS_CUDA)
   file(GLOB cuda_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/engine/*.cu)
   list(APPEND simulator_sources ${cuda_sources})
   # As on the host: a*b+c is never contracted.
-  set_source_files_properties(${cuda_sources} PROPERTIES COMPILE_OPTIONS "--fmad=false;-Xcompiler=-ffp-contract=off")
+  set_source_files_properties(${cuda_sources} PROPERTIES COMPILE_OPTIONS "--fmad=false;-lineinfo;-Xcompiler=-ffp-contract=off")
 endif()
 add_library(gem_simulator STATIC ${simulator_sources})
 add_dependencies(gem_simulator gem_version)
@@ -64,3 +64,9 @@ target_link_libraries(gem_command PUBLIC gem_simulator gem_analysis PRIVATE CLI1
 
 add_executable(gem gem/main.cpp)
 target_link_libraries(gem PRIVATE gem_command CLI11::CLI11 nlohmann_json::nlohmann_json)
+
+# Needs no benchmark library: it is carried to the machine that has the GPU.
+if(GEM_HAS_CUDA)
+  add_executable(gem_cuda_speed bench/cuda_speed.cpp)
+  target_link_libraries(gem_cuda_speed PRIVATE gem_simulator)
+endif()

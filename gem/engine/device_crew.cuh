@@ -7,30 +7,30 @@
 
 namespace gem {
 
-/// `count` neighbouring threads of a warp.
-template <int count>
+/// `lanes` neighbouring threads of a warp.
+template <int lanes>
 class LaneGroup {
  public:
-  static constexpr int size = count;
+  static constexpr int size = lanes;
 
-  __device__ int rank() const { return static_cast<int>(threadIdx.x) % count; }
+  __device__ int rank() const { return static_cast<int>(threadIdx.x) % lanes; }
   __device__ unsigned ballot(bool mine) const { return __ballot_sync(mask(), mine) >> first() & ones; }
   template <class T>
   __device__ T from(const T& mine, int lane) const {
-    return exchange(mine, [&](unsigned word) { return __shfl_sync(mask(), word, lane, count); });
+    return exchange(mine, [&](unsigned word) { return __shfl_sync(mask(), word, lane, lanes); });
   }
   template <class T>
   __device__ T partner(const T& mine, int step) const {
-    return exchange(mine, [&](unsigned word) { return __shfl_xor_sync(mask(), word, step, count); });
+    return exchange(mine, [&](unsigned word) { return __shfl_xor_sync(mask(), word, step, lanes); });
   }
   __device__ void sync() const { __syncwarp(mask()); }
   __device__ int count(unsigned bits) const { return __popc(bits); }
   __device__ int count_below(unsigned bits) const { return __popc(bits & ((1U << rank()) - 1U)); }
 
  private:
-  static constexpr unsigned ones = count == 32 ? 0xffffffffU : (1U << (count % 32)) - 1U;
+  static constexpr unsigned ones = lanes == 32 ? 0xffffffffU : (1U << (lanes % 32)) - 1U;
 
-  __device__ int first() const { return static_cast<int>(threadIdx.x) % 32 / count * count; }
+  __device__ int first() const { return static_cast<int>(threadIdx.x) % 32 / lanes * lanes; }
   __device__ unsigned mask() const { return ones << first(); }
 
   /// Word by word; T is a plain value.

@@ -122,7 +122,7 @@ TEST(DeviceMoments, BlocksAndThreadsChangeNothing) {
   MomentLog expected;
   cpu->advance(60, expected);
   EXPECT_GT(test::contacts_in(expected), 500);
-  for (const auto& [blocks, threads] : {std::pair{1, 3}, {3, 1}, {2, 3}}) {
+  for (const auto& [blocks, threads] : {std::pair{1, 4}, {1, 8}, {3, 4}}) {
     HostScene device(scene, test::busy_field(scene), blocks, threads);
     MomentLog log;
     device.advance(60, log);

@@ -62,7 +62,15 @@ class ClusterCrew {
   __device__ int threads() const { return static_cast<int>(blockDim.x); }
   __device__ Lanes lanes() const { return {}; }
   __device__ Warp warp() const { return {}; }
-  __device__ void barrier() { cluster().sync(); }
+  /// A warp that had parted comes together first: the barrier counts warps.
+  __device__ void barrier() {
+    if (blocks() == 1) {
+      __syncthreads();
+      return;
+    }
+    __syncwarp();
+    asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
+  }
   __device__ void block_barrier() { __syncthreads(); }
   __device__ BlockCell& shared() { return shared_; }
 

@@ -68,7 +68,7 @@ GEM_DEVICE inline void look(const DeviceScene& s, Crew& crew, std::int32_t p, St
   const double moved = length(m.shifted) + far * (m.turned_a + m.turned_b);
   SeparatingAxes axes = pair.axes;
   lane::follow_axes(lanes, axes, outline_a, outline_b, m.offset, moved + look_rounding, limit);
-  const bool touches = axes.first.distance < limit;
+  const bool touches = lanes.ballot(axes.first.distance < limit) & 1U;
   ChordSum sum;
   if (touches && s.constants.manifold == Manifold::chord_middle)
     sum = lane::chord_sum(lanes, outline_a, outline_b, m.offset);

@@ -99,7 +99,8 @@ GEM_DEVICE inline void follow_axes(const Lanes& lanes, SeparatingAxes& axes, con
     axes.second = second;
   }
   axes.others += moved;
-  if (axes.first.distance > limit || axes.first.distance > axes.others) return;
+  // one answer for the group, also where a state that is no number makes the lanes differ
+  if (lanes.ballot(axes.first.distance > limit || axes.first.distance > axes.others) & 1U) return;
   axes = find_axes(lanes, a, b, offset);
 }
 

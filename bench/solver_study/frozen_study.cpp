@@ -33,8 +33,7 @@ struct Frozen {
     team.run([&](int rank) { pairs.find(field, team, rank); });
     for (std::size_t i = 0; i < field.bodies.count(); ++i)
       if (field.bodies.kind[i] == BodyKind::floe) kick_floe(field, i);
-    Ledger ledger;
-    platform_first_half(field, ledger);
+    platform_first_half(field);
     for (Contact* contact : pairs.contacts()) prepare_contact(field, *contact);
   }
 };

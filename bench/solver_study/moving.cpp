@@ -34,7 +34,7 @@ void MovingField::kick() {
   energy_change_ = 0.0;
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
     if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
-  platform_first_half(f, ledger_);
+  platform_first_half(f);
 }
 
 void MovingField::note_change(const std::vector<Vec2>& velocity, const std::vector<double>& spin) {
@@ -51,8 +51,8 @@ void MovingField::note_change(const std::vector<Vec2>& velocity, const std::vect
 void MovingField::drift() {
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
     if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
-  platform_second_half(f, ledger_);
-  retire(f, ledger_);
+  platform_second_half(f);
+  retire(f);
   const double start = length(start_velocity_);
   if (start > 0.0)
     score.fastest_back = std::max(score.fastest_back, -dot(f.bodies.velocity[0], start_velocity_) / start);
@@ -93,8 +93,7 @@ Stepper production(std::int64_t iterations) {
             MomentQuality quality;
             field.team.run([&](int rank) { solver->resolve(f, contacts, field.team, rank, quality); });
             field.note_change(velocity, spin);
-            Ledger books;
-            for (const Contact* contact : contacts) book_contact(f, *contact, books);
+            for (const Contact* contact : contacts) book_contact(f, *contact);
             field.drift();
           }};
 }

@@ -47,7 +47,6 @@ class MovingField {
 
  private:
   PairList pairs_;
-  Ledger ledger_;
   double energy_change_ = 0.0;  // since the last kick [J]
   Vec2 start_velocity_;         // of the platform
 };

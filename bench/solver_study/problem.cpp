@@ -19,8 +19,9 @@ Problem make_problem(const FieldState& f, Contacts contacts, const Impulses& sta
     for (int k = 0; k < contact->count; ++k) {
       const double last = start[problem.points()].normal;
       const ContactSlot& slot = contact->slot[k];
-      problem.point.push_back({contact->a, contact->b, point_geometry(f, *contact, slot, 1, 1, last),
-                               point_geometry(f, *contact, slot, points_of[contact->a], points_of[contact->b], last)});
+      problem.point.push_back(
+          {contact->a, contact->b, point_of_contact(f, *contact, slot, 1, 1, last),
+           point_of_contact(f, *contact, slot, points_of[contact->a], points_of[contact->b], last)});
     }
   return problem;
 }

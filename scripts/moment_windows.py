@@ -20,6 +20,7 @@ EVERY = [(drift, n) for drift in DRIFTS for n in ITERATIONS] + [(drift, 0) for d
 SOME = [(0.025, 24), (0.025, 96), (0.05, 12), (0.05, 24), (0.05, 48), (0.05, 96), (0.1, 12), (0.1, 24), (0.1, 96),
         (0.2, 24), (0.2, 96), (0.05, 0)]
 CLOSER = [(FINEST * 2.0, 48), (0.025, 96), (0.025, 192), (0.05, 96), (0.05, 192), (0.05, 384), (0.1, 384)]
+FEW = [(0.025, 24), (0.025, 96), (0.05, 24), (0.05, 48), (0.05, 96), (0.1, 48), (0.1, 96)]
 # name: case, speed [m/s], starts [s], length [s], settings, with a reference
 WINDOWS = {
     "errors_004_400_25": ("cases/004_400_25.toml", 0.25, "100,1000,2000,3500,5000", 32, EVERY + CLOSER[:1], True),
@@ -27,6 +28,7 @@ WINDOWS = {
     "errors_400_300_100": ("cases/table1.toml#24", 1.0, "100,400", 10, EVERY, True),
     "closer_400_200_100": ("cases/table1.toml#27", 1.0, "300", 10, CLOSER, True),
     "forces_400_200_100": ("cases/table1.toml#27", 1.0, "300", 60, SOME, False),
+    "forces_400_200_100_late": ("cases/table1.toml#27", 1.0, "600", 40, FEW, False),
     "forces_004_400_25": ("cases/004_400_25.toml", 0.25, "2000", 600, SOME, False),
 }
 

@@ -28,6 +28,7 @@ std::vector<Stepper> steppers(const SceneDef& scene) {
   };
   return {production(1000),
           production(96),
+          production(48),
           production(passes),
           production(12),
           moving("accelerated", ours),

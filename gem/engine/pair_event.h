@@ -198,14 +198,15 @@ GEM_HD inline bool acted(const ContactSlot& slot) {
   return slot.impulse.normal != 0.0 || slot.impulse.tangential != 0.0 || slot.repair != 0.0;
 }
 
-/// Whether a resolved contact is worth an entry in the platform's list of events.
+/// Whether a resolved contact is worth an entry in the platform's list of events: the points that carry its impulse were
+/// closing faster than `event_speed`.
 GEM_HD inline bool is_event(const Contact& contact, double event_speed) {
-  double closing = 0.0, pressed = 0.0;
+  double carried = 0.0, pressed = 0.0;
   for (int k = 0; k < contact.count; ++k) {
     pressed += contact.slot[k].impulse.normal;
-    if (-contact.slot[k].normal_before > closing) closing = -contact.slot[k].normal_before;
+    carried -= contact.slot[k].impulse.normal * contact.slot[k].normal_before;
   }
-  return pressed > 0.0 && closing > event_speed;
+  return pressed > 0.0 && carried > event_speed * pressed;
 }
 
 /// Energy that the impulses of one point took, by kind; <= 0 is lost [J].

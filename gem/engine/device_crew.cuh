@@ -15,14 +15,10 @@ class LaneGroup {
 
   __device__ int rank() const { return static_cast<int>(threadIdx.x) % lanes; }
   __device__ unsigned ballot(bool mine) const { return __ballot_sync(mask(), mine) >> first() & ones; }
-  template <class T>
-  __device__ T from(const T& mine, int lane) const {
-    return exchange(mine, [&](unsigned word) { return __shfl_sync(mask(), word, lane, lanes); });
-  }
-  template <class T>
-  __device__ T partner(const T& mine, int step) const {
-    return exchange(mine, [&](unsigned word) { return __shfl_xor_sync(mask(), word, step, lanes); });
-  }
+  __device__ int from(int mine, int lane) const { return __shfl_sync(mask(), mine, lane, lanes); }
+  __device__ double from(double mine, int lane) const { return __shfl_sync(mask(), mine, lane, lanes); }
+  __device__ int partner(int mine, int step) const { return __shfl_xor_sync(mask(), mine, step, lanes); }
+  __device__ double partner(double mine, int step) const { return __shfl_xor_sync(mask(), mine, step, lanes); }
   __device__ void sync() const { __syncwarp(mask()); }
   __device__ int count(unsigned bits) const { return __popc(bits); }
   __device__ int count_below(unsigned bits) const { return __popc(bits & ((1U << rank()) - 1U)); }
@@ -32,20 +28,6 @@ class LaneGroup {
 
   __device__ int first() const { return static_cast<int>(threadIdx.x) % 32 / lanes * lanes; }
   __device__ unsigned mask() const { return ones << first(); }
-
-  /// Word by word; T is a plain value.
-  template <class T, class Shuffle>
-  __device__ T exchange(const T& mine, Shuffle&& shuffle) const {
-    static_assert(sizeof(T) % sizeof(unsigned) == 0);
-    constexpr int words = sizeof(T) / sizeof(unsigned);
-    unsigned out[words], in[words];
-    memcpy(out, &mine, sizeof(T));
-#pragma unroll
-    for (int w = 0; w < words; ++w) in[w] = shuffle(out[w]);
-    T result;
-    memcpy(&result, in, sizeof(T));
-    return result;
-  }
 };
 
 /// All threads of a cluster; a launch without clusters has clusters of one block.

@@ -15,10 +15,16 @@ constexpr int most_threads = 512;  // leaves 128 registers for each
 
 /// Moves scene k on by moments[k] moments.
 __global__ void __launch_bounds__(most_threads, 1)
-    advance_scenes(const DeviceScene* scenes, const std::int32_t* moments) {
+    advance_scenes(const DeviceScene* scenes, const std::int32_t* moments, std::size_t room_bytes) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
-  ClusterCrew crew(cell);
+  __shared__ StageClock clock;
+  extern __shared__ __align__(128) std::byte room[];
+  if (threadIdx.x == 0) {
+    clock = {};
+    clock.last = clock64();
+  }
+  ClusterCrew crew(cell, clock, room, room_bytes);
   const int k = static_cast<int>(blockIdx.x) / crew.blocks();
   const auto* from = reinterpret_cast<const std::uint64_t*>(scenes + k);
   auto* to = reinterpret_cast<std::uint64_t*>(&scene);
@@ -28,6 +34,24 @@ __global__ void __launch_bounds__(most_threads, 1)
   crew.barrier();  // no block leaves while another may still raise an alarm in it
 }
 
+/// The fast memory that a block may have besides what the kernel takes itself [bytes].
+std::size_t room_of_block() {
+  static const std::size_t bytes = [] {
+    int device = 0, most = 0;
+    cudaFuncAttributes attributes{};
+    check_cuda(cudaGetDevice(&device), "be set up");
+    check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
+    check_cuda(cudaFuncGetAttributes(&attributes, advance_scenes), "be set up");
+    const std::size_t left = (static_cast<std::size_t>(most) - attributes.sharedSizeBytes) / 128 * 128;
+    check_cuda(
+        cudaFuncSetAttribute(advance_scenes, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(left)),
+        "be set up");
+    check_cuda(cudaFuncSetAttribute(advance_scenes, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
+    return left;
+  }();
+  return bytes;
+}
+
 cudaLaunchConfig_t launch_config(int scenes, int blocks, int threads, cudaLaunchAttribute& cluster,
                                  cudaStream_t stream) {
   cluster.id = cudaLaunchAttributeClusterDimension;
@@ -35,6 +59,7 @@ cudaLaunchConfig_t launch_config(int scenes, int blocks, int threads, cudaLaunch
   cudaLaunchConfig_t config{};
   config.gridDim = dim3(static_cast<unsigned>(scenes * blocks));
   config.blockDim = dim3(static_cast<unsigned>(threads));
+  config.dynamicSmemBytes = room_of_block();
   config.stream = stream;
   config.attrs = &cluster;
   config.numAttrs = 1;
@@ -43,7 +68,6 @@ cudaLaunchConfig_t launch_config(int scenes, int blocks, int threads, cudaLaunch
 
 /// The most blocks for each scene with which all scenes run at the same time.
 int most_blocks(int scenes, int threads) {
-  check_cuda(cudaFuncSetAttribute(advance_scenes, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
   for (int blocks = 16; blocks > 1; blocks /= 2) {
     cudaLaunchAttribute cluster;
     const cudaLaunchConfig_t config = launch_config(scenes, blocks, threads, cluster, nullptr);
@@ -108,7 +132,6 @@ class CudaBatch::Work {
         status_(sizeof(DeviceStatus) * scenes.size()),
         scene_(sizeof(DeviceScene) * scenes.size()),
         wanted_(sizeof(std::int32_t) * scenes.size()) {
-    check_cuda(cudaFuncSetAttribute(advance_scenes, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
     scenes_.reserve(scenes.size());
     auto* status = reinterpret_cast<DeviceStatus*>(status_memory_.data());
     for (BatchScene& scene : scenes) scenes_.emplace_back(std::move(scene), options, blocks_, status++);
@@ -140,6 +163,7 @@ class CudaBatch::Work {
   int blocks() const { return blocks_; }
   int threads() const { return threads_; }
   double device_time() const { return device_time_; }
+  const std::vector<double>& stage_clocks() const { return stage_clocks_; }
 
  private:
   static CudaDevice on_device(const CudaOptions& options) {
@@ -167,7 +191,7 @@ class CudaBatch::Work {
         launch_config(static_cast<int>(scenes_.size()), blocks_, threads_, cluster, stream);
     time_.begin();
     check_cuda(cudaLaunchKernelEx(&config, advance_scenes, reinterpret_cast<const DeviceScene*>(scene_memory_.data()),
-                                  reinterpret_cast<const std::int32_t*>(wanted_memory_.data())),
+                                  reinterpret_cast<const std::int32_t*>(wanted_memory_.data()), room_of_block()),
                "start");
     time_.end();
     check_cuda(cudaMemcpyAsync(status_.data(), status_memory_.data(), status_.bytes(), cudaMemcpyDeviceToHost, stream),
@@ -181,6 +205,8 @@ class CudaBatch::Work {
     DeviceStatus status = reinterpret_cast<const DeviceStatus*>(status_.data())[k];
     CudaScene& scene = scenes_[k];
     scene.note(status);
+    for (std::size_t stage = 0; k == 0 && stage < stage_clocks_.size(); ++stage)
+      stage_clocks_[stage] += static_cast<double>(status.stage_clocks[stage]);
     left -= status.samples;
     const bool failed = status.stop == DeviceStop::not_finite;
     if (failed && status.samples > 0) --status.samples;  // the moment that failed is not logged
@@ -203,6 +229,7 @@ class CudaBatch::Work {
   PinnedMemory status_, scene_, wanted_;
   std::vector<CudaScene> scenes_;
   double device_time_ = 0.0;
+  std::vector<double> stage_clocks_ = std::vector<double>(stage_count);
   std::exception_ptr fault_;
 };
 
@@ -222,6 +249,11 @@ const CudaDevice& CudaBatch::device() const { return work_->device(); }
 int CudaBatch::blocks() const { return work_->blocks(); }
 int CudaBatch::threads() const { return work_->threads(); }
 double CudaBatch::device_time() const { return work_->device_time(); }
+std::vector<double> CudaBatch::stage_clocks() const { return work_->stage_clocks(); }
+
+std::vector<std::string> cuda_stage_names() {
+  return {"choose", "look", "resolve", "pairs_wait", "bodies", "bodies_wait", "list"};
+}
 
 namespace {
 

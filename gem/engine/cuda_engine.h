@@ -64,11 +64,16 @@ class CudaBatch {
   int threads() const;
   /// Time that the GPU spent in the kernels of the last advance [s].
   double device_time() const;
+  /// Clocks of the first scene's first thread since construction, by stage; see cuda_stage_names.
+  std::vector<double> stage_clocks() const;
 
  private:
   class Work;
   std::unique_ptr<Work> work_;
 };
+
+/// Names of the stages of a moment: work, and the wait that ends each phase.
+std::vector<std::string> cuda_stage_names();
 
 /// The engine of one scene.
 std::unique_ptr<Engine> make_cuda_engine(const SceneDef& scene, Bodies bodies, const CudaOptions& options = {});

@@ -1,8 +1,7 @@
 // The bodies phase of a moment: each body adds what its contacts did, moves, and takes the drag of the next moment.
 #pragma once
 
-#include "gem/engine/crew.h"
-#include "gem/engine/device_scene.h"
+#include "gem/engine/device_desk.h"
 #include "gem/engine/pair_event.h"
 #include "gem/engine/solo_event.h"
 
@@ -58,9 +57,8 @@ GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::
 }
 
 /// Books the work of the last moment's contacts; `stamp` says which entries count.
-GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
-                                   std::int32_t stamp) {
-  for (std::int32_t row = cell.row_begin; row < cell.row_begin + motion.lower_count; ++row)
+GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const BodyMotion& motion, std::int32_t stamp) {
+  for (std::int32_t row = motion.row_begin; row < motion.row_begin + motion.lower_count; ++row)
     if (s.stamp[row].work == stamp) {
       book_work(s, i, s.work[row]);
       s.stamp[row].work = -1;  // the books may be closed once more before the next moment
@@ -74,10 +72,10 @@ GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCe
   const std::int32_t places = moves ? motion.row_count : motion.lower_count;
   bool struck = false;
   for (std::int32_t first = 0; first < places; first += RowNews::stretch) {
-    const RowNews news = row_news(s, cell.row_begin + first, places - first, moment);
+    const RowNews news = row_news(s, motion.row_begin + first, places - first, moment);
     if ((news.entries | news.works) == 0) continue;
     for (int k = 0; k < RowNews::stretch; ++k) {
-      const std::int32_t at = first + k, row = cell.row_begin + at;
+      const std::int32_t at = first + k, row = motion.row_begin + at;
       if (news.works >> k & 1U) book_work(s, i, s.work[row]);
       if (!(news.entries >> k & 1U)) continue;
       const RowEntry& entry = s.entry[row];
@@ -92,27 +90,21 @@ GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCe
   return struck;
 }
 
-/// Turns a body by `angle`; its outline follows at the end of the phase.
-GEM_DEVICE inline void turn(BodyCell& cell, BodyMotion& motion, double angle) {
-  motion.turned = angle != 0.0;
-  if (angle == 0.0) return;
-  motion.rotation = turned(motion.rotation, angle);
+/// Turns a body by `angle`; an outline too long for a desk follows.
+GEM_DEVICE inline bool turn(BodyCell& cell, double angle) {
+  if (angle == 0.0) return false;
+  cell.rotation = turned(cell.rotation, angle);
   cell.turn_travel += angle < 0.0 ? -angle : angle;
+  return cell.vertex_count > desk_vertices;
 }
 
-/// The outlines of the block's bodies follow their rotations, a corner for each thread.
-template <class Crew>
-GEM_DEVICE inline void turn_outlines(const DeviceScene& s, const Crew& crew, std::int32_t first_body,
-                                     std::int32_t end_body) {
-  if (first_body == end_body) return;
-  const BodyCell& last = s.body[end_body - 1];
-  const std::int32_t end = last.vertex_begin + last.vertex_count;
-  for (std::int32_t v = s.body[first_body].vertex_begin + crew.thread(); v < end; v += crew.threads()) {
-    const Vec2 corner = s.vertex[v], normal = s.body_normal[v];
-    const BodyMotion& motion = s.motion[s.vertex_body[v]];
-    if (!motion.turned) continue;
-    s.corner[v] = rotate(motion.rotation, corner);
-    s.normal[v] = rotate(motion.rotation, normal);
+/// Corners first, first + step, ... of an outline follow the body's rotation.
+GEM_DEVICE inline void turn_outline(const DeviceScene& s, std::int32_t begin, int count, Rotation q, int first,
+                                    int step) {
+  for (int v = first; v < count; v += step) {
+    const Vec2 corner = s.vertex[begin + v], normal = s.body_normal[begin + v];
+    s.corner[begin + v] = rotate(q, corner);
+    s.normal[begin + v] = rotate(q, normal);
   }
 }
 
@@ -124,14 +116,14 @@ GEM_DEVICE inline bool left_course(const DeviceScene& s, const BodyCell& cell, c
   return !(left > 0.0 && dot(off, off) < left * left);
 }
 
-/// The drag of the next moment on a floe that moves with velocity_after and spin_after.
-GEM_DEVICE inline void kick_body(const DeviceScene& s, std::int32_t i, BodyCell& cell, BodyMotion& motion) {
-  cell.velocity = cell.velocity_after;
-  cell.spin = cell.spin_after;
+/// The drag of the next moment on a floe that moves as `after` says.
+GEM_DEVICE inline void kick_body(const DeviceScene& s, BodyCell& cell, BodyMotion& motion, const BodyAfter& after,
+                                 Quantity& drag_book) {
+  cell.velocity = after.velocity;
+  cell.spin = after.spin;
   if (s.constants.drag_law == DragLaw::none || !cell.active) return;
-  const Kick kicked = kick(s.constants, motion.drag, motion.spin_drag, cell.velocity_after, cell.spin_after);
-  book_kick(s.book(Channel::drag, i), motion.mass, motion.inertia, cell.position, cell.velocity_after, cell.spin_after,
-            kicked);
+  const Kick kicked = kick(s.constants, motion.drag, motion.spin_drag, after.velocity, after.spin);
+  book_kick(drag_book, motion.mass, motion.inertia, cell.position, after.velocity, after.spin, kicked);
   cell.velocity = kicked.velocity;
   cell.spin = kicked.spin;
   motion.path_correction = kicked.path_correction;
@@ -139,23 +131,25 @@ GEM_DEVICE inline void kick_body(const DeviceScene& s, std::int32_t i, BodyCell&
 }
 
 /// Moves a floe with its velocity after the events.
-GEM_DEVICE inline void drift(const DeviceScene& s, std::int32_t i, BodyCell& cell, BodyMotion& motion, bool struck) {
+GEM_DEVICE inline void drift(const DeviceScene& s, BodyCell& cell, const BodyMotion& motion, const BodyAfter& after,
+                             bool struck, Quantity& drag_book) {
   const double dt = s.constants.dt;
-  double angle = dt * cell.spin_after;
+  double angle = dt * after.spin;
   if (struck) {
-    cell.position += dt * cell.velocity_after + Vec2{};  // no repair: kept for the sign of a zero
+    cell.position += dt * after.velocity + Vec2{};  // no repair: kept for the sign of a zero
   } else {
-    cell.position += dt * cell.velocity_after + motion.path_correction;
+    cell.position += dt * after.velocity + motion.path_correction;
     angle += motion.angle_correction;
-    s.book(Channel::drag, i).angular_momentum += motion.mass * cross(motion.path_correction, cell.velocity_after);
+    drag_book.angular_momentum += motion.mass * cross(motion.path_correction, after.velocity);
   }
-  turn(cell, motion, angle);
+  if (turn(cell, angle)) turn_outline(s, cell.vertex_begin, cell.vertex_count, cell.rotation, 0, 1);
 }
 
 /// Retires a floe that passed the line.
-GEM_DEVICE inline void retire(const DeviceScene& s, std::int32_t i, BodyCell& cell, const BodyMotion& motion) {
+GEM_DEVICE inline void retire(const DeviceScene& s, std::int32_t i, BodyCell& cell, const BodyMotion& motion,
+                              const BodyAfter& after) {
   if (!(cell.position.x > s.constants.retire_x)) return;
-  const Quantity gone = quantity_of(motion.mass, motion.inertia, cell.position, cell.velocity_after, cell.spin_after);
+  const Quantity gone = quantity_of(motion.mass, motion.inertia, cell.position, after.velocity, after.spin);
   Quantity& book = s.book(Channel::retired, i);
   book.momentum -= gone.momentum;
   book.angular_momentum -= gone.angular_momentum;
@@ -163,32 +157,34 @@ GEM_DEVICE inline void retire(const DeviceScene& s, std::int32_t i, BodyCell& ce
   cell.active = 0;
 }
 
-GEM_DEVICE inline bool is_finite(const BodyCell& cell, const BodyMotion& motion, Vec2 velocity) {
-  return is_number(cell.position.x + cell.position.y + velocity.x + velocity.y + cell.spin_after +
-                   motion.rotation.cosine + motion.rotation.sine);
+GEM_DEVICE inline bool is_finite(const BodyCell& cell, Vec2 velocity, double spin) {
+  return is_number(cell.position.x + cell.position.y + velocity.x + velocity.y + spin + cell.rotation.cosine +
+                   cell.rotation.sine);
 }
 
 /// One floe or fixed body through the bodies phase.
 template <class Crew>
-GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, std::int32_t i, const MomentStep& step) {
+GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t i,
+                                 const MomentStep& step) {
   if (i == 0) return;  // the platform's warp moves it at the same time
-  BodyCell cell = s.body[i];
-  BodyMotion motion = s.motion[i];
-  Vec2 velocity = cell.velocity;
-  double spin = cell.spin;
-  const bool struck = gather(s, i, cell, motion, step.moment, velocity, spin);
+  Quantity drag_book = s.book(Channel::drag, i);
+  BodyCell cell = desk.body[i];
+  BodyMotion motion = desk.motion[i];
+  BodyAfter after{cell.velocity, cell.spin};
+  const bool struck = gather(s, i, cell, motion, step.moment, after.velocity, after.spin);
   if (cell.kind != BodyKind::floe || !cell.active) return;
-  cell.velocity_after = velocity;
-  cell.spin_after = spin;
-  drift(s, i, cell, motion, struck);
-  if (is_finite(cell, motion, velocity))
-    retire(s, i, cell, motion);
+  drift(s, cell, motion, after, struck, drag_book);
+  if (is_finite(cell, after.velocity, after.spin))
+    retire(s, i, cell, motion, after);
   else
     crew.raise(alarm_not_finite);
   if (cell.active && left_course(s, cell, motion, step.elapsed)) crew.raise(alarm_strayed);
-  if (step.kick_next) kick_body(s, i, cell, motion);
+  if (step.kick_next) kick_body(s, cell, motion, after, drag_book);
+  s.book(Channel::drag, i) = drag_book;
+  s.after[i] = after;
   s.body[i] = cell;
-  s.motion[i] = motion;
+  desk.body[i] = cell;
+  desk.motion[i] = motion;
 }
 
 }  // namespace gem

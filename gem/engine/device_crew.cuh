@@ -4,6 +4,7 @@
 #include <cooperative_groups.h>
 
 #include "gem/engine/crew.h"
+#include "gem/engine/device_scene.h"
 
 namespace gem {
 
@@ -21,6 +22,19 @@ class LaneGroup {
   __device__ double partner(double mine, int step) const { return __shfl_xor_sync(mask(), mine, step, lanes); }
   __device__ void sync() const { __syncwarp(mask()); }
   __device__ int count(unsigned bits) const { return __popc(bits); }
+  __device__ int lowest(unsigned bits) const { return __ffs(static_cast<int>(bits)) - 1; }
+  __device__ int sum_below(int mine) const {
+    int sum = mine;
+    for (int step = 1; step < lanes; step *= 2) {
+      const int other = __shfl_up_sync(mask(), sum, step, lanes);
+      if (rank() >= step) sum += other;
+    }
+    return sum - mine;
+  }
+  __device__ int sum(int mine) const {
+    for (int step = 1; step < lanes; step *= 2) mine += partner(mine, step);
+    return mine;
+  }
   __device__ int count_below(unsigned bits) const { return __popc(bits & ((1U << rank()) - 1U)); }
 
  private:
@@ -30,13 +44,19 @@ class LaneGroup {
   __device__ unsigned mask() const { return ones << first(); }
 };
 
+/// Where the time of the first thread goes.
+struct StageClock {
+  long long last, sum[stage_count];
+};
+
 /// All threads of a cluster; a launch without clusters has clusters of one block.
 class ClusterCrew {
  public:
   using Lanes = LaneGroup<8>;
   using Warp = LaneGroup<32>;
 
-  __device__ explicit ClusterCrew(BlockCell& shared) : shared_(shared) {}
+  __device__ ClusterCrew(BlockCell& shared, StageClock& clock, std::byte* room, std::size_t room_bytes)
+      : shared_(shared), clock_(clock), room_(room), room_bytes_(room_bytes) {}
 
   __device__ int block() const { return static_cast<int>(cluster().block_rank()); }
   __device__ int blocks() const { return static_cast<int>(cluster().num_blocks()); }
@@ -55,6 +75,18 @@ class ClusterCrew {
   }
   __device__ void block_barrier() { __syncthreads(); }
   __device__ BlockCell& shared() { return shared_; }
+  __device__ std::byte* room() const { return room_; }
+  __device__ std::size_t room_bytes() const { return room_bytes_; }
+
+  __device__ void lap(int stage) {
+    if (threadIdx.x != 0 || blockIdx.x != 0) return;
+    const long long now = clock64();
+    clock_.sum[stage] += now - clock_.last;
+    clock_.last = now;
+  }
+  __device__ void write_laps(std::int64_t* clocks) const {
+    for (int k = 0; k < stage_count; ++k) clocks[k] = clock_.sum[k];
+  }
 
   /// Every block has its own copy of the alarms, so that a look at them costs next to nothing.
   __device__ void raise(std::uint32_t alarms) {
@@ -76,6 +108,9 @@ class ClusterCrew {
   __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
 
   BlockCell& shared_;
+  StageClock& clock_;
+  std::byte* room_;
+  std::size_t room_bytes_;
 };
 
 }  // namespace gem

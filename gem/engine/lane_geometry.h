@@ -117,7 +117,8 @@ GEM_DEVICE inline ChordSum chord_sum(const Lanes& lanes, const Outline& a, const
     const bool enters = j < b.count && edge.enters(), leaves = j < b.count && edge.leaves();
     const unsigned all_enter = lanes.ballot(enters), all_leave = lanes.ballot(leaves);
     const Vec2 entry = edge.entry(), exit = edge.exit();
-    for (int k = 0; k < Lanes::size; ++k) {
+    for (unsigned some = all_enter | all_leave; some != 0; some &= some - 1) {
+      const int k = lanes.lowest(some);
       if (all_enter >> k & 1U)
         add_entry(sum, {lanes.from(entry.x, k), lanes.from(entry.y, k)}, lanes.from(edge.clipped.entry, k), first + k);
       if (all_leave >> k & 1U)

@@ -1,6 +1,6 @@
 // Speed of the cuda engine by device events, as CSV: one scene in three phases and several layouts, and batches.
 //
-// usage: gem_cuda_speed CASES_FOLDER [single|batch|all] [largest batch]
+// usage: gem_cuda_speed CASES_FOLDER [single|batch|profile|all] [largest batch]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -109,6 +109,16 @@ void single(const std::string& cases) {
   }
 }
 
+/// For a profiler: the plug, its list built, then a third launch of 64 moments.
+void one_launch(const std::string& cases) {
+  const Phase& phase = phases[1];
+  const SceneDef scene = scene_of(cases, phase.run);
+  CudaBatch batch({{scene, make_field(scene)}}, {.ring_moments = 20000});
+  batch.advance(moments_in(scene, phase.time), nullptr);
+  batch.advance(2, nullptr);
+  batch.advance(64, nullptr);
+}
+
 /// Fields of the main run with seeds 1, 2, ...
 std::vector<BatchScene> seeds(const std::string& cases, std::size_t count) {
   std::vector<BatchScene> scenes(count);
@@ -152,8 +162,9 @@ int main(int count, char** argument) {
     const std::string cases = count > 1 ? argument[1] : "cases", what = count > 2 ? argument[2] : "all";
     const std::size_t largest = count > 3 ? std::strtoull(argument[3], nullptr, 10) : 264;
     gem::header();
-    if (what != "batch") gem::single(cases);
-    if (what != "single") gem::batches(cases, largest);
+    if (what == "profile") gem::one_launch(cases);
+    if (what == "single" || what == "all") gem::single(cases);
+    if (what == "batch" || what == "all") gem::batches(cases, largest);
     return 0;
   } catch (const gem::Error& error) {
     std::fprintf(stderr, "gem_cuda_speed: %s\n", error.what());

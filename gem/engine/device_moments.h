@@ -18,13 +18,17 @@ namespace gem {
 template <class Crew>
 GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Crew& crew, const Desk& desk) {
   for (std::int32_t i = desk.first_body; i < desk.bodies.end; i += desk.body_step) {
-    if (i == 0 || desk.body[i].kind != BodyKind::floe) continue;
-    kick_body(s, desk.body[i], desk.motion[i], s.after[i], s.book(Channel::drag, i));
-    s.body[i] = desk.body[i];
+    if (i == 0 || desk.body[i].kind != BodyKind::floe || !desk.body[i].active) continue;
+    Mover mover = mover_of(desk.body[i]);
+    kick_body(s, mover, desk.motion[i], s.after[i], s.book(Channel::drag, i));
+    write_mover(desk.body[i], mover);
+    write_mover(s.body[i], mover);
   }
   if (!desk.platform || crew.warp().rank() != 0) return;
-  platform_first_half(s, desk.body[0], desk.motion[0].mass, s.after[0].spin);
-  s.body[0] = desk.body[0];
+  Mover mover = mover_of(desk.body[0]);
+  platform_first_half(s, mover, desk.motion[0].mass, s.after[0].spin);
+  write_mover(desk.body[0], mover);
+  write_mover(s.body[0], mover);
 }
 
 /// The bodies phase of one moment.

@@ -14,19 +14,36 @@ namespace gem {
 /// Slack for rounding where a bound on motion spares a look [m].
 constexpr double look_rounding = 1e-9;
 
+/// What choosing needs of a body.
+struct LookBody {
+  Vec2 position;
+  Rotation rotation;
+  double turn_travel, radius;
+  std::int32_t vertex_begin;
+  std::int16_t vertex_count;
+  bool active;
+};
+
+GEM_DEVICE inline LookBody look_body(const BodyCell& cell) {
+  return {cell.position,     cell.rotation,     cell.turn_travel, cell.radius,
+          cell.vertex_begin, cell.vertex_count, cell.active != 0};
+}
+
 /// Puts the pair on the desk to be looked at, unless the last look rules out that it touches now.
 template <class Crew>
 GEM_DEVICE inline void choose_look(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t p) {
-  const PairCell& pair = desk.pair[p];
-  const BodyCell &a = s.body[pair.a], &b = s.body[pair.b];
+  PairCell& pair = desk.pair[p];
+  const LookBody a = look_body(s.body[pair.a]), b = look_body(s.body[pair.b]);
   const double limit = s.constants.contact_margin;
   const Vec2 offset = b.position - a.position;
   const Vec2 shifted = offset - pair.offset;
   const double turned_a = a.turn_travel - pair.turned_a, turned_b = b.turn_travel - pair.turned_b;
   const double left = pair.axes.first.distance - limit - look_rounding - (a.radius * turned_a + b.radius * turned_b);
-  const double shifted2 = dot(shifted, shifted);
-  if (left > 0.0 && shifted2 < left * left) return;
+  if (left > 0.0 && dot(shifted, shifted) < left * left) return;
   if (!a.active || !b.active) return;
+  pair.offset = offset;
+  pair.turned_a = a.turn_travel;
+  pair.turned_b = b.turn_travel;
   LookItem& item = desk.look[crew.add(&crew.shared().looks, 1)];
   item.pair = p;
   item.vertex_a = a.vertex_begin;
@@ -39,10 +56,6 @@ GEM_DEVICE inline void choose_look(const DeviceScene& s, Crew& crew, const Desk&
   // an axis turns with its body and sweeps over the other, whose far side is this far from it
   const double far = 2.0 * (a.radius + b.radius) + length(shifted) + limit;
   item.moved = length(shifted) + far * (turned_a + turned_b);
-  PairCell& noted = desk.pair[p];
-  noted.offset = offset;
-  noted.turned_a = a.turn_travel;
-  noted.turned_b = b.turn_travel;
 }
 
 /// An outline in world axes: turned by the lanes of a group, or where it is too long the one that its owner keeps.
@@ -56,6 +69,20 @@ GEM_DEVICE inline Outline outline_at_desk(const DeviceScene& s, const Lanes& lan
     room.normal[side][v] = rotate(q, normal);
   }
   return {room.corner[side], room.normal[side], count};
+}
+
+GEM_DEVICE inline void write_touch(Touch& touch, std::int32_t pair, const ContactGeometry& geometry) {
+  touch.pair = pair;
+  touch.geometry.normal = geometry.normal;
+  touch.geometry.count = geometry.count;
+  touch.geometry.width = geometry.width;
+  touch.geometry.growth = geometry.growth;
+  for (int k = 0; k < 2; ++k) {
+    if (k >= geometry.count) break;
+    touch.geometry.point[k].position = geometry.point[k].position;
+    touch.geometry.point[k].separation = geometry.point[k].separation;
+    touch.geometry.point[k].feature = geometry.point[k].feature;
+  }
 }
 
 /// One look by a group of lanes.
@@ -78,7 +105,8 @@ GEM_DEVICE inline void look(const DeviceScene& s, Crew& crew, const Desk& desk, 
       const ContactGeometry geometry = s.constants.manifold == Manifold::chord_middle
                                            ? chord_geometry(a, b, item.offset, axes.first, sum)
                                            : face_contact(a, b, item.offset, axes.first, limit);
-      if (geometry.count > 0) s.touch[desk.pairs.begin + crew.add(&crew.shared().touches, 1)] = {item.pair, geometry};
+      if (geometry.count > 0)
+        write_touch(s.touch[desk.pairs.begin + crew.add(&crew.shared().touches, 1)], item.pair, geometry);
     }
   }
   lanes.sync();  // before the room is used again
@@ -105,14 +133,38 @@ GEM_DEVICE inline void write_rows(const DeviceScene& s, const PairCell& pair, co
     const ContactSlot& slot = contact.slot[k];
     const Vec2 impulse = world_impulse(contact, slot.impulse);
     const MotionStep step = motion_step(bodies.mass_a, slot.arm_a, impulse);
-    to_a.step[k] = {-step.velocity, -step.spin};
-    to_b.step[k] = motion_step(bodies.mass_b, slot.arm_b, impulse);
+    to_a.step[k].velocity = -step.velocity;
+    to_a.step[k].spin = -step.spin;
+    const MotionStep step_b = motion_step(bodies.mass_b, slot.arm_b, impulse);
+    to_b.step[k].velocity = step_b.velocity;
+    to_b.step[k].spin = step_b.spin;
     touched |= acted(slot) ? 1 : 0;
   }
   to_a.count = to_b.count = contact.count;
   to_a.acted = to_b.acted = touched;
   s.stamp[pair.row_a].entry = moment;
   s.stamp[pair.row_b].entry = moment;
+}
+
+/// Keeps of a contact what the books and the platform need of it.
+GEM_DEVICE inline void keep_contact(Contact& kept, const Contact& contact) {
+  kept.a = contact.a;
+  kept.b = contact.b;
+  kept.count = contact.count;
+  kept.normal = contact.normal;
+  for (int k = 0; k < 2; ++k) {
+    if (k >= contact.count) break;
+    ContactSlot& slot = kept.slot[k];
+    const ContactSlot& from = contact.slot[k];
+    slot.arm_a = from.arm_a;
+    slot.arm_b = from.arm_b;
+    slot.normal_before = from.normal_before;
+    slot.tangential_before = from.tangential_before;
+    slot.impulse.normal = from.impulse.normal;
+    slot.impulse.tangential = from.impulse.tangential;
+    slot.elastic = from.elastic;
+    slot.repair = from.repair;
+  }
 }
 
 /// Keeps what the record of a platform event is made of, before the bodies move.
@@ -135,7 +187,7 @@ GEM_DEVICE inline void resolve(const DeviceScene& s, Crew& crew, const Desk& des
   if (pair.a == 0) shift = s.platform->moved - a.position;
   prepare(s.constants, bodies, shift, contact);
   resolve_alone(s.constants, bodies.mass_a, bodies.mass_b, contact);
-  s.contact[touch.pair] = contact;
+  keep_contact(s.contact[touch.pair], contact);
   write_rows(s, pair, bodies, contact, moment);
   if (s.wants_events && pair.a == 0 && b.kind == BodyKind::floe && is_event(contact, s.event_speed))
     keep_event(s, pair.row_a - s.platform->row_begin, a, b, contact, moment);
@@ -162,14 +214,18 @@ GEM_DEVICE inline void work_of_last_moment(const DeviceScene& s, Crew& crew, con
     after.velocity_b = b.velocity;
     after.spin_a = a.spin;
     after.spin_b = b.spin;
-    RowWork work;
-    work.count = contact.count;
+    RowWork& work = s.work[pair.row_b];
+    const std::int32_t count = contact.count;
     for (int j = 0; j < 2; ++j) {
-      if (j >= contact.count) break;
+      if (j >= count) break;
       const ContactSlot& slot = contact.slot[j];
-      if (acted(slot)) work.slot[j] = slot_work(contact, slot, relative_velocity(after, slot));
+      SlotWork took;
+      if (acted(slot)) took = slot_work(contact, slot, relative_velocity(after, slot));
+      work.slot[j].impact = took.impact;
+      work.slot[j].elastic = took.elastic;
+      work.slot[j].friction = took.friction;
     }
-    s.work[pair.row_b] = work;
+    work.count = count;
     s.stamp[pair.row_b].work = stamp;
   }
 }

@@ -18,14 +18,14 @@ GEM_DEVICE inline PlatformMotion platform_motion(const DeviceScene& s, double ma
 }
 
 /// The platform's own motion up to the instant of the events of the next moment; `spin` is the one it has.
-GEM_DEVICE inline void platform_first_half(const DeviceScene& s, BodyCell& cell, double mass, double spin) {
+GEM_DEVICE inline void platform_first_half(const DeviceScene& s, Mover& mover, double mass, double spin) {
   PlatformCell& p = *s.platform;
   p.mooring_before = p.mooring_force.momentum;
   p.drag_before = s.book(Channel::platform_drag, 0).momentum;
-  p.moved = cell.position;
+  p.moved = mover.position;
   if (s.constants.moored_or_free) platform_half(s.constants, platform_motion(s, mass, p), true);
-  cell.velocity = p.velocity;
-  cell.spin = spin;
+  mover.velocity = p.velocity;
+  mover.spin = spin;
 }
 
 /// What one contact point does to the platform.
@@ -92,12 +92,12 @@ GEM_DEVICE inline PlatformSums add_terms(const DeviceScene& s, const Warp& warp,
 }
 
 /// Writes the moment's sample to the ring.
-GEM_DEVICE inline void write_sample(const DeviceScene& s, const BodyCell& cell, const PlatformSums& sums,
+GEM_DEVICE inline void write_sample(const DeviceScene& s, const Mover& mover, const PlatformSums& sums,
                                     std::int32_t pressed, std::int32_t at) {
   const PlatformCell& p = *s.platform;
   PlatformMoment& sample = s.sample[at];
-  sample.position = cell.position;
-  sample.rotation = cell.rotation;
+  sample.position = mover.position;
+  sample.rotation = mover.rotation;
   sample.velocity = p.velocity;
   sample.spin = sums.spin;
   sample.ice_impulse = sums.ice_impulse;
@@ -107,52 +107,50 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const BodyCell& cell, 
   sample.contacts = pressed;
 }
 
-/// What one thread does for the platform, once the contacts are summed. Returns whether a long outline has to follow.
+/// What one thread does for the platform, once the contacts are summed.
 template <class Crew>
-GEM_DEVICE inline bool move_platform_body(const DeviceScene& s, Crew& crew, BodyCell& cell, const BodyMotion& motion,
-                                          const PlatformSums& sums, std::int32_t pressed, const MomentStep& step) {
+GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, const Desk& desk, const PlatformSums& sums,
+                                          std::int32_t pressed, const MomentStep& step) {
+  BodyCell& cell = desk.body[0];
+  const BodyMotion& motion = desk.motion[0];
   PlatformCell& p = *s.platform;
-  bool long_outline = false;
+  Mover mover = mover_of(cell);
   p.velocity = sums.velocity;
   if (cell.inverse_inertia == 0.0) p.mooring_force.angular_momentum = sums.twist;
   if (s.constants.moored_or_free) {
     platform_half(s.constants, platform_motion(s, motion.mass, p), false);
-    cell.position = p.moved + Vec2{};  // no repair: kept for the sign of a zero
-    long_outline = turn(cell, s.constants.dt * sums.spin + 0.0);
+    mover.position = p.moved + Vec2{};  // no repair: kept for the sign of a zero
+    turn(mover, s.constants.dt * sums.spin + 0.0);
   }
-  if (cell.active && !is_finite(cell, p.velocity, sums.spin)) crew.raise(alarm_not_finite);
-  if (s.wants_samples) write_sample(s, cell, sums, pressed, step.sample);
-  if (cell.active && left_course(s, cell, motion, step.elapsed)) crew.raise(alarm_strayed);
+  if (cell.active && !is_finite(mover, p.velocity, sums.spin)) crew.raise(alarm_not_finite);
+  if (s.wants_samples) write_sample(s, mover, sums, pressed, step.sample);
+  if (cell.active && left_course(s, mover, cell.radius, motion, step.elapsed)) crew.raise(alarm_strayed);
   if (s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) crew.raise(alarm_ring_full);
-  if (step.kick_next) platform_first_half(s, cell, motion.mass, sums.spin);
-  s.after[0] = {sums.velocity, sums.spin};
-  return long_outline;
+  if (step.kick_next) platform_first_half(s, mover, motion.mass, sums.spin);
+  s.after[0].velocity = sums.velocity;
+  s.after[0].spin = sums.spin;
+  write_mover(s.body[0], mover);
+  write_mover(cell, mover);
 }
 
 /// The platform through the bodies phase.
 template <class Crew>
 GEM_DEVICE inline void move_platform(const DeviceScene& s, Crew& crew, const Desk& desk, const MomentStep& step) {
   const auto warp = crew.warp();
-  BodyCell cell = desk.body[0];
-  const BodyMotion motion = desk.motion[0];
+  const BodyCell& cell = desk.body[0];
   std::int32_t pressed = 0;
-  const std::int32_t terms = line_up_terms(s, warp, cell, motion, step.moment, pressed);
+  const std::int32_t terms = line_up_terms(s, warp, cell, desk.motion[0], step.moment, pressed);
   PlatformSums start;
   start.velocity = cell.velocity;
   start.spin = cell.spin;
   start.twist = s.platform->mooring_force.angular_momentum;
+  const double travel = cell.turn_travel;
   const PlatformSums sums = add_terms(s, warp, start, terms);
   warp.sync();
-  bool long_outline = false;
-  if (warp.rank() == 0) {
-    long_outline = move_platform_body(s, crew, cell, motion, sums, pressed, step);
-    s.body[0] = cell;
-    desk.body[0] = cell;
-  }
-  if (warp.ballot(long_outline) & 1U) {
-    const Rotation q{warp.from(cell.rotation.cosine, 0), warp.from(cell.rotation.sine, 0)};
-    turn_outline(s, cell.vertex_begin, cell.vertex_count, q, warp.rank(), Crew::Warp::size);
-  }
+  if (warp.rank() == 0) move_platform_body(s, crew, desk, sums, pressed, step);
+  warp.sync();
+  if (cell.vertex_count > desk_vertices && cell.turn_travel != travel)
+    turn_outline(s, cell.vertex_begin, cell.vertex_count, cell.rotation, warp.rank(), Crew::Warp::size);
 }
 
 }  // namespace gem

@@ -92,9 +92,9 @@ void single(const std::string& cases) {
     CudaBatch batch({{scene, field}}, {});
     batch.advance(moments_in(scene, phase.time), nullptr);
     const EngineState start = batch.save(0);
-    for (const int blocks : {1, 2, 4, 8, 16})
-      for (const int threads : {256, 512}) {
-        if (blocks != 16 && threads < 512) continue;
+    for (const int blocks : {1, 4, 16, 32, 64, 96, 128, 132})
+      for (const int threads : {128, 256, 512}) {
+        if (blocks < 64 && threads < 512) continue;
         CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads});
         std::vector<MomentLog> logs(1);
         const Timing time = time_moments(timed, start, &logs);

@@ -26,7 +26,7 @@ std::vector<CudaDevice> cuda_devices(std::string& reason);
 /// How the scenes of a batch are laid out on the GPU. No choice changes a result.
 struct CudaOptions {
   int device = -1;         // -1: the first that can be used
-  int blocks = 0;          // that work on one scene, a power of two up to 16; 0: as many as fit
+  int blocks = 0;          // that work on one scene: a power of two up to 16, or more; 0: as many as help
   int threads = 0;         // of a block, a multiple of 32; 0: chosen
   int ring_moments = 256;  // moments of one launch
   int list_rows = 0;       // places of the list of near bodies to begin with; it grows on demand; 0: chosen

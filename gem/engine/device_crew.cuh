@@ -44,57 +44,51 @@ class LaneGroup {
   __device__ unsigned mask() const { return ones << first(); }
 };
 
+/// Where the blocks of a GateCrew meet; zero before a launch.
+struct CrewGate {
+  unsigned arrived, alarms;
+  unsigned unused[30];  // a line of memory of its own
+};
+
 /// Where the time of the first thread goes.
 struct StageClock {
   long long last, sum[stage_count];
 };
 
-/// All threads of a cluster; a launch without clusters has clusters of one block.
-class ClusterCrew {
+/// The fast memory of one block.
+struct BlockRoom {
+  BlockCell& shared;
+  StageClock& clock;
+  std::byte* room;
+  std::size_t bytes;
+};
+
+/// What crews of one or of many blocks have in common.
+class DeviceCrew {
  public:
   using Lanes = LaneGroup<8>;
   using Warp = LaneGroup<32>;
 
-  __device__ ClusterCrew(BlockCell& shared, StageClock& clock, std::byte* room, std::size_t room_bytes)
-      : shared_(shared), clock_(clock), room_(room), room_bytes_(room_bytes) {}
+  __device__ explicit DeviceCrew(const BlockRoom& room) : room_(room) {}
 
-  __device__ int block() const { return static_cast<int>(cluster().block_rank()); }
-  __device__ int blocks() const { return static_cast<int>(cluster().num_blocks()); }
   __device__ int thread() const { return static_cast<int>(threadIdx.x); }
   __device__ int threads() const { return static_cast<int>(blockDim.x); }
   __device__ Lanes lanes() const { return {}; }
   __device__ Warp warp() const { return {}; }
-  /// A warp that had parted comes together first: the barrier counts warps.
-  __device__ void barrier() {
-    if (blocks() == 1) {
-      __syncthreads();
-      return;
-    }
-    __syncwarp();
-    asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
-  }
   __device__ void block_barrier() { __syncthreads(); }
-  __device__ BlockCell& shared() { return shared_; }
-  __device__ std::byte* room() const { return room_; }
-  __device__ std::size_t room_bytes() const { return room_bytes_; }
+  __device__ BlockCell& shared() { return room_.shared; }
+  __device__ std::byte* room() const { return room_.room; }
+  __device__ std::size_t room_bytes() const { return room_.bytes; }
+  __device__ std::uint32_t alarms() const { return *static_cast<const volatile std::uint32_t*>(&room_.shared.alarms); }
 
   __device__ void lap(int stage) {
     if (threadIdx.x != 0 || blockIdx.x != 0) return;
     const long long now = clock64();
-    clock_.sum[stage] += now - clock_.last;
-    clock_.last = now;
+    room_.clock.sum[stage] += now - room_.clock.last;
+    room_.clock.last = now;
   }
   __device__ void write_laps(std::int64_t* clocks) const {
-    for (int k = 0; k < stage_count; ++k) clocks[k] = clock_.sum[k];
-  }
-
-  /// Every block has its own copy of the alarms, so that a look at them costs next to nothing.
-  __device__ void raise(std::uint32_t alarms) {
-    for (int k = 0; k < blocks(); ++k) atomicOr(cluster().map_shared_rank(&shared_.alarms, k), alarms);
-  }
-  __device__ std::uint32_t alarms() const { return *static_cast<const volatile std::uint32_t*>(&shared_.alarms); }
-  __device__ void lower_alarms() {
-    if (threadIdx.x == 0) shared_.alarms = 0;
+    for (int k = 0; k < stage_count; ++k) clocks[k] = room_.clock.sum[k];
   }
 
   __device__ static std::int32_t add(std::int32_t* sum, std::int32_t value) { return atomicAdd(sum, value); }
@@ -104,13 +98,81 @@ class ClusterCrew {
   }
   __device__ static void set_bit(std::uint32_t* word, std::uint32_t bit) { atomicOr(word, bit); }
 
+ protected:
+  BlockRoom room_;
+};
+
+/// All threads of a cluster of blocks.
+class ClusterCrew : public DeviceCrew {
+ public:
+  __device__ ClusterCrew(const BlockRoom& room, int, CrewGate*) : DeviceCrew(room) {}
+
+  __device__ int block() const { return static_cast<int>(cluster().block_rank()); }
+  __device__ int blocks() const { return static_cast<int>(cluster().num_blocks()); }
+
+  /// A warp that had parted comes together first: the barrier counts warps.
+  __device__ void barrier() {
+    if (blocks() == 1) {
+      __syncthreads();
+      return;
+    }
+    __syncwarp();
+    asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
+  }
+
+  /// Every block has its own copy of the alarms, so that a look at them costs next to nothing.
+  __device__ void raise(std::uint32_t alarms) {
+    for (int k = 0; k < blocks(); ++k) atomicOr(cluster().map_shared_rank(&room_.shared.alarms, k), alarms);
+  }
+  __device__ void lower_alarms() {
+    if (threadIdx.x == 0) room_.shared.alarms = 0;
+  }
+
  private:
   __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
+};
 
-  BlockCell& shared_;
-  StageClock& clock_;
-  std::byte* room_;
-  std::size_t room_bytes_;
+/// More blocks than a cluster holds, all on the device at the same time; they meet at a gate in its memory.
+class GateCrew : public DeviceCrew {
+ public:
+  __device__ GateCrew(const BlockRoom& room, int blocks, CrewGate* gate)
+      : DeviceCrew(room), blocks_(blocks), gate_(gate) {}
+
+  __device__ int block() const { return static_cast<int>(blockIdx.x) % blocks_; }
+  __device__ int blocks() const { return blocks_; }
+
+  __device__ void barrier() {
+    __syncthreads();
+    passed_ += static_cast<unsigned>(blocks_);
+    if (threadIdx.x == 0) {
+      __threadfence();
+      atomicAdd(&gate_->arrived, 1U);
+      while (load(&gate_->arrived) < passed_) {
+      }
+      room_.shared.alarms |= load(&gate_->alarms);
+    }
+    __syncthreads();
+  }
+
+  /// Seen by a block when it passes the next barrier. Between two barriers with a decision on alarms there is a third,
+  /// so that no block can see an alarm that another has yet to raise for a later decision.
+  __device__ void raise(std::uint32_t alarms) { atomicOr(&gate_->alarms, alarms); }
+  __device__ void lower_alarms() {
+    if (threadIdx.x != 0) return;
+    room_.shared.alarms = 0;
+    if (block() == 0) atomicExch(&gate_->alarms, 0U);
+  }
+
+ private:
+  __device__ static unsigned load(const unsigned* word) {
+    unsigned value;
+    asm volatile("ld.acquire.gpu.global.u32 %0, [%1];" : "=r"(value) : "l"(word) : "memory");
+    return value;
+  }
+
+  int blocks_;
+  CrewGate* gate_;
+  unsigned passed_ = 0;  // arrivals of all barriers so far
 };
 
 }  // namespace gem

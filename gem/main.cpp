@@ -2,6 +2,7 @@
 #include <iostream>
 #include <new>
 
+#include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
 #include "gem/command/command.h"
 #include "gem/record/output_path.h"
@@ -25,6 +26,7 @@ std::string joined(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   gem::ignore_write_signals();
+  gem::baseline::register_box2d();
   gem::Chosen chosen;
   chosen.command_line = joined(argc, argv);
   CLI::App app("Loads of drifting pack ice on a moored platform, by event mechanics.", "gem");
@@ -35,6 +37,7 @@ int main(int argc, char** argv) {
   gem::add_sweep_command(app, chosen);
   gem::add_info_command(app, chosen);
   gem::add_report_command(app, chosen);
+  gem::add_analyse_command(app, chosen);
   gem::add_devices_command(app, chosen);
   try {
     app.parse(argc, argv);

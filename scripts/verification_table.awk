@@ -31,7 +31,7 @@ END {
   print "| cases | claim | test | tolerance and why | status |"
   print "|---|---|---|---|---|"
   for (c = 1; c <= claims; ++c) {
-    if (!checks[c]) status = "**not run**"
+    if (!checks[c]) status = absent[c] ? "none" : "**not run**"
     else if (faults[c]) status = "**" faults[c] " of " checks[c] " fail**"
     else status = checks[c] " pass"
     if (absent[c]) status = status ", " absent[c] " not offered"
@@ -44,7 +44,10 @@ END {
   for (i = 1; i <= 2 * numbers; ++i) {
     id = i <= numbers ? sprintf("V%02d", i) : "M" (i - numbers)
     if (!(id in owner)) continue
-    if (!(id in row)) { print "| " id " | | | | | | | | **not run** |"; continue }
+    if (!(id in row)) {
+      print "| " id " | | | | | | | | " (absent_case[id] ? absent_case[id] " not offered" : "**not run**") " |"
+      continue
+    }
     split(row[id], f, ",")
     where = f[4] == "-" ? f[3] : f[3] " " f[4]
     verdict = faults_case[id] ? "**" faults_case[id] " of " checks_case[id] " fail**" : checks_case[id] " pass"

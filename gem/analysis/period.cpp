@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "gem/analysis/correlation.h"
+
 namespace gem {
 namespace {
 
@@ -38,15 +40,54 @@ double peak_frequency(const Spectrum& spectrum, std::size_t maximum) {
 }
 
 /// Half width of the 95 % interval of the peak's frequency from leaving out each taper in turn [Hz].
-double jackknife_half_width(const std::vector<Spectrum>& spectra, std::size_t maximum) {
+double jackknife_half_width(const std::vector<Spectrum>& spectra) {
   const auto count = static_cast<double>(spectra.size());
   std::vector<double> left_out;
-  for (std::size_t s = 0; s < spectra.size(); ++s)
-    left_out.push_back(peak_frequency(mean_spectrum(spectra, s), maximum));
+  for (std::size_t s = 0; s < spectra.size(); ++s) {
+    const Spectrum rest = mean_spectrum(spectra, s);
+    left_out.push_back(peak_frequency(rest, strongest(rest)));
+  }
   const double mean = std::accumulate(left_out.begin(), left_out.end(), 0.0) / count;
   double squares = 0.0;
   for (const double value : left_out) squares += (value - mean) * (value - mean);
   return gsl_cdf_tdist_Pinv(0.975, count - 1.0) * std::sqrt(squares * (count - 1.0) / count);
+}
+
+/// When the mean-removed record crosses zero upwards [s].
+std::vector<double> crossing_times(std::span<const double> signal, double interval_s) {
+  if (signal.empty()) return {};
+  const double mean = std::accumulate(signal.begin(), signal.end(), 0.0) / static_cast<double>(signal.size());
+  std::vector<double> times;
+  for (std::size_t i = 1; i < signal.size(); ++i) {
+    const double before = signal[i - 1] - mean;
+    const double after = signal[i] - mean;
+    if (before < 0.0 && after >= 0.0) times.push_back((static_cast<double>(i) - after / (after - before)) * interval_s);
+  }
+  return times;
+}
+
+/// When the record turns from rising to falling [s].
+std::vector<double> maxima_times(std::span<const double> signal, double interval_s) {
+  std::vector<double> times;
+  bool rising = false;
+  for (std::size_t i = 1; i < signal.size(); ++i) {
+    if (signal[i] < signal[i - 1] && rising) times.push_back(static_cast<double>(i - 1) * interval_s);
+    // A level stretch keeps the direction: a flat top is one maximum.
+    if (signal[i] != signal[i - 1]) rising = signal[i] > signal[i - 1];
+  }
+  return times;
+}
+
+constexpr std::size_t kFewestGaps = 20;
+
+std::optional<PeriodEstimate> mean_gap(const std::vector<double>& times) {
+  if (times.size() <= kFewestGaps) return std::nullopt;
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < times.size(); ++i) gaps.push_back(times[i] - times[i - 1]);
+  // A time measured late makes one gap long and the next one short: neighbours correlate, distant gaps do not.
+  const auto lag = static_cast<std::size_t>(std::sqrt(static_cast<double>(gaps.size())));
+  const IntervalEstimate mean = mean_by_effective_samples(gaps, lag);
+  return PeriodEstimate{mean.value, mean.low, mean.high};
 }
 
 }  // namespace
@@ -59,40 +100,43 @@ std::optional<PeriodEstimate> spectral_period(const std::vector<Spectrum>& eigen
   const double frequency = peak_frequency(mean, maximum);
   // The lobe must stand clear of zero frequency, where a drift would pull at its centre.
   if (frequency < 2.0 * mean.half_bandwidth) return std::nullopt;
-  const double half_width = std::max(jackknife_half_width(eigenspectra, maximum), 0.5 / mean.duration);
+  const double half_width = jackknife_half_width(eigenspectra) + 0.5 / mean.duration;
   return PeriodEstimate{1.0 / frequency, 1.0 / (frequency + half_width),
                         1.0 / std::max(frequency - half_width, 0.5 / mean.duration)};
 }
 
 Crossings zero_up_crossings(std::span<const double> signal, double interval_s) {
-  if (signal.empty()) return {};
-  const double mean = std::accumulate(signal.begin(), signal.end(), 0.0) / static_cast<double>(signal.size());
-  Crossings crossings;
-  double first = 0.0;
-  double last = 0.0;
-  for (std::size_t i = 1; i < signal.size(); ++i) {
-    const double before = signal[i - 1] - mean;
-    const double after = signal[i] - mean;
-    if (!(before < 0.0 && after >= 0.0)) continue;
-    last = (static_cast<double>(i) - after / (after - before)) * interval_s;
-    if (crossings.count == 0) first = last;
-    ++crossings.count;
-  }
-  if (crossings.count > 1) crossings.mean_period = (last - first) / static_cast<double>(crossings.count - 1);
+  const std::vector<double> times = crossing_times(signal, interval_s);
+  Crossings crossings{times.size(), 0.0};
+  if (times.size() > 1) crossings.mean_period = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   return crossings;
 }
 
 Maxima local_maxima(std::span<const double> signal, double interval_s) {
-  Maxima maxima;
-  bool rising = false;
-  for (std::size_t i = 1; i < signal.size(); ++i) {
-    if (signal[i] < signal[i - 1] && rising) ++maxima.count;
-    // A level stretch keeps the direction: a flat top is one maximum.
-    if (signal[i] != signal[i - 1]) rising = signal[i] > signal[i - 1];
-  }
+  Maxima maxima{maxima_times(signal, interval_s).size(), 0.0};
   if (maxima.count > 0)
     maxima.mean_period = static_cast<double>(signal.size()) * interval_s / static_cast<double>(maxima.count);
   return maxima;
+}
+
+std::optional<PeriodEstimate> crossing_period(std::span<const double> signal, double interval_s) {
+  return mean_gap(crossing_times(signal, interval_s));
+}
+
+std::optional<PeriodEstimate> maxima_period(std::span<const double> signal, double interval_s) {
+  return mean_gap(maxima_times(signal, interval_s));
+}
+
+double moment_period(const Spectrum& spectrum, double low, double high) {
+  double power = 0.0;
+  double moment = 0.0;
+  for (std::size_t i = 0; i < spectrum.density.size(); ++i) {
+    const double frequency = spectrum.frequency(i);
+    if (frequency < low || frequency > high) continue;
+    power += spectrum.density[i];
+    moment += spectrum.density[i] * frequency * frequency;
+  }
+  return moment > 0.0 ? std::sqrt(power / moment) : 0.0;
 }
 
 }  // namespace gem

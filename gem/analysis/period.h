@@ -20,9 +20,11 @@ struct PeriodEstimate {
 /// The period of the strongest spectral peak.
 ///
 /// A multitaper peak has a flat top one bandwidth wide, so its place is the power-weighted mean frequency over the
-/// whole lobe (twice the half-bandwidth each side of the maximum). The interval is the larger of a jackknife over the
-/// tapers and half a resolution cell, 1 / (2 T). Empty for a record without power, and for a peak less than a lobe away
-/// from zero frequency: with NW = 2.5, fewer than five cycles in the record.
+/// whole lobe (twice the half-bandwidth each side of the maximum). The half width of the interval is half a resolution
+/// cell, 1 / (2 T), and a jackknife over the tapers on top of it. It is too wide for a line narrower than a cell and a
+/// little too narrow for a broad one: of an oscillator hit at random for 80 periods it holds the natural period in 97 %
+/// or more of the records up to a damping ratio of 0.005, in 89 % at 0.02. Empty for a record without power, and for a
+/// peak less than a lobe away from zero frequency: with NW = 2.5, fewer than five cycles in the record.
 std::optional<PeriodEstimate> spectral_period(const std::vector<Spectrum>& eigenspectra);
 
 /// Up-crossings of zero by the mean-removed record, each placed by linear interpolation.
@@ -38,5 +40,16 @@ struct Maxima {
   double mean_period = 0.0;  // duration over count; 0 without maxima [s]
 };
 Maxima local_maxima(std::span<const double> signal, double interval_s);
+
+/// The mean time between zero up-crossings with its interval, by the scatter of the single times between them and how
+/// they correlate. Empty with fewer than 20 of them.
+std::optional<PeriodEstimate> crossing_period(std::span<const double> signal, double interval_s);
+
+/// The same for the time between local maxima.
+std::optional<PeriodEstimate> maxima_period(std::span<const double> signal, double interval_s);
+
+/// Mean up-crossing period of a normal record with this spectrum, from its moments within [low, high]: sqrt(m0 / m2)
+/// [s]. The limits [Hz] keep out noise, which m2 weighs by frequency squared. 0 without power between them.
+double moment_period(const Spectrum& spectrum, double low, double high);
 
 }  // namespace gem

@@ -110,14 +110,14 @@ Spectrum welch(std::span<const double> signal, double interval_s, double segment
   const std::vector<double> window = hann_of_unit_energy(length);
   Spectrum mean = blank(signal.size(), padded, interval_s);
   mean.half_bandwidth = 2.0 / (static_cast<double>(length) * interval_s);
-  double segments = 0.0;
+  mean.segments = 0;
   for (std::size_t begin = 0; begin + length <= signal.size(); begin += length / 2) {
     const std::vector<double> density =
         windowed_density(std::span(centred).subspan(begin, length), window, padded, interval_s);
     for (std::size_t i = 0; i < density.size(); ++i) mean.density[i] += density[i];
-    segments += 1.0;
+    ++mean.segments;
   }
-  for (double& value : mean.density) value /= segments;
+  for (double& value : mean.density) value /= static_cast<double>(mean.segments);
   return mean;
 }
 

@@ -12,6 +12,7 @@ struct Spectrum {
   double step = 0.0;            // spacing of the frequencies, the first is 0 [Hz]
   double half_bandwidth = 0.0;  // features closer than twice this are one [Hz]
   double duration = 0.0;        // length of the record [s]
+  std::size_t segments = 1;     // of the record that were averaged
   std::vector<double> density;  // [unit^2/Hz]
 
   double frequency(std::size_t i) const { return step * static_cast<double>(i); }

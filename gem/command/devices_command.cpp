@@ -18,7 +18,8 @@ void add_devices_command(CLI::App& app, Chosen& chosen) {
         const nlohmann::ordered_json object = {{"cpu_threads", threads},
                                                {"gpus", nlohmann::json::array()},
                                                {"gpu_engine", "not built"},
-                                               {"engines", engine_names()}};
+                                               {"engines", engine_names()},
+                                               {"baselines", baseline_names()}};
         print(object.dump(2) + "\n");
       } else {
         print("cpu: " + std::to_string(threads) +

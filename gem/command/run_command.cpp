@@ -1,4 +1,5 @@
 // gem run: one case to one run file.
+#include <cmath>
 #include <csignal>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -26,6 +27,9 @@ struct RunChoice {
   bool force = false;
   bool json = false;
 };
+
+/// A baseline's books are reported, not enforced: it computes in float and closes them as well as that allows.
+constexpr BookLimits reported_only{HUGE_VAL, HUGE_VAL, HUGE_VAL};
 
 ProgressMode progress_mode(const std::string& name) {
   if (name == "none") return ProgressMode::none;
@@ -85,6 +89,7 @@ int run(RunChoice choice) {
                           ", " + std::to_string(choice.engine.threads) + " threads, to " +
                           shown(choice.options.output));
   choice.options.threads = choice.engine.threads;
+  if (!engine->method().empty()) choice.options.books = reported_only;
   const RunSummary summary = run_scene(scene, *engine, choice.options);
   if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));
   if (summary.stop_signal == SIGINT) return static_cast<int>(ExitCode::interrupted);
@@ -98,10 +103,20 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand("run", "run a case and write a run file");
   add_case_options(*command, choice->chosen_case, false);
   command->add_option("-o,--out", choice->options.output, "run file; the run's name with .h5 if left out");
+  std::vector<std::string> offered = engine_names();
+  for (const std::string& name : baseline_names()) offered.push_back(name);
   command->add_option("--engine", choice->engine.name, "engine that moves the field")
-      ->check(CLI::IsMember(engine_names()))
+      ->check(CLI::IsMember(offered))
       ->capture_default_str();
   command->add_option("--threads", choice->threads, "threads of the cpu engine; all if left out")->type_name("N");
+  if (!baseline_names().empty()) {
+    BaselineOptions& baseline = choice->engine.baseline;
+    command->add_option("--velocity-iterations", baseline.velocity_iterations, "of box2d's solver")
+        ->capture_default_str();
+    command->add_option("--position-iterations", baseline.position_iterations, "of box2d's solver")
+        ->capture_default_str();
+    command->add_option("--skin", baseline.skin_m, "radius round box2d's outlines [m]")->capture_default_str();
+  }
   command->add_option("--until", choice->until, "end at this time: sets run.duration_s")->type_name("SECONDS");
   command->add_flag("--overwrite", choice->options.overwrite, "replace an existing run file");
   command->add_flag("--dry-run", choice->dry_run, "check the case and say what the run needs; compute nothing");

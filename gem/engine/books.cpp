@@ -92,8 +92,10 @@ Ledger closed_books(const FieldState& f, Ledger& running) {
   for (std::size_t c = 0; c < ledger.channel.size(); ++c)
     for (std::size_t i = 0; i < f.bodies.count(); ++i) ledger.channel[c] += f.book(static_cast<Channel>(c), i);
   ledger.mooring_force = f.mooring_force;
-  double momentum = 0.0, angular = 0.0;
+  double momentum = 0.0, angular = 0.0, reach = 0.0;
   for (std::size_t i = 0; i < f.bodies.count(); ++i) {
+    if (f.bodies.active[i] && f.bodies.inverse_mass[i] > 0.0)
+      reach = std::max(reach, length(f.bodies.position[i]) + f.bodies.radius[i]);
     const Vec2 p = f.bodies.mass[i] * f.bodies.velocity[i];
     momentum += length(p);
     angular += length(f.bodies.position[i]) * length(p) + f.bodies.inertia[i] * std::fabs(f.bodies.spin[i]);
@@ -106,7 +108,9 @@ Ledger closed_books(const FieldState& f, Ledger& running) {
     energy += std::fabs(q.energy);
   }
   running.momentum_scale = std::max({running.momentum_scale, momentum, length(ledger.mooring_force.momentum)});
-  running.angular_scale = std::max({running.angular_scale, angular, std::fabs(ledger.mooring_force.angular_momentum)});
+  // twists that cancel, as of a floe held at the origin, are known no better than the momentum at its place
+  running.angular_scale = std::max({running.angular_scale, angular, std::fabs(ledger.mooring_force.angular_momentum),
+                                    reach * running.momentum_scale});
   running.energy_scale = std::max(running.energy_scale, energy);
   ledger.momentum_scale = running.momentum_scale;
   ledger.angular_scale = running.angular_scale;
@@ -136,15 +140,19 @@ void retire(FieldState& f) {
   }
 }
 
-MomentQuality contact_quality(Contacts contacts) {
-  MomentQuality quality;
+void note_contacts(const FieldState& f, Contacts contacts, MomentQuality& quality, MomentLog& log) {
   for (const Contact* contact : contacts)
     for (int k = 0; k < contact->count; ++k) {
-      const double depth = -contact->slot[k].separation;
-      if (depth >= 0.0) ++quality.contacts;
+      const ContactSlot& slot = contact->slot[k];
+      if (slot.separation <= 0.0 || slot.impulse.normal > 0.0) ++quality.contacts;
+      if (!(slot.separation < 0.0)) continue;
+      const double depth = -slot.separation;
+      const double share = depth / std::sqrt(std::min(f.bodies.area[contact->a], f.bodies.area[contact->b]));
+      log.overlap.add(depth);
+      log.overlap_share.add(share);
       quality.maximum_overlap = std::max(quality.maximum_overlap, depth);
+      quality.maximum_share = std::max(quality.maximum_share, share);
     }
-  return quality;
 }
 
 void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, double event_speed, MomentLog& log) {

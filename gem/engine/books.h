@@ -24,8 +24,9 @@ void check_finite(const FieldState& f, std::int64_t moment);
 /// Retires the floes past the retire line and enters what they take along.
 void retire(FieldState& f);
 
-/// How many points touch and how deep, at the start of the moment.
-MomentQuality contact_quality(Contacts contacts);
+/// How many points touched or were pressed, and how deep they were at the start of the moment; counts the overlaps in
+/// the log.
+void note_contacts(const FieldState& f, Contacts contacts, MomentQuality& quality, MomentLog& log);
 
 /// The bodies of a platform event at its instant.
 struct EventBodies {

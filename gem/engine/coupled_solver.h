@@ -1,10 +1,12 @@
-// The coupled resolution on the host: all events of one moment together, swept by colour to a stated residual.
+// The coupled resolution on the host: all events of one moment together, iterated to a stated residual.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "gem/base/pack.h"
 #include "gem/engine/contact.h"
+#include "gem/engine/coupled_point.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/field_state.h"
 #include "gem/engine/thread_team.h"
@@ -14,47 +16,66 @@ namespace gem {
 /// Keeps what lasts from moment to moment: the impulses of the last one.
 class CoupledSolver {
  public:
-  /// Moments with fewer contacts are swept by one thread: the wait after each colour would cost more than it brings.
+  /// Moments with fewer contacts are iterated by one thread: the wait after each phase would cost more than it brings.
   explicit CoupledSolver(std::size_t contacts_worth_threads = 2048) : contacts_worth_threads_(contacts_worth_threads) {}
 
   /// Inside a team's run: resolves the contacts (ascending in a, b); changes velocities, impulses and repair shifts.
   void resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality);
 
   const std::vector<std::uint64_t>& keys() const { return keys_; }
-  const std::vector<Vec2>& impulses() const { return impulses_; }
-  void restore(std::vector<std::uint64_t> keys, std::vector<Vec2> impulses);
-  /// Colour of each contact of the last moment: contacts of one colour share no moving body.
-  const std::vector<std::uint8_t>& colours() const { return colour_of_; }
+  const std::vector<PointImpulse<double>>& impulses() const { return impulses_; }
+  void restore(std::vector<std::uint64_t> keys, std::vector<PointImpulse<double>> impulses);
 
  private:
-  void warm_start(Contacts contacts) const;
-  void keep(Contacts contacts);
-  void colour(const FieldState& f, Contacts contacts);
-  void sweep_to_residual(FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
-  void start_moment(FieldState& f, Contacts contacts);
-  void end_sweep(FieldState& f, Contacts contacts);
+  /// Four points side by side.
+  struct alignas(32) Block {
+    PointGeometry<Pack> geometry;
+    PointImpulse<Pack> impulse, carried;
+    std::int32_t a[pack_lanes], b[pack_lanes];            // into motion_
+    std::int32_t push_a[pack_lanes], push_b[pack_lanes];  // into push_
+  };
+  struct alignas(32) Slot {  // of a Motion or a Push
+    Pack linear;             // x, y, turning part, unused
+    Pack repair;
+  };
 
-  /// Calls visit(contact) for all contacts, a colour at a time.
-  template <class Visit>
-  void sweep(ThreadTeam& team, int rank, Visit&& visit);
+  void lay_out(const FieldState& f, Contacts contacts);
+  void warm_start(Contacts contacts);
+  void keep(Contacts contacts);
+  void fill_points(const FieldState& f, Contact& contact, std::int32_t first);
+  void iterate(const FieldState& f, ThreadTeam& team, int rank);
+  template <PointFriction law>
+  void visit_range(std::int32_t begin, std::int32_t end, double dt, double ahead, int rank);
+  void visit_frictionless(std::int32_t begin, std::int32_t end, double dt, double ahead, int rank);
+  void visit_coulomb(std::int32_t begin, std::int32_t end, double dt, double ahead, int rank);
+  void visit_fixed_direction(std::int32_t begin, std::int32_t end, double dt, double ahead, int rank);
+  void push_blocks(std::int32_t begin, std::int32_t end);
+  void move_bodies(const FieldState& f, std::int32_t begin, std::int32_t end);
+  void weigh_impulses(const FieldState& f, std::int32_t begin, std::int32_t end);
+  void scale_impulses(std::int32_t begin, std::int32_t end, double share);
+  void hand_back(FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
 
   std::vector<std::uint64_t> keys_;
-  std::vector<Vec2> impulses_;              // normal, tangential
-  std::vector<std::uint64_t> used_;         // per body: colours taken
-  std::vector<Contact*> order_;             // contacts, colour by colour
-  std::vector<std::int32_t> colour_begin_;  // into order_
-  std::vector<std::uint8_t> colour_of_;
+  std::vector<PointImpulse<double>> impulses_;
 
-  struct alignas(64) Change {  // one per thread
+  std::vector<std::int32_t> first_point_;  // per contact
+  std::vector<Block> block_;
+  std::vector<double> climb_;            // per point, then used up by its sum
+  std::vector<std::int32_t> points_of_;  // per body of the field
+  std::vector<std::int32_t> index_of_;   // per body of the field: into motion_
+  std::vector<std::int32_t> body_;       // per entry of motion_ that moves
+  std::vector<std::int32_t> push_begin_, next_push_;
+  std::vector<Slot> motion_, push_;
+
+  struct alignas(64) Most {  // one per thread
     double speed = 0.0;
   };
-  std::vector<Change> change_;
-  Vec2 platform_velocity_;  // before the moment's events
-  double platform_spin_ = 0.0;
-  std::int32_t sweeps_ = 0;
+  std::vector<Most> most_;
+  std::int32_t iterations_ = 0;
   double residual_ = 0.0;
-  bool all_ = true;  // the next sweep visits every contact
-  bool done_ = false;
+  double climb_sum_ = 0.0;
+  std::vector<double> given_, answered_;  // per entry of motion_: impulse on its velocity before, and on its change [J]
+  double share_ = 1.0;
   ThreadTeam alone_{1};
   std::size_t contacts_worth_threads_;
 };

@@ -47,7 +47,7 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
   team.single(rank, [&] {
     before_ = platform_impulses(f);
     platform_first_half(f);
-    quality_ = contact_quality(contacts);
+    quality_ = {};
   });
   if (f.constants.resolution == Resolution::coupled) {
     coupled_.resolve(f, contacts, team, rank, quality_);
@@ -56,6 +56,7 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
   }
   team.single(rank, [&] {
     for (const Contact* contact : contacts) book_contact(f, *contact);
+    note_contacts(f, contacts, quality_, log);
     log_events(f, contacts, moment_, event_speed_, log);
   });
 
@@ -75,11 +76,11 @@ void CpuEngine::resolve_independent(ThreadTeam& team, int rank) {
   FieldState& f = field_;
   const Contacts contacts = pairs_.contacts();
   team.for_each(rank, static_cast<std::int64_t>(contacts.size()), [&](std::int64_t i) {
-    prepare_contact(f, *contacts[i], 1.0);
+    prepare_contact(f, *contacts[i]);
     resolve_alone(f, *contacts[i]);
   });
   team.single(rank, [&] {
-    for (const Contact* contact : contacts) apply_impulses(f.bodies, *contact, true);
+    for (const Contact* contact : contacts) apply_impulses(f.bodies, *contact);
   });
 }
 

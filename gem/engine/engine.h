@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/engine/coupled_point.h"
 #include "gem/engine/ledger.h"
+#include "gem/engine/overlap_count.h"
 #include "gem/field/bodies.h"
 #include "gem/scene/scene_def.h"
 
@@ -45,10 +48,11 @@ struct ContactEvent {
 
 /// How well one moment was resolved.
 struct MomentQuality {
-  std::int32_t contacts = 0;     // touching contact points
-  std::int32_t iterations = 0;   // sweeps of the coupled resolution
-  double residual = 0.0;         // largest change of speed in the last sweep [m/s]
+  std::int32_t contacts = 0;     // points that touched at its start or carried an impulse
+  std::int32_t iterations = 0;   // of the coupled resolution
+  double residual = 0.0;         // largest speed that an event still asked for at the last iteration [m/s]
   double maximum_overlap = 0.0;  // deepest overlap depth at the start of the moment [m]
+  double maximum_share = 0.0;    // largest overlap over the size of the smaller body [-]
 };
 
 /// Filled by advance(): one entry of `platform` and `quality` per moment, events in time and id order.
@@ -57,10 +61,14 @@ struct MomentLog {
   std::vector<PlatformMoment> platform;
   std::vector<MomentQuality> quality;
   std::vector<ContactEvent> events;
+  OverlapCount overlap;        // depth of every overlap at the start of every moment [m]
+  OverlapCount overlap_share;  // the same over the size (root of the area) of the smaller body [-]
   void clear() {
     platform.clear();
     quality.clear();
     events.clear();
+    overlap = {};
+    overlap_share = {};
   }
 };
 
@@ -70,13 +78,15 @@ struct EngineState {
   Bodies bodies;
   Ledger ledger;
   std::vector<std::uint64_t> impulse_key;  // warm start of `coupled`: contact identity, ascending
-  std::vector<Vec2> impulse_value;         // normal and tangential impulse [N s]
+  std::vector<PointImpulse<double>> impulse_value;
 };
 
 class Engine {
  public:
   virtual ~Engine() = default;
   virtual std::string name() const = 0;
+  /// How contacts are resolved, for the record; empty: as the scene's contact.resolution says.
+  virtual std::string method() const { return {}; }
   /// What it runs on besides the processor, for the run file; empty: nothing.
   virtual std::string device() const { return {}; }
   /// Moves the field on by `moments` moments and appends to `log`. Throws Error(numerical_stop) at a non-finite state.
@@ -93,13 +103,21 @@ class Engine {
   std::uint64_t state_hash();
 };
 
+/// Settings of an engine that resolves contacts in its own way.
+struct BaselineOptions {
+  int velocity_iterations = 8;
+  int position_iterations = 3;
+  double skin_m = 0.01;          // radius round every outline within which two bodies are held apart [m]
+  bool measures_quality = true;  // false: overlap and residual of MomentQuality are NaN, and cost nothing
+};
 /// Hash of a moving state: same bits, same hash.
 std::uint64_t hash_of(std::int64_t moment, const Bodies& bodies);
 
 struct EngineOptions {
   std::string name = "cpu";                   // reference | cpu | cuda
   int threads = 0;                            // 0: all that the machine offers
-  std::size_t contacts_worth_threads = 2048;  // coupled: fewer are swept by one thread
+  std::size_t contacts_worth_threads = 2048;  // coupled: fewer are iterated by one thread
+  BaselineOptions baseline = {};
 };
 
 /// Makes the named engine for a scene and its field.
@@ -107,5 +125,14 @@ std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const 
 
 /// The engines that run on every machine, for messages and for tests; make_engine also knows cuda.
 std::vector<std::string> engine_names();
+
+/// Makes one engine that is built outside gem/engine.
+using BaselineMaker = std::function<std::unique_ptr<Engine>(const SceneDef&, Bodies, const EngineOptions&)>;
+
+/// Makes a baseline known to make_engine: another program's physics, judged by its own rows. Not for several threads.
+void register_baseline(const std::string& name, BaselineMaker make);
+
+/// Names of the registered baselines, which engine_names() leaves out: they share no bits with gem's engines.
+std::vector<std::string> baseline_names();
 
 }  // namespace gem

@@ -27,7 +27,6 @@ FieldState make_field_state(Bodies bodies, const MomentConstants& constants) {
   f.path_correction.assign(n, {});
   f.angle_correction.assign(n, 0.0);
   f.struck.assign(n, 0);
-  f.changed.assign(n, 0);
   f.repair_shift.assign(n, {});
   f.repair_turn.assign(n, 0.0);
   f.books.assign(n * static_cast<std::size_t>(Channel::count), {});

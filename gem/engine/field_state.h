@@ -23,11 +23,10 @@ struct FieldState {
 
   std::vector<Vec2> path_correction;  // exact path of the drag minus velocity x dt [m]
   std::vector<double> angle_correction;
-  std::vector<std::uint8_t> struck;   // a non-zero impulse in this moment
-  std::vector<std::int32_t> changed;  // coupled: last sweep of this moment that changed the body's velocity
-  std::vector<Vec2> repair_shift;     // position repair of this moment [m]
-  std::vector<double> repair_turn;    // [rad]
-  Vec2 platform_position;             // at the start of the moment [m]
+  std::vector<std::uint8_t> struck;  // a non-zero impulse in this moment
+  std::vector<Vec2> repair_shift;    // position repair of this moment [m]
+  std::vector<double> repair_turn;   // [rad]
+  Vec2 platform_position;            // at the start of the moment [m]
 
   std::vector<Quantity> books;  // by channel, then by body: a contact's entries stand with its body B, the
                                 // platform's own with body 0

@@ -12,6 +12,27 @@
 
 namespace gem {
 
+namespace {
+
+struct Baseline {
+  std::string name;
+  BaselineMaker make;
+};
+
+std::vector<Baseline>& baselines() {
+  static std::vector<Baseline> known;
+  return known;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+  return text;
+}
+
+}  // namespace
+
 std::vector<std::string> engine_names() { return {"reference", "cpu"}; }
 
 std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options) {
@@ -21,7 +42,20 @@ std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const 
   if (options.name == "cpu")
     return std::make_unique<CpuEngine>(scene, std::move(bodies), threads, options.contacts_worth_threads);
   if (options.name == "cuda") return make_cuda_engine(scene, std::move(bodies));
-  throw Error(ExitCode::usage, "unknown engine '" + options.name + "' (reference, cpu or cuda)");
+  for (const Baseline& baseline : baselines())
+    if (options.name == baseline.name) return baseline.make(scene, std::move(bodies), options);
+  std::vector<std::string> known = engine_names();
+  known.push_back("cuda");
+  for (const std::string& name : baseline_names()) known.push_back(name);
+  throw Error(ExitCode::usage, "unknown engine '" + options.name + "' (" + joined(known) + ")");
+}
+
+void register_baseline(const std::string& name, BaselineMaker make) { baselines().push_back({name, std::move(make)}); }
+
+std::vector<std::string> baseline_names() {
+  std::vector<std::string> names;
+  for (const Baseline& baseline : baselines()) names.push_back(baseline.name);
+  return names;
 }
 
 std::uint64_t Engine::state_hash() { return hash_of(moment(), bodies()); }

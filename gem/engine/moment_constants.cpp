@@ -46,6 +46,7 @@ MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
   c.friction_law = scene.contact.friction_law;
   c.friction_ice = scene.ice.friction_ice;
   c.friction_structure = scene.ice.friction_structure;
+  c.crushing_limit = scene.contact.crushing_limit;
   c.elastic_stiffness = scene.contact.elastic_stiffness_N_per_m;
   c.ice = {scene.ice.crushing_pressure_Pa, scene.ice.pressure_area_exponent, 0.0};
 
@@ -54,8 +55,12 @@ MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
   if (coupled && c.manifold == Manifold::chord_ends) c.contact_margin = scene.numerics.contact_reach * fastest * c.dt;
   c.residual_speed = scene.numerics.residual_tolerance * fastest;
   c.iterations_maximum = scene.numerics.iterations_maximum;
-  c.repair_iterations = coupled ? scene.numerics.repair_iterations : 0;
+  const bool rough = c.friction_ice > 0.0 || c.friction_structure > 0.0;
+  c.point_friction = !rough                                    ? PointFriction::none
+                     : c.friction_law == FrictionLaw::one_step ? PointFriction::coulomb
+                                                               : PointFriction::fixed_direction;
   c.repair_share = scene.numerics.repair_share;
+  c.repair_speed = scene.numerics.repair_speed_m_per_s;
   c.list_margin = scene.numerics.list_margin_m;
   c.retire_x = scene.output.retire_x_m;
   return c;

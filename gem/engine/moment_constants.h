@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "gem/base/vec2.h"
+#include "gem/engine/coupled_point.h"
 #include "gem/events/events.h"
 #include "gem/field/bodies.h"
 #include "gem/scene/scene_def.h"
@@ -34,12 +35,14 @@ struct MomentConstants {
   CrushingIce ice;                 // thickness is set per contact
 
   double contact_margin = 0.0;  // coupled: faces closer than this are held apart [m]
-  double residual_speed = 0.0;  // coupled: sweeps stop when no contact changes its speed by more [m/s]
+  PointFriction point_friction = PointFriction::coulomb;
+  double residual_speed = 0.0;  // coupled: iterations stop when no point asks for more [m/s]
   std::int64_t iterations_maximum = 0;
-  std::int64_t repair_iterations = 0;
-  double repair_share = 0.0;  // share of an overlap taken away in one moment [-]
-  double list_margin = 0.0;   // [m]
-  double retire_x = 0.0;      // [m]
+  bool crushing_limit = true;  // coupled
+  double repair_share = 0.0;   // share of an overlap taken back in one moment [-]
+  double repair_speed = 0.0;   // ... at most at this speed [m/s]
+  double list_margin = 0.0;    // [m]
+  double retire_x = 0.0;       // [m]
 };
 
 MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies);

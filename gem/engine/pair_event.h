@@ -9,6 +9,7 @@
 #pragma once
 
 #include "gem/engine/contact.h"
+#include "gem/engine/coupled_point.h"
 #include "gem/engine/ledger.h"
 #include "gem/engine/moment_constants.h"
 #include "gem/events/events.h"
@@ -71,15 +72,16 @@ GEM_HD inline void prepare(const MomentConstants& c, const PairBodies& p, Vec2 s
   for (int k = 0; k < contact.count; ++k) {
     ContactSlot& slot = contact.slot[k];
     slot.arm_a -= shift;
-    slot.compliance = contact_compliance(p.mass_a, slot.arm_a, p.mass_b, slot.arm_b, contact.normal);
     const Vec2 velocity = relative_velocity(p, slot);
     slot.normal_before = dot(velocity, contact.normal);
     slot.tangential_before = dot(velocity, tangent);
     if (c.resolution == Resolution::coupled) {
       slot.target = slot.separation > 0.0 ? -slot.separation / c.dt : 0.0;
-    } else if (c.elastic_stiffness > 0.0 && slot.separation < 0.0) {
-      slot.target = elastic_target(c, slot, contact.width, p.thickness);
+      continue;
     }
+    slot.compliance = contact_compliance(p.mass_a, slot.arm_a, p.mass_b, slot.arm_b, contact.normal);
+    if (c.elastic_stiffness > 0.0 && slot.separation < 0.0)
+      slot.target = elastic_target(c, slot, contact.width, p.thickness);
   }
 }
 
@@ -126,6 +128,59 @@ GEM_HD inline void resolve_alone(const MomentConstants& c, CollisionMass a, Coll
     const double asked = slot.target + closing;
     slot.elastic = asked > 0.0 && slot.target > 0.0 ? slot.impulse.normal * (slot.target / asked) : 0.0;
   }
+}
+
+constexpr double no_cap = 1e300;  // [N s]
+
+/// Largest impulse that one of `points` points of a contact can carry in a moment: it crushes the smaller body across
+/// its whole size [N s]. The power of the law is only worked out for a point that carried an impulse of its order a
+/// moment ago; a bound from below does for all others.
+GEM_HD inline double impulse_cap(const MomentConstants& c, const CrushingIce& ice, double area_a, double area_b,
+                                 int points, double last_impulse) {
+  const double width = std::sqrt(smaller(area_a, area_b));
+  const double share = c.dt / points;
+  const double least = share * crushing_force_at_least(ice, width);
+  return last_impulse < 0.5 * least ? least : share * crushing_force(ice, width);
+}
+
+/// The mass of a body shared out among its contact points.
+GEM_HD inline CollisionMass shared_mass(CollisionMass mass, std::int32_t points) {
+  const double share = points;
+  return {share * mass.inverse_mass, share * mass.inverse_inertia};
+}
+
+/// A contact point as the iterations of a coupled moment see it, with shared masses.
+GEM_HD inline PointGeometry<double> point_geometry(const MomentConstants& c, const Contact& contact,
+                                                   const ContactSlot& slot, CollisionMass a, CollisionMass b,
+                                                   double cap) {
+  const Vec2 normal = contact.normal, tangent = turned_left(normal);
+  PointGeometry<double> g{};
+  g.normal_x = normal.x;
+  g.normal_y = normal.y;
+  g.lever_a_n = cross(slot.arm_a, normal);
+  g.lever_a_t = cross(slot.arm_a, tangent);
+  g.lever_b_n = cross(slot.arm_b, normal);
+  g.lever_b_t = cross(slot.arm_b, tangent);
+  const double mass = a.inverse_mass + b.inverse_mass;
+  g.nn = mass + a.inverse_inertia * g.lever_a_n * g.lever_a_n + b.inverse_inertia * g.lever_b_n * g.lever_b_n;
+  g.tt = mass + a.inverse_inertia * g.lever_a_t * g.lever_a_t + b.inverse_inertia * g.lever_b_t * g.lever_b_t;
+  g.nt = a.inverse_inertia * g.lever_a_n * g.lever_a_t + b.inverse_inertia * g.lever_b_n * g.lever_b_t;
+  g.friction = contact.friction;
+  if (c.point_friction == PointFriction::fixed_direction) {
+    const double slip = slot.tangential_before;
+    g.friction = slip > 0.0 ? -contact.friction : slip < 0.0 ? contact.friction : 0.0;
+    const double sliding = g.nn + g.friction * g.nt;
+    if (sliding > 0.0)
+      g.nn = sliding;
+    else
+      g.friction = 0.0;
+  }
+  g.inverse_nn = 1.0 / g.nn;
+  g.inverse_tt = 1.0 / g.tt;
+  g.target = slot.target;
+  g.cap = cap;
+  if (slot.separation < 0.0) g.repair_target = smaller(-c.repair_share * slot.separation, c.repair_speed * c.dt);
+  return g;
 }
 
 /// What an impulse changes on a body at `arm`; the other body of the pair takes the opposite.

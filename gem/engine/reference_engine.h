@@ -24,14 +24,24 @@ class ReferenceEngine : public Engine {
 
  private:
   std::vector<Contact> all_contacts() const;
+  struct Point {
+    Contact* contact;
+    ContactSlot* slot;
+    PointGeometry<double> geometry;
+    PointImpulse<double> impulse, carried;
+  };
+
   void resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality);
-  void sum_on_platform(const std::vector<Contact>& contacts, Vec2 velocity, double spin, std::int32_t sweep);
+  std::vector<Point> points_of(std::vector<Contact>& contacts);
+  std::vector<Motion<double>> motions(const std::vector<Point>& points, bool carried) const;
+  void keep_best_share(std::vector<Point>& points, double limit) const;
+  PointResidual<double> visit(Point& point, const std::vector<Motion<double>>& motion, double ahead);
 
   FieldState field_;
   double event_speed_;
   Ledger ledger_;  // start and scales; the sums are with the bodies
   std::int64_t moment_ = 0;
-  std::map<std::uint64_t, ContactImpulse> last_;  // by contact key
+  std::map<std::uint64_t, PointImpulse<double>> last_;  // by contact key
 };
 
 }  // namespace gem

@@ -125,18 +125,18 @@ struct ContactDef {
   Resolution resolution = Resolution::coupled;
   Manifold manifold = Manifold::chord_ends;
   FrictionLaw friction_law = FrictionLaw::one_step;
+  bool crushing_limit = true;              ///< coupled: no event carries more than what crushes the smaller body
   double elastic_stiffness_N_per_m = 1e6;  ///< of the static event in `independent`; 0 leaves it out
 };
 
 struct NumericsDef {
-  double moment_s = 0.05;  ///< dt
-  double residual_tolerance =
-      1e-3;  ///< coupled: largest change of speed in a sweep that ends the sweeps, over the current speed
-  std::int64_t iterations_maximum = 200;
-  double contact_reach = 1.0;  ///< coupled: faces that the current could close in so many moments are held apart
-  std::int64_t repair_iterations = 2;  ///< coupled: sweeps of the position repair
-  double repair_share = 0.2;           ///< coupled: share of an overlap that is taken away in one moment
-  double list_margin_m = 2.5;          ///< pairs closer than this are kept in the list
+  double moment_s = 0.05;            ///< dt
+  double residual_tolerance = 1e-5;  ///< coupled: speed that events may still ask for, over the current speed
+  std::int64_t iterations_maximum = 24;
+  double contact_reach = 1.0;         ///< coupled: faces that the current could close in so many moments are held apart
+  double repair_share = 0.6;          ///< coupled: share of an overlap that is taken back in one moment
+  double repair_speed_m_per_s = 0.1;  ///< coupled: ... at most at this speed
+  double list_margin_m = 2.5;         ///< pairs closer than this are kept in the list
 };
 
 struct OutputDef {

@@ -137,6 +137,9 @@ void add_contact(SceneTable& t) {
   t.choice("contact.friction_law", {"one_step", "fixed_direction"},
            "one_step: Coulomb's law on the velocity after; fixed_direction: on the direction before, as the paper does",
            GEM_FIELD(contact.friction_law));
+  t.flag("contact.crushing_limit",
+         "coupled: whether the crushing force of the smaller body bounds what an event carries",
+         GEM_FIELD(contact.crushing_limit));
   t.number("contact.elastic_stiffness_N_per_m", "N/m", {0.0, 1e12},
            "stiffness of the static event (independent); 0 leaves it out",
            GEM_FIELD(contact.elastic_stiffness_N_per_m));
@@ -145,19 +148,19 @@ void add_contact(SceneTable& t) {
 void add_numerics(SceneTable& t) {
   t.number("numerics.moment_s", "s", {1e-6, 100.0}, "time step dt", GEM_FIELD(numerics.moment_s));
   t.number("numerics.residual_tolerance", "", {0.0, 1.0, true},
-           "coupled: sweeps end when none changes a speed by more than this share of the current speed",
+           "coupled: iterations end when no event asks for more than this share of the current speed",
            GEM_FIELD(numerics.residual_tolerance));
-  t.integer("numerics.iterations_maximum", {1.0, 1e6}, "coupled: most sweeps in one moment",
+  t.integer("numerics.iterations_maximum", {1.0, 1e6}, "coupled: most iterations in one moment",
             GEM_FIELD(numerics.iterations_maximum));
   t.number("numerics.list_margin_m", "m", {0.0, 1e3}, "pairs closer than this are kept in the list of neighbours",
            GEM_FIELD(numerics.list_margin_m));
   t.number("numerics.contact_reach", "moments", {0.0, 100.0},
            "coupled: faces that the current could close in so many moments are held apart",
            GEM_FIELD(numerics.contact_reach));
-  t.integer("numerics.repair_iterations", {0.0, 1e4}, "coupled: sweeps of the position repair",
-            GEM_FIELD(numerics.repair_iterations));
-  t.number("numerics.repair_share", "", {0.0, 1.0}, "coupled: share of an overlap that is taken away in one moment",
+  t.number("numerics.repair_share", "", {0.0, 1.0}, "coupled: share of an overlap that is taken back in one moment",
            GEM_FIELD(numerics.repair_share));
+  t.number("numerics.repair_speed_m_per_s", "m/s", {0.0, 1e3}, "coupled: overlaps are taken back no faster than this",
+           GEM_FIELD(numerics.repair_speed_m_per_s));
 }
 
 void add_output(SceneTable& t) {

@@ -16,3 +16,6 @@ if(benchmarks)
       PASS_REGULAR_EXPRESSION "moment/drift/independent/threads:2.*stage/drift/drift")
   endif()
 endif()
+
+add_executable(speed_against_error bench/speed_against_error.cpp bench/overlaps.cpp)
+target_link_libraries(speed_against_error PRIVATE gem_command gem_baseline CLI11::CLI11)

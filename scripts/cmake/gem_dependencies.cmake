@@ -20,6 +20,11 @@ find_package(CLI11 REQUIRED CONFIG)
 find_package(nlohmann_json REQUIRED CONFIG)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 
+# The baseline's library comes as a shared one only, so a static build goes without.
+if(GEM_BOX2D AND NOT GEM_STATIC)
+  find_package(box2d 2.4.1 REQUIRED CONFIG)
+endif()
+
 # The CUDA engine is built where nvcc is found, also where it is installed but not on the path.
 set(GEM_HAS_CUDA OFF)
 if(NOT GEM_CUDA STREQUAL OFF)

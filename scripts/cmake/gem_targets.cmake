@@ -62,8 +62,18 @@ list(FILTER run_sources EXCLUDE REGEX "_test\\.cpp$")
 add_library(gem_command STATIC ${run_sources} ${command_sources})
 target_link_libraries(gem_command PUBLIC gem_simulator gem_analysis PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
 
+# The same scenes in Box2D; without it the program knows one engine less.
+gem_sources(baseline_sources baseline_box2d)
+if(TARGET box2d::box2d)
+  list(FILTER baseline_sources EXCLUDE REGEX "/without_box2d\\.cpp$")
+else()
+  list(FILTER baseline_sources INCLUDE REGEX "/without_box2d\\.cpp$")
+endif()
+add_library(gem_baseline STATIC ${baseline_sources})
+target_link_libraries(gem_baseline PUBLIC gem_simulator $<TARGET_NAME_IF_EXISTS:box2d::box2d>)
+
 add_executable(gem gem/main.cpp)
-target_link_libraries(gem PRIVATE gem_command CLI11::CLI11 nlohmann_json::nlohmann_json)
+target_link_libraries(gem PRIVATE gem_command gem_baseline CLI11::CLI11 nlohmann_json::nlohmann_json)
 
 # Needs no benchmark library: it is carried to the machine that has the GPU.
 if(GEM_HAS_CUDA)

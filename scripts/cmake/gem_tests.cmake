@@ -6,16 +6,21 @@ include(gem_rules)
 # gem_test_program(NAME LABEL SOURCES...): one executable; tests whose name starts with Long carry the label `long` instead.
 function(gem_test_program name label)
   add_executable(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE gem_command GTest::gtest_main nlohmann_json::nlohmann_json)
+  target_link_libraries(${name} PRIVATE gem_command gem_baseline GTest::gtest_main nlohmann_json::nlohmann_json)
   target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     GEM_PROGRAM="$<TARGET_FILE:gem>")
   add_dependencies(${name} gem)
   gtest_discover_tests(${name} TEST_FILTER "-Long*:*/Long*" PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
-  gtest_discover_tests(${name} TEST_FILTER "Long*:*/Long*" PROPERTIES LABELS long DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${name} TEST_FILTER "Long*:*/Long*" PROPERTIES LABELS long TIMEOUT 14400 DISCOVERY_TIMEOUT 60)
 endfunction()
 
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
 gem_test_program(gem_unit_tests unit ${unit_tests})
+
+if(TARGET box2d::box2d)
+  file(GLOB baseline_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/baseline_box2d/*_test.cpp)
+  gem_test_program(gem_baseline_tests unit ${baseline_tests})
+endif()
 
 # Clipper judges the overlap of outlines; without it that test is skipped with its reason.
 find_path(POLYCLIPPING_INCLUDE_DIR polyclipping/clipper.hpp)
@@ -26,16 +31,30 @@ if(POLYCLIPPING_INCLUDE_DIR AND POLYCLIPPING_LIBRARY)
   target_link_libraries(gem_unit_tests PRIVATE ${POLYCLIPPING_LIBRARY})
 endif()
 
+# What the closed-form cases share (settings, checks, rows of a table of results) serves the hard cases too.
+file(GLOB shared_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/verification/*.cpp)
+list(FILTER shared_sources EXCLUDE REGEX "_test\\.cpp$")
+
 add_custom_target(gem_validation_tests)
 foreach(pair IN ITEMS verification:verify agreement:agree hard:hard published:published)
   string(REPLACE ":" ";" pair ${pair})
   list(POP_FRONT pair folder label)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/${folder}/*.cpp)
+  if(sources AND folder STREQUAL hard)
+    list(APPEND sources ${shared_sources})
+  endif()
   if(sources)
     gem_test_program(gem_${folder}_tests ${label} ${sources})
     add_dependencies(gem_validation_tests gem_${folder}_tests)
   endif()
 endforeach()
+
+# Tables beside a baseline: programs that print rows and judge nothing.
+file(GLOB verification_parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/verification/*.cpp)
+list(FILTER verification_parts EXCLUDE REGEX "_test\\.cpp$")
+add_executable(gem_sustained_survey ${PROJECT_SOURCE_DIR}/validation/baseline/sustained_survey.cpp ${verification_parts})
+target_link_libraries(gem_sustained_survey PRIVATE gem_command gem_baseline GTest::gtest)
+target_compile_definitions(gem_sustained_survey PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
 # A run file read the way its users read it; without python3 and h5py this is skipped with its reason.
 add_test(NAME run_file_readers COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_run_file.sh $<TARGET_FILE:gem>

@@ -48,6 +48,14 @@ void check(const std::string& key, double computed, double relative_tolerance, c
   check_absolute(key, computed, relative_tolerance * std::fabs(value_of(key)), where);
 }
 
+void check_missed(const std::string& key, double bound, double computed, const std::string& unit, const Where& where) {
+  const bool missed = computed > bound;
+  EXPECT_TRUE(missed) << key << " on " << where.engine << " " << where.resolution << ": stated as missed, but "
+                      << number_text(computed) << " is within " << number_text(bound) << " " << unit;
+  enter({key, where.engine, where.resolution, "0", number_text(computed, 12), number_text(computed, 3),
+         number_text(bound, 3), unit, missed ? "missed" : "FAIL"});
+}
+
 void not_offered(const std::string& key) {
   const Expected& line = expected(key);
   enter({key, "-", "-", number_text(line.value, 12), "", "", "", line.unit, "not offered"});

@@ -24,6 +24,9 @@ void check_absolute(const std::string& key, double computed, double tolerance, c
 void check_value(const std::string& key, double expected, double computed, double tolerance, const std::string& unit,
                  const Where& where = {});
 
+/// A bound on `computed` that is known to be missed. Fails if it is met: what is stated as missed must be missed.
+void check_missed(const std::string& key, double bound, double computed, const std::string& unit, const Where& where);
+
 /// Enters a row for something that this program does not offer, with its closed form.
 void not_offered(const std::string& key);
 

@@ -23,7 +23,6 @@ SceneDef crowd(const Setting& setting, Surroundings surroundings) {
   scene.contact.resolution = setting.resolution;
   scene.contact.manifold = setting.coupled() ? Manifold::chord_ends : Manifold::chord_middle;
   scene.contact.elastic_stiffness_N_per_m = 1e6;
-  scene.numerics.repair_iterations = 2;
   if (surroundings == Surroundings::walls_and_platform) {
     scene.platform.present = true;
     scene.platform.diameter_m = 24.0;
@@ -51,7 +50,7 @@ SceneDef crowd(const Setting& setting, Surroundings surroundings) {
 SceneDef settled(SceneDef scene) {
   scene.numerics.residual_tolerance = 1e-14;
   scene.numerics.iterations_maximum = 20000;
-  scene.numerics.repair_iterations = 0;
+  scene.numerics.repair_share = 0.0;
   return scene;
 }
 

@@ -14,7 +14,7 @@ enum class Surroundings { open_water, walls_and_platform };
 /// contacts (chord middle, elastic stress), coupled runs have faces.
 SceneDef crowd(const Setting& setting, Surroundings surroundings = Surroundings::walls_and_platform);
 
-/// The same scene resolved to rounding and without position repair, whose few sweeps depend on the order of visits.
+/// The same scene resolved to rounding and without position repair.
 SceneDef settled(SceneDef scene);
 
 /// Bodies of the crowd after it has pressed together for 80 s: many pairs touch. Nothing of that run is kept but the

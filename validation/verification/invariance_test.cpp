@@ -110,7 +110,10 @@ Bodies mirrored(Bodies b) {
 }
 
 TEST_P(Invariance, M3_mirror) {
-  const SceneDef scene = settled(crowd(setting()));
+  SceneDef scene = settled(crowd(setting()));
+  // friction in a crowd has many answers, and rounding decides which one the iterations find: without it the velocities
+  // are unique
+  if (setting().coupled()) scene.ice.friction_ice = scene.ice.friction_structure = 0.0;
   SceneDef image = scene;
   image.current.velocity_m_per_s.y *= -1.0;
   // an outline stays counter-clockwise in a mirror, so its edges begin at their other corners: crossings and depths are
@@ -153,12 +156,12 @@ TEST_P(Invariance, M4_turn_by_37_degrees) {
 
 TEST_P(Invariance, M5_moving_frame) {
   SceneDef scene = settled(crowd(setting(), Surroundings::open_water));
-  // the reach of coupled contacts follows the largest speed, which the frame changes: take it large in both
-  scene.numerics.contact_reach = 4.0;
   const Vec2 frame{0.125, -0.25};
   const std::int64_t moments = 5;
   SceneDef moving = scene;
   moving.current.velocity_m_per_s += frame;
+  // the reach of coupled contacts follows the largest speed, which the frame changes: the same reach in both
+  moving.numerics.contact_reach *= length(scene.current.velocity_m_per_s) / length(moving.current.velocity_m_per_s);
   const Bodies bodies = pressed(crowd(setting(), Surroundings::open_water), setting());
   Bodies shifted = bodies;
   for (std::size_t i = 1; i < shifted.count(); ++i) shifted.velocity[i] += frame;
@@ -227,9 +230,9 @@ TEST_P(Invariance, M7_order_of_the_floes) {
   // in one moment: 0.05 s x a speed known to the 1e-14 of the sweeps or the 1e-11 of a normal of a short chord
   check_value("M7.corners", 0.0, apart_after(1, scene, scene, setting(), reversed), 1e-12, "m", where());
   if (!setting().coupled()) return;
-  // position repair too is independent of the order once its sweeps have settled
-  scene.numerics.repair_iterations = 10000;
-  check_value("M7.repair_settled", 0.0, apart_after(1, scene, scene, setting(), reversed), 1e-12, "m", where());
+  // the order of the points changes the bits of a sum over a body's points, not its terms
+  scene.numerics.repair_share = 0.6;
+  check_value("M7.repair", 0.0, apart_after(1, scene, scene, setting(), reversed), 1e-12, "m", where());
 }
 
 TEST_P(Invariance, M8_far_company) {

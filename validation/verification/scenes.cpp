@@ -8,6 +8,7 @@
 
 #include "gem/base/strict_math.h"
 #include "gem/field/field.h"
+#include "validation/verification/baselines.h"
 
 namespace gem::verification {
 namespace {
@@ -22,7 +23,8 @@ double kinetic(const Bodies& b) {
 }  // namespace
 
 std::vector<Setting> all_settings() {
-  std::vector<Setting> settings;
+  std::vector<Setting> settings = surveyed_baselines();
+  if (!settings.empty()) return settings;
   for (const std::string& engine : engine_names())
     for (const Resolution resolution : {Resolution::independent, Resolution::coupled})
       settings.push_back({engine, resolution});
@@ -52,10 +54,11 @@ SceneDef quiet_scene() {
   scene.boundary.present = false;
   scene.platform.present = false;
   scene.contact.elastic_stiffness_N_per_m = 0.0;
+  scene.contact.crushing_limit = false;
   scene.numerics.moment_s = 1e-6;
   scene.numerics.residual_tolerance = 1e-14;
   scene.numerics.iterations_maximum = 20000;
-  scene.numerics.repair_iterations = 0;
+  scene.numerics.repair_share = 0.0;
   scene.output.retire_x_m = 1e9;
   return scene;
 }

@@ -1,0 +1,58 @@
+// The same scene with Box2D's contacts: bodies, drag, mooring, books and record are gem's, contact mechanics is not.
+// MAPPING.md says what maps, what cannot, and each setting with its reason.
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include <memory>
+#include <vector>
+
+#include "baseline_box2d/touches.h"
+#include "gem/engine/engine.h"
+#include "gem/engine/field_state.h"
+
+namespace gem::baseline {
+
+/// One moment is one Box2D step between the two halves of gem's own events. Places and turns are Box2D's floats;
+/// velocities are kept in double, so that drag and mooring lose nothing, and are given to Box2D rounded.
+class Box2dEngine : public Engine {
+ public:
+  Box2dEngine(const SceneDef& scene, Bodies bodies, const BaselineOptions& options);
+
+  std::string name() const override { return "box2d"; }
+  std::string method() const override;
+  void advance(std::int64_t moments, MomentLog& log) override;
+  std::int64_t moment() const override { return moment_; }
+  const Bodies& bodies() override { return field_.bodies; }
+  Ledger ledger() override;
+  EngineState save() override;
+  /// Puts the bodies back and begins a new world: the impulses that warm-start Box2D's next step are lost, so the run
+  /// does not go on with the same bits.
+  void restore(const EngineState& state) override;
+
+ private:
+  void make_world();
+  void one_moment(MomentLog& log);
+  void give_velocities();
+  void take_floe(std::size_t i);
+  void take_platform();
+  void book_fixed_bodies();
+  void refresh_outline(std::int32_t i);
+  MomentQuality quality();
+  double closing_speed_left() const;
+  void disable_retired();
+
+  BaselineOptions options_;
+  double event_speed_;
+  FieldState field_;
+  Ledger ledger_;
+  std::int64_t moment_ = 0;
+  double platform_angle_ = 0.0;             // [rad]
+  std::vector<std::int64_t> outline_made_;  // moment for which a body's outline was last turned
+  std::vector<Vec2> place_;                 // of every body before it moved [m]
+  Touches touches_;
+  std::unique_ptr<b2World> world_;  // after the listener that it calls
+  std::vector<b2Body*> body_;       // nullptr: takes no part
+};
+
+}  // namespace gem::baseline

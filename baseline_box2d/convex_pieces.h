@@ -1,0 +1,15 @@
+// Cuts a convex outline with many corners into convex pieces with few.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "gem/base/vec2.h"
+
+namespace gem::baseline {
+
+/// Pieces of a convex counter-clockwise outline with at most `corners_maximum` (3 or more) corners each. They cover it
+/// exactly: no corner is added or moved, neighbours share a chord. As few pieces as possible, about equally large.
+std::vector<std::vector<Vec2>> convex_pieces(const std::vector<Vec2>& outline, std::size_t corners_maximum);
+
+}  // namespace gem::baseline

@@ -1,0 +1,29 @@
+// Are two sets of runs the same within a margin? Two one-sided tests (TOST); and corrections for many tests.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gem/analysis/interval_estimate.h"
+
+namespace gem {
+
+/// The difference of the means (b - a) with its interval of confidence 1 - 2 level, and the chance of so clear a result
+/// when the true difference is as large as the margin.
+struct Equivalence {
+  IntervalEstimate difference;
+  double p = 1.0;
+  bool equivalent = false;  // p < level: the interval lies within the margin
+};
+
+/// Welch's t: deviations may differ. A difference that is not significant proves nothing; this does. Needs two values
+/// each and a positive margin, otherwise std::invalid_argument.
+Equivalence equivalence_test(std::span<const double> a, std::span<const double> b, double margin, double level = 0.05);
+
+/// p values adjusted for their number, in the given order: reject those below the level.
+/// Holm: the chance of even one false rejection stays below the level.
+std::vector<double> holm(std::span<const double> p);
+/// Benjamini and Hochberg: of the rejections a share below the level is false, for independent tests.
+std::vector<double> benjamini_hochberg(std::span<const double> p);
+
+}  // namespace gem

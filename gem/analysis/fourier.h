@@ -1,0 +1,41 @@
+// Discrete Fourier transforms of any length, with their tables kept between calls.
+#pragma once
+
+#include <gsl/gsl_fft_complex.h>
+
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gem {
+
+using Complexes = std::vector<std::complex<double>>;
+
+/// The smallest length of at least `length` with no prime factor above 5: quick to transform.
+std::size_t next_fast_length(std::size_t length);
+/// The largest such length of at most `length`, which must be positive.
+std::size_t last_fast_length(std::size_t length);
+
+/// Transforms of one length. A prime length costs its square: take a fast one where the choice is free.
+class Fourier {
+ public:
+  explicit Fourier(std::size_t length);
+
+  /// Sum of signal[i] exp(-2 pi i k / length); a shorter signal is padded with zeros.
+  Complexes forward(std::span<const double> signal);
+  /// The inverse with its factor 1 / length. `values` has the length of the transform.
+  Complexes inverse(Complexes values);
+
+ private:
+  struct Free {
+    void operator()(gsl_fft_complex_wavetable* table) const { gsl_fft_complex_wavetable_free(table); }
+    void operator()(gsl_fft_complex_workspace* space) const { gsl_fft_complex_workspace_free(space); }
+  };
+  std::size_t length_;
+  std::unique_ptr<gsl_fft_complex_wavetable, Free> table_;
+  std::unique_ptr<gsl_fft_complex_workspace, Free> space_;
+};
+
+}  // namespace gem

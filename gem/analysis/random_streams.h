@@ -1,0 +1,25 @@
+// The streams of random numbers of the analysis: one per purpose, so that no two share a number.
+#pragma once
+
+#include <cstdint>
+
+#include "gem/base/random.h"
+
+namespace gem {
+
+enum class AnalysisStream : std::uint32_t {
+  bootstrap = 1000,
+  moving_blocks,
+  permutation,
+  surrogate,
+  impulse_times,
+  impulse_sizes,
+  zero_one,
+  test_signal,
+};
+
+inline RandomSequence random_sequence(std::uint64_t seed, AnalysisStream stream, std::uint32_t item = 0) {
+  return RandomSequence(Random(seed, static_cast<std::uint32_t>(stream), item));
+}
+
+}  // namespace gem

@@ -1,0 +1,14 @@
+// Choices between two numbers as the arithmetic of a step writes them: no branches, and one result for equal signs.
+#pragma once
+
+#include "gem/base/macros.h"
+
+namespace gem {
+
+/// mask ? a : b
+GEM_HD GEM_INLINE double pick(bool mask, double a, double b) { return mask ? a : b; }
+GEM_HD GEM_INLINE double larger(double a, double b) { return a > b ? a : b; }
+GEM_HD GEM_INLINE double smaller(double a, double b) { return a < b ? a : b; }
+GEM_HD GEM_INLINE double magnitude(double a) { return a < 0.0 ? -a : a; }
+
+}  // namespace gem

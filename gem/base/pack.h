@@ -1,0 +1,25 @@
+// Four doubles that go through the same arithmetic side by side.
+//
+// A function written for `Real` runs on a double and on a Pack: every operation is IEEE and done lane by lane, so the
+// bits are the same.
+#pragma once
+
+#include <cstdint>
+
+#include "gem/base/choose.h"
+
+namespace gem {
+
+// every function on packs is inlined: none is passed by a convention that depends on the processor
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+constexpr int pack_lanes = 4;
+typedef double Pack __attribute__((vector_size(32)));
+typedef std::int64_t PackMask __attribute__((vector_size(32)));
+
+GEM_INLINE Pack pick(PackMask mask, Pack a, Pack b) { return mask ? a : b; }
+GEM_INLINE Pack larger(Pack a, Pack b) { return a > b ? a : b; }
+GEM_INLINE Pack smaller(Pack a, Pack b) { return a < b ? a : b; }
+GEM_INLINE Pack magnitude(Pack a) { return a < 0.0 ? -a : a; }
+
+}  // namespace gem

@@ -1,0 +1,200 @@
+// gem analyse: periods, offset, orbit, contact and loads of one run; means and extremes over several.
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "gem/analysis/run_analysis.h"
+#include "gem/analysis/runs_analysis.h"
+#include "gem/base/error.h"
+#include "gem/base/number_text.h"
+#include "gem/command/command.h"
+#include "gem/record/output_path.h"
+#include "gem/report/load_run.h"
+#include "gem/report/run_findings.h"
+
+namespace gem {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> paths;
+  double from_s = 0.0;
+  bool allow_incomplete = false;
+  bool json = false;
+};
+
+/// A run's platform record, its name and how long it lasted.
+struct Run {
+  std::string path, name;
+  double duration_s = 0.0;
+  std::vector<Finding> findings;
+};
+
+/// The end of a column from a sample on, less a constant.
+std::vector<double> tail(const std::vector<double>& column, std::size_t first, double less = 0.0) {
+  std::vector<double> kept(column.begin() + static_cast<std::ptrdiff_t>(first), column.end());
+  for (double& value : kept) value -= less;
+  return kept;
+}
+
+PlatformSeries series_of(const RunData& run, std::size_t first) {
+  const PlatformRecord& p = run.platform;
+  return {sample_interval(p.time),         run.natural_period_s,
+          tail(p.x, first, run.rest.x),    tail(p.y, first, run.rest.y),
+          tail(p.ice_force_x, first),      tail(p.ice_force_y, first),
+          tail(p.ice_force_mean_x, first), tail(p.ice_force_mean_y, first),
+          tail(p.mooring_force_x, first),  tail(p.mooring_force_y, first),
+          tail(p.contacts, first)};
+}
+
+Run analysed(const std::string& path, const Options& options) {
+  const RunData data = load_run(path, options.allow_incomplete);
+  const std::vector<double>& time = data.platform.time;
+  const auto first =
+      static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), options.from_s) - time.begin());
+  if (time.size() < first + kSamplesForStatistics)
+    throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " +
+                                     std::to_string(kSamplesForStatistics) + " samples of a platform from --from " +
+                                     number_text(options.from_s) + " s on) choose an earlier start or a longer run");
+  return {path, data.identity.name, time.back() - time[first], analyse_platform(series_of(data, first))};
+}
+
+Json json_of(const IntervalEstimate& estimate) {
+  return {{"value", estimate.value}, {"low", estimate.low}, {"high", estimate.high}};
+}
+
+Json json_of(const Finding& finding) {
+  if (!finding.value) return nullptr;
+  return finding.interval ? json_of(*finding.interval) : Json{{"value", *finding.value}};
+}
+
+Json json_of(const Run& run) {
+  Json object = {{"file", run.path}, {"name", run.name}, {"duration_s", run.duration_s}};
+  for (const Finding& finding : run.findings) object["findings"][finding.name] = json_of(finding);
+  return object;
+}
+
+std::string row_text(const std::string& name, const std::vector<std::string>& cells) {
+  std::string line = "  " + name;
+  std::size_t end = 34;
+  for (const std::string& cell : cells) {
+    line += std::string(line.size() < end ? end - line.size() : 1, ' ') + cell;
+    end += 14;
+  }
+  return line + "\n";
+}
+
+std::string short_text(double value) { return number_text(value, 5); }
+
+std::string interval_text(const IntervalEstimate& estimate) {
+  return short_text(estimate.low) + " to " + short_text(estimate.high);
+}
+
+std::string text_of(const Run& run) {
+  std::string text = shown(run.path) + ": " + run.name + ", " + short_text(run.duration_s) + " s\n" +
+                     row_text("", {"value", "95 % interval"});
+  for (const Finding& finding : run.findings)
+    text += row_text(finding.name, {finding.value ? short_text(*finding.value) : "not resolved",
+                                    finding.interval ? interval_text(*finding.interval) : "-"});
+  return text;
+}
+
+/// The findings of which the largest value of an exposure is asked.
+const std::vector<std::string>& extreme_names() {
+  static const std::vector<std::string> names = {"x_largest_m", "y_largest_m", "orbit_largest_m",
+                                                 "ice_force_window_largest_N", "mooring_force_largest_N"};
+  return names;
+}
+
+/// A largest value belongs to its exposure: runs of different length are not mixed.
+void check_exposure(const std::vector<Run>& runs) {
+  for (const Run& run : runs)
+    if (std::abs(run.duration_s - runs.front().duration_s) > 1e-3 * runs.front().duration_s)
+      throw Error(ExitCode::usage, shown(run.path) + ": lasts " + short_text(run.duration_s) + " s, the first run " +
+                                       short_text(runs.front().duration_s) +
+                                       " s (a largest value grows with the duration) analyse runs of one length");
+}
+
+struct Combined {
+  std::vector<RunsFinding> means;
+  std::vector<RunsExtreme> extremes;
+};
+
+Combined combined(const std::vector<Run>& runs) {
+  std::vector<std::vector<Finding>> findings;
+  for (const Run& run : runs) findings.push_back(run.findings);
+  Combined result{combine_runs(findings), {}};
+  for (const std::string& name : extreme_names())
+    if (const auto extreme = extreme_of(findings, name)) result.extremes.push_back(*extreme);
+  return result;
+}
+
+Json json_of(const std::vector<Run>& runs, const Combined& all) {
+  Json object = {{"runs", Json::array()}, {"over_runs", Json::object()}, {"extremes", Json::object()}};
+  for (const Run& run : runs) object["runs"].push_back(json_of(run));
+  for (const RunsFinding& row : all.means) {
+    Json& entry = object["over_runs"][row.name] = {{"runs", row.runs}};
+    if (!row.mean) continue;
+    entry["mean"] = json_of(*row.mean);
+    entry["deviation"] = row.deviation;
+    entry["smallest"] = row.smallest;
+    entry["largest"] = row.largest;
+  }
+  for (const RunsExtreme& extreme : all.extremes)
+    object["extremes"][extreme.name] = {
+        {"most_probable", json_of(extreme.most_probable)},
+        {"p90", json_of(extreme.p90)},
+        {"gumbel_by_likelihood", {{"mode", extreme.by_likelihood.mode}, {"scale", extreme.by_likelihood.scale}}},
+        {"gumbel_by_moments", {{"mode", extreme.by_moments.mode}, {"scale", extreme.by_moments.scale}}}};
+  return object;
+}
+
+std::string text_of(const std::vector<Run>& runs, const Combined& all) {
+  std::string text = std::to_string(runs.size()) + " runs of " + short_text(runs.front().duration_s) + " s\n" +
+                     row_text("", {"mean", "deviation", "runs", "95 % interval of the mean"});
+  for (const RunsFinding& row : all.means)
+    text += row.mean ? row_text(row.name, {short_text(row.mean->value), short_text(row.deviation),
+                                           std::to_string(row.runs), interval_text(*row.mean)})
+                     : row_text(row.name, {"not resolved"});
+  if (all.extremes.empty()) return text + "extremes need five runs\n";
+  text += "largest of one exposure (Gumbel)\n" + row_text("", {"most probable", "90 % below", "95 % interval of that"});
+  for (const RunsExtreme& extreme : all.extremes)
+    text += row_text(extreme.name, {short_text(extreme.most_probable.value), short_text(extreme.p90.value),
+                                    interval_text(extreme.p90)});
+  return text;
+}
+
+int analyse(const Options& options) {
+  if (!(options.from_s >= 0.0))
+    throw Error(ExitCode::usage,
+                "--from " + number_text(options.from_s) + " is no time of a run (it must be 0 s or more) give one");
+  std::vector<Run> runs;
+  for (const std::string& path : options.paths) runs.push_back(analysed(path, options));
+  if (runs.size() == 1) {
+    print(options.json ? json_of(runs.front()).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                       : text_of(runs.front()));
+    return 0;
+  }
+  check_exposure(runs);
+  const Combined all = combined(runs);
+  print(options.json ? json_of(runs, all).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                     : text_of(runs, all));
+  return 0;
+}
+
+}  // namespace
+
+void add_analyse_command(CLI::App& app, Chosen& chosen) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("analyse", "periods, offset, orbit, contact and extremes of one or several run files");
+  command->add_option("files", options->paths, "run files; several are taken as independent runs of one condition")
+      ->required();
+  command->add_option("--from", options->from_s, "leave out the time before this, until the ice is there [s]");
+  command->add_flag("--allow-incomplete", options->allow_incomplete, "analyse runs that did not end in order");
+  command->add_flag("--json", options->json, "as JSON");
+  command->callback([options, &chosen] { chosen.action = [options] { return analyse(*options); }; });
+}
+
+}  // namespace gem

@@ -1,0 +1,178 @@
+// One contact point among all events of a moment: what the accelerated iterations know of it, and one visit to it.
+//
+// All points of a moment ask for impulses that together satisfy
+//     u_n >= target,  0 <= P_n <= cap,  (u_n - target) P_n = 0 below the cap      no overlap, fully inelastic, crushing
+//     |P_t| <= mu P_n,  P_t against the slip that is left                          Coulomb
+// and, apart from the velocities, for the smallest shifts of the bodies that take back a share of the overlap.
+//
+//   u_n, u_t  velocity of B against A along the normal and along the normal turned left        [m/s]
+//   P_n, P_t  impulse on B, the opposite on A                                                  [N s]
+//   nn tt nt  compliance with the mass of each body shared out among its points                [1/kg]
+//   cap       impulse that crushes the whole face                                              [N s]
+//
+// With the masses shared out, the answer of one point to its own velocity cannot overshoot whatever the others do, so
+// all points are visited at once from the same velocities (projected gradient in the metric of the shared masses), and
+// the impulses are carried ahead along their last change (Nesterov 1983; Beck and Teboulle 2009), which takes the
+// number of iterations from the square of a chain's length to its length. Tonge et al. 2012 share masses the same way.
+#pragma once
+
+#include <cmath>
+
+#include "gem/base/choose.h"
+#include "gem/base/macros.h"
+namespace gem {
+
+/// Friction between the events of a coupled moment.
+enum class PointFriction {
+  none,
+  coulomb,         ///< against the slip that is left after the events
+  fixed_direction  ///< P_t = friction P_n; the sign stands in `friction`
+};
+
+/// Velocity and repair shift of a body while the iterations run.
+template <class Real>
+struct Motion {
+  Real x, y, spin;              // [m/s], [rad/s]
+  Real shift_x, shift_y, turn;  // [m], [rad]
+};
+
+/// Impulse on B (the opposite on A), and the same for the repair.
+template <class Real>
+struct PointImpulse {
+  Real normal, tangential;  // [N s]
+  Real repair;              // [kg m]
+};
+
+/// Constant during a moment.
+template <class Real>
+struct PointGeometry {
+  Real normal_x, normal_y;
+  Real lever_a_n, lever_a_t, lever_b_n, lever_b_t;  // arm x normal, arm x tangent [m]
+  Real nn, tt, nt;
+  Real inverse_nn, inverse_tt;
+  Real target, friction, cap;
+  Real repair_target;  // share of the overlap to take back [m]
+};
+
+/// Linear momentum, angular momentum about the centroid, and the same of the repair, as given to B.
+template <class Real>
+struct Push {
+  Real x, y, twist;
+  Real shift_x, shift_y, turn;
+};
+
+/// What `p` gives to one side.
+template <class Real>
+GEM_HD GEM_INLINE Push<Real> push_of(const PointGeometry<Real>& g, const PointImpulse<Real>& p, Real lever_n,
+                                     Real lever_t) {
+  return {p.normal * g.normal_x - p.tangential * g.normal_y,
+          p.normal * g.normal_y + p.tangential * g.normal_x,
+          p.normal * lever_n + p.tangential * lever_t,
+          p.repair * g.normal_x,
+          p.repair * g.normal_y,
+          p.repair * lever_n};
+}
+
+/// How far one visit found the point from its law.
+template <class Real>
+struct PointResidual {
+  Real speed;  // largest speed that the point still asks for [m/s]
+  Real climb;  // > 0: the carried-ahead impulse went against the way down
+};
+
+/// One visit: from the carried-ahead impulses and the velocities that all of them give, the point's next impulses, and
+/// those carried ahead by `ahead` times their change.
+template <PointFriction law, class Real>
+GEM_HD GEM_INLINE PointResidual<Real> visit_point(const PointGeometry<Real>& g, const Motion<Real>& a,
+                                                  const Motion<Real>& b, double dt, double per_moment, double ahead,
+                                                  PointImpulse<Real>& at, PointImpulse<Real>& carried) {
+  const Real zero{};
+  const Real dx = b.x - a.x, dy = b.y - a.y;
+  const Real excess = dx * g.normal_x + dy * g.normal_y + b.spin * g.lever_b_n - a.spin * g.lever_a_n - g.target;
+  const Real normal = smaller(larger(carried.normal - excess * g.inverse_nn, zero), g.cap);
+  const Real step_n = normal - carried.normal;
+
+  Real tangential = zero, step_t = zero;
+  if constexpr (law == PointFriction::coulomb) {
+    const Real slip = dy * g.normal_x - dx * g.normal_y + b.spin * g.lever_b_t - a.spin * g.lever_a_t;
+    const Real limit = g.friction * normal;
+    tangential = carried.tangential - (slip + g.nt * step_n) * g.inverse_tt;
+    tangential = larger(smaller(tangential, limit), -limit);
+    step_t = tangential - carried.tangential;
+  } else if constexpr (law == PointFriction::fixed_direction) {
+    tangential = g.friction * normal;
+    step_t = tangential - carried.tangential;
+  }
+
+  // the shift also takes back what this moment's velocities would still add to the overlap; crushed ice is not given
+  // back as motion
+  const Real shift = (b.shift_x - a.shift_x) * g.normal_x + (b.shift_y - a.shift_y) * g.normal_y +
+                     b.turn * g.lever_b_n - a.turn * g.lever_a_n;
+  const Real closing = pick(normal < g.cap, smaller(excess, zero), zero);
+  const Real wanted = carried.repair - (shift + dt * closing - g.repair_target) * g.inverse_nn;
+  const Real repair = larger(wanted, zero);
+
+  PointResidual<Real> residual;
+  residual.speed = larger(larger(magnitude(step_n) * g.nn, magnitude(step_t) * g.tt),
+                          magnitude(repair - carried.repair) * g.nn * per_moment);
+  const Real change_n = normal - at.normal, change_t = tangential - at.tangential;
+  residual.climb = -(step_n * change_n * g.nn + step_t * change_t * g.tt);
+  carried = {normal + ahead * change_n, tangential + ahead * change_t, repair + ahead * (repair - at.repair)};
+  at = {normal, tangential, repair};
+  return residual;
+}
+
+/// Velocity and shift of a body of given inverse mass and inertia after the pushes on it.
+template <class Real>
+GEM_HD GEM_INLINE Motion<Real> moved_by(const Push<Real>& sum, double velocity_x, double velocity_y, double spin,
+                                        double inverse_mass, double inverse_inertia) {
+  return {velocity_x + inverse_mass * sum.x, velocity_y + inverse_mass * sum.y, spin + inverse_inertia * sum.twist,
+          inverse_mass * sum.shift_x,        inverse_mass * sum.shift_y,        inverse_inertia * sum.turn};
+}
+
+/// What the impulses on one body do: their work at its velocity before them, and twice the energy of the change.
+struct ImpulseWork {
+  double given, answered;  // [J]
+};
+
+GEM_HD inline ImpulseWork work_on_body(const Motion<double>& after, double velocity_x, double velocity_y, double spin,
+                                       double mass, double inertia) {
+  const double x = after.x - velocity_x, y = after.y - velocity_y, turned = after.spin - spin;
+  return {mass * (x * velocity_x + y * velocity_y) + inertia * turned * spin,
+          mass * (x * x + y * y) + inertia * turned * turned};
+}
+
+/// The share of a moment's impulses that leaves the least energy, at most all of them. The impulses of the last moment
+/// are taken over by this share, since a heavy body that they stopped must not be thrown back by them. Below a half,
+/// all of them would create energy: where the iterations stop short of an answer, this share is what they give.
+GEM_HD inline double best_share(const ImpulseWork& sum) {
+  if (!(sum.answered > 0.0)) return 1.0;
+  return smaller(larger(-sum.given / sum.answered, 0.0), 1.0);
+}
+
+/// Share of the last moment's repair that a moment starts from: less than all of it, so that a repair that is done does
+/// not go on to open gaps.
+constexpr double repair_memory = 0.9;
+
+/// How far the impulses are carried ahead along their last change, from iteration to iteration.
+class Acceleration {
+ public:
+  /// Factor of the next iteration. `restart`: the last one climbed, so this one is not carried ahead.
+  GEM_HD double next(bool restart) {
+    if (restart) {  // from the beginning: the last moment's impulses are far behind
+      theta_ = 1.0;
+      return 0.0;
+    }
+    const double theta = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * theta_ * theta_));
+    const double ahead = (theta_ - 1.0) / theta;
+    theta_ = theta;
+    return ahead;
+  }
+
+ private:
+  // not 1: the impulses of the last moment are a fair start, and few iterations have no time for a slow one
+  static constexpr double begin = 4.0;
+  double theta_ = begin;
+};
+
+}  // namespace gem

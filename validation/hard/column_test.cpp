@@ -1,0 +1,98 @@
+// Columns pressed to a wall: many contacts in series (H1), long moments (H9), one thousand to one in mass (H14).
+#include <algorithm>
+#include <cmath>
+
+#include "gem/field/field.h"
+#include "validation/hard/hard.h"
+
+namespace gem::hard {
+namespace {
+
+class HardColumn : public verification::OnEngines {};
+INSTANTIATE_TEST_SUITE_P(Engines, HardColumn, ::testing::ValuesIn(verification::all_settings()),
+                         verification::setting_name);
+class HardBigColumn : public verification::OnEngines {};
+INSTANTIATE_TEST_SUITE_P(Engines, HardBigColumn, ::testing::ValuesIn(large_settings()), verification::setting_name);
+
+/// Push of the current on one floe of the columns [N].
+constexpr double push = 562.5;
+
+/// Mean force on the wall over the next `moments` [N].
+double wall_force(Watched& run, std::int64_t moments, double dt) {
+  const Vec2 before = given_by_fixed(run.ledger());
+  run.advance(moments, moments);
+  return length(given_by_fixed(run.ledger()) - before) / (static_cast<double>(moments) * dt);
+}
+
+struct ColumnBars {
+  double force;    // relative
+  double overlap;  // sum over the column [m]
+};
+
+void press(const std::string& id, int count, const ColumnBars& bars, const Setting& setting) {
+  const SceneDef scene = read_hard_member("H01_columns.toml", "H01_" + std::to_string(count), setting);
+  Watched run(scene, setting);
+  run.advance(1180, 20);
+  const double exact = count * push, dt = scene.numerics.moment_s;
+  // one second: long against a moment, short against the 60 s
+  const double force = wall_force(run, 20, dt);
+  bound(id + ".force", std::fabs(force / held_push(scene, run.bodies()) - 1.0), bars.force, "-", run.where());
+  // the closed form, which the drag of a moment misses by k U dt
+  bound(id + ".force_exact", std::fabs(force / exact - 1.0), bars.force + 0.05 * 0.5 * dt, "-", run.where());
+  bound(id + ".total_overlap", overlaps(run.bodies()).total, bars.overlap, "m", run.where());
+  expect_sound(id, run);
+  if (setting.coupled()) return;
+  // independent: the elastic stress that carries a force F is F (1 + omega dt)^2 / k deep, omega^2 = k / m; the wall
+  // has the deepest contact, and the force never exceeds the whole push
+  const double swing = std::sqrt(scene.contact.elastic_stiffness_N_per_m / 45000.0) * scene.numerics.moment_s;
+  bound(id + ".elastic_depth", run.worst().overlap,
+        2.0 * exact * (1.0 + swing) * (1.0 + swing) / scene.contact.elastic_stiffness_N_per_m, "m", run.where());
+}
+
+TEST_P(HardColumn, H1_column_of_10) { press("H1.n10", 10, {1e-3, 1e-3}, setting()); }
+TEST_P(HardBigColumn, H1_column_of_100) { press("H1.n100", 100, {1e-3, 1e-3}, setting()); }
+TEST_P(HardBigColumn, H1_column_of_1000) { press("H1.n1000", 1000, {1e-2, 20e-3}, setting()); }
+
+TEST_P(HardColumn, H9_long_moments) {
+  for (const int factor : {1, 10, 100, 1000}) {
+    const std::string id = "H9.x" + std::to_string(factor);
+    const double dt = 0.05 * factor;
+    if (factor >= 100) {
+      const bool refused = is_refused("H09_long_moments.toml",
+                                      {"numerics.moment_s=" + std::to_string(dt), "output.platform_interval_s=100.0",
+                                       "output.force_window_s=100.0", "output.floes_interval_s=100.0"},
+                                      "the moment is too long");
+      verification::check_value(id + ".refused", 1.0, refused ? 1.0 : 0.0, 0.0, "-", where());
+      continue;
+    }
+    const SceneDef scene = read_hard_member("H09_long_moments.toml", "H09_" + std::to_string(factor), setting());
+    Watched run(scene, setting());
+    run.advance(static_cast<std::int64_t>(100.0 / dt));
+    // an overlap is seen at the end of a moment: no deeper than its path
+    bound(id + ".overlap", run.worst().overlap, 0.5 * dt, "m", where());
+    bound(id + ".fastest", fastest_floe(run.bodies()), 0.5, "m/s", where());
+    expect_sound(id, run);
+  }
+}
+
+void press_layers(const std::string& id, double thinnest, const Setting& setting) {
+  SceneDef scene = read_hard_case("H14_thickness.toml", setting);
+  scene.floe[1].thickness_m = thinnest;
+  Watched run(scene, setting);
+  run.advance(1180, 20);
+  const double force = wall_force(run, 20, scene.numerics.moment_s);
+  bound(id + ".force", std::fabs(force / held_push(scene, run.bodies()) - 1.0), 1e-3, "-", run.where());
+  bound(id + ".total_overlap", overlaps(run.bodies()).total, 1e-3, "m", run.where());
+  expect_sound(id, run);
+}
+
+TEST_P(HardColumn, H14_thin_between_thick) {
+  const bool refused =
+      is_refused("H14_thickness.toml", {"floe=[{outline_m=[[0,0],[9,0],[0,9]],thickness_m=0.001}]"}, "thickness_m");
+  verification::check_value("H14.1mm.refused", 1.0, refused ? 1.0 : 0.0, 0.0, "-", where());
+  press_layers("H14.1cm", 0.01, setting());
+  press_layers("H14.1mm", 0.001, setting());
+}
+
+}  // namespace
+}  // namespace gem::hard

@@ -1,0 +1,35 @@
+// How well a coupled moment obeys the laws of contact: complementarity, friction cone and dissipation, contact by
+// contact.
+//
+// The impulses P are those that the engine keeps for its warm start, the velocities u those after the events. For each
+// point, with compliance K and the normal velocity above its target, in m/s:
+//   pull              K_nn max(0, -P_n)                      a contact never pulls
+//   closing           max(0, -u_n)                           nothing closes any more
+//   complementarity   |min(K_nn P_n, u_n)|                   either no impulse or no gap
+//   cone              K_tt max(0, |P_t| - mu P_n)            Coulomb's bound
+//   slip              |K_tt P_t - clamp(K_tt P_t - u_t)|     sticks, or slips against friction at its bound
+// and for the moment the energy that its events gave, which must not be positive [J].
+#pragma once
+
+#include "gem/engine/engine.h"
+
+namespace gem::hard {
+
+/// Largest residuals of one moment; or of many, merged.
+struct ContactResiduals {
+  std::int64_t points = 0;
+  double pull = 0.0;
+  double closing = 0.0;
+  double complementarity = 0.0;
+  double cone = 0.0;
+  double slip = 0.0;
+
+  void merge(const ContactResiduals& other);
+  double worst() const;  // [m/s]
+};
+
+/// Residuals of the moment that led from `before` to `after`, both saved by the same engine in a coupled scene without
+/// mooring (the platform's own motion would hide its velocity at the events).
+ContactResiduals contact_residuals(const SceneDef& scene, const EngineState& before, const EngineState& after);
+
+}  // namespace gem::hard

@@ -1,0 +1,120 @@
+// Jams: friction from none to absurd (H13), the jam that lasts (H7), a hundred thousand floes (H11).
+#include <algorithm>
+#include <cmath>
+
+#include "gem/field/field.h"
+#include "gem/scene/check_scene.h"
+#include "validation/agreement/jam.h"
+#include "validation/hard/hard.h"
+#include "validation/hard/tight_field.h"
+
+namespace gem::hard {
+namespace {
+
+class HardJam : public verification::OnEngines {};
+INSTANTIATE_TEST_SUITE_P(Engines, HardJam, ::testing::ValuesIn(large_settings()), verification::setting_name);
+class LongHardJam : public verification::OnEngines {};
+INSTANTIATE_TEST_SUITE_P(Engines, LongHardJam, ::testing::ValuesIn(large_settings()), verification::setting_name);
+
+/// Bars of every jam.
+constexpr double deepest_overlap = 20e-3;  // [m]
+constexpr double most_overlap = 2e-3;      // of 99.9 % of the touching pairs [m]
+
+/// Watches a jam for a while: overlaps at each look, and the impulse that walls and platform take from the ice.
+struct JamWatch {
+  Overlaps worst;
+  Vec2 taken;         // [N s]
+  double time = 0.0;  // [s]
+
+  void look(Watched& run, std::int64_t moments, const SceneDef& scene) {
+    const Ledger before = run.ledger();
+    run.advance(moments, moments);
+    taken -= given_by_fixed(run.ledger()) - given_by_fixed(before);
+    for (const PlatformMoment& moment : run.log().platform) taken += moment.ice_impulse;
+    time += static_cast<double>(moments) * scene.numerics.moment_s;
+    const Overlaps now = overlaps(run.bodies());
+    worst.most = std::max(worst.most, now.most);
+    worst.size_share = std::max(worst.size_share, now.size_share);
+  }
+};
+
+void judge_jam(const std::string& id, const JamWatch& watch, Watched& run, const SceneDef& scene, const Bodies& field) {
+  bound(id + ".overlap", run.worst().overlap, deepest_overlap, "m", run.where());
+  bound(id + ".overlap_99.9", watch.worst.most, most_overlap, "m", run.where());
+  bound(id + ".overlap_share", watch.worst.size_share, 0.1, "-", run.where());
+  // ice at rest is pushed by its drag; ice that was on its way brings its momentum once
+  double momentum = 0.0;
+  for (std::size_t i = first_floe_of(field); i < field.count(); ++i) momentum += field.mass[i];
+  momentum *= length(scene.current.velocity_m_per_s);
+  const double most = held_push(scene, field) * watch.time + momentum;
+  bound(id + ".force", length(watch.taken) / most, 1.0, "-", run.where());
+  expect_sound(id, run);
+}
+
+TEST_P(HardJam, H13_friction) {
+  Bodies slippery;
+  for (const char* friction : {"0", "1e-12", "1.2", "10"}) {
+    const std::string id = std::string("H13.mu") + friction;
+    const SceneDef scene = read_hard_member("H13_friction.toml", std::string("H13_") + friction, setting());
+    EXPECT_EQ(scene_warnings(scene).size() >= 2, scene.ice.friction_ice > 1.1);
+    Watched run(scene, setting());
+    const Bodies field = run.bodies();
+    run.advance(600, 20);
+    if (slippery.count() == 0) slippery = run.bodies();
+    if (std::string(friction) == "1e-12") {
+      double apart = 0.0;
+      for (std::size_t i = 0; i < field.count(); ++i)
+        apart = std::max(apart, length(run.bodies().position[i] - slippery.position[i]));
+      // friction changes speeds by 1e-12 x 0.5 m/s at most in a moment; 30 s with a few dozen impacts in line, each
+      // growing what differs about twofold, stay below
+      bound("H13.apart", apart, 1e-6, "m", where());
+    }
+    JamWatch watch;
+    for (int i = 0; i < 60; ++i) watch.look(run, 20, scene);
+    judge_jam(id, watch, run, scene, field);
+  }
+}
+
+TEST_P(HardJam, H7_minute_of_jam) {
+  const SceneDef scene = resolved_as(agreement::jam_scene(setting().resolution), setting());
+  const Bodies field = agreement::drifting_field(scene);
+  Watched run(scene, field, setting());
+  run.engine().restore(agreement::jam(scene, field));
+  JamWatch watch;
+  for (int i = 0; i < 60; ++i) watch.look(run, 20, scene);
+  EXPECT_GT(run.contacts_now(), agreement::contacts_wanted) << "the jam is gone";
+  judge_jam("H7.minute", watch, run, scene, field);
+}
+
+TEST_P(LongHardJam, H7_day_of_jam) {
+  const SceneDef scene = read_hard_case("H07_day_of_jam.toml", setting());
+  const Bodies field = make_field(scene);
+  Watched run(scene, field, setting(), 0);
+  const auto hour = static_cast<std::int64_t>(3600.0 / scene.numerics.moment_s);
+  JamWatch first, last;
+  for (int minute = 0; minute < 24 * 60; ++minute) (minute < 12 * 60 ? first : last).look(run, hour / 60, scene);
+  EXPECT_GT(points_of(run), 1000u) << "the ice is gone";
+  judge_jam("H7.day.first_half", first, run, scene, field);
+  judge_jam("H7.day.second_half", last, run, scene, field);
+  bound("H7.day.growth", last.worst.most, std::max(first.worst.most, most_overlap), "m", where());
+}
+
+void press_tight_field(const std::string& id, int columns, int rows, double seconds, const Setting& setting) {
+  const SceneDef scene = resolved_as(tight_scene(columns, rows), setting);
+  const Bodies field = make_field(scene);
+  Watched run(scene, field, setting, 0);
+  EXPECT_NEAR(cover_of(scene, field), 0.9, 1e-9);
+  JamWatch watch;
+  for (double t = 0.0; t < seconds; t += 1.0) watch.look(run, 20, scene);
+  EXPECT_GT(points_of(run), static_cast<std::size_t>(8 * rows)) << "fewer than some rows have come to rest";
+  judge_jam(id, watch, run, scene, field);
+}
+
+TEST_P(HardJam, H11_thousand_floes_at_nine_tenths) { press_tight_field("H11.n1000", 40, 25, 100.0, setting()); }
+
+TEST_P(LongHardJam, H11_hundred_thousand_floes_at_nine_tenths) {
+  press_tight_field("H11.n1e5", 400, 250, 100.0, setting());
+}
+
+}  // namespace
+}  // namespace gem::hard

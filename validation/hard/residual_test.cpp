@@ -1,0 +1,74 @@
+// The laws of contact, looked up after the fact in frozen moments: complementarity, friction cone, dissipation.
+#include <cmath>
+
+#include "gem/field/field.h"
+#include "validation/agreement/jam.h"
+#include "validation/hard/contact_residuals.h"
+#include "validation/hard/hard.h"
+#include "validation/hard/tight_field.h"
+
+namespace gem::hard {
+namespace {
+
+class HardResiduals : public verification::OnEngines {};
+INSTANTIATE_TEST_SUITE_P(Engines, HardResiduals, ::testing::ValuesIn(verification::coupled_settings()),
+                         verification::setting_name);
+
+/// Looks at `moments` frozen moments after `settling` others.
+void judge_moments(const std::string& id, const SceneDef& scene, Watched& run, std::int64_t settling,
+                   std::int64_t moments) {
+  run.advance(settling, settling);
+  ContactResiduals worst;
+  EngineState before = run.engine().save();
+  run.advance(moments, 1, [&] {
+    const EngineState after = run.engine().save();
+    worst.merge(contact_residuals(scene, before, after));
+    before = after;
+  });
+  EXPECT_GT(worst.points, moments) << "too few contacts to judge";
+  // a sweep that changes no speed by more than the tolerance leaves each contact what its neighbours, up to ten, still
+  // changed after it
+  const double speed = length(scene.current.velocity_m_per_s);
+  const double allowed = 10.0 * scene.numerics.residual_tolerance * speed;
+  bound(id + ".pull", worst.pull, 1e-12 * speed, "m/s", run.where());
+  bound(id + ".cone", worst.cone, 1e-12 * speed, "m/s", run.where());
+  bound(id + ".closing", worst.closing, allowed, "m/s", run.where());
+  bound(id + ".complementarity", worst.complementarity, allowed, "m/s", run.where());
+  bound(id + ".slip", worst.slip, allowed, "m/s", run.where());
+  bound(id + ".created", run.worst().created / run.ledger().energy_scale, 1e-9, "-", run.where());
+}
+
+TEST_P(HardResiduals, R1_column) {
+  const SceneDef scene = read_hard_member("H01_columns.toml", "H01_10", setting());
+  Watched run(scene, setting());
+  judge_moments("R1.column", scene, run, 400, 100);
+}
+
+TEST_P(HardResiduals, R2_tight_field_with_friction) {
+  const SceneDef scene = resolved_as(tight_scene(10, 6), setting());
+  Watched run(scene, setting());
+  judge_moments("R2.tight", scene, run, 1000, 50);
+}
+
+TEST_P(HardResiduals, R3_wedge) {
+  const SceneDef scene = read_hard_case("H10_locked_wedge.toml", setting());
+  Watched run(scene, setting());
+  judge_moments("R3.wedge", scene, run, 1000, 100);
+}
+
+TEST_P(HardResiduals, A_wrong_impulse_is_seen) {
+  const SceneDef scene = read_hard_member("H01_columns.toml", "H01_10", setting());
+  Watched run(scene, setting());
+  run.advance(400, 400);
+  const EngineState before = run.engine().save();
+  run.advance(1);
+  EngineState after = run.engine().save();
+  ASSERT_FALSE(after.impulse_value.empty());
+  after.impulse_value[0] = {-450.0, 900.0, 0.0};  // pulls, and rubs without friction: 0.01 and 0.02 m/s on 45 t
+  const ContactResiduals seen = contact_residuals(scene, before, after);
+  EXPECT_GT(seen.pull, 0.005);
+  EXPECT_GT(seen.cone, 0.005);
+}
+
+}  // namespace
+}  // namespace gem::hard

@@ -1,0 +1,70 @@
+// Contacts that last: a fast spin that comes to rest (H8), the locked wedge (H10), the corner (H15).
+#include <algorithm>
+#include <cmath>
+
+#include "gem/field/field.h"
+#include "validation/hard/hard.h"
+
+namespace gem::hard {
+namespace {
+
+class HardRest : public verification::OnEngines {};
+INSTANTIATE_TEST_SUITE_P(Engines, HardRest, ::testing::ValuesIn(verification::all_settings()),
+                         verification::setting_name);
+class LongHardRest : public verification::OnEngines {};
+INSTANTIATE_TEST_SUITE_P(Engines, LongHardRest, ::testing::ValuesIn(large_settings()), verification::setting_name);
+
+TEST_P(HardRest, H8_half_a_radian_a_moment) {
+  const SceneDef scene = read_hard_case("H08_spin.toml", setting());
+  EXPECT_EQ(scene.floe[0].spin_rad_per_s * scene.numerics.moment_s, 0.5);
+  Watched run(scene, setting());
+  double spin = 0.0, fastest = 0.0;
+  run.advance(2400, 1, [&] {
+    for (const double s : run.bodies().spin) spin = std::max(spin, std::fabs(s));
+    fastest = std::max(fastest, fastest_floe(run.bodies()));
+  });
+  bound("H8.spin", spin, 10.0, "rad/s", where());
+  // at most what a turn brings to the floe's corner, 7.07 m out
+  bound("H8.fastest", fastest, 10.0 * 5.0 * std::sqrt(2.0), "m/s", where());
+  // a corner comes by 5 sqrt(2) - 5 m farther out than a face between two moments, on each of the two floes, and a
+  // moment of approach
+  bound("H8.overlap", run.worst().overlap, 5.0 * (std::sqrt(2.0) - 1.0) + 0.25 * 0.05, "m", where());
+  bound("H8.fastest_left", fastest_floe(run.bodies()), 0.25, "m/s", where());
+  expect_sound("H8", run);
+}
+
+/// Farthest that the floe of a case strays from where it is after `settling` moments.
+double creep(const std::string& id, const std::string& file, std::int64_t settling, std::int64_t moments,
+             const Setting& setting) {
+  const SceneDef scene = read_hard_case(file, setting);
+  Watched run(scene, setting);
+  run.advance(settling, 100);
+  const std::size_t floe = first_floe_of(run.bodies());
+  const Vec2 place = run.bodies().position[floe];
+  double farthest = 0.0;
+  std::int64_t touched = 0, blocks = 0;
+  run.advance(moments, 1000, [&] {
+    farthest = std::max(farthest, length(run.bodies().position[floe] - place));
+    for (const MomentQuality& quality : run.log().quality)
+      if (quality.contacts > 0 || quality.iterations > 0) ++touched;
+    ++blocks;
+  });
+  EXPECT_GT(touched, blocks * 500) << "the floe is not held";
+  expect_sound(id, run);
+  return farthest;
+}
+
+TEST_P(HardRest, H10_locked_wedge) {
+  bound("H10.creep", creep("H10", "H10_locked_wedge.toml", 2000, 1000000, setting()), 1e-3, "m", where());
+}
+
+TEST_P(HardRest, H15_corner) {
+  bound("H15.1e5.creep", creep("H15.1e5", "H15_corner.toml", 2000, 100000, setting()), 1e-6, "m", where());
+}
+
+TEST_P(LongHardRest, H15_corner) {
+  bound("H15.1e7.creep", creep("H15.1e7", "H15_corner.toml", 2000, 10000000, setting()), 1e-6, "m", where());
+}
+
+}  // namespace
+}  // namespace gem::hard

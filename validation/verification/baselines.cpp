@@ -1,0 +1,45 @@
+#include "validation/verification/baselines.h"
+
+#include <cstdlib>
+#include <utility>
+
+#include "baseline_box2d/register_box2d.h"
+
+namespace gem::verification {
+namespace {
+
+/// Box2D with its usual iterations and skin; with so many iterations that more of them change nothing; with the skin
+/// that lets true outlines rest on each other.
+const struct {
+  const char* name;
+  int velocity_iterations, position_iterations;
+  double skin;
+} variants[] = {{"box2d_8_3", 8, 3, 0.01}, {"box2d_200_50", 200, 50, 0.01}, {"box2d_thin_skin", 8, 3, 0.0025}};
+
+void register_variants() {
+  baseline::register_box2d();
+  for (const auto& variant : variants)
+    register_baseline(variant.name, [&variant](const SceneDef& scene, Bodies bodies, const EngineOptions& options) {
+      EngineOptions chosen = options;
+      chosen.name = "box2d";
+      chosen.baseline.velocity_iterations = variant.velocity_iterations;
+      chosen.baseline.position_iterations = variant.position_iterations;
+      chosen.baseline.skin_m = variant.skin;
+      return make_engine(scene, std::move(bodies), chosen);
+    });
+}
+
+}  // namespace
+
+std::vector<Setting> surveyed_baselines() {
+  if (std::getenv("GEM_BASELINES") == nullptr) return {};
+  [[maybe_unused]] static const bool once = [] {
+    register_variants();
+    return true;
+  }();
+  std::vector<Setting> settings;
+  for (const auto& variant : variants) settings.push_back({variant.name, Resolution::coupled});
+  return settings;
+}
+
+}  // namespace gem::verification

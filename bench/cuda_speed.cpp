@@ -1,6 +1,6 @@
 // Speed of the cuda engine by device events, as CSV: one scene in three phases and several layouts, and batches.
 //
-// usage: gem_cuda_speed CASES_FOLDER [single|batch|all] [largest batch]
+// usage: gem_cuda_speed CASES_FOLDER [single|batch|profile|all] [largest batch]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -47,6 +47,16 @@ SceneDef scene_of(const std::string& cases, const std::string& run) {
 
 std::int64_t moments_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.moment_s); }
 
+/// Ends a row with the share of each stage in the first thread's time.
+void end_row(const CudaBatch& batch) {
+  const std::vector<double> clocks = batch.stage_clocks();
+  double all = 0.0;
+  for (const double clock : clocks) all += clock;
+  for (const double clock : clocks) std::printf(",%.3f", clock / all);
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
 void header() {
   std::printf(
       "commit,device,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,x_real_time,contacts,"
@@ -82,21 +92,31 @@ void single(const std::string& cases) {
     CudaBatch batch({{scene, field}}, {});
     batch.advance(moments_in(scene, phase.time), nullptr);
     const EngineState start = batch.save(0);
-    for (const int blocks : {1, 2, 4, 8, 16})
-      for (const int threads : {128, 256, 384, 512}) {
-        if (blocks < 8 && threads < 512) continue;
+    for (const int blocks : {1, 4, 16, 32, 64, 96, 128, 132})
+      for (const int threads : {128, 256, 512}) {
+        if (blocks < 64 && threads < 512) continue;
         CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads});
         std::vector<MomentLog> logs(1);
         const Timing time = time_moments(timed, start, &logs);
         double contacts = 0.0;
         for (const MomentQuality& quality : logs[0].quality) contacts += quality.contacts / double(timed_moments);
-        std::printf("%s,%s,moment,%s,1,%d,%d,%.3f,%.3f,%.0f,%.0f,%.2f,%016llx\n", GEM_COMMIT,
-                    timed.device().name.c_str(), phase.name, blocks, threads, 1e6 * time.median, 1e6 * time.spread,
+        std::printf("%s,%s,moment,%s,1,%d,%d,%.3f,%.3f,%.0f,%.0f,%.2f,%016llx", GEM_COMMIT, timed.device().name.c_str(),
+                    phase.name, blocks, threads, 1e6 * time.median, 1e6 * time.spread,
                     scene.numerics.moment_s / time.median, contacts, time.wall / time.median,
                     static_cast<unsigned long long>(timed.state_hash(0)));
-        std::fflush(stdout);
+        end_row(timed);
       }
   }
+}
+
+/// For a profiler: the plug, its list built, then a third launch of 64 moments.
+void one_launch(const std::string& cases) {
+  const Phase& phase = phases[1];
+  const SceneDef scene = scene_of(cases, phase.run);
+  CudaBatch batch({{scene, make_field(scene)}}, {.ring_moments = 20000});
+  batch.advance(moments_in(scene, phase.time), nullptr);
+  batch.advance(2, nullptr);
+  batch.advance(64, nullptr);
 }
 
 /// Fields of the main run with seeds 1, 2, ...
@@ -127,10 +147,10 @@ void batches(const std::string& cases, std::size_t largest) {
     const auto begin = Clock::now();
     batch.advance(moments, nullptr);
     const double wall = std::chrono::duration<double>(Clock::now() - begin).count(), device = batch.device_time();
-    std::printf("%s,%s,batch,%.0f s,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx\n", GEM_COMMIT, batch.device().name.c_str(),
+    std::printf("%s,%s,batch,%.0f s,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
                 duration, count, batch.blocks(), batch.threads(), 1e6 * device / double(moments),
                 double(count) * duration / wall, wall / device, static_cast<unsigned long long>(batch.state_hash(0)));
-    std::fflush(stdout);
+    end_row(batch);
   }
 }
 
@@ -142,8 +162,9 @@ int main(int count, char** argument) {
     const std::string cases = count > 1 ? argument[1] : "cases", what = count > 2 ? argument[2] : "all";
     const std::size_t largest = count > 3 ? std::strtoull(argument[3], nullptr, 10) : 264;
     gem::header();
-    if (what != "batch") gem::single(cases);
-    if (what != "single") gem::batches(cases, largest);
+    if (what == "profile") gem::one_launch(cases);
+    if (what == "single" || what == "all") gem::single(cases);
+    if (what == "batch" || what == "all") gem::batches(cases, largest);
     return 0;
   } catch (const gem::Error& error) {
     std::fprintf(stderr, "gem_cuda_speed: %s\n", error.what());

@@ -5,7 +5,10 @@
 // that look at one pair together. Between two barriers every array element has one writer.
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "gem/base/macros.h"
 
@@ -36,9 +39,13 @@ struct OneLane {
     return mine;
   }
   void sync() const {}
-  /// Of the bits of a ballot: how many are set, and how many below the own.
-  int count(unsigned bits) const { return bits & 1U ? 1 : 0; }
+  /// Of a set of bits: how many there are, how many below the own place, and the lowest.
+  int count(unsigned bits) const { return std::popcount(bits); }
   int count_below(unsigned) const { return 0; }
+  int lowest(unsigned bits) const { return std::countr_zero(bits); }
+  /// Of a number of each lane: the sum over all lanes and over those of lower rank.
+  int sum(int mine) const { return mine; }
+  int sum_below(int) const { return 0; }
 };
 
 /// The host's crew of one.
@@ -56,6 +63,12 @@ class SoloCrew {
   void barrier() {}
   void block_barrier() {}
   BlockCell& shared() { return shared_; }
+  /// Fast memory of the block.
+  std::byte* room() { return room_.data(); }
+  std::size_t room_bytes() const { return room_.size(); }
+  /// Reads the clock at the end of a stage.
+  void lap(int) const {}
+  void write_laps(std::int64_t*) const {}
   void raise(std::uint32_t alarms) { shared_.alarms |= alarms; }
   std::uint32_t alarms() const { return shared_.alarms; }
   void lower_alarms() { shared_.alarms = 0; }
@@ -74,6 +87,7 @@ class SoloCrew {
 
  private:
   BlockCell shared_{};
+  std::vector<std::byte> room_ = std::vector<std::byte>(1 << 20);
 };
 
 }  // namespace gem

@@ -13,42 +13,91 @@ namespace {
 
 constexpr int most_threads = 512;  // leaves 128 registers for each
 
-/// Moves scene k on by moments[k] moments.
-__global__ void __launch_bounds__(most_threads, 1)
-    advance_scenes(const DeviceScene* scenes, const std::int32_t* moments) {
+/// What a launch works on: scene k with `blocks` blocks, moved on by moments[k] moments.
+struct Launch {
+  const DeviceScene* scenes;
+  const std::int32_t* moments;
+  CrewGate* gates;
+  int blocks;
+  std::size_t room_bytes;
+};
+
+template <class Crew>
+__global__ void __launch_bounds__(most_threads, 1) advance_scenes(const Launch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
-  ClusterCrew crew(cell);
-  const int k = static_cast<int>(blockIdx.x) / crew.blocks();
-  const auto* from = reinterpret_cast<const std::uint64_t*>(scenes + k);
+  __shared__ StageClock clock;
+  extern __shared__ __align__(128) std::byte room[];
+  const int k = static_cast<int>(blockIdx.x) / launch.blocks;
+  if (threadIdx.x == 0) {
+    clock = {};
+    clock.last = clock64();
+  }
+  const auto* from = reinterpret_cast<const std::uint64_t*>(launch.scenes + k);
   auto* to = reinterpret_cast<std::uint64_t*>(&scene);
   for (unsigned w = threadIdx.x; w < sizeof(DeviceScene) / sizeof(std::uint64_t); w += blockDim.x) to[w] = from[w];
   __syncthreads();
-  advance_scene(scene, crew, moments[k]);
+  Crew crew(BlockRoom{cell, clock, room, launch.room_bytes}, launch.blocks, launch.gates + k);
+  advance_scene(scene, crew, launch.moments[k]);
   crew.barrier();  // no block leaves while another may still raise an alarm in it
 }
 
-cudaLaunchConfig_t launch_config(int scenes, int blocks, int threads, cudaLaunchAttribute& cluster,
+constexpr int largest_cluster = 16;
+
+/// How a batch is spread over the device.
+struct Spread {
+  int scenes = 1, blocks = 1, threads = most_threads;
+  bool gated() const { return blocks > largest_cluster; }
+  auto kernel() const { return gated() ? advance_scenes<GateCrew> : advance_scenes<ClusterCrew>; }
+};
+
+/// The fast memory that a block may have besides what the kernel takes itself; the kernel is allowed to take it
+/// [bytes].
+std::size_t room_of_block(const Spread& spread) {
+  int device = 0, most = 0;
+  cudaFuncAttributes attributes{};
+  check_cuda(cudaGetDevice(&device), "be set up");
+  check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
+  check_cuda(cudaFuncGetAttributes(&attributes, spread.kernel()), "be set up");
+  const std::size_t left = (static_cast<std::size_t>(most) - attributes.sharedSizeBytes) / 128 * 128;
+  check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(left)),
+             "be set up");
+  if (!spread.gated())
+    check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
+  return left;
+}
+
+/// The attribute lives as long as the configuration.
+cudaLaunchConfig_t launch_config(const Spread& spread, std::size_t room, cudaLaunchAttribute& attribute,
                                  cudaStream_t stream) {
-  cluster.id = cudaLaunchAttributeClusterDimension;
-  cluster.val.clusterDim = {static_cast<unsigned>(blocks), 1, 1};
+  if (spread.gated()) {
+    attribute.id = cudaLaunchAttributeCooperative;
+    attribute.val.cooperative = 1;
+  } else {
+    attribute.id = cudaLaunchAttributeClusterDimension;
+    attribute.val.clusterDim = {static_cast<unsigned>(spread.blocks), 1, 1};
+  }
   cudaLaunchConfig_t config{};
-  config.gridDim = dim3(static_cast<unsigned>(scenes * blocks));
-  config.blockDim = dim3(static_cast<unsigned>(threads));
+  config.gridDim = dim3(static_cast<unsigned>(spread.scenes * spread.blocks));
+  config.blockDim = dim3(static_cast<unsigned>(spread.threads));
+  config.dynamicSmemBytes = room;
   config.stream = stream;
-  config.attrs = &cluster;
+  config.attrs = &attribute;
   config.numAttrs = 1;
   return config;
 }
 
-/// The most blocks for each scene with which all scenes run at the same time.
-int most_blocks(int scenes, int threads) {
-  check_cuda(cudaFuncSetAttribute(advance_scenes, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
-  for (int blocks = 16; blocks > 1; blocks /= 2) {
-    cudaLaunchAttribute cluster;
-    const cudaLaunchConfig_t config = launch_config(scenes, blocks, threads, cluster, nullptr);
+/// The most blocks for each scene with which all scenes run at the same time; no more than `useful`.
+int most_blocks(int scenes, int threads, int multiprocessors, int useful) {
+  const int share = std::min(multiprocessors / scenes, useful);
+  if (share > largest_cluster) return share;
+  for (int blocks = largest_cluster; blocks > 1; blocks /= 2) {
+    if (blocks > useful) continue;
+    const Spread spread{scenes, blocks, threads};
+    cudaLaunchAttribute attribute;
+    const cudaLaunchConfig_t config = launch_config(spread, room_of_block(spread), attribute, nullptr);
     int clusters = 0;
-    if (cudaOccupancyMaxActiveClusters(&clusters, advance_scenes, &config) == cudaSuccess && clusters >= scenes)
+    if (cudaOccupancyMaxActiveClusters(&clusters, spread.kernel(), &config) == cudaSuccess && clusters >= scenes)
       return blocks;
     cudaGetLastError();
   }
@@ -100,15 +149,17 @@ class CudaBatch::Work {
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
       : device_(on_device(options)),
         threads_(options.threads > 0 ? options.threads : most_threads),
-        blocks_(options.blocks > 0 ? options.blocks : most_blocks(static_cast<int>(scenes.size()), threads_)),
+        blocks_(options.blocks > 0 ? options.blocks
+                                   : most_blocks(static_cast<int>(scenes.size()), threads_, device_.multiprocessors,
+                                                 useful_blocks(scenes))),
         ring_moments_(options.ring_moments),
         status_memory_(sizeof(DeviceStatus) * scenes.size()),
         scene_memory_(sizeof(DeviceScene) * scenes.size()),
         wanted_memory_(sizeof(std::int32_t) * scenes.size()),
+        gate_memory_(sizeof(CrewGate) * scenes.size()),
         status_(sizeof(DeviceStatus) * scenes.size()),
         scene_(sizeof(DeviceScene) * scenes.size()),
         wanted_(sizeof(std::int32_t) * scenes.size()) {
-    check_cuda(cudaFuncSetAttribute(advance_scenes, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
     scenes_.reserve(scenes.size());
     auto* status = reinterpret_cast<DeviceStatus*>(status_memory_.data());
     for (BatchScene& scene : scenes) scenes_.emplace_back(std::move(scene), options, blocks_, status++);
@@ -140,12 +191,21 @@ class CudaBatch::Work {
   int blocks() const { return blocks_; }
   int threads() const { return threads_; }
   double device_time() const { return device_time_; }
+  const std::vector<double>& stage_clocks() const { return stage_clocks_; }
 
  private:
   static CudaDevice on_device(const CudaOptions& options) {
     CudaDevice device = chosen_device(options.device);
     check_cuda(cudaSetDevice(device.index), "be chosen");
     return device;
+  }
+
+  /// More blocks than one for so many bodies would only wait for each other.
+  static int useful_blocks(const std::vector<BatchScene>& scenes) {
+    constexpr std::size_t bodies_worth_a_block = 24;
+    std::size_t most = 1;
+    for (const BatchScene& scene : scenes) most = std::max(most, scene.bodies.count());
+    return static_cast<int>(std::max<std::size_t>(1, std::min<std::size_t>(4096, most / bodies_worth_a_block)));
   }
 
   void use() const { check_cuda(cudaSetDevice(device_.index), "be chosen"); }
@@ -162,13 +222,16 @@ class CudaBatch::Work {
     check_cuda(cudaMemcpyAsync(scene_memory_.data(), scene, scene_.bytes(), cudaMemcpyHostToDevice, stream), "start");
     check_cuda(cudaMemcpyAsync(wanted_memory_.data(), wanted, wanted_.bytes(), cudaMemcpyHostToDevice, stream),
                "start");
-    cudaLaunchAttribute cluster;
-    const cudaLaunchConfig_t config =
-        launch_config(static_cast<int>(scenes_.size()), blocks_, threads_, cluster, stream);
+    check_cuda(cudaMemsetAsync(gate_memory_.data(), 0, gate_memory_.bytes(), stream), "start");
+    const Spread spread{static_cast<int>(scenes_.size()), blocks_, threads_};
+    const std::size_t room = room_of_block(spread);
+    cudaLaunchAttribute attribute;
+    const cudaLaunchConfig_t config = launch_config(spread, room, attribute, stream);
+    const Launch work{reinterpret_cast<const DeviceScene*>(scene_memory_.data()),
+                      reinterpret_cast<const std::int32_t*>(wanted_memory_.data()),
+                      reinterpret_cast<CrewGate*>(gate_memory_.data()), blocks_, room};
     time_.begin();
-    check_cuda(cudaLaunchKernelEx(&config, advance_scenes, reinterpret_cast<const DeviceScene*>(scene_memory_.data()),
-                                  reinterpret_cast<const std::int32_t*>(wanted_memory_.data())),
-               "start");
+    check_cuda(cudaLaunchKernelEx(&config, spread.kernel(), work), "start");
     time_.end();
     check_cuda(cudaMemcpyAsync(status_.data(), status_memory_.data(), status_.bytes(), cudaMemcpyDeviceToHost, stream),
                "answer");
@@ -181,6 +244,8 @@ class CudaBatch::Work {
     DeviceStatus status = reinterpret_cast<const DeviceStatus*>(status_.data())[k];
     CudaScene& scene = scenes_[k];
     scene.note(status);
+    for (std::size_t stage = 0; k == 0 && stage < stage_clocks_.size(); ++stage)
+      stage_clocks_[stage] += static_cast<double>(status.stage_clocks[stage]);
     left -= status.samples;
     const bool failed = status.stop == DeviceStop::not_finite;
     if (failed && status.samples > 0) --status.samples;  // the moment that failed is not logged
@@ -199,10 +264,11 @@ class CudaBatch::Work {
   CudaDevice device_;
   int threads_, blocks_, ring_moments_;
   Timeline time_;
-  DeviceMemory status_memory_, scene_memory_, wanted_memory_;
+  DeviceMemory status_memory_, scene_memory_, wanted_memory_, gate_memory_;
   PinnedMemory status_, scene_, wanted_;
   std::vector<CudaScene> scenes_;
   double device_time_ = 0.0;
+  std::vector<double> stage_clocks_ = std::vector<double>(stage_count);
   std::exception_ptr fault_;
 };
 
@@ -222,6 +288,11 @@ const CudaDevice& CudaBatch::device() const { return work_->device(); }
 int CudaBatch::blocks() const { return work_->blocks(); }
 int CudaBatch::threads() const { return work_->threads(); }
 double CudaBatch::device_time() const { return work_->device_time(); }
+std::vector<double> CudaBatch::stage_clocks() const { return work_->stage_clocks(); }
+
+std::vector<std::string> cuda_stage_names() {
+  return {"choose", "look", "resolve", "pairs_wait", "bodies", "bodies_wait", "list"};
+}
 
 namespace {
 

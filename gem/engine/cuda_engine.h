@@ -26,7 +26,7 @@ std::vector<CudaDevice> cuda_devices(std::string& reason);
 /// How the scenes of a batch are laid out on the GPU. No choice changes a result.
 struct CudaOptions {
   int device = -1;         // -1: the first that can be used
-  int blocks = 0;          // that work on one scene, a power of two up to 16; 0: as many as fit
+  int blocks = 0;          // that work on one scene: a power of two up to 16, or more; 0: as many as help
   int threads = 0;         // of a block, a multiple of 32; 0: chosen
   int ring_moments = 256;  // moments of one launch
   int list_rows = 0;       // places of the list of near bodies to begin with; it grows on demand; 0: chosen
@@ -64,11 +64,16 @@ class CudaBatch {
   int threads() const;
   /// Time that the GPU spent in the kernels of the last advance [s].
   double device_time() const;
+  /// Clocks of the first scene's first thread since construction, by stage; see cuda_stage_names.
+  std::vector<double> stage_clocks() const;
 
  private:
   class Work;
   std::unique_ptr<Work> work_;
 };
+
+/// Names of the stages of a moment: work, and the wait that ends each phase.
+std::vector<std::string> cuda_stage_names();
 
 /// The engine of one scene.
 std::unique_ptr<Engine> make_cuda_engine(const SceneDef& scene, Bodies bodies, const CudaOptions& options = {});

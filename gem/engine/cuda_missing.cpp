@@ -32,6 +32,8 @@ const CudaDevice& CudaBatch::device() const { throw Error(ExitCode::device, miss
 int CudaBatch::blocks() const { return 0; }
 int CudaBatch::threads() const { return 0; }
 double CudaBatch::device_time() const { return 0.0; }
+std::vector<double> CudaBatch::stage_clocks() const { return {}; }
+std::vector<std::string> cuda_stage_names() { return {}; }
 
 std::unique_ptr<Engine> make_cuda_engine(const SceneDef&, Bodies, const CudaOptions&) {
   usable_cuda_device();

@@ -1,8 +1,7 @@
 // The bodies phase of a moment: each body adds what its contacts did, moves, and takes the drag of the next moment.
 #pragma once
 
-#include "gem/engine/crew.h"
-#include "gem/engine/device_scene.h"
+#include "gem/engine/device_desk.h"
 #include "gem/engine/pair_event.h"
 #include "gem/engine/solo_event.h"
 
@@ -58,9 +57,8 @@ GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::
 }
 
 /// Books the work of the last moment's contacts; `stamp` says which entries count.
-GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
-                                   std::int32_t stamp) {
-  for (std::int32_t row = cell.row_begin; row < cell.row_begin + motion.lower_count; ++row)
+GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const BodyMotion& motion, std::int32_t stamp) {
+  for (std::int32_t row = motion.row_begin; row < motion.row_begin + motion.lower_count; ++row)
     if (s.stamp[row].work == stamp) {
       book_work(s, i, s.work[row]);
       s.stamp[row].work = -1;  // the books may be closed once more before the next moment
@@ -69,126 +67,166 @@ GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const B
 
 /// Adds the contacts of the moment in ascending order of the other body; returns whether any acted.
 GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
-                              std::int32_t moment, Vec2& velocity, double& spin) {
+                              std::int32_t moment, BodyAfter& after) {
   const bool moves = cell.kind == BodyKind::floe;
-  const std::int32_t places = moves ? motion.row_count : motion.lower_count;
+  const std::int32_t begin = motion.row_begin, lower = motion.lower_count;
+  const std::int32_t places = moves ? motion.row_count : lower;
   bool struck = false;
   for (std::int32_t first = 0; first < places; first += RowNews::stretch) {
-    const RowNews news = row_news(s, cell.row_begin + first, places - first, moment);
-    if ((news.entries | news.works) == 0) continue;
-    for (int k = 0; k < RowNews::stretch; ++k) {
-      const std::int32_t at = first + k, row = cell.row_begin + at;
+    const RowNews news = row_news(s, begin + first, places - first, moment);
+    for (int k = 0; (news.entries | news.works) >> k != 0; ++k) {
+      const std::int32_t row = begin + first + k;
       if (news.works >> k & 1U) book_work(s, i, s.work[row]);
       if (!(news.entries >> k & 1U)) continue;
       const RowEntry& entry = s.entry[row];
-      for (int j = 0; moves && j < entry.count; ++j) {
-        velocity += entry.step[j].velocity;
-        spin += entry.step[j].spin;
+      const std::int32_t count = moves ? entry.count : 0, acted = entry.acted;
+      const Vec2 velocity = entry.step[0].velocity;
+      const double spin = entry.step[0].spin;
+      if (count > 0) {
+        after.velocity += velocity;
+        after.spin += spin;
       }
-      struck = struck || entry.acted;
-      if (at < motion.lower_count && s.row_other[row] < s.large_bodies) book_fixed_contact(s, i, cell, row);
+      if (count > 1) {
+        after.velocity += entry.step[1].velocity;
+        after.spin += entry.step[1].spin;
+      }
+      struck = struck || acted;
+      if (first + k < lower && s.row_other[row] < s.large_bodies) book_fixed_contact(s, i, cell, row);
     }
   }
   return struck;
 }
 
-/// Turns a body by `angle`; its outline follows at the end of the phase.
-GEM_DEVICE inline void turn(BodyCell& cell, BodyMotion& motion, double angle) {
-  motion.turned = angle != 0.0;
-  if (angle == 0.0) return;
-  motion.rotation = turned(motion.rotation, angle);
-  cell.turn_travel += angle < 0.0 ? -angle : angle;
+/// A body that moves: what changes in one moment, kept in registers until the moment is over.
+struct Mover {
+  Vec2 position;
+  Rotation rotation;
+  double turn_travel = 0.0;
+  Vec2 velocity;
+  double spin = 0.0;
+};
+
+GEM_DEVICE inline Mover mover_of(const BodyCell& cell) {
+  return {cell.position, cell.rotation, cell.turn_travel, cell.velocity, cell.spin};
 }
 
-/// The outlines of the block's bodies follow their rotations, a corner for each thread.
-template <class Crew>
-GEM_DEVICE inline void turn_outlines(const DeviceScene& s, const Crew& crew, std::int32_t first_body,
-                                     std::int32_t end_body) {
-  if (first_body == end_body) return;
-  const BodyCell& last = s.body[end_body - 1];
-  const std::int32_t end = last.vertex_begin + last.vertex_count;
-  for (std::int32_t v = s.body[first_body].vertex_begin + crew.thread(); v < end; v += crew.threads()) {
-    const Vec2 corner = s.vertex[v], normal = s.body_normal[v];
-    const BodyMotion& motion = s.motion[s.vertex_body[v]];
-    if (!motion.turned) continue;
-    s.corner[v] = rotate(motion.rotation, corner);
-    s.normal[v] = rotate(motion.rotation, normal);
+/// Field by field: the compiler copies whole cells byte by byte.
+GEM_DEVICE inline void write_mover(BodyCell& cell, const Mover& mover) {
+  cell.position = mover.position;
+  cell.rotation = mover.rotation;
+  cell.turn_travel = mover.turn_travel;
+  cell.velocity = mover.velocity;
+  cell.spin = mover.spin;
+}
+
+/// Turns a body by `angle`; whether it turned at all.
+GEM_DEVICE inline bool turn(Mover& mover, double angle) {
+  if (angle == 0.0) return false;
+  mover.rotation = turned(mover.rotation, angle);
+  mover.turn_travel += angle < 0.0 ? -angle : angle;
+  return true;
+}
+
+/// Corners first, first + step, ... of an outline follow the body's rotation.
+GEM_DEVICE inline void turn_outline(const DeviceScene& s, std::int32_t begin, int count, Rotation q, int first,
+                                    int step) {
+  for (int v = first; v < count; v += step) {
+    const Vec2 corner = s.vertex[begin + v], normal = s.body_normal[begin + v];
+    s.corner[begin + v] = rotate(q, corner);
+    s.normal[begin + v] = rotate(q, normal);
   }
 }
 
 /// Whether a body left the course that the list relies on; `elapsed` is the time since the list was built [s].
-GEM_DEVICE inline bool left_course(const DeviceScene& s, const BodyCell& cell, const BodyMotion& motion,
+GEM_DEVICE inline bool left_course(const DeviceScene& s, const Mover& mover, double radius, const BodyMotion& motion,
                                    double elapsed) {
-  const Vec2 off = cell.position - motion.course_position - elapsed * motion.course_velocity;
-  const double left = 0.5 * s.constants.list_margin - cell.radius * (cell.turn_travel - motion.course_turned);
+  const Vec2 off = mover.position - motion.course_position - elapsed * motion.course_velocity;
+  const double left = 0.5 * s.constants.list_margin - radius * (mover.turn_travel - motion.course_turned);
   return !(left > 0.0 && dot(off, off) < left * left);
 }
 
-/// The drag of the next moment on a floe that moves with velocity_after and spin_after.
-GEM_DEVICE inline void kick_body(const DeviceScene& s, std::int32_t i, BodyCell& cell, BodyMotion& motion) {
-  cell.velocity = cell.velocity_after;
-  cell.spin = cell.spin_after;
-  if (s.constants.drag_law == DragLaw::none || !cell.active) return;
-  const Kick kicked = kick(s.constants, motion.drag, motion.spin_drag, cell.velocity_after, cell.spin_after);
-  book_kick(s.book(Channel::drag, i), motion.mass, motion.inertia, cell.position, cell.velocity_after, cell.spin_after,
-            kicked);
-  cell.velocity = kicked.velocity;
-  cell.spin = kicked.spin;
+/// The drag of the next moment on a floe that moves as `after` says.
+GEM_DEVICE inline void kick_body(const DeviceScene& s, Mover& mover, BodyMotion& motion, const BodyAfter& after,
+                                 Quantity& drag_book) {
+  mover.velocity = after.velocity;
+  mover.spin = after.spin;
+  if (s.constants.drag_law == DragLaw::none) return;
+  const Kick kicked = kick(s.constants, motion.drag, motion.spin_drag, after.velocity, after.spin);
+  book_kick(drag_book, motion.mass, motion.inertia, mover.position, after.velocity, after.spin, kicked);
+  mover.velocity = kicked.velocity;
+  mover.spin = kicked.spin;
   motion.path_correction = kicked.path_correction;
   motion.angle_correction = kicked.angle_correction;
 }
 
-/// Moves a floe with its velocity after the events.
-GEM_DEVICE inline void drift(const DeviceScene& s, std::int32_t i, BodyCell& cell, BodyMotion& motion, bool struck) {
+/// Moves a floe with its velocity after the events; whether it turned.
+GEM_DEVICE inline bool drift(const DeviceScene& s, Mover& mover, const BodyMotion& motion, const BodyAfter& after,
+                             bool struck, Quantity& drag_book) {
   const double dt = s.constants.dt;
-  double angle = dt * cell.spin_after;
+  double angle = dt * after.spin;
   if (struck) {
-    cell.position += dt * cell.velocity_after + Vec2{};  // no repair: kept for the sign of a zero
+    mover.position += dt * after.velocity + Vec2{};  // no repair: kept for the sign of a zero
   } else {
-    cell.position += dt * cell.velocity_after + motion.path_correction;
+    const Vec2 path_correction = motion.path_correction;
+    mover.position += dt * after.velocity + path_correction;
     angle += motion.angle_correction;
-    s.book(Channel::drag, i).angular_momentum += motion.mass * cross(motion.path_correction, cell.velocity_after);
+    drag_book.angular_momentum += motion.mass * cross(path_correction, after.velocity);
   }
-  turn(cell, motion, angle);
+  return turn(mover, angle);
 }
 
-/// Retires a floe that passed the line.
-GEM_DEVICE inline void retire(const DeviceScene& s, std::int32_t i, BodyCell& cell, const BodyMotion& motion) {
-  if (!(cell.position.x > s.constants.retire_x)) return;
-  const Quantity gone = quantity_of(motion.mass, motion.inertia, cell.position, cell.velocity_after, cell.spin_after);
+/// Enters what a floe takes along that passed the retire line.
+GEM_DEVICE inline void book_retired(const DeviceScene& s, std::int32_t i, const Mover& mover, const BodyMotion& motion,
+                                    const BodyAfter& after) {
+  const Quantity gone = quantity_of(motion.mass, motion.inertia, mover.position, after.velocity, after.spin);
   Quantity& book = s.book(Channel::retired, i);
   book.momentum -= gone.momentum;
   book.angular_momentum -= gone.angular_momentum;
   book.energy -= gone.energy;
-  cell.active = 0;
 }
 
-GEM_DEVICE inline bool is_finite(const BodyCell& cell, const BodyMotion& motion, Vec2 velocity) {
-  return is_number(cell.position.x + cell.position.y + velocity.x + velocity.y + cell.spin_after +
-                   motion.rotation.cosine + motion.rotation.sine);
+GEM_DEVICE inline bool is_finite(const Mover& mover, Vec2 velocity, double spin) {
+  return is_number(mover.position.x + mover.position.y + velocity.x + velocity.y + spin + mover.rotation.cosine +
+                   mover.rotation.sine);
 }
 
 /// One floe or fixed body through the bodies phase.
 template <class Crew>
-GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, std::int32_t i, const MomentStep& step) {
+GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t i,
+                                 const MomentStep& step) {
   if (i == 0) return;  // the platform's warp moves it at the same time
-  BodyCell cell = s.body[i];
-  BodyMotion motion = s.motion[i];
-  Vec2 velocity = cell.velocity;
-  double spin = cell.spin;
-  const bool struck = gather(s, i, cell, motion, step.moment, velocity, spin);
+  BodyCell& cell = desk.body[i];
+  BodyMotion& motion = desk.motion[i];
+  Quantity drag_book = s.book(Channel::drag, i);
+  Mover mover = mover_of(cell);
+  BodyAfter after{mover.velocity, mover.spin};
+  const bool struck = gather(s, i, cell, motion, step.moment, after);
   if (cell.kind != BodyKind::floe || !cell.active) return;
-  cell.velocity_after = velocity;
-  cell.spin_after = spin;
-  drift(s, i, cell, motion, struck);
-  if (is_finite(cell, motion, velocity))
-    retire(s, i, cell, motion);
-  else
-    crew.raise(alarm_not_finite);
-  if (cell.active && left_course(s, cell, motion, step.elapsed)) crew.raise(alarm_strayed);
-  if (step.kick_next) kick_body(s, i, cell, motion);
-  s.body[i] = cell;
-  s.motion[i] = motion;
+  const bool turned = drift(s, mover, motion, after, struck, drag_book);
+  const bool finite = is_finite(mover, after.velocity, after.spin);
+  const bool retires = finite && mover.position.x > s.constants.retire_x;
+  if (!finite) crew.raise(alarm_not_finite);
+  if (retires)
+    book_retired(s, i, mover, motion, after);
+  else if (left_course(s, mover, cell.radius, motion, step.elapsed))
+    crew.raise(alarm_strayed);
+  if (step.kick_next && !retires) kick_body(s, mover, motion, after, drag_book);
+  if (step.kick_next && retires) {
+    mover.velocity = after.velocity;
+    mover.spin = after.spin;
+  }
+  BodyCell& shown = s.body[i];
+  write_mover(shown, mover);
+  write_mover(cell, mover);
+  if (retires) shown.active = cell.active = 0;
+  s.after[i].velocity = after.velocity;
+  s.after[i].spin = after.spin;
+  Quantity& book = s.book(Channel::drag, i);
+  book.momentum = drag_book.momentum;
+  book.angular_momentum = drag_book.angular_momentum;
+  book.energy = drag_book.energy;
+  if (turned && cell.vertex_count > desk_vertices)
+    turn_outline(s, cell.vertex_begin, cell.vertex_count, mover.rotation, 0, 1);
 }
 
 }  // namespace gem

@@ -4,6 +4,7 @@
 #include <cooperative_groups.h>
 
 #include "gem/engine/crew.h"
+#include "gem/engine/device_scene.h"
 
 namespace gem {
 
@@ -15,16 +16,25 @@ class LaneGroup {
 
   __device__ int rank() const { return static_cast<int>(threadIdx.x) % lanes; }
   __device__ unsigned ballot(bool mine) const { return __ballot_sync(mask(), mine) >> first() & ones; }
-  template <class T>
-  __device__ T from(const T& mine, int lane) const {
-    return exchange(mine, [&](unsigned word) { return __shfl_sync(mask(), word, lane, lanes); });
-  }
-  template <class T>
-  __device__ T partner(const T& mine, int step) const {
-    return exchange(mine, [&](unsigned word) { return __shfl_xor_sync(mask(), word, step, lanes); });
-  }
+  __device__ int from(int mine, int lane) const { return __shfl_sync(mask(), mine, lane, lanes); }
+  __device__ double from(double mine, int lane) const { return __shfl_sync(mask(), mine, lane, lanes); }
+  __device__ int partner(int mine, int step) const { return __shfl_xor_sync(mask(), mine, step, lanes); }
+  __device__ double partner(double mine, int step) const { return __shfl_xor_sync(mask(), mine, step, lanes); }
   __device__ void sync() const { __syncwarp(mask()); }
   __device__ int count(unsigned bits) const { return __popc(bits); }
+  __device__ int lowest(unsigned bits) const { return __ffs(static_cast<int>(bits)) - 1; }
+  __device__ int sum_below(int mine) const {
+    int sum = mine;
+    for (int step = 1; step < lanes; step *= 2) {
+      const int other = __shfl_up_sync(mask(), sum, step, lanes);
+      if (rank() >= step) sum += other;
+    }
+    return sum - mine;
+  }
+  __device__ int sum(int mine) const {
+    for (int step = 1; step < lanes; step *= 2) mine += partner(mine, step);
+    return mine;
+  }
   __device__ int count_below(unsigned bits) const { return __popc(bits & ((1U << rank()) - 1U)); }
 
  private:
@@ -32,55 +42,53 @@ class LaneGroup {
 
   __device__ int first() const { return static_cast<int>(threadIdx.x) % 32 / lanes * lanes; }
   __device__ unsigned mask() const { return ones << first(); }
-
-  /// Word by word; T is a plain value.
-  template <class T, class Shuffle>
-  __device__ T exchange(const T& mine, Shuffle&& shuffle) const {
-    static_assert(sizeof(T) % sizeof(unsigned) == 0);
-    constexpr int words = sizeof(T) / sizeof(unsigned);
-    unsigned out[words], in[words];
-    memcpy(out, &mine, sizeof(T));
-#pragma unroll
-    for (int w = 0; w < words; ++w) in[w] = shuffle(out[w]);
-    T result;
-    memcpy(&result, in, sizeof(T));
-    return result;
-  }
 };
 
-/// All threads of a cluster; a launch without clusters has clusters of one block.
-class ClusterCrew {
+/// Where the blocks of a GateCrew meet; zero before a launch.
+struct CrewGate {
+  unsigned arrived, alarms;
+  unsigned unused[30];  // a line of memory of its own
+};
+
+/// Where the time of the first thread goes.
+struct StageClock {
+  long long last, sum[stage_count];
+};
+
+/// The fast memory of one block.
+struct BlockRoom {
+  BlockCell& shared;
+  StageClock& clock;
+  std::byte* room;
+  std::size_t bytes;
+};
+
+/// What crews of one or of many blocks have in common.
+class DeviceCrew {
  public:
   using Lanes = LaneGroup<8>;
   using Warp = LaneGroup<32>;
 
-  __device__ explicit ClusterCrew(BlockCell& shared) : shared_(shared) {}
+  __device__ explicit DeviceCrew(const BlockRoom& room) : room_(room) {}
 
-  __device__ int block() const { return static_cast<int>(cluster().block_rank()); }
-  __device__ int blocks() const { return static_cast<int>(cluster().num_blocks()); }
   __device__ int thread() const { return static_cast<int>(threadIdx.x); }
   __device__ int threads() const { return static_cast<int>(blockDim.x); }
   __device__ Lanes lanes() const { return {}; }
   __device__ Warp warp() const { return {}; }
-  /// A warp that had parted comes together first: the barrier counts warps.
-  __device__ void barrier() {
-    if (blocks() == 1) {
-      __syncthreads();
-      return;
-    }
-    __syncwarp();
-    asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
-  }
   __device__ void block_barrier() { __syncthreads(); }
-  __device__ BlockCell& shared() { return shared_; }
+  __device__ BlockCell& shared() { return room_.shared; }
+  __device__ std::byte* room() const { return room_.room; }
+  __device__ std::size_t room_bytes() const { return room_.bytes; }
+  __device__ std::uint32_t alarms() const { return *static_cast<const volatile std::uint32_t*>(&room_.shared.alarms); }
 
-  /// Every block has its own copy of the alarms, so that a look at them costs next to nothing.
-  __device__ void raise(std::uint32_t alarms) {
-    for (int k = 0; k < blocks(); ++k) atomicOr(cluster().map_shared_rank(&shared_.alarms, k), alarms);
+  __device__ void lap(int stage) {
+    if (threadIdx.x != 0 || blockIdx.x != 0) return;
+    const long long now = clock64();
+    room_.clock.sum[stage] += now - room_.clock.last;
+    room_.clock.last = now;
   }
-  __device__ std::uint32_t alarms() const { return *static_cast<const volatile std::uint32_t*>(&shared_.alarms); }
-  __device__ void lower_alarms() {
-    if (threadIdx.x == 0) shared_.alarms = 0;
+  __device__ void write_laps(std::int64_t* clocks) const {
+    for (int k = 0; k < stage_count; ++k) clocks[k] = room_.clock.sum[k];
   }
 
   __device__ static std::int32_t add(std::int32_t* sum, std::int32_t value) { return atomicAdd(sum, value); }
@@ -90,10 +98,81 @@ class ClusterCrew {
   }
   __device__ static void set_bit(std::uint32_t* word, std::uint32_t bit) { atomicOr(word, bit); }
 
+ protected:
+  BlockRoom room_;
+};
+
+/// All threads of a cluster of blocks.
+class ClusterCrew : public DeviceCrew {
+ public:
+  __device__ ClusterCrew(const BlockRoom& room, int, CrewGate*) : DeviceCrew(room) {}
+
+  __device__ int block() const { return static_cast<int>(cluster().block_rank()); }
+  __device__ int blocks() const { return static_cast<int>(cluster().num_blocks()); }
+
+  /// A warp that had parted comes together first: the barrier counts warps.
+  __device__ void barrier() {
+    if (blocks() == 1) {
+      __syncthreads();
+      return;
+    }
+    __syncwarp();
+    asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
+  }
+
+  /// Every block has its own copy of the alarms, so that a look at them costs next to nothing.
+  __device__ void raise(std::uint32_t alarms) {
+    for (int k = 0; k < blocks(); ++k) atomicOr(cluster().map_shared_rank(&room_.shared.alarms, k), alarms);
+  }
+  __device__ void lower_alarms() {
+    if (threadIdx.x == 0) room_.shared.alarms = 0;
+  }
+
  private:
   __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
+};
 
-  BlockCell& shared_;
+/// More blocks than a cluster holds, all on the device at the same time; they meet at a gate in its memory.
+class GateCrew : public DeviceCrew {
+ public:
+  __device__ GateCrew(const BlockRoom& room, int blocks, CrewGate* gate)
+      : DeviceCrew(room), blocks_(blocks), gate_(gate) {}
+
+  __device__ int block() const { return static_cast<int>(blockIdx.x) % blocks_; }
+  __device__ int blocks() const { return blocks_; }
+
+  __device__ void barrier() {
+    __syncthreads();
+    passed_ += static_cast<unsigned>(blocks_);
+    if (threadIdx.x == 0) {
+      __threadfence();
+      atomicAdd(&gate_->arrived, 1U);
+      while (load(&gate_->arrived) < passed_) {
+      }
+      room_.shared.alarms |= load(&gate_->alarms);
+    }
+    __syncthreads();
+  }
+
+  /// Seen by a block when it passes the next barrier. Between two barriers with a decision on alarms there is a third,
+  /// so that no block can see an alarm that another has yet to raise for a later decision.
+  __device__ void raise(std::uint32_t alarms) { atomicOr(&gate_->alarms, alarms); }
+  __device__ void lower_alarms() {
+    if (threadIdx.x != 0) return;
+    room_.shared.alarms = 0;
+    if (block() == 0) atomicExch(&gate_->alarms, 0U);
+  }
+
+ private:
+  __device__ static unsigned load(const unsigned* word) {
+    unsigned value;
+    asm volatile("ld.acquire.gpu.global.u32 %0, [%1];" : "=r"(value) : "l"(word) : "memory");
+    return value;
+  }
+
+  int blocks_;
+  CrewGate* gate_;
+  unsigned passed_ = 0;  // arrivals of all barriers so far
 };
 
 }  // namespace gem

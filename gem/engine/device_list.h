@@ -11,8 +11,7 @@
 //   7. a pair for each near body with a higher id
 #pragma once
 
-#include "gem/engine/crew.h"
-#include "gem/engine/device_scene.h"
+#include "gem/engine/device_desk.h"
 
 namespace gem {
 
@@ -46,7 +45,7 @@ GEM_DEVICE inline std::int32_t size_of(const Crew& crew) {
 GEM_DEVICE inline ListBox box_of(const DeviceScene& s, const BodyCell& cell) {
   ListBox box{{1e300, 1e300}, {-1e300, -1e300}};
   for (std::int32_t v = cell.vertex_begin; v < cell.vertex_begin + cell.vertex_count; ++v) {
-    const Vec2 p = cell.position + s.corner[v];
+    const Vec2 p = cell.position + rotate(cell.rotation, s.vertex[v]);
     if (p.x < box.low.x) box.low.x = p.x;
     if (p.y < box.low.y) box.low.y = p.y;
     if (p.x > box.high.x) box.high.x = p.x;
@@ -134,7 +133,11 @@ GEM_DEVICE inline ListGrid fill_grid(const DeviceScene& s, Crew& crew) {
   // counted down to zero and up again: the cell's next free place
   for (std::int32_t i = s.large_bodies + first; i < s.bodies; i += step) {
     const std::int32_t at = s.grid_cell[i];
-    if (at >= 0) s.grid_body[s.grid_begin[at] + crew.add(&s.grid_count[at], -1) - 1] = i;
+    if (at < 0) continue;
+    GridFloe& floe = s.grid_floe[s.grid_begin[at] + crew.add(&s.grid_count[at], -1) - 1];
+    floe.box = s.box[i];
+    floe.velocity = s.motion[i].course_velocity;
+    floe.body = i;
   }
   crew.barrier();
   for (std::int32_t i = s.large_bodies + first; i < s.bodies; i += step) {
@@ -145,11 +148,11 @@ GEM_DEVICE inline ListGrid fill_grid(const DeviceScene& s, Crew& crew) {
   return grid;
 }
 
-GEM_DEVICE inline bool near(const DeviceScene& s, std::int32_t i, std::int32_t j) {
-  const ListBox &a = s.box[i], &b = s.box[j];
-  const Vec2 relative = s.motion[j].course_velocity - s.motion[i].course_velocity;
+/// Whether two bodies may come near within the horizon.
+GEM_DEVICE inline bool near(const DeviceScene& s, const ListBox& a, Vec2 velocity_a, const ListBox& b,
+                            Vec2 velocity_b) {
   const double reach = s.constants.list_margin + s.constants.contact_margin +
-                       static_cast<double>(s.horizon) * s.constants.dt * length(relative);
+                       static_cast<double>(s.horizon) * s.constants.dt * length(velocity_b - velocity_a);
   return a.low.x < b.high.x + reach && b.low.x < a.high.x + reach && a.low.y < b.high.y + reach &&
          b.low.y < a.high.y + reach;
 }
@@ -159,20 +162,21 @@ template <class Visit>
 GEM_DEVICE inline void each_near(const DeviceScene& s, const ListGrid& grid, std::int32_t i, Visit&& visit) {
   const BodyCell& cell = s.body[i];
   if (!cell.active) return;
+  const ListBox box = s.box[i];
+  const Vec2 velocity = s.motion[i].course_velocity;
   for (std::int32_t j = 0; j < s.large_bodies && j < i; ++j) {
     const bool moves = cell.inverse_mass > 0.0 || s.body[j].inverse_mass > 0.0;
-    if (s.body[j].active && moves && near(s, j, i)) visit(j);
+    if (s.body[j].active && moves && near(s, s.box[j], s.motion[j].course_velocity, box, velocity)) visit(j);
   }
   if (is_large(s, i)) return;
   const std::int32_t row = s.grid_cell[i] / grid.columns, column = s.grid_cell[i] % grid.columns;
   for (std::int32_t r = row - 1; r <= row + 1; ++r)
     for (std::int32_t c = column - 1; c <= column + 1; ++c) {
       if (r < 0 || r >= grid.rows || c < 0 || c >= grid.columns) continue;
-      const std::int32_t begin = s.grid_begin[r * grid.columns + c], count = s.grid_count[r * grid.columns + c];
-      for (std::int32_t k = 0; k < count; ++k) {
-        const std::int32_t j = s.grid_body[begin + k];
-        if (j != i && near(s, i, j)) visit(j);
-      }
+      const GridFloe* floe = s.grid_floe + s.grid_begin[r * grid.columns + c];
+      const GridFloe* const end = floe + s.grid_count[r * grid.columns + c];
+      for (; floe != end; ++floe)
+        if (floe->body != i && near(s, box, velocity, floe->box, floe->velocity)) visit(floe->body);
     }
 }
 
@@ -183,7 +187,8 @@ GEM_DEVICE inline bool take_row(const DeviceScene& s, Crew& crew, std::int32_t i
   const std::int32_t begin = crew.add(&s.counters->rows, count);
   const bool fits = begin + count <= s.rows_capacity && (i > 0 || count <= s.platform_capacity);
   if (!fits) crew.raise(alarm_list_full);
-  s.body[i].row_begin = fits ? begin : 0;
+  s.motion[i].row_begin = fits ? begin : 0;
+  if (i == 0) s.platform->row_begin = s.motion[i].row_begin;
   s.motion[i].row_count = fits ? count : 0;
   s.motion[i].lower_count = fits ? lower : 0;
   return fits;
@@ -205,7 +210,9 @@ GEM_DEVICE inline void find_near(const DeviceScene& s, Crew& crew, const ListGri
   const std::int32_t first = rank_of(crew), step = size_of(crew);
   for (std::int32_t i = first; i < s.bodies; i += step) {
     std::int32_t count = 0, lower = 0;
+    std::int32_t* const kept = s.near_first + i * kept_near;
     each_near(s, grid, i, [&](std::int32_t j) {
+      if (count < kept_near) insert_sorted(kept, count, j);
       ++count;
       lower += j < i;
       if (is_large(s, j)) crew.set_bit(&s.near_large[j * bit_words(s) + i / 32], 1U << (i % 32));
@@ -215,41 +222,51 @@ GEM_DEVICE inline void find_near(const DeviceScene& s, Crew& crew, const ListGri
       continue;
     }
     if (!take_row(s, crew, i, count, lower)) continue;
-    std::int32_t* row = s.row_other + s.body[i].row_begin;
+    std::int32_t* row = s.row_other + s.motion[i].row_begin;
     std::int32_t placed = 0;
-    each_near(s, grid, i, [&](std::int32_t j) { insert_sorted(row, placed++, j); });
+    if (count <= kept_near)
+      for (; placed < count; ++placed) row[placed] = kept[placed];
+    else
+      each_near(s, grid, i, [&](std::int32_t j) { insert_sorted(row, placed++, j); });
   }
 }
 
-GEM_DEVICE inline std::int32_t bits_in(std::uint32_t word) {
-  std::int32_t count = 0;
-  for (; word != 0; word &= word - 1) ++count;
-  return count;
-}
-
-/// Step 6: one thread for each large body; words without a near body are passed over quickly.
+/// Step 6: a warp for each large body, a word of 32 bodies for each lane.
 template <class Crew>
 GEM_DEVICE inline void rows_of_large_bodies(const DeviceScene& s, Crew& crew) {
-  for (std::int32_t i = rank_of(crew); i < s.large_bodies; i += size_of(crew)) {
-    const std::uint32_t* bits = s.near_large + i * bit_words(s);
+  const auto warp = crew.warp();
+  const std::int32_t words = bit_words(s);
+  for (std::int32_t i = rank_of(crew) / Crew::Warp::size; i < s.large_bodies; i += size_of(crew) / Crew::Warp::size) {
+    const std::uint32_t* bits = s.near_large + i * words;
     const std::int32_t lower = s.motion[i].lower_count;
-    std::int32_t count = lower;
-    for (std::int32_t w = 0; w < bit_words(s); ++w) count += bits_in(bits[w]);
-    if (i == 0) s.status->platform_needed = count;
-    if (!take_row(s, crew, i, count, lower)) continue;
-    std::int32_t* row = s.row_other + s.body[i].row_begin;
+    std::int32_t count = 0;
+    for (std::int32_t w = warp.rank(); w < words; w += Crew::Warp::size) count += warp.count(bits[w]);
+    count = lower + warp.sum(count);
+    if (warp.rank() == 0) {
+      if (i == 0) s.status->platform_needed = count;
+      take_row(s, crew, i, count, lower);
+    }
+    warp.sync();
+    if (s.motion[i].row_count == 0) continue;
+    std::int32_t* row = s.row_other + s.motion[i].row_begin;
     std::int32_t placed = 0;
-    for (std::int32_t j = 0; j < i; ++j)
-      if (s.near_large[j * bit_words(s) + i / 32] >> (i % 32) & 1U) row[placed++] = j;
-    for (std::int32_t w = 0; w < bit_words(s); ++w)
-      for (std::int32_t k = 0; k < 32; ++k)
-        if (bits[w] >> k & 1U) row[placed++] = 32 * w + k;
+    for (std::int32_t j = 0; j < i && warp.rank() == 0; ++j)
+      if (s.near_large[j * words + i / 32] >> (i % 32) & 1U) row[placed++] = j;
+    placed = lower;
+    for (std::int32_t first = 0; first < words; first += Crew::Warp::size) {
+      const std::int32_t w = first + warp.rank();
+      const std::uint32_t mine = w < words ? bits[w] : 0;
+      std::int32_t at = placed + warp.sum_below(warp.count(mine));
+      for (std::int32_t k = 0; k < 32 && mine >> k != 0; ++k)
+        if (mine >> k & 1U) row[at++] = 32 * w + k;
+      placed += warp.sum(warp.count(mine));
+    }
   }
 }
 
 /// Place of body `other` in the sorted row of a body.
 GEM_DEVICE inline std::int32_t place_in_row(const DeviceScene& s, std::int32_t body, std::int32_t other) {
-  std::int32_t low = s.body[body].row_begin, high = low + s.motion[body].row_count;
+  std::int32_t low = s.motion[body].row_begin, high = low + s.motion[body].row_count;
   while (high - low > 1) {
     const std::int32_t middle = low + (high - low) / 2;
     if (s.row_other[middle] > other)
@@ -269,7 +286,7 @@ GEM_DEVICE inline void make_pairs(const DeviceScene& s, Crew& crew) {
     if (is_large(s, i) || higher == 0) continue;
     std::int32_t p = crew.add(&s.counters->pairs, higher);
     for (std::int32_t at = motion.lower_count; at < motion.row_count; ++at, ++p) {
-      const std::int32_t row = s.body[i].row_begin + at, other = s.row_other[row];
+      const std::int32_t row = s.motion[i].row_begin + at, other = s.row_other[row];
       s.pair[p] = {i, other, row, place_in_row(s, other, i), {}, {}, 0.0, 0.0};
       s.row_pair[row] = s.row_pair[s.pair[p].row_b] = p;
     }
@@ -279,7 +296,7 @@ GEM_DEVICE inline void make_pairs(const DeviceScene& s, Crew& crew) {
     const BodyMotion& motion = s.motion[i];
     for (std::int32_t at = motion.lower_count + rank_of(crew); at < motion.row_count; at += size_of(crew)) {
       const std::int32_t p = crew.add(&s.counters->pairs, 1);
-      const std::int32_t row = s.body[i].row_begin + at, other = s.row_other[row];
+      const std::int32_t row = s.motion[i].row_begin + at, other = s.row_other[row];
       s.pair[p] = {i, other, row, place_in_row(s, other, i), {}, {}, 0.0, 0.0};
       s.row_pair[row] = s.row_pair[s.pair[p].row_b] = p;
     }

@@ -14,58 +14,46 @@
 
 namespace gem {
 
-/// What a thread works on: its block's stretches of pairs and bodies. The platform's warp leaves the floes to others.
-struct Share {
-  Stretch pairs, bodies;
-  std::int32_t first_body = 0, body_step = 1;
-  bool platform = false;
-};
-
-template <class Crew>
-GEM_DEVICE inline Share share_of(const DeviceScene& s, const Crew& crew) {
-  Share share;
-  share.pairs = stretch_of(crew, s.counters->pairs);
-  share.bodies = stretch_of(crew, s.bodies);
-  const int warp = Crew::Warp::size;
-  const bool alone = crew.threads() <= warp;
-  share.platform = crew.block() == 0 && (alone || crew.thread() >= crew.threads() - warp);
-  share.body_step = crew.block() == 0 && !alone ? crew.threads() - warp : crew.threads();
-  share.first_body = share.platform && !alone ? share.bodies.end : share.bodies.begin + crew.thread();
-  return share;
-}
-
 /// Solo events up to the instant of the first moment's pair events.
 template <class Crew>
-GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Crew& crew, const Share& share) {
-  for (std::int32_t i = share.first_body; i < share.bodies.end; i += share.body_step)
-    if (s.body[i].kind == BodyKind::floe) kick_body(s, i, s.body[i], s.motion[i]);
-  if (share.platform && crew.warp().rank() == 0) platform_first_half(s, s.body[0], s.motion[0].mass);
+GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Crew& crew, const Desk& desk) {
+  for (std::int32_t i = desk.first_body; i < desk.bodies.end; i += desk.body_step) {
+    if (i == 0 || desk.body[i].kind != BodyKind::floe || !desk.body[i].active) continue;
+    Mover mover = mover_of(desk.body[i]);
+    kick_body(s, mover, desk.motion[i], s.after[i], s.book(Channel::drag, i));
+    write_mover(desk.body[i], mover);
+    write_mover(s.body[i], mover);
+  }
+  if (!desk.platform || crew.warp().rank() != 0) return;
+  Mover mover = mover_of(desk.body[0]);
+  platform_first_half(s, mover, desk.motion[0].mass, s.after[0].spin);
+  write_mover(desk.body[0], mover);
+  write_mover(s.body[0], mover);
 }
 
 /// The bodies phase of one moment.
 template <class Crew>
-GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Crew& crew, const Share& share, const MomentStep& step) {
+GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Crew& crew, const Desk& desk, const MomentStep& step) {
   BlockCell& shared = crew.shared();
   if (crew.thread() == 0) {
     if (s.wants_samples) s.quality[step.sample * crew.blocks() + crew.block()] = {shared.overlap, shared.contacts, 0};
     shared.overlap = 0;
-    shared.contacts = shared.looks = shared.touches = 0;
+    shared.contacts = shared.touches = 0;
   }
-  for (std::int32_t i = share.first_body; i < share.bodies.end; i += share.body_step) move_body(s, crew, i, step);
-  if (share.platform) move_platform(s, crew, step);
-  crew.block_barrier();
-  turn_outlines(s, crew, share.bodies.begin, share.bodies.end);
+  for (std::int32_t i = desk.first_body; i < desk.bodies.end; i += desk.body_step) move_body(s, crew, desk, i, step);
+  if (desk.platform) move_platform(s, crew, desk, step);
+  crew.lap(stage_bodies);
 }
 
 /// Brings the books of contact work up to date; no contact is left waiting.
 template <class Crew>
-GEM_DEVICE inline void close_work(const DeviceScene& s, Crew& crew, const Share& share, std::int32_t moment) {
+GEM_DEVICE inline void close_work(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
   const std::int32_t stamp = -2 - moment;  // unlike the stamp of any moment
-  work_of_last_moment(s, crew, share.pairs, stamp);
+  work_of_last_moment(s, crew, desk, stamp);
   crew.barrier();
   if (crew.thread() == 0) crew.shared().touched = 0;
-  for (std::int32_t i = share.first_body; i < share.bodies.end; i += share.body_step)
-    gather_work(s, i, s.body[i], s.motion[i], stamp);
+  for (std::int32_t i = desk.first_body; i < desk.bodies.end; i += desk.body_step)
+    gather_work(s, i, desk.motion[i], stamp);
 }
 
 /// The state at rest, for the host.
@@ -73,8 +61,8 @@ template <class Crew>
 GEM_DEVICE inline void write_state(const DeviceScene& s, const Crew& crew) {
   for (std::int32_t i = rank_of(crew); i < s.bodies; i += size_of(crew)) {
     const BodyCell& cell = s.body[i];
-    const Vec2 velocity = i == 0 ? s.platform->velocity : cell.velocity_after;
-    s.state[i] = {cell.position, s.motion[i].rotation, velocity, cell.spin_after, cell.active};
+    const Vec2 velocity = i == 0 ? s.platform->velocity : s.after[i].velocity;
+    s.state[i] = {cell.position, cell.rotation, velocity, s.after[i].spin, cell.active};
   }
 }
 
@@ -88,8 +76,11 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
   bool list_valid = status.list_valid != 0;
   if (crew.thread() == 0) crew.shared() = {};
   crew.block_barrier();
-  Share share = share_of(s, crew);
-  if (!status.half_way) first_solo_events(s, crew, share);
+  Desk desk = make_desk(s, crew);
+  take_bodies(s, crew, desk);
+  take_pairs(s, crew, desk);
+  crew.block_barrier();
+  if (!status.half_way) first_solo_events(s, crew, desk);
   crew.barrier();
   if (one) {
     status.half_way = 1;
@@ -108,9 +99,14 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
       break;
     }
     if (!list_valid || moment - list_moment >= s.horizon || (alarms & alarm_strayed)) {
-      close_work(s, crew, share, moment);
+      close_work(s, crew, desk, moment);
+      crew.block_barrier();
+      put_bodies_back(s, crew, desk);
       build_list(s, crew, moment);
-      share = share_of(s, crew);
+      take_bodies(s, crew, desk);
+      take_pairs(s, crew, desk);
+      crew.block_barrier();
+      crew.lap(stage_list);
       list_valid = !(crew.alarms() & alarm_list_full);
       list_moment = moment;
       if (!list_valid) {
@@ -118,16 +114,21 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
         break;
       }
     }
-    pairs_phase(s, crew, share.pairs, moment);
+    pairs_phase(s, crew, desk, moment);
     crew.barrier();
+    crew.lap(stage_pairs_wait);
     const double elapsed = static_cast<double>(moment + 1 - list_moment) * s.constants.dt;
-    bodies_phase(s, crew, share, {moment, done, elapsed, done + 1 < moments});
+    bodies_phase(s, crew, desk, {moment, done, elapsed, done + 1 < moments});
     crew.barrier();
+    crew.lap(stage_bodies_wait);
   }
   if (stop == DeviceStop::done && (crew.alarms() & alarm_not_finite)) stop = DeviceStop::not_finite;
   list_valid = list_valid && !(crew.alarms() & alarm_strayed);
 
-  close_work(s, crew, share, static_cast<std::int32_t>(start) + done);
+  close_work(s, crew, desk, static_cast<std::int32_t>(start) + done);
+  crew.block_barrier();
+  put_bodies_back(s, crew, desk);
+  put_pairs_back(s, crew, desk);
   write_state(s, crew);
   crew.barrier();
   if (one) {
@@ -135,6 +136,7 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
     status.samples = done;
     status.list_valid = list_valid;
     status.half_way = done < moments;
+    crew.write_laps(status.stage_clocks);
     status.stop = stop;
   }
 }

@@ -18,11 +18,13 @@ namespace {
 /// A device scene in the memory of the host.
 class HostScene {
  public:
-  HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0)
+  HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0,
+            std::size_t room = 1 << 20)
       : field_(make_field_state(bodies, moment_constants(scene, bodies))),
         sizes_(scene_sizes(field_)),
         scene_(scene_constants(field_, scene.output.event_speed_m_per_s)),
-        threads_(threads) {
+        threads_(threads),
+        room_(room) {
     sizes_.blocks = blocks;
     if (rows > 0) sizes_.rows = rows;
     sizes_.samples = 32;
@@ -42,7 +44,8 @@ class HostScene {
         SoloCrew crew;
         advance_scene(scene_, crew, some);
       } else {
-        test::run_team(sizes_.blocks, threads_, [&](test::TeamCrew& crew) { advance_scene(scene_, crew, some); });
+        test::run_team(sizes_.blocks, threads_, room_,
+                       [&](test::TeamCrew& crew) { advance_scene(scene_, crew, some); });
       }
       const DeviceStatus& status = *scene_.status;
       append_log(field_, scene_, status, sizes_.blocks, log);
@@ -81,6 +84,7 @@ class HostScene {
   SceneSizes sizes_;
   DeviceScene scene_;
   int threads_;
+  std::size_t room_;
   std::vector<std::byte> memory_[3];
   int growths_ = 0;
 };
@@ -122,8 +126,9 @@ TEST(DeviceMoments, BlocksAndThreadsChangeNothing) {
   MomentLog expected;
   cpu->advance(60, expected);
   EXPECT_GT(test::contacts_in(expected), 500);
-  for (const auto& [blocks, threads] : {std::pair{1, 4}, {1, 8}, {3, 4}}) {
-    HostScene device(scene, test::busy_field(scene), blocks, threads);
+  const std::size_t none = desk_minimum(8, test::team_lanes), bodies = none + 160 * 256, all = 1 << 20;
+  for (const auto& [blocks, threads, room] : {std::tuple{1, 4, all}, {1, 8, none}, {3, 4, all}, {2, 4, bodies}}) {
+    HostScene device(scene, test::busy_field(scene), blocks, threads, 0, room);
     MomentLog log;
     device.advance(60, log);
     test::expect_same_bodies(device.bodies(), cpu->bodies());

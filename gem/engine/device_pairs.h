@@ -1,12 +1,11 @@
 // The pairs phase of a moment: look at near pairs, find where they touch, resolve their events.
 //
 //   1. each thread: does the last look at a pair still say that it cannot touch?
-//   2. each group of lanes: follow the pair's axes, add up its chord
+//   2. each group of lanes: turn the two outlines, follow the pair's axes, find the contact
 //   3. each thread: the event of one touching pair, into the rows of its bodies
 #pragma once
 
-#include "gem/engine/crew.h"
-#include "gem/engine/device_scene.h"
+#include "gem/engine/device_desk.h"
 #include "gem/engine/lane_geometry.h"
 #include "gem/engine/pair_event.h"
 
@@ -15,77 +14,102 @@ namespace gem {
 /// Slack for rounding where a bound on motion spares a look [m].
 constexpr double look_rounding = 1e-9;
 
-/// A block's stretch of [0, count).
-struct Stretch {
-  std::int32_t begin = 0, end = 0;
+/// What choosing needs of a body.
+struct LookBody {
+  Vec2 position;
+  Rotation rotation;
+  double turn_travel, radius;
+  std::int32_t vertex_begin;
+  std::int16_t vertex_count;
+  bool active;
 };
 
-template <class Crew>
-GEM_DEVICE inline Stretch stretch_of(const Crew& crew, std::int32_t count) {
-  const std::int64_t all = count;
-  return {static_cast<std::int32_t>(all * crew.block() / crew.blocks()),
-          static_cast<std::int32_t>(all * (crew.block() + 1) / crew.blocks())};
+GEM_DEVICE inline LookBody look_body(const BodyCell& cell) {
+  return {cell.position,     cell.rotation,     cell.turn_travel, cell.radius,
+          cell.vertex_begin, cell.vertex_count, cell.active != 0};
 }
 
-/// How two bodies of a pair moved since the last look.
-struct PairShift {
-  Vec2 offset, shifted;
-  double turned_a, turned_b;
-};
-
-GEM_DEVICE inline PairShift pair_shift(const PairCell& pair, const BodyCell& a, const BodyCell& b) {
+/// Puts the pair on the desk to be looked at, unless the last look rules out that it touches now.
+template <class Crew>
+GEM_DEVICE inline void choose_look(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t p) {
+  PairCell& pair = desk.pair[p];
+  const LookBody a = look_body(s.body[pair.a]), b = look_body(s.body[pair.b]);
+  const double limit = s.constants.contact_margin;
   const Vec2 offset = b.position - a.position;
-  return {offset, offset - pair.offset, a.turn_travel - pair.turned_a, b.turn_travel - pair.turned_b};
+  const Vec2 shifted = offset - pair.offset;
+  const double turned_a = a.turn_travel - pair.turned_a, turned_b = b.turn_travel - pair.turned_b;
+  const double left = pair.axes.first.distance - limit - look_rounding - (a.radius * turned_a + b.radius * turned_b);
+  if (left > 0.0 && dot(shifted, shifted) < left * left) return;
+  if (!a.active || !b.active) return;
+  pair.offset = offset;
+  pair.turned_a = a.turn_travel;
+  pair.turned_b = b.turn_travel;
+  LookItem& item = desk.look[crew.add(&crew.shared().looks, 1)];
+  item.pair = p;
+  item.vertex_a = a.vertex_begin;
+  item.vertex_b = b.vertex_begin;
+  item.count_a = a.vertex_count;
+  item.count_b = b.vertex_count;
+  item.offset = offset;
+  item.rotation_a = a.rotation;
+  item.rotation_b = b.rotation;
+  // an axis turns with its body and sweeps over the other, whose far side is this far from it
+  const double far = 2.0 * (a.radius + b.radius) + length(shifted) + limit;
+  item.moved = length(shifted) + far * (turned_a + turned_b);
 }
 
-/// Whether the last look cannot rule out that the pair touches now.
-GEM_DEVICE inline bool wants_look(const DeviceScene& s, const PairCell& pair) {
-  const BodyCell &a = s.body[pair.a], &b = s.body[pair.b];
-  const PairShift m = pair_shift(pair, a, b);
-  const double left = pair.axes.first.distance - s.constants.contact_margin - look_rounding -
-                      (a.radius * m.turned_a + b.radius * m.turned_b);
-  if (left > 0.0 && dot(m.shifted, m.shifted) < left * left) return false;
-  return a.active && b.active;
+/// An outline in world axes: turned by the lanes of a group, or where it is too long the one that its owner keeps.
+template <class Lanes>
+GEM_DEVICE inline Outline outline_at_desk(const DeviceScene& s, const Lanes& lanes, DeskOutlines& room, int side,
+                                          std::int32_t begin, int count, Rotation q) {
+  if (count > desk_vertices) return {s.corner + begin, s.normal + begin, count};
+  for (int v = lanes.rank(); v < count; v += Lanes::size) {
+    const Vec2 corner = s.vertex[begin + v], normal = s.body_normal[begin + v];
+    room.corner[side][v] = rotate(q, corner);
+    room.normal[side][v] = rotate(q, normal);
+  }
+  return {room.corner[side], room.normal[side], count};
 }
 
-template <class Crew>
-GEM_DEVICE inline void choose_looks(const DeviceScene& s, Crew& crew, Stretch mine) {
-  for (std::int32_t p = mine.begin + crew.thread(); p < mine.end; p += crew.threads())
-    if (wants_look(s, s.pair[p])) s.look[mine.begin + crew.add(&crew.shared().looks, 1)] = p;
+GEM_DEVICE inline void write_touch(Touch& touch, std::int32_t pair, const ContactGeometry& geometry) {
+  touch.pair = pair;
+  touch.geometry.normal = geometry.normal;
+  touch.geometry.count = geometry.count;
+  touch.geometry.width = geometry.width;
+  touch.geometry.growth = geometry.growth;
+  for (int k = 0; k < 2; ++k) {
+    if (k >= geometry.count) break;
+    touch.geometry.point[k].position = geometry.point[k].position;
+    touch.geometry.point[k].separation = geometry.point[k].separation;
+    touch.geometry.point[k].feature = geometry.point[k].feature;
+  }
 }
 
 /// One look by a group of lanes.
 template <class Crew>
-GEM_DEVICE inline void look(const DeviceScene& s, Crew& crew, std::int32_t p, Stretch mine) {
+GEM_DEVICE inline void look(const DeviceScene& s, Crew& crew, const Desk& desk, const LookItem& item) {
   const auto lanes = crew.lanes();
   const double limit = s.constants.contact_margin;
-  PairCell& pair = s.pair[p];
-  const BodyCell &a = s.body[pair.a], &b = s.body[pair.b];
-  const Outline outline_a = s.outline(a), outline_b = s.outline(b);
-  const PairShift m = pair_shift(pair, a, b);
-  // an axis turns with its body and sweeps over the other, whose far side is this far from it
-  const double far = 2.0 * (a.radius + b.radius) + length(m.shifted) + limit;
-  const double moved = length(m.shifted) + far * (m.turned_a + m.turned_b);
-  SeparatingAxes axes = pair.axes;
-  lane::follow_axes(lanes, axes, outline_a, outline_b, m.offset, moved + look_rounding, limit);
+  DeskOutlines& room = desk.outlines[crew.thread() / Crew::Lanes::size];
+  const Outline a = outline_at_desk(s, lanes, room, 0, item.vertex_a, item.count_a, item.rotation_a);
+  const Outline b = outline_at_desk(s, lanes, room, 1, item.vertex_b, item.count_b, item.rotation_b);
+  SeparatingAxes axes = desk.pair[item.pair].axes;
+  lanes.sync();
+  lane::follow_axes(lanes, axes, a, b, item.offset, item.moved + look_rounding, limit);
   const bool touches = lanes.ballot(axes.first.distance < limit) & 1U;
   ChordSum sum;
-  if (touches && s.constants.manifold == Manifold::chord_middle)
-    sum = lane::chord_sum(lanes, outline_a, outline_b, m.offset);
-  lanes.sync();  // every lane has read the pair before one writes it
-  if (lanes.rank() != 0) return;
-  pair.axes = axes;
-  pair.offset = m.offset;
-  pair.turned_a = a.turn_travel;
-  pair.turned_b = b.turn_travel;
-  if (touches) s.touch[mine.begin + crew.add(&crew.shared().touches, 1)] = {p, axes.first, sum};
-}
-
-template <class Crew>
-GEM_DEVICE inline void look_at_pairs(const DeviceScene& s, Crew& crew, Stretch mine) {
-  const std::int32_t groups = crew.threads() / Crew::Lanes::size;
-  for (std::int32_t k = crew.thread() / Crew::Lanes::size; k < crew.shared().looks; k += groups)
-    look(s, crew, s.look[mine.begin + k], mine);
+  if (touches && s.constants.manifold == Manifold::chord_middle) sum = lane::chord_sum(lanes, a, b, item.offset);
+  if (lanes.rank() == 0) {
+    desk.pair[item.pair].axes = axes;
+    if (touches) {
+      const ContactGeometry geometry = s.constants.manifold == Manifold::chord_middle
+                                           ? chord_geometry(a, b, item.offset, axes.first, sum)
+                                           : face_contact(a, b, item.offset, axes.first, limit);
+      if (geometry.count > 0)
+        write_touch(s.touch[desk.pairs.begin + crew.add(&crew.shared().touches, 1)], item.pair, geometry);
+    }
+  }
+  lanes.sync();  // before the room is used again
 }
 
 GEM_DEVICE inline PairBodies pair_bodies(const BodyCell& a, const BodyCell& b) {
@@ -104,12 +128,16 @@ GEM_DEVICE inline void write_rows(const DeviceScene& s, const PairCell& pair, co
                                   const Contact& contact, std::int32_t moment) {
   RowEntry &to_a = s.entry[pair.row_a], &to_b = s.entry[pair.row_b];
   std::int32_t touched = 0;
-  for (int k = 0; k < contact.count; ++k) {
+  for (int k = 0; k < 2; ++k) {
+    if (k >= contact.count) break;
     const ContactSlot& slot = contact.slot[k];
     const Vec2 impulse = world_impulse(contact, slot.impulse);
     const MotionStep step = motion_step(bodies.mass_a, slot.arm_a, impulse);
-    to_a.step[k] = {-step.velocity, -step.spin};
-    to_b.step[k] = motion_step(bodies.mass_b, slot.arm_b, impulse);
+    to_a.step[k].velocity = -step.velocity;
+    to_a.step[k].spin = -step.spin;
+    const MotionStep step_b = motion_step(bodies.mass_b, slot.arm_b, impulse);
+    to_b.step[k].velocity = step_b.velocity;
+    to_b.step[k].spin = step_b.spin;
     touched |= acted(slot) ? 1 : 0;
   }
   to_a.count = to_b.count = contact.count;
@@ -118,40 +146,53 @@ GEM_DEVICE inline void write_rows(const DeviceScene& s, const PairCell& pair, co
   s.stamp[pair.row_b].entry = moment;
 }
 
+/// Keeps of a contact what the books and the platform need of it.
+GEM_DEVICE inline void keep_contact(Contact& kept, const Contact& contact) {
+  kept.a = contact.a;
+  kept.b = contact.b;
+  kept.count = contact.count;
+  kept.normal = contact.normal;
+  for (int k = 0; k < 2; ++k) {
+    if (k >= contact.count) break;
+    ContactSlot& slot = kept.slot[k];
+    const ContactSlot& from = contact.slot[k];
+    slot.arm_a = from.arm_a;
+    slot.arm_b = from.arm_b;
+    slot.normal_before = from.normal_before;
+    slot.tangential_before = from.tangential_before;
+    slot.impulse.normal = from.impulse.normal;
+    slot.impulse.tangential = from.impulse.tangential;
+    slot.elastic = from.elastic;
+    slot.repair = from.repair;
+  }
+}
+
 /// Keeps what the record of a platform event is made of, before the bodies move.
-GEM_DEVICE inline void keep_event(const DeviceScene& s, const PairCell& pair, const BodyCell& a, const BodyCell& b,
+GEM_DEVICE inline void keep_event(const DeviceScene& s, std::int32_t place, const BodyCell& a, const BodyCell& b,
                                   const Contact& contact, std::int32_t moment) {
-  if (!s.wants_events || pair.a != 0 || b.kind != BodyKind::floe || !is_event(contact, s.event_speed)) return;
-  const std::int32_t place = pair.row_a - a.row_begin;
-  s.row_event[place] = {moment, contact, b.position, a.position, s.motion[pair.a].rotation, s.motion[pair.b].rotation};
+  s.row_event[place] = {moment, contact, b.position, a.position, a.rotation, b.rotation};
   s.row_event_moment[place] = moment;
 }
 
 /// The event of one touching pair.
 template <class Crew>
-GEM_DEVICE inline void resolve(const DeviceScene& s, Crew& crew, const Touch& touch, Stretch mine,
+GEM_DEVICE inline void resolve(const DeviceScene& s, Crew& crew, const Desk& desk, const Touch& touch,
                                std::int32_t moment) {
-  const PairCell& pair = s.pair[touch.pair];
+  const PairCell& pair = desk.pair[touch.pair];
   const BodyCell &a = s.body[pair.a], &b = s.body[pair.b];
-  const Outline outline_a = s.outline(a), outline_b = s.outline(b);
-  const Vec2 offset = b.position - a.position;
-  const ContactGeometry geometry =
-      s.constants.manifold == Manifold::chord_middle
-          ? chord_geometry(outline_a, outline_b, offset, touch.axis, touch.sum)
-          : face_contact(outline_a, outline_b, offset, touch.axis, s.constants.contact_margin);
-  if (geometry.count == 0) return;
   Contact contact;
-  open_contact(contact, pair.a, pair.b, geometry, offset);
+  open_contact(contact, pair.a, pair.b, touch.geometry, b.position - a.position);
   const PairBodies bodies = pair_bodies(a, b);
   Vec2 shift;
   if (pair.a == 0) shift = s.platform->moved - a.position;
   prepare(s.constants, bodies, shift, contact);
   resolve_alone(s.constants, bodies.mass_a, bodies.mass_b, contact);
-  s.contact[touch.pair] = contact;
+  keep_contact(s.contact[touch.pair], contact);
   write_rows(s, pair, bodies, contact, moment);
-  keep_event(s, pair, a, b, contact, moment);
+  if (s.wants_events && pair.a == 0 && b.kind == BodyKind::floe && is_event(contact, s.event_speed))
+    keep_event(s, pair.row_a - s.platform->row_begin, a, b, contact, moment);
   BlockCell& shared = crew.shared();
-  s.touched[mine.begin + crew.add(&shared.touched, 1)] = touch.pair;
+  s.touched[desk.pairs.begin + crew.add(&shared.touched, 1)] = touch.pair;
   for (int k = 0; k < contact.count; ++k) {
     const double depth = -contact.slot[k].separation;
     if (depth >= 0.0) crew.add(&shared.contacts, 1);
@@ -159,41 +200,58 @@ GEM_DEVICE inline void resolve(const DeviceScene& s, Crew& crew, const Touch& to
   }
 }
 
-/// Energy that the contacts of the last moment took, now that all velocities after it are known.
+/// Energy that the contacts of the last moment took, now that all velocities after it are known. The last threads
+/// begin: the first have more to do in what goes on beside it.
 template <class Crew>
-GEM_DEVICE inline void work_of_last_moment(const DeviceScene& s, Crew& crew, Stretch mine, std::int32_t stamp) {
-  for (std::int32_t k = crew.thread(); k < crew.shared().touched; k += crew.threads()) {
-    const std::int32_t p = s.touched[mine.begin + k];
-    const PairCell& pair = s.pair[p];
-    const BodyCell &a = s.body[pair.a], &b = s.body[pair.b];
+GEM_DEVICE inline void work_of_last_moment(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t stamp) {
+  for (std::int32_t k = crew.threads() - 1 - crew.thread(); k < crew.shared().touched; k += crew.threads()) {
+    const std::int32_t p = s.touched[desk.pairs.begin + k];
+    const PairCell& pair = desk.pair[p];
+    const BodyAfter a = s.after[pair.a], b = s.after[pair.b];
     const Contact& contact = s.contact[p];
     PairBodies after;
-    after.velocity_a = a.velocity_after;
-    after.velocity_b = b.velocity_after;
-    after.spin_a = a.spin_after;
-    after.spin_b = b.spin_after;
+    after.velocity_a = a.velocity;
+    after.velocity_b = b.velocity;
+    after.spin_a = a.spin;
+    after.spin_b = b.spin;
     RowWork& work = s.work[pair.row_b];
-    for (int j = 0; j < contact.count; ++j) {
+    const std::int32_t count = contact.count;
+    for (int j = 0; j < 2; ++j) {
+      if (j >= count) break;
       const ContactSlot& slot = contact.slot[j];
-      work.slot[j] = acted(slot) ? slot_work(contact, slot, relative_velocity(after, slot)) : SlotWork{};
+      SlotWork took;
+      if (acted(slot)) took = slot_work(contact, slot, relative_velocity(after, slot));
+      work.slot[j].impact = took.impact;
+      work.slot[j].elastic = took.elastic;
+      work.slot[j].friction = took.friction;
     }
-    work.count = contact.count;
+    work.count = count;
     s.stamp[pair.row_b].work = stamp;
   }
 }
 
-/// The pairs phase of one moment.
+/// The pairs phase of one moment, a desk full of pairs at a time.
 template <class Crew>
-GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Crew& crew, Stretch mine, std::int32_t moment) {
+GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
   BlockCell& shared = crew.shared();
-  work_of_last_moment(s, crew, mine, moment);
-  choose_looks(s, crew, mine);
-  crew.block_barrier();
-  look_at_pairs(s, crew, mine);
-  if (crew.thread() == 0) shared.touched = 0;
-  crew.block_barrier();
+  const std::int32_t groups = crew.threads() / Crew::Lanes::size;
+  work_of_last_moment(s, crew, desk, moment);
+  for (std::int32_t first = desk.pairs.begin; first < desk.pairs.end; first += crew.threads()) {
+    const std::int32_t p = first + crew.thread();
+    if (p < desk.pairs.end) choose_look(s, crew, desk, p);
+    crew.block_barrier();
+    crew.lap(stage_choose);
+    const std::int32_t looks = shared.looks;
+    for (std::int32_t k = crew.thread() / Crew::Lanes::size; k < looks; k += groups) look(s, crew, desk, desk.look[k]);
+    if (crew.thread() == 0) shared.touched = 0;
+    crew.block_barrier();
+    crew.lap(stage_look);
+    if (crew.thread() == 0) shared.looks = 0;
+    if (first + crew.threads() < desk.pairs.end) crew.block_barrier();
+  }
   for (std::int32_t k = crew.thread(); k < shared.touches; k += crew.threads())
-    resolve(s, crew, s.touch[mine.begin + k], mine, moment);
+    resolve(s, crew, desk, s.touch[desk.pairs.begin + k], moment);
+  crew.lap(stage_resolve);
 }
 
 }  // namespace gem

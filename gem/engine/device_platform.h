@@ -1,7 +1,6 @@
 // The platform's part of the bodies phase, by one warp: its contacts are prepared side by side and added in order.
 #pragma once
 
-#include "gem/engine/crew.h"
 #include "gem/engine/device_bodies.h"
 
 namespace gem {
@@ -18,15 +17,15 @@ GEM_DEVICE inline PlatformMotion platform_motion(const DeviceScene& s, double ma
   return {mass, p.moved, p.velocity, s.book(Channel::platform_drag, 0), s.book(Channel::mooring, 0), p.mooring_force};
 }
 
-/// The platform's own motion up to the instant of the events of the next moment.
-GEM_DEVICE inline void platform_first_half(const DeviceScene& s, BodyCell& cell, double mass) {
+/// The platform's own motion up to the instant of the events of the next moment; `spin` is the one it has.
+GEM_DEVICE inline void platform_first_half(const DeviceScene& s, Mover& mover, double mass, double spin) {
   PlatformCell& p = *s.platform;
   p.mooring_before = p.mooring_force.momentum;
   p.drag_before = s.book(Channel::platform_drag, 0).momentum;
-  p.moved = cell.position;
+  p.moved = mover.position;
   if (s.constants.moored_or_free) platform_half(s.constants, platform_motion(s, mass, p), true);
-  cell.velocity = p.velocity;
-  cell.spin = cell.spin_after;
+  mover.velocity = p.velocity;
+  mover.spin = spin;
 }
 
 /// What one contact point does to the platform.
@@ -48,11 +47,12 @@ GEM_DEVICE inline PlatformTerm platform_term(const BodyCell& cell, const Contact
 /// that push, and events go to the ring.
 template <class Warp>
 GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& warp, const BodyCell& cell,
-                                             std::int32_t places, std::int32_t moment, std::int32_t& pressed) {
+                                             const BodyMotion& motion, std::int32_t moment, std::int32_t& pressed) {
   DeviceStatus& status = *s.status;
+  const std::int32_t places = motion.row_count;
   std::int32_t terms = 0, events = status.events;
   for (std::int32_t first = 0; first < places; first += Warp::size) {
-    const std::int32_t at = first + warp.rank(), row = cell.row_begin + at;
+    const std::int32_t at = first + warp.rank(), row = motion.row_begin + at;
     const bool touched = at < places && s.stamp[row].entry == moment;
     const Contact* contact = touched ? &s.contact[s.row_pair[row]] : nullptr;
     const int points = touched ? contact->count : 0;
@@ -92,14 +92,14 @@ GEM_DEVICE inline PlatformSums add_terms(const DeviceScene& s, const Warp& warp,
 }
 
 /// Writes the moment's sample to the ring.
-GEM_DEVICE inline void write_sample(const DeviceScene& s, const BodyCell& cell, const BodyMotion& motion,
-                                    const PlatformSums& sums, std::int32_t pressed, std::int32_t at) {
+GEM_DEVICE inline void write_sample(const DeviceScene& s, const Mover& mover, const PlatformSums& sums,
+                                    std::int32_t pressed, std::int32_t at) {
   const PlatformCell& p = *s.platform;
   PlatformMoment& sample = s.sample[at];
-  sample.position = cell.position;
-  sample.rotation = motion.rotation;
+  sample.position = mover.position;
+  sample.rotation = mover.rotation;
   sample.velocity = p.velocity;
-  sample.spin = cell.spin_after;
+  sample.spin = sums.spin;
   sample.ice_impulse = sums.ice_impulse;
   sample.ice_yaw_impulse = sums.ice_yaw;
   sample.mooring_impulse = p.mooring_force.momentum - p.mooring_before;
@@ -107,37 +107,50 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const BodyCell& cell, 
   sample.contacts = pressed;
 }
 
-/// The platform through the bodies phase.
+/// What one thread does for the platform, once the contacts are summed.
 template <class Crew>
-GEM_DEVICE inline void move_platform(const DeviceScene& s, Crew& crew, const MomentStep& step) {
-  const auto warp = crew.warp();
-  BodyCell cell = s.body[0];
-  BodyMotion motion = s.motion[0];
+GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, const Desk& desk, const PlatformSums& sums,
+                                          std::int32_t pressed, const MomentStep& step) {
+  BodyCell& cell = desk.body[0];
+  const BodyMotion& motion = desk.motion[0];
   PlatformCell& p = *s.platform;
-  std::int32_t pressed = 0;
-  const std::int32_t terms = line_up_terms(s, warp, cell, motion.row_count, step.moment, pressed);
-  PlatformSums start;
-  start.velocity = cell.velocity;
-  start.spin = cell.spin;
-  start.twist = p.mooring_force.angular_momentum;
-  const PlatformSums sums = add_terms(s, warp, start, terms);
-  warp.sync();
-  if (warp.rank() != 0) return;
-  cell.velocity_after = p.velocity = sums.velocity;
-  cell.spin_after = sums.spin;
+  Mover mover = mover_of(cell);
+  p.velocity = sums.velocity;
   if (cell.inverse_inertia == 0.0) p.mooring_force.angular_momentum = sums.twist;
   if (s.constants.moored_or_free) {
     platform_half(s.constants, platform_motion(s, motion.mass, p), false);
-    cell.position = p.moved + Vec2{};  // no repair: kept for the sign of a zero
-    turn(cell, motion, s.constants.dt * cell.spin_after + 0.0);
+    mover.position = p.moved + Vec2{};  // no repair: kept for the sign of a zero
+    turn(mover, s.constants.dt * sums.spin + 0.0);
   }
-  if (cell.active && !is_finite(cell, motion, p.velocity)) crew.raise(alarm_not_finite);
-  if (s.wants_samples) write_sample(s, cell, motion, sums, pressed, step.sample);
-  if (cell.active && left_course(s, cell, motion, step.elapsed)) crew.raise(alarm_strayed);
+  if (cell.active && !is_finite(mover, p.velocity, sums.spin)) crew.raise(alarm_not_finite);
+  if (s.wants_samples) write_sample(s, mover, sums, pressed, step.sample);
+  if (cell.active && left_course(s, mover, cell.radius, motion, step.elapsed)) crew.raise(alarm_strayed);
   if (s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) crew.raise(alarm_ring_full);
-  if (step.kick_next) platform_first_half(s, cell, motion.mass);
-  s.body[0] = cell;
-  s.motion[0] = motion;
+  if (step.kick_next) platform_first_half(s, mover, motion.mass, sums.spin);
+  s.after[0].velocity = sums.velocity;
+  s.after[0].spin = sums.spin;
+  write_mover(s.body[0], mover);
+  write_mover(cell, mover);
+}
+
+/// The platform through the bodies phase.
+template <class Crew>
+GEM_DEVICE inline void move_platform(const DeviceScene& s, Crew& crew, const Desk& desk, const MomentStep& step) {
+  const auto warp = crew.warp();
+  const BodyCell& cell = desk.body[0];
+  std::int32_t pressed = 0;
+  const std::int32_t terms = line_up_terms(s, warp, cell, desk.motion[0], step.moment, pressed);
+  PlatformSums start;
+  start.velocity = cell.velocity;
+  start.spin = cell.spin;
+  start.twist = s.platform->mooring_force.angular_momentum;
+  const double travel = cell.turn_travel;
+  const PlatformSums sums = add_terms(s, warp, start, terms);
+  warp.sync();
+  if (warp.rank() == 0) move_platform_body(s, crew, desk, sums, pressed, step);
+  warp.sync();
+  if (cell.vertex_count > desk_vertices && cell.turn_travel != travel)
+    turn_outline(s, cell.vertex_begin, cell.vertex_count, cell.rotation, warp.rank(), Crew::Warp::size);
 }
 
 }  // namespace gem

@@ -3,8 +3,7 @@
 // Who writes what (a moment has two phases, a barrier after each):
 //
 // | array              | pairs phase, owner of the pair   | bodies phase, owner of the body          |
-// | body, motion       |                                  | position, velocity, rotation, course     |
-// | outlines           |                                  | corners and normals in world axes        |
+// | body, motion, after|                                  | position, velocity, rotation, course     |
 // | pair               | axes and offset of its last look |                                          |
 // | contact            | the contact, resolved            |                                          |
 // | entry, work, stamp | both rows of the pair            |                                          |
@@ -23,32 +22,36 @@ namespace gem {
 
 /// What the pairs of a body need of it: one line of memory.
 struct alignas(128) BodyCell {
-  Vec2 position;             // at the start of the moment [m]
+  Vec2 position;  // at the start of the moment [m]
+  Rotation rotation;
   double turn_travel = 0.0;  // sum of the angles turned so far, either way [rad]
   double radius = 0.0;       // [m]
-  std::int32_t vertex_begin = 0, vertex_count = 0;
+  std::int32_t vertex_begin = 0;
+  std::int16_t vertex_count = 0;
   BodyKind kind = BodyKind::floe;
   std::uint8_t active = 0;
-  std::int32_t row_begin = 0;  // its row: one place for each near body, ascending
-  Vec2 velocity;               // after the solo events of the moment [m/s]
-  double spin = 0.0;           // [rad/s]
+  Vec2 velocity;      // after the solo events of the moment [m/s]
+  double spin = 0.0;  // [rad/s]
   double inverse_mass = 0.0, inverse_inertia = 0.0, thickness = 0.0;
-  Vec2 velocity_after;      // after the pair events of the last moment [m/s]
-  double spin_after = 0.0;  // [rad/s]
 };
 
 /// What only the owner of a body needs.
-struct alignas(64) BodyMotion {
-  Rotation rotation;
+struct alignas(128) BodyMotion {
   double mass = 0.0, inertia = 0.0, drag = 0.0, spin_drag = 0.0;
   Vec2 path_correction;
   double angle_correction = 0.0;
-  std::int32_t row_count = 0;
+  // its row: one place for each near body, ascending
+  std::int32_t row_begin = 0, row_count = 0;
   std::int32_t lower_count = 0;  // of them with a lower id
-  std::int32_t turned = 0;       // in the last moment: its outline has to follow
   // the course that the list was built on
   Vec2 course_position, course_velocity;
   double course_turned = 0.0;
+};
+
+/// A body's motion after the pair events of the last moment.
+struct BodyAfter {
+  Vec2 velocity;      // [m/s]
+  double spin = 0.0;  // [rad/s]
 };
 
 /// The platform between its two halves of a moment.
@@ -57,6 +60,7 @@ struct PlatformCell {
   Vec2 velocity;  // at the end of the last moment, or after the first half of the next [m/s]
   Quantity mooring_force;
   Vec2 mooring_before, drag_before;  // running impulses at the start of the moment [N s]
+  std::int32_t row_begin = 0;        // as in its BodyMotion
 };
 
 /// A near pair; A is the lower id.
@@ -69,11 +73,20 @@ struct PairCell {
   double turned_a = 0.0, turned_b = 0.0;
 };
 
+/// A pair that has to be looked at, with what the look needs.
+struct LookItem {
+  std::int32_t pair = 0;
+  std::int32_t vertex_a = 0, vertex_b = 0;
+  std::int16_t count_a = 0, count_b = 0;
+  Vec2 offset;
+  Rotation rotation_a, rotation_b;
+  double moved = 0.0;  // the most that any point moved against the other body since the last look [m]
+};
+
 /// A pair that touches, on its way from the look to the event.
 struct Touch {
   std::int32_t pair = 0;
-  Separation axis;
-  ChordSum sum;
+  ContactGeometry geometry;
 };
 
 /// Moments in which a place of a row was last written: never equal to a moment that left it alone.
@@ -96,6 +109,13 @@ struct RowWork {
 
 struct ListBox {
   Vec2 low, high;
+};
+
+/// A floe in its cell of the grid.
+struct GridFloe {
+  ListBox box;
+  Vec2 velocity;
+  std::int32_t body = 0;
 };
 
 /// Extremes over all floes as ordered whole numbers, and counters; all zero before a list is built.
@@ -135,6 +155,24 @@ struct BodyState {
   std::int64_t active = 0;
 };
 
+/// Near bodies that are kept from the count to the row; a body with more is looked at twice.
+constexpr std::int32_t kept_near = 24;
+
+/// Outlines up to this length are turned where they are looked at.
+constexpr int desk_vertices = 12;
+
+/// What the clock is read for: work, and in each phase the wait that ends it.
+enum DeviceStage {
+  stage_choose,
+  stage_look,
+  stage_resolve,
+  stage_pairs_wait,
+  stage_bodies,
+  stage_bodies_wait,
+  stage_list,
+  stage_count
+};
+
 /// Why a call came back.
 enum class DeviceStop : std::int32_t { done, list_full, ring_full, not_finite };
 
@@ -146,6 +184,7 @@ struct DeviceStatus {
   std::int32_t half_way = 0;                          // the solo events of the next moment are done
   std::int32_t samples = 0;                           // in the ring since the call began
   std::int32_t events = 0;                            // the same
+  std::int64_t stage_clocks[stage_count] = {};        // of the first thread, by DeviceStage
   std::int32_t rows_needed = 0, platform_needed = 0;  // places in all rows, in the platform's
   DeviceStop stop = DeviceStop::done;
 };
@@ -160,23 +199,25 @@ struct DeviceScene {
 
   BodyCell* body = nullptr;
   BodyMotion* motion = nullptr;
+  BodyAfter* after = nullptr;
   Quantity* books = nullptr;  // by channel, then by body
   PlatformCell* platform = nullptr;
-  Vec2 *corner = nullptr, *normal = nullptr;             // world axes, about the centroid
+  Vec2 *corner = nullptr, *normal = nullptr;  // world axes, about the centroid; of outlines too long for a desk
   const Vec2 *vertex = nullptr, *body_normal = nullptr;  // body axes
-  const std::int32_t* vertex_body = nullptr;             // whose corner it is
 
   std::int32_t *row_other = nullptr, *row_pair = nullptr;
   RowStamp* stamp = nullptr;
   RowEntry* entry = nullptr;
   RowWork* work = nullptr;
   PairCell* pair = nullptr;
-  Contact* contact = nullptr;                        // by pair
-  std::int32_t *look = nullptr, *touched = nullptr;  // pairs, in each block's own stretch
-  Touch* touch = nullptr;                            // the same
+  Contact* contact = nullptr;       // by pair
+  std::int32_t* touched = nullptr;  // pairs, in each block's own stretch
+  Touch* touch = nullptr;           // the same
 
   ListBox* box = nullptr;
-  std::int32_t *grid_cell = nullptr, *grid_count = nullptr, *grid_begin = nullptr, *grid_body = nullptr;
+  std::int32_t *grid_cell = nullptr, *grid_count = nullptr, *grid_begin = nullptr;
+  GridFloe* grid_floe = nullptr;
+  std::int32_t* near_first = nullptr;   // for each body: the first near bodies found, sorted
   std::uint32_t* near_large = nullptr;  // for each large body: a bit for each body near it
   ListCounters* counters = nullptr;
 
@@ -189,9 +230,6 @@ struct DeviceScene {
   BodyState* state = nullptr;
   DeviceStatus* status = nullptr;
 
-  GEM_HD Outline outline(const BodyCell& cell) const {
-    return {corner + cell.vertex_begin, normal + cell.vertex_begin, cell.vertex_count};
-  }
   GEM_HD Quantity& book(Channel channel, std::int32_t i) const {
     return books[static_cast<std::int64_t>(channel) * bodies + i];
   }

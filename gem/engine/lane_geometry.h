@@ -74,10 +74,12 @@ GEM_DEVICE inline SeparatingAxes find_axes(const Lanes& lanes, const Outline& a,
     offer(best, {distance, e});
   }
   for (int step = 1; step < Lanes::size; step *= 2) {
-    const RankedAxes other = lanes.partner(best, step);
-    offer(best, other.first);
-    offer(best, other.second);
-    if (other.others > best.others) best.others = other.others;
+    const RankedAxis first{lanes.partner(best.first.distance, step), lanes.partner(best.first.order, step)};
+    const RankedAxis second{lanes.partner(best.second.distance, step), lanes.partner(best.second.order, step)};
+    const double others = lanes.partner(best.others, step);
+    offer(best, first);
+    offer(best, second);
+    if (others > best.others) best.others = others;
   }
   const auto axis = [&](const RankedAxis& ranked) {
     const bool of_b = ranked.order >= a.count;
@@ -115,9 +117,12 @@ GEM_DEVICE inline ChordSum chord_sum(const Lanes& lanes, const Outline& a, const
     const bool enters = j < b.count && edge.enters(), leaves = j < b.count && edge.leaves();
     const unsigned all_enter = lanes.ballot(enters), all_leave = lanes.ballot(leaves);
     const Vec2 entry = edge.entry(), exit = edge.exit();
-    for (int k = 0; k < Lanes::size; ++k) {
-      if (all_enter >> k & 1U) add_entry(sum, lanes.from(entry, k), lanes.from(edge.clipped.entry, k), first + k);
-      if (all_leave >> k & 1U) add_exit(sum, lanes.from(exit, k), lanes.from(edge.clipped.exit, k), first + k);
+    for (unsigned some = all_enter | all_leave; some != 0; some &= some - 1) {
+      const int k = lanes.lowest(some);
+      if (all_enter >> k & 1U)
+        add_entry(sum, {lanes.from(entry.x, k), lanes.from(entry.y, k)}, lanes.from(edge.clipped.entry, k), first + k);
+      if (all_leave >> k & 1U)
+        add_exit(sum, {lanes.from(exit.x, k), lanes.from(exit.y, k)}, lanes.from(edge.clipped.exit, k), first + k);
     }
   }
   return sum;

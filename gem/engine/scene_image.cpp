@@ -38,11 +38,12 @@ BodyCell cell_of(const FieldState& f, std::size_t i) {
   cell.turn_travel = f.turn_travel[i];
   cell.radius = b.radius[i];
   cell.vertex_begin = b.vertex_begin[i];
-  cell.vertex_count = b.vertex_count(i);
+  cell.vertex_count = static_cast<std::int16_t>(b.vertex_count(i));
   cell.kind = b.kind[i];
   cell.active = b.active[i];
-  cell.velocity = cell.velocity_after = b.velocity[i];
-  cell.spin = cell.spin_after = b.spin[i];
+  cell.rotation = b.rotation[i];
+  cell.velocity = b.velocity[i];
+  cell.spin = b.spin[i];
   cell.inverse_mass = b.inverse_mass[i];
   cell.inverse_inertia = b.inverse_inertia[i];
   cell.thickness = b.thickness[i];
@@ -51,7 +52,6 @@ BodyCell cell_of(const FieldState& f, std::size_t i) {
 
 BodyMotion motion_of(const Bodies& b, std::size_t i) {
   BodyMotion motion;
-  motion.rotation = b.rotation[i];
   motion.mass = b.mass[i];
   motion.inertia = b.inertia[i];
   motion.drag = b.drag[i];
@@ -127,11 +127,11 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.books, n * static_cast<std::size_t>(Channel::count));
   placer.place(s.body, n);
   placer.place(s.motion, n);
+  placer.place(s.after, n);
   placer.place(s.corner, vertices);
   placer.place(s.normal, vertices);
   placer.place(s.vertex, vertices);
   placer.place(s.body_normal, vertices);
-  placer.place(s.vertex_body, vertices);
   return placer.used();
 }
 
@@ -149,12 +149,12 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
   placer.place(s.work, rows);
   placer.place(s.pair, pairs);
   placer.place(s.contact, pairs);
-  placer.place(s.look, pairs);
   placer.place(s.touched, pairs);
   placer.place(s.touch, pairs);
   placer.place(s.box, n);
   placer.place(s.grid_cell, n);
-  placer.place(s.grid_body, n);
+  placer.place(s.grid_floe, n);
+  placer.place(s.near_first, kept_near * n);
   placer.place(s.grid_count, s.grid_capacity);
   placer.place(s.grid_begin, s.grid_capacity);
   placer.place(s.near_large, static_cast<std::size_t>(sizes.large_bodies) * ((n + 31) / 32));
@@ -195,8 +195,7 @@ void write_field(const FieldState& f, std::int64_t moment, const DeviceScene& s)
   for (std::size_t i = 0; i < f.bodies.count(); ++i) {
     s.body[i] = cell_of(f, i);
     s.motion[i] = motion_of(f.bodies, i);
-    for (std::int32_t v = f.bodies.vertex_begin[i]; v < f.bodies.vertex_begin[i + 1]; ++v)
-      const_cast<std::int32_t*>(s.vertex_body)[v] = static_cast<std::int32_t>(i);
+    s.after[i] = {f.bodies.velocity[i], f.bodies.spin[i]};
   }
   std::copy(f.books.begin(), f.books.end(), s.books);
   std::copy(f.corner.begin(), f.corner.end(), s.corner);

@@ -52,6 +52,20 @@ class TeamLanes {
   void sync() const { hall_->meet.arrive_and_wait(); }
   int count(unsigned bits) const { return std::popcount(bits); }
   int count_below(unsigned bits) const { return std::popcount(bits & ((1U << rank_) - 1U)); }
+  int lowest(unsigned bits) const { return std::countr_zero(bits); }
+  int sum_below(int mine) const {
+    int sum = 0;
+    for (int k = 0; k < size; ++k) {
+      const int other = from(mine, k);
+      if (k < rank_) sum += other;
+    }
+    return sum;
+  }
+  int sum(int mine) const {
+    int sum = 0;
+    for (int k = 0; k < size; ++k) sum += from(mine, k);
+    return sum;
+  }
 
  private:
   GroupHall* hall_;
@@ -60,8 +74,12 @@ class TeamLanes {
 
 /// What the threads of a team meet at.
 struct TeamHall {
-  TeamHall(int block_count, int thread_count)
-      : blocks(block_count), threads(thread_count), all(block_count * thread_count), cell(block_count) {
+  TeamHall(int block_count, int thread_count, std::size_t room_bytes)
+      : blocks(block_count),
+        threads(thread_count),
+        all(block_count * thread_count),
+        cell(block_count),
+        room(block_count, std::vector<std::byte>(room_bytes)) {
     for (int k = 0; k < block_count; ++k) block.push_back(std::make_unique<std::barrier<>>(thread_count));
     for (int k = 0; k < block_count * thread_count / team_lanes; ++k) group.push_back(std::make_unique<GroupHall>());
   }
@@ -71,6 +89,7 @@ struct TeamHall {
   std::vector<std::unique_ptr<std::barrier<>>> block;
   std::vector<std::unique_ptr<GroupHall>> group;
   std::vector<BlockCell> cell;
+  std::vector<std::vector<std::byte>> room;
 };
 
 class TeamCrew {
@@ -91,6 +110,10 @@ class TeamCrew {
   void barrier() { hall_.all.arrive_and_wait(); }
   void block_barrier() { hall_.block[std::size_t(block_)]->arrive_and_wait(); }
   BlockCell& shared() { return hall_.cell[std::size_t(block_)]; }
+  std::byte* room() { return hall_.room[std::size_t(block_)].data(); }
+  std::size_t room_bytes() const { return hall_.room[std::size_t(block_)].size(); }
+  void lap(int) const {}
+  void write_laps(std::int64_t*) const {}
   void raise(std::uint32_t alarms) {
     for (BlockCell& cell : hall_.cell) std::atomic_ref(cell.alarms).fetch_or(alarms);
   }
@@ -117,8 +140,8 @@ class TeamCrew {
 };
 
 /// Runs work(crew) on every thread of a team; `threads` is a multiple of team_lanes.
-inline void run_team(int blocks, int threads, const std::function<void(TeamCrew&)>& work) {
-  TeamHall hall(blocks, threads);
+inline void run_team(int blocks, int threads, std::size_t room_bytes, const std::function<void(TeamCrew&)>& work) {
+  TeamHall hall(blocks, threads, room_bytes);
   std::vector<std::thread> team;
   for (int b = 0; b < blocks; ++b)
     for (int t = 0; t < threads; ++t)

@@ -15,6 +15,7 @@ gem/events/mooring.h bits cos once per run on the host; every engine is given th
 gem/events/mooring.h bits sin once per run on the host; every engine is given the coefficients
 gem/events/crushing.h bits exp the duration of crushing is a reported quantity outside the step
 gem/events/crushing.h bits lgamma the duration of crushing is a reported quantity outside the step
+gem/engine/device_crew.cuh order atomic counts of integers: any order gives the same
 END
 )
 

@@ -46,6 +46,7 @@ inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, Se
     contact.slot[k].separation = geometry.point[k].separation;
     contact.slot[k].feature = geometry.point[k].feature;
     contact.slot[k].target = 0.0;
+    contact.slot[k].cap = no_cap;
     contact.slot[k].impulse = {};
     contact.slot[k].elastic = 0.0;
     contact.slot[k].repair = 0.0;
@@ -110,9 +111,8 @@ inline void prepare_alone(const FieldState& f, Contact& contact) {
 /// [N s]. The power of the law is only worked out for a point that carried `last_impulse` of its order a moment ago; a
 /// bound from below does for all others.
 inline double impulse_cap(const FieldState& f, const Contact& contact, double last_impulse) {
-  constexpr double none = 1e300;
   const bool ice = f.bodies.kind[contact.a] == BodyKind::floe || f.bodies.kind[contact.b] == BodyKind::floe;
-  if (!ice || !f.constants.crushing_limit) return none;
+  if (!ice || !f.constants.crushing_limit) return no_cap;
   const CrushingIce crushing = crushing_ice(f, contact);
   const double area_a = f.bodies.area[contact.a], area_b = f.bodies.area[contact.b];
   const double width = std::sqrt(area_a < area_b ? area_a : area_b);

@@ -1,6 +1,7 @@
 // Jams: friction from none to absurd (H13), the jam that lasts (H7), a hundred thousand floes (H11).
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "gem/field/field.h"
 #include "gem/scene/check_scene.h"
@@ -86,13 +87,24 @@ TEST_P(HardJam, H7_minute_of_jam) {
   judge_jam("H7.minute", watch, run, scene, field);
 }
 
+/// A day takes long: one line an hour says how it goes.
+void tell_hour(int hour, const JamWatch& watch, Watched& run) {
+  std::printf("hour %2d: %zu points, overlap %.3g m at most so far, 99.9 %% of the half day %.3g m\n", hour,
+              points_of(run), run.worst().overlap, watch.worst.most);
+  std::fflush(stdout);
+}
+
 TEST_P(LongHardJam, H7_day_of_jam) {
   const SceneDef scene = read_hard_case("H07_day_of_jam.toml", setting());
   const Bodies field = make_field(scene);
   Watched run(scene, field, setting(), 0);
   const auto hour = static_cast<std::int64_t>(3600.0 / scene.numerics.moment_s);
   JamWatch first, last;
-  for (int minute = 0; minute < 24 * 60; ++minute) (minute < 12 * 60 ? first : last).look(run, hour / 60, scene);
+  for (int minute = 0; minute < 24 * 60; ++minute) {
+    JamWatch& half = minute < 12 * 60 ? first : last;
+    half.look(run, hour / 60, scene);
+    if (minute % 60 == 59) tell_hour((minute + 1) / 60, half, run);
+  }
   EXPECT_GT(points_of(run), 1000u) << "the ice is gone";
   judge_jam("H7.day.first_half", first, run, scene, field);
   judge_jam("H7.day.second_half", last, run, scene, field);

@@ -49,11 +49,11 @@ struct StatsRecord {
   std::vector<double> residual_momentum, residual_angular_momentum, residual_energy;  // relative
   std::vector<double> maximum_overlap;                                                // [m]
   std::vector<double> wall_time, sim_rate;
-  std::vector<double> maximum_overlap_share;  // of the size of the smaller body
-  std::vector<double> complementarity;        // [m/s]
-  std::vector<double> cone_excess;            // [N s]
-  std::vector<double> energy_created;         // [J]
-  OverlapCount overlap, overlap_share;        // of the whole run [m], [-]
+  std::vector<double> maximum_overlap_share = {};  // of the size of the smaller body
+  std::vector<double> complementarity = {};        // [m/s]
+  std::vector<double> cone_excess = {};            // [N s]
+  std::vector<double> energy_created = {};         // [J]
+  OverlapCount overlap = {}, overlap_share = {};   // of the whole run [m], [-]
 };
 
 struct FloeFrame {

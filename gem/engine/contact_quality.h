@@ -41,8 +41,8 @@ GEM_HD inline PointQuality point_quality(const Contact& contact, const ContactSl
   q.complementarity = magnitude(larger(smaller(excess, most), least));
   q.cone_excess = larger(magnitude(p.tangential) - contact.friction * p.normal, 0.0);
   const double after_t = dot(velocity, turned_left(contact.normal));
-  q.work = impulse_work(p.normal, slot.normal_before, after_n) +
-           impulse_work(p.tangential, slot.tangential_before, after_t);
+  q.work =
+      impulse_work(p.normal, slot.normal_before, after_n) + impulse_work(p.tangential, slot.tangential_before, after_t);
   return q;
 }
 

@@ -37,9 +37,9 @@ TEST(ContactQuality, PlasticImpactMissesNothing) {
 TEST(ContactQuality, ComplementarityIsTheSpeedStillAskedFor) {
   EXPECT_DOUBLE_EQ(quality_of(touching({0.3, 0.0}, -0.4, 0.0), {-0.1, 0.0}).complementarity, 0.1);  // still closes
   EXPECT_DOUBLE_EQ(quality_of(touching({0.0, 0.0}, -0.1, 0.0), {-0.1, 0.0}).complementarity, 0.1);
-  EXPECT_EQ(quality_of(touching({0.0, 0.0}, 0.1, 0.0), {0.1, 0.0}).complementarity, 0.0);            // parts freely
-  EXPECT_DOUBLE_EQ(quality_of(touching({0.3, 0.0}, 0.0, 0.0), {0.2, 0.0}).complementarity, 0.2);     // pushed apart
-  EXPECT_DOUBLE_EQ(quality_of(touching({0.3, 0.0}, 0.1, 0.0), {0.4, 0.0}).complementarity, 0.3);     // ... all of P_n
+  EXPECT_EQ(quality_of(touching({0.0, 0.0}, 0.1, 0.0), {0.1, 0.0}).complementarity, 0.0);         // parts freely
+  EXPECT_DOUBLE_EQ(quality_of(touching({0.3, 0.0}, 0.0, 0.0), {0.2, 0.0}).complementarity, 0.2);  // pushed apart
+  EXPECT_DOUBLE_EQ(quality_of(touching({0.3, 0.0}, 0.1, 0.0), {0.4, 0.0}).complementarity, 0.3);  // ... all of P_n
 }
 
 TEST(ContactQuality, CrushingMayCloseAndAGapMayCloseSoFar) {

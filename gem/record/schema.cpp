@@ -185,11 +185,10 @@ const std::vector<RowColumn<StatsRow>>& stats_columns() {
 
 const std::vector<CountColumn>& count_columns() {
   const auto counts = [](const char* name, const std::string& what, OverlapCount StatsRow::*values) {
-    return CountColumn{{"stats", name, "time overlap_class", Stored::f8, "1",
-                        "overlaps at the start of all moments since the last row, by " + what +
-                            " up to class_upper_edges",
-                        ""},
-                       values};
+    return CountColumn{
+        {"stats", name, "time overlap_class", Stored::f8, "1",
+         "overlaps at the start of all moments since the last row, by " + what + " up to class_upper_edges", ""},
+        values};
   };
   static const std::vector<CountColumn> columns = {
       counts("overlap_count", "depth [m]", &StatsRow::overlap),

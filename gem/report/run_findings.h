@@ -48,7 +48,7 @@ struct RunQuality {
   double complementarity = 0.0;                      // [m/s]
   double cone_excess = 0.0;                          // [N s]
   double energy_created = 0.0;                       // in one moment [J]
-  double speed = 0.0;                                                                      // simulated over wall time
+  double speed = 0.0;                                // simulated over wall time
 };
 
 struct RunFindings {

@@ -53,8 +53,8 @@ void add_ice(SceneTable& t) {
   const std::string why = "no ice has more, and rigid corners that slide may then have no answer (Painleve)";
   t.number("ice.friction_ice", "", {0.0, 1.5}, "friction of floe on floe and floe on boundary",
            GEM_FIELD(ice.friction_ice), why);
-  t.number("ice.friction_structure", "", {0.0, 1.5}, "friction of floe on platform",
-           GEM_FIELD(ice.friction_structure), why);
+  t.number("ice.friction_structure", "", {0.0, 1.5}, "friction of floe on platform", GEM_FIELD(ice.friction_structure),
+           why);
 }
 
 void add_floe_source(SceneTable& t) {

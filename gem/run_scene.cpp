@@ -86,18 +86,13 @@ class Run {
     moment_log_.wants_events = scene_.output.platform_events;
     engine_.advance(end - now, moment_log_);
     recorder_.add(moment_log_, last_moment_);
-    for (const MomentQuality& quality : moment_log_.quality) note(quality);
+    for (const MomentQuality& quality : moment_log_.quality) summary_.worst.worsen(quality);
+    summary_.overlap += moment_log_.overlap;
+    summary_.overlap_share += moment_log_.overlap_share;
     if (end == recorder_.next_frame() || end == last_moment_) frame();
     if (recorder_.frames_waiting() >= slab_frames || seconds_since(flushed_) >= options_.flush_interval_s) flush();
     if (writer_) writer_->check();
     progress();
-  }
-
-  void note(const MomentQuality& quality) {
-    summary_.contacts = std::max(summary_.contacts, quality.contacts);
-    summary_.iterations = std::max(summary_.iterations, quality.iterations);
-    summary_.closing_residual = std::max(summary_.closing_residual, quality.residual);
-    summary_.maximum_overlap = std::max(summary_.maximum_overlap, quality.maximum_overlap);
   }
 
   void frame() {

@@ -41,11 +41,10 @@ struct RunSummary {
   std::int64_t frames = 0;
   std::int64_t events = 0;
   std::uint64_t state_hash = 0;
-  LedgerResidual residual;        // largest over all floe frames
-  double maximum_overlap = 0.0;   // [m]
-  double closing_residual = 0.0;  // [m/s]
-  int contacts = 0;               // most in one moment
-  int iterations = 0;             // most in one moment
+  LedgerResidual residual;     // largest over all floe frames
+  MomentQuality worst;         // of all moments
+  OverlapCount overlap;        // of all moments [m]
+  OverlapCount overlap_share;  // over the size of the smaller body [-]
   double active_floes = 0.0;
   double peak_memory = 0.0;  // of the process [bytes]
 };

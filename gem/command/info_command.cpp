@@ -1,4 +1,5 @@
 // gem info: what a run file holds.
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,14 @@ nlohmann::ordered_json describe(const RunFile& file) {
   object["frames"] = frames.size();
   object["platform_samples"] = time.size();
   object["events"] = file.shape("events/time").at(0);
+  const auto largest = [&](const std::string& dataset) {
+    const std::vector<double> values = file.has(dataset) ? file.column(dataset) : std::vector<double>{};
+    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+  };
+  object["overlap_largest_m"] = largest("stats/maximum_overlap");
+  object["overlap_99_9_m"] = overlaps_of(file, "stats/overlap_count").quantile(0.999);
+  object["overlap_largest_share"] = largest("stats/maximum_overlap_share");
+  object["overlap_99_9_share"] = overlaps_of(file, "stats/overlap_share_count").quantile(0.999);
   object["end_s"] = frames.empty() ? 0.0 : frames.back();
   return object;
 }

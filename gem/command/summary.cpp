@@ -17,10 +17,16 @@ std::string summary_text(const RunSummary& s) {
   text += line("wall time", fixed_text(s.wall_time, 2) + " s, " + fixed_text(s.sim_rate, 1) + " x real time");
   text += line("recorded", std::to_string(s.frames) + " floe frames, " + std::to_string(s.events) + " events");
   text += line("active floes", fixed_text(s.active_floes, 0));
-  text += line("most contacts", std::to_string(s.contacts));
-  text += line("most iterations", std::to_string(s.iterations));
-  text += line("largest overlap", number_text(s.maximum_overlap, 3) + " m");
-  text += line("last sweep changed", number_text(s.closing_residual, 3) + " m/s");
+  text += line("most contacts", std::to_string(s.worst.contacts));
+  text += line("most iterations", std::to_string(s.worst.iterations));
+  text += line("largest overlap", number_text(s.worst.maximum_overlap, 3) + " m, " +
+                                      number_text(100.0 * s.worst.maximum_share, 3) + " % of the smaller body");
+  text += line("99.9 % of overlaps", "below " + number_text(s.overlap.quantile(0.999), 3) + " m, " +
+                                         number_text(100.0 * s.overlap_share.quantile(0.999), 3) + " %");
+  text += line("last sweep changed", number_text(s.worst.residual, 3) + " m/s");
+  text += line("complementarity", number_text(s.worst.complementarity, 3) + " m/s");
+  text += line("friction cone", number_text(s.worst.cone_excess, 3) + " N s beyond");
+  text += line("energy created", number_text(s.worst.energy_created, 3) + " J");
   text += line("momentum residual", number_text(s.residual.momentum, 3));
   text += line("angular residual", number_text(s.residual.angular_momentum, 3));
   text += line("energy residual", number_text(s.residual.energy, 3));
@@ -40,10 +46,16 @@ std::string summary_json(const RunSummary& s) {
                                          {"frames", s.frames},
                                          {"events", s.events},
                                          {"active_floes", s.active_floes},
-                                         {"contacts", s.contacts},
-                                         {"iterations", s.iterations},
-                                         {"maximum_overlap_m", s.maximum_overlap},
-                                         {"closing_residual_m_per_s", s.closing_residual},
+                                         {"contacts", s.worst.contacts},
+                                         {"iterations", s.worst.iterations},
+                                         {"maximum_overlap_m", s.worst.maximum_overlap},
+                                         {"maximum_overlap_share", s.worst.maximum_share},
+                                         {"overlap_99_9_m", s.overlap.quantile(0.999)},
+                                         {"overlap_99_9_share", s.overlap_share.quantile(0.999)},
+                                         {"closing_residual_m_per_s", s.worst.residual},
+                                         {"complementarity_m_per_s", s.worst.complementarity},
+                                         {"cone_excess_N_s", s.worst.cone_excess},
+                                         {"energy_created_J", s.worst.energy_created},
                                          {"residual_momentum", s.residual.momentum},
                                          {"residual_angular_momentum", s.residual.angular_momentum},
                                          {"residual_energy", s.residual.energy},

@@ -6,6 +6,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/engine/contact_quality.h"
 #include "gem/engine/contact_stages.h"
 #include "gem/engine/solo_stages.h"
 
@@ -29,6 +30,14 @@ EventBodies event_bodies(const FieldState& f, const Contact& contact) {
           b.position[contact.b],        b.position[contact.b] - f.platform_position,
           f.outline(contact.a),         f.outline(contact.b),
           crushing_ice(f, contact)};
+}
+
+void note_overlap(const FieldState& f, const Contact& contact, double depth, MomentQuality& quality, MomentLog& log) {
+  const double share = depth / std::sqrt(std::min(f.bodies.area[contact.a], f.bodies.area[contact.b]));
+  log.overlap.add(depth);
+  log.overlap_share.add(share);
+  quality.maximum_overlap = std::max(quality.maximum_overlap, depth);
+  quality.maximum_share = std::max(quality.maximum_share, share);
 }
 
 bool finite(const Bodies& b, std::size_t i) {
@@ -141,18 +150,20 @@ void retire(FieldState& f) {
 }
 
 void note_contacts(const FieldState& f, Contacts contacts, MomentQuality& quality, MomentLog& log) {
-  for (const Contact* contact : contacts)
+  double work = 0.0;
+  for (const Contact* contact : contacts) {
+    const CollisionMass a = collision_mass(f.bodies, contact->a), b = collision_mass(f.bodies, contact->b);
     for (int k = 0; k < contact->count; ++k) {
       const ContactSlot& slot = contact->slot[k];
+      const PointQuality point = point_quality(*contact, slot, a, b, relative_velocity(f.bodies, *contact, slot));
+      quality.complementarity = std::max(quality.complementarity, point.complementarity);
+      quality.cone_excess = std::max(quality.cone_excess, point.cone_excess);
+      work += point.work;
       if (slot.separation <= 0.0 || slot.impulse.normal > 0.0) ++quality.contacts;
-      if (!(slot.separation < 0.0)) continue;
-      const double depth = -slot.separation;
-      const double share = depth / std::sqrt(std::min(f.bodies.area[contact->a], f.bodies.area[contact->b]));
-      log.overlap.add(depth);
-      log.overlap_share.add(share);
-      quality.maximum_overlap = std::max(quality.maximum_overlap, depth);
-      quality.maximum_share = std::max(quality.maximum_share, share);
+      if (slot.separation < 0.0) note_overlap(f, *contact, -slot.separation, quality, log);
     }
+  }
+  quality.energy_created = std::max(0.0, work);
 }
 
 void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, double event_speed, MomentLog& log) {

@@ -24,8 +24,9 @@ void check_finite(const FieldState& f, std::int64_t moment);
 /// Retires the floes past the retire line and enters what they take along.
 void retire(FieldState& f);
 
-/// How many points touched or were pressed, and how deep they were at the start of the moment; counts the overlaps in
-/// the log.
+/// How many points touched or were pressed, how deep they were at the start of the moment, and how well they obey the
+/// laws of contact now that the events are done; counts the overlaps in the log. The velocities must still be those
+/// after the events.
 void note_contacts(const FieldState& f, Contacts contacts, MomentQuality& quality, MomentLog& log);
 
 /// The bodies of a platform event at its instant.

@@ -10,6 +10,9 @@
 
 namespace gem {
 
+/// Cap of a point that nothing limits [N s].
+constexpr double no_cap = 1e300;
+
 /// One point of a contact. Tangential is along the normal turned left; impulses act on B, the opposite on A.
 struct ContactSlot {
   Vec2 arm_a, arm_b;             // from the centroids [m]
@@ -19,6 +22,7 @@ struct ContactSlot {
   double normal_before = 0.0;    // velocity of B against A before the events [m/s]
   double tangential_before = 0.0;
   double target = 0.0;     // smallest normal velocity after the events [m/s]
+  double cap = no_cap;     // largest impulse.normal [N s]
   ContactImpulse impulse;  // [N s]
   double elastic = 0.0;    // part of impulse.normal that is elastic stress [N s]
   double repair = 0.0;     // position repair, as an impulse [N s]

@@ -130,6 +130,7 @@ void CoupledSolver::fill_points(const FieldState& f, Contact& contact, std::int3
     const int lane = (first + k) % pack_lanes;
     const PointGeometry<double> g = point_of_contact(f, contact, contact.slot[k], points_of_[contact.a],
                                                      points_of_[contact.b], block.impulse.normal[lane]);
+    contact.slot[k].cap = g.cap;
     PointGeometry<Pack>& to = block.geometry;
     to.normal_x[lane] = g.normal_x;
     to.normal_y[lane] = g.normal_y;

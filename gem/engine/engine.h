@@ -1,6 +1,7 @@
 // What every engine offers: it moves a field in time and says what the platform felt.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -53,6 +54,22 @@ struct MomentQuality {
   double residual = 0.0;         // largest speed that an event still asked for at the last iteration [m/s]
   double maximum_overlap = 0.0;  // deepest overlap depth at the start of the moment [m]
   double maximum_share = 0.0;    // largest overlap over the size of the smaller body [-]
+  // once the events are done (contact_quality.h)
+  double complementarity = 0.0;  // largest change of normal velocity that a point still asked for [m/s]
+  double cone_excess = 0.0;      // largest friction impulse beyond Coulomb's bound [N s]
+  double energy_created = 0.0;   // work of all contacts, where they gave energy [J]
+
+  /// Keeps the worse of each.
+  void worsen(const MomentQuality& other) {
+    contacts = std::max(contacts, other.contacts);
+    iterations = std::max(iterations, other.iterations);
+    residual = std::max(residual, other.residual);
+    maximum_overlap = std::max(maximum_overlap, other.maximum_overlap);
+    maximum_share = std::max(maximum_share, other.maximum_share);
+    complementarity = std::max(complementarity, other.complementarity);
+    cone_excess = std::max(cone_excess, other.cone_excess);
+    energy_created = std::max(energy_created, other.energy_created);
+  }
 };
 
 /// Filled by advance(): one entry of `platform` and `quality` per moment, events in time and id order.

@@ -27,6 +27,11 @@ struct OverlapCount {
 
   void add(double value) { ++count[class_of(value)]; }
 
+  OverlapCount& operator+=(const OverlapCount& other) {
+    for (int i = 0; i < classes; ++i) count[i] += other.count[i];
+    return *this;
+  }
+
   std::int64_t total() const {
     std::int64_t sum = 0;
     for (const std::int64_t n : count) sum += n;

@@ -50,6 +50,7 @@ GEM_HD inline void open_contact(Contact& contact, std::int32_t a, std::int32_t b
     contact.slot[k].separation = geometry.point[k].separation;
     contact.slot[k].feature = geometry.point[k].feature;
     contact.slot[k].target = 0.0;
+    contact.slot[k].cap = no_cap;
     contact.slot[k].impulse = {};
     contact.slot[k].elastic = 0.0;
     contact.slot[k].repair = 0.0;
@@ -129,8 +130,6 @@ GEM_HD inline void resolve_alone(const MomentConstants& c, CollisionMass a, Coll
     slot.elastic = asked > 0.0 && slot.target > 0.0 ? slot.impulse.normal * (slot.target / asked) : 0.0;
   }
 }
-
-constexpr double no_cap = 1e300;  // [N s]
 
 /// Largest impulse that one of `points` points of a contact can carry in a moment: it crushes the smaller body across
 /// its whole size [N s]. The power of the law is only worked out for a point that carried an impulse of its order a

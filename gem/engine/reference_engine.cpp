@@ -119,6 +119,7 @@ std::vector<ReferenceEngine::Point> ReferenceEngine::points_of(std::vector<Conta
       point.impulse.repair *= repair_memory;
       point.geometry =
           point_of_contact(field_, contact, contact.slot[k], count[contact.a], count[contact.b], point.impulse.normal);
+      contact.slot[k].cap = point.geometry.cap;
       points.push_back(point);
     }
   }

@@ -54,7 +54,8 @@ class FakeEngine : public Engine {
       now.ice_impulse = {double(moment_), 0.0};
       now.contacts = 2;
       log.platform.push_back(now);
-      log.quality.push_back({7, 3, 1e-4, 1e-3});
+      log.quality.push_back({7, 3, 1e-4, 1e-3, 2e-4, 3e-6, 4e-9, 5e-2});
+      log.overlap.add(1e-3);
       if (log.wants_events && moment_ % 10 == 0) {
         ContactEvent event;
         event.time = dt_ * double(moment_ - 1);

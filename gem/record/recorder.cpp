@@ -62,11 +62,7 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
 void Recorder::add(const MomentLog& log, std::int64_t last_moment) {
   for (std::size_t i = 0; i < log.quality.size(); ++i) {
     ++moment_;
-    const MomentQuality& quality = log.quality[i];
-    worst_.contacts = std::max(worst_.contacts, quality.contacts);
-    worst_.iterations = std::max(worst_.iterations, quality.iterations);
-    worst_.residual = std::max(worst_.residual, quality.residual);
-    worst_.maximum_overlap = std::max(worst_.maximum_overlap, quality.maximum_overlap);
+    worst_.worsen(log.quality[i]);
     if (!has_platform_) continue;
     const PlatformMoment& now = log.platform[i];
     since_sample_.ice_impulse += now.ice_impulse;
@@ -78,6 +74,8 @@ void Recorder::add(const MomentLog& log, std::int64_t last_moment) {
     if (window_.size() > window_moments_) window_.pop_front();
     if (moment_ == platform_.next_after(sample_moment_) || moment_ == last_moment) sample(now, moment_);
   }
+  overlap_ += log.overlap;
+  overlap_share_ += log.overlap_share;
   slab_.events.insert(slab_.events.end(), log.events.begin(), log.events.end());
   events_seen_ += static_cast<std::int64_t>(log.events.size());
   slab_.time = double(moment_) * moment_length_;
@@ -112,6 +110,7 @@ StatsRow Recorder::add_frame(Engine& engine, double wall_time) {
   frame_moment_ = moment_;
   frame_wall_time_ = wall_time;
   worst_ = {};
+  overlap_ = overlap_share_ = {};
   return slab_.stats.back();
 }
 
@@ -140,6 +139,12 @@ void Recorder::keep_stats(Engine& engine, double wall_time) {
   row.iterations = worst_.iterations;
   row.closing_residual = worst_.residual;
   row.maximum_overlap = worst_.maximum_overlap;
+  row.maximum_share = worst_.maximum_share;
+  row.complementarity = worst_.complementarity;
+  row.cone_excess = worst_.cone_excess;
+  row.energy_created = worst_.energy_created;
+  row.overlap = overlap_;
+  row.overlap_share = overlap_share_;
   for (std::size_t i = first_floe(b); i < b.count(); ++i) row.active_floes += b.active[i] != 0 ? 1.0 : 0.0;
   row.wall_time = wall_time;
   const double wall = wall_time - frame_wall_time_;

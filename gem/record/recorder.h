@@ -57,6 +57,7 @@ class Recorder {
   PlatformMoment since_sample_;  // sums since the last platform sample
   std::deque<Vec2> window_;      // ice impulses of the last moments
   MomentQuality worst_;          // since the last frame
+  OverlapCount overlap_, overlap_share_;
   Slab slab_;
 };
 

@@ -77,6 +77,12 @@ TEST(Recorder, FrameHoldsFloesAndWorstQuality) {
   const StatsRow row = recorder.add_frame(engine, 0.5);
   EXPECT_EQ(row.contacts, 7.0);
   EXPECT_EQ(row.maximum_overlap, 1e-3);
+  EXPECT_EQ(row.maximum_share, 2e-4);
+  EXPECT_EQ(row.complementarity, 3e-6);
+  EXPECT_EQ(row.cone_excess, 4e-9);
+  EXPECT_EQ(row.energy_created, 5e-2);
+  EXPECT_EQ(row.overlap.total(), 40);
+  EXPECT_EQ(row.overlap_share.total(), 0);
   EXPECT_EQ(row.active_floes, 3.0);
   EXPECT_DOUBLE_EQ(row.sim_rate, 4.0);
   EXPECT_EQ(recorder.next_frame(), 80);

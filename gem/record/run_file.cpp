@@ -224,6 +224,15 @@ std::vector<Vec2> RunFile::platform_outline() const {
   return split(xy, {double(xy.size()) / 2.0}).front();
 }
 
+OverlapCount overlaps_of(const RunFile& file, const std::string& dataset) {
+  OverlapCount sum;
+  if (!file.has(dataset)) return sum;
+  const std::vector<double> values = file.column(dataset);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    sum.count[i % OverlapCount::classes] += static_cast<std::int64_t>(values[i]);
+  return sum;
+}
+
 std::vector<FloeDef> floes_of_run_file(const std::string& path) {
   const RunFile file(path, true);
   const auto outlines = file.floe_outlines();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gem/engine/overlap_count.h"
 #include "gem/scene/scene_def.h"
 
 namespace gem {
@@ -54,6 +55,10 @@ class RunFile {
   struct Inside;
   std::unique_ptr<Inside> inside_;
 };
+
+/// All overlaps of a run by size class, from stats/overlap_count or stats/overlap_share_count; empty if the file has
+/// none.
+OverlapCount overlaps_of(const RunFile& file, const std::string& dataset);
 
 /// Whether the file starts like a run file (an HDF5 signature).
 bool is_run_file(const std::string& path);

@@ -67,7 +67,7 @@ RunLayout::RunLayout(const std::string& path, bool overwrite, const SceneDef& sc
   create_file(path, overwrite);
   measure(scene, bodies);
   write_header(scene, bodies, provenance);
-  for (const char* name : {"floe", "vertex", "xy"}) add_dimension(file_, name, size_[name], false);
+  for (const char* name : {"floe", "vertex", "xy", "overlap_class"}) add_dimension(file_, name, size_[name], false);
   add_group("shape", nullptr);
   add_group("boundary", nullptr);
   add_group("floes", "time");
@@ -83,6 +83,7 @@ RunLayout::RunLayout(const std::string& path, bool overwrite, const SceneDef& sc
   for (const auto& entry : platform_columns()) add_column(entry.column, nullptr);
   for (const auto& entry : event_columns()) add_column(entry.column, nullptr);
   for (const auto& entry : stats_columns()) add_column(entry.column, nullptr);
+  for (const auto& entry : count_columns()) add_column(entry.column, nullptr);
   flush();
 }
 
@@ -113,6 +114,7 @@ void RunLayout::measure(const SceneDef& scene, const Bodies& bodies) {
   size_ = {{"floe", bodies.count() - floe},
            {"vertex", vertices(floe, bodies.count())},
            {"xy", 2},
+           {"overlap_class", OverlapCount::classes},
            {"boundary", floe - fixed},
            {"boundary_vertex", vertices(fixed, floe)},
            {"platform_vertex", scene.platform.present ? vertices(0, fixed) : 0}};
@@ -233,6 +235,11 @@ void RunLayout::describe(const Column& column, hid_t dataset) {
   if (column.group == "shape" && column.name == "thickness") {
     hdf5::write_text(dataset, "standard_name", "sea_ice_thickness");
   }
+  if (column.dimensions == "time overlap_class") {
+    std::vector<double> edges;
+    for (int i = 0; i < OverlapCount::classes; ++i) edges.push_back(OverlapCount::upper_edge(i));
+    hdf5::write_numbers(dataset, "class_upper_edges", H5T_IEEE_F64LE, edges);
+  }
   if (column.flag_meanings.empty()) return;
   std::vector<double> values(words(column.flag_meanings).size());
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = double(i);
@@ -283,6 +290,16 @@ void RunLayout::append_rows(const std::vector<RowColumn<Row>>& columns, std::vec
   any_written_ = any_written_ || count > 0;
 }
 
+void RunLayout::append_stats(std::size_t count) {
+  for (const auto& entry : count_columns()) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < count; ++i)
+      for (const std::int64_t n : (waiting_.stats[i].*(entry.counts)).count) values.push_back(double(n));
+    append_column("/stats/" + entry.column.name, values, count);
+  }
+  append_rows(stats_columns(), waiting_.stats, count);
+}
+
 void RunLayout::append_events(std::size_t count) {
   append_rows(event_columns(), waiting_.events, count);
   append_column("/events/event", std::vector<double>{}, count);
@@ -315,14 +332,14 @@ void RunLayout::append(Slab slab) {
   const auto whole = [](std::size_t rows, hsize_t chunk) { return rows - rows % chunk; };
   append_rows(platform_columns(), waiting_.platform, whole(waiting_.platform.size(), rows_per_chunk));
   append_events(whole(waiting_.events.size(), rows_per_chunk));
-  append_rows(stats_columns(), waiting_.stats, whole(waiting_.stats.size(), frames_per_chunk));
+  append_stats(whole(waiting_.stats.size(), frames_per_chunk));
   append_frames(whole(waiting_.floes.time.size(), frames_per_chunk));
 }
 
 void RunLayout::append_rest() {
   append_rows(platform_columns(), waiting_.platform, waiting_.platform.size());
   append_events(waiting_.events.size());
-  append_rows(stats_columns(), waiting_.stats, waiting_.stats.size());
+  append_stats(waiting_.stats.size());
   append_frames(waiting_.floes.time.size());
 }
 

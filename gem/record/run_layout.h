@@ -49,6 +49,7 @@ class RunLayout {
   void append_column(const std::string& path, const std::vector<Value>& values, hsize_t rows);
   template <class Row>
   void append_rows(const std::vector<RowColumn<Row>>& columns, std::vector<Row>& rows, std::size_t count);
+  void append_stats(std::size_t count);
   void append_events(std::size_t count);
   void append_frames(std::size_t count);
 

@@ -29,7 +29,8 @@ constexpr std::uint64_t spare_room = 1 << 20;  // for the file's own index and t
 
 std::uint64_t bytes(const Slab& slab) {
   return slab.platform.size() * platform_columns().size() * 8 + slab.events.size() * event_columns().size() * 8 +
-         slab.stats.size() * stats_columns().size() * 8 + slab.floes.x.size() * floe_columns().size() * 4;
+         slab.stats.size() * (stats_columns().size() + count_columns().size() * OverlapCount::classes) * 8 +
+         slab.floes.x.size() * floe_columns().size() * 4;
 }
 
 /// The library must not try to close a file at exit that a full disk did not let it close.

@@ -147,6 +147,16 @@ std::vector<StatsColumn> make_stats_columns() {
                    [](const S& s) { return s.closing_residual; }),
       stats_column("maximum_overlap", "m", "deepest overlap since the last row",
                    [](const S& s) { return s.maximum_overlap; }),
+      stats_column("maximum_overlap_share", "1",
+                   "deepest overlap over the size (root of the area) of the smaller body since the last row",
+                   [](const S& s) { return s.maximum_share; }),
+      stats_column("complementarity", "m s-1",
+                   "largest change of normal velocity that a point still asked for after the events since the last row",
+                   [](const S& s) { return s.complementarity; }),
+      stats_column("cone_excess", "N s", "largest friction impulse beyond Coulomb's bound since the last row",
+                   [](const S& s) { return s.cone_excess; }),
+      stats_column("energy_created", "J", "largest energy that the contacts of one moment gave since the last row",
+                   [](const S& s) { return s.energy_created; }),
       stats_column("active_floes", "1", "floes that take part", [](const S& s) { return s.active_floes; }),
       stats_column("wall_time", "s", "wall time since the start of the run", [](const S& s) { return s.wall_time; }),
       stats_column("sim_rate", "1", "simulated time over wall time since the last row",
@@ -173,6 +183,19 @@ const std::vector<RowColumn<StatsRow>>& stats_columns() {
   return columns;
 }
 
+const std::vector<CountColumn>& count_columns() {
+  const auto counts = [](const char* name, const std::string& what, OverlapCount StatsRow::*values) {
+    return CountColumn{
+        {"stats", name, "time overlap_class", Stored::f8, "1",
+         "overlaps at the start of all moments since the last row, by " + what + " up to class_upper_edges", ""},
+        values};
+  };
+  static const std::vector<CountColumn> columns = {
+      counts("overlap_count", "depth [m]", &StatsRow::overlap),
+      counts("overlap_share_count", "depth over the size of the smaller body", &StatsRow::overlap_share)};
+  return columns;
+}
+
 std::vector<Column> schema(const SceneDef& scene) {
   std::vector<Column> all;
   for (const auto& entry : shape_columns(scene)) all.push_back(entry.column);
@@ -181,6 +204,7 @@ std::vector<Column> schema(const SceneDef& scene) {
   for (const auto& entry : platform_columns()) all.push_back(entry.column);
   for (const auto& entry : event_columns()) all.push_back(entry.column);
   for (const auto& entry : stats_columns()) all.push_back(entry.column);
+  for (const auto& entry : count_columns()) all.push_back(entry.column);
   return all;
 }
 

@@ -56,6 +56,11 @@ struct StatsRow {
   double iterations = 0.0;
   double closing_residual = 0.0;
   double maximum_overlap = 0.0;
+  double maximum_share = 0.0;
+  double complementarity = 0.0;
+  double cone_excess = 0.0;
+  double energy_created = 0.0;
+  OverlapCount overlap, overlap_share;  // of all moments since the last row
   double active_floes = 0.0;
   double wall_time = 0.0;
   double sim_rate = 0.0;
@@ -80,6 +85,12 @@ struct FloeColumn {
   std::vector<float> FloeFrames::*values;
 };
 
+/// Overlaps of one interval, counted by size class.
+struct CountColumn {
+  Column column;
+  OverlapCount StatsRow::*counts;
+};
+
 /// A dataset that is known before the first moment.
 struct ShapeColumn {
   Column column;
@@ -89,6 +100,7 @@ struct ShapeColumn {
 const std::vector<RowColumn<PlatformRow>>& platform_columns();
 const std::vector<RowColumn<ContactEvent>>& event_columns();
 const std::vector<RowColumn<StatsRow>>& stats_columns();
+const std::vector<CountColumn>& count_columns();
 const std::vector<FloeColumn>& floe_columns();
 std::vector<ShapeColumn> shape_columns(const SceneDef& scene);
 

@@ -63,7 +63,13 @@ StatsRecord stats_record(const RunFile& file) {
           read("residual_energy"),
           read("maximum_overlap"),
           read("wall_time"),
-          read("sim_rate")};
+          read("sim_rate"),
+          read("maximum_overlap_share"),
+          read("complementarity"),
+          read("cone_excess"),
+          read("energy_created"),
+          overlaps_of(file, "stats/overlap_count"),
+          overlaps_of(file, "stats/overlap_share_count")};
 }
 
 FloeFrame floe_frame(const FrameView& view) {

@@ -53,6 +53,10 @@ std::string figure_of_run(const std::string& value, const std::string& meaning) 
 }
 
 std::string force_text(double force) { return with_unit(force, force_unit(std::abs(force))); }
+/// A length and what it is of the size of a body.
+std::string with_share(double depth, double share) {
+  return with_unit(depth, length_unit(depth)) + ", " + rounded_text(100.0 * share, 2) + " % of the smaller body";
+}
 std::string impulse_text(double impulse) { return with_unit(impulse, impulse_unit(std::abs(impulse))); }
 
 }  // namespace
@@ -143,7 +147,11 @@ std::string quality_html(const RunData& run, const RunFindings& findings) {
                row("momentum unexplained, relative", {exponent_text(q.residual_momentum)}) +
                    row("angular momentum unexplained, relative", {exponent_text(q.residual_angular_momentum)}) +
                    row("energy unexplained, relative", {exponent_text(q.residual_energy)}) +
-                   row("deepest overlap", {with_unit(q.maximum_overlap, length_unit(q.maximum_overlap))}) +
+                   row("deepest overlap", {with_share(q.maximum_overlap, q.maximum_share)}) +
+                   row("99.9 % of the overlaps are below", {with_share(q.most_overlap, q.most_share)}) +
+                   row("complementarity missed by", {exponent_text(q.complementarity) + " m/s"}) +
+                   row("friction beyond Coulomb's bound", {exponent_text(q.cone_excess) + " N s"}) +
+                   row("energy given by the contacts of one moment", {exponent_text(q.energy_created) + " J"}) +
                    row("wall time", {with_unit(run.stats.wall_time.back(), Unit{"s", 1.0})}) +
                    row("speed", {rounded_text(q.speed, 3) + " &times; real time"}));
 }

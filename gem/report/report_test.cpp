@@ -71,6 +71,9 @@ RunData swinging_platform() {
   run.events = {{199.7, 199.9}, {2, 2}, {-1.0, -1.0}, {0.0, 0.0}, {6e3, 4e3}, {9e4, 6e4}};
   run.stats = {{0.0, 600.0, 1200.0}, {0.0, 1e-15, 2e-15}, {0.0, 0.0, 3e-15},  {0.0, 4e-14, 1e-14},
                {0.0, 0.02, 0.01},    {0.0, 5.0, 10.0},    {0.0, 120.0, 120.0}};
+  run.stats.maximum_overlap_share = {0.0, 0.002, 0.001};
+  run.stats.energy_created = {0.0, 3.0, 0.0};
+  for (int i = 0; i < 1000; ++i) run.stats.overlap.add(i == 0 ? 0.02 : 0.001);
   for (const double time : {0.0, 600.0, 1200.0})
     run.frames.push_back({time, {-20.0 + 0.01 * time, 30.0}, {0.0, 5.0}, {0.1, 0.2}, {0.5, 0.4}});
   return run;
@@ -97,6 +100,9 @@ TEST(RunFindings, DescribeASwingingPlatform) {
   EXPECT_NEAR(findings.loads.mooring_largest, 1.5e5, 1.0);
   EXPECT_DOUBLE_EQ(findings.quality.residual_energy, 4e-14);
   EXPECT_DOUBLE_EQ(findings.quality.maximum_overlap, 0.02);
+  EXPECT_DOUBLE_EQ(findings.quality.most_overlap, OverlapCount::upper_edge(OverlapCount::class_of(0.001)));
+  EXPECT_DOUBLE_EQ(findings.quality.maximum_share, 0.002);
+  EXPECT_DOUBLE_EQ(findings.quality.energy_created, 3.0);
   EXPECT_DOUBLE_EQ(findings.quality.speed, 120.0);
 }
 

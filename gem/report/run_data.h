@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/engine/overlap_count.h"
 
 namespace gem {
 
@@ -48,6 +49,11 @@ struct StatsRecord {
   std::vector<double> residual_momentum, residual_angular_momentum, residual_energy;  // relative
   std::vector<double> maximum_overlap;                                                // [m]
   std::vector<double> wall_time, sim_rate;
+  std::vector<double> maximum_overlap_share = {};  // of the size of the smaller body
+  std::vector<double> complementarity = {};        // [m/s]
+  std::vector<double> cone_excess = {};            // [N s]
+  std::vector<double> energy_created = {};         // [J]
+  OverlapCount overlap = {}, overlap_share = {};   // of the whole run [m], [-]
 };
 
 struct FloeFrame {

@@ -83,6 +83,12 @@ RunQuality quality(const StatsRecord& stats) {
   result.residual_angular_momentum = largest_of(stats.residual_angular_momentum);
   result.residual_energy = largest_of(stats.residual_energy);
   result.maximum_overlap = largest_of(stats.maximum_overlap);
+  result.most_overlap = stats.overlap.quantile(0.999);
+  result.maximum_share = largest_of(stats.maximum_overlap_share);
+  result.most_share = stats.overlap_share.quantile(0.999);
+  result.complementarity = largest_of(stats.complementarity);
+  result.cone_excess = largest_of(stats.cone_excess);
+  result.energy_created = largest_of(stats.energy_created);
   if (!stats.time.empty() && stats.wall_time.back() > 0.0) result.speed = stats.time.back() / stats.wall_time.back();
   return result;
 }

@@ -43,8 +43,12 @@ struct PlatformLoads {
 /// How well the run kept its books, and how fast it went.
 struct RunQuality {
   double residual_momentum = 0.0, residual_angular_momentum = 0.0, residual_energy = 0.0;  // largest of the run
-  double maximum_overlap = 0.0;                                                            // [m]
-  double speed = 0.0;                                                                      // simulated over wall time
+  double maximum_overlap = 0.0, most_overlap = 0.0;  // of the run, and of 99.9 % of its overlaps [m]
+  double maximum_share = 0.0, most_share = 0.0;      // the same over the size of the smaller body
+  double complementarity = 0.0;                      // [m/s]
+  double cone_excess = 0.0;                          // [N s]
+  double energy_created = 0.0;                       // in one moment [J]
+  double speed = 0.0;                                // simulated over wall time
 };
 
 struct RunFindings {

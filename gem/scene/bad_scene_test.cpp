@@ -108,7 +108,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{
             "zero_moment", "[numerics]\nmoment_s = 0\n", {"bad.toml:2:12: numerics.moment_s: out of range (value 0"}},
         BadScene{"open_bound", "[mooring]\ndamping_ratio = 1\n", {"bad.toml:2:17", "allowed [0, 1)"}},
-        BadScene{"friction", "[ice]\nfriction_ice = 10.5\n", {"bad.toml:2:16: ice.friction_ice", "allowed [0, 10]"}},
+        BadScene{"friction",
+                 "[ice]\nfriction_ice = 10.5\n",
+                 {"bad.toml:2:16: ice.friction_ice", "allowed [0, 1.5]", "no ice has more"}},
         BadScene{"millimetres",
                  "[[ice.class]]\nthickness_m = 500\n",
                  {"bad.toml:2:15: ice.class[0].thickness_m: out of range (value 500, allowed [0.01, 10] m)"}},

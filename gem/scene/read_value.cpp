@@ -103,7 +103,8 @@ class ValueReader {
  private:
   std::string out_of_range(const TomlNode& node) const {
     const std::string hint = info_.unit.empty() ? "" : " give it in " + info_.unit;
-    return "out of range (value " + describe(node) + ", allowed " + range_text(info_.range, info_.unit) + ")" + hint;
+    return "out of range (value " + describe(node) + ", allowed " + range_text(info_.range, info_.unit) +
+           (info_.why.empty() ? "" : ": " + info_.why) + ")" + hint;
   }
 
   const OptionInfo& info_;

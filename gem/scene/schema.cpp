@@ -50,10 +50,11 @@ void add_ice(SceneTable& t) {
            GEM_FIELD(ice.crushing_pressure_Pa));
   t.number("ice.pressure_area_exponent", "", {-0.9, 0.5}, "exponent of pressure on contact area",
            GEM_FIELD(ice.pressure_area_exponent));
-  t.number("ice.friction_ice", "", {0.0, 10.0}, "friction of floe on floe and floe on boundary",
-           GEM_FIELD(ice.friction_ice));
-  t.number("ice.friction_structure", "", {0.0, 10.0}, "friction of floe on platform",
-           GEM_FIELD(ice.friction_structure));
+  const std::string why = "no ice has more, and rigid corners that slide may then have no answer (Painleve)";
+  t.number("ice.friction_ice", "", {0.0, 1.5}, "friction of floe on floe and floe on boundary",
+           GEM_FIELD(ice.friction_ice), why);
+  t.number("ice.friction_structure", "", {0.0, 1.5}, "friction of floe on platform", GEM_FIELD(ice.friction_structure),
+           why);
 }
 
 void add_floe_source(SceneTable& t) {

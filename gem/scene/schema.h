@@ -40,6 +40,7 @@ struct OptionInfo {
   Range range;
   std::vector<std::string> choices;
   std::string doc;
+  std::string why = "";  ///< reason of the range, for the message; may be empty
 };
 
 template <class T>

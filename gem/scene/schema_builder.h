@@ -15,8 +15,9 @@ struct OptionTable {
   std::vector<Option<T>> options;
 
   template <class Field>
-  void number(std::string path, std::string unit, Range range, std::string doc, Field field) {
-    add<double>({std::move(path), OptionType::number, std::move(unit), range, {}, std::move(doc)}, field);
+  void number(std::string path, std::string unit, Range range, std::string doc, Field field, std::string why = "") {
+    add<double>({std::move(path), OptionType::number, std::move(unit), range, {}, std::move(doc), std::move(why)},
+                field);
   }
   template <class Field>
   void integer(std::string path, Range range, std::string doc, Field field) {

@@ -14,6 +14,9 @@ INSTANTIATE_TEST_SUITE_P(Engines, HardColumn, ::testing::ValuesIn(verification::
 class HardBigColumn : public verification::OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, HardBigColumn, ::testing::ValuesIn(large_settings()), verification::setting_name);
 
+class LongHardColumn : public verification::OnEngines {};
+INSTANTIATE_TEST_SUITE_P(Engines, LongHardColumn, ::testing::ValuesIn(large_settings()), verification::setting_name);
+
 /// Push of the current on one floe of the columns [N].
 constexpr double push = 562.5;
 
@@ -29,8 +32,7 @@ struct ColumnBars {
   double overlap;  // sum over the column [m]
 };
 
-void press(const std::string& id, int count, const ColumnBars& bars, const Setting& setting) {
-  const SceneDef scene = read_hard_member("H01_columns.toml", "H01_" + std::to_string(count), setting);
+void press(const std::string& id, const SceneDef& scene, int count, const ColumnBars& bars, const Setting& setting) {
   Watched run(scene, setting);
   run.advance(1180, 20);
   const double exact = count * push, dt = scene.numerics.moment_s;
@@ -49,9 +51,15 @@ void press(const std::string& id, int count, const ColumnBars& bars, const Setti
         2.0 * exact * (1.0 + swing) * (1.0 + swing) / scene.contact.elastic_stiffness_N_per_m, "m", run.where());
 }
 
-TEST_P(HardColumn, H1_column_of_10) { press("H1.n10", 10, {1e-3, 1e-3}, setting()); }
-TEST_P(HardBigColumn, H1_column_of_100) { press("H1.n100", 100, {1e-3, 1e-3}, setting()); }
-TEST_P(HardBigColumn, H1_column_of_1000) { press("H1.n1000", 1000, {1e-2, 20e-3}, setting()); }
+void press_column(int count, const ColumnBars& bars, const Setting& setting) {
+  const std::string number = std::to_string(count);
+  also_by_default("H1.n" + number, read_hard_member("H01_columns.toml", "H01_" + number, setting), setting,
+                  [&](const std::string& id, const SceneDef& scene) { press(id, scene, count, bars, setting); });
+}
+
+TEST_P(HardColumn, H1_column_of_10) { press_column(10, {1e-3, 1e-3}, setting()); }
+TEST_P(HardBigColumn, H1_column_of_100) { press_column(100, {1e-3, 1e-3}, setting()); }
+TEST_P(LongHardColumn, H1_column_of_1000) { press_column(1000, {1e-2, 20e-3}, setting()); }
 
 TEST_P(HardColumn, H9_long_moments) {
   for (const int factor : {1, 10, 100, 1000}) {
@@ -75,9 +83,7 @@ TEST_P(HardColumn, H9_long_moments) {
   }
 }
 
-void press_layers(const std::string& id, double thinnest, const Setting& setting) {
-  SceneDef scene = read_hard_case("H14_thickness.toml", setting);
-  scene.floe[1].thickness_m = thinnest;
+void press_layers(const std::string& id, const SceneDef& scene, const Setting& setting) {
   Watched run(scene, setting);
   run.advance(1180, 20);
   const double force = wall_force(run, 20, scene.numerics.moment_s);
@@ -90,8 +96,11 @@ TEST_P(HardColumn, H14_thin_between_thick) {
   const bool refused =
       is_refused("H14_thickness.toml", {"floe=[{outline_m=[[0,0],[9,0],[0,9]],thickness_m=0.001}]"}, "thickness_m");
   verification::check_value("H14.1mm.refused", 1.0, refused ? 1.0 : 0.0, 0.0, "-", where());
-  press_layers("H14.1cm", 0.01, setting());
-  press_layers("H14.1mm", 0.001, setting());
+  SceneDef scene = read_hard_case("H14_thickness.toml", setting());
+  const auto judge = [&](const std::string& id, const SceneDef& pressed) { press_layers(id, pressed, setting()); };
+  also_by_default("H14.1cm", scene, setting(), judge);
+  scene.floe[1].thickness_m = 0.001;
+  also_by_default("H14.1mm", scene, setting(), judge);
 }
 
 }  // namespace

@@ -72,6 +72,12 @@ SceneDef read_hard_member(const std::string& file, const std::string& name, cons
   throw std::runtime_error(file + " has no run " + name);
 }
 
+SceneDef with_default_numerics(SceneDef scene) {
+  scene.numerics.iterations_maximum = NumericsDef{}.iterations_maximum;
+  scene.numerics.residual_tolerance = NumericsDef{}.residual_tolerance;
+  return scene;
+}
+
 bool is_refused(const std::string& file, const std::vector<std::string>& overrides, const std::string& what) {
   try {
     const std::string path = path_of(file);

@@ -26,6 +26,16 @@ SceneDef read_hard_member(const std::string& file, const std::string& name, cons
 /// The same for a scene made here.
 SceneDef resolved_as(SceneDef scene, const Setting& setting);
 
+/// The scene with the iterations and the tolerance that a case has unless it sets others.
+SceneDef with_default_numerics(SceneDef scene);
+
+/// Runs judge(id, scene) as the case asks and, coupled, once more with the default iterations, as `id.default`.
+template <class Judge>
+void also_by_default(const std::string& id, const SceneDef& scene, const Setting& setting, Judge&& judge) {
+  judge(id, scene);
+  if (setting.coupled()) judge(id + ".default", with_default_numerics(scene));
+}
+
 /// Whether the case is refused before it runs, with an error that names `what`.
 bool is_refused(const std::string& file, const std::vector<std::string>& overrides, const std::string& what);
 

@@ -41,8 +41,12 @@ TEST_P(HardManifold, F1_a_face_lands_on_a_ledge) {
     // beside the centre, leaves 1 - 1 / (1 + eta^2 m / I) of the speed and turns the floe over the edge
     const double eta2 = manifold == Manifold::chord_ends ? 0.0 : 4.0;
     const double left = speed * (1.0 - 1.0 / (1.0 + eta2 * 45000.0 / 750000.0));
+    // iterations end when no point asks for more than the tolerance times the speed; with the masses shared out (both
+    // ends: nn of 1.1e-4 against a least response of 1.7e-5 per kg) that leaves at most 6.4 times as much
+    // the touch of 2^-40 m puts the point off by its half: 1e-13 relative
+    const double allowed = (10.0 * scene.numerics.residual_tolerance + 1e-13) * speed;
     verification::check_value(std::string("F1.") + name_of(manifold) + ".speed_left", left, -run.bodies().velocity[2].y,
-                              1e-12, "m/s", where());
+                              allowed, "m/s", where());
     expect_sound(std::string("F1.") + name_of(manifold), run);
   }
 }

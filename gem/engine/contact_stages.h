@@ -138,9 +138,7 @@ inline PointGeometry<double> point_geometry(const FieldState& f, const Contact& 
   const double mass = share_a * f.bodies.inverse_mass[contact.a] + share_b * f.bodies.inverse_mass[contact.b];
   const double turn_a = share_a * f.bodies.inverse_inertia[contact.a];
   const double turn_b = share_b * f.bodies.inverse_inertia[contact.b];
-  g.nn = mass + turn_a * g.lever_a_n * g.lever_a_n + turn_b * g.lever_b_n * g.lever_b_n;
-  g.tt = mass + turn_a * g.lever_a_t * g.lever_a_t + turn_b * g.lever_b_t * g.lever_b_t;
-  g.nt = turn_a * g.lever_a_n * g.lever_a_t + turn_b * g.lever_b_n * g.lever_b_t;
+  enter_compliance(g, mass, turn_a, turn_b);
   g.friction = contact.friction;
   if (c.friction_law == FrictionLaw::fixed_direction) {
     g.friction = slot.tangential_before > 0.0   ? -contact.friction

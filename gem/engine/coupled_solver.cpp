@@ -103,61 +103,53 @@ void CoupledSolver::lay_out(const FieldState& f, Contacts contacts) {
   const std::int32_t blocks = (points + pack_lanes - 1) / pack_lanes;
   face_.resize(static_cast<std::size_t>(blocks) * pack_lanes);
   block_.resize(blocks);
-  impulse_.assign(blocks, BlockImpulse{});
+  impulse_.resize(blocks);
   carried_.resize(blocks);
   given_.resize(body_.size() + sum_width);
   answered_.resize(body_.size() + sum_width);
+  next_keys_.resize(points);
+  next_impulses_.resize(points);
   climb_.resize((static_cast<std::size_t>(points) / sum_width + 1) * sum_width);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::int32_t a = index_of_[contacts[c]->a], b = index_of_[contacts[c]->b];
     const std::int32_t end = first_point_[c] + contacts[c]->count;
     if (end_as_a_[a] == 0) first_as_a_[a] = first_point_[c];
     end_as_a_[a] = end;
-    for (std::int32_t point = first_point_[c]; point < end; ++point) {
-      block_[point / pack_lanes].a[point % pack_lanes] = a;
-      block_[point / pack_lanes].b[point % pack_lanes] = b;
-      if (b != at_rest) as_b_[next_as_b_[b]++] = static_cast<std::uint32_t>(point);
-    }
+    if (b == at_rest) continue;
+    for (std::int32_t point = first_point_[c]; point < end; ++point)
+      as_b_[next_as_b_[b]++] = static_cast<std::uint32_t>(point);
   }
   for (std::int32_t point = points; point < blocks * pack_lanes; ++point) {
     Block& block = block_[point / pack_lanes];
     const int lane = point % pack_lanes;
     face_[point] = Face{};
     block.cap[lane] = block.repair_target[lane] = 0.0;
+    BlockImpulse& impulse = impulse_[point / pack_lanes];
+    impulse.normal[lane] = impulse.tangential[lane] = impulse.repair[lane] = 0.0;
     block.a[lane] = block.b[lane] = unused;
   }
 }
 
-void CoupledSolver::warm_start(Contacts contacts) {
-  std::size_t at = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const Contact& contact = *contacts[c];
-    const std::uint64_t first = contact_key(contact.a, contact.b, 0);
-    while (at < keys_.size() && keys_[at] < first) ++at;
-    for (int k = 0; k < contact.count; ++k) {
-      const std::uint64_t key = contact_key(contact.a, contact.b, contact.slot[k].feature);
-      for (std::size_t i = at; i < keys_.size() && keys_[i] >> feature_bits == key >> feature_bits; ++i) {
-        if (keys_[i] != key) continue;
-        const std::int32_t point = first_point_[c] + k;
-        PointImpulse<Pack>& impulse = impulse_[point / pack_lanes];
-        const int lane = point % pack_lanes;
-        impulse.normal[lane] = impulses_[i].normal;
-        impulse.tangential[lane] = impulses_[i].tangential;
-        impulse.repair[lane] = repair_memory * impulses_[i].repair;
-      }
-    }
-  }
+/// First of the last moment's keys from `at` on that is not below `key`.
+std::size_t CoupledSolver::last_key_from(std::size_t at, std::uint64_t key) const {
+  while (at < keys_.size() && keys_[at] < key) ++at;
+  return at;
 }
 
-void CoupledSolver::keep(Contacts contacts) {
-  keys_.clear();
-  impulses_.clear();
-  for (const Contact* contact : contacts)
-    for (int k = 0; k < contact->count; ++k) {
-      const ContactSlot& slot = contact->slot[k];
-      keys_.push_back(contact_key(contact->a, contact->b, slot.feature));
-      impulses_.push_back({slot.impulse.normal, slot.impulse.tangential, slot.repair});
-    }
+/// `at`: where the last moment's keys of this pair begin, if it has any.
+void CoupledSolver::warm_start(const Contact& contact, std::int32_t first, std::size_t at) {
+  for (int k = 0; k < contact.count; ++k) {
+    const std::uint64_t key = contact_key(contact.a, contact.b, contact.slot[k].feature);
+    std::size_t i = at;
+    while (i < keys_.size() && keys_[i] != key && keys_[i] >> feature_bits == key >> feature_bits) ++i;
+    const bool known = i < keys_.size() && keys_[i] == key;
+    const PointImpulse<double> last = known ? impulses_[i] : PointImpulse<double>{};
+    BlockImpulse& impulse = impulse_[(first + k) / pack_lanes];
+    const int lane = (first + k) % pack_lanes;
+    impulse.normal[lane] = last.normal;
+    impulse.tangential[lane] = last.tangential;
+    impulse.repair[lane] = repair_memory * last.repair;
+  }
 }
 
 void CoupledSolver::fill_points(const FieldState& f, Contact& contact, std::int32_t first) {
@@ -169,8 +161,24 @@ void CoupledSolver::fill_points(const FieldState& f, Contact& contact, std::int3
                                                    points_of_[contact.b], impulse_[point / pack_lanes].normal[lane]);
     face_[point] = Face{Pack{g.normal_x, g.normal_y, g.lever_a_n, g.lever_a_t},
                         Pack{g.lever_b_n, g.lever_b_t, g.target, g.friction}};
-    block_[point / pack_lanes].cap[lane] = g.cap;
-    block_[point / pack_lanes].repair_target[lane] = g.repair_target;
+    Block& block = block_[point / pack_lanes];
+    block.cap[lane] = g.cap;
+    block.repair_target[lane] = g.repair_target;
+    block.a[lane] = index_of_[contact.a];
+    block.b[lane] = index_of_[contact.b];
+  }
+}
+
+/// Makes the points of some contacts ready. A block may hold points of two threads: each writes its own lanes.
+void CoupledSolver::begin_range(const FieldState& f, Contacts contacts, std::int64_t begin, std::int64_t end) {
+  if (begin == end) return;
+  const std::uint64_t first = contact_key(contacts[begin]->a, contacts[begin]->b, 0);
+  std::size_t at = std::lower_bound(keys_.begin(), keys_.end(), first) - keys_.begin();
+  for (std::int64_t c = begin; c < end; ++c) {
+    Contact& contact = *contacts[c];
+    at = last_key_from(at, contact_key(contact.a, contact.b, 0));
+    warm_start(contact, first_point_[c], at);
+    fill_points(f, contact, first_point_[c]);
   }
 }
 
@@ -340,6 +348,8 @@ void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team
       const int lane = point % pack_lanes;
       contact.slot[k].impulse = {p.normal[lane], p.tangential[lane]};
       contact.slot[k].repair = p.repair[lane];
+      next_keys_[point] = contact_key(contact.a, contact.b, contact.slot[k].feature);
+      next_impulses_[point] = {p.normal[lane], p.tangential[lane], p.repair[lane]};
     }
   });
   team.for_each(rank, static_cast<std::int64_t>(body_.size()) - 1, [&](std::int64_t k) {
@@ -359,13 +369,12 @@ void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, 
     residual_ = 0.0;
     climb_sum_ = 0.0;
     lay_out(f, contacts);
-    warm_start(contacts);
   });
   if (team.failed()) return;
   if (!contacts.empty()) {
-    // a block may hold points of two threads' contacts: each writes its own lanes
-    team.for_each(rank, static_cast<std::int64_t>(contacts.size()),
-                  [&](std::int64_t c) { fill_points(f, *contacts[c], first_point_[c]); });
+    const auto count = static_cast<std::int64_t>(contacts.size());
+    begin_range(f, contacts, team.begin_of(rank, count), team.begin_of(rank + 1, count));
+    team.barrier();
     if (contacts.size() < contacts_worth_threads_) {
       team.single(rank, [&] { iterate(f, alone_, 0); });
     } else {
@@ -376,7 +385,8 @@ void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, 
   team.single(rank, [&] {
     quality.iterations = iterations_;
     quality.residual = residual_;
-    keep(contacts);
+    keys_.swap(next_keys_);
+    impulses_.swap(next_impulses_);
   });
 }
 

@@ -50,9 +50,10 @@ class CoupledSolver {
 
   void lay_out(const FieldState& f, Contacts contacts);
   void order_bodies(const FieldState& f);
-  void warm_start(Contacts contacts);
-  void keep(Contacts contacts);
+  std::size_t last_key_from(std::size_t at, std::uint64_t key) const;
+  void warm_start(const Contact& contact, std::int32_t first, std::size_t at);
   void fill_points(const FieldState& f, Contact& contact, std::int32_t first);
+  void begin_range(const FieldState& f, Contacts contacts, std::int64_t begin, std::int64_t end);
   void iterate(const FieldState& f, ThreadTeam& team, int rank);
   template <PointFriction law>
   void visit_range(std::int32_t begin, std::int32_t end, double dt, double ahead, int rank);
@@ -66,6 +67,8 @@ class CoupledSolver {
 
   std::vector<std::uint64_t> keys_;
   std::vector<PointImpulse<double>> impulses_;
+  std::vector<std::uint64_t> next_keys_;  // of this moment, while the last one's are still read
+  std::vector<PointImpulse<double>> next_impulses_;
 
   std::vector<std::int32_t> first_point_;  // per contact
   std::vector<Face> face_;                 // per point

@@ -69,10 +69,10 @@ void Box2dEngine::advance(std::int64_t moments, MomentLog& log) {
 
 void Box2dEngine::one_moment(MomentLog& log) {
   FieldState& f = field_;
-  const Ledger before = ledger_;
+  const PlatformImpulses before = platform_impulses(f);
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
     if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
-  platform_first_half(f, ledger_);
+  platform_first_half(f);
 
   give_velocities();
   touches_.clear();
@@ -89,18 +89,19 @@ void Box2dEngine::one_moment(MomentLog& log) {
     if (f.bodies.kind[i] == BodyKind::floe && f.bodies.active[i]) take_floe(i);
   take_platform();
   if (options_.measures_quality) quality.residual = closing_speed_left();
-  platform_second_half(f, ledger_);
+  platform_second_half(f);
   ++moment_;
   check_finite(f, moment_);
-  retire(f, ledger_);
+  retire(f);
   disable_retired();
 
   row.position = f.bodies.position[0];
   row.rotation = f.bodies.rotation[0];
   row.velocity = f.bodies.velocity[0];
   row.spin = f.bodies.spin[0];
-  row.mooring_impulse = ledger_.mooring_force.momentum - before.mooring_force.momentum;
-  row.drag_impulse = ledger_[Channel::platform_drag].momentum - before[Channel::platform_drag].momentum;
+  const PlatformImpulses after = platform_impulses(f);
+  row.mooring_impulse = after.mooring - before.mooring;
+  row.drag_impulse = after.drag - before.drag;
   log.platform.push_back(row);
   log.quality.push_back(quality);
 }
@@ -165,8 +166,8 @@ void Box2dEngine::book_fixed_bodies() {
     const double given = fixed_b ? -1.0 : 1.0;
     for (int k = 0; k < touch.count; ++k) {
       const auto enter = [&](Channel channel, Vec2 impulse) {
-        ledger_[channel].momentum += given * impulse;
-        ledger_[channel].angular_momentum += given * cross(touch.point[k], impulse);
+        field_.book(channel, 0).momentum += given * impulse;
+        field_.book(channel, 0).angular_momentum += given * cross(touch.point[k], impulse);
       };
       enter(Channel::impact, touch.normal_impulse[k] * touch.normal);
       enter(Channel::friction, touch.tangent_impulse[k] * turned_left(touch.normal));
@@ -182,9 +183,9 @@ void Box2dEngine::take_floe(std::size_t i) {
   if (now != sent || spin_now != sent_spin) {
     const Vec2 velocity = b.velocity[i] + (from_box2d(now) - from_box2d(sent));
     const double spin = b.spin[i] + (static_cast<double>(spin_now) - static_cast<double>(sent_spin));
-    ledger_[Channel::impact].energy += work_on(b, i, velocity, spin);
+    field_.book(Channel::impact, i).energy += work_on(b, i, velocity, spin);
     const Vec2 pushed = place - b.position[i] - field_.constants.dt * velocity;
-    field_.repair_book[i].angular_momentum += b.mass[i] * cross(pushed, velocity);
+    field_.book(Channel::repair, i).angular_momentum += b.mass[i] * cross(pushed, velocity);
     b.velocity[i] = velocity;
     b.spin[i] = spin;
   }
@@ -200,8 +201,8 @@ void Box2dEngine::take_platform() {
   const PlatformImpulse felt = platform_impulse(field_, touches_.touches());
   const Vec2 velocity = b.velocity[0] + b.inverse_mass[0] * felt.impulse;
   const double spin = b.spin[0] + b.inverse_inertia[0] * felt.yaw;
-  ledger_[Channel::impact].energy += work_on(b, 0, velocity, spin);
-  if (b.inverse_inertia[0] == 0.0) ledger_.mooring_force.angular_momentum -= felt.yaw;
+  field_.book(Channel::impact, 0).energy += work_on(b, 0, velocity, spin);
+  if (b.inverse_inertia[0] == 0.0) field_.mooring_force.angular_momentum -= felt.yaw;
   b.velocity[0] = velocity;
   b.spin[0] = spin;
 
@@ -229,6 +230,7 @@ EngineState Box2dEngine::save() { return {moment_, field_.bodies, closed_books(f
 
 void Box2dEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);
+  open_books(field_, state.ledger);
   ledger_ = state.ledger;
   moment_ = state.moment;
   make_world();

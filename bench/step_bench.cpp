@@ -151,18 +151,18 @@ class StagedMoment {
     lap();
     each_floe(kick_floe);
     lap(kick);
-    platform_first_half(field_, ledger_);
+    platform_first_half(field_);
     MomentQuality quality;
     lap();
     team_.run([&](int rank) { solver_.resolve(field_, pairs_.contacts(), team_, rank, quality); });
     lap(resolve);
-    for (const Contact* contact : pairs_.contacts()) book_contact(field_, *contact, ledger_);
+    for (const Contact* contact : pairs_.contacts()) book_contact(field_, *contact);
     lap(book);
     each_floe(drift_floe);
     lap(drift);
-    platform_second_half(field_, ledger_);
+    platform_second_half(field_);
     check_finite(field_, ++moment_);
-    retire(field_, ledger_);
+    retire(field_);
   }
 
   FieldState field_;
@@ -170,7 +170,6 @@ class StagedMoment {
   ThreadTeam team_{1};
   PairList pairs_;
   CoupledSolver solver_;
-  Ledger ledger_;
   std::array<double, stage_count> seconds_{};
   Clock::time_point begin_;
 };

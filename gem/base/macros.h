@@ -1,10 +1,13 @@
-// Host, device and inlining macros: the one file that asks which compiler reads it.
+// Host, device and inlining macros: the one file that asks which compiler reads it. GEM_DEVICE marks what a CUDA
+// compiler builds for the device alone.
 #pragma once
 
 #ifdef __CUDACC__
 #define GEM_HD __host__ __device__
+#define GEM_DEVICE __device__
 #define GEM_INLINE __forceinline__
 #else
 #define GEM_HD
+#define GEM_DEVICE
 #define GEM_INLINE inline __attribute__((always_inline))
 #endif

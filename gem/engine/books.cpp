@@ -20,13 +20,25 @@ Quantity& operator+=(Quantity& sum, const Quantity& q) {
 }
 
 Quantity of_body(const Bodies& b, std::size_t i) {
-  const Vec2 momentum = b.mass[i] * b.velocity[i];
-  return {momentum, cross(b.position[i], momentum) + b.inertia[i] * b.spin[i],
-          kinetic_energy(b.mass[i], b.inertia[i], b.velocity[i], b.spin[i])};
+  return quantity_of(b.mass[i], b.inertia[i], b.position[i], b.velocity[i], b.spin[i]);
 }
 
-/// The platform event of one contact, seen at the impulse-weighted middle of its points.
-ContactEvent event_of(const FieldState& f, const Contact& contact, double time) {
+EventBodies event_bodies(const FieldState& f, const Contact& contact) {
+  const Bodies& b = f.bodies;
+  return {collision_mass(b, contact.a), collision_mass(b, contact.b),
+          b.position[contact.b],        b.position[contact.b] - f.platform_position,
+          f.outline(contact.a),         f.outline(contact.b),
+          crushing_ice(f, contact)};
+}
+
+bool finite(const Bodies& b, std::size_t i) {
+  return std::isfinite(b.position[i].x + b.position[i].y + b.velocity[i].x + b.velocity[i].y + b.spin[i] +
+                       b.rotation[i].cosine + b.rotation[i].sine);
+}
+
+}  // namespace
+
+ContactEvent event_of(const Contact& contact, const EventBodies& bodies, double time) {
   ContactEvent e;
   e.time = time;
   e.body_a = contact.a;
@@ -48,25 +60,15 @@ ContactEvent event_of(const FieldState& f, const Contact& contact, double time) 
   arm_a = share * arm_a;
   arm_b = share * arm_b;
   e.closing_speed *= share;
-  e.point = f.bodies.position[contact.b] + arm_b;
-  e.effective_mass = 1.0 / contact_compliance(collision_mass(f.bodies, contact.a), arm_a,
-                                              collision_mass(f.bodies, contact.b), arm_b, contact.normal)
-                               .nn;
+  e.point = bodies.position_b + arm_b;
+  e.effective_mass = 1.0 / contact_compliance(bodies.mass_a, arm_a, bodies.mass_b, arm_b, contact.normal).nn;
   const double energy = 0.5 * e.effective_mass * e.closing_speed * e.closing_speed;
-  const Vec2 offset = f.bodies.position[contact.b] - f.platform_position;
-  const double longest = contact.growth > 0.0 ? facing_length(f.outline(contact.a), f.outline(contact.b), offset,
+  const double longest = contact.growth > 0.0 ? facing_length(bodies.outline_a, bodies.outline_b, bodies.offset,
                                                               turned_left(contact.normal))
                                               : contact.width;
-  e.peak_force = crushing_peak(crushing_ice(f, contact), contact.growth, longest, energy).force;
+  e.peak_force = crushing_peak(bodies.ice, contact.growth, longest, energy).force;
   return e;
 }
-
-bool finite(const Bodies& b, std::size_t i) {
-  return std::isfinite(b.position[i].x + b.position[i].y + b.velocity[i].x + b.velocity[i].y + b.spin[i] +
-                       b.rotation[i].cosine + b.rotation[i].sine);
-}
-
-}  // namespace
 
 Quantity total(const FieldState& f) {
   Quantity sum;
@@ -79,14 +81,21 @@ Quantity total(const FieldState& f) {
   return sum;
 }
 
+void open_books(FieldState& f, const Ledger& ledger) {
+  for (std::size_t c = 0; c < ledger.channel.size(); ++c) f.book(static_cast<Channel>(c), 0) = ledger.channel[c];
+  f.mooring_force = ledger.mooring_force;
+}
+
 Ledger closed_books(const FieldState& f, Ledger& running) {
   Ledger ledger = running;
+  ledger.channel = {};
+  for (std::size_t c = 0; c < ledger.channel.size(); ++c)
+    for (std::size_t i = 0; i < f.bodies.count(); ++i) ledger.channel[c] += f.book(static_cast<Channel>(c), i);
+  ledger.mooring_force = f.mooring_force;
   double momentum = 0.0, angular = 0.0, reach = 0.0;
   for (std::size_t i = 0; i < f.bodies.count(); ++i) {
     if (f.bodies.active[i] && f.bodies.inverse_mass[i] > 0.0)
       reach = std::max(reach, length(f.bodies.position[i]) + f.bodies.radius[i]);
-    ledger[Channel::drag] += f.drag_book[i];
-    ledger[Channel::repair] += f.repair_book[i];
     const Vec2 p = f.bodies.mass[i] * f.bodies.velocity[i];
     momentum += length(p);
     angular += length(f.bodies.position[i]) * length(p) + f.bodies.inertia[i] * std::fabs(f.bodies.spin[i]);
@@ -118,14 +127,15 @@ void check_finite(const FieldState& f, std::int64_t moment) {
                       " s); try a smaller numerics.moment_s");
 }
 
-void retire(FieldState& f, Ledger& ledger) {
+void retire(FieldState& f) {
   Bodies& b = f.bodies;
   for (std::size_t i = 0; i < b.count(); ++i) {
     if (!b.active[i] || b.kind[i] != BodyKind::floe || !(b.position[i].x > f.constants.retire_x)) continue;
     const Quantity gone = of_body(b, i);
-    ledger[Channel::retired].momentum -= gone.momentum;
-    ledger[Channel::retired].angular_momentum -= gone.angular_momentum;
-    ledger[Channel::retired].energy -= gone.energy;
+    Quantity& book = f.book(Channel::retired, i);
+    book.momentum -= gone.momentum;
+    book.angular_momentum -= gone.angular_momentum;
+    book.energy -= gone.energy;
     b.active[i] = 0;
   }
 }
@@ -152,24 +162,24 @@ void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, dou
     const Contact& contact = *at;
     if (contact.a != 0) break;
     if (f.bodies.kind[contact.b] != BodyKind::floe) continue;  // a wall is not ice
-    double closing = 0.0, pressed = 0.0;
-    for (int k = 0; k < contact.count; ++k) {
-      pressed += contact.slot[k].impulse.normal;
-      closing = std::max(closing, -contact.slot[k].normal_before);
-    }
-    if (pressed > 0.0 && closing > event_speed) log.events.push_back(event_of(f, contact, time));
+    if (is_event(contact, event_speed)) log.events.push_back(event_of(contact, event_bodies(f, contact), time));
   }
 }
 
-void log_moment(const FieldState& f, Contacts contacts, const Ledger& before, const Ledger& after,
-                const MomentQuality& quality, MomentLog& log) {
+PlatformImpulses platform_impulses(const FieldState& f) {
+  return {f.mooring_force.momentum, f.book(Channel::platform_drag, 0).momentum};
+}
+
+void log_moment(const FieldState& f, Contacts contacts, const PlatformImpulses& before, const MomentQuality& quality,
+                MomentLog& log) {
   PlatformMoment p;
   p.position = f.bodies.position[0];
   p.rotation = f.bodies.rotation[0];
   p.velocity = f.bodies.velocity[0];
   p.spin = f.bodies.spin[0];
-  p.mooring_impulse = after.mooring_force.momentum - before.mooring_force.momentum;
-  p.drag_impulse = after[Channel::platform_drag].momentum - before[Channel::platform_drag].momentum;
+  const PlatformImpulses after = platform_impulses(f);
+  p.mooring_impulse = after.mooring - before.mooring;
+  p.drag_impulse = after.drag - before.drag;
   for (const Contact* at : contacts) {
     const Contact& contact = *at;
     if (contact.a != 0) break;
@@ -177,7 +187,7 @@ void log_moment(const FieldState& f, Contacts contacts, const Ledger& before, co
     bool pressed = false;
     for (int k = 0; k < contact.count; ++k) {
       const ContactSlot& slot = contact.slot[k];
-      const Vec2 impulse = slot.impulse.normal * contact.normal + slot.impulse.tangential * turned_left(contact.normal);
+      const Vec2 impulse = world_impulse(contact, slot.impulse);
       p.ice_impulse -= impulse;
       p.ice_yaw_impulse -= cross(slot.arm_a, impulse);
       pressed = pressed || slot.impulse.normal > 0.0;

@@ -157,8 +157,8 @@ void CoupledSolver::fill_points(const FieldState& f, Contact& contact, std::int3
   for (int k = 0; k < contact.count; ++k) {
     const std::int32_t point = first + k;
     const int lane = point % pack_lanes;
-    const PointGeometry<double> g = point_geometry(f, contact, contact.slot[k], points_of_[contact.a],
-                                                   points_of_[contact.b], impulse_[point / pack_lanes].normal[lane]);
+    const PointGeometry<double> g = point_of_contact(f, contact, contact.slot[k], points_of_[contact.a],
+                                                     points_of_[contact.b], impulse_[point / pack_lanes].normal[lane]);
     face_[point] = Face{Pack{g.normal_x, g.normal_y, g.lever_a_n, g.lever_a_t},
                         Pack{g.lever_b_n, g.lever_b_t, g.target, g.friction}};
     Block& block = block_[point / pack_lanes];

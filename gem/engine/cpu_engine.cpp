@@ -45,8 +45,8 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
     if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
   });
   team.single(rank, [&] {
-    before_ = ledger_;
-    platform_first_half(f, ledger_);
+    before_ = platform_impulses(f);
+    platform_first_half(f);
     quality_ = {};
   });
   if (f.constants.resolution == Resolution::coupled) {
@@ -57,7 +57,7 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
   // the books and the look at the overlaps are each in order; they go on side by side
   if (rank == team.size() - 1) note_contacts(f, contacts, quality_, log);
   team.single(rank, [&] {
-    for (const Contact* contact : contacts) book_contact(f, *contact, ledger_);
+    for (const Contact* contact : contacts) book_contact(f, *contact);
     log_events(f, contacts, moment_, event_speed_, log);
   });
 
@@ -65,11 +65,11 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
     if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
   });
   team.single(rank, [&] {
-    platform_second_half(f, ledger_);
+    platform_second_half(f);
     ++moment_;
     check_finite(f, moment_);
-    retire(f, ledger_);
-    log_moment(f, contacts, before_, ledger_, quality_, log);
+    retire(f);
+    log_moment(f, contacts, before_, quality_, log);
   });
 }
 
@@ -77,7 +77,7 @@ void CpuEngine::resolve_independent(ThreadTeam& team, int rank) {
   FieldState& f = field_;
   const Contacts contacts = pairs_.contacts();
   team.for_each(rank, static_cast<std::int64_t>(contacts.size()), [&](std::int64_t i) {
-    prepare_alone(f, *contacts[i]);
+    prepare_contact(f, *contacts[i]);
     resolve_alone(f, *contacts[i]);
   });
   team.single(rank, [&] {
@@ -93,6 +93,7 @@ EngineState CpuEngine::save() {
 
 void CpuEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);
+  open_books(field_, state.ledger);
   ledger_ = state.ledger;
   moment_ = state.moment;
   coupled_.restore(state.impulse_key, state.impulse_value);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "gem/engine/books.h"
 #include "gem/engine/coupled_solver.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/field_state.h"
@@ -33,12 +34,12 @@ class CpuEngine : public Engine {
   ThreadTeam all_threads_;
   ThreadTeam one_thread_{1};
   TeamChoice choice_;
-  Ledger ledger_;
+  Ledger ledger_;  // start and scales; the sums are with the bodies
   std::int64_t moment_ = 0;
   PairList pairs_;
   CoupledSolver coupled_;
   MomentQuality quality_;
-  Ledger before_;  // at the start of the moment
+  PlatformImpulses before_;  // at the start of the moment
 };
 
 }  // namespace gem

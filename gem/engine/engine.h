@@ -87,6 +87,8 @@ class Engine {
   virtual std::string name() const = 0;
   /// How contacts are resolved, for the record; empty: as the scene's contact.resolution says.
   virtual std::string method() const { return {}; }
+  /// What it runs on besides the processor, for the run file; empty: nothing.
+  virtual std::string device() const { return {}; }
   /// Moves the field on by `moments` moments and appends to `log`. Throws Error(numerical_stop) at a non-finite state.
   virtual void advance(std::int64_t moments, MomentLog& log) = 0;
   /// Moments done since t = 0; time is moment() * moment_s.
@@ -108,9 +110,11 @@ struct BaselineOptions {
   double skin_m = 0.01;          // radius round every outline within which two bodies are held apart [m]
   bool measures_quality = true;  // false: overlap and residual of MomentQuality are NaN, and cost nothing
 };
+/// Hash of a moving state: same bits, same hash.
+std::uint64_t hash_of(std::int64_t moment, const Bodies& bodies);
 
 struct EngineOptions {
-  std::string name = "cpu";                   // reference | cpu
+  std::string name = "cpu";                   // reference | cpu | cuda
   int threads = 0;                            // 0: all that the machine offers
   std::size_t contacts_worth_threads = 2048;  // coupled: fewer are iterated by one thread
   BaselineOptions baseline = {};
@@ -119,7 +123,7 @@ struct EngineOptions {
 /// Makes the named engine for a scene and its field.
 std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options);
 
-/// Names that make_engine accepts, for messages and for tests that run on every engine.
+/// The engines that run on every machine, for messages and for tests; make_engine also knows cuda.
 std::vector<std::string> engine_names();
 
 /// Makes one engine that is built outside gem/engine.

@@ -29,8 +29,7 @@ FieldState make_field_state(Bodies bodies, const MomentConstants& constants) {
   f.struck.assign(n, 0);
   f.repair_shift.assign(n, {});
   f.repair_turn.assign(n, 0.0);
-  f.drag_book.assign(n, {});
-  f.repair_book.assign(n, {});
+  f.books.assign(n * static_cast<std::size_t>(Channel::count), {});
   return f;
 }
 

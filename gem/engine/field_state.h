@@ -28,9 +28,16 @@ struct FieldState {
   std::vector<double> repair_turn;   // [rad]
   Vec2 platform_position;            // at the start of the moment [m]
 
-  std::vector<Quantity> drag_book;  // per body, since t = 0
-  std::vector<Quantity> repair_book;
+  std::vector<Quantity> books;  // by channel, then by body: a contact's entries stand with its body B, the
+                                // platform's own with body 0
+  Quantity mooring_force;       // given by the mooring to the platform: no energy
 
+  Quantity& book(Channel channel, std::size_t i) {
+    return books[static_cast<std::size_t>(channel) * bodies.count() + i];
+  }
+  const Quantity& book(Channel channel, std::size_t i) const {
+    return books[static_cast<std::size_t>(channel) * bodies.count() + i];
+  }
   Outline outline(std::size_t i) const {
     const std::int32_t begin = bodies.vertex_begin[i];
     return {corner.data() + begin, normal.data() + begin, bodies.vertex_count(i)};

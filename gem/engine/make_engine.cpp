@@ -6,6 +6,7 @@
 #include "gem/base/error.h"
 #include "gem/base/hash.h"
 #include "gem/engine/cpu_engine.h"
+#include "gem/engine/cuda_engine.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/reference_engine.h"
 
@@ -40,9 +41,11 @@ std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const 
   if (options.name == "reference") return std::make_unique<ReferenceEngine>(scene, std::move(bodies));
   if (options.name == "cpu")
     return std::make_unique<CpuEngine>(scene, std::move(bodies), threads, options.contacts_worth_threads);
+  if (options.name == "cuda") return make_cuda_engine(scene, std::move(bodies));
   for (const Baseline& baseline : baselines())
     if (options.name == baseline.name) return baseline.make(scene, std::move(bodies), options);
   std::vector<std::string> known = engine_names();
+  known.push_back("cuda");
   for (const std::string& name : baseline_names()) known.push_back(name);
   throw Error(ExitCode::usage, "unknown engine '" + options.name + "' (" + joined(known) + ")");
 }
@@ -55,10 +58,11 @@ std::vector<std::string> baseline_names() {
   return names;
 }
 
-std::uint64_t Engine::state_hash() {
-  const Bodies& b = bodies();
+std::uint64_t Engine::state_hash() { return hash_of(moment(), bodies()); }
+
+std::uint64_t hash_of(std::int64_t moment, const Bodies& b) {
   Hash hash;
-  hash.add(static_cast<std::uint64_t>(moment()));
+  hash.add(static_cast<std::uint64_t>(moment));
   for (std::size_t i = 0; i < b.count(); ++i) {
     for (const double value : {b.position[i].x, b.position[i].y, b.rotation[i].cosine, b.rotation[i].sine,
                                b.velocity[i].x, b.velocity[i].y, b.spin[i]})

@@ -35,31 +35,31 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
   FieldState& f = field_;
   check_finite(f, moment_);
   for (std::int64_t m = 0; m < moments; ++m) {
-    const Ledger before = ledger_;
+    const PlatformImpulses before = platform_impulses(f);
     std::vector<Contact> contacts = all_contacts();
     std::vector<Contact*> view;
     for (Contact& contact : contacts) view.push_back(&contact);
     for (std::size_t i = 0; i < f.bodies.count(); ++i)
       if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
-    platform_first_half(f, ledger_);
+    platform_first_half(f);
     MomentQuality quality;
     if (f.constants.resolution == Resolution::coupled) {
       resolve_coupled(contacts, quality);
     } else {
-      for (Contact& contact : contacts) prepare_alone(f, contact);
+      for (Contact& contact : contacts) prepare_contact(f, contact);
       for (Contact& contact : contacts) resolve_alone(f, contact);
       for (Contact& contact : contacts) apply_impulses(f.bodies, contact);
     }
-    for (const Contact& contact : contacts) book_contact(f, contact, ledger_);
+    for (const Contact& contact : contacts) book_contact(f, contact);
     note_contacts(f, view, quality, log);
     log_events(f, view, moment_, event_speed_, log);
     for (std::size_t i = 0; i < f.bodies.count(); ++i)
       if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
-    platform_second_half(f, ledger_);
+    platform_second_half(f);
     ++moment_;
     check_finite(f, moment_);
-    retire(f, ledger_);
-    log_moment(f, view, before, ledger_, quality, log);
+    retire(f);
+    log_moment(f, view, before, quality, log);
   }
 }
 
@@ -118,7 +118,7 @@ std::vector<ReferenceEngine::Point> ReferenceEngine::points_of(std::vector<Conta
       if (last != last_.end()) point.impulse = last->second;
       point.impulse.repair *= repair_memory;
       point.geometry =
-          point_geometry(field_, contact, contact.slot[k], count[contact.a], count[contact.b], point.impulse.normal);
+          point_of_contact(field_, contact, contact.slot[k], count[contact.a], count[contact.b], point.impulse.normal);
       points.push_back(point);
     }
   }
@@ -203,6 +203,7 @@ EngineState ReferenceEngine::save() {
 
 void ReferenceEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);
+  open_books(field_, state.ledger);
   ledger_ = state.ledger;
   moment_ = state.moment;
   last_.clear();

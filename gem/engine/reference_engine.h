@@ -39,7 +39,7 @@ class ReferenceEngine : public Engine {
 
   FieldState field_;
   double event_speed_;
-  Ledger ledger_;
+  Ledger ledger_;  // start and scales; the sums are with the bodies
   std::int64_t moment_ = 0;
   std::map<std::uint64_t, PointImpulse<double>> last_;  // by contact key
 };

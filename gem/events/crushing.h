@@ -37,10 +37,13 @@ GEM_HD inline double crushing_force(const CrushingIce& ice, double width) {
   return ice.pressure * strict::power(ice.thickness * width, 1.0 + ice.exponent);
 }
 
-/// A bound of crushing_force from below without a power: A^(-ex) <= 1 - ex (A - 1) for -1 <= ex <= 0 (Bernoulli) [N].
+/// A bound that crushing_force() is never below, without a power: A^(-ex) <= 1 - ex (A - 1) for -1 < ex <= 0
+/// (Bernoulli) [N].
 GEM_HD constexpr double crushing_force_at_least(const CrushingIce& ice, double width) {
+  constexpr double rounding = 1.0 - 1e-9;
+  if (!(ice.exponent > -1.0 && ice.exponent <= 0.0)) return 0.0;
   const double area = ice.thickness * width;
-  return ice.pressure * area / (1.0 - ice.exponent * (area - 1.0));
+  return rounding * ice.pressure * area / (1.0 - ice.exponent * (area - 1.0));
 }
 
 /// Peak of an event of energy `energy` [J] on a flat contact of width `width` [m].

@@ -191,51 +191,69 @@ GEM_HD inline double crossing_rate(Vec2 edge_a, Vec2 normal_b, Vec2 normal, Vec2
 
 }  // namespace detail
 
-/// The chord of an overlap: it joins the two crossings of the outlines; the normal is perpendicular to it, the contact
-/// point its middle. Several crossings (deep overlap) add up to one resultant chord. Without a crossing (one outline
-/// inside the other, or an overlap smaller than rounding) the separating axis and its deepest corner stand in, width 0.
-GEM_HD inline ContactGeometry chord_contact(const Outline& a, const Outline& b, Vec2 offset, const Separation& axis) {
-  ContactGeometry contact;
+/// The crossings of two outlines, added up edge by edge of B.
+struct ChordSum {
   Vec2 chord, middle;
   double size = 0.0;  // of the coordinates that the chord is the difference of
   int entries = 0, exits = 0;
-  int entry_a = 0, entry_b = 0, exit_a = 0, exit_b = 0;
-  for (int j = 0; j < b.count; ++j) {
-    const Vec2 p = offset + b.corner[j];
-    const Vec2 q = offset + b.corner[j + 1 < b.count ? j + 1 : 0];
-    const detail::ClippedEdge clipped = detail::clip_edge(a, p, q);
-    if (!(clipped.begin < clipped.end)) continue;
-    if (clipped.entry >= 0) {
-      const Vec2 crossing = p + clipped.begin * (q - p);
-      chord -= crossing;
-      size += length(crossing);
-      middle += crossing;
-      entry_a = clipped.entry;
-      entry_b = j;
-      ++entries;
-    }
-    if (clipped.exit >= 0) {
-      const Vec2 crossing = p + clipped.end * (q - p);
-      chord += crossing;
-      size += length(crossing);
-      middle += crossing;
-      exit_a = clipped.exit;
-      exit_b = j;
-      ++exits;
-    }
-  }
-  const double width = length(chord);
+  int entry_a = 0, entry_b = 0, exit_a = 0, exit_b = 0;  // edges of the last crossing of each kind
+};
+
+/// B's outline runs into A through its edge `edge_a` at `crossing`.
+GEM_HD inline void add_entry(ChordSum& sum, Vec2 crossing, int edge_a, int edge_b) {
+  sum.chord -= crossing;
+  sum.size += length(crossing);
+  sum.middle += crossing;
+  sum.entry_a = edge_a;
+  sum.entry_b = edge_b;
+  ++sum.entries;
+}
+
+/// B's outline runs out of A.
+GEM_HD inline void add_exit(ChordSum& sum, Vec2 crossing, int edge_a, int edge_b) {
+  sum.chord += crossing;
+  sum.size += length(crossing);
+  sum.middle += crossing;
+  sum.exit_a = edge_a;
+  sum.exit_b = edge_b;
+  ++sum.exits;
+}
+
+/// One edge of B with its part inside A and where it crosses A's outline.
+struct CrossingEdge {
+  Vec2 begin, end;
+  detail::ClippedEdge clipped;
+  GEM_HD Vec2 entry() const { return begin + clipped.begin * (end - begin); }
+  GEM_HD Vec2 exit() const { return begin + clipped.end * (end - begin); }
+  GEM_HD bool enters() const { return clipped.begin < clipped.end && clipped.entry >= 0; }
+  GEM_HD bool leaves() const { return clipped.begin < clipped.end && clipped.exit >= 0; }
+};
+
+GEM_HD inline CrossingEdge crossing_edge(const Outline& a, const Outline& b, Vec2 offset, int edge) {
+  const Vec2 p = offset + b.corner[edge];
+  const Vec2 q = offset + b.corner[edge + 1 < b.count ? edge + 1 : 0];
+  return {p, q, detail::clip_edge(a, p, q)};
+}
+
+/// The chord of an overlap: it joins the two crossings of the outlines; the normal is perpendicular to it, the contact
+/// point its middle. Several crossings (deep overlap) add up to one resultant chord. Without a crossing (one outline
+/// inside the other, or an overlap smaller than rounding) the separating axis and its deepest corner stand in, width 0.
+GEM_HD inline ContactGeometry chord_geometry(const Outline& a, const Outline& b, Vec2 offset, const Separation& axis,
+                                             const ChordSum& sum) {
+  ContactGeometry contact;
+  const double width = length(sum.chord);
   contact.count = 1;
   contact.point[0].separation = axis.distance;
   constexpr double rounding = 4e-15;
-  if (entries == exits && entries > 0 && width > rounding * size) {
-    const Vec2 tangent = (1.0 / width) * chord;
+  if (sum.entries == sum.exits && sum.entries > 0 && width > rounding * sum.size) {
+    const Vec2 tangent = (1.0 / width) * sum.chord;
     contact.normal = turned_left(tangent);
-    contact.point[0].position = (0.5 / entries) * middle;
+    contact.point[0].position = (0.5 / sum.entries) * sum.middle;
     contact.width = width;
     // edge direction = normal turned left; tangent runs from the entry of B into A to its exit
-    contact.growth = detail::crossing_rate(turned_left(a.normal[exit_a]), b.normal[exit_b], contact.normal, tangent) -
-                     detail::crossing_rate(turned_left(a.normal[entry_a]), b.normal[entry_b], contact.normal, tangent);
+    const Vec2 exit_edge = turned_left(a.normal[sum.exit_a]), entry_edge = turned_left(a.normal[sum.entry_a]);
+    contact.growth = detail::crossing_rate(exit_edge, b.normal[sum.exit_b], contact.normal, tangent) -
+                     detail::crossing_rate(entry_edge, b.normal[sum.entry_b], contact.normal, tangent);
     return contact;
   }
   if (axis.edge_of_b) {
@@ -246,6 +264,16 @@ GEM_HD inline ContactGeometry chord_contact(const Outline& a, const Outline& b, 
     contact.point[0].position = offset + b.corner[detail::support_corner(b, contact.normal)];
   }
   return contact;
+}
+
+GEM_HD inline ContactGeometry chord_contact(const Outline& a, const Outline& b, Vec2 offset, const Separation& axis) {
+  ChordSum sum;
+  for (int j = 0; j < b.count; ++j) {
+    const CrossingEdge edge = crossing_edge(a, b, offset, j);
+    if (edge.enters()) add_entry(sum, edge.entry(), edge.clipped.entry, j);
+    if (edge.leaves()) add_exit(sum, edge.exit(), edge.clipped.exit, j);
+  }
+  return chord_geometry(a, b, offset, axis, sum);
 }
 
 /// The touching stretch of two outlines: both ends of the facing edges' common part, as far as they are closer than

@@ -3,18 +3,19 @@
 # Same bits everywhere: a*b+c is never contracted to a fused operation. g++ 12 fuses alternating sums in spite of this flag
 # where the instruction set has fused multiply-add, so that set stays off too: -march with avx2 needs -mno-fma beside it.
 add_library(gem_flags INTERFACE)
-target_compile_options(gem_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
-  -Wno-sign-conversion $<$<BOOL:${GEM_WERROR}>:-Werror>)
+target_compile_options(gem_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
+  -Wno-sign-conversion $<$<BOOL:${GEM_WERROR}>:-Werror>>)
 # g++ 12 warns about its own std::string at -O3: "text" + string.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(gem_flags INTERFACE -Wno-restrict)
+  target_compile_options(gem_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
 endif()
 target_include_directories(gem_flags INTERFACE ${PROJECT_SOURCE_DIR})
 if(GEM_STATIC)
   target_link_options(gem_flags INTERFACE -static-libstdc++ -static-libgcc)
 endif()
 if(GEM_SANITIZE)
-  target_compile_options(gem_flags INTERFACE -fsanitize=${GEM_SANITIZE} -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_compile_options(gem_flags INTERFACE
+    $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${GEM_SANITIZE} -fno-sanitize-recover=undefined -fno-omit-frame-pointer>)
   target_link_options(gem_flags INTERFACE -fsanitize=${GEM_SANITIZE})
 endif()
 
@@ -37,6 +38,13 @@ add_custom_target(gem_version
   BYPRODUCTS ${PROJECT_BINARY_DIR}/generated/gem_version.h COMMENT "Reading the version of the tree" VERBATIM)
 
 gem_sources(simulator_sources gem/base gem/geometry gem/events gem/scene gem/field gem/engine gem/record)
+if(GEM_HAS_CUDA)
+  list(FILTER simulator_sources EXCLUDE REGEX "cuda_missing\\.cpp$")
+  file(GLOB cuda_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/engine/*.cu)
+  list(APPEND simulator_sources ${cuda_sources})
+  # As on the host: a*b+c is never contracted.
+  set_source_files_properties(${cuda_sources} PROPERTIES COMPILE_OPTIONS "--fmad=false;-lineinfo;-Xcompiler=-ffp-contract=off")
+endif()
 add_library(gem_simulator STATIC ${simulator_sources})
 add_dependencies(gem_simulator gem_version)
 target_include_directories(gem_simulator PUBLIC ${PROJECT_BINARY_DIR}/generated)
@@ -66,3 +74,9 @@ target_link_libraries(gem_baseline PUBLIC gem_simulator $<TARGET_NAME_IF_EXISTS:
 
 add_executable(gem gem/main.cpp)
 target_link_libraries(gem PRIVATE gem_command gem_baseline CLI11::CLI11 nlohmann_json::nlohmann_json)
+
+# Needs no benchmark library: it is carried to the machine that has the GPU.
+if(GEM_HAS_CUDA)
+  add_executable(gem_cuda_speed bench/cuda_speed.cpp)
+  target_link_libraries(gem_cuda_speed PRIVATE gem_simulator)
+endif()

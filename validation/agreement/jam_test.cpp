@@ -64,6 +64,26 @@ TEST_P(JamTest, AllEnginesGiveTheSameBits) {
   EXPECT_GE(hashes.size(), 2u);
 }
 
+TEST_P(JamTest, AllEnginesKeepTheSameBooks) {
+  std::vector<Ledger> ledgers;
+  for (const std::string& name : engine_names()) {
+    const auto engine = engine_in_jam(agreement::on(name));
+    hash_after(*engine);
+    ledgers.push_back(engine->ledger());
+    for (std::size_t c = 0; c < ledgers.front().channel.size(); ++c) {
+      const Quantity &first = ledgers.front().channel[c], &now = ledgers.back().channel[c];
+      EXPECT_EQ(now.momentum.x, first.momentum.x) << name << " " << channel_name(Channel(c));
+      EXPECT_EQ(now.momentum.y, first.momentum.y) << name << " " << channel_name(Channel(c));
+      EXPECT_EQ(now.angular_momentum, first.angular_momentum) << name << " " << channel_name(Channel(c));
+      EXPECT_EQ(now.energy, first.energy) << name << " " << channel_name(Channel(c));
+    }
+    EXPECT_EQ(ledgers.back().mooring_force.momentum.x, ledgers.front().mooring_force.momentum.x) << name;
+    EXPECT_EQ(ledgers.back().mooring_force.angular_momentum, ledgers.front().mooring_force.angular_momentum) << name;
+    EXPECT_EQ(ledgers.back().now.energy, ledgers.front().now.energy) << name;
+  }
+  EXPECT_LT(ledgers.front()[Channel::impact].energy, start_.ledger[Channel::impact].energy);
+}
+
 TEST_P(JamTest, ThreadsChangeNothing) {
   constexpr std::int64_t few = 4;  // more threads than processors wait for each other at every barrier
   const std::uint64_t one = hash_after(*engine_in_jam(agreement::on("cpu", 1)), few);

@@ -1,0 +1,152 @@
+// Speed of the cuda engine by device events, as CSV: one scene in three phases and several layouts, and batches.
+//
+// usage: gem_cuda_speed CASES_FOLDER [single|batch|all] [largest batch]
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "gem/base/error.h"
+#include "gem/engine/cuda_engine.h"
+#include "gem/field/field.h"
+#include "gem/scene/scene_file.h"
+#include "gem/scene/sweep.h"
+#include "gem_version.h"
+
+namespace gem {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::int64_t timed_moments = 256;
+constexpr int repetitions = 7;
+
+struct Phase {
+  const char* name;
+  const char* run;
+  double time;  // [s]
+};
+// drift and plug of the paper's main run, and the jam of its densest
+constexpr Phase phases[] = {
+    {"drift", "004_400_25", 60.0}, {"plug", "004_400_25", 1800.0}, {"jam", "400_200_100", 600.0}};
+
+SceneDef scene_of(const std::string& cases, const std::string& run) {
+  for (const SweepMember& member : expand_sweep(cases + "/table1.toml"))
+    if (member.name == run) {
+      SceneDef scene = member.scene;
+      scene.contact.resolution = Resolution::independent;
+      scene.contact.manifold = Manifold::chord_middle;
+      return scene;
+    }
+  throw Error(ExitCode::usage, "no run " + run + " in " + cases);
+}
+
+std::int64_t moments_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.moment_s); }
+
+void header() {
+  std::printf(
+      "commit,device,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,x_real_time,contacts,"
+      "wall_over_device,state_hash\n");
+}
+
+struct Timing {
+  double median = 0.0, spread = 0.0, wall = 0.0;
+};
+
+Timing time_moments(CudaBatch& batch, const EngineState& start, std::vector<MomentLog>* logs) {
+  std::vector<double> seconds;
+  double wall = 0.0;
+  for (int k = 0; k < repetitions + 1; ++k) {
+    for (std::size_t s = 0; s < batch.size(); ++s) batch.restore(s, start);
+    batch.advance(2, nullptr);  // builds the list
+    if (logs)
+      for (MomentLog& log : *logs) log.clear();
+    const auto begin = Clock::now();
+    batch.advance(timed_moments, logs);
+    if (k == 0) continue;  // warm-up
+    wall += std::chrono::duration<double>(Clock::now() - begin).count() / repetitions;
+    seconds.push_back(batch.device_time() / double(timed_moments));
+  }
+  std::sort(seconds.begin(), seconds.end());
+  return {seconds[seconds.size() / 2], seconds.back() - seconds.front(), wall / double(timed_moments)};
+}
+
+void single(const std::string& cases) {
+  for (const Phase& phase : phases) {
+    const SceneDef scene = scene_of(cases, phase.run);
+    const Bodies field = make_field(scene);
+    CudaBatch batch({{scene, field}}, {});
+    batch.advance(moments_in(scene, phase.time), nullptr);
+    const EngineState start = batch.save(0);
+    for (const int blocks : {1, 2, 4, 8, 16})
+      for (const int threads : {128, 256, 384, 512}) {
+        if (blocks < 8 && threads < 512) continue;
+        CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads});
+        std::vector<MomentLog> logs(1);
+        const Timing time = time_moments(timed, start, &logs);
+        double contacts = 0.0;
+        for (const MomentQuality& quality : logs[0].quality) contacts += quality.contacts / double(timed_moments);
+        std::printf("%s,%s,moment,%s,1,%d,%d,%.3f,%.3f,%.0f,%.0f,%.2f,%016llx\n", GEM_COMMIT,
+                    timed.device().name.c_str(), phase.name, blocks, threads, 1e6 * time.median, 1e6 * time.spread,
+                    scene.numerics.moment_s / time.median, contacts, time.wall / time.median,
+                    static_cast<unsigned long long>(timed.state_hash(0)));
+        std::fflush(stdout);
+      }
+  }
+}
+
+/// Fields of the main run with seeds 1, 2, ...
+std::vector<BatchScene> seeds(const std::string& cases, std::size_t count) {
+  std::vector<BatchScene> scenes(count);
+  const SceneDef scene = scene_of(cases, "004_400_25");
+  std::vector<std::thread> threads;
+  const std::size_t workers = std::max(1U, std::thread::hardware_concurrency());
+  for (std::size_t w = 0; w < workers; ++w)
+    threads.emplace_back([&, w] {
+      for (std::size_t k = w; k < count; k += workers) {
+        scenes[k].scene = scene;
+        scenes[k].scene.run.seed = 1 + k;
+        scenes[k].bodies = make_field(scenes[k].scene);
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  return scenes;
+}
+
+void batches(const std::string& cases, std::size_t largest) {
+  const std::vector<BatchScene> all = seeds(cases, largest);
+  for (std::size_t count : {1, 2, 4, 8, 16, 33, 66, 132, 264}) {
+    if (count > largest) break;
+    CudaBatch batch({all.begin(), all.begin() + std::ptrdiff_t(count)}, {.samples = false});
+    const double duration = count == largest ? all[0].scene.run.duration_s : 1800.0;
+    const std::int64_t moments = moments_in(all[0].scene, duration);
+    const auto begin = Clock::now();
+    batch.advance(moments, nullptr);
+    const double wall = std::chrono::duration<double>(Clock::now() - begin).count(), device = batch.device_time();
+    std::printf("%s,%s,batch,%.0f s,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx\n", GEM_COMMIT, batch.device().name.c_str(),
+                duration, count, batch.blocks(), batch.threads(), 1e6 * device / double(moments),
+                double(count) * duration / wall, wall / device, static_cast<unsigned long long>(batch.state_hash(0)));
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace gem
+
+int main(int count, char** argument) {
+  try {
+    const std::string cases = count > 1 ? argument[1] : "cases", what = count > 2 ? argument[2] : "all";
+    const std::size_t largest = count > 3 ? std::strtoull(argument[3], nullptr, 10) : 264;
+    gem::header();
+    if (what != "batch") gem::single(cases);
+    if (what != "single") gem::batches(cases, largest);
+    return 0;
+  } catch (const gem::Error& error) {
+    std::fprintf(stderr, "gem_cuda_speed: %s\n", error.what());
+    return static_cast<int>(error.code());
+  }
+}

@@ -1,0 +1,79 @@
+// The CUDA engine and its batches: scenes that stay on a GPU for many moments; the same bits as the cpu engine.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gem/engine/engine.h"
+
+namespace gem {
+
+/// A GPU of this machine.
+struct CudaDevice {
+  int index = 0;
+  std::string name;
+  std::string driver;                       // version
+  std::size_t memory = 0, free_memory = 0;  // [bytes]
+  int multiprocessors = 0;
+  std::string fault;  // why it cannot be used; empty: it can
+};
+
+/// All GPUs; where there is none, `reason` says why.
+std::vector<CudaDevice> cuda_devices(std::string& reason);
+
+/// How the scenes of a batch are laid out on the GPU. No choice changes a result.
+struct CudaOptions {
+  int device = -1;         // -1: the first that can be used
+  int blocks = 0;          // that work on one scene, a power of two up to 16; 0: as many as fit
+  int threads = 0;         // of a block, a multiple of 32; 0: chosen
+  int ring_moments = 256;  // moments of one launch
+  int list_rows = 0;       // places of the list of near bodies to begin with; it grows on demand; 0: chosen
+  bool samples = true;     // keep what the platform felt
+};
+
+/// A scene of a batch.
+struct BatchScene {
+  SceneDef scene;
+  Bodies bodies;
+};
+
+/// Many scenes on one GPU, moved on together. Each has the bits that it has alone. Throws Error(device) where no GPU
+/// answers or a call fails, Error(resource_limit) where its memory is too small.
+class CudaBatch {
+ public:
+  CudaBatch(std::vector<BatchScene> scenes, const CudaOptions& options);
+  ~CudaBatch();
+  CudaBatch(const CudaBatch&) = delete;
+  CudaBatch& operator=(const CudaBatch&) = delete;
+
+  std::size_t size() const;
+  /// Moves all scenes on by `moments` and appends to logs[k]; a null `logs` keeps nothing. Throws
+  /// Error(numerical_stop) where a scene's state is no number; the others are then at the end of their moments.
+  void advance(std::int64_t moments, std::vector<MomentLog>* logs);
+  std::int64_t moment(std::size_t scene) const;
+  const Bodies& bodies(std::size_t scene);
+  Ledger ledger(std::size_t scene);
+  EngineState save(std::size_t scene);
+  void restore(std::size_t scene, const EngineState& state);
+  std::uint64_t state_hash(std::size_t scene);
+  /// What the scenes run on: device name and driver.
+  const CudaDevice& device() const;
+  int blocks() const;
+  int threads() const;
+  /// Time that the GPU spent in the kernels of the last advance [s].
+  double device_time() const;
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+/// The engine of one scene.
+std::unique_ptr<Engine> make_cuda_engine(const SceneDef& scene, Bodies bodies, const CudaOptions& options = {});
+
+/// The first GPU that can be used. Throws Error(device) with the reason where there is none.
+CudaDevice usable_cuda_device();
+
+}  // namespace gem

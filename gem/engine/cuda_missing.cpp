@@ -1,0 +1,41 @@
+// Stands in for the CUDA engine in a build without a CUDA compiler: every use says so.
+#include "gem/base/error.h"
+#include "gem/engine/cuda_engine.h"
+
+namespace gem {
+namespace {
+
+const char* const missing = "this build has no GPU engine (no CUDA compiler was found when it was configured)";
+
+}  // namespace
+
+class CudaBatch::Work {};
+
+std::vector<CudaDevice> cuda_devices(std::string& reason) {
+  reason = missing;
+  return {};
+}
+
+CudaDevice usable_cuda_device() { throw Error(ExitCode::device, std::string(missing) + " use --engine cpu"); }
+
+CudaBatch::CudaBatch(std::vector<BatchScene>, const CudaOptions&) { usable_cuda_device(); }
+CudaBatch::~CudaBatch() = default;
+std::size_t CudaBatch::size() const { return 0; }
+void CudaBatch::advance(std::int64_t, std::vector<MomentLog>*) {}
+std::int64_t CudaBatch::moment(std::size_t) const { return 0; }
+const Bodies& CudaBatch::bodies(std::size_t) { throw Error(ExitCode::device, missing); }
+Ledger CudaBatch::ledger(std::size_t) { return {}; }
+EngineState CudaBatch::save(std::size_t) { return {}; }
+void CudaBatch::restore(std::size_t, const EngineState&) {}
+std::uint64_t CudaBatch::state_hash(std::size_t) { return 0; }
+const CudaDevice& CudaBatch::device() const { throw Error(ExitCode::device, missing); }
+int CudaBatch::blocks() const { return 0; }
+int CudaBatch::threads() const { return 0; }
+double CudaBatch::device_time() const { return 0.0; }
+
+std::unique_ptr<Engine> make_cuda_engine(const SceneDef&, Bodies, const CudaOptions&) {
+  usable_cuda_device();
+  return nullptr;
+}
+
+}  // namespace gem

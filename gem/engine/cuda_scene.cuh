@@ -1,0 +1,171 @@
+// One scene on the device: its memory, and the host's copy of its field.
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "gem/engine/books.h"
+#include "gem/engine/cuda_engine.h"
+#include "gem/engine/cuda_memory.cuh"
+#include "gem/engine/scene_image.h"
+
+namespace gem {
+
+class CudaScene {
+ public:
+  /// `status` is its place among the statuses of the batch, on the device.
+  CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status)
+      : status_(status), blocks_(blocks) {
+    if (scene.scene.contact.resolution == Resolution::coupled)
+      throw Error(ExitCode::device,
+                  "the cuda engine resolves contact.resolution = \"independent\" only, use --engine cpu");
+    const MomentConstants constants = moment_constants(scene.scene, scene.bodies);
+    field_ = make_field_state(std::move(scene.bodies), constants);
+    ledger_.start = total(field_);
+    device_ = scene_constants(field_, scene.scene.output.event_speed_m_per_s);
+    sizes_ = scene_sizes(field_);
+    sizes_.samples = options.ring_moments;
+    sizes_.blocks = blocks;
+    if (options.list_rows > 0) sizes_.rows = options.list_rows;
+    device_.wants_samples = options.samples;
+    field_memory_ = DeviceMemory(place_field(device_, sizes_, nullptr));
+    place_field(device_, sizes_, field_memory_.data());
+    device_.status = status_;
+    make_list();
+    upload();
+  }
+
+  const DeviceScene& device() const { return device_; }
+  const FieldState& field() const { return field_; }
+  std::int64_t moment() const { return moment_; }
+
+  void want_events(bool wanted) { device_.wants_events = wanted; }
+
+  /// The check that every engine makes before it goes on from a state that it was given.
+  void check_start() {
+    if (fresh_) check_finite(field_, moment_);
+    fresh_ = false;
+  }
+
+  /// After a call: what it left on the device.
+  void note(const DeviceStatus& status) {
+    moment_ = status.moment;
+    state_here_ = books_here_ = false;
+  }
+
+  /// Fetches the rings of the last call and appends them.
+  void append(const DeviceStatus& status, cudaStream_t stream, MomentLog& log) {
+    if (status.samples == 0) return;
+    const std::size_t events = reinterpret_cast<std::byte*>(device_.event) - ring_memory_.data();
+    const std::size_t used = events + sizeof(EventRecord) * static_cast<std::size_t>(status.events);
+    check_cuda(cudaMemcpyAsync(ring_here_.data(), ring_memory_.data(), used, cudaMemcpyDeviceToHost, stream),
+               "fetch the record");
+    check_cuda(cudaStreamSynchronize(stream), "fetch the record");
+    DeviceScene rings;
+    place_rings(rings, sizes_, ring_here_.data());
+    append_log(field_, rings, status, blocks_, log);
+  }
+
+  /// Makes room for a longer list.
+  void grow(const DeviceStatus& status) {
+    const auto enough = [](std::int32_t now, std::int32_t needed) { return needed > now ? needed + needed / 4 : now; };
+    sizes_.rows = enough(sizes_.rows, status.rows_needed);
+    sizes_.platform_rows = enough(sizes_.platform_rows, status.platform_needed);
+    make_list();
+  }
+
+  const Bodies& bodies() {
+    if (!state_here_) {
+      check_cuda(cudaMemcpy(state_copy_.data(), device_.state, sizeof(BodyState) * field_.bodies.count(),
+                            cudaMemcpyDeviceToHost),
+                 "fetch the state");
+      read_state(reinterpret_cast<const BodyState*>(state_copy_.data()), field_);
+      state_here_ = true;
+    }
+    return field_.bodies;
+  }
+
+  Ledger ledger() {
+    bodies();
+    if (!books_here_) {
+      PlatformCell platform;
+      check_cuda(cudaMemcpy(field_.books.data(), device_.books, sizeof(Quantity) * field_.books.size(),
+                            cudaMemcpyDeviceToHost),
+                 "fetch the books");
+      check_cuda(cudaMemcpy(&platform, device_.platform, sizeof platform, cudaMemcpyDeviceToHost), "fetch the books");
+      field_.mooring_force = platform.mooring_force;
+      books_here_ = true;
+    }
+    return closed_books(field_, ledger_);
+  }
+
+  EngineState save() {
+    bodies();
+    return {moment_, field_.bodies, ledger(), {}, {}};
+  }
+
+  void restore(const EngineState& state) {
+    field_ = make_field_state(state.bodies, field_.constants);
+    open_books(field_, state.ledger);
+    ledger_ = state.ledger;
+    moment_ = state.moment;
+    upload();
+  }
+
+ private:
+  void upload() {
+    DeviceScene here = device_;
+    DeviceStatus status;
+    std::vector<std::byte> image(field_memory_.bytes());
+    place_field(here, sizes_, image.data());
+    write_field(field_, moment_, here);
+    status = *here.status;
+    check_cuda(cudaMemcpy(field_memory_.data(), image.data(), image.size(), cudaMemcpyHostToDevice), "take the field");
+    check_cuda(cudaMemcpy(status_, &status, sizeof status, cudaMemcpyHostToDevice), "take the field");
+    forget_list();
+    settle();
+    if (state_copy_.bytes() == 0) state_copy_ = PinnedMemory(sizeof(BodyState) * field_.bodies.count());
+    fresh_ = state_here_ = books_here_ = true;
+  }
+
+  /// No stamp of an earlier list may look like one of a moment to come.
+  void forget_list() {
+    const std::size_t stamps = reinterpret_cast<std::byte*>(device_.row_other) - list_memory_.data();
+    check_cuda(cudaMemset(list_memory_.data(), 0xff, stamps), "clear the list");
+    check_cuda(cudaMemset(device_.counters, 0, sizeof(ListCounters)), "clear the list");
+  }
+
+  void make_list() {
+    list_memory_ = {};  // the old one goes first
+    list_memory_ = DeviceMemory(place_list(device_, sizes_, nullptr));
+    place_list(device_, sizes_, list_memory_.data());
+    const std::size_t bytes = place_rings(device_, sizes_, nullptr);
+    if (bytes != ring_memory_.bytes()) {
+      ring_memory_ = DeviceMemory(bytes);
+      ring_here_ = PinnedMemory(bytes);
+    }
+    place_rings(device_, sizes_, ring_memory_.data());
+    forget_list();
+    settle();
+  }
+
+  /// The kernels run in a stream of their own: what was written so far has to be there before they start.
+  static void settle() { check_cuda(cudaDeviceSynchronize(), "take the field"); }
+
+  FieldState field_;
+  Ledger ledger_;  // start and scales
+  std::int64_t moment_ = 0;
+  SceneSizes sizes_;
+  DeviceScene device_;
+  DeviceStatus* status_;
+  int blocks_;
+  DeviceMemory field_memory_, list_memory_, ring_memory_;
+  PinnedMemory ring_here_, state_copy_;
+  bool fresh_ = true;  // not yet moved on from the state that was given
+  bool state_here_ = true, books_here_ = true;
+};
+
+}  // namespace gem

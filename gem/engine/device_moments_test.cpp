@@ -1,0 +1,151 @@
+// The device's recipe, run by one host thread, gives the bits, the books and the log of the cpu engine.
+#include "gem/engine/device_moments.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <tuple>
+
+#include "gem/engine/books.h"
+#include "gem/engine/same_bits.h"
+#include "gem/engine/scene_image.h"
+#include "gem/engine/team_crew.h"
+#include "gem/engine/test_scenes.h"
+
+namespace gem {
+namespace {
+
+/// A device scene in the memory of the host.
+class HostScene {
+ public:
+  HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0)
+      : field_(make_field_state(bodies, moment_constants(scene, bodies))),
+        sizes_(scene_sizes(field_)),
+        scene_(scene_constants(field_, scene.output.event_speed_m_per_s)),
+        threads_(threads) {
+    sizes_.blocks = blocks;
+    if (rows > 0) sizes_.rows = rows;
+    sizes_.samples = 32;
+    scene_.wants_events = scene_.wants_samples = 1;
+    memory_[0].resize(place_field(scene_, sizes_, nullptr));
+    place_field(scene_, sizes_, memory_[0].data());
+    memory_[2].resize(place_rings(scene_, sizes_, nullptr));
+    place_rings(scene_, sizes_, memory_[2].data());
+    grow();
+    write_field(field_, 0, scene_);
+  }
+
+  void advance(std::int64_t moments, MomentLog& log) {
+    while (moments > 0) {
+      const std::int32_t some = static_cast<std::int32_t>(std::min<std::int64_t>(moments, sizes_.samples));
+      if (sizes_.blocks == 1 && threads_ == 1) {
+        SoloCrew crew;
+        advance_scene(scene_, crew, some);
+      } else {
+        test::run_team(sizes_.blocks, threads_, [&](test::TeamCrew& crew) { advance_scene(scene_, crew, some); });
+      }
+      const DeviceStatus& status = *scene_.status;
+      append_log(field_, scene_, status, sizes_.blocks, log);
+      moments -= status.samples;
+      if (status.stop == DeviceStop::list_full) {
+        sizes_.rows = std::max(sizes_.rows, status.rows_needed);
+        sizes_.platform_rows = std::max(sizes_.platform_rows, status.platform_needed);
+        grow();
+        ++growths_;
+      }
+      if (status.stop == DeviceStop::not_finite) break;
+    }
+    read_state(scene_.state, field_);
+  }
+
+  Ledger ledger(const Ledger& start) {
+    Ledger running;
+    running.start = start.start;
+    field_.books.assign(scene_.books, scene_.books + field_.books.size());
+    field_.mooring_force = scene_.platform->mooring_force;
+    return closed_books(field_, running);
+  }
+
+  const Bodies& bodies() const { return field_.bodies; }
+  const DeviceStatus& status() const { return *scene_.status; }
+  int growths() const { return growths_; }
+
+ private:
+  void grow() {
+    memory_[1].resize(place_list(scene_, sizes_, nullptr));
+    std::memset(memory_[1].data(), 0xff, memory_[1].size());
+    place_list(scene_, sizes_, memory_[1].data());
+  }
+
+  FieldState field_;
+  SceneSizes sizes_;
+  DeviceScene scene_;
+  int threads_;
+  std::vector<std::byte> memory_[3];
+  int growths_ = 0;
+};
+
+using Choice = std::tuple<Manifold, Yaw, FrictionLaw, DragLaw>;
+
+class DeviceMomentsTest : public testing::TestWithParam<Choice> {};
+
+TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
+  SceneDef scene = test::busy_scene(5);
+  scene.contact.resolution = Resolution::independent;
+  std::tie(scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device(scene, test::busy_field(scene));
+  MomentLog expected, log;
+  for (int block = 0; block < 8; ++block) {
+    cpu->advance(50, expected);
+    device.advance(50, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    if (HasFailure()) return;
+  }
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  EXPECT_GT(test::contacts_in(expected), 5000);
+  EXPECT_GT(expected.events.size(), 5u);
+  EXPECT_GT(device.status().builds, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Combinations, DeviceMomentsTest,
+                         testing::Combine(testing::Values(Manifold::chord_middle, Manifold::chord_ends),
+                                          testing::Values(Yaw::free, Yaw::locked),
+                                          testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
+                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
+
+TEST(DeviceMoments, BlocksAndThreadsChangeNothing) {
+  SceneDef scene = test::busy_scene(7);
+  scene.contact.resolution = Resolution::independent;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  MomentLog expected;
+  cpu->advance(60, expected);
+  EXPECT_GT(test::contacts_in(expected), 500);
+  for (const auto& [blocks, threads] : {std::pair{1, 4}, {1, 8}, {3, 4}}) {
+    HostScene device(scene, test::busy_field(scene), blocks, threads);
+    MomentLog log;
+    device.advance(60, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+    EXPECT_GT(device.status().builds, 1);
+  }
+}
+
+TEST(DeviceMoments, AListTooSmallGrowsAndLosesNothing) {
+  SceneDef scene = test::busy_scene(6);
+  scene.contact.resolution = Resolution::independent;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device(scene, test::busy_field(scene), 1, 1, 64);
+  MomentLog expected, log;
+  cpu->advance(200, expected);
+  device.advance(200, log);
+  EXPECT_GT(device.growths(), 0);
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  EXPECT_GT(test::contacts_in(expected), 2000);
+}
+
+}  // namespace
+}  // namespace gem

@@ -1,0 +1,126 @@
+// The geometry of a pair shared out among the lanes of a group: the same results as one thread finds, on every lane.
+#pragma once
+
+#include "gem/geometry/convex_contact.h"
+
+namespace gem::lane {
+
+/// The smaller of each lane's values, on all lanes.
+template <class Lanes>
+GEM_DEVICE inline double smallest_of(const Lanes& lanes, double value) {
+  for (int step = 1; step < Lanes::size; step *= 2) {
+    const double other = lanes.partner(value, step);
+    if (other < value) value = other;
+  }
+  return value;
+}
+
+/// edge_separation() with a corner of B for each lane.
+template <class Lanes>
+GEM_DEVICE inline double edge_separation(const Lanes& lanes, const Outline& a, int edge, const Outline& b,
+                                         Vec2 offset) {
+  const Vec2 normal = a.normal[edge];
+  double smallest = 1e300;
+  for (int j = lanes.rank(); j < b.count; j += Lanes::size) {
+    const double along = dot(normal, b.corner[j]);
+    if (along < smallest) smallest = along;
+  }
+  return smallest_of(lanes, smallest) + dot(normal, offset - a.corner[edge]);
+}
+
+template <class Lanes>
+GEM_DEVICE inline double separation_along(const Lanes& lanes, const Separation& axis, const Outline& a,
+                                          const Outline& b, Vec2 offset) {
+  return axis.edge_of_b ? edge_separation(lanes, b, axis.edge, a, -offset)
+                        : edge_separation(lanes, a, axis.edge, b, offset);
+}
+
+/// An axis with its place in the order in which find_axes() offers them: lower wins a tie.
+struct RankedAxis {
+  double distance = -1e300;
+  int order = 1 << 30;
+};
+
+struct RankedAxes {
+  RankedAxis first, second;
+  double others = -1e300;
+};
+
+GEM_DEVICE inline bool parts_more(const RankedAxis& p, const RankedAxis& q) {
+  return p.distance > q.distance || (p.distance == q.distance && p.order < q.order);
+}
+
+GEM_DEVICE inline void offer(RankedAxes& axes, const RankedAxis& axis) {
+  if (parts_more(axis, axes.first)) {
+    axes.others = axes.second.distance;
+    axes.second = axes.first;
+    axes.first = axis;
+  } else if (parts_more(axis, axes.second)) {
+    axes.others = axes.second.distance;
+    axes.second = axis;
+  } else if (axis.distance > axes.others) {
+    axes.others = axis.distance;
+  }
+}
+
+/// find_axes() with some edges for each lane.
+template <class Lanes>
+GEM_DEVICE inline SeparatingAxes find_axes(const Lanes& lanes, const Outline& a, const Outline& b, Vec2 offset) {
+  RankedAxes best;
+  for (int e = lanes.rank(); e < a.count + b.count; e += Lanes::size) {
+    const bool of_b = e >= a.count;
+    const double distance =
+        of_b ? gem::edge_separation(b, e - a.count, a, -offset) : gem::edge_separation(a, e, b, offset);
+    offer(best, {distance, e});
+  }
+  for (int step = 1; step < Lanes::size; step *= 2) {
+    const RankedAxes other = lanes.partner(best, step);
+    offer(best, other.first);
+    offer(best, other.second);
+    if (other.others > best.others) best.others = other.others;
+  }
+  const auto axis = [&](const RankedAxis& ranked) {
+    const bool of_b = ranked.order >= a.count;
+    return Separation{ranked.distance, of_b ? ranked.order - a.count : ranked.order, of_b};
+  };
+  return {axis(best.first), axis(best.second), best.others};
+}
+
+/// follow_axes() by a group of lanes.
+template <class Lanes>
+GEM_DEVICE inline void follow_axes(const Lanes& lanes, SeparatingAxes& axes, const Outline& a, const Outline& b,
+                                   Vec2 offset, double moved, double limit) {
+  axes.first.distance = separation_along(lanes, axes.first, a, b, offset);
+  axes.second.distance = separation_along(lanes, axes.second, a, b, offset);
+  if (axes.second.distance > axes.first.distance ||
+      (axes.second.distance == axes.first.distance && detail::ranks_before(axes.second, axes.first))) {
+    const Separation second = axes.first;
+    axes.first = axes.second;
+    axes.second = second;
+  }
+  axes.others += moved;
+  // one answer for the group, also where a state that is no number makes the lanes differ
+  if (lanes.ballot(axes.first.distance > limit || axes.first.distance > axes.others) & 1U) return;
+  axes = find_axes(lanes, a, b, offset);
+}
+
+/// The crossings of two outlines with an edge of B for each lane, added up in the order of the edges.
+template <class Lanes>
+GEM_DEVICE inline ChordSum chord_sum(const Lanes& lanes, const Outline& a, const Outline& b, Vec2 offset) {
+  ChordSum sum;
+  for (int first = 0; first < b.count; first += Lanes::size) {
+    const int j = first + lanes.rank();
+    CrossingEdge edge;
+    if (j < b.count) edge = crossing_edge(a, b, offset, j);
+    const bool enters = j < b.count && edge.enters(), leaves = j < b.count && edge.leaves();
+    const unsigned all_enter = lanes.ballot(enters), all_leave = lanes.ballot(leaves);
+    const Vec2 entry = edge.entry(), exit = edge.exit();
+    for (int k = 0; k < Lanes::size; ++k) {
+      if (all_enter >> k & 1U) add_entry(sum, lanes.from(entry, k), lanes.from(edge.clipped.entry, k), first + k);
+      if (all_leave >> k & 1U) add_exit(sum, lanes.from(exit, k), lanes.from(edge.clipped.exit, k), first + k);
+    }
+  }
+  return sum;
+}
+
+}  // namespace gem::lane

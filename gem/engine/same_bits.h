@@ -1,0 +1,63 @@
+// For tests: two runs agree to the last bit, in their state, what they logged and their books.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <tuple>
+
+#include "gem/engine/engine.h"
+
+namespace gem::test {
+
+inline bool same(Vec2 a, Vec2 b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+inline void expect_same_bodies(const Bodies& a, const Bodies& b) {
+  for (std::size_t i = 0; i < a.count(); ++i) {
+    ASSERT_TRUE(same(a.position[i], b.position[i])) << "position of body " << i;
+    ASSERT_TRUE(same(a.velocity[i], b.velocity[i])) << "velocity of body " << i;
+    ASSERT_EQ(std::memcmp(&a.rotation[i], &b.rotation[i], sizeof(Rotation)), 0) << "rotation of body " << i;
+    ASSERT_EQ(std::memcmp(&a.spin[i], &b.spin[i], sizeof(double)), 0) << "spin of body " << i;
+    ASSERT_EQ(a.active[i], b.active[i]) << "body " << i;
+  }
+}
+
+inline void expect_same_log(const MomentLog& a, const MomentLog& b) {
+  ASSERT_EQ(a.platform.size(), b.platform.size());
+  ASSERT_EQ(a.quality.size(), b.quality.size());
+  for (std::size_t m = 0; m < a.platform.size(); ++m) {
+    const PlatformMoment &p = a.platform[m], &q = b.platform[m];
+    ASSERT_TRUE(same(p.position, q.position)) << "moment " << m;
+    ASSERT_TRUE(same(p.velocity, q.velocity)) << "moment " << m;
+    ASSERT_TRUE(same(p.ice_impulse, q.ice_impulse)) << "moment " << m;
+    ASSERT_EQ(p.ice_yaw_impulse, q.ice_yaw_impulse) << "moment " << m;
+    ASSERT_TRUE(same(p.mooring_impulse, q.mooring_impulse)) << "moment " << m;
+    ASSERT_TRUE(same(p.drag_impulse, q.drag_impulse)) << "moment " << m;
+    ASSERT_EQ(p.spin, q.spin) << "moment " << m;
+    ASSERT_EQ(p.contacts, q.contacts) << "moment " << m;
+    ASSERT_EQ(a.quality[m].contacts, b.quality[m].contacts) << "moment " << m;
+    ASSERT_EQ(a.quality[m].maximum_overlap, b.quality[m].maximum_overlap) << "moment " << m;
+  }
+  ASSERT_EQ(a.events.size(), b.events.size());
+  for (std::size_t k = 0; k < a.events.size(); ++k) {
+    const ContactEvent &e = a.events[k], &g = b.events[k];
+    ASSERT_EQ(std::tie(e.time, e.body_a, e.body_b, e.closing_speed, e.impulse_normal, e.impulse_tangential),
+              std::tie(g.time, g.body_a, g.body_b, g.closing_speed, g.impulse_normal, g.impulse_tangential));
+    ASSERT_EQ(std::tie(e.effective_mass, e.peak_force, e.width, e.growth, e.depth),
+              std::tie(g.effective_mass, g.peak_force, g.width, g.growth, g.depth));
+    ASSERT_TRUE(same(e.point, g.point));
+  }
+}
+
+inline void expect_same_books(const Ledger& a, const Ledger& b) {
+  for (std::size_t c = 0; c < a.channel.size(); ++c) {
+    EXPECT_TRUE(same(a.channel[c].momentum, b.channel[c].momentum)) << channel_name(Channel(c));
+    EXPECT_EQ(a.channel[c].angular_momentum, b.channel[c].angular_momentum) << channel_name(Channel(c));
+    EXPECT_EQ(a.channel[c].energy, b.channel[c].energy) << channel_name(Channel(c));
+  }
+  EXPECT_TRUE(same(a.mooring_force.momentum, b.mooring_force.momentum));
+  EXPECT_EQ(a.mooring_force.angular_momentum, b.mooring_force.angular_momentum);
+  EXPECT_EQ(a.now.energy, b.now.energy);
+}
+
+}  // namespace gem::test

@@ -1,0 +1,227 @@
+#include "gem/engine/scene_image.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gem/engine/books.h"
+
+namespace gem {
+namespace {
+
+/// Hands out stretches of one memory, each on a line of its own.
+class Placer {
+ public:
+  explicit Placer(std::byte* base) : base_(base) {}
+
+  template <class T>
+  void place(T*& array, std::size_t count) {
+    array = base_ ? reinterpret_cast<T*>(base_ + used_) : nullptr;
+    used_ += (count * sizeof(T) + 255) / 256 * 256;
+  }
+  std::size_t used() const { return used_; }
+
+ private:
+  std::byte* base_;
+  std::size_t used_ = 0;
+};
+
+/// Cells of the finest grid that list_grid() may choose.
+std::int32_t grid_cells(std::int32_t bodies) {
+  const std::int32_t side = static_cast<std::int32_t>(4.0 * std::sqrt(static_cast<double>(bodies))) + 2;
+  return side * side;
+}
+
+BodyCell cell_of(const FieldState& f, std::size_t i) {
+  const Bodies& b = f.bodies;
+  BodyCell cell;
+  cell.position = b.position[i];
+  cell.turn_travel = f.turn_travel[i];
+  cell.radius = b.radius[i];
+  cell.vertex_begin = b.vertex_begin[i];
+  cell.vertex_count = b.vertex_count(i);
+  cell.kind = b.kind[i];
+  cell.active = b.active[i];
+  cell.velocity = cell.velocity_after = b.velocity[i];
+  cell.spin = cell.spin_after = b.spin[i];
+  cell.inverse_mass = b.inverse_mass[i];
+  cell.inverse_inertia = b.inverse_inertia[i];
+  cell.thickness = b.thickness[i];
+  return cell;
+}
+
+BodyMotion motion_of(const Bodies& b, std::size_t i) {
+  BodyMotion motion;
+  motion.rotation = b.rotation[i];
+  motion.mass = b.mass[i];
+  motion.inertia = b.inertia[i];
+  motion.drag = b.drag[i];
+  motion.spin_drag = b.spin_drag[i];
+  return motion;
+}
+
+/// The event of a record; outlines are turned to where they stood.
+class EventReader {
+ public:
+  explicit EventReader(const FieldState& f) : f_(f) {}
+
+  ContactEvent read(const EventRecord& record) {
+    const Contact& contact = record.contact;
+    EventBodies bodies;
+    bodies.mass_a = {f_.bodies.inverse_mass[contact.a], f_.bodies.inverse_inertia[contact.a]};
+    bodies.mass_b = {f_.bodies.inverse_mass[contact.b], f_.bodies.inverse_inertia[contact.b]};
+    bodies.position_b = record.position_b;
+    bodies.offset = record.position_b - record.platform_position;
+    bodies.outline_a = turned(contact.a, record.rotation_a, 0);
+    bodies.outline_b = turned(contact.b, record.rotation_b, 1);
+    bodies.ice = f_.constants.ice;
+    bodies.ice.thickness =
+        crushed_thickness(f_.bodies.kind[contact.a], f_.bodies.thickness[contact.a], f_.bodies.thickness[contact.b]);
+    return event_of(contact, bodies, static_cast<double>(record.moment) * f_.constants.dt);
+  }
+
+ private:
+  Outline turned(std::int32_t body, Rotation q, int side) {
+    std::vector<Vec2>&corner = corner_[side], &normal = normal_[side];
+    corner.clear();
+    normal.clear();
+    for (std::int32_t v = f_.bodies.vertex_begin[body]; v < f_.bodies.vertex_begin[body + 1]; ++v) {
+      corner.push_back(rotate(q, f_.bodies.vertex[v]));
+      normal.push_back(rotate(q, f_.body_normal[v]));
+    }
+    return {corner.data(), normal.data(), static_cast<int>(corner.size())};
+  }
+
+  const FieldState& f_;
+  std::vector<Vec2> corner_[2], normal_[2];
+};
+
+MomentQuality quality_of(const BlockQuality* block, int blocks) {
+  MomentQuality quality;
+  for (int k = 0; k < blocks; ++k) {
+    quality.contacts += block[k].contacts;
+    quality.maximum_overlap = std::max(quality.maximum_overlap, strict::double_of(block[k].overlap));
+  }
+  return quality;
+}
+
+}  // namespace
+
+SceneSizes scene_sizes(const FieldState& f) {
+  const Bodies& b = f.bodies;
+  SceneSizes sizes;
+  sizes.bodies = static_cast<std::int32_t>(b.count());
+  sizes.large_bodies = static_cast<std::int32_t>(
+      std::count_if(b.kind.begin(), b.kind.end(), [](BodyKind kind) { return kind != BodyKind::floe; }));
+  sizes.vertices = static_cast<std::int32_t>(b.vertex.size());
+  sizes.rows = 8 * sizes.bodies + 256;
+  sizes.platform_rows = 256;
+  return sizes;
+}
+
+std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base) {
+  Placer placer(base);
+  const std::size_t n = sizes.bodies, vertices = sizes.vertices;
+  placer.place(s.status, 1);
+  placer.place(s.platform, 1);
+  placer.place(s.state, n);
+  placer.place(s.books, n * static_cast<std::size_t>(Channel::count));
+  placer.place(s.body, n);
+  placer.place(s.motion, n);
+  placer.place(s.corner, vertices);
+  placer.place(s.normal, vertices);
+  placer.place(s.vertex, vertices);
+  placer.place(s.body_normal, vertices);
+  placer.place(s.vertex_body, vertices);
+  return placer.used();
+}
+
+std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base) {
+  Placer placer(base);
+  const std::size_t n = sizes.bodies, rows = sizes.rows, pairs = sizes.rows / 2 + 1;
+  s.rows_capacity = sizes.rows;
+  s.platform_capacity = sizes.platform_rows;
+  s.grid_capacity = grid_cells(sizes.bodies);
+  placer.place(s.stamp, rows);  // first: the only one with a meaning before a list is built
+  placer.place(s.row_event_moment, sizes.platform_rows);
+  placer.place(s.row_other, rows);
+  placer.place(s.row_pair, rows);
+  placer.place(s.entry, rows);
+  placer.place(s.work, rows);
+  placer.place(s.pair, pairs);
+  placer.place(s.contact, pairs);
+  placer.place(s.look, pairs);
+  placer.place(s.touched, pairs);
+  placer.place(s.touch, pairs);
+  placer.place(s.box, n);
+  placer.place(s.grid_cell, n);
+  placer.place(s.grid_body, n);
+  placer.place(s.grid_count, s.grid_capacity);
+  placer.place(s.grid_begin, s.grid_capacity);
+  placer.place(s.near_large, static_cast<std::size_t>(sizes.large_bodies) * ((n + 31) / 32));
+  placer.place(s.counters, 1);
+  placer.place(s.term, 2 * static_cast<std::size_t>(sizes.platform_rows));
+  placer.place(s.row_event, sizes.platform_rows);
+  return placer.used();
+}
+
+std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base) {
+  Placer placer(base);
+  s.events_capacity = 2 * std::max(sizes.platform_rows, sizes.samples);
+  placer.place(s.sample, sizes.samples);
+  placer.place(s.quality, static_cast<std::size_t>(sizes.samples) * static_cast<std::size_t>(sizes.blocks));
+  placer.place(s.event, s.events_capacity);
+  return placer.used();
+}
+
+DeviceScene scene_constants(const FieldState& f, double event_speed) {
+  DeviceScene s;
+  const SceneSizes sizes = scene_sizes(f);
+  s.constants = f.constants;
+  s.event_speed = event_speed;
+  const double speed = length(f.constants.current) + 1e-3;
+  s.horizon =
+      std::clamp<std::int64_t>(static_cast<std::int64_t>(f.constants.list_margin / (speed * f.constants.dt)), 1, 400);
+  s.bodies = sizes.bodies;
+  s.large_bodies = sizes.large_bodies;
+  return s;
+}
+
+void write_field(const FieldState& f, std::int64_t moment, const DeviceScene& s) {
+  *s.status = {};
+  s.status->moment = moment;
+  *s.platform = {};
+  s.platform->velocity = f.bodies.velocity[0];
+  s.platform->mooring_force = f.mooring_force;
+  for (std::size_t i = 0; i < f.bodies.count(); ++i) {
+    s.body[i] = cell_of(f, i);
+    s.motion[i] = motion_of(f.bodies, i);
+    for (std::int32_t v = f.bodies.vertex_begin[i]; v < f.bodies.vertex_begin[i + 1]; ++v)
+      const_cast<std::int32_t*>(s.vertex_body)[v] = static_cast<std::int32_t>(i);
+  }
+  std::copy(f.books.begin(), f.books.end(), s.books);
+  std::copy(f.corner.begin(), f.corner.end(), s.corner);
+  std::copy(f.normal.begin(), f.normal.end(), s.normal);
+  std::copy(f.bodies.vertex.begin(), f.bodies.vertex.end(), const_cast<Vec2*>(s.vertex));
+  std::copy(f.body_normal.begin(), f.body_normal.end(), const_cast<Vec2*>(s.body_normal));
+}
+
+void read_state(const BodyState* state, FieldState& f) {
+  Bodies& b = f.bodies;
+  for (std::size_t i = 0; i < b.count(); ++i) {
+    b.position[i] = state[i].position;
+    b.rotation[i] = state[i].rotation;
+    b.velocity[i] = state[i].velocity;
+    b.spin[i] = state[i].spin;
+    b.active[i] = static_cast<std::uint8_t>(state[i].active);
+  }
+}
+
+void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatus& status, int blocks, MomentLog& log) {
+  log.platform.insert(log.platform.end(), rings.sample, rings.sample + status.samples);
+  for (std::int32_t m = 0; m < status.samples; ++m)
+    log.quality.push_back(quality_of(rings.quality + m * blocks, blocks));
+  EventReader reader(f);
+  for (std::int32_t k = 0; k < status.events; ++k) log.events.push_back(reader.read(rings.event[k]));
+}
+
+}  // namespace gem

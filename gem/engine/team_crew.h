@@ -1,0 +1,132 @@
+// For tests: a crew of host threads in several blocks, so that what blocks and threads share is tried without a GPU.
+#pragma once
+
+#include <atomic>
+#include <barrier>
+#include <bit>
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "gem/engine/crew.h"
+
+namespace gem::test {
+
+/// Lanes of a group of threads; every lane has to take part in every exchange.
+constexpr int team_lanes = 4;
+
+struct GroupHall {
+  std::barrier<> meet{team_lanes};
+  alignas(16) std::byte value[team_lanes][64];
+};
+
+class TeamLanes {
+ public:
+  static constexpr int size = team_lanes;
+
+  TeamLanes(GroupHall& hall, int rank) : hall_(&hall), rank_(rank) {}
+
+  int rank() const { return rank_; }
+  template <class T>
+  T from(const T& mine, int lane) const {
+    static_assert(sizeof(T) <= sizeof hall_->value[0]);
+    std::memcpy(hall_->value[rank_], &mine, sizeof(T));
+    hall_->meet.arrive_and_wait();
+    T theirs;
+    std::memcpy(&theirs, hall_->value[lane], sizeof(T));
+    hall_->meet.arrive_and_wait();
+    return theirs;
+  }
+  template <class T>
+  T partner(const T& mine, int step) const {
+    return from(mine, rank_ ^ step);
+  }
+  unsigned ballot(bool mine) const {
+    unsigned bits = 0;
+    for (int k = 0; k < size; ++k) bits |= from(mine, k) ? 1U << k : 0U;
+    return bits;
+  }
+  void sync() const { hall_->meet.arrive_and_wait(); }
+  int count(unsigned bits) const { return std::popcount(bits); }
+  int count_below(unsigned bits) const { return std::popcount(bits & ((1U << rank_) - 1U)); }
+
+ private:
+  GroupHall* hall_;
+  int rank_;
+};
+
+/// What the threads of a team meet at.
+struct TeamHall {
+  TeamHall(int block_count, int thread_count)
+      : blocks(block_count), threads(thread_count), all(block_count * thread_count), cell(block_count) {
+    for (int k = 0; k < block_count; ++k) block.push_back(std::make_unique<std::barrier<>>(thread_count));
+    for (int k = 0; k < block_count * thread_count / team_lanes; ++k) group.push_back(std::make_unique<GroupHall>());
+  }
+
+  int blocks, threads;
+  std::barrier<> all;
+  std::vector<std::unique_ptr<std::barrier<>>> block;
+  std::vector<std::unique_ptr<GroupHall>> group;
+  std::vector<BlockCell> cell;
+};
+
+class TeamCrew {
+ public:
+  using Lanes = TeamLanes;
+  using Warp = TeamLanes;
+
+  TeamCrew(TeamHall& hall, int block, int thread) : hall_(hall), block_(block), thread_(thread) {}
+
+  int block() const { return block_; }
+  int blocks() const { return hall_.blocks; }
+  int thread() const { return thread_; }
+  int threads() const { return hall_.threads; }
+  Lanes lanes() const {
+    return {*hall_.group[std::size_t(block_ * threads() + thread_) / team_lanes], thread_ % team_lanes};
+  }
+  Warp warp() const { return lanes(); }
+  void barrier() { hall_.all.arrive_and_wait(); }
+  void block_barrier() { hall_.block[std::size_t(block_)]->arrive_and_wait(); }
+  BlockCell& shared() { return hall_.cell[std::size_t(block_)]; }
+  void raise(std::uint32_t alarms) {
+    for (BlockCell& cell : hall_.cell) std::atomic_ref(cell.alarms).fetch_or(alarms);
+  }
+  std::uint32_t alarms() const { return std::atomic_ref(hall_.cell[std::size_t(block_)].alarms).load(); }
+  void lower_alarms() {
+    if (thread_ == 0) std::atomic_ref(shared().alarms).store(0);
+  }
+
+  template <class T>
+  static T add(T* sum, T value) {
+    return std::atomic_ref(*sum).fetch_add(value);
+  }
+  template <class T>
+  static void highest(T* value, T other) {
+    std::atomic_ref<T> now(*value);
+    for (T seen = now.load(); other > seen && !now.compare_exchange_weak(seen, other);) {
+    }
+  }
+  static void set_bit(std::uint32_t* word, std::uint32_t bit) { std::atomic_ref(*word).fetch_or(bit); }
+
+ private:
+  TeamHall& hall_;
+  int block_, thread_;
+};
+
+/// Runs work(crew) on every thread of a team; `threads` is a multiple of team_lanes.
+inline void run_team(int blocks, int threads, const std::function<void(TeamCrew&)>& work) {
+  TeamHall hall(blocks, threads);
+  std::vector<std::thread> team;
+  for (int b = 0; b < blocks; ++b)
+    for (int t = 0; t < threads; ++t)
+      team.emplace_back([&, b, t] {
+        TeamCrew crew(hall, b, t);
+        work(crew);
+      });
+  for (std::thread& thread : team) thread.join();
+}
+
+}  // namespace gem::test

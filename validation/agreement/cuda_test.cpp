@@ -1,0 +1,212 @@
+// The cuda engine gives the bits of the cpu engine: every law, a jam, any layout on the GPU, any batch.
+#include "gem/engine/cuda_engine.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <tuple>
+
+#include "gem/base/error.h"
+#include "gem/engine/same_bits.h"
+#include "gem/engine/test_scenes.h"
+#include "gem/scene/sweep.h"
+#include "validation/agreement/jam.h"
+
+namespace gem {
+namespace {
+
+/// Skips the test, with the reason, where no GPU answers.
+class OnGpu : public testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      usable_cuda_device();
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+};
+
+SceneDef independent(SceneDef scene, Manifold manifold = Manifold::chord_middle) {
+  scene.contact.resolution = Resolution::independent;
+  scene.contact.manifold = manifold;
+  return scene;
+}
+
+/// The named run of a sweep.
+SceneDef member(const std::string& path, const std::string& name) {
+  for (const SweepMember& run : expand_sweep(path))
+    if (run.name == name) return run.scene;
+  throw Error(ExitCode::usage, "no run " + name + " in " + path);
+}
+
+using Laws = std::tuple<Manifold, Yaw, FrictionLaw, DragLaw>;
+
+class CudaLaws : public OnGpu, public testing::WithParamInterface<Laws> {};
+
+TEST_P(CudaLaws, GiveTheBitsOfTheCpu) {
+  SceneDef scene = independent(test::busy_scene(5));
+  std::tie(scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu"), cuda = test::busy_engine(scene, "cuda");
+  MomentLog expected, log;
+  for (int block = 0; block < 8; ++block) {
+    cpu->advance(50, expected);
+    cuda->advance(50, log);
+    test::expect_same_bodies(cuda->bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    if (HasFailure()) return;
+  }
+  EXPECT_EQ(cuda->state_hash(), cpu->state_hash());
+  test::expect_same_books(cuda->ledger(), cpu->ledger());
+  EXPECT_GT(test::contacts_in(expected), 5000);
+  EXPECT_GT(expected.events.size(), 5u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Combinations, CudaLaws,
+                         testing::Combine(testing::Values(Manifold::chord_middle, Manifold::chord_ends),
+                                          testing::Values(Yaw::free, Yaw::locked),
+                                          testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
+                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
+
+/// The jam of 1,234 floes with what the cpu engine makes of it.
+class CudaJam : public OnGpu, public testing::WithParamInterface<Manifold> {
+ protected:
+  static constexpr std::int64_t moments = 60;
+
+  void SetUp() override {
+    OnGpu::SetUp();
+    if (IsSkipped()) return;
+    scene_ = independent(agreement::jam_scene(Resolution::independent), GetParam());
+    field_ = agreement::drifting_field(scene_);
+    start_ = agreement::jam(scene_, field_);
+    const auto cpu = make_engine(scene_, field_, agreement::on("cpu"));
+    cpu->restore(start_);
+    cpu->advance(moments, expected_);
+    hash_ = cpu->state_hash();
+    ledger_ = cpu->ledger();
+    for (const MomentQuality& quality : expected_.quality) ASSERT_GT(quality.contacts, agreement::contacts_wanted);
+  }
+
+  std::vector<BatchScene> copies(std::size_t count) const { return std::vector<BatchScene>(count, {scene_, field_}); }
+
+  SceneDef scene_;
+  Bodies field_;
+  EngineState start_;
+  MomentLog expected_;
+  std::uint64_t hash_ = 0;
+  Ledger ledger_;
+};
+
+TEST_P(CudaJam, NoLayoutOnTheGpuMatters) {
+  for (const int blocks : {1, 2, 4, 8, 16})
+    for (const int threads : {64, 256, 512}) {
+      CudaBatch batch(copies(1), {.blocks = blocks, .threads = threads, .ring_moments = 23});
+      batch.restore(0, start_);
+      std::vector<MomentLog> logs(1);
+      batch.advance(moments, &logs);
+      EXPECT_EQ(batch.state_hash(0), hash_) << blocks << " blocks of " << threads << " threads";
+      test::expect_same_log(logs[0], expected_);
+      test::expect_same_books(batch.ledger(0), ledger_);
+    }
+}
+
+TEST_P(CudaJam, AListTooSmallGrowsAndLosesNothing) {
+  CudaBatch batch(copies(1), {.list_rows = 100});
+  batch.restore(0, start_);
+  std::vector<MomentLog> logs(1);
+  batch.advance(moments, &logs);
+  EXPECT_EQ(batch.state_hash(0), hash_);
+  test::expect_same_log(logs[0], expected_);
+}
+
+TEST_P(CudaJam, ARestartChangesNothing) {
+  auto engine = make_cuda_engine(scene_, field_);
+  engine->restore(start_);
+  MomentLog log;
+  engine->advance(moments / 2, log);
+  const EngineState half_way = engine->save();
+  engine = make_cuda_engine(scene_, field_);
+  engine->restore(half_way);
+  engine->advance(moments - moments / 2, log);
+  EXPECT_EQ(engine->state_hash(), hash_);
+}
+
+TEST_P(CudaJam, PlaceAndSizeOfABatchChangeNothing) {
+  std::vector<BatchScene> scenes = copies(5);
+  for (const std::size_t other : {0, 1, 3}) {
+    scenes[other].scene = independent(test::busy_scene(20 + other));
+    scenes[other].bodies = test::busy_field(scenes[other].scene);
+  }
+  CudaBatch batch(scenes, {});
+  for (const std::size_t jam : {2, 4}) batch.restore(jam, start_);
+  batch.advance(moments, nullptr);
+  for (const std::size_t jam : {2, 4}) EXPECT_EQ(batch.state_hash(jam), hash_) << "place " << jam;
+  for (const std::size_t other : {0, 1, 3}) {
+    const auto cpu = make_engine(scenes[other].scene, scenes[other].bodies, agreement::on("cpu"));
+    MomentLog log;
+    cpu->advance(moments, log);
+    EXPECT_EQ(batch.state_hash(other), cpu->state_hash()) << "place " << other;
+    EXPECT_GT(test::contacts_in(log), 100);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Manifolds, CudaJam, testing::Values(Manifold::chord_middle, Manifold::chord_ends),
+                         [](const auto& manifold) {
+                           return manifold.param == Manifold::chord_ends ? std::string("ends") : std::string("middle");
+                         });
+
+TEST_F(OnGpu, AStateThatIsNoNumberStopsTheRun) {
+  const SceneDef scene = independent(test::busy_scene(12));
+  const auto engine = test::busy_engine(scene, "cuda");
+  MomentLog log;
+  engine->advance(3, log);
+  EngineState state = engine->save();
+  state.bodies.position[20].x = 1e308;
+  state.bodies.velocity[20].x = -1e308;
+  engine->restore(state);
+  try {
+    engine->advance(10, log);
+    ADD_FAILURE() << "went on";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::numerical_stop) << error.what();
+  }
+}
+
+TEST_F(OnGpu, TheCoupledResolutionIsRefused) {
+  SceneDef scene = test::busy_scene(1);
+  scene.contact.resolution = Resolution::coupled;
+  EXPECT_THROW(test::busy_engine(scene, "cuda"), Error);
+}
+
+class LongCuda : public OnGpu {};
+
+/// One moment from each of 100 states along a run of the paper, and the whole of its first 600 s.
+TEST_F(LongCuda, SixHundredSecondsOfTheDensestRun) {
+  SceneDef scene = independent(member(GEM_SOURCE_DIR "/cases/table1.toml", "400_200_100"));
+  const Bodies field = make_field(scene);
+  const auto cpu = make_engine(scene, field, {"cpu", 0}), cuda = make_engine(scene, field, agreement::on("cuda"));
+  const auto probe = make_engine(scene, field, agreement::on("cuda"));
+  const std::int64_t stretch = std::llround(6.0 / scene.numerics.moment_s);
+  std::int64_t contacts = 0;
+  for (int block = 0; block < 100; ++block) {
+    MomentLog expected, log;
+    const EngineState state = cpu->save();
+    cpu->advance(1, expected);
+    probe->restore(state);
+    probe->advance(1, log);
+    ASSERT_EQ(probe->state_hash(), cpu->state_hash()) << "moment " << cpu->moment();
+    cpu->advance(stretch - 1, expected);
+    log.clear();
+    cuda->advance(stretch, log);
+    ASSERT_EQ(cuda->state_hash(), cpu->state_hash()) << "moment " << cpu->moment();
+    test::expect_same_log(log, expected);
+    if (HasFailure()) return;
+    contacts += test::contacts_in(expected);
+  }
+  test::expect_same_books(cuda->ledger(), cpu->ledger());
+  EXPECT_GT(contacts, 1000000);
+}
+
+}  // namespace
+}  // namespace gem

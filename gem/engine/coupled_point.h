@@ -73,6 +73,15 @@ GEM_HD GEM_INLINE Push<Real> push_of(const PointGeometry<Real>& g, const PointIm
           p.repair * lever_n};
 }
 
+/// Enters how the point answers to its own impulses. `mass` is the sum of both bodies' inverse masses, `turn_a` and
+/// `turn_b` are their inverse inertias, each times the number of the body's points.
+template <class Real>
+GEM_HD GEM_INLINE void enter_compliance(PointGeometry<Real>& g, Real mass, Real turn_a, Real turn_b) {
+  g.nn = mass + turn_a * g.lever_a_n * g.lever_a_n + turn_b * g.lever_b_n * g.lever_b_n;
+  g.tt = mass + turn_a * g.lever_a_t * g.lever_a_t + turn_b * g.lever_b_t * g.lever_b_t;
+  g.nt = turn_a * g.lever_a_n * g.lever_a_t + turn_b * g.lever_b_n * g.lever_b_t;
+}
+
 /// How far one visit found the point from its law.
 template <class Real>
 struct PointResidual {

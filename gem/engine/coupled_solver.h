@@ -27,45 +27,64 @@ class CoupledSolver {
   void restore(std::vector<std::uint64_t> keys, std::vector<PointImpulse<double>> impulses);
 
  private:
-  /// Four points side by side.
-  struct alignas(32) Block {
-    PointGeometry<Pack> geometry;
-    PointImpulse<Pack> impulse, carried;
-    std::int32_t a[pack_lanes], b[pack_lanes];            // into motion_
-    std::int32_t push_a[pack_lanes], push_b[pack_lanes];  // into push_
+  /// What both the visit of a point and its two bodies read; one line of memory.
+  struct alignas(64) Face {
+    Pack side_a;  // normal x, y, lever of A along the normal and the tangent
+    Pack side_b;  // lever of B along the normal and the tangent, target, friction
   };
-  struct alignas(32) Slot {  // of a Motion or a Push
-    Pack linear;             // x, y, turning part, unused
-    Pack repair;
+  /// The rest of four points side by side.
+  struct alignas(32) Block {
+    Pack cap, repair_target;
+    std::int32_t a[pack_lanes], b[pack_lanes];  // into motion_
+  };
+  struct alignas(32) BlockImpulse : PointImpulse<Pack> {};
+  using Impulses = std::vector<BlockImpulse>;  // per block
+  struct alignas(64) BodyMotion {
+    Pack linear;  // velocity x, y, spin; inverse mass times the number of points
+    Pack repair;  // shift x, y, turn; inverse inertia times the number of points
+  };
+  struct alignas(64) BodyStart {
+    Pack velocity;  // x, y, spin before the events; unused
+    Pack answer;    // inverse mass twice, inverse inertia; unused
   };
 
   void lay_out(const FieldState& f, Contacts contacts);
-  void warm_start(Contacts contacts);
-  void keep(Contacts contacts);
+  void order_bodies(const FieldState& f);
+  std::size_t last_key_from(std::size_t at, std::uint64_t key) const;
+  void warm_start(const Contact& contact, std::int32_t first, std::size_t at);
   void fill_points(const FieldState& f, Contact& contact, std::int32_t first);
+  void begin_range(const FieldState& f, Contacts contacts, std::int64_t begin, std::int64_t end);
   void iterate(const FieldState& f, ThreadTeam& team, int rank);
   template <PointFriction law>
   void visit_range(std::int32_t begin, std::int32_t end, double dt, double ahead, int rank);
   void visit_frictionless(std::int32_t begin, std::int32_t end, double dt, double ahead, int rank);
   void visit_coulomb(std::int32_t begin, std::int32_t end, double dt, double ahead, int rank);
   void visit_fixed_direction(std::int32_t begin, std::int32_t end, double dt, double ahead, int rank);
-  void push_blocks(std::int32_t begin, std::int32_t end);
-  void move_bodies(const FieldState& f, std::int32_t begin, std::int32_t end);
+  void move_bodies(const Impulses& impulses, std::int32_t begin, std::int32_t end);
   void weigh_impulses(const FieldState& f, std::int32_t begin, std::int32_t end);
   void scale_impulses(std::int32_t begin, std::int32_t end, double share);
   void hand_back(FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
 
   std::vector<std::uint64_t> keys_;
   std::vector<PointImpulse<double>> impulses_;
+  std::vector<std::uint64_t> next_keys_;  // of this moment, while the last one's are still read
+  std::vector<PointImpulse<double>> next_impulses_;
 
   std::vector<std::int32_t> first_point_;  // per contact
+  std::vector<Face> face_;                 // per point
   std::vector<Block> block_;
+  Impulses impulse_, carried_;
   std::vector<double> climb_;            // per point, then used up by its sum
   std::vector<std::int32_t> points_of_;  // per body of the field
   std::vector<std::int32_t> index_of_;   // per body of the field: into motion_
-  std::vector<std::int32_t> body_;       // per entry of motion_ that moves
-  std::vector<std::int32_t> push_begin_, next_push_;
-  std::vector<Slot> motion_, push_;
+  std::vector<BodyMotion> motion_;
+  std::vector<BodyStart> start_;      // per entry of motion_ that moves
+  std::vector<std::int32_t> moving_;  // bodies that move and have points, ascending
+  // per entry of motion_ that moves; its points as B all come before its points as A, which stand in a row
+  std::vector<std::int32_t> body_, rank_, first_as_a_, end_as_a_, begin_as_b_;
+  std::vector<std::int32_t> points_as_b_;  // per body of the field
+  std::vector<std::uint32_t> as_b_;        // points
+  std::vector<std::int32_t> next_as_b_;
 
   struct alignas(64) Most {  // one per thread
     double speed = 0.0;

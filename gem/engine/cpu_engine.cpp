@@ -54,9 +54,10 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
   } else {
     resolve_independent(team, rank);
   }
+  // the books and the look at the overlaps are each in order; they go on side by side
+  if (rank == team.size() - 1) note_contacts(f, contacts, quality_, log);
   team.single(rank, [&] {
     for (const Contact* contact : contacts) book_contact(f, *contact);
-    note_contacts(f, contacts, quality_, log);
     log_events(f, contacts, moment_, event_speed_, log);
   });
 

@@ -160,10 +160,7 @@ GEM_HD inline PointGeometry<double> point_geometry(const MomentConstants& c, con
   g.lever_a_t = cross(slot.arm_a, tangent);
   g.lever_b_n = cross(slot.arm_b, normal);
   g.lever_b_t = cross(slot.arm_b, tangent);
-  const double mass = a.inverse_mass + b.inverse_mass;
-  g.nn = mass + a.inverse_inertia * g.lever_a_n * g.lever_a_n + b.inverse_inertia * g.lever_b_n * g.lever_b_n;
-  g.tt = mass + a.inverse_inertia * g.lever_a_t * g.lever_a_t + b.inverse_inertia * g.lever_b_t * g.lever_b_t;
-  g.nt = a.inverse_inertia * g.lever_a_n * g.lever_a_t + b.inverse_inertia * g.lever_b_n * g.lever_b_t;
+  enter_compliance(g, a.inverse_mass + b.inverse_mass, a.inverse_inertia, b.inverse_inertia);
   g.friction = contact.friction;
   if (c.point_friction == PointFriction::fixed_direction) {
     const double slip = slot.tangential_before;

@@ -4,6 +4,8 @@
 // All results are relative to A's centroid; normals point from A to B.
 #pragma once
 
+#include <cstdint>
+
 #include "gem/base/vec2.h"
 
 namespace gem {
@@ -21,6 +23,7 @@ struct Separation {
   double distance = 0.0;  // > 0 apart, < 0 depth [m]
   int edge = 0;           // index of the edge whose normal is the axis
   bool edge_of_b = false;
+  std::int16_t corner = -1;  // deepest corner of the other outline; -1: not looked for
 };
 
 /// How far B stands outside edge `edge` of A: the smallest signed distance of B's corners [m].
@@ -35,10 +38,10 @@ GEM_HD inline double edge_separation(const Outline& a, int edge, const Outline& 
 }
 
 /// The two best separating axes of a pair and a bound on all others, kept from one look to the next: while the bodies
-/// have moved too little for another axis to overtake, only these two need a look.
+/// have moved too little for another axis to overtake, only the first needs a look, or these two.
 struct SeparatingAxes {
-  Separation first, second;
-  double others = 1e300;  // no other axis parts the outlines by more; unknown at first
+  Separation first, second;  // the second's distance may be a bound from above
+  double others = 1e300;     // no other axis parts the outlines by more; unknown at first
 };
 
 namespace detail {
@@ -62,8 +65,38 @@ GEM_HD inline bool ranks_before(const Separation& p, const Separation& q) {
   return p.edge_of_b == q.edge_of_b ? p.edge < q.edge : q.edge_of_b;
 }
 
-GEM_HD inline double separation_along(const Separation& axis, const Outline& a, const Outline& b, Vec2 offset) {
-  return axis.edge_of_b ? edge_separation(b, axis.edge, a, -offset) : edge_separation(a, axis.edge, b, offset);
+/// Corner of `outline` farthest against `direction`; the first of several.
+GEM_HD inline int support_corner(const Outline& outline, Vec2 direction) {
+  int best = 0;
+  double smallest = dot(direction, outline.corner[0]);
+  for (int j = 1; j < outline.count; ++j) {
+    const double along = dot(direction, outline.corner[j]);
+    if (along < smallest) {
+      smallest = along;
+      best = j;
+    }
+  }
+  return best;
+}
+
+/// Whether corner `j` lies farther against `direction` than both its neighbours, beyond rounding: then, in a convex
+/// outline, farther than all others.
+GEM_HD inline bool plainly_deepest(const Outline& outline, int j, Vec2 direction) {
+  constexpr double rounding = 1e-9;  // [m]
+  const double along = dot(direction, outline.corner[j]) + rounding;
+  return along < dot(direction, outline.corner[j > 0 ? j - 1 : outline.count - 1]) &&
+         along < dot(direction, outline.corner[j + 1 < outline.count ? j + 1 : 0]);
+}
+
+/// Brings the distance along a known axis up to date; starts from the corner that was deepest last.
+GEM_HD inline void measure(Separation& axis, const Outline& a, const Outline& b, Vec2 offset) {
+  const Outline& owner = axis.edge_of_b ? b : a;
+  const Outline& other = axis.edge_of_b ? a : b;
+  const Vec2 normal = owner.normal[axis.edge];
+  if (axis.corner < 0 || !plainly_deepest(other, axis.corner, normal))
+    axis.corner = static_cast<std::int16_t>(support_corner(other, normal));
+  const Vec2 to_other = axis.edge_of_b ? -offset : offset;
+  axis.distance = dot(normal, other.corner[axis.corner]) + dot(normal, to_other - owner.corner[axis.edge]);
 }
 
 }  // namespace detail
@@ -81,15 +114,18 @@ GEM_HD inline SeparatingAxes find_axes(const Outline& a, const Outline& b, Vec2 
 /// Where the two axes already part the outlines by more than `limit`, the rest is left alone.
 GEM_HD inline void follow_axes(SeparatingAxes& axes, const Outline& a, const Outline& b, Vec2 offset, double moved,
                                double limit) {
-  axes.first.distance = detail::separation_along(axes.first, a, b, offset);
-  axes.second.distance = detail::separation_along(axes.second, a, b, offset);
-  if (axes.second.distance > axes.first.distance ||
-      (axes.second.distance == axes.first.distance && detail::ranks_before(axes.second, axes.first))) {
-    const Separation second = axes.first;
-    axes.first = axes.second;
-    axes.second = second;
-  }
+  detail::measure(axes.first, a, b, offset);
+  axes.second.distance += moved;
   axes.others += moved;
+  if (!(axes.first.distance > axes.second.distance)) {
+    detail::measure(axes.second, a, b, offset);
+    if (axes.second.distance > axes.first.distance ||
+        (axes.second.distance == axes.first.distance && detail::ranks_before(axes.second, axes.first))) {
+      const Separation second = axes.first;
+      axes.first = axes.second;
+      axes.second = second;
+    }
+  }
   if (axes.first.distance > limit || axes.first.distance > axes.others) return;
   axes = find_axes(a, b, offset);
 }
@@ -151,20 +187,6 @@ GEM_HD inline double crossing_rate(Vec2 edge_a, Vec2 normal_b, Vec2 normal, Vec2
   const double denominator = dot(edge_a, normal_b);
   if (denominator == 0.0) return 0.0;
   return -(dot(normal, normal_b) / denominator) * dot(edge_a, tangent);
-}
-
-/// Corner of `outline` farthest against `direction`.
-GEM_HD inline int support_corner(const Outline& outline, Vec2 direction) {
-  int best = 0;
-  double smallest = dot(direction, outline.corner[0]);
-  for (int j = 1; j < outline.count; ++j) {
-    const double along = dot(direction, outline.corner[j]);
-    if (along < smallest) {
-      smallest = along;
-      best = j;
-    }
-  }
-  return best;
 }
 
 }  // namespace detail
@@ -269,7 +291,7 @@ GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, V
   const Vec2 along = turned_left(outward);
 
   // the incident edge: of the two at the deepest corner, the one that faces the reference edge more squarely
-  const int deepest = detail::support_corner(i, outward);
+  const int deepest = axis.corner >= 0 ? axis.corner : detail::support_corner(i, outward);
   const int before = deepest > 0 ? deepest - 1 : i.count - 1;
   const double facing_before = dot(outward, i.normal[before]);
   const double facing_after = dot(outward, i.normal[deepest]);

@@ -1,0 +1,144 @@
+// Times one moment of whole scenes: with and without each feature, and over the number of floes.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gem/base/random.h"
+#include "gem/engine/engine.h"
+#include "gem/field/field.h"
+#include "gem/scene/scene_file.h"
+
+namespace gem {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::string hash_text(Engine& engine) {
+  char text[16];
+  return {text, std::to_chars(text, text + sizeof text, engine.state_hash(), 16).ptr};
+}
+
+/// Least time of a moment over `moments` that always start from `start`; the first, which builds the lists, is left
+/// out.
+double time_moments(benchmark::State& state, Engine& engine, const EngineState& start, std::int64_t moments,
+                    MomentLog& log) {
+  double least = 1e300;
+  for (auto _ : state) {
+    engine.restore(start);
+    engine.advance(1, log);
+    log.clear();
+    const auto begin = Clock::now();
+    engine.advance(moments, log);
+    const double moment = std::chrono::duration<double>(Clock::now() - begin).count() / double(moments);
+    state.SetIterationTime(moment);
+    least = std::min(least, moment);
+  }
+  double contacts = 0.0;
+  for (const MomentQuality& quality : log.quality) contacts += quality.contacts / double(moments);
+  state.counters["contacts"] = contacts;
+  state.SetLabel(hash_text(engine));
+  state.counters["least_us"] = 1e6 * least;
+  return least;
+}
+
+/// A feature is left out of the scene, and where it also stands in the bodies, of these.
+struct Feature {
+  const char* name;
+  std::function<void(SceneDef&)> leave_out;
+  std::function<void(Bodies&)> leave_out_of_bodies = [](Bodies&) {};
+  bool events = true;
+};
+
+const std::vector<Feature> features = {
+    {"everything", [](SceneDef&) {}},
+    {"without_friction", [](SceneDef& s) { s.ice.friction_ice = s.ice.friction_structure = 0.0; }},
+    {"without_drag", [](SceneDef& s) { s.water.drag_law = DragLaw::none; }},
+    {"without_spin_drag", [](SceneDef&) {}, [](Bodies& b) { b.spin_drag.assign(b.count(), 0.0); }},
+    {"without_yaw", [](SceneDef&) {}, [](Bodies& b) { b.inverse_inertia[0] = b.spin[0] = 0.0; }},
+    {"without_boundary", [](SceneDef&) {},
+     [](Bodies& b) {
+       for (std::size_t i = 0; i < b.count(); ++i)
+         if (b.kind[i] == BodyKind::fixed) b.active[i] = 0;
+     }},
+    {"without_mooring", [](SceneDef& s) { s.mooring.stiffness_N_per_m = s.mooring.damping_ratio = 0.0; }},
+    {"without_crushing_limit", [](SceneDef& s) { s.contact.crushing_limit = false; }},
+    {"without_repair", [](SceneDef& s) { s.numerics.repair_share = 0.0; }},
+    {"without_events", [](SceneDef&) {}, [](Bodies&) {}, false},
+};
+
+SceneDef main_case() { return read_scene(GEM_SOURCE_DIR "/cases/004_400_25.toml"); }
+
+/// The main case where the ice has just reached the platform; made once.
+const EngineState& arrival() {
+  static const EngineState state = [] {
+    const SceneDef scene = main_case();
+    const auto engine = make_engine(scene, make_field(scene), {"cpu", 1});
+    MomentLog log;
+    log.wants_events = false;
+    engine->advance(std::llround(300.0 / scene.numerics.moment_s), log);
+    return engine->save();
+  }();
+  return state;
+}
+
+void one_feature(benchmark::State& state, const Feature& feature) {
+  SceneDef scene = main_case();
+  feature.leave_out(scene);
+  EngineState start = arrival();
+  feature.leave_out_of_bodies(start.bodies);
+  const auto engine = make_engine(scene, start.bodies, {"cpu", 1});
+  MomentLog log;
+  log.wants_events = feature.events;
+  time_moments(state, *engine, start, 40, log);
+}
+
+/// `count` floes of one shape list on open water, at the concentration of the main case, that drift through each other.
+void growth(benchmark::State& state) {
+  const std::int64_t count = state.range(0);
+  SceneDef scene;
+  scene.boundary.present = scene.platform.present = false;
+  scene.mooring.stiffness_N_per_m = 0.0;
+  scene.floes.source = FloeSource::copied;
+  scene.floes.placement = Placement::tiled;
+  scene.floes.count = count;
+  const double area_per_floe = 1500.0 * 400.0 / 4008.0;  // [m2]
+  scene.floes.length_m = scene.floes.width_m = std::sqrt(area_per_floe * double(count));
+  scene.floes.start_x_m = -scene.floes.length_m - 100.0;
+  Bodies bodies = make_field(scene);
+  RandomSequence random(Random(8, 0));
+  for (std::size_t i = 0; i < bodies.count(); ++i)
+    bodies.velocity[i] = {0.25 + random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
+  const auto engine = make_engine(scene, bodies, {"cpu", 1});
+  MomentLog log;
+  log.wants_events = false;
+  engine->advance(100, log);
+  log.clear();
+  const EngineState start = engine->save();
+  const double moment = time_moments(state, *engine, start, 20, log);
+  state.counters["ns_per_floe"] = 1e9 * moment / double(count);
+}
+
+[[maybe_unused]] const bool registered = [] {
+  for (const Feature& feature : features)
+    benchmark::RegisterBenchmark((std::string("feature/") + feature.name).c_str(), one_feature, feature)
+        ->Iterations(30)
+        ->UseManualTime()
+        ->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("growth", growth)
+      ->RangeMultiplier(4)
+      ->Range(1000, 1000000)
+      ->Iterations(10)
+      ->UseManualTime()
+      ->Unit(benchmark::kMicrosecond);
+  return true;
+}();
+
+}  // namespace
+}  // namespace gem

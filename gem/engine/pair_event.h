@@ -194,8 +194,8 @@ GEM_HD inline bool acted(const ContactSlot& slot) {
   return slot.impulse.normal != 0.0 || slot.impulse.tangential != 0.0 || slot.repair != 0.0;
 }
 
-/// Whether a resolved contact is worth an entry in the platform's list of events: the points that carry its impulse were
-/// closing faster than `event_speed`.
+/// Whether a resolved contact is worth an entry in the platform's list of events: the points that carry its impulse
+/// were closing faster than `event_speed`.
 GEM_HD inline bool is_event(const Contact& contact, double event_speed) {
   double carried = 0.0, pressed = 0.0;
   for (int k = 0; k < contact.count; ++k) {

@@ -34,9 +34,11 @@ double peak_memory() {
 
 Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunOptions& options) {
   const std::string asked = scene.contact.resolution == Resolution::coupled ? "coupled" : "independent";
-  return {scene.run.name,       resolved_toml(scene), scene_hash(scene),
-          options.command_line, engine.name(),        engine.method().empty() ? asked : engine.method(),
-          options.threads};
+  return {scene.run.name,    resolved_toml(scene),
+          scene_hash(scene), options.command_line,
+          engine.name(),     engine.method().empty() ? asked : engine.method(),
+          options.threads,   engine.method().empty() ? "strict" : "its own",
+          engine.device()};
 }
 
 void check_book(const char* what, double residual, double limit, double time) {

@@ -47,6 +47,9 @@ void print(const std::string& text);
 /// The threads to use: what was asked for, or OMP_NUM_THREADS, or all; silly values are clamped and `message` says so.
 int choose_threads(const std::string& asked, std::string& message);
 
+/// Makes the chosen engine; `auto` stands for cuda where a GPU can take the scene and for cpu where none can.
+std::unique_ptr<Engine> engine_for(const SceneDef& scene, const Bodies& field, const EngineOptions& options);
+
 /// What a run needs, estimated before anything is allocated.
 struct Estimate {
   double moments = 0.0;

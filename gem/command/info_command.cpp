@@ -13,8 +13,8 @@ namespace {
 
 nlohmann::ordered_json describe(const RunFile& file) {
   nlohmann::ordered_json object = {{"file", file.path()}};
-  for (const char* name : {"title", "gem_status", "source", "gem_build", "gem_engine", "gem_resolution", "gem_seed",
-                           "gem_case_sha256", "gem_state_hash", "history"}) {
+  for (const char* name : {"title", "gem_status", "source", "gem_build", "gem_engine", "gem_device", "gem_resolution",
+                           "gem_seed", "gem_case_sha256", "gem_state_hash", "history"}) {
     object[name] = file.attribute(name);
   }
   const std::vector<double> time = file.column("platform/time");

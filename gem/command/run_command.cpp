@@ -84,10 +84,11 @@ int run(RunChoice choice) {
     print(dry_run_text(scene, field, need, choice));
     return 0;
   }
-  const auto engine = make_engine(scene, field, choice.engine);
+  const auto engine = engine_for(scene, field, choice.engine);
+  const std::string place =
+      engine->device().empty() ? std::to_string(choice.engine.threads) + " threads" : engine->device();
   log.message("info", scene.run.name + ": " + number_text(scene.run.duration_s) + " s, engine " + engine->name() +
-                          ", " + std::to_string(choice.engine.threads) + " threads, to " +
-                          shown(choice.options.output));
+                          ", " + place + ", to " + shown(choice.options.output));
   choice.options.threads = choice.engine.threads;
   if (!engine->method().empty()) choice.options.books = reported_only;
   const RunSummary summary = run_scene(scene, *engine, choice.options);
@@ -103,9 +104,13 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand("run", "run a case and write a run file");
   add_case_options(*command, choice->chosen_case, false);
   command->add_option("-o,--out", choice->options.output, "run file; the run's name with .h5 if left out");
+  choice->engine.name = "auto";
   std::vector<std::string> offered = engine_names();
+  offered.insert(offered.begin(), {"auto", "cuda"});
   for (const std::string& name : baseline_names()) offered.push_back(name);
-  command->add_option("--engine", choice->engine.name, "engine that moves the field")
+  command
+      ->add_option("--engine", choice->engine.name,
+                   "engine that moves the field; auto: cuda where a GPU can take the case, else cpu")
       ->check(CLI::IsMember(offered))
       ->capture_default_str();
   command->add_option("--threads", choice->threads, "threads of the cpu engine; all if left out")->type_name("N");

@@ -133,6 +133,8 @@ void RunLayout::write_header(const SceneDef& scene, const Bodies& bodies, const 
   hdf5::write_text(file_, "gem_engine", provenance.engine);
   hdf5::write_text(file_, "gem_resolution", provenance.resolution);
   hdf5::write_text(file_, "gem_threads", std::to_string(provenance.threads));
+  hdf5::write_text(file_, "gem_device", provenance.device.empty() ? "none" : provenance.device);
+  hdf5::write_text(file_, "gem_arithmetic", provenance.arithmetic);
   hdf5::write_text(file_, "gem_build", build_text());
   hdf5::write_text(file_, "gem_platform", scene.platform.present ? "present" : "absent");
   hdf5::write_text(

@@ -29,6 +29,8 @@ struct Provenance {
   std::string engine;
   std::string resolution;
   int threads = 0;
+  std::string arithmetic = "strict";  // no contraction, ordered sums: the same bits on every engine
+  std::string device = "";            // that the engine ran on besides the processor; empty: none
 };
 
 /// A run file. The file exists from construction on; it is removed again if nothing was written when this is destroyed.

@@ -1,0 +1,20 @@
+// Which engine a run gets.
+#include "gem/base/error.h"
+#include "gem/command/command.h"
+
+namespace gem {
+
+std::unique_ptr<Engine> engine_for(const SceneDef& scene, const Bodies& field, const EngineOptions& options) {
+  if (options.name != "auto") return make_engine(scene, field, options);
+  EngineOptions chosen = options;
+  try {
+    chosen.name = "cuda";
+    return make_engine(scene, field, chosen);
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::device && error.code() != ExitCode::resource_limit) throw;
+  }
+  chosen.name = "cpu";
+  return make_engine(scene, field, chosen);
+}
+
+}  // namespace gem

@@ -5,7 +5,6 @@ usage: scripts/readme_tables.py
 
 clean_root_run.txt, clean_root_test.txt   what scripts/run.sh and scripts/test.sh printed in a bare Debian 12 root
 real_time_factor*.csv                     what bench/real_time_factor.py wrote
-scene_bench.csv                           what bench/scene_bench.py wrote
 """
 import csv
 import glob
@@ -49,21 +48,11 @@ def speed_table():
     return rows
 
 
-def scene_table():
-    rows = ["| scene | one moment, us | per floe, ns | contacts | state hash | commit | processor |", "|" + "---|" * 7]
-    with open(os.path.join(RESULTS, "scene_bench.csv"), newline="", encoding="utf-8") as file:
-        for r in csv.DictReader(file):
-            per_floe = f"{float(r['ns_per_floe']):.0f}" if r["ns_per_floe"] else ""
-            rows.append(f"| {r['scene']} | {float(r['least_us']):.0f} | {per_floe} | {float(r['contacts']):.0f} | "
-                        f"`{r['state_hash']}` | {r['commit']} | {r['processor']} |")
-    return rows
-
-
 def main():
     path = os.path.join(TOP, "README.md")
     with open(path, encoding="utf-8") as file:
         text = file.read()
-    for mark, rows in (("set-up", set_up_table()), ("speed", speed_table()), ("scenes", scene_table())):
+    for mark, rows in (("set-up", set_up_table()), ("speed", speed_table())):
         begin, end = f"<!-- table: {mark} -->", "<!-- end of table -->"
         head, rest = text.split(begin, 1)
         text = head + begin + "\n" + "\n".join(rows) + "\n" + end + rest.split(end, 1)[1]

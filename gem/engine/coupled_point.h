@@ -1,4 +1,4 @@
-// One contact point among all events of a moment: what the accelerated iterations know of it, and one visit to it.
+// One contact point among all events of a moment: what it knows of its bodies and what its impulses give them.
 //
 // All points of a moment ask for impulses that together satisfy
 //     u_n >= target,  0 <= P_n <= cap,  (u_n - target) P_n = 0 below the cap      no overlap, fully inelastic, crushing
@@ -10,10 +10,7 @@
 //   nn tt nt  compliance with the mass of each body shared out among its points                [1/kg]
 //   cap       impulse that crushes the whole face                                              [N s]
 //
-// With the masses shared out, the answer of one point to its own velocity cannot overshoot whatever the others do, so
-// all points are visited at once from the same velocities (projected gradient in the metric of the shared masses), and
-// the impulses are carried ahead along their last change (Nesterov 1983; Beck and Teboulle 2009), which takes the
-// number of iterations from the square of a chain's length to its length. Tonge et al. 2012 share masses the same way.
+// coupled_visit.h has the iterations that find them.
 #pragma once
 
 #include <cmath>
@@ -49,7 +46,6 @@ struct PointGeometry {
   Real normal_x, normal_y;
   Real lever_a_n, lever_a_t, lever_b_n, lever_b_t;  // arm x normal, arm x tangent [m]
   Real nn, tt, nt;
-  Real inverse_nn, inverse_tt;
   Real target, friction, cap;
   Real repair_target;  // share of the overlap to take back [m]
 };
@@ -60,6 +56,16 @@ struct Push {
   Real x, y, twist;
   Real shift_x, shift_y, turn;
 };
+
+template <class Real>
+GEM_HD GEM_INLINE void add(Push<Real>& sum, Real sign, const Push<Real>& push) {
+  sum.x += sign * push.x;
+  sum.y += sign * push.y;
+  sum.twist += sign * push.twist;
+  sum.shift_x += sign * push.shift_x;
+  sum.shift_y += sign * push.shift_y;
+  sum.turn += sign * push.turn;
+}
 
 /// What `p` gives to one side.
 template <class Real>
@@ -82,59 +88,10 @@ GEM_HD GEM_INLINE void enter_compliance(PointGeometry<Real>& g, Real mass, Real 
   g.nt = turn_a * g.lever_a_n * g.lever_a_t + turn_b * g.lever_b_n * g.lever_b_t;
 }
 
-/// How far one visit found the point from its law.
-template <class Real>
-struct PointResidual {
-  Real speed;  // largest speed that the point still asks for [m/s]
-  Real climb;  // > 0: the carried-ahead impulse went against the way down
-};
-
-/// One visit: from the carried-ahead impulses and the velocities that all of them give, the point's next impulses, and
-/// those carried ahead by `ahead` times their change.
-template <PointFriction law, class Real>
-GEM_HD GEM_INLINE PointResidual<Real> visit_point(const PointGeometry<Real>& g, const Motion<Real>& a,
-                                                  const Motion<Real>& b, double dt, double per_moment, double ahead,
-                                                  PointImpulse<Real>& at, PointImpulse<Real>& carried) {
-  const Real zero{};
-  const Real dx = b.x - a.x, dy = b.y - a.y;
-  const Real excess = dx * g.normal_x + dy * g.normal_y + b.spin * g.lever_b_n - a.spin * g.lever_a_n - g.target;
-  const Real normal = smaller(larger(carried.normal - excess * g.inverse_nn, zero), g.cap);
-  const Real step_n = normal - carried.normal;
-
-  Real tangential = zero, step_t = zero;
-  if constexpr (law == PointFriction::coulomb) {
-    const Real slip = dy * g.normal_x - dx * g.normal_y + b.spin * g.lever_b_t - a.spin * g.lever_a_t;
-    const Real limit = g.friction * normal;
-    tangential = carried.tangential - (slip + g.nt * step_n) * g.inverse_tt;
-    tangential = larger(smaller(tangential, limit), -limit);
-    step_t = tangential - carried.tangential;
-  } else if constexpr (law == PointFriction::fixed_direction) {
-    tangential = g.friction * normal;
-    step_t = tangential - carried.tangential;
-  }
-
-  // the shift also takes back what this moment's velocities would still add to the overlap; crushed ice is not given
-  // back as motion
-  const Real shift = (b.shift_x - a.shift_x) * g.normal_x + (b.shift_y - a.shift_y) * g.normal_y +
-                     b.turn * g.lever_b_n - a.turn * g.lever_a_n;
-  const Real closing = pick(normal < g.cap, smaller(excess, zero), zero);
-  const Real wanted = carried.repair - (shift + dt * closing - g.repair_target) * g.inverse_nn;
-  const Real repair = larger(wanted, zero);
-
-  PointResidual<Real> residual;
-  residual.speed = larger(larger(magnitude(step_n) * g.nn, magnitude(step_t) * g.tt),
-                          magnitude(repair - carried.repair) * g.nn * per_moment);
-  const Real change_n = normal - at.normal, change_t = tangential - at.tangential;
-  residual.climb = -(step_n * change_n * g.nn + step_t * change_t * g.tt);
-  carried = {normal + ahead * change_n, tangential + ahead * change_t, repair + ahead * (repair - at.repair)};
-  at = {normal, tangential, repair};
-  return residual;
-}
-
 /// Velocity and shift of a body of given inverse mass and inertia after the pushes on it.
 template <class Real>
-GEM_HD GEM_INLINE Motion<Real> moved_by(const Push<Real>& sum, double velocity_x, double velocity_y, double spin,
-                                        double inverse_mass, double inverse_inertia) {
+GEM_HD GEM_INLINE Motion<Real> moved_by(const Push<Real>& sum, Real velocity_x, Real velocity_y, Real spin,
+                                        Real inverse_mass, Real inverse_inertia) {
   return {velocity_x + inverse_mass * sum.x, velocity_y + inverse_mass * sum.y, spin + inverse_inertia * sum.twist,
           inverse_mass * sum.shift_x,        inverse_mass * sum.shift_y,        inverse_inertia * sum.turn};
 }
@@ -162,26 +119,5 @@ GEM_HD inline double best_share(const ImpulseWork& sum) {
 /// Share of the last moment's repair that a moment starts from: less than all of it, so that a repair that is done does
 /// not go on to open gaps.
 constexpr double repair_memory = 0.9;
-
-/// How far the impulses are carried ahead along their last change, from iteration to iteration.
-class Acceleration {
- public:
-  /// Factor of the next iteration. `restart`: the last one climbed, so this one is not carried ahead.
-  GEM_HD double next(bool restart) {
-    if (restart) {  // from the beginning: the last moment's impulses are far behind
-      theta_ = 1.0;
-      return 0.0;
-    }
-    const double theta = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * theta_ * theta_));
-    const double ahead = (theta_ - 1.0) / theta;
-    theta_ = theta;
-    return ahead;
-  }
-
- private:
-  // not 1: the impulses of the last moment are a fair start, and few iterations have no time for a slow one
-  static constexpr double begin = 4.0;
-  double theta_ = begin;
-};
 
 }  // namespace gem

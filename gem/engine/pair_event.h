@@ -171,8 +171,6 @@ GEM_HD inline PointGeometry<double> point_geometry(const MomentConstants& c, con
     else
       g.friction = 0.0;
   }
-  g.inverse_nn = 1.0 / g.nn;
-  g.inverse_tt = 1.0 / g.tt;
   g.target = slot.target;
   g.cap = cap;
   if (slot.separation < 0.0) g.repair_target = smaller(-c.repair_share * slot.separation, c.repair_speed * c.dt);

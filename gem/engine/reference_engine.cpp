@@ -63,22 +63,13 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
   }
 }
 
-std::vector<Motion<double>> ReferenceEngine::motions(const std::vector<Point>& points, bool carried) const {
+std::vector<Motion<double>> ReferenceEngine::motions(const std::vector<Point>& points) const {
   const Bodies& b = field_.bodies;
   std::vector<Push<double>> given(b.count(), Push<double>{});
   for (const Point& point : points) {
     const PointGeometry<double>& g = point.geometry;
-    const PointImpulse<double>& p = carried ? point.carried : point.impulse;
-    const auto add = [&](std::int32_t body, double sign, const Push<double>& push) {
-      given[body].x += sign * push.x;
-      given[body].y += sign * push.y;
-      given[body].twist += sign * push.twist;
-      given[body].shift_x += sign * push.shift_x;
-      given[body].shift_y += sign * push.shift_y;
-      given[body].turn += sign * push.turn;
-    };
-    add(point.contact->a, -1.0, push_of(g, p, g.lever_a_n, g.lever_a_t));
-    add(point.contact->b, 1.0, push_of(g, p, g.lever_b_n, g.lever_b_t));
+    add(given[point.contact->a], -1.0, push_of(g, point.impulse, g.lever_a_n, g.lever_a_t));
+    add(given[point.contact->b], 1.0, push_of(g, point.impulse, g.lever_b_n, g.lever_b_t));
   }
   std::vector<Motion<double>> motion;
   for (std::size_t i = 0; i < b.count(); ++i)
@@ -87,19 +78,37 @@ std::vector<Motion<double>> ReferenceEngine::motions(const std::vector<Point>& p
   return motion;
 }
 
-PointResidual<double> ReferenceEngine::visit(Point& point, const std::vector<Motion<double>>& motion, double ahead) {
+/// What the carried-ahead additions of a round move: a body's points as B are summed apart from those as A.
+std::vector<Motion<float>> ReferenceEngine::added_motions(const std::vector<Point>& points) const {
+  const Bodies& b = field_.bodies;
+  std::vector<Push<float>> to_a(b.count(), Push<float>{}), to_b(b.count(), Push<float>{});
+  for (const Point& point : points) {
+    const PointPush<float> p = push_of(point.frame, point.carried);
+    add(to_a[point.contact->a], 1.0F, {p.x, p.y, p.twist_a, p.shift_x, p.shift_y, p.turn_a});
+    add(to_b[point.contact->b], 1.0F, {p.x, p.y, p.twist_b, p.shift_x, p.shift_y, p.turn_b});
+  }
+  std::vector<Motion<float>> motion;
+  for (std::size_t i = 0; i < b.count(); ++i) {
+    add(to_b[i], -1.0F, to_a[i]);
+    motion.push_back(moved_by(to_b[i], 0.0F, 0.0F, 0.0F, static_cast<float>(b.inverse_mass[i]),
+                              static_cast<float>(b.inverse_inertia[i])));
+  }
+  return motion;
+}
+
+float ReferenceEngine::visit(Point& point, const std::vector<Motion<float>>& motion, float ahead) const {
   const MomentConstants& c = field_.constants;
-  const Motion<double>&a = motion[point.contact->a], &b = motion[point.contact->b];
+  const MomentPace<float> pace{static_cast<float>(c.dt), static_cast<float>(1.0 / c.dt)};
+  const Motion<float>&a = motion[point.contact->a], &b = motion[point.contact->b];
+  const Approach<float> w{b.x - a.x, b.y - a.y, b.shift_x - a.shift_x, b.shift_y - a.shift_y,
+                          a.spin,    a.turn,    b.spin,                b.turn};
   switch (c.point_friction) {
     case PointFriction::none:
-      return visit_point<PointFriction::none>(point.geometry, a, b, c.dt, 1.0 / c.dt, ahead, point.impulse,
-                                              point.carried);
+      return visit_point<PointFriction::none, true>(point.frame, w, pace, ahead, point.at, point.carried);
     case PointFriction::coulomb:
-      return visit_point<PointFriction::coulomb>(point.geometry, a, b, c.dt, 1.0 / c.dt, ahead, point.impulse,
-                                                 point.carried);
+      return visit_point<PointFriction::coulomb, true>(point.frame, w, pace, ahead, point.at, point.carried);
     default:
-      return visit_point<PointFriction::fixed_direction>(point.geometry, a, b, c.dt, 1.0 / c.dt, ahead, point.impulse,
-                                                         point.carried);
+      return visit_point<PointFriction::fixed_direction, true>(point.frame, w, pace, ahead, point.at, point.carried);
   }
 }
 
@@ -113,13 +122,14 @@ std::vector<ReferenceEngine::Point> ReferenceEngine::points_of(std::vector<Conta
   for (Contact& contact : contacts) {
     prepare_contact(field_, contact);
     for (int k = 0; k < contact.count; ++k) {
-      Point point{&contact, &contact.slot[k], {}, {}, {}};
+      Point point{&contact, &contact.slot[k], {}, {}, {}, {}, {}};
       const auto last = last_.find(contact_key(contact.a, contact.b, contact.slot[k].feature));
       if (last != last_.end()) point.impulse = last->second;
       point.impulse.repair *= repair_memory;
       point.geometry =
           point_of_contact(field_, contact, contact.slot[k], count[contact.a], count[contact.b], point.impulse.normal);
       contact.slot[k].cap = point.geometry.cap;
+      enter_geometry(point.frame, point.geometry);
       points.push_back(point);
     }
   }
@@ -128,7 +138,7 @@ std::vector<ReferenceEngine::Point> ReferenceEngine::points_of(std::vector<Conta
 
 void ReferenceEngine::keep_best_share(std::vector<Point>& points, double limit) const {
   const Bodies& b = field_.bodies;
-  const std::vector<Motion<double>> motion = motions(points, false);
+  const std::vector<Motion<double>> motion = motions(points);
   std::set<std::int32_t> touched;
   for (const Point& point : points) touched.insert({point.contact->a, point.contact->b});
   std::vector<double> given, answered;
@@ -150,33 +160,46 @@ void ReferenceEngine::keep_best_share(std::vector<Point>& points, double limit) 
   }
 }
 
+void ReferenceEngine::begin_round(std::vector<Point>& points) const {
+  const std::vector<Motion<double>> motion = motions(points);
+  for (Point& point : points) {
+    enter_base(point.frame, point.geometry, point.impulse, motion[point.contact->a], motion[point.contact->b]);
+    point.carried.normal -= point.at.normal;
+    point.carried.tangential -= point.at.tangential;
+    point.carried.repair -= point.at.repair;
+    point.at = {};
+  }
+}
+
+void ReferenceEngine::iterate(std::vector<Point>& points, MomentQuality& quality) const {
+  const MomentConstants& c = field_.constants;
+  Acceleration acceleration;
+  for (bool done = false; !done;) {
+    begin_round(points);
+    for (std::int64_t of_round = 1; !done && of_round <= iterations_of_round; ++of_round) {
+      const std::vector<Motion<float>> motion = added_motions(points);
+      const float ahead = acceleration.next();
+      float asked = 0.0F;
+      for (Point& point : points) asked = larger(asked, visit(point, motion, ahead));
+      if (!is_judged(++quality.iterations, c.iterations_maximum)) continue;
+      quality.residual = asked;
+      done = quality.residual <= c.residual_speed || quality.iterations >= c.iterations_maximum;
+    }
+    for (Point& point : points)
+      point.impulse =
+          with_additions(c.point_friction, point.geometry.friction, point.geometry.cap, point.impulse, point.at);
+  }
+}
+
 void ReferenceEngine::resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality) {
   FieldState& f = field_;
   std::vector<Point> points = points_of(contacts);
   last_.clear();
   if (points.empty()) return;
   keep_best_share(points, 1.0);
-  for (Point& point : points) point.carried = point.impulse;
-  std::vector<Motion<double>> motion = motions(points, true);
-  Acceleration acceleration;
-  bool restart = false;
-  do {
-    const double ahead = acceleration.next(restart);
-    quality.residual = 0.0;
-    std::vector<double> climb;
-    for (Point& point : points) {
-      const PointResidual<double> residual = visit(point, motion, ahead);
-      quality.residual = larger(quality.residual, residual.speed);
-      climb.push_back(residual.climb);
-    }
-    climb.resize(climb.size() + sum_width);
-    restart = ordered_sum(climb.data(), points.size()) > 0.0;
-    motion = motions(points, true);
-    ++quality.iterations;
-  } while (quality.residual > f.constants.residual_speed && quality.iterations < f.constants.iterations_maximum);
-
+  iterate(points, quality);
   keep_best_share(points, 0.5);
-  motion = motions(points, false);
+  const std::vector<Motion<double>> motion = motions(points);
   for (std::size_t i = 0; i < f.bodies.count(); ++i) {
     if (!(f.bodies.inverse_mass[i] > 0.0)) continue;
     f.bodies.velocity[i] = {motion[i].x, motion[i].y};

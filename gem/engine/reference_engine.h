@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gem/engine/contact.h"
+#include "gem/engine/coupled_visit.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/field_state.h"
 
@@ -28,14 +29,19 @@ class ReferenceEngine : public Engine {
     Contact* contact;
     ContactSlot* slot;
     PointGeometry<double> geometry;
-    PointImpulse<double> impulse, carried;
+    PointImpulse<double> impulse;
+    PointFrame<float> frame;
+    PointImpulse<float> at, carried;  // added to `impulse` in a round
   };
 
   void resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality);
   std::vector<Point> points_of(std::vector<Contact>& contacts);
-  std::vector<Motion<double>> motions(const std::vector<Point>& points, bool carried) const;
+  std::vector<Motion<double>> motions(const std::vector<Point>& points) const;
+  std::vector<Motion<float>> added_motions(const std::vector<Point>& points) const;
   void keep_best_share(std::vector<Point>& points, double limit) const;
-  PointResidual<double> visit(Point& point, const std::vector<Motion<double>>& motion, double ahead);
+  void begin_round(std::vector<Point>& points) const;
+  void iterate(std::vector<Point>& points, MomentQuality& quality) const;
+  float visit(Point& point, const std::vector<Motion<float>>& motion, float ahead) const;
 
   FieldState field_;
   double event_speed_;

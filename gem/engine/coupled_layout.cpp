@@ -1,0 +1,77 @@
+#include "gem/engine/coupled_layout.h"
+
+#include <algorithm>
+
+namespace gem {
+
+void CoupledLayout::count_points(const FieldState& f, Contacts contacts) {
+  points_of_.assign(f.bodies.count(), 0);
+  points_as_b_.assign(f.bodies.count(), 0);
+  first_point_.resize(contacts.size());
+  points_ = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Contact& contact = *contacts[c];
+    first_point_[c] = points_;
+    points_ += contact.count;
+    points_of_[contact.a] += contact.count;
+    points_of_[contact.b] += contact.count;
+    points_as_b_[contact.b] += contact.count;
+  }
+}
+
+/// Gives the moving bodies their entries. Within stretches, those with as many points stand together: the loops over a
+/// body's points then end as the processor foresees.
+void CoupledLayout::order_bodies(const FieldState& f) {
+  constexpr std::int32_t stretch = 512, kinds = 256;
+  const auto kind = [this](std::int32_t i) {
+    const std::int32_t as_b = points_as_b_[i], as_a = points_of_[i] - as_b;
+    return 16 * std::min(as_b, 15) + std::min(as_a, 15);
+  };
+  moving_.clear();
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(f.bodies.count()); ++i)
+    if (points_of_[i] > 0 && f.bodies.inverse_mass[i] > 0.0) moving_.push_back(i);
+  const auto count = static_cast<std::int32_t>(moving_.size());
+  body_.resize(1 + count);
+  rank_.resize(1 + count);
+  for (std::int32_t first = 0; first < count; first += stretch) {
+    const std::int32_t last = std::min(first + stretch, count);
+    std::int32_t next[kinds + 1] = {};
+    for (std::int32_t j = first; j < last; ++j) ++next[kind(moving_[j]) + 1];
+    for (std::int32_t k = 0; k < kinds; ++k) next[k + 1] += next[k];
+    for (std::int32_t j = first; j < last; ++j) {
+      const std::int32_t at = 1 + first + next[kind(moving_[j])]++;
+      body_[at] = moving_[j];
+      rank_[at] = j;
+    }
+  }
+  entry_of_.assign(f.bodies.count(), at_rest);
+  begin_as_b_.assign(2, 0);
+  for (std::int32_t k = 1; k <= count; ++k) {
+    entry_of_[body_[k]] = k;
+    begin_as_b_.push_back(begin_as_b_.back() + points_as_b_[body_[k]]);
+  }
+}
+
+void CoupledLayout::list_points(Contacts contacts) {
+  first_as_a_.assign(body_.size(), 0);
+  end_as_a_.assign(body_.size(), 0);
+  next_as_b_.assign(begin_as_b_.begin(), begin_as_b_.end());
+  as_b_.assign(begin_as_b_.back() + looked_ahead, 0);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const std::int32_t a = entry_of_[contacts[c]->a], b = entry_of_[contacts[c]->b];
+    const std::int32_t end = first_point_[c] + contacts[c]->count;
+    if (end_as_a_[a] == 0) first_as_a_[a] = first_point_[c];
+    end_as_a_[a] = end;
+    if (b == at_rest) continue;
+    for (std::int32_t point = first_point_[c]; point < end; ++point)
+      as_b_[next_as_b_[b]++] = static_cast<std::uint32_t>(point);
+  }
+}
+
+void CoupledLayout::lay_out(const FieldState& f, Contacts contacts) {
+  count_points(f, contacts);
+  order_bodies(f);
+  list_points(contacts);
+}
+
+}  // namespace gem

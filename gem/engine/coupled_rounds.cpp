@@ -1,0 +1,187 @@
+#include "gem/engine/coupled_rounds.h"
+
+#include <algorithm>
+
+namespace gem {
+namespace {
+
+// the same bits with wider registers: no fused multiply-add among them
+#define GEM_CLONES __attribute__((target_clones("avx2", "default")))
+
+/// Turns eight rows of eight into eight columns.
+GEM_INLINE void transpose(FloatPack (&r)[float_lanes]) {
+  const FloatMask low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
+  const FloatMask first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};
+  const FloatMask left{0, 1, 2, 3, 8, 9, 10, 11}, right{4, 5, 6, 7, 12, 13, 14, 15};
+  FloatPack two[float_lanes], four[float_lanes];
+  for (int i = 0; i < float_lanes; i += 2) {
+    two[i] = __builtin_shuffle(r[i], r[i + 1], low);
+    two[i + 1] = __builtin_shuffle(r[i], r[i + 1], high);
+  }
+  for (int i = 0; i < float_lanes; i += 4) {
+    four[i] = __builtin_shuffle(two[i], two[i + 2], first);
+    four[i + 1] = __builtin_shuffle(two[i], two[i + 2], second);
+    four[i + 2] = __builtin_shuffle(two[i + 1], two[i + 3], first);
+    four[i + 3] = __builtin_shuffle(two[i + 1], two[i + 3], second);
+  }
+  for (int i = 0; i < float_lanes / 2; ++i) {
+    r[i] = __builtin_shuffle(four[i], four[i + 4], left);
+    r[i + 4] = __builtin_shuffle(four[i], four[i + 4], right);
+  }
+}
+
+}  // namespace
+
+void CoupledRounds::resize(const CoupledLayout& layout) {
+  const std::int32_t blocks = (layout.points() + float_lanes - 1) / float_lanes;
+  block_.resize(blocks);
+  addition_.assign(blocks, BlockAddition{});
+  push_.resize(static_cast<std::size_t>(blocks) * float_lanes + 1);
+  motion_.resize(1 + layout.bodies());
+  answer_.resize(1 + layout.bodies());
+  motion_[CoupledLayout::at_rest].lanes = FloatPack{};
+  PointGeometry<double> unused{};
+  unused.nn = unused.tt = 1.0;
+  for (std::int32_t point = layout.points(); point < blocks * float_lanes; ++point) {
+    set_geometry(point, unused, CoupledLayout::at_rest, CoupledLayout::at_rest);
+    set_base(point, unused, {}, {}, {});
+  }
+}
+
+void CoupledRounds::set_geometry(std::int32_t point, const PointGeometry<double>& g, std::int32_t entry_a,
+                                 std::int32_t entry_b) {
+  PointFrame<float> f;
+  enter_geometry(f, g);
+  Block& b = block_[point / float_lanes];
+  const int lane = point % float_lanes;
+  b.normal_x[lane] = f.normal_x, b.normal_y[lane] = f.normal_y;
+  b.lever_a_n[lane] = f.lever_a_n, b.lever_a_t[lane] = f.lever_a_t;
+  b.lever_b_n[lane] = f.lever_b_n, b.lever_b_t[lane] = f.lever_b_t;
+  b.inverse_nn[lane] = f.inverse_nn, b.inverse_tt[lane] = f.inverse_tt;
+  b.nt[lane] = f.nt, b.friction[lane] = f.friction;
+  b.a[lane] = entry_a;
+  b.b[lane] = entry_b;
+}
+
+void CoupledRounds::set_base(std::int32_t point, const PointGeometry<double>& g, const PointImpulse<double>& base,
+                             const Motion<double>& motion_a, const Motion<double>& motion_b) {
+  PointFrame<float> f;
+  enter_base(f, g, base, motion_a, motion_b);
+  Block& b = block_[point / float_lanes];
+  const int lane = point % float_lanes;
+  b.excess[lane] = f.excess, b.slip[lane] = f.slip;
+  b.least[lane] = f.least, b.most[lane] = f.most;
+  b.tangential[lane] = f.tangential;
+  b.repair_excess[lane] = f.repair_excess, b.repair_least[lane] = f.repair_least;
+  PointImpulse<FloatPack>&at = addition_[point / float_lanes].at, &carried = addition_[point / float_lanes].carried;
+  carried.normal[lane] -= at.normal[lane];
+  carried.tangential[lane] -= at.tangential[lane];
+  carried.repair[lane] -= at.repair[lane];
+  at.normal[lane] = at.tangential[lane] = at.repair[lane] = 0.0F;
+}
+
+void CoupledRounds::set_body(std::int32_t entry, double inverse_mass, double inverse_inertia) {
+  const auto m = static_cast<float>(inverse_mass), j = static_cast<float>(inverse_inertia);
+  answer_[entry].lanes = FloatPack{m, m, m, m, j, j, j, j};
+}
+
+PointImpulse<float> CoupledRounds::added(std::int32_t point) const {
+  const PointImpulse<FloatPack>& at = addition_[point / float_lanes].at;
+  const int lane = point % float_lanes;
+  return {at.normal[lane], at.tangential[lane], at.repair[lane]};
+}
+
+GEM_INLINE PointFrame<FloatPack> CoupledRounds::frame_of(const Block& b) {
+  return {b.normal_x, b.normal_y, b.lever_a_n, b.lever_a_t, b.lever_b_n,  b.lever_b_t,     b.inverse_nn, b.inverse_tt, b.nt,
+          b.friction, b.excess,   b.slip,      b.least,     b.most,      b.tangential, b.repair_excess, b.repair_least};
+}
+
+GEM_INLINE Approach<FloatPack> CoupledRounds::approach_of(const Block& b) const {
+  // velocities and shifts of B against A in the first four lanes; spin and turn of A in the next two, of B in the last
+  const FloatMask of_both{0, 1, 2, 3, 12, 13, 6, 7};
+  FloatPack w[float_lanes];
+  for (int lane = 0; lane < float_lanes; ++lane) {
+    const FloatPack &p = motion_[b.a[lane]].lanes, &q = motion_[b.b[lane]].lanes;
+    const FloatPack spins = __builtin_shuffle(q, p, of_both), apart = q - p;
+    w[lane] = __builtin_shuffle(apart, spins, FloatMask{0, 1, 2, 3, 12, 13, 14, 15});
+  }
+  transpose(w);
+  return {w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]};
+}
+
+GEM_INLINE void CoupledRounds::write_push(std::int32_t block, const PointFrame<FloatPack>& f,
+                                          const PointImpulse<FloatPack>& p) {
+  const PointPush<FloatPack> push = push_of(f, p);
+  FloatPack w[float_lanes] = {push.x,       push.y,      push.shift_x, push.shift_y,
+                              push.twist_a, push.turn_a, push.twist_b, push.turn_b};
+  transpose(w);
+  for (int lane = 0; lane < float_lanes; ++lane) push_[float_lanes * block + lane].lanes = w[lane];
+}
+
+template <PointFriction law, bool judged>
+GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end, MomentPace<float> pace,
+                                            float ahead) {
+  FloatPack most{};
+  for (std::int32_t i = begin; i < end; ++i) {
+    const PointFrame<FloatPack> f = frame_of(block_[i]);
+    BlockAddition& addition = addition_[i];
+    const FloatPack asked =
+        visit_point<law, judged>(f, approach_of(block_[i]), pace, ahead, addition.at, addition.carried);
+    if constexpr (judged) most = larger(asked, most);
+    write_push(i, f, addition.carried);
+  }
+  float largest = 0.0F;
+  for (int lane = 0; lane < float_lanes; ++lane) largest = larger(most[lane], largest);
+  return largest;
+}
+
+GEM_CLONES float CoupledRounds::visit_frictionless(bool judged, std::int32_t begin, std::int32_t end,
+                                                   MomentPace<float> pace, float ahead) {
+  return judged ? visit_range<PointFriction::none, true>(begin, end, pace, ahead)
+                : visit_range<PointFriction::none, false>(begin, end, pace, ahead);
+}
+
+GEM_CLONES float CoupledRounds::visit_coulomb(bool judged, std::int32_t begin, std::int32_t end,
+                                              MomentPace<float> pace, float ahead) {
+  return judged ? visit_range<PointFriction::coulomb, true>(begin, end, pace, ahead)
+                : visit_range<PointFriction::coulomb, false>(begin, end, pace, ahead);
+}
+
+GEM_CLONES float CoupledRounds::visit_fixed_direction(bool judged, std::int32_t begin, std::int32_t end,
+                                                      MomentPace<float> pace, float ahead) {
+  return judged ? visit_range<PointFriction::fixed_direction, true>(begin, end, pace, ahead)
+                : visit_range<PointFriction::fixed_direction, false>(begin, end, pace, ahead);
+}
+
+float CoupledRounds::visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end,
+                           MomentPace<float> pace, float ahead) {
+  switch (law) {
+    case PointFriction::none:
+      return visit_frictionless(judged, begin, end, pace, ahead);
+    case PointFriction::coulomb:
+      return visit_coulomb(judged, begin, end, pace, ahead);
+    default:
+      return visit_fixed_direction(judged, begin, end, pace, ahead);
+  }
+}
+
+GEM_CLONES void CoupledRounds::push(std::int32_t begin, std::int32_t end) {
+  for (std::int32_t i = begin; i < end; ++i) write_push(i, frame_of(block_[i]), addition_[i].carried);
+}
+
+GEM_CLONES void CoupledRounds::move(const CoupledLayout& layout, std::int32_t begin, std::int32_t end) {
+  const Row* const push = push_.data();
+  const std::uint32_t* const as_b = layout.points_as_b();
+  const FloatMask of_a{0, 1, 2, 3, 4, 5, 4, 5}, of_b{0, 1, 2, 3, 6, 7, 6, 7};
+  for (std::int32_t k = begin; k < end; ++k) {
+    FloatPack to_b{}, to_a{};
+    for (std::int32_t s = layout.begin_as_b(k); s < layout.begin_as_b(k + 1); ++s) {
+      __builtin_prefetch(&push[as_b[s + CoupledLayout::looked_ahead]]);
+      to_b += push[as_b[s]].lanes;
+    }
+    for (std::int32_t point = layout.first_as_a(k); point < layout.end_as_a(k); ++point) to_a += push[point].lanes;
+    motion_[k].lanes = answer_[k].lanes * (__builtin_shuffle(to_b, of_b) - __builtin_shuffle(to_a, of_a));
+  }
+}
+
+}  // namespace gem

@@ -1,0 +1,180 @@
+// The iterations of a coupled moment, point by point.
+//
+// With the masses shared out, the answer of one point to its own velocity cannot overshoot whatever the others do, so
+// all points are visited at once from the same velocities (projected gradient in the metric of the shared masses), and
+// the impulses are carried ahead along their last change (Nesterov 1983; Beck and Teboulle 2009), which takes the
+// number of iterations from the square of a chain's length to its length. A point whose last step went against its
+// change is not carried ahead (O'Donoghue and Candes 2015, here point by point: no sum over all of them is needed).
+// Tonge et al. 2012 share masses the same way.
+//
+// The iterations run on what is added to a base: impulses and velocities in double precision, of which each point keeps
+// the numbers below in single precision. Their rounding is one of the additions, not of the whole; after a round the
+// additions enter the base and the next round starts from there, so any residual can be asked for.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "gem/base/choose.h"
+#include "gem/base/macros.h"
+#include "gem/engine/coupled_point.h"
+
+namespace gem {
+
+/// Iterations between two looks at the base in double precision.
+constexpr std::int64_t iterations_of_round = 32;
+
+/// Whether the residual is looked at in an iteration, counted from 1; looking costs two divisions a point.
+GEM_HD inline bool is_judged(std::int64_t iteration, std::int64_t last) {
+  return iteration % 4 == 0 || iteration <= 2 || iteration == last;
+}
+
+/// What a point knows while a round runs.
+template <class Real>
+struct PointFrame {
+  Real normal_x, normal_y;
+  Real lever_a_n, lever_a_t, lever_b_n, lever_b_t;  // arm x normal, arm x tangent [m]
+  Real inverse_nn, inverse_tt, nt;
+  Real friction;
+  // at the base
+  Real excess, slip;   // u_n - target, u_t [m/s]
+  Real least, most;    // what may be added to P_n: -P_n and cap - P_n [N s]
+  Real tangential;     // P_t [N s]
+  Real repair_excess;  // shift along the normal beyond the share of the overlap to take back [m]
+  Real repair_least;   // what may be added to the repair [kg m]
+};
+
+/// Motion of B against A where all that differs between two points of a body is their levers.
+template <class Real>
+struct Approach {
+  Real x, y, shift_x, shift_y;
+  Real spin_a, turn_a, spin_b, turn_b;
+};
+
+/// What carried-ahead impulses give: the sums to B, their opposites to A.
+template <class Real>
+struct PointPush {
+  Real x, y, shift_x, shift_y;
+  Real twist_a, turn_a, twist_b, turn_b;
+};
+
+template <class Real>
+GEM_HD GEM_INLINE PointPush<Real> push_of(const PointFrame<Real>& f, const PointImpulse<Real>& p) {
+  return {p.normal * f.normal_x - p.tangential * f.normal_y,
+          p.normal * f.normal_y + p.tangential * f.normal_x,
+          p.repair * f.normal_x,
+          p.repair * f.normal_y,
+          p.normal * f.lever_a_n + p.tangential * f.lever_a_t,
+          p.repair * f.lever_a_n,
+          p.normal * f.lever_b_n + p.tangential * f.lever_b_t,
+          p.repair * f.lever_b_n};
+}
+
+/// Length and pace of a moment.
+template <class Scalar>
+struct MomentPace {
+  Scalar dt;          // [s]
+  Scalar per_moment;  // 1 / dt [1/s]
+};
+
+/// One visit: from the carried-ahead additions and the velocities that all of them give, the point's next additions, and
+/// those carried ahead by `ahead` times their change. Returns, where `judged`, the largest speed that the point still
+/// asked for [m/s].
+template <PointFriction law, bool judged, class Real, class Scalar>
+GEM_HD GEM_INLINE Real visit_point(const PointFrame<Real>& f, const Approach<Real>& w, MomentPace<Scalar> pace,
+                                   Scalar ahead, PointImpulse<Real>& at, PointImpulse<Real>& carried) {
+  const Real zero{};
+  const Real excess = w.x * f.normal_x + w.y * f.normal_y + w.spin_b * f.lever_b_n - w.spin_a * f.lever_a_n + f.excess;
+  const Real normal = smaller(larger(carried.normal - excess * f.inverse_nn, f.least), f.most);
+  const Real step_n = normal - carried.normal, change_n = normal - at.normal;
+
+  Real tangential = zero, step_t = zero, change_t = zero;
+  if constexpr (law == PointFriction::coulomb) {
+    const Real slip = w.y * f.normal_x - w.x * f.normal_y + w.spin_b * f.lever_b_t - w.spin_a * f.lever_a_t + f.slip;
+    const Real limit = f.friction * (normal - f.least);
+    tangential = carried.tangential - (slip + f.nt * step_n) * f.inverse_tt;
+    tangential = larger(smaller(tangential, limit - f.tangential), -limit - f.tangential);
+  } else if constexpr (law == PointFriction::fixed_direction) {
+    tangential = f.friction * (normal - f.least) - f.tangential;
+  }
+  if constexpr (law != PointFriction::none) {
+    step_t = tangential - carried.tangential;
+    change_t = tangential - at.tangential;
+  }
+
+  // the shift also takes back what this moment's velocities would still add to the overlap; crushed ice is not given
+  // back as motion
+  const Real shift = w.shift_x * f.normal_x + w.shift_y * f.normal_y + w.turn_b * f.lever_b_n -
+                     w.turn_a * f.lever_a_n + f.repair_excess;
+  const Real closing = pick(normal < f.most, smaller(excess, zero), zero);
+  const Real repair = larger(carried.repair - (shift + pace.dt * closing) * f.inverse_nn, f.repair_least);
+  const Real step_r = repair - carried.repair, change_r = repair - at.repair;
+
+  const Real climb = step_n * change_n * f.inverse_tt + step_t * change_t * f.inverse_nn;
+  const Real on = pick(climb < zero, zero, zero + ahead);
+  const Real on_r = pick(step_r * change_r < zero, zero, zero + ahead);
+  at = {normal, tangential, repair};
+  carried = {normal + on * change_n, tangential + on * change_t, repair + on_r * change_r};
+  if constexpr (!judged) return zero;
+  const Real of_normal = larger(magnitude(step_n), magnitude(step_r) * pace.per_moment) / f.inverse_nn;
+  if constexpr (law == PointFriction::none) return of_normal;
+  return larger(of_normal, magnitude(step_t) / f.inverse_tt);
+}
+
+/// Enters what a point keeps for the whole moment.
+GEM_HD inline void enter_geometry(PointFrame<float>& f, const PointGeometry<double>& g) {
+  f.normal_x = static_cast<float>(g.normal_x);
+  f.normal_y = static_cast<float>(g.normal_y);
+  f.lever_a_n = static_cast<float>(g.lever_a_n);
+  f.lever_a_t = static_cast<float>(g.lever_a_t);
+  f.lever_b_n = static_cast<float>(g.lever_b_n);
+  f.lever_b_t = static_cast<float>(g.lever_b_t);
+  f.inverse_nn = static_cast<float>(1.0 / g.nn);
+  f.inverse_tt = static_cast<float>(1.0 / g.tt);
+  f.nt = static_cast<float>(g.nt);
+  f.friction = static_cast<float>(g.friction);
+}
+
+/// Enters what the base gives: impulses `p` and the motions of both bodies under all of them.
+GEM_HD inline void enter_base(PointFrame<float>& f, const PointGeometry<double>& g, const PointImpulse<double>& p,
+                              const Motion<double>& a, const Motion<double>& b) {
+  constexpr double boundless = 1e30;
+  const double x = b.x - a.x, y = b.y - a.y;
+  f.excess = static_cast<float>(x * g.normal_x + y * g.normal_y + b.spin * g.lever_b_n - a.spin * g.lever_a_n -
+                                g.target);
+  f.slip = static_cast<float>(y * g.normal_x - x * g.normal_y + b.spin * g.lever_b_t - a.spin * g.lever_a_t);
+  f.least = static_cast<float>(-p.normal);
+  f.most = static_cast<float>(smaller(g.cap - p.normal, boundless));
+  f.tangential = static_cast<float>(p.tangential);
+  f.repair_excess = static_cast<float>((b.shift_x - a.shift_x) * g.normal_x + (b.shift_y - a.shift_y) * g.normal_y +
+                                       b.turn * g.lever_b_n - a.turn * g.lever_a_n - g.repair_target);
+  f.repair_least = static_cast<float>(-p.repair);
+}
+
+/// The base after the additions of a round.
+GEM_HD inline PointImpulse<double> with_additions(PointFriction law, double friction, double cap,
+                                                  const PointImpulse<double>& p, const PointImpulse<float>& added) {
+  const double normal = smaller(larger(p.normal + static_cast<double>(added.normal), 0.0), cap);
+  const double limit = friction * normal, wanted = p.tangential + static_cast<double>(added.tangential);
+  const double tangential = law == PointFriction::none      ? 0.0
+                            : law == PointFriction::coulomb ? larger(smaller(wanted, limit), -limit)
+                                                            : limit;
+  return {normal, tangential, larger(p.repair + static_cast<double>(added.repair), 0.0)};
+}
+
+/// How far the impulses are carried ahead along their last change, from iteration to iteration.
+class Acceleration {
+ public:
+  GEM_HD float next() {
+    const double theta = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * theta_ * theta_));
+    const double ahead = (theta_ - 1.0) / theta;
+    theta_ = theta;
+    return static_cast<float>(ahead);
+  }
+
+ private:
+  // not 1: the impulses of the last moment are a fair start, and few iterations have no time for a slow one
+  double theta_ = 4.0;
+};
+
+}  // namespace gem

@@ -42,11 +42,10 @@ struct Contact {
 /// The contacts of one moment, ascending in (a, b): those of the platform come first.
 using Contacts = std::span<Contact* const>;
 
-/// Names a contact point from one moment to the next, ascending in (a, b, feature): 26 bits for each body, 12 for the
-/// feature.
-constexpr int feature_bits = 12;
+/// Names a contact point from one moment to the next, ascending in (a, b, feature).
+constexpr int body_bits = 26, feature_bits = 12;
 constexpr std::uint64_t contact_key(std::int32_t a, std::int32_t b, std::int32_t feature) {
-  return static_cast<std::uint64_t>(a) << (26 + feature_bits) | static_cast<std::uint64_t>(b) << feature_bits |
+  return static_cast<std::uint64_t>(a) << (body_bits + feature_bits) | static_cast<std::uint64_t>(b) << feature_bits |
          static_cast<std::uint64_t>(feature);
 }
 

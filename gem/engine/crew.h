@@ -5,7 +5,6 @@
 // that look at one pair together. Between two barriers every array element has one writer.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -23,29 +22,42 @@ struct BlockCell {
   std::int32_t contacts;
   std::uint64_t overlap;
   std::uint32_t alarms;
+  // coupled
+  std::int32_t points, first_point;  // found by the block, and its first among all
+  std::int32_t records;              // places taken in the block's fast memory
+  std::int32_t iterations;
+  double residual;
 };
+
+/// Bits that are set.
+GEM_HD GEM_INLINE int bits_in(std::uint32_t bits) {
+  bits -= bits >> 1 & 0x55555555U;
+  bits = (bits & 0x33333333U) + (bits >> 2 & 0x33333333U);
+  return static_cast<int>(((bits + (bits >> 4)) & 0x0f0f0f0fU) * 0x01010101U >> 24);
+}
 
 /// Lanes of a group that has one.
 struct OneLane {
   static constexpr int size = 1;
-  int rank() const { return 0; }
-  unsigned ballot(bool mine) const { return mine ? 1U : 0U; }
+  GEM_HD int rank() const { return 0; }
+  GEM_HD unsigned ballot(bool mine) const { return mine ? 1U : 0U; }
   template <class T>
-  T from(const T& mine, int) const {
+  GEM_HD T from(const T& mine, int) const {
     return mine;
   }
   template <class T>
-  T partner(const T& mine, int) const {
+  GEM_HD T partner(const T& mine, int) const {
     return mine;
   }
-  void sync() const {}
+  GEM_HD void sync() const {}
   /// Of a set of bits: how many there are, how many below the own place, and the lowest.
-  int count(unsigned bits) const { return std::popcount(bits); }
-  int count_below(unsigned) const { return 0; }
-  int lowest(unsigned bits) const { return std::countr_zero(bits); }
-  /// Of a number of each lane: the sum over all lanes and over those of lower rank.
-  int sum(int mine) const { return mine; }
-  int sum_below(int) const { return 0; }
+  GEM_HD int count(unsigned bits) const { return bits_in(bits); }
+  GEM_HD int count_below(unsigned) const { return 0; }
+  GEM_HD int lowest(unsigned bits) const { return bits_in(~bits & (bits - 1U)); }
+  /// Of a number of each lane: the sum over all lanes and over those of lower rank, and the highest.
+  GEM_HD int sum(int mine) const { return mine; }
+  GEM_HD int sum_below(int) const { return 0; }
+  GEM_HD std::uint32_t highest(std::uint32_t mine) const { return mine; }
 };
 
 /// The host's crew of one.
@@ -66,6 +78,9 @@ class SoloCrew {
   /// Fast memory of the block.
   std::byte* room() { return room_.data(); }
   std::size_t room_bytes() const { return room_.size(); }
+  /// Fast memory of another block, where the crew's blocks can reach it.
+  std::byte* room_of(int) { return room_.data(); }
+  static constexpr bool shares_rooms = true;
   /// Reads the clock at the end of a stage.
   void lap(int) const {}
   void write_laps(std::int64_t*) const {}
@@ -88,6 +103,41 @@ class SoloCrew {
  private:
   BlockCell shared_{};
   std::vector<std::byte> room_ = std::vector<std::byte>(1 << 20);
+};
+
+/// One block of a crew as a crew of its own: its barriers keep nobody else.
+template <class Crew>
+class OneBlock {
+ public:
+  using Lanes = typename Crew::Lanes;
+  using Warp = typename Crew::Warp;
+  static constexpr bool shares_rooms = true;
+
+  GEM_DEVICE explicit OneBlock(Crew& crew) : crew_(crew) {}
+
+  GEM_DEVICE int block() const { return 0; }
+  GEM_DEVICE int blocks() const { return 1; }
+  GEM_DEVICE int thread() const { return crew_.thread(); }
+  GEM_DEVICE int threads() const { return crew_.threads(); }
+  GEM_DEVICE Lanes lanes() const { return crew_.lanes(); }
+  GEM_DEVICE Warp warp() const { return crew_.warp(); }
+  GEM_DEVICE void barrier() { crew_.block_barrier(); }
+  GEM_DEVICE void block_barrier() { crew_.block_barrier(); }
+  GEM_DEVICE BlockCell& shared() { return crew_.shared(); }
+  GEM_DEVICE std::byte* room() { return crew_.room(); }
+  GEM_DEVICE std::byte* room_of(int) { return crew_.room(); }
+  GEM_DEVICE void lap(int stage) { crew_.lap(stage); }
+  template <class T>
+  GEM_DEVICE static T add(T* sum, T value) {
+    return Crew::add(sum, value);
+  }
+  template <class T>
+  GEM_DEVICE static void highest(T* value, T other) {
+    Crew::highest(value, other);
+  }
+
+ private:
+  Crew& crew_;
 };
 
 }  // namespace gem

@@ -65,10 +65,27 @@ GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const B
     }
 }
 
-/// Adds the contacts of the moment in ascending order of the other body; returns whether any acted.
+/// Adds what a contact does to a body; returns whether it acted.
+GEM_DEVICE inline bool add_entry(const RowEntry& entry, BodyAfter& after) {
+  const std::int32_t count = entry.count, acted = entry.acted;
+  const Vec2 velocity = entry.step[0].velocity;
+  const double spin = entry.step[0].spin;
+  if (count > 0) {
+    after.velocity += velocity;
+    after.spin += spin;
+  }
+  if (count > 1) {
+    after.velocity += entry.step[1].velocity;
+    after.spin += entry.step[1].spin;
+  }
+  return acted != 0;
+}
+
+/// Adds the contacts of the moment in ascending order of the other body; returns whether any acted. Those of a coupled
+/// moment are added up already.
 GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
                               std::int32_t moment, BodyAfter& after) {
-  const bool moves = cell.kind == BodyKind::floe;
+  const bool moves = cell.kind == BodyKind::floe && s.constants.resolution == Resolution::independent;
   const std::int32_t begin = motion.row_begin, lower = motion.lower_count;
   const std::int32_t places = moves ? motion.row_count : lower;
   bool struck = false;
@@ -78,19 +95,7 @@ GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCe
       const std::int32_t row = begin + first + k;
       if (news.works >> k & 1U) book_work(s, i, s.work[row]);
       if (!(news.entries >> k & 1U)) continue;
-      const RowEntry& entry = s.entry[row];
-      const std::int32_t count = moves ? entry.count : 0, acted = entry.acted;
-      const Vec2 velocity = entry.step[0].velocity;
-      const double spin = entry.step[0].spin;
-      if (count > 0) {
-        after.velocity += velocity;
-        after.spin += spin;
-      }
-      if (count > 1) {
-        after.velocity += entry.step[1].velocity;
-        after.spin += entry.step[1].spin;
-      }
-      struck = struck || acted;
+      if (moves) struck = add_entry(s.entry[row], after) || struck;
       if (first + k < lower && s.row_other[row] < s.large_bodies) book_fixed_contact(s, i, cell, row);
     }
   }
@@ -159,13 +164,32 @@ GEM_DEVICE inline void kick_body(const DeviceScene& s, Mover& mover, BodyMotion&
   motion.angle_correction = kicked.angle_correction;
 }
 
+/// Position repair of a moment.
+struct Repair {
+  Vec2 shift;         // [m]
+  double turn = 0.0;  // [rad]
+};
+
+/// Takes over what the iterations of a coupled moment found for body i; returns whether any of its points acted.
+GEM_DEVICE inline bool take_solved(const DeviceScene& s, std::int32_t i, std::int32_t moment, BodyAfter& after,
+                                   Repair& repair) {
+  if (s.body_points[i].moment != moment) return false;
+  const SolvedMotion& solved = s.solved[i];
+  after.velocity = {solved.part[0], solved.part[1]};
+  after.spin = solved.part[4];
+  repair.shift = {solved.part[2], solved.part[3]};
+  repair.turn = solved.part[5];
+  return solved.part[6] > 0.0;
+}
+
 /// Moves a floe with its velocity after the events; whether it turned.
 GEM_DEVICE inline bool drift(const DeviceScene& s, Mover& mover, const BodyMotion& motion, const BodyAfter& after,
-                             bool struck, Quantity& drag_book) {
+                             bool struck, const Repair& repair, Quantity& drag_book) {
   const double dt = s.constants.dt;
   double angle = dt * after.spin;
   if (struck) {
-    mover.position += dt * after.velocity + Vec2{};  // no repair: kept for the sign of a zero
+    mover.position += dt * after.velocity + repair.shift;
+    angle += repair.turn;
   } else {
     const Vec2 path_correction = motion.path_correction;
     mover.position += dt * after.velocity + path_correction;
@@ -200,9 +224,14 @@ GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& d
   Quantity drag_book = s.book(Channel::drag, i);
   Mover mover = mover_of(cell);
   BodyAfter after{mover.velocity, mover.spin};
-  const bool struck = gather(s, i, cell, motion, step.moment, after);
+  Repair repair;
+  bool struck = gather(s, i, cell, motion, step.moment, after);
   if (cell.kind != BodyKind::floe || !cell.active) return;
-  const bool turned = drift(s, mover, motion, after, struck, drag_book);
+  if (s.constants.resolution == Resolution::coupled) {
+    struck = take_solved(s, i, step.moment, after, repair);
+    if (struck) s.book(Channel::repair, i).angular_momentum += motion.mass * cross(repair.shift, after.velocity);
+  }
+  const bool turned = drift(s, mover, motion, after, struck, repair, drag_book);
   const bool finite = is_finite(mover, after.velocity, after.spin);
   const bool retires = finite && mover.position.x > s.constants.retire_x;
   if (!finite) crew.raise(alarm_not_finite);

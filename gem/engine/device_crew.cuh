@@ -35,6 +35,7 @@ class LaneGroup {
     for (int step = 1; step < lanes; step *= 2) mine += partner(mine, step);
     return mine;
   }
+  __device__ std::uint32_t highest(std::uint32_t mine) const { return __reduce_max_sync(mask(), mine); }
   __device__ int count_below(unsigned bits) const { return __popc(bits & ((1U << rank()) - 1U)); }
 
  private:
@@ -96,6 +97,7 @@ class DeviceCrew {
     static_assert(sizeof(std::uint64_t) == sizeof(unsigned long long));
     atomicMax(reinterpret_cast<unsigned long long*>(value), static_cast<unsigned long long>(other));
   }
+  __device__ static void highest(std::uint32_t* value, std::uint32_t other) { atomicMax(value, other); }
   __device__ static void set_bit(std::uint32_t* word, std::uint32_t bit) { atomicOr(word, bit); }
 
  protected:
@@ -109,6 +111,9 @@ class ClusterCrew : public DeviceCrew {
 
   __device__ int block() const { return static_cast<int>(cluster().block_rank()); }
   __device__ int blocks() const { return static_cast<int>(cluster().num_blocks()); }
+
+  __device__ std::byte* room_of(int block) { return cluster().map_shared_rank(room_.room, block); }
+  static constexpr bool shares_rooms = true;
 
   /// A warp that had parted comes together first: the barrier counts warps.
   __device__ void barrier() {
@@ -140,6 +145,8 @@ class GateCrew : public DeviceCrew {
 
   __device__ int block() const { return static_cast<int>(blockIdx.x) % blocks_; }
   __device__ int blocks() const { return blocks_; }
+  __device__ std::byte* room_of(int) { return nullptr; }
+  static constexpr bool shares_rooms = false;
 
   __device__ void barrier() {
     __syncthreads();

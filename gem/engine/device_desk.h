@@ -35,6 +35,7 @@ struct Desk {
   PairCell* pair = nullptr;
   LookItem* look = nullptr;          // one for each thread
   DeskOutlines* outlines = nullptr;  // one for each group of lanes
+  std::size_t solver_bytes = 0;      // the room of looks and outlines serves the iterations of a coupled moment too
   std::byte* pairs_room = nullptr;
   std::size_t pairs_bytes = 0;
 };
@@ -73,6 +74,7 @@ GEM_DEVICE inline Desk make_desk(const DeviceScene& s, Crew& crew) {
   const auto fits = [&](std::size_t bytes) { return room + bytes + 128 <= end; };
   desk.look = reinterpret_cast<LookItem*>(take(crew.threads() * sizeof(LookItem)));
   desk.outlines = reinterpret_cast<DeskOutlines*>(take(crew.threads() / Crew::Lanes::size * sizeof(DeskOutlines)));
+  desk.solver_bytes = room - crew.room();
   desk.body = s.body;
   desk.motion = s.motion;
   const std::size_t own = desk.bodies.count();

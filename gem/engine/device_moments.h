@@ -3,6 +3,7 @@
 //   solo events of the first moment
 //   repeat:  the list of near pairs, where it has worn out
 //            pairs phase                               | barrier
+//            coupled: the iterations                   | barrier
 //            bodies phase, with the solo events of the next moment | barrier
 //   the books of the last moment
 #pragma once
@@ -11,6 +12,7 @@
 #include "gem/engine/device_list.h"
 #include "gem/engine/device_pairs.h"
 #include "gem/engine/device_platform.h"
+#include "gem/engine/device_solver.h"
 
 namespace gem {
 
@@ -36,9 +38,13 @@ template <class Crew>
 GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Crew& crew, const Desk& desk, const MomentStep& step) {
   BlockCell& shared = crew.shared();
   if (crew.thread() == 0) {
-    if (s.wants_samples) s.quality[step.sample * crew.blocks() + crew.block()] = {shared.overlap, shared.contacts, 0};
+    if (s.wants_samples)
+      s.quality[step.sample * crew.blocks() + crew.block()] = {shared.overlap, shared.contacts, shared.iterations,
+                                                               shared.residual};
     shared.overlap = 0;
-    shared.contacts = shared.touches = 0;
+    shared.contacts = shared.touches = shared.points = shared.iterations = 0;
+    shared.residual = 0.0;
+    if (crew.block() == 0) s.counters->points = 0;
   }
   for (std::int32_t i = desk.first_body; i < desk.bodies.end; i += desk.body_step) move_body(s, crew, desk, i, step);
   if (desk.platform) move_platform(s, crew, desk, step);
@@ -74,6 +80,8 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
   const std::int64_t start = status.moment;
   std::int64_t list_moment = status.list_moment;
   bool list_valid = status.list_valid != 0;
+  const bool coupled = s.constants.resolution == Resolution::coupled;
+  bool carried = true;  // the memory of the last moment stands apart from the list
   if (crew.thread() == 0) crew.shared() = {};
   crew.block_barrier();
   Desk desk = make_desk(s, crew);
@@ -99,6 +107,8 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
       break;
     }
     if (!list_valid || moment - list_moment >= s.horizon || (alarms & alarm_strayed)) {
+      if (coupled && !carried) carry_memory(s, crew, desk);
+      carried = true;
       close_work(s, crew, desk, moment);
       crew.block_barrier();
       put_bodies_back(s, crew, desk);
@@ -113,10 +123,13 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
         stop = DeviceStop::list_full;
         break;
       }
+      if (coupled) hand_out_memory(s, crew, moment);
     }
     pairs_phase(s, crew, desk, moment);
     crew.barrier();
     crew.lap(stage_pairs_wait);
+    if (coupled) resolve_coupled(s, crew, desk, moment);
+    carried = false;
     const double elapsed = static_cast<double>(moment + 1 - list_moment) * s.constants.dt;
     bodies_phase(s, crew, desk, {moment, done, elapsed, done + 1 < moments});
     crew.barrier();
@@ -125,6 +138,7 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
   if (stop == DeviceStop::done && (crew.alarms() & alarm_not_finite)) stop = DeviceStop::not_finite;
   list_valid = list_valid && !(crew.alarms() & alarm_strayed);
 
+  if (coupled && !carried) carry_memory(s, crew, desk);
   close_work(s, crew, desk, static_cast<std::int32_t>(start) + done);
   crew.block_barrier();
   put_bodies_back(s, crew, desk);

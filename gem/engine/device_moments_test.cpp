@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <string>
 #include <tuple>
 
 #include "gem/engine/books.h"
@@ -53,7 +54,9 @@ class HostScene {
       if (status.stop == DeviceStop::list_full) {
         sizes_.rows = std::max(sizes_.rows, status.rows_needed);
         sizes_.platform_rows = std::max(sizes_.platform_rows, status.platform_needed);
+        const std::vector<CarriedMemory> carried = memory();
         grow();
+        std::copy(carried.begin(), carried.end(), scene_.carried);
         ++growths_;
       }
       if (status.stop == DeviceStop::not_finite) break;
@@ -68,6 +71,8 @@ class HostScene {
     field_.mooring_force = scene_.platform->mooring_force;
     return closed_books(field_, running);
   }
+
+  std::vector<CarriedMemory> memory() const { return {scene_.carried, scene_.carried + scene_.status->carried}; }
 
   const Bodies& bodies() const { return field_.bodies; }
   const DeviceStatus& status() const { return *scene_.status; }
@@ -89,14 +94,13 @@ class HostScene {
   int growths_ = 0;
 };
 
-using Choice = std::tuple<Manifold, Yaw, FrictionLaw, DragLaw>;
+using Choice = std::tuple<Resolution, Manifold, Yaw, FrictionLaw, DragLaw>;
 
 class DeviceMomentsTest : public testing::TestWithParam<Choice> {};
 
 TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
   SceneDef scene = test::busy_scene(5);
-  scene.contact.resolution = Resolution::independent;
-  std::tie(scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
+  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device(scene, test::busy_field(scene));
   MomentLog expected, log;
@@ -108,21 +112,34 @@ TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
     if (HasFailure()) return;
   }
   test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  if (scene.contact.resolution == Resolution::coupled) {
+    EngineState state;
+    save_memory(device.memory(), state);
+    const EngineState saved = cpu->save();
+    ASSERT_EQ(state.impulse_key, saved.impulse_key);
+    EXPECT_EQ(std::memcmp(state.impulse_value.data(), saved.impulse_value.data(),
+                          saved.impulse_value.size() * sizeof saved.impulse_value[0]),
+              0);
+    EXPECT_GT(state.impulse_key.size(), 20u);
+  }
   EXPECT_GT(test::contacts_in(expected), 5000);
-  EXPECT_GT(expected.events.size(), 5u);
+  EXPECT_GT(expected.events.size(), 2u);
   EXPECT_GT(device.status().builds, 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Combinations, DeviceMomentsTest,
-                         testing::Combine(testing::Values(Manifold::chord_middle, Manifold::chord_ends),
+                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+                                          testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
                                           testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
 
-TEST(DeviceMoments, BlocksAndThreadsChangeNothing) {
+class DeviceResolutions : public testing::TestWithParam<Resolution> {};
+
+TEST_P(DeviceResolutions, BlocksAndThreadsChangeNothing) {
   constexpr std::int64_t moments = 12;  // threads that outnumber the processors wait long at every barrier
   SceneDef scene = test::busy_scene(7);
-  scene.contact.resolution = Resolution::independent;
+  scene.contact.resolution = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
   MomentLog expected;
   cpu->advance(moments, expected);
@@ -139,9 +156,9 @@ TEST(DeviceMoments, BlocksAndThreadsChangeNothing) {
   }
 }
 
-TEST(DeviceMoments, AListTooSmallGrowsAndLosesNothing) {
+TEST_P(DeviceResolutions, AListTooSmallGrowsAndLosesNothing) {
   SceneDef scene = test::busy_scene(6);
-  scene.contact.resolution = Resolution::independent;
+  scene.contact.resolution = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device(scene, test::busy_field(scene), 1, 1, 64);
   MomentLog expected, log;
@@ -152,6 +169,12 @@ TEST(DeviceMoments, AListTooSmallGrowsAndLosesNothing) {
   test::expect_same_log(log, expected);
   EXPECT_GT(test::contacts_in(expected), 2000);
 }
+
+INSTANTIATE_TEST_SUITE_P(Both, DeviceResolutions, testing::Values(Resolution::independent, Resolution::coupled),
+                         [](const auto& resolution) {
+                           return resolution.param == Resolution::coupled ? std::string("coupled")
+                                                                          : std::string("independent");
+                         });
 
 }  // namespace
 }  // namespace gem

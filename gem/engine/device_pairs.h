@@ -6,6 +6,7 @@
 #pragma once
 
 #include "gem/engine/device_desk.h"
+#include "gem/engine/device_points.h"
 #include "gem/engine/lane_geometry.h"
 #include "gem/engine/pair_event.h"
 
@@ -71,8 +72,10 @@ GEM_DEVICE inline Outline outline_at_desk(const DeviceScene& s, const Lanes& lan
   return {room.corner[side], room.normal[side], count};
 }
 
-GEM_DEVICE inline void write_touch(Touch& touch, std::int32_t pair, const ContactGeometry& geometry) {
+GEM_DEVICE inline void write_touch(Touch& touch, std::int32_t pair, std::int32_t first_point,
+                                   const ContactGeometry& geometry) {
   touch.pair = pair;
+  touch.first_point = first_point;
   touch.geometry.normal = geometry.normal;
   touch.geometry.count = geometry.count;
   touch.geometry.width = geometry.width;
@@ -106,7 +109,8 @@ GEM_DEVICE inline void look(const DeviceScene& s, Crew& crew, const Desk& desk, 
                                            ? chord_geometry(a, b, item.offset, axes.first, sum)
                                            : face_contact(a, b, item.offset, axes.first, limit);
       if (geometry.count > 0)
-        write_touch(s.touch[desk.pairs.begin + crew.add(&crew.shared().touches, 1)], item.pair, geometry);
+        write_touch(s.touch[desk.pairs.begin + crew.add(&crew.shared().touches, 1)], item.pair,
+                    crew.add(&crew.shared().points, geometry.count), geometry);
     }
   }
   lanes.sync();  // before the room is used again
@@ -167,11 +171,52 @@ GEM_DEVICE inline void keep_contact(Contact& kept, const Contact& contact) {
   }
 }
 
+/// Keeps of a contact what the iterations of a coupled moment and what follows them need.
+GEM_DEVICE inline void keep_open_contact(Contact& kept, const Contact& contact) {
+  keep_contact(kept, contact);
+  kept.width = contact.width;
+  kept.growth = contact.growth;
+  kept.friction = contact.friction;
+  for (int k = 0; k < 2; ++k) {
+    if (k >= contact.count) break;
+    kept.slot[k].separation = contact.slot[k].separation;
+    kept.slot[k].feature = contact.slot[k].feature;
+    kept.slot[k].target = contact.slot[k].target;
+  }
+}
+
 /// Keeps what the record of a platform event is made of, before the bodies move.
 GEM_DEVICE inline void keep_event(const DeviceScene& s, std::int32_t place, const BodyCell& a, const BodyCell& b,
                                   const Contact& contact, std::int32_t moment) {
   s.row_event[place] = {moment, contact, b.position, a.position, a.rotation, b.rotation};
   s.row_event_moment[place] = moment;
+}
+
+template <class Crew>
+GEM_DEVICE inline void note_depth(Crew& crew, const Contact& contact) {
+  for (int k = 0; k < contact.count; ++k) {
+    const double depth = -contact.slot[k].separation;
+    if (depth > 0.0) crew.highest(&crew.shared().overlap, strict::bits_of(depth));
+  }
+}
+
+/// Coupled: a touching pair before the iterations.
+template <class Crew>
+GEM_DEVICE inline void open_touch(const DeviceScene& s, Crew& crew, const Desk& desk, const Touch& touch,
+                                  std::int32_t moment) {
+  const PairCell& pair = desk.pair[touch.pair];
+  const BodyCell &a = s.body[pair.a], &b = s.body[pair.b];
+  Contact contact;
+  open_contact(contact, pair.a, pair.b, touch.geometry, b.position - a.position);
+  Vec2 shift;
+  if (pair.a == 0) shift = s.platform->moved - a.position;
+  prepare(s.constants, pair_bodies(a, b), shift, contact);
+  keep_open_contact(s.contact[touch.pair], contact);
+  open_points(s, crew, pair, touch, moment);
+  if (s.wants_events && pair.a == 0 && b.kind == BodyKind::floe)
+    keep_event(s, pair.row_a - s.platform->row_begin, a, b, contact, moment);
+  s.touched[desk.pairs.begin + crew.add(&crew.shared().touched, 1)] = touch.pair;
+  note_depth(crew, contact);
 }
 
 /// The event of one touching pair.
@@ -191,13 +236,10 @@ GEM_DEVICE inline void resolve(const DeviceScene& s, Crew& crew, const Desk& des
   write_rows(s, pair, bodies, contact, moment);
   if (s.wants_events && pair.a == 0 && b.kind == BodyKind::floe && is_event(contact, s.event_speed))
     keep_event(s, pair.row_a - s.platform->row_begin, a, b, contact, moment);
-  BlockCell& shared = crew.shared();
-  s.touched[desk.pairs.begin + crew.add(&shared.touched, 1)] = touch.pair;
-  for (int k = 0; k < contact.count; ++k) {
-    const double depth = -contact.slot[k].separation;
-    if (depth >= 0.0) crew.add(&shared.contacts, 1);
-    if (depth > 0.0) crew.highest(&shared.overlap, strict::bits_of(depth));
-  }
+  s.touched[desk.pairs.begin + crew.add(&crew.shared().touched, 1)] = touch.pair;
+  for (int k = 0; k < contact.count; ++k)
+    if (contact.slot[k].separation <= 0.0) crew.add(&crew.shared().contacts, 1);
+  note_depth(crew, contact);
 }
 
 /// Energy that the contacts of the last moment took, now that all velocities after it are known. The last threads
@@ -249,8 +291,15 @@ GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Crew& crew, const Desk&
     if (crew.thread() == 0) shared.looks = 0;
     if (first + crew.threads() < desk.pairs.end) crew.block_barrier();
   }
-  for (std::int32_t k = crew.thread(); k < shared.touches; k += crew.threads())
-    resolve(s, crew, desk, s.touch[desk.pairs.begin + k], moment);
+  if (s.constants.resolution == Resolution::coupled) {
+    if (crew.thread() == 0 && shared.points > 0) shared.first_point = crew.add(&s.counters->points, shared.points);
+    crew.block_barrier();
+    for (std::int32_t k = crew.thread(); k < shared.touches; k += crew.threads())
+      open_touch(s, crew, desk, s.touch[desk.pairs.begin + k], moment);
+  } else {
+    for (std::int32_t k = crew.thread(); k < shared.touches; k += crew.threads())
+      resolve(s, crew, desk, s.touch[desk.pairs.begin + k], moment);
+  }
   crew.lap(stage_resolve);
 }
 

@@ -28,12 +28,14 @@ GEM_DEVICE inline void platform_first_half(const DeviceScene& s, Mover& mover, d
   mover.spin = spin;
 }
 
-/// What one contact point does to the platform.
-GEM_DEVICE inline PlatformTerm platform_term(const BodyCell& cell, const Contact& contact, const ContactSlot& slot,
-                                             bool ice) {
+/// What one contact point does to the platform; the velocities after a coupled moment are known already.
+GEM_DEVICE inline PlatformTerm platform_term(const DeviceScene& s, const BodyCell& cell, const Contact& contact,
+                                             const ContactSlot& slot, bool ice) {
   const Vec2 impulse = world_impulse(contact, slot.impulse);
   const double twist = cross(slot.arm_a, impulse);
-  const MotionStep step = motion_step({cell.inverse_mass, cell.inverse_inertia}, slot.arm_a, impulse);
+  MotionStep step;
+  if (s.constants.resolution == Resolution::independent)
+    step = motion_step({cell.inverse_mass, cell.inverse_inertia}, slot.arm_a, impulse);
   PlatformTerm term{{step.velocity.x, step.velocity.y, step.spin, 0.0, 0.0, 0.0, twist}};
   if (ice) {
     term.part[3] = impulse.x;
@@ -49,6 +51,7 @@ template <class Warp>
 GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& warp, const BodyCell& cell,
                                              const BodyMotion& motion, std::int32_t moment, std::int32_t& pressed) {
   DeviceStatus& status = *s.status;
+  const bool coupled = s.constants.resolution == Resolution::coupled;
   const std::int32_t places = motion.row_count;
   std::int32_t terms = 0, events = status.events;
   for (std::int32_t first = 0; first < places; first += Warp::size) {
@@ -61,12 +64,17 @@ GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& w
     std::int32_t to = terms + warp.count_below(one) + warp.count_below(two);
     bool presses = false;
     for (int k = 0; k < points; ++k) {
-      s.term[to++] = platform_term(cell, *contact, contact->slot[k], ice);
+      s.term[to++] = platform_term(s, cell, *contact, contact->slot[k], ice);
       presses = presses || (ice && contact->slot[k].impulse.normal > 0.0);
     }
-    const bool event = touched && s.wants_events && s.row_event_moment[at] == moment;
+    const bool event = touched && s.wants_events && s.row_event_moment[at] == moment &&
+                       (!coupled || is_event(*contact, s.event_speed));
     const unsigned pressing = warp.ballot(presses), recorded = warp.ballot(event);
-    if (event) s.event[events + warp.count_below(recorded)] = s.row_event[at];
+    if (event) {
+      EventRecord& record = s.event[events + warp.count_below(recorded)];
+      record = s.row_event[at];
+      if (coupled) record.contact = *contact;
+    }
     terms += warp.count(one) + warp.count(two);
     events += warp.count(recorded);
     pressed += warp.count(pressing);
@@ -107,10 +115,19 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const Mover& mover, co
   sample.contacts = pressed;
 }
 
+/// Enters what shifting the platform does to the mooring's energy and to the angular momentum.
+GEM_DEVICE inline void book_platform_repair(const DeviceScene& s, double mass, const PlatformCell& p, Vec2 shift) {
+  if (s.constants.resolution == Resolution::independent) return;
+  const Vec2 offset = p.moved - s.constants.anchor;
+  Quantity& book = s.book(Channel::repair, 0);
+  book.angular_momentum += mass * cross(shift, p.velocity);
+  book.energy += s.constants.stiffness * (dot(offset, shift) + 0.5 * dot(shift, shift));
+}
+
 /// What one thread does for the platform, once the contacts are summed.
 template <class Crew>
 GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, const Desk& desk, const PlatformSums& sums,
-                                          std::int32_t pressed, const MomentStep& step) {
+                                          const Repair& repair, std::int32_t pressed, const MomentStep& step) {
   BodyCell& cell = desk.body[0];
   const BodyMotion& motion = desk.motion[0];
   PlatformCell& p = *s.platform;
@@ -119,8 +136,9 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, cons
   if (cell.inverse_inertia == 0.0) p.mooring_force.angular_momentum = sums.twist;
   if (s.constants.moored_or_free) {
     platform_half(s.constants, platform_motion(s, motion.mass, p), false);
-    mover.position = p.moved + Vec2{};  // no repair: kept for the sign of a zero
-    turn(mover, s.constants.dt * sums.spin + 0.0);
+    mover.position = p.moved + repair.shift;
+    book_platform_repair(s, motion.mass, p, repair.shift);
+    turn(mover, s.constants.dt * sums.spin + repair.turn);
   }
   if (cell.active && !is_finite(mover, p.velocity, sums.spin)) crew.raise(alarm_not_finite);
   if (s.wants_samples) write_sample(s, mover, sums, pressed, step.sample);
@@ -141,13 +159,16 @@ GEM_DEVICE inline void move_platform(const DeviceScene& s, Crew& crew, const Des
   std::int32_t pressed = 0;
   const std::int32_t terms = line_up_terms(s, warp, cell, desk.motion[0], step.moment, pressed);
   PlatformSums start;
-  start.velocity = cell.velocity;
-  start.spin = cell.spin;
+  BodyAfter after{cell.velocity, cell.spin};
+  Repair repair;
+  if (s.constants.resolution == Resolution::coupled) take_solved(s, 0, step.moment, after, repair);
+  start.velocity = after.velocity;
+  start.spin = after.spin;
   start.twist = s.platform->mooring_force.angular_momentum;
   const double travel = cell.turn_travel;
   const PlatformSums sums = add_terms(s, warp, start, terms);
   warp.sync();
-  if (warp.rank() == 0) move_platform_body(s, crew, desk, sums, pressed, step);
+  if (warp.rank() == 0) move_platform_body(s, crew, desk, sums, repair, pressed, step);
   warp.sync();
   if (cell.vertex_count > desk_vertices && cell.turn_travel != travel)
     turn_outline(s, cell.vertex_begin, cell.vertex_count, cell.rotation, warp.rank(), Crew::Warp::size);

@@ -8,11 +8,14 @@
 // | contact            | the contact, resolved            |                                          |
 // | entry, work, stamp | both rows of the pair            |                                          |
 // | books              |                                  | the body's own                           |
+//
+// A coupled moment has its iterations between the two phases; device_solver.h says who writes what there.
 #pragma once
 
 #include <cstdint>
 
 #include "gem/engine/contact.h"
+#include "gem/engine/coupled_point.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/moment_constants.h"
 #include "gem/engine/pair_event.h"
@@ -86,6 +89,7 @@ struct LookItem {
 /// A pair that touches, on its way from the look to the event.
 struct Touch {
   std::int32_t pair = 0;
+  std::int32_t first_point = 0;  // coupled: its first point among those of its block
   ContactGeometry geometry;
 };
 
@@ -107,6 +111,72 @@ struct RowWork {
   SlotWork slot[2];
 };
 
+/// Coupled: the points of a contact, as a place of a row sees them.
+struct RowPoints {
+  std::int32_t first = 0, count = 0;
+};
+
+/// Coupled: what the points of a pair carried at the end of a moment.
+struct PairMemory {
+  std::int32_t moment = -1;
+  std::int32_t unused = 0;
+  std::int32_t feature[2] = {-1, -1};
+  PointImpulse<double> impulse[2] = {};
+};
+
+/// The same on its way to another list or to the host.
+struct CarriedMemory {
+  std::int32_t a = 0, b = 0;
+  std::int32_t feature[2] = {-1, -1};
+  PointImpulse<double> impulse[2] = {};
+};
+
+/// Coupled: a contact point with what the base has of it.
+struct PointCell {
+  PointGeometry<double> geometry;
+  PointImpulse<double> impulse;
+  std::int32_t pair = 0, slot = 0;
+  std::int32_t place_a = -1, place_b = -1;  // its places among the records of its bodies; -1: a fixed body has none
+  std::int32_t room_a = -1, room_b = -1;    // the same in the fast memory of a block; -1: they do not stand there
+};
+
+/// What a point gives to one body in a round: x, y, shift x, y, twist, turn.
+struct alignas(32) PushRecord {
+  float part[8];
+};
+
+/// The same by the base's impulses; part 6 is 1 where they are not all zero.
+struct alignas(64) PushBase {
+  double part[8];
+};
+
+/// What the additions of a round move a body by: x, y, shift x, y, spin, turn.
+struct alignas(32) AddedMotion {
+  float part[8];
+};
+
+/// Velocities and shifts of a body under the base's impulses, in the order of PushBase; part 6: points that acted.
+struct alignas(64) SolvedMotion {
+  double part[8];
+};
+
+/// Points of a body, good for one moment.
+struct BodyPoints {
+  std::int32_t moment = -1, count = 0;
+};
+
+/// A moving body with points; its records stand in a row, those of the points that have it as B first.
+struct SolverEntry {
+  std::int32_t body = 0;
+  std::int32_t place = 0;            // of its first record
+  std::int32_t room = -1;            // the same in the block's fast memory; -1: it does not stand there
+  std::int32_t as_b = 0, count = 0;  // records
+  float inverse_mass = 0.0F, inverse_inertia = 0.0F;
+  std::int32_t unused = 0;
+};
+
+struct HeldPoint;
+
 struct ListBox {
   Vec2 low, high;
 };
@@ -124,6 +194,8 @@ struct ListCounters {
   std::uint64_t velocity_low[2], velocity_high[2];
   std::uint64_t radius;
   std::int32_t floes, rows, pairs, placed;
+  std::int32_t points;      // coupled: of this moment
+  std::uint32_t asked[2];   // coupled: bits of the residuals of two judged iterations in turn
 };
 
 /// What the platform felt of one contact point, ready to be added in order.
@@ -143,7 +215,8 @@ struct EventRecord {
 struct BlockQuality {
   std::uint64_t overlap = 0;  // bits of the deepest overlap, a number >= 0
   std::int32_t contacts = 0;
-  std::int32_t unused = 0;
+  std::int32_t iterations = 0;
+  double residual = 0.0;
 };
 
 /// A body at rest between two calls.
@@ -167,6 +240,9 @@ enum DeviceStage {
   stage_look,
   stage_resolve,
   stage_pairs_wait,
+  stage_points,
+  stage_iterations,
+  stage_shares,
   stage_bodies,
   stage_bodies_wait,
   stage_list,
@@ -184,6 +260,7 @@ struct DeviceStatus {
   std::int32_t half_way = 0;                          // the solo events of the next moment are done
   std::int32_t samples = 0;                           // in the ring since the call began
   std::int32_t events = 0;                            // the same
+  std::int32_t carried = 0;                           // contacts in DeviceScene::carried
   std::int64_t stage_clocks[stage_count] = {};        // of the first thread, by DeviceStage
   std::int32_t rows_needed = 0, platform_needed = 0;  // places in all rows, in the platform's
   DeviceStop stop = DeviceStop::done;
@@ -213,6 +290,24 @@ struct DeviceScene {
   Contact* contact = nullptr;       // by pair
   std::int32_t* touched = nullptr;  // pairs, in each block's own stretch
   Touch* touch = nullptr;           // the same
+
+  // coupled
+  const double* area = nullptr;  // of each body [m2]
+  RowPoints* row_points = nullptr;
+  PairMemory* memory = nullptr;      // by pair
+  CarriedMemory* carried = nullptr;  // contacts of the moment before a list or a call ended, in no order
+  PointCell* point = nullptr;
+  HeldPoint* held = nullptr;  // points that find no place in a thread's registers
+  PushRecord* push = nullptr;
+  PushBase* push_base = nullptr;
+  AddedMotion* added = nullptr;    // by body; fixed bodies keep zeros
+  SolvedMotion* solved = nullptr;  // the same
+  BodyPoints* body_points = nullptr;
+  std::uint32_t* touched_bodies = nullptr;  // a bit for each moving body with points
+  SolverEntry* solver_entry = nullptr;      // of those bodies, ascending
+  std::int32_t* bits_before = nullptr;      // each block's own: bits before each word of touched_bodies
+  double *given = nullptr, *answered = nullptr;  // by place among those bodies [J]
+  double* partial_sum = nullptr;                 // each block's own
 
   ListBox* box = nullptr;
   std::int32_t *grid_cell = nullptr, *grid_count = nullptr, *grid_begin = nullptr;

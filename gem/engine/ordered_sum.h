@@ -6,15 +6,17 @@
 
 #include <cstddef>
 
+#include "gem/base/macros.h"
+
 namespace gem {
 
 constexpr int sum_width = 32;
 
 /// Sum of four neighbours, distances 2 and 1.
-inline double sum_of_four(const double* s) { return (s[0] + s[2]) + (s[1] + s[3]); }
+GEM_HD inline double sum_of_four(const double* s) { return (s[0] + s[2]) + (s[1] + s[3]); }
 
 /// Sum of eight sums of four, distances 16, 8 and 4 of the terms.
-inline double sum_of_eight(const double* b) {
+GEM_HD inline double sum_of_eight(const double* b) {
   return ((b[0] + b[4]) + (b[2] + b[6])) + ((b[1] + b[5]) + (b[3] + b[7]));
 }
 

@@ -36,6 +36,8 @@ inline void expect_same_log(const MomentLog& a, const MomentLog& b) {
     ASSERT_EQ(p.spin, q.spin) << "moment " << m;
     ASSERT_EQ(p.contacts, q.contacts) << "moment " << m;
     ASSERT_EQ(a.quality[m].contacts, b.quality[m].contacts) << "moment " << m;
+    ASSERT_EQ(a.quality[m].iterations, b.quality[m].iterations) << "moment " << m;
+    ASSERT_EQ(a.quality[m].residual, b.quality[m].residual) << "moment " << m;
     ASSERT_EQ(a.quality[m].maximum_overlap, b.quality[m].maximum_overlap) << "moment " << m;
   }
   ASSERT_EQ(a.events.size(), b.events.size());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gem/engine/books.h"
+#include "gem/engine/device_solver.h"
 
 namespace gem {
 namespace {
@@ -99,9 +100,27 @@ MomentQuality quality_of(const BlockQuality* block, int blocks) {
   MomentQuality quality;
   for (int k = 0; k < blocks; ++k) {
     quality.contacts += block[k].contacts;
+    quality.iterations = std::max(quality.iterations, block[k].iterations);
+    quality.residual = std::max(quality.residual, block[k].residual);
     quality.maximum_overlap = std::max(quality.maximum_overlap, strict::double_of(block[k].overlap));
   }
   return quality;
+}
+
+void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
+  const std::size_t n = sizes.bodies, rows = sizes.rows, pairs = sizes.rows / 2 + 1, blocks = sizes.blocks;
+  placer.place(s.row_points, rows);
+  placer.place(s.memory, pairs);
+  placer.place(s.carried, pairs);
+  placer.place(s.point, 2 * pairs);
+  placer.place(s.held, 2 * pairs);
+  placer.place(s.push, 2 * rows);
+  placer.place(s.push_base, 2 * rows);
+  placer.place(s.solver_entry, n);
+  placer.place(s.bits_before, blocks * ((n + 31) / 32 + 1));
+  placer.place(s.given, n);
+  placer.place(s.answered, n);
+  placer.place(s.partial_sum, blocks * 4 * ((n + sum_width - 1) / sum_width + 1));
 }
 
 }  // namespace
@@ -115,6 +134,7 @@ SceneSizes scene_sizes(const FieldState& f) {
   sizes.vertices = static_cast<std::int32_t>(b.vertex.size());
   sizes.rows = 8 * sizes.bodies + 256;
   sizes.platform_rows = 256;
+  sizes.coupled = f.constants.resolution == Resolution::coupled;
   return sizes;
 }
 
@@ -132,6 +152,12 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.normal, vertices);
   placer.place(s.vertex, vertices);
   placer.place(s.body_normal, vertices);
+  if (!sizes.coupled) return placer.used();
+  placer.place(s.area, n);
+  placer.place(s.added, n);
+  placer.place(s.solved, n);
+  placer.place(s.body_points, n);
+  placer.place(s.touched_bodies, (n + 31) / 32);
   return placer.used();
 }
 
@@ -161,6 +187,7 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
   placer.place(s.counters, 1);
   placer.place(s.term, 2 * static_cast<std::size_t>(sizes.platform_rows));
   placer.place(s.row_event, sizes.platform_rows);
+  if (sizes.coupled) place_solver(s, sizes, placer);
   return placer.used();
 }
 
@@ -197,11 +224,45 @@ void write_field(const FieldState& f, std::int64_t moment, const DeviceScene& s)
     s.motion[i] = motion_of(f.bodies, i);
     s.after[i] = {f.bodies.velocity[i], f.bodies.spin[i]};
   }
+  if (s.area) {
+    std::copy(f.bodies.area.begin(), f.bodies.area.end(), const_cast<double*>(s.area));
+    std::fill_n(s.added, f.bodies.count(), AddedMotion{});
+    std::fill_n(s.solved, f.bodies.count(), SolvedMotion{});
+    std::fill_n(s.body_points, f.bodies.count(), BodyPoints{});
+    std::fill_n(s.touched_bodies, (f.bodies.count() + 31) / 32, 0U);
+  }
   std::copy(f.books.begin(), f.books.end(), s.books);
   std::copy(f.corner.begin(), f.corner.end(), s.corner);
   std::copy(f.normal.begin(), f.normal.end(), s.normal);
   std::copy(f.bodies.vertex.begin(), f.bodies.vertex.end(), const_cast<Vec2*>(s.vertex));
   std::copy(f.body_normal.begin(), f.body_normal.end(), const_cast<Vec2*>(s.body_normal));
+}
+
+std::vector<CarriedMemory> carried_memory(const EngineState& state) {
+  constexpr std::int32_t bodies = (1 << body_bits) - 1, features = (1 << feature_bits) - 1;
+  std::vector<CarriedMemory> all;
+  for (std::size_t k = 0; k < state.impulse_key.size(); ++k) {
+    const std::uint64_t key = state.impulse_key[k];
+    const auto a = static_cast<std::int32_t>(key >> (body_bits + feature_bits));
+    const auto b = static_cast<std::int32_t>(key >> feature_bits) & bodies;
+    const bool second = !all.empty() && all.back().a == a && all.back().b == b;
+    if (!second) all.push_back({a, b, {-1, -1}, {}});
+    all.back().feature[second ? 1 : 0] = static_cast<std::int32_t>(key) & features;
+    all.back().impulse[second ? 1 : 0] = state.impulse_value[k];
+  }
+  return all;
+}
+
+void save_memory(std::vector<CarriedMemory> carried, EngineState& state) {
+  std::sort(carried.begin(), carried.end(), [](const CarriedMemory& p, const CarriedMemory& q) {
+    return contact_key(p.a, p.b, 0) < contact_key(q.a, q.b, 0);
+  });
+  for (const CarriedMemory& contact : carried)
+    for (int k = 0; k < 2; ++k) {
+      if (contact.feature[k] < 0) continue;
+      state.impulse_key.push_back(contact_key(contact.a, contact.b, contact.feature[k]));
+      state.impulse_value.push_back(contact.impulse[k]);
+    }
 }
 
 void read_state(const BodyState* state, FieldState& f) {

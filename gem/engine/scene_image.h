@@ -18,6 +18,7 @@ struct SceneSizes {
   std::int32_t platform_rows = 0;  // places in the platform's row; the same
   std::int32_t samples = 0;        // moments in the ring
   std::int32_t blocks = 1;         // that work on the scene
+  bool coupled = false;
 };
 
 SceneSizes scene_sizes(const FieldState& f);
@@ -33,6 +34,10 @@ DeviceScene scene_constants(const FieldState& f, double event_speed);
 
 /// Writes the field as it stands at the start of `moment`; `s` has its field memory on the host.
 void write_field(const FieldState& f, std::int64_t moment, const DeviceScene& s);
+
+/// Coupled: what the points carried, by ascending bodies, as an engine saves it, and back.
+std::vector<CarriedMemory> carried_memory(const EngineState& state);
+void save_memory(std::vector<CarriedMemory> carried, EngineState& state);
 
 /// Takes over the state at rest.
 void read_state(const BodyState* state, FieldState& f);

@@ -1,6 +1,7 @@
 // For tests: a crew of host threads in several blocks, so that what blocks and threads share is tried without a GPU.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <barrier>
 #include <bit>
@@ -61,6 +62,11 @@ class TeamLanes {
     }
     return sum;
   }
+  std::uint32_t highest(std::uint32_t mine) const {
+    std::uint32_t most = mine;
+    for (int k = 0; k < size; ++k) most = std::max(most, from(mine, k));
+    return most;
+  }
   int sum(int mine) const {
     int sum = 0;
     for (int k = 0; k < size; ++k) sum += from(mine, k);
@@ -112,6 +118,8 @@ class TeamCrew {
   BlockCell& shared() { return hall_.cell[std::size_t(block_)]; }
   std::byte* room() { return hall_.room[std::size_t(block_)].data(); }
   std::size_t room_bytes() const { return hall_.room[std::size_t(block_)].size(); }
+  std::byte* room_of(int block) { return hall_.room[std::size_t(block)].data(); }
+  static constexpr bool shares_rooms = true;
   void lap(int) const {}
   void write_laps(std::int64_t*) const {}
   void raise(std::uint32_t alarms) {

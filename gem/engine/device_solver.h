@@ -1,0 +1,516 @@
+// The iterations of a coupled moment on a device: the algorithm of coupled_solver.cpp, by one crew.
+//
+// A point is held by one thread, in its registers while a round runs; a moving body with points has a group of lanes,
+// one for each component of its motion. A point writes what it pushes into the rows of both bodies, in the order in
+// which they add it up, so that no thread looks for anything while the iterations run. Where the blocks of a crew reach
+// each other's fast memory, the rows stand there.
+//
+// | step, a barrier after each | by points                                     | by bodies                       |
+// | list                       |                                               | entry, rows, places of points   |
+// | begin                      | geometry, last impulses, pushes of the base   |                                 |
+// | settle                     |                                               | velocities under the base       |
+// | round                      | frame at the base, pushes                     |                                 |
+// | move                       |                                               | motion by the additions         |
+// | visit                      | next additions, pushes, residual              |                                 |
+// | end of a round             | additions into the base, pushes of the base   |                                 |
+#pragma once
+
+#include <cstring>
+
+#include "gem/engine/coupled_visit.h"
+#include "gem/engine/device_points.h"
+#include "gem/engine/ordered_sum.h"
+
+namespace gem {
+
+/// A point while a round runs.
+struct HeldPoint {
+  PointFrame<float> frame;
+  PointImpulse<float> at, carried;
+  std::int32_t a, b;           // bodies
+  PushRecord *to_a, *to_b;     // null: a fixed body
+};
+
+constexpr int solved_acted = 6;  // part of a PushBase and of a SolvedMotion
+
+template <class Crew>
+class MomentSolver {
+ public:
+  /// `room`: bytes of fast memory of each block that the solver may use, from the start.
+  GEM_DEVICE MomentSolver(const DeviceScene& s, Crew& crew, std::int32_t moment, std::int32_t points, std::size_t room)
+      : s_(s),
+        crew_(crew),
+        moment_(moment),
+        points_(points),
+        room_(room),
+        pace_{static_cast<float>(s.constants.dt), static_cast<float>(1.0 / s.constants.dt)} {}
+
+  GEM_DEVICE void solve() {
+    list_bodies();
+    crew_.barrier();
+    each_point([&](std::int32_t i, HeldPoint& held) { begin_point(i, held); });
+    clear_marks();
+    crew_.barrier();
+    settle();
+    crew_.barrier();
+    keep_best_share(1.0);
+    crew_.lap(stage_points);
+    iterate();
+    crew_.lap(stage_iterations);
+    keep_best_share(0.5);
+    each_point([&](std::int32_t i, HeldPoint& held) { judge_point(i, held); });
+    crew_.lap(stage_shares);
+  }
+
+ private:
+  /// Calls work(point, what is held of it) for the points of this thread.
+  template <class Work>
+  GEM_DEVICE GEM_INLINE void each_point(Work&& work) {
+    const std::int32_t size = size_of(crew_);
+    std::int32_t i = rank_of(crew_);
+    if (i < points_) work(i, first_);
+    i += size;
+    if (i < points_) work(i, second_);
+    for (i += size; i < points_; i += size) work(i, s_.held[i]);
+  }
+
+  GEM_DEVICE GEM_INLINE int group() const { return crew_.thread() / Crew::Lanes::size; }
+  GEM_DEVICE GEM_INLINE int groups() const { return crew_.threads() / Crew::Lanes::size; }
+
+  // -- list --
+
+  /// Counts the marks before each word, and from them the block's stretch of the bodies with points.
+  GEM_DEVICE void list_bodies() {
+    const std::int32_t words = bit_words(s_);
+    std::int32_t* const before = s_.bits_before + static_cast<std::int64_t>(crew_.block()) * (words + 1);
+    if (crew_.thread() == 0) crew_.shared().records = 0;
+    if (crew_.thread() < Crew::Warp::size) count_marks(before, words);
+    crew_.block_barrier();
+    const std::int64_t bodies = bodies_ = before[words];
+    own_ = {static_cast<std::int32_t>(bodies * crew_.block() / crew_.blocks()),
+            static_cast<std::int32_t>(bodies * (crew_.block() + 1) / crew_.blocks())};
+    for (std::int32_t w = crew_.thread(); w < words; w += crew_.threads()) {
+      std::int32_t at = before[w];
+      if (at >= own_.end || before[w + 1] <= own_.begin) continue;
+      const std::uint32_t bits = s_.touched_bodies[w];
+      for (int k = 0; k < 32; ++k) {
+        if (!(bits >> k & 1U)) continue;
+        if (at >= own_.begin && at < own_.end) s_.solver_entry[at].body = 32 * w + k;
+        ++at;
+      }
+    }
+    crew_.block_barrier();
+    place_entries();
+    // the platform, first of all where it is among them, has a long row
+    const bool platform = own_.begin < own_.end && s_.solver_entry[own_.begin].body == 0;
+    const std::int32_t first = own_.begin + (platform ? 1 : 0);
+    for (std::int32_t e = first + crew_.thread(); e < own_.end; e += crew_.threads()) list_points(OneLane{}, e);
+    if (platform && crew_.thread() < Crew::Warp::size) list_points(crew_.warp(), own_.begin);
+    crew_.block_barrier();
+  }
+
+  GEM_DEVICE void count_marks(std::int32_t* before, std::int32_t words) {
+    const auto warp = crew_.warp();
+    std::int32_t sum = 0;
+    for (std::int32_t first = 0; first < words; first += Crew::Warp::size) {
+      const std::int32_t w = first + warp.rank();
+      const int mine = w < words ? bits_in(s_.touched_bodies[w]) : 0;
+      const int below = warp.sum_below(mine);
+      if (w < words) before[w] = sum + below;
+      sum += warp.sum(mine);
+    }
+    if (warp.rank() == 0) before[words] = sum;
+  }
+
+  /// The entries of the block's bodies stand in its fast memory where that holds them.
+  GEM_DEVICE void place_entries() {
+    const std::size_t bytes = static_cast<std::size_t>(own_.count()) * sizeof(SolverEntry);
+    entry_ = s_.solver_entry;
+    records_begin_ = 0;
+    if (bytes > room_) return;
+    entry_ = reinterpret_cast<SolverEntry*>(crew_.room()) - own_.begin;
+    records_begin_ = static_cast<std::int32_t>((bytes + sizeof(PushRecord) - 1) / sizeof(PushRecord));
+  }
+
+  /// Where the records of a body of `count` points stand in the block's fast memory; -1: they do not.
+  GEM_DEVICE std::int32_t take_records(std::int32_t count) {
+    if (!Crew::shares_rooms) return -1;
+    const std::int32_t at = records_begin_ + crew_.add(&crew_.shared().records, count);
+    return static_cast<std::size_t>(at + count) * sizeof(PushRecord) <= room_ ? at : -1;
+  }
+
+  GEM_DEVICE static std::int32_t room_place(int block, std::int32_t at) { return block << 16 | at; }
+
+  /// Reads the row of a body by a group of lanes and gives its points their places.
+  template <class Group>
+  GEM_DEVICE void list_points(const Group& lanes, std::int32_t e) {
+    const std::int32_t body = s_.solver_entry[e].body;
+    const BodyMotion& motion = s_.motion[body];
+    const std::int32_t begin = motion.row_begin, lower = motion.lower_count, places = motion.row_count;
+    std::int32_t count = 0, as_b = 0;
+    for (std::int32_t first = 0; first < places; first += Group::size) {
+      const RowPoints points = points_at(begin, first + lanes.rank(), places);
+      const int sum = lanes.sum(points.count);
+      count += sum;
+      as_b += lanes.sum(first + lanes.rank() < lower ? points.count : 0);
+    }
+    std::int32_t room = lanes.rank() == 0 ? take_records(count) : 0;
+    room = lanes.from(room, 0);
+    std::int32_t before = 0;
+    for (std::int32_t first = 0; first < places; first += Group::size) {
+      const std::int32_t at = first + lanes.rank();
+      const RowPoints points = points_at(begin, at, places);
+      const std::int32_t mine = before + lanes.sum_below(points.count);
+      for (std::int32_t k = 0; k < points.count; ++k) {
+        PointCell& point = s_.point[points.first + k];
+        const std::int32_t in_room = room < 0 ? -1 : room_place(crew_.block(), room + mine + k);
+        (at < lower ? point.place_b : point.place_a) = 2 * begin + mine + k;
+        (at < lower ? point.room_b : point.room_a) = in_room;
+      }
+      before += lanes.sum(points.count);
+    }
+    if (lanes.rank() != 0) return;
+    const BodyCell& cell = s_.body[body];
+    entry_[e] = {body,
+                 2 * begin,
+                 room,
+                 as_b,
+                 count,
+                 static_cast<float>(cell.inverse_mass),
+                 static_cast<float>(cell.inverse_inertia),
+                 0};
+    s_.body_points[body] = {moment_, count};
+  }
+
+  GEM_DEVICE RowPoints points_at(std::int32_t begin, std::int32_t at, std::int32_t places) const {
+    if (at >= places || s_.stamp[begin + at].entry != moment_) return {0, 0};
+    return s_.row_points[begin + at];
+  }
+
+  // -- begin --
+
+  GEM_DEVICE void clear_marks() {
+    for (std::int32_t w = rank_of(crew_); w < bit_words(s_); w += size_of(crew_)) s_.touched_bodies[w] = 0;
+    if (rank_of(crew_) == 0) s_.counters->asked[0] = s_.counters->asked[1] = 0;
+  }
+
+  GEM_DEVICE std::int32_t points_of(std::int32_t body) const {
+    const BodyPoints points = s_.body_points[body];
+    return points.moment == moment_ ? points.count : 0;
+  }
+
+  GEM_DEVICE PushRecord* record_at(std::int32_t place, std::int32_t room) const {
+    if (room >= 0) return reinterpret_cast<PushRecord*>(crew_.room_of(room >> 16)) + (room & 0xffff);
+    return place >= 0 ? s_.push + place : nullptr;
+  }
+
+  GEM_DEVICE double cap_of(const Contact& contact, const BodyCell& a, const BodyCell& b, double last) const {
+    const MomentConstants& c = s_.constants;
+    if (!c.crushing_limit || (a.kind != BodyKind::floe && b.kind != BodyKind::floe)) return no_cap;
+    const CrushingIce ice{c.ice.pressure, c.ice.exponent, crushed_thickness(a.kind, a.thickness, b.thickness)};
+    return impulse_cap(c, ice, s_.area[contact.a], s_.area[contact.b], contact.count, last);
+  }
+
+  GEM_DEVICE void begin_point(std::int32_t i, HeldPoint& held) {
+    PointCell& point = s_.point[i];
+    Contact& contact = s_.contact[point.pair];
+    ContactSlot& slot = contact.slot[point.slot];
+    const BodyCell &a = s_.body[contact.a], &b = s_.body[contact.b];
+    point.impulse = last_impulse(s_.memory[point.pair], slot.feature, moment_);
+    slot.cap = cap_of(contact, a, b, point.impulse.normal);
+    point.geometry = point_geometry(s_.constants, contact, slot,
+                                    shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(contact.a)),
+                                    shared_mass({b.inverse_mass, b.inverse_inertia}, points_of(contact.b)), slot.cap);
+    enter_geometry(held.frame, point.geometry);
+    held.at = held.carried = {0.0F, 0.0F, 0.0F};
+    held.a = contact.a;
+    held.b = contact.b;
+    held.to_a = record_at(point.place_a, point.room_a);
+    held.to_b = record_at(point.place_b, point.room_b);
+    push_base(point);
+  }
+
+  // -- settle --
+
+  /// What the base's impulses of a point give to both bodies.
+  GEM_DEVICE void push_base(const PointCell& point) {
+    const PointGeometry<double>& g = point.geometry;
+    const PointImpulse<double>& p = point.impulse;
+    const double acts = p.normal != 0.0 || p.tangential != 0.0 || p.repair != 0.0 ? 1.0 : 0.0;
+    const auto write = [&](std::int32_t place, double lever_n, double lever_t) {
+      if (place < 0) return;
+      const Push<double> push = push_of(g, p, lever_n, lever_t);
+      s_.push_base[place] = {{push.x, push.y, push.shift_x, push.shift_y, push.twist, push.turn, acts, 0.0}};
+    };
+    write(point.place_a, g.lever_a_n, g.lever_a_t);
+    write(point.place_b, g.lever_b_n, g.lever_b_t);
+  }
+
+  /// Velocities that the base's impulses give, and what they do to the energy.
+  GEM_DEVICE void settle() {
+    const auto lanes = crew_.lanes();
+    constexpr int size = Crew::Lanes::size, each = 8 / size;
+    for (std::int32_t e = own_.begin + group(); e < own_.end; e += groups()) {
+      const SolverEntry& entry = entry_[e];
+      const std::int32_t body = entry.body, as_b = entry.as_b, count = entry.count;
+      const PushBase* const record = s_.push_base + entry.place;
+      double sum[each] = {};
+      for (std::int32_t k = 0; k < count; ++k)
+        for (int j = 0; j < each; ++j) {
+          const int c = lanes.rank() + j * size;
+          const double part = record[k].part[c];
+          sum[j] += k < as_b || c == solved_acted ? part : -part;
+        }
+      const BodyCell& cell = s_.body[body];
+      for (int j = 0; j < each; ++j) {
+        const int c = lanes.rank() + j * size;
+        const double answer = c < 4 ? cell.inverse_mass : c < solved_acted ? cell.inverse_inertia : 1.0;
+        const double moved = answer * sum[j];
+        sum[j] = c == 0 ? cell.velocity.x + moved : c == 1 ? cell.velocity.y + moved : c == 4 ? cell.spin + moved : moved;
+        s_.solved[body].part[c] = sum[j];
+      }
+      const double x = lanes.from(sum[0], 0), y = lanes.from(sum[1 / size], 1 % size),
+                   spin = lanes.from(sum[4 / size], 4 % size);
+      if (lanes.rank() != 0) continue;
+      const BodyMotion& motion = s_.motion[body];
+      const ImpulseWork work = work_on_body({x, y, spin, 0.0, 0.0, 0.0}, cell.velocity.x, cell.velocity.y, cell.spin,
+                                            motion.mass, motion.inertia);
+      s_.given[e] = work.given;
+      s_.answered[e] = work.answered;
+    }
+  }
+
+  GEM_DEVICE static double sum_of_group(const double* terms, std::int32_t count) {
+    double eight[8];
+    for (int k = 0; k < 8; ++k) {
+      double four[4];
+      for (int j = 0; j < 4; ++j) four[j] = 4 * k + j < count ? terms[4 * k + j] : 0.0;
+      eight[k] = sum_of_four(four);
+    }
+    return sum_of_eight(eight);
+  }
+
+  /// ordered_sum() of the energies of all bodies; every block works it out for itself.
+  GEM_DEVICE ImpulseWork summed_work() {
+    const std::int32_t most = (s_.bodies + sum_width - 1) / sum_width;
+    double* to = s_.partial_sum + static_cast<std::int64_t>(crew_.block()) * 4 * (most + 1);
+    const double *given = s_.given, *answered = s_.answered;
+    std::int32_t count = bodies_;
+    if (count == 0) return {0.0, 0.0};
+    do {
+      const std::int32_t made = (count + sum_width - 1) / sum_width;
+      for (std::int32_t k = crew_.thread(); k < 2 * made; k += crew_.threads()) {
+        const std::int32_t first = sum_width * (k < made ? k : k - made);
+        to[k] = sum_of_group((k < made ? given : answered) + first, count - first);
+      }
+      crew_.block_barrier();
+      given = to;
+      answered = to + made;
+      to += 2 * made;
+      count = made;
+    } while (count > 1);
+    const ImpulseWork work{given[0], answered[0]};
+    crew_.block_barrier();  // before the memory is used again
+    return work;
+  }
+
+  /// As CoupledSolver::keep_best_share().
+  GEM_DEVICE void keep_best_share(double limit) {
+    const double share = best_share(summed_work());
+    if (!(share < limit)) return;
+    each_point([&](std::int32_t i, HeldPoint&) {
+      PointCell& point = s_.point[i];
+      point.impulse.normal *= share;
+      point.impulse.tangential *= share;
+      push_base(point);
+    });
+    crew_.barrier();
+    settle();
+    crew_.barrier();
+  }
+
+  // -- rounds --
+
+  GEM_DEVICE Motion<double> solved_motion(std::int32_t body) const {
+    const SolvedMotion& m = s_.solved[body];
+    return {m.part[0], m.part[1], m.part[4], m.part[2], m.part[3], m.part[5]};
+  }
+
+  GEM_DEVICE GEM_INLINE static void push(const HeldPoint& held) {
+    const PointPush<float> p = push_of(held.frame, held.carried);
+    if (held.to_a) *held.to_a = {{p.x, p.y, p.shift_x, p.shift_y, p.twist_a, p.turn_a, 0.0F, 0.0F}};
+    if (held.to_b) *held.to_b = {{p.x, p.y, p.shift_x, p.shift_y, p.twist_b, p.turn_b, 0.0F, 0.0F}};
+  }
+
+  GEM_DEVICE void begin_round() {
+    each_point([&](std::int32_t i, HeldPoint& held) {
+      const PointCell& point = s_.point[i];
+      enter_base(held.frame, point.geometry, point.impulse, solved_motion(held.a), solved_motion(held.b));
+      held.carried.normal -= held.at.normal;
+      held.carried.tangential -= held.at.tangential;
+      held.carried.repair -= held.at.repair;
+      held.at = {0.0F, 0.0F, 0.0F};
+      push(held);
+    });
+    crew_.barrier();
+    move();
+    crew_.barrier();
+  }
+
+  GEM_DEVICE void end_round() {
+    each_point([&](std::int32_t i, HeldPoint& held) {
+      PointCell& point = s_.point[i];
+      point.impulse = with_additions(s_.constants.point_friction, point.geometry.friction, point.geometry.cap,
+                                     point.impulse, held.at);
+      push_base(point);
+    });
+    crew_.barrier();
+    settle();
+    crew_.barrier();
+  }
+
+  /// Motions by the additions of the round: as CoupledRounds::move(), a lane for each component.
+  GEM_DEVICE GEM_INLINE void move() {
+    constexpr int size = Crew::Lanes::size;
+    const int rank = crew_.thread() % size;
+    const auto* const room = reinterpret_cast<const PushRecord*>(crew_.room());
+    for (std::int32_t e = own_.begin + group(); e < own_.end; e += groups()) {
+      const SolverEntry entry = entry_[e];
+      const PushRecord* const record = entry.room >= 0 ? room + entry.room : s_.push + entry.place;
+      for (int c = rank; c < 6; c += size) {
+        float to_b = 0.0F, to_a = 0.0F;
+        std::int32_t k = 0;
+        for (; k < entry.as_b; ++k) to_b += record[k].part[c];
+        for (; k < entry.count; ++k) to_a += record[k].part[c];
+        s_.added[entry.body].part[c] = (c < 4 ? entry.inverse_mass : entry.inverse_inertia) * (to_b - to_a);
+      }
+    }
+  }
+
+  template <PointFriction law, bool judged>
+  GEM_DEVICE GEM_INLINE float visit(HeldPoint& held, float ahead) const {
+    const AddedMotion a = s_.added[held.a], b = s_.added[held.b];
+    const Approach<float> w{b.part[0] - a.part[0], b.part[1] - a.part[1], b.part[2] - a.part[2], b.part[3] - a.part[3],
+                            a.part[4],             a.part[5],             b.part[4],             b.part[5]};
+    const float asked = visit_point<law, judged>(held.frame, w, pace_, ahead, held.at, held.carried);
+    push(held);
+    return asked;
+  }
+
+  template <PointFriction law>
+  GEM_DEVICE GEM_INLINE float visit_all(bool judged, float ahead) {
+    float most = 0.0F;
+    if (judged)
+      each_point([&](std::int32_t, HeldPoint& held) { most = larger(visit<law, true>(held, ahead), most); });
+    else
+      each_point([&](std::int32_t, HeldPoint& held) { visit<law, false>(held, ahead); });
+    return most;
+  }
+
+  GEM_DEVICE GEM_INLINE float visit_all(bool judged, float ahead) {
+    switch (s_.constants.point_friction) {
+      case PointFriction::none:
+        return visit_all<PointFriction::none>(judged, ahead);
+      case PointFriction::coulomb:
+        return visit_all<PointFriction::coulomb>(judged, ahead);
+      default:
+        return visit_all<PointFriction::fixed_direction>(judged, ahead);
+    }
+  }
+
+  /// Bits of a number that is not negative: they have its order.
+  GEM_DEVICE static std::uint32_t bits_of(float x) {
+    std::uint32_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits;
+  }
+  GEM_DEVICE static float float_of(std::uint32_t bits) {
+    float x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+  }
+
+  GEM_DEVICE void note_asked(int turn, float most) {
+    const auto warp = crew_.warp();
+    const std::uint32_t all = warp.highest(bits_of(most));
+    if (warp.rank() == 0 && all != 0) crew_.highest(&s_.counters->asked[turn], all);
+  }
+
+  GEM_DEVICE void iterate() {
+    const MomentConstants& c = s_.constants;
+    Acceleration acceleration;
+    float ahead = acceleration.next();
+    double residual = 0.0;
+    std::int64_t iteration = 0;
+    int turn = 0;
+    for (bool done = false; !done;) {
+      begin_round();
+      for (std::int64_t of_round = 1; !done && of_round <= iterations_of_round; ++of_round) {
+        ++iteration;
+        const bool judged = is_judged(iteration, c.iterations_maximum);
+        const float most = visit_all(judged, ahead);
+        if (judged) note_asked(turn, most);
+        ahead = acceleration.next();
+        crew_.barrier();
+        if (judged) {
+          residual = static_cast<double>(float_of(s_.counters->asked[turn]));
+          turn = 1 - turn;
+          if (rank_of(crew_) == 0) s_.counters->asked[turn] = 0;
+          done = residual <= c.residual_speed || iteration >= c.iterations_maximum;
+        }
+        if (done || of_round == iterations_of_round) break;
+        move();
+        crew_.barrier();
+      }
+      end_round();
+    }
+    if (rank_of(crew_) == 0) {
+      crew_.shared().iterations = static_cast<std::int32_t>(iteration);
+      crew_.shared().residual = residual;
+    }
+  }
+
+  // -- end --
+
+  /// Hands the impulses back to the contact.
+  GEM_DEVICE void judge_point(std::int32_t i, const HeldPoint&) {
+    const PointCell& point = s_.point[i];
+    Contact& contact = s_.contact[point.pair];
+    ContactSlot& slot = contact.slot[point.slot];
+    const PointImpulse<double> p = point.impulse;
+    slot.impulse.normal = p.normal;
+    slot.impulse.tangential = p.tangential;
+    slot.repair = p.repair;
+    remember(s_.memory[point.pair], contact, point.slot, p, moment_);
+    if (slot.separation <= 0.0 || p.normal > 0.0) crew_.add(&crew_.shared().contacts, 1);
+  }
+
+  const DeviceScene& s_;
+  Crew& crew_;
+  std::int32_t moment_, points_;
+  std::size_t room_;
+  MomentPace<float> pace_;
+  std::int32_t bodies_ = 0;
+  Stretch own_;                    // the block's stretch of the bodies with points
+  SolverEntry* entry_ = nullptr;   // by place among them
+  std::int32_t records_begin_ = 0;  // in the block's fast memory
+  HeldPoint first_, second_;
+};
+
+/// Resolves a coupled moment. Few points are left to one block: the others would only make it wait.
+template <class Crew>
+GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
+  const std::int32_t points = s.counters->points;
+  if (points == 0) return;
+  if (crew.blocks() > 1 && points <= crew.threads()) {
+    if (crew.block() == 0) {
+      OneBlock<Crew> alone(crew);
+      MomentSolver<OneBlock<Crew>>(s, alone, moment, points, desk.solver_bytes).solve();
+    }
+  } else {
+    MomentSolver<Crew>(s, crew, moment, points, desk.solver_bytes).solve();
+  }
+  crew.barrier();
+}
+
+}  // namespace gem

@@ -20,6 +20,18 @@ namespace gem {
 /// Slack for rounding where a bound on motion spares a look [m].
 constexpr double rounding = 1e-9;
 
+inline CollisionMass collision_mass(const Bodies& b, std::int32_t i) {
+  return {b.inverse_mass[i], b.inverse_inertia[i]};
+}
+
+/// What the events of a pair read of its bodies.
+inline PairBodies pair_bodies(const Bodies& b, std::int32_t i, std::int32_t j) {
+  return {collision_mass(b, i), collision_mass(b, j),
+          b.velocity[i],        b.velocity[j],
+          b.spin[i],            b.spin[j],
+          crushed_thickness(b.kind[i], b.thickness[i], b.thickness[j])};
+}
+
 /// Looks whether a pair touches (or, coupled, is closer than the contact margin). `axes` are those of an earlier look,
 /// since which the bodies moved by at most `moved`; they are brought up to date. Everything of the contact that later
 /// stages only add to is set to zero.
@@ -35,11 +47,8 @@ inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, Se
                                        : face_contact(outline_a, outline_b, offset, axes.first, limit);
   if (geometry.count == 0) return false;
   open_contact(contact, a, b, geometry, offset);
-  return true;
-}
-
-inline CollisionMass collision_mass(const Bodies& b, std::int32_t i) {
-  return {b.inverse_mass[i], b.inverse_inertia[i]};
+  if (limit > 0.0) keep_closing_points(f.constants, pair_bodies(f.bodies, a, b), contact);
+  return contact.count > 0;
 }
 
 /// Velocity of B against A at a contact point [m/s].
@@ -60,16 +69,9 @@ inline CrushingIce crushing_ice(const FieldState& f, const Contact& contact) {
 inline void prepare_contact(const FieldState& f, Contact& contact) {
   const Bodies& b = f.bodies;
   const std::int32_t i = contact.a, j = contact.b;
-  const PairBodies pair{collision_mass(b, i),
-                        collision_mass(b, j),
-                        b.velocity[i],
-                        b.velocity[j],
-                        b.spin[i],
-                        b.spin[j],
-                        crushed_thickness(b.kind[i], b.thickness[i], b.thickness[j])};
   Vec2 shift;
   if (i == 0) shift = b.position[0] - f.platform_position;
-  prepare(f.constants, pair, shift, contact);
+  prepare(f.constants, pair_bodies(b, i, j), shift, contact);
 }
 
 /// A contact point as the iterations of a coupled moment see it. `points_of_...`: points among which a body's mass is

@@ -1,6 +1,6 @@
 // Speed of the cuda engine by device events, as CSV: one scene in three phases and several layouts, and batches.
 //
-// usage: gem_cuda_speed CASES_FOLDER [single|batch|profile|all] [largest batch]
+// usage: gem_cuda_speed CASES_FOLDER [single|batch|profile|all] [largest batch] [coupled|independent]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -34,15 +34,23 @@ struct Phase {
 constexpr Phase phases[] = {
     {"drift", "004_400_25", 60.0}, {"plug", "004_400_25", 1800.0}, {"jam", "400_200_100", 600.0}};
 
-SceneDef scene_of(const std::string& cases, const std::string& run) {
-  for (const SweepMember& member : expand_sweep(cases + "/table1.toml"))
+/// What is timed.
+struct Subject {
+  std::string cases = "cases";
+  Resolution resolution = Resolution::coupled;
+  const char* name() const { return resolution == Resolution::coupled ? "coupled" : "independent"; }
+};
+
+/// A run of the paper with the default settings, or with independent contacts as their own tables have them.
+SceneDef scene_of(const Subject& subject, const std::string& run) {
+  for (const SweepMember& member : expand_sweep(subject.cases + "/table1.toml"))
     if (member.name == run) {
       SceneDef scene = member.scene;
-      scene.contact.resolution = Resolution::independent;
-      scene.contact.manifold = Manifold::chord_middle;
+      scene.contact.resolution = subject.resolution;
+      if (subject.resolution == Resolution::independent) scene.contact.manifold = Manifold::chord_middle;
       return scene;
     }
-  throw Error(ExitCode::usage, "no run " + run + " in " + cases);
+  throw Error(ExitCode::usage, "no run " + run + " in " + subject.cases);
 }
 
 std::int64_t moments_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.moment_s); }
@@ -59,7 +67,7 @@ void end_row(const CudaBatch& batch) {
 
 void header() {
   std::printf(
-      "commit,device,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,x_real_time,contacts,"
+      "commit,device,resolution,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,x_real_time,contacts,"
       "wall_over_device,state_hash\n");
 }
 
@@ -85,9 +93,9 @@ Timing time_moments(CudaBatch& batch, const EngineState& start, std::vector<Mome
   return {seconds[seconds.size() / 2], seconds.back() - seconds.front(), wall / double(timed_moments)};
 }
 
-void single(const std::string& cases) {
+void single(const Subject& subject) {
   for (const Phase& phase : phases) {
-    const SceneDef scene = scene_of(cases, phase.run);
+    const SceneDef scene = scene_of(subject, phase.run);
     const Bodies field = make_field(scene);
     CudaBatch batch({{scene, field}}, {});
     batch.advance(moments_in(scene, phase.time), nullptr);
@@ -100,8 +108,8 @@ void single(const std::string& cases) {
         const Timing time = time_moments(timed, start, &logs);
         double contacts = 0.0;
         for (const MomentQuality& quality : logs[0].quality) contacts += quality.contacts / double(timed_moments);
-        std::printf("%s,%s,moment,%s,1,%d,%d,%.3f,%.3f,%.0f,%.0f,%.2f,%016llx", GEM_COMMIT, timed.device().name.c_str(),
-                    phase.name, blocks, threads, 1e6 * time.median, 1e6 * time.spread,
+        std::printf("%s,%s,%s,moment,%s,1,%d,%d,%.3f,%.3f,%.0f,%.0f,%.2f,%016llx", GEM_COMMIT, timed.device().name.c_str(),
+                    subject.name(), phase.name, blocks, threads, 1e6 * time.median, 1e6 * time.spread,
                     scene.numerics.moment_s / time.median, contacts, time.wall / time.median,
                     static_cast<unsigned long long>(timed.state_hash(0)));
         end_row(timed);
@@ -110,9 +118,9 @@ void single(const std::string& cases) {
 }
 
 /// For a profiler: the plug, its list built, then a third launch of 64 moments.
-void one_launch(const std::string& cases) {
+void one_launch(const Subject& subject) {
   const Phase& phase = phases[1];
-  const SceneDef scene = scene_of(cases, phase.run);
+  const SceneDef scene = scene_of(subject, phase.run);
   CudaBatch batch({{scene, make_field(scene)}}, {.ring_moments = 20000});
   batch.advance(moments_in(scene, phase.time), nullptr);
   batch.advance(2, nullptr);
@@ -120,9 +128,9 @@ void one_launch(const std::string& cases) {
 }
 
 /// Fields of the main run with seeds 1, 2, ...
-std::vector<BatchScene> seeds(const std::string& cases, std::size_t count) {
+std::vector<BatchScene> seeds(const Subject& subject, std::size_t count) {
   std::vector<BatchScene> scenes(count);
-  const SceneDef scene = scene_of(cases, "004_400_25");
+  const SceneDef scene = scene_of(subject, "004_400_25");
   std::vector<std::thread> threads;
   const std::size_t workers = std::max(1U, std::thread::hardware_concurrency());
   for (std::size_t w = 0; w < workers; ++w)
@@ -137,8 +145,8 @@ std::vector<BatchScene> seeds(const std::string& cases, std::size_t count) {
   return scenes;
 }
 
-void batches(const std::string& cases, std::size_t largest) {
-  const std::vector<BatchScene> all = seeds(cases, largest);
+void batches(const Subject& subject, std::size_t largest) {
+  const std::vector<BatchScene> all = seeds(subject, largest);
   for (std::size_t count : {1, 2, 4, 8, 16, 33, 66, 132, 264}) {
     if (count > largest) break;
     CudaBatch batch({all.begin(), all.begin() + std::ptrdiff_t(count)}, {.samples = false});
@@ -147,8 +155,8 @@ void batches(const std::string& cases, std::size_t largest) {
     const auto begin = Clock::now();
     batch.advance(moments, nullptr);
     const double wall = std::chrono::duration<double>(Clock::now() - begin).count(), device = batch.device_time();
-    std::printf("%s,%s,batch,%.0f s,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
-                duration, count, batch.blocks(), batch.threads(), 1e6 * device / double(moments),
+    std::printf("%s,%s,%s,batch,%.0f s,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
+                subject.name(), duration, count, batch.blocks(), batch.threads(), 1e6 * device / double(moments),
                 double(count) * duration / wall, wall / device, static_cast<unsigned long long>(batch.state_hash(0)));
     end_row(batch);
   }
@@ -159,12 +167,15 @@ void batches(const std::string& cases, std::size_t largest) {
 
 int main(int count, char** argument) {
   try {
-    const std::string cases = count > 1 ? argument[1] : "cases", what = count > 2 ? argument[2] : "all";
+    const std::string what = count > 2 ? argument[2] : "all", resolution = count > 4 ? argument[4] : "coupled";
+    gem::Subject subject;
+    if (count > 1) subject.cases = argument[1];
+    if (resolution == "independent") subject.resolution = gem::Resolution::independent;
     const std::size_t largest = count > 3 ? std::strtoull(argument[3], nullptr, 10) : 264;
     gem::header();
-    if (what == "profile") gem::one_launch(cases);
-    if (what == "single" || what == "all") gem::single(cases);
-    if (what == "batch" || what == "all") gem::batches(cases, largest);
+    if (what == "profile") gem::one_launch(subject);
+    if (what == "single" || what == "all") gem::single(subject);
+    if (what == "batch" || what == "all") gem::batches(subject, largest);
     return 0;
   } catch (const gem::Error& error) {
     std::fprintf(stderr, "gem_cuda_speed: %s\n", error.what());

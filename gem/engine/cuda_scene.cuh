@@ -19,9 +19,6 @@ class CudaScene {
   /// `status` is its place among the statuses of the batch, on the device.
   CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status)
       : status_(status), blocks_(blocks) {
-    if (scene.scene.contact.resolution == Resolution::coupled)
-      throw Error(ExitCode::device,
-                  "the cuda engine resolves contact.resolution = \"independent\" only, use --engine cpu");
     const MomentConstants constants = moment_constants(scene.scene, scene.bodies);
     field_ = make_field_state(std::move(scene.bodies), constants);
     ledger_.start = total(field_);
@@ -53,6 +50,7 @@ class CudaScene {
   /// After a call: what it left on the device.
   void note(const DeviceStatus& status) {
     moment_ = status.moment;
+    carried_ = status.carried;
     state_here_ = books_here_ = false;
   }
 
@@ -74,7 +72,9 @@ class CudaScene {
     const auto enough = [](std::int32_t now, std::int32_t needed) { return needed > now ? needed + needed / 4 : now; };
     sizes_.rows = enough(sizes_.rows, status.rows_needed);
     sizes_.platform_rows = enough(sizes_.platform_rows, status.platform_needed);
+    const std::vector<CarriedMemory> memory = carried();
     make_list();
+    send(memory);
   }
 
   const Bodies& bodies() {
@@ -104,7 +104,9 @@ class CudaScene {
 
   EngineState save() {
     bodies();
-    return {moment_, field_.bodies, ledger(), {}, {}};
+    EngineState state{moment_, field_.bodies, ledger(), {}, {}};
+    save_memory(carried(), state);
+    return state;
   }
 
   void restore(const EngineState& state) {
@@ -112,7 +114,14 @@ class CudaScene {
     open_books(field_, state.ledger);
     ledger_ = state.ledger;
     moment_ = state.moment;
+    const std::vector<CarriedMemory> memory = carried_memory(state);
+    if (2 * memory.size() > static_cast<std::size_t>(sizes_.rows)) {
+      sizes_.rows = static_cast<std::int32_t>(2 * memory.size());
+      make_list();
+    }
+    carried_ = static_cast<std::int32_t>(memory.size());
     upload();
+    send(memory);
   }
 
  private:
@@ -123,12 +132,30 @@ class CudaScene {
     place_field(here, sizes_, image.data());
     write_field(field_, moment_, here);
     status = *here.status;
+    status.carried = carried_;
     check_cuda(cudaMemcpy(field_memory_.data(), image.data(), image.size(), cudaMemcpyHostToDevice), "take the field");
     check_cuda(cudaMemcpy(status_, &status, sizeof status, cudaMemcpyHostToDevice), "take the field");
     forget_list();
     settle();
     if (state_copy_.bytes() == 0) state_copy_ = PinnedMemory(sizeof(BodyState) * field_.bodies.count());
     fresh_ = state_here_ = books_here_ = true;
+  }
+
+  /// What the points of the last moment carried; a coupled scene keeps it on the device.
+  std::vector<CarriedMemory> carried() const {
+    std::vector<CarriedMemory> memory(carried_);
+    if (carried_ > 0)
+      check_cuda(cudaMemcpy(memory.data(), device_.carried, sizeof(CarriedMemory) * memory.size(),
+                            cudaMemcpyDeviceToHost),
+                 "fetch the impulses");
+    return memory;
+  }
+  void send(const std::vector<CarriedMemory>& memory) {
+    if (!sizes_.coupled || memory.empty()) return;
+    check_cuda(cudaMemcpy(device_.carried, memory.data(), sizeof(CarriedMemory) * memory.size(),
+                          cudaMemcpyHostToDevice),
+               "take the impulses");
+    settle();
   }
 
   /// No stamp of an earlier list may look like one of a moment to come.
@@ -162,6 +189,7 @@ class CudaScene {
   DeviceScene device_;
   DeviceStatus* status_;
   int blocks_;
+  std::int32_t carried_ = 0;  // contacts in device_.carried
   DeviceMemory field_memory_, list_memory_, ring_memory_;
   PinnedMemory ring_here_, state_copy_;
   bool fresh_ = true;  // not yet moved on from the state that was given

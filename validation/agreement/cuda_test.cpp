@@ -28,8 +28,8 @@ class OnGpu : public testing::Test {
   }
 };
 
-SceneDef independent(SceneDef scene, Manifold manifold = Manifold::chord_middle) {
-  scene.contact.resolution = Resolution::independent;
+SceneDef resolved(SceneDef scene, Resolution resolution, Manifold manifold) {
+  scene.contact.resolution = resolution;
   scene.contact.manifold = manifold;
   return scene;
 }
@@ -41,13 +41,13 @@ SceneDef member(const std::string& path, const std::string& name) {
   throw Error(ExitCode::usage, "no run " + name + " in " + path);
 }
 
-using Laws = std::tuple<Manifold, Yaw, FrictionLaw, DragLaw>;
+using Laws = std::tuple<Resolution, Manifold, Yaw, FrictionLaw, DragLaw>;
 
 class CudaLaws : public OnGpu, public testing::WithParamInterface<Laws> {};
 
 TEST_P(CudaLaws, GiveTheBitsOfTheCpu) {
-  SceneDef scene = independent(test::busy_scene(5));
-  std::tie(scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
+  SceneDef scene = test::busy_scene(5);
+  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu"), cuda = test::busy_engine(scene, "cuda");
   MomentLog expected, log;
   for (int block = 0; block < 8; ++block) {
@@ -60,24 +60,28 @@ TEST_P(CudaLaws, GiveTheBitsOfTheCpu) {
   EXPECT_EQ(cuda->state_hash(), cpu->state_hash());
   test::expect_same_books(cuda->ledger(), cpu->ledger());
   EXPECT_GT(test::contacts_in(expected), 5000);
-  EXPECT_GT(expected.events.size(), 5u);
+  EXPECT_GT(expected.events.size(), 2u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Combinations, CudaLaws,
-                         testing::Combine(testing::Values(Manifold::chord_middle, Manifold::chord_ends),
+                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+                                          testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
                                           testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
 
+using Way = std::tuple<Resolution, Manifold>;
+
 /// The jam of 1,234 floes with what the cpu engine makes of it.
-class CudaJam : public OnGpu, public testing::WithParamInterface<Manifold> {
+class CudaJam : public OnGpu, public testing::WithParamInterface<Way> {
  protected:
   static constexpr std::int64_t moments = 60;
 
   void SetUp() override {
     OnGpu::SetUp();
     if (IsSkipped()) return;
-    scene_ = independent(agreement::jam_scene(Resolution::independent), GetParam());
+    const auto [resolution, manifold] = GetParam();
+    scene_ = resolved(agreement::jam_scene(resolution), resolution, manifold);
     field_ = agreement::drifting_field(scene_);
     start_ = agreement::jam(scene_, field_);
     const auto cpu = make_engine(scene_, field_, agreement::on("cpu"));
@@ -85,6 +89,7 @@ class CudaJam : public OnGpu, public testing::WithParamInterface<Manifold> {
     cpu->advance(moments, expected_);
     hash_ = cpu->state_hash();
     ledger_ = cpu->ledger();
+    end_ = cpu->save();
     for (const MomentQuality& quality : expected_.quality) ASSERT_GT(quality.contacts, agreement::contacts_wanted);
   }
 
@@ -96,6 +101,7 @@ class CudaJam : public OnGpu, public testing::WithParamInterface<Manifold> {
   MomentLog expected_;
   std::uint64_t hash_ = 0;
   Ledger ledger_;
+  EngineState end_;
 };
 
 TEST_P(CudaJam, NoLayoutOnTheGpuMatters) {
@@ -108,6 +114,7 @@ TEST_P(CudaJam, NoLayoutOnTheGpuMatters) {
       EXPECT_EQ(batch.state_hash(0), hash_) << blocks << " blocks of " << threads << " threads";
       test::expect_same_log(logs[0], expected_);
       test::expect_same_books(batch.ledger(0), ledger_);
+      test::expect_same_memory(batch.save(0), end_);
     }
 }
 
@@ -135,7 +142,7 @@ TEST_P(CudaJam, ARestartChangesNothing) {
 TEST_P(CudaJam, PlaceAndSizeOfABatchChangeNothing) {
   std::vector<BatchScene> scenes = copies(5);
   for (const std::size_t other : {0, 1, 3}) {
-    scenes[other].scene = independent(test::busy_scene(20 + other));
+    scenes[other].scene = resolved(test::busy_scene(20 + other), std::get<0>(GetParam()), std::get<1>(GetParam()));
     scenes[other].bodies = test::busy_field(scenes[other].scene);
   }
   CudaBatch batch(scenes, {});
@@ -151,13 +158,16 @@ TEST_P(CudaJam, PlaceAndSizeOfABatchChangeNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Manifolds, CudaJam, testing::Values(Manifold::chord_middle, Manifold::chord_ends),
-                         [](const auto& manifold) {
-                           return manifold.param == Manifold::chord_ends ? std::string("ends") : std::string("middle");
+INSTANTIATE_TEST_SUITE_P(Ways, CudaJam,
+                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+                                          testing::Values(Manifold::chord_middle, Manifold::chord_ends)),
+                         [](const auto& way) {
+                           return std::string(std::get<0>(way.param) == Resolution::coupled ? "coupled" : "independent") +
+                                  (std::get<1>(way.param) == Manifold::chord_ends ? "_ends" : "_middle");
                          });
 
 TEST_F(OnGpu, AStateThatIsNoNumberStopsTheRun) {
-  const SceneDef scene = independent(test::busy_scene(12));
+  const SceneDef scene = test::busy_scene(12);
   const auto engine = test::busy_engine(scene, "cuda");
   MomentLog log;
   engine->advance(3, log);
@@ -173,17 +183,12 @@ TEST_F(OnGpu, AStateThatIsNoNumberStopsTheRun) {
   }
 }
 
-TEST_F(OnGpu, TheCoupledResolutionIsRefused) {
-  SceneDef scene = test::busy_scene(1);
-  scene.contact.resolution = Resolution::coupled;
-  EXPECT_THROW(test::busy_engine(scene, "cuda"), Error);
-}
-
-class LongCuda : public OnGpu {};
+class LongCuda : public OnGpu, public testing::WithParamInterface<Way> {};
 
 /// One moment from each of 100 states along a run of the paper, and the whole of its first 600 s.
-TEST_F(LongCuda, SixHundredSecondsOfTheDensestRun) {
-  SceneDef scene = independent(member(GEM_SOURCE_DIR "/cases/table1.toml", "400_200_100"));
+TEST_P(LongCuda, SixHundredSecondsOfTheDensestRun) {
+  const auto [resolution, manifold] = GetParam();
+  const SceneDef scene = resolved(member(GEM_SOURCE_DIR "/cases/table1.toml", "400_200_100"), resolution, manifold);
   const Bodies field = make_field(scene);
   const auto cpu = make_engine(scene, field, {"cpu", 0}), cuda = make_engine(scene, field, agreement::on("cuda"));
   const auto probe = make_engine(scene, field, agreement::on("cuda"));
@@ -207,6 +212,10 @@ TEST_F(LongCuda, SixHundredSecondsOfTheDensestRun) {
   test::expect_same_books(cuda->ledger(), cpu->ledger());
   EXPECT_GT(contacts, 1000000);
 }
+
+INSTANTIATE_TEST_SUITE_P(Ways, LongCuda,
+                         testing::Values(Way{Resolution::independent, Manifold::chord_middle},
+                                         Way{Resolution::coupled, Manifold::chord_ends}));
 
 }  // namespace
 }  // namespace gem

@@ -6,8 +6,10 @@
 #define GEM_HD __host__ __device__
 #define GEM_DEVICE __device__
 #define GEM_INLINE __forceinline__
+#define GEM_NOINLINE __noinline__
 #else
 #define GEM_HD
 #define GEM_DEVICE
 #define GEM_INLINE inline __attribute__((always_inline))
+#define GEM_NOINLINE __attribute__((noinline))
 #endif

@@ -81,6 +81,11 @@ class SoloCrew {
   /// Fast memory of another block, where the crew's blocks can reach it.
   std::byte* room_of(int) { return room_.data(); }
   static constexpr bool shares_rooms = true;
+  /// Calls work(team) with the part of the crew that iterates coupled moments.
+  template <class Work>
+  void solve(Work&& work) {
+    work(*this);
+  }
   /// Reads the clock at the end of a stage.
   void lap(int) const {}
   void write_laps(std::int64_t*) const {}

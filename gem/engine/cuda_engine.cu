@@ -48,6 +48,12 @@ constexpr int largest_cluster = 16;
 struct Spread {
   int scenes = 1, blocks = 1, threads = most_threads;
   bool gated() const { return blocks > largest_cluster; }
+  /// Gated blocks stand in clusters too, for the first of them; where their number does not divide, in smaller ones.
+  int cluster() const {
+    int size = largest_cluster;
+    while (gated() && blocks % size != 0) size /= 2;
+    return gated() ? size : blocks;
+  }
   auto kernel() const { return gated() ? advance_scenes<GateCrew> : advance_scenes<ClusterCrew>; }
 };
 
@@ -62,44 +68,53 @@ std::size_t room_of_block(const Spread& spread) {
   const std::size_t left = (static_cast<std::size_t>(most) - attributes.sharedSizeBytes) / 128 * 128;
   check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(left)),
              "be set up");
-  if (!spread.gated())
-    check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
+  check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
   return left;
 }
 
-/// The attribute lives as long as the configuration.
-cudaLaunchConfig_t launch_config(const Spread& spread, std::size_t room, cudaLaunchAttribute& attribute,
-                                 cudaStream_t stream) {
-  if (spread.gated()) {
-    attribute.id = cudaLaunchAttributeCooperative;
-    attribute.val.cooperative = 1;
-  } else {
-    attribute.id = cudaLaunchAttributeClusterDimension;
-    attribute.val.clusterDim = {static_cast<unsigned>(spread.blocks), 1, 1};
-  }
+/// A launch and the attributes that it points to.
+struct LaunchConfig {
   cudaLaunchConfig_t config{};
-  config.gridDim = dim3(static_cast<unsigned>(spread.scenes * spread.blocks));
-  config.blockDim = dim3(static_cast<unsigned>(spread.threads));
-  config.dynamicSmemBytes = room;
-  config.stream = stream;
-  config.attrs = &attribute;
-  config.numAttrs = 1;
-  return config;
-}
+  cudaLaunchAttribute attribute[2];
+
+  LaunchConfig(const Spread& spread, std::size_t room, cudaStream_t stream) {
+    attribute[0].id = cudaLaunchAttributeClusterDimension;
+    attribute[0].val.clusterDim = {static_cast<unsigned>(spread.cluster()), 1, 1};
+    attribute[1].id = cudaLaunchAttributeCooperative;
+    attribute[1].val.cooperative = 1;
+    config.gridDim = dim3(static_cast<unsigned>(spread.scenes * spread.blocks));
+    config.blockDim = dim3(static_cast<unsigned>(spread.threads));
+    config.dynamicSmemBytes = room;
+    config.stream = stream;
+    config.attrs = attribute;
+    config.numAttrs = spread.gated() ? 2 : 1;
+  }
+  LaunchConfig(const LaunchConfig&) = delete;
+  LaunchConfig& operator=(const LaunchConfig&) = delete;
+
+  /// Clusters that run at the same time.
+  int clusters(const Spread& spread) {
+    int most = 0;
+    config.numAttrs = 1;
+    if (cudaOccupancyMaxActiveClusters(&most, spread.kernel(), &config) != cudaSuccess) most = 0;
+    cudaGetLastError();
+    config.numAttrs = spread.gated() ? 2 : 1;
+    return most;
+  }
+};
 
 /// The most blocks for each scene with which all scenes run at the same time; no more than `useful`.
 int most_blocks(int scenes, int threads, int multiprocessors, int useful) {
-  const int share = std::min(multiprocessors / scenes, useful);
-  if (share > largest_cluster) return share;
-  for (int blocks = largest_cluster; blocks > 1; blocks /= 2) {
-    if (blocks > useful) continue;
+  const int share = std::min(multiprocessors / scenes, useful) / largest_cluster * largest_cluster;
+  for (int blocks = share; blocks > largest_cluster; blocks -= largest_cluster) {
     const Spread spread{scenes, blocks, threads};
-    cudaLaunchAttribute attribute;
-    const cudaLaunchConfig_t config = launch_config(spread, room_of_block(spread), attribute, nullptr);
-    int clusters = 0;
-    if (cudaOccupancyMaxActiveClusters(&clusters, spread.kernel(), &config) == cudaSuccess && clusters >= scenes)
+    if (LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes * blocks / largest_cluster)
       return blocks;
-    cudaGetLastError();
+  }
+  for (int blocks = largest_cluster; blocks > 1; blocks /= 2) {
+    const Spread spread{scenes, blocks, threads};
+    if (blocks <= useful && LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes)
+      return blocks;
   }
   return 1;
 }
@@ -225,13 +240,12 @@ class CudaBatch::Work {
     check_cuda(cudaMemsetAsync(gate_memory_.data(), 0, gate_memory_.bytes(), stream), "start");
     const Spread spread{static_cast<int>(scenes_.size()), blocks_, threads_};
     const std::size_t room = room_of_block(spread);
-    cudaLaunchAttribute attribute;
-    const cudaLaunchConfig_t config = launch_config(spread, room, attribute, stream);
+    const LaunchConfig config(spread, room, stream);
     const Launch work{reinterpret_cast<const DeviceScene*>(scene_memory_.data()),
                       reinterpret_cast<const std::int32_t*>(wanted_memory_.data()),
                       reinterpret_cast<CrewGate*>(gate_memory_.data()), blocks_, room};
     time_.begin();
-    check_cuda(cudaLaunchKernelEx(&config, spread.kernel(), work), "start");
+    check_cuda(cudaLaunchKernelEx(&config.config, spread.kernel(), work), "start");
     time_.end();
     check_cuda(cudaMemcpyAsync(status_.data(), status_memory_.data(), status_.bytes(), cudaMemcpyDeviceToHost, stream),
                "answer");
@@ -291,7 +305,7 @@ double CudaBatch::device_time() const { return work_->device_time(); }
 std::vector<double> CudaBatch::stage_clocks() const { return work_->stage_clocks(); }
 
 std::vector<std::string> cuda_stage_names() {
-  return {"choose", "look", "resolve", "pairs_wait", "points", "iterations", "shares", "bodies", "bodies_wait", "list"};
+  return {"choose", "look", "resolve", "pairs_wait", "rows", "points", "iterations", "shares", "solver_wait", "bodies", "bodies_wait", "list"};
 }
 
 namespace {

@@ -115,6 +115,11 @@ class ClusterCrew : public DeviceCrew {
   __device__ std::byte* room_of(int block) { return cluster().map_shared_rank(room_.room, block); }
   static constexpr bool shares_rooms = true;
 
+  template <class Work>
+  __device__ void solve(Work&& work) {
+    work(*this);
+  }
+
   /// A warp that had parted comes together first: the barrier counts warps.
   __device__ void barrier() {
     if (blocks() == 1) {
@@ -137,7 +142,8 @@ class ClusterCrew : public DeviceCrew {
   __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
 };
 
-/// More blocks than a cluster holds, all on the device at the same time; they meet at a gate in its memory.
+/// More blocks than a cluster holds, all on the device at the same time; they meet at a gate in its memory. The first
+/// cluster iterates coupled moments: its blocks meet faster.
 class GateCrew : public DeviceCrew {
  public:
   __device__ GateCrew(const BlockRoom& room, int blocks, CrewGate* gate)
@@ -145,8 +151,12 @@ class GateCrew : public DeviceCrew {
 
   __device__ int block() const { return static_cast<int>(blockIdx.x) % blocks_; }
   __device__ int blocks() const { return blocks_; }
-  __device__ std::byte* room_of(int) { return nullptr; }
-  static constexpr bool shares_rooms = false;
+
+  template <class Work>
+  __device__ void solve(Work&& work) {
+    ClusterCrew team(room_, 0, nullptr);
+    if (block() < team.blocks()) work(team);
+  }
 
   __device__ void barrier() {
     __syncthreads();

@@ -15,7 +15,7 @@
 #include <cstdint>
 
 #include "gem/engine/contact.h"
-#include "gem/engine/coupled_point.h"
+#include "gem/engine/coupled_visit.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/moment_constants.h"
 #include "gem/engine/pair_event.h"
@@ -137,6 +137,7 @@ struct PointCell {
   PointGeometry<double> geometry;
   PointImpulse<double> impulse;
   std::int32_t pair = 0, slot = 0;
+  std::int32_t a = 0, b = 0;  // bodies
   std::int32_t place_a = -1, place_b = -1;  // its places among the records of its bodies; -1: a fixed body has none
   std::int32_t room_a = -1, room_b = -1;    // the same in the fast memory of a block; -1: they do not stand there
 };
@@ -229,6 +230,9 @@ struct BodyState {
   std::int64_t active = 0;
 };
 
+/// Iterations of a coupled moment whose share carried ahead is looked up.
+constexpr std::int32_t ahead_known = 1024;
+
 /// Near bodies that are kept from the count to the row; a body with more is looked at twice.
 constexpr std::int32_t kept_near = 24;
 
@@ -241,9 +245,11 @@ enum DeviceStage {
   stage_look,
   stage_resolve,
   stage_pairs_wait,
+  stage_rows,
   stage_points,
   stage_iterations,
   stage_shares,
+  stage_solver_wait,
   stage_bodies,
   stage_bodies_wait,
   stage_list,
@@ -294,6 +300,8 @@ struct DeviceScene {
 
   // coupled
   const double* area = nullptr;  // of each body [m2]
+  const float* ahead = nullptr;  // what Acceleration gives for the first ahead_known iterations
+  Acceleration later;            // from there on
   RowPoints* row_points = nullptr;
   PairMemory* memory = nullptr;      // by pair
   CarriedMemory* carried = nullptr;  // contacts of the moment before a list or a call ended, in no order

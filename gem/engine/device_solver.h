@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstring>
+#include <type_traits>
 
 #include "gem/engine/coupled_visit.h"
 #include "gem/engine/device_points.h"
@@ -30,6 +31,42 @@ struct HeldPoint {
   std::int32_t a, b;           // bodies
   PushRecord *to_a, *to_b;     // null: a fixed body
 };
+
+/// What the iterations of a round work with, apart from the points.
+struct RoundDesk {
+  Stretch own;
+  const SolverEntry* entry;
+  const PushRecord* room;
+  const PushRecord* push;
+  AddedMotion* added;
+  const float* ahead;
+  MomentPace<float> pace;
+};
+
+/// How far the iterations of a moment are.
+struct Progress {
+  std::int64_t iteration = 0;
+  double residual = 0.0;
+  int turn = 0;  // of the two places for residuals
+  Acceleration later;
+
+  /// How far the next iteration carries ahead, looked up before its turn; beyond the table it is worked out at its turn.
+  GEM_DEVICE GEM_INLINE float known_ahead(const float* table) const {
+    return iteration < ahead_known ? table[iteration] : 0.0F;
+  }
+};
+
+/// Bits of a number that is not negative: they have its order.
+GEM_DEVICE inline std::uint32_t ordered_bits(float x) {
+  std::uint32_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+GEM_DEVICE inline float from_ordered_bits(std::uint32_t bits) {
+  float x;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
 
 constexpr int solved_acted = 6;  // part of a PushBase and of a SolvedMotion
 
@@ -48,7 +85,8 @@ class MomentSolver {
   GEM_DEVICE void solve() {
     list_bodies();
     crew_.barrier();
-    each_point([&](std::int32_t i, HeldPoint& held) { begin_point(i, held); });
+    crew_.lap(stage_rows);
+    each_point([&](std::int32_t i) { begin_point(i); });
     clear_marks();
     crew_.barrier();
     settle();
@@ -58,20 +96,15 @@ class MomentSolver {
     iterate();
     crew_.lap(stage_iterations);
     keep_best_share(0.5);
-    each_point([&](std::int32_t i, HeldPoint& held) { judge_point(i, held); });
+    each_point([&](std::int32_t i) { hand_back(i); });
     crew_.lap(stage_shares);
   }
 
  private:
-  /// Calls work(point, what is held of it) for the points of this thread.
+  /// Calls work(point) for the points of this thread.
   template <class Work>
   GEM_DEVICE GEM_INLINE void each_point(Work&& work) {
-    const std::int32_t size = size_of(crew_);
-    std::int32_t i = rank_of(crew_);
-    if (i < points_) work(i, first_);
-    i += size;
-    if (i < points_) work(i, second_);
-    for (i += size; i < points_; i += size) work(i, s_.held[i]);
+    for (std::int32_t i = rank_of(crew_); i < points_; i += size_of(crew_)) work(i);
   }
 
   GEM_DEVICE GEM_INLINE int group() const { return crew_.thread() / Crew::Lanes::size; }
@@ -199,9 +232,9 @@ class MomentSolver {
     return points.moment == moment_ ? points.count : 0;
   }
 
-  GEM_DEVICE PushRecord* record_at(std::int32_t place, std::int32_t room) const {
-    if (room >= 0) return reinterpret_cast<PushRecord*>(crew_.room_of(room >> 16)) + (room & 0xffff);
-    return place >= 0 ? s_.push + place : nullptr;
+  GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, Crew& crew, std::int32_t place, std::int32_t room) {
+    if (room >= 0) return reinterpret_cast<PushRecord*>(crew.room_of(room >> 16)) + (room & 0xffff);
+    return place >= 0 ? s.push + place : nullptr;
   }
 
   GEM_DEVICE double cap_of(const Contact& contact, const BodyCell& a, const BodyCell& b, double last) const {
@@ -211,36 +244,33 @@ class MomentSolver {
     return impulse_cap(c, ice, s_.area[contact.a], s_.area[contact.b], contact.count, last);
   }
 
-  GEM_DEVICE void begin_point(std::int32_t i, HeldPoint& held) {
+  GEM_DEVICE void begin_point(std::int32_t i) {
     PointCell& point = s_.point[i];
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
     const BodyCell &a = s_.body[contact.a], &b = s_.body[contact.b];
-    point.impulse = last_impulse(s_.memory[point.pair], slot.feature, moment_);
-    slot.cap = cap_of(contact, a, b, point.impulse.normal);
-    point.geometry = point_geometry(s_.constants, contact, slot,
-                                    shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(contact.a)),
-                                    shared_mass({b.inverse_mass, b.inverse_inertia}, points_of(contact.b)), slot.cap);
-    enter_geometry(held.frame, point.geometry);
-    held.at = held.carried = {0.0F, 0.0F, 0.0F};
-    held.a = contact.a;
-    held.b = contact.b;
-    held.to_a = record_at(point.place_a, point.room_a);
-    held.to_b = record_at(point.place_b, point.room_b);
-    push_base(point);
+    const PointImpulse<double> last = last_impulse(s_.memory[point.pair], slot.feature, moment_);
+    const double cap = cap_of(contact, a, b, last.normal);
+    const PointGeometry<double> geometry = point_geometry(
+        s_.constants, contact, slot, shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(contact.a)),
+        shared_mass({b.inverse_mass, b.inverse_inertia}, points_of(contact.b)), cap);
+    slot.cap = cap;
+    point.geometry = geometry;
+    point.a = contact.a;
+    point.b = contact.b;
+    write_base(s_, point, geometry, last);
   }
 
   // -- settle --
 
-  /// What the base's impulses of a point give to both bodies.
-  GEM_DEVICE void push_base(const PointCell& point) {
-    const PointGeometry<double>& g = point.geometry;
-    const PointImpulse<double>& p = point.impulse;
+  /// Enters the base's impulses of a point, and what they give to both bodies.
+  GEM_DEVICE static void write_base(const DeviceScene& s, PointCell& point, const PointGeometry<double>& g, const PointImpulse<double>& p) {
+    point.impulse = p;
     const double acts = p.normal != 0.0 || p.tangential != 0.0 || p.repair != 0.0 ? 1.0 : 0.0;
     const auto write = [&](std::int32_t place, double lever_n, double lever_t) {
       if (place < 0) return;
       const Push<double> push = push_of(g, p, lever_n, lever_t);
-      s_.push_base[place] = {{push.x, push.y, push.shift_x, push.shift_y, push.twist, push.turn, acts, 0.0}};
+      s.push_base[place] = {{push.x, push.y, push.shift_x, push.shift_y, push.twist, push.turn, acts, 0.0}};
     };
     write(point.place_a, g.lever_a_n, g.lever_a_t);
     write(point.place_b, g.lever_b_n, g.lever_b_t);
@@ -318,11 +348,12 @@ class MomentSolver {
   GEM_DEVICE void keep_best_share(double limit) {
     const double share = best_share(summed_work());
     if (!(share < limit)) return;
-    each_point([&](std::int32_t i, HeldPoint&) {
+    each_point([&](std::int32_t i) {
       PointCell& point = s_.point[i];
-      point.impulse.normal *= share;
-      point.impulse.tangential *= share;
-      push_base(point);
+      PointImpulse<double> impulse = point.impulse;
+      impulse.normal *= share;
+      impulse.tangential *= share;
+      write_base(s_, point, point.geometry, impulse);
     });
     crew_.barrier();
     settle();
@@ -331,9 +362,34 @@ class MomentSolver {
 
   // -- rounds --
 
-  GEM_DEVICE Motion<double> solved_motion(std::int32_t body) const {
-    const SolvedMotion& m = s_.solved[body];
+  GEM_DEVICE static Motion<double> solved_motion(const DeviceScene& s, std::int32_t body) {
+    const SolvedMotion& m = s.solved[body];
     return {m.part[0], m.part[1], m.part[4], m.part[2], m.part[3], m.part[5]};
+  }
+
+  /// A point at the start of a round; `carried` is what the last one left, less what is in the base now.
+  GEM_DEVICE GEM_INLINE static void hold(const DeviceScene& s, Crew& crew, std::int32_t i, HeldPoint& held) {
+    const PointCell& point = s.point[i];
+    held.a = point.a;
+    held.b = point.b;
+    held.to_a = record_at(s, crew, point.place_a, point.room_a);
+    held.to_b = record_at(s, crew, point.place_b, point.room_b);
+    const PointGeometry<double> geometry = point.geometry;
+    enter_geometry(held.frame, geometry);
+    enter_base(held.frame, geometry, point.impulse, solved_motion(s, held.a), solved_motion(s, held.b));
+    held.at = {0.0F, 0.0F, 0.0F};
+    push(held);
+  }
+
+  /// The additions of a round enter the base.
+  GEM_DEVICE GEM_INLINE static void let_go(const DeviceScene& s, std::int32_t i, const HeldPoint& held) {
+    PointCell& point = s.point[i];
+    const PointGeometry<double> g = point.geometry;
+    write_base(s, point, g, with_additions(s.constants.point_friction, g.friction, g.cap, point.impulse, held.at));
+    PointImpulse<float>& carried = s.held[i].carried;
+    carried.normal = held.carried.normal - held.at.normal;
+    carried.tangential = held.carried.tangential - held.at.tangential;
+    carried.repair = held.carried.repair - held.at.repair;
   }
 
   GEM_DEVICE GEM_INLINE static void push(const HeldPoint& held) {
@@ -342,138 +398,130 @@ class MomentSolver {
     if (held.to_b) *held.to_b = {{p.x, p.y, p.shift_x, p.shift_y, p.twist_b, p.turn_b, 0.0F, 0.0F}};
   }
 
-  GEM_DEVICE void begin_round() {
-    each_point([&](std::int32_t i, HeldPoint& held) {
-      const PointCell& point = s_.point[i];
-      enter_base(held.frame, point.geometry, point.impulse, solved_motion(held.a), solved_motion(held.b));
-      held.carried.normal -= held.at.normal;
-      held.carried.tangential -= held.at.tangential;
-      held.carried.repair -= held.at.repair;
-      held.at = {0.0F, 0.0F, 0.0F};
-      push(held);
-    });
-    crew_.barrier();
-    move();
-    crew_.barrier();
-  }
-
-  GEM_DEVICE void end_round() {
-    each_point([&](std::int32_t i, HeldPoint& held) {
-      PointCell& point = s_.point[i];
-      point.impulse = with_additions(s_.constants.point_friction, point.geometry.friction, point.geometry.cap,
-                                     point.impulse, held.at);
-      push_base(point);
-    });
-    crew_.barrier();
-    settle();
-    crew_.barrier();
-  }
-
   /// Motions by the additions of the round: as CoupledRounds::move(), a lane for each component.
-  GEM_DEVICE GEM_INLINE void move() {
+  GEM_DEVICE GEM_INLINE static void move(Crew& crew, const RoundDesk& desk) {
     constexpr int size = Crew::Lanes::size;
-    const int rank = crew_.thread() % size;
-    const auto* const room = reinterpret_cast<const PushRecord*>(crew_.room());
-    for (std::int32_t e = own_.begin + group(); e < own_.end; e += groups()) {
-      const SolverEntry entry = entry_[e];
-      const PushRecord* const record = entry.room >= 0 ? room + entry.room : s_.push + entry.place;
+    const int rank = crew.thread() % size, groups = crew.threads() / size;
+    for (std::int32_t e = desk.own.begin + crew.thread() / size; e < desk.own.end; e += groups) {
+      const SolverEntry entry = desk.entry[e];
+      const PushRecord* const record = entry.room >= 0 ? desk.room + entry.room : desk.push + entry.place;
       for (int c = rank; c < 6; c += size) {
         float to_b = 0.0F, to_a = 0.0F;
         std::int32_t k = 0;
         for (; k < entry.as_b; ++k) to_b += record[k].part[c];
         for (; k < entry.count; ++k) to_a += record[k].part[c];
-        s_.added[entry.body].part[c] = (c < 4 ? entry.inverse_mass : entry.inverse_inertia) * (to_b - to_a);
+        desk.added[entry.body].part[c] = (c < 4 ? entry.inverse_mass : entry.inverse_inertia) * (to_b - to_a);
       }
     }
   }
 
   template <PointFriction law, bool judged>
-  GEM_DEVICE GEM_INLINE float visit(HeldPoint& held, float ahead) const {
-    const AddedMotion a = s_.added[held.a], b = s_.added[held.b];
+  GEM_DEVICE GEM_INLINE static float visit(const RoundDesk& desk, HeldPoint& held, float ahead) {
+    const AddedMotion a = desk.added[held.a], b = desk.added[held.b];
     const Approach<float> w{b.part[0] - a.part[0], b.part[1] - a.part[1], b.part[2] - a.part[2], b.part[3] - a.part[3],
                             a.part[4],             a.part[5],             b.part[4],             b.part[5]};
-    const float asked = visit_point<law, judged>(held.frame, w, pace_, ahead, held.at, held.carried);
+    const float asked = visit_point<law, judged>(held.frame, w, desk.pace, ahead, held.at, held.carried);
     push(held);
     return asked;
   }
 
-  template <PointFriction law>
-  GEM_DEVICE GEM_INLINE float visit_all(bool judged, float ahead) {
-    float most = 0.0F;
-    if (judged)
-      each_point([&](std::int32_t, HeldPoint& held) { most = larger(visit<law, true>(held, ahead), most); });
-    else
-      each_point([&](std::int32_t, HeldPoint& held) { visit<law, false>(held, ahead); });
-    return most;
+  GEM_DEVICE static void note_asked(Crew& crew, std::uint32_t* asked, float most) {
+    const auto warp = crew.warp();
+    const std::uint32_t all = warp.highest(ordered_bits(most));
+    if (warp.rank() == 0 && all != 0) crew.highest(asked, all);
   }
 
-  GEM_DEVICE GEM_INLINE float visit_all(bool judged, float ahead) {
+  template <PointFriction law, bool judged>
+  GEM_DEVICE GEM_NOINLINE static float visit_in_memory(const RoundDesk& desk, HeldPoint* held, float ahead) {
+    return visit<law, judged>(desk, *held, ahead);
+  }
+
+  /// One round; returns whether it was the last. A function of its own: the points that a thread holds take most of its
+  /// registers.
+  template <PointFriction law>
+  GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Crew& crew, const RoundDesk desk,
+                                                const std::int32_t points, Progress& progress) {
+    std::uint32_t* const asked = s.counters->asked;
+    const std::int64_t iterations_maximum = s.constants.iterations_maximum;
+    const double residual_speed = s.constants.residual_speed;
+    const std::int32_t size = size_of(crew), rank = rank_of(crew);
+    HeldPoint first, second;
+    HeldPoint* const others = s.held;
+    const auto each = [&](auto&& work) {
+      if (rank < points) work(rank, first);
+      if (rank + size < points) work(rank + size, second);
+      for (std::int32_t i = rank + 2 * size; i < points; i += size) work(i, others[i]);
+    };
+    const bool begins = progress.iteration == 0;
+    each([&](std::int32_t i, HeldPoint& held) {
+      held.carried = begins ? PointImpulse<float>{0.0F, 0.0F, 0.0F} : others[i].carried;
+      hold(s, crew, i, held);
+    });
+    float ahead = progress.known_ahead(desk.ahead);
+    crew.barrier();
+    bool done = false;
+    for (std::int64_t of_round = 1; !done && of_round <= iterations_of_round; ++of_round) {
+      move(crew, desk);
+      crew.barrier();
+      const bool judged = is_judged(++progress.iteration, iterations_maximum);
+      if (progress.iteration > ahead_known) ahead = progress.later.next();
+      if (judged) {
+        float most = 0.0F;
+        if (rank < points) most = larger(visit<law, true>(desk, first, ahead), most);
+        if (rank + size < points) most = larger(visit<law, true>(desk, second, ahead), most);
+        for (std::int32_t i = rank + 2 * size; i < points; i += size)
+          most = larger(visit_in_memory<law, true>(desk, others + i, ahead), most);
+        note_asked(crew, asked + progress.turn, most);
+      } else {
+        if (rank < points) visit<law, false>(desk, first, ahead);
+        if (rank + size < points) visit<law, false>(desk, second, ahead);
+        for (std::int32_t i = rank + 2 * size; i < points; i += size)
+          visit_in_memory<law, false>(desk, others + i, ahead);
+      }
+      ahead = progress.known_ahead(desk.ahead);
+      crew.barrier();
+      if (!judged) continue;
+      progress.residual = static_cast<double>(from_ordered_bits(asked[progress.turn]));
+      progress.turn = 1 - progress.turn;
+      if (rank == 0) asked[progress.turn] = 0;
+      done = progress.residual <= residual_speed || progress.iteration >= iterations_maximum;
+    }
+    each([&](std::int32_t i, HeldPoint& held) { let_go(s, i, held); });
+    return done;
+  }
+
+  GEM_DEVICE bool run_round_by_law(Progress& progress) {
+    const RoundDesk desk{own_,     entry_, reinterpret_cast<const PushRecord*>(crew_.room()), s_.push, s_.added,
+                         s_.ahead, pace_};
     switch (s_.constants.point_friction) {
       case PointFriction::none:
-        return visit_all<PointFriction::none>(judged, ahead);
+        return run_round<PointFriction::none>(s_, crew_, desk, points_, progress);
       case PointFriction::coulomb:
-        return visit_all<PointFriction::coulomb>(judged, ahead);
+        return run_round<PointFriction::coulomb>(s_, crew_, desk, points_, progress);
       default:
-        return visit_all<PointFriction::fixed_direction>(judged, ahead);
+        return run_round<PointFriction::fixed_direction>(s_, crew_, desk, points_, progress);
     }
-  }
-
-  /// Bits of a number that is not negative: they have its order.
-  GEM_DEVICE static std::uint32_t bits_of(float x) {
-    std::uint32_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    return bits;
-  }
-  GEM_DEVICE static float float_of(std::uint32_t bits) {
-    float x;
-    std::memcpy(&x, &bits, sizeof x);
-    return x;
-  }
-
-  GEM_DEVICE void note_asked(int turn, float most) {
-    const auto warp = crew_.warp();
-    const std::uint32_t all = warp.highest(bits_of(most));
-    if (warp.rank() == 0 && all != 0) crew_.highest(&s_.counters->asked[turn], all);
   }
 
   GEM_DEVICE void iterate() {
-    const MomentConstants& c = s_.constants;
-    Acceleration acceleration;
-    float ahead = acceleration.next();
-    double residual = 0.0;
-    std::int64_t iteration = 0;
-    int turn = 0;
+    Progress progress;
+    progress.later = s_.later;
     for (bool done = false; !done;) {
-      begin_round();
-      for (std::int64_t of_round = 1; !done && of_round <= iterations_of_round; ++of_round) {
-        ++iteration;
-        const bool judged = is_judged(iteration, c.iterations_maximum);
-        const float most = visit_all(judged, ahead);
-        if (judged) note_asked(turn, most);
-        ahead = acceleration.next();
-        crew_.barrier();
-        if (judged) {
-          residual = static_cast<double>(float_of(s_.counters->asked[turn]));
-          turn = 1 - turn;
-          if (rank_of(crew_) == 0) s_.counters->asked[turn] = 0;
-          done = residual <= c.residual_speed || iteration >= c.iterations_maximum;
-        }
-        if (done || of_round == iterations_of_round) break;
-        move();
-        crew_.barrier();
-      }
-      end_round();
+      done = run_round_by_law(progress);
+      crew_.barrier();
+      settle();
+      crew_.barrier();
     }
     if (rank_of(crew_) == 0) {
-      crew_.shared().iterations = static_cast<std::int32_t>(iteration);
-      crew_.shared().residual = residual;
+      crew_.shared().iterations = static_cast<std::int32_t>(progress.iteration);
+      crew_.shared().residual = progress.residual;
     }
   }
 
   // -- end --
 
   /// Hands the impulses back to the contact.
-  GEM_DEVICE void judge_point(std::int32_t i, const HeldPoint&) {
+  GEM_DEVICE void hand_back(std::int32_t i) {
     const PointCell& point = s_.point[i];
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
@@ -494,23 +542,25 @@ class MomentSolver {
   Stretch own_;                    // the block's stretch of the bodies with points
   SolverEntry* entry_ = nullptr;   // by place among them
   std::int32_t records_begin_ = 0;  // in the block's fast memory
-  HeldPoint first_, second_;
 };
 
-/// Resolves a coupled moment. Few points are left to one block: the others would only make it wait.
+/// Resolves a coupled moment. The iterations are left to the part of the crew that waits least for each other: few
+/// points to one block, others to one cluster of blocks where the crew is made of several.
 template <class Crew>
 GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
   const std::int32_t points = s.counters->points;
   if (points == 0) return;
   if (crew.blocks() > 1 && points <= crew.threads()) {
-    if (crew.block() == 0) {
-      OneBlock<Crew> alone(crew);
-      MomentSolver<OneBlock<Crew>>(s, alone, moment, points, desk.solver_bytes).solve();
-    }
+    OneBlock<Crew> alone(crew);
+    if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, points, desk.solver_bytes).solve();
   } else {
-    MomentSolver<Crew>(s, crew, moment, points, desk.solver_bytes).solve();
+    crew.solve([&](auto& team) {
+      using Team = std::remove_reference_t<decltype(team)>;
+      MomentSolver<Team>(s, team, moment, points, desk.solver_bytes).solve();
+    });
   }
   crew.barrier();
+  crew.lap(stage_solver_wait);
 }
 
 }  // namespace gem

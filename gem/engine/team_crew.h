@@ -120,6 +120,10 @@ class TeamCrew {
   std::size_t room_bytes() const { return hall_.room[std::size_t(block_)].size(); }
   std::byte* room_of(int block) { return hall_.room[std::size_t(block)].data(); }
   static constexpr bool shares_rooms = true;
+  template <class Work>
+  void solve(Work&& work) {
+    work(*this);
+  }
   void lap(int) const {}
   void write_laps(std::int64_t*) const {}
   void raise(std::uint32_t alarms) {

@@ -105,7 +105,7 @@ class CudaJam : public OnGpu, public testing::WithParamInterface<Way> {
 };
 
 TEST_P(CudaJam, NoLayoutOnTheGpuMatters) {
-  for (const int blocks : {1, 2, 8, 16, 17, 50, 132})
+  for (const int blocks : {1, 2, 8, 16, 17, 36, 80, 112})
     for (const int threads : {64, 256, 512}) {
       CudaBatch batch(copies(1), {.blocks = blocks, .threads = threads, .ring_moments = 23});
       batch.restore(0, start_);

@@ -132,12 +132,10 @@ struct CarriedMemory {
   PointImpulse<double> impulse[2] = {};
 };
 
-/// Coupled: a contact point with what the base has of it.
-struct PointCell {
-  PointGeometry<double> geometry;
-  PointImpulse<double> impulse;
+/// Coupled: where a contact point belongs.
+struct alignas(32) PointCell {
   std::int32_t pair = 0, slot = 0;
-  std::int32_t a = 0, b = 0;  // bodies
+  std::int32_t a = 0, b = 0;                // bodies
   std::int32_t place_a = -1, place_b = -1;  // its places among the records of its bodies; -1: a fixed body has none
   std::int32_t room_a = -1, room_b = -1;    // the same in the fast memory of a block; -1: they do not stand there
 };
@@ -175,6 +173,39 @@ struct SolverEntry {
   std::int32_t as_b = 0, count = 0;  // records
   float inverse_mass = 0.0F, inverse_inertia = 0.0F;
   std::int32_t unused = 0;
+};
+
+/// Coupled: geometry of all points and what the base has of them, number by number so that neighbouring threads read
+/// neighbouring memory.
+class PointTable {
+ public:
+  static constexpr int columns = 16;
+
+  PointTable() = default;
+  PointTable(double* data, std::int32_t capacity) : data_(data), capacity_(capacity) {}
+
+  GEM_DEVICE GEM_INLINE PointGeometry<double> geometry(std::int32_t i) const {
+    return {at(0, i), at(1, i), at(2, i), at(3, i), at(4, i),  at(5, i), at(6, i),
+            at(7, i), at(8, i), at(9, i), at(10, i), at(11, i), at(12, i)};
+  }
+  GEM_DEVICE GEM_INLINE PointImpulse<double> impulse(std::int32_t i) const { return {at(13, i), at(14, i), at(15, i)}; }
+  GEM_DEVICE GEM_INLINE void set(std::int32_t i, const PointGeometry<double>& g) const {
+    at(0, i) = g.normal_x, at(1, i) = g.normal_y;
+    at(2, i) = g.lever_a_n, at(3, i) = g.lever_a_t, at(4, i) = g.lever_b_n, at(5, i) = g.lever_b_t;
+    at(6, i) = g.nn, at(7, i) = g.tt, at(8, i) = g.nt;
+    at(9, i) = g.target, at(10, i) = g.friction, at(11, i) = g.cap, at(12, i) = g.repair_target;
+  }
+  GEM_DEVICE GEM_INLINE void set(std::int32_t i, const PointImpulse<double>& p) const {
+    at(13, i) = p.normal, at(14, i) = p.tangential, at(15, i) = p.repair;
+  }
+
+ private:
+  GEM_DEVICE GEM_INLINE double& at(int column, std::int32_t i) const {
+    return data_[static_cast<std::int64_t>(column) * capacity_ + i];
+  }
+
+  double* data_ = nullptr;
+  std::int64_t capacity_ = 0;
 };
 
 struct HeldPoint;
@@ -247,7 +278,9 @@ enum DeviceStage {
   stage_pairs_wait,
   stage_rows,
   stage_points,
+  stage_frames,
   stage_iterations,
+  stage_base,
   stage_shares,
   stage_solver_wait,
   stage_bodies,
@@ -306,6 +339,8 @@ struct DeviceScene {
   PairMemory* memory = nullptr;      // by pair
   CarriedMemory* carried = nullptr;  // contacts of the moment before a list or a call ended, in no order
   PointCell* point = nullptr;
+  double* point_numbers = nullptr;
+  PointTable points;  // over point_numbers
   HeldPoint* held = nullptr;  // points that find no place in a thread's registers
   PushRecord* push = nullptr;
   PushBase* push_base = nullptr;

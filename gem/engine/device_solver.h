@@ -94,7 +94,7 @@ class MomentSolver {
     keep_best_share(1.0);
     crew_.lap(stage_points);
     iterate();
-    crew_.lap(stage_iterations);
+    crew_.lap(stage_base);
     keep_best_share(0.5);
     each_point([&](std::int32_t i) { hand_back(i); });
     crew_.lap(stage_shares);
@@ -255,17 +255,19 @@ class MomentSolver {
         s_.constants, contact, slot, shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(contact.a)),
         shared_mass({b.inverse_mass, b.inverse_inertia}, points_of(contact.b)), cap);
     slot.cap = cap;
-    point.geometry = geometry;
+    s_.points.set(i, geometry);
     point.a = contact.a;
     point.b = contact.b;
-    write_base(s_, point, geometry, last);
+    write_base(s_, i, geometry, last);
   }
 
   // -- settle --
 
   /// Enters the base's impulses of a point, and what they give to both bodies.
-  GEM_DEVICE static void write_base(const DeviceScene& s, PointCell& point, const PointGeometry<double>& g, const PointImpulse<double>& p) {
-    point.impulse = p;
+  GEM_DEVICE static void write_base(const DeviceScene& s, std::int32_t i, const PointGeometry<double>& g,
+                                    const PointImpulse<double>& p) {
+    const PointCell point = s.point[i];
+    s.points.set(i, p);
     const double acts = p.normal != 0.0 || p.tangential != 0.0 || p.repair != 0.0 ? 1.0 : 0.0;
     const auto write = [&](std::int32_t place, double lever_n, double lever_t) {
       if (place < 0) return;
@@ -349,11 +351,10 @@ class MomentSolver {
     const double share = best_share(summed_work());
     if (!(share < limit)) return;
     each_point([&](std::int32_t i) {
-      PointCell& point = s_.point[i];
-      PointImpulse<double> impulse = point.impulse;
+      PointImpulse<double> impulse = s_.points.impulse(i);
       impulse.normal *= share;
       impulse.tangential *= share;
-      write_base(s_, point, point.geometry, impulse);
+      write_base(s_, i, s_.points.geometry(i), impulse);
     });
     crew_.barrier();
     settle();
@@ -369,23 +370,22 @@ class MomentSolver {
 
   /// A point at the start of a round; `carried` is what the last one left, less what is in the base now.
   GEM_DEVICE GEM_INLINE static void hold(const DeviceScene& s, Crew& crew, std::int32_t i, HeldPoint& held) {
-    const PointCell& point = s.point[i];
+    const PointCell point = s.point[i];
     held.a = point.a;
     held.b = point.b;
     held.to_a = record_at(s, crew, point.place_a, point.room_a);
     held.to_b = record_at(s, crew, point.place_b, point.room_b);
-    const PointGeometry<double> geometry = point.geometry;
+    const PointGeometry<double> geometry = s.points.geometry(i);
     enter_geometry(held.frame, geometry);
-    enter_base(held.frame, geometry, point.impulse, solved_motion(s, held.a), solved_motion(s, held.b));
+    enter_base(held.frame, geometry, s.points.impulse(i), solved_motion(s, held.a), solved_motion(s, held.b));
     held.at = {0.0F, 0.0F, 0.0F};
     push(held);
   }
 
   /// The additions of a round enter the base.
   GEM_DEVICE GEM_INLINE static void let_go(const DeviceScene& s, std::int32_t i, const HeldPoint& held) {
-    PointCell& point = s.point[i];
-    const PointGeometry<double> g = point.geometry;
-    write_base(s, point, g, with_additions(s.constants.point_friction, g.friction, g.cap, point.impulse, held.at));
+    const PointGeometry<double> g = s.points.geometry(i);
+    write_base(s, i, g, with_additions(s.constants.point_friction, g.friction, g.cap, s.points.impulse(i), held.at));
     PointImpulse<float>& carried = s.held[i].carried;
     carried.normal = held.carried.normal - held.at.normal;
     carried.tangential = held.carried.tangential - held.at.tangential;
@@ -459,6 +459,7 @@ class MomentSolver {
     });
     float ahead = progress.known_ahead(desk.ahead);
     crew.barrier();
+    crew.lap(stage_frames);
     bool done = false;
     for (std::int64_t of_round = 1; !done && of_round <= iterations_of_round; ++of_round) {
       move(crew, desk);
@@ -486,6 +487,7 @@ class MomentSolver {
       if (rank == 0) asked[progress.turn] = 0;
       done = progress.residual <= residual_speed || progress.iteration >= iterations_maximum;
     }
+    crew.lap(stage_iterations);
     each([&](std::int32_t i, HeldPoint& held) { let_go(s, i, held); });
     return done;
   }
@@ -522,10 +524,10 @@ class MomentSolver {
 
   /// Hands the impulses back to the contact.
   GEM_DEVICE void hand_back(std::int32_t i) {
-    const PointCell& point = s_.point[i];
+    const PointCell point = s_.point[i];
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
-    const PointImpulse<double> p = point.impulse;
+    const PointImpulse<double> p = s_.points.impulse(i);
     slot.impulse.normal = p.normal;
     slot.impulse.tangential = p.tangential;
     slot.repair = p.repair;

@@ -113,6 +113,8 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(s.memory, pairs);
   placer.place(s.carried, pairs);
   placer.place(s.point, 2 * pairs);
+  placer.place(s.point_numbers, PointTable::columns * 2 * pairs);
+  s.points = {s.point_numbers, static_cast<std::int32_t>(2 * pairs)};
   placer.place(s.held, 2 * pairs);
   placer.place(s.push, 2 * rows);
   placer.place(s.push_base, 2 * rows);

@@ -1,6 +1,6 @@
 // Speed of the cuda engine by device events, as CSV: one scene in three phases and several layouts, and batches.
 //
-// usage: gem_cuda_speed CASES_FOLDER [single|batch|profile|all] [largest batch] [coupled|independent]
+// usage: gem_cuda_speed CASES_FOLDER [single|batch|profile|all] [largest batch] [coupled|independent] [phase]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -38,6 +38,7 @@ constexpr Phase phases[] = {
 struct Subject {
   std::string cases = "cases";
   Resolution resolution = Resolution::coupled;
+  std::string phase = {};  // empty: all
   const char* name() const { return resolution == Resolution::coupled ? "coupled" : "independent"; }
 };
 
@@ -95,12 +96,13 @@ Timing time_moments(CudaBatch& batch, const EngineState& start, std::vector<Mome
 
 void single(const Subject& subject) {
   for (const Phase& phase : phases) {
+    if (!subject.phase.empty() && subject.phase != phase.name) continue;
     const SceneDef scene = scene_of(subject, phase.run);
     const Bodies field = make_field(scene);
     CudaBatch batch({{scene, field}}, {});
     batch.advance(moments_in(scene, phase.time), nullptr);
     const EngineState start = batch.save(0);
-    for (const int blocks : {1, 4, 16, 32, 64, 112})
+    for (const int blocks : {16, 64, 112})
       for (const int threads : {256, 512}) {
         if (blocks < 64 && threads < 512) continue;
         CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads});
@@ -117,11 +119,11 @@ void single(const Subject& subject) {
   }
 }
 
-/// For a profiler: the plug, its list built, then a third launch of 64 moments.
+/// For a profiler: the drift, its list built, then a launch of 64 moments, on one cluster.
 void one_launch(const Subject& subject) {
-  const Phase& phase = phases[1];
+  const Phase& phase = phases[0];
   const SceneDef scene = scene_of(subject, phase.run);
-  CudaBatch batch({{scene, make_field(scene)}}, {.ring_moments = 20000});
+  CudaBatch batch({{scene, make_field(scene)}}, {.blocks = 16, .ring_moments = 20000});
   batch.advance(moments_in(scene, phase.time), nullptr);
   batch.advance(2, nullptr);
   batch.advance(64, nullptr);
@@ -170,6 +172,7 @@ int main(int count, char** argument) {
     const std::string what = count > 2 ? argument[2] : "all", resolution = count > 4 ? argument[4] : "coupled";
     gem::Subject subject;
     if (count > 1) subject.cases = argument[1];
+    if (count > 5) subject.phase = argument[5];
     if (resolution == "independent") subject.resolution = gem::Resolution::independent;
     const std::size_t largest = count > 3 ? std::strtoull(argument[3], nullptr, 10) : 264;
     gem::header();

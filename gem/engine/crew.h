@@ -25,6 +25,7 @@ struct BlockCell {
   // coupled
   std::int32_t points, first_point;  // found by the block, and its first among all
   std::int32_t records;              // places taken in the block's fast memory
+  std::int32_t taken, first_taken;   // points that the block iterates, and the first of them
   std::int32_t iterations;
   double residual;
 };

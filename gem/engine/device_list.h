@@ -87,6 +87,43 @@ GEM_DEVICE inline void note_courses(const DeviceScene& s, Crew& crew) {
   }
   for (std::int32_t w = first; w < s.large_bodies * bit_words(s); w += step) s.near_large[w] = 0;
   for (std::int32_t c = first; c < s.grid_capacity; c += step) s.grid_count[c] = 0;
+  for (std::int32_t k = first; s.spot && k < spot_stretches; k += step) s.spot_count[k] = 0;
+}
+
+/// Stretch of the field in which a floe stands.
+GEM_DEVICE inline std::int32_t stretch_at(const DeviceScene& s, double x) {
+  const ListCounters& all = *s.counters;
+  if (all.floes == 0) return 0;
+  const double low = -unordered(all.position_low[0]), extent = unordered(all.position_high[0]) - low;
+  const double at = spot_stretches * ((x - low) / extent);
+  return at > 0.0 ? at < spot_stretches - 1 ? static_cast<std::int32_t>(at) : spot_stretches - 1 : 0;
+}
+
+/// Where each stretch begins, by the first warp.
+template <class Crew>
+GEM_DEVICE inline void begin_stretches(const DeviceScene& s, Crew& crew) {
+  if (!s.spot || rank_of(crew) >= Crew::Warp::size) return;
+  const auto warp = crew.warp();
+  std::int32_t sum = s.large_bodies;
+  for (std::int32_t first = 0; first < spot_stretches; first += Crew::Warp::size) {
+    const std::int32_t k = first + warp.rank();
+    const int mine = s.spot_count[k];
+    s.spot_begin[k] = sum + warp.sum_below(mine);
+    sum += warp.sum(mine);
+  }
+}
+
+/// Puts a body in its place along the field; large bodies come first.
+template <class Crew>
+GEM_DEVICE inline void take_spot(const DeviceScene& s, Crew& crew, std::int32_t i) {
+  if (!s.spot) return;
+  std::int32_t spot = i;
+  if (!is_large(s, i)) {
+    const std::int32_t stretch = stretch_at(s, s.body[i].position.x);
+    spot = s.spot_begin[stretch] + crew.add(&s.spot_count[stretch], -1) - 1;
+  }
+  s.spot[i] = spot;
+  s.body_at[spot] = i;
 }
 
 /// Two floes that may come near within the horizon stand in the same or in neighbouring cells.
@@ -122,6 +159,7 @@ GEM_DEVICE inline ListGrid fill_grid(const DeviceScene& s, Crew& crew) {
                                               static_cast<std::int32_t>(p.x / grid.cell)
                                         : -1;
     s.grid_cell[i] = at;
+    if (s.spot) crew.add(&s.spot_count[stretch_at(s, cell.position.x)], 1);
     if (at >= 0) crew.add(&s.grid_count[at], 1);
   }
   crew.barrier();
@@ -129,7 +167,9 @@ GEM_DEVICE inline ListGrid fill_grid(const DeviceScene& s, Crew& crew) {
     const std::int32_t count = s.grid_count[c];
     s.grid_begin[c] = count > 0 ? crew.add(&s.counters->placed, count) : 0;
   }
+  begin_stretches(s, crew);
   crew.barrier();
+  for (std::int32_t i = first; i < s.bodies; i += step) take_spot(s, crew, i);
   // counted down to zero and up again: the cell's next free place
   for (std::int32_t i = s.large_bodies + first; i < s.bodies; i += step) {
     const std::int32_t at = s.grid_cell[i];

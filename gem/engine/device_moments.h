@@ -44,7 +44,7 @@ GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Crew& crew, const Desk
     shared.overlap = 0;
     shared.contacts = shared.touches = shared.points = shared.iterations = 0;
     shared.residual = 0.0;
-    if (crew.block() == 0) s.counters->points = 0;
+    if (crew.block() == 0) s.counters->points = s.counters->taken_points = 0;
   }
   for (std::int32_t i = desk.first_body; i < desk.bodies.end; i += desk.body_step) move_body(s, crew, desk, i, step);
   if (desk.platform) move_platform(s, crew, desk, step);

@@ -9,7 +9,10 @@ namespace gem {
 /// Marks a moving body as one with points.
 template <class Crew>
 GEM_DEVICE inline void mark_touched(const DeviceScene& s, Crew& crew, std::int32_t body, double inverse_mass) {
-  if (inverse_mass > 0.0) crew.set_bit(&s.touched_bodies[body / 32], 1U << (body % 32));
+  if (!(inverse_mass > 0.0)) return;
+  const std::int32_t spot = s.spot[body];
+  crew.set_bit(&s.touched_bodies[body / 32], 1U << (body % 32));
+  crew.set_bit(&s.touched_spots[spot / 32], 1U << (spot % 32));
 }
 
 /// Gives the points of a contact their cells and shows them to the rows of both bodies.

@@ -172,7 +172,7 @@ struct SolverEntry {
   std::int32_t room = -1;            // the same in the block's fast memory; -1: it does not stand there
   std::int32_t as_b = 0, count = 0;  // records
   float inverse_mass = 0.0F, inverse_inertia = 0.0F;
-  std::int32_t unused = 0;
+  std::int32_t rank = 0;  // among those bodies, by id
 };
 
 /// Coupled: geometry of all points and what the base has of them, number by number so that neighbouring threads read
@@ -227,7 +227,7 @@ struct ListCounters {
   std::uint64_t velocity_low[2], velocity_high[2];
   std::uint64_t radius;
   std::int32_t floes, rows, pairs, placed;
-  std::int32_t points;      // coupled: of this moment
+  std::int32_t points, taken_points;  // coupled: of this moment, and those that blocks have taken to iterate
   std::uint32_t asked[2];   // coupled: bits of the residuals of two judged iterations in turn
 };
 
@@ -260,6 +260,9 @@ struct BodyState {
   double spin = 0.0;
   std::int64_t active = 0;
 };
+
+/// Stretches along the field by which bodies are put in order.
+constexpr std::int32_t spot_stretches = 512;
 
 /// Iterations of a coupled moment whose share carried ahead is looked up.
 constexpr std::int32_t ahead_known = 1024;
@@ -347,9 +350,15 @@ struct DeviceScene {
   AddedMotion* added = nullptr;    // by body; fixed bodies keep zeros
   SolvedMotion* solved = nullptr;  // the same
   BodyPoints* body_points = nullptr;
-  std::uint32_t* touched_bodies = nullptr;  // a bit for each moving body with points
-  SolverEntry* solver_entry = nullptr;      // of those bodies, ascending
-  std::int32_t* bits_before = nullptr;      // each block's own: bits before each word of touched_bodies
+  // bodies as they stand along the field when a list is built, so that a block's bodies are each other's neighbours
+  std::int32_t *spot = nullptr, *body_at = nullptr;  // of a body, and back
+  std::int32_t *spot_count = nullptr, *spot_begin = nullptr;  // of stretches along the field
+  std::uint32_t *touched_bodies = nullptr, *touched_spots = nullptr;  // a bit for each moving body with points
+  SolverEntry* solver_entry = nullptr;                                // of those bodies, by spot
+  std::int32_t *bodies_before = nullptr, *spots_before = nullptr;  // each block's own: bits before each word of them
+  PointCell* taken_point = nullptr;      // as the blocks have taken them; the numbers of points stand in this order
+  std::int32_t* taken_list = nullptr;    // each block's own: points that it takes
+  std::int32_t points_capacity = 0;
   double *given = nullptr, *answered = nullptr;  // by place among those bodies [J]
   double* partial_sum = nullptr;                 // each block's own
 

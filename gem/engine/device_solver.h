@@ -74,11 +74,10 @@ template <class Crew>
 class MomentSolver {
  public:
   /// `room`: bytes of fast memory of each block that the solver may use, from the start.
-  GEM_DEVICE MomentSolver(const DeviceScene& s, Crew& crew, std::int32_t moment, std::int32_t points, std::size_t room)
+  GEM_DEVICE MomentSolver(const DeviceScene& s, Crew& crew, std::int32_t moment, std::size_t room)
       : s_(s),
         crew_(crew),
         moment_(moment),
-        points_(points),
         room_(room),
         pace_{static_cast<float>(s.constants.dt), static_cast<float>(1.0 / s.constants.dt)} {}
 
@@ -104,7 +103,7 @@ class MomentSolver {
   /// Calls work(point) for the points of this thread.
   template <class Work>
   GEM_DEVICE GEM_INLINE void each_point(Work&& work) {
-    for (std::int32_t i = rank_of(crew_); i < points_; i += size_of(crew_)) work(i);
+    for (std::int32_t i = points_.begin + crew_.thread(); i < points_.end; i += crew_.threads()) work(i);
   }
 
   GEM_DEVICE GEM_INLINE int group() const { return crew_.thread() / Crew::Lanes::size; }
@@ -112,23 +111,27 @@ class MomentSolver {
 
   // -- list --
 
-  /// Counts the marks before each word, and from them the block's stretch of the bodies with points.
+  /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
   GEM_DEVICE void list_bodies() {
     const std::int32_t words = bit_words(s_);
-    std::int32_t* const before = s_.bits_before + static_cast<std::int64_t>(crew_.block()) * (words + 1);
-    if (crew_.thread() == 0) crew_.shared().records = 0;
-    if (crew_.thread() < Crew::Warp::size) count_marks(before, words);
+    const std::int64_t own_words = static_cast<std::int64_t>(crew_.block()) * (words + 1);
+    std::int32_t *const bodies = s_.bodies_before + own_words, *const spots = s_.spots_before + own_words;
+    BlockCell& shared = crew_.shared();
+    if (crew_.thread() == 0) shared.records = shared.taken = 0;
+    if (crew_.thread() < Crew::Warp::size) {
+      count_marks(s_.touched_bodies, bodies, words);
+      count_marks(s_.touched_spots, spots, words);
+    }
     crew_.block_barrier();
-    const std::int64_t bodies = bodies_ = before[words];
-    own_ = {static_cast<std::int32_t>(bodies * crew_.block() / crew_.blocks()),
-            static_cast<std::int32_t>(bodies * (crew_.block() + 1) / crew_.blocks())};
+    bodies_ = spots[words];
+    own_ = stretch_of(crew_, bodies_);
     for (std::int32_t w = crew_.thread(); w < words; w += crew_.threads()) {
-      std::int32_t at = before[w];
-      if (at >= own_.end || before[w + 1] <= own_.begin) continue;
-      const std::uint32_t bits = s_.touched_bodies[w];
+      std::int32_t at = spots[w];
+      if (at >= own_.end || spots[w + 1] <= own_.begin) continue;
+      const std::uint32_t bits = s_.touched_spots[w];
       for (int k = 0; k < 32; ++k) {
         if (!(bits >> k & 1U)) continue;
-        if (at >= own_.begin && at < own_.end) s_.solver_entry[at].body = 32 * w + k;
+        if (at >= own_.begin && at < own_.end) s_.solver_entry[at].body = s_.body_at[32 * w + k];
         ++at;
       }
     }
@@ -137,22 +140,29 @@ class MomentSolver {
     // the platform, first of all where it is among them, has a long row
     const bool platform = own_.begin < own_.end && s_.solver_entry[own_.begin].body == 0;
     const std::int32_t first = own_.begin + (platform ? 1 : 0);
-    for (std::int32_t e = first + crew_.thread(); e < own_.end; e += crew_.threads()) list_points(OneLane{}, e);
-    if (platform && crew_.thread() < Crew::Warp::size) list_points(crew_.warp(), own_.begin);
+    for (std::int32_t e = first + crew_.thread(); e < own_.end; e += crew_.threads()) list_points(OneLane{}, e, bodies);
+    if (platform && crew_.thread() < Crew::Warp::size) list_points(crew_.warp(), own_.begin, bodies);
     crew_.block_barrier();
+    if (crew_.thread() == 0) shared.first_taken = crew_.add(&s_.counters->taken_points, shared.taken);
+    crew_.block_barrier();
+    points_ = {shared.first_taken, shared.first_taken + shared.taken};
   }
 
-  GEM_DEVICE void count_marks(std::int32_t* before, std::int32_t words) {
+  GEM_DEVICE void count_marks(const std::uint32_t* marks, std::int32_t* before, std::int32_t words) {
     const auto warp = crew_.warp();
     std::int32_t sum = 0;
     for (std::int32_t first = 0; first < words; first += Crew::Warp::size) {
       const std::int32_t w = first + warp.rank();
-      const int mine = w < words ? bits_in(s_.touched_bodies[w]) : 0;
+      const int mine = w < words ? bits_in(marks[w]) : 0;
       const int below = warp.sum_below(mine);
       if (w < words) before[w] = sum + below;
       sum += warp.sum(mine);
     }
     if (warp.rank() == 0) before[words] = sum;
+  }
+
+  GEM_DEVICE std::int32_t* taken_list() const {
+    return s_.taken_list + static_cast<std::int64_t>(crew_.block()) * s_.points_capacity;
   }
 
   /// The entries of the block's bodies stand in its fast memory where that holds them.
@@ -174,36 +184,50 @@ class MomentSolver {
 
   GEM_DEVICE static std::int32_t room_place(int block, std::int32_t at) { return block << 16 | at; }
 
+  /// Whether the block of a body takes the points at a place of its row: those with a large body, and of two floes the
+  /// one that is A. The platform's are shared out among its floes.
+  GEM_DEVICE bool takes(std::int32_t body, std::int32_t row, bool as_b) const {
+    return is_large(s_, s_.row_other[row]) || (!as_b && body != 0);
+  }
+
   /// Reads the row of a body by a group of lanes and gives its points their places.
   template <class Group>
-  GEM_DEVICE void list_points(const Group& lanes, std::int32_t e) {
+  GEM_DEVICE void list_points(const Group& lanes, std::int32_t e, const std::int32_t* bodies_before) {
     const std::int32_t body = s_.solver_entry[e].body;
     const BodyMotion& motion = s_.motion[body];
     const std::int32_t begin = motion.row_begin, lower = motion.lower_count, places = motion.row_count;
-    std::int32_t count = 0, as_b = 0;
+    std::int32_t count = 0, as_b = 0, taken = 0;
     for (std::int32_t first = 0; first < places; first += Group::size) {
-      const RowPoints points = points_at(begin, first + lanes.rank(), places);
-      const int sum = lanes.sum(points.count);
-      count += sum;
-      as_b += lanes.sum(first + lanes.rank() < lower ? points.count : 0);
+      const std::int32_t at = first + lanes.rank();
+      const std::int32_t points = points_at(begin, at, places).count;
+      count += lanes.sum(points);
+      as_b += lanes.sum(at < lower ? points : 0);
+      taken += lanes.sum(points > 0 && takes(body, begin + at, at < lower) ? points : 0);
     }
     std::int32_t room = lanes.rank() == 0 ? take_records(count) : 0;
     room = lanes.from(room, 0);
+    std::int32_t take = lanes.rank() == 0 && taken > 0 ? crew_.add(&crew_.shared().taken, taken) : 0;
+    take = lanes.from(take, 0);
     std::int32_t before = 0;
     for (std::int32_t first = 0; first < places; first += Group::size) {
       const std::int32_t at = first + lanes.rank();
       const RowPoints points = points_at(begin, at, places);
       const std::int32_t mine = before + lanes.sum_below(points.count);
+      const bool mine_to_take = points.count > 0 && takes(body, begin + at, at < lower);
+      const std::int32_t to = take + lanes.sum_below(mine_to_take ? points.count : 0);
       for (std::int32_t k = 0; k < points.count; ++k) {
         PointCell& point = s_.point[points.first + k];
         const std::int32_t in_room = room < 0 ? -1 : room_place(crew_.block(), room + mine + k);
         (at < lower ? point.place_b : point.place_a) = 2 * begin + mine + k;
         (at < lower ? point.room_b : point.room_a) = in_room;
+        if (mine_to_take) taken_list()[to + k] = points.first + k;
       }
       before += lanes.sum(points.count);
+      take += lanes.sum(mine_to_take ? points.count : 0);
     }
     if (lanes.rank() != 0) return;
     const BodyCell& cell = s_.body[body];
+    const std::uint32_t below = s_.touched_bodies[body / 32] & ((1U << (body % 32)) - 1U);
     entry_[e] = {body,
                  2 * begin,
                  room,
@@ -211,7 +235,7 @@ class MomentSolver {
                  count,
                  static_cast<float>(cell.inverse_mass),
                  static_cast<float>(cell.inverse_inertia),
-                 0};
+                 bodies_before[body / 32] + bits_in(below)};
     s_.body_points[body] = {moment_, count};
   }
 
@@ -223,7 +247,8 @@ class MomentSolver {
   // -- begin --
 
   GEM_DEVICE void clear_marks() {
-    for (std::int32_t w = rank_of(crew_); w < bit_words(s_); w += size_of(crew_)) s_.touched_bodies[w] = 0;
+    for (std::int32_t w = rank_of(crew_); w < bit_words(s_); w += size_of(crew_))
+      s_.touched_bodies[w] = s_.touched_spots[w] = 0;
     if (rank_of(crew_) == 0) s_.counters->asked[0] = s_.counters->asked[1] = 0;
   }
 
@@ -245,7 +270,7 @@ class MomentSolver {
   }
 
   GEM_DEVICE void begin_point(std::int32_t i) {
-    PointCell& point = s_.point[i];
+    PointCell point = s_.point[taken_list()[i - points_.begin]];
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
     const BodyCell &a = s_.body[contact.a], &b = s_.body[contact.b];
@@ -258,6 +283,7 @@ class MomentSolver {
     s_.points.set(i, geometry);
     point.a = contact.a;
     point.b = contact.b;
+    s_.taken_point[i] = point;
     write_base(s_, i, geometry, last);
   }
 
@@ -266,7 +292,7 @@ class MomentSolver {
   /// Enters the base's impulses of a point, and what they give to both bodies.
   GEM_DEVICE static void write_base(const DeviceScene& s, std::int32_t i, const PointGeometry<double>& g,
                                     const PointImpulse<double>& p) {
-    const PointCell point = s.point[i];
+    const PointCell point = s.taken_point[i];
     s.points.set(i, p);
     const double acts = p.normal != 0.0 || p.tangential != 0.0 || p.repair != 0.0 ? 1.0 : 0.0;
     const auto write = [&](std::int32_t place, double lever_n, double lever_t) {
@@ -307,8 +333,8 @@ class MomentSolver {
       const BodyMotion& motion = s_.motion[body];
       const ImpulseWork work = work_on_body({x, y, spin, 0.0, 0.0, 0.0}, cell.velocity.x, cell.velocity.y, cell.spin,
                                             motion.mass, motion.inertia);
-      s_.given[e] = work.given;
-      s_.answered[e] = work.answered;
+      s_.given[entry.rank] = work.given;
+      s_.answered[entry.rank] = work.answered;
     }
   }
 
@@ -370,7 +396,7 @@ class MomentSolver {
 
   /// A point at the start of a round; `carried` is what the last one left, less what is in the base now.
   GEM_DEVICE GEM_INLINE static void hold(const DeviceScene& s, Crew& crew, std::int32_t i, HeldPoint& held) {
-    const PointCell point = s.point[i];
+    const PointCell point = s.taken_point[i];
     held.a = point.a;
     held.b = point.b;
     held.to_a = record_at(s, crew, point.place_a, point.room_a);
@@ -440,17 +466,18 @@ class MomentSolver {
   /// registers.
   template <PointFriction law>
   GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Crew& crew, const RoundDesk desk,
-                                                const std::int32_t points, Progress& progress) {
+                                                const Stretch points, Progress& kept) {
+    Progress progress = kept;
     std::uint32_t* const asked = s.counters->asked;
     const std::int64_t iterations_maximum = s.constants.iterations_maximum;
     const double residual_speed = s.constants.residual_speed;
-    const std::int32_t size = size_of(crew), rank = rank_of(crew);
+    const std::int32_t size = crew.threads(), i0 = points.begin + crew.thread(), end = points.end;
     HeldPoint first, second;
     HeldPoint* const others = s.held;
     const auto each = [&](auto&& work) {
-      if (rank < points) work(rank, first);
-      if (rank + size < points) work(rank + size, second);
-      for (std::int32_t i = rank + 2 * size; i < points; i += size) work(i, others[i]);
+      if (i0 < end) work(i0, first);
+      if (i0 + size < end) work(i0 + size, second);
+      for (std::int32_t i = i0 + 2 * size; i < end; i += size) work(i, others[i]);
     };
     const bool begins = progress.iteration == 0;
     each([&](std::int32_t i, HeldPoint& held) {
@@ -468,15 +495,15 @@ class MomentSolver {
       if (progress.iteration > ahead_known) ahead = progress.later.next();
       if (judged) {
         float most = 0.0F;
-        if (rank < points) most = larger(visit<law, true>(desk, first, ahead), most);
-        if (rank + size < points) most = larger(visit<law, true>(desk, second, ahead), most);
-        for (std::int32_t i = rank + 2 * size; i < points; i += size)
+        if (i0 < end) most = larger(visit<law, true>(desk, first, ahead), most);
+        if (i0 + size < end) most = larger(visit<law, true>(desk, second, ahead), most);
+        for (std::int32_t i = i0 + 2 * size; i < end; i += size)
           most = larger(visit_in_memory<law, true>(desk, others + i, ahead), most);
         note_asked(crew, asked + progress.turn, most);
       } else {
-        if (rank < points) visit<law, false>(desk, first, ahead);
-        if (rank + size < points) visit<law, false>(desk, second, ahead);
-        for (std::int32_t i = rank + 2 * size; i < points; i += size)
+        if (i0 < end) visit<law, false>(desk, first, ahead);
+        if (i0 + size < end) visit<law, false>(desk, second, ahead);
+        for (std::int32_t i = i0 + 2 * size; i < end; i += size)
           visit_in_memory<law, false>(desk, others + i, ahead);
       }
       ahead = progress.known_ahead(desk.ahead);
@@ -484,11 +511,12 @@ class MomentSolver {
       if (!judged) continue;
       progress.residual = static_cast<double>(from_ordered_bits(asked[progress.turn]));
       progress.turn = 1 - progress.turn;
-      if (rank == 0) asked[progress.turn] = 0;
+      if (rank_of(crew) == 0) asked[progress.turn] = 0;
       done = progress.residual <= residual_speed || progress.iteration >= iterations_maximum;
     }
     crew.lap(stage_iterations);
     each([&](std::int32_t i, HeldPoint& held) { let_go(s, i, held); });
+    kept = progress;
     return done;
   }
 
@@ -524,7 +552,7 @@ class MomentSolver {
 
   /// Hands the impulses back to the contact.
   GEM_DEVICE void hand_back(std::int32_t i) {
-    const PointCell point = s_.point[i];
+    const PointCell point = s_.taken_point[i];
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
     const PointImpulse<double> p = s_.points.impulse(i);
@@ -537,11 +565,12 @@ class MomentSolver {
 
   const DeviceScene& s_;
   Crew& crew_;
-  std::int32_t moment_, points_;
+  std::int32_t moment_;
+  Stretch points_;  // that the block takes
   std::size_t room_;
   MomentPace<float> pace_;
   std::int32_t bodies_ = 0;
-  Stretch own_;                    // the block's stretch of the bodies with points
+  Stretch own_;                    // the block's stretch of the bodies with points, by spot
   SolverEntry* entry_ = nullptr;   // by place among them
   std::int32_t records_begin_ = 0;  // in the block's fast memory
 };
@@ -554,11 +583,11 @@ GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const D
   if (points == 0) return;
   if (crew.blocks() > 1 && points <= crew.threads()) {
     OneBlock<Crew> alone(crew);
-    if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, points, desk.solver_bytes).solve();
+    if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, desk.solver_bytes).solve();
   } else {
     crew.solve([&](auto& team) {
       using Team = std::remove_reference_t<decltype(team)>;
-      MomentSolver<Team>(s, team, moment, points, desk.solver_bytes).solve();
+      MomentSolver<Team>(s, team, moment, desk.solver_bytes).solve();
     });
   }
   crew.barrier();

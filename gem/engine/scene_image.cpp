@@ -119,7 +119,15 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(s.push, 2 * rows);
   placer.place(s.push_base, 2 * rows);
   placer.place(s.solver_entry, n);
-  placer.place(s.bits_before, blocks * ((n + 31) / 32 + 1));
+  placer.place(s.spot, n);
+  placer.place(s.body_at, n);
+  placer.place(s.spot_count, spot_stretches);
+  placer.place(s.spot_begin, spot_stretches);
+  placer.place(s.bodies_before, blocks * ((n + 31) / 32 + 1));
+  placer.place(s.spots_before, blocks * ((n + 31) / 32 + 1));
+  s.points_capacity = static_cast<std::int32_t>(2 * pairs);
+  placer.place(s.taken_point, 2 * pairs);
+  placer.place(s.taken_list, std::min<std::size_t>(blocks, 16) * 2 * pairs);
   placer.place(s.given, n);
   placer.place(s.answered, n);
   placer.place(s.partial_sum, blocks * 4 * ((n + sum_width - 1) / sum_width + 1));
@@ -161,6 +169,7 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.solved, n);
   placer.place(s.body_points, n);
   placer.place(s.touched_bodies, (n + 31) / 32);
+  placer.place(s.touched_spots, (n + 31) / 32);
   return placer.used();
 }
 
@@ -236,6 +245,7 @@ void write_field(const FieldState& f, std::int64_t moment, const DeviceScene& s)
     std::fill_n(s.solved, f.bodies.count(), SolvedMotion{});
     std::fill_n(s.body_points, f.bodies.count(), BodyPoints{});
     std::fill_n(s.touched_bodies, (f.bodies.count() + 31) / 32, 0U);
+    std::fill_n(s.touched_spots, (f.bodies.count() + 31) / 32, 0U);
   }
   std::copy(f.books.begin(), f.books.end(), s.books);
   std::copy(f.corner.begin(), f.corner.end(), s.corner);

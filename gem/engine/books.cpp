@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/engine/contact_quality.h"
 #include "gem/engine/contact_stages.h"
+#include "gem/engine/ordered_sum.h"
 #include "gem/engine/solo_stages.h"
 
 namespace gem {
@@ -150,7 +152,7 @@ void retire(FieldState& f) {
 }
 
 void note_contacts(const FieldState& f, Contacts contacts, MomentQuality& quality, MomentLog& log) {
-  double work = 0.0;
+  std::vector<double> work(f.bodies.count() + sum_width, 0.0);  // of B's contacts, or of A's with a fixed B
   for (const Contact* contact : contacts) {
     const CollisionMass a = collision_mass(f.bodies, contact->a), b = collision_mass(f.bodies, contact->b);
     for (int k = 0; k < contact->count; ++k) {
@@ -158,12 +160,12 @@ void note_contacts(const FieldState& f, Contacts contacts, MomentQuality& qualit
       const PointQuality point = point_quality(*contact, slot, a, b, relative_velocity(f.bodies, *contact, slot));
       quality.complementarity = std::max(quality.complementarity, point.complementarity);
       quality.cone_excess = std::max(quality.cone_excess, point.cone_excess);
-      work += point.work;
+      work[b.inverse_mass > 0.0 ? contact->b : contact->a] += point.work;
       if (slot.separation <= 0.0 || slot.impulse.normal > 0.0) ++quality.contacts;
       if (slot.separation < 0.0) note_overlap(f, *contact, -slot.separation, quality, log);
     }
   }
-  quality.energy_created = std::max(0.0, work);
+  quality.energy_created = std::max(0.0, ordered_sum(work.data(), f.bodies.count()));
 }
 
 void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, double event_speed, MomentLog& log) {

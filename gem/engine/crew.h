@@ -27,7 +27,8 @@ struct BlockCell {
   std::int32_t records;              // places taken in the block's fast memory
   std::int32_t taken, first_taken;   // points that the block iterates, and the first of them
   std::int32_t iterations;
-  double residual;
+  double residual, energy_created;
+  std::uint64_t share, complementarity, cone_excess;  // bits of the largest, numbers >= 0
 };
 
 /// Bits that are set.

@@ -39,11 +39,12 @@ GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Crew& crew, const Desk
   BlockCell& shared = crew.shared();
   if (crew.thread() == 0) {
     if (s.wants_samples)
-      s.quality[step.sample * crew.blocks() + crew.block()] = {shared.overlap, shared.contacts, shared.iterations,
-                                                               shared.residual};
-    shared.overlap = 0;
+      s.quality[step.sample * crew.blocks() + crew.block()] = {
+          shared.overlap,  shared.share,          shared.contacts,        shared.iterations,
+          shared.residual, shared.energy_created, shared.complementarity, shared.cone_excess};
+    shared.overlap = shared.share = shared.complementarity = shared.cone_excess = 0;
     shared.contacts = shared.touches = shared.points = shared.iterations = 0;
-    shared.residual = 0.0;
+    shared.residual = shared.energy_created = 0.0;
     if (crew.block() == 0) s.counters->points = s.counters->taken_points = 0;
   }
   for (std::int32_t i = desk.first_body; i < desk.bodies.end; i += desk.body_step) move_body(s, crew, desk, i, step);
@@ -94,6 +95,7 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
     status.half_way = 1;
     status.events = 0;
   }
+  for (std::int32_t k = rank_of(crew); k < 2 * OverlapCount::classes; k += size_of(crew)) s.overlap_count[k] = 0;
   crew.barrier();
 
   DeviceStop stop = DeviceStop::done;

@@ -116,6 +116,7 @@ TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
     EngineState state;
     save_memory(device.memory(), state);
     test::expect_same_memory(state, cpu->save());
+    test::expect_same_judgement(log, expected);
     EXPECT_GT(state.impulse_key.size(), 20u);
   }
   EXPECT_GT(test::contacts_in(expected), 5000);

@@ -214,10 +214,17 @@ GEM_DEVICE inline void keep_event(const DeviceScene& s, std::int32_t place, cons
 }
 
 template <class Crew>
-GEM_DEVICE inline void note_depth(Crew& crew, const Contact& contact) {
+GEM_DEVICE inline void note_depth(const DeviceScene& s, Crew& crew, const Contact& contact) {
+  if (!s.wants_samples) return;
+  const double size = std::sqrt(smaller(s.area[contact.a], s.area[contact.b]));
   for (int k = 0; k < contact.count; ++k) {
     const double depth = -contact.slot[k].separation;
-    if (depth > 0.0) crew.highest(&crew.shared().overlap, strict::bits_of(depth));
+    if (!(depth > 0.0)) continue;
+    const std::uint64_t of_depth = strict::bits_of(depth), of_share = strict::bits_of(depth / size);
+    crew.highest(&crew.shared().overlap, of_depth);
+    crew.highest(&crew.shared().share, of_share);
+    crew.add(&s.overlap_count[OverlapCount::class_of_bits(of_depth)], 1);
+    crew.add(&s.overlap_count[OverlapCount::classes + OverlapCount::class_of_bits(of_share)], 1);
   }
 }
 
@@ -237,7 +244,7 @@ GEM_DEVICE inline void open_touch(const DeviceScene& s, Crew& crew, const Desk& 
   if (s.wants_events && pair.a == 0 && b.kind == BodyKind::floe)
     keep_event(s, pair.row_a - s.platform->row_begin, a, b, contact, moment);
   s.touched[desk.pairs.begin + crew.add(&crew.shared().touched, 1)] = touch.pair;
-  note_depth(crew, contact);
+  note_depth(s, crew, contact);
 }
 
 /// The event of one touching pair.
@@ -260,7 +267,7 @@ GEM_DEVICE inline void resolve(const DeviceScene& s, Crew& crew, const Desk& des
   s.touched[desk.pairs.begin + crew.add(&crew.shared().touched, 1)] = touch.pair;
   for (int k = 0; k < contact.count; ++k)
     if (contact.slot[k].separation <= 0.0) crew.add(&crew.shared().contacts, 1);
-  note_depth(crew, contact);
+  note_depth(s, crew, contact);
 }
 
 /// Energy that the contacts of the last moment took, now that all velocities after it are known. The last threads

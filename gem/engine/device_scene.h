@@ -18,6 +18,7 @@
 #include "gem/engine/coupled_visit.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/moment_constants.h"
+#include "gem/engine/overlap_count.h"
 #include "gem/engine/pair_event.h"
 #include "gem/geometry/convex_contact.h"
 
@@ -246,10 +247,11 @@ struct EventRecord {
 
 /// Quality of one moment as seen by one block.
 struct BlockQuality {
-  std::uint64_t overlap = 0;  // bits of the deepest overlap, a number >= 0
+  std::uint64_t overlap = 0, share = 0;  // bits of the deepest overlap and of the largest share, numbers >= 0
   std::int32_t contacts = 0;
   std::int32_t iterations = 0;
-  double residual = 0.0;
+  double residual = 0.0, energy_created = 0.0;
+  std::uint64_t complementarity = 0, cone_excess = 0;  // bits
 };
 
 /// A body at rest between two calls.
@@ -334,8 +336,9 @@ struct DeviceScene {
   std::int32_t* touched = nullptr;  // pairs, in each block's own stretch
   Touch* touch = nullptr;           // the same
 
-  // coupled
   const double* area = nullptr;  // of each body [m2]
+
+  // coupled
   const float* ahead = nullptr;  // what Acceleration gives for the first ahead_known iterations
   Acceleration later;            // from there on
   RowPoints* row_points = nullptr;
@@ -360,6 +363,7 @@ struct DeviceScene {
   std::int32_t* taken_list = nullptr;    // each block's own: points that it takes
   std::int32_t points_capacity = 0;
   double *given = nullptr, *answered = nullptr;  // by place among those bodies [J]
+  double* work_created = nullptr;                // by body: of its contacts as B, or as A with a fixed B [J]
   double* partial_sum = nullptr;                 // each block's own
 
   ListBox* box = nullptr;
@@ -373,6 +377,7 @@ struct DeviceScene {
   EventRecord* row_event = nullptr;  // one for each place in the platform's row
   std::int64_t* row_event_moment = nullptr;
   PlatformMoment* sample = nullptr;  // ring
+  std::int32_t* overlap_count = nullptr;  // of the call: by class, those of the shares after those of the depths
   BlockQuality* quality = nullptr;   // ring: by moment, then by block
   EventRecord* event = nullptr;      // ring
   BodyState* state = nullptr;

@@ -18,6 +18,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "gem/engine/contact_quality.h"
 #include "gem/engine/coupled_visit.h"
 #include "gem/engine/device_points.h"
 #include "gem/engine/ordered_sum.h"
@@ -68,6 +69,7 @@ GEM_DEVICE inline float from_ordered_bits(std::uint32_t bits) {
   return x;
 }
 
+constexpr int solved_work = 7;  // part of a PushBase: work of a contact that stands with this body, at the moment's end
 constexpr int solved_acted = 6;  // part of a PushBase and of a SolvedMotion
 
 template <class Crew>
@@ -96,6 +98,7 @@ class MomentSolver {
     crew_.lap(stage_base);
     keep_best_share(0.5);
     each_point([&](std::int32_t i) { hand_back(i); });
+    if (s_.wants_samples) add_work_created();
     crew_.lap(stage_shares);
   }
 
@@ -140,7 +143,7 @@ class MomentSolver {
     // the platform, first of all where it is among them, has a long row
     const bool platform = own_.begin < own_.end && s_.solver_entry[own_.begin].body == 0;
     const std::int32_t first = own_.begin + (platform ? 1 : 0);
-    for (std::int32_t e = first + crew_.thread(); e < own_.end; e += crew_.threads()) list_points(OneLane{}, e, bodies);
+    for (std::int32_t e = first + group(); e < own_.end; e += groups()) list_points(crew_.lanes(), e, bodies);
     if (platform && crew_.thread() < Crew::Warp::size) list_points(crew_.warp(), own_.begin, bodies);
     crew_.block_barrier();
     if (crew_.thread() == 0) shared.first_taken = crew_.add(&s_.counters->taken_points, shared.taken);
@@ -249,6 +252,7 @@ class MomentSolver {
   GEM_DEVICE void clear_marks() {
     for (std::int32_t w = rank_of(crew_); w < bit_words(s_); w += size_of(crew_))
       s_.touched_bodies[w] = s_.touched_spots[w] = 0;
+    for (std::int32_t i = rank_of(crew_); i < s_.bodies; i += size_of(crew_)) s_.work_created[i] = 0.0;
     if (rank_of(crew_) == 0) s_.counters->asked[0] = s_.counters->asked[1] = 0;
   }
 
@@ -288,6 +292,21 @@ class MomentSolver {
   }
 
   // -- settle --
+
+  /// Work of the contacts of each body, then of all: positive, where the events gave energy.
+  GEM_DEVICE void add_work_created() {
+    crew_.barrier();
+    for (std::int32_t e = own_.begin + crew_.thread(); e < own_.end; e += crew_.threads()) {
+      const SolverEntry& entry = entry_[e];
+      double sum = 0.0;
+      for (std::int32_t k = 0; k < entry.count; ++k) sum += s_.push_base[entry.place + k].part[solved_work];
+      s_.work_created[entry.body] = sum;
+    }
+    crew_.barrier();
+    if (crew_.block() != 0) return;
+    const double sum = summed_work(s_.work_created, s_.work_created, s_.bodies).given;
+    if (crew_.thread() == 0) crew_.shared().energy_created = larger(sum, 0.0);
+  }
 
   /// Enters the base's impulses of a point, and what they give to both bodies.
   GEM_DEVICE static void write_base(const DeviceScene& s, std::int32_t i, const PointGeometry<double>& g,
@@ -349,11 +368,9 @@ class MomentSolver {
   }
 
   /// ordered_sum() of the energies of all bodies; every block works it out for itself.
-  GEM_DEVICE ImpulseWork summed_work() {
+  GEM_DEVICE ImpulseWork summed_work(const double* given, const double* answered, std::int32_t count) {
     const std::int32_t most = (s_.bodies + sum_width - 1) / sum_width;
     double* to = s_.partial_sum + static_cast<std::int64_t>(crew_.block()) * 4 * (most + 1);
-    const double *given = s_.given, *answered = s_.answered;
-    std::int32_t count = bodies_;
     if (count == 0) return {0.0, 0.0};
     do {
       const std::int32_t made = (count + sum_width - 1) / sum_width;
@@ -374,7 +391,7 @@ class MomentSolver {
 
   /// As CoupledSolver::keep_best_share().
   GEM_DEVICE void keep_best_share(double limit) {
-    const double share = best_share(summed_work());
+    const double share = best_share(summed_work(s_.given, s_.answered, bodies_));
     if (!(share < limit)) return;
     each_point([&](std::int32_t i) {
       PointImpulse<double> impulse = s_.points.impulse(i);
@@ -560,7 +577,26 @@ class MomentSolver {
     slot.impulse.tangential = p.tangential;
     slot.repair = p.repair;
     remember(s_.memory[point.pair], contact, point.slot, p, moment_);
-    if (slot.separation <= 0.0 || p.normal > 0.0) crew_.add(&crew_.shared().contacts, 1);
+    if (s_.wants_samples) judge_point(point, contact, slot);
+  }
+
+  GEM_DEVICE void judge_point(const PointCell& point, const Contact& contact, const ContactSlot& slot) {
+    BlockCell& shared = crew_.shared();
+    const BodyCell &a = s_.body[contact.a], &b = s_.body[contact.b];
+    const SolvedMotion &of_a = s_.solved[contact.a], &of_b = s_.solved[contact.b];
+    PairBodies after;
+    after.velocity_a = {of_a.part[0], of_a.part[1]};
+    after.velocity_b = {of_b.part[0], of_b.part[1]};
+    after.spin_a = of_a.part[4];
+    after.spin_b = of_b.part[4];
+    const PointQuality quality = point_quality(contact, slot, {a.inverse_mass, a.inverse_inertia},
+                                               {b.inverse_mass, b.inverse_inertia}, relative_velocity(after, slot));
+    if (slot.separation <= 0.0 || slot.impulse.normal > 0.0) crew_.add(&shared.contacts, 1);
+    if (quality.complementarity > 0.0) crew_.highest(&shared.complementarity, strict::bits_of(quality.complementarity));
+    if (quality.cone_excess > 0.0) crew_.highest(&shared.cone_excess, strict::bits_of(quality.cone_excess));
+    const bool with_b = b.inverse_mass > 0.0;
+    if (point.place_b >= 0) s_.push_base[point.place_b].part[solved_work] = with_b ? quality.work : 0.0;
+    if (point.place_a >= 0) s_.push_base[point.place_a].part[solved_work] = with_b ? 0.0 : quality.work;
   }
 
   const DeviceScene& s_;

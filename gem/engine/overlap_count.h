@@ -19,8 +19,9 @@ struct OverlapCount {
   std::array<std::int64_t, classes> count{};
 
   /// Class of a value: its exponent and the three leading bits behind it; the ends take what lies beyond.
-  static constexpr int class_of(double value) {
-    const std::int64_t bits = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(value) >> 49);
+  static constexpr int class_of(double value) { return class_of_bits(std::bit_cast<std::uint64_t>(value)); }
+  GEM_HD static constexpr int class_of_bits(std::uint64_t value) {
+    const std::int64_t bits = static_cast<std::int64_t>(value >> 49);
     const std::int64_t index = bits - ((1023 + lowest_octave) << 3);
     return static_cast<int>(index < 0 ? 0 : index >= classes ? classes - 1 : index);
   }

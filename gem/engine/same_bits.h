@@ -39,7 +39,10 @@ inline void expect_same_log(const MomentLog& a, const MomentLog& b) {
     ASSERT_EQ(a.quality[m].iterations, b.quality[m].iterations) << "moment " << m;
     ASSERT_EQ(a.quality[m].residual, b.quality[m].residual) << "moment " << m;
     ASSERT_EQ(a.quality[m].maximum_overlap, b.quality[m].maximum_overlap) << "moment " << m;
+    ASSERT_EQ(a.quality[m].maximum_share, b.quality[m].maximum_share) << "moment " << m;
   }
+  ASSERT_EQ(a.overlap.count, b.overlap.count);
+  ASSERT_EQ(a.overlap_share.count, b.overlap_share.count);
   ASSERT_EQ(a.events.size(), b.events.size());
   for (std::size_t k = 0; k < a.events.size(); ++k) {
     const ContactEvent &e = a.events[k], &g = b.events[k];
@@ -48,6 +51,16 @@ inline void expect_same_log(const MomentLog& a, const MomentLog& b) {
     ASSERT_EQ(std::tie(e.effective_mass, e.peak_force, e.width, e.growth, e.depth),
               std::tie(g.effective_mass, g.peak_force, g.width, g.growth, g.depth));
     ASSERT_TRUE(same(e.point, g.point));
+  }
+}
+
+/// What a coupled moment says of its events once they are done.
+inline void expect_same_judgement(const MomentLog& a, const MomentLog& b) {
+  ASSERT_EQ(a.quality.size(), b.quality.size());
+  for (std::size_t m = 0; m < a.quality.size(); ++m) {
+    ASSERT_EQ(a.quality[m].complementarity, b.quality[m].complementarity) << "moment " << m;
+    ASSERT_EQ(a.quality[m].cone_excess, b.quality[m].cone_excess) << "moment " << m;
+    ASSERT_EQ(a.quality[m].energy_created, b.quality[m].energy_created) << "moment " << m;
   }
 }
 

@@ -102,6 +102,10 @@ MomentQuality quality_of(const BlockQuality* block, int blocks) {
     quality.contacts += block[k].contacts;
     quality.iterations = std::max(quality.iterations, block[k].iterations);
     quality.residual = std::max(quality.residual, block[k].residual);
+    quality.maximum_share = std::max(quality.maximum_share, strict::double_of(block[k].share));
+    quality.complementarity = std::max(quality.complementarity, strict::double_of(block[k].complementarity));
+    quality.cone_excess = std::max(quality.cone_excess, strict::double_of(block[k].cone_excess));
+    quality.energy_created = std::max(quality.energy_created, block[k].energy_created);
     quality.maximum_overlap = std::max(quality.maximum_overlap, strict::double_of(block[k].overlap));
   }
   return quality;
@@ -130,6 +134,7 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(s.taken_list, std::min<std::size_t>(blocks, 16) * 2 * pairs);
   placer.place(s.given, n);
   placer.place(s.answered, n);
+  placer.place(s.work_created, n);
   placer.place(s.partial_sum, blocks * 4 * ((n + sum_width - 1) / sum_width + 1));
 }
 
@@ -162,8 +167,8 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.normal, vertices);
   placer.place(s.vertex, vertices);
   placer.place(s.body_normal, vertices);
-  if (!sizes.coupled) return placer.used();
   placer.place(s.area, n);
+  if (!sizes.coupled) return placer.used();
   placer.place(s.ahead, ahead_known);
   placer.place(s.added, n);
   placer.place(s.solved, n);
@@ -206,6 +211,7 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
 std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base) {
   Placer placer(base);
   s.events_capacity = 2 * std::max(sizes.platform_rows, sizes.samples);
+  placer.place(s.overlap_count, 2 * OverlapCount::classes);
   placer.place(s.sample, sizes.samples);
   placer.place(s.quality, static_cast<std::size_t>(sizes.samples) * static_cast<std::size_t>(sizes.blocks));
   placer.place(s.event, s.events_capacity);
@@ -237,8 +243,8 @@ void write_field(const FieldState& f, std::int64_t moment, const DeviceScene& s)
     s.motion[i] = motion_of(f.bodies, i);
     s.after[i] = {f.bodies.velocity[i], f.bodies.spin[i]};
   }
-  if (s.area) {
-    std::copy(f.bodies.area.begin(), f.bodies.area.end(), const_cast<double*>(s.area));
+  std::copy(f.bodies.area.begin(), f.bodies.area.end(), const_cast<double*>(s.area));
+  if (s.ahead) {
     Acceleration acceleration;
     std::generate_n(const_cast<float*>(s.ahead), ahead_known, [&] { return acceleration.next(); });
     std::fill_n(s.added, f.bodies.count(), AddedMotion{});
@@ -296,6 +302,10 @@ void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatu
   log.platform.insert(log.platform.end(), rings.sample, rings.sample + status.samples);
   for (std::int32_t m = 0; m < status.samples; ++m)
     log.quality.push_back(quality_of(rings.quality + m * blocks, blocks));
+  for (int k = 0; k < OverlapCount::classes; ++k) {
+    log.overlap.count[k] += rings.overlap_count[k];
+    log.overlap_share.count[k] += rings.overlap_count[OverlapCount::classes + k];
+  }
   EventReader reader(f);
   for (std::int32_t k = 0; k < status.events; ++k) log.events.push_back(reader.read(rings.event[k]));
 }

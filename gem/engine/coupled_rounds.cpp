@@ -86,10 +86,14 @@ void CoupledRounds::set_body(std::int32_t entry, double inverse_mass, double inv
   motion_[entry].lanes = FloatPack{};
 }
 
-PointImpulse<float> CoupledRounds::added(std::int32_t point) const {
+PointImpulse<double> CoupledRounds::with_additions(PointFriction law, std::int32_t point,
+                                                   const PointGeometry<double>& g,
+                                                   const PointImpulse<double>& base) const {
+  const Block& b = block_[point / float_lanes];
   const PointImpulse<FloatPack>& at = addition_[point / float_lanes].at;
   const int lane = point % float_lanes;
-  return {at.normal[lane], at.tangential[lane], at.repair[lane]};
+  return gem::with_additions(law, g, base, {at.normal[lane], at.tangential[lane], at.repair[lane]}, b.least[lane],
+                             b.most[lane], b.repair_least[lane]);
 }
 
 GEM_INLINE PointFrame<FloatPack> CoupledRounds::frame_of(const Block& b) {

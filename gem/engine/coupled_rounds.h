@@ -23,7 +23,9 @@ class CoupledRounds {
                 const Motion<double>& a, const Motion<double>& b);
   /// Inverse mass and inertia of a moving body, to which nothing has been added yet.
   void set_body(std::int32_t entry, double inverse_mass, double inverse_inertia);
-  PointImpulse<float> added(std::int32_t point) const;
+  /// The base after what was added.
+  PointImpulse<double> with_additions(PointFriction law, std::int32_t point, const PointGeometry<double>& g,
+                                      const PointImpulse<double>& base) const;
 
   /// Visits the points of some blocks; returns, where `judged`, the largest speed that one asked for, else 0 [m/s].
   float visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace,

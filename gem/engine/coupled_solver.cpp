@@ -42,8 +42,7 @@ std::size_t CoupledSolver::last_key_from(std::size_t at, std::uint64_t key) cons
 PointImpulse<double> CoupledSolver::last_impulse(std::uint64_t key, std::size_t at) const {
   while (at < keys_.size() && keys_[at] != key && keys_[at] >> feature_bits == key >> feature_bits) ++at;
   if (at == keys_.size() || keys_[at] != key) return {};
-  const PointImpulse<double>& last = impulses_[at];
-  return {last.normal, last.tangential, repair_memory * last.repair};
+  return impulses_[at];
 }
 
 /// Makes the points of some contacts ready.
@@ -62,6 +61,7 @@ void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::in
       point.impulse = last_impulse(contact_key(contact.a, contact.b, slot.feature), at);
       point.geometry = point_of_contact(f, contact, slot, layout_.points_of(contact.a), layout_.points_of(contact.b),
                                         point.impulse.normal);
+      point.impulse.repair = repair_to_go_on(f.constants, point.impulse.repair, point.geometry.nn);
       point.a = layout_.entry_of(contact.a);
       point.b = layout_.entry_of(contact.b);
       slot.cap = point.geometry.cap;
@@ -147,8 +147,7 @@ void CoupledSolver::begin_round(const FieldState& f, ThreadTeam& team, const Str
 void CoupledSolver::end_round(const FieldState& f, const Stretch& s) {
   for (std::int32_t i = s.first_point; i < s.last_point; ++i) {
     Point& p = point_[i];
-    p.impulse =
-        with_additions(f.constants.point_friction, p.geometry.friction, p.geometry.cap, p.impulse, rounds_.added(i));
+    p.impulse = rounds_.with_additions(f.constants.point_friction, i, p.geometry, p.impulse);
   }
 }
 

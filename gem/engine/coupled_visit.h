@@ -136,10 +136,12 @@ GEM_HD inline void enter_geometry(PointFrame<float>& f, const PointGeometry<doub
   f.friction = static_cast<float>(g.friction);
 }
 
+/// Room for additions that nothing bounds [N s].
+constexpr double boundless = 1e30;
+
 /// Enters what the base gives: impulses `p` and the motions of both bodies under all of them.
 GEM_HD inline void enter_base(PointFrame<float>& f, const PointGeometry<double>& g, const PointImpulse<double>& p,
                               const Motion<double>& a, const Motion<double>& b) {
-  constexpr double boundless = 1e30;
   const double x = b.x - a.x, y = b.y - a.y;
   f.excess =
       static_cast<float>(x * g.normal_x + y * g.normal_y + b.spin * g.lever_b_n - a.spin * g.lever_a_n - g.target);
@@ -153,15 +155,24 @@ GEM_HD inline void enter_base(PointFrame<float>& f, const PointGeometry<double>&
   f.repair_least = static_cast<float>(-p.repair);
 }
 
-/// The base after the additions of a round.
-GEM_HD inline PointImpulse<double> with_additions(PointFriction law, double friction, double cap,
-                                                  const PointImpulse<double>& p, const PointImpulse<float>& added) {
-  const double normal = smaller(larger(p.normal + static_cast<double>(added.normal), 0.0), cap);
-  const double limit = friction * normal, wanted = p.tangential + static_cast<double>(added.tangential);
+/// `p` with what was added to it, `least` and `most` being what could be: a bound that is met is met exactly.
+GEM_HD inline double within_bounds(double p, float added, float least, float most, double cap) {
+  if (added <= least) return 0.0;
+  if (added >= most) return cap;
+  return smaller(larger(p + static_cast<double>(added), 0.0), cap);
+}
+
+/// The base after the additions of a round; `least`, `most` and `repair_least` stand in the point's frame.
+GEM_HD inline PointImpulse<double> with_additions(PointFriction law, const PointGeometry<double>& g,
+                                                  const PointImpulse<double>& p, const PointImpulse<float>& added,
+                                                  float least, float most, float repair_least) {
+  const double normal = within_bounds(p.normal, added.normal, least, most, g.cap);
+  const double limit = g.friction * normal, wanted = p.tangential + static_cast<double>(added.tangential);
   const double tangential = law == PointFriction::none      ? 0.0
                             : law == PointFriction::coulomb ? larger(smaller(wanted, limit), -limit)
                                                             : limit;
-  return {normal, tangential, larger(p.repair + static_cast<double>(added.repair), 0.0)};
+  const double repair = added.repair <= repair_least ? 0.0 : larger(p.repair + static_cast<double>(added.repair), 0.0);
+  return {normal, tangential, repair};
 }
 
 /// The course of a moment's iterations: how far each carries ahead, when the base is looked at again and when to stop.

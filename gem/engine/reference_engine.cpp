@@ -125,9 +125,9 @@ std::vector<ReferenceEngine::Point> ReferenceEngine::points_of(std::vector<Conta
       Point point{&contact, &contact.slot[k], {}, {}, {}, {}, {}};
       const auto last = last_.find(contact_key(contact.a, contact.b, contact.slot[k].feature));
       if (last != last_.end()) point.impulse = last->second;
-      point.impulse.repair *= repair_memory;
       point.geometry =
           point_of_contact(field_, contact, contact.slot[k], count[contact.a], count[contact.b], point.impulse.normal);
+      point.impulse.repair = repair_to_go_on(field_.constants, point.impulse.repair, point.geometry.nn);
       contact.slot[k].cap = point.geometry.cap;
       enter_geometry(point.frame, point.geometry);
       points.push_back(point);
@@ -186,8 +186,8 @@ void ReferenceEngine::iterate(std::vector<Point>& points, MomentQuality& quality
       next = course.after(quality.residual);
     } while (next == IterationCourse::Next::iteration);
     for (Point& point : points)
-      point.impulse =
-          with_additions(c.point_friction, point.geometry.friction, point.geometry.cap, point.impulse, point.at);
+      point.impulse = with_additions(c.point_friction, point.geometry, point.impulse, point.at, point.frame.least,
+                                     point.frame.most, point.frame.repair_least);
   }
   quality.iterations = static_cast<std::int32_t>(course.iteration());
 }

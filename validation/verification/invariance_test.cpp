@@ -161,7 +161,10 @@ TEST_P(Invariance, M4_turn_by_37_degrees) {
 }
 
 TEST_P(Invariance, M5_moving_frame) {
-  const SceneDef scene = with_one_answer(crowd(setting(), Surroundings::open_water), setting());
+  SceneDef scene = with_one_answer(crowd(setting(), Surroundings::open_water), setting());
+  // a floe that an impulse of next to nothing touches leaves the exact path of its drag, by 1e-6 m a moment, and
+  // rounding decides between next to nothing and nothing
+  if (setting().coupled()) scene.water.drag_law = DragLaw::none;
   const Vec2 frame{0.125, -0.25};
   const std::int64_t moments = 5;
   SceneDef moving = scene;

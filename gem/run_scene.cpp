@@ -68,7 +68,7 @@ class Run {
     const StopSignals signals;
     start_ = flushed_ = Clock::now();
     try {
-      while (engine_.moment() < last_moment_ && StopSignals::received() == 0) block();
+      while (engine_.moment() < last_moment_ && stop_signal() == 0) block();
       if (engine_.moment() > frame_moment_) frame();
     } catch (const std::exception& error) {
       end_in_failure(error);
@@ -79,6 +79,11 @@ class Run {
   }
 
  private:
+  int stop_signal() const {
+    const int own = StopSignals::received();
+    return own != 0 || options_.stop == nullptr ? own : options_.stop->load();
+  }
+
   double time() const { return double(engine_.moment()) * scene_.numerics.moment_s; }
 
   void block() {
@@ -94,6 +99,7 @@ class Run {
     if (end == recorder_.next_frame() || end == last_moment_) frame();
     if (recorder_.frames_waiting() >= slab_frames || seconds_since(flushed_) >= options_.flush_interval_s) flush();
     if (writer_) writer_->check();
+    if (options_.on_block) options_.on_block(time());
     progress();
   }
 
@@ -126,7 +132,7 @@ class Run {
   }
 
   void finish() {
-    summary_.stop_signal = StopSignals::received();
+    summary_.stop_signal = stop_signal();
     summary_.status = summary_.stop_signal == SIGINT          ? "stopped:SIGINT"
                       : summary_.stop_signal == SIGTERM       ? "stopped:SIGTERM"
                       : engine_.moment() < moments_of(scene_) ? "stopped:moment limit"

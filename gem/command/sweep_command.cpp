@@ -3,6 +3,7 @@
 
 #include "gem/base/error.h"
 #include "gem/command/command.h"
+#include "gem/command/sweep_collect.h"
 #include "gem/command/sweep_run.h"
 #include "gem/command/sweep_status.h"
 #include "gem/scene/case_text.h"
@@ -85,6 +86,21 @@ void add_status(CLI::App& group, Chosen& chosen) {
   status->callback([choice, &chosen] { chosen.action = [choice] { return sweep_status(*choice); }; });
 }
 
+void add_collect(CLI::App& group, Chosen& chosen) {
+  const auto choice = std::make_shared<SweepCollectChoice>();
+  CLI::App* collect = group.add_subcommand(
+      "collect", "settings, findings and displacement of all runs as one HDF5 file that xarray opens");
+  collect->add_option("folder", choice->folder, "folder of a sweep")->type_name("DIR")->required();
+  collect->add_option("-o,--out", choice->output, "summary file, one row per run")->type_name("FILE")->required();
+  collect->add_option("--from", choice->from_s, "leave the time before this out of the findings [s]");
+  collect->add_flag("--partial", choice->partial, "collect what is done even if runs are missing");
+  collect->add_flag("--overwrite", choice->overwrite, "replace an existing summary");
+  collect->callback([choice, &chosen] {
+    choice->command_line = chosen.command_line;
+    chosen.action = [choice] { return collect_sweep(*choice); };
+  });
+}
+
 }  // namespace
 
 void add_sweep_command(CLI::App& app, Chosen& chosen) {
@@ -93,6 +109,7 @@ void add_sweep_command(CLI::App& app, Chosen& chosen) {
   add_list(*group, chosen);
   add_run(*group, chosen);
   add_status(*group, chosen);
+  add_collect(*group, chosen);
 }
 
 }  // namespace gem

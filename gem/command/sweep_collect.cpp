@@ -61,9 +61,11 @@ void set_finding(Columns& columns, std::size_t run, const Finding& finding) {
   const std::string unit = unit_of(finding.name);
   const std::string words = in_words(finding.name);
   columns.set(run, finding.name, unit, words, finding.value.value_or(nothing));
-  if (!finding.interval) return;
-  columns.set(run, finding.name + "_low", unit, words + ", lower end of its 95 % interval", finding.interval->low);
-  columns.set(run, finding.name + "_high", unit, words + ", upper end of its 95 % interval", finding.interval->high);
+  // a main period that no run resolves keeps its columns, so that every summary can be read in the same way
+  if (!finding.interval && finding.name.find("period_by") == std::string::npos) return;
+  const IntervalEstimate interval = finding.interval.value_or(IntervalEstimate{nothing, nothing, nothing});
+  columns.set(run, finding.name + "_low", unit, words + ", lower end of its 95 % interval", interval.low);
+  columns.set(run, finding.name + "_high", unit, words + ", upper end of its 95 % interval", interval.high);
 }
 
 double mean_length(const std::vector<double>& x, const std::vector<double>& y) {
@@ -127,7 +129,7 @@ void fill_series(SummaryTable& table, std::size_t run, const RunData& data) {
   const std::vector<double>& time = data.platform.time;
   for (std::size_t second = 0; second < table.time.size() && !time.empty(); ++second) {
     const double at = table.time[second] + 1e-6 * (1.0 + table.time[second]);  // sample times are rounded sums
-    if (at > time.back() + 1.0) break;
+    if (table.time[second] > time.back() + 1e-6 * (1.0 + time.back())) break;
     const auto next = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), at) - time.begin());
     if (next == 0) continue;
     const std::size_t place = run * table.time.size() + second;

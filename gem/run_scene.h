@@ -57,6 +57,9 @@ struct RunSummary {
 /// cannot be written and Error(numerical_stop) if the state or the books go wrong; the file then says so.
 RunSummary run_scene(const SceneDef& scene, Engine& engine, const RunOptions& options);
 
+/// Number of the signal for which a run is to stop now; 0: none.
+int stop_signal_of(const RunOptions& options);
+
 /// Moments of a whole run: the duration over the moment, rounded.
 std::int64_t moments_of(const SceneDef& scene);
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <string>
 #include <system_error>
 
@@ -31,7 +32,11 @@ void ProcessPool::start(std::size_t job, const std::function<void()>& work) {
   const pid_t process = fork();
   if (process == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() == parent) work();
+    try {
+      if (getppid() == parent) work();
+    } catch (...) {
+      std::abort();  // nothing of the parent's may be unwound here; it is told of the signal
+    }
     _exit(0);
   }
   const int fault = errno;

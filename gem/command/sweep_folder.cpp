@@ -178,6 +178,11 @@ SweepLock::~SweepLock() {
 
 SweepLock::SweepLock(SweepLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
 
+SweepLock& SweepLock::operator=(SweepLock&& other) noexcept {
+  std::swap(file_, other.file_);
+  return *this;
+}
+
 std::string run_path(const std::string& folder, const std::string& run_name) {
   return folder + "/" + run_file_name(run_name);
 }

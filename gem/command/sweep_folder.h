@@ -35,7 +35,7 @@ class SweepLock {
   static SweepLock wait_manifest(const std::string& folder);
   ~SweepLock();
   SweepLock(SweepLock&& other) noexcept;
-  SweepLock& operator=(SweepLock&&) = delete;
+  SweepLock& operator=(SweepLock&& other) noexcept;
 
  private:
   explicit SweepLock(int file) : file_(file) {}

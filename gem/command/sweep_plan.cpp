@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,8 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/command/index_list.h"
+#include "gem/command/process_pool.h"
+#include "gem/engine/cuda_engine.h"
 #include "gem/record/output_path.h"
 #include "gem/scene/check_scene.h"
 
@@ -39,7 +42,7 @@ int choose_jobs(const std::string& asked) {
 /// The processors are shared out: first among runs, which scale best, then among the threads of each.
 void share_processors(const SweepRunChoice& choice, SweepPlan& plan, RunLog& log) {
   const int machine = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int to_do = static_cast<int>(std::max<std::size_t>(1, plan.to_do.size()));
+  const int to_do = static_cast<int>(std::max<std::size_t>(1, plan.batches.size()));
   int& threads = plan.settings.engine.threads;
   if (!choice.jobs.empty()) plan.jobs = std::min(choose_jobs(choice.jobs), to_do);
   const bool given = !choice.threads.empty() || std::getenv("OMP_NUM_THREADS") != nullptr;
@@ -62,7 +65,9 @@ Estimate need_of(const SweepPlan& plan) {
     memory.push_back(one.memory);
   }
   std::sort(memory.rbegin(), memory.rend());
-  memory.resize(std::min(memory.size(), static_cast<std::size_t>(plan.jobs)));
+  std::size_t at_once = static_cast<std::size_t>(plan.jobs);
+  for (const auto& batch : plan.batches) at_once = std::max(at_once, plan.jobs + batch.size() - 1);
+  memory.resize(std::min(memory.size(), at_once));
   for (const double one : memory) need.memory += one;
   return need;
 }
@@ -86,6 +91,47 @@ void choose_what_to_do(const SweepRunChoice& choice, SweepPlan& plan) {
       throw Error(ExitCode::file_system, shown(run_path(choice.folder, row.name)) + " is not this sweep's (" +
                                              row.error + ") use --overwrite or another --out");
     if (row.status != "done" || choice.overwrite) plan.to_do.push_back(i);
+  }
+}
+
+}  // namespace
+
+namespace {
+
+constexpr std::size_t largest_batch = 32;  // scenes; more gain nothing, as each has its own file to be written
+
+bool gpu_answers() {
+  SweepBoard answer(1);
+  ProcessPool probe;  // a process that has used a GPU cannot start others that do
+  probe.start(0, [&answer] {
+    std::string reason;
+    for (const CudaDevice& device : cuda_devices(reason))
+      if (device.fault.empty()) answer[0].outcome = Outcome::done;
+  });
+  while (probe.running() > 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    probe.reap([](std::size_t, int) {});
+  }
+  return answer[0].outcome == Outcome::done;
+}
+
+/// Runs that a GPU can move on together have the same number of moments; all others are made one by one.
+void group(SweepPlan& plan) {
+  std::map<std::int64_t, std::size_t> open;  // moments -> batch that takes more
+  const std::string& engine = plan.settings.engine.name;
+  const auto fits = [&](const SceneDef& scene) { return scene.contact.resolution == Resolution::independent; };
+  const bool any = std::any_of(plan.to_do.begin(), plan.to_do.end(),
+                               [&](std::size_t i) { return fits(plan.members[plan.chosen[i]].scene); });
+  const bool gpu = engine == "cuda" || (engine == "auto" && any && gpu_answers());
+  for (std::size_t job = 0; job < plan.to_do.size(); ++job) {
+    const SceneDef& scene = plan.members[plan.chosen[plan.to_do[job]]].scene;
+    const auto found = open.find(moments_of(scene));
+    if (gpu && fits(scene) && found != open.end() && plan.batches[found->second].size() < largest_batch) {
+      plan.batches[found->second].push_back(job);
+      continue;
+    }
+    if (gpu && fits(scene)) open[moments_of(scene)] = plan.batches.size();
+    plan.batches.push_back({job});
   }
 }
 
@@ -118,6 +164,7 @@ SweepPlan plan_sweep(const SweepRunChoice& choice, RunLog& log) {
   for (const std::size_t place : plan.chosen)
     plan.rows.push_back(look_at_run(choice.folder, known[place], choice.engine));
   choose_what_to_do(choice, plan);
+  group(plan);
   share_processors(choice, plan, log);
   plan.need = need_of(plan);
   say_warnings(plan, log);

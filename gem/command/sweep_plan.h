@@ -12,10 +12,11 @@
 namespace gem {
 
 struct SweepPlan {
-  std::vector<SweepMember> members;  // all of the sweep
-  std::vector<std::size_t> chosen;   // places among them
-  std::vector<SweepRow> rows;        // of the chosen, as they stand
-  std::vector<std::size_t> to_do;    // places among `chosen`
+  std::vector<SweepMember> members;               // all of the sweep
+  std::vector<std::size_t> chosen;                // places among them
+  std::vector<SweepRow> rows;                     // of the chosen, as they stand
+  std::vector<std::size_t> to_do;                 // places among `chosen`
+  std::vector<std::vector<std::size_t>> batches;  // places among `to_do` that one process makes together or alone
   SweepSettings settings;
   int jobs = 1;
   Estimate need;  // memory of `jobs` runs at once, disk and moments of all that is to do

@@ -35,12 +35,12 @@ class SweepRun {
   void go() {
     const StopSignals signals;
     start_ = Clock::now();
-    while (next_ < plan_.to_do.size() || pool_.running() > 0) {
+    while (next_ < plan_.batches.size() || pool_.running() > 0) {
       if (StopSignals::received() != 0) {
         board_.stop() = StopSignals::received();
-        next_ = plan_.to_do.size();
+        next_ = plan_.batches.size();
       }
-      while (next_ < plan_.to_do.size() && pool_.running() < static_cast<std::size_t>(plan_.jobs)) start_next();
+      while (next_ < plan_.batches.size() && pool_.running() < static_cast<std::size_t>(plan_.jobs)) start_next();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       pool_.reap([this](std::size_t job, int killed_by) { ended(job, killed_by); });
       progress();
@@ -95,13 +95,28 @@ class SweepRun {
   const SweepMember& member(std::size_t job) const { return plan_.members[plan_.chosen[plan_.to_do[job]]]; }
 
   void start_next() {
-    const std::size_t job = next_++;
-    pool_.start(job, [this, job] { run_sweep_member(member(job), plan_.settings, board_[job], board_.stop()); });
+    const std::size_t place = next_++;
+    std::vector<SweepTask> tasks;
+    for (const std::size_t job : plan_.batches[place]) tasks.push_back({&member(job), &board_[job]});
+    pool_.start(place, [this, tasks] {
+      if (tasks.size() > 1) return run_sweep_batch(tasks, plan_.settings, board_.stop());
+      run_sweep_member(tasks.front(), plan_.settings, board_.stop());
+    });
   }
 
-  /// A worker says itself how its run ended, unless it was killed.
-  void ended(std::size_t job, int killed_by) {
-    if (killed_by == 0) return say_failure(job);
+  /// A worker says itself how its runs ended, unless it was killed.
+  void ended(std::size_t place, int killed_by) {
+    for (const std::size_t job : plan_.batches[place]) {
+      const Outcome outcome = board_[job].outcome;
+      if (killed_by != 0 && (outcome == Outcome::waiting || outcome == Outcome::running)) {
+        note_killed(job, killed_by);
+      } else if (outcome == Outcome::failed) {
+        say_failure(job);
+      }
+    }
+  }
+
+  void note_killed(std::size_t job, int killed_by) {
     SweepRow row = row_of(member(job));
     row.status = "failed";
     row.error = "its process was killed by signal " + std::to_string(killed_by) +
@@ -114,7 +129,6 @@ class SweepRun {
   }
 
   void say_failure(std::size_t job) {
-    if (board_[job].outcome != Outcome::failed) return;
     for (const SweepRow& row : read_manifest(plan_.settings.folder))
       if (row.name == member(job).name) log_.message("error", shown(row.name) + ": " + row.error);
   }

@@ -1,57 +1,25 @@
-// What one process of a sweep does, and the board on which it says how far it is.
+// What one process of a sweep does.
 #pragma once
 
 #include <atomic>
-#include <cstddef>
-#include <string>
 #include <vector>
 
-#include "gem/command/sweep_folder.h"
-#include "gem/engine/engine.h"
-#include "gem/scene/sweep.h"
+#include "gem/command/sweep_member.h"
 
 namespace gem {
 
-/// How a run of a sweep ended. `elsewhere`: another process is at it.
-enum class Outcome : int { waiting, running, done, already_done, failed, stopped, elsewhere };
-
-/// Memory that a process shares with those that it starts.
-class SweepBoard {
- public:
-  struct Entry {
-    std::atomic<double> time;  // simulated by this sweep [s]
-    std::atomic<Outcome> outcome;
-    std::atomic<int> exit_code;  // of a failure
-  };
-
-  explicit SweepBoard(std::size_t runs);
-  ~SweepBoard();
-  SweepBoard(const SweepBoard&) = delete;
-  SweepBoard& operator=(const SweepBoard&) = delete;
-  /// Number of the signal to stop for; 0: go on.
-  std::atomic<int>& stop() { return *stop_; }
-  Entry& operator[](std::size_t run) { return entries_[run]; }
-
- private:
-  std::size_t bytes_;
-  std::atomic<int>* stop_;
-  Entry* entries_;
+/// A run that a process is to make, and its entry of the board.
+struct SweepTask {
+  const SweepMember* member;
+  SweepBoard::Entry* entry;
 };
 
-/// How all runs of a sweep are made.
-struct SweepSettings {
-  std::string folder;
-  EngineOptions engine;
-  bool overwrite = false;
-  std::string command_line;
-};
+/// Runs one member into its file unless that is done or another process is at it; writes its row and its entry. Never
+/// throws: a fault is the run's own.
+void run_sweep_member(const SweepTask& task, const SweepSettings& settings, const std::atomic<int>& stop);
 
-/// The row of a run that nothing is known of yet.
-SweepRow row_of(const SweepMember& member);
-
-/// Runs one member into its file unless that is done or another process is at it; writes its row and its entry of the
-/// board. Never throws: a fault is the run's own.
-void run_sweep_member(const SweepMember& member, const SweepSettings& settings, SweepBoard::Entry& entry,
-                      const std::atomic<int>& stop);
+/// The same for several members of one number of moments, moved on together on a GPU; those that do not fit into its
+/// memory together are run in smaller batches, and with engine auto on the CPU where there is no other way.
+void run_sweep_batch(const std::vector<SweepTask>& tasks, const SweepSettings& settings, const std::atomic<int>& stop);
 
 }  // namespace gem

@@ -180,6 +180,7 @@ TEST_F(SweepCommandTest, AnInterruptStopsAllRunsInOrder) {
   EXPECT_EQ(ended(child), 130);
   EXPECT_EQ(count("d", "running"), 0u);
   EXPECT_GE(count("d", "stopped"), 1u);
+  EXPECT_EQ(sweep("d"), 4) << "with other settings: what there is of the former case is kept";
   for (const auto& [name, error] : status("d", "error"))
     EXPECT_TRUE(error.empty() || error == "stopped:SIGINT") << error;
 }

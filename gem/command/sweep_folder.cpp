@@ -101,7 +101,6 @@ void judge(SweepRow& row, const RunFile& file, const std::string& engine) {
     row.error = other_case ? "the file holds another case (" + file.attribute("gem_case_sha256").substr(0, 12) +
                                  ", asked for " + row.case_sha256.substr(0, 12) + ")"
                            : "the file is a run of the engine " + found;
-    if (status != "complete") row.status = "stopped";
     return;
   }
   row.engine = found;

@@ -136,7 +136,9 @@ class SweepRun {
   void progress() {
     const Count now = count();
     const double all = now.time + now.left;
-    if (!log_.wants(now.time, all)) return;
+    const bool over = next_ == plan_.batches.size() && pool_.running() == 0;
+    const double fraction = over ? 1.0 : all > 0.0 ? std::min(now.time / all, 0.999) : 0.0;
+    if (!log_.wants(fraction, 1.0)) return;
     const double wall = wall_time();
     const double rate = wall > 0.0 ? now.time / wall : 0.0;
     const double left = rate > 0.0 ? now.left / rate : 0.0;
@@ -147,7 +149,7 @@ class SweepRun {
     const Json object = {{"level", "progress"},    {"runs", plan_.rows.size()}, {"done", done},
                          {"running", now.running}, {"failed", now.failed},      {"time_s", now.time},
                          {"wall_time_s", wall},    {"sim_rate", rate},          {"left_s", left}};
-    log_.show(all > 0.0 ? now.time / all : 1.0, line, object.dump());
+    log_.show(fraction, line, object.dump());
   }
 
   const SweepPlan& plan_;

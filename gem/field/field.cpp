@@ -115,6 +115,18 @@ std::vector<FloeDef> floes_of(const SceneDef& scene, const std::vector<std::vect
   return generate_floes(scene, obstacles);
 }
 
+/// Two runs that differ by this alone show how fast a disturbance grows.
+std::vector<FloeDef> with_moved_floe(std::vector<FloeDef> floes, const FloesDef& def) {
+  if (def.moved_floe < 0) return floes;
+  if (def.moved_floe >= static_cast<std::int64_t>(floes.size()))
+    throw Error(ExitCode::scene_rejected,
+                "floes.moved_floe: there is no such floe (value " + std::to_string(def.moved_floe) + ", the field has " +
+                    std::to_string(floes.size()) + " floes, numbered from 0) name one of them");
+  Vec2& place = floes[static_cast<std::size_t>(def.moved_floe)].position_m;
+  place = place + def.moved_by_m;
+  return floes;
+}
+
 }  // namespace
 
 Bodies make_field(const SceneDef& scene) {
@@ -124,7 +136,7 @@ Bodies make_field(const SceneDef& scene) {
   std::vector<std::vector<Vec2>> obstacles;
   for (std::size_t i = 0; i < bodies.count(); ++i)
     if (bodies.vertex_count(i) > 0) obstacles.push_back(world_outline(bodies, i));
-  append_floes(bodies, scene, floes_of(scene, obstacles));
+  append_floes(bodies, scene, with_moved_floe(floes_of(scene, obstacles), scene.floes));
   check_field(scene, bodies);
   set_drag(bodies, scene);
   return bodies;

@@ -227,5 +227,22 @@ TEST(Channel, RefusesAChannelThatCannotBe) {
   EXPECT_THROW(boundary_outlines(behind), Error);
 }
 
+TEST(Field, OneFloeIsMovedAndNoOther) {
+  SceneDef scene = small_scene();
+  const Bodies before = make_field(scene);
+  scene.floes.moved_floe = 7;
+  scene.floes.moved_by_m = {1e-6, 0.0};
+  const Bodies after = make_field(scene);
+  const std::size_t first = before.count() - 200;
+  for (std::size_t i = 0; i < before.count(); ++i) {
+    const bool moved = i == first + 7;
+    EXPECT_EQ(before.position[i].x == after.position[i].x, !moved);
+    EXPECT_EQ(before.position[i].y, after.position[i].y);
+  }
+  EXPECT_NEAR(after.position[first + 7].x - before.position[first + 7].x, 1e-6, 1e-12);
+  scene.floes.moved_floe = 200;
+  EXPECT_THROW(make_field(scene), Error);
+}
+
 }  // namespace
 }  // namespace gem

@@ -120,8 +120,8 @@ std::vector<FloeDef> with_moved_floe(std::vector<FloeDef> floes, const FloesDef&
   if (def.moved_floe < 0) return floes;
   if (def.moved_floe >= static_cast<std::int64_t>(floes.size()))
     throw Error(ExitCode::scene_rejected,
-                "floes.moved_floe: there is no such floe (value " + std::to_string(def.moved_floe) + ", the field has " +
-                    std::to_string(floes.size()) + " floes, numbered from 0) name one of them");
+                "floes.moved_floe: there is no such floe (value " + std::to_string(def.moved_floe) +
+                    ", the field has " + std::to_string(floes.size()) + " floes, numbered from 0) name one of them");
   Vec2& place = floes[static_cast<std::size_t>(def.moved_floe)].position_m;
   place = place + def.moved_by_m;
   return floes;

@@ -87,8 +87,8 @@ Catalogue parse_catalogue(const std::string& text, const std::string& origin) {
 Catalogue read_catalogue(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
-    throw Error(ExitCode::file_system, "cannot read " + shown(path) +
-                                           " (no such file or no permission) name validation/paper/paper.json");
+    throw Error(ExitCode::file_system,
+                "cannot read " + shown(path) + " (no such file or no permission) name validation/paper/paper.json");
   std::ostringstream text;
   text << file.rdbuf();
   return parse_catalogue(text.str(), path);

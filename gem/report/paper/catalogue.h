@@ -29,8 +29,8 @@ struct Statement {
   std::string metric;
   Over over = Over::mean;
   Rule rule;
-  std::string why;       // this rule and this tolerance
-  bool choice = false;   // is asked again for every modelling choice
+  std::string why;      // this rule and this tolerance
+  bool choice = false;  // is asked again for every modelling choice
 };
 
 struct Catalogue {

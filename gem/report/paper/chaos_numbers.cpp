@@ -47,9 +47,7 @@ Change amplitude_change(std::span<const double> signal) {
   return change;
 }
 
-double predictability(std::span<const double> signal) {
-  return prediction_error(signal, {{3, 1, kPerPeriod}, 1, 10});
-}
+double predictability(std::span<const double> signal) { return prediction_error(signal, {{3, 1, kPerPeriod}, 1, 10}); }
 
 void add_axis(const std::string& axis, const std::vector<double>& signal, double step, const SignalGenerator& records,
               Numbers& numbers) {
@@ -76,7 +74,8 @@ void add_chaos_numbers(const NumberSource& source, Numbers& numbers) {
   const PlatformLoads loads = run_findings(source.data).loads;
   const auto model = null_model(source.scene, static_cast<double>(loads.touches) / source.data.duration_s);
   if (!model) return;
-  const auto every = static_cast<std::size_t>(series.natural_period / static_cast<double>(kPerPeriod) / series.interval);
+  const auto every =
+      static_cast<std::size_t>(series.natural_period / static_cast<double>(kPerPeriod) / series.interval);
   if (every == 0 || series.x.size() / every < kFewestSamples) return;
   const double step = static_cast<double>(every) * series.interval;
   const std::size_t samples = (series.x.size() + every - 1) / every;

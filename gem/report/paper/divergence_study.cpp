@@ -22,7 +22,8 @@ struct Path {
 Path path_of(const PaperRun& run, double interval_s) {
   const RunFile file(run.file);
   const std::vector<double> time = file.column("platform/time");
-  const auto step = static_cast<std::size_t>(std::llround(interval_s * static_cast<double>(time.size() - 1) / time.back()));
+  const auto step =
+      static_cast<std::size_t>(std::llround(interval_s * static_cast<double>(time.size() - 1) / time.back()));
   const double scale = run.numbers.find("natural_period_s")->value / (2.0 * std::numbers::pi);
   Path path;
   for (const auto& [name, to, factor] : {std::tuple("x", &path.x, 1.0), std::tuple("y", &path.y, 1.0),
@@ -84,8 +85,8 @@ void add_shift(DivergenceStudy& study) {
       sizes.push_back(pair.moved_m);
       onsets.push_back(*onset);
     }
-  const bool several = sizes.size() >= 3 && *std::min_element(sizes.begin(), sizes.end()) <
-                                                *std::max_element(sizes.begin(), sizes.end());
+  const bool several = sizes.size() >= 3 &&
+                       *std::min_element(sizes.begin(), sizes.end()) < *std::max_element(sizes.begin(), sizes.end());
   if (several) study.shift = onset_shift(sizes, onsets);
 }
 
@@ -97,8 +98,10 @@ DivergenceStudy divergence_study(const PaperFolder& folder) {
   for (const auto& [condition, runs] : folder.conditions)
     for (const PaperRun& run : runs) {
       if (run.scene.floes.moved_floe < 0 || !run.numbers.find("natural_period_s")) continue;
-      if (moved(run) == 0.0) undisturbed[run.seed] = &run;
-      else disturbed.push_back(&run);
+      if (moved(run) == 0.0)
+        undisturbed[run.seed] = &run;
+      else
+        disturbed.push_back(&run);
     }
   DivergenceStudy study;
   std::map<std::uint64_t, Path> paths;
@@ -135,7 +138,8 @@ void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers
     parted[pair.moved_m].push_back({share, share, share, false});
   }
   for (const auto& [size, times] : parting) numbers["parting_s_" + number_text(size)] = *over_runs(times, Over::every);
-  for (const auto& [size, shares] : parted) numbers["parted_share_" + number_text(size)] = *over_runs(shares, Over::mean);
+  for (const auto& [size, shares] : parted)
+    numbers["parted_share_" + number_text(size)] = *over_runs(shares, Over::mean);
 }
 
 }  // namespace gem

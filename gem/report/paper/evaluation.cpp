@@ -9,7 +9,7 @@
 namespace gem {
 namespace {
 
-constexpr double kTenth = 1e-6;  // shares are typed numbers
+constexpr double kTenth = 1e-6;                             // shares are typed numbers
 constexpr double kThick = 1.2, kMedium = 0.7, kThin = 0.5;  // of the paper's classes [m]
 
 /// Both intervals at their worst, so that the ratio's interval is too wide rather than too narrow.
@@ -67,8 +67,11 @@ std::vector<std::string> differences(const SceneDef& scene, const TableRow& row)
 
 JudgedRow evaluate(const Statement& statement, const PaperFolder& folder, const FolderNumbers& numbers,
                    const std::string& prefix) {
-  JudgedRow row{statement.id, statement.source, statement.says, prefix + statement.condition,
-                statement.metric, statement.why, statement.rule, {}, Verdict::undecidable, ""};
+  JudgedRow row{statement.id,         statement.source,
+                statement.says,       prefix + statement.condition,
+                statement.metric,     statement.why,
+                statement.rule,       {},
+                Verdict::undecidable, ""};
   if (!statement.against.empty()) row.condition += " / " + prefix + statement.against;
   row.measured = measure(statement, folder, numbers, prefix, row.note);
   row.verdict = judge(statement.rule, row.measured);

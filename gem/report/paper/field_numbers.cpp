@@ -54,8 +54,9 @@ std::vector<double> cover(const FrameView& frame, const Outlines& outlines, cons
   const auto cells = [cell](double low, double high) {
     return static_cast<std::size_t>(std::max(1.0, std::round((high - low) / cell)));
   };
-  return concentration(floes, {{where.x_low, where.y_low}, cell, cells(where.x_low, where.x_high),
-                               cells(where.y_low, where.y_high)})
+  return concentration(
+             floes,
+             {{where.x_low, where.y_low}, cell, cells(where.x_low, where.x_high), cells(where.y_low, where.y_high)})
       .share;
 }
 
@@ -100,8 +101,8 @@ void add_crowding(const RunFile& file, const SceneDef& scene, const Outlines& ou
     const FrameView frame = file.frame(i);
     plug = std::max(plug, moments(cover(frame, outlines, {bow - radius, bow, -radius, radius}, kFineCell)).mean);
     if (scene.boundary.present)
-      across = std::max(across,
-                        moments(cover(frame, outlines, {bow - 2.0 * radius, bow, -half_gap, half_gap}, kFineCell)).mean);
+      across = std::max(
+          across, moments(cover(frame, outlines, {bow - 2.0 * radius, bow, -half_gap, half_gap}, kFineCell)).mean);
   }
   numbers.add("cover_ahead_largest", plug);
   if (scene.boundary.present) numbers.add("cover_across_largest", across);

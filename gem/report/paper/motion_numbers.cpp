@@ -18,7 +18,8 @@ constexpr double kShort = 600.0;  // what one might simulate if only the natural
 void add_findings(const PlatformSeries& series, Numbers& numbers) {
   for (const Finding& finding : analyse_platform(series)) {
     if (!finding.value) continue;
-    const IntervalEstimate around = finding.interval.value_or(IntervalEstimate{*finding.value, *finding.value, *finding.value});
+    const IntervalEstimate around =
+        finding.interval.value_or(IntervalEstimate{*finding.value, *finding.value, *finding.value});
     numbers.add(finding.name, RunNumber{*finding.value, around.low, around.high, finding.interval.has_value()});
   }
 }
@@ -44,8 +45,9 @@ void add_offset_share(Numbers& numbers) {
   const double size = deviation->value;
   const bool holds_zero = mean.low <= 0.0 && mean.high >= 0.0;
   const double ends[] = {std::abs(mean.low) / size, std::abs(mean.high) / size};
-  numbers.add("x_offset_over_deviation", RunNumber{std::abs(mean.value) / size, holds_zero ? 0.0 : std::min(ends[0], ends[1]),
-                                        std::max(ends[0], ends[1]), mean.interval});
+  numbers.add("x_offset_over_deviation",
+              RunNumber{std::abs(mean.value) / size, holds_zero ? 0.0 : std::min(ends[0], ends[1]),
+                        std::max(ends[0], ends[1]), mean.interval});
 }
 
 void add_amplitude_variation(const PlatformSeries& series, Numbers& numbers) {
@@ -54,9 +56,8 @@ void add_amplitude_variation(const PlatformSeries& series, Numbers& numbers) {
   if (series.x.size() < 6 * end) return;
   const HilbertEnvelope envelope =
       hilbert_envelope(series.x, series.interval, 0.5 / series.natural_period, 1.5 / series.natural_period);
-  numbers.add("x_amplitude_variation",
-      variation({envelope.amplitude.begin() + static_cast<std::ptrdiff_t>(end),
-                 envelope.amplitude.end() - static_cast<std::ptrdiff_t>(end)}));
+  numbers.add("x_amplitude_variation", variation({envelope.amplitude.begin() + static_cast<std::ptrdiff_t>(end),
+                                                  envelope.amplitude.end() - static_cast<std::ptrdiff_t>(end)}));
 }
 
 void add_orbit_change(const PlatformSeries& series, Numbers& numbers) {
@@ -78,9 +79,9 @@ void add_short_runs(const PlatformSeries& series, Numbers& numbers) {
   if (series.x.size() < 3 * length) return;
   std::vector<double> largest;
   for (std::size_t begin = 0; begin + length <= series.x.size(); begin += length)
-    largest.push_back(maximum_radial_excursion(std::span(series.x).subspan(begin, length),
-                                               std::span(series.y).subspan(begin, length))
-                          .value);
+    largest.push_back(
+        maximum_radial_excursion(std::span(series.x).subspan(begin, length), std::span(series.y).subspan(begin, length))
+            .value);
   numbers.add("largest_over_short", moments(largest).maximum / percentile(largest, 0.5));
 }
 
@@ -88,7 +89,8 @@ void add_hours(const PlatformSeries& series, Numbers& numbers) {
   const double duration = series.interval * static_cast<double>(series.x.size() - 1);
   if (duration < 1.9 * kHour) return;
   for (const auto& [axis, signal] : {std::pair("x", &series.x), std::pair("y", &series.y)})
-    numbers.add(std::string(axis) + "_first_hour_over_second",
+    numbers.add(
+        std::string(axis) + "_first_hour_over_second",
         deviation_between(series, *signal, 0.0, kHour) / deviation_between(series, *signal, kHour, 2.0 * kHour));
 }
 
@@ -100,7 +102,8 @@ void add_counted_periods(const PlatformSeries& series, Numbers& numbers) {
     std::vector<double> thin;
     for (std::size_t i = 0; step > 0 && i < series.x.size(); i += step) thin.push_back(series.x[i]);
     if (const auto period = maxima_period(thin, seconds))
-      numbers.add("x_period_by_maxima_" + std::to_string(seconds) + "s_s", RunNumber{period->period, period->low, period->high, true});
+      numbers.add("x_period_by_maxima_" + std::to_string(seconds) + "s_s",
+                  RunNumber{period->period, period->low, period->high, true});
   }
 }
 

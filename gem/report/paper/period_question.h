@@ -1,0 +1,40 @@
+// Why about 72 s and not the natural period? Candidate answers, what each predicts for the discriminating runs, and
+// whether the runs agree.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gem/report/paper/evaluation.h"
+
+namespace gem {
+
+/// What one candidate says about one run.
+struct Prediction {
+  std::string condition;
+  std::string metric;
+  double period_s = 0.0;
+  std::optional<Measured> measured;
+  Verdict verdict = Verdict::undecidable;  // the interval holds the period, or does not
+};
+
+/// Holds if every prediction does, refuted by the first that does not, undecidable otherwise.
+struct Candidate {
+  std::string name;
+  std::string says;
+  std::vector<Prediction> predictions;
+  Verdict verdict = Verdict::undecidable;
+};
+
+/// The candidates for the paper's period [s], against the runs of cases/period_question.toml. Empty without the run
+/// q_run1, from which mass and mooring are taken.
+std::vector<Candidate> period_candidates(const PaperFolder& folder, double paper_period_s);
+
+/// A prediction against a measured interval. The interval is the measurement's; a prediction has none.
+Verdict judge_period(double period_s, const std::optional<Measured>& measured);
+
+/// All predictions of one candidate together.
+Verdict judge_candidate(const std::vector<Prediction>& predictions);
+
+}  // namespace gem

@@ -5,7 +5,7 @@
 # sensitivity_moment.toml and divergence.toml; several seeds of a run may lie side by side.
 # Usage: scripts/paper_report.sh RUNS [OUT [build folder]]      The default of OUT is validation/paper.
 set -euo pipefail
-export LC_ALL=C
+export LC_ALL=C.UTF-8
 
 if [ $# -lt 1 ] || [ $# -gt 3 ]; then
   echo "usage: scripts/paper_report.sh RUNS [OUT [build folder]]" >&2

@@ -26,4 +26,9 @@ std::vector<double> holm(std::span<const double> p);
 /// Benjamini and Hochberg: of the rejections a share below the level is false, for independent tests.
 std::vector<double> benjamini_hochberg(std::span<const double> p);
 
+/// The chance of independent p values as small as these together without any effect, by Fisher's method: -2 sum ln p
+/// has a chi-square law with two degrees of freedom for each. On the safe side for ranks, which have a least p. 1 for
+/// no p at all; a p outside (0, 1] throws std::invalid_argument.
+double combined_chance(std::span<const double> p);
+
 }  // namespace gem

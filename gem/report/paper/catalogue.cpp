@@ -42,8 +42,10 @@ Rule rule_of(const Json& json, const std::string& id) {
 
 Over over_of(const Json& json, const std::string& id) {
   const std::string name = json.value("over", "mean");
-  if (name != "mean" && name != "every") reject(id + ": unknown 'over' '" + name + "' (mean, every)");
-  return name == "mean" ? Over::mean : Over::every;
+  if (name == "mean") return Over::mean;
+  if (name == "every") return Over::every;
+  if (name == "chances") return Over::chances;
+  reject(id + ": unknown 'over' '" + name + "' (mean, every, chances)");
 }
 
 Statement statement_of(const Json& json) {

@@ -15,7 +15,7 @@ namespace gem {
 namespace {
 
 constexpr std::size_t kFewestSamples = 110;  // of the thinned record: the 0-1 test needs 100
-constexpr std::size_t kRecords = 39;         // of the null model: p = 0.05 two-sided
+constexpr std::size_t kRecords = 99;         // of the null model: the least chance is 0.02 two-sided
 constexpr std::size_t kPerPeriod = 4;        // samples of the thinned record
 
 std::vector<double> without_mean(std::vector<double> signal) {

@@ -19,13 +19,15 @@ struct Sheet {
   std::string meaning;
 };
 
-PaperFigure draw(const Sheet& sheet, const std::vector<ExcursionPoint>& points, double top, const std::string& stamp,
+PaperFigure draw(const Sheet& sheet, const std::vector<ExcursionPoint>& points, const std::string& stamp,
                  const std::filesystem::path& out) {
   const PlotFolder plots(out, stamp);
+  double top = 0.0;
   std::map<double, Csv> lines;
   for (const ExcursionPoint& point : points) {
     Csv& csv = lines.try_emplace(point.gap_m, "current [m/s],mean [m],smallest [m],largest [m],runs").first->second;
     const auto [least, most] = std::minmax_element(point.largest_m.begin(), point.largest_m.end());
+    top = std::max(top, *most);
     csv.row({point.current_m_per_s, point.mean(), *least, *most, static_cast<double>(point.largest_m.size())});
   }
   std::ostringstream plot;
@@ -41,7 +43,7 @@ PaperFigure draw(const Sheet& sheet, const std::vector<ExcursionPoint>& points, 
          << " notitle, '' using " << x << ":2:3:4 with yerrorbars linestyle " << style << " pt 7 ps 0.6 title "
          << quoted("W = " + number_text(line->first) + " m");
   }
-  plots.draw({"excursion_" + sheet.ice, "Maximum excursion, " + sheet.meaning, "", ""}, {700, 420}, plot.str() + "\n");
+  plots.draw({"excursion_" + sheet.ice, "Maximum excursion, " + sheet.meaning, "", ""}, {1000, 420}, plot.str() + "\n");
   return {sheet.number, "Maximum platform excursion against drift velocity, " + sheet.meaning,
           out / ("excursion_" + sheet.ice)};
 }
@@ -71,15 +73,12 @@ std::vector<PaperFigure> excursion_figures(const PaperFolder& folder, const std:
                           {"19", "400", "4/10 thick ice (1.2 m)"},
                           {"20", "121", "mixed thin, medium and thick ice"}};
   const std::vector<ExcursionPoint> points = excursion_points(folder, rows);
-  double top = 0.0;
-  for (const ExcursionPoint& point : points)
-    top = std::max(top, *std::max_element(point.largest_m.begin(), point.largest_m.end()));
   std::vector<PaperFigure> figures;
   for (const Sheet& sheet : sheets) {
     std::vector<ExcursionPoint> own;
     for (const ExcursionPoint& point : points)
       if (point.condition.starts_with(sheet.ice + "_")) own.push_back(point);
-    if (!own.empty()) figures.push_back(draw(sheet, own, top, stamp(folder, own, sheet), out));
+    if (!own.empty()) figures.push_back(draw(sheet, own, stamp(folder, own, sheet), out));
   }
   return figures;
 }

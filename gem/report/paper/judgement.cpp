@@ -6,8 +6,9 @@
 #include <limits>
 
 #include "gem/analysis/bootstrap.h"
+#include "gem/analysis/equivalence.h"
 #include "gem/analysis/moments.h"
-#include "gem/report/display.h"
+#include "gem/base/number_text.h"
 
 namespace gem {
 namespace {
@@ -68,10 +69,10 @@ std::string verdict_text(Verdict verdict) {
 }
 
 std::string rule_text(const Rule& rule) {
-  const std::string expected = rounded_text(rule.expected, 5);
+  const std::string expected = number_text(rule.expected, 8);
   switch (rule.kind) {
     case RuleKind::within:
-      return expected + " ± " + rounded_text(rule.tolerance, 3);
+      return expected + " ± " + number_text(rule.tolerance, 3);
     case RuleKind::above:
       return "> " + expected;
     case RuleKind::below:
@@ -95,6 +96,10 @@ std::optional<Measured> over_runs(const std::vector<RunNumber>& runs, Over over)
   std::vector<double> values;
   for (const RunNumber& run : runs) values.push_back(run.value);
   if (over == Over::mean) return mean_over(runs, values);
+  if (over == Over::chances) {
+    const double chance = combined_chance(values);
+    return Measured{chance, chance, chance, runs.size() == 1 ? "1 run" : runs_text(runs.size()) + " combined"};
+  }
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   return Measured{percentile(values, 0.5), *least, *most,
                   runs.size() == 1 ? "1 run" : "smallest to largest of " + runs_text(runs.size())};

@@ -43,8 +43,9 @@ std::optional<RuleKind> rule_kind(const std::string& name);
 
 /// How the numbers of several runs become one.
 enum class Over {
-  mean,  // mean with its interval over the runs; for one run the interval that it brings, otherwise none at all
-  every  // the middle one, from the smallest to the largest: the statement is about each run
+  mean,    // mean with its interval over the runs; for one run the interval that it brings, otherwise none at all
+  every,   // the middle one, from the smallest to the largest: the statement is about each run
+  chances  // chances of independent runs, combined
 };
 
 /// A number of one run; low and high are equal to value where the run alone gives no interval.

@@ -62,6 +62,9 @@ TEST(Judgement, RunsBecomeOneNumber) {
   EXPECT_EQ(every->low, 1.0);
   EXPECT_EQ(every->high, 6.0);
   EXPECT_FALSE(over_runs({}, Over::mean));
+  const auto chance = over_runs({{0.1, 0.1, 0.1, false}, {0.2, 0.2, 0.2, false}}, Over::chances);
+  EXPECT_GT(chance->value, 0.02);
+  EXPECT_LT(chance->value, 0.1);
 }
 
 TEST(Judgement, RulesAreRead) {

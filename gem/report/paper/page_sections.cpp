@@ -117,7 +117,7 @@ std::string divergence_text(const Reproduction& result) {
 std::string chaos_text(const PaperFolder& folder) {
   if (folder.numbers("004_400_25", "x_zero_one_k").empty()) return "";
   std::ostringstream text;
-  text << "Run 1 against 39 records of the null model (a linear oscillator with the mooring's period, damped as by "
+  text << "Run 1 against 99 records of the null model (a linear oscillator with the mooring's period, damped as by "
           "floes that "
           "hit once, hit at random as often as floes touched):\n\n| number | x | null | p | y | null | p "
           "|\n|---|---|---|---|---|---|---|\n";

@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "gem/analysis/moments.h"
-#include "gem/analysis/peaks_over_threshold.h"
 #include "gem/base/error.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
@@ -31,11 +30,15 @@ void add_run_numbers(const RunData& data, const RunQuality& quality, Numbers& nu
   numbers.add("residual_energy", quality.residual_energy);
 }
 
+/// The largest distance from rest in each natural period.
 std::vector<double> excursion_peaks(const PlatformSeries& series) {
-  if (!(series.natural_period > 0.0)) return {};
-  std::vector<double> distance;
-  for (std::size_t i = 0; i < series.x.size(); ++i) distance.push_back(std::hypot(series.x[i], series.y[i]));
-  return cluster_peaks(distance, series.interval, percentile(distance, 0.5), series.natural_period);
+  const auto period = static_cast<std::size_t>(series.natural_period / series.interval);
+  std::vector<double> peaks;
+  for (std::size_t begin = 0; period > 0 && begin + period <= series.x.size(); begin += period)
+    peaks.push_back(
+        maximum_radial_excursion(std::span(series.x).subspan(begin, period), std::span(series.y).subspan(begin, period))
+            .value);
+  return peaks;
 }
 
 std::vector<fs::path> run_files(const std::string& folder) {

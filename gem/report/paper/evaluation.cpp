@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gem/report/display.h"
+#include "gem/base/number_text.h"
 
 namespace gem {
 namespace {
@@ -48,7 +48,7 @@ double tenths_of(const SceneDef& scene, double thickness) {
 void compare(const std::string& what, double ours, double paper, const std::string& unit,
              std::vector<std::string>& differences) {
   if (std::abs(ours - paper) > kTenth * std::max(1.0, std::abs(paper)))
-    differences.push_back(what + " " + rounded_text(ours, 4) + unit + ", not " + rounded_text(paper, 4) + unit);
+    differences.push_back(what + " " + number_text(ours, 6) + unit + ", not " + number_text(paper, 6) + unit);
 }
 
 std::vector<std::string> differences(const SceneDef& scene, const TableRow& row) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gem/report/paper/sensitivity.h"
+#include "gem/report/paper/settings_check.h"
 
 namespace gem {
 namespace {
@@ -112,6 +113,23 @@ TEST(Evaluation, TrendsOverTheConditionsOfTable1) {
   EXPECT_EQ(numbers.at("thicker_is_larger_share").value, 1.0);
   EXPECT_EQ(numbers.at("narrower_is_larger_share").value, 1.0);
   EXPECT_FALSE(numbers.contains("simulated_h"));  // no wall times: nothing is said about speed
+}
+
+TEST(SettingsCheck, SaysWhatShouldBeAlikeAndIsNot) {
+  PaperFolder folder = two_conditions();
+  TableRow a, b;
+  a.run = "a";
+  b.run = "b";
+  EXPECT_TRUE(mixed_settings(folder, {a, b}).empty());
+  folder.conditions["b"][0].scene.boundary.gap_m = 200.0;  // the tables vary this
+  folder.conditions["b"][0].scene.run.name = "b";
+  EXPECT_TRUE(mixed_settings(folder, {a, b}).empty());
+  folder.conditions["b"][0].scene.ice.friction_ice = 0.0;
+  EXPECT_EQ(mixed_settings(folder, {a, b}),
+            std::vector<std::string>{"the runs of the tables differ in ice.friction_ice"});
+  EXPECT_TRUE(mixed_settings(folder, {a}).empty());
+  folder.conditions["a"][1].scene.run.duration_s = 1.0;
+  EXPECT_EQ(mixed_settings(folder, {a}), std::vector<std::string>{"the runs of a differ in run.duration_s"});
 }
 
 TEST(Evaluation, TheSeedIsNotPartOfTheCondition) {

@@ -12,6 +12,7 @@
 #include "gem/analysis/moments.h"
 #include "gem/analysis/peaks_over_threshold.h"
 #include "gem/record/run_file.h"
+#include "gem/report/paper/settings_check.h"
 
 namespace gem {
 namespace {
@@ -117,9 +118,10 @@ void add_repetition(const PaperFolder& folder, FolderNumbers& numbers) {
   if (folder.of(kRunOne).empty() || folder.of(kRunOneAgain).empty()) return;
   const PaperRun& one = folder.of(kRunOne).front();
   const PaperRun& again = folder.of(kRunOneAgain).front();
-  if (one.seed != again.seed) return;
+  // The same case or no repetition at all.
+  if (one.seed != again.seed || !differing_options(one.scene, again.scene).empty()) return;
   double largest = 0.0;
-  for (const std::string& axis : {"platform/x", "platform/y"}) {
+  for (const char* axis : {"platform/x", "platform/y"}) {
     const std::vector<double> a = RunFile(one.file).column(axis);
     const std::vector<double> b = RunFile(again.file).column(axis);
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));

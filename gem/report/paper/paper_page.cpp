@@ -38,8 +38,9 @@ std::string head_text(const PaperFolder& folder, const Reproduction& result) {
   for (const std::string& build : builds) text << " Made by " << build << ".";
   for (const std::string& resolution : resolutions) text << " " << resolution << ".";
   text << " Statements: " << counts[0] << " reproduced, " << counts[1] << " not reproduced, " << counts[2]
-       << " undecidable.\n\n"
-       << kHowTo << "\n";
+       << " undecidable.\n\n";
+  for (const std::string& sentence : result.mixed) text << "**Not comparable: " << sentence << ".**\n\n";
+  text << kHowTo << "\n";
   return text.str();
 }
 

@@ -14,6 +14,7 @@
 namespace gem {
 
 struct Reproduction {
+  std::vector<std::string> mixed;  // settings that should be alike and are not
   std::vector<JudgedRow> statements;
   std::vector<JudgedSettings> settings;
   std::vector<Candidate> period;

@@ -6,6 +6,7 @@
 
 #include "gem/base/error.h"
 #include "gem/report/paper/paper_page.h"
+#include "gem/report/paper/settings_check.h"
 
 namespace gem {
 namespace {
@@ -33,6 +34,7 @@ PaperReportSummary write_paper_report(const std::string& runs, const std::string
   const std::filesystem::path root(out);
   const std::filesystem::path pictures = root / "figures";
   Reproduction result;
+  result.mixed = mixed_settings(folder, catalogue.rows);
   result.divergence = divergence_study(folder);
   FolderNumbers numbers = folder_numbers(folder, catalogue);
   add_divergence_numbers(result.divergence, numbers);

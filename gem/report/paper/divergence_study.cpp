@@ -8,6 +8,7 @@
 #include "gem/analysis/moments.h"
 #include "gem/base/number_text.h"
 #include "gem/record/run_file.h"
+#include "gem/report/paper/settings_check.h"
 
 namespace gem {
 namespace {
@@ -111,8 +112,10 @@ DivergenceStudy divergence_study(const PaperFolder& folder) {
     swings.push_back(run->numbers.find("x_deviation_m")->value);
   }
   study.swing_m = moments(swings).mean;
+  const std::vector<std::string> only = {"floes.moved_by_m"};
   for (const PaperRun* run : disturbed)
-    if (const auto base = paths.find(run->seed); base != paths.end())
+    if (const auto base = paths.find(run->seed);
+        base != paths.end() && differing_options(undisturbed.at(run->seed)->scene, run->scene) == only)
       study.pairs.push_back({moved(*run), run->seed, distance(base->second, path_of(*run, study.interval_s))});
   if (!(study.swing_m > 0.0)) return study;
   add_growth(study);

@@ -28,6 +28,7 @@ struct DivergenceStudy {
 };
 
 /// From the runs with floes.moved_floe set: those moved by nothing are the undisturbed ones of their seed.
+/// A pair differs in floes.moved_by_m and in nothing else.
 DivergenceStudy divergence_study(const PaperFolder& folder);
 
 /// The study as numbers: divergence_rate_per_s (of the smallest disturbance), divergence_rate_by_onset_per_s,

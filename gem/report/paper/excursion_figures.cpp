@@ -31,7 +31,8 @@ PaperFigure draw(const Sheet& sheet, const std::vector<ExcursionPoint>& points, 
     csv.row({point.current_m_per_s, point.mean(), *least, *most, static_cast<double>(point.largest_m.size())});
   }
   std::ostringstream plot;
-  plot << "set xlabel 'drift velocity [m/s]' offset 0,0.4\nset ylabel 'maximum excursion [m]'\nset xrange [0:1.1]\n"
+  plot << "set key outside bottom left horizontal\nset xlabel 'drift velocity [m/s]' offset 0,0.4\nset ylabel 'maximum "
+          "excursion [m]'\nset xrange [0:1.1]\n"
        << "set yrange [0:" << number_text(1.08 * top, 3) << "]\nplot ";
   int style = 1;
   for (auto line = lines.rbegin(); line != lines.rend(); ++line, ++style) {

@@ -34,7 +34,8 @@ PaperFigure draw_envelope(const PaperRun& run, const PlatformSeries& series, con
                y.amplitude[i] / kMillimetre.size});
   plots.write_csv("envelope", csv);
   plots.draw({"envelope", "Amplitude of x and y", "", ""}, {1000, 320},
-             "set xlabel 'time [h]' offset 0,0.4\nset ylabel 'amplitude [mm]'\nset yrange [0:*]\n"
+             "set key outside bottom left horizontal\nset xlabel 'time [h]' offset 0,0.4\nset ylabel 'amplitude "
+             "[mm]'\nset yrange [0:*]\n"
              "set arrow 1 from first 1, graph 0 to first 1, graph 1 nohead lc rgb '#3c4149' dt (6,4) front\n"
              "plot 'envelope.csv' using 1:2 with lines linestyle 1 title 'x', '' using 1:3 with lines linestyle 2 "
              "title 'y'\n");
@@ -61,7 +62,7 @@ PaperFigure draw_exceedance(const std::vector<PaperRun>& runs, const std::filesy
       << "set ylabel 'share of peaks above'\nset yrange [" << number_text(0.5 / static_cast<double>(peaks.size()), 3)
       << ":1]\nplot 'exceedance.csv' using 1:3:4 with filledcurves lc rgb '#dbe6ee' title '95 % band', '' using 1:2 "
       << "with steps linestyle 1 title 'runs', '' using 1:5 with lines linestyle 4 title 'Rayleigh of the same size'\n";
-  plots.draw({"exceedance", "Exceedance of excursion peaks", "", ""}, {800, 420}, commands.str());
+  plots.draw({"exceedance", "Exceedance of excursion peaks", "", ""}, {1000, 420}, commands.str());
   return {"-", "Exceedance of the peaks of the excursion, one per natural period, above its median",
           out / "exceedance"};
 }
@@ -83,7 +84,7 @@ PaperFigure draw_convergence(const std::vector<PaperRun>& runs, const std::files
     csv.gap();
   }
   plots.write_csv("convergence", csv);
-  plots.draw({"convergence", "Largest excursion against duration", "", ""}, {800, 380},
+  plots.draw({"convergence", "Largest excursion against duration", "", ""}, {1000, 380},
              "set xlabel 'duration [h]' offset 0,0.4\nset ylabel 'largest excursion so far [mm]'\nset xrange [0:*]\n"
              "set yrange [0:*]\nplot 'convergence.csv' using 1:2 with steps linestyle 1\n");
   return {"-", "Largest excursion against the duration of the run, one line per seed", out / "convergence"};

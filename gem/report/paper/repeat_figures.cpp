@@ -6,6 +6,7 @@
 #include "gem/record/run_file.h"
 #include "gem/report/display.h"
 #include "gem/report/paper/paper_figures.h"
+#include "gem/report/paper/settings_check.h"
 #include "gem/report/plot_folder.h"
 #include "gem/report/series.h"
 
@@ -26,7 +27,8 @@ std::vector<Curve> curves(const PaperFolder& folder) {
   const PaperRun& one = folder.of("004_400_25").front();
   list.push_back({&one, "run 1"});
   for (const PaperRun& again : folder.of("004_400_25(2)"))
-    if (again.seed == one.seed) list.push_back({&again, "the same again (1a)"});
+    if (again.seed == one.seed && differing_options(one.scene, again.scene).empty())
+      list.push_back({&again, "the same again (1a)"});
   const PaperRun* nearest = nullptr;
   for (const auto& [condition, runs] : folder.conditions)
     for (const PaperRun& run : runs) {
@@ -59,9 +61,10 @@ PaperFigure draw_repetition(const std::vector<Curve>& list, const std::filesyste
     plot += (c == 0 ? "" : ", ") + quoted(name + ".csv") + " using 1:2 with lines " + styles[c] + " title " +
             quoted(list[c].title);
   }
-  plots.draw({"repeated", "Runs with identical properties", "", ""}, {1000, 340},
-             "set xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\nset xlabel 'time [" + time.name +
-                 "]' offset 0,0.4\nset ylabel 'x [" + metre.name + "]'\n" + plot + "\n");
+  plots.draw(
+      {"repeated", "Runs with identical properties", "", ""}, {1000, 340},
+      "set key outside bottom left horizontal\nset xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\nset xlabel 'time [" +
+          time.name + "]' offset 0,0.4\nset ylabel 'x [" + metre.name + "]'\n" + plot + "\n");
   return {"12", "Runs with identical properties, and one that differs by a hair", out / "repeated"};
 }
 
@@ -76,6 +79,7 @@ PaperFigure draw_distances(const DivergenceStudy& study, const std::string& stam
   const PlotFolder plots(out, stamp);
   std::map<double, Csv> columns;
   for (const DivergingPair& pair : study.pairs) {
+    if (!(pair.distance.back() > 0.0)) continue;
     Csv& csv = columns.try_emplace(pair.moved_m, "t [h],distance [m]").first->second;
     for (const std::size_t i : every(pair.distance.size(), kPoints / 4))
       if (pair.distance[i] > 0.0) csv.row({study.interval_s * static_cast<double>(i) / 3600.0, pair.distance[i]});
@@ -91,7 +95,8 @@ PaperFigure draw_distances(const DivergenceStudy& study, const std::string& stam
     ++style;
   }
   std::ostringstream commands;
-  commands << "set logscale y\nset format y '10^{%L}'\nset termoption enhanced\nset xlabel 'time [h]' offset 0,0.4\n"
+  commands << "set key outside bottom left horizontal\nset logscale y\nset format y '10^{%L}'\nset termoption "
+              "enhanced\nset xlabel 'time [h]' offset 0,0.4\n"
            << "set ylabel 'distance of the platforms [m]'\nset arrow 1 from graph 0, first "
            << number_text(study.swing_m, 4) << " to graph 1, first " << number_text(study.swing_m, 4)
            << " nohead lc rgb '#3c4149' dt (6,4) front\nset label 1 'deviation of the motion' at graph 0.01, first "
@@ -108,7 +113,9 @@ std::vector<PaperFigure> repeat_figures(const PaperFolder& folder, const Diverge
   std::vector<PaperFigure> figures;
   const std::vector<Curve> list = curves(folder);
   if (list.size() > 1) figures.push_back(draw_repetition(list, out));
-  if (!study.pairs.empty() && study.swing_m > 0.0) figures.push_back(draw_distances(study, conditions(folder), out));
+  const bool apart = std::any_of(study.pairs.begin(), study.pairs.end(),
+                                 [](const DivergingPair& pair) { return pair.distance.back() > 0.0; });
+  if (apart && study.swing_m > 0.0) figures.push_back(draw_distances(study, conditions(folder), out));
   return figures;
 }
 

@@ -67,5 +67,12 @@ TEST(CombinedChance, FollowsFishersMethod) {
   EXPECT_THROW(combined_chance(std::vector<double>{0.0}), std::invalid_argument);
 }
 
+TEST(Widening, IsBonferronis) {
+  EXPECT_EQ(widening(1), 1.0);
+  // 95 % over ten: 99.5 % each, 2.8070 deviations instead of 1.9600.
+  EXPECT_NEAR(widening(10), 2.8070 / 1.9600, 1e-4);
+  EXPECT_THROW(widening(0), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace gem

@@ -127,6 +127,12 @@ void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers
   if (!study.growth.empty()) {
     const IntervalEstimate& rate = study.growth.begin()->second.rate;
     numbers["divergence_rate_per_s"] = {rate.value, rate.low, rate.high, "95 % over pairs"};
+    const IntervalEstimate& early = study.growth.begin()->second.early;
+    const IntervalEstimate& late = study.growth.begin()->second.late;
+    // Both intervals at their worst.
+    if (early.low > 0.0)
+      numbers["divergence_late_over_early"] = {late.value / early.value, late.low / early.high, late.high / early.low,
+                                               "95 % over pairs, both"};
   }
   if (study.shift) {
     const IntervalEstimate& rate = study.shift->rate;

@@ -31,8 +31,9 @@ struct DivergenceStudy {
 /// A pair differs in floes.moved_by_m and in nothing else.
 DivergenceStudy divergence_study(const PaperFolder& folder);
 
-/// The study as numbers: divergence_rate_per_s (of the smallest disturbance), divergence_rate_by_onset_per_s,
-/// parting_s_<moved> (when the distance is half the swing), parted_share_<moved>.
+/// The study as numbers: divergence_rate_per_s (of the smallest disturbance), divergence_late_over_early (its rate in
+/// the late half of the growth over that in the early half), divergence_rate_by_onset_per_s, parting_s_<moved> (when
+/// the distance is half the swing), parted_share_<moved>.
 void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers);
 
 }  // namespace gem

@@ -31,11 +31,10 @@ std::string period_text(const Reproduction& result) {
   std::ostringstream text;
   text << "## Why 72 s?\n\n";
   if (result.period.empty()) return text.str() + "Needs the runs of `cases/period_question.toml`.\n\n";
-  text << "Each candidate predicts a period for each run of `cases/period_question.toml`; it holds if the measured "
-          "interval "
-          "holds every prediction and is refuted by the first that it does not. This judges what explains *these* "
-          "runs; what "
-          "the authors' program did cannot be asked.\n\n"
+  text << "Each candidate predicts a period for each run of `cases/period_question.toml`. It holds if every measured "
+          "interval, widened for the number of its predictions (Bonferroni), holds the period, and is refuted by the "
+          "first that does not. This judges what explains *these* runs; what the authors' program did cannot be "
+          "asked.\n\n"
        << "| candidate | says | run | number | predicted [s] | measured [s] | |\n|---|---|---|---|---:|---|---|\n";
   for (const Candidate& candidate : result.period) {
     text << "| " << candidate.name << " | " << candidate.says << " | | | | | " << candidate_verdict(candidate.verdict)

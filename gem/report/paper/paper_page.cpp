@@ -12,8 +12,9 @@ namespace {
 constexpr const char* kHowTo = R"(How a verdict comes about: every statement is one number with an interval and one rule
 (`validation/paper/paper.json`: rule, tolerance and why). *Reproduced*: the whole interval obeys the rule. *Not reproduced*:
 none of it does. *Undecidable*: a part of it does, or runs are missing; an average over one run without an interval of its
-own decides nothing. A chance (p) that is not small proves nothing and is undecidable. The paper's figures survive as
-statements only, so no curve is compared with a curve.
+own decides nothing. A chance (p) that is not small proves nothing and is undecidable. Each row is judged for itself: of many
+rows at 95 % a few near their bound will be wrong. The paper's figures survive as statements only, so no curve is compared
+with a curve.
 )";
 
 std::string marked(Verdict verdict) {

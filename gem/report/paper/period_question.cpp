@@ -2,7 +2,10 @@
 #include "gem/report/paper/period_question.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include "gem/analysis/equivalence.h"
 
 namespace gem {
 namespace {
@@ -32,11 +35,12 @@ class Candidates {
  private:
   Prediction predict(const std::string& condition, const std::string& metric, double period_s) const {
     Prediction prediction{condition, metric, period_s, over_runs(folder_.numbers(condition, metric), Over::mean)};
-    prediction.verdict = judge_period(period_s, prediction.measured);
     return prediction;
   }
 
   static Candidate judged(Candidate candidate) {
+    for (Prediction& prediction : candidate.predictions)
+      prediction.verdict = judge_period(prediction.period_s, prediction.measured, candidate.predictions.size());
     candidate.verdict = judge_candidate(candidate.predictions);
     return candidate;
   }
@@ -115,11 +119,14 @@ class Candidates {
 
 }  // namespace
 
-Verdict judge_period(double period_s, const std::optional<Measured>& measured) {
+Verdict judge_period(double period_s, const std::optional<Measured>& measured, std::size_t together) {
   if (!measured || !std::isfinite(measured->low) || !std::isfinite(measured->high)) return Verdict::undecidable;
+  const double wider = widening(together);
   // A free swing is known to more digits than the numbers that it is predicted from.
   const double rounding = 1e-6 * period_s;
-  const bool holds = measured->low - rounding <= period_s && period_s <= measured->high + rounding;
+  const double low = measured->value - wider * (measured->value - measured->low) - rounding;
+  const double high = measured->value + wider * (measured->high - measured->value) + rounding;
+  const bool holds = low <= period_s && period_s <= high;
   return holds ? Verdict::reproduced : Verdict::not_reproduced;
 }
 

@@ -31,8 +31,9 @@ struct Candidate {
 /// q_run1, from which mass and mooring are taken.
 std::vector<Candidate> period_candidates(const PaperFolder& folder, double paper_period_s);
 
-/// A prediction against a measured interval. The interval is the measurement's; a prediction has none.
-Verdict judge_period(double period_s, const std::optional<Measured>& measured);
+/// A prediction against a measured interval, widened for the number of predictions that are judged together, so that a
+/// true candidate survives all of them with 95 %.
+Verdict judge_period(double period_s, const std::optional<Measured>& measured, std::size_t together = 1);
 
 /// All predictions of one candidate together.
 Verdict judge_candidate(const std::vector<Prediction>& predictions);

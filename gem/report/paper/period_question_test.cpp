@@ -77,6 +77,8 @@ TEST(PeriodQuestion, IntervalsDecide) {
   EXPECT_EQ(judge_period(72.0, std::nullopt), Verdict::undecidable);
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(judge_period(72.0, Measured{80.0, -infinity, infinity, ""}), Verdict::undecidable);
+  EXPECT_EQ(judge_period(89.2, between(88.0, 89.0)), kRefuted);
+  EXPECT_EQ(judge_period(89.2, between(88.0, 89.0), 13), kHolds);
   EXPECT_EQ(judge_candidate({}), Verdict::undecidable);
 }
 

@@ -31,17 +31,19 @@ std::string period_text(const Reproduction& result) {
   std::ostringstream text;
   text << "## Why 72 s?\n\n";
   if (result.period.empty()) return text.str() + "Needs the runs of `cases/period_question.toml`.\n\n";
-  text << "Each candidate predicts a period for each run of `cases/period_question.toml`. It holds if every measured "
-          "interval, widened for the number of its predictions (Bonferroni), holds the period, and is refuted by the "
-          "first that does not. This judges what explains *these* runs; what the authors' program did cannot be "
-          "asked.\n\n"
-       << "| candidate | says | run | number | predicted [s] | measured [s] | |\n|---|---|---|---|---:|---|---|\n";
+  text << "Each candidate predicts a period for each run of `cases/period_question.toml`. A prediction holds if the "
+          "measured interval, widened for the number of the candidate's predictions (Bonferroni), holds it but not the "
+          "rival; an interval that holds both decides nothing. A candidate holds if all of its predictions do, and is "
+          "refuted by the first that does not. This judges what explains *these* runs; what the authors' program did "
+          "cannot be asked.\n\n"
+       << "| candidate | says | run | number | predicted [s] | rival [s] | measured [s] | "
+          "|\n|---|---|---|---|---:|---:|---|---|\n";
   for (const Candidate& candidate : result.period) {
-    text << "| " << candidate.name << " | " << candidate.says << " | | | | | " << candidate_verdict(candidate.verdict)
+    text << "| " << candidate.name << " | " << candidate.says << " | | | | | | " << candidate_verdict(candidate.verdict)
          << " |\n";
     for (const Prediction& prediction : candidate.predictions)
       text << "| | | " << prediction.condition << " | `" << prediction.metric << "` | "
-           << rounded_text(prediction.period_s, 5) << " | "
+           << rounded_text(prediction.period_s, 5) << " | " << rounded_text(prediction.rival_s, 5) << " | "
            << result_text(prediction.measured, "no run, or too few swings") << " | "
            << candidate_verdict(prediction.verdict) << " |\n";
   }

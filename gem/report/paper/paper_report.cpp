@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "gem/base/error.h"
 #include "gem/report/paper/paper_page.h"
@@ -26,6 +27,18 @@ void append(std::vector<PaperFigure>& all, std::vector<PaperFigure> more) {
   for (PaperFigure& figure : more) all.push_back(std::move(figure));
 }
 
+/// Pictures of an earlier report that this one does not draw would stand beside its page.
+void remove_pictures(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> old;
+  std::error_code failed;
+  for (std::filesystem::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    const std::string kind = entry->path().extension().string();
+    if (kind == ".svg" || kind == ".png" || kind == ".gp" || kind == ".csv") old.push_back(entry->path());
+  }
+  for (const std::filesystem::path& path : old) std::filesystem::remove(path, failed);
+}
+
 }  // namespace
 
 PaperReportSummary write_paper_report(const std::string& runs, const std::string& out, const std::string& statements) {
@@ -43,6 +56,7 @@ PaperReportSummary write_paper_report(const std::string& runs, const std::string
   for (const TableRow& row : catalogue.rows) result.settings.push_back(compare_settings(row, folder));
   result.period = period_candidates(folder, kPaperPeriod);
   result.choices = sensitivity(folder, catalogue);
+  remove_pictures(pictures);
   append(result.figures, twin_figures(folder, pictures));
   append(result.figures, repeat_figures(folder, result.divergence, pictures));
   append(result.figures, excursion_figures(folder, catalogue.rows, pictures));

@@ -10,8 +10,9 @@ struct PaperReportSummary {
 };
 
 /// Reads every run file under `runs`, judges the statements of `statements` (validation/paper/paper.json) and writes
-/// OUT/README.md, OUT/rows.csv and OUT/figures. Any subset of the runs will do; the page says what is missing.
-/// Throws Error(file_system) if something cannot be read or written, or gnuplot is missing.
+/// OUT/README.md, OUT/rows.csv and OUT/figures, whose pictures, scripts and numbers of an earlier report it removes.
+/// Any subset of the runs will do; the page says what is missing. Throws Error(file_system) if something cannot be read
+/// or written, or gnuplot is missing.
 PaperReportSummary write_paper_report(const std::string& runs, const std::string& out, const std::string& statements);
 
 }  // namespace gem

@@ -15,8 +15,9 @@ struct Prediction {
   std::string condition;
   std::string metric;
   double period_s = 0.0;
+  double rival_s = 0.0;  // what is said otherwise: an interval that holds both tells nothing
   std::optional<Measured> measured;
-  Verdict verdict = Verdict::undecidable;  // the interval holds the period, or does not
+  Verdict verdict = Verdict::undecidable;  // the see judge_period()
 };
 
 /// Holds if every prediction does, refuted by the first that does not, undecidable otherwise.
@@ -31,9 +32,9 @@ struct Candidate {
 /// q_run1, from which mass and mooring are taken.
 std::vector<Candidate> period_candidates(const PaperFolder& folder, double paper_period_s);
 
-/// A prediction against a measured interval, widened for the number of predictions that are judged together, so that a
-/// true candidate survives all of them with 95 %.
-Verdict judge_period(double period_s, const std::optional<Measured>& measured, std::size_t together = 1);
+/// The measured interval, widened for the number of predictions that are judged together so that a true candidate
+/// survives all of them with 95 %, holds the period (and not its rival), holds both (undecidable), or does not hold it.
+Verdict judge_period(const Prediction& prediction, std::size_t together = 1);
 
 /// All predictions of one candidate together.
 Verdict judge_candidate(const std::vector<Prediction>& predictions);

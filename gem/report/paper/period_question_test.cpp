@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace gem {
 namespace {
@@ -71,14 +72,26 @@ TEST(PeriodQuestion, MissingRunsDecideNothing) {
   EXPECT_TRUE(period_candidates(PaperFolder{}, 72.0).empty());
 }
 
+TEST(PeriodQuestion, AWideIntervalDecidesNothing) {
+  PaperFolder folder = folder_of(natural);
+  folder.conditions["q_run1"][0].numbers.add("x_period_by_maxima_s", RunNumber{77.0, 60.0, 94.0, true});
+  EXPECT_EQ(verdicts(folder)[3], Verdict::undecidable);  // holds 72 s and 88.9 s
+  folder.conditions["q_run1"][0].numbers.add("x_period_by_maxima_s", RunNumber{72.5, 71.0, 74.0, true});
+  EXPECT_EQ(verdicts(folder)[3], kHolds);
+}
+
 TEST(PeriodQuestion, IntervalsDecide) {
-  EXPECT_EQ(judge_period(88.86, between(88.0, 89.0)), kHolds);
-  EXPECT_EQ(judge_period(72.0, between(88.0, 89.0)), kRefuted);
-  EXPECT_EQ(judge_period(72.0, std::nullopt), Verdict::undecidable);
+  const auto judged = [](double period_s, std::optional<Measured> measured, std::size_t together = 1) {
+    return judge_period({"run", "metric", period_s, 72.0, std::move(measured), Verdict::undecidable}, together);
+  };
+  EXPECT_EQ(judged(88.86, between(88.0, 89.0)), kHolds);
+  EXPECT_EQ(judged(80.0, between(88.0, 89.0)), kRefuted);
+  EXPECT_EQ(judged(88.86, between(60.0, 95.0)), Verdict::undecidable);
+  EXPECT_EQ(judged(89.2, between(88.0, 89.0)), kRefuted);
+  EXPECT_EQ(judged(89.2, between(88.0, 89.0), 13), kHolds);
+  EXPECT_EQ(judged(88.86, std::nullopt), Verdict::undecidable);
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(judge_period(72.0, Measured{80.0, -infinity, infinity, ""}), Verdict::undecidable);
-  EXPECT_EQ(judge_period(89.2, between(88.0, 89.0)), kRefuted);
-  EXPECT_EQ(judge_period(89.2, between(88.0, 89.0), 13), kHolds);
+  EXPECT_EQ(judged(88.86, Measured{80.0, -infinity, infinity, ""}), Verdict::undecidable);
   EXPECT_EQ(judge_candidate({}), Verdict::undecidable);
 }
 

@@ -124,19 +124,24 @@ DivergenceStudy divergence_study(const PaperFolder& folder) {
 }
 
 void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers) {
+  const std::string pairs = "95 % over " + std::to_string(study.pairs.size()) + " pairs of all sizes";
   if (!study.growth.empty()) {
+    const double size = study.growth.begin()->first;
+    const auto own = std::count_if(study.pairs.begin(), study.pairs.end(),
+                                   [size](const DivergingPair& pair) { return pair.moved_m == size; });
+    const std::string of_size = "95 % over " + std::to_string(own) + " pairs moved by " + number_text(size) + " m";
     const IntervalEstimate& rate = study.growth.begin()->second.rate;
-    numbers["divergence_rate_per_s"] = {rate.value, rate.low, rate.high, "95 % over pairs"};
+    numbers["divergence_rate_per_s"] = {rate.value, rate.low, rate.high, of_size};
     const IntervalEstimate& early = study.growth.begin()->second.early;
     const IntervalEstimate& late = study.growth.begin()->second.late;
     // Both intervals at their worst.
     if (early.low > 0.0)
       numbers["divergence_late_over_early"] = {late.value / early.value, late.low / early.high, late.high / early.low,
-                                               "95 % over pairs, both"};
+                                               of_size};
   }
   if (study.shift) {
     const IntervalEstimate& rate = study.shift->rate;
-    numbers["divergence_rate_by_onset_per_s"] = {rate.value, rate.low, rate.high, "95 % over pairs"};
+    numbers["divergence_rate_by_onset_per_s"] = {rate.value, rate.low, rate.high, pairs};
   }
   std::map<double, std::vector<RunNumber>> parting;
   std::map<double, std::vector<RunNumber>> parted;

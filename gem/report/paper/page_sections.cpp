@@ -118,10 +118,10 @@ std::string divergence_text(const Reproduction& result) {
 std::string chaos_text(const PaperFolder& folder) {
   if (folder.numbers("004_400_25", "x_zero_one_k").empty()) return "";
   std::ostringstream text;
-  text << "Run 1 against 99 records of the null model (a linear oscillator with the mooring's period, damped as by "
-          "floes that "
-          "hit once, hit at random as often as floes touched):\n\n| number | x | null | p | y | null | p "
-          "|\n|---|---|---|---|---|---|---|\n";
+  text << "Run 1 against 99 records of the null model: a linear oscillator with the mooring's period, hit at random as "
+          "often "
+          "as floes touched, damped as by floes that hit once or as much more as the run's own memory over one period "
+          "asks for.\n\n| number | x | null | p | y | null | p |\n|---|---|---|---|---|---|---|\n";
   for (const auto& [name, key] :
        {std::pair("0-1 test K", "zero_one_k"), std::pair("prediction error", "prediction_error")}) {
     const std::string base = key;
@@ -133,6 +133,8 @@ std::string chaos_text(const PaperFolder& folder) {
            << mean_text(folder, "004_400_25", axis + chance);
     text << " |\n";
   }
+  text << "| damping ratio | | " << mean_text(folder, "004_400_25", "x_null_damping_ratio") << " | | | "
+       << mean_text(folder, "004_400_25", "y_null_damping_ratio") << " | |\n";
   return text.str() + "\n";
 }
 

@@ -47,24 +47,19 @@ std::vector<double> distance(const Path& a, const Path& b) {
 
 double moved(const PaperRun& run) { return length(run.scene.floes.moved_by_m); }
 
-/// All pairs of one disturbance from the time on at which every one of them has been reached; empty if one never is.
+/// All pairs of one disturbance, each from the time on at which it was reached, as long as the shortest of them. A pair
+/// that was never reached says nothing and is left out.
 std::vector<std::vector<double>> reached(const std::vector<DivergingPair>& pairs, double moved_m) {
-  std::size_t first = 0;
+  std::vector<std::vector<double>> result;
   std::size_t shortest = SIZE_MAX;
-  std::vector<const DivergingPair*> chosen;
   for (const DivergingPair& pair : pairs) {
-    if (pair.moved_m != moved_m) continue;
+    if (pair.moved_m != moved_m || !(pair.distance.back() > 0.0)) continue;
     // From the last zero on: two paths may meet again to the last bit while they differ only by rounding.
     const auto zero = std::find(pair.distance.rbegin(), pair.distance.rend(), 0.0);
-    first = std::max(first, static_cast<std::size_t>(pair.distance.rend() - zero));
-    shortest = std::min(shortest, pair.distance.size());
-    chosen.push_back(&pair);
+    result.emplace_back(zero.base(), pair.distance.end());
+    shortest = std::min(shortest, result.back().size());
   }
-  std::vector<std::vector<double>> result;
-  if (first >= shortest) return result;
-  for (const DivergingPair* pair : chosen)
-    result.emplace_back(pair->distance.begin() + static_cast<std::ptrdiff_t>(first),
-                        pair->distance.begin() + static_cast<std::ptrdiff_t>(shortest));
+  for (std::vector<double>& distance : result) distance.resize(shortest);
   return result;
 }
 

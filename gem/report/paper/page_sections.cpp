@@ -108,7 +108,8 @@ std::string divergence_text(const Reproduction& result) {
     else
       text << "not resolved | | | | |\n";
   }
-  text << "\nThe times count from when all pairs were reached. Exponential growth has one rate in both halves.";
+  text << "\nTimes count from when the disturbance has reached the platform of each pair. Exponential growth has one "
+          "rate in both halves.";
   if (study.shift)
     text << " Onset (a tenth of the deviation) over ln(moved): slope " << rate_text(study.shift->line.slope)
          << " s, so a rate of " << rate_text(study.shift->rate) << " 1/s.";

@@ -58,7 +58,8 @@ PaperFigure draw_exceedance(const std::vector<PaperRun>& runs, const std::filesy
   plots.write_csv("exceedance", csv);
   std::ostringstream commands;
   commands
-      << "set logscale y\nset format y '%g'\nset xlabel 'excursion peak [mm]' offset 0,0.4\n"
+      << "set key outside bottom left horizontal\nset logscale y\nset format y '%g'\nset xlabel 'excursion peak [mm]' "
+         "offset 0,0.4\n"
       << "set ylabel 'share of peaks above'\nset yrange [" << number_text(0.5 / static_cast<double>(peaks.size()), 3)
       << ":1]\nplot 'exceedance.csv' using 1:3:4 with filledcurves lc rgb '#dbe6ee' title '95 % band', '' using 1:2 "
       << "with steps linestyle 1 title 'runs', '' using 1:5 with lines linestyle 4 title 'Rayleigh of the same size'\n";

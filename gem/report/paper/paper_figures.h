@@ -34,7 +34,8 @@ std::vector<PaperFigure> excursion_figures(const PaperFolder& folder, const std:
 /// Of run 1: amplitude and period over time, exceedance of the peaks, largest excursion against duration.
 std::vector<PaperFigure> extra_figures(const PaperFolder& folder, const std::filesystem::path& out);
 
-/// "4/10 of 0.5 m ice, gap 400 m, 0.25 m/s, coupled, dt 0.1 s, seed 1, gem 0.1.0 ...": printed on every figure.
+/// "004_400_25: coupled, dt 0.1 s, seed 1  gem 0.1.0 (commit)": printed on every figure; the name says ice, gap,
+/// current.
 std::string conditions_text(const PaperRun& run);
 
 }  // namespace gem

@@ -14,6 +14,7 @@ namespace gem {
 namespace {
 
 constexpr std::size_t kPoints = 4000;
+const std::vector<std::string> kMovedAlone = {"floes.moved_floe", "floes.moved_by_m"};
 
 struct Curve {
   const PaperRun* run;
@@ -34,6 +35,7 @@ std::vector<Curve> curves(const PaperFolder& folder) {
     for (const PaperRun& run : runs) {
       const double moved = length(run.scene.floes.moved_by_m);
       if (run.scene.floes.moved_floe < 0 || moved == 0.0 || run.seed != one.seed) continue;
+      if (differing_options(one.scene, run.scene) != kMovedAlone) continue;
       if (nearest == nullptr || moved < length(nearest->scene.floes.moved_by_m)) nearest = &run;
     }
   if (nearest != nullptr)

@@ -34,12 +34,8 @@ std::vector<PaperFigure> draw_run(const PaperRun& run, const std::string& field_
 }  // namespace
 
 std::string conditions_text(const PaperRun& run) {
-  std::string text = run.scene.run.name + ": ";
-  for (const IceClassDef& ice : run.scene.floes.classes)
-    text += number_text(ice.tenths, 3) + "/10 of " + number_text(ice.thickness_m, 3) + " m ice, ";
-  if (run.scene.boundary.present) text += "gap " + number_text(run.scene.boundary.gap_m, 4) + " m, ";
-  return text + number_text(run.scene.current.velocity_m_per_s.x, 3) + " m/s, " + run.resolution + ", dt " +
-         number_text(run.scene.numerics.moment_s, 3) + " s, seed " + std::to_string(run.seed) + "  " + run.source;
+  return run.scene.run.name + ": " + run.resolution + ", dt " + number_text(run.scene.numerics.moment_s, 3) +
+         " s, seed " + std::to_string(run.seed) + "  " + run.source;
 }
 
 std::vector<PaperFigure> twin_figures(const PaperFolder& folder, const std::filesystem::path& out) {

@@ -12,6 +12,6 @@ namespace gem {
 std::size_t sample_from(const RunData& run, double from_s);
 
 /// The record from a sample on, motion measured from rest. Throws Error(file_system) if the samples are not even.
-PlatformSeries platform_series(const RunData& run, std::size_t first);
+PlatformSeries platform_series(const RunData& run, std::size_t first = 0);
 
 }  // namespace gem

@@ -85,6 +85,8 @@ struct FloesDef {
   Placement placement = Placement::random;  ///< for `copied`
   std::int64_t shape_count = 24;            ///< for `copied`: how many traced shapes are repeated
   double tile_length_m = 100.0;             ///< for `tiled`: about how long the repeated block is
+  std::int64_t moved_floe = -1;             ///< the floe that moved_by_m moves: 0 is the nearest to the anchor; -1 none
+  Vec2 moved_by_m = {0.0, 0.0};             ///< a small disturbance of the start
   std::vector<IceClassDef> classes = {IceClassDef{}};
 };
 

@@ -29,6 +29,8 @@ struct Outcome {
 Outcome outcome(const std::string& experiment) {
   SceneDef scene = test::busy_scene(5);
   scene.mooring.stiffness_N_per_m = 0.0;
+  scene.ice.friction_ice = 0.4;
+  scene.ice.friction_structure = 0.1;  // mixed: 0.2
   scene.platform_drag.present = false;
   const auto engine = make_engine(scene, test::busy_field(scene), with(experiment));
   MomentLog log;

@@ -1,0 +1,26 @@
+# Work shared by several processes of one machine, in plain sh. Sourced, not run.
+#
+# in_parallel JOBS LIST DONE FUNCTION: calls FUNCTION with each line of the file LIST, JOBS at a time. A line whose file
+# DONE/NAME (NAME: its first field, up to a tab) exists is left out, so a stopped run goes on where it was; FUNCTION makes
+# that file last. A failing call is told and leaves its line for the next time.
+in_parallel() {
+  taken=$3/taken.$$
+  mkdir -p "$3" "$taken"
+  worker=0
+  while [ "$worker" -lt "$1" ]; do
+    worker=$((worker + 1))
+    worker_loop "$2" "$3" "$4" "$taken" "$worker" &
+  done
+  wait
+  rm -rf "$taken"
+}
+
+worker_loop() {
+  tab=$(printf '\t')
+  while IFS= read -r line; do
+    name=${line%%"$tab"*}
+    [ ! -e "$2/$name" ] || continue
+    mkdir "$4/$name" 2>/dev/null || continue # another worker has it
+    "$3" "$line" </dev/null || echo "failed: $name" >&2
+  done <"$1"
+}

@@ -1,3 +1,4 @@
+# shellcheck shell=sh
 # Work shared by several processes of one machine, in plain sh. Sourced, not run.
 #
 # in_parallel JOBS LIST DONE FUNCTION: calls FUNCTION with each line of the file LIST, JOBS at a time. A line whose file

@@ -36,7 +36,7 @@ class MemberFile {
       : file_(path), chosen_(chosen), scene_(parse_scene(file_.attribute("gem_case_toml"), path)) {
     const std::vector<double> time = file_.column("platform/time");
     platform_ = span_of(time, chosen);
-    if (platform_.last < platform_.first + 1000 || time.back() < chosen.to_s - 1.0)
+    if (platform_.last < platform_.first + 200 || time.back() < chosen.to_s - 1.0)
       throw Error(ExitCode::usage, path + ": ends at " + number_text(time.empty() ? 0.0 : time.back(), 6) +
                                        " s (judged until " + number_text(chosen.to_s) + " s) run it to its end");
     interval_ = time[1] - time[0];

@@ -21,7 +21,7 @@ EngineOptions with(const std::string& experiment) {
 
 struct Outcome {
   std::uint64_t hash = 0;
-  std::int64_t contacts = 0;
+  std::int64_t hits = 0;  // of the platform
   std::string method;
 };
 
@@ -34,17 +34,19 @@ Outcome outcome(const std::string& experiment) {
   scene.platform_drag.present = false;
   const auto engine = make_engine(scene, test::busy_field(scene), with(experiment));
   MomentLog log;
-  engine->advance(200, log);
-  EXPECT_LT(residual(engine->ledger()).momentum, 200.0 * 0x1p-24) << experiment;
-  return {engine->state_hash(), test::contacts_in(log), engine->method()};
+  engine->advance(400, log);
+  std::int64_t hits = 0;
+  for (const PlatformMoment& moment : log.platform) hits += moment.contacts;
+  EXPECT_LT(residual(engine->ledger()).momentum, 400.0 * 0x1p-24) << experiment;
+  return {engine->state_hash(), hits, engine->method()};
 }
 
 TEST(Experiments, EachIsNamedAndChangesTheMotion) {
   const Outcome usual = outcome("");
-  ASSERT_GT(usual.contacts, 1000);
+  ASSERT_GT(usual.hits, 100);
   for (const char* experiment : {"substeps=4", "warm_starting=0", "continuous=1", "mixes_friction=1"}) {
     const Outcome changed = outcome(experiment);
-    EXPECT_GT(changed.contacts, 1000) << experiment;
+    EXPECT_GT(changed.hits, 100) << experiment;
     EXPECT_NE(changed.hash, usual.hash) << experiment;
     EXPECT_NE(changed.method, usual.method) << experiment;
   }

@@ -32,8 +32,12 @@ one_member() {
   esac
   set -f # --set values hold quotes, never blanks or patterns to expand
   # shellcheck disable=SC2086
-  "$program" run $arguments --set output.floes_interval_s=20 --threads 1 --quiet --overwrite \
-    --out "$base.h5" 2>"$base.log" || { cat "$base.log" >&2; return 1; }
+  limited "$program" run $arguments --set output.floes_interval_s=20 --threads 1 --quiet --overwrite \
+    --out "$base.h5" 2>"$base.log" || {
+    cat "$base.log" >&2
+    rm -f "$base.h5"
+    return 1
+  }
   "$programs/gem_ensembles" rows "$plan" "$case" "$setting" "$base.h5" "$base.rows" "$base.map" 2>"$base.log" || {
     cat "$base.log" >&2
     return 1

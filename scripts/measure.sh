@@ -3,14 +3,15 @@
 # scripts/pack_measurements.sh packed; run it again to go on after a stop.
 # Usage: scripts/measure.sh PROGRAMS OUT JOBS [PART...]
 #   PROGRAMS  folder with the programs that `gem_measurements` builds
-#   OUT       gets results/ with at most eight files, and what is finished so far
-#   JOBS      cores to use; parts that are timed use half of them, so that the machine's clock and memory are not fought for
+#   OUT       gets results.tar.gz: the tables in results/ and all that is finished. To go on elsewhere, unpack it in OUT first
+#   JOBS      cores to use; parts that are timed leave two of them free
 #   PART      closed_form windows paths speed ensembles; all of them, in this order, if left out.
 #             ensembles:agreement and the like run one part of the plan
-# Environment: GEM_QUICK=1 a rehearsal of everything in minutes, whose numbers mean nothing
+# Environment: GEM_MINUTES=9 stop after so long, with what is finished; GEM_WHOLE=1 speed over whole runs instead of 600 m
+#              of drift; GEM_QUICK=1 a rehearsal in minutes, whose numbers mean nothing
 set -eu
 [ $# -ge 3 ] || {
-  sed -n '2,12s/^# //p' "$0" >&2
+  sed -n '2,13s/^# //p' "$0" >&2
   exit 2
 }
 mkdir -p "$2/results"
@@ -20,7 +21,11 @@ shift 3
 cd "$(dirname "$0")/.."
 . scripts/workers.sh
 results=$out/results
-half=$((jobs > 1 ? jobs / 2 : 1))
+timed=$((jobs > 2 ? jobs - 2 : 1))
+if [ -n "${GEM_MINUTES:-}" ]; then
+  GEM_DEADLINE=$(($(date +%s) + 60 * GEM_MINUTES))
+  export GEM_DEADLINE
+fi
 quick=${GEM_QUICK:-0}
 
 # choice QUICK FULL
@@ -31,7 +36,7 @@ note() { echo "$*" | tee -a "$results/conditions.txt"; }
 conditions() {
   note "begun $(date -u +%Y-%m-%dT%H:%M:%SZ): $*"
   note "machine $(uname -srm), $(grep -c ^processor /proc/cpuinfo) x$(sed -n 's/^model name[^:]*://p' /proc/cpuinfo | head -n 1)"
-  note "load $(cut -d' ' -f1-3 /proc/loadavg), jobs $jobs, timed jobs $half, quick $quick"
+  note "load $(cut -d' ' -f1-3 /proc/loadavg), jobs $jobs, timed jobs $timed, quick $quick"
   note "program $("$programs/gem" --version | tr '\n' ' ')"
 }
 
@@ -46,7 +51,7 @@ task() {
     set -- ${1#*"$tab"}
     program=$1
     shift
-    "$programs/$program" "$@" >"$out/tasks/$name.log" 2>&1
+    limited "$programs/$program" "$@" >"$out/tasks/$name.log" 2>&1
   ) || {
     cat "$out/tasks/$name.log" >&2
     return 1
@@ -62,12 +67,16 @@ in_tabs() {
   printf '%s\n' "$line"
 }
 
-# together RESULT FILE...: one table with one header
+# together RESULT FILE...: one table with one header, from the tasks that are finished
 together() {
   result=$1
   shift
-  head -n 1 "$1" >"$result"
-  for table; do tail -n +2 "$table" >>"$result"; done
+  rm -f "$result"
+  for table; do
+    [ -e "${table%.*}" ] || continue
+    [ -e "$result" ] || head -n 1 "$table" >"$result"
+    tail -n +2 "$table" >>"$result"
+  done
 }
 
 # regimes: name, case, first start [s]; windows are spread over ten starts of two, 60 s each
@@ -78,22 +87,24 @@ regimes() {
 }
 
 closed_form() {
+  [ ! -s "$results/closed_form_errors.csv" ] || return 0
   moments=$(choice 0.2,0.1 0.4,0.2,0.1,0.05,0.025,0.0125,0.00625)
-  "$programs/closed_form_errors" bench/closed_form_settings.txt "$moments" "$results/closed_form_errors.csv"
+  "$programs/closed_form_errors" bench/closed_form_settings.txt "$moments" "$results/closed_form.part"
+  mv "$results/closed_form.part" "$results/closed_form_errors.csv"
 }
 
 windows() {
-  regimes | while read -r regime case start; do
-    k=0
-    while [ "$k" -lt "$(choice 1 10)" ]; do
+  k=0
+  while [ "$k" -lt "$(choice 1 10)" ]; do # all regimes before the next start: stopped early, there are fewer windows
+    regimes | while read -r regime case start; do
       name=windows_${regime}_$k
       in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 60 * k)))" "$(choice 1 10)" \
-        "$(choice 1 2)" "$(choice 2 30)" "$(choice 2 10)" "$(choice 1 2)" bench/window_settings.txt "$out/tasks/$name.errors" \
+        "$(choice 1 2)" "$(choice 2 30)" "$(choice 2 10)" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
         "$out/tasks/$name.paths"
-      k=$((k + 1))
     done
+    k=$((k + 1))
   done >"$out/windows.txt"
-  in_parallel "$half" "$out/windows.txt" "$out/tasks" task
+  in_parallel "$timed" "$out/windows.txt" "$out/tasks" task
   together "$results/windows.csv" "$out"/tasks/windows_*.errors
 }
 
@@ -109,17 +120,21 @@ paths() {
 
 # the 36 runs of Table 1, the other five of Table 2, and the same ice in fields of other sizes
 speed() {
-  until=$(choice 4 0) blocks=$(choice 2 40)
+  blocks=$(choice 2 24)
   {
     k=1
     while [ "$k" -le "$(choice 2 36)" ]; do
-      in_tabs "speed_1_$k" paired_speed "cases/table1.toml#$k" bench/speed_pairs.txt "$blocks" "$until" \
+      # 0.25, 0.5 and 1 m/s in turn: 600 m of drift
+      case $((k % 3)) in 1) until=2400 ;; 2) until=1200 ;; *) until=600 ;; esac
+      [ "${GEM_WHOLE:-0}" = 0 ] || until=0
+      in_tabs "speed_1_$k" paired_speed "cases/table1.toml#$k" bench/speed_pairs.txt "$blocks" "$(choice 4 "$until")" \
         "$out/tasks/speed_1_$k.csv"
       k=$((k + 1))
     done
     k=2
     while [ "$k" -le "$(choice 2 6)" ]; do
-      in_tabs "speed_2_$k" paired_speed "cases/table2.toml#$k" bench/speed_pairs.txt "$blocks" "$until" \
+      [ "${GEM_WHOLE:-0}" = 0 ] && until=2400 || until=0
+      in_tabs "speed_2_$k" paired_speed "cases/table2.toml#$k" bench/speed_pairs.txt "$blocks" "$(choice 4 "$until")" \
         "$out/tasks/speed_2_$k.csv"
       k=$((k + 1))
     done
@@ -132,14 +147,14 @@ speed() {
         "boundary.taper_start_x_m=-$(($2 + 100))" "boundary.inlet_width_m=$3" "boundary.gap_m=$3"
     done
   } >"$out/speed.txt"
-  in_parallel "$half" "$out/speed.txt" "$out/tasks" task
+  in_parallel "$timed" "$out/speed.txt" "$out/tasks" task
   together "$results/speed.csv" "$out"/tasks/speed_*.csv
 }
 
 ensembles() {
   if [ "$quick" = 1 ]; then
     # as the plan, but three members of one case, judged from 5 s to 65 s
-    sed -e 's/^\(part | [a-z]* |\).*/\1 3 | 400_300_100/' -e 's/^\(case |.*| [0-9]* |\).*/\1 5 | 65/' \
+    sed -e 's/^\(part | [a-z]* |\).*/\1 3 | 400_300_100/' -e 's/^\(case |[^|]*|[^|]*|[^|]*|\).*/\1 5 | 65/' \
       validation/baseline/ensembles.txt >"$out/plan.txt"
     GEM_PLAN=$out/plan.txt
     export GEM_PLAN
@@ -161,4 +176,7 @@ for part; do
   esac
   note "$part done $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
 done
-ls -l "$results"
+mkdir -p "$out/tasks" "$out/ensembles"
+tar -C "$out" -czf "$out/results.tar.gz.part" --exclude='*.h5' --exclude='taken.*' results tasks ensembles
+mv "$out/results.tar.gz.part" "$out/results.tar.gz"
+ls -l "$results" "$out/results.tar.gz"

@@ -5,17 +5,25 @@ COLOURS = {"gem": "#0b5394", "independent": "#6fa8dc", "Box2D": "#c55a11", "thin
            "dropped": "#38761d", "reference": "#444444"}
 
 
-def colour_of(setting):
-    """Family of a setting by its label: what figures tell apart."""
+FAMILIES = {"gem": "gem", "independent": "gem independent", "Box2D": "Box2D", "thin": "Box2D, thin skin", "other": "other",
+            "dropped": "gem, an option dropped", "reference": "reference"}
+
+
+def family_of(setting):
+    """Key of a setting's family by its label: what figures tell apart."""
     if setting.startswith(("reference", "fine")):
-        return COLOURS["reference"]
+        return "reference"
     if setting.startswith("Box2D"):
-        return COLOURS["thin" if "thin skin" in setting or "slop" in setting else "Box2D"]
+        return "thin" if "thin skin" in setting or "slop" in setting else "Box2D"
     if "without" in setting or "locked" in setting:
-        return COLOURS["dropped"]
+        return "dropped"
     if "independent" in setting:
-        return COLOURS["independent"]
-    return COLOURS["gem" if setting.startswith("gem") else "other"]
+        return "independent"
+    return "gem" if setting.startswith("gem") else "other"
+
+
+def colour_of(setting):
+    return COLOURS[family_of(setting)]
 
 
 def quoted(text):
@@ -47,9 +55,11 @@ class Panel:
                  "set border 3", "set tics nomirror"]
         lines += [f"set logscale {axis}\nset format {axis} '10^{{%L}}'" for axis in self.log]
         lines += self.extra
+        if "x" in self.log and self.marks:  # wide enough for all marks
+            lines.append(f"set xrange [*:{1.3 * max(x for x, _ in self.marks):g}<*]")
         for x, label in self.marks:
             lines.append(f"set arrow from first {x:g}, graph 0 to first {x:g}, graph 1 nohead dt 2 lc rgb '#888888'")
-            lines.append(f"set label {quoted(label)} at first {x:g}, graph 0.02 rotate by 90 offset -0.6,0 font ',9' "
+            lines.append(f"set label {quoted(label)} at first {x:g}, graph 0.03 rotate by 90 offset -0.7,0 font ',9' "
                          "tc rgb '#666666'")
         for x, y, label, colour in self.texts:
             lines.append(f"set label {quoted(label)} at first {x:g}, first {y:g} offset 0.6,0.4 font ',8' tc rgb '{colour}'")
@@ -59,7 +69,8 @@ class Panel:
             lines += [" ".join(f"{v:.9g}" for v in point) for point in points]
             lines.append("END")
             title = f"title {quoted(label)}" if label else "notitle"
-            parts.append(f"$d{k} with {style} lc rgb '{colour}' {title}")
+            paint = f"lc rgb '{colour}' " if colour else ""
+            parts.append(f"$d{k} with {style} {paint}{title}")
         return "\n".join(lines + ["plot " + ", \\\n  ".join(parts)]) if parts else ""
 
 

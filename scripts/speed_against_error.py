@@ -84,15 +84,18 @@ def stepped(x):
 
 
 def cloud(panel, points):
-    """Settings as points, families as curves, the front as a staircase."""
-    families = {}
+    """Settings as points, those that differ in the moment only as curves, the front as a staircase with its names."""
+    curves, told = {}, set()
     for cost, error, label in points:
-        families.setdefault(family(label), []).append((cost, error, label))
-    for name, members in families.items():
-        colour = chart.colour_of(name)
-        panel.curve(name, colour, [(c, e) for c, e, _ in sorted(members)])
+        curves.setdefault(family(label), []).append((cost, error))
+    for name, members in curves.items():
+        key = chart.family_of(name)
+        panel.curve(None if key in told else chart.FAMILIES[key], chart.COLOURS[key], sorted(members))
+        told.add(key)
     front = pareto_front(points)
     panel.curve("Pareto front", "#000000", stepped(front), "lines lw 1 dt 3")
+    for cost, error, label in front:
+        panel.text(cost, error, label, chart.colour_of(label))
     return [label for _, _, label in front]
 
 
@@ -140,7 +143,7 @@ def part_b():
              "The reference (a sixteenth of the case's moment, converged to 1e-6 of the current's speed) runs through",
              "consecutive windows; at the beginning of each, every setting starts from its state. Errors are the root of the",
              "mean square over time, over floes and platform and over all windows; the force's is relative to the",
-             "reference's. Times are paired: settings take turns. Floes that gem left touching begin inside Box2D's usual",
+             "reference's. Times are paired: the settings run one after the other in every window; stated is the median. Floes that gem left touching begin inside Box2D's usual",
              "skins, so windows judge its thin skin; the usual skin needs the ensembles below.", ""]
     panels = []
     for (regime,), group in grouped(rows, "regime").items():

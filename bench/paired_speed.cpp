@@ -38,6 +38,11 @@ std::vector<Runner> runners(const std::string& settings, const CaseChoice& choic
   return all;
 }
 
+std::int64_t floes_of(Engine& engine) {
+  const auto& kind = engine.bodies().kind;
+  return std::count(kind.begin(), kind.end(), BodyKind::floe);
+}
+
 struct Block {
   Spent spent;
   double contacts = 0.0;  // mean over its moments; 0 where the engine does not count
@@ -76,7 +81,7 @@ int run(const std::vector<std::string>& a) {
       Runner& runner = all[(k + static_cast<std::size_t>(b)) % all.size()];
       const Block block = advanced(runner, end_of(b + 1));
       out << name << ',' << runner.setting.label << ',' << runner.setting.engine.name << ','
-          << runner.setting.engine.threads << ',' << scene.floes.count << ','
+          << runner.setting.engine.threads << ',' << floes_of(*runner.engine) << ','
           << number_text(runner.setting.scene.numerics.moment_s) << ',' << b << ',' << number_text(end_of(b), 6) << ','
           << number_text(end_of(b + 1), 6) << ',' << number_text(block.spent.user, 6) << ','
           << number_text(block.spent.wall, 6) << ',' << number_text(block.contacts, 6) << ',' << GEM_COMMIT

@@ -89,8 +89,8 @@ std::vector<EngineSetting> read_settings(const std::string& path, const CaseChoi
     setting.engine.baseline.measures_quality = false;  // judged outside
     for (const std::string& option : words(options)) set_option(setting, option);
     CaseChoice choice = chosen_case;
-    choice.overrides = words(overrides);
-    setting.overrides = choice.overrides;
+    setting.overrides = words(overrides);
+    choice.overrides.insert(choice.overrides.end(), setting.overrides.begin(), setting.overrides.end());
     setting.scene = read_case(choice);
     setting.scene.numerics.moment_s *= setting.moment_factor;
     settings.push_back(setting);

@@ -50,8 +50,8 @@ class Panel:
         self.texts.append((x, y, label, colour))
 
     def script(self):
-        lines = ["reset", f"set title {quoted(self.title)} font ',13'", f"set xlabel {quoted(self.x)}",
-                 f"set ylabel {quoted(self.y)}", "set grid lc rgb '#dddddd'", "set key outside right top samplen 2 spacing 1.1",
+        lines = ["reset", f"set title {quoted(self.title)} noenhanced font ',13'", f"set xlabel {quoted(self.x)}",
+                 f"set ylabel {quoted(self.y)}", "set grid lc rgb '#dddddd'", "set key outside right top samplen 3 spacing 1.1 noenhanced",
                  "set border 3", "set tics nomirror"]
         lines += [f"set logscale {axis}\nset format {axis} '10^{{%L}}'" for axis in self.log]
         lines += self.extra
@@ -60,11 +60,14 @@ class Panel:
         for x, label in self.marks:
             lines.append(f"set arrow from first {x:g}, graph 0 to first {x:g}, graph 1 nohead dt 2 lc rgb '#888888'")
             lines.append(f"set label {quoted(label)} at first {x:g}, graph 0.03 rotate by 90 offset -0.7,0 font ',9' "
-                         "tc rgb '#666666'")
+                         "noenhanced tc rgb '#666666'")
         for x, y, label, colour in self.texts:
-            lines.append(f"set label {quoted(label)} at first {x:g}, first {y:g} offset 0.6,0.4 font ',8' tc rgb '{colour}'")
-        parts = []
+            lines.append(f"set label {quoted(label)} at first {x:g}, first {y:g} offset 0.6,0.4 font ',8' noenhanced tc rgb '{colour}'")
+        parts, seen = [], {}
         for k, (label, colour, style, points) in enumerate(self.curves):
+            if colour and label and " dt " not in style:  # curves of one family are told apart by their dashes
+                seen[colour] = seen.get(colour, 0) + 1
+                style += f" dt {seen[colour]}"
             lines.append(f"$d{k} << END")
             lines += [" ".join(f"{v:.9g}" for v in point) for point in points]
             lines.append("END")
@@ -81,6 +84,6 @@ def write_figure(path, panels, columns=1, width=900, height=420):
         return False
     rows = -(-len(drawn) // columns)
     head = (f"set terminal svg size {width * columns},{height * rows} font 'Helvetica,11' background '#ffffff' dynamic\n"
-            f"set output {quoted(str(path))}\nset encoding utf8\nset multiplot layout {rows},{columns}\n")
+            f"set output {quoted(str(path))}\nset multiplot layout {rows},{columns}\n")
     subprocess.run(["gnuplot"], input=head + "\n".join(drawn) + "\nunset multiplot\n", text=True, check=True)
     return True

@@ -26,6 +26,8 @@ def number(text):
 
 
 def shown(value, low, high):
+    if number(low) == number(high) == 0.0 and number(value) == 0.0:
+        return "-"
     return f"{number(value):.4g} ({number(low):.4g} to {number(high):.4g})"
 
 
@@ -59,7 +61,7 @@ def agreement(rows):
 def experiments(rows):
     """What each setting changes against gem: where Box2D's own difference shrinks, that setting explains it."""
     lines = []
-    chosen = ("offset_x_mean_m", "offset_x_deviation_m", "ice_force_x_mean_N", "ice_force_1s_deviation_N", "impacts_per_s",
+    chosen = ("offset_x_mean_m", "offset_x_deviation_m", "ice_force_x_mean_N", "ice_force_1s_deviation_N", "hits_per_s",
               "energy_loss_W", "share_upstream")
     for case in dict.fromkeys(r["case"] for r in rows if r["part"] == "experiment"):
         body = []
@@ -122,7 +124,7 @@ def map_figure(rows, setting="Box2D 8/3"):
             panel.extra += ["unset key", "set size ratio -1", "set palette defined (0 '#f2f6fa', 0.5 '#6fa8dc', 1 '#073763')",
                             "set cbrange [0:1]", "set xrange [-400:100]", "set yrange [-200:200]"]
             points = [(-390 + 20 * int(r["column"]), -190 + 20 * int(r["row"]), number(r[key])) for r in these]
-            panel.curve(None, None, points, "image")
+            panel.curve(None, None, points, "image pixels")
             panels.append(panel)
     return chart.write_figure(FOLDER / "figures" / "concentration.svg", panels, 2, 560, 420)
 
@@ -134,8 +136,8 @@ def main():
     rows, cells = read("ensembles.csv"), read("map_means.csv")
     (FOLDER / "figures").mkdir(exist_ok=True)
     shutil.copy(ROWS / "ensembles.csv", FOLDER / "ensembles.csv")
-    lines = ["", "Settings, cases, judged times and margins were written down before any run: `ensembles.txt`. Every setting",
-             "runs the same seeds, each another field. \"The same\" means equivalent within the margin at 5 %: two one-sided",
+    lines = ["", "Settings, cases, judged times and margins were written down before the runs that are judged: `ensembles.txt`.",
+             "Every setting runs the same seeds, each another field. \"The same\" means equivalent within the margin at 5 %: two one-sided",
              "Welch tests (`gem/analysis/equivalence.h`) over runs, adjusted by Holm for all quantities of a case and setting;",
              "\"no\": the whole 90 % interval lies outside the margin. Samples of one run are never tested: they are correlated.",
              "Intervals of means are bootstraps over runs.", ""]

@@ -50,10 +50,10 @@ def rms(values):
 
 
 def pareto_front(points):
-    """Points (cost, error, label) that no other beats in both, by rising cost."""
+    """Points (cost, error, label) that no other beats in both, by rising cost; a gain of less than 1 % is none."""
     front = []
     for point in sorted(p for p in points if p[1] == p[1]):
-        if not front or point[1] < front[-1][1]:
+        if not front or point[1] < 0.99 * front[-1][1]:
             front.append(point)
     return front
 
@@ -193,7 +193,7 @@ def part_c():
     for case in dict.fromkeys(cases):
         fine = values[(case, "fine")]
         body = []
-        for quantity in ("offset_x_mean_m", "offset_x_deviation_m", "ice_force_x_mean_N", "impacts_per_s"):
+        for quantity in ("offset_x_mean_m", "offset_x_deviation_m", "ice_force_x_mean_N", "hits_per_s"):
             truth = statistics.mean(fine[quantity])
             noise = statistics.stdev(fine[quantity]) / math.sqrt(len(fine[quantity])) / abs(truth)
             panel = chart.Panel(f"{case}: {quantity}", "wall time of N members per simulated second [s/s]",
@@ -286,7 +286,7 @@ def main():
     page = ["# Speed against error", "",
             "gem and Box2D 2.4.1 on the same scenes: what a second of simulated time costs and how wrong it is. Made by",
             "`scripts/speed_against_error.sh` from measurements of `scripts/measure.sh`; nothing here is typed.", ""]
-    page += conditions()
+    page += conditions() if any(ROWS.glob("*.csv")) else ["Not measured yet.", ""]
     for part in (part_a, part_b, part_c, part_paths, part_speed):
         page += part()
     (FOLDER / "speed_against_error.md").write_text("\n".join(page).rstrip() + "\n", encoding="utf-8")

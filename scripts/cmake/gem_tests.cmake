@@ -19,6 +19,7 @@ gem_test_program(gem_unit_tests unit ${unit_tests})
 
 if(TARGET box2d::box2d)
   file(GLOB baseline_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/baseline_box2d/*_test.cpp)
+  list(APPEND baseline_tests ${PROJECT_SOURCE_DIR}/validation/baseline/ensembles_test.cpp ${ensemble_parts})
   gem_test_program(gem_baseline_tests unit ${baseline_tests})
 endif()
 

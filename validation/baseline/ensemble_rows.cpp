@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "gem/analysis/moments.h"
 #include "gem/analysis/period.h"
@@ -52,6 +53,7 @@ class MemberFile {
     all.push_back({"ice_force_1s_p99_N", percentile(force, 0.99)});
     const Span events = span_of(file_.column("events/time"), chosen_);
     all.push_back({"impacts_per_s", static_cast<double>(events.last - events.first) / judged()});
+    all.push_back({"hits_per_s", hits() / judged()});
     all.push_back({"energy_loss_W", energy_loss()});
     const std::vector<double> wall = file_.column("stats/wall_time"), time = file_.column("stats/time");
     all.push_back({"wall_s_per_s", wall.back() / time.back()});
@@ -91,6 +93,21 @@ class MemberFile {
     all.push_back({"offset_" + axis + "_deviation_m", moments(path).deviation});
     const auto period = spectral_period(eigenspectra(path, interval_));
     all.push_back({"period_" + axis + "_s", period ? period->period : std::nan("")});
+  }
+
+  /// Events of a floe that had none in the second before. One hit may be logged as several events: gem stops a floe
+  /// where it will touch within the moment and takes what is left in the next, Box2D takes all at its skin.
+  double hits() const {
+    const std::vector<double> time = file_.column("events/time"), floe = file_.column("events/body_b");
+    std::map<double, double> last;
+    double count = 0.0;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+      const auto [entry, first] = last.emplace(floe[k], time[k]);
+      const bool judged_now = time[k] >= chosen_.from_s && time[k] <= chosen_.to_s;
+      if (judged_now && (first || time[k] - entry->second > 1.0)) count += 1.0;
+      entry->second = time[k];
+    }
+    return count;
   }
 
   /// What contacts took from the floes and the platform, mean power.

@@ -5,7 +5,7 @@
 #   PROGRAMS  folder with the programs that `gem_measurements` builds
 #   OUT       gets results.tar.gz: the tables in results/ and all that is finished. To go on elsewhere, unpack it in OUT first
 #   JOBS      cores to use; parts that are timed leave two of them free
-#   PART      closed_form windows paths speed ensembles; all of them, in this order, if left out.
+#   PART      closed_form paths windows speed ensembles; all of them, in this order, if left out.
 #             ensembles:agreement and the like run one part of the plan
 # Environment: GEM_MINUTES=9 stop after so long, with what is finished; GEM_WHOLE=1 speed over whole runs instead of 600 m
 #              of drift; GEM_QUICK=1 a rehearsal in minutes, whose numbers mean nothing
@@ -17,7 +17,7 @@ set -eu
 mkdir -p "$2/results"
 programs=$(cd "$1" && pwd) out=$(cd "$2" && pwd) jobs=$3
 shift 3
-[ $# -gt 0 ] || set -- closed_form windows paths speed ensembles
+[ $# -gt 0 ] || set -- closed_form paths windows speed ensembles
 cd "$(dirname "$0")/.."
 . scripts/workers.sh
 results=$out/results
@@ -86,11 +86,10 @@ regimes() {
   echo "jam cases/table1.toml#27 600"
 }
 
+# each part says its tasks
 closed_form() {
-  [ ! -s "$results/closed_form_errors.csv" ] || return 0
   moments=$(choice 0.2,0.1 0.4,0.2,0.1,0.05,0.025,0.0125,0.00625)
-  "$programs/closed_form_errors" bench/closed_form_settings.txt "$moments" "$results/closed_form.part"
-  mv "$results/closed_form.part" "$results/closed_form_errors.csv"
+  in_tabs closed_form closed_form_errors bench/closed_form_settings.txt "$moments" "$out/tasks/closed_form.csv"
 }
 
 windows() {
@@ -103,9 +102,7 @@ windows() {
         "$out/tasks/$name.paths"
     done
     k=$((k + 1))
-  done >"$out/windows.txt"
-  in_parallel "$timed" "$out/windows.txt" "$out/tasks" task
-  together "$results/windows.csv" "$out"/tasks/windows_*.errors
+  done
 }
 
 paths() {
@@ -113,42 +110,36 @@ paths() {
     name=paths_$regime
     in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 "$start")" "$(choice 1 10)" 1 "$(choice 4 300)" \
       "$(choice 2 60)" 0 bench/path_settings.txt "$out/tasks/$name.errors" "$out/tasks/$name.paths"
-  done >"$out/paths.txt"
-  in_parallel "$jobs" "$out/paths.txt" "$out/tasks" task
-  together "$results/paths.csv" "$out"/tasks/paths_*.paths
+  done
 }
 
 # the 36 runs of Table 1, the other five of Table 2, and the same ice in fields of other sizes
 speed() {
   blocks=$(choice 2 24)
-  {
-    k=1
-    while [ "$k" -le "$(choice 2 36)" ]; do
-      # 0.25, 0.5 and 1 m/s in turn: 600 m of drift
-      case $((k % 3)) in 1) until=2400 ;; 2) until=1200 ;; *) until=600 ;; esac
-      [ "${GEM_WHOLE:-0}" = 0 ] || until=0
-      in_tabs "speed_1_$k" paired_speed "cases/table1.toml#$k" bench/speed_pairs.txt "$blocks" "$(choice 4 "$until")" \
-        "$out/tasks/speed_1_$k.csv"
-      k=$((k + 1))
-    done
-    k=2
-    while [ "$k" -le "$(choice 2 6)" ]; do
-      [ "${GEM_WHOLE:-0}" = 0 ] && until=2400 || until=0
-      in_tabs "speed_2_$k" paired_speed "cases/table2.toml#$k" bench/speed_pairs.txt "$blocks" "$(choice 4 "$until")" \
-        "$out/tasks/speed_2_$k.csv"
-      k=$((k + 1))
-    done
-    for size in 1002_750_200 4008_1500_400 $(choice "" "16032_3000_800 64128_6000_1600"); do
-      # shellcheck disable=SC2046
-      set -- $(echo "$size" | tr _ ' ')
-      in_tabs "speed_growth_$1" paired_speed "cases/table1.toml#2" bench/speed_pairs.txt "$(choice 2 12)" \
-        "$(choice 2 120)" "$out/tasks/speed_growth_$1.csv" "growth" "floes.count=$1" "floes.length_m=$2" \
-        "floes.width_m=$3" "floes.start_x_m=-$(($2 + 75))" "boundary.inlet_x_m=-$(($2 + 100))" \
-        "boundary.taper_start_x_m=-$(($2 + 100))" "boundary.inlet_width_m=$3" "boundary.gap_m=$3"
-    done
-  } >"$out/speed.txt"
-  in_parallel "$timed" "$out/speed.txt" "$out/tasks" task
-  together "$results/speed.csv" "$out"/tasks/speed_*.csv
+  k=1
+  while [ "$k" -le "$(choice 2 36)" ]; do
+    # 0.25, 0.5 and 1 m/s in turn: 600 m of drift
+    case $((k % 3)) in 1) until=2400 ;; 2) until=1200 ;; *) until=600 ;; esac
+    [ "${GEM_WHOLE:-0}" = 0 ] || until=0
+    in_tabs "speed_1_$k" paired_speed "cases/table1.toml#$k" bench/speed_pairs.txt "$blocks" "$(choice 4 "$until")" \
+      "$out/tasks/speed_1_$k.csv"
+    k=$((k + 1))
+  done
+  k=2
+  while [ "$k" -le "$(choice 2 6)" ]; do
+    [ "${GEM_WHOLE:-0}" = 0 ] && until=2400 || until=0
+    in_tabs "speed_2_$k" paired_speed "cases/table2.toml#$k" bench/speed_pairs.txt "$blocks" "$(choice 4 "$until")" \
+      "$out/tasks/speed_2_$k.csv"
+    k=$((k + 1))
+  done
+  for size in 1002_750_200 4008_1500_400 $(choice "" "16032_3000_800 64128_6000_1600"); do
+    # shellcheck disable=SC2046
+    set -- $(echo "$size" | tr _ ' ')
+    in_tabs "speed_growth_$1" paired_speed "cases/table1.toml#2" bench/speed_pairs.txt "$(choice 2 12)" \
+      "$(choice 2 120)" "$out/tasks/speed_growth_$1.csv" "growth" "floes.count=$1" "floes.length_m=$2" \
+      "floes.width_m=$3" "floes.start_x_m=-$(($2 + 75))" "boundary.inlet_x_m=-$(($2 + 100))" \
+      "boundary.taper_start_x_m=-$(($2 + 100))" "boundary.inlet_width_m=$3" "boundary.gap_m=$3"
+  done
 }
 
 ensembles() {
@@ -165,18 +156,40 @@ ensembles() {
 }
 
 conditions "$@"
+# what is timed goes first and in one list, so that no core waits for the end of a part
+: >"$out/tasks.txt"
 for part; do
   case $part in
-  closed_form | windows | paths | speed | ensembles) $part ;;
-  ensembles:*) ensembles "${part#ensembles:}" ;;
+  closed_form | windows | paths | speed) $part >>"$out/tasks.txt" ;;
+  ensembles | ensembles:*) ;;
   *)
     echo "measure.sh: no part '$part' (closed_form windows paths speed ensembles ensembles:PART)" >&2
     exit 2
     ;;
   esac
-  note "$part done $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
 done
+in_parallel "$timed" "$out/tasks.txt" "$out/tasks" task
+together "$results/closed_form_errors.csv" "$out"/tasks/closed_form.csv
+together "$results/windows.csv" "$out"/tasks/windows_*.errors
+together "$results/paths.csv" "$out"/tasks/paths_*.paths
+together "$results/speed.csv" "$out"/tasks/speed_*.csv
+note "timed parts left $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
+for part; do
+  case $part in
+  ensembles) ensembles ;;
+  ensembles:*) ensembles "${part#ensembles:}" ;;
+  esac
+done
+note "left $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
+
+# what is still to be done, by name
+{
+  cut -f1 "$out/tasks.txt" | while IFS= read -r name; do [ -e "$out/tasks/$name" ] || echo "$name"; done
+  [ ! -e "$out/ensembles/list.txt" ] || cut -f1 "$out/ensembles/list.txt" | while IFS= read -r name; do
+    [ -e "$out/ensembles/members/$name" ] || echo "$name"
+  done
+} >"$out/unfinished.txt"
 mkdir -p "$out/tasks" "$out/ensembles"
 tar -C "$out" -czf "$out/results.tar.gz.part" --exclude='*.h5' --exclude='taken.*' results tasks ensembles
 mv "$out/results.tar.gz.part" "$out/results.tar.gz"
-ls -l "$results" "$out/results.tar.gz"
+echo "$(wc -l <"$out/unfinished.txt") tasks are not finished ($out/unfinished.txt); $out/results.tar.gz"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fetches the sources of the Box2D that the distribution packages (2.4.1) and unpacks them, for a build that links it into
+# Fetches the sources of the Box2D that Debian packages (2.4.1) and unpacks them, for a build that links it into
 # one file: the package holds a shared library only, compiled with its assertions.
 # Needs apt and dpkg-source (package dpkg-dev); changes nothing in the system.
 # Usage: scripts/box2d_source.sh FOLDER      then: cmake --preset portable -DGEM_BOX2D_SOURCE=FOLDER/box2d-2.4.1

@@ -17,6 +17,7 @@ cd "$(dirname "$0")/.."
 shift 3
 plan=${GEM_PLAN:-validation/baseline/ensembles.txt}
 . scripts/workers.sh
+"$programs/gem_ensembles" members "$plan" >"$out/all.txt"
 "$programs/gem_ensembles" members "$plan" "$@" >"$out/list.txt"
 
 # one_member LINE: runs it, keeps its numbers and drops its run file
@@ -49,11 +50,11 @@ one_member() {
 
 in_parallel "$jobs" "$out/list.txt" "$out/members" one_member
 
-# joined HEADER FILE SUFFIX: members in the plan's order, so the same members give the same file
+# joined HEADER FILE SUFFIX: all finished members, of other parts too, in the plan's order
 joined() {
   {
     echo "$1"
-    cut -f1 "$out/list.txt" | while IFS= read -r name; do
+    cut -f1 "$out/all.txt" | while IFS= read -r name; do
       [ ! -e "$out/members/$name" ] || cat "$out/members/$name$3"
     done
   } >"$2"
@@ -61,4 +62,4 @@ joined() {
 joined "case,setting,seed,moment_s,quantity,value" "$out/rows.csv" ""
 joined "case,setting,seed,column,row,share" "$out/maps.csv" ".map"
 "$programs/gem_ensembles" compare "$plan" "$out/rows.csv" "$out/maps.csv" "$out/ensembles.csv" "$out/map_means.csv"
-echo "ensembles: $(find "$out/members" -name '*.map' | wc -l) of $(wc -l <"$out/list.txt") members are done"
+echo "ensembles: $(find "$out/members" -name '*.map' | wc -l) of $(wc -l <"$out/all.txt") members are done"

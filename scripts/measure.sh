@@ -35,7 +35,7 @@ note() { echo "$*" | tee -a "$results/conditions.txt"; }
 
 conditions() {
   note "begun $(date -u +%Y-%m-%dT%H:%M:%SZ): $*"
-  note "machine $(uname -srm), $(grep -c ^processor /proc/cpuinfo) x$(sed -n 's/^model name[^:]*://p' /proc/cpuinfo | head -n 1)"
+  note "machine $(uname -sm), $(grep -c ^processor /proc/cpuinfo) x$(sed -n 's/^model name[^:]*://p' /proc/cpuinfo | head -n 1)"
   note "load $(cut -d' ' -f1-3 /proc/loadavg), jobs $jobs, timed jobs $timed, quick $quick"
   note "program $("$programs/gem" --version | tr '\n' ' ')"
 }

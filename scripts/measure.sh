@@ -79,7 +79,7 @@ together() {
   done
 }
 
-# regimes: name, case, first start [s]; windows are spread over ten starts of two, 60 s each
+# regimes: name, case, first start [s]; twenty windows of 30 s follow each other, a task each
 regimes() {
   echo "drift cases/table1.toml#1 60"
   echo "plug cases/table1.toml#2 1500"
@@ -94,11 +94,11 @@ closed_form() {
 
 windows() {
   k=0
-  while [ "$k" -lt "$(choice 1 10)" ]; do # all regimes before the next start: stopped early, there are fewer windows
+  while [ "$k" -lt "$(choice 1 20)" ]; do # all regimes before the next start: stopped early, there are fewer windows
     regimes | while read -r regime case start; do
       name=windows_${regime}_$k
-      in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 60 * k)))" "$(choice 1 10)" \
-        "$(choice 1 2)" "$(choice 2 30)" "$(choice 2 10)" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
+      in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 30 * k)))" "$(choice 1 10)" \
+        1 "$(choice 2 30)" "$(choice 2 10)" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
         "$out/tasks/$name.paths"
     done
     k=$((k + 1))
@@ -108,8 +108,8 @@ windows() {
 paths() {
   regimes | while read -r regime case start; do
     name=paths_$regime
-    in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 "$start")" "$(choice 1 10)" 1 "$(choice 4 300)" \
-      "$(choice 2 60)" 0 bench/path_settings.txt "$out/tasks/$name.errors" "$out/tasks/$name.paths"
+    in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 "$start")" "$(choice 1 10)" 1 "$(choice 4 200)" \
+      "$(choice 2 40)" 0 bench/path_settings.txt "$out/tasks/$name.errors" "$out/tasks/$name.paths"
   done
 }
 

@@ -58,6 +58,14 @@ def agreement(rows):
     return lines
 
 
+def in_margins(row):
+    """Paired difference with half of its 95 % interval, both over the margin."""
+    if row["verdict"] == "too few runs":
+        return "-"
+    return (f"{share(row, 'paired_difference'):+.2f} +- "
+            f"{0.5 * (share(row, 'paired_high') - share(row, 'paired_low')):.2f}")
+
+
 def experiments(rows):
     """What each setting changes against gem: where Box2D's own difference shrinks, that setting explains it."""
     lines = []
@@ -68,9 +76,7 @@ def experiments(rows):
         for setting in dict.fromkeys(r["setting"] for r in rows if r["case"] == case and r["part"] != "error"):
             these = {r["quantity"]: r for r in rows if r["case"] == case and r["setting"] == setting}
             runs = next(iter(these.values()))["runs"]
-            body.append([f"{setting} ({runs})"] + [
-                f"{share(these[q], 'paired_difference'):+.2f} +- "
-                f"{0.5 * (share(these[q], 'paired_high') - share(these[q], 'paired_low')):.2f}" for q in chosen])
+            body.append([f"{setting} ({runs})"] + [in_margins(these[q]) for q in chosen])
         lines += [f"### {case}: differences from gem in margins, by setting", ""]
         lines += table(["setting (runs)"] + [q for q in chosen], body)
     return lines

@@ -102,6 +102,15 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
     command->add_option("--position-iterations", baseline.position_iterations, "of box2d's solver")
         ->capture_default_str();
     command->add_option("--skin", baseline.skin_m, "radius round box2d's outlines [m]")->capture_default_str();
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--experiment",
+            [&baseline](const std::vector<std::string>& texts) {
+              for (const std::string& text : texts) set_experiment(baseline, text);
+            },
+            "one setting of box2d changed: " + experiment_keys())
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
   }
   command->add_option("--until", choice->until, "end at this time: sets run.duration_s")->type_name("SECONDS");
   command->add_flag("--overwrite", choice->options.overwrite, "replace an existing run file");

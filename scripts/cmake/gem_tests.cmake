@@ -20,6 +20,7 @@ target_link_libraries(gem_unit_tests PRIVATE hdf5::hdf5 hdf5::hdf5_hl)  # the te
 
 if(TARGET box2d::box2d)
   file(GLOB baseline_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/baseline_box2d/*_test.cpp)
+  list(APPEND baseline_tests ${PROJECT_SOURCE_DIR}/validation/baseline/ensembles_test.cpp ${ensemble_parts})
   gem_test_program(gem_baseline_tests unit ${baseline_tests})
 endif()
 

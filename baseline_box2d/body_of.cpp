@@ -43,7 +43,7 @@ void add_fixtures(b2Body& body, const Bodies& bodies, std::size_t i, double skin
 
 }  // namespace
 
-b2Body* add_body(b2World& world, const Bodies& bodies, std::size_t i, double skin) {
+b2Body* add_body(b2World& world, const Bodies& bodies, std::size_t i, double skin, bool bullet) {
   if (!bodies.active[i]) return nullptr;
   b2BodyDef def;
   def.type = bodies.kind[i] == BodyKind::fixed ? b2_staticBody : b2_dynamicBody;
@@ -55,7 +55,7 @@ b2Body* add_body(b2World& world, const Bodies& bodies, std::size_t i, double ski
   def.angularDamping = 0.0f;
   def.gravityScale = 0.0f;
   def.allowSleep = false;
-  def.bullet = false;
+  def.bullet = bullet && bodies.kind[i] == BodyKind::floe;
   def.fixedRotation = bodies.inverse_inertia[i] == 0.0;
   def.userData.pointer = i;
   b2Body* body = world.CreateBody(&def);

@@ -10,9 +10,10 @@
 namespace gem::baseline {
 
 /// Adds body i to the world with its place and velocity; nullptr for one that takes no part (no outline, or retired
-/// before the world was made). `skin` is the radius round Box2D's outlines [m]. Throws Error(scene_rejected) if Box2D
+/// before the world was made). `skin` is the radius round Box2D's outlines [m]; a bullet is
+/// stopped at its first touch within a step where the world is continuous. Throws Error(scene_rejected) if Box2D
 /// would change the outline.
-b2Body* add_body(b2World& world, const Bodies& bodies, std::size_t i, double skin);
+b2Body* add_body(b2World& world, const Bodies& bodies, std::size_t i, double skin, bool bullet = false);
 
 inline std::size_t index_of(const b2Fixture& fixture) {
   return static_cast<std::size_t>(const_cast<b2Fixture&>(fixture).GetBody()->GetUserData().pointer);

@@ -27,11 +27,12 @@ double work_on(const Bodies& b, std::size_t i, Vec2 velocity, double spin) {
 }  // namespace
 
 Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const BaselineOptions& options)
-    : options_(options), event_speed_(scene.output.event_speed_m_per_s), touches_(field_, options.measures_quality) {
-  if (options.velocity_iterations < 1 || options.position_iterations < 0 || !(options.skin_m >= 0.0))
+    : options_(options), event_speed_(scene.output.event_speed_m_per_s), touches_(field_, options_) {
+  if (options.velocity_iterations < 1 || options.position_iterations < 0 || !(options.skin_m >= 0.0) ||
+      options.substeps < 1 || !(options.restitution_threshold_m_per_s >= 0.0))
     throw Error(ExitCode::usage,
-                "box2d: at least 1 velocity iteration, 0 position iterations and a skin of 0 m are needed (fewer have "
-                "no meaning) change the options");
+                "box2d: at least 1 velocity iteration, 0 position iterations, a skin of 0 m, 1 substep and a threshold "
+                "of 0 m/s are needed (fewer have no meaning) change the options");
   const MomentConstants constants = moment_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   make_world();
@@ -43,19 +44,32 @@ std::string Box2dEngine::method() const {
   return "box2d " + std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + ", " +
          std::to_string(options_.velocity_iterations) + " velocity and " +
          std::to_string(options_.position_iterations) + " position iterations, skin " + number_text(options_.skin_m) +
-         " m";
+         " m" + experiments();
+}
+
+/// What an experiment changed.
+std::string Box2dEngine::experiments() const {
+  std::string text;
+  if (options_.substeps != 1) text += ", " + std::to_string(options_.substeps) + " substeps";
+  if (!options_.warm_starting) text += ", cold starts";
+  if (options_.continuous) text += ", continuous";
+  if (options_.mixes_friction) text += ", mixed friction";
+  if (options_.restitution_threshold_m_per_s != 0.0)
+    text += ", restitution threshold " + number_text(options_.restitution_threshold_m_per_s) + " m/s";
+  return text;
 }
 
 void Box2dEngine::make_world() {
   Bodies& b = field_.bodies;
   world_ = std::make_unique<b2World>(b2Vec2_zero);
   world_->SetAllowSleeping(false);
-  world_->SetWarmStarting(true);
-  world_->SetContinuousPhysics(false);
+  world_->SetWarmStarting(options_.warm_starting);
+  world_->SetContinuousPhysics(options_.continuous);
   world_->SetSubStepping(false);
   world_->SetContactListener(&touches_);
   body_.clear();
-  for (std::size_t i = 0; i < b.count(); ++i) body_.push_back(add_body(*world_, b, i, options_.skin_m));
+  for (std::size_t i = 0; i < b.count(); ++i)
+    body_.push_back(add_body(*world_, b, i, options_.skin_m, options_.continuous));
   for (std::size_t i = 0; i < b.count(); ++i)
     if (body_[i] != nullptr && b.kind[i] == BodyKind::floe) b.position[i] = from_box2d(body_[i]->GetWorldCenter());
   platform_angle_ = std::atan2(b.rotation[0].sine, b.rotation[0].cosine);
@@ -76,8 +90,12 @@ void Box2dEngine::one_moment(MomentLog& log) {
 
   give_velocities();
   touches_.clear();
-  world_->Step(static_cast<float>(f.constants.dt), options_.velocity_iterations, options_.position_iterations);
-  touches_.read_impulses();
+  for (int k = 0; k < options_.substeps; ++k) {
+    world_->Step(static_cast<float>(f.constants.dt / options_.substeps), options_.velocity_iterations,
+                 options_.position_iterations);
+    touches_.read_impulses();
+  }
+  touches_.sort();
 
   MomentQuality quality = this->quality();
   PlatformMoment row = ice_row(f, touches_.touches());

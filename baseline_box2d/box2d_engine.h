@@ -31,6 +31,7 @@ class Box2dEngine : public Engine {
   void restore(const EngineState& state) override;
 
  private:
+  std::string experiments() const;
   void make_world();
   void one_moment(MomentLog& log);
   void give_velocities();

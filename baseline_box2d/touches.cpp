@@ -1,6 +1,7 @@
 #include "baseline_box2d/touches.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "baseline_box2d/body_of.h"
 
@@ -9,6 +10,8 @@ namespace gem::baseline {
 void Touches::clear() {
   pairs_.clear();
   touches_.clear();
+  last_.clear();
+  read_ = 0;
   points_ = 0;
 }
 
@@ -19,27 +22,48 @@ void Touches::PreSolve(b2Contact* contact, const b2Manifold*) {
   const auto second = static_cast<std::int32_t>(index_of(*contact->GetFixtureB()));
   const std::int32_t a = std::min(first, second), b = std::max(first, second);
   const MomentConstants& c = field_.constants;
-  contact->SetFriction(static_cast<float>(a == 0 ? c.friction_structure : c.friction_ice));
+  const double of_pair = a == 0 ? c.friction_structure : c.friction_ice;
+  contact->SetFriction(static_cast<float>(options_.mixes_friction ? std::sqrt(of_pair * c.friction_ice) : of_pair));
+  contact->SetRestitutionThreshold(static_cast<float>(options_.restitution_threshold_m_per_s));
   pairs_.push_back({a, b});
   points_ += count;
-  if (!all_ && field_.bodies.kind[a] == BodyKind::floe) return;  // platform and fixed bodies stand before the floes
+  if (!options_.measures_quality && field_.bodies.kind[a] == BodyKind::floe)
+    return;  // platform and fixed bodies stand before the floes
 
   Touch touch{contact, a, b, {}, count, {}};
   b2WorldManifold manifold;
   contact->GetWorldManifold(&manifold);
   touch.normal = first == a ? from_box2d(manifold.normal) : -from_box2d(manifold.normal);
   for (int k = 0; k < count; ++k) touch.point[k] = from_box2d(manifold.points[k]);
+  if (options_.continuous) last_[contact] = touches_.size();
   touches_.push_back(touch);
 }
 
+void Touches::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) {
+  if (!options_.continuous) return;
+  const auto found = last_.find(contact);
+  if (found == last_.end()) return;
+  Touch& touch = touches_[found->second];
+  for (int k = 0; k < std::min(touch.count, static_cast<int>(impulse->count)); ++k) {
+    touch.normal_impulse[k] += static_cast<double>(impulse->normalImpulses[k]);
+    touch.tangent_impulse[k] -= static_cast<double>(impulse->tangentImpulses[k]);
+  }
+}
+
 void Touches::read_impulses() {
-  for (Touch& touch : touches_)
+  if (options_.continuous) return;
+  for (; read_ < touches_.size(); ++read_) {
+    Touch& touch = touches_[read_];
     for (int k = 0; k < touch.count; ++k) {
       const b2ManifoldPoint& point = touch.contact->GetManifold()->points[k];
       touch.normal_impulse[k] = static_cast<double>(point.normalImpulse);
       // Box2D's tangent is the normal turned right; swapping the bodies turns both normal and force
       touch.tangent_impulse[k] = -static_cast<double>(point.tangentImpulse);
     }
+  }
+}
+
+void Touches::sort() {
   std::stable_sort(touches_.begin(), touches_.end(),
                    [](const Touch& p, const Touch& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
 }

@@ -4,8 +4,10 @@
 #include <box2d/box2d.h>
 
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
+#include "gem/engine/engine.h"
 #include "gem/engine/field_state.h"
 
 namespace gem::baseline {
@@ -28,17 +30,21 @@ struct Touch {
   Vec2 impulse(int k) const { return normal_impulse[k] * normal + tangent_impulse[k] * turned_left(normal); }
 };
 
-/// Listens to Box2D before it solves a step: gives each pair its friction and notes what touches.
+/// Listens to Box2D before it solves a step: gives each pair its friction and notes what touches. A continuous world
+/// solves the touches within a step again, one by one, and tells those impulses only as it goes.
 class Touches : public b2ContactListener {
  public:
-  /// Keeps the contacts of the platform and of fixed bodies in full, with `all` those between floes too.
-  Touches(const FieldState& field, bool all) : field_(field), all_(all) {}
+  /// Keeps the contacts of the platform and of fixed bodies in full, where quality is measured those between floes too.
+  Touches(const FieldState& field, const BaselineOptions& options) : field_(field), options_(options) {}
 
   void clear();
   void PreSolve(b2Contact* contact, const b2Manifold* old_manifold) override;
+  void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
 
-  /// After the step: reads the impulses and puts the touches in the order of their bodies.
+  /// After each Box2D step: reads the impulses of the touches that it added.
   void read_impulses();
+  /// Puts the touches in the order of their bodies.
+  void sort();
 
   const std::vector<TouchingPair>& pairs() const { return pairs_; }  // one entry for each touching pair of fixtures
   const std::vector<Touch>& touches() const { return touches_; }
@@ -46,9 +52,11 @@ class Touches : public b2ContactListener {
 
  private:
   const FieldState& field_;
-  const bool all_;
+  const BaselineOptions& options_;
   std::vector<TouchingPair> pairs_;
   std::vector<Touch> touches_;
+  std::size_t read_ = 0;                                    // touches whose impulses are known
+  std::unordered_map<const b2Contact*, std::size_t> last_;  // touch of each contact, in a continuous world
   std::int32_t points_ = 0;
 };
 

@@ -5,9 +5,7 @@
 //   CASE          case file; a member of a sweep as FILE#INDEX
 //   START_S       when the window begins; several, ascending, with commas between them
 //   REPETITIONS   0: the judged run is timed
-//   SETTINGS      file, one setting a line: label | engine | options | scene overrides
-//                 options: threads= velocity_iterations= position_iterations= skin= warm=
-//                 warm=1: starts from the leader's last impulses (gem's coupled only), scaled to its own moment
+//   SETTINGS      file, one setting a line, see bench/setting.h
 //   REFERENCE     label of the setting whose end positions the others are compared with; it is not timed; - for none
 //   LEADER        label of the setting that leads to START_S; without one gem's cpu engine does, with the case's own
 //                 numerics. It matters: floes that gem left touching begin inside Box2D's usual skins, and are pushed
@@ -17,12 +15,8 @@
 // time, settings taking turns so that a busy machine is busy for all. Times are of the process: user time is what the
 // other load of a machine changes least. Without warm=1 all begin without warm start, which is what a changed setting
 // has.
-#include <sys/resource.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -32,9 +26,9 @@
 
 #include "baseline_box2d/register_box2d.h"
 #include "bench/overlaps.h"
+#include "bench/setting.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/command/command.h"
 #include "gem/engine/engine.h"
 #include "gem_version.h"
 
@@ -43,58 +37,15 @@ namespace {
 
 constexpr int judged_instants = 20;
 
-double number_of(const std::string& text, const std::string& what) {
-  const auto value = parse_number(text);
-  if (!value) throw Error(ExitCode::usage, what + " is no number ('" + text + "') give one");
-  return *value;
-}
+struct Setting : EngineSetting {
+  explicit Setting(EngineSetting setting) : EngineSetting(std::move(setting)) {}
 
-struct Setting {
-  std::string label;
-  EngineOptions engine;
-  std::vector<std::string> overrides;
-  bool warm = false;
-  SceneDef scene;
-
-  // judged
   Overlaps worst;  // each member its largest over the instants
   Vec2 mean_force;
   std::uint64_t hash = 0;
   Bodies end;
-  // timed
-  std::vector<double> user, wall;  // [s]
+  std::vector<double> user, wall;  // of the timed runs [s]
 };
-
-std::vector<std::string> words(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> found;
-  for (std::string word; stream >> word;) found.push_back(word);
-  return found;
-}
-
-std::string trimmed(const std::string& text) {
-  const auto begin = text.find_first_not_of(' ');
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
-}
-
-void set_option(Setting& setting, const std::string& option) {
-  EngineOptions& options = setting.engine;
-  const std::string key = option.substr(0, option.find('='));
-  const double value = number_of(option.substr(option.find('=') + 1), key);
-  if (key == "threads") {
-    options.threads = static_cast<int>(value);
-  } else if (key == "velocity_iterations") {
-    options.baseline.velocity_iterations = static_cast<int>(value);
-  } else if (key == "position_iterations") {
-    options.baseline.position_iterations = static_cast<int>(value);
-  } else if (key == "warm") {
-    setting.warm = value != 0.0;
-  } else if (key == "skin") {
-    options.baseline.skin_m = value;
-  } else {
-    throw Error(ExitCode::usage, "unknown option '" + key + "' (see the head of bench/speed_against_error.cpp)");
-  }
-}
 
 std::vector<double> times_of(const std::string& text) {
   std::vector<double> times;
@@ -103,41 +54,6 @@ std::vector<double> times_of(const std::string& text) {
   if (times.empty() || times[0] < 0.0 || !std::is_sorted(times.begin(), times.end()))
     throw Error(ExitCode::usage, "START_S is no ascending list of times (got '" + text + "') give one");
   return times;
-}
-
-CaseChoice case_named(const std::string& text) {
-  CaseChoice choice;
-  choice.path = text.substr(0, text.find('#'));
-  if (text.find('#') != std::string::npos)
-    choice.index = static_cast<long long>(number_of(text.substr(text.find('#') + 1), "the case's index"));
-  return choice;
-}
-
-std::vector<Setting> read_settings(const std::string& path, const CaseChoice& chosen_case) {
-  std::ifstream file(path);
-  if (!file) throw Error(ExitCode::file_system, "cannot read " + path + " (it does not open) name a settings file");
-  std::vector<Setting> settings;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream stream(line);
-    std::string label, engine, options, overrides;
-    std::getline(stream, label, '|');
-    std::getline(stream, engine, '|');
-    std::getline(stream, options, '|');
-    std::getline(stream, overrides, '|');
-    Setting setting;
-    setting.label = trimmed(label);
-    setting.engine.name = trimmed(engine);
-    setting.engine.threads = 1;
-    setting.engine.baseline.measures_quality = false;  // judged outside
-    for (const std::string& option : words(options)) set_option(setting, option);
-    CaseChoice choice = chosen_case;
-    choice.overrides = words(overrides);
-    setting.overrides = choice.overrides;
-    setting.scene = read_case(choice);
-    settings.push_back(setting);
-  }
-  return settings;
 }
 
 /// Moves the leader on to `time`.
@@ -150,52 +66,6 @@ EngineState state_at(Engine& leader, const SceneDef& scene, double time) {
     leader.advance(std::min<std::int64_t>(100, last - leader.moment()), log);
   }
   return leader.save();
-}
-
-/// Where a window begins.
-struct Start {
-  EngineState state;
-  double moment_s = 0.0;  // of the leader
-  double time = 0.0;      // [s]
-};
-
-/// The impulses of a moment of another length: the same forces. The repair is left to begin anew.
-void scale_impulses(EngineState& state, double ratio) {
-  for (PointImpulse<double>& impulse : state.impulse_value)
-    impulse = {ratio * impulse.normal, ratio * impulse.tangential, 0.0};
-}
-
-std::unique_ptr<Engine> engine_at(const Setting& setting, const Start& start) {
-  EngineState state = start.state;
-  if (setting.warm) {
-    scale_impulses(state, setting.scene.numerics.moment_s / start.moment_s);
-  } else {
-    state.impulse_key.clear();
-    state.impulse_value.clear();
-  }
-  const double time = start.time;
-  auto engine = make_engine(setting.scene, state.bodies, setting.engine);
-  state.moment = std::llround(time / setting.scene.numerics.moment_s);
-  engine->restore(state);
-  return engine;
-}
-
-std::int64_t moments_in(const Setting& setting, double window) {
-  return std::llround(window / setting.scene.numerics.moment_s);
-}
-
-struct Spent {
-  double user = 0.0, wall = 0.0;  // [s]
-};
-
-Spent operator-(Spent a, Spent b) { return {a.user - b.user, a.wall - b.wall}; }
-void operator+=(Spent& a, Spent b) { a = {a.user + b.user, a.wall + b.wall}; }
-
-Spent spent_so_far() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const double user = static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
-  return {user, std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count()};
 }
 
 /// `timed`: this is the only run, so what the engine takes is noted, less its first moment.
@@ -251,30 +121,6 @@ void time_once(Setting& setting, const Start& start, double window) {
                                               "deterministic, or blocks matter) find out why");
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return std::nan("");
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
-
-/// Root of the mean square distance of floes that both still have [m].
-double floe_distance(const Bodies& a, const Bodies& b) {
-  double sum = 0.0, count = 0.0;
-  for (std::size_t i = 0; i < a.count(); ++i) {
-    if (a.kind[i] != BodyKind::floe || !a.active[i] || !b.active[i]) continue;
-    sum += dot(a.position[i] - b.position[i], a.position[i] - b.position[i]);
-    count += 1.0;
-  }
-  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
-}
-
-std::string hex(std::uint64_t value) {
-  std::ostringstream text;
-  text << std::hex << value;
-  return text.str();
-}
-
 void print_row(const std::string& name, double time, double window, const Setting& s, const Setting* reference) {
   const double timed = window - s.scene.numerics.moment_s;
   std::string row = name + "," + number_text(time) + "," + number_text(window) + "," + s.label + "," + s.engine.name;
@@ -285,7 +131,7 @@ void print_row(const std::string& name, double time, double window, const Settin
                              static_cast<double>(s.worst.overlapping_pairs), s.mean_force.x, s.mean_force.y})
     row += "," + number_text(value, 6);
   row += reference == nullptr ? ",,"
-                              : "," + number_text(floe_distance(s.end, reference->end), 6) + "," +
+                              : "," + number_text(floe_distance(s.end, reference->end).rms, 6) + "," +
                                     number_text(length(s.end.position[0] - reference->end.position[0]), 6);
   std::cout << row << ',' << hex(s.hash) << ',' << GEM_COMMIT << std::endl;
 }
@@ -298,7 +144,8 @@ int run(const std::vector<std::string>& arguments) {
   const int repetitions = static_cast<int>(number_of(arguments[3], "REPETITIONS"));
   if (!(window > 0.0 && repetitions >= 0))
     throw Error(ExitCode::usage, "a window and no negative number of repetitions are needed (values out of range)");
-  std::vector<Setting> settings = read_settings(arguments[4], choice);
+  std::vector<Setting> settings;
+  for (const EngineSetting& setting : read_settings(arguments[4], choice)) settings.emplace_back(setting);
 
   const auto labelled = [&](std::size_t argument) -> const Setting* {
     if (arguments.size() <= argument || arguments[argument] == "-") return nullptr;

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   gem::add_info_command(app, chosen);
   gem::add_report_command(app, chosen);
   gem::add_analyse_command(app, chosen);
+  gem::add_paper_command(app, chosen);
   gem::add_devices_command(app, chosen);
   try {
     app.parse(argc, argv);

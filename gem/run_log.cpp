@@ -17,18 +17,18 @@ using Clock = std::chrono::steady_clock;
 
 double fraction(double time, double duration) { return duration > 0.0 ? std::min(1.0, time / duration) : 1.0; }
 
+double rate(const Progress& p) { return p.wall_time > 0.0 ? p.time / p.wall_time : 0.0; }
+
+double left(const Progress& p) { return rate(p) > 0.0 ? (p.duration - p.time) / rate(p) : 0.0; }
+
+}  // namespace
+
 std::string clock_text(double seconds) {
   const auto whole = static_cast<long long>(std::min(std::round(seconds), 1e9));
   const auto two = [](long long n) { return std::string(n < 10 ? "0" : "") + std::to_string(n); };
   const std::string tail = two(whole / 60 % 60) + ":" + two(whole % 60);
   return whole >= 3600 ? std::to_string(whole / 3600) + ":" + tail : tail;
 }
-
-double rate(const Progress& p) { return p.wall_time > 0.0 ? p.time / p.wall_time : 0.0; }
-
-double left(const Progress& p) { return rate(p) > 0.0 ? (p.duration - p.time) / rate(p) : 0.0; }
-
-}  // namespace
 
 std::string progress_text(const Progress& p) {
   return fixed_text(std::floor(100.0 * fraction(p.time, p.duration)), 0) + " %  " + fixed_text(p.time, 0) + " s  " +
@@ -78,25 +78,29 @@ bool RunLog::wants(double time, double duration) const {
 }
 
 void RunLog::show(const Progress& p) {
+  const nlohmann::json object = {{"level", "progress"},
+                                 {"fraction", fraction(p.time, p.duration)},
+                                 {"time_s", p.time},
+                                 {"wall_time_s", p.wall_time},
+                                 {"sim_rate", rate(p)},
+                                 {"contacts", p.contacts},
+                                 {"residual_energy", p.energy_residual},
+                                 {"left_s", left(p)}};
+  show(fraction(p.time, p.duration), progress_text(p), object.dump());
+}
+
+void RunLog::show(double done, const std::string& text, const std::string& object) {
   shown_at_ = Clock::now();
-  tenths_shown_ = static_cast<int>(10.0 * fraction(p.time, p.duration));
+  tenths_shown_ = static_cast<int>(10.0 * done);
   if (options_.progress == ProgressMode::json) {
-    const nlohmann::json object = {{"level", "progress"},
-                                   {"fraction", fraction(p.time, p.duration)},
-                                   {"time_s", p.time},
-                                   {"wall_time_s", p.wall_time},
-                                   {"sim_rate", rate(p)},
-                                   {"contacts", p.contacts},
-                                   {"residual_energy", p.energy_residual},
-                                   {"left_s", left(p)}};
-    print(object.dump() + "\n");
+    print(object + "\n");
   } else if (terminal_) {
-    std::string line = "\r" + progress_text(p);
+    std::string line = "\r" + text;
     line.resize(std::max<std::size_t>(line.size(), 100), ' ');
     print(line);
     line_open_ = true;
   } else {
-    print(progress_text(p) + "\n");
+    print(text + "\n");
   }
 }
 

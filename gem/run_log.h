@@ -39,6 +39,8 @@ class RunLog {
   /// Whether show() would print now; so that the caller need not work out what is not shown.
   bool wants(double time, double duration) const;
   void show(const Progress& progress);
+  /// Shows `line`, or `object` where progress is asked for as JSON, at this fraction of the whole.
+  void show(double fraction, const std::string& line, const std::string& object);
 
  private:
   void print(const std::string& line);
@@ -50,6 +52,9 @@ class RunLog {
   int tenths_shown_ = 0;
   std::chrono::steady_clock::time_point shown_at_;
 };
+
+/// Hours, minutes and seconds, as 1:02:03 or 02:03.
+std::string clock_text(double seconds);
 
 /// One line for people; `duration` 0 counts as done.
 std::string progress_text(const Progress& progress);

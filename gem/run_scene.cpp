@@ -1,181 +1,33 @@
-// The time loop: blocks of moments up to the next frame or flush.
+// The time loop of one scene.
 #include "gem/run_scene.h"
 
-#include <sys/resource.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <csignal>
-#include <optional>
-
-#include "gem/base/error.h"
-#include "gem/base/number_text.h"
-#include "gem/record/recorder.h"
 #include "gem/run_signals.h"
-#include "gem/scene/scene_file.h"
+#include "gem/run_steps.h"
 
 namespace gem {
 
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-constexpr std::int64_t block_moments = 64;
-constexpr std::size_t slab_frames = 64;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-double peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * double(usage.ru_maxrss);
+int stop_signal_of(const RunOptions& options) {
+  const int own = StopSignals::received();
+  return own != 0 || options.stop == nullptr ? own : options.stop->load();
 }
-
-Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunOptions& options) {
-  const std::string asked = scene.contact.resolution == Resolution::coupled ? "coupled" : "independent";
-  return {scene.run.name,    resolved_toml(scene),
-          scene_hash(scene), options.command_line,
-          engine.name(),     engine.method().empty() ? asked : engine.method(),
-          options.threads,   engine.method().empty() ? "strict" : "its own",
-          engine.device()};
-}
-
-void check_book(const char* what, double residual, double limit, double time) {
-  if (residual <= limit) return;
-  throw Error(ExitCode::numerical_stop, std::string("the ") + what + " books do not close at " + number_text(time) +
-                                            " s (residual " + number_text(residual, 3) + ", limit " +
-                                            number_text(limit) + ") choose a smaller numerics.moment_s");
-}
-
-/// One run under way.
-class Run {
- public:
-  Run(const SceneDef& scene, Engine& engine, const RunOptions& options)
-      : scene_(scene), engine_(engine), options_(options), log_(options.log), recorder_(scene, engine) {
-    last_moment_ = moments_of(scene);
-    if (options.moment_limit > 0) last_moment_ = std::min(last_moment_, options.moment_limit);
-    summary_.frames = 1;
-    summary_.file = options.output;
-    summary_.engine = engine.name();
-    summary_.residual = residual(engine.ledger());
-    if (!options.output.empty()) {
-      writer_.emplace(options.output, options.overwrite, scene, engine.bodies(), provenance_of(scene, engine, options));
-    }
-  }
-
-  RunSummary go() {
-    const StopSignals signals;
-    start_ = flushed_ = Clock::now();
-    try {
-      while (engine_.moment() < last_moment_ && StopSignals::received() == 0) block();
-      if (engine_.moment() > frame_moment_) frame();
-    } catch (const std::exception& error) {
-      end_in_failure(error);
-      throw;
-    }
-    finish();
-    return summary_;
-  }
-
- private:
-  double time() const { return double(engine_.moment()) * scene_.numerics.moment_s; }
-
-  void block() {
-    const std::int64_t now = engine_.moment();
-    const std::int64_t end = std::min({now + block_moments, recorder_.next_frame(), last_moment_});
-    moment_log_.clear();
-    moment_log_.wants_events = scene_.output.platform_events;
-    engine_.advance(end - now, moment_log_);
-    recorder_.add(moment_log_, last_moment_);
-    for (const MomentQuality& quality : moment_log_.quality) summary_.worst.worsen(quality);
-    summary_.overlap += moment_log_.overlap;
-    summary_.overlap_share += moment_log_.overlap_share;
-    if (end == recorder_.next_frame() || end == last_moment_) frame();
-    if (recorder_.frames_waiting() >= slab_frames || seconds_since(flushed_) >= options_.flush_interval_s) flush();
-    if (writer_) writer_->check();
-    progress();
-  }
-
-  void frame() {
-    const StatsRow row = recorder_.add_frame(engine_, seconds_since(start_));
-    frame_moment_ = engine_.moment();
-    ++summary_.frames;
-    LedgerResidual& worst = summary_.residual;
-    worst.momentum = std::max(worst.momentum, row.residual.momentum);
-    worst.angular_momentum = std::max(worst.angular_momentum, row.residual.angular_momentum);
-    worst.energy = std::max(worst.energy, row.residual.energy);
-    // equal terms a moment, as of a floe at rest, may all be rounded the same way
-    const double rounded = 0x1p-53 * double(engine_.moment());
-    check_book("momentum", row.residual.momentum, std::max(rounded, options_.books.momentum), row.time);
-    check_book("angular momentum", row.residual.angular_momentum, std::max(rounded, options_.books.angular_momentum),
-               row.time);
-    check_book("energy", row.residual.energy, options_.books.energy, row.time);
-  }
-
-  void flush() {
-    Slab slab = recorder_.take();
-    if (writer_ && !slab.empty()) writer_->write(std::move(slab));
-    flushed_ = Clock::now();
-  }
-
-  void progress() {
-    if (!log_.wants(time(), scene_.run.duration_s)) return;
-    const int contacts = moment_log_.quality.empty() ? 0 : moment_log_.quality.back().contacts;
-    log_.show({time(), scene_.run.duration_s, seconds_since(start_), contacts, summary_.residual.energy});
-  }
-
-  void finish() {
-    summary_.stop_signal = StopSignals::received();
-    summary_.status = summary_.stop_signal == SIGINT          ? "stopped:SIGINT"
-                      : summary_.stop_signal == SIGTERM       ? "stopped:SIGTERM"
-                      : engine_.moment() < moments_of(scene_) ? "stopped:moment limit"
-                                                              : "complete";
-    summary_.state_hash = engine_.state_hash();
-    flush();
-    if (writer_) writer_->finish(summary_.status, summary_.state_hash);
-    summary_.time = time();
-    summary_.wall_time = seconds_since(start_);
-    summary_.sim_rate = summary_.wall_time > 0.0 ? summary_.time / summary_.wall_time : 0.0;
-    summary_.moments = engine_.moment();
-    summary_.events = recorder_.events_seen();
-    const Bodies& b = engine_.bodies();
-    summary_.active_floes = double(std::count(b.active.begin() + std::ptrdiff_t(first_floe(b)), b.active.end(), 1));
-    summary_.peak_memory = peak_memory();
-  }
-
-  /// Saves what there is and says in the file why the run ended; the first error stays the one that is reported.
-  void end_in_failure(const std::exception& error) {
-    if (!writer_) return;
-    const auto* fault = dynamic_cast<const Error*>(&error);
-    const std::string reason = fault && fault->code() == ExitCode::numerical_stop ? "numerical" : "failure";
-    try {
-      flush();
-      writer_->finish("stopped:" + reason + ": " + error.what(), engine_.state_hash());
-    } catch (const Error&) {
-    }
-  }
-
-  const SceneDef& scene_;
-  Engine& engine_;
-  const RunOptions& options_;
-  RunLog log_;
-  Recorder recorder_;
-  std::optional<RunWriter> writer_;
-  MomentLog moment_log_;
-  RunSummary summary_;
-  std::int64_t last_moment_ = 0;
-  std::int64_t frame_moment_ = 0;
-  Clock::time_point start_;
-  Clock::time_point flushed_;
-};
-
-}  // namespace
-
-std::int64_t moments_of(const SceneDef& scene) { return std::llround(scene.run.duration_s / scene.numerics.moment_s); }
 
 RunSummary run_scene(const SceneDef& scene, Engine& engine, const RunOptions& options) {
-  return Run(scene, engine, options).go();
+  RunSteps run(scene, engine, options);
+  const StopSignals signals;
+  run.begin();
+  MomentLog log;
+  try {
+    while (!run.at_end() && stop_signal_of(options) == 0) {
+      run.prepare(log);
+      engine.advance(run.moments_ahead(), log);
+      run.take(log);
+    }
+    run.last_frame();
+  } catch (const std::exception& error) {
+    run.fail(error);
+    throw;
+  }
+  return run.finish(stop_signal_of(options));
 }
 
 }  // namespace gem

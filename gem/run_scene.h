@@ -1,7 +1,9 @@
 // The only loop over time: moves an engine to the end of its scene, records, checks the books and can be stopped.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "gem/engine/engine.h"
@@ -22,10 +24,12 @@ struct RunOptions {
   bool overwrite = false;
   LogOptions log;
   BookLimits books;
-  double flush_interval_s = 5.0;     ///< wall time between two flushes
-  std::int64_t moment_limit = 0;     ///< > 0: stop after so many moments
-  std::string command_line = "gem";  ///< for the file's history
-  int threads = 1;                   ///< the same
+  double flush_interval_s = 5.0;           ///< wall time between two flushes
+  std::int64_t moment_limit = 0;           ///< > 0: stop after so many moments
+  std::string command_line = "gem";        ///< for the file's history
+  int threads = 1;                         ///< the same
+  const std::atomic<int>* stop = nullptr;  ///< number of a signal to stop for besides this process's own; may be null
+  std::function<void(double)> on_block = {};  ///< is told the simulated time [s] after each block of moments
 };
 
 /// What a run came to.
@@ -52,6 +56,9 @@ struct RunSummary {
 /// Runs the engine from where it stands (moment 0) to the end of the scene. Throws Error(file_system) if the record
 /// cannot be written and Error(numerical_stop) if the state or the books go wrong; the file then says so.
 RunSummary run_scene(const SceneDef& scene, Engine& engine, const RunOptions& options);
+
+/// Number of the signal for which a run is to stop now; 0: none.
+int stop_signal_of(const RunOptions& options);
 
 /// Moments of a whole run: the duration over the moment, rounded.
 std::int64_t moments_of(const SceneDef& scene);

@@ -70,4 +70,20 @@ std::vector<double> benjamini_hochberg(std::span<const double> p) {
   return adjusted;
 }
 
+double combined_chance(std::span<const double> p) {
+  double sum = 0.0;
+  for (const double value : p) {
+    if (!(value > 0.0 && value <= 1.0)) throw std::invalid_argument("a chance lies between 0 and 1");
+    sum -= 2.0 * std::log(value);
+  }
+  return p.empty() ? 1.0 : gsl_cdf_chisq_Q(sum, 2.0 * static_cast<double>(p.size()));
+}
+
+double widening(std::size_t comparisons, double confidence) {
+  if (comparisons == 0 || !(confidence > 0.0 && confidence < 1.0))
+    throw std::invalid_argument("an interval is widened for one comparison or more at a confidence below 1");
+  const double miss = 0.5 * (1.0 - confidence);
+  return gsl_cdf_ugaussian_Qinv(miss / static_cast<double>(comparisons)) / gsl_cdf_ugaussian_Qinv(miss);
+}
+
 }  // namespace gem

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "gem/analysis/test_signals.h"
@@ -55,6 +56,22 @@ TEST(ManyTests, AdjustedByHand) {
   EXPECT_NEAR(by_share[1], 0.04 * 4.0 / 3.0, 1e-15);
   EXPECT_NEAR(by_share[3], 0.5, 1e-15);
   EXPECT_TRUE(holm({}).empty() && benjamini_hochberg({}).empty());
+}
+
+TEST(CombinedChance, FollowsFishersMethod) {
+  EXPECT_NEAR(combined_chance(std::vector<double>{0.03}), 0.03, 1e-12);
+  // Two values: their product P has the chance P (1 - ln P).
+  EXPECT_NEAR(combined_chance(std::vector<double>{0.1, 0.2}), 0.02 * (1.0 - std::log(0.02)), 1e-12);
+  EXPECT_EQ(combined_chance(std::vector<double>{1.0, 1.0}), 1.0);
+  EXPECT_EQ(combined_chance({}), 1.0);
+  EXPECT_THROW(combined_chance(std::vector<double>{0.0}), std::invalid_argument);
+}
+
+TEST(Widening, IsBonferronis) {
+  EXPECT_EQ(widening(1), 1.0);
+  // 95 % over ten: 99.5 % each, 2.8070 deviations instead of 1.9600.
+  EXPECT_NEAR(widening(10), 2.8070 / 1.9600, 1e-4);
+  EXPECT_THROW(widening(0), std::invalid_argument);
 }
 
 }  // namespace

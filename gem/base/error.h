@@ -14,6 +14,7 @@ enum class ExitCode : int {
   device = 5,
   numerical_stop = 6,
   resource_limit = 7,
+  some_failed = 8,  // of several runs; each has its own reason
   interrupted = 130,
   terminated = 143,
 };

@@ -1,5 +1,4 @@
 // gem analyse: periods, offset, orbit, contact and loads of one run; means and extremes over several.
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +9,7 @@
 #include "gem/command/command.h"
 #include "gem/record/output_path.h"
 #include "gem/report/load_run.h"
+#include "gem/report/platform_series.h"
 #include "gem/report/run_findings.h"
 
 namespace gem {
@@ -31,33 +31,15 @@ struct Run {
   std::vector<Finding> findings;
 };
 
-/// The end of a column from a sample on, less a constant.
-std::vector<double> tail(const std::vector<double>& column, std::size_t first, double less = 0.0) {
-  std::vector<double> kept(column.begin() + static_cast<std::ptrdiff_t>(first), column.end());
-  for (double& value : kept) value -= less;
-  return kept;
-}
-
-PlatformSeries series_of(const RunData& run, std::size_t first) {
-  const PlatformRecord& p = run.platform;
-  return {sample_interval(p.time),         run.natural_period_s,
-          tail(p.x, first, run.rest.x),    tail(p.y, first, run.rest.y),
-          tail(p.ice_force_x, first),      tail(p.ice_force_y, first),
-          tail(p.ice_force_mean_x, first), tail(p.ice_force_mean_y, first),
-          tail(p.mooring_force_x, first),  tail(p.mooring_force_y, first),
-          tail(p.contacts, first)};
-}
-
 Run analysed(const std::string& path, const Options& options) {
   const RunData data = load_run(path, options.allow_incomplete);
   const std::vector<double>& time = data.platform.time;
-  const auto first =
-      static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), options.from_s) - time.begin());
+  const std::size_t first = sample_from(data, options.from_s);
   if (time.size() < first + kSamplesForStatistics)
     throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " +
                                      std::to_string(kSamplesForStatistics) + " samples of a platform from --from " +
                                      number_text(options.from_s) + " s on) choose an earlier start or a longer run");
-  return {path, data.identity.name, time.back() - time[first], analyse_platform(series_of(data, first))};
+  return {path, data.identity.name, time.back() - time[first], analyse_platform(platform_series(data, first))};
 }
 
 Json json_of(const IntervalEstimate& estimate) {

@@ -54,6 +54,18 @@ Bodies field_of(const SceneDef& scene) {
   return make_field(listed);
 }
 
+std::string run_file_name(const std::string& run_name) {
+  std::string name = run_name.empty() ? "run" : run_name;
+  for (char& c : name) c = c == '/' ? '_' : c;
+  return name + ".h5";
+}
+
+ProgressMode progress_mode(const std::string& name) {
+  if (name == "none") return ProgressMode::none;
+  if (name == "line") return ProgressMode::line;
+  return name == "json" ? ProgressMode::json : ProgressMode::automatic;
+}
+
 void print(const std::string& text) {
   std::size_t done = 0;
   while (done < text.size()) {

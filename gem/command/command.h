@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ void add_sweep_command(CLI::App& app, Chosen& chosen);
 void add_info_command(CLI::App& app, Chosen& chosen);
 void add_report_command(CLI::App& app, Chosen& chosen);
 void add_analyse_command(CLI::App& app, Chosen& chosen);
+void add_paper_command(CLI::App& app, Chosen& chosen);
 void add_devices_command(CLI::App& app, Chosen& chosen);
 
 /// A case file and what is changed in it.
@@ -49,6 +51,18 @@ int choose_threads(const std::string& asked, std::string& message);
 
 /// Makes the chosen engine; `auto` stands for cuda where a GPU can take the scene and for cpu where none can.
 std::unique_ptr<Engine> engine_for(const SceneDef& scene, const Bodies& field, const EngineOptions& options);
+
+/// What --engine takes: auto and every engine of this build.
+std::vector<std::string> engine_choices();
+
+/// A baseline's books are reported, not enforced: it computes in float and closes them as well as that allows.
+inline constexpr BookLimits reported_only{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+
+/// auto, none, line or json.
+ProgressMode progress_mode(const std::string& name);
+
+/// The file that a run is written to if nothing else is said: its name without slashes, and .h5.
+std::string run_file_name(const std::string& run_name);
 
 /// What a run needs, estimated before anything is allocated.
 struct Estimate {

@@ -4,6 +4,13 @@
 
 namespace gem {
 
+std::vector<std::string> engine_choices() {
+  std::vector<std::string> offered = engine_names();
+  offered.insert(offered.begin(), {"auto", "cuda"});
+  for (const std::string& name : baseline_names()) offered.push_back(name);
+  return offered;
+}
+
 std::unique_ptr<Engine> engine_for(const SceneDef& scene, const Bodies& field, const EngineOptions& options) {
   if (options.name != "auto") return make_engine(scene, field, options);
   EngineOptions chosen = options;

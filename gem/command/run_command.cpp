@@ -1,5 +1,4 @@
 // gem run: one case to one run file.
-#include <cmath>
 #include <csignal>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -27,21 +26,6 @@ struct RunChoice {
   bool force = false;
   bool json = false;
 };
-
-/// A baseline's books are reported, not enforced: it computes in float and closes them as well as that allows.
-constexpr BookLimits reported_only{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-
-ProgressMode progress_mode(const std::string& name) {
-  if (name == "none") return ProgressMode::none;
-  if (name == "line") return ProgressMode::line;
-  return name == "json" ? ProgressMode::json : ProgressMode::automatic;
-}
-
-std::string file_name(const std::string& run_name) {
-  std::string name = run_name.empty() ? "run" : run_name;
-  for (char& c : name) c = c == '/' ? '_' : c;
-  return name + ".h5";
-}
 
 std::string dry_run_text(const SceneDef& scene, const Bodies& field, const Estimate& need, const RunChoice& choice) {
   const std::size_t floes = std::size_t(std::count(field.kind.begin(), field.kind.end(), BodyKind::floe));
@@ -74,7 +58,7 @@ int run(RunChoice choice) {
   const SceneDef scene = read_case(choice.chosen_case);
   if (choice.chosen_case.path.empty()) log.message("info", "no case file: running the built-in case " + scene.run.name);
   for (const std::string& warning : scene_warnings(scene)) log.message("warning", warning);
-  if (choice.options.output.empty()) choice.options.output = file_name(scene.run.name);
+  if (choice.options.output.empty()) choice.options.output = run_file_name(scene.run.name);
   check_output_path(choice.options.output, choice.options.overwrite);
   const Estimate need = estimate(scene);
   if (!choice.force) check_resources(need, choice.options.output);
@@ -105,13 +89,10 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   add_case_options(*command, choice->chosen_case, false);
   command->add_option("-o,--out", choice->options.output, "run file; the run's name with .h5 if left out");
   choice->engine.name = "auto";
-  std::vector<std::string> offered = engine_names();
-  offered.insert(offered.begin(), {"auto", "cuda"});
-  for (const std::string& name : baseline_names()) offered.push_back(name);
   command
       ->add_option("--engine", choice->engine.name,
                    "engine that moves the field; auto: cuda where a GPU can take the case, else cpu")
-      ->check(CLI::IsMember(offered))
+      ->check(CLI::IsMember(engine_choices()))
       ->capture_default_str();
   command->add_option("--threads", choice->threads, "threads of the cpu engine; all if left out")->type_name("N");
   if (!baseline_names().empty()) {
@@ -121,6 +102,15 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
     command->add_option("--position-iterations", baseline.position_iterations, "of box2d's solver")
         ->capture_default_str();
     command->add_option("--skin", baseline.skin_m, "radius round box2d's outlines [m]")->capture_default_str();
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--experiment",
+            [&baseline](const std::vector<std::string>& texts) {
+              for (const std::string& text : texts) set_experiment(baseline, text);
+            },
+            "one setting of box2d changed: " + experiment_keys())
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
   }
   command->add_option("--until", choice->until, "end at this time: sets run.duration_s")->type_name("SECONDS");
   command->add_flag("--overwrite", choice->options.overwrite, "replace an existing run file");

@@ -26,9 +26,12 @@ inline CollisionMass collision_mass(const Bodies& b, std::int32_t i) {
 
 /// What the events of a pair read of its bodies.
 inline PairBodies pair_bodies(const Bodies& b, std::int32_t i, std::int32_t j) {
-  return {collision_mass(b, i), collision_mass(b, j),
-          b.velocity[i],        b.velocity[j],
-          b.spin[i],            b.spin[j],
+  return {collision_mass(b, i),
+          collision_mass(b, j),
+          b.velocity[i],
+          b.velocity[j],
+          b.spin[i],
+          b.spin[j],
           crushed_thickness(b.kind[i], b.thickness[i], b.thickness[j])};
 }
 

@@ -41,9 +41,9 @@ class CoupledLayout {
   void list_points(Contacts contacts);
 
   std::int32_t points_ = 0;
-  std::vector<std::int32_t> first_point_;                        // per contact
+  std::vector<std::int32_t> first_point_;                         // per contact
   std::vector<std::int32_t> points_of_, points_as_b_, entry_of_;  // per body of the field
-  std::vector<std::int32_t> moving_;                             // bodies that move and have points, ascending
+  std::vector<std::int32_t> moving_;                              // bodies that move and have points, ascending
   std::vector<std::int32_t> body_, rank_, begin_as_b_, first_as_a_, end_as_a_, next_as_b_;  // per entry
   std::vector<std::uint32_t> as_b_;
 };

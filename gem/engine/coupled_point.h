@@ -116,8 +116,4 @@ GEM_HD inline double best_share(const ImpulseWork& sum) {
   return smaller(larger(-sum.given / sum.answered, 0.0), 1.0);
 }
 
-/// Share of the last moment's repair that a moment starts from: less than all of it, so that a repair that is done does
-/// not go on to open gaps.
-constexpr double repair_memory = 0.9;
-
 }  // namespace gem

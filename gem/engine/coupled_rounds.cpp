@@ -71,7 +71,7 @@ void CoupledRounds::set_base(std::int32_t point, const PointGeometry<double>& g,
   const int lane = point % float_lanes;
   b.excess[lane] = f.excess, b.slip[lane] = f.slip;
   b.least[lane] = f.least, b.most[lane] = f.most;
-  b.tangential[lane] = f.tangential;
+  b.room_left[lane] = f.room_left, b.room_right[lane] = f.room_right;
   b.repair_excess[lane] = f.repair_excess, b.repair_least[lane] = f.repair_least;
   PointImpulse<FloatPack>&at = addition_[point / float_lanes].at, &carried = addition_[point / float_lanes].carried;
   carried.normal[lane] -= at.normal[lane];
@@ -83,17 +83,23 @@ void CoupledRounds::set_base(std::int32_t point, const PointGeometry<double>& g,
 void CoupledRounds::set_body(std::int32_t entry, double inverse_mass, double inverse_inertia) {
   const auto m = static_cast<float>(inverse_mass), j = static_cast<float>(inverse_inertia);
   answer_[entry].lanes = FloatPack{m, m, m, m, j, j, j, j};
+  motion_[entry].lanes = FloatPack{};
 }
 
-PointImpulse<float> CoupledRounds::added(std::int32_t point) const {
+PointImpulse<double> CoupledRounds::with_additions(PointFriction law, std::int32_t point,
+                                                   const PointGeometry<double>& g,
+                                                   const PointImpulse<double>& base) const {
+  const Block& b = block_[point / float_lanes];
   const PointImpulse<FloatPack>& at = addition_[point / float_lanes].at;
   const int lane = point % float_lanes;
-  return {at.normal[lane], at.tangential[lane], at.repair[lane]};
+  return gem::with_additions(law, g, base, {at.normal[lane], at.tangential[lane], at.repair[lane]}, b.least[lane],
+                             b.most[lane], b.repair_least[lane]);
 }
 
 GEM_INLINE PointFrame<FloatPack> CoupledRounds::frame_of(const Block& b) {
-  return {b.normal_x, b.normal_y, b.lever_a_n, b.lever_a_t, b.lever_b_n,  b.lever_b_t,     b.inverse_nn, b.inverse_tt, b.nt,
-          b.friction, b.excess,   b.slip,      b.least,     b.most,      b.tangential, b.repair_excess, b.repair_least};
+  return {b.normal_x,   b.normal_y,   b.lever_a_n, b.lever_a_t,  b.lever_b_n,     b.lever_b_t,
+          b.inverse_nn, b.inverse_tt, b.nt,        b.friction,   b.excess,        b.slip,
+          b.least,      b.most,       b.room_left, b.room_right, b.repair_excess, b.repair_least};
 }
 
 GEM_INLINE Approach<FloatPack> CoupledRounds::approach_of(const Block& b) const {
@@ -119,8 +125,7 @@ GEM_INLINE void CoupledRounds::write_push(std::int32_t block, const PointFrame<F
 }
 
 template <PointFriction law, bool judged>
-GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end, MomentPace<float> pace,
-                                            float ahead) {
+GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead) {
   FloatPack most{};
   for (std::int32_t i = begin; i < end; ++i) {
     const PointFrame<FloatPack> f = frame_of(block_[i]);
@@ -141,8 +146,8 @@ GEM_CLONES float CoupledRounds::visit_frictionless(bool judged, std::int32_t beg
                 : visit_range<PointFriction::none, false>(begin, end, pace, ahead);
 }
 
-GEM_CLONES float CoupledRounds::visit_coulomb(bool judged, std::int32_t begin, std::int32_t end,
-                                              MomentPace<float> pace, float ahead) {
+GEM_CLONES float CoupledRounds::visit_coulomb(bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace,
+                                              float ahead) {
   return judged ? visit_range<PointFriction::coulomb, true>(begin, end, pace, ahead)
                 : visit_range<PointFriction::coulomb, false>(begin, end, pace, ahead);
 }
@@ -153,8 +158,8 @@ GEM_CLONES float CoupledRounds::visit_fixed_direction(bool judged, std::int32_t 
                 : visit_range<PointFriction::fixed_direction, false>(begin, end, pace, ahead);
 }
 
-float CoupledRounds::visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end,
-                           MomentPace<float> pace, float ahead) {
+float CoupledRounds::visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace,
+                           float ahead) {
   switch (law) {
     case PointFriction::none:
       return visit_frictionless(judged, begin, end, pace, ahead);

@@ -21,9 +21,11 @@ class CoupledRounds {
   /// A round begins from this base: what was added so far is in it.
   void set_base(std::int32_t point, const PointGeometry<double>& g, const PointImpulse<double>& base,
                 const Motion<double>& a, const Motion<double>& b);
-  /// Inverse mass and inertia of a moving body.
+  /// Inverse mass and inertia of a moving body, to which nothing has been added yet.
   void set_body(std::int32_t entry, double inverse_mass, double inverse_inertia);
-  PointImpulse<float> added(std::int32_t point) const;
+  /// The base after what was added.
+  PointImpulse<double> with_additions(PointFriction law, std::int32_t point, const PointGeometry<double>& g,
+                                      const PointImpulse<double>& base) const;
 
   /// Visits the points of some blocks; returns, where `judged`, the largest speed that one asked for, else 0 [m/s].
   float visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace,
@@ -39,7 +41,7 @@ class CoupledRounds {
   };
   struct alignas(64) Block {
     FloatPack normal_x, normal_y, lever_a_n, lever_a_t, lever_b_n, lever_b_t, inverse_nn, inverse_tt, nt, friction;
-    FloatPack excess, slip, least, most, tangential, repair_excess, repair_least;
+    FloatPack excess, slip, least, most, room_left, room_right, repair_excess, repair_least;
     std::int32_t a[float_lanes], b[float_lanes];  // entries of the bodies
   };
   struct alignas(32) BlockAddition {

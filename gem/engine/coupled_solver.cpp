@@ -42,8 +42,7 @@ std::size_t CoupledSolver::last_key_from(std::size_t at, std::uint64_t key) cons
 PointImpulse<double> CoupledSolver::last_impulse(std::uint64_t key, std::size_t at) const {
   while (at < keys_.size() && keys_[at] != key && keys_[at] >> feature_bits == key >> feature_bits) ++at;
   if (at == keys_.size() || keys_[at] != key) return {};
-  const PointImpulse<double>& last = impulses_[at];
-  return {last.normal, last.tangential, repair_memory * last.repair};
+  return impulses_[at];
 }
 
 /// Makes the points of some contacts ready.
@@ -62,6 +61,7 @@ void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::in
       point.impulse = last_impulse(contact_key(contact.a, contact.b, slot.feature), at);
       point.geometry = point_of_contact(f, contact, slot, layout_.points_of(contact.a), layout_.points_of(contact.b),
                                         point.impulse.normal);
+      point.impulse.repair = repair_to_go_on(f.constants, point.impulse.repair, point.geometry.nn);
       point.a = layout_.entry_of(contact.a);
       point.b = layout_.entry_of(contact.b);
       slot.cap = point.geometry.cap;
@@ -126,26 +126,28 @@ void CoupledSolver::keep_best_share(const FieldState& f, ThreadTeam& team, int r
   team.barrier();
 }
 
-void CoupledSolver::begin_round(const FieldState& f, ThreadTeam& team, const Stretch& s) {
+void CoupledSolver::begin_round(const FieldState& f, ThreadTeam& team, const Stretch& s, bool first) {
   for (std::int32_t i = s.first_point; i < s.last_point; ++i) {
     const Point& p = point_[i];
     rounds_.set_base(i, p.geometry, p.impulse, motion_[p.a], motion_[p.b]);
   }
-  for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
-    const std::int32_t i = layout_.body(k);
-    rounds_.set_body(k, f.bodies.inverse_mass[i], f.bodies.inverse_inertia[i]);
+  if (first) {
+    for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
+      const std::int32_t i = layout_.body(k);
+      rounds_.set_body(k, f.bodies.inverse_mass[i], f.bodies.inverse_inertia[i]);
+    }
+  } else {
+    rounds_.push(s.first_block, s.last_block);
+    team.barrier();
+    rounds_.move(layout_, s.first_entry, s.last_entry);
   }
-  rounds_.push(s.first_block, s.last_block);
-  team.barrier();
-  rounds_.move(layout_, s.first_entry, s.last_entry);
   team.barrier();
 }
 
 void CoupledSolver::end_round(const FieldState& f, const Stretch& s) {
   for (std::int32_t i = s.first_point; i < s.last_point; ++i) {
     Point& p = point_[i];
-    p.impulse = with_additions(f.constants.point_friction, p.geometry.friction, p.geometry.cap, p.impulse,
-                               rounds_.added(i));
+    p.impulse = rounds_.with_additions(f.constants.point_friction, i, p.geometry, p.impulse);
   }
 }
 
@@ -156,23 +158,21 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
   settle(f, s);
   team.barrier();
   keep_best_share(f, team, rank, s, 1.0);
-  Acceleration acceleration;
+  IterationCourse course(c.residual_speed, c.iterations_maximum, c.tight_residual);
   double residual = 0.0;
-  std::int64_t iteration = 0;
-  for (bool done = false; !done;) {
-    begin_round(f, team, s);
-    for (std::int64_t of_round = 1; !done && of_round <= iterations_of_round; ++of_round) {
-      ++iteration;
-      const bool judge = is_judged(iteration, c.iterations_maximum);
-      asked_[rank].speed =
-          rounds_.visit(c.point_friction, judge, s.first_block, s.last_block, pace, acceleration.next());
+  auto next = IterationCourse::Next::round;
+  while (next != IterationCourse::Next::end) {
+    begin_round(f, team, s, course.iteration() == 0);
+    for (next = IterationCourse::Next::iteration; next == IterationCourse::Next::iteration;) {
+      const float ahead = course.ahead();
+      asked_[rank].speed = rounds_.visit(c.point_friction, course.judged(), s.first_block, s.last_block, pace, ahead);
       team.barrier();
-      if (judge) {
+      if (course.judged()) {
         residual = 0.0;
         for (const Asked& asked : asked_) residual = larger(residual, static_cast<double>(asked.speed));
-        done = residual <= c.residual_speed || iteration >= c.iterations_maximum;
       }
-      if (done || of_round == iterations_of_round) break;
+      next = course.after(residual);
+      if (next != IterationCourse::Next::iteration) break;
       rounds_.move(layout_, s.first_entry, s.last_entry);
       team.barrier();
     }
@@ -182,7 +182,7 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
     team.barrier();
   }
   if (rank == 0) {
-    iterations_ = static_cast<std::int32_t>(iteration);
+    iterations_ = static_cast<std::int32_t>(course.iteration());
     residual_ = residual;
   }
   keep_best_share(f, team, rank, s, 0.5);

@@ -47,7 +47,7 @@ class CoupledSolver {
   Stretch stretch_of(const ThreadTeam& team, int rank) const;
   void settle(const FieldState& f, const Stretch& s);
   void keep_best_share(const FieldState& f, ThreadTeam& team, int rank, const Stretch& s, double limit);
-  void begin_round(const FieldState& f, ThreadTeam& team, const Stretch& s);
+  void begin_round(const FieldState& f, ThreadTeam& team, const Stretch& s, bool first);
   void end_round(const FieldState& f, const Stretch& s);
   void iterate(const FieldState& f, ThreadTeam& team, int rank);
   void hand_back(FieldState& f, Contacts contacts, ThreadTeam& team, int rank);

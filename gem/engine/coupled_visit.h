@@ -3,8 +3,8 @@
 // With the masses shared out, the answer of one point to its own velocity cannot overshoot whatever the others do, so
 // all points are visited at once from the same velocities (projected gradient in the metric of the shared masses), and
 // the impulses are carried ahead along their last change (Nesterov 1983; Beck and Teboulle 2009), which takes the
-// number of iterations from the square of a chain's length to its length. A point whose last step went against its
-// change is not carried ahead (O'Donoghue and Candes 2015, here point by point: no sum over all of them is needed).
+// number of iterations from the square of a chain's length to its length. What last stepped against its change
+// is not carried ahead (O'Donoghue and Candes 2015, here part by part: no sum over all points is needed).
 // Tonge et al. 2012 share masses the same way.
 //
 // The iterations run on what is added to a base: impulses and velocities in double precision, of which each point keeps
@@ -21,14 +21,6 @@
 
 namespace gem {
 
-/// Iterations between two looks at the base in double precision.
-constexpr std::int64_t iterations_of_round = 32;
-
-/// Whether the residual is looked at in an iteration, counted from 1; looking costs two divisions a point.
-GEM_HD inline bool is_judged(std::int64_t iteration, std::int64_t last) {
-  return iteration % 4 == 0 || iteration <= 2 || iteration == last;
-}
-
 /// What a point knows while a round runs.
 template <class Real>
 struct PointFrame {
@@ -39,7 +31,8 @@ struct PointFrame {
   // at the base
   Real excess, slip;   // u_n - target, u_t [m/s]
   Real least, most;    // what may be added to P_n: -P_n and cap - P_n [N s]
-  Real tangential;     // P_t [N s]
+  Real room_left;      // mu P_n - P_t [N s]
+  Real room_right;     // mu P_n + P_t [N s]
   Real repair_excess;  // shift along the normal beyond the share of the overlap to take back [m]
   Real repair_least;   // what may be added to the repair [kg m]
 };
@@ -77,9 +70,16 @@ struct MomentPace {
   Scalar per_moment;  // 1 / dt [1/s]
 };
 
-/// One visit: from the carried-ahead additions and the velocities that all of them give, the point's next additions, and
-/// those carried ahead by `ahead` times their change. Returns, where `judged`, the largest speed that the point still
-/// asked for [m/s].
+/// Whether two numbers point opposite ways; no product, which could underflow.
+template <class Real>
+GEM_HD GEM_INLINE auto opposed(Real p, Real q) {
+  const Real zero{};
+  return ((p < zero) & (q > zero)) | ((p > zero) & (q < zero));
+}
+
+/// One visit: from the carried-ahead additions and the velocities that all of them give, the point's next additions,
+/// and those carried ahead by `ahead` times their change. Returns, where `judged`, the largest speed that the point
+/// still asked for [m/s].
 template <PointFriction law, bool judged, class Real, class Scalar>
 GEM_HD GEM_INLINE Real visit_point(const PointFrame<Real>& f, const Approach<Real>& w, MomentPace<Scalar> pace,
                                    Scalar ahead, PointImpulse<Real>& at, PointImpulse<Real>& carried) {
@@ -91,11 +91,11 @@ GEM_HD GEM_INLINE Real visit_point(const PointFrame<Real>& f, const Approach<Rea
   Real tangential = zero, step_t = zero, change_t = zero;
   if constexpr (law == PointFriction::coulomb) {
     const Real slip = w.y * f.normal_x - w.x * f.normal_y + w.spin_b * f.lever_b_t - w.spin_a * f.lever_a_t + f.slip;
-    const Real limit = f.friction * (normal - f.least);
+    const Real wider = f.friction * normal;
     tangential = carried.tangential - (slip + f.nt * step_n) * f.inverse_tt;
-    tangential = larger(smaller(tangential, limit - f.tangential), -limit - f.tangential);
+    tangential = larger(smaller(tangential, f.room_left + wider), -(f.room_right + wider));
   } else if constexpr (law == PointFriction::fixed_direction) {
-    tangential = f.friction * (normal - f.least) - f.tangential;
+    tangential = f.room_left + f.friction * normal;
   }
   if constexpr (law != PointFriction::none) {
     step_t = tangential - carried.tangential;
@@ -104,17 +104,18 @@ GEM_HD GEM_INLINE Real visit_point(const PointFrame<Real>& f, const Approach<Rea
 
   // the shift also takes back what this moment's velocities would still add to the overlap; crushed ice is not given
   // back as motion
-  const Real shift = w.shift_x * f.normal_x + w.shift_y * f.normal_y + w.turn_b * f.lever_b_n -
-                     w.turn_a * f.lever_a_n + f.repair_excess;
+  const Real shift = w.shift_x * f.normal_x + w.shift_y * f.normal_y + w.turn_b * f.lever_b_n - w.turn_a * f.lever_a_n +
+                     f.repair_excess;
   const Real closing = pick(normal < f.most, smaller(excess, zero), zero);
   const Real repair = larger(carried.repair - (shift + pace.dt * closing) * f.inverse_nn, f.repair_least);
   const Real step_r = repair - carried.repair, change_r = repair - at.repair;
 
-  const Real climb = step_n * change_n * f.inverse_tt + step_t * change_t * f.inverse_nn;
-  const Real on = pick(climb < zero, zero, zero + ahead);
-  const Real on_r = pick(step_r * change_r < zero, zero, zero + ahead);
+  const Real along = zero + ahead;
+  const Real on_n = pick(opposed(step_n, change_n), zero, along), on_r = pick(opposed(step_r, change_r), zero, along);
+  Real on_t = along;
+  if constexpr (law != PointFriction::none) on_t = pick(opposed(step_t, change_t), zero, along);
   at = {normal, tangential, repair};
-  carried = {normal + on * change_n, tangential + on * change_t, repair + on_r * change_r};
+  carried = {normal + on_n * change_n, tangential + on_t * change_t, repair + on_r * change_r};
   if constexpr (!judged) return zero;
   const Real of_normal = larger(magnitude(step_n), magnitude(step_r) * pace.per_moment) / f.inverse_nn;
   if constexpr (law == PointFriction::none) return of_normal;
@@ -135,44 +136,94 @@ GEM_HD inline void enter_geometry(PointFrame<float>& f, const PointGeometry<doub
   f.friction = static_cast<float>(g.friction);
 }
 
+/// Room for additions that nothing bounds [N s].
+constexpr double boundless = 1e30;
+
 /// Enters what the base gives: impulses `p` and the motions of both bodies under all of them.
 GEM_HD inline void enter_base(PointFrame<float>& f, const PointGeometry<double>& g, const PointImpulse<double>& p,
                               const Motion<double>& a, const Motion<double>& b) {
-  constexpr double boundless = 1e30;
   const double x = b.x - a.x, y = b.y - a.y;
-  f.excess = static_cast<float>(x * g.normal_x + y * g.normal_y + b.spin * g.lever_b_n - a.spin * g.lever_a_n -
-                                g.target);
+  f.excess =
+      static_cast<float>(x * g.normal_x + y * g.normal_y + b.spin * g.lever_b_n - a.spin * g.lever_a_n - g.target);
   f.slip = static_cast<float>(y * g.normal_x - x * g.normal_y + b.spin * g.lever_b_t - a.spin * g.lever_a_t);
   f.least = static_cast<float>(-p.normal);
   f.most = static_cast<float>(smaller(g.cap - p.normal, boundless));
-  f.tangential = static_cast<float>(p.tangential);
+  f.room_left = static_cast<float>(g.friction * p.normal - p.tangential);
+  f.room_right = static_cast<float>(g.friction * p.normal + p.tangential);
   f.repair_excess = static_cast<float>((b.shift_x - a.shift_x) * g.normal_x + (b.shift_y - a.shift_y) * g.normal_y +
                                        b.turn * g.lever_b_n - a.turn * g.lever_a_n - g.repair_target);
   f.repair_least = static_cast<float>(-p.repair);
 }
 
-/// The base after the additions of a round.
-GEM_HD inline PointImpulse<double> with_additions(PointFriction law, double friction, double cap,
-                                                  const PointImpulse<double>& p, const PointImpulse<float>& added) {
-  const double normal = smaller(larger(p.normal + static_cast<double>(added.normal), 0.0), cap);
-  const double limit = friction * normal, wanted = p.tangential + static_cast<double>(added.tangential);
+/// `p` with what was added to it, `least` and `most` being what could be: a bound that is met is met exactly.
+GEM_HD inline double within_bounds(double p, float added, float least, float most, double cap) {
+  if (added <= least) return 0.0;
+  if (added >= most) return cap;
+  return smaller(larger(p + static_cast<double>(added), 0.0), cap);
+}
+
+/// The base after the additions of a round; `least`, `most` and `repair_least` stand in the point's frame.
+GEM_HD inline PointImpulse<double> with_additions(PointFriction law, const PointGeometry<double>& g,
+                                                  const PointImpulse<double>& p, const PointImpulse<float>& added,
+                                                  float least, float most, float repair_least) {
+  const double normal = within_bounds(p.normal, added.normal, least, most, g.cap);
+  const double limit = g.friction * normal, wanted = p.tangential + static_cast<double>(added.tangential);
   const double tangential = law == PointFriction::none      ? 0.0
                             : law == PointFriction::coulomb ? larger(smaller(wanted, limit), -limit)
                                                             : limit;
-  return {normal, tangential, larger(p.repair + static_cast<double>(added.repair), 0.0)};
+  const double repair = added.repair <= repair_least ? 0.0 : larger(p.repair + static_cast<double>(added.repair), 0.0);
+  return {normal, tangential, repair};
 }
 
-/// How far the impulses are carried ahead along their last change, from iteration to iteration.
-class Acceleration {
+/// The course of a moment's iterations: how far each carries ahead, when the base is looked at again and when to stop.
+class IterationCourse {
  public:
-  GEM_HD float next() {
+  enum class Next { iteration, round, end };
+
+  /// `residual`: speed that no point may still ask for [m/s]; `most`: bound on the iterations; `tight`: the residual is
+  /// below what a round in single precision can tell, so only the first visit of a round counts.
+  GEM_HD IterationCourse(double residual, std::int64_t most, bool tight)
+      : residual_(residual), most_(most), tight_(tight) {}
+
+  GEM_HD std::int64_t iteration() const { return iteration_; }
+
+  /// Begins an iteration: how far the impulses are carried ahead along their last change.
+  GEM_HD float ahead() {
+    ++iteration_;
+    ++of_round_;
     const double theta = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * theta_ * theta_));
     const double ahead = (theta_ - 1.0) / theta;
     theta_ = theta;
     return static_cast<float>(ahead);
   }
 
+  /// Whether the residual of this iteration is looked at; a look costs two divisions a point.
+  GEM_HD bool judged() const {
+    return iteration_ % 4 == 0 || iteration_ <= 2 || iteration_ == most_ || (tight_ && of_round_ == 1);
+  }
+
+  /// What follows an iteration that left `asked`, if it was judged [m/s].
+  GEM_HD Next after(double asked) {
+    const bool looked = judged();
+    if (of_round_ == 1) first_ = asked;
+    const bool met = looked && asked <= residual_;
+    if (iteration_ >= most_ || (met && (!tight_ || of_round_ == 1))) return Next::end;
+    if (of_round_ < longest_round && !(looked && tight_ && (met || asked <= single_precision * first_)))
+      return Next::iteration;
+    of_round_ = 0;
+    return Next::round;
+  }
+
+  /// Residuals below this share of the speeds need several rounds.
+  static constexpr double single_precision = 1e-6;
+
  private:
+  static constexpr std::int64_t longest_round = 32;
+  double residual_;
+  std::int64_t most_;
+  bool tight_;
+  std::int64_t iteration_ = 0, of_round_ = 0;
+  double first_ = 0.0;
   // not 1: the impulses of the last moment are a fair start, and few iterations have no time for a slow one
   double theta_ = 4.0;
 };

@@ -126,7 +126,20 @@ struct BaselineOptions {
   int position_iterations = 3;
   double skin_m = 0.01;          // radius round every outline within which two bodies are held apart [m]
   bool measures_quality = true;  // false: overlap and residual of MomentQuality are NaN, and cost nothing
+
+  // experiments: what explains a difference from gem, one at a time
+  int substeps = 1;             // steps in one moment; drag and mooring act once
+  bool warm_starting = true;    // from the impulses of the last step
+  bool continuous = false;      // floes are bullets: stopped at the first touch within a step
+  bool mixes_friction = false;  // the root of the product of the two bodies' coefficients, not the pair's
+  double restitution_threshold_m_per_s = 0.0;  // slower hits do not rebound; nothing does, as restitution is 0
 };
+
+/// Sets one of the experiments from KEY=VALUE. Throws Error(usage) for another key or a value out of range.
+void set_experiment(BaselineOptions& options, const std::string& text);
+/// Their names, for messages.
+std::string experiment_keys();
+
 /// Hash of a moving state: same bits, same hash.
 std::uint64_t hash_of(std::int64_t moment, const Bodies& bodies);
 

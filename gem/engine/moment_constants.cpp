@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gem/engine/coupled_visit.h"
+
 namespace gem {
 
 namespace {
@@ -54,6 +56,7 @@ MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
   const double fastest = fastest_of(scene, bodies);
   if (coupled && c.manifold == Manifold::chord_ends) c.contact_margin = scene.numerics.contact_reach * fastest * c.dt;
   c.residual_speed = scene.numerics.residual_tolerance * fastest;
+  c.tight_residual = scene.numerics.residual_tolerance < IterationCourse::single_precision;
   c.iterations_maximum = scene.numerics.iterations_maximum;
   const bool rough = c.friction_ice > 0.0 || c.friction_structure > 0.0;
   c.point_friction = !rough                                    ? PointFriction::none

@@ -190,6 +190,17 @@ GEM_HD inline PointGeometry<double> point_geometry(const MomentConstants& c, con
   return g;
 }
 
+/// Share of the last moment's repair that a moment starts from: less than all of it, so that a repair that is done does
+/// not go on to open gaps.
+constexpr double repair_memory = 0.9;
+
+/// Repair that a point starts from; `last` is that of the last moment [kg m]. What would hardly shift anything is done.
+GEM_HD inline double repair_to_go_on(const MomentConstants& c, double last, double nn) {
+  constexpr double negligible = 1e-9;
+  const double repair = repair_memory * last;
+  return repair * nn > negligible * c.repair_speed * c.dt ? repair : 0.0;
+}
+
 /// What an impulse changes on a body at `arm`; the other body of the pair takes the opposite.
 struct MotionStep {
   Vec2 velocity;      // [m/s]

@@ -100,8 +100,8 @@ float ReferenceEngine::visit(Point& point, const std::vector<Motion<float>>& mot
   const MomentConstants& c = field_.constants;
   const MomentPace<float> pace{static_cast<float>(c.dt), static_cast<float>(1.0 / c.dt)};
   const Motion<float>&a = motion[point.contact->a], &b = motion[point.contact->b];
-  const Approach<float> w{b.x - a.x, b.y - a.y, b.shift_x - a.shift_x, b.shift_y - a.shift_y,
-                          a.spin,    a.turn,    b.spin,                b.turn};
+  const Approach<float> w{b.x - a.x, b.y - a.y, b.shift_x - a.shift_x, b.shift_y - a.shift_y, a.spin, a.turn,
+                          b.spin,    b.turn};
   switch (c.point_friction) {
     case PointFriction::none:
       return visit_point<PointFriction::none, true>(point.frame, w, pace, ahead, point.at, point.carried);
@@ -125,9 +125,9 @@ std::vector<ReferenceEngine::Point> ReferenceEngine::points_of(std::vector<Conta
       Point point{&contact, &contact.slot[k], {}, {}, {}, {}, {}};
       const auto last = last_.find(contact_key(contact.a, contact.b, contact.slot[k].feature));
       if (last != last_.end()) point.impulse = last->second;
-      point.impulse.repair *= repair_memory;
       point.geometry =
           point_of_contact(field_, contact, contact.slot[k], count[contact.a], count[contact.b], point.impulse.normal);
+      point.impulse.repair = repair_to_go_on(field_.constants, point.impulse.repair, point.geometry.nn);
       contact.slot[k].cap = point.geometry.cap;
       enter_geometry(point.frame, point.geometry);
       points.push_back(point);
@@ -173,22 +173,23 @@ void ReferenceEngine::begin_round(std::vector<Point>& points) const {
 
 void ReferenceEngine::iterate(std::vector<Point>& points, MomentQuality& quality) const {
   const MomentConstants& c = field_.constants;
-  Acceleration acceleration;
-  for (bool done = false; !done;) {
+  IterationCourse course(c.residual_speed, c.iterations_maximum, c.tight_residual);
+  auto next = IterationCourse::Next::round;
+  while (next != IterationCourse::Next::end) {
     begin_round(points);
-    for (std::int64_t of_round = 1; !done && of_round <= iterations_of_round; ++of_round) {
+    do {
       const std::vector<Motion<float>> motion = added_motions(points);
-      const float ahead = acceleration.next();
+      const float ahead = course.ahead();
       float asked = 0.0F;
       for (Point& point : points) asked = larger(asked, visit(point, motion, ahead));
-      if (!is_judged(++quality.iterations, c.iterations_maximum)) continue;
-      quality.residual = asked;
-      done = quality.residual <= c.residual_speed || quality.iterations >= c.iterations_maximum;
-    }
+      if (course.judged()) quality.residual = asked;
+      next = course.after(quality.residual);
+    } while (next == IterationCourse::Next::iteration);
     for (Point& point : points)
-      point.impulse =
-          with_additions(c.point_friction, point.geometry.friction, point.geometry.cap, point.impulse, point.at);
+      point.impulse = with_additions(c.point_friction, point.geometry, point.impulse, point.at, point.frame.least,
+                                     point.frame.most, point.frame.repair_least);
   }
+  quality.iterations = static_cast<std::int32_t>(course.iteration());
 }
 
 void ReferenceEngine::resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality) {

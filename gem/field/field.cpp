@@ -1,6 +1,9 @@
 // From a scene to its field: platform, sides, obstacles, floes, drag.
 #include "gem/field/field.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "gem/base/error.h"
 #include "gem/base/strict_math.h"
 #include "gem/field/channel.h"
@@ -115,6 +118,25 @@ std::vector<FloeDef> floes_of(const SceneDef& scene, const std::vector<std::vect
   return generate_floes(scene, obstacles);
 }
 
+/// Two runs that differ by this alone show how fast a disturbance grows. Counted from the platform, so that the floe of
+/// any seed arrives at about the same time.
+std::vector<FloeDef> with_moved_floe(std::vector<FloeDef> floes, const SceneDef& scene) {
+  const FloesDef& def = scene.floes;
+  if (def.moved_floe < 0) return floes;
+  const auto rank = static_cast<std::size_t>(def.moved_floe);
+  if (rank >= floes.size())
+    throw Error(ExitCode::scene_rejected,
+                "floes.moved_floe: there is no such floe (value " + std::to_string(def.moved_floe) +
+                    ", the field has " + std::to_string(floes.size()) + " floes, the first is 0) name one of them");
+  std::vector<std::pair<double, std::size_t>> nearest;
+  for (std::size_t i = 0; i < floes.size(); ++i)
+    nearest.emplace_back(length(floes[i].position_m - scene.platform.anchor_m), i);
+  std::sort(nearest.begin(), nearest.end());
+  Vec2& place = floes[nearest[rank].second].position_m;
+  place = place + def.moved_by_m;
+  return floes;
+}
+
 }  // namespace
 
 Bodies make_field(const SceneDef& scene) {
@@ -124,7 +146,7 @@ Bodies make_field(const SceneDef& scene) {
   std::vector<std::vector<Vec2>> obstacles;
   for (std::size_t i = 0; i < bodies.count(); ++i)
     if (bodies.vertex_count(i) > 0) obstacles.push_back(world_outline(bodies, i));
-  append_floes(bodies, scene, floes_of(scene, obstacles));
+  append_floes(bodies, scene, with_moved_floe(floes_of(scene, obstacles), scene));
   check_field(scene, bodies);
   set_drag(bodies, scene);
   return bodies;

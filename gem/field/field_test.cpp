@@ -227,5 +227,28 @@ TEST(Channel, RefusesAChannelThatCannotBe) {
   EXPECT_THROW(boundary_outlines(behind), Error);
 }
 
+TEST(Field, OneFloeIsMovedAndNoOther) {
+  SceneDef scene = small_scene();
+  const Bodies before = make_field(scene);
+  scene.floes.moved_floe = 7;
+  scene.floes.moved_by_m = {1e-6, 0.0};
+  const Bodies after = make_field(scene);
+  const std::size_t first = before.count() - 200;
+  std::size_t moved = 0;
+  for (std::size_t i = first; i < before.count(); ++i) {
+    EXPECT_EQ(before.position[i].y, after.position[i].y);
+    if (before.position[i].x == after.position[i].x) continue;
+    ++moved;
+    EXPECT_NEAR(after.position[i].x - before.position[i].x, 1e-6, 1e-12);
+    const auto nearer =
+        std::count_if(before.position.begin() + static_cast<std::ptrdiff_t>(first), before.position.end(),
+                      [&](Vec2 p) { return length(p) < length(before.position[i]); });
+    EXPECT_EQ(nearer, 7);
+  }
+  EXPECT_EQ(moved, 1U);
+  scene.floes.moved_floe = 200;
+  EXPECT_THROW(make_field(scene), Error);
+}
+
 }  // namespace
 }  // namespace gem

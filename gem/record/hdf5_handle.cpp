@@ -30,6 +30,11 @@ std::string last_reason() {
   return reason.empty() ? "unknown reason" : reason;
 }
 
+std::mutex& library_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 void quiet_errors() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 void write_text(hid_t object, const char* name, const std::string& text, std::size_t reserved) {

@@ -3,6 +3,7 @@
 
 #include <hdf5.h>
 
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,9 @@ namespace gem::hdf5 {
 
 /// What the library says about the last failure, in a few words; the system's own reason if it gave one.
 std::string last_reason();
+
+/// The library is not safe for threads: whoever writes while others may holds this.
+std::mutex& library_mutex();
 
 /// Silences the library's own printing for the calling thread; every thread that uses HDF5 calls this first.
 void quiet_errors();

@@ -59,6 +59,7 @@ class RunWriter::Thread {
   Thread(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
          const Provenance& provenance)
       : path_(path) {
+    const std::lock_guard library(hdf5::library_mutex());
     prepare_library();
     const bool existed = access(path.c_str(), F_OK) == 0;
     try {
@@ -92,6 +93,7 @@ class RunWriter::Thread {
   void finish(const std::string& status, std::uint64_t state_hash) {
     stop();
     try {
+      const std::lock_guard library(hdf5::library_mutex());
       if (!layout_->waiting().empty() && !has_room_for({}) && !failed_) remember("no room left on the disk");
       if (!failed_) layout_->append_rest();
       layout_->set_text("gem_state_hash", hash_text(state_hash));
@@ -109,7 +111,10 @@ class RunWriter::Thread {
 
  private:
   void work() {
-    hdf5::quiet_errors();
+    {
+      const std::lock_guard library(hdf5::library_mutex());
+      hdf5::quiet_errors();
+    }
     for (;;) {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [this] { return !queue_.empty() || stopping_; });
@@ -125,6 +130,7 @@ class RunWriter::Thread {
 
   /// A slab goes in only if it surely fits: what is on disk then stays readable when the disk is full.
   void write(Slab slab) {
+    const std::lock_guard library(hdf5::library_mutex());
     try {
       if (!has_room_for(slab)) {
         flush();
@@ -169,6 +175,7 @@ class RunWriter::Thread {
   }
 
   void close() {
+    const std::lock_guard library(hdf5::library_mutex());
     try {
       if (broken_) {
         layout_->abandon();

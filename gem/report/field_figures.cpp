@@ -99,7 +99,8 @@ struct FieldPicture {
   std::string title;
   View view;
   PlotSize size;
-  bool floe_edges = false;  // thin white lines between floes: only where a floe is many pixels wide
+  std::string fixed = "fixed";  // name of the file of the fixed bodies
+  bool floe_edges = false;      // thin white lines between floes: only where a floe is many pixels wide
 };
 
 Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture& picture, double top_speed,
@@ -117,7 +118,8 @@ Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture
       << "]\nset cbrange [0:" << rounded_text(top_speed, 3) << "]\n"
       << "set cblabel 'speed [m/s]' offset -0.5,0\nset colorbox noborder\n"
       << "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#eef2f5' fillstyle solid noborder\n"
-      << "plot 'fixed.csv' using 1:2 with filledcurves closed fillcolor rgb '#b9bec6', \\\n"
+      << "plot " << quoted(picture.fixed + ".csv")
+      << " using 1:2 with filledcurves closed fillcolor rgb '#b9bec6', \\\n"
       << "  " << quoted(picture.name + ".csv") << " using 1:2:3 with filledcurves closed fillcolor palette, \\\n";
   if (picture.floe_edges)
     commands << "  " << quoted(picture.name + ".csv") << " using 1:2 with lines lc rgb '#ffffff' lw 0.8, \\\n";
@@ -140,6 +142,14 @@ View close_view(const RunData& run) {
 
 }  // namespace
 
+Figure field_figure(const RunData& run, const std::string& name, const std::string& title, const PlotFolder& folder) {
+  const std::string fixed = name + "_fixed";
+  folder.write_csv(fixed, outlines_csv(run.fixed));
+  const View whole = channel_view(run);
+  return draw_field(run, run.frames[1], {name, title, whole, channel_size(whole), fixed, false}, speed_scale(run),
+                    folder);
+}
+
 std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder) {
   if (run.frames.size() < 3 || run.floe_outlines.empty()) return {};
   folder.write_csv("fixed", outlines_csv(run.fixed));
@@ -151,13 +161,13 @@ std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder) 
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string title = std::string("The field at the ") + moments_of_run[i] + " of the run";
     figures.push_back(
-        draw_field(run, run.frames[i], {names[i], title, whole, channel_size(whole), false}, top, folder));
+        draw_field(run, run.frames[i], {names[i], title, whole, channel_size(whole), "fixed", false}, top, folder));
     figures.back().caption = title + ", to scale; floes coloured by speed, platform orange, fixed bodies grey.";
   }
   if (run.platform_outline.empty()) return figures;
-  figures.push_back(draw_field(run, run.frames[1],
-                               {"field_platform", "Ice around the platform", close_view(run), {1000, 760}, true}, top,
-                               folder));
+  figures.push_back(draw_field(
+      run, run.frames[1], {"field_platform", "Ice around the platform", close_view(run), {1000, 760}, "fixed", true},
+      top, folder));
   figures.back().caption = "Ice around the platform at the middle of the run, on the same colour scale.";
   return figures;
 }

@@ -85,6 +85,8 @@ struct FloesDef {
   Placement placement = Placement::random;  ///< for `copied`
   std::int64_t shape_count = 24;            ///< for `copied`: how many traced shapes are repeated
   double tile_length_m = 100.0;             ///< for `tiled`: about how long the repeated block is
+  std::int64_t moved_floe = -1;             ///< the floe that moved_by_m moves: 0 is the nearest to the anchor; -1 none
+  Vec2 moved_by_m = {0.0, 0.0};             ///< a small disturbance of the start
   std::vector<IceClassDef> classes = {IceClassDef{}};
 };
 
@@ -132,7 +134,7 @@ struct ContactDef {
 struct NumericsDef {
   double moment_s = 0.05;            ///< dt
   double residual_tolerance = 1e-5;  ///< coupled: speed that events may still ask for, over the current speed
-  std::int64_t iterations_maximum = 24;
+  std::int64_t iterations_maximum = 32;
   double contact_reach = 1.0;         ///< coupled: faces that the current could close in so many moments are held apart
   double repair_share = 0.6;          ///< coupled: share of an overlap that is taken back in one moment
   double repair_speed_m_per_s = 0.1;  ///< coupled: ... at most at this speed

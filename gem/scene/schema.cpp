@@ -85,6 +85,11 @@ void add_floe_sizes(SceneTable& t) {
             GEM_FIELD(floes.shape_count));
   t.number("floes.tile_length_m", "m", extent_range, "about how long the repeated block is (placement = \"tiled\")",
            GEM_FIELD(floes.tile_length_m));
+  t.integer("floes.moved_floe", {-1.0, 1e7},
+            "the floe that floes.moved_by_m moves: 0 is the nearest to platform.anchor_m, 1 the next; -1 is none",
+            GEM_FIELD(floes.moved_floe));
+  t.pair("floes.moved_by_m", "m", {-1.0, 1.0}, "disturbance of one floe's start, to see how fast it grows",
+         GEM_FIELD(floes.moved_by_m));
 }
 
 void add_boundary(SceneTable& t) {

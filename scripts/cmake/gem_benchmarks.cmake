@@ -17,7 +17,7 @@ if(benchmarks)
   endif()
 endif()
 
-add_executable(speed_against_error bench/speed_against_error.cpp bench/overlaps.cpp)
+add_executable(speed_against_error bench/speed_against_error.cpp bench/setting.cpp bench/overlaps.cpp)
 target_link_libraries(speed_against_error PRIVATE gem_command gem_baseline CLI11::CLI11)
 
 # The study behind the choice of the coupled resolution: validation/solver_study.md.

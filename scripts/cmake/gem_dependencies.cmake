@@ -20,8 +20,10 @@ find_package(CLI11 REQUIRED CONFIG)
 find_package(nlohmann_json REQUIRED CONFIG)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 
-# The baseline's library comes as a shared one only, so a static build goes without.
-if(GEM_BOX2D AND NOT GEM_STATIC)
+# The baseline's library is packaged as a shared one only: a static build needs its sources, and goes without otherwise.
+if(GEM_BOX2D AND GEM_BOX2D_SOURCE)
+  include(gem_box2d_source)
+elseif(GEM_BOX2D AND NOT GEM_STATIC)
   find_package(box2d 2.4.1 REQUIRED CONFIG)
 endif()
 

@@ -60,6 +60,7 @@ SceneDef enlarged(SceneDef s) {
   s.contact.elastic_stiffness_N_per_m *= stiffness_factor;
   s.output.retire_x_m *= length_factor;
   s.output.event_speed_m_per_s *= speed_factor;
+  s.numerics.repair_speed_m_per_s *= speed_factor;
   for (FixedDef& fixed : s.fixed) std::for_each(fixed.outline_m.begin(), fixed.outline_m.end(), lengthen);
   for (FloeDef& floe : s.floe) {
     std::for_each(floe.outline_m.begin(), floe.outline_m.end(), lengthen);
@@ -109,11 +110,16 @@ Bodies mirrored(Bodies b) {
   return b;
 }
 
+/// A crowd whose velocities do not depend on how the iterations round: friction in a crowd has many answers, and
+/// iterations that stop early leave others; without both the velocities are unique.
+SceneDef with_one_answer(SceneDef scene, const Setting& setting) {
+  if (!setting.coupled()) return scene;
+  scene.ice.friction_ice = scene.ice.friction_structure = 0.0;
+  return settled(scene);
+}
+
 TEST_P(Invariance, M3_mirror) {
-  SceneDef scene = settled(crowd(setting()));
-  // friction in a crowd has many answers, and rounding decides which one the iterations find: without it the velocities
-  // are unique
-  if (setting().coupled()) scene.ice.friction_ice = scene.ice.friction_structure = 0.0;
+  const SceneDef scene = with_one_answer(crowd(setting()), setting());
   SceneDef image = scene;
   image.current.velocity_m_per_s.y *= -1.0;
   // an outline stays counter-clockwise in a mirror, so its edges begin at their other corners: crossings and depths are
@@ -145,7 +151,7 @@ TEST_P(Invariance, M4_quarter_turn) {
 }
 
 TEST_P(Invariance, M4_turn_by_37_degrees) {
-  const SceneDef scene = crowd(setting());
+  const SceneDef scene = with_one_answer(crowd(setting()), setting());
   const Rotation turn = strict::rotation_of_angle(degrees(37.0));
   SceneDef image = scene;
   image.current.velocity_m_per_s = rotate(turn, scene.current.velocity_m_per_s);
@@ -155,7 +161,10 @@ TEST_P(Invariance, M4_turn_by_37_degrees) {
 }
 
 TEST_P(Invariance, M5_moving_frame) {
-  SceneDef scene = settled(crowd(setting(), Surroundings::open_water));
+  SceneDef scene = with_one_answer(crowd(setting(), Surroundings::open_water), setting());
+  // a floe that an impulse of next to nothing touches leaves the exact path of its drag, by 1e-6 m a moment, and
+  // rounding decides between next to nothing and nothing
+  if (setting().coupled()) scene.water.drag_law = DragLaw::none;
   const Vec2 frame{0.125, -0.25};
   const std::int64_t moments = 5;
   SceneDef moving = scene;
@@ -178,7 +187,7 @@ TEST_P(Invariance, M5_moving_frame) {
 }
 
 TEST_P(Invariance, M6_translation) {
-  const SceneDef scene = crowd(setting());
+  const SceneDef scene = with_one_answer(crowd(setting()), setting());
   const Vec2 shift{1024.0, 1024.0};
   SceneDef image = scene;
   image.platform.anchor_m += shift;

@@ -1,0 +1,201 @@
+// Which runs are to do, how many at a time, and what that takes.
+#include "gem/command/sweep_plan.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "gem/base/error.h"
+#include "gem/base/number_text.h"
+#include "gem/command/index_list.h"
+#include "gem/command/process_pool.h"
+#include "gem/engine/cuda_engine.h"
+#include "gem/record/output_path.h"
+#include "gem/scene/check_scene.h"
+
+namespace gem {
+namespace {
+
+void check_files(const std::vector<SweepMember>& members) {
+  std::map<std::string, std::string> owner;
+  for (const SweepMember& member : members) {
+    const auto [entry, is_new] = owner.insert({run_file_name(member.name), member.name});
+    if (!is_new)
+      throw Error(ExitCode::usage, "two runs would write one file (" + shown(entry->second) + " and " +
+                                       shown(member.name) + " to " + shown(entry->first) + ") change a name");
+  }
+}
+
+int choose_jobs(const std::string& asked) {
+  int jobs = 0;
+  const auto [end, fault] = std::from_chars(asked.data(), asked.data() + asked.size(), jobs);
+  if (fault != std::errc{} || end != asked.data() + asked.size() || jobs < 1 || jobs > 4096)
+    throw Error(ExitCode::usage, "--jobs " + asked + " is no count of runs at a time (1 to 4096) give one");
+  return jobs;
+}
+
+/// The processors are shared out: first among runs, which scale best, then among the threads of each.
+void share_processors(const SweepRunChoice& choice, SweepPlan& plan, RunLog& log) {
+  const int machine = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int to_do = static_cast<int>(std::max<std::size_t>(1, plan.batches.size()));
+  int& threads = plan.settings.engine.threads;
+  if (!choice.jobs.empty()) plan.jobs = std::min(choose_jobs(choice.jobs), to_do);
+  const bool given = !choice.threads.empty() || std::getenv("OMP_NUM_THREADS") != nullptr;
+  if (given) {
+    std::string message;
+    threads = choose_threads(choice.threads, message);
+    if (!message.empty()) log.message("warning", message);
+  }
+  if (choice.jobs.empty()) plan.jobs = std::clamp(given ? machine / threads : machine, 1, to_do);
+  if (!given) threads = std::max(1, machine / plan.jobs);
+}
+
+Estimate need_of(const SweepPlan& plan) {
+  std::vector<double> memory;
+  Estimate need;
+  for (const std::size_t i : plan.to_do) {
+    const Estimate one = estimate(plan.members[plan.chosen[i]].scene);
+    need.moments += one.moments;
+    need.disk += one.disk;
+    memory.push_back(one.memory);
+  }
+  std::sort(memory.rbegin(), memory.rend());
+  std::size_t at_once = static_cast<std::size_t>(plan.jobs);
+  for (const auto& batch : plan.batches) at_once = std::max(at_once, plan.jobs + batch.size() - 1);
+  memory.resize(std::min(memory.size(), at_once));
+  for (const double one : memory) need.memory += one;
+  return need;
+}
+
+void say_warnings(const SweepPlan& plan, RunLog& log) {
+  std::map<std::string, std::vector<std::string>> runs;
+  for (const std::size_t i : plan.to_do) {
+    const SweepMember& member = plan.members[plan.chosen[i]];
+    for (const std::string& warning : scene_warnings(member.scene)) runs[warning].push_back(member.name);
+  }
+  for (const auto& [warning, names] : runs) {
+    const std::string more = names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : "";
+    log.message("warning", shown(names.front()) + more + ": " + warning);
+  }
+}
+
+void choose_what_to_do(const SweepRunChoice& choice, SweepPlan& plan) {
+  for (std::size_t i = 0; i < plan.rows.size(); ++i) {
+    const SweepRow& row = plan.rows[i];
+    if (row.status == "other" && !choice.overwrite)
+      throw Error(ExitCode::file_system, shown(run_path(choice.folder, row.name)) + " is not this sweep's (" +
+                                             row.error + ") use --overwrite or another --out");
+    if (row.status != "done" || choice.overwrite) plan.to_do.push_back(i);
+  }
+}
+
+}  // namespace
+
+namespace {
+
+constexpr std::size_t largest_batch = 32;  // scenes; more gain nothing, as each has its own file to be written
+
+bool gpu_answers() {
+  SweepBoard answer(1);
+  ProcessPool probe;  // a process that has used a GPU cannot start others that do
+  probe.start(0, [&answer] {
+    std::string reason;
+    for (const CudaDevice& device : cuda_devices(reason))
+      if (device.fault.empty()) answer[0].outcome = Outcome::done;
+  });
+  while (probe.running() > 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    probe.reap([](std::size_t, int) {});
+  }
+  return answer[0].outcome == Outcome::done;
+}
+
+/// Runs that a GPU can move on together have the same number of moments; all others are made one by one.
+void group(SweepPlan& plan) {
+  std::map<std::int64_t, std::size_t> open;  // moments -> batch that takes more
+  const std::string& engine = plan.settings.engine.name;
+  const auto fits = [&](const SceneDef& scene) { return scene.contact.resolution == Resolution::independent; };
+  const bool any = std::any_of(plan.to_do.begin(), plan.to_do.end(),
+                               [&](std::size_t i) { return fits(plan.members[plan.chosen[i]].scene); });
+  const bool gpu = engine == "cuda" || (engine == "auto" && any && gpu_answers());
+  for (std::size_t job = 0; job < plan.to_do.size(); ++job) {
+    const SceneDef& scene = plan.members[plan.chosen[plan.to_do[job]]].scene;
+    const auto found = open.find(moments_of(scene));
+    if (gpu && fits(scene) && found != open.end() && plan.batches[found->second].size() < largest_batch) {
+      plan.batches[found->second].push_back(job);
+      continue;
+    }
+    if (gpu && fits(scene)) open[moments_of(scene)] = plan.batches.size();
+    plan.batches.push_back({job});
+  }
+}
+
+}  // namespace
+
+std::vector<SweepRow> known_rows(const std::string& folder, const std::vector<SweepMember>& members) {
+  std::map<std::string, SweepRow> known;
+  for (const SweepRow& row : read_manifest(folder)) known[row.name] = row;
+  std::vector<SweepRow> rows;
+  for (const SweepMember& member : members) {
+    SweepRow row = row_of(member);
+    const auto found = known.find(member.name);
+    const bool same = found != known.end() && found->second.case_sha256 == row.case_sha256;
+    rows.push_back(same ? found->second : row);
+    rows.back().index = member.index;
+  }
+  return rows;
+}
+
+SweepPlan plan_sweep(const SweepRunChoice& choice, RunLog& log) {
+  SweepPlan plan;
+  plan.members = expand_sweep(choice.path, choice.overrides);
+  check_files(plan.members);
+  plan.chosen = parse_index_list(choice.index, plan.members.size());
+  plan.settings.folder = choice.folder;
+  plan.settings.overwrite = choice.overwrite;
+  plan.settings.command_line = choice.command_line;
+  plan.settings.engine.name = choice.engine;
+  const std::vector<SweepRow> known = known_rows(choice.folder, plan.members);
+  for (const std::size_t place : plan.chosen)
+    plan.rows.push_back(look_at_run(choice.folder, known[place], choice.engine));
+  choose_what_to_do(choice, plan);
+  group(plan);
+  share_processors(choice, plan, log);
+  plan.need = need_of(plan);
+  say_warnings(plan, log);
+  return plan;
+}
+
+std::string plan_text(const SweepPlan& plan) {
+  std::string text;
+  for (std::size_t i = 0; i < plan.rows.size(); ++i) {
+    const SweepRow& row = plan.rows[i];
+    const bool to_do = std::find(plan.to_do.begin(), plan.to_do.end(), i) != plan.to_do.end();
+    text += std::to_string(row.index) + "  " + shown(row.name) + "  " + row.status + (to_do ? ", to do" : "") +
+            (row.error.empty() ? "" : " (" + row.error + ")") + "\n";
+  }
+  return text + "# dry run: nothing was computed\n# to do   " + std::to_string(plan.to_do.size()) + " of " +
+         std::to_string(plan.rows.size()) + " runs, " + fixed_text(plan.need.moments, 0) + " moments\n# at once " +
+         std::to_string(plan.jobs) + " runs of " + std::to_string(plan.settings.engine.threads) + " threads, engine " +
+         plan.settings.engine.name + "\n# memory  about " + size_text(plan.need.memory) + "\n# disk    about " +
+         size_text(plan.need.disk) + " in " + shown(plan.settings.folder) + "\n";
+}
+
+std::string plan_json(const SweepPlan& plan) {
+  const nlohmann::ordered_json object = {{"to_do", plan.to_do.size()},
+                                         {"jobs", plan.jobs},
+                                         {"threads", plan.settings.engine.threads},
+                                         {"engine", plan.settings.engine.name},
+                                         {"moments", plan.need.moments},
+                                         {"memory_bytes", plan.need.memory},
+                                         {"disk_bytes", plan.need.disk},
+                                         {"runs", nlohmann::ordered_json::parse(rows_json(plan.rows))}};
+  return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace gem

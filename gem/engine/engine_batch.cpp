@@ -1,0 +1,75 @@
+// A batch on a GPU, and a batch of single engines.
+#include "gem/engine/engine_batch.h"
+
+#include <exception>
+
+#include "gem/base/error.h"
+
+namespace gem {
+namespace {
+
+/// One scene of a batch on a GPU.
+class CudaMember : public Engine {
+ public:
+  CudaMember(CudaBatch& batch, std::size_t scene) : batch_(batch), scene_(scene) {}
+  std::string name() const override { return "cuda"; }
+  std::string device() const override { return batch_.device().name + ", " + batch_.device().driver; }
+  void advance(std::int64_t, MomentLog&) override {
+    throw Error(ExitCode::usage, "a scene of a batch cannot be moved on by itself");
+  }
+  std::int64_t moment() const override { return batch_.moment(scene_); }
+  const Bodies& bodies() override { return batch_.bodies(scene_); }
+  Ledger ledger() override { return batch_.ledger(scene_); }
+  EngineState save() override { return batch_.save(scene_); }
+  void restore(const EngineState& state) override { batch_.restore(scene_, state); }
+
+ private:
+  CudaBatch& batch_;
+  std::size_t scene_;
+};
+
+class CudaEngines : public EngineBatch {
+ public:
+  explicit CudaEngines(std::vector<BatchScene> scenes) : batch_(std::move(scenes), {}) {
+    for (std::size_t k = 0; k < batch_.size(); ++k) members_.push_back(std::make_unique<CudaMember>(batch_, k));
+  }
+  std::size_t size() const override { return members_.size(); }
+  void advance(std::int64_t moments, std::vector<MomentLog>& logs) override { batch_.advance(moments, &logs); }
+  Engine& engine(std::size_t scene) override { return *members_[scene]; }
+
+ private:
+  CudaBatch batch_;
+  std::vector<std::unique_ptr<CudaMember>> members_;
+};
+
+class SingleEngines : public EngineBatch {
+ public:
+  SingleEngines(std::vector<BatchScene> scenes, const EngineOptions& options) {
+    for (BatchScene& scene : scenes) engines_.push_back(make_engine(scene.scene, std::move(scene.bodies), options));
+  }
+  std::size_t size() const override { return engines_.size(); }
+  void advance(std::int64_t moments, std::vector<MomentLog>& logs) override {
+    std::exception_ptr fault;
+    for (std::size_t k = 0; k < engines_.size(); ++k) {
+      try {
+        engines_[k]->advance(moments, logs[k]);
+      } catch (const Error&) {
+        if (!fault) fault = std::current_exception();
+      }
+    }
+    if (fault) std::rethrow_exception(fault);
+  }
+  Engine& engine(std::size_t scene) override { return *engines_[scene]; }
+
+ private:
+  std::vector<std::unique_ptr<Engine>> engines_;
+};
+
+}  // namespace
+
+std::unique_ptr<EngineBatch> make_engine_batch(std::vector<BatchScene> scenes, const EngineOptions& options) {
+  if (options.name == "cuda") return std::make_unique<CudaEngines>(std::move(scenes));
+  return std::make_unique<SingleEngines>(std::move(scenes), options);
+}
+
+}  // namespace gem

@@ -1,0 +1,87 @@
+// The paper's statements are read, and a fault in the file is named.
+#include "gem/report/paper/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "gem/base/error.h"
+#include "gem/scene/sweep.h"
+
+namespace gem {
+namespace {
+
+std::string source(const std::string& path) { return std::string(GEM_SOURCE_DIR) + "/" + path; }
+
+std::string message_of(const std::string& text) {
+  try {
+    parse_catalogue(text, "test.json");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string with_statement(const std::string& rule) {
+  return R"({"table1": [], "table2": [], "statements": [{"id": "P1", "source": "s", "says": "t", "metric": "m", "why": "w", )" +
+         rule + "}]}";
+}
+
+TEST(Catalogue, HoldsTheTablesOfThePaper) {
+  const Catalogue catalogue = read_catalogue(source("validation/paper/paper.json"));
+  ASSERT_EQ(catalogue.rows.size(), 36U + 6U);
+  EXPECT_EQ(catalogue.rows[23].run, "400_300_100");
+  EXPECT_EQ(catalogue.rows[23].number, "24");
+  EXPECT_EQ(catalogue.rows[35].thick, 1.0);
+  EXPECT_EQ(catalogue.rows[35].medium, 2.0);
+  EXPECT_EQ(catalogue.rows[40].stiffness_N_per_m, 5e4);
+  EXPECT_TRUE(catalogue.rows[41].drag);
+}
+
+TEST(Catalogue, EveryConditionIsARunOfSomeSweep) {
+  std::set<std::string> names;
+  for (const char* file : {"table1", "table2", "period_question"})
+    for (const SweepMember& member : expand_sweep(source(std::string("cases/") + file + ".toml")))
+      names.insert(member.name);
+  const Catalogue catalogue = read_catalogue(source("validation/paper/paper.json"));
+  ASSERT_GT(catalogue.statements.size(), 50U);
+  for (const TableRow& row : catalogue.rows) EXPECT_TRUE(names.contains(row.run)) << row.run;
+  for (const Statement& statement : catalogue.statements) {
+    if (!statement.condition.empty()) {
+      EXPECT_TRUE(names.contains(statement.condition)) << statement.id << " asks for " << statement.condition;
+    }
+    if (!statement.against.empty()) {
+      EXPECT_TRUE(names.contains(statement.against)) << statement.id;
+    }
+  }
+}
+
+TEST(Catalogue, EveryChoiceHasBothRunsThatItsStatementsAskFor) {
+  std::set<std::string> names;
+  for (const char* file : {"sensitivity", "sensitivity_moment"})
+    for (const SweepMember& member : expand_sweep(source(std::string("cases/") + file + ".toml")))
+      names.insert(member.name);
+  const Catalogue catalogue = read_catalogue(source("validation/paper/paper.json"));
+  std::size_t asked = 0;
+  for (const Statement& statement : catalogue.statements) {
+    if (!statement.choice) continue;
+    ++asked;
+    EXPECT_TRUE(names.contains("as_is__" + statement.condition)) << statement.id;
+    EXPECT_TRUE(names.contains("moment_half__" + statement.condition)) << statement.id;
+  }
+  EXPECT_GT(asked, 10U);
+}
+
+TEST(Catalogue, FaultsAreNamed) {
+  EXPECT_NE(message_of("{").find("test.json"), std::string::npos);
+  EXPECT_NE(message_of(with_statement(R"("kind": "about", "expected": 1)")).find("P1: unknown kind"),
+            std::string::npos);
+  EXPECT_NE(message_of(with_statement(R"("kind": "within", "expected": 1)")).find("positive tolerance"),
+            std::string::npos);
+  EXPECT_NE(message_of(with_statement(R"("kind": "above")")).find("expected"), std::string::npos);
+  EXPECT_EQ(message_of(with_statement(R"("kind": "above", "expected": 1)")), "");
+  EXPECT_THROW(read_catalogue("/no/such/file.json"), Error);
+}
+
+}  // namespace
+}  // namespace gem

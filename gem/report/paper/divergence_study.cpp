@@ -1,0 +1,154 @@
+// Pairs of run files to distances, and distances to rates.
+#include "gem/report/paper/divergence_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gem/analysis/moments.h"
+#include "gem/base/number_text.h"
+#include "gem/record/run_file.h"
+#include "gem/report/paper/settings_check.h"
+
+namespace gem {
+namespace {
+
+constexpr double kOnset = 0.1;    // of the swing: growth is still exponential
+constexpr double kParting = 0.5;  // of the swing: the eye sees two curves
+
+struct Path {
+  std::vector<double> x, y, u, v;  // velocities over the natural frequency [m]
+};
+
+Path path_of(const PaperRun& run, double interval_s) {
+  const RunFile file(run.file);
+  const std::vector<double> time = file.column("platform/time");
+  const auto step =
+      static_cast<std::size_t>(std::llround(interval_s * static_cast<double>(time.size() - 1) / time.back()));
+  const double scale = run.numbers.find("natural_period_s")->value / (2.0 * std::numbers::pi);
+  Path path;
+  for (const auto& [name, to, factor] : {std::tuple("x", &path.x, 1.0), std::tuple("y", &path.y, 1.0),
+                                         std::tuple("vx", &path.u, scale), std::tuple("vy", &path.v, scale)}) {
+    const std::vector<double> column = file.column(std::string("platform/") + name);
+    for (std::size_t i = 0; i < column.size(); i += std::max<std::size_t>(1, step)) to->push_back(factor * column[i]);
+  }
+  return path;
+}
+
+std::vector<double> distance(const Path& a, const Path& b) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < std::min(a.x.size(), b.x.size()); ++i) {
+    const double place = (a.x[i] - b.x[i]) * (a.x[i] - b.x[i]) + (a.y[i] - b.y[i]) * (a.y[i] - b.y[i]);
+    const double speed = (a.u[i] - b.u[i]) * (a.u[i] - b.u[i]) + (a.v[i] - b.v[i]) * (a.v[i] - b.v[i]);
+    result.push_back(std::sqrt(place + speed));
+  }
+  return result;
+}
+
+double moved(const PaperRun& run) { return length(run.scene.floes.moved_by_m); }
+
+/// All pairs of one disturbance, each from the time on at which it was reached, as long as the shortest of them. A pair
+/// that was never reached says nothing and is left out.
+std::vector<std::vector<double>> reached(const std::vector<DivergingPair>& pairs, double moved_m) {
+  std::vector<std::vector<double>> result;
+  std::size_t shortest = SIZE_MAX;
+  for (const DivergingPair& pair : pairs) {
+    if (pair.moved_m != moved_m || !(pair.distance.back() > 0.0)) continue;
+    // From the last zero on: two paths may meet again to the last bit while they differ only by rounding.
+    const auto zero = std::find(pair.distance.rbegin(), pair.distance.rend(), 0.0);
+    result.emplace_back(zero.base(), pair.distance.end());
+    shortest = std::min(shortest, result.back().size());
+  }
+  for (std::vector<double>& distance : result) distance.resize(shortest);
+  return result;
+}
+
+void add_growth(DivergenceStudy& study) {
+  for (const DivergingPair& pair : study.pairs) {
+    if (study.growth.contains(pair.moved_m)) continue;
+    const auto pairs = reached(study.pairs, pair.moved_m);
+    if (pairs.size() < 2) continue;
+    const double start = std::exp(mean_log_distance(pairs).front());
+    if (const auto rate = growth_rate(pairs, study.interval_s, 10.0 * start, kOnset * study.swing_m))
+      study.growth[pair.moved_m] = *rate;
+  }
+}
+
+void add_shift(DivergenceStudy& study) {
+  std::vector<double> sizes, onsets;
+  for (const DivergingPair& pair : study.pairs)
+    if (const auto onset = onset_time(pair.distance, study.interval_s, kOnset * study.swing_m)) {
+      sizes.push_back(pair.moved_m);
+      onsets.push_back(*onset);
+    }
+  const bool several = sizes.size() >= 3 &&
+                       *std::min_element(sizes.begin(), sizes.end()) < *std::max_element(sizes.begin(), sizes.end());
+  if (several) study.shift = onset_shift(sizes, onsets);
+}
+
+}  // namespace
+
+DivergenceStudy divergence_study(const PaperFolder& folder) {
+  std::map<std::uint64_t, const PaperRun*> undisturbed;
+  std::vector<const PaperRun*> disturbed;
+  for (const auto& [condition, runs] : folder.conditions)
+    for (const PaperRun& run : runs) {
+      if (run.scene.floes.moved_floe < 0 || !run.numbers.find("natural_period_s")) continue;
+      if (moved(run) == 0.0)
+        undisturbed[run.seed] = &run;
+      else
+        disturbed.push_back(&run);
+    }
+  DivergenceStudy study;
+  std::map<std::uint64_t, Path> paths;
+  std::vector<double> swings;
+  for (const auto& [seed, run] : undisturbed) {
+    paths[seed] = path_of(*run, study.interval_s);
+    swings.push_back(run->numbers.find("x_deviation_m")->value);
+  }
+  study.swing_m = moments(swings).mean;
+  const std::vector<std::string> only = {"floes.moved_by_m"};
+  for (const PaperRun* run : disturbed)
+    if (const auto base = paths.find(run->seed);
+        base != paths.end() && differing_options(undisturbed.at(run->seed)->scene, run->scene) == only)
+      study.pairs.push_back({moved(*run), run->seed, distance(base->second, path_of(*run, study.interval_s))});
+  if (!(study.swing_m > 0.0)) return study;
+  add_growth(study);
+  add_shift(study);
+  return study;
+}
+
+void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers) {
+  const std::string pairs = "95 % over " + std::to_string(study.pairs.size()) + " pairs of all sizes";
+  if (!study.growth.empty()) {
+    const double size = study.growth.begin()->first;
+    const auto own = std::count_if(study.pairs.begin(), study.pairs.end(),
+                                   [size](const DivergingPair& pair) { return pair.moved_m == size; });
+    const std::string of_size = "95 % over " + std::to_string(own) + " pairs moved by " + number_text(size) + " m";
+    const IntervalEstimate& rate = study.growth.begin()->second.rate;
+    numbers["divergence_rate_per_s"] = {rate.value, rate.low, rate.high, of_size};
+    const IntervalEstimate& early = study.growth.begin()->second.early;
+    const IntervalEstimate& late = study.growth.begin()->second.late;
+    // Both intervals at their worst.
+    if (early.low > 0.0)
+      numbers["divergence_late_over_early"] = {late.value / early.value, late.low / early.high, late.high / early.low,
+                                               of_size};
+  }
+  if (study.shift) {
+    const IntervalEstimate& rate = study.shift->rate;
+    numbers["divergence_rate_by_onset_per_s"] = {rate.value, rate.low, rate.high, pairs};
+  }
+  std::map<double, std::vector<RunNumber>> parting;
+  std::map<double, std::vector<RunNumber>> parted;
+  for (const DivergingPair& pair : study.pairs) {
+    const auto time = onset_time(pair.distance, study.interval_s, kParting * study.swing_m);
+    if (time) parting[pair.moved_m].push_back({*time, *time, *time, false});
+    const double share = time ? 1.0 : 0.0;
+    parted[pair.moved_m].push_back({share, share, share, false});
+  }
+  for (const auto& [size, times] : parting) numbers["parting_s_" + number_text(size)] = *over_runs(times, Over::every);
+  for (const auto& [size, shares] : parted)
+    numbers["parted_share_" + number_text(size)] = *over_runs(shares, Over::mean);
+}
+
+}  // namespace gem

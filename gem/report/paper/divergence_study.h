@@ -1,0 +1,39 @@
+// How fast runs part that differ by the place of one floe: growth of their distance, onset, time of visible parting.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gem/analysis/divergence.h"
+#include "gem/report/paper/folder_numbers.h"
+#include "gem/report/paper/paper_run.h"
+
+namespace gem {
+
+/// Distance of two platforms that should do the same, in position and velocity over the natural frequency [m].
+struct DivergingPair {
+  double moved_m = 0.0;
+  std::uint64_t seed = 0;
+  std::vector<double> distance;  // one per second; 0 until the disturbance has reached the platform
+};
+
+struct DivergenceStudy {
+  double interval_s = 1.0;
+  double swing_m = 0.0;  // standard deviation of the undisturbed motion: where the distance ends
+  std::vector<DivergingPair> pairs;
+  std::map<double, GrowthRate> growth;  // by how far the floe was moved
+  std::optional<OnsetShift> shift;      // of the time at which the distance is a tenth of the swing
+};
+
+/// From the runs with floes.moved_floe set: those moved by nothing are the undisturbed ones of their seed.
+/// A pair differs in floes.moved_by_m and in nothing else.
+DivergenceStudy divergence_study(const PaperFolder& folder);
+
+/// The study as numbers: divergence_rate_per_s (of the smallest disturbance), divergence_late_over_early (its rate in
+/// the late half of the growth over that in the early half), divergence_rate_by_onset_per_s, parting_s_<moved> (when
+/// the distance is half the swing), parted_share_<moved>.
+void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers);
+
+}  // namespace gem

@@ -1,0 +1,35 @@
+// The statements of the paper against the runs: one judged row each.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gem/report/paper/catalogue.h"
+#include "gem/report/paper/folder_numbers.h"
+#include "gem/report/paper/paper_run.h"
+
+namespace gem {
+
+struct JudgedRow {
+  std::string id, source, says, condition, metric, why;
+  Rule rule;
+  std::optional<Measured> measured;
+  Verdict verdict = Verdict::undecidable;
+  std::string note;  // why there is no measurement
+};
+
+/// One statement. `prefix` stands before the names of its conditions: the same statement under another choice.
+JudgedRow evaluate(const Statement& statement, const PaperFolder& folder, const FolderNumbers& numbers,
+                   const std::string& prefix = "");
+
+/// Whether the runs of a row of the tables are there and have the settings that the paper prints.
+struct JudgedSettings {
+  TableRow row;
+  std::size_t runs = 0;
+  std::vector<std::string> differences;  // "gap 300 m, not 400 m"
+  Verdict verdict = Verdict::undecidable;
+};
+JudgedSettings compare_settings(const TableRow& row, const PaperFolder& folder);
+
+}  // namespace gem

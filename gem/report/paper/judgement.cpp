@@ -1,0 +1,108 @@
+// Interval against rule, and numbers of runs to an interval.
+#include "gem/report/paper/judgement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gem/analysis/bootstrap.h"
+#include "gem/analysis/equivalence.h"
+#include "gem/analysis/moments.h"
+#include "gem/base/number_text.h"
+
+namespace gem {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Verdict of(bool all, bool none) {
+  if (all) return Verdict::reproduced;
+  return none ? Verdict::not_reproduced : Verdict::undecidable;
+}
+
+std::string runs_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " run" : " runs"); }
+
+Measured mean_over(const std::vector<RunNumber>& runs, const std::vector<double>& values) {
+  if (runs.size() > 1) {
+    const IntervalEstimate mean =
+        bootstrap_values(values, [](std::span<const double> chosen) { return moments(chosen).mean; });
+    return {mean.value, mean.low, mean.high, "95 % over " + runs_text(runs.size())};
+  }
+  const RunNumber& only = runs.front();
+  if (only.interval) return {only.value, only.low, only.high, "95 % within 1 run"};
+  return {only.value, -kInfinity, kInfinity, "1 run, no interval"};
+}
+
+}  // namespace
+
+Verdict judge(const Rule& rule, const std::optional<Measured>& measured) {
+  if (!measured || std::isnan(measured->value) || std::isnan(measured->low) || std::isnan(measured->high))
+    return Verdict::undecidable;
+  const double low = measured->low;
+  const double high = measured->high;
+  switch (rule.kind) {
+    case RuleKind::within: {
+      const double least = rule.expected - rule.tolerance;
+      const double most = rule.expected + rule.tolerance;
+      return of(low >= least && high <= most, high < least || low > most);
+    }
+    case RuleKind::above:
+      return of(low > rule.expected, high <= rule.expected);
+    case RuleKind::below:
+      return of(high < rule.expected, low >= rule.expected);
+    case RuleKind::significant:
+      return high < rule.expected ? Verdict::reproduced : Verdict::undecidable;
+  }
+  return Verdict::undecidable;
+}
+
+std::string verdict_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced:
+      return "reproduced";
+    case Verdict::not_reproduced:
+      return "not reproduced";
+    case Verdict::undecidable:
+      return "undecidable";
+  }
+  return "";
+}
+
+std::string rule_text(const Rule& rule) {
+  const std::string expected = number_text(rule.expected, 8);
+  switch (rule.kind) {
+    case RuleKind::within:
+      return expected + " ± " + number_text(rule.tolerance, 3);
+    case RuleKind::above:
+      return "> " + expected;
+    case RuleKind::below:
+      return "< " + expected;
+    case RuleKind::significant:
+      return "p < " + expected;
+  }
+  return "";
+}
+
+std::optional<RuleKind> rule_kind(const std::string& name) {
+  if (name == "within") return RuleKind::within;
+  if (name == "above") return RuleKind::above;
+  if (name == "below") return RuleKind::below;
+  if (name == "significant") return RuleKind::significant;
+  return std::nullopt;
+}
+
+std::optional<Measured> over_runs(const std::vector<RunNumber>& runs, Over over) {
+  if (runs.empty()) return std::nullopt;
+  std::vector<double> values;
+  for (const RunNumber& run : runs) values.push_back(run.value);
+  if (over == Over::mean) return mean_over(runs, values);
+  if (over == Over::chances) {
+    const double chance = combined_chance(values);
+    return Measured{chance, chance, chance, runs.size() == 1 ? "1 run" : runs_text(runs.size()) + " combined"};
+  }
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return Measured{percentile(values, 0.5), *least, *most,
+                  runs.size() == 1 ? "1 run" : "smallest to largest of " + runs_text(runs.size())};
+}
+
+}  // namespace gem

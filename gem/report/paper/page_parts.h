@@ -1,0 +1,27 @@
+// Cells and sections of the page of the reproduction.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gem/report/paper/paper_page.h"
+
+namespace gem {
+
+/// Safe inside a cell of a table.
+std::string cell(const std::string& text);
+/// A number at the end of an interval, which may be infinite.
+std::string end_text(double value);
+/// "88.7 (88.1 … 89.2; 95 % over 5 runs)", or the note where nothing was measured.
+std::string result_text(const std::optional<Measured>& measured, const std::string& note);
+/// Mean over the runs of a condition in a unit, with its interval if there is one; "-" without runs.
+std::string mean_text(const PaperFolder& folder, const std::string& run, const std::string& name, double unit = 1.0);
+
+std::string period_text(const Reproduction& result);
+/// How the three ways to name a period differ in run 1, and how the count depends on the sampling.
+std::string counting_text(const PaperFolder& folder);
+std::string choices_text(const Reproduction& result);
+std::string divergence_text(const Reproduction& result);
+std::string chaos_text(const PaperFolder& folder);
+
+}  // namespace gem

@@ -1,0 +1,142 @@
+// The parts of the page that answer one question each.
+#include <set>
+#include <sstream>
+
+#include "gem/base/number_text.h"
+#include "gem/report/display.h"
+#include "gem/report/paper/page_parts.h"
+
+namespace gem {
+namespace {
+
+std::string candidate_verdict(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced:
+      return "holds";
+    case Verdict::not_reproduced:
+      return "**refuted**";
+    case Verdict::undecidable:
+      return "undecidable";
+  }
+  return "";
+}
+
+std::string rate_text(const IntervalEstimate& rate) {
+  return rounded_text(rate.value, 3) + " (" + end_text(rate.low) + " … " + end_text(rate.high) + ")";
+}
+
+}  // namespace
+
+std::string period_text(const Reproduction& result) {
+  std::ostringstream text;
+  text << "## Why 72 s?\n\n";
+  if (result.period.empty()) return text.str() + "Needs the runs of `cases/period_question.toml`.\n\n";
+  text << "Each candidate predicts a period for each run of `cases/period_question.toml`. A prediction holds if the "
+          "measured interval, widened for the number of the candidate's predictions (Bonferroni), holds it but not the "
+          "rival; an interval that holds both decides nothing. A candidate holds if all of its predictions do, and is "
+          "refuted by the first that does not. This judges what explains *these* runs; what the authors' program did "
+          "cannot be asked.\n\n"
+       << "| candidate | says | run | number | predicted [s] | rival [s] | measured [s] | "
+          "|\n|---|---|---|---|---:|---:|---|---|\n";
+  for (const Candidate& candidate : result.period) {
+    text << "| " << candidate.name << " | " << candidate.says << " | | | | | | " << candidate_verdict(candidate.verdict)
+         << " |\n";
+    for (const Prediction& prediction : candidate.predictions)
+      text << "| | | " << prediction.condition << " | `" << prediction.metric << "` | "
+           << rounded_text(prediction.period_s, 5) << " | " << rounded_text(prediction.rival_s, 5) << " | "
+           << result_text(prediction.measured, "no run, or too few swings") << " | "
+           << candidate_verdict(prediction.verdict) << " |\n";
+  }
+  return text.str() + "\n";
+}
+
+std::string counting_text(const PaperFolder& folder) {
+  const std::string run = folder.of("q_run1").empty() ? "004_400_25" : "q_run1";
+  if (folder.of(run).empty()) return "";
+  std::ostringstream text;
+  text << "Period of x of " << run << " by each way of finding it:\n\n| spectrum | crossings of the mean |";
+  const char* intervals[] = {"", "_1s", "_2s", "_5s", "_10s", "_20s"};
+  for (const std::string interval : intervals)
+    text << " maxima, "
+         << (interval.empty() ? "every sample" : "every " + interval.substr(1, interval.size() - 2) + " s") << " |";
+  text << "\n|---|---|---|---|---|---|---|---|\n| " << mean_text(folder, run, "x_period_by_spectrum_s") << " | "
+       << mean_text(folder, run, "x_period_by_crossings_s") << " |";
+  for (const std::string interval : intervals)
+    text << " " << mean_text(folder, run, "x_period_by_maxima" + interval + "_s") << " |";
+  return text.str() + "\n\n";
+}
+
+std::string choices_text(const Reproduction& result) {
+  std::ostringstream text;
+  text << "## Which statements survive which choice\n\n";
+  if (result.choices.empty()) return text.str() + "Needs the runs of `cases/sensitivity.toml`.\n\n";
+  text << "The paper leaves these choices open. + reproduced, - not reproduced, ? undecidable.\n\n| choice |";
+  for (const JudgedRow& row : result.choices.front().statements) text << " " << row.id << " |";
+  text << "\n|---|";
+  for (std::size_t i = 0; i < result.choices.front().statements.size(); ++i) text << ":---:|";
+  text << "\n";
+  for (const ChoiceRow& choice : result.choices) {
+    text << "| " << choice.choice << " |";
+    for (const JudgedRow& row : choice.statements)
+      text << (row.verdict == Verdict::reproduced       ? " + |"
+               : row.verdict == Verdict::not_reproduced ? " **-** |"
+                                                        : " ? |");
+    text << "\n";
+  }
+  return text.str() + "\n";
+}
+
+std::string divergence_text(const Reproduction& result) {
+  const DivergenceStudy& study = result.divergence;
+  std::ostringstream text;
+  text << "## How fast runs part\n\n";
+  if (study.pairs.empty()) return text.str() + "Needs the runs of `cases/divergence.toml`.\n\n";
+  text << study.pairs.size()
+       << " pairs of runs that differ by the place of one floe. Distance of the platforms in place and "
+       << "in velocity over the natural frequency; the undisturbed motion has a deviation of "
+       << rounded_text(1e3 * study.swing_m, 3)
+       << " mm.\n\n| moved by [m] | growth rate [1/s] | early half | late half | from "
+       << "[s] | to [s] |\n|---|---|---|---|---:|---:|\n";
+  std::set<double> sizes;
+  for (const DivergingPair& pair : study.pairs) sizes.insert(pair.moved_m);
+  for (const double size : sizes) {
+    text << "| " << number_text(size) << " | ";
+    if (const auto found = study.growth.find(size); found != study.growth.end())
+      text << rate_text(found->second.rate) << " | " << rate_text(found->second.early) << " | "
+           << rate_text(found->second.late) << " | " << rounded_text(found->second.begin, 4) << " | "
+           << rounded_text(found->second.end, 4) << " |\n";
+    else
+      text << "not resolved | | | | |\n";
+  }
+  text << "\nTimes count from when the disturbance has reached the platform of each pair. Exponential growth has one "
+          "rate in both halves.";
+  if (study.shift)
+    text << " Onset (a tenth of the deviation) over ln(moved): slope " << rate_text(study.shift->line.slope)
+         << " s, so a rate of " << rate_text(study.shift->rate) << " 1/s.";
+  return text.str() + "\n\n";
+}
+
+std::string chaos_text(const PaperFolder& folder) {
+  if (folder.numbers("004_400_25", "x_zero_one_k").empty()) return "";
+  std::ostringstream text;
+  text << "Run 1 against 99 records of the null model: a linear oscillator with the mooring's period, hit at random as "
+          "often "
+          "as floes touched, damped as by floes that hit once or as much more as the run's own memory over one period "
+          "asks for.\n\n| number | x | null | p | y | null | p |\n|---|---|---|---|---|---|---|\n";
+  for (const auto& [name, key] :
+       {std::pair("0-1 test K", "zero_one_k"), std::pair("prediction error", "prediction_error")}) {
+    const std::string base = key;
+    const std::string chance = base == "zero_one_k" ? "zero_one_p" : "prediction_p";
+    text << "| " << name;
+    for (const std::string axis : {"x_", "y_"})
+      text << " | " << mean_text(folder, "004_400_25", axis + base) << " | "
+           << mean_text(folder, "004_400_25", axis + base + "_null_median") << " | "
+           << mean_text(folder, "004_400_25", axis + chance);
+    text << " |\n";
+  }
+  text << "| damping ratio | | " << mean_text(folder, "004_400_25", "x_null_damping_ratio") << " | | | "
+       << mean_text(folder, "004_400_25", "y_null_damping_ratio") << " | |\n";
+  return text.str() + "\n";
+}
+
+}  // namespace gem

@@ -1,0 +1,41 @@
+// Twins of the paper's figures 7 to 20, and what they do not show: envelope, exceedance, growth of the maximum,
+// divergence.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "gem/report/paper/catalogue.h"
+#include "gem/report/paper/divergence_study.h"
+#include "gem/report/paper/paper_run.h"
+
+namespace gem {
+
+/// A drawn figure: which of the paper's it is the twin of, and where the picture is.
+struct PaperFigure {
+  std::string number;  // "7", "17", or "-" for an extra
+  std::string title;
+  std::filesystem::path path;  // without .svg
+};
+
+/// Figures 7 to 11 and 13 to 16 from the first run of 004_400_25 and of 400_300_100; left out without them.
+std::vector<PaperFigure> twin_figures(const PaperFolder& folder, const std::filesystem::path& out);
+
+/// Figure 12: x of run 1, of its repetition, and of a run that differs by the place of one floe; and, where there are
+/// pairs, their distance against time.
+std::vector<PaperFigure> repeat_figures(const PaperFolder& folder, const DivergenceStudy& study,
+                                        const std::filesystem::path& out);
+
+/// Figures 17 to 20: largest excursion against current, one line per gap, bars from the smallest to the largest seed.
+std::vector<PaperFigure> excursion_figures(const PaperFolder& folder, const std::vector<TableRow>& rows,
+                                           const std::filesystem::path& out);
+
+/// Of run 1: amplitude and period over time, exceedance of the peaks, largest excursion against duration.
+std::vector<PaperFigure> extra_figures(const PaperFolder& folder, const std::filesystem::path& out);
+
+/// "004_400_25: coupled, dt 0.1 s, seed 1  gem 0.1.0 (commit)": printed on every figure; the name says ice, gap,
+/// current.
+std::string conditions_text(const PaperRun& run);
+
+}  // namespace gem

@@ -1,0 +1,32 @@
+// The page of the reproduction: judged statements, tables, period, choices, divergence, figures; and all rows as CSV.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gem/report/paper/catalogue.h"
+#include "gem/report/paper/divergence_study.h"
+#include "gem/report/paper/evaluation.h"
+#include "gem/report/paper/paper_figures.h"
+#include "gem/report/paper/period_question.h"
+#include "gem/report/paper/sensitivity.h"
+
+namespace gem {
+
+struct Reproduction {
+  std::vector<std::string> mixed;  // settings that should be alike and are not
+  std::vector<JudgedRow> statements;
+  std::vector<JudgedSettings> settings;
+  std::vector<Candidate> period;
+  std::vector<ChoiceRow> choices;
+  DivergenceStudy divergence;
+  std::vector<PaperFigure> figures;
+};
+
+/// Markdown; pictures are named relative to `root`.
+std::string page_text(const PaperFolder& folder, const Reproduction& result, const std::filesystem::path& root);
+
+/// One row per check: case, metric, expected, source, tolerance and kind, result, interval, verdict.
+std::string rows_text(const Reproduction& result);
+
+}  // namespace gem

@@ -1,0 +1,82 @@
+// One run as the reproduction of the paper sees it: its condition, its seed, and a list of named numbers.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gem/analysis/run_analysis.h"
+#include "gem/report/paper/judgement.h"
+#include "gem/report/run_data.h"
+#include "gem/scene/scene_def.h"
+
+namespace gem {
+
+/// Named numbers; a name ends in its unit. Numbers that are not finite are left out.
+class Numbers {
+ public:
+  /// A single draw: the run alone gives no interval.
+  void add(const std::string& name, double value) { add(name, {value, value, value, false}); }
+  void add(const std::string& name, const RunNumber& number) {
+    if (std::isfinite(number.value)) numbers_[name] = number;
+  }
+  std::optional<RunNumber> find(const std::string& name) const {
+    const auto found = numbers_.find(name);
+    return found == numbers_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  std::map<std::string, RunNumber> numbers_;
+};
+
+struct PaperRun {
+  std::string file;
+  std::string condition;  // the run's name without its seed
+  std::uint64_t seed = 0;
+  SceneDef scene;
+  std::string source, engine, resolution, state_hash;
+  Numbers numbers;
+  std::vector<double> excursion_peaks;  // of the distance from rest, one per natural period [m]
+};
+
+/// The runs of a folder by condition, in order of their seeds.
+struct PaperFolder {
+  std::map<std::string, std::vector<PaperRun>> conditions;
+  std::vector<std::string> refused;  // files that could not be used, and why
+
+  /// Empty if there is none.
+  const std::vector<PaperRun>& of(const std::string& condition) const;
+  /// The named number of each run of a condition that has it.
+  std::vector<RunNumber> numbers(const std::string& condition, const std::string& name) const;
+};
+
+/// "004_400_25_s3" with seed 3 is a run of the condition 004_400_25.
+std::string condition_of(const std::string& name, std::uint64_t seed);
+
+/// Reads one run file. Throws Error(file_system) for a file that is no complete run.
+PaperRun read_paper_run(const std::string& file);
+
+/// Every run file (*.h5) of a folder and its folders. A file that cannot be used is listed, not fatal.
+/// Throws Error(file_system) if there is no such folder.
+PaperFolder read_paper_folder(const std::string& folder);
+
+/// What the numbers of one run are made from.
+struct NumberSource {
+  const RunData& data;
+  const SceneDef& scene;
+  const PlatformSeries& series;
+};
+
+// Each adds its numbers where the record allows them.
+
+/// Motion, periods and loads of the analysis, amplitude, hour mark, orbit, extremes.
+void add_motion_numbers(const NumberSource& source, Numbers& numbers);
+/// Peaks against means, work of the ice, likeness of ice and mooring force.
+void add_load_numbers(const NumberSource& source, Numbers& numbers);
+/// The record against records of the null model: 0-1 test, predictability, changes of amplitude.
+void add_chaos_numbers(const NumberSource& source, Numbers& numbers);
+
+}  // namespace gem

@@ -1,0 +1,125 @@
+// Run files become conditions and numbers; files that are none are listed; disturbed runs find their partner.
+#include "gem/report/paper/paper_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "gem/base/error.h"
+#include "gem/report/paper/divergence_study.h"
+#include "gem/report/paper/null_model.h"
+#include "gem/report/run_program.h"
+
+namespace gem {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PaperRunFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() /
+              ("gem_paper_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void run(const std::string& file, std::vector<std::string> settings) {
+    std::vector<std::string> command = {GEM_PROGRAM,
+                                        "run",
+                                        std::string(GEM_SOURCE_DIR) + "/" + case_,
+                                        "--threads",
+                                        "1",
+                                        "--out",
+                                        (folder_ / file).string()};
+    for (std::string& setting : settings) command.insert(command.end(), {"--set", std::move(setting)});
+    const ProgramResult result = run_program(command, folder_);
+    ASSERT_EQ(result.exit_code, 0) << result.output;
+  }
+
+  fs::path folder_;
+  std::string case_ = "cases/analytic/V39_free_swing.toml";
+};
+
+TEST_F(PaperRunFiles, AFreeSwingHasThePeriodOfMassAndMooring) {
+  run("swing.h5", {"run.duration_s=1800"});
+  const PaperRun swing = read_paper_run((folder_ / "swing.h5").string());
+  EXPECT_EQ(swing.condition, "V39");
+  const double expected = 2.0 * std::numbers::pi * std::sqrt(1e8 / 5e5);
+  ASSERT_TRUE(swing.numbers.find("free_period_s"));
+  EXPECT_NEAR(swing.numbers.find("free_period_s")->value, expected, 1e-6 * expected);
+  EXPECT_FALSE(swing.numbers.find("floe_count"));
+  EXPECT_EQ(swing.excursion_peaks.size(), 20U);
+  EXPECT_NEAR(swing.excursion_peaks.front(), 1.0, 1e-9);
+}
+
+TEST_F(PaperRunFiles, AFolderIsReadBySeedAndWhatIsNoRunIsListed) {
+  run("b.h5", {"run.duration_s=60", "run.seed=2", "run.name=\"V39_s2\""});
+  run("a.h5", {"run.duration_s=60", "run.seed=1", "run.name=\"V39_s1\""});
+  run("again.h5", {"run.duration_s=60", "run.seed=1", "run.name=\"V39_s1\""});
+  std::ofstream(folder_ / "broken.h5") << "no run";
+  std::ofstream(folder_ / "notes.txt") << "not looked at";
+  const PaperFolder folder = read_paper_folder(folder_.string());
+  ASSERT_EQ(folder.of("V39").size(), 2U);
+  EXPECT_EQ(folder.of("V39")[0].seed, 1U);
+  EXPECT_EQ(folder.of("V39")[1].seed, 2U);
+  EXPECT_EQ(folder.numbers("V39", "duration_s").size(), 2U);
+  EXPECT_EQ(folder.refused.size(), 2U);
+  EXPECT_TRUE(folder.of("other").empty());
+  EXPECT_THROW(read_paper_folder((folder_ / "nowhere").string()), Error);
+}
+
+TEST_F(PaperRunFiles, IceGivesLoadsAndCover) {
+  case_ = "cases/004_400_25.toml";
+  run("ice.h5", {"run.duration_s=120", "floes.count=300", "floes.length_m=100", "floes.width_m=300",
+                 "floes.start_x_m=-155", "current.velocity_m_per_s=[1.0, 0.0]", "output.floes_interval_s=10"});
+  const Numbers numbers = read_paper_run((folder_ / "ice.h5").string()).numbers;
+  ASSERT_TRUE(numbers.find("platform_touches"));
+  EXPECT_GT(numbers.find("platform_touches")->value, 10.0);
+  EXPECT_EQ(numbers.find("floe_count")->value, 300.0);
+  EXPECT_NEAR(numbers.find("cover_start")->value, 300.0 * 62.82 / 3e4, 0.03);
+  EXPECT_GT(numbers.find("cover_ahead_largest")->value, numbers.find("cover_start")->value);
+  EXPECT_LE(numbers.find("cover_ahead_largest")->value, 1.01);
+  EXPECT_GT(numbers.find("ice_work_in_J")->value, 0.0);
+  EXPECT_FALSE(numbers.find("free_period_s"));
+}
+
+TEST_F(PaperRunFiles, DisturbedRunsFindThePartnerOfTheirSeed) {
+  const std::string floe =
+      "floe=[{outline_m=[[-5,-5],[5,-5],[5,5],[-5,5]], position_m=[-60,3], velocity_m_per_s=[1,0], thickness_m=1}]";
+  for (const char* seed : {"1", "2"})
+    for (const char* moved : {"0.0", "1e-3"})
+      run(std::string("moved_") + moved + "_" + seed + ".h5",
+          {"run.duration_s=60", std::string("run.seed=") + seed, floe, "floes.moved_floe=0",
+           std::string("run.name=\"moved_") + moved + "_s" + seed + "\"",
+           std::string("floes.moved_by_m=[") + moved + ",0.0]", "platform.start_offset_m=[0.0,0.0]"});
+  const DivergenceStudy study = divergence_study(read_paper_folder(folder_.string()));
+  ASSERT_EQ(study.pairs.size(), 2U);
+  for (const DivergingPair& pair : study.pairs) {
+    EXPECT_EQ(pair.moved_m, 1e-3);
+    EXPECT_EQ(pair.distance.front(), 0.0);
+    EXPECT_GT(pair.distance.back(), 0.0);  // the floe has hit the platform
+    EXPECT_LT(pair.distance.back(), 1e-3);
+  }
+  FolderNumbers numbers;
+  add_divergence_numbers(study, numbers);
+  EXPECT_TRUE(numbers.contains("parted_share_0.001"));
+}
+
+TEST(NullModel, IsDampedAsByFloesThatHitOnce) {
+  SceneDef scene;  // run 1: 4/10 of 0.5 m ice at 0.25 m/s
+  const auto model = null_model(scene, 0.2);
+  ASSERT_TRUE(model);
+  EXPECT_NEAR(model->natural_period, 88.857658763, 1e-9);
+  EXPECT_NEAR(model->damping_ratio, 4.3e-4, 0.2e-4);  // e-fold about 9 h
+  EXPECT_EQ(model->impulse_rate, 0.2);
+  scene.mooring.stiffness_N_per_m = 0.0;
+  EXPECT_FALSE(null_model(scene, 0.2));
+}
+
+}  // namespace
+}  // namespace gem

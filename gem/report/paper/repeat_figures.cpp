@@ -1,0 +1,124 @@
+// Runs that should do the same, in one picture; and how their distance grows.
+#include <algorithm>
+#include <sstream>
+
+#include "gem/base/number_text.h"
+#include "gem/record/run_file.h"
+#include "gem/report/display.h"
+#include "gem/report/paper/paper_figures.h"
+#include "gem/report/paper/settings_check.h"
+#include "gem/report/plot_folder.h"
+#include "gem/report/series.h"
+
+namespace gem {
+namespace {
+
+constexpr std::size_t kPoints = 4000;
+const std::vector<std::string> kMovedAlone = {"floes.moved_floe", "floes.moved_by_m"};
+
+struct Curve {
+  const PaperRun* run;
+  std::string title;
+};
+
+/// Run 1, the same again, and the run with the smallest move of a floe of the same seed.
+std::vector<Curve> curves(const PaperFolder& folder) {
+  std::vector<Curve> list;
+  if (folder.of("004_400_25").empty()) return list;
+  const PaperRun& one = folder.of("004_400_25").front();
+  list.push_back({&one, "run 1"});
+  for (const PaperRun& again : folder.of("004_400_25(2)"))
+    if (again.seed == one.seed && differing_options(one.scene, again.scene).empty())
+      list.push_back({&again, "the same again (1a)"});
+  const PaperRun* nearest = nullptr;
+  for (const auto& [condition, runs] : folder.conditions)
+    for (const PaperRun& run : runs) {
+      const double moved = length(run.scene.floes.moved_by_m);
+      if (run.scene.floes.moved_floe < 0 || moved == 0.0 || run.seed != one.seed) continue;
+      if (differing_options(one.scene, run.scene) != kMovedAlone) continue;
+      if (nearest == nullptr || moved < length(nearest->scene.floes.moved_by_m)) nearest = &run;
+    }
+  if (nearest != nullptr)
+    list.push_back({nearest, "one floe moved by " + number_text(length(nearest->scene.floes.moved_by_m)) + " m"});
+  return list;
+}
+
+PaperFigure draw_repetition(const std::vector<Curve>& list, const std::filesystem::path& out) {
+  const PlotFolder plots(out, conditions_text(*list.front().run));
+  const Unit time{"h", 3600.0};
+  std::string plot = "plot ";
+  double largest = 0.0;
+  for (const Curve& curve : list) largest = std::max(largest, curve.run->numbers.find("orbit_largest_m")->value);
+  const Unit metre = length_unit(largest);
+  for (std::size_t c = 0; c < list.size(); ++c) {
+    const RunFile file(list[c].run->file);
+    const std::vector<double> t = file.column("platform/time");
+    const std::vector<double> x = file.column("platform/x");
+    Csv csv("t [" + time.name + "],x [" + metre.name + "]");
+    for (const std::size_t i : every(x.size(), kPoints))
+      csv.row({t[i] / time.size, (x[i] - list[c].run->scene.platform.anchor_m.x) / metre.size});
+    const std::string name = "repeated_" + std::to_string(c + 1);
+    plots.write_csv(name, csv);
+    const char* styles[] = {"linestyle 1 lw 2", "linestyle 2 dt (6,4)", "linestyle 3"};
+    plot += (c == 0 ? "" : ", ") + quoted(name + ".csv") + " using 1:2 with lines " + styles[c] + " title " +
+            quoted(list[c].title);
+  }
+  plots.draw(
+      {"repeated", "Runs with identical properties", "", ""}, {1000, 340},
+      "set key outside bottom left horizontal\nset xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\nset xlabel 'time [" +
+          time.name + "]' offset 0,0.4\nset ylabel 'x [" + metre.name + "]'\n" + plot + "\n");
+  return {"12", "Runs with identical properties, and one that differs by a hair", out / "repeated"};
+}
+
+std::string conditions(const PaperFolder& folder) {
+  for (const auto& [condition, runs] : folder.conditions)
+    for (const PaperRun& run : runs)
+      if (run.scene.floes.moved_floe >= 0 && length(run.scene.floes.moved_by_m) > 0.0) return conditions_text(run);
+  return "";
+}
+
+PaperFigure draw_distances(const DivergenceStudy& study, const std::string& stamp, const std::filesystem::path& out) {
+  const PlotFolder plots(out, stamp);
+  std::map<double, Csv> columns;
+  for (const DivergingPair& pair : study.pairs) {
+    if (!(pair.distance.back() > 0.0)) continue;
+    Csv& csv = columns.try_emplace(pair.moved_m, "t [h],distance [m]").first->second;
+    for (const std::size_t i : every(pair.distance.size(), kPoints / 4))
+      if (pair.distance[i] > 0.0) csv.row({study.interval_s * static_cast<double>(i) / 3600.0, pair.distance[i]});
+    csv.gap();
+  }
+  std::string plot = "plot ";
+  int style = 0;
+  for (const auto& [moved, csv] : columns) {
+    const std::string name = "distance_" + number_text(moved);
+    plots.write_csv(name, csv);
+    plot += (style == 0 ? "" : ", ") + quoted(name + ".csv") + " using 1:2 with lines linestyle " +
+            std::to_string(style % 4 + 1) + " title " + quoted("moved by " + number_text(moved) + " m");
+    ++style;
+  }
+  std::ostringstream commands;
+  commands << "set key outside bottom left horizontal\nset logscale y\nset format y '10^{%L}'\nset termoption "
+              "enhanced\nset xlabel 'time [h]' offset 0,0.4\n"
+           << "set ylabel 'distance of the platforms [m]'\nset arrow 1 from graph 0, first "
+           << number_text(study.swing_m, 4) << " to graph 1, first " << number_text(study.swing_m, 4)
+           << " nohead lc rgb '#3c4149' dt (6,4) front\nset label 1 'deviation of the motion' at graph 0.01, first "
+           << number_text(study.swing_m, 4) << " offset 0,0.6 textcolor rgb '#3c4149' front\n"
+           << plot << '\n';
+  plots.draw({"distances", "Distance of disturbed runs", "", ""}, {1000, 420}, commands.str());
+  return {"-", "Distance of runs that differ by the place of one floe", out / "distances"};
+}
+
+}  // namespace
+
+std::vector<PaperFigure> repeat_figures(const PaperFolder& folder, const DivergenceStudy& study,
+                                        const std::filesystem::path& out) {
+  std::vector<PaperFigure> figures;
+  const std::vector<Curve> list = curves(folder);
+  if (list.size() > 1) figures.push_back(draw_repetition(list, out));
+  const bool apart = std::any_of(study.pairs.begin(), study.pairs.end(),
+                                 [](const DivergingPair& pair) { return pair.distance.back() > 0.0; });
+  if (apart && study.swing_m > 0.0) figures.push_back(draw_distances(study, conditions(folder), out));
+  return figures;
+}
+
+}  // namespace gem

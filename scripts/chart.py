@@ -1,0 +1,89 @@
+"""Line and point charts as SVG files by gnuplot: one style for all measured figures."""
+import subprocess
+
+COLOURS = {"gem": "#0b5394", "independent": "#6fa8dc", "Box2D": "#c55a11", "thin": "#e6a23c", "other": "#6a329f",
+           "dropped": "#38761d", "reference": "#444444"}
+
+
+FAMILIES = {"gem": "gem", "independent": "gem independent", "Box2D": "Box2D", "thin": "Box2D, thin skin", "other": "other",
+            "dropped": "gem, an option dropped", "reference": "reference"}
+
+
+def family_of(setting):
+    """Key of a setting's family by its label: what figures tell apart."""
+    if setting.startswith(("reference", "fine")):
+        return "reference"
+    if setting.startswith("Box2D"):
+        return "thin" if "thin skin" in setting or "slop" in setting else "Box2D"
+    if "without" in setting or "locked" in setting:
+        return "dropped"
+    if "independent" in setting:
+        return "independent"
+    return "gem" if setting.startswith("gem") else "other"
+
+
+def colour_of(setting):
+    return COLOURS[family_of(setting)]
+
+
+def quoted(text):
+    return '"' + text.replace('"', "'") + '"'
+
+
+class Panel:
+    """One plot of a figure: curves are (label or None, colour, style, points), marks are vertical lines."""
+
+    def __init__(self, title, x, y, log="xy"):
+        self.title, self.x, self.y, self.log = title, x, y, log
+        self.curves, self.marks, self.texts, self.extra = [], [], [], []
+
+    def curve(self, label, colour, points, style="linespoints pt 7 ps 0.5 lw 1.5"):
+        points = [p for p in points if all(v == v for v in p) and not ("y" in self.log and p[1] <= 0.0)
+                  and not ("x" in self.log and p[0] <= 0.0)]
+        if points:
+            self.curves.append((label, colour, style, points))
+
+    def mark(self, x, label):
+        self.marks.append((x, label))
+
+    def text(self, x, y, label, colour):
+        self.texts.append((x, y, label, colour))
+
+    def script(self):
+        lines = ["reset", f"set title {quoted(self.title)} noenhanced font ',13'", f"set xlabel {quoted(self.x)}",
+                 f"set ylabel {quoted(self.y)}", "set grid lc rgb '#dddddd'", "set key outside right top samplen 3 spacing 1.1 noenhanced",
+                 "set border 3", "set tics nomirror"]
+        lines += [f"set logscale {axis}\nset format {axis} '10^{{%L}}'" for axis in self.log]
+        lines += self.extra
+        if "x" in self.log and self.marks:  # wide enough for all marks
+            lines.append(f"set xrange [*:{1.3 * max(x for x, _ in self.marks):g}<*]")
+        for x, label in self.marks:
+            lines.append(f"set arrow from first {x:g}, graph 0 to first {x:g}, graph 1 nohead dt 2 lc rgb '#888888'")
+            lines.append(f"set label {quoted(label)} at first {x:g}, graph 0.03 rotate by 90 offset -0.7,0 font ',9' "
+                         "noenhanced tc rgb '#666666'")
+        for x, y, label, colour in self.texts:
+            lines.append(f"set label {quoted(label)} at first {x:g}, first {y:g} offset 0.6,0.4 font ',8' noenhanced tc rgb '{colour}'")
+        parts, seen = [], {}
+        for k, (label, colour, style, points) in enumerate(self.curves):
+            if colour and label and " dt " not in style:  # curves of one family are told apart by their dashes
+                seen[colour] = seen.get(colour, 0) + 1
+                style += f" dt {seen[colour]}"
+            lines.append(f"$d{k} << END")
+            lines += [" ".join(f"{v:.9g}" for v in point) for point in points]
+            lines.append("END")
+            title = f"title {quoted(label)}" if label else "notitle"
+            paint = f"lc rgb '{colour}' " if colour else ""
+            parts.append(f"$d{k} with {style} {paint}{title}")
+        return "\n".join(lines + ["plot " + ", \\\n  ".join(parts)]) if parts else ""
+
+
+def write_figure(path, panels, columns=1, width=900, height=420):
+    """One SVG with the panels that hold anything, row by row. Returns whether there was any."""
+    drawn = [script for script in (panel.script() for panel in panels) if script]
+    if not drawn:
+        return False
+    rows = -(-len(drawn) // columns)
+    head = (f"set terminal svg size {width * columns},{height * rows} font 'Helvetica,11' background '#ffffff' dynamic\n"
+            f"set output {quoted(str(path))}\nset multiplot layout {rows},{columns}\n")
+    subprocess.run(["gnuplot"], input=head + "\n".join(drawn) + "\nunset multiplot\n", text=True, check=True)
+    return True

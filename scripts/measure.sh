@@ -1,0 +1,195 @@
+#!/bin/sh
+# The whole measurement of speed against error, real-time factors and ensembles on a quiet machine. Needs sh and what
+# scripts/pack_measurements.sh packed; run it again to go on after a stop.
+# Usage: scripts/measure.sh PROGRAMS OUT JOBS [PART...]
+#   PROGRAMS  folder with the programs that `gem_measurements` builds
+#   OUT       gets results.tar.gz: the tables in results/ and all that is finished. To go on elsewhere, unpack it in OUT first
+#   JOBS      cores to use; parts that are timed leave two of them free
+#   PART      closed_form paths windows speed ensembles; all of them, in this order, if left out.
+#             ensembles:agreement and the like run one part of the plan
+# Environment: GEM_MINUTES=9 stop after so long, with what is finished; GEM_WHOLE=1 speed over whole runs instead of 600 m
+#              of drift; GEM_QUICK=1 a rehearsal in minutes, whose numbers mean nothing
+set -eu
+[ $# -ge 3 ] || {
+  sed -n '2,13s/^# //p' "$0" >&2
+  exit 2
+}
+mkdir -p "$2/results"
+programs=$(cd "$1" && pwd) out=$(cd "$2" && pwd) jobs=$3
+shift 3
+[ $# -gt 0 ] || set -- closed_form paths windows speed ensembles
+cd "$(dirname "$0")/.."
+. scripts/workers.sh
+results=$out/results
+timed=$((jobs > 2 ? jobs - 2 : 1))
+if [ -n "${GEM_MINUTES:-}" ]; then
+  GEM_DEADLINE=$(($(date +%s) + 60 * GEM_MINUTES))
+  export GEM_DEADLINE
+fi
+quick=${GEM_QUICK:-0}
+
+# choice QUICK FULL
+choice() { if [ "$quick" = 1 ]; then echo "$1"; else echo "$2"; fi; }
+
+note() { echo "$*" | tee -a "$results/conditions.txt"; }
+
+conditions() {
+  note "begun $(date -u +%Y-%m-%dT%H:%M:%SZ): $*"
+  note "machine $(uname -sm), $(grep -c ^processor /proc/cpuinfo) x$(sed -n 's/^model name[^:]*://p' /proc/cpuinfo | head -n 1)"
+  note "load $(cut -d' ' -f1-3 /proc/loadavg), jobs $jobs, timed jobs $timed, quick $quick"
+  note "program $("$programs/gem" --version | tr '\n' ' ')"
+}
+
+# task LINE: name, program, then its arguments with tabs between; the files it writes are $out/tasks/NAME.*
+task() {
+  tab=$(printf '\t')
+  name=${1%%"$tab"*}
+  (
+    set -f
+    IFS=$tab
+    # shellcheck disable=SC2086
+    set -- ${1#*"$tab"}
+    program=$1
+    shift
+    limited "$programs/$program" "$@" >"$out/tasks/$name.log" 2>&1
+  ) || {
+    cat "$out/tasks/$name.log" >&2
+    return 1
+  }
+  : >"$out/tasks/$name"
+}
+
+# in_tabs NAME PROGRAM ARGUMENT...
+in_tabs() {
+  line=$1
+  shift
+  for word; do line=$line$(printf '\t')$word; done
+  printf '%s\n' "$line"
+}
+
+# together RESULT FILE...: one table with one header, from the tasks that are finished
+together() {
+  result=$1
+  shift
+  rm -f "$result"
+  for table; do
+    [ -e "${table%.*}" ] || continue
+    [ -e "$result" ] || head -n 1 "$table" >"$result"
+    tail -n +2 "$table" >>"$result"
+  done
+}
+
+# regimes: name, case, first start [s]; twenty windows of 30 s follow each other, a task each
+regimes() {
+  echo "drift cases/table1.toml#1 60"
+  echo "plug cases/table1.toml#2 1500"
+  echo "jam cases/table1.toml#27 600"
+}
+
+# each part says its tasks
+closed_form() {
+  moments=$(choice 0.2,0.1 0.4,0.2,0.1,0.05,0.025,0.0125,0.00625)
+  in_tabs closed_form closed_form_errors bench/closed_form_settings.txt "$moments" "$out/tasks/closed_form.csv"
+}
+
+windows() {
+  k=0
+  while [ "$k" -lt "$(choice 1 20)" ]; do # all regimes before the next start: stopped early, there are fewer windows
+    regimes | while read -r regime case start; do
+      name=windows_${regime}_$k
+      in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 30 * k)))" "$(choice 1 10)" \
+        1 "$(choice 2 30)" "$(choice 2 10)" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
+        "$out/tasks/$name.paths"
+    done
+    k=$((k + 1))
+  done
+}
+
+paths() {
+  regimes | while read -r regime case start; do
+    name=paths_$regime
+    in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 "$start")" "$(choice 1 10)" 1 "$(choice 4 200)" \
+      "$(choice 2 40)" 0 bench/path_settings.txt "$out/tasks/$name.errors" "$out/tasks/$name.paths"
+  done
+}
+
+# the 36 runs of Table 1, the other five of Table 2, and the same ice in fields of other sizes
+speed() {
+  blocks=$(choice 2 24)
+  k=1
+  while [ "$k" -le "$(choice 2 36)" ]; do
+    # 0.25, 0.5 and 1 m/s in turn: 600 m of drift
+    case $((k % 3)) in 1) until=2400 ;; 2) until=1200 ;; *) until=600 ;; esac
+    [ "${GEM_WHOLE:-0}" = 0 ] || until=0
+    in_tabs "speed_1_$k" paired_speed "cases/table1.toml#$k" bench/speed_pairs.txt "$blocks" "$(choice 4 "$until")" \
+      "$out/tasks/speed_1_$k.csv"
+    k=$((k + 1))
+  done
+  k=2
+  while [ "$k" -le "$(choice 2 6)" ]; do
+    [ "${GEM_WHOLE:-0}" = 0 ] && until=2400 || until=0
+    in_tabs "speed_2_$k" paired_speed "cases/table2.toml#$k" bench/speed_pairs.txt "$blocks" "$(choice 4 "$until")" \
+      "$out/tasks/speed_2_$k.csv"
+    k=$((k + 1))
+  done
+  for size in 1002_750_200 4008_1500_400 $(choice "" "16032_3000_800 64128_6000_1600"); do
+    # shellcheck disable=SC2046
+    set -- $(echo "$size" | tr _ ' ')
+    in_tabs "speed_growth_$1" paired_speed "cases/table1.toml#2" bench/speed_pairs.txt "$(choice 2 12)" \
+      "$(choice 2 120)" "$out/tasks/speed_growth_$1.csv" "growth" "floes.count=$1" "floes.length_m=$2" \
+      "floes.width_m=$3" "floes.start_x_m=-$(($2 + 75))" "boundary.inlet_x_m=-$(($2 + 100))" \
+      "boundary.taper_start_x_m=-$(($2 + 100))" "boundary.inlet_width_m=$3" "boundary.gap_m=$3"
+  done
+}
+
+ensembles() {
+  if [ "$quick" = 1 ]; then
+    # as the plan, but three members of one case, judged from 5 s to 65 s
+    sed -e 's/^\(part | [a-z]* |\).*/\1 3 | 400_300_100/' -e 's/^\(case |[^|]*|[^|]*|[^|]*|\).*/\1 5 | 65/' \
+      validation/baseline/ensembles.txt >"$out/plan.txt"
+    GEM_PLAN=$out/plan.txt
+    export GEM_PLAN
+  fi
+  scripts/ensembles.sh "$programs" "$out/ensembles" "$jobs" "$@"
+  cp "$out/ensembles/ensembles.csv" "$out/ensembles/map_means.csv" "$results"
+  cp "$out/ensembles/rows.csv" "$results/ensemble_rows.csv"
+}
+
+conditions "$@"
+# what is timed goes first and in one list, so that no core waits for the end of a part
+: >"$out/tasks.txt"
+for part; do
+  case $part in
+  closed_form | windows | paths | speed) $part >>"$out/tasks.txt" ;;
+  ensembles | ensembles:*) ;;
+  *)
+    echo "measure.sh: no part '$part' (closed_form windows paths speed ensembles ensembles:PART)" >&2
+    exit 2
+    ;;
+  esac
+done
+in_parallel "$timed" "$out/tasks.txt" "$out/tasks" task
+together "$results/closed_form_errors.csv" "$out"/tasks/closed_form.csv
+together "$results/windows.csv" "$out"/tasks/windows_*.errors
+together "$results/paths.csv" "$out"/tasks/paths_*.paths
+together "$results/speed.csv" "$out"/tasks/speed_*.csv
+note "timed parts left $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
+for part; do
+  case $part in
+  ensembles) ensembles ;;
+  ensembles:*) ensembles "${part#ensembles:}" ;;
+  esac
+done
+note "left $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
+
+# what is still to be done, by name
+{
+  cut -f1 "$out/tasks.txt" | while IFS= read -r name; do [ -e "$out/tasks/$name" ] || echo "$name"; done
+  [ ! -e "$out/ensembles/list.txt" ] || cut -f1 "$out/ensembles/list.txt" | while IFS= read -r name; do
+    [ -e "$out/ensembles/members/$name" ] || echo "$name"
+  done
+} >"$out/unfinished.txt"
+mkdir -p "$out/tasks" "$out/ensembles"
+tar -C "$out" -czf "$out/results.tar.gz.part" --exclude='*.h5' --exclude='taken.*' results tasks ensembles
+mv "$out/results.tar.gz.part" "$out/results.tar.gz"
+echo "$(wc -l <"$out/unfinished.txt") tasks are not finished ($out/unfinished.txt); $out/results.tar.gz"

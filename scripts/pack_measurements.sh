@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Builds the programs that measure, each in one file, and packs them with their cases and settings for a machine that has
+# nothing: unpack there and run `sh scripts/measure.sh bin OUT JOBS`.
+# Usage: scripts/pack_measurements.sh BOX2D_SOURCES OUT.tar.gz [CMAKE_OPTION...]
+#   BOX2D_SOURCES  the folder that scripts/box2d_source.sh prints
+set -euo pipefail
+[ $# -ge 2 ] || {
+  sed -n '2,5s/^# //p' "$0" >&2
+  exit 2
+}
+sources=$(cd "$1" && pwd) out=$(realpath -m "$2")
+shift 2
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+programs=(gem gem_ensembles window_errors closed_form_errors paired_speed)
+
+cmake --preset portable -DGEM_BOX2D_SOURCE="$sources" "$@" --log-level=WARNING
+cmake --build --preset portable --target gem_measurements
+# the same program with Box2D's slop at 1 mm: an experiment of its own
+cmake --preset portable -B build-portable-slop -DGEM_BOX2D_SOURCE="$sources" -DGEM_BOX2D_SLOP=0.001 -DGEM_TESTS=OFF "$@" \
+  --log-level=WARNING
+cmake --build build-portable-slop --target gem
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$work/measure/bin"
+for program in "${programs[@]}"; do
+  scripts/check_portable.sh "build-portable/$program"
+  cp "build-portable/$program" "$work/measure/bin/"
+done
+cp build-portable-slop/gem "$work/measure/bin/gem_slop"
+strip "$work"/measure/bin/*
+cp -r --parents cases bench/*_settings.txt bench/speed_pairs.txt validation/baseline/ensembles.txt scripts/measure.sh \
+  scripts/ensembles.sh scripts/workers.sh "$work/measure"
+tar -C "$work" -czf "$out" measure
+echo "$out: $(du -h "$out" | cut -f1); there: tar xzf, cd measure, sh scripts/measure.sh bin out JOBS"

@@ -1,0 +1,44 @@
+# shellcheck shell=sh
+# Work shared by several processes of one machine, in plain sh. Sourced, not run.
+#
+# Environment: GEM_DEADLINE, seconds since 1970 at which to stop: nothing is begun after it, `limited` ends what runs.
+#
+# in_parallel JOBS LIST DONE FUNCTION: calls FUNCTION with each line of the file LIST, JOBS at a time. A line whose file
+# DONE/NAME (NAME: its first field, up to a tab) exists is left out, so a stopped run goes on where it was; FUNCTION makes
+# that file last. A failing call is told and leaves its line for the next time.
+in_parallel() {
+  taken=$3/taken.$$
+  mkdir -p "$3" "$taken"
+  worker=0
+  while [ "$worker" -lt "$1" ]; do
+    worker=$((worker + 1))
+    worker_loop "$2" "$3" "$4" "$taken" "$worker" &
+  done
+  wait
+  rm -rf "$taken"
+}
+
+seconds_left() {
+  if [ -n "${GEM_DEADLINE:-}" ]; then echo $((GEM_DEADLINE - $(date +%s))); else echo 1000000; fi
+}
+
+# limited COMMAND...: ended at the deadline
+limited() {
+  if [ -n "${GEM_DEADLINE:-}" ]; then
+    left=$(seconds_left)
+    timeout "$((left > 0 ? left : 1))" "$@"
+  else
+    "$@"
+  fi
+}
+
+worker_loop() {
+  tab=$(printf '\t')
+  while IFS= read -r line; do
+    name=${line%%"$tab"*}
+    [ ! -e "$2/$name" ] || continue
+    [ "$(seconds_left)" -gt 0 ] || break
+    mkdir "$4/$name" 2>/dev/null || continue # another worker has it
+    "$3" "$line" </dev/null || echo "failed: $name" >&2
+  done <"$1"
+}

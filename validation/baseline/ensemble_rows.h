@@ -1,0 +1,26 @@
+// The numbers of one member of an ensemble.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/baseline/ensemble_plan.h"
+
+namespace gem::baseline {
+
+struct MemberValue {
+  std::string name;    // ends in its unit
+  double value = 0.0;  // NaN: the record does not say
+};
+
+struct MemberRows {
+  int seed = 0;
+  double moment_s = 0.0;
+  std::vector<MemberValue> values;
+  std::vector<double> share;  // of each cell of the map, mean over the judged time, row by row
+};
+
+/// Reads a complete run file. Throws Error(usage) if it ends before the judged time does, and what RunFile throws.
+MemberRows member_rows(const std::string& run_file, const PlannedCase& chosen, const Grid& grid);
+
+}  // namespace gem::baseline

@@ -68,7 +68,8 @@ void end_row(const CudaBatch& batch) {
 
 void header() {
   std::printf(
-      "commit,device,resolution,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,x_real_time,contacts,"
+      "commit,device,resolution,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,x_real_time,"
+      "contacts,"
       "wall_over_device,state_hash\n");
 }
 
@@ -110,9 +111,9 @@ void single(const Subject& subject) {
         const Timing time = time_moments(timed, start, &logs);
         double contacts = 0.0;
         for (const MomentQuality& quality : logs[0].quality) contacts += quality.contacts / double(timed_moments);
-        std::printf("%s,%s,%s,moment,%s,1,%d,%d,%.3f,%.3f,%.0f,%.0f,%.2f,%016llx", GEM_COMMIT, timed.device().name.c_str(),
-                    subject.name(), phase.name, blocks, threads, 1e6 * time.median, 1e6 * time.spread,
-                    scene.numerics.moment_s / time.median, contacts, time.wall / time.median,
+        std::printf("%s,%s,%s,moment,%s,1,%d,%d,%.3f,%.3f,%.0f,%.0f,%.2f,%016llx", GEM_COMMIT,
+                    timed.device().name.c_str(), subject.name(), phase.name, blocks, threads, 1e6 * time.median,
+                    1e6 * time.spread, scene.numerics.moment_s / time.median, contacts, time.wall / time.median,
                     static_cast<unsigned long long>(timed.state_hash(0)));
         end_row(timed);
       }

@@ -305,7 +305,8 @@ double CudaBatch::device_time() const { return work_->device_time(); }
 std::vector<double> CudaBatch::stage_clocks() const { return work_->stage_clocks(); }
 
 std::vector<std::string> cuda_stage_names() {
-  return {"choose", "look", "resolve", "pairs_wait", "rows", "points", "frames", "iterations", "base", "shares", "solver_wait", "bodies", "bodies_wait", "list"};
+  return {"choose",     "look", "resolve", "pairs_wait",  "rows",   "points",      "frames",
+          "iterations", "base", "shares",  "solver_wait", "bodies", "bodies_wait", "list"};
 }
 
 namespace {

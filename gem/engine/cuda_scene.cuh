@@ -145,16 +145,16 @@ class CudaScene {
   std::vector<CarriedMemory> carried() const {
     std::vector<CarriedMemory> memory(carried_);
     if (carried_ > 0)
-      check_cuda(cudaMemcpy(memory.data(), device_.carried, sizeof(CarriedMemory) * memory.size(),
-                            cudaMemcpyDeviceToHost),
-                 "fetch the impulses");
+      check_cuda(
+          cudaMemcpy(memory.data(), device_.carried, sizeof(CarriedMemory) * memory.size(), cudaMemcpyDeviceToHost),
+          "fetch the impulses");
     return memory;
   }
   void send(const std::vector<CarriedMemory>& memory) {
     if (!sizes_.coupled || memory.empty()) return;
-    check_cuda(cudaMemcpy(device_.carried, memory.data(), sizeof(CarriedMemory) * memory.size(),
-                          cudaMemcpyHostToDevice),
-               "take the impulses");
+    check_cuda(
+        cudaMemcpy(device_.carried, memory.data(), sizeof(CarriedMemory) * memory.size(), cudaMemcpyHostToDevice),
+        "take the impulses");
     settle();
   }
 

@@ -100,7 +100,8 @@ class DeviceMomentsTest : public testing::TestWithParam<Choice> {};
 
 TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
   SceneDef scene = test::busy_scene(5);
-  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
+  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
+           scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device(scene, test::busy_field(scene));
   MomentLog expected, log;

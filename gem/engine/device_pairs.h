@@ -126,8 +126,8 @@ GEM_DEVICE inline void look(const DeviceScene& s, Crew& crew, const Desk& desk, 
     desk.pair[item.pair].axes = axes;
     if (touches) {
       ContactGeometry geometry = s.constants.manifold == Manifold::chord_middle
-                                           ? chord_geometry(a, b, item.offset, axes.first, sum)
-                                           : face_contact(a, b, item.offset, axes.first, limit);
+                                     ? chord_geometry(a, b, item.offset, axes.first, sum)
+                                     : face_contact(a, b, item.offset, axes.first, limit);
       if (limit > 0.0) drop_far_points(s, desk.pair[item.pair], item.offset, geometry);
       if (geometry.count > 0)
         write_touch(s.touch[desk.pairs.begin + crew.add(&crew.shared().touches, 1)], item.pair,

@@ -42,7 +42,7 @@ GEM_DEVICE inline PointImpulse<double> last_impulse(const PairMemory& memory, st
   for (int k = 0; k < 2; ++k)
     if (memory.feature[k] == feature) {
       const PointImpulse<double>& last = memory.impulse[k];
-      return {last.normal, last.tangential, repair_memory * last.repair};
+      return {last.normal, last.tangential, last.repair};
     }
   return {0.0, 0.0, 0.0};
 }

@@ -15,7 +15,7 @@
 #include <cstdint>
 
 #include "gem/engine/contact.h"
-#include "gem/engine/coupled_visit.h"
+#include "gem/engine/coupled_point.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/moment_constants.h"
 #include "gem/engine/overlap_count.h"
@@ -60,9 +60,9 @@ struct BodyAfter {
 
 /// The platform between its two halves of a moment.
 struct PlatformCell {
-  Vec2 moved;     // position after the first half [m]
+  Vec2 moved;           // position after the first half [m]
   Vec2 start_velocity;  // before the first half [m/s]
-  Vec2 velocity;  // at the end of the last moment, or after the first half of the next [m/s]
+  Vec2 velocity;        // at the end of the last moment, or after the first half of the next [m/s]
   Quantity mooring_force;
   Vec2 mooring_before, drag_before;  // running impulses at the start of the moment [N s]
   std::int32_t row_begin = 0;        // as in its BodyMotion
@@ -186,7 +186,7 @@ class PointTable {
   PointTable(double* data, std::int32_t capacity) : data_(data), capacity_(capacity) {}
 
   GEM_DEVICE GEM_INLINE PointGeometry<double> geometry(std::int32_t i) const {
-    return {at(0, i), at(1, i), at(2, i), at(3, i), at(4, i),  at(5, i), at(6, i),
+    return {at(0, i), at(1, i), at(2, i), at(3, i),  at(4, i),  at(5, i), at(6, i),
             at(7, i), at(8, i), at(9, i), at(10, i), at(11, i), at(12, i)};
   }
   GEM_DEVICE GEM_INLINE PointImpulse<double> impulse(std::int32_t i) const { return {at(13, i), at(14, i), at(15, i)}; }
@@ -229,7 +229,7 @@ struct ListCounters {
   std::uint64_t radius;
   std::int32_t floes, rows, pairs, placed;
   std::int32_t points, taken_points;  // coupled: of this moment, and those that blocks have taken to iterate
-  std::uint32_t asked[2];   // coupled: bits of the residuals of two judged iterations in turn
+  std::uint32_t asked[2];             // coupled: bits of the residuals of two judged iterations in turn
 };
 
 /// What the platform felt of one contact point, ready to be added in order.
@@ -265,9 +265,6 @@ struct BodyState {
 
 /// Stretches along the field by which bodies are put in order.
 constexpr std::int32_t spot_stretches = 512;
-
-/// Iterations of a coupled moment whose share carried ahead is looked up.
-constexpr std::int32_t ahead_known = 1024;
 
 /// Near bodies that are kept from the count to the row; a body with more is looked at twice.
 constexpr std::int32_t kept_near = 24;
@@ -339,14 +336,12 @@ struct DeviceScene {
   const double* area = nullptr;  // of each body [m2]
 
   // coupled
-  const float* ahead = nullptr;  // what Acceleration gives for the first ahead_known iterations
-  Acceleration later;            // from there on
   RowPoints* row_points = nullptr;
   PairMemory* memory = nullptr;      // by pair
   CarriedMemory* carried = nullptr;  // contacts of the moment before a list or a call ended, in no order
   PointCell* point = nullptr;
   double* point_numbers = nullptr;
-  PointTable points;  // over point_numbers
+  PointTable points;          // over point_numbers
   HeldPoint* held = nullptr;  // points that find no place in a thread's registers
   PushRecord* push = nullptr;
   PushBase* push_base = nullptr;
@@ -354,13 +349,13 @@ struct DeviceScene {
   SolvedMotion* solved = nullptr;  // the same
   BodyPoints* body_points = nullptr;
   // bodies as they stand along the field when a list is built, so that a block's bodies are each other's neighbours
-  std::int32_t *spot = nullptr, *body_at = nullptr;  // of a body, and back
-  std::int32_t *spot_count = nullptr, *spot_begin = nullptr;  // of stretches along the field
+  std::int32_t *spot = nullptr, *body_at = nullptr;                   // of a body, and back
+  std::int32_t *spot_count = nullptr, *spot_begin = nullptr;          // of stretches along the field
   std::uint32_t *touched_bodies = nullptr, *touched_spots = nullptr;  // a bit for each moving body with points
   SolverEntry* solver_entry = nullptr;                                // of those bodies, by spot
-  std::int32_t *bodies_before = nullptr, *spots_before = nullptr;  // each block's own: bits before each word of them
-  PointCell* taken_point = nullptr;      // as the blocks have taken them; the numbers of points stand in this order
-  std::int32_t* taken_list = nullptr;    // each block's own: points that it takes
+  std::int32_t *bodies_before = nullptr, *spots_before = nullptr;     // each block's own: bits before each word of them
+  PointCell* taken_point = nullptr;    // as the blocks have taken them; the numbers of points stand in this order
+  std::int32_t* taken_list = nullptr;  // each block's own: points that it takes
   std::int32_t points_capacity = 0;
   double *given = nullptr, *answered = nullptr;  // by place among those bodies [J]
   double* work_created = nullptr;                // by body: of its contacts as B, or as A with a fixed B [J]
@@ -376,10 +371,10 @@ struct DeviceScene {
   PlatformTerm* term = nullptr;      // two for each place in the platform's row
   EventRecord* row_event = nullptr;  // one for each place in the platform's row
   std::int64_t* row_event_moment = nullptr;
-  PlatformMoment* sample = nullptr;  // ring
+  PlatformMoment* sample = nullptr;       // ring
   std::int32_t* overlap_count = nullptr;  // of the call: by class, those of the shares after those of the depths
-  BlockQuality* quality = nullptr;   // ring: by moment, then by block
-  EventRecord* event = nullptr;      // ring
+  BlockQuality* quality = nullptr;        // ring: by moment, then by block
+  EventRecord* event = nullptr;           // ring
   BodyState* state = nullptr;
   DeviceStatus* status = nullptr;
 

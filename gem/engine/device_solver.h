@@ -29,8 +29,8 @@ namespace gem {
 struct HeldPoint {
   PointFrame<float> frame;
   PointImpulse<float> at, carried;
-  std::int32_t a, b;           // bodies
-  PushRecord *to_a, *to_b;     // null: a fixed body
+  std::int32_t a, b;        // bodies
+  PushRecord *to_a, *to_b;  // null: a fixed body
 };
 
 /// What the iterations of a round work with, apart from the points.
@@ -40,21 +40,14 @@ struct RoundDesk {
   const PushRecord* room;
   const PushRecord* push;
   AddedMotion* added;
-  const float* ahead;
   MomentPace<float> pace;
 };
 
 /// How far the iterations of a moment are.
 struct Progress {
-  std::int64_t iteration = 0;
+  IterationCourse course;
   double residual = 0.0;
   int turn = 0;  // of the two places for residuals
-  Acceleration later;
-
-  /// How far the next iteration carries ahead, looked up before its turn; beyond the table it is worked out at its turn.
-  GEM_DEVICE GEM_INLINE float known_ahead(const float* table) const {
-    return iteration < ahead_known ? table[iteration] : 0.0F;
-  }
 };
 
 /// Bits of a number that is not negative: they have its order.
@@ -240,6 +233,7 @@ class MomentSolver {
                  static_cast<float>(cell.inverse_inertia),
                  bodies_before[body / 32] + bits_in(below)};
     s_.body_points[body] = {moment_, count};
+    s_.added[body] = {};
   }
 
   GEM_DEVICE RowPoints points_at(std::int32_t begin, std::int32_t at, std::int32_t places) const {
@@ -278,11 +272,12 @@ class MomentSolver {
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
     const BodyCell &a = s_.body[contact.a], &b = s_.body[contact.b];
-    const PointImpulse<double> last = last_impulse(s_.memory[point.pair], slot.feature, moment_);
+    PointImpulse<double> last = last_impulse(s_.memory[point.pair], slot.feature, moment_);
     const double cap = cap_of(contact, a, b, last.normal);
     const PointGeometry<double> geometry = point_geometry(
         s_.constants, contact, slot, shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(contact.a)),
         shared_mass({b.inverse_mass, b.inverse_inertia}, points_of(contact.b)), cap);
+    last.repair = repair_to_go_on(s_.constants, last.repair, geometry.nn);
     slot.cap = cap;
     s_.points.set(i, geometry);
     point.a = contact.a;
@@ -343,7 +338,10 @@ class MomentSolver {
         const int c = lanes.rank() + j * size;
         const double answer = c < 4 ? cell.inverse_mass : c < solved_acted ? cell.inverse_inertia : 1.0;
         const double moved = answer * sum[j];
-        sum[j] = c == 0 ? cell.velocity.x + moved : c == 1 ? cell.velocity.y + moved : c == 4 ? cell.spin + moved : moved;
+        sum[j] = c == 0   ? cell.velocity.x + moved
+                 : c == 1 ? cell.velocity.y + moved
+                 : c == 4 ? cell.spin + moved
+                          : moved;
         s_.solved[body].part[c] = sum[j];
       }
       const double x = lanes.from(sum[0], 0), y = lanes.from(sum[1 / size], 1 % size),
@@ -422,13 +420,14 @@ class MomentSolver {
     enter_geometry(held.frame, geometry);
     enter_base(held.frame, geometry, s.points.impulse(i), solved_motion(s, held.a), solved_motion(s, held.b));
     held.at = {0.0F, 0.0F, 0.0F};
-    push(held);
   }
 
   /// The additions of a round enter the base.
   GEM_DEVICE GEM_INLINE static void let_go(const DeviceScene& s, std::int32_t i, const HeldPoint& held) {
     const PointGeometry<double> g = s.points.geometry(i);
-    write_base(s, i, g, with_additions(s.constants.point_friction, g.friction, g.cap, s.points.impulse(i), held.at));
+    write_base(s, i, g,
+               with_additions(s.constants.point_friction, g, s.points.impulse(i), held.at, held.frame.least,
+                              held.frame.most, held.frame.repair_least));
     PointImpulse<float>& carried = s.held[i].carried;
     carried.normal = held.carried.normal - held.at.normal;
     carried.tangential = held.carried.tangential - held.at.tangential;
@@ -461,8 +460,14 @@ class MomentSolver {
   template <PointFriction law, bool judged>
   GEM_DEVICE GEM_INLINE static float visit(const RoundDesk& desk, HeldPoint& held, float ahead) {
     const AddedMotion a = desk.added[held.a], b = desk.added[held.b];
-    const Approach<float> w{b.part[0] - a.part[0], b.part[1] - a.part[1], b.part[2] - a.part[2], b.part[3] - a.part[3],
-                            a.part[4],             a.part[5],             b.part[4],             b.part[5]};
+    const Approach<float> w{b.part[0] - a.part[0],
+                            b.part[1] - a.part[1],
+                            b.part[2] - a.part[2],
+                            b.part[3] - a.part[3],
+                            a.part[4],
+                            a.part[5],
+                            b.part[4],
+                            b.part[5]};
     const float asked = visit_point<law, judged>(held.frame, w, desk.pace, ahead, held.at, held.carried);
     push(held);
     return asked;
@@ -486,8 +491,6 @@ class MomentSolver {
                                                 const Stretch points, Progress& kept) {
     Progress progress = kept;
     std::uint32_t* const asked = s.counters->asked;
-    const std::int64_t iterations_maximum = s.constants.iterations_maximum;
-    const double residual_speed = s.constants.residual_speed;
     const std::int32_t size = crew.threads(), i0 = points.begin + crew.thread(), end = points.end;
     HeldPoint first, second;
     HeldPoint* const others = s.held;
@@ -496,21 +499,22 @@ class MomentSolver {
       if (i0 + size < end) work(i0 + size, second);
       for (std::int32_t i = i0 + 2 * size; i < end; i += size) work(i, others[i]);
     };
-    const bool begins = progress.iteration == 0;
+    bool fresh = progress.course.iteration() == 0;  // nothing is added yet
     each([&](std::int32_t i, HeldPoint& held) {
-      held.carried = begins ? PointImpulse<float>{0.0F, 0.0F, 0.0F} : others[i].carried;
+      held.carried = fresh ? PointImpulse<float>{0.0F, 0.0F, 0.0F} : others[i].carried;
       hold(s, crew, i, held);
+      if (!fresh) push(held);
     });
-    float ahead = progress.known_ahead(desk.ahead);
-    crew.barrier();
+    if (!fresh) crew.barrier();
     crew.lap(stage_frames);
-    bool done = false;
-    for (std::int64_t of_round = 1; !done && of_round <= iterations_of_round; ++of_round) {
-      move(crew, desk);
-      crew.barrier();
-      const bool judged = is_judged(++progress.iteration, iterations_maximum);
-      if (progress.iteration > ahead_known) ahead = progress.later.next();
-      if (judged) {
+    auto next = IterationCourse::Next::iteration;
+    for (; next == IterationCourse::Next::iteration; fresh = false) {
+      if (!fresh) {
+        move(crew, desk);
+        crew.barrier();
+      }
+      const float ahead = progress.course.ahead();
+      if (progress.course.judged()) {
         float most = 0.0F;
         if (i0 < end) most = larger(visit<law, true>(desk, first, ahead), most);
         if (i0 + size < end) most = larger(visit<law, true>(desk, second, ahead), most);
@@ -520,26 +524,24 @@ class MomentSolver {
       } else {
         if (i0 < end) visit<law, false>(desk, first, ahead);
         if (i0 + size < end) visit<law, false>(desk, second, ahead);
-        for (std::int32_t i = i0 + 2 * size; i < end; i += size)
-          visit_in_memory<law, false>(desk, others + i, ahead);
+        for (std::int32_t i = i0 + 2 * size; i < end; i += size) visit_in_memory<law, false>(desk, others + i, ahead);
       }
-      ahead = progress.known_ahead(desk.ahead);
       crew.barrier();
-      if (!judged) continue;
-      progress.residual = static_cast<double>(from_ordered_bits(asked[progress.turn]));
-      progress.turn = 1 - progress.turn;
-      if (rank_of(crew) == 0) asked[progress.turn] = 0;
-      done = progress.residual <= residual_speed || progress.iteration >= iterations_maximum;
+      if (progress.course.judged()) {
+        progress.residual = static_cast<double>(from_ordered_bits(asked[progress.turn]));
+        progress.turn = 1 - progress.turn;
+        if (rank_of(crew) == 0) asked[progress.turn] = 0;
+      }
+      next = progress.course.after(progress.residual);
     }
     crew.lap(stage_iterations);
     each([&](std::int32_t i, HeldPoint& held) { let_go(s, i, held); });
     kept = progress;
-    return done;
+    return next == IterationCourse::Next::end;
   }
 
   GEM_DEVICE bool run_round_by_law(Progress& progress) {
-    const RoundDesk desk{own_,     entry_, reinterpret_cast<const PushRecord*>(crew_.room()), s_.push, s_.added,
-                         s_.ahead, pace_};
+    const RoundDesk desk{own_, entry_, reinterpret_cast<const PushRecord*>(crew_.room()), s_.push, s_.added, pace_};
     switch (s_.constants.point_friction) {
       case PointFriction::none:
         return run_round<PointFriction::none>(s_, crew_, desk, points_, progress);
@@ -551,8 +553,8 @@ class MomentSolver {
   }
 
   GEM_DEVICE void iterate() {
-    Progress progress;
-    progress.later = s_.later;
+    const MomentConstants& c = s_.constants;
+    Progress progress{IterationCourse(c.residual_speed, c.iterations_maximum, c.tight_residual)};
     for (bool done = false; !done;) {
       done = run_round_by_law(progress);
       crew_.barrier();
@@ -560,7 +562,7 @@ class MomentSolver {
       crew_.barrier();
     }
     if (rank_of(crew_) == 0) {
-      crew_.shared().iterations = static_cast<std::int32_t>(progress.iteration);
+      crew_.shared().iterations = static_cast<std::int32_t>(progress.course.iteration());
       crew_.shared().residual = progress.residual;
     }
   }
@@ -606,8 +608,8 @@ class MomentSolver {
   std::size_t room_;
   MomentPace<float> pace_;
   std::int32_t bodies_ = 0;
-  Stretch own_;                    // the block's stretch of the bodies with points, by spot
-  SolverEntry* entry_ = nullptr;   // by place among them
+  Stretch own_;                     // the block's stretch of the bodies with points, by spot
+  SolverEntry* entry_ = nullptr;    // by place among them
   std::int32_t records_begin_ = 0;  // in the block's fast memory
 };
 

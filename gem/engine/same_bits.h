@@ -69,9 +69,9 @@ inline void expect_same_memory(const EngineState& a, const EngineState& b) {
   ASSERT_EQ(a.impulse_key, b.impulse_key);
   ASSERT_EQ(a.impulse_value.size(), b.impulse_value.size());
   if (b.impulse_value.empty()) return;
-  EXPECT_EQ(std::memcmp(a.impulse_value.data(), b.impulse_value.data(),
-                        b.impulse_value.size() * sizeof b.impulse_value[0]),
-            0);
+  EXPECT_EQ(
+      std::memcmp(a.impulse_value.data(), b.impulse_value.data(), b.impulse_value.size() * sizeof b.impulse_value[0]),
+      0);
 }
 
 inline void expect_same_books(const Ledger& a, const Ledger& b) {

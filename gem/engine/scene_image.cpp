@@ -169,7 +169,6 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.body_normal, vertices);
   placer.place(s.area, n);
   if (!sizes.coupled) return placer.used();
-  placer.place(s.ahead, ahead_known);
   placer.place(s.added, n);
   placer.place(s.solved, n);
   placer.place(s.body_points, n);
@@ -228,7 +227,6 @@ DeviceScene scene_constants(const FieldState& f, double event_speed) {
       std::clamp<std::int64_t>(static_cast<std::int64_t>(f.constants.list_margin / (speed * f.constants.dt)), 1, 400);
   s.bodies = sizes.bodies;
   s.large_bodies = sizes.large_bodies;
-  for (std::int32_t k = 0; k < ahead_known; ++k) s.later.next();
   return s;
 }
 
@@ -244,9 +242,7 @@ void write_field(const FieldState& f, std::int64_t moment, const DeviceScene& s)
     s.after[i] = {f.bodies.velocity[i], f.bodies.spin[i]};
   }
   std::copy(f.bodies.area.begin(), f.bodies.area.end(), const_cast<double*>(s.area));
-  if (s.ahead) {
-    Acceleration acceleration;
-    std::generate_n(const_cast<float*>(s.ahead), ahead_known, [&] { return acceleration.next(); });
+  if (s.added) {
     std::fill_n(s.added, f.bodies.count(), AddedMotion{});
     std::fill_n(s.solved, f.bodies.count(), SolvedMotion{});
     std::fill_n(s.body_points, f.bodies.count(), BodyPoints{});

@@ -47,7 +47,8 @@ class CudaLaws : public OnGpu, public testing::WithParamInterface<Laws> {};
 
 TEST_P(CudaLaws, GiveTheBitsOfTheCpu) {
   SceneDef scene = test::busy_scene(5);
-  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
+  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
+           scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu"), cuda = test::busy_engine(scene, "cuda");
   MomentLog expected, log;
   for (int block = 0; block < 8; ++block) {
@@ -164,7 +165,8 @@ INSTANTIATE_TEST_SUITE_P(Ways, CudaJam,
                          testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends)),
                          [](const auto& way) {
-                           return std::string(std::get<0>(way.param) == Resolution::coupled ? "coupled" : "independent") +
+                           return std::string(std::get<0>(way.param) == Resolution::coupled ? "coupled"
+                                                                                            : "independent") +
                                   (std::get<1>(way.param) == Manifold::chord_ends ? "_ends" : "_middle");
                          });
 

@@ -169,6 +169,8 @@ class CudaScene {
     list_memory_ = {};  // the old one goes first
     list_memory_ = DeviceMemory(place_list(device_, sizes_, nullptr));
     place_list(device_, sizes_, list_memory_.data());
+    // pairs are copied whole, with the gaps between their members: these are not to look like something forgotten
+    check_cuda(cudaMemset(device_.pair, 0, sizeof(PairCell) * (sizes_.rows / 2 + 1)), "clear the list");
     const std::size_t bytes = place_rings(device_, sizes_, nullptr);
     if (bytes != ring_memory_.bytes()) {
       ring_memory_ = DeviceMemory(bytes);

@@ -29,7 +29,7 @@ namespace gem {
 struct HeldPoint {
   PointFrame<float> frame;
   PointImpulse<float> at, carried;
-  std::int32_t a, b;        // bodies
+  const AddedMotion *motion_a, *motion_b;
   PushRecord *to_a, *to_b;  // null: a fixed body
 };
 
@@ -39,7 +39,8 @@ struct RoundDesk {
   const SolverEntry* entry;
   const PushRecord* room;
   const PushRecord* push;
-  AddedMotion* added;
+  AddedMotion* added;   // by body
+  AddedMotion* motion;  // by entry, in the block's fast memory; null: they do not stand there
   MomentPace<float> pace;
 };
 
@@ -163,12 +164,15 @@ class MomentSolver {
 
   /// The entries of the block's bodies stand in its fast memory where that holds them.
   GEM_DEVICE void place_entries() {
-    const std::size_t bytes = static_cast<std::size_t>(own_.count()) * sizeof(SolverEntry);
+    static_assert(sizeof(SolverEntry) == sizeof(PushRecord) && sizeof(AddedMotion) == sizeof(PushRecord));
+    const std::int32_t count = own_.count();
     entry_ = s_.solver_entry;
+    motion_ = nullptr;
     records_begin_ = 0;
-    if (bytes > room_) return;
+    if (!Crew::shares_rooms || 2 * static_cast<std::size_t>(count) * sizeof(PushRecord) > room_) return;
     entry_ = reinterpret_cast<SolverEntry*>(crew_.room()) - own_.begin;
-    records_begin_ = static_cast<std::int32_t>((bytes + sizeof(PushRecord) - 1) / sizeof(PushRecord));
+    motion_ = reinterpret_cast<AddedMotion*>(crew_.room()) + count - own_.begin;
+    records_begin_ = 2 * count;
   }
 
   /// Where the records of a body of `count` points stand in the block's fast memory; -1: they do not.
@@ -204,6 +208,7 @@ class MomentSolver {
     room = lanes.from(room, 0);
     std::int32_t take = lanes.rank() == 0 && taken > 0 ? crew_.add(&crew_.shared().taken, taken) : 0;
     take = lanes.from(take, 0);
+    const std::int32_t moved_at = motion_ ? room_place(crew_.block(), own_.count() + e - own_.begin) : -1;
     std::int32_t before = 0;
     for (std::int32_t first = 0; first < places; first += Group::size) {
       const std::int32_t at = first + lanes.rank();
@@ -216,6 +221,7 @@ class MomentSolver {
         const std::int32_t in_room = room < 0 ? -1 : room_place(crew_.block(), room + mine + k);
         (at < lower ? point.place_b : point.place_a) = 2 * begin + mine + k;
         (at < lower ? point.room_b : point.room_a) = in_room;
+        (at < lower ? point.motion_b : point.motion_a) = moved_at;
         if (mine_to_take) taken_list()[to + k] = points.first + k;
       }
       before += lanes.sum(points.count);
@@ -233,7 +239,7 @@ class MomentSolver {
                  static_cast<float>(cell.inverse_inertia),
                  bodies_before[body / 32] + bits_in(below)};
     s_.body_points[body] = {moment_, count};
-    s_.added[body] = {};
+    (motion_ ? motion_[e] : s_.added[body]) = {};
   }
 
   GEM_DEVICE RowPoints points_at(std::int32_t begin, std::int32_t at, std::int32_t places) const {
@@ -258,6 +264,12 @@ class MomentSolver {
   GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, Crew& crew, std::int32_t place, std::int32_t room) {
     if (room >= 0) return reinterpret_cast<PushRecord*>(crew.room_of(room >> 16)) + (room & 0xffff);
     return place >= 0 ? s.push + place : nullptr;
+  }
+
+  GEM_DEVICE static const AddedMotion* motion_at(const DeviceScene& s, Crew& crew, std::int32_t room,
+                                                 std::int32_t body) {
+    return room >= 0 ? reinterpret_cast<const AddedMotion*>(crew.room_of(room >> 16)) + (room & 0xffff)
+                     : s.added + body;
   }
 
   GEM_DEVICE double cap_of(const Contact& contact, const BodyCell& a, const BodyCell& b, double last) const {
@@ -412,13 +424,13 @@ class MomentSolver {
   /// A point at the start of a round; `carried` is what the last one left, less what is in the base now.
   GEM_DEVICE GEM_INLINE static void hold(const DeviceScene& s, Crew& crew, std::int32_t i, HeldPoint& held) {
     const PointCell point = s.taken_point[i];
-    held.a = point.a;
-    held.b = point.b;
+    held.motion_a = motion_at(s, crew, point.motion_a, point.a);
+    held.motion_b = motion_at(s, crew, point.motion_b, point.b);
     held.to_a = record_at(s, crew, point.place_a, point.room_a);
     held.to_b = record_at(s, crew, point.place_b, point.room_b);
     const PointGeometry<double> geometry = s.points.geometry(i);
     enter_geometry(held.frame, geometry);
-    enter_base(held.frame, geometry, s.points.impulse(i), solved_motion(s, held.a), solved_motion(s, held.b));
+    enter_base(held.frame, geometry, s.points.impulse(i), solved_motion(s, point.a), solved_motion(s, point.b));
     held.at = {0.0F, 0.0F, 0.0F};
   }
 
@@ -452,14 +464,15 @@ class MomentSolver {
         std::int32_t k = 0;
         for (; k < entry.as_b; ++k) to_b += record[k].part[c];
         for (; k < entry.count; ++k) to_a += record[k].part[c];
-        desk.added[entry.body].part[c] = (c < 4 ? entry.inverse_mass : entry.inverse_inertia) * (to_b - to_a);
+        (desk.motion ? desk.motion[e] : desk.added[entry.body]).part[c] =
+            (c < 4 ? entry.inverse_mass : entry.inverse_inertia) * (to_b - to_a);
       }
     }
   }
 
   template <PointFriction law, bool judged>
   GEM_DEVICE GEM_INLINE static float visit(const RoundDesk& desk, HeldPoint& held, float ahead) {
-    const AddedMotion a = desk.added[held.a], b = desk.added[held.b];
+    const AddedMotion a = *held.motion_a, b = *held.motion_b;
     const Approach<float> w{b.part[0] - a.part[0],
                             b.part[1] - a.part[1],
                             b.part[2] - a.part[2],
@@ -541,7 +554,7 @@ class MomentSolver {
   }
 
   GEM_DEVICE bool run_round_by_law(Progress& progress) {
-    const RoundDesk desk{own_, entry_, reinterpret_cast<const PushRecord*>(crew_.room()), s_.push, s_.added, pace_};
+    const RoundDesk desk{own_, entry_, reinterpret_cast<const PushRecord*>(crew_.room()), s_.push, s_.added, motion_, pace_};
     switch (s_.constants.point_friction) {
       case PointFriction::none:
         return run_round<PointFriction::none>(s_, crew_, desk, points_, progress);
@@ -610,6 +623,7 @@ class MomentSolver {
   std::int32_t bodies_ = 0;
   Stretch own_;                     // the block's stretch of the bodies with points, by spot
   SolverEntry* entry_ = nullptr;    // by place among them
+  AddedMotion* motion_ = nullptr;  // the same, in the block's fast memory; null: they stand by body
   std::int32_t records_begin_ = 0;  // in the block's fast memory
 };
 

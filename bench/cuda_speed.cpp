@@ -1,6 +1,6 @@
 // Speed of the cuda engine by device events, as CSV: one scene in three phases and several layouts, and batches.
 //
-// usage: gem_cuda_speed CASES_FOLDER [single|batch|profile|all] [largest batch] [coupled|independent] [phase]
+// usage: gem_cuda_speed CASES_FOLDER [single|batch|table|profile|all] [largest batch] [coupled|independent] [phase]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -103,7 +103,7 @@ void single(const Subject& subject) {
     CudaBatch batch({{scene, field}}, {});
     batch.advance(moments_in(scene, phase.time), nullptr);
     const EngineState start = batch.save(0);
-    for (const int blocks : {16, 64, 112})
+    for (const int blocks : {1, 4, 16, 64, 112})
       for (const int threads : {256, 512}) {
         if (blocks < 64 && threads < 512) continue;
         CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads});
@@ -148,21 +148,43 @@ std::vector<BatchScene> seeds(const Subject& subject, std::size_t count) {
   return scenes;
 }
 
+/// Moves a batch on for as many moments and prints what it took; `recorded`: with the record of every moment.
+void time_batch(const Subject& subject, const char* measure, const std::vector<BatchScene>& scenes, double duration,
+                bool recorded) {
+  const std::int64_t moments = moments_in(scenes[0].scene, duration);
+  double simulated = 0.0;
+  for (const BatchScene& scene : scenes) simulated += double(moments) * scene.scene.numerics.moment_s;
+  CudaBatch batch(scenes, {.samples = recorded});
+  std::vector<MomentLog> logs(scenes.size());
+  const auto begin = Clock::now();
+  batch.advance(moments, recorded ? &logs : nullptr);
+  const double wall = std::chrono::duration<double>(Clock::now() - begin).count(), device = batch.device_time();
+  std::printf("%s,%s,%s,%s,%.0f s,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
+              subject.name(), measure, duration, scenes.size(), batch.blocks(), batch.threads(),
+              1e6 * device / double(moments), simulated / wall, wall / device,
+              static_cast<unsigned long long>(batch.state_hash(0)));
+  end_row(batch);
+}
+
 void batches(const Subject& subject, std::size_t largest) {
+  constexpr double duration = 600.0;  // [s]
   const std::vector<BatchScene> all = seeds(subject, largest);
-  for (std::size_t count : {1, 2, 4, 8, 16, 33, 66, 132, 264}) {
+  for (std::size_t count : {1, 8, 33, 66, 132, 264}) {
     if (count > largest) break;
-    CudaBatch batch({all.begin(), all.begin() + std::ptrdiff_t(count)}, {.samples = false});
-    const double duration = count == largest ? all[0].scene.run.duration_s : 1800.0;
-    const std::int64_t moments = moments_in(all[0].scene, duration);
-    const auto begin = Clock::now();
-    batch.advance(moments, nullptr);
-    const double wall = std::chrono::duration<double>(Clock::now() - begin).count(), device = batch.device_time();
-    std::printf("%s,%s,%s,batch,%.0f s,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
-                subject.name(), duration, count, batch.blocks(), batch.threads(), 1e6 * device / double(moments),
-                double(count) * duration / wall, wall / device, static_cast<unsigned long long>(batch.state_hash(0)));
-    end_row(batch);
+    const std::vector<BatchScene> some(all.begin(), all.begin() + std::ptrdiff_t(count));
+    time_batch(subject, "batch", some, duration, false);
+    time_batch(subject, "batch_recorded", some, duration, true);
   }
+}
+
+/// All runs of Table 1 together, with the record of every moment; the duration is that of the first.
+void table(const Subject& subject) {
+  std::vector<BatchScene> scenes;
+  for (const SweepMember& member : expand_sweep(subject.cases + "/table1.toml")) {
+    const SceneDef scene = scene_of(subject, member.name);
+    scenes.push_back({scene, make_field(scene)});
+  }
+  time_batch(subject, "table1_recorded", scenes, 1200.0, true);
 }
 
 }  // namespace
@@ -180,6 +202,7 @@ int main(int count, char** argument) {
     if (what == "profile") gem::one_launch(subject);
     if (what == "single" || what == "all") gem::single(subject);
     if (what == "batch" || what == "all") gem::batches(subject, largest);
+    if (what == "table" || what == "all") gem::table(subject);
     return 0;
   } catch (const gem::Error& error) {
     std::fprintf(stderr, "gem_cuda_speed: %s\n", error.what());

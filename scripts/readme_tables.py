@@ -5,6 +5,7 @@ usage: scripts/readme_tables.py
 
 clean_root_run.txt, clean_root_test.txt   what scripts/run.sh and scripts/test.sh printed in a bare Debian 12 root
 real_time_factor*.csv                     what bench/real_time_factor.py wrote
+cuda_*.csv                                what gem_cuda_speed printed
 """
 import csv
 import glob
@@ -48,11 +49,37 @@ def speed_table():
     return rows
 
 
+def gpu_rows():
+    """All rows of gem_cuda_speed; of the layouts of one scene only the fastest."""
+    fastest, batches = {}, []
+    for path in sorted(glob.glob(os.path.join(RESULTS, "cuda_*.csv"))):
+        with open(path, newline="", encoding="utf-8") as file:
+            for r in csv.DictReader(file):
+                key = r["resolution"], r["phase"]
+                if r["measure"] != "moment":
+                    batches.append(r)
+                elif key not in fastest or float(r["microseconds_per_moment"]) < float(
+                        fastest[key]["microseconds_per_moment"]):
+                    fastest[key] = r
+    return list(fastest.values()) + batches
+
+
+def gpu_table():
+    rows = ["| contacts | what | scenes | blocks x threads | µs a moment | x real time, all scenes | wall / device | "
+            "state hash | device |", "|" + "---|" * 9]
+    for r in gpu_rows():
+        what = r["phase"] if r["measure"] == "moment" else f"{r['measure'].replace('_', ', ')}, {r['phase']}"
+        rows.append(f"| {r['resolution']} | {what} | {r['scenes']} | {r['blocks']} x {r['threads']} | "
+                    f"{float(r['microseconds_per_moment']):.0f} | {float(r['x_real_time']):.0f} | "
+                    f"{r['wall_over_device']} | `{r['state_hash']}` | {r['device']} |")
+    return rows
+
+
 def main():
     path = os.path.join(TOP, "README.md")
     with open(path, encoding="utf-8") as file:
         text = file.read()
-    for mark, rows in (("set-up", set_up_table()), ("speed", speed_table())):
+    for mark, rows in (("set-up", set_up_table()), ("speed", speed_table()), ("gpu", gpu_table())):
         begin, end = f"<!-- table: {mark} -->", "<!-- end of table -->"
         head, rest = text.split(begin, 1)
         text = head + begin + "\n" + "\n".join(rows) + "\n" + end + rest.split(end, 1)[1]

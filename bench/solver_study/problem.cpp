@@ -96,7 +96,7 @@ Score score_of(const Problem& problem, const Impulses& impulses) {
     const ProblemPoint& point = problem.point[k];
     PointImpulse<double> next = impulses[k], carried = impulses[k];
     visit_studied<PointFriction::coulomb>(point.own, motions[point.a], motions[point.b], problem.dt, 1.0 / problem.dt,
-                                        0.0, next, carried);
+                                          0.0, next, carried);
     const double normal = std::fabs(next.normal - impulses[k].normal) * point.own.nn;
     const double tangential = std::fabs(next.tangential - impulses[k].tangential) * point.own.tt;
     score.largest = std::max({score.largest, normal, tangential});

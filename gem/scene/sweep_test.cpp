@@ -57,7 +57,7 @@ TEST(Table1, FirstRunIsTheMainCase) {
   EXPECT_TRUE(members.at(0).differences.empty());
   EXPECT_EQ(members.at(1).differences,
             (std::vector<std::string>{"run.duration_s=3600.0", "current.velocity_m_per_s=[0.5, 0.0]",
-                                      "numerics.moment_s=0.05"}));
+                                      "numerics.moment_s=0.1"}));
 }
 
 TEST(Table2, SixRunsWithThePapersNames) {

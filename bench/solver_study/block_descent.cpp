@@ -60,7 +60,7 @@ class BlockDescent : public Method {
     for (const std::int32_t body : order_) minimise(body);
     for (std::size_t k = 0; k < problem_.points(); ++k) {
       const PointImpulse<double> next = augmented(k);
-      const PointGeometry<double>& g = problem_.point[k].own;
+      const StudiedPoint& g = problem_.point[k].own;
       if (next.normal > 0.0 && next.normal < g.cap) stiffness_[k] = std::min(growth_ * stiffness_[k], stiffest_);
       impulses_[k] = next;
     }
@@ -88,13 +88,13 @@ class BlockDescent : public Method {
   /// Impulse of a point at the velocities as they are.
   PointImpulse<double> augmented(std::size_t k) const {
     const ProblemPoint& point = problem_.point[k];
-    PointGeometry<double> g = point.own;
+    StudiedPoint g = point.own;
     g.inverse_nn *= stiffness_[k];
     g.inverse_tt *= stiffness_[k];
     g.nt = 0.0;
     PointImpulse<double> next = impulses_[k], carried = next;
-    visit_point<PointFriction::coulomb>(g, motions_[point.a], motions_[point.b], problem_.dt, 1.0 / problem_.dt, 0.0,
-                                        next, carried);
+    visit_studied<PointFriction::coulomb>(g, motions_[point.a], motions_[point.b], problem_.dt, 1.0 / problem_.dt, 0.0,
+                                          next, carried);
     return next;
   }
 
@@ -110,7 +110,7 @@ class BlockDescent : public Method {
     repair.add({0, 0, 1}, inertia, -inertia * m.turn);
     for (const std::int32_t k : points_of_[body]) {
       const ProblemPoint& point = problem_.point[k];
-      const PointGeometry<double>& g = point.own;
+      const StudiedPoint& g = point.own;
       const PointImpulse<double> p = augmented(k);
       const bool is_b = point.b == body;
       const double sign = is_b ? 1.0 : -1.0;

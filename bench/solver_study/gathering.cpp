@@ -11,7 +11,7 @@ class Gathering : public Method {
   Gathering(const Problem& problem, Impulses start, const GatherOptions& options)
       : Method(problem, std::move(start)), options_(options), carried_(impulses_), theta_(options.begin) {
     for (const ProblemPoint& point : problem.point) {
-      PointGeometry<double> g = point.own;
+      StudiedPoint g = point.own;
       g.nn += options.share * (point.shared.nn - g.nn);
       g.tt += options.share * (point.shared.tt - g.tt);
       g.nt += options.share * (point.shared.nt - g.nt);
@@ -27,9 +27,9 @@ class Gathering : public Method {
     climb_ = 0.0;
     for (std::size_t k = 0; k < problem_.points(); ++k) {
       const ProblemPoint& point = problem_.point[k];
-      climb_ += visit_point<PointFriction::coulomb>(geometry_[k], motions[point.a], motions[point.b],
-                                                    options_.anticipates ? problem_.dt : 0.0, 1.0 / problem_.dt, ahead,
-                                                    impulses_[k], carried_[k])
+      climb_ += visit_studied<PointFriction::coulomb>(geometry_[k], motions[point.a], motions[point.b],
+                                                      options_.anticipates ? problem_.dt : 0.0, 1.0 / problem_.dt,
+                                                      ahead, impulses_[k], carried_[k])
                     .climb;
     }
   }
@@ -48,7 +48,7 @@ class Gathering : public Method {
   }
 
   const GatherOptions options_;
-  std::vector<PointGeometry<double>> geometry_;
+  std::vector<StudiedPoint> geometry_;
   Impulses carried_;
   double theta_, climb_ = 0.0;
 };

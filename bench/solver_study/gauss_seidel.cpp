@@ -15,8 +15,8 @@ void sweep(const Problem& problem, const PointOrder& order, Impulses& impulses, 
     const ProblemPoint& point = problem.point[k];
     const PointImpulse<double> before = impulses[k];
     PointImpulse<double> carried = before;
-    visit_point<PointFriction::coulomb>(point.own, motions[point.a], motions[point.b], problem.dt, 1.0 / problem.dt,
-                                        0.0, impulses[k], carried);
+    visit_studied<PointFriction::coulomb>(point.own, motions[point.a], motions[point.b], problem.dt, 1.0 / problem.dt,
+                                          0.0, impulses[k], carried);
     add_change(problem, point,
                {impulses[k].normal - before.normal, impulses[k].tangential - before.tangential,
                 impulses[k].repair - before.repair},

@@ -66,7 +66,7 @@ void add_change(const Problem& problem, const ProblemPoint& point, const PointIm
          m.shift_y + by_mass * push.shift_y,
          m.turn + by_inertia * push.turn};
   };
-  const PointGeometry<double>& g = point.own;
+  const StudiedPoint& g = point.own;
   give(point.a, -1.0, push_of(g, change, g.lever_a_n, g.lever_a_t));
   give(point.b, 1.0, push_of(g, change, g.lever_b_n, g.lever_b_t));
 }
@@ -95,8 +95,8 @@ Score score_of(const Problem& problem, const Impulses& impulses) {
   for (std::size_t k = 0; k < problem.points(); ++k) {
     const ProblemPoint& point = problem.point[k];
     PointImpulse<double> next = impulses[k], carried = impulses[k];
-    visit_point<PointFriction::coulomb>(point.own, motions[point.a], motions[point.b], problem.dt, 1.0 / problem.dt,
-                                        0.0, next, carried);
+    visit_studied<PointFriction::coulomb>(point.own, motions[point.a], motions[point.b], problem.dt, 1.0 / problem.dt,
+                                          0.0, next, carried);
     const double normal = std::fabs(next.normal - impulses[k].normal) * point.own.nn;
     const double tangential = std::fabs(next.tangential - impulses[k].tangential) * point.own.tt;
     score.largest = std::max({score.largest, normal, tangential});

@@ -5,16 +5,16 @@
 #include <map>
 #include <vector>
 
+#include "bench/solver_study/studied_point.h"
 #include "gem/engine/contact.h"
-#include "gem/engine/coupled_point.h"
 #include "gem/engine/field_state.h"
 
 namespace gem::bench {
 
 struct ProblemPoint {
   std::int32_t a = 0, b = 0;
-  PointGeometry<double> own;     // compliance with the bodies' whole masses
-  PointGeometry<double> shared;  // ... with each mass shared out among the body's points
+  StudiedPoint own;     // compliance with the bodies' whole masses
+  StudiedPoint shared;  // ... with each mass shared out among the body's points
 };
 
 using Impulses = std::vector<PointImpulse<double>>;

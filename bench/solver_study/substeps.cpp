@@ -48,7 +48,7 @@ void renew(const MovingField& field, Followed& now) {
   now.problem.velocity = field.f.bodies.velocity;
   now.problem.spin = field.f.bodies.spin;
   for (std::size_t k = 0; k < now.separation.size(); ++k) {
-    PointGeometry<double>& g = now.problem.point[k].own;
+    StudiedPoint& g = now.problem.point[k].own;
     const double gap = now.separation[k];
     g.target = gap > 0.0 ? -gap / c.dt : 0.0;
     g.repair_target = gap < 0.0 ? std::min(-c.repair_share * gap, c.repair_speed * c.dt) : 0.0;
@@ -67,7 +67,7 @@ void drift(MovingField& field, Followed& now) {
   field.drift();
   for (std::size_t k = 0; k < now.separation.size(); ++k) {
     const ProblemPoint& point = now.problem.point[k];
-    const PointGeometry<double>& g = point.own;
+    const StudiedPoint& g = point.own;
     Vec2 apart = f.bodies.position[point.b] - position[point.b] - f.bodies.position[point.a] + position[point.a];
     if (point.a == 0) apart -= first_half;
     now.separation[k] +=
@@ -80,7 +80,7 @@ void sweep(Followed& now, Motions& motions, const Softness* soft, bool repairs) 
   const Problem& problem = now.problem;
   for (const std::int32_t k : now.order.point) {
     const ProblemPoint& point = problem.point[k];
-    PointGeometry<double> g = point.own;
+    StudiedPoint g = point.own;
     const PointImpulse<double> before = now.impulses[k];
     if (!repairs) g.repair_target = -1.0;
     if (soft != nullptr && now.separation[k] <= 0.0) {
@@ -90,8 +90,8 @@ void sweep(Followed& now, Motions& motions, const Softness* soft, bool repairs) 
                  soft->impulse_share * before.normal / g.inverse_nn;
     }
     PointImpulse<double> next = before, carried = before;
-    visit_point<PointFriction::coulomb>(g, motions[point.a], motions[point.b], problem.dt, 1.0 / problem.dt, 0.0, next,
-                                        carried);
+    visit_studied<PointFriction::coulomb>(g, motions[point.a], motions[point.b], problem.dt, 1.0 / problem.dt, 0.0,
+                                          next, carried);
     now.impulses[k] = next;
     add_change(problem, point,
                {next.normal - before.normal, next.tangential - before.tangential, next.repair - before.repair},

@@ -3,8 +3,9 @@
 // With the masses shared out, the answer of one point to its own velocity cannot overshoot whatever the others do, so
 // all points are visited at once from the same velocities (projected gradient in the metric of the shared masses), and
 // the impulses are carried ahead along their last change (Nesterov 1983; Beck and Teboulle 2009), which takes the
-// number of iterations from the square of a chain's length to its length. What last stepped against its change
-// is not carried ahead (O'Donoghue and Candes 2015, here part by part: no sum over all points is needed).
+// number of iterations from the square of a chain's length to its length. When the residual has grown, they begin
+// again from nothing (after O'Donoghue and Candes 2015; their test sums over all points, the residual is there anyway).
+// A repair that stepped against its change is not carried ahead: too much of it would open a gap.
 // Tonge et al. 2012 share masses the same way.
 //
 // The iterations run on what is added to a base: impulses and velocities in double precision, of which each point keeps
@@ -111,11 +112,9 @@ GEM_HD GEM_INLINE Real visit_point(const PointFrame<Real>& f, const Approach<Rea
   const Real step_r = repair - carried.repair, change_r = repair - at.repair;
 
   const Real along = zero + ahead;
-  const Real on_n = pick(opposed(step_n, change_n), zero, along), on_r = pick(opposed(step_r, change_r), zero, along);
-  Real on_t = along;
-  if constexpr (law != PointFriction::none) on_t = pick(opposed(step_t, change_t), zero, along);
+  const Real along_r = pick(opposed(step_r, change_r), zero, along);
   at = {normal, tangential, repair};
-  carried = {normal + on_n * change_n, tangential + on_t * change_t, repair + on_r * change_r};
+  carried = {normal + along * change_n, tangential + along * change_t, repair + along_r * change_r};
   if constexpr (!judged) return zero;
   const Real of_normal = larger(magnitude(step_n), magnitude(step_r) * pace.per_moment) / f.inverse_nn;
   if constexpr (law == PointFriction::none) return of_normal;
@@ -206,6 +205,7 @@ class IterationCourse {
   GEM_HD Next after(double asked) {
     const bool looked = judged();
     if (of_round_ == 1) first_ = asked;
+    if (looked) watch(asked);
     const bool met = looked && asked <= residual_;
     if (iteration_ >= most_ || (met && (!tight_ || of_round_ == 1))) return Next::end;
     if (of_round_ < longest_round && !(looked && tight_ && (met || asked <= single_precision * first_)))
@@ -219,11 +219,21 @@ class IterationCourse {
 
  private:
   static constexpr std::int64_t longest_round = 32;
+
+  /// Carries ahead from nothing again once the residual has grown well beyond the lowest.
+  GEM_HD void watch(double asked) {
+    constexpr double well_beyond = 2.0;
+    const bool overshot = lowest_ > 0.0 && asked > well_beyond * lowest_;
+    if (overshot) theta_ = 1.0;
+    if (overshot || lowest_ == 0.0 || asked < lowest_) lowest_ = asked;
+  }
+
   double residual_;
   std::int64_t most_;
   bool tight_;
   std::int64_t iteration_ = 0, of_round_ = 0;
-  double first_ = 0.0;
+  double first_ = 0.0;   // residual at the beginning of the round
+  double lowest_ = 0.0;  // since the last time that nothing was carried ahead
   // not 1: the impulses of the last moment are a fair start, and few iterations have no time for a slow one
   double theta_ = 4.0;
 };

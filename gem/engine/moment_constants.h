@@ -37,7 +37,7 @@ struct MomentConstants {
   double contact_margin = 0.0;  // coupled: faces closer than this are held apart [m]
   PointFriction point_friction = PointFriction::coulomb;
   double residual_speed = 0.0;  // coupled: iterations stop when no point asks for more [m/s]
-  bool tight_residual = false;   // below what single precision can tell of it
+  bool tight_residual = false;  // below what single precision can tell of it
   std::int64_t iterations_maximum = 0;
   bool crushing_limit = true;  // coupled
   double repair_share = 0.0;   // share of an overlap taken back in one moment [-]

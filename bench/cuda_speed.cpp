@@ -103,7 +103,7 @@ void single(const Subject& subject) {
     CudaBatch batch({{scene, field}}, {});
     batch.advance(moments_in(scene, phase.time), nullptr);
     const EngineState start = batch.save(0);
-    for (const int blocks : {1, 4, 16, 64, 112})
+    for (const int blocks : {4, 16, 64, 112})
       for (const int threads : {256, 512}) {
         if (blocks < 64 && threads < 512) continue;
         CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads});

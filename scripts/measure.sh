@@ -79,7 +79,7 @@ together() {
   done
 }
 
-# regimes: name, case, first start [s]; twenty windows of 30 s follow each other, a task each
+# regimes: name, case, first start [s]; twenty windows of 32 s follow each other, a task each
 regimes() {
   echo "drift cases/table1.toml#1 60"
   echo "plug cases/table1.toml#2 1500"
@@ -97,8 +97,8 @@ windows() {
   while [ "$k" -lt "$(choice 1 20)" ]; do # all regimes before the next start: stopped early, there are fewer windows
     regimes | while read -r regime case start; do
       name=windows_${regime}_$k
-      in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 30 * k)))" "$(choice 1 10)" \
-        1 "$(choice 2 30)" "$(choice 2 10)" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
+      in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 32 * k)))" "$(choice 1 10)" \
+        1 "$(choice 2 32)" "$(choice 2 8)" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
         "$out/tasks/$name.paths"
     done
     k=$((k + 1))

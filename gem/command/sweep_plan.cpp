@@ -119,18 +119,15 @@ bool gpu_answers() {
 void group(SweepPlan& plan) {
   std::map<std::int64_t, std::size_t> open;  // moments -> batch that takes more
   const std::string& engine = plan.settings.engine.name;
-  const auto fits = [&](const SceneDef& scene) { return scene.contact.resolution == Resolution::independent; };
-  const bool any = std::any_of(plan.to_do.begin(), plan.to_do.end(),
-                               [&](std::size_t i) { return fits(plan.members[plan.chosen[i]].scene); });
-  const bool gpu = engine == "cuda" || (engine == "auto" && any && gpu_answers());
+  const bool gpu = engine == "cuda" || (engine == "auto" && gpu_answers());
   for (std::size_t job = 0; job < plan.to_do.size(); ++job) {
     const SceneDef& scene = plan.members[plan.chosen[plan.to_do[job]]].scene;
     const auto found = open.find(moments_of(scene));
-    if (gpu && fits(scene) && found != open.end() && plan.batches[found->second].size() < largest_batch) {
+    if (gpu && found != open.end() && plan.batches[found->second].size() < largest_batch) {
       plan.batches[found->second].push_back(job);
       continue;
     }
-    if (gpu && fits(scene)) open[moments_of(scene)] = plan.batches.size();
+    if (gpu) open[moments_of(scene)] = plan.batches.size();
     plan.batches.push_back({job});
   }
 }

@@ -42,6 +42,7 @@ struct Setting : EngineSetting {
 
   Overlaps worst;  // each member its largest over the instants
   Vec2 mean_force;
+  std::vector<double> contacts, iterations, residual;  // of each moment; residual in [m/s]
   std::uint64_t hash = 0;
   Bodies end;
   std::vector<double> user, wall;  // of the timed runs [s]
@@ -74,6 +75,7 @@ void judge(Setting& setting, const Start& start, double window, bool timed) {
   setting.worst = {};
   setting.user.clear();
   setting.wall.clear();
+  for (std::vector<double>* const values : {&setting.contacts, &setting.iterations, &setting.residual}) values->clear();
   const std::int64_t first = engine->moment(), moments = moments_in(setting, window);
   Vec2 impulse;
   MomentLog log;
@@ -86,6 +88,11 @@ void judge(Setting& setting, const Start& start, double window, bool timed) {
     engine->advance(first + moments * k / judged_instants - engine->moment(), log);
     spent += spent_so_far() - before;
     for (const PlatformMoment& moment : log.platform) impulse += moment.ice_impulse;
+    for (const MomentQuality& quality : log.quality) {
+      setting.contacts.push_back(quality.contacts);
+      setting.iterations.push_back(quality.iterations);
+      setting.residual.push_back(quality.residual);
+    }
     const Overlaps now = overlaps_of(engine->bodies());
     Overlaps& worst = setting.worst;
     worst.near_pairs = std::max(worst.near_pairs, now.near_pairs);
@@ -130,6 +137,8 @@ void print_row(const std::string& name, double time, double window, const Settin
                              s.worst.mean, s.worst.mean_gap, static_cast<double>(s.worst.near_pairs),
                              static_cast<double>(s.worst.overlapping_pairs), s.mean_force.x, s.mean_force.y})
     row += "," + number_text(value, 6);
+  for (const double value : {median(s.contacts), median(s.iterations), median(s.residual)})
+    row += "," + number_text(value, 6);
   row += reference == nullptr ? ",,"
                               : "," + number_text(floe_distance(s.end, reference->end).rms, 6) + "," +
                                     number_text(length(s.end.position[0] - reference->end.position[0]), 6);
@@ -162,7 +171,8 @@ int run(const std::vector<std::string>& arguments) {
   std::cout
       << "case,start_s,window_s,setting,engine,moment_s,user_s_per_s,user_least_s_per_s,wall_s_per_s,"
          "real_time_factor,overlap_maximum_m,overlap_999_m,overlap_mean_m,gap_mean_m,near_pairs,"
-         "overlapping_pairs,ice_force_x_N,ice_force_y_N,floe_distance_rms_m,platform_distance_m,state_hash,commit\n";
+         "overlapping_pairs,ice_force_x_N,ice_force_y_N,contacts_median,iterations_median,residual_median_m_per_s,"
+         "floe_distance_rms_m,platform_distance_m,state_hash,commit\n";
   for (const double time : times) {
     const Start start{state_at(*lead, lead_scene, time), lead_scene.numerics.moment_s, time};
     for (Setting& setting : settings) judge(setting, start, window, repetitions == 0 && &setting != reference);

@@ -1,5 +1,6 @@
 #!/bin/sh
 # Runs the study of the coupled resolution's method and writes validation/solver_study.md: about 5 minutes of one core.
+# The rows of the solver's versions (rounds_*.csv) need programs of older commits and are kept: the page says what made them.
 # Usage: scripts/solver_study.sh [BUILD_FOLDER]
 set -eu
 cd "$(dirname "$0")/.."

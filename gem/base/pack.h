@@ -1,4 +1,4 @@
-// Four doubles, or eight floats, that go through the same arithmetic side by side.
+// Eight floats that go through the same arithmetic side by side.
 //
 // A function written for `Real` runs on one number and on a pack: every operation is IEEE and done lane by lane, so the
 // bits are the same.
@@ -13,11 +13,6 @@ namespace gem {
 // every function on packs is inlined: none is passed by a convention that depends on the processor
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-constexpr int pack_lanes = 4;
-typedef double Pack __attribute__((vector_size(32)));
-typedef std::int64_t PackMask __attribute__((vector_size(32)));
-
-/// Eight floats, the same way.
 constexpr int float_lanes = 8;
 typedef float FloatPack __attribute__((vector_size(32)));
 typedef std::int32_t FloatMask __attribute__((vector_size(32)));
@@ -26,10 +21,5 @@ GEM_INLINE FloatPack pick(FloatMask mask, FloatPack a, FloatPack b) { return mas
 GEM_INLINE FloatPack larger(FloatPack a, FloatPack b) { return a > b ? a : b; }
 GEM_INLINE FloatPack smaller(FloatPack a, FloatPack b) { return a < b ? a : b; }
 GEM_INLINE FloatPack magnitude(FloatPack a) { return a < 0.0F ? -a : a; }
-
-GEM_INLINE Pack pick(PackMask mask, Pack a, Pack b) { return mask ? a : b; }
-GEM_INLINE Pack larger(Pack a, Pack b) { return a > b ? a : b; }
-GEM_INLINE Pack smaller(Pack a, Pack b) { return a < b ? a : b; }
-GEM_INLINE Pack magnitude(Pack a) { return a < 0.0 ? -a : a; }
 
 }  // namespace gem

@@ -98,7 +98,10 @@ void choose_what_to_do(const SweepRunChoice& choice, SweepPlan& plan) {
 
 namespace {
 
-constexpr std::size_t largest_batch = 32;  // scenes; more gain nothing, as each has its own file to be written
+// independent scenes; more gain nothing, as each has its own file to be written
+constexpr std::size_t largest_batch = 32;
+// coupled scenes with 16 blocks each, which hold all points of a jam of some 4000 floes in registers
+constexpr std::size_t largest_coupled_batch = 8;
 
 bool gpu_answers() {
   SweepBoard answer(1);
@@ -122,8 +125,9 @@ void group(SweepPlan& plan) {
   const bool gpu = engine == "cuda" || (engine == "auto" && gpu_answers());
   for (std::size_t job = 0; job < plan.to_do.size(); ++job) {
     const SceneDef& scene = plan.members[plan.chosen[plan.to_do[job]]].scene;
+    const std::size_t most = scene.contact.resolution == Resolution::coupled ? largest_coupled_batch : largest_batch;
     const auto found = open.find(moments_of(scene));
-    if (gpu && found != open.end() && plan.batches[found->second].size() < largest_batch) {
+    if (gpu && found != open.end() && plan.batches[found->second].size() < most) {
       plan.batches[found->second].push_back(job);
       continue;
     }

@@ -100,8 +100,9 @@ namespace {
 
 // independent scenes; more gain nothing, as each has its own file to be written
 constexpr std::size_t largest_batch = 32;
-// coupled scenes with 16 blocks each, which hold all points of a jam of some 4000 floes in registers
-constexpr std::size_t largest_coupled_batch = 8;
+// more coupled scenes leave each fewer than 16 blocks, too few to hold the points of a dense jam of 4000 floes in
+// registers; with 8 blocks such runs were stopped by their books of momentum
+constexpr std::size_t largest_coupled_batch = 4;
 
 bool gpu_answers() {
   SweepBoard answer(1);

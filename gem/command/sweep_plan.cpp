@@ -98,11 +98,7 @@ void choose_what_to_do(const SweepRunChoice& choice, SweepPlan& plan) {
 
 namespace {
 
-// independent scenes; more gain nothing, as each has its own file to be written
-constexpr std::size_t largest_batch = 32;
-// more coupled scenes leave each fewer than 16 blocks, too few to hold the points of a dense jam of 4000 floes in
-// registers; with 8 blocks such runs were stopped by their books of momentum
-constexpr std::size_t largest_coupled_batch = 4;
+constexpr std::size_t largest_batch = 32;  // scenes; more gain nothing, as each has its own file to be written
 
 bool gpu_answers() {
   SweepBoard answer(1);
@@ -126,9 +122,8 @@ void group(SweepPlan& plan) {
   const bool gpu = engine == "cuda" || (engine == "auto" && gpu_answers());
   for (std::size_t job = 0; job < plan.to_do.size(); ++job) {
     const SceneDef& scene = plan.members[plan.chosen[plan.to_do[job]]].scene;
-    const std::size_t most = scene.contact.resolution == Resolution::coupled ? largest_coupled_batch : largest_batch;
     const auto found = open.find(moments_of(scene));
-    if (gpu && found != open.end() && plan.batches[found->second].size() < most) {
+    if (gpu && found != open.end() && plan.batches[found->second].size() < largest_batch) {
       plan.batches[found->second].push_back(job);
       continue;
     }

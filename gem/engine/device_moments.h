@@ -76,6 +76,8 @@ GEM_DEVICE inline void write_state(const DeviceScene& s, const Crew& crew) {
 /// Moves the scene on by `moments` moments, or less where something has to be done by the host first: the status says.
 template <class Crew>
 GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int32_t moments) {
+  // a scene that waits for others of its batch: its next moment has not begun
+  if (moments == 0) return;
   DeviceStatus& status = *s.status;
   const bool one = rank_of(crew) == 0;
   const std::int64_t start = status.moment;

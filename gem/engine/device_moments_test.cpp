@@ -64,6 +64,12 @@ class HostScene {
     read_state(scene_.state, field_);
   }
 
+  /// What a batch does with a scene that is done while others are not.
+  void wait() {
+    SoloCrew crew;
+    advance_scene(scene_, crew, 0);
+  }
+
   Ledger ledger(const Ledger& start) {
     Ledger running;
     running.start = start.start;
@@ -166,6 +172,23 @@ TEST_P(DeviceResolutions, AListTooSmallGrowsAndLosesNothing) {
   test::expect_same_bodies(device.bodies(), cpu->bodies());
   test::expect_same_log(log, expected);
   EXPECT_GT(test::contacts_in(expected), 2000);
+}
+
+TEST_P(DeviceResolutions, WaitingForOtherScenesChangesNothing) {
+  SceneDef scene = test::busy_scene(6);
+  scene.contact.resolution = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device(scene, test::busy_field(scene));
+  MomentLog expected, log;
+  for (int block = 0; block < 4; ++block) {
+    cpu->advance(40, expected);
+    device.advance(40, log);
+    device.wait();
+  }
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  EXPECT_GT(test::contacts_in(expected), 1000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, DeviceResolutions, testing::Values(Resolution::independent, Resolution::coupled),

@@ -136,9 +136,9 @@ struct CarriedMemory {
 /// Coupled: where a contact point belongs.
 struct alignas(16) PointCell {
   std::int32_t pair = 0, slot = 0;
-  std::int32_t a = 0, b = 0;                // bodies
-  std::int32_t place_a = -1, place_b = -1;  // its places among the records of its bodies; -1: a fixed body has none
-  std::int32_t room_a = -1, room_b = -1;    // the same in the fast memory of a block; -1: they do not stand there
+  std::int32_t a = 0, b = 0;                  // bodies
+  std::int32_t place_a = -1, place_b = -1;    // its places among the records of its bodies; -1: a fixed body has none
+  std::int32_t room_a = -1, room_b = -1;      // the same in the fast memory of a block; -1: they do not stand there
   std::int32_t motion_a = -1, motion_b = -1;  // and where the motions of its bodies stand there
 };
 

@@ -554,7 +554,8 @@ class MomentSolver {
   }
 
   GEM_DEVICE bool run_round_by_law(Progress& progress) {
-    const RoundDesk desk{own_, entry_, reinterpret_cast<const PushRecord*>(crew_.room()), s_.push, s_.added, motion_, pace_};
+    const RoundDesk desk{own_,    entry_, reinterpret_cast<const PushRecord*>(crew_.room()), s_.push, s_.added,
+                         motion_, pace_};
     switch (s_.constants.point_friction) {
       case PointFriction::none:
         return run_round<PointFriction::none>(s_, crew_, desk, points_, progress);
@@ -623,7 +624,7 @@ class MomentSolver {
   std::int32_t bodies_ = 0;
   Stretch own_;                     // the block's stretch of the bodies with points, by spot
   SolverEntry* entry_ = nullptr;    // by place among them
-  AddedMotion* motion_ = nullptr;  // the same, in the block's fast memory; null: they stand by body
+  AddedMotion* motion_ = nullptr;   // the same, in the block's fast memory; null: they stand by body
   std::int32_t records_begin_ = 0;  // in the block's fast memory
 };
 

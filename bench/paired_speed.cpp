@@ -17,7 +17,6 @@
 #include <string>
 #include <vector>
 
-#include "baseline_box2d/register_box2d.h"
 #include "bench/setting.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
@@ -93,12 +92,4 @@ int run(const std::vector<std::string>& a) {
 }  // namespace
 }  // namespace gem::bench
 
-int main(int argc, char** argv) {
-  gem::baseline::register_box2d();
-  try {
-    return gem::bench::run({argv + 1, argv + argc});
-  } catch (const gem::Error& error) {
-    std::cerr << "paired_speed: " << error.what() << '\n';
-    return static_cast<int>(error.code());
-  }
-}
+int main(int argc, char** argv) { return gem::bench::run_program("paired_speed", gem::bench::run, argc, argv); }

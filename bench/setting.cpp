@@ -6,8 +6,10 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 
+#include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 
@@ -149,6 +151,16 @@ std::string hex(std::uint64_t value) {
   std::ostringstream text;
   text << std::hex << value;
   return text.str();
+}
+
+int run_program(const char* name, int (*run)(const std::vector<std::string>&), int argc, char** argv) {
+  baseline::register_box2d();
+  try {
+    return run({argv + 1, argv + argc});
+  } catch (const Error& error) {
+    std::cerr << name << ": " << error.what() << '\n';
+    return static_cast<int>(error.code());
+  }
 }
 
 }  // namespace gem::bench

@@ -31,6 +31,9 @@ CaseChoice case_named(const std::string& text);
 /// Throws Error(usage) that names `what`.
 double number_of(const std::string& text, const std::string& what);
 
+/// The whole of a program's main(): makes Box2D known, calls `run` with the arguments, and tells what went wrong.
+int run_program(const char* name, int (*run)(const std::vector<std::string>&), int argc, char** argv);
+
 /// Where a window begins.
 struct Start {
   EngineState state;

@@ -24,7 +24,6 @@
 #include <utility>
 #include <vector>
 
-#include "baseline_box2d/register_box2d.h"
 #include "bench/overlaps.h"
 #include "bench/setting.h"
 #include "gem/base/error.h"
@@ -189,12 +188,4 @@ int run(const std::vector<std::string>& arguments) {
 }  // namespace
 }  // namespace gem::bench
 
-int main(int argc, char** argv) {
-  gem::baseline::register_box2d();
-  try {
-    return gem::bench::run({argv + 1, argv + argc});
-  } catch (const gem::Error& error) {
-    std::cerr << "speed_against_error: " << error.what() << '\n';
-    return static_cast<int>(error.code());
-  }
-}
+int main(int argc, char** argv) { return gem::bench::run_program("speed_against_error", gem::bench::run, argc, argv); }

@@ -19,7 +19,7 @@ namespace gem {
 class CoupledSolver {
  public:
   /// Moments with fewer contacts are iterated by one thread: the wait after each phase would cost more than it brings.
-  explicit CoupledSolver(std::size_t contacts_worth_threads = 1024) : contacts_worth_threads_(contacts_worth_threads) {}
+  explicit CoupledSolver(std::size_t contacts_worth_threads = 2048) : contacts_worth_threads_(contacts_worth_threads) {}
 
   /// Inside a team's run: resolves the contacts (ascending in a, b); changes velocities, impulses and repair shifts.
   void resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality);

@@ -50,8 +50,7 @@ inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, Se
                                        : face_contact(outline_a, outline_b, offset, axes.first, limit);
   if (geometry.count == 0) return false;
   open_contact(contact, a, b, geometry, offset);
-  if (limit > 0.0) keep_closing_points(f.constants, pair_bodies(f.bodies, a, b), contact);
-  return contact.count > 0;
+  return true;
 }
 
 /// Velocity of B against A at a contact point [m/s].

@@ -88,26 +88,6 @@ GEM_DEVICE inline void write_touch(Touch& touch, std::int32_t pair, std::int32_t
   }
 }
 
-/// Drops the points that a coupled moment hardly brings to a touch, judged by the velocities of its start.
-GEM_DEVICE inline void drop_far_points(const DeviceScene& s, const PairCell& pair, Vec2 offset,
-                                       ContactGeometry& geometry) {
-  const BodyAfter a = s.after[pair.a], b = s.after[pair.b];
-  PairBodies bodies;
-  bodies.velocity_a = pair.a == 0 ? s.platform->start_velocity : a.velocity;
-  bodies.velocity_b = b.velocity;
-  bodies.spin_a = a.spin;
-  bodies.spin_b = b.spin;
-  Contact contact;
-  open_contact(contact, pair.a, pair.b, geometry, offset);
-  keep_closing_points(s.constants, bodies, contact);
-  geometry.count = contact.count;
-  for (int k = 0; k < contact.count; ++k) {
-    geometry.point[k].position = contact.slot[k].arm_a;
-    geometry.point[k].separation = contact.slot[k].separation;
-    geometry.point[k].feature = contact.slot[k].feature;
-  }
-}
-
 /// One look by a group of lanes.
 template <class Crew>
 GEM_DEVICE inline void look(const DeviceScene& s, Crew& crew, const Desk& desk, const LookItem& item) {
@@ -128,7 +108,6 @@ GEM_DEVICE inline void look(const DeviceScene& s, Crew& crew, const Desk& desk, 
       ContactGeometry geometry = s.constants.manifold == Manifold::chord_middle
                                      ? chord_geometry(a, b, item.offset, axes.first, sum)
                                      : face_contact(a, b, item.offset, axes.first, limit);
-      if (limit > 0.0) drop_far_points(s, desk.pair[item.pair], item.offset, geometry);
       if (geometry.count > 0)
         write_touch(s.touch[desk.pairs.begin + crew.add(&crew.shared().touches, 1)], item.pair,
                     crew.add(&crew.shared().points, geometry.count), geometry);

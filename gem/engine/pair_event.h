@@ -57,19 +57,6 @@ GEM_HD inline void open_contact(Contact& contact, std::int32_t a, std::int32_t b
   }
 }
 
-/// Drops the points of a coupled contact that this moment hardly brings to a touch: at the velocities of its start the
-/// gap would stay wider than a quarter of the contact margin. Fewer points answer sooner, and share the masses less.
-GEM_HD inline void keep_closing_points(const MomentConstants& c, const PairBodies& p, Contact& contact) {
-  constexpr double share = 0.25;
-  int kept = 0;
-  for (int k = 0; k < contact.count; ++k) {
-    const ContactSlot& slot = contact.slot[k];
-    const double closed = slot.separation + c.dt * dot(relative_velocity(p, slot), contact.normal);
-    if (slot.separation < 0.0 || closed < share * c.contact_margin) contact.slot[kept++] = slot;
-  }
-  contact.count = kept;
-}
-
 /// Separating speed that the elastic stress of one point may ask for [m/s]; at most what crushing allows.
 GEM_HD inline double elastic_target(const MomentConstants& c, const ContactSlot& slot, double width, double thickness) {
   const double asked = elastic_separating_speed(c.elastic_stiffness, -slot.separation, 1.0 / slot.compliance.nn, c.dt);

@@ -135,7 +135,7 @@ struct NumericsDef {
   double moment_s = 0.05;            ///< dt
   double residual_tolerance = 1e-5;  ///< coupled: speed that events may still ask for, over the current speed
   std::int64_t iterations_maximum = 32;
-  double contact_reach = 1.0;         ///< coupled: faces that the current could close in so many moments are held apart
+  double contact_reach = 1.5;         ///< coupled: faces that the current could close in so many moments are held apart
   double repair_share = 0.6;          ///< coupled: share of an overlap that is taken back in one moment
   double repair_speed_m_per_s = 0.1;  ///< coupled: ... at most at this speed
   double list_margin_m = 2.5;         ///< pairs closer than this are kept in the list

@@ -64,7 +64,7 @@ class Panel:
             lines.append(f"set xrange [*:{1.3 * max(x for x, _ in self.marks):g}<*]")
         for x, label in self.marks:
             lines.append(f"set arrow from first {x:g}, graph 0 to first {x:g}, graph 1 nohead dt 2 lc rgb '#888888'")
-            lines.append(f"set label {quoted(label)} at first {x:g}, graph 0.03 rotate by 90 offset -0.7,0 font ',9' "
+            lines.append(f"set label {quoted(label)} at first {x:g}, graph 0.97 right rotate by 90 offset -0.7,0 font ',9' "
                          "noenhanced tc rgb '#666666'")
         for x, y, label, colour in self.texts:
             lines.append(f"set label {quoted(label)} at first {x:g}, first {y:g} offset 0.6,0.4 font ',8' noenhanced tc rgb '{colour}'")

@@ -40,7 +40,8 @@ def ensemble_values():
 
 def part_c():
     values = ensemble_values()
-    cases = [case for case, setting in values if setting == "fine"]
+    cases = [case for (case, setting), numbers in values.items()
+             if setting == "fine" and len(numbers["offset_x_mean_m"]) >= 3]
     if not cases:
         return []
     lines = ["## C. Statistics", "",
@@ -51,7 +52,7 @@ def part_c():
     for case in dict.fromkeys(cases):
         fine = values[(case, "fine")]
         body = []
-        for quantity in ("offset_x_mean_m", "offset_x_deviation_m", "ice_force_x_mean_N", "hits_per_s"):
+        for quantity in ("offset_x_mean_m", "offset_x_deviation_m", "ice_force_x_mean_N", "landings_per_s"):
             truth = statistics.mean(fine[quantity])
             noise = statistics.stdev(fine[quantity]) / math.sqrt(len(fine[quantity])) / abs(truth)
             panel = chart.Panel(f"{case}: {quantity}", "wall time of N members per simulated second [s/s]",

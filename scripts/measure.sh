@@ -179,12 +179,15 @@ together "$results/windows.csv" "$out"/tasks/windows_*.errors
 together "$results/paths.csv" "$out"/tasks/paths_*.paths
 together "$results/speed.csv" "$out"/tasks/speed_*.csv
 note "timed parts left $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
-for part; do
+wanted=0 parts=
+for part; do # one list of all, so that no processor waits between parts
   case $part in
-  ensembles) ensembles ;;
-  ensembles:*) ensembles "${part#ensembles:}" ;;
+  ensembles) wanted=1 ;;
+  ensembles:*) wanted=1 parts="$parts ${part#ensembles:}" ;;
   esac
 done
+# shellcheck disable=SC2086
+[ "$wanted" = 0 ] || ensembles $parts
 note "left $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
 
 # what is still to be done, by name

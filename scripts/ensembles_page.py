@@ -101,7 +101,7 @@ def forest(rows):
         for j, setting in enumerate(settings):
             points = [(share(r, "difference"), len(quantities) - quantities.index(r["quantity"]) - 0.15 * j,
                        share(r, "difference_low"), share(r, "difference_high"))
-                      for r in these if r["setting"] == setting]
+                      for r in these if r["setting"] == setting and r["verdict"] != "too few runs"]
             panel.curve(setting, chart.colour_of(setting), points, "xerrorbars pt 7 ps 0.6 lw 1.5")
         panels.append(panel)
     return chart.write_figure(FOLDER / "figures" / "ensembles.svg", panels, 1, 900, 380, stamp("ensembles"))

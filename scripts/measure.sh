@@ -8,7 +8,7 @@
 #   PART      closed_form paths windows speed ensembles; all of them, in this order, if left out. Ensembles come last in
 #             any case. ensembles:agreement and the like run one part of the plan
 # Environment: GEM_TIMED=14 processors for all that is timed, so that each has a core of its own; JOBS less two if not set
-#              GEM_WINDOWS=20 of each regime
+#              GEM_WINDOWS=20 of each regime, GEM_WINDOW_S=32 long (a multiple of 4: all moments divide that)
 #              GEM_MINUTES=9 stop after so long, with what is finished
 #              GEM_DRIFT_M=600 speed over so much drift; GEM_WHOLE=1 speed over whole runs
 #              GEM_QUICK=1 a rehearsal in minutes, whose numbers mean nothing
@@ -82,7 +82,7 @@ together() {
   done
 }
 
-# regimes: name, case, first start [s]; twenty windows of 32 s follow each other, a task each
+# regimes: name, case, first start [s]; a window begins every 32 s, a task each
 regimes() {
   echo "jam cases/table1.toml#27 600"
   echo "plug cases/table1.toml#24 600"
@@ -96,12 +96,12 @@ closed_form() {
 }
 
 windows() {
-  k=0
+  seconds=${GEM_WINDOW_S:-32} k=0
   while [ "$k" -lt "$(choice 1 "${GEM_WINDOWS:-20}")" ]; do # all regimes before the next start: stopped early, there are fewer windows
     regimes | while read -r regime case start; do
       name=windows_${regime}_$k
       in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 32 * k)))" "$(choice 1 10)" \
-        1 "$(choice 4 32)" "$(choice 2 8)" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
+        1 "$(choice 4 "$seconds")" "$(choice 2 $((seconds / 4)))" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
         "$out/tasks/$name.paths"
     done
     k=$((k + 1))

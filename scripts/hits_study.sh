@@ -27,7 +27,7 @@ Box2D, 4 substeps|1|--engine box2d --experiment substeps=4
 Box2D, continuous|1|--engine box2d --experiment continuous=1
 Box2D, cold starts|1|--engine box2d --experiment warm_starting=0
 Box2D 20/10|1|--engine box2d --velocity-iterations 20 --position-iterations 10
-Box2D 50/20|1 2 3|--engine box2d --velocity-iterations 50 --position-iterations 20
+Box2D 50/20|1 2|--engine box2d --velocity-iterations 50 --position-iterations 20
 END
 }
 

@@ -95,16 +95,18 @@ closed_form() {
   in_tabs closed_form closed_form_errors bench/closed_form_settings.txt "$moments" "$out/tasks/closed_form.csv"
 }
 
+# the regime with the longest tasks first, so that none is left over at the end
 windows() {
-  seconds=${GEM_WINDOW_S:-32} k=0
-  while [ "$k" -lt "$(choice 1 "${GEM_WINDOWS:-20}")" ]; do # all regimes before the next start: stopped early, there are fewer windows
-    regimes | while read -r regime case start; do
+  seconds=${GEM_WINDOW_S:-32}
+  regimes | while read -r regime case start; do
+    k=0
+    while [ "$k" -lt "$(choice 1 "${GEM_WINDOWS:-20}")" ]; do
       name=windows_${regime}_$k
-      in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 32 * k)))" "$(choice 1 10)" \
+      in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 32 * k)))" "$(choice 1 $((seconds / 4)))" \
         1 "$(choice 4 "$seconds")" "$(choice 2 $((seconds / 4)))" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
         "$out/tasks/$name.paths"
+      k=$((k + 1))
     done
-    k=$((k + 1))
   done
 }
 

@@ -199,8 +199,8 @@ def part_b():
         return []
     lines = ["## B. Short windows", "",
              "The reference (a sixteenth of the case's moment, converged to 1e-6 of the current's speed) takes over from a run of",
-             "gem 10 s before each window, and every setting starts from its state there. Errors are the root of the mean square over",
-             "time, over floes and platform and over all windows; the force's is relative to the reference's. Times are paired: the",
+             "gem a quarter of a window before it begins, and every setting starts from its state there. Errors are the root of the mean",
+             "square over time, over floes and platform and over all windows; the force's is relative to the reference's. Times are paired: the",
              "settings run one after the other in every window; stated is the median. Floes that gem left touching begin inside Box2D's",
              "usual skins, so windows judge its thin skin; the usual skin needs the ensembles.", ""]
     panels, regimes = [], [(regime, group) for (regime,), group in grouped(rows, "regime").items()]

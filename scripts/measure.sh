@@ -12,6 +12,13 @@
 #              GEM_MINUTES=9 stop after so long, with what is finished
 #              GEM_DRIFT_M=600 speed over so much drift; GEM_WHOLE=1 speed over whole runs
 #              GEM_QUICK=1 a rehearsal in minutes, whose numbers mean nothing
+#
+# What a task takes, s of one processor of a busy machine: a window of 8 s 320 to 380 (jam: its reference alone takes 22 a
+# second), 110 (plug), 15 (drift); of 32 s 1190, 300, 23. Closed forms 42. Speed over 240 m: 50 to 130 a run of the paper, 90
+# with 64128 floes. A member 30 to 95 (gem), 75 to 220 (Box2D); with 20 iterations 1.6 times that. With 28 processors, 14 for
+# speed, in 18 minutes:
+#   GEM_TIMED=14 GEM_DRIFT_M=240 GEM_MINUTES=6 scripts/measure.sh bin OUT 28 closed_form speed
+#   GEM_TIMED=28 GEM_WINDOW_S=8 GEM_MINUTES=12 scripts/measure.sh bin OUT 28 windows ensembles:agreement ensembles:experiment
 set -eu
 [ $# -ge 3 ] || {
   sed -n '2,16s/^# //p' "$0" >&2

@@ -21,7 +21,7 @@
 #   GEM_TIMED=28 GEM_WINDOW_S=8 GEM_MINUTES=12 scripts/measure.sh bin OUT 28 windows ensembles:agreement ensembles:experiment
 set -eu
 [ $# -ge 3 ] || {
-  sed -n '2,16s/^# //p' "$0" >&2
+  sed -n '2,14s/^# //p' "$0" >&2
   exit 2
 }
 mkdir -p "$2/results"

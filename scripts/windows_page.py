@@ -132,7 +132,7 @@ def settings_table(group, fronts):
 def ratios(points, judged, threads):
     """(speed at Box2D's error, error at Box2D's speed) of gem's settings with all options, as factors; NaN: none is there."""
     cost, error = points[judged]
-    end = r"( 2 threads)?" if threads == 2 else r"( \d+ iterations)?"
+    end = r"( 2 threads| \d+ iterations)?" if threads == 2 else r"( \d+ iterations)?"
     mine = [p for s, p in points.items() if re.fullmatch(r"gem( independent)? (dt/\d|dt|2dt)" + end, s)]
     as_exact = [c for c, e in mine if e <= error]
     as_fast = [e for c, e in mine if c <= cost]

@@ -1,18 +1,23 @@
 """Line and point charts as SVG files by gnuplot: one style for all measured figures."""
 import subprocess
+import textwrap
 
 COLOURS = {"gem": "#0b5394", "independent": "#6fa8dc", "Box2D": "#c55a11", "thin": "#e6a23c", "other": "#6a329f",
-           "dropped": "#38761d", "reference": "#444444"}
+           "dropped": "#38761d", "reference": "#444444", "cuda": "#a61c00",
+           "gem2": "#073763", "iterations": "#3d85c6", "independent2": "#45818e", "Box2D moment": "#783f04",
+           "thin moment": "#bf9000"}
 
 
 FAMILIES = {"gem": "gem", "independent": "gem independent", "Box2D": "Box2D", "thin": "Box2D, thin skin", "other": "other",
-            "dropped": "gem, an option dropped", "reference": "reference"}
+            "dropped": "gem, an option dropped", "reference": "reference", "cuda": "gem on CUDA"}
 
 
 def family_of(setting):
     """Key of a setting's family by its label: what figures tell apart."""
     if setting.startswith(("reference", "fine")):
         return "reference"
+    if "CUDA" in setting:
+        return "cuda"
     if setting.startswith("Box2D"):
         return "thin" if "thin skin" in setting or "slop" in setting else "Box2D"
     if "without" in setting or "locked" in setting:
@@ -59,7 +64,7 @@ class Panel:
             lines.append(f"set xrange [*:{1.3 * max(x for x, _ in self.marks):g}<*]")
         for x, label in self.marks:
             lines.append(f"set arrow from first {x:g}, graph 0 to first {x:g}, graph 1 nohead dt 2 lc rgb '#888888'")
-            lines.append(f"set label {quoted(label)} at first {x:g}, graph 0.03 rotate by 90 offset -0.7,0 font ',9' "
+            lines.append(f"set label {quoted(label)} at first {x:g}, graph 0.97 right rotate by 90 offset -0.7,0 font ',9' "
                          "noenhanced tc rgb '#666666'")
         for x, y, label, colour in self.texts:
             lines.append(f"set label {quoted(label)} at first {x:g}, first {y:g} offset 0.6,0.4 font ',8' noenhanced tc rgb '{colour}'")
@@ -77,13 +82,16 @@ class Panel:
         return "\n".join(lines + ["plot " + ", \\\n  ".join(parts)]) if parts else ""
 
 
-def write_figure(path, panels, columns=1, width=900, height=420):
-    """One SVG with the panels that hold anything, row by row. Returns whether there was any."""
+def write_figure(path, panels, columns=1, width=900, height=420, stamp=""):
+    """One SVG with the panels that hold anything, row by row, and a line above them: by what and under which conditions it was
+    measured. Returns whether there was any."""
     drawn = [script for script in (panel.script() for panel in panels) if script]
     if not drawn:
         return False
     rows = -(-len(drawn) // columns)
+    above = "\\n".join(textwrap.wrap(stamp, width * columns // 6)).replace('"', "'")
+    title = f' title "{above}" font \',9\' noenhanced' if stamp else ""
     head = (f"set terminal svg size {width * columns},{height * rows} font 'Helvetica,11' background '#ffffff' dynamic\n"
-            f"set output {quoted(str(path))}\nset multiplot layout {rows},{columns}\n")
+            f"set output {quoted(str(path))}\nset multiplot layout {rows},{columns}{title}\n")
     subprocess.run(["gnuplot"], input=head + "\n".join(drawn) + "\nunset multiplot\n", text=True, check=True)
     return True

@@ -4,7 +4,7 @@
 # Usage: scripts/ensembles.sh PROGRAMS OUT JOBS [PART...]
 #   PROGRAMS  folder with gem and gem_ensembles (and gem_slop for the setting that needs it; without it that one is left out)
 #   OUT       gets rows.csv, maps.csv, ensembles.csv, map_means.csv; OUT/members holds what is finished
-#   PART      of the plan: agreement, experiment, error; all of them if left out
+#   PART      of the plan: agreement, experiment, error, one after the other as given; all of them together if left out
 # Environment: GEM_PLAN another plan; GEM_KEEP=1 keeps the run files (some 10 MB each)
 set -eu
 [ $# -ge 3 ] || {
@@ -18,7 +18,11 @@ shift 3
 plan=${GEM_PLAN:-validation/baseline/ensembles.txt}
 . scripts/workers.sh
 "$programs/gem_ensembles" members "$plan" >"$out/all.txt"
-"$programs/gem_ensembles" members "$plan" "$@" >"$out/list.txt"
+if [ $# -eq 0 ]; then
+  cp "$out/all.txt" "$out/list.txt"
+else
+  for part; do "$programs/gem_ensembles" members "$plan" "$part"; done >"$out/list.txt"
+fi
 
 # one_member LINE: runs it, keeps its numbers and drops its run file
 one_member() {
@@ -33,7 +37,7 @@ one_member() {
   esac
   set -f # --set values hold quotes, never blanks or patterns to expand
   # shellcheck disable=SC2086
-  limited "$program" run $arguments --set output.floes_interval_s=20 --threads 1 --quiet --overwrite \
+  limited "$program" run $arguments --set output.floes_interval_s=20 --set output.event_speed_m_per_s=0 --threads 1 --quiet --overwrite \
     --out "$base.h5" 2>"$base.log" || {
     cat "$base.log" >&2
     rm -f "$base.h5"

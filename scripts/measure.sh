@@ -4,14 +4,24 @@
 # Usage: scripts/measure.sh PROGRAMS OUT JOBS [PART...]
 #   PROGRAMS  folder with the programs that `gem_measurements` builds
 #   OUT       gets results.tar.gz: the tables in results/ and all that is finished. To go on elsewhere, unpack it in OUT first
-#   JOBS      cores to use; parts that are timed leave two of them free
-#   PART      closed_form paths windows speed ensembles; all of them, in this order, if left out.
-#             ensembles:agreement and the like run one part of the plan
-# Environment: GEM_MINUTES=9 stop after so long, with what is finished; GEM_WHOLE=1 speed over whole runs instead of 600 m
-#              of drift; GEM_QUICK=1 a rehearsal in minutes, whose numbers mean nothing
+#   JOBS      processors to use
+#   PART      closed_form paths windows speed ensembles; all of them, in this order, if left out. Ensembles come last in
+#             any case. ensembles:agreement and the like run one part of the plan
+# Environment: GEM_TIMED=14 processors for all that is timed, so that each has a core of its own; JOBS less two if not set
+#              GEM_WINDOWS=20 of each regime, GEM_WINDOW_S=32 long (a multiple of 4: all moments divide that)
+#              GEM_MINUTES=9 stop after so long, with what is finished
+#              GEM_DRIFT_M=600 speed over so much drift; GEM_WHOLE=1 speed over whole runs
+#              GEM_QUICK=1 a rehearsal in minutes, whose numbers mean nothing
+#
+# What a task takes, s of one processor of a busy machine: a window of 8 s 320 to 380 (jam: its reference alone takes 22 a
+# second), 110 (plug), 15 (drift); of 32 s 1190, 300, 23. Closed forms 42. Speed over 240 m: 50 to 130 a run of the paper, 90
+# with 64128 floes. A member 30 to 95 (gem), 75 to 220 (Box2D); with 20 iterations 1.6 times that. With 28 processors, 14 for
+# speed, in 18 minutes:
+#   GEM_TIMED=14 GEM_DRIFT_M=240 GEM_MINUTES=6 scripts/measure.sh bin OUT 28 closed_form speed
+#   GEM_TIMED=28 GEM_WINDOW_S=8 GEM_MINUTES=12 scripts/measure.sh bin OUT 28 windows ensembles:agreement ensembles:experiment
 set -eu
 [ $# -ge 3 ] || {
-  sed -n '2,13s/^# //p' "$0" >&2
+  sed -n '2,14s/^# //p' "$0" >&2
   exit 2
 }
 mkdir -p "$2/results"
@@ -21,7 +31,7 @@ shift 3
 cd "$(dirname "$0")/.."
 . scripts/workers.sh
 results=$out/results
-timed=$((jobs > 2 ? jobs - 2 : 1))
+timed=${GEM_TIMED:-$((jobs > 2 ? jobs - 2 : 1))}
 if [ -n "${GEM_MINUTES:-}" ]; then
   GEM_DEADLINE=$(($(date +%s) + 60 * GEM_MINUTES))
   export GEM_DEADLINE
@@ -79,11 +89,11 @@ together() {
   done
 }
 
-# regimes: name, case, first start [s]; twenty windows of 32 s follow each other, a task each
+# regimes: name, case, first start [s]; a window begins every 32 s, a task each
 regimes() {
-  echo "drift cases/table1.toml#1 60"
-  echo "plug cases/table1.toml#2 1500"
   echo "jam cases/table1.toml#27 600"
+  echo "plug cases/table1.toml#24 600"
+  echo "drift cases/table1.toml#1 60"
 }
 
 # each part says its tasks
@@ -92,16 +102,18 @@ closed_form() {
   in_tabs closed_form closed_form_errors bench/closed_form_settings.txt "$moments" "$out/tasks/closed_form.csv"
 }
 
+# the regime with the longest tasks first, so that none is left over at the end
 windows() {
-  k=0
-  while [ "$k" -lt "$(choice 1 20)" ]; do # all regimes before the next start: stopped early, there are fewer windows
-    regimes | while read -r regime case start; do
+  seconds=${GEM_WINDOW_S:-32}
+  regimes | while read -r regime case start; do
+    k=0
+    while [ "$k" -lt "$(choice 1 "${GEM_WINDOWS:-20}")" ]; do
       name=windows_${regime}_$k
-      in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 32 * k)))" "$(choice 1 10)" \
-        1 "$(choice 2 32)" "$(choice 2 8)" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
+      in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 32 * k)))" "$(choice 1 $((seconds / 4)))" \
+        1 "$(choice 4 "$seconds")" "$(choice 2 $((seconds / 4)))" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
         "$out/tasks/$name.paths"
+      k=$((k + 1))
     done
-    k=$((k + 1))
   done
 }
 
@@ -109,36 +121,38 @@ paths() {
   regimes | while read -r regime case start; do
     name=paths_$regime
     in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 "$start")" "$(choice 1 10)" 1 "$(choice 4 200)" \
-      "$(choice 2 40)" 0 bench/path_settings.txt "$out/tasks/$name.errors" "$out/tasks/$name.paths"
+      "$(choice 2 50)" 0 bench/path_settings.txt "$out/tasks/$name.errors" "$out/tasks/$name.paths"
   done
 }
 
-# the 36 runs of Table 1, the other five of Table 2, and the same ice in fields of other sizes
+# speed_of NAME CASE UNTIL_S
+speed_of() {
+  [ "${GEM_WHOLE:-0}" = 0 ] || set -- "$1" "$2" 0
+  in_tabs "speed_$1" paired_speed "$2" bench/speed_pairs.txt "$(choice 2 24)" "$(choice 4 "$3")" "$out/tasks/speed_$1.csv"
+}
+
+# the same ice in fields of other sizes, the 36 runs of Table 1, and the other five of Table 2; the longest first
 speed() {
-  blocks=$(choice 2 24)
+  drift=${GEM_DRIFT_M:-600}
+  for size in $(choice "" "64128_6000_1600 16032_3000_800") 4008_1500_400 1002_750_200; do
+    # shellcheck disable=SC2046
+    set -- $(echo "$size" | tr _ ' ')
+    in_tabs "speed_growth_$1" paired_speed "cases/table1.toml#2" bench/speed_pairs.txt "$(choice 2 12)" \
+      "$(choice 2 $((drift / 5)))" "$out/tasks/speed_growth_$1.csv" "growth" "floes.count=$1" "floes.length_m=$2" \
+      "floes.width_m=$3" "floes.start_x_m=-$(($2 + 75))" "boundary.inlet_x_m=-$(($2 + 100))" \
+      "boundary.taper_start_x_m=-$(($2 + 100))" "boundary.inlet_width_m=$3" "boundary.gap_m=$3"
+  done
   k=1
   while [ "$k" -le "$(choice 2 36)" ]; do
-    # 0.25, 0.5 and 1 m/s in turn: 600 m of drift
-    case $((k % 3)) in 1) until=2400 ;; 2) until=1200 ;; *) until=600 ;; esac
-    [ "${GEM_WHOLE:-0}" = 0 ] || until=0
-    in_tabs "speed_1_$k" paired_speed "cases/table1.toml#$k" bench/speed_pairs.txt "$blocks" "$(choice 4 "$until")" \
-      "$out/tasks/speed_1_$k.csv"
+    # 0.25, 0.5 and 1 m/s in turn
+    case $((k % 3)) in 1) until=$((4 * drift)) ;; 2) until=$((2 * drift)) ;; *) until=$drift ;; esac
+    speed_of "1_$k" "cases/table1.toml#$k" "$until"
     k=$((k + 1))
   done
   k=2
   while [ "$k" -le "$(choice 2 6)" ]; do
-    [ "${GEM_WHOLE:-0}" = 0 ] && until=2400 || until=0
-    in_tabs "speed_2_$k" paired_speed "cases/table2.toml#$k" bench/speed_pairs.txt "$blocks" "$(choice 4 "$until")" \
-      "$out/tasks/speed_2_$k.csv"
+    speed_of "2_$k" "cases/table2.toml#$k" $((4 * drift))
     k=$((k + 1))
-  done
-  for size in 1002_750_200 4008_1500_400 $(choice "" "16032_3000_800 64128_6000_1600"); do
-    # shellcheck disable=SC2046
-    set -- $(echo "$size" | tr _ ' ')
-    in_tabs "speed_growth_$1" paired_speed "cases/table1.toml#2" bench/speed_pairs.txt "$(choice 2 12)" \
-      "$(choice 2 120)" "$out/tasks/speed_growth_$1.csv" "growth" "floes.count=$1" "floes.length_m=$2" \
-      "floes.width_m=$3" "floes.start_x_m=-$(($2 + 75))" "boundary.inlet_x_m=-$(($2 + 100))" \
-      "boundary.taper_start_x_m=-$(($2 + 100))" "boundary.inlet_width_m=$3" "boundary.gap_m=$3"
   done
 }
 
@@ -174,12 +188,15 @@ together "$results/windows.csv" "$out"/tasks/windows_*.errors
 together "$results/paths.csv" "$out"/tasks/paths_*.paths
 together "$results/speed.csv" "$out"/tasks/speed_*.csv
 note "timed parts left $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
-for part; do
+wanted=0 parts=
+for part; do # one list of all, so that no processor waits between parts
   case $part in
-  ensembles) ensembles ;;
-  ensembles:*) ensembles "${part#ensembles:}" ;;
+  ensembles) wanted=1 ;;
+  ensembles:*) wanted=1 parts="$parts ${part#ensembles:}" ;;
   esac
 done
+# shellcheck disable=SC2086
+[ "$wanted" = 0 ] || ensembles $parts
 note "left $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
 
 # what is still to be done, by name

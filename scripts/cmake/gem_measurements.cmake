@@ -8,7 +8,7 @@ function(gem_measurement name)
   add_dependencies(gem_measurements ${name})
 endfunction()
 
-set(ensemble_parts ensemble_plan.cpp ensemble_rows.cpp ensemble_compare.cpp)
+set(ensemble_parts ensemble_plan.cpp ensemble_rows.cpp ensemble_compare.cpp platform_events.cpp)
 list(TRANSFORM ensemble_parts PREPEND ${PROJECT_SOURCE_DIR}/validation/baseline/)
 gem_measurement(gem_ensembles ${PROJECT_SOURCE_DIR}/validation/baseline/ensembles.cpp ${ensemble_parts})
 add_dependencies(gem_measurements gem)

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "gem/analysis/moments.h"
 #include "gem/analysis/period.h"
@@ -11,6 +10,7 @@
 #include "gem/base/number_text.h"
 #include "gem/record/run_file.h"
 #include "gem/scene/scene_file.h"
+#include "validation/baseline/platform_events.h"
 
 namespace gem::baseline {
 namespace {
@@ -51,9 +51,7 @@ class MemberFile {
     all.push_back({"ice_force_x_mean_N", moments(force).mean});
     all.push_back({"ice_force_1s_deviation_N", moments(force).deviation});
     all.push_back({"ice_force_1s_p99_N", percentile(force, 0.99)});
-    const Span events = span_of(file_.column("events/time"), chosen_);
-    all.push_back({"impacts_per_s", static_cast<double>(events.last - events.first) / judged()});
-    all.push_back({"hits_per_s", hits() / judged()});
+    add_hits(all);
     all.push_back({"energy_loss_W", energy_loss()});
     const std::vector<double> wall = file_.column("stats/wall_time"), time = file_.column("stats/time");
     all.push_back({"wall_s_per_s", wall.back() / time.back()});
@@ -84,8 +82,6 @@ class MemberFile {
   const SceneDef& scene() const { return scene_; }
 
  private:
-  double judged() const { return chosen_.to_s - chosen_.from_s; }
-
   void add_motion(std::vector<MemberValue>& all, const std::string& axis, double rest) const {
     std::vector<double> path = cut(file_.column("platform/" + axis), platform_);
     for (double& value : path) value -= rest;
@@ -95,19 +91,19 @@ class MemberFile {
     all.push_back({"period_" + axis + "_s", period ? period->period : std::nan("")});
   }
 
-  /// Events of a floe that had none in the second before. One hit may be logged as several events: gem stops a floe
-  /// where it will touch within the moment and takes what is left in the next, Box2D takes all at its skin.
-  double hits() const {
-    const std::vector<double> time = file_.column("events/time"), floe = file_.column("events/body_b");
-    std::map<double, double> last;
-    double count = 0.0;
-    for (std::size_t k = 0; k < time.size(); ++k) {
-      const auto [entry, first] = last.emplace(floe[k], time[k]);
-      const bool judged_now = time[k] >= chosen_.from_s && time[k] <= chosen_.to_s;
-      if (judged_now && (first || time[k] - entry->second > 1.0)) count += 1.0;
-      entry->second = time[k];
-    }
-    return count;
+  /// Impacts are rows that were faster than the default event speed; a hit is the first of them after a second without,
+  /// as gem takes most hits in two moments. A landing is the first touch of any speed after `landing_gap_s`: NaN for a
+  /// file that holds no slow touches.
+  void add_hits(std::vector<MemberValue>& all) const {
+    const PlatformEvents touches = platform_events(file_);
+    const PlatformEvents impacts = faster_than(OutputDef{}.event_speed_m_per_s, touches);
+    const auto per_second = [&](const char* name, const PlatformEvents& events, double gap) {
+      all.push_back({name, first_after(gap, events, chosen_.from_s, chosen_.to_s) / (chosen_.to_s - chosen_.from_s)});
+    };
+    per_second("impacts_per_s", impacts, 0.0);
+    per_second("hits_per_s", impacts, 1.0);
+    per_second("landings_per_s", touches, landing_gap_s);
+    if (scene_.output.event_speed_m_per_s > 0.0) all.back().value = std::nan("");
   }
 
   /// What contacts took from the floes and the platform, mean power.

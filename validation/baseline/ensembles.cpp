@@ -3,6 +3,8 @@
 //   gem_ensembles members PLAN [PART...]            one line per run: name, case, setting, seed, arguments of gem run,
 //                                                   with tabs between; gem's first settings come first for all cases
 //   gem_ensembles rows PLAN CASE SETTING RUN.h5 ROWS.csv MAP.csv     the numbers of one run, without headers
+//   gem_ensembles touches RUN.h5 FROM_S TO_S GAP_S...               how often a floe touches after so long without, by
+//                                                                   the gap and the least closing speed
 //   gem_ensembles compare PLAN ROWS.csv MAPS.csv ENSEMBLES.csv MAP_MEANS.csv
 #include <algorithm>
 #include <cmath>
@@ -19,6 +21,7 @@
 #include "validation/baseline/ensemble_compare.h"
 #include "validation/baseline/ensemble_plan.h"
 #include "validation/baseline/ensemble_rows.h"
+#include "validation/baseline/platform_events.h"
 
 namespace gem::baseline {
 namespace {
@@ -66,6 +69,18 @@ int rows(const Texts& a) {
     values << who << number_text(member.moment_s) << ',' << value.name << ',' << number_text(value.value, 9) << '\n';
   for (std::size_t c = 0; c < member.share.size(); ++c)
     map << who << c % plan.map.columns << ',' << c / plan.map.columns << ',' << number_text(member.share[c], 4) << '\n';
+  return 0;
+}
+
+int touches(const Texts& a) {
+  const PlatformEvents all = platform_events(RunFile(a.at(0)));
+  const double from = number_field(a.at(1), "FROM_S"), to = number_field(a.at(2), "TO_S");
+  for (const double speed : {0.0, OutputDef{}.event_speed_m_per_s})
+    for (std::size_t k = 3; k < a.size(); ++k) {
+      const double gap = number_field(a[k], "GAP_S");
+      std::cout << number_text(speed) << ',' << number_text(gap) << ','
+                << number_text(first_after(gap, faster_than(speed, all), from, to) / (to - from), 5) << '\n';
+    }
   return 0;
 }
 
@@ -174,9 +189,10 @@ int run(const Texts& arguments) {
   const Texts rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
   if (with("members", 1)) return members(rest);
   if (with("rows", 6)) return rows(rest);
+  if (with("touches", 4)) return touches(rest);
   if (with("compare", 5)) return compare_all(rest);
   throw Error(ExitCode::usage,
-              "no such command (members, rows or compare with their files) see the head of the source");
+              "no such command (members, rows, touches or compare with their files) see the head of the source");
 }
 
 }  // namespace

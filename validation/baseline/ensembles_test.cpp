@@ -12,6 +12,7 @@
 #include "validation/baseline/ensemble_compare.h"
 #include "validation/baseline/ensemble_plan.h"
 #include "validation/baseline/ensemble_rows.h"
+#include "validation/baseline/platform_events.h"
 
 namespace gem::baseline {
 namespace {
@@ -86,12 +87,28 @@ TEST(EnsembleCompare, NumbersThatARunDoesNotHaveAreLeftOut) {
   EXPECT_EQ(compare(plan_of_one(), {{"load", runs(1.0, 0.1)}}, {}).front().verdict, "too few runs");
 }
 
+TEST(PlatformEvents, AFloeThatRattlesLandsOnce) {
+  // floe 7 lands at 10 s, lies on the platform with gaps of at most 2 s, is jerked at 14 s, leaves and is back at 30 s;
+  // floe 8 lands at 12 s, slowly
+  const PlatformEvents rows{{10.0, 10.1, 11.0, 12.0, 12.5, 14.0, 14.1, 15.5, 30.0},
+                            {7.0, 7.0, 7.0, 8.0, 7.0, 7.0, 7.0, 7.0, 7.0},
+                            {0.3, 0.1, 0.001, 0.005, 0.002, 0.02, 0.002, 0.001, 0.2}};
+  EXPECT_EQ(first_after(landing_gap_s, rows, 0.0, 100.0), 3.0);
+  EXPECT_EQ(first_after(landing_gap_s, rows, 10.5, 100.0), 2.0);  // the first landing is the floe's past
+  EXPECT_EQ(first_after(landing_gap_s, rows, 0.0, 29.0), 2.0);
+  EXPECT_EQ(first_after(1.0, rows, 0.0, 100.0), 6.0);  // the same touches, taken apart where they pause
+  const PlatformEvents fast = faster_than(0.01, rows);
+  EXPECT_EQ(fast.time, (std::vector<double>{10.0, 10.1, 14.0, 30.0}));
+  EXPECT_EQ(first_after(1.0, fast, 0.0, 100.0), 3.0);  // the jerk counts as a hit, floe 8 does not
+  EXPECT_EQ(first_after(0.0, fast, 0.0, 100.0), 4.0);
+}
+
 TEST(EnsembleRows, OneHitOfOneFloe) {
   const std::string file = (scratch / "run.h5").string();
   std::filesystem::create_directories(scratch);
   const std::string command = std::string(GEM_PROGRAM) + " run " + GEM_SOURCE_DIR +
                               "/cases/analytic/V10_floe_on_moored_platform.toml --engine cpu -q --overwrite "
-                              "--until 60 -o " +
+                              "--until 60 --set output.event_speed_m_per_s=0 -o " +
                               file;
   ASSERT_EQ(std::system(command.c_str()), 0);
   const PlannedCase chosen{"V10", "", 0, 0.0, 60.0};
@@ -99,6 +116,7 @@ TEST(EnsembleRows, OneHitOfOneFloe) {
   std::map<std::string, double> value;
   for (const MemberValue& v : rows.values) value[v.name] = v.value;
   EXPECT_NEAR(60.0 * value.at("hits_per_s"), 1.0, 1e-9);
+  EXPECT_NEAR(60.0 * value.at("landings_per_s"), 1.0, 1e-9);
   EXPECT_GE(value.at("impacts_per_s"), value.at("hits_per_s"));
   EXPECT_GT(value.at("offset_x_mean_m"), 0.0);
   EXPECT_NEAR(60.0 * value.at("energy_loss_W"), 1405.6, 10.0);  // V10.dE

@@ -1,0 +1,79 @@
+"""What scripts/measure.sh made: its tables, the conditions that it noted, and small tools for pages that are made from them."""
+import csv
+import math
+import pathlib
+import statistics
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROWS = ROOT / "bench" / "results" / "speed_against_error"
+FOLDER = ROOT / "validation" / "baseline"
+FIGURES = FOLDER / "figures"
+
+
+def read(name):
+    """Rows of one table and those of other engines with the same header."""
+    path = ROWS / name
+    if not path.exists():
+        return []
+    with open(path, newline="", encoding="utf-8") as file:
+        head = file.readline()
+        rows = list(csv.DictReader(file, fieldnames=head.strip().split(",")))
+    for other in sorted((ROWS / "other").glob("*.csv")):
+        with open(other, newline="", encoding="utf-8") as file:
+            if file.readline() == head:
+                rows += csv.DictReader(file, fieldnames=head.strip().split(","))
+    return rows
+
+
+def grouped(rows, *keys):
+    groups = {}
+    for row in rows:
+        groups.setdefault(tuple(row[key] for key in keys), []).append(row)
+    return groups
+
+
+def median(rows, key):
+    values = [float(row[key]) for row in rows if row[key] not in ("", "nan")]
+    return statistics.median(values) if values else math.nan
+
+
+def rms(values):
+    return math.sqrt(sum(v * v for v in values) / len(values)) if values else math.nan
+
+
+def table(head, rows):
+    return ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)] + [
+        "| " + " | ".join(row) + " |" for row in rows] + [""]
+
+
+def figure(name, text):
+    return [f"![{text}](figures/{name}.svg)", "", f"*{text} Numbers: `bench/results/speed_against_error`.*", ""]
+
+
+def conditions():
+    """Text of conditions.txt, and its measurements: dicts with parts, begun, machine, load, program."""
+    path = ROWS / "conditions.txt"
+    lines = path.read_text(encoding="utf-8").rstrip().splitlines() if path.exists() else []
+    runs = []
+    for line in lines:
+        word, _, rest = line.partition(" ")
+        if word == "begun":
+            when, _, parts = rest.partition(": ")
+            runs.append({"begun": when, "parts": [part.split(":")[0] for part in parts.split()]})
+        elif runs and word in ("machine", "load", "program"):
+            runs[-1].setdefault(word, rest.strip())
+    return lines, runs
+
+
+def stamp(*parts):
+    """Commit and conditions of the measurements of these parts, for a figure; the newest first."""
+    texts = []
+    for run in reversed(conditions()[1]):
+        if not set(parts) & set(run["parts"]):
+            continue
+        version = (run.get("program", "") + " ? ? ?").split()
+        text = f"commit {version[2]}, {run['begun'][:10]}, {run.get('machine', '?')}, load {run.get('load', '?')}"
+        if text.endswith("quick 1"):
+            text = "REHEARSAL, numbers mean nothing: " + text
+        texts.append(text.replace(", quick 0", "").replace(", quick 1", ""))
+    return "; ".join(dict.fromkeys(texts)) or "conditions not recorded"

@@ -49,6 +49,7 @@ class CoupledRounds {
   };
 
   static PointFrame<FloatPack> frame_of(const Block& b);
+  void foresee_motions(const Block& b) const;
   Approach<FloatPack> approach_of(const Block& b) const;
   void write_push(std::int32_t block, const PointFrame<FloatPack>& f, const PointImpulse<FloatPack>& p);
   template <PointFriction law, bool judged>

@@ -52,6 +52,7 @@ void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::in
   std::size_t at = std::lower_bound(keys_.begin(), keys_.end(), first) - keys_.begin();
   for (std::int64_t c = begin; c < end; ++c) {
     Contact& contact = *contacts[c];
+    foresee_events(f, contacts[std::min(c + 8, end - 1)]->b);
     at = last_key_from(at, contact_key(contact.a, contact.b, 0));
     prepare_contact(f, contact);
     for (int k = 0; k < contact.count; ++k) {

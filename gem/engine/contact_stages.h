@@ -24,6 +24,37 @@ inline CollisionMass collision_mass(const Bodies& b, std::int32_t i) {
   return {b.inverse_mass[i], b.inverse_inertia[i]};
 }
 
+/// Asks the cache for what the search for contacts reads of a body. The bodies of a list's pairs lie anywhere in
+/// memory.
+inline void foresee_search(const FieldState& f, std::int32_t i) {
+  __builtin_prefetch(&f.bodies.position[i]);
+  __builtin_prefetch(&f.bodies.radius[i]);
+  __builtin_prefetch(&f.turn_travel[i]);
+  __builtin_prefetch(&f.bodies.vertex_begin[i]);
+  __builtin_prefetch(&f.bodies.velocity[i]);
+  __builtin_prefetch(&f.bodies.spin[i]);
+}
+
+/// The same for its outline.
+inline void foresee_outline(const FieldState& f, std::int32_t i) {
+  const std::int32_t first = f.bodies.vertex_begin[i];
+  constexpr std::int32_t line = 4;  // corners
+  __builtin_prefetch(&f.corner[first]);
+  __builtin_prefetch(&f.corner[first] + line);
+  __builtin_prefetch(&f.normal[first]);
+  __builtin_prefetch(&f.normal[first] + line);
+}
+
+/// The same for what the events read of a body.
+inline void foresee_events(const FieldState& f, std::int32_t i) {
+  __builtin_prefetch(&f.bodies.velocity[i]);
+  __builtin_prefetch(&f.bodies.spin[i]);
+  __builtin_prefetch(&f.bodies.inverse_mass[i]);
+  __builtin_prefetch(&f.bodies.inverse_inertia[i]);
+  __builtin_prefetch(&f.bodies.thickness[i]);
+  __builtin_prefetch(&f.bodies.area[i]);
+}
+
 /// What the events of a pair read of its bodies.
 inline PairBodies pair_bodies(const Bodies& b, std::int32_t i, std::int32_t j) {
   return {collision_mass(b, i),

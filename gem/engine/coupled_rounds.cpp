@@ -102,6 +102,14 @@ GEM_INLINE PointFrame<FloatPack> CoupledRounds::frame_of(const Block& b) {
           b.least,      b.most,       b.room_left, b.room_right, b.repair_excess, b.repair_least};
 }
 
+/// Asks the cache for the motions of a block's bodies, which lie anywhere.
+GEM_INLINE void CoupledRounds::foresee_motions(const Block& b) const {
+  for (int lane = 0; lane < float_lanes; ++lane) {
+    __builtin_prefetch(&motion_[b.a[lane]]);
+    __builtin_prefetch(&motion_[b.b[lane]]);
+  }
+}
+
 GEM_INLINE Approach<FloatPack> CoupledRounds::approach_of(const Block& b) const {
   // velocities and shifts of B against A in the first four lanes; spin and turn of A in the next two, of B in the last
   const FloatMask of_both{0, 1, 2, 3, 12, 13, 6, 7};
@@ -128,6 +136,7 @@ template <PointFriction law, bool judged>
 GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead) {
   FloatPack most{};
   for (std::int32_t i = begin; i < end; ++i) {
+    foresee_motions(block_[i + 2 < end ? i + 2 : i]);
     const PointFrame<FloatPack> f = frame_of(block_[i]);
     BlockAddition& addition = addition_[i];
     const FloatPack asked =

@@ -18,6 +18,9 @@ class CoupledRounds {
 
   /// What of a point stays for the moment.
   void set_geometry(std::int32_t point, const PointGeometry<double>& g, std::int32_t entry_a, std::int32_t entry_b);
+  /// Entries of a point's bodies.
+  std::int32_t entry_a(std::int32_t point) const { return block_[point / float_lanes].a[point % float_lanes]; }
+  std::int32_t entry_b(std::int32_t point) const { return block_[point / float_lanes].b[point % float_lanes]; }
   /// A round begins from this base: what was added so far is in it.
   void set_base(std::int32_t point, const PointGeometry<double>& g, const PointImpulse<double>& base,
                 const Motion<double>& a, const Motion<double>& b);
@@ -49,6 +52,7 @@ class CoupledRounds {
   };
 
   static PointFrame<FloatPack> frame_of(const Block& b);
+  void foresee_motions(const Block& b) const;
   Approach<FloatPack> approach_of(const Block& b) const;
   void write_push(std::int32_t block, const PointFrame<FloatPack>& f, const PointImpulse<FloatPack>& p);
   template <PointFriction law, bool judged>

@@ -52,6 +52,7 @@ void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::in
   std::size_t at = std::lower_bound(keys_.begin(), keys_.end(), first) - keys_.begin();
   for (std::int64_t c = begin; c < end; ++c) {
     Contact& contact = *contacts[c];
+    foresee_events(f, contacts[std::min(c + 8, end - 1)]->b);
     at = last_key_from(at, contact_key(contact.a, contact.b, 0));
     prepare_contact(f, contact);
     for (int k = 0; k < contact.count; ++k) {
@@ -62,10 +63,8 @@ void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::in
       point.geometry = point_of_contact(f, contact, slot, layout_.points_of(contact.a), layout_.points_of(contact.b),
                                         point.impulse.normal);
       point.impulse.repair = repair_to_go_on(f.constants, point.impulse.repair, point.geometry.nn);
-      point.a = layout_.entry_of(contact.a);
-      point.b = layout_.entry_of(contact.b);
       slot.cap = point.geometry.cap;
-      rounds_.set_geometry(i, point.geometry, point.a, point.b);
+      rounds_.set_geometry(i, point.geometry, layout_.entry_of(contact.a), layout_.entry_of(contact.b));
     }
   }
 }
@@ -88,6 +87,9 @@ void CoupledSolver::settle(const FieldState& f, const Stretch& s) {
   for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
     Push<double> sum{};
     for (std::int32_t at = layout_.begin_as_b(k); at < layout_.begin_as_b(k + 1); ++at) {
+      const Point& ahead = point_[as_b[at + CoupledLayout::looked_ahead]];
+      __builtin_prefetch(&ahead);
+      __builtin_prefetch(&ahead.geometry.target);
       const Point& p = point_[as_b[at]];
       add(sum, 1.0, push_of(p.geometry, p.impulse, p.geometry.lever_b_n, p.geometry.lever_b_t));
     }
@@ -129,7 +131,7 @@ void CoupledSolver::keep_best_share(const FieldState& f, ThreadTeam& team, int r
 void CoupledSolver::begin_round(const FieldState& f, ThreadTeam& team, const Stretch& s, bool first) {
   for (std::int32_t i = s.first_point; i < s.last_point; ++i) {
     const Point& p = point_[i];
-    rounds_.set_base(i, p.geometry, p.impulse, motion_[p.a], motion_[p.b]);
+    rounds_.set_base(i, p.geometry, p.impulse, motion_[rounds_.entry_a(i)], motion_[rounds_.entry_b(i)]);
   }
   if (first) {
     for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {

@@ -174,8 +174,11 @@ void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
   Part& mine = part_[rank];
   mine.count = 0;
   const double limit = f.constants.contact_margin;
-  team.for_each(rank, static_cast<std::int64_t>(pairs_.size()), [&](std::int64_t i) {
+  const auto pair_count = static_cast<std::int64_t>(pairs_.size());
+  team.for_each(rank, pair_count, [&](std::int64_t i) {
     Pair& pair = pairs_[i];
+    foresee_search(f, pairs_[std::min(i + 12, pair_count - 1)].b);
+    foresee_outline(f, pairs_[std::min(i + 6, pair_count - 1)].b);
     const Vec2 offset = f.bodies.position[pair.b] - f.bodies.position[pair.a];
     const double turned_a = f.turn_travel[pair.a] - pair.turned_a, turned_b = f.turn_travel[pair.b] - pair.turned_b;
     const double radius_a = f.bodies.radius[pair.a], radius_b = f.bodies.radius[pair.b];

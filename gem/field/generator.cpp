@@ -85,17 +85,24 @@ std::vector<FloeDef> tiled_floes(const SceneDef& scene, const std::vector<std::v
   return floes;
 }
 
+std::vector<FloeDef> scattered_floes(const SceneDef& scene, const std::vector<std::vector<Vec2>>& obstacles) {
+  const PlacementTask task = task_for(scene, scene.floes.count, obstacles);
+  const std::vector<Pose> poses = place(task);
+  std::vector<FloeDef> floes;
+  for (std::size_t i = 0; i < poses.size(); ++i) floes.push_back(floe_at(task.outlines[i], poses[i], {}));
+  return floes;
+}
+
 }  // namespace
 
 std::vector<FloeDef> generate_floes(const SceneDef& scene, const std::vector<std::vector<Vec2>>& obstacles) {
   if (scene.floes.count == 0) return {};
   check(scene);
-  if (scene.floes.source == FloeSource::copied && scene.floes.placement == Placement::tiled)
-    return tiled_floes(scene, obstacles);
-  const PlacementTask task = task_for(scene, scene.floes.count, obstacles);
-  const std::vector<Pose> poses = place(task);
-  std::vector<FloeDef> floes;
-  for (std::size_t i = 0; i < poses.size(); ++i) floes.push_back(floe_at(task.outlines[i], poses[i], {}));
+  const bool tiled = scene.floes.source == FloeSource::copied && scene.floes.placement == Placement::tiled;
+  std::vector<FloeDef> floes = tiled ? tiled_floes(scene, obstacles) : scattered_floes(scene, obstacles);
+  // Engines go through floes by number and stay in the cache where neighbours have near numbers.
+  std::stable_sort(floes.begin(), floes.end(),
+                   [](const FloeDef& a, const FloeDef& b) { return a.position_m.x < b.position_m.x; });
   return floes;
 }
 

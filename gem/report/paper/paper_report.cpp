@@ -41,9 +41,10 @@ void remove_pictures(const std::filesystem::path& folder) {
 
 }  // namespace
 
-PaperReportSummary write_paper_report(const std::string& runs, const std::string& out, const std::string& statements) {
+PaperReportSummary write_paper_report(const std::vector<std::string>& runs, const std::string& out,
+                                      const std::string& statements) {
   const Catalogue catalogue = read_catalogue(statements);
-  const PaperFolder folder = read_paper_folder(runs);
+  const PaperFolder folder = read_paper_folders(runs);
   const std::filesystem::path root(out);
   const std::filesystem::path pictures = root / "figures";
   Reproduction result;
@@ -54,12 +55,18 @@ PaperReportSummary write_paper_report(const std::string& runs, const std::string
   for (const Statement& statement : catalogue.statements)
     result.statements.push_back(evaluate(statement, folder, numbers));
   for (const TableRow& row : catalogue.rows) result.settings.push_back(compare_settings(row, folder));
+  std::vector<std::string> names;
+  for (const auto& [condition, list] : folder.conditions)
+    if (condition.find("__") == std::string::npos && !condition.starts_with("moved_")) names.push_back(condition);
+  result.stationarity = stationarity(folder, names);
+  result.extremes = seed_extremes(folder, names);
   result.period = period_candidates(folder, kPaperPeriod);
   result.choices = sensitivity(folder, catalogue);
   remove_pictures(pictures);
   append(result.figures, twin_figures(folder, pictures));
   append(result.figures, repeat_figures(folder, result.divergence, pictures));
   append(result.figures, excursion_figures(folder, catalogue.rows, pictures));
+  append(result.figures, seed_figures(folder, pictures));
   append(result.figures, extra_figures(folder, pictures));
   std::error_code failed;
   std::filesystem::create_directories(root, failed);

@@ -35,7 +35,8 @@ std::vector<PaperFigure> excursion_figures(const PaperFolder& folder, const std:
 /// Of run 1: amplitude over time, of the first run that has its run file; exceedance of the peaks of all seeds.
 std::vector<PaperFigure> extra_figures(const PaperFolder& folder, const std::filesystem::path& out);
 
-/// Of run 1 over its seeds: swing and offset over time, largest excursion against duration.
+/// Of run 1 over its seeds: swing and offset over time, largest excursion against duration. And the swing of the
+/// runs of cases/day.toml.
 std::vector<PaperFigure> seed_figures(const PaperFolder& folder, const std::filesystem::path& out);
 
 /// "004_400_25: coupled, dt 0.1 s, seed 1  gem 0.1.0 (commit)": printed on every figure; the name says ice, gap,

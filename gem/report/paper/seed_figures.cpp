@@ -1,5 +1,6 @@
 // What many seeds of one condition show: growth of the motion with time, and of its largest value with duration.
 #include <cmath>
+#include <optional>
 
 #include "gem/analysis/bootstrap.h"
 #include "gem/analysis/moments.h"
@@ -12,6 +13,7 @@ namespace gem {
 namespace {
 
 constexpr const char* kCondition = "004_400_25";
+constexpr const char* kDay = "day_";
 constexpr double kMillimetre = 1e-3;
 
 double hours(double blocks) { return blocks * kBlockLength / 3600.0; }
@@ -80,13 +82,39 @@ PaperFigure draw_convergence(const std::vector<PaperRun>& runs, const std::strin
   return {"-", "Largest excursion against the duration of the run, one line per seed", out / "convergence"};
 }
 
+/// Swing of x over a day, one line per condition; nothing without such runs.
+std::optional<PaperFigure> draw_day(const PaperFolder& folder, const std::filesystem::path& out) {
+  std::vector<const PaperRun*> days;
+  for (const auto& [condition, runs] : folder.conditions)
+    if (condition.starts_with(kDay) && runs.front().blocks.count() > 1) days.push_back(&runs.front());
+  if (days.empty()) return std::nullopt;
+  const PlotFolder plots(out, conditions_text(*days.front()));
+  std::string plot = "plot ";
+  for (std::size_t i = 0; i < days.size(); ++i) {
+    Csv csv("t [h],swing of x [mm],mean of x [mm]");
+    const RunBlocks& blocks = days[i]->blocks;
+    for (std::size_t block = 0; block < blocks.count(); ++block)
+      csv.row({hours(static_cast<double>(block) + 0.5), blocks.deviation_x[block] / kMillimetre,
+               blocks.mean_x[block] / kMillimetre});
+    plots.write_csv(days[i]->condition, csv);
+    plot += (i == 0 ? "" : ", ") + quoted(days[i]->condition + ".csv") + " using 1:2 with lines linestyle " +
+            std::to_string(i % 4 + 1) + " title " + quoted(days[i]->condition.substr(std::string(kDay).size()));
+  }
+  plots.draw({"day", "Swing of x over a day", "", ""}, {1000, 380},
+             "set key outside bottom left horizontal\nset xlabel 'time [h]' offset 0,0.4\nset ylabel 'swing of x "
+             "[mm]'\nset xrange [0:*]\nset yrange [0:*]\n" +
+                 plot + "\n");
+  return PaperFigure{"-", "Swing of x (deviation within 600 s) over 24 hours, one run each", out / "day"};
+}
+
 }  // namespace
 
 std::vector<PaperFigure> seed_figures(const PaperFolder& folder, const std::filesystem::path& out) {
-  const std::vector<PaperRun>& runs = folder.of(kCondition);
-  if (runs.empty() || runs.front().blocks.count() < 2) return {};
-  const std::string stamp = conditions_text(runs.front()) + ", " + std::to_string(runs.size()) + " seeds";
   std::vector<PaperFigure> figures;
+  if (auto day = draw_day(folder, out)) figures.push_back(std::move(*day));
+  const std::vector<PaperRun>& runs = folder.of(kCondition);
+  if (runs.empty() || runs.front().blocks.count() < 2) return figures;
+  const std::string stamp = conditions_text(runs.front()) + ", " + std::to_string(runs.size()) + " seeds";
   if (runs.size() > 1) figures.push_back(draw_growth(runs, stamp, out));
   figures.push_back(draw_convergence(runs, stamp, out));
   return figures;

@@ -81,7 +81,7 @@ collections() {
       condition=$((condition + 1))
     done
     ;;
-  table2) printf 'table2\t--exact\n' ;;
+  table2) printf 'table2\t--exact\t--series=2\n' ;;
   divergence) printf 'divergence\t--exact\t--series=5\t--no-null-model\n' ;;
   day) printf 'day\t--series=10\t--no-null-model\n' ;;
   *) printf '%s\t--series=0\t--no-null-model\n' "$1" ;;
@@ -95,7 +95,10 @@ run() {
   # shellcheck disable=SC2046,SC2086
   set -- sweep run "cases/$sweep.toml" --out "$out/runs/$sweep" --progress none $(quick_settings "$sweep") ${GEM_RUN:-}
   [ -z "$list" ] || set -- "$@" --index "$list"
-  [ "$sweep" != divergence ] || [ "$quick" = 1 ] || set -- "$@" --set sweep.seeds.count=20
+  case $sweep in
+  table2) set -- "$@" --set sweep.seeds.count=5 ;; # ratios of two conditions are taken seed by seed
+  divergence) [ "$quick" = 1 ] || set -- "$@" --set sweep.seeds.count=20 ;;
+  esac
   if [ -n "${run_until:-}" ]; then
     # an interrupt ends a run in order
     timeout -s INT -k 20 $((run_until - $(date +%s))) "$program" "$@"

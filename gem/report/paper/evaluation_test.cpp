@@ -115,7 +115,7 @@ TEST(Evaluation, APairThatNeverPartsObeysNoTime) {
     for (const double time : times) runs.push_back({time, time, time, false});
     return evaluate(parting, {}, {{"largest_m", *over_runs(runs, Over::every)}}).verdict;
   };
-  EXPECT_EQ(judged({never, never, never, never, never, 3300.0}), Verdict::not_reproduced);
+  EXPECT_EQ(judged({never, never, never, never, never, never, never, 3300.0}), Verdict::not_reproduced);
   EXPECT_EQ(judged({3000.0, 3300.0, 3500.0, 2600.0, 4000.0}), Verdict::reproduced);
 }
 

@@ -46,7 +46,8 @@ std::string extremes_text(const Reproduction& result) {
           "Gumbel's "
           "law of the largest of each run, of the largest of each 600 s (which takes these as independent and the "
           "motion "
-          "as stationary: where it is not, this differs), and by ACER (k = 2) of all peaks, one per natural period.\n\n"
+          "as stationary: where it is not, this differs), and by ACER (k = 2) of all peaks, one per natural period (- "
+          "where they do not resolve its tail).\n\n"
        << "| run | seeds | mean [mm] | p90, runs [mm] | p90, 600 s [mm] | p90, ACER [mm] | p90 of the ice force, 1 s "
           "[kN] |\n|---|---:|---|---|---|---|---|\n";
   for (const ExtremesRow& row : result.extremes)

@@ -1,6 +1,7 @@
 // Read, judge, draw, write.
 #include "gem/report/paper/paper_report.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -25,6 +26,16 @@ void write(const std::filesystem::path& path, const std::string& text) {
 
 void append(std::vector<PaperFigure>& all, std::vector<PaperFigure> more) {
   for (PaperFigure& figure : more) all.push_back(std::move(figure));
+}
+
+/// Conditions of the tables in their order, then those of cases/day.toml.
+std::vector<std::string> of_tables_and_days(const PaperFolder& folder, const Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const TableRow& row : catalogue.rows)
+    if (std::find(names.begin(), names.end(), row.run) == names.end()) names.push_back(row.run);
+  for (const auto& [condition, runs] : folder.conditions)
+    if (condition.starts_with("day_")) names.push_back(condition);
+  return names;
 }
 
 /// Pictures of an earlier report that this one does not draw would stand beside its page.
@@ -55,9 +66,7 @@ PaperReportSummary write_paper_report(const std::vector<std::string>& runs, cons
   for (const Statement& statement : catalogue.statements)
     result.statements.push_back(evaluate(statement, folder, numbers));
   for (const TableRow& row : catalogue.rows) result.settings.push_back(compare_settings(row, folder));
-  std::vector<std::string> names;
-  for (const auto& [condition, list] : folder.conditions)
-    if (condition.find("__") == std::string::npos && !condition.starts_with("moved_")) names.push_back(condition);
+  const std::vector<std::string> names = of_tables_and_days(folder, catalogue);
   result.stationarity = stationarity(folder, names);
   result.extremes = seed_extremes(folder, names);
   result.period = period_candidates(folder, kPaperPeriod);

@@ -14,10 +14,11 @@ namespace gem {
 struct ExtremesRow {
   std::string condition;
   std::size_t seeds = 0;
-  IntervalEstimate mean_m;                      // largest excursion, bootstrap over the seeds
-  IntervalEstimate p90_m;                       // Gumbel's law fitted to the largest of each run
-  std::optional<IntervalEstimate> by_block_m;   // fitted to the largest of each 600 s, taken as independent
-  std::optional<IntervalEstimate> by_acer_m;    // from all peaks, one per natural period (ACER, k = 2)
+  IntervalEstimate mean_m;                     // largest excursion, bootstrap over the seeds
+  IntervalEstimate p90_m;                      // Gumbel's law fitted to the largest of each run
+  std::optional<IntervalEstimate> by_block_m;  // fitted to the largest of each 600 s, taken as independent
+  std::optional<IntervalEstimate>
+      by_acer_m;  // from all peaks, one per natural period (ACER, k = 2), where its tail is resolved
   std::optional<IntervalEstimate> force_p90_N;  // of the window mean of the ice force, as p90_m
 };
 

@@ -68,16 +68,20 @@ index_of() {
 }
 
 # what to collect of a part: name, then options of `gem sweep collect`, with tabs between. Paths that are to be compared to
-# the last bit are kept exact; run 1 alone is compared with the null model.
+# the last bit are kept exact; run 1 alone is compared with the null model, each seed by a process of its own.
 collections() {
   case $1 in
   seeds:*)
     span=${1#seeds:}
-    condition=0
+    seed=${span%-*}
+    while [ "$seed" -le "${span#*-}" ]; do
+      printf '%s\t--index=%d\t--series=10\n' "seeds_run1_$seed" "$seed"
+      seed=$((seed + 1))
+    done
+    condition=1
     while [ "$condition" -lt 36 ]; do
-      null=$([ "$condition" = 0 ] || echo --no-null-model)
-      printf '%s\t%s\t%s\t%s\t%s\n' "seeds_${span}_$((condition + 1))" --index \
-        "$((30 * condition + ${span%-*}))-$((30 * condition + ${span#*-}))" --series=10 $null
+      printf '%s\t--index=%d-%d\t--series=10\t--no-null-model\n' "seeds_${span}_$((condition + 1))" \
+        $((30 * condition + ${span%-*})) $((30 * condition + ${span#*-}))
       condition=$((condition + 1))
     done
     ;;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Opens a sweep's summary with xarray and compares it with `gem sweep status` and `gem analyse`; exit 1 if wrong.
 
-Usage: check_summary.py FOLDER    with summary.nc.h5, status.json, analyse.json and runs/ from check_summary.sh
+Usage: check_summary.py FOLDER    with summary.nc.h5, exact.nc.h5, lean.nc.h5, status.json, analyse.json and runs/ from check_summary.sh
 """
 import json
 import sys
@@ -46,6 +46,16 @@ def main(folder):
     with netcdf.Dataset(f"{folder}/runs/middle_4000000.h5", "r") as run:
         x = run.groups["platform"].variables["x"][:]
         assert numpy.allclose(row.displacement_x.values, x[[0, 50, 100]].astype("f4"), atol=0)
+        with xarray.open_dataset(f"{folder}/exact.nc.h5", engine="h5netcdf") as exact:
+            assert list(exact.run.values) == ["slow_5000000", "middle_4000000"], exact.run.values
+            kept = exact.sel(run="middle_4000000")
+            rest = x[0] - float(kept.displacement_x[0])
+            assert list(exact.time.values) == [0.0, 0.5, 1.0, 1.5, 2.0], exact.time.values
+            assert (kept.displacement_x.values == x[::25] - rest).all(), "exact means to the last bit"
+            assert (kept.velocity_x.values == run.groups["platform"].variables["vx"][::25]).all()
+    with xarray.open_dataset(f"{folder}/lean.nc.h5", engine="h5netcdf") as lean:
+        assert "time" not in lean.sizes and "displacement_x" not in lean.variables
+        assert lean.sizes["run"] == 6 and (lean.platform_touches == lean.impacts).all()
     assert row.displacement_x.values[-1] > 0, "the ice pushed nothing"
     print(f"xarray: {dict(data.sizes)}, {len(data.data_vars)} variables, {compared} findings compared")
 

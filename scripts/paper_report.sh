@@ -1,25 +1,32 @@
 #!/usr/bin/env bash
-# Judges the paper's statements by a folder of run files: writes OUT/README.md, OUT/rows.csv, and under OUT/figures every
+# Judges the paper's statements by run files and summaries: writes OUT/README.md, OUT/rows.csv, and under OUT/figures every
 # picture as SVG with a PNG preview, its numbers and its script. Any subset of the runs will do: the page says what is
-# missing. Make the runs with cases/table1.toml, table2.toml, period_question.toml, sensitivity.toml,
-# sensitivity_moment.toml and divergence.toml; several seeds of a run may lie side by side.
-# Usage: scripts/paper_report.sh RUNS [OUT [build folder]]      The default of OUT is validation/paper.
+# missing. scripts/paper_runs.sh makes the runs and what `gem sweep collect` keeps of them; several seeds of a run may lie
+# side by side, and a run that is there twice counts once (with another state hash: not at all, the first is kept).
+# Usage: scripts/paper_report.sh [-o OUT] [-b BUILD_FOLDER] FOLDER...      The default of OUT is validation/paper.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 
-if [ $# -lt 1 ] || [ $# -gt 3 ]; then
-  echo "usage: scripts/paper_report.sh RUNS [OUT [build folder]]" >&2
+source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+out=$source_folder/validation/paper
+gem=$source_folder/build/gem
+while getopts o:b: option; do
+  case $option in
+  o) out=$OPTARG ;;
+  b) gem=$OPTARG/gem ;;
+  *) exit 2 ;;
+  esac
+done
+shift $((OPTIND - 1))
+if [ $# -lt 1 ]; then
+  echo "usage: scripts/paper_report.sh [-o OUT] [-b BUILD_FOLDER] FOLDER..." >&2
   exit 2
 fi
-source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-runs=$1
-out=${2:-$source_folder/validation/paper}
-gem=${3:-$source_folder/build}/gem
 if ! [ -x "$gem" ]; then
   echo "no $gem (not built) run: cmake --workflow --preset default" >&2
   exit 2
 fi
-"$gem" paper "$runs" --out "$out" --statements "$source_folder/validation/paper/paper.json"
+"$gem" paper "$@" --out "$out" --statements "$source_folder/validation/paper/paper.json"
 
 # The same scripts draw the previews on gnuplot's other terminal.
 if ! gnuplot -e 'set terminal pngcairo' >/dev/null 2>&1; then

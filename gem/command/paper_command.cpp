@@ -1,4 +1,4 @@
-// gem paper: the reproduction report of the paper from a folder of run files.
+// gem paper: the reproduction report of the paper from run files and summaries.
 #include <memory>
 
 #include "gem/command/command.h"
@@ -8,14 +8,17 @@ namespace gem {
 
 void add_paper_command(CLI::App& app, Chosen& chosen) {
   struct Options {
-    std::string runs;
+    std::vector<std::string> runs;
     std::string out;
     std::string statements;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-      "paper", "judge the statements of the ICETECH 2014 paper by a folder of run files: page, rows and figures");
-  command->add_option("folder", options->runs, "folder of run files, any of cases/table1.toml and the other sweeps")
+      "paper", "judge the statements of the ICETECH 2014 paper by run files and summaries: page, rows and figures");
+  command
+      ->add_option("folders", options->runs,
+                   "folders or files: run files of cases/table1.toml and the other sweeps, or what `gem sweep collect` "
+                   "made of them")
       ->required();
   command->add_option("-o,--out", options->out, "folder of the report")->required();
   command->add_option("--statements", options->statements, "the paper's tables and statements (JSON)")

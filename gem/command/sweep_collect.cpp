@@ -9,14 +9,15 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
+#include "gem/command/index_list.h"
 #include "gem/command/sweep_folder.h"
 #include "gem/command/sweep_settings.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
 #include "gem/report/load_run.h"
+#include "gem/report/paper/paper_summary.h"
 #include "gem/report/platform_series.h"
 #include "gem/report/run_findings.h"
-#include "gem/scene/scene_file.h"
 
 namespace gem {
 namespace {
@@ -110,6 +111,9 @@ std::vector<SweepRow> done_rows(const SweepCollectChoice& choice) {
     throw Error(ExitCode::file_system, shown(choice.folder) +
                                            " is no folder of a sweep (no manifest.json) name the "
                                            "--out folder of `gem sweep run`");
+  std::vector<SweepRow> meant;
+  for (const std::size_t place : parse_index_list(choice.index, rows.size())) meant.push_back(rows[place]);
+  rows = std::move(meant);
   const std::size_t all = rows.size();
   for (SweepRow& row : rows) row = look_at_run(choice.folder, row);
   const auto open = std::find_if(rows.begin(), rows.end(), [](const SweepRow& row) { return row.status != "done"; });
@@ -122,33 +126,6 @@ std::vector<SweepRow> done_rows(const SweepCollectChoice& choice) {
                                            ") finish them with `gem sweep " + "run`" +
                                            (rows.empty() ? "" : " or collect with --partial"));
   return rows;
-}
-
-/// The displacement at whole seconds: the sample at that time, or the last one before it.
-void fill_series(SummaryTable& table, std::size_t run, const RunData& data) {
-  const std::vector<double>& time = data.platform.time;
-  for (std::size_t second = 0; second < table.time.size() && !time.empty(); ++second) {
-    const double at = table.time[second] + 1e-6 * (1.0 + table.time[second]);  // sample times are rounded sums
-    if (table.time[second] > time.back() + 1e-6 * (1.0 + time.back())) break;
-    const auto next = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), at) - time.begin());
-    if (next == 0) continue;
-    const std::size_t place = run * table.time.size() + second;
-    table.series[0].values[place] = static_cast<float>(data.platform.x[next - 1] - data.rest.x);
-    table.series[1].values[place] = static_cast<float>(data.platform.y[next - 1] - data.rest.y);
-  }
-}
-
-SummaryTable empty_table(const SweepCollectChoice& choice, const std::vector<SweepRow>& rows) {
-  SummaryTable table;
-  table.title = "summary of a sweep of " + std::to_string(rows.size()) + " runs";
-  table.history = choice.command_line;
-  double longest = 0.0;
-  for (const SweepRow& row : rows) longest = std::max(longest, row.time_s);
-  for (double second = 0.0; second <= longest; second += 1.0) table.time.push_back(second);
-  const std::vector<float> gaps(rows.size() * table.time.size(), std::numeric_limits<float>::quiet_NaN());
-  table.series = {{"displacement_x", "m", "platform centre from rest at whole seconds, x", gaps},
-                  {"displacement_y", "m", "platform centre from rest at whole seconds, y", gaps}};
-  return table;
 }
 
 void add_origin(Columns& columns, const std::vector<SweepRow>& rows) {
@@ -166,32 +143,59 @@ void add_origin(Columns& columns, const std::vector<SweepRow>& rows) {
   columns.add_texts("case_sha256", "hash of the case with all its options", cases);
 }
 
-}  // namespace
+/// Rounded as it will be stored, or as it is with its velocity.
+PlatformPath kept_path(const std::string& file, const SweepCollectChoice& choice) {
+  PlatformPath path = read_path(file, choice.interval_s);
+  path.exact = choice.exact;
+  if (choice.exact) return path;
+  path.vx.clear();
+  path.vy.clear();
+  return path;
+}
 
-int collect_sweep(const SweepCollectChoice& choice) {
+void check(const SweepCollectChoice& choice) {
   if (!(choice.from_s >= 0.0))
     throw Error(ExitCode::usage,
                 "--from " + number_text(choice.from_s) + " is no time of a run (it must be 0 s or more) give one");
+  if (!(choice.interval_s >= 0.0))
+    throw Error(ExitCode::usage, "--series " + number_text(choice.interval_s) +
+                                     " is no interval (it must be 0 s, for no series, or more) give one");
   check_output_path(choice.output, choice.overwrite);
+}
+
+}  // namespace
+
+int collect_sweep(const SweepCollectChoice& choice) {
+  check(choice);
   const std::vector<SweepRow> rows = done_rows(choice);
-  SummaryTable table = empty_table(choice, rows);
+  SummaryTable table;
+  table.title = "summary of a sweep of " + std::to_string(rows.size()) + " runs";
+  table.history = choice.command_line;
   Columns columns(rows.size());
   add_origin(columns, rows);
   std::vector<SceneDef> scenes;
+  std::vector<PaperRun> runs;
   for (std::size_t run = 0; run < rows.size(); ++run) {
     const std::string path = run_path(choice.folder, rows[run].name);
     table.runs.push_back(rows[run].name);
-    scenes.push_back(parse_scene(RunFile(path).attribute("gem_case_toml"), path));
     const RunData data = load_run(path, false);
     set_quality(columns, run, data);
     set_platform(columns, run, data, choice.from_s);
-    fill_series(table, run, data);
+    const bool compared = choice.null_model && choice.from_s == 0.0;
+    runs.push_back(paper_run(RunFile(path), data, compared ? NullModel::compared : NullModel::left_out));
+    scenes.push_back(runs.back().scene);
+    if (choice.interval_s > 0.0) runs.back().path = kept_path(path, choice);
   }
   table.columns = setting_columns(scenes);
   table.columns.insert(table.columns.end(), columns.list.begin(), columns.list.end());
+  if (choice.from_s == 0.0)
+    add_paper_part(table, runs);
+  else
+    add_series(table, runs);
   write_summary(choice.output, choice.overwrite, table);
+  const SummaryAxis* time = table.axis("time");
   print(shown(choice.output) + ": " + std::to_string(rows.size()) + " runs, " + std::to_string(table.columns.size()) +
-        " columns, " + std::to_string(table.time.size()) + " s of displacement\n");
+        " columns, " + std::to_string(time == nullptr ? 0 : time->values.size()) + " times of displacement\n");
   return 0;
 }
 

@@ -9,12 +9,17 @@ struct SweepCollectChoice {
   std::string folder;
   std::string output;
   std::string command_line;
-  double from_s = 0.0;  // the analysis leaves out what is before
+  std::string index;        // of the runs meant; empty: all
+  double from_s = 0.0;      // the analysis leaves out what is before
+  double interval_s = 1.0;  // of the displacement; 0: none
+  bool exact = false;       // displacement and velocity in double precision, for runs that are to be compared
+  bool null_model = true;   // compare the motion with records of the null model: most of the time
   bool partial = false;
   bool overwrite = false;
 };
 
-/// Writes the summary. Returns 0. Throws Error(file_system) if runs are not done (and not partial).
+/// Writes the summary, which `gem paper` reads in place of the run files if nothing is left out before `from_s`.
+/// Returns 0. Throws Error(file_system) if runs are not done (and not partial).
 int collect_sweep(const SweepCollectChoice& choice);
 
 }  // namespace gem

@@ -93,6 +93,13 @@ void add_collect(CLI::App& group, Chosen& chosen) {
   collect->add_option("folder", choice->folder, "folder of a sweep")->type_name("DIR")->required();
   collect->add_option("-o,--out", choice->output, "summary file, one row per run")->type_name("FILE")->required();
   collect->add_option("--from", choice->from_s, "leave the time before this out of the findings [s]");
+  collect->add_option("--index", choice->index, "only these runs, counted from 1: 3 or 1-4,7")->type_name("LIST");
+  collect->add_option("--series", choice->interval_s, "interval of the displacement [s]; 0: none")
+      ->capture_default_str();
+  collect->add_flag("--exact", choice->exact,
+                    "displacement and velocity in double precision: runs that part can be compared");
+  collect->add_flag("!--no-null-model", choice->null_model,
+                    "leave out the tests against a linear oscillator hit at random, which take most of the time");
   collect->add_flag("--partial", choice->partial, "collect what is done even if runs are missing");
   collect->add_flag("--overwrite", choice->overwrite, "replace an existing summary");
   collect->callback([choice, &chosen] {

@@ -1,11 +1,13 @@
-// Dimension scales `run` and `time`, a dataset per column and per series.
+// Writes dimension scales `run` and one per axis, a dataset per column and per series.
 #include "gem/record/summary_file.h"
 
 #include <hdf5_hl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <map>
 #include <system_error>
 
 #include "gem/base/error.h"
@@ -20,6 +22,8 @@ using hdf5::checked;
 using hdf5::Handle;
 
 namespace {
+
+constexpr std::size_t kLongText = 256;
 
 Handle text_type() {
   Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, "text type");
@@ -46,17 +50,31 @@ class SummaryWriter {
     run_ = texts("run", table_.runs);
     hdf5::write_text(run_, "long_name", "name of the run");
     check(H5DSset_scale(run_, "run"), "run");
-    time_ = numbers("time", {table_.time.size()}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, table_.time.data());
-    hdf5::write_text(time_, "units", "s");
-    hdf5::write_text(time_, "long_name", "time since the start of the run");
-    check(H5DSset_scale(time_, "time"), "time");
+    for (const SummaryAxis& axis : table_.axes) write(axis);
     for (const SummaryColumn& column : table_.columns) write(column);
     for (const SummarySeries& series : table_.series) write(series);
-    if (!time_.close() || !run_.close() || !file_.close()) throw hdf5::Failure{"close: " + hdf5::last_reason()};
+    for (auto& [name, axis] : axis_)
+      if (!axis.close()) throw hdf5::Failure{"close: " + hdf5::last_reason()};
+    if (!run_.close() || !file_.close()) throw hdf5::Failure{"close: " + hdf5::last_reason()};
   }
 
  private:
+  /// Whole cases are alike but for a few words: as texts of one length they compress to almost nothing.
+  Handle long_texts(const std::string& name, const std::vector<std::string>& values) {
+    std::size_t longest = 1;
+    for (const std::string& value : values) longest = std::max(longest, value.size());
+    std::string block;
+    for (const std::string& value : values) block += value + std::string(longest - value.size(), '\0');
+    const Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, name.c_str());
+    check(H5Tset_size(type, longest), name.c_str());
+    check(H5Tset_strpad(type, H5T_STR_NULLPAD), name.c_str());
+    check(H5Tset_cset(type, H5T_CSET_UTF8), name.c_str());
+    return dataset(name, {values.size()}, {std::min<hsize_t>(values.size(), 64)}, type, type, block.data());
+  }
+
   Handle texts(const std::string& name, const std::vector<std::string>& values) {
+    const auto is_long = [](const std::string& value) { return value.size() > kLongText; };
+    if (std::any_of(values.begin(), values.end(), is_long)) return long_texts(name, values);
     std::vector<const char*> pointers;
     for (const std::string& value : values) pointers.push_back(value.c_str());
     const hsize_t size = values.size();
@@ -68,16 +86,16 @@ class SummaryWriter {
     return id;
   }
 
-  Handle numbers(const std::string& name, const std::vector<hsize_t>& size, hid_t file_type, hid_t memory_type,
-                 const void* values) {
+  /// Compressed where a chunk is given.
+  Handle dataset(const std::string& name, const std::vector<hsize_t>& size, const std::vector<hsize_t>& chunk,
+                 hid_t file_type, hid_t memory_type, const void* values) {
     const Handle space =
         checked(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, name.c_str());
     const Handle creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name.c_str());
-    if (size.size() == 2 && size[1] > 0) {  // a chunk is one run: the usual thing to read
-      const hsize_t chunk[2] = {1, size[1]};
-      check(H5Pset_chunk(creation, 2, chunk), name.c_str());
+    if (!chunk.empty()) {
+      check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), name.c_str());
       check(H5Pset_shuffle(creation), name.c_str());
-      check(H5Pset_deflate(creation, 4), name.c_str());
+      check(H5Pset_deflate(creation, 6), name.c_str());
     }
     Handle id = checked(H5Dcreate2(file_, name.c_str(), file_type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
                         name.c_str());
@@ -85,10 +103,18 @@ class SummaryWriter {
     return id;
   }
 
+  void write(const SummaryAxis& axis) {
+    Handle& id = axis_[axis.name];
+    id = dataset(axis.name, {axis.values.size()}, {}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, axis.values.data());
+    hdf5::write_text(id, "units", axis.units);
+    hdf5::write_text(id, "long_name", axis.long_name);
+    check(H5DSset_scale(id, axis.name.c_str()), axis.name.c_str());
+  }
+
   void write(const SummaryColumn& column) {
     const bool is_text = !column.texts.empty();
     const Handle id = is_text ? texts(column.name, column.texts)
-                              : numbers(column.name, {column.numbers.size()}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
+                              : dataset(column.name, {column.numbers.size()}, {}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
                                         column.numbers.data());
     if (!is_text) hdf5::write_text(id, "units", column.units);
     describe(id, column.long_name, column.is_setting);
@@ -96,12 +122,13 @@ class SummaryWriter {
   }
 
   void write(const SummarySeries& series) {
-    const Handle id = numbers(series.name, {table_.runs.size(), table_.time.size()}, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT,
-                              series.values.data());
+    const hsize_t length = series.values.size() / table_.runs.size();
+    const Handle id = dataset(series.name, {table_.runs.size(), length}, {1, length},  // a chunk is one run
+                              series.exact ? H5T_IEEE_F64LE : H5T_IEEE_F32LE, H5T_NATIVE_DOUBLE, series.values.data());
     hdf5::write_text(id, "units", series.units);
     describe(id, series.long_name, false);
     check(H5DSattach_scale(id, run_, 0), series.name.c_str());
-    check(H5DSattach_scale(id, time_, 1), series.name.c_str());
+    check(H5DSattach_scale(id, axis_.at(series.axis), 1), series.name.c_str());
   }
 
   void describe(hid_t id, const std::string& long_name, bool is_setting) {
@@ -111,7 +138,8 @@ class SummaryWriter {
 
   const SummaryTable& table_;
   std::string coordinates_;  // names of the settings, as the CF conventions list them
-  Handle file_, run_, time_;
+  Handle file_, run_;
+  std::map<std::string, Handle> axis_;
 };
 
 }  // namespace

@@ -21,11 +21,12 @@ SummaryTable two_runs() {
   table.title = "two runs";
   table.history = "gem sweep collect";
   table.runs = {"one", "tw\xc3\xb6"};
-  table.time = {0.0, 1.0, 2.0};
+  table.axes = {{"time", "s", "time", {0.0, 1.0, 2.0}}, {"block", "s", "start", {0.0, 600.0}}};
   table.columns = {{"gap_m", "m", "gap", true, {400.0, 300.0}},
                    {"offset_m", "m", "offset", false, {1.5, std::nan("")}},
                    {"engine", "", "engine", false, {}, {"cpu", "reference"}}};
-  table.series = {{"x", "m", "displacement", {0.0F, 1.0F, 2.0F, 0.5F, 1.5F, std::nanf("")}}};
+  table.series = {{"x", "m", "displacement", "time", false, {0.0, 1.0, 2.0, 0.5, 1.5, std::nan("")}},
+                  {"largest", "m", "largest", "block", true, {1.0 / 3.0, 0.1, 1e-9, 7.0}}};
   return table;
 }
 
@@ -54,6 +55,40 @@ TEST(SummaryFile, HoldsColumnsSeriesAndTheirScales) {
   EXPECT_EQ(rows[2], 2.0F);
   EXPECT_EQ(rows[3], 0.5F);
   EXPECT_TRUE(std::isnan(rows[5]));
+}
+
+TEST(SummaryFile, ComesBackAsItWasWritten) {
+  const std::string path = testing::TempDir() + "gem_summary_back.h5";
+  SummaryTable written = two_runs();
+  const std::string first(300, 'a');
+  written.columns.push_back({"case_toml", "", "case", false, {}, {first, "\xc3\xb6 = 1\n"}});
+  write_summary(path, true, written);
+  ASSERT_TRUE(is_summary(path));
+  const SummaryTable table = read_summary(path);
+  EXPECT_EQ(table.title, "two runs");
+  EXPECT_EQ(table.runs, written.runs);
+  ASSERT_NE(table.column("case_toml"), nullptr);
+  EXPECT_EQ(table.column("case_toml")->texts, (std::vector<std::string>{first, "\xc3\xb6 = 1\n"}));
+  EXPECT_EQ(table.column("engine")->texts, (std::vector<std::string>{"cpu", "reference"}));
+  EXPECT_TRUE(table.column("gap_m")->is_setting);
+  EXPECT_FALSE(table.column("offset_m")->is_setting);
+  EXPECT_EQ(table.column("offset_m")->numbers[0], 1.5);
+  EXPECT_TRUE(std::isnan(table.column("offset_m")->numbers[1]));
+  EXPECT_EQ(table.column("none"), nullptr);
+  ASSERT_NE(table.one_series("largest"), nullptr);
+  EXPECT_EQ(table.one_series("largest")->values[0], 1.0 / 3.0) << "double precision is kept where it is asked for";
+  EXPECT_EQ(table.one_series("largest")->axis, "block");
+  EXPECT_TRUE(table.one_series("largest")->exact);
+  EXPECT_EQ(table.one_series("x")->axis, "time");
+  EXPECT_EQ(table.one_series("x")->values[4], 1.5);
+  ASSERT_NE(table.axis("block"), nullptr);
+  EXPECT_EQ(table.axis("block")->values[1], 600.0);
+}
+
+TEST(SummaryFile, KnowsWhatIsNoSummary) {
+  EXPECT_FALSE(is_summary(testing::TempDir() + "gem_summary_nowhere.h5"));
+  EXPECT_THROW(read_summary(testing::TempDir() + "gem_summary_nowhere.h5"), Error);
+  EXPECT_FALSE(is_summary(std::string(GEM_SOURCE_DIR) + "/README.md"));
 }
 
 TEST(SummaryFile, ReplacesOnlyWhenTold) {

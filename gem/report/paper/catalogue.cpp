@@ -58,6 +58,8 @@ Statement statement_of(const Json& json) {
   statement.metric = json.at("metric").get<std::string>();
   statement.over = over_of(json, statement.id);
   statement.rule = rule_of(json, statement.id);
+  statement.share = json.value("share", statement.share);
+  if (!(statement.share > 0.0 && statement.share < 1.0)) reject(statement.id + ": 'share' lies between 0 and 1");
   statement.why = json.at("why").get<std::string>();
   statement.choice = json.value("choice", false);
   return statement;

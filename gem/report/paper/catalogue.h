@@ -29,6 +29,7 @@ struct Statement {
   std::string metric;
   Over over = Over::mean;
   Rule rule;
+  double share = 0.5;   // of the runs that must obey a statement about each run
   std::string why;      // this rule and this tolerance
   bool choice = false;  // is asked again for every modelling choice
 };

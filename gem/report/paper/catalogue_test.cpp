@@ -6,12 +6,22 @@
 #include <set>
 
 #include "gem/base/error.h"
+#include "gem/report/paper/settings_check.h"
 #include "gem/scene/sweep.h"
 
 namespace gem {
 namespace {
 
 std::string source(const std::string& path) { return std::string(GEM_SOURCE_DIR) + "/" + path; }
+
+/// Names of the runs of sweeps without their seeds.
+std::set<std::string> conditions_of(const std::vector<std::string>& sweeps) {
+  std::set<std::string> names;
+  for (const std::string& sweep : sweeps)
+    for (const SweepMember& member : expand_sweep(source("cases/" + sweep + ".toml")))
+      names.insert(condition_of(member.name, member.scene.run.seed));
+  return names;
+}
 
 std::string message_of(const std::string& text) {
   try {
@@ -39,10 +49,7 @@ TEST(Catalogue, HoldsTheTablesOfThePaper) {
 }
 
 TEST(Catalogue, EveryConditionIsARunOfSomeSweep) {
-  std::set<std::string> names;
-  for (const char* file : {"table1", "table2", "period_question"})
-    for (const SweepMember& member : expand_sweep(source(std::string("cases/") + file + ".toml")))
-      names.insert(member.name);
+  const std::set<std::string> names = conditions_of({"table1", "table2", "period_question"});
   const Catalogue catalogue = read_catalogue(source("validation/paper/paper.json"));
   ASSERT_GT(catalogue.statements.size(), 50U);
   for (const TableRow& row : catalogue.rows) EXPECT_TRUE(names.contains(row.run)) << row.run;
@@ -57,10 +64,7 @@ TEST(Catalogue, EveryConditionIsARunOfSomeSweep) {
 }
 
 TEST(Catalogue, EveryChoiceHasBothRunsThatItsStatementsAskFor) {
-  std::set<std::string> names;
-  for (const char* file : {"sensitivity", "sensitivity_moment"})
-    for (const SweepMember& member : expand_sweep(source(std::string("cases/") + file + ".toml")))
-      names.insert(member.name);
+  const std::set<std::string> names = conditions_of({"sensitivity", "sensitivity_moment"});
   const Catalogue catalogue = read_catalogue(source("validation/paper/paper.json"));
   std::size_t asked = 0;
   for (const Statement& statement : catalogue.statements) {
@@ -72,6 +76,18 @@ TEST(Catalogue, EveryChoiceHasBothRunsThatItsStatementsAskFor) {
   EXPECT_GT(asked, 10U);
 }
 
+TEST(Catalogue, ThirtySeedsHaveTheExposureOfTable1) {
+  const std::vector<SweepMember> once = expand_sweep(source("cases/table1.toml"));
+  const std::vector<SweepMember> seeds = expand_sweep(source("cases/table1_seeds.toml"));
+  ASSERT_EQ(seeds.size(), 30 * once.size());
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    const SceneDef& scene = seeds[i].scene;
+    EXPECT_EQ(condition_of(seeds[i].name, scene.run.seed), once[i / 30].name);
+    EXPECT_EQ(scene.run.seed, i % 30 + 1);
+    EXPECT_TRUE(differing_options(scene, once[i / 30].scene).empty()) << "recorded otherwise, but the same runs";
+  }
+}
+
 TEST(Catalogue, FaultsAreNamed) {
   EXPECT_NE(message_of("{").find("test.json"), std::string::npos);
   EXPECT_NE(message_of(with_statement(R"("kind": "about", "expected": 1)")).find("P1: unknown kind"),
@@ -80,6 +96,8 @@ TEST(Catalogue, FaultsAreNamed) {
             std::string::npos);
   EXPECT_NE(message_of(with_statement(R"("kind": "above")")).find("expected"), std::string::npos);
   EXPECT_EQ(message_of(with_statement(R"("kind": "above", "expected": 1)")), "");
+  EXPECT_NE(message_of(with_statement(R"("kind": "above", "expected": 1, "share": 1)")).find("'share'"),
+            std::string::npos);
   EXPECT_THROW(read_catalogue("/no/such/file.json"), Error);
 }
 

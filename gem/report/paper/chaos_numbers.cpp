@@ -11,7 +11,6 @@
 #include "gem/analysis/zero_one.h"
 #include "gem/report/paper/null_model.h"
 #include "gem/report/paper/paper_run.h"
-#include "gem/report/run_findings.h"
 
 namespace gem {
 namespace {
@@ -80,7 +79,7 @@ void add_axis(const std::string& axis, const std::vector<double>& signal, double
 
 void add_chaos_numbers(const NumberSource& source, Numbers& numbers) {
   const PlatformSeries& series = source.series;
-  const PlatformLoads loads = run_findings(source.data).loads;
+  const PlatformLoads& loads = source.loads;
   const auto model = null_model(source.scene, static_cast<double>(loads.touches) / source.data.duration_s);
   if (!model) return;
   const auto every =

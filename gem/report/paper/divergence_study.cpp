@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "gem/analysis/moments.h"
 #include "gem/base/number_text.h"
-#include "gem/record/run_file.h"
 #include "gem/report/paper/settings_check.h"
 
 namespace gem {
@@ -20,19 +20,23 @@ struct Path {
   std::vector<double> x, y, u, v;  // velocities over the natural frequency [m]
 };
 
-Path path_of(const PaperRun& run, double interval_s) {
-  const RunFile file(run.file);
-  const std::vector<double> time = file.column("platform/time");
-  const auto step =
-      static_cast<std::size_t>(std::llround(interval_s * static_cast<double>(time.size() - 1) / time.back()));
+/// Empty where velocities or full precision were not kept: the distances begin far below single precision.
+Path scaled_path(const PaperRun& run, double interval_s) {
+  const PlatformPath motion = thinned(path_of(run, interval_s), interval_s);
+  if (!motion.exact || motion.vx.empty() || motion.interval_s != interval_s) return {};
   const double scale = run.numbers.find("natural_period_s")->value / (2.0 * std::numbers::pi);
-  Path path;
-  for (const auto& [name, to, factor] : {std::tuple("x", &path.x, 1.0), std::tuple("y", &path.y, 1.0),
-                                         std::tuple("vx", &path.u, scale), std::tuple("vy", &path.v, scale)}) {
-    const std::vector<double> column = file.column(std::string("platform/") + name);
-    for (std::size_t i = 0; i < column.size(); i += std::max<std::size_t>(1, step)) to->push_back(factor * column[i]);
-  }
+  Path path{motion.x, motion.y, motion.vx, motion.vy};
+  for (std::vector<double>* velocity : {&path.u, &path.v})
+    for (double& value : *velocity) value *= scale;
   return path;
+}
+
+/// The longest interval at which any of the runs was kept; a second where all have their files.
+double common_interval(const std::vector<const PaperRun*>& runs) {
+  double interval_s = 1.0;
+  for (const PaperRun* run : runs)
+    if (run->path && run->path->exact) interval_s = std::max(interval_s, run->path->interval_s);
+  return interval_s;
 }
 
 std::vector<double> distance(const Path& a, const Path& b) {
@@ -100,18 +104,23 @@ DivergenceStudy divergence_study(const PaperFolder& folder) {
         disturbed.push_back(&run);
     }
   DivergenceStudy study;
+  std::vector<const PaperRun*> all = disturbed;
+  for (const auto& [seed, run] : undisturbed) all.push_back(run);
+  study.interval_s = common_interval(all);
   std::map<std::uint64_t, Path> paths;
   std::vector<double> swings;
   for (const auto& [seed, run] : undisturbed) {
-    paths[seed] = path_of(*run, study.interval_s);
+    paths[seed] = scaled_path(*run, study.interval_s);
     swings.push_back(run->numbers.find("x_deviation_m")->value);
   }
   study.swing_m = moments(swings).mean;
   const std::vector<std::string> only = {"floes.moved_by_m"};
-  for (const PaperRun* run : disturbed)
-    if (const auto base = paths.find(run->seed);
-        base != paths.end() && differing_options(undisturbed.at(run->seed)->scene, run->scene) == only)
-      study.pairs.push_back({moved(*run), run->seed, distance(base->second, path_of(*run, study.interval_s))});
+  for (const PaperRun* run : disturbed) {
+    const auto base = paths.find(run->seed);
+    if (base == paths.end() || differing_options(undisturbed.at(run->seed)->scene, run->scene) != only) continue;
+    std::vector<double> apart = distance(base->second, scaled_path(*run, study.interval_s));
+    if (!apart.empty()) study.pairs.push_back({moved(*run), run->seed, std::move(apart)});
+  }
   if (!(study.swing_m > 0.0)) return study;
   add_growth(study);
   add_shift(study);
@@ -142,7 +151,8 @@ void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers
   std::map<double, std::vector<RunNumber>> parted;
   for (const DivergingPair& pair : study.pairs) {
     const auto time = onset_time(pair.distance, study.interval_s, kParting * study.swing_m);
-    if (time) parting[pair.moved_m].push_back({*time, *time, *time, false});
+    const double at = time.value_or(std::numeric_limits<double>::infinity());
+    parting[pair.moved_m].push_back({at, at, at, false});
     const double share = time ? 1.0 : 0.0;
     parted[pair.moved_m].push_back({share, share, share, false});
   }

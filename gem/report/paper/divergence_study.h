@@ -16,7 +16,7 @@ namespace gem {
 struct DivergingPair {
   double moved_m = 0.0;
   std::uint64_t seed = 0;
-  std::vector<double> distance;  // one per second; 0 until the disturbance has reached the platform
+  std::vector<double> distance;  // one per interval_s; 0 until the disturbance has reached the platform
 };
 
 struct DivergenceStudy {
@@ -33,7 +33,7 @@ DivergenceStudy divergence_study(const PaperFolder& folder);
 
 /// The study as numbers: divergence_rate_per_s (of the smallest disturbance), divergence_late_over_early (its rate in
 /// the late half of the growth over that in the early half), divergence_rate_by_onset_per_s, parting_s_<moved> (when
-/// the distance is half the swing), parted_share_<moved>.
+/// the distance is half the swing; infinite for a pair that never parts), parted_share_<moved>.
 void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers);
 
 }  // namespace gem

@@ -19,6 +19,26 @@ Measured ratio(const Measured& a, const Measured& b) {
   return {a.value / b.value, a.low / b.high, positive ? a.high / b.low : infinity, a.interval + " / " + b.interval};
 }
 
+/// One condition over another, seed by seed; empty with too few common seeds.
+std::optional<Measured> ratio_by_seed(const PaperFolder& folder, const std::string& over, const std::string& under,
+                                      const std::string& metric) {
+  std::vector<RunNumber> ratios;
+  for (const PaperRun& a : folder.of(over))
+    for (const PaperRun& b : folder.of(under)) {
+      const auto top = a.numbers.find(metric);
+      const auto bottom = b.numbers.find(metric);
+      if (a.seed != b.seed || !top || !bottom) continue;
+      const double value = top->value / bottom->value;
+      ratios.push_back({value, value, value, false});
+    }
+  return ratios.size() < kRunsForShare ? std::nullopt : over_runs(ratios, Over::every);
+}
+
+std::string share_text(const HeldShare& share) {
+  return "; holds in " + std::to_string(share.holds) + " of " + std::to_string(share.runs) + ", " +
+         number_text(std::round(100.0 * share.low), 3) + " … " + number_text(std::round(100.0 * share.high), 3) + " %";
+}
+
 std::optional<Measured> measure(const Statement& statement, const PaperFolder& folder, const FolderNumbers& numbers,
                                 const std::string& prefix, std::string& note) {
   if (statement.condition.empty()) {
@@ -32,6 +52,10 @@ std::optional<Measured> measure(const Statement& statement, const PaperFolder& f
     if (!measured) note = (folder.of(name).empty() ? "no run " : "not in the record of ") + name;
     return measured;
   };
+  if (!statement.against.empty() && statement.over == Over::every)
+    if (const auto ratios =
+            ratio_by_seed(folder, prefix + statement.condition, prefix + statement.against, statement.metric))
+      return ratios;
   const auto measured = of(statement.condition);
   if (!measured || statement.against.empty()) return measured;
   const auto against = of(statement.against);
@@ -67,14 +91,15 @@ std::vector<std::string> differences(const SceneDef& scene, const TableRow& row)
 
 JudgedRow evaluate(const Statement& statement, const PaperFolder& folder, const FolderNumbers& numbers,
                    const std::string& prefix) {
-  JudgedRow row{statement.id,         statement.source,
-                statement.says,       prefix + statement.condition,
-                statement.metric,     statement.why,
-                statement.rule,       {},
-                Verdict::undecidable, ""};
+  JudgedRow row{statement.id,     statement.source, statement.says, prefix + statement.condition,
+                statement.metric, statement.why,    statement.rule, {}};
   if (!statement.against.empty()) row.condition += " / " + prefix + statement.against;
   row.measured = measure(statement, folder, numbers, prefix, row.note);
   row.verdict = judge(statement.rule, row.measured);
+  if (row.measured) row.share = held_share(statement.rule, row.measured->each);
+  if (!row.share) return row;
+  row.measured->interval += share_text(*row.share);
+  if (statement.over == Over::every) row.verdict = judge_share(*row.share, statement.share);
   return row;
 }
 

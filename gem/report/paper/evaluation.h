@@ -15,11 +15,14 @@ struct JudgedRow {
   std::string id, source, says, condition, metric, why;
   Rule rule;
   std::optional<Measured> measured;
+  std::optional<HeldShare> share = {};  // of several runs
   Verdict verdict = Verdict::undecidable;
-  std::string note;  // why there is no measurement
+  std::string note = {};  // why there is no measurement
 };
 
-/// One statement. `prefix` stands before the names of its conditions: the same statement under another choice.
+/// One statement. The mean over the runs is judged by its interval; a statement about each run by the share of runs
+/// that obey it. A ratio of two conditions about each run pairs their seeds. `prefix` stands before the names of its
+/// conditions: the same statement under another choice.
 JudgedRow evaluate(const Statement& statement, const PaperFolder& folder, const FolderNumbers& numbers,
                    const std::string& prefix = "");
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "gem/report/paper/sensitivity.h"
 #include "gem/report/paper/settings_check.h"
@@ -59,6 +60,63 @@ TEST(Evaluation, ARatioTakesBothIntervalsAtTheirWorst) {
   EXPECT_DOUBLE_EQ(row.measured->low, 2.0);
   EXPECT_DOUBLE_EQ(row.measured->high, 3.0);
   EXPECT_EQ(row.verdict, Verdict::reproduced);
+}
+
+PaperFolder seeds(const std::vector<double>& a, const std::vector<double>& b = {}) {
+  PaperFolder folder;
+  for (std::size_t i = 0; i < a.size(); ++i) folder.conditions["a"].push_back(run_with("a", i + 1, a[i]));
+  for (std::size_t i = 0; i < b.size(); ++i) folder.conditions["b"].push_back(run_with("b", i + 1, b[i]));
+  return folder;
+}
+
+TEST(Evaluation, TheShareOfSeedsDecidesAboutEachRun) {
+  const Statement above = statement(RuleKind::above, 1.0);
+  const std::vector<double> most = {2, 2, 2, 2, 2, 2, 2, 2, 2, 0.5};
+  const JudgedRow held = evaluate(above, seeds(most), {});
+  ASSERT_TRUE(held.share);
+  EXPECT_EQ(held.share->holds, 9U);
+  EXPECT_EQ(held.share->runs, 10U);
+  EXPECT_NEAR(held.share->low, 0.5958, 1e-4);
+  EXPECT_EQ(held.verdict, Verdict::reproduced) << "one run of ten that does not obey is no refutation";
+  EXPECT_NE(held.measured->interval.find("holds in 9 of 10, 60"), std::string::npos) << held.measured->interval;
+  EXPECT_EQ(evaluate(above, seeds({0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 2}), {}).verdict, Verdict::not_reproduced);
+  EXPECT_EQ(evaluate(above, seeds({2, 0.5, 2, 0.5, 2, 0.5, 2, 2}), {}).verdict, Verdict::undecidable);
+  Statement in_all = above;
+  in_all.share = 0.95;
+  EXPECT_EQ(evaluate(in_all, seeds(most), {}).verdict, Verdict::undecidable);
+}
+
+TEST(Evaluation, TheMeanDecidesAboutAnAverageWhateverTheShare) {
+  Statement mean = statement(RuleKind::above, 1.0);
+  mean.over = Over::mean;
+  // nine of ten runs lie above 1, but not clearly their mean
+  EXPECT_EQ(evaluate(mean, seeds({2, 2, 2, 2, 2, 2, 2, 2, 2, -9}), {}).verdict, Verdict::undecidable);
+  EXPECT_EQ(evaluate(mean, seeds({0.9, 0.8, 0.7, 0.9, 0.8}), {}).verdict, Verdict::not_reproduced);
+  EXPECT_EQ(evaluate(mean, seeds({1.4, 1.6, 1.5, 1.3}), {}).verdict, Verdict::reproduced);
+}
+
+TEST(Evaluation, ARatioAboutEachRunPairsTheSeeds) {
+  Statement ratio = statement(RuleKind::above, 1.0);
+  ratio.against = "b";
+  // every seed alone obeys, though the smallest of a lies far below the largest of b
+  const JudgedRow row = evaluate(ratio, seeds({2, 4, 6, 8, 10}, {1, 3, 5, 7, 9}), {});
+  ASSERT_TRUE(row.share);
+  EXPECT_EQ(row.share->holds, 5U);
+  EXPECT_EQ(row.verdict, Verdict::reproduced);
+}
+
+TEST(Evaluation, APairThatNeverPartsObeysNoTime) {
+  Statement parting = statement(RuleKind::within, 3300.0);
+  parting.rule.tolerance = 900.0;
+  parting.condition.clear();
+  const double never = std::numeric_limits<double>::infinity();
+  const auto judged = [&](const std::vector<double>& times) {
+    std::vector<RunNumber> runs;
+    for (const double time : times) runs.push_back({time, time, time, false});
+    return evaluate(parting, {}, {{"largest_m", *over_runs(runs, Over::every)}}).verdict;
+  };
+  EXPECT_EQ(judged({never, never, never, never, never, never, never, 3300.0}), Verdict::not_reproduced);
+  EXPECT_EQ(judged({3000.0, 3300.0, 3500.0, 2600.0, 4000.0}), Verdict::reproduced);
 }
 
 TEST(Evaluation, NumbersOfTheFolderHaveNoCondition) {

@@ -25,10 +25,14 @@ PaperFigure draw(const Sheet& sheet, const std::vector<ExcursionPoint>& points, 
   double top = 0.0;
   std::map<double, Csv> lines;
   for (const ExcursionPoint& point : points) {
-    Csv& csv = lines.try_emplace(point.gap_m, "current [m/s],mean [m],smallest [m],largest [m],runs").first->second;
+    Csv& csv = lines.try_emplace(point.gap_m, "current [m/s],mean [m],smallest [m],largest [m],low [m],high [m],runs")
+                   .first->second;
     const auto [least, most] = std::minmax_element(point.largest_m.begin(), point.largest_m.end());
     top = std::max(top, *most);
-    csv.row({point.current_m_per_s, point.mean(), *least, *most, static_cast<double>(point.largest_m.size())});
+    const IntervalEstimate own{point.mean(), point.mean(), point.mean()};
+    const IntervalEstimate mean = point.mean_interval().value_or(own);
+    csv.row({point.current_m_per_s, mean.value, *least, *most, mean.low, mean.high,
+             static_cast<double>(point.largest_m.size())});
   }
   std::ostringstream plot;
   plot << "set key outside bottom left horizontal\nset xlabel 'drift velocity [m/s]' offset 0,0.4\nset ylabel 'maximum "
@@ -41,8 +45,9 @@ PaperFigure draw(const Sheet& sheet, const std::vector<ExcursionPoint>& points, 
     // Bars side by side: the gaps share their currents.
     const std::string x = "($1" + std::string(style == 1 ? "-0.006" : style == 3 ? "+0.006" : "") + ")";
     plot << (style == 1 ? "" : ", ") << quoted(name + ".csv") << " using 1:2 with lines linestyle " << style
-         << " notitle, '' using " << x << ":2:3:4 with yerrorbars linestyle " << style << " pt 7 ps 0.6 title "
-         << quoted("W = " + number_text(line->first) + " m");
+         << " notitle, '' using " << x << ":2:3:4 with yerrorbars linestyle " << style
+         << " lw 0.5 ps 0 notitle, '' using " << x << ":2:5:6 with yerrorbars linestyle " << style
+         << " lw 2 pt 7 ps 0.6 title " << quoted("W = " + number_text(line->first) + " m");
   }
   plots.draw({"excursion_" + sheet.ice, "Maximum excursion, " + sheet.meaning, "", ""}, {1000, 420}, plot.str() + "\n");
   return {sheet.number, "Maximum platform excursion against drift velocity, " + sheet.meaning,

@@ -68,36 +68,16 @@ PaperFigure draw_exceedance(const std::vector<PaperRun>& runs, const std::filesy
           out / "exceedance"};
 }
 
-/// The largest excursion so far, for every seed.
-PaperFigure draw_convergence(const std::vector<PaperRun>& runs, const std::filesystem::path& out) {
-  const PlotFolder plots(out, conditions_text(runs.front()) + ", " + std::to_string(runs.size()) + " seeds");
-  Csv csv("t [h],largest so far [mm]");
-  for (const PaperRun& run : runs) {
-    const PlatformSeries series = platform_series(load_run(run.file, false));
-    double largest = 0.0;
-    double drawn = -1.0;
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
-      largest = std::max(largest, std::hypot(series.x[i], series.y[i]));
-      if (largest <= drawn * 1.002 && i + 1 < series.x.size()) continue;
-      if (i > 0) csv.row({series.interval * static_cast<double>(i) / 3600.0, largest / kMillimetre.size});
-      drawn = largest;
-    }
-    csv.gap();
-  }
-  plots.write_csv("convergence", csv);
-  plots.draw({"convergence", "Largest excursion against duration", "", ""}, {1000, 380},
-             "set xlabel 'duration [h]' offset 0,0.4\nset ylabel 'largest excursion so far [mm]'\nset xrange [0:*]\n"
-             "set yrange [0:*]\nplot 'convergence.csv' using 1:2 with steps linestyle 1\n");
-  return {"-", "Largest excursion against the duration of the run, one line per seed", out / "convergence"};
-}
-
 }  // namespace
 
 std::vector<PaperFigure> extra_figures(const PaperFolder& folder, const std::filesystem::path& out) {
   const std::vector<PaperRun>& runs = folder.of(kCondition);
   if (runs.empty() || runs.front().excursion_peaks.size() < 10) return {};
-  const PlatformSeries series = platform_series(load_run(runs.front().file, false));
-  return {draw_envelope(runs.front(), series, out), draw_exceedance(runs, out), draw_convergence(runs, out)};
+  std::vector<PaperFigure> figures;
+  if (const PaperRun* run = folder.with_file(kCondition))
+    figures.push_back(draw_envelope(*run, platform_series(load_run(run->file, false)), out));
+  figures.push_back(draw_exceedance(runs, out));
+  return figures;
 }
 
 }  // namespace gem

@@ -11,7 +11,6 @@
 #include "gem/analysis/linear_model.h"
 #include "gem/analysis/moments.h"
 #include "gem/analysis/peaks_over_threshold.h"
-#include "gem/record/run_file.h"
 #include "gem/report/paper/settings_check.h"
 
 namespace gem {
@@ -20,6 +19,7 @@ namespace {
 constexpr const char* kRunOne = "004_400_25";
 constexpr const char* kRunOneAgain = "004_400_25(2)";
 constexpr double kDay = 86400.0;
+constexpr double kSecond = 1.0;
 
 Measured exact(double value, const std::string& what) { return {value, value, value, what}; }
 
@@ -120,12 +120,12 @@ void add_repetition(const PaperFolder& folder, FolderNumbers& numbers) {
   const PaperRun& again = folder.of(kRunOneAgain).front();
   // The same case or no repetition at all.
   if (one.seed != again.seed || !differing_options(one.scene, again.scene).empty()) return;
+  const PlatformPath a = path_of(one, kSecond);
+  const PlatformPath b = path_of(again, kSecond);
+  if (a.interval_s != b.interval_s || !a.exact || !b.exact || a.x.empty() || b.x.empty()) return;
   double largest = 0.0;
-  for (const char* axis : {"platform/x", "platform/y"}) {
-    const std::vector<double> a = RunFile(one.file).column(axis);
-    const std::vector<double> b = RunFile(again.file).column(axis);
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  }
+  for (std::size_t i = 0; i < std::min(a.x.size(), b.x.size()); ++i)
+    largest = std::max({largest, std::abs(a.x[i] - b.x[i]), std::abs(a.y[i] - b.y[i])});
   numbers["repeated_run_distance_m"] = exact(largest, "1 pair");
 }
 
@@ -147,6 +147,11 @@ void add_tail(const PaperFolder& folder, FolderNumbers& numbers) {
 }  // namespace
 
 double ExcursionPoint::mean() const { return moments(largest_m).mean; }
+
+std::optional<IntervalEstimate> ExcursionPoint::mean_interval() const {
+  if (largest_m.size() < 2) return std::nullopt;
+  return bootstrap_values(largest_m, [](std::span<const double> v) { return moments(v).mean; });
+}
 
 std::vector<ExcursionPoint> excursion_points(const PaperFolder& folder, const std::vector<TableRow>& rows) {
   std::vector<ExcursionPoint> points;

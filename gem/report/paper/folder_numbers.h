@@ -2,9 +2,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "gem/analysis/interval_estimate.h"
 #include "gem/report/paper/catalogue.h"
 #include "gem/report/paper/judgement.h"
 #include "gem/report/paper/paper_run.h"
@@ -23,6 +25,8 @@ struct ExcursionPoint {
   std::vector<double> largest_m;  // one per seed
 
   double mean() const;
+  /// Of the mean, by the bootstrap over the seeds; empty for one.
+  std::optional<IntervalEstimate> mean_interval() const;
 };
 std::vector<ExcursionPoint> excursion_points(const PaperFolder& folder, const std::vector<TableRow>& rows);
 

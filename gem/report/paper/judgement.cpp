@@ -8,6 +8,7 @@
 #include "gem/analysis/bootstrap.h"
 #include "gem/analysis/equivalence.h"
 #include "gem/analysis/moments.h"
+#include "gem/analysis/proportion.h"
 #include "gem/base/number_text.h"
 
 namespace gem {
@@ -23,14 +24,36 @@ Verdict of(bool all, bool none) {
 std::string runs_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " run" : " runs"); }
 
 Measured mean_over(const std::vector<RunNumber>& runs, const std::vector<double>& values) {
-  if (runs.size() > 1) {
+  const bool alike = std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); });
+  if (runs.size() > 1 && !(alike && runs.front().interval)) {
     const IntervalEstimate mean =
         bootstrap_values(values, [](std::span<const double> chosen) { return moments(chosen).mean; });
-    return {mean.value, mean.low, mean.high, "95 % over " + runs_text(runs.size())};
+    return {mean.value, mean.low, mean.high, "95 % over " + runs_text(runs.size()), values};
   }
   const RunNumber& only = runs.front();
-  if (only.interval) return {only.value, only.low, only.high, "95 % within 1 run"};
-  return {only.value, -kInfinity, kInfinity, "1 run, no interval"};
+  if (only.interval) return {only.value, only.low, only.high, "95 % within 1 run", values};
+  return {only.value, -kInfinity, kInfinity, "1 run, no interval", values};
+}
+
+/// Of numbers that may be infinite.
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  if (values.size() % 2 == 1 || values[half - 1] == values[half]) return values[half];
+  return 0.5 * (values[half - 1] + values[half]);
+}
+
+bool obeys(const Rule& rule, double value) {
+  switch (rule.kind) {
+    case RuleKind::within:
+      return std::abs(value - rule.expected) <= rule.tolerance;
+    case RuleKind::above:
+      return value > rule.expected;
+    case RuleKind::below:
+    case RuleKind::significant:
+      return value < rule.expected;
+  }
+  return false;
 }
 
 }  // namespace
@@ -55,6 +78,19 @@ Verdict judge(const Rule& rule, const std::optional<Measured>& measured) {
   }
   return Verdict::undecidable;
 }
+
+std::optional<HeldShare> held_share(const Rule& rule, const std::vector<double>& each) {
+  if (each.size() < kRunsForShare) return std::nullopt;
+  HeldShare share;
+  share.runs = each.size();
+  for (const double value : each) share.holds += obeys(rule, value) ? 1U : 0U;
+  const IntervalEstimate interval = wilson_share(share.holds, share.runs);
+  share.low = interval.low;
+  share.high = interval.high;
+  return share;
+}
+
+Verdict judge_share(const HeldShare& share, double least) { return of(share.low > least, share.high < least); }
 
 std::string verdict_text(Verdict verdict) {
   switch (verdict) {
@@ -98,11 +134,11 @@ std::optional<Measured> over_runs(const std::vector<RunNumber>& runs, Over over)
   if (over == Over::mean) return mean_over(runs, values);
   if (over == Over::chances) {
     const double chance = combined_chance(values);
-    return Measured{chance, chance, chance, runs.size() == 1 ? "1 run" : runs_text(runs.size()) + " combined"};
+    return Measured{chance, chance, chance, runs.size() == 1 ? "1 run" : runs_text(runs.size()) + " combined", values};
   }
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return Measured{percentile(values, 0.5), *least, *most,
-                  runs.size() == 1 ? "1 run" : "smallest to largest of " + runs_text(runs.size())};
+  return Measured{median(values), *least, *most,
+                  runs.size() == 1 ? "1 run" : "smallest to largest of " + runs_text(runs.size()), values};
 }
 
 }  // namespace gem

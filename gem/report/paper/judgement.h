@@ -13,7 +13,8 @@ struct Measured {
   double value = 0.0;
   double low = 0.0;
   double high = 0.0;
-  std::string interval;  // "95 % over 5 runs", "smallest to largest of 3 runs", ...
+  std::string interval;           // "95 % over 5 runs", "smallest to largest of 3 runs", ...
+  std::vector<double> each = {};  // the number of every run where it is made of such
 };
 
 enum class RuleKind {
@@ -35,6 +36,23 @@ enum class Verdict { reproduced, not_reproduced, undecidable };
 /// numbers that are not finite, and without a measurement.
 Verdict judge(const Rule& rule, const std::optional<Measured>& measured);
 
+/// Fewer runs than this say nothing about most runs: even if all of them obey, their interval holds one half.
+inline constexpr std::size_t kRunsForShare = 4;
+
+/// How many runs obey a rule for themselves, with the interval of the share by Wilson's score.
+struct HeldShare {
+  std::size_t holds = 0;
+  std::size_t runs = 0;
+  double low = 0.0;
+  double high = 0.0;
+};
+/// Empty for fewer than kRunsForShare runs.
+std::optional<HeldShare> held_share(const Rule& rule, const std::vector<double>& each);
+
+/// A statement about each run holds if more than the share `least` of all runs would obey it: reproduced if the
+/// interval of the share lies above, not reproduced if it lies below, undecidable otherwise.
+Verdict judge_share(const HeldShare& share, double least);
+
 std::string verdict_text(Verdict verdict);
 /// "72 +- 3.6", "> 1", "< 0.5", "p < 0.05".
 std::string rule_text(const Rule& rule);
@@ -44,7 +62,8 @@ std::optional<RuleKind> rule_kind(const std::string& name);
 /// How the numbers of several runs become one.
 enum class Over {
   mean,    // mean with its interval over the runs; for one run the interval that it brings, otherwise none at all
-  every,   // the middle one, from the smallest to the largest: the statement is about each run
+  every,   // the middle one, from the smallest to the largest: the statement is about each run, and the share of runs
+           // that obey it decides (fewer than kRunsForShare: all or none of them)
   chances  // chances of independent runs, combined
 };
 
@@ -56,8 +75,8 @@ struct RunNumber {
   bool interval = false;
 };
 
-/// Empty without runs. A single draw without an interval leaves low and high infinite under `mean`: one run decides
-/// nothing about an average.
+/// Empty without runs. Seeds that change nothing are one run. A single draw without an interval leaves low and high
+/// infinite under `mean`: one run decides nothing about an average.
 std::optional<Measured> over_runs(const std::vector<RunNumber>& runs, Over over);
 
 }  // namespace gem

@@ -67,6 +67,12 @@ TEST(Judgement, RunsBecomeOneNumber) {
   EXPECT_LT(chance->value, 0.1);
 }
 
+TEST(Judgement, SeedsThatChangeNothingAreOneRun) {
+  const auto same = over_runs({{5.0, 4.0, 6.0, true}, {5.0, 4.0, 6.0, true}}, Over::mean);
+  EXPECT_EQ(same->low, 4.0);
+  EXPECT_EQ(same->high, 6.0);
+}
+
 TEST(Judgement, RulesAreRead) {
   EXPECT_EQ(rule_kind("within"), RuleKind::within);
   EXPECT_EQ(rule_kind("significant"), RuleKind::significant);

@@ -3,7 +3,6 @@
 
 #include "gem/analysis/moments.h"
 #include "gem/report/paper/paper_run.h"
-#include "gem/report/run_findings.h"
 
 namespace gem {
 namespace {
@@ -34,7 +33,7 @@ void add_work(const PlatformSeries& series, Numbers& numbers) {
 
 void add_load_numbers(const NumberSource& source, Numbers& numbers) {
   const PlatformSeries& series = source.series;
-  const PlatformLoads loads = run_findings(source.data).loads;
+  const PlatformLoads& loads = source.loads;
   if (loads.events == 0 && loads.contact_fraction == 0.0) return;
   const double mean = std::hypot(loads.ice_mean_x.mean, loads.ice_mean_y.mean);
   const double sample_peak = loads.sample_impulse_largest / loads.sample_s;

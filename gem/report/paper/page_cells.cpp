@@ -16,7 +16,7 @@ std::string end_text(double value) { return std::isfinite(value) ? rounded_text(
 
 std::string result_text(const std::optional<Measured>& measured, const std::string& note) {
   if (!measured) return "- (" + note + ")";
-  const std::string value = rounded_text(measured->value, 4);
+  const std::string value = end_text(measured->value);
   if (measured->low == measured->high) return value + " (" + measured->interval + ")";
   return value + " (" + end_text(measured->low) + " … " + end_text(measured->high) + "; " + measured->interval + ")";
 }

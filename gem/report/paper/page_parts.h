@@ -21,6 +21,9 @@ std::string period_text(const Reproduction& result);
 /// How the three ways to name a period differ in run 1, and how the count depends on the sampling.
 std::string counting_text(const PaperFolder& folder);
 std::string choices_text(const Reproduction& result);
+/// Growth of the motion with time, and extremes, over the seeds.
+std::string stationarity_text(const Reproduction& result);
+std::string extremes_text(const Reproduction& result);
 std::string divergence_text(const Reproduction& result);
 std::string chaos_text(const PaperFolder& folder);
 

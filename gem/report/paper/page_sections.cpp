@@ -32,8 +32,9 @@ std::string period_text(const Reproduction& result) {
   text << "## Why 72 s?\n\n";
   if (result.period.empty()) return text.str() + "Needs the runs of `cases/period_question.toml`.\n\n";
   text << "Each candidate predicts a period for each run of `cases/period_question.toml`. A prediction holds if the "
-          "measured interval, widened for the number of the candidate's predictions (Bonferroni), holds it but not the "
-          "rival; an interval that holds both decides nothing. A candidate holds if all of its predictions do, and is "
+          "measured interval, widened for the number of the candidate's predictions (Bonferroni) and by a tenth of the "
+          "distance between prediction and rival, holds it but not the rival; an interval that holds both decides "
+          "nothing. A candidate holds if all of its predictions do, and is "
           "refuted by the first that does not. This judges what explains *these* runs; what the authors' program did "
           "cannot be asked.\n\n"
        << "| candidate | says | run | number | predicted [s] | rival [s] | measured [s] | "

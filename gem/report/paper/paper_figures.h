@@ -19,7 +19,7 @@ struct PaperFigure {
   std::filesystem::path path;  // without .svg
 };
 
-/// Figures 7 to 11 and 13 to 16 from the first run of 004_400_25 and of 400_300_100; left out without them.
+/// Figures 7 to 11 and 13 to 16 from the first run of 004_400_25 and of 400_300_100 that has its run file.
 std::vector<PaperFigure> twin_figures(const PaperFolder& folder, const std::filesystem::path& out);
 
 /// Figure 12: x of run 1, of its repetition, and of a run that differs by the place of one floe; and, where there are
@@ -27,12 +27,17 @@ std::vector<PaperFigure> twin_figures(const PaperFolder& folder, const std::file
 std::vector<PaperFigure> repeat_figures(const PaperFolder& folder, const DivergenceStudy& study,
                                         const std::filesystem::path& out);
 
-/// Figures 17 to 20: largest excursion against current, one line per gap, bars from the smallest to the largest seed.
+/// Figures 17 to 20: largest excursion against current, one line per gap, the mean over the seeds with
+/// its 95 % interval and, thin, from the smallest to the largest seed.
 std::vector<PaperFigure> excursion_figures(const PaperFolder& folder, const std::vector<TableRow>& rows,
                                            const std::filesystem::path& out);
 
-/// Of run 1: amplitude and period over time, exceedance of the peaks, largest excursion against duration.
+/// Of run 1: amplitude over time, of the first run that has its run file; exceedance of the peaks of all seeds.
 std::vector<PaperFigure> extra_figures(const PaperFolder& folder, const std::filesystem::path& out);
+
+/// Of run 1 over its seeds: swing and offset over time, largest excursion against duration. And the swing of the
+/// runs of cases/day.toml.
+std::vector<PaperFigure> seed_figures(const PaperFolder& folder, const std::filesystem::path& out);
 
 /// "004_400_25: coupled, dt 0.1 s, seed 1  gem 0.1.0 (commit)": printed on every figure; the name says ice, gap,
 /// current.

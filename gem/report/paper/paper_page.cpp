@@ -12,7 +12,10 @@ namespace {
 constexpr const char* kHowTo = R"(How a verdict comes about: every statement is one number with an interval and one rule
 (`validation/paper/paper.json`: rule, tolerance and why). *Reproduced*: the whole interval obeys the rule. *Not reproduced*:
 none of it does. *Undecidable*: a part of it does, or runs are missing; an average over one run without an interval of its
-own decides nothing. A chance (p) that is not small proves nothing and is undecidable. Each row is judged for itself: of many
+own decides nothing. A statement about an average is judged by the mean over the seeds and its 95 % interval (bootstrap over
+them). A statement about each run is judged by the share of seeds that obey it, with Wilson's 95 % interval: reproduced if
+that lies above one half (or the share that its row in `paper.json` asks for), not reproduced if it lies below; with fewer
+than four seeds all or none must obey. A chance (p) that is not small proves nothing and is undecidable. Each row is judged for itself: of many
 rows at 95 % a few near their bound will be wrong. The paper's figures survive as statements only, so no curve is compared
 with a curve.
 )";
@@ -35,7 +38,8 @@ std::string head_text(const PaperFolder& folder, const Reproduction& result) {
   std::ostringstream text;
   text << "# The paper's runs and statements\n\nWritten by `scripts/paper_report.sh`; edit `paper.json`, not this "
           "page.\n\n"
-       << runs << " run files of " << folder.conditions.size() << " conditions.";
+       << runs << " runs of " << folder.conditions.size() << " conditions.";
+  if (folder.repeated > 0) text << " " << folder.repeated << " of them were found twice, with one state hash.";
   for (const std::string& build : builds) text << " Made by " << build << ".";
   for (const std::string& resolution : resolutions) text << " " << resolution << ".";
   text << " Statements: " << counts[0] << " reproduced, " << counts[1] << " not reproduced, " << counts[2]
@@ -109,9 +113,10 @@ std::string missing_text(const PaperFolder& folder) {
 }  // namespace
 
 std::string page_text(const PaperFolder& folder, const Reproduction& result, const std::filesystem::path& root) {
-  return head_text(folder, result) + statements_text(result) + settings_text(folder, result) + period_text(result) +
-         counting_text(folder) + choices_text(result) + divergence_text(result) + chaos_text(folder) +
-         missing_text(folder) + figures_text(result, root);
+  return head_text(folder, result) + statements_text(result) + settings_text(folder, result) +
+         stationarity_text(result) + extremes_text(result) + period_text(result) + counting_text(folder) +
+         choices_text(result) + divergence_text(result) + chaos_text(folder) + missing_text(folder) +
+         figures_text(result, root);
 }
 
 }  // namespace gem

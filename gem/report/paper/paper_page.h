@@ -9,7 +9,9 @@
 #include "gem/report/paper/evaluation.h"
 #include "gem/report/paper/paper_figures.h"
 #include "gem/report/paper/period_question.h"
+#include "gem/report/paper/seed_extremes.h"
 #include "gem/report/paper/sensitivity.h"
+#include "gem/report/paper/stationarity.h"
 
 namespace gem {
 
@@ -19,6 +21,8 @@ struct Reproduction {
   std::vector<JudgedSettings> settings;
   std::vector<Candidate> period;
   std::vector<ChoiceRow> choices;
+  std::vector<StationarityRow> stationarity;
+  std::vector<ExtremesRow> extremes;
   DivergenceStudy divergence;
   std::vector<PaperFigure> figures;
 };

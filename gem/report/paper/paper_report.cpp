@@ -1,6 +1,7 @@
 // Read, judge, draw, write.
 #include "gem/report/paper/paper_report.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -27,6 +28,16 @@ void append(std::vector<PaperFigure>& all, std::vector<PaperFigure> more) {
   for (PaperFigure& figure : more) all.push_back(std::move(figure));
 }
 
+/// Conditions of the tables in their order, then those of cases/day.toml.
+std::vector<std::string> of_tables_and_days(const PaperFolder& folder, const Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const TableRow& row : catalogue.rows)
+    if (std::find(names.begin(), names.end(), row.run) == names.end()) names.push_back(row.run);
+  for (const auto& [condition, runs] : folder.conditions)
+    if (condition.starts_with("day_")) names.push_back(condition);
+  return names;
+}
+
 /// Pictures of an earlier report that this one does not draw would stand beside its page.
 void remove_pictures(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> old;
@@ -41,9 +52,10 @@ void remove_pictures(const std::filesystem::path& folder) {
 
 }  // namespace
 
-PaperReportSummary write_paper_report(const std::string& runs, const std::string& out, const std::string& statements) {
+PaperReportSummary write_paper_report(const std::vector<std::string>& runs, const std::string& out,
+                                      const std::string& statements) {
   const Catalogue catalogue = read_catalogue(statements);
-  const PaperFolder folder = read_paper_folder(runs);
+  const PaperFolder folder = read_paper_folders(runs);
   const std::filesystem::path root(out);
   const std::filesystem::path pictures = root / "figures";
   Reproduction result;
@@ -54,12 +66,16 @@ PaperReportSummary write_paper_report(const std::string& runs, const std::string
   for (const Statement& statement : catalogue.statements)
     result.statements.push_back(evaluate(statement, folder, numbers));
   for (const TableRow& row : catalogue.rows) result.settings.push_back(compare_settings(row, folder));
+  const std::vector<std::string> names = of_tables_and_days(folder, catalogue);
+  result.stationarity = stationarity(folder, names);
+  result.extremes = seed_extremes(folder, names);
   result.period = period_candidates(folder, kPaperPeriod);
   result.choices = sensitivity(folder, catalogue);
   remove_pictures(pictures);
   append(result.figures, twin_figures(folder, pictures));
   append(result.figures, repeat_figures(folder, result.divergence, pictures));
   append(result.figures, excursion_figures(folder, catalogue.rows, pictures));
+  append(result.figures, seed_figures(folder, pictures));
   append(result.figures, extra_figures(folder, pictures));
   std::error_code failed;
   std::filesystem::create_directories(root, failed);

@@ -1,13 +1,7 @@
-// Run files to conditions and numbers.
+// A run file to a condition and numbers.
 #include "gem/report/paper/paper_run.h"
 
-#include <algorithm>
-#include <filesystem>
-
 #include "gem/analysis/moments.h"
-#include "gem/base/error.h"
-#include "gem/record/output_path.h"
-#include "gem/record/run_file.h"
 #include "gem/report/load_run.h"
 #include "gem/report/paper/field_numbers.h"
 #include "gem/report/platform_series.h"
@@ -16,8 +10,6 @@
 
 namespace gem {
 namespace {
-
-namespace fs = std::filesystem;
 
 void add_run_numbers(const RunData& data, const RunQuality& quality, Numbers& numbers) {
   numbers.add("duration_s", data.duration_s);
@@ -41,27 +33,6 @@ std::vector<double> excursion_peaks(const PlatformSeries& series) {
   return peaks;
 }
 
-std::vector<fs::path> run_files(const std::string& folder) {
-  std::vector<fs::path> files;
-  std::error_code failed;
-  for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
-    if (entry->path().extension() == ".h5") files.push_back(entry->path());
-  if (failed)
-    throw Error(ExitCode::file_system, "cannot read the folder " + shown(folder) + " (" + failed.message() +
-                                           ") name the folder of the run files");
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-/// True if the condition has no run of this seed yet.
-bool insert(std::vector<PaperRun>& runs, PaperRun run) {
-  const auto place = std::lower_bound(runs.begin(), runs.end(), run.seed,
-                                      [](const PaperRun& other, std::uint64_t seed) { return other.seed < seed; });
-  if (place != runs.end() && place->seed == run.seed) return false;
-  runs.insert(place, std::move(run));
-  return true;
-}
-
 }  // namespace
 
 std::string condition_of(const std::string& name, std::uint64_t seed) {
@@ -82,43 +53,45 @@ std::vector<RunNumber> PaperFolder::numbers(const std::string& condition, const 
   return values;
 }
 
-PaperRun read_paper_run(const std::string& file) {
-  const RunData data = load_run(file, false);
-  const RunFile records(file);
+const PaperRun* PaperFolder::with_file(const std::string& condition) const {
+  for (const PaperRun& run : of(condition))
+    if (!run.file.empty()) return &run;
+  return nullptr;
+}
+
+PlatformPath path_of(const PaperRun& run, double interval_s) {
+  if (run.path && (run.path->exact || run.file.empty())) return thinned(*run.path, interval_s);
+  return run.file.empty() ? PlatformPath{} : read_path(run.file, interval_s);
+}
+
+PaperRun paper_run(const RunFile& records, const RunData& data, NullModel null_model) {
   PaperRun run;
-  run.file = file;
-  run.scene = parse_scene(records.attribute("gem_case_toml"), file);
+  run.file = records.path();
+  run.case_toml = records.attribute("gem_case_toml");
+  run.scene = parse_scene(run.case_toml, run.file);
   run.seed = run.scene.run.seed;
   run.condition = condition_of(run.scene.run.name, run.seed);
   run.source = data.identity.source;
   run.engine = data.identity.engine;
   run.resolution = data.identity.resolution;
   run.state_hash = data.identity.state_hash;
-  add_run_numbers(data, run_findings(data).quality, run.numbers);
+  const RunFindings findings = run_findings(data);
+  add_run_numbers(data, findings.quality, run.numbers);
   add_field_numbers(records, run.scene, run.numbers);
   if (data.platform.time.size() < kSamplesForStatistics) return run;
   const PlatformSeries series = platform_series(data);
-  const NumberSource source{data, run.scene, series};
+  const NumberSource source{data, run.scene, series, findings.loads};
   add_motion_numbers(source, run.numbers);
   add_load_numbers(source, run.numbers);
-  add_chaos_numbers(source, run.numbers);
+  if (null_model == NullModel::compared) add_chaos_numbers(source, run.numbers);
   run.excursion_peaks = excursion_peaks(series);
+  run.blocks = run_blocks(series);
   return run;
 }
 
-PaperFolder read_paper_folder(const std::string& folder) {
-  PaperFolder result;
-  for (const fs::path& file : run_files(folder)) {
-    try {
-      PaperRun run = read_paper_run(file.string());
-      std::vector<PaperRun>& runs = result.conditions[run.condition];
-      if (!insert(runs, std::move(run)))
-        result.refused.push_back(shown(file.string()) + ": the same condition and seed as another file");
-    } catch (const Error& error) {
-      result.refused.emplace_back(error.what());
-    }
-  }
-  return result;
+PaperRun read_paper_run(const std::string& file, NullModel null_model) {
+  const RunData data = load_run(file, false);
+  return paper_run(RunFile(file), data, null_model);
 }
 
 }  // namespace gem

@@ -9,8 +9,11 @@
 #include <vector>
 
 #include "gem/analysis/run_analysis.h"
+#include "gem/record/run_file.h"
 #include "gem/report/paper/judgement.h"
-#include "gem/report/run_data.h"
+#include "gem/report/paper/platform_path.h"
+#include "gem/report/paper/run_blocks.h"
+#include "gem/report/run_findings.h"
 #include "gem/scene/scene_def.h"
 
 namespace gem {
@@ -27,47 +30,65 @@ class Numbers {
     const auto found = numbers_.find(name);
     return found == numbers_.end() ? std::nullopt : std::optional(found->second);
   }
+  const std::map<std::string, RunNumber>& all() const { return numbers_; }
 
  private:
   std::map<std::string, RunNumber> numbers_;
 };
 
 struct PaperRun {
-  std::string file;
+  std::string file;       // empty for a run that only a summary knows
   std::string condition;  // the run's name without its seed
   std::uint64_t seed = 0;
   SceneDef scene;
-  std::string source, engine, resolution, state_hash;
+  std::string case_toml, source, engine, resolution, state_hash;
   Numbers numbers;
   std::vector<double> excursion_peaks;  // of the distance from rest, one per natural period [m]
+  RunBlocks blocks;
+  std::optional<PlatformPath> path;  // as a summary kept it
 };
 
 /// The runs of a folder by condition, in order of their seeds.
 struct PaperFolder {
   std::map<std::string, std::vector<PaperRun>> conditions;
-  std::vector<std::string> refused;  // files that could not be used, and why
+  std::vector<std::string> refused;  // files and runs that could not be used, and why
+  std::size_t repeated = 0;          // runs that were found again with the same state hash
 
   /// Empty if there is none.
   const std::vector<PaperRun>& of(const std::string& condition) const;
   /// The named number of each run of a condition that has it.
   std::vector<RunNumber> numbers(const std::string& condition, const std::string& name) const;
+  /// The first run of a condition whose run file is there; null without one.
+  const PaperRun* with_file(const std::string& condition) const;
 };
 
 /// "004_400_25_s3" with seed 3 is a run of the condition 004_400_25.
 std::string condition_of(const std::string& name, std::uint64_t seed);
 
-/// Reads one run file. Throws Error(file_system) for a file that is no complete run.
-PaperRun read_paper_run(const std::string& file);
+/// Whether the record is compared with a hundred records of the null model, which takes most of the time.
+enum class NullModel { compared, left_out };
 
-/// Every run file (*.h5) of a folder and its folders. A file that cannot be used is listed, not fatal.
-/// Throws Error(file_system) if there is no such folder.
-PaperFolder read_paper_folder(const std::string& folder);
+/// Reads one run file. Throws Error(file_system) for a file that is no complete run.
+PaperRun read_paper_run(const std::string& file, NullModel null_model = NullModel::compared);
+
+/// The same from what is read already.
+PaperRun paper_run(const RunFile& records, const RunData& data, NullModel null_model);
+
+/// Every run file and summary (*.h5) of folders and their folders; a name may also be that of a file. What cannot be
+/// used is listed, not fatal. A run that is found again adds what the first lacks if it has the same state hash, and is
+/// refused otherwise. Throws Error(file_system) if a folder or file is not there.
+PaperFolder read_paper_folders(const std::vector<std::string>& folders);
+inline PaperFolder read_paper_folder(const std::string& folder) { return read_paper_folders({folder}); }
+
+/// Platform's path at an interval [s], or at the longer one that a summary kept; empty where nothing was kept.
+PlatformPath path_of(const PaperRun& run, double interval_s);
 
 /// What the numbers of one run are made from.
 struct NumberSource {
   const RunData& data;
   const SceneDef& scene;
   const PlatformSeries& series;
+  const PlatformLoads& loads;
 };
 
 // Each adds its numbers where the record allows them.

@@ -10,6 +10,9 @@
 namespace gem {
 namespace {
 
+// Many seeds know a period to a tenth of a second; an explanation that is off by less than this share of what parts it
+// from its rival is not refuted by that.
+constexpr double kMargin = 0.1;
 constexpr const char* kBase = "q_run1";
 constexpr const char* kSpectrum = "x_period_by_spectrum_s";
 constexpr const char* kCrossings = "x_period_by_crossings_s";
@@ -123,10 +126,9 @@ Verdict judge_period(const Prediction& prediction, std::size_t together) {
   const std::optional<Measured>& measured = prediction.measured;
   if (!measured || !std::isfinite(measured->low) || !std::isfinite(measured->high)) return Verdict::undecidable;
   const double wider = widening(together);
-  // A free swing is known to more digits than the numbers that it is predicted from.
-  const double rounding = 1e-6 * prediction.period_s;
-  const double low = measured->value - wider * (measured->value - measured->low) - rounding;
-  const double high = measured->value + wider * (measured->high - measured->value) + rounding;
+  const double margin = kMargin * std::abs(prediction.period_s - prediction.rival_s);
+  const double low = measured->value - wider * (measured->value - measured->low) - margin;
+  const double high = measured->value + wider * (measured->high - measured->value) + margin;
   const auto holds = [low, high](double period) { return low <= period && period <= high; };
   if (!holds(prediction.period_s)) return Verdict::not_reproduced;
   return holds(prediction.rival_s) ? Verdict::undecidable : Verdict::reproduced;

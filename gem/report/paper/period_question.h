@@ -33,7 +33,8 @@ struct Candidate {
 std::vector<Candidate> period_candidates(const PaperFolder& folder, double paper_period_s);
 
 /// The measured interval, widened for the number of predictions that are judged together so that a true candidate
-/// survives all of them with 95 %, holds the period (and not its rival), holds both (undecidable), or does not hold it.
+/// survives all of them with 95 %, and by a tenth of the distance between period and rival, holds the period (and not
+/// its rival), holds both (undecidable), or does not hold it.
 Verdict judge_period(const Prediction& prediction, std::size_t together = 1);
 
 /// All predictions of one candidate together.

@@ -87,8 +87,10 @@ TEST(PeriodQuestion, IntervalsDecide) {
   EXPECT_EQ(judged(88.86, between(88.0, 89.0)), kHolds);
   EXPECT_EQ(judged(80.0, between(88.0, 89.0)), kRefuted);
   EXPECT_EQ(judged(88.86, between(60.0, 95.0)), Verdict::undecidable);
-  EXPECT_EQ(judged(89.2, between(88.0, 89.0)), kRefuted);
-  EXPECT_EQ(judged(89.2, between(88.0, 89.0), 13), kHolds);
+  EXPECT_EQ(judged(91.0, between(88.0, 89.0)), kRefuted);  // a tenth of the distance is 1.9 s
+  EXPECT_EQ(judged(90.8, between(88.0, 89.0)), kHolds);
+  EXPECT_EQ(judged(91.0, between(88.0, 89.0), 13), kHolds);
+  EXPECT_EQ(judged(88.86, between(89.5, 89.6)), kHolds) << "known better than the explanation is meant";
   EXPECT_EQ(judged(88.86, std::nullopt), Verdict::undecidable);
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(judged(88.86, Measured{80.0, -infinity, infinity, ""}), Verdict::undecidable);

@@ -3,7 +3,6 @@
 #include <sstream>
 
 #include "gem/base/number_text.h"
-#include "gem/record/run_file.h"
 #include "gem/report/display.h"
 #include "gem/report/paper/paper_figures.h"
 #include "gem/report/paper/settings_check.h"
@@ -14,6 +13,7 @@ namespace gem {
 namespace {
 
 constexpr std::size_t kPoints = 4000;
+constexpr double kInterval = 1.0;  // [s]
 const std::vector<std::string> kMovedAlone = {"floes.moved_floe", "floes.moved_by_m"};
 
 struct Curve {
@@ -51,12 +51,10 @@ PaperFigure draw_repetition(const std::vector<Curve>& list, const std::filesyste
   for (const Curve& curve : list) largest = std::max(largest, curve.run->numbers.find("orbit_largest_m")->value);
   const Unit metre = length_unit(largest);
   for (std::size_t c = 0; c < list.size(); ++c) {
-    const RunFile file(list[c].run->file);
-    const std::vector<double> t = file.column("platform/time");
-    const std::vector<double> x = file.column("platform/x");
+    const PlatformPath path = path_of(*list[c].run, kInterval);
     Csv csv("t [" + time.name + "],x [" + metre.name + "]");
-    for (const std::size_t i : every(x.size(), kPoints))
-      csv.row({t[i] / time.size, (x[i] - list[c].run->scene.platform.anchor_m.x) / metre.size});
+    for (const std::size_t i : every(path.x.size(), kPoints))
+      csv.row({path.interval_s * static_cast<double>(i) / time.size, path.x[i] / metre.size});
     const std::string name = "repeated_" + std::to_string(c + 1);
     plots.write_csv(name, csv);
     const char* styles[] = {"linestyle 1 lw 2", "linestyle 2 dt (6,4)", "linestyle 3"};

@@ -41,9 +41,9 @@ std::string conditions_text(const PaperRun& run) {
 std::vector<PaperFigure> twin_figures(const PaperFolder& folder, const std::filesystem::path& out) {
   std::vector<PaperFigure> figures;
   const auto append = [&](const std::string& condition, const std::string& field, const std::vector<Twin>& twins) {
-    if (folder.of(condition).empty()) return;
-    for (PaperFigure& figure : draw_run(folder.of(condition).front(), field, twins, out))
-      figures.push_back(std::move(figure));
+    const PaperRun* run = folder.with_file(condition);
+    if (run == nullptr) return;
+    for (PaperFigure& figure : draw_run(*run, field, twins, out)) figures.push_back(std::move(figure));
   };
   append("004_400_25", "7",
          {{"9", "motion_x"},

@@ -1,0 +1,177 @@
+// Reads a summary back: what each dataset is, is told by its scales.
+#include <hdf5_hl.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "gem/base/error.h"
+#include "gem/record/hdf5_handle.h"
+#include "gem/record/output_path.h"
+#include "gem/record/run_file.h"
+#include "gem/record/summary_file.h"
+
+namespace gem {
+
+using hdf5::check;
+using hdf5::checked;
+using hdf5::Handle;
+
+namespace {
+
+Handle opened(const std::string& path) {
+  hdf5::quiet_errors();
+  return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "cannot open");
+}
+
+std::vector<std::string> dataset_names(hid_t file) {
+  H5G_info_t group{};
+  check(H5Gget_info(file, &group), "list");
+  std::vector<std::string> names;
+  for (hsize_t i = 0; i < group.nlinks; ++i) {
+    char name[256] = {};
+    if (H5Lget_name_by_idx(file, ".", H5_INDEX_NAME, H5_ITER_INC, i, name, sizeof(name), H5P_DEFAULT) < 0)
+      throw hdf5::Failure{"list: " + hdf5::last_reason()};
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+std::string attribute(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) return "";
+  const Handle id = checked(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, name);
+  const Handle type = checked(H5Aget_type(id), H5Tclose, name);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return "";
+  std::string text(H5Tget_size(type), '\0');
+  check(H5Aread(id, type, text.data()), name);
+  return text.substr(0, text.find('\0'));
+}
+
+class Dataset {
+ public:
+  Dataset(hid_t file, const std::string& name)
+      : name_(name), id_(checked(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name.c_str())) {
+    const Handle space = checked(H5Dget_space(id_), H5Sclose, name.c_str());
+    size.resize(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
+    check(H5Sget_simple_extent_dims(space, size.data(), nullptr), name.c_str());
+    type_ = checked(H5Dget_type(id_), H5Tclose, name.c_str());
+  }
+
+  std::string text(const char* attribute_name) const { return attribute(id_, attribute_name); }
+  bool is_text() const { return H5Tget_class(type_) == H5T_STRING; }
+  bool is_scale() const { return H5DSis_scale(id_) > 0; }
+  bool is_double() const { return H5Tget_size(type_) == sizeof(double); }
+  std::size_t count() const {
+    std::size_t product = 1;
+    for (const hsize_t length : size) product *= length;
+    return product;
+  }
+
+  /// The scale of a dimension by its name; empty without one.
+  std::string scale(unsigned dimension) const {
+    std::string found;
+    const H5DS_iterate_t look = [](hid_t, unsigned, hid_t scale, void* to) -> herr_t {
+      char text[256] = {};
+      if (H5DSget_scale_name(scale, text, sizeof(text)) < 0) return -1;
+      *static_cast<std::string*>(to) = text;
+      return 1;
+    };
+    check(H5DSiterate_scales(id_, dimension, nullptr, look, &found), name_.c_str());
+    return found;
+  }
+
+  std::vector<double> numbers() const {
+    std::vector<double> values(count());
+    check(H5Dread(id_, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name_.c_str());
+    return values;
+  }
+
+  std::vector<std::string> texts() const {
+    std::vector<std::string> values;
+    if (H5Tis_variable_str(type_) > 0) {
+      std::vector<char*> pointers(count(), nullptr);
+      check(H5Dread(id_, type_, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), name_.c_str());
+      for (const char* pointer : pointers) values.emplace_back(pointer != nullptr ? pointer : "");
+      const Handle space = checked(H5Dget_space(id_), H5Sclose, name_.c_str());
+      check(H5Dvlen_reclaim(type_, space, H5P_DEFAULT, pointers.data()), name_.c_str());
+      return values;
+    }
+    const std::size_t length = H5Tget_size(type_);
+    std::string block(count() * length, '\0');
+    check(H5Dread(id_, type_, H5S_ALL, H5S_ALL, H5P_DEFAULT, block.data()), name_.c_str());
+    for (std::size_t i = 0; i < count(); ++i) {
+      const std::string one = block.substr(i * length, length);
+      values.push_back(one.substr(0, one.find('\0')));
+    }
+    return values;
+  }
+
+  std::vector<hsize_t> size;
+
+ private:
+  std::string name_;
+  Handle id_, type_;
+};
+
+std::set<std::string> words(const std::string& text) {
+  std::istringstream stream(text);
+  std::set<std::string> all;
+  for (std::string word; stream >> word;) all.insert(word);
+  return all;
+}
+
+void read_dataset(const Dataset& data, const std::string& name, SummaryTable& table, std::set<std::string>& settings) {
+  const std::string units = data.text("units");
+  const std::string meaning = data.text("long_name");
+  settings.merge(words(data.text("coordinates")));
+  if (name == "run")
+    table.runs = data.texts();
+  else if (data.is_scale())
+    table.axes.push_back({name, units, meaning, data.numbers()});
+  else if (data.size.size() == 2)
+    table.series.push_back({name, units, meaning, data.scale(1), data.is_double(), data.numbers()});
+  else if (data.is_text())
+    table.columns.push_back({name, units, meaning, false, {}, data.texts()});
+  else
+    table.columns.push_back({name, units, meaning, false, data.numbers(), {}});
+}
+
+template <class Item>
+const Item* named(const std::vector<Item>& items, const std::string& name) {
+  const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
+  return found == items.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const SummaryAxis* SummaryTable::axis(const std::string& name) const { return named(axes, name); }
+const SummaryColumn* SummaryTable::column(const std::string& name) const { return named(columns, name); }
+const SummarySeries* SummaryTable::one_series(const std::string& name) const { return named(series, name); }
+
+bool is_summary(const std::string& path) {
+  if (!is_run_file(path)) return false;
+  try {
+    return H5Lexists(opened(path), "run", H5P_DEFAULT) > 0;
+  } catch (const hdf5::Failure&) {
+    return false;
+  }
+}
+
+SummaryTable read_summary(const std::string& path) {
+  try {
+    const Handle file = opened(path);
+    if (H5Lexists(file, "run", H5P_DEFAULT) <= 0) throw hdf5::Failure{"it lists no runs"};
+    SummaryTable table;
+    table.title = attribute(file, "title");
+    table.history = attribute(file, "history");
+    std::set<std::string> settings;
+    for (const std::string& name : dataset_names(file)) read_dataset(Dataset(file, name), name, table, settings);
+    for (SummaryColumn& column : table.columns) column.is_setting = settings.contains(column.name);
+    return table;
+  } catch (const hdf5::Failure& failure) {
+    throw Error(ExitCode::file_system, "cannot read the summary " + shown(path) + " (" + failure.text +
+                                           ") name a file that `gem sweep collect` wrote");
+  }
+}
+
+}  // namespace gem

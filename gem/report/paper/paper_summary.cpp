@@ -1,0 +1,220 @@
+// Columns and series from runs; runs from columns and series.
+#include "gem/report/paper/paper_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+#include "gem/base/error.h"
+#include "gem/record/output_path.h"
+#include "gem/scene/scene_file.h"
+
+namespace gem {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+using Values = std::vector<double>;
+
+/// A series of the summary and where its values lie in a run.
+struct SeriesEntry {
+  const char* axis;
+  const char* name;
+  const char* units;
+  const char* long_name;
+  std::function<Values&(PaperRun&)> values;
+};
+
+PlatformPath& path_in(PaperRun& run) { return run.path ? *run.path : run.path.emplace(); }
+
+const std::vector<SeriesEntry>& entries() {
+  static const std::vector<SeriesEntry> list = {
+      {"time", "displacement_x", "m", "platform centre from rest, x",
+       [](PaperRun& r) -> Values& { return path_in(r).x; }},
+      {"time", "displacement_y", "m", "platform centre from rest, y",
+       [](PaperRun& r) -> Values& { return path_in(r).y; }},
+      {"time", "velocity_x", "m s-1", "platform velocity, x", [](PaperRun& r) -> Values& { return path_in(r).vx; }},
+      {"time", "velocity_y", "m s-1", "platform velocity, y", [](PaperRun& r) -> Values& { return path_in(r).vy; }},
+      {"cycle", "excursion_peak", "m", "largest distance from rest in each natural period",
+       [](PaperRun& r) -> Values& { return r.excursion_peaks; }},
+      {"block", "block_mean_x", "m", "mean of x over a stretch",
+       [](PaperRun& r) -> Values& { return r.blocks.mean_x; }},
+      {"block", "block_deviation_x", "m", "standard deviation of x within a stretch",
+       [](PaperRun& r) -> Values& { return r.blocks.deviation_x; }},
+      {"block", "block_deviation_y", "m", "standard deviation of y within a stretch",
+       [](PaperRun& r) -> Values& { return r.blocks.deviation_y; }},
+      {"block", "block_largest_excursion", "m", "largest distance from rest in a stretch",
+       [](PaperRun& r) -> Values& { return r.blocks.largest_excursion; }},
+      {"block", "block_largest_ice_force", "N", "largest mean ice force over output.force_window_s in a stretch",
+       [](PaperRun& r) -> Values& { return r.blocks.largest_ice_force; }}};
+  return list;
+}
+
+std::string unit_of(const std::string& name) {
+  for (const char* unit : {"m", "s", "N", "J", "rad"})
+    if (name.ends_with(std::string("_") + unit)) return unit;
+  return "1";
+}
+
+std::string in_words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+void add_numbers(SummaryTable& table, const std::vector<PaperRun>& runs) {
+  std::set<std::string> names, with_interval;
+  for (const PaperRun& run : runs)
+    for (const auto& [name, number] : run.numbers.all()) {
+      names.insert(name);
+      if (number.interval) with_interval.insert(name);
+    }
+  const auto column = [&](const std::string& name, const std::string& ending, const std::string& words,
+                          double RunNumber::*part) {
+    if (table.column(name + ending) != nullptr) return;
+    SummaryColumn added{name + ending, unit_of(name), in_words(name) + words};
+    for (const PaperRun& run : runs) {
+      const auto number = run.numbers.find(name);
+      added.numbers.push_back(number && (ending.empty() || number->interval) ? (*number).*part : nothing);
+    }
+    table.columns.push_back(std::move(added));
+  };
+  for (const std::string& name : names) {
+    column(name, "", "", &RunNumber::value);
+    if (!with_interval.contains(name)) continue;
+    column(name, "_low", ", lower end of its 95 % interval", &RunNumber::low);
+    column(name, "_high", ", upper end of its 95 % interval", &RunNumber::high);
+  }
+}
+
+void add_texts(SummaryTable& table, const std::vector<PaperRun>& runs) {
+  SummaryColumn cases{"case_toml", "", "the case with all that differs from the defaults"};
+  SummaryColumn sources{"source", "", "program that made the run"};
+  SummaryColumn resolutions{"resolution", "", "how contacts were resolved"};
+  for (const PaperRun& run : runs) {
+    cases.texts.push_back(run.case_toml);
+    sources.texts.push_back(run.source);
+    resolutions.texts.push_back(run.resolution);
+  }
+  for (SummaryColumn& column : {std::ref(cases), std::ref(sources), std::ref(resolutions)})
+    table.columns.push_back(std::move(column));
+}
+
+SummaryAxis axis_of(const std::string& name, std::size_t length, double interval_s) {
+  SummaryAxis axis{name, name == "cycle" ? "1" : "s", "", {}};
+  double step = 1.0;
+  if (name == "time") {
+    axis.long_name = "time since the start of the run";
+    step = interval_s;
+  } else if (name == "block") {
+    axis.long_name = "start of a stretch";
+    step = kBlockLength;
+  } else {
+    axis.long_name = "natural periods since the start";
+  }
+  for (std::size_t i = 0; i < length; ++i) axis.values.push_back(step * static_cast<double>(i));
+  return axis;
+}
+
+std::vector<Values> rows_of(const SummarySeries& series, std::size_t runs) {
+  const std::size_t length = series.values.size() / runs;
+  std::vector<Values> rows;
+  for (std::size_t run = 0; run < runs; ++run) {
+    const auto begin = series.values.begin() + static_cast<std::ptrdiff_t>(run * length);
+    rows.emplace_back(begin, std::find_if(begin, begin + static_cast<std::ptrdiff_t>(length),
+                                          [](double value) { return std::isnan(value); }));
+  }
+  return rows;
+}
+
+void read_numbers(const SummaryTable& table, std::vector<PaperRun>& runs) {
+  for (const SummaryColumn& column : table.columns) {
+    if (column.numbers.empty() || column.is_setting) continue;
+    const SummaryColumn* low = table.column(column.name + "_low");
+    const SummaryColumn* high = table.column(column.name + "_high");
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+      const double value = column.numbers[run];
+      const bool interval = low != nullptr && high != nullptr && !std::isnan(low->numbers[run]);
+      runs[run].numbers.add(column.name, interval ? RunNumber{value, low->numbers[run], high->numbers[run], true}
+                                                  : RunNumber{value, value, value, false});
+    }
+  }
+}
+
+void read_series(const SummaryTable& table, std::vector<PaperRun>& runs) {
+  for (const SeriesEntry& entry : entries()) {
+    const SummarySeries* series = table.one_series(entry.name);
+    if (series == nullptr) continue;
+    const std::vector<Values> rows = rows_of(*series, runs.size());
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+      entry.values(runs[run]) = rows[run];
+      if (series->axis != "time") continue;
+      const Values& time = table.axis("time")->values;
+      runs[run].path->interval_s = time.size() > 1 ? time[1] - time[0] : 0.0;
+      runs[run].path->exact = series->exact;
+    }
+  }
+}
+
+}  // namespace
+
+void add_paper_part(SummaryTable& table, const std::vector<PaperRun>& runs) {
+  add_texts(table, runs);
+  add_numbers(table, runs);
+  add_series(table, runs);
+}
+
+void add_series(SummaryTable& table, const std::vector<PaperRun>& given) {
+  std::vector<PaperRun> runs = given;  // an entry gives a place to write to as well
+  double interval_s = 0.0;
+  bool exact = true;
+  for (const PaperRun& run : runs) {
+    if (!run.path) continue;
+    interval_s = std::max(interval_s, run.path->interval_s);
+    exact = exact && run.path->exact;
+  }
+  std::map<std::string, std::size_t> longest;
+  for (const SeriesEntry& entry : entries())
+    for (PaperRun& run : runs) longest[entry.axis] = std::max(longest[entry.axis], entry.values(run).size());
+  for (const auto& [axis, length] : longest)
+    if (length > 0) table.axes.push_back(axis_of(axis, length, interval_s));
+  for (const SeriesEntry& entry : entries()) {
+    const std::size_t length = longest[entry.axis];
+    const bool any = std::any_of(runs.begin(), runs.end(), [&](PaperRun& run) { return !entry.values(run).empty(); });
+    if (!any) continue;
+    SummarySeries series{entry.name, entry.units, entry.long_name, entry.axis,
+                         exact && std::string(entry.axis) == "time"};
+    for (PaperRun& run : runs) {
+      Values row = entry.values(run);
+      row.resize(length, nothing);
+      series.values.insert(series.values.end(), row.begin(), row.end());
+    }
+    table.series.push_back(std::move(series));
+  }
+}
+
+std::vector<PaperRun> paper_runs(const SummaryTable& table, const std::string& origin) {
+  const auto texts = [&](const char* name) -> const std::vector<std::string>& {
+    const SummaryColumn* column = table.column(name);
+    if (column == nullptr || column->texts.size() != table.runs.size())
+      throw Error(ExitCode::file_system, "cannot read " + shown(origin) + " (no column " + name +
+                                             ": made with --from, or by an older program) collect the runs again");
+    return column->texts;
+  };
+  std::vector<PaperRun> runs(table.runs.size());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    runs[i].case_toml = texts("case_toml")[i];
+    runs[i].scene = parse_scene(runs[i].case_toml, origin);
+    runs[i].seed = runs[i].scene.run.seed;
+    runs[i].condition = condition_of(runs[i].scene.run.name, runs[i].seed);
+    runs[i].source = texts("source")[i];
+    runs[i].engine = texts("engine")[i];
+    runs[i].resolution = texts("resolution")[i];
+    runs[i].state_hash = texts("state_hash")[i];
+  }
+  read_numbers(table, runs);
+  read_series(table, runs);
+  return runs;
+}
+
+}  // namespace gem

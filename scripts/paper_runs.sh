@@ -1,0 +1,164 @@
+#!/bin/sh
+# All runs of the paper's reproduction, most telling first, and what `gem paper` needs of them in a few small files. Needs sh,
+# tar and one program; run it again to go on after a stop: what is done stays.
+# Usage: scripts/paper_runs.sh GEM OUT [PART...]
+#   GEM   the program
+#   OUT   gets runs/ (run files), summaries/ (what `gem sweep collect` makes of them) and paper_1.tar.gz, paper_2.tar.gz, ...
+#         with the summaries, none larger than 15 MiB
+#   PART  seeds:1-10 (these seeds of table1_seeds.toml), table2 period_question sensitivity sensitivity_moment
+#         divergence day; left out: all, in an order of importance
+# Environment: GEM_MINUTES=9 stop after so long, with what is finished packed
+#              GEM_RUN="--engine cuda" options of `gem sweep run`;  GEM_JOBS=16 processes that collect
+#              GEM_QUICK=1 a rehearsal with few floes in minutes on a CPU, whose numbers mean nothing
+# Then, where the report is made: tar xzf each into DIR; scripts/paper_report.sh DIR [folders of run files]
+set -eu
+[ $# -ge 2 ] || {
+  sed -n '2,15s/^# //p' "$0" >&2
+  exit 2
+}
+program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+mkdir -p "$2/runs" "$2/summaries" "$2/lists"
+out=$(cd "$2" && pwd)
+shift 2
+quick=${GEM_QUICK:-0}
+[ $# -gt 0 ] || if [ "$quick" = 1 ]; then
+  set -- seeds:1-2 table2 period_question seeds:3-4 sensitivity sensitivity_moment divergence day
+else
+  set -- seeds:1-10 table2 period_question seeds:11-20 sensitivity sensitivity_moment divergence seeds:21-30 day
+fi
+cd "$(dirname "$0")/.."
+. scripts/workers.sh
+jobs=${GEM_JOBS:-$(grep -c ^processor /proc/cpuinfo)}
+collecting=45        # seconds kept at the end for collecting and packing
+largest_pack=15000000 # bytes
+if [ -n "${GEM_MINUTES:-}" ]; then
+  end=$(($(date +%s) + 60 * GEM_MINUTES))
+  run_until=$((end - collecting))
+fi
+
+note() { echo "$(date -u +%H:%M:%S) $*" | tee -a "$out/summaries/conditions.txt"; }
+
+# settings of a rehearsal: a small field close to the barge, long enough for a spectrum
+quick_settings() {
+  [ "$quick" = 1 ] || return 0
+  duration=1200
+  [ "$1" != day ] || duration=3600
+  for setting in "run.duration_s=$duration.0" floes.count=30 floes.length_m=30.0 floes.width_m=200.0 floes.start_x_m=-85.0 \
+    'floes.placement="random"' boundary.inlet_x_m=-130.0 boundary.taper_start_x_m=-130.0 boundary.inlet_width_m=200.0 \
+    numerics.moment_s=0.2 output.platform_interval_s=0.8; do
+    echo "--set=$setting"
+  done
+  [ "$1" != divergence ] || echo --set=floes.moved_floe=5
+}
+
+sweep_of() { case $1 in seeds:*) echo table1_seeds ;; *) echo "$1" ;; esac; }
+
+# runs of a part, as a list for --index; empty: all. A condition's thirty seeds follow each other.
+index_of() {
+  case $1 in
+  seeds:*)
+    span=${1#seeds:}
+    condition=0
+    while [ "$condition" -lt 36 ]; do
+      printf '%s%d-%d' "$([ "$condition" = 0 ] || echo ,)" $((30 * condition + ${span%-*})) $((30 * condition + ${span#*-}))
+      condition=$((condition + 1))
+    done
+    ;;
+  esac
+}
+
+# what to collect of a part: name, then options of `gem sweep collect`, with tabs between. Paths that are to be compared to
+# the last bit are kept exact; run 1 alone is compared with the null model, each seed by a process of its own.
+collections() {
+  case $1 in
+  seeds:*)
+    span=${1#seeds:}
+    seed=${span%-*}
+    while [ "$seed" -le "${span#*-}" ]; do
+      printf '%s\t--index=%d\t--series=10\n' "seeds_run1_$seed" "$seed"
+      seed=$((seed + 1))
+    done
+    condition=1
+    while [ "$condition" -lt 36 ]; do
+      printf '%s\t--index=%d-%d\t--series=10\t--no-null-model\n' "seeds_${span}_$((condition + 1))" \
+        $((30 * condition + ${span%-*})) $((30 * condition + ${span#*-}))
+      condition=$((condition + 1))
+    done
+    ;;
+  table2) printf 'table2\t--exact\t--series=2\n' ;;
+  divergence) printf 'divergence\t--exact\t--series=5\t--no-null-model\n' ;;
+  day) printf 'day\t--series=10\t--no-null-model\n' ;;
+  *) printf '%s\t--series=0\t--no-null-model\n' "$1" ;;
+  esac
+}
+
+# run PART: 0 if all its runs are done
+run() {
+  sweep=$(sweep_of "$1")
+  list=$(index_of "$1")
+  # shellcheck disable=SC2046,SC2086
+  set -- sweep run "cases/$sweep.toml" --out "$out/runs/$sweep" --progress none $(quick_settings "$sweep") ${GEM_RUN:-}
+  [ -z "$list" ] || set -- "$@" --index "$list"
+  case $sweep in
+  table2) set -- "$@" --set sweep.seeds.count=5 ;; # ratios of two conditions are taken seed by seed
+  divergence) [ "$quick" = 1 ] || set -- "$@" --set sweep.seeds.count=20 ;;
+  esac
+  if [ -n "${run_until:-}" ]; then
+    # an interrupt ends a run in order
+    timeout -s INT -k 20 $((run_until - $(date +%s))) "$program" "$@"
+  else
+    "$program" "$@"
+  fi
+}
+
+# collect LINE of collections
+collect() {
+  tab=$(printf '\t')
+  name=${1%%"$tab"*}
+  case $1 in *"$tab"*) options=$(printf '%s' "${1#*"$tab"}" | tr '\t' ' ') ;; *) options= ;; esac
+  # shellcheck disable=SC2086
+  "$program" sweep collect "$out/runs/$collected" --out "$out/summaries/$name.h5" --overwrite --partial $options \
+    >"$out/lists/$name.log" 2>&1 || ! cat "$out/lists/$name.log"
+}
+
+collect_part() {
+  collected=$(sweep_of "$1")
+  [ -e "$out/runs/$collected/manifest.json" ] || return 0
+  collections "$1" >"$out/lists/collect"
+  in_parallel "$jobs" "$out/lists/collect" "$out/lists/none" collect
+}
+
+pack() {
+  rm -f "$out"/paper_*.tar.gz
+  number=1 size=0
+  : >"$out/lists/pack_1"
+  for file in "$out"/summaries/*; do
+    own=$(wc -c <"$file")
+    if [ $((size + own)) -gt $largest_pack ] && [ $size -gt 0 ]; then
+      number=$((number + 1)) size=0
+      : >"$out/lists/pack_$number"
+    fi
+    size=$((size + own))
+    echo "summaries/$(basename "$file")" >>"$out/lists/pack_$number"
+  done
+  while [ $number -gt 0 ]; do
+    tar -C "$out" -czf "$out/paper_$number.tar.gz" -T "$out/lists/pack_$number"
+    number=$((number - 1))
+  done
+}
+
+note "begun: $*; $("$program" --version | head -n 1); quick $quick; options ${GEM_RUN:-none}"
+left=
+for part; do
+  if [ -n "${run_until:-}" ] && [ "$(date +%s)" -ge "$run_until" ]; then
+    left="$left $part"
+    continue
+  fi
+  note "$part"
+  run "$part" || left="$left $part"
+  collect_part "$part"
+done
+note "left: ${left:-nothing}"
+pack
+ls -l "$out"/paper_*.tar.gz
+[ -z "$left" ] || echo "not finished:$left; run this again to go on" >&2

@@ -57,16 +57,19 @@ GEM_HD inline void open_contact(Contact& contact, std::int32_t a, std::int32_t b
   }
 }
 
-/// Drops the points of a coupled contact that this moment hardly brings to a touch: at the velocities of its start the
-/// gap would stay wider than a quarter of the contact margin. Fewer points answer sooner, and share the masses less.
-GEM_HD inline void keep_closing_points(const MomentConstants& c, const PairBodies& p, Contact& contact) {
+/// Whether this moment hardly brings a point of a coupled contact to a touch: at the velocities of its start the gap
+/// would stay wider than a quarter of the contact margin. Fewer points answer sooner, and share the masses less.
+GEM_HD inline bool stays_open(const MomentConstants& c, const PairBodies& p, const ContactSlot& slot, Vec2 normal) {
   constexpr double share = 0.25;
+  const double closed = slot.separation + c.dt * dot(relative_velocity(p, slot), normal);
+  return !(slot.separation < 0.0 || closed < share * c.contact_margin);
+}
+
+/// Drops such points.
+GEM_HD inline void keep_closing_points(const MomentConstants& c, const PairBodies& p, Contact& contact) {
   int kept = 0;
-  for (int k = 0; k < contact.count; ++k) {
-    const ContactSlot& slot = contact.slot[k];
-    const double closed = slot.separation + c.dt * dot(relative_velocity(p, slot), contact.normal);
-    if (slot.separation < 0.0 || closed < share * c.contact_margin) contact.slot[kept++] = slot;
-  }
+  for (int k = 0; k < contact.count; ++k)
+    if (!stays_open(c, p, contact.slot[k], contact.normal)) contact.slot[kept++] = contact.slot[k];
   contact.count = kept;
 }
 

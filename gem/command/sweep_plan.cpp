@@ -133,7 +133,7 @@ void group(SweepPlan& plan) {
 }  // namespace
 
 std::vector<std::vector<std::size_t>> share_runs(const std::vector<std::int64_t>& moments, std::size_t devices) {
-  constexpr std::size_t largest_batch = 72;  // runs; more gain nothing
+  constexpr std::size_t largest_batch = 66;  // runs; more find no room side by side on a large GPU
   const std::size_t runs = moments.size();
   std::size_t count = runs;  // without a GPU each is made by itself
   if (devices > 0) count = std::min(runs, std::max(devices, (runs + largest_batch - 1) / largest_batch));

@@ -23,7 +23,7 @@ TEST(SweepPlan, NoBatchIsTooLargeAndNoRunIsLost) {
   const Batches batches = share_runs(std::vector<std::int64_t>(200, 3), 2);
   std::vector<std::size_t> all;
   for (const auto& batch : batches) {
-    EXPECT_LE(batch.size(), 72u);
+    EXPECT_LE(batch.size(), 66u);
     all.insert(all.end(), batch.begin(), batch.end());
   }
   std::sort(all.begin(), all.end());

@@ -111,7 +111,7 @@ class CudaBatch::Work {
     for (const std::size_t k : active) work.push_back(work_[k]);
     const bool even = chosen_blocks_ > 0 || equal > largest_share;
     const std::vector<int> blocks =
-        even ? std::vector<int>(active.size(), equal) : share_blocks(work, device_.multiprocessors);
+        even ? std::vector<int>(active.size(), equal) : share_blocks(work, device_.multiprocessors, equal);
     for (std::size_t at = 0; at < active.size(); ++at)
       share_[active[at]] = even ? equal : std::min(blocks[at], useful_blocks_);
   }

@@ -98,7 +98,7 @@ GEM_DEVICE inline void take_pairs(const DeviceScene& s, Crew& crew, Desk& desk) 
   const std::size_t bytes = desk.pairs.count() * sizeof(PairCell);
   desk.pair = s.pair;
   desk.solver_bytes = desk.bodies_begin;
-  if (desk.minimum_bytes + whole_lines(bytes) > desk.bodies_begin) return;
+  if (bytes > desk.bodies_begin - desk.minimum_bytes) return;  // both are whole lines
   desk.solver_bytes -= whole_lines(bytes);
   std::byte* const to = crew.room() + desk.solver_bytes;
   desk.pair = reinterpret_cast<PairCell*>(to) - desk.pairs.begin;

@@ -1,6 +1,7 @@
 // Speed of the cuda engine by device events, as CSV: one scene in three phases and several layouts, and batches.
 //
-// usage: gem_cuda_speed CASES_FOLDER [single|batch|table|profile|all] [largest batch] [coupled|independent] [phase]
+// usage: gem_cuda_speed CASES_FOLDER [single|copies|batch|table|profile|all] [largest batch] [coupled|independent]
+// [phase]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -23,7 +24,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t timed_moments = 256;
-constexpr int repetitions = 7;
 
 struct Phase {
   const char* name;
@@ -77,7 +77,14 @@ struct Timing {
   double median = 0.0, spread = 0.0, wall = 0.0;
 };
 
-Timing time_moments(CudaBatch& batch, const EngineState& start, std::vector<MomentLog>* logs) {
+/// The state in which a phase begins.
+EngineState start_of(const Phase& phase, const SceneDef& scene, const Bodies& field) {
+  CudaBatch batch({{scene, field}}, {.ring_moments = 4096, .samples = false});
+  batch.advance(moments_in(scene, phase.time), nullptr);
+  return batch.save(0);
+}
+
+Timing time_moments(CudaBatch& batch, const EngineState& start, std::vector<MomentLog>* logs, int repetitions) {
   std::vector<double> seconds;
   double wall = 0.0;
   for (int k = 0; k < repetitions + 1; ++k) {
@@ -100,15 +107,13 @@ void single(const Subject& subject) {
     if (!subject.phase.empty() && subject.phase != phase.name) continue;
     const SceneDef scene = scene_of(subject, phase.run);
     const Bodies field = make_field(scene);
-    CudaBatch batch({{scene, field}}, {});
-    batch.advance(moments_in(scene, phase.time), nullptr);
-    const EngineState start = batch.save(0);
+    const EngineState start = start_of(phase, scene, field);
     for (const int blocks : {4, 16, 64, 112})
       for (const int threads : {256, 512}) {
         if (blocks < 64 && threads < 512) continue;
         CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads});
         std::vector<MomentLog> logs(1);
-        const Timing time = time_moments(timed, start, &logs);
+        const Timing time = time_moments(timed, start, &logs, 7);
         double contacts = 0.0;
         for (const MomentQuality& quality : logs[0].quality) contacts += quality.contacts / double(timed_moments);
         std::printf("%s,%s,%s,moment,%s,1,%d,%d,%.3f,%.3f,%.0f,%.0f,%.2f,%016llx", GEM_COMMIT,
@@ -120,14 +125,39 @@ void single(const Subject& subject) {
   }
 }
 
-/// For a profiler: the drift, its list built, then a launch of 64 moments, on one cluster.
-void one_launch(const Subject& subject) {
-  const Phase& phase = phases[0];
-  const SceneDef scene = scene_of(subject, phase.run);
-  CudaBatch batch({{scene, make_field(scene)}}, {.blocks = 16, .ring_moments = 20000});
-  batch.advance(moments_in(scene, phase.time), nullptr);
-  batch.advance(2, nullptr);
-  batch.advance(64, nullptr);
+/// Many scenes in one phase: what a full device does.
+void copies(const Subject& subject, std::size_t largest) {
+  for (const Phase& phase : phases) {
+    if (!subject.phase.empty() && subject.phase != phase.name) continue;
+    const SceneDef scene = scene_of(subject, phase.run);
+    const Bodies field = make_field(scene);
+    const EngineState start = start_of(phase, scene, field);
+    for (const std::size_t count : {36, 66}) {
+      if (count > largest) break;
+      CudaBatch timed(std::vector<BatchScene>(count, {scene, field}), {.samples = false});
+      const Timing time = time_moments(timed, start, nullptr, 3);
+      std::printf("%s,%s,%s,copies,%s,%zu,%d,%d,%.3f,%.3f,%.0f,,%.2f,%016llx", GEM_COMMIT, timed.device().name.c_str(),
+                  subject.name(), phase.name, count, timed.blocks(), timed.threads(), 1e6 * time.median,
+                  1e6 * time.spread, double(count) * scene.numerics.moment_s / time.median, time.wall / time.median,
+                  static_cast<unsigned long long>(timed.state_hash(count - 1)));
+      end_row(timed);
+    }
+  }
+}
+
+/// For a profiler: as many copies of a phase, their lists built, then a launch of 16 moments.
+void one_launch(const Subject& subject, std::size_t count) {
+  for (const Phase& phase : phases) {
+    if (!subject.phase.empty() && subject.phase != phase.name) continue;
+    const SceneDef scene = scene_of(subject, phase.run);
+    const Bodies field = make_field(scene);
+    const EngineState start = start_of(phase, scene, field);
+    CudaBatch batch(std::vector<BatchScene>(count, {scene, field}), {.blocks = count == 1 ? 16 : 0});
+    for (std::size_t k = 0; k < count; ++k) batch.restore(k, start);
+    batch.advance(2, nullptr);
+    batch.advance(2, nullptr);
+    batch.advance(16, nullptr);
+  }
 }
 
 /// Fields of the main run with seeds 1, 2, ...
@@ -199,8 +229,9 @@ int main(int count, char** argument) {
     if (resolution == "independent") subject.resolution = gem::Resolution::independent;
     const std::size_t largest = count > 3 ? std::strtoull(argument[3], nullptr, 10) : 264;
     gem::header();
-    if (what == "profile") gem::one_launch(subject);
+    if (what == "profile") gem::one_launch(subject, largest);
     if (what == "single" || what == "all") gem::single(subject);
+    if (what == "copies" || what == "all") gem::copies(subject, largest);
     if (what == "batch" || what == "all") gem::batches(subject, largest);
     if (what == "table" || what == "all") gem::table(subject);
     return 0;

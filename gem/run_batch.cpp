@@ -26,10 +26,9 @@ class BatchRun {
       stop = stop_signal_of(options_.front());
       if (stop != 0) break;
       advance(moments);
+      finish(0, [](const RunSteps& run) { return run.at_end(); });
     }
-    each([](RunSteps& run, std::size_t) { run.last_frame(); });
-    for (std::size_t k = 0; k < runs_.size(); ++k)
-      if (const auto run = std::move(runs_[k])) guarded(k, [&] { ends_[k].summary = run->finish(stop); });
+    finish(stop, [](const RunSteps&) { return true; });
     return ends_;
   }
 
@@ -50,6 +49,16 @@ class BatchRun {
       if (runs_[k]) guarded(k, [&] { action(*runs_[k], k); });
   }
 
+  /// Ends the runs of which over(run) is true.
+  template <class Over>
+  void finish(int stop, Over over) {
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+      if (!runs_[k] || !over(*runs_[k])) continue;
+      guarded(k, [&] { runs_[k]->last_frame(); });
+      if (const auto run = std::move(runs_[k])) guarded(k, [&] { ends_[k].summary = run->finish(stop); });
+    }
+  }
+
   void fail(std::size_t k, const std::exception& error) {
     const auto* known = dynamic_cast<const Error*>(&error);
     ends_[k].fault = known ? error.what() : std::string("unexpected (") + error.what() + ") please report this";
@@ -66,14 +75,17 @@ class BatchRun {
     return least;
   }
 
+  /// Moves on what is neither over nor failed.
   void advance(std::int64_t moments) {
-    std::vector<std::int64_t> goal(batch_.size());
+    std::vector<std::int64_t> goal(batch_.size()), some(batch_.size(), 0);
     for (std::size_t k = 0; k < goal.size(); ++k) {
-      goal[k] = batch_.engine(k).moment() + moments;
-      if (runs_[k]) runs_[k]->prepare(logs_[k]);
+      if (!runs_[k]) continue;
+      runs_[k]->prepare(logs_[k]);
+      some[k] = runs_[k]->at_end() ? 0 : moments;
+      goal[k] = batch_.engine(k).moment() + some[k];
     }
     try {
-      batch_.advance(moments, logs_);
+      batch_.advance(some, logs_);
     } catch (const Error& error) {
       const bool of_a_scene = error.code() == ExitCode::numerical_stop;
       for (std::size_t k = 0; k < goal.size(); ++k)

@@ -17,7 +17,7 @@ struct BatchEnd {
   ExitCode code = ExitCode::done;
 };
 
-/// Runs scenes of one number of moments to their ends, each into its own file with the same bits that it has alone. A
+/// Runs scenes to their ends, each into its own file with the same bits that it has alone. A
 /// scene that fails stops no other. `options[k]` belongs to `scenes[k]` and to scene k of the batch.
 std::vector<BatchEnd> run_batch(const std::vector<SceneDef>& scenes, EngineBatch& batch,
                                 const std::vector<RunOptions>& options);

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 #include <thread>
 
@@ -42,7 +43,8 @@ int choose_jobs(const std::string& asked) {
 /// The processors are shared out: first among runs, which scale best, then among the threads of each.
 void share_processors(const SweepRunChoice& choice, SweepPlan& plan, RunLog& log) {
   const int machine = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int to_do = static_cast<int>(std::max<std::size_t>(1, plan.batches.size()));
+  const std::size_t at_once = plan.devices.empty() ? plan.batches.size() : plan.devices.size();
+  const int to_do = static_cast<int>(std::max<std::size_t>(1, std::min(plan.batches.size(), at_once)));
   int& threads = plan.settings.engine.threads;
   if (!choice.jobs.empty()) plan.jobs = std::min(choose_jobs(choice.jobs), to_do);
   const bool given = !choice.threads.empty() || std::getenv("OMP_NUM_THREADS") != nullptr;
@@ -65,8 +67,9 @@ Estimate need_of(const SweepPlan& plan) {
     memory.push_back(one.memory);
   }
   std::sort(memory.rbegin(), memory.rend());
-  std::size_t at_once = static_cast<std::size_t>(plan.jobs);
-  for (const auto& batch : plan.batches) at_once = std::max(at_once, plan.jobs + batch.size() - 1);
+  std::size_t largest = 1;
+  for (const auto& batch : plan.batches) largest = std::max(largest, batch.size());
+  const std::size_t at_once = largest * static_cast<std::size_t>(plan.jobs);
   memory.resize(std::min(memory.size(), at_once));
   for (const double one : memory) need.memory += one;
   return need;
@@ -98,41 +101,52 @@ void choose_what_to_do(const SweepRunChoice& choice, SweepPlan& plan) {
 
 namespace {
 
-constexpr std::size_t largest_batch = 32;  // scenes; more gain nothing, as each has its own file to be written
+constexpr int most_devices = 64;
 
-bool gpu_answers() {
-  SweepBoard answer(1);
+/// Indices of the GPUs that can be used.
+std::vector<int> gpus_that_answer() {
+  SweepBoard answer(most_devices);
   ProcessPool probe;  // a process that has used a GPU cannot start others that do
   probe.start(0, [&answer] {
     std::string reason;
     for (const CudaDevice& device : cuda_devices(reason))
-      if (device.fault.empty()) answer[0].outcome = Outcome::done;
+      if (device.fault.empty() && device.index < most_devices) answer[device.index].outcome = Outcome::done;
   });
   while (probe.running() > 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     probe.reap([](std::size_t, int) {});
   }
-  return answer[0].outcome == Outcome::done;
+  std::vector<int> devices;
+  for (int index = 0; index < most_devices; ++index)
+    if (answer[index].outcome == Outcome::done) devices.push_back(index);
+  return devices;
 }
 
-/// Runs that a GPU can move on together have the same number of moments; all others are made one by one.
 void group(SweepPlan& plan) {
-  std::map<std::int64_t, std::size_t> open;  // moments -> batch that takes more
   const std::string& engine = plan.settings.engine.name;
-  const bool gpu = engine == "cuda" || (engine == "auto" && gpu_answers());
-  for (std::size_t job = 0; job < plan.to_do.size(); ++job) {
-    const SceneDef& scene = plan.members[plan.chosen[plan.to_do[job]]].scene;
-    const auto found = open.find(moments_of(scene));
-    if (gpu && found != open.end() && plan.batches[found->second].size() < largest_batch) {
-      plan.batches[found->second].push_back(job);
-      continue;
-    }
-    if (gpu) open[moments_of(scene)] = plan.batches.size();
-    plan.batches.push_back({job});
-  }
+  if (engine == "cuda" || engine == "auto") plan.devices = gpus_that_answer();
+  std::vector<std::int64_t> moments;
+  for (const std::size_t place : plan.to_do) moments.push_back(moments_of(plan.members[plan.chosen[place]].scene));
+  plan.batches = share_runs(moments, plan.devices.size());
 }
 
 }  // namespace
+
+std::vector<std::vector<std::size_t>> share_runs(const std::vector<std::int64_t>& moments, std::size_t devices) {
+  constexpr std::size_t largest_batch = 66;  // runs; more find no room side by side on a large GPU
+  const std::size_t runs = moments.size();
+  std::size_t count = runs;  // without a GPU each is made by itself
+  if (devices > 0) count = std::min(runs, std::max(devices, (runs + largest_batch - 1) / largest_batch));
+  std::vector<std::size_t> longest_first(runs);
+  std::iota(longest_first.begin(), longest_first.end(), std::size_t{0});
+  if (devices > 0)
+    std::stable_sort(longest_first.begin(), longest_first.end(),
+                     [&](std::size_t i, std::size_t j) { return moments[i] > moments[j]; });
+  std::vector<std::vector<std::size_t>> batches(count);
+  for (std::size_t k = 0; k < runs; ++k) batches[k % count].push_back(longest_first[k]);
+  for (auto& batch : batches) std::sort(batch.begin(), batch.end());
+  return batches;
+}
 
 std::vector<SweepRow> known_rows(const std::string& folder, const std::vector<SweepMember>& members) {
   std::map<std::string, SweepRow> known;
@@ -178,9 +192,10 @@ std::string plan_text(const SweepPlan& plan) {
   }
   return text + "# dry run: nothing was computed\n# to do   " + std::to_string(plan.to_do.size()) + " of " +
          std::to_string(plan.rows.size()) + " runs, " + fixed_text(plan.need.moments, 0) + " moments\n# at once " +
-         std::to_string(plan.jobs) + " runs of " + std::to_string(plan.settings.engine.threads) + " threads, engine " +
-         plan.settings.engine.name + "\n# memory  about " + size_text(plan.need.memory) + "\n# disk    about " +
-         size_text(plan.need.disk) + " in " + shown(plan.settings.folder) + "\n";
+         std::to_string(plan.jobs) + " processes of " + std::to_string(plan.settings.engine.threads) + " threads, " +
+         std::to_string(plan.devices.size()) + " GPUs, engine " + plan.settings.engine.name + "\n# memory  about " +
+         size_text(plan.need.memory) + "\n# disk    about " + size_text(plan.need.disk) + " in " +
+         shown(plan.settings.folder) + "\n";
 }
 
 std::string plan_json(const SweepPlan& plan) {

@@ -17,6 +17,7 @@ struct SweepPlan {
   std::vector<SweepRow> rows;                     // of the chosen, as they stand
   std::vector<std::size_t> to_do;                 // places among `chosen`
   std::vector<std::vector<std::size_t>> batches;  // places among `to_do` that one process makes together or alone
+  std::vector<int> devices;                       // GPUs, each for one batch at a time; none: each run by itself
   SweepSettings settings;
   int jobs = 1;
   Estimate need;  // memory of `jobs` runs at once, disk and moments of all that is to do
@@ -25,6 +26,10 @@ struct SweepPlan {
 /// Reads the sweep file and the folder. Warnings are said in `log`. Throws Error(usage) for a choice that cannot be,
 /// Error(file_system) if a file of another case or engine stands where a run is to go.
 SweepPlan plan_sweep(const SweepRunChoice& choice, RunLog& log);
+
+/// Shares runs of so many moments out among batches: on GPUs as even as their lengths allow, no batch too large, else
+/// each run by itself. A batch lists places among `moments`, ascending.
+std::vector<std::vector<std::size_t>> share_runs(const std::vector<std::int64_t>& moments, std::size_t devices);
 
 /// For --dry-run.
 std::string plan_text(const SweepPlan& plan);

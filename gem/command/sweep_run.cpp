@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -30,7 +31,8 @@ struct Count {
 
 class SweepRun {
  public:
-  SweepRun(const SweepPlan& plan, RunLog& log) : plan_(plan), log_(log), board_(plan.to_do.size()) {}
+  SweepRun(const SweepPlan& plan, RunLog& log)
+      : plan_(plan), log_(log), board_(plan.to_do.size()), free_devices_(plan.devices) {}
 
   void go() {
     const StopSignals signals;
@@ -98,14 +100,20 @@ class SweepRun {
     const std::size_t place = next_++;
     std::vector<SweepTask> tasks;
     for (const std::size_t job : plan_.batches[place]) tasks.push_back({&member(job), &board_[job]});
-    pool_.start(place, [this, tasks] {
-      if (tasks.size() > 1) return run_sweep_batch(tasks, plan_.settings, board_.stop());
-      run_sweep_member(tasks.front(), plan_.settings, board_.stop());
+    SweepSettings settings = plan_.settings;
+    if (!free_devices_.empty()) {
+      settings.engine.device = device_of_[place] = free_devices_.back();
+      free_devices_.pop_back();
+    }
+    pool_.start(place, [this, tasks, settings] {
+      if (tasks.size() > 1) return run_sweep_batch(tasks, settings, board_.stop());
+      run_sweep_member(tasks.front(), settings, board_.stop());
     });
   }
 
   /// A worker says itself how its runs ended, unless it was killed.
   void ended(std::size_t place, int killed_by) {
+    if (const auto device = device_of_.find(place); device != device_of_.end()) free_devices_.push_back(device->second);
     for (const std::size_t job : plan_.batches[place]) {
       const Outcome outcome = board_[job].outcome;
       if (killed_by != 0 && (outcome == Outcome::waiting || outcome == Outcome::running)) {
@@ -157,6 +165,8 @@ class SweepRun {
   mutable SweepBoard board_;
   ProcessPool pool_;
   std::size_t next_ = 0;
+  std::vector<int> free_devices_;
+  std::map<std::size_t, int> device_of_;  // of the batches under way or over
   int signal_ = 0;
   Clock::time_point start_;
 };

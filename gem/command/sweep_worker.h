@@ -18,7 +18,7 @@ struct SweepTask {
 /// throws: a fault is the run's own.
 void run_sweep_member(const SweepTask& task, const SweepSettings& settings, const std::atomic<int>& stop);
 
-/// The same for several members of one number of moments, moved on together on a GPU; those that do not fit into its
+/// The same for several members, moved on together on a GPU; those that do not fit into its
 /// memory together are run in smaller batches, and with engine auto on the CPU where there is no other way.
 void run_sweep_batch(const std::vector<SweepTask>& tasks, const SweepSettings& settings, const std::atomic<int>& stop);
 

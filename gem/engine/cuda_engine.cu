@@ -3,151 +3,14 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
 
+#include "gem/engine/block_share.h"
+#include "gem/engine/cuda_launch.cuh"
 #include "gem/engine/cuda_scene.cuh"
-#include "gem/engine/device_crew.cuh"
-#include "gem/engine/device_moments.h"
 
 namespace gem {
 namespace {
-
-constexpr int most_threads = 512;  // leaves 128 registers for each
-
-/// What a launch works on: scene k with `blocks` blocks, moved on by moments[k] moments.
-struct Launch {
-  const DeviceScene* scenes;
-  const std::int32_t* moments;
-  CrewGate* gates;
-  int blocks;
-  std::size_t room_bytes;
-};
-
-template <class Crew>
-__global__ void __launch_bounds__(most_threads, 1) advance_scenes(const Launch launch) {
-  __shared__ DeviceScene scene;
-  __shared__ BlockCell cell;
-  __shared__ StageClock clock;
-  extern __shared__ __align__(128) std::byte room[];
-  const int k = static_cast<int>(blockIdx.x) / launch.blocks;
-  if (threadIdx.x == 0) {
-    clock = {};
-    clock.last = clock64();
-  }
-  const auto* from = reinterpret_cast<const std::uint64_t*>(launch.scenes + k);
-  auto* to = reinterpret_cast<std::uint64_t*>(&scene);
-  for (unsigned w = threadIdx.x; w < sizeof(DeviceScene) / sizeof(std::uint64_t); w += blockDim.x) to[w] = from[w];
-  __syncthreads();
-  Crew crew(BlockRoom{cell, clock, room, launch.room_bytes}, launch.blocks, launch.gates + k);
-  advance_scene(scene, crew, launch.moments[k]);
-  crew.barrier();  // no block leaves while another may still raise an alarm in it
-}
-
-constexpr int largest_cluster = 16;
-
-/// How a batch is spread over the device.
-struct Spread {
-  int scenes = 1, blocks = 1, threads = most_threads;
-  bool gated() const { return blocks > largest_cluster; }
-  /// Gated blocks stand in clusters too, for the first of them; where their number does not divide, in smaller ones.
-  int cluster() const {
-    int size = largest_cluster;
-    while (gated() && blocks % size != 0) size /= 2;
-    return gated() ? size : blocks;
-  }
-  auto kernel() const { return gated() ? advance_scenes<GateCrew> : advance_scenes<ClusterCrew>; }
-};
-
-/// The fast memory that a block may have besides what the kernel takes itself; the kernel is allowed to take it
-/// [bytes].
-std::size_t room_of_block(const Spread& spread) {
-  int device = 0, most = 0;
-  cudaFuncAttributes attributes{};
-  check_cuda(cudaGetDevice(&device), "be set up");
-  check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
-  check_cuda(cudaFuncGetAttributes(&attributes, spread.kernel()), "be set up");
-  const std::size_t left = (static_cast<std::size_t>(most) - attributes.sharedSizeBytes) / 128 * 128;
-  check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(left)),
-             "be set up");
-  check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
-  return left;
-}
-
-/// A launch and the attributes that it points to.
-struct LaunchConfig {
-  cudaLaunchConfig_t config{};
-  cudaLaunchAttribute attribute[2];
-
-  LaunchConfig(const Spread& spread, std::size_t room, cudaStream_t stream) {
-    attribute[0].id = cudaLaunchAttributeClusterDimension;
-    attribute[0].val.clusterDim = {static_cast<unsigned>(spread.cluster()), 1, 1};
-    attribute[1].id = cudaLaunchAttributeCooperative;
-    attribute[1].val.cooperative = 1;
-    config.gridDim = dim3(static_cast<unsigned>(spread.scenes * spread.blocks));
-    config.blockDim = dim3(static_cast<unsigned>(spread.threads));
-    config.dynamicSmemBytes = room;
-    config.stream = stream;
-    config.attrs = attribute;
-    config.numAttrs = spread.gated() ? 2 : 1;
-  }
-  LaunchConfig(const LaunchConfig&) = delete;
-  LaunchConfig& operator=(const LaunchConfig&) = delete;
-
-  /// Clusters that run at the same time.
-  int clusters(const Spread& spread) {
-    int most = 0;
-    config.numAttrs = 1;
-    if (cudaOccupancyMaxActiveClusters(&most, spread.kernel(), &config) != cudaSuccess) most = 0;
-    cudaGetLastError();
-    config.numAttrs = spread.gated() ? 2 : 1;
-    return most;
-  }
-};
-
-/// The most blocks for each scene with which all scenes run at the same time; no more than `useful`.
-int most_blocks(int scenes, int threads, int multiprocessors, int useful) {
-  const int share = std::min(multiprocessors / scenes, useful) / largest_cluster * largest_cluster;
-  for (int blocks = share; blocks > largest_cluster; blocks -= largest_cluster) {
-    const Spread spread{scenes, blocks, threads};
-    if (LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes * blocks / largest_cluster)
-      return blocks;
-  }
-  for (int blocks = largest_cluster; blocks > 1; blocks /= 2) {
-    const Spread spread{scenes, blocks, threads};
-    if (blocks <= useful && LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes)
-      return blocks;
-  }
-  return 1;
-}
-
-/// A stream and two marks in its time.
-class Timeline {
- public:
-  Timeline() {
-    check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "make a stream");
-    check_cuda(cudaEventCreate(&begin_), "make a stream");
-    check_cuda(cudaEventCreate(&end_), "make a stream");
-  }
-  ~Timeline() {
-    cudaEventDestroy(begin_);
-    cudaEventDestroy(end_);
-    cudaStreamDestroy(stream_);
-  }
-  Timeline(const Timeline&) = delete;
-  Timeline& operator=(const Timeline&) = delete;
-
-  cudaStream_t stream() const { return stream_; }
-  void begin() { check_cuda(cudaEventRecord(begin_, stream_), "be timed"); }
-  void end() { check_cuda(cudaEventRecord(end_, stream_), "be timed"); }
-  double seconds() const {
-    float milliseconds = 0.0F;
-    check_cuda(cudaEventElapsedTime(&milliseconds, begin_, end_), "be timed");
-    return 1e-3 * static_cast<double>(milliseconds);
-  }
-
- private:
-  cudaStream_t stream_ = nullptr;
-  cudaEvent_t begin_ = nullptr, end_ = nullptr;
-};
 
 CudaDevice chosen_device(int index) {
   if (index < 0) return usable_cuda_device();
@@ -164,9 +27,8 @@ class CudaBatch::Work {
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
       : device_(on_device(options)),
         threads_(options.threads > 0 ? options.threads : most_threads),
-        blocks_(options.blocks > 0 ? options.blocks
-                                   : most_blocks(static_cast<int>(scenes.size()), threads_, device_.multiprocessors,
-                                                 useful_blocks(scenes))),
+        chosen_blocks_(options.blocks),
+        useful_blocks_(useful_blocks(scenes)),
         ring_moments_(options.ring_moments),
         status_memory_(sizeof(DeviceStatus) * scenes.size()),
         scene_memory_(sizeof(DeviceScene) * scenes.size()),
@@ -177,22 +39,24 @@ class CudaBatch::Work {
         wanted_(sizeof(std::int32_t) * scenes.size()) {
     scenes_.reserve(scenes.size());
     auto* status = reinterpret_cast<DeviceStatus*>(status_memory_.data());
-    for (BatchScene& scene : scenes) scenes_.emplace_back(std::move(scene), options, blocks_, status++);
+    work_.assign(scenes.size(), 1.0);
+    share_.assign(scenes.size(), 0);
+    const int most = blocks_for(1);
+    for (BatchScene& scene : scenes) scenes_.emplace_back(std::move(scene), options, most, status++);
   }
 
-  void advance(std::int64_t moments, std::vector<MomentLog>* logs) {
+  void advance(std::vector<std::int64_t> left, std::vector<MomentLog>* logs) {
     use();
     device_time_ = 0.0;
     fault_ = nullptr;
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
+      if (left[k] == 0) continue;
       scenes_[k].check_start();
       scenes_[k].want_events(logs && (*logs)[k].wants_events);
     }
-    std::vector<std::int64_t> left(scenes_.size(), moments);
-    while (std::any_of(left.begin(), left.end(), [](std::int64_t some) { return some > 0; })) {
-      launch(left);
-      for (std::size_t k = 0; k < scenes_.size(); ++k)
-        if (left[k] > 0) collect(k, left[k], logs ? &(*logs)[k] : nullptr);
+    for (std::vector<std::size_t> active = unfinished(left); !active.empty(); active = unfinished(left)) {
+      launch(active, left);
+      for (const std::size_t k : active) collect(k, left[k], logs ? &(*logs)[k] : nullptr);
     }
     if (fault_) std::rethrow_exception(fault_);
   }
@@ -203,7 +67,7 @@ class CudaBatch::Work {
   }
   std::size_t size() const { return scenes_.size(); }
   const CudaDevice& device() const { return device_; }
-  int blocks() const { return blocks_; }
+  int blocks() const { return share_.front(); }
   int threads() const { return threads_; }
   double device_time() const { return device_time_; }
   const std::vector<double>& stage_clocks() const { return stage_clocks_; }
@@ -213,6 +77,21 @@ class CudaBatch::Work {
     CudaDevice device = chosen_device(options.device);
     check_cuda(cudaSetDevice(device.index), "be chosen");
     return device;
+  }
+
+  static std::vector<std::size_t> unfinished(const std::vector<std::int64_t>& left) {
+    std::vector<std::size_t> active;
+    for (std::size_t k = 0; k < left.size(); ++k)
+      if (left[k] > 0) active.push_back(k);
+    return active;
+  }
+
+  /// Blocks of each scene where so many share the GPU.
+  int blocks_for(std::size_t scenes) {
+    if (chosen_blocks_ > 0) return chosen_blocks_;
+    int& blocks = blocks_of_count_[scenes];
+    if (blocks == 0) blocks = most_blocks(static_cast<int>(scenes), threads_, device_.multiprocessors, useful_blocks_);
+    return blocks;
   }
 
   /// More blocks than one for so many bodies would only wait for each other.
@@ -225,27 +104,40 @@ class CudaBatch::Work {
 
   void use() const { check_cuda(cudaSetDevice(device_.index), "be chosen"); }
 
-  /// Moves each scene on by as much as its ring holds.
-  void launch(const std::vector<std::int64_t>& left) {
+  /// Shares the GPU out among some scenes.
+  void share_out(const std::vector<std::size_t>& active) {
+    const int equal = blocks_for(active.size());
+    std::vector<double> work;
+    for (const std::size_t k : active) work.push_back(work_[k]);
+    const bool even = chosen_blocks_ > 0 || equal > largest_share;
+    const std::vector<int> blocks =
+        even ? std::vector<int>(active.size(), equal) : share_blocks(work, device_.multiprocessors, equal);
+    for (std::size_t at = 0; at < active.size(); ++at)
+      share_[active[at]] = even ? equal : std::min(blocks[at], useful_blocks_);
+  }
+
+  /// Moves each of some scenes on by as much as its ring holds; those that take longest start first.
+  void launch(std::vector<std::size_t> active, const std::vector<std::int64_t>& left) {
+    share_out(active);
+    std::stable_sort(active.begin(), active.end(), [this](std::size_t i, std::size_t j) {
+      return share_[i] != share_[j] ? share_[i] > share_[j] : work_[i] > work_[j];
+    });
     auto* scene = reinterpret_cast<DeviceScene*>(scene_.data());
     auto* wanted = reinterpret_cast<std::int32_t*>(wanted_.data());
-    for (std::size_t k = 0; k < scenes_.size(); ++k) {
-      scene[k] = scenes_[k].device();
-      wanted[k] = static_cast<std::int32_t>(std::min<std::int64_t>(left[k], ring_moments_));
+    for (std::size_t at = 0; at < active.size(); ++at) {
+      scene[at] = scenes_[active[at]].device();
+      wanted[at] = static_cast<std::int32_t>(std::min<std::int64_t>(left[active[at]], ring_moments_));
     }
     const cudaStream_t stream = time_.stream();
     check_cuda(cudaMemcpyAsync(scene_memory_.data(), scene, scene_.bytes(), cudaMemcpyHostToDevice, stream), "start");
     check_cuda(cudaMemcpyAsync(wanted_memory_.data(), wanted, wanted_.bytes(), cudaMemcpyHostToDevice, stream),
                "start");
     check_cuda(cudaMemsetAsync(gate_memory_.data(), 0, gate_memory_.bytes(), stream), "start");
-    const Spread spread{static_cast<int>(scenes_.size()), blocks_, threads_};
-    const std::size_t room = room_of_block(spread);
-    const LaunchConfig config(spread, room, stream);
-    const Launch work{reinterpret_cast<const DeviceScene*>(scene_memory_.data()),
-                      reinterpret_cast<const std::int32_t*>(wanted_memory_.data()),
-                      reinterpret_cast<CrewGate*>(gate_memory_.data()), blocks_, room};
     time_.begin();
-    check_cuda(cudaLaunchKernelEx(&config.config, spread.kernel(), work), "start");
+    for (std::size_t first = 0, end = 0; first < active.size(); first = end) {
+      while (end < active.size() && share_[active[end]] == share_[active[first]]) ++end;
+      launch_part(first, end - first, share_[active[first]]);
+    }
     time_.end();
     check_cuda(cudaMemcpyAsync(status_.data(), status_memory_.data(), status_.bytes(), cudaMemcpyDeviceToHost, stream),
                "answer");
@@ -253,17 +145,36 @@ class CudaBatch::Work {
     device_time_ += time_.seconds();
   }
 
+  /// Starts those scenes of a launch that have the same number of blocks, beside the others.
+  void launch_part(std::size_t first, std::size_t count, int blocks) {
+    Timeline& part = part_[blocks];
+    const Spread spread{static_cast<int>(count), blocks, threads_};
+    const std::size_t room = room_of_block(spread);
+    const LaunchConfig config(spread, room, part.stream());
+    const Launch work{reinterpret_cast<const DeviceScene*>(scene_memory_.data()) + first,
+                      reinterpret_cast<const std::int32_t*>(wanted_memory_.data()) + first,
+                      reinterpret_cast<CrewGate*>(gate_memory_.data()) + first, blocks, room};
+    part.begin_after(time_);
+    check_cuda(cudaLaunchKernelEx(&config.config, spread.kernel(), work), "start");
+    part.end();
+    time_.wait_for(part);
+  }
+
   /// Takes what a call left and removes what stopped it.
   void collect(std::size_t k, std::int64_t& left, MomentLog* log) {
     DeviceStatus status = reinterpret_cast<const DeviceStatus*>(status_.data())[k];
     CudaScene& scene = scenes_[k];
     scene.note(status);
-    for (std::size_t stage = 0; k == 0 && stage < stage_clocks_.size(); ++stage)
-      stage_clocks_[stage] += static_cast<double>(status.stage_clocks[stage]);
+    double clocks = 0.0;
+    for (std::size_t stage = 0; stage < stage_clocks_.size(); ++stage) {
+      clocks += static_cast<double>(status.stage_clocks[stage]);
+      if (k == 0) stage_clocks_[stage] += static_cast<double>(status.stage_clocks[stage]);
+    }
+    if (status.samples > 0) work_[k] = clocks * share_[k] / status.samples;
     left -= status.samples;
     const bool failed = status.stop == DeviceStop::not_finite;
     if (failed && status.samples > 0) --status.samples;  // the moment that failed is not logged
-    if (log) scene.append(status, time_.stream(), *log);
+    if (log) scene.append(status, share_[k], time_.stream(), *log);
     if (status.stop == DeviceStop::list_full) scene.grow(status);
     if (!failed) return;
     left = 0;
@@ -276,7 +187,11 @@ class CudaBatch::Work {
   }
 
   CudaDevice device_;
-  int threads_, blocks_, ring_moments_;
+  int threads_, chosen_blocks_, useful_blocks_, ring_moments_;
+  std::map<std::size_t, int> blocks_of_count_;
+  std::vector<double> work_;      // of each scene: clocks of its blocks a moment, in the last launch
+  std::vector<int> share_;        // blocks of each in the last launch
+  std::map<int, Timeline> part_;  // of a launch, by the blocks of a scene
   Timeline time_;
   DeviceMemory status_memory_, scene_memory_, wanted_memory_, gate_memory_;
   PinnedMemory status_, scene_, wanted_;
@@ -291,7 +206,12 @@ CudaBatch::CudaBatch(std::vector<BatchScene> scenes, const CudaOptions& options)
 CudaBatch::~CudaBatch() = default;
 
 std::size_t CudaBatch::size() const { return work_->size(); }
-void CudaBatch::advance(std::int64_t moments, std::vector<MomentLog>* logs) { work_->advance(moments, logs); }
+void CudaBatch::advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>* logs) {
+  work_->advance(moments, logs);
+}
+void CudaBatch::advance(std::int64_t moments, std::vector<MomentLog>* logs) {
+  work_->advance(std::vector<std::int64_t>(size(), moments), logs);
+}
 std::int64_t CudaBatch::moment(std::size_t scene) const { return work_->scene(scene).moment(); }
 const Bodies& CudaBatch::bodies(std::size_t scene) { return work_->scene(scene).bodies(); }
 Ledger CudaBatch::ledger(std::size_t scene) { return work_->scene(scene).ledger(); }
@@ -307,49 +227,6 @@ std::vector<double> CudaBatch::stage_clocks() const { return work_->stage_clocks
 std::vector<std::string> cuda_stage_names() {
   return {"choose",     "look", "resolve", "pairs_wait",  "rows",   "points",      "frames",
           "iterations", "base", "shares",  "solver_wait", "bodies", "bodies_wait", "list"};
-}
-
-namespace {
-
-/// A batch of one as an engine.
-class CudaEngine : public Engine {
- public:
-  CudaEngine(const SceneDef& scene, Bodies bodies, const CudaOptions& options)
-      : batch_(one(scene, std::move(bodies)), options), logs_(1) {}
-
-  std::string name() const override { return "cuda"; }
-  std::string device() const override { return batch_.device().name + ", " + batch_.device().driver; }
-  void advance(std::int64_t moments, MomentLog& log) override {
-    std::swap(logs_[0], log);
-    try {
-      batch_.advance(moments, &logs_);
-    } catch (...) {
-      std::swap(logs_[0], log);
-      throw;
-    }
-    std::swap(logs_[0], log);
-  }
-  std::int64_t moment() const override { return batch_.moment(0); }
-  const Bodies& bodies() override { return batch_.bodies(0); }
-  Ledger ledger() override { return batch_.ledger(0); }
-  EngineState save() override { return batch_.save(0); }
-  void restore(const EngineState& state) override { batch_.restore(0, state); }
-
- private:
-  static std::vector<BatchScene> one(const SceneDef& scene, Bodies bodies) {
-    std::vector<BatchScene> scenes;
-    scenes.push_back({scene, std::move(bodies)});
-    return scenes;
-  }
-
-  CudaBatch batch_;
-  std::vector<MomentLog> logs_;
-};
-
-}  // namespace
-
-std::unique_ptr<Engine> make_cuda_engine(const SceneDef& scene, Bodies bodies, const CudaOptions& options) {
-  return std::make_unique<CudaEngine>(scene, std::move(bodies), options);
 }
 
 }  // namespace gem

@@ -26,7 +26,7 @@ std::vector<CudaDevice> cuda_devices(std::string& reason);
 /// How the scenes of a batch are laid out on the GPU. No choice changes a result.
 struct CudaOptions {
   int device = -1;         // -1: the first that can be used
-  int blocks = 0;          // that work on one scene: a power of two up to 16, or more; 0: as many as help
+  int blocks = 0;          // that work on one scene: up to 16, or a multiple of that; 0: as many as help
   int threads = 0;         // of a block, a multiple of 32; 0: chosen
   int ring_moments = 256;  // moments of one launch
   int list_rows = 0;       // places of the list of near bodies to begin with; it grows on demand; 0: chosen
@@ -49,8 +49,11 @@ class CudaBatch {
   CudaBatch& operator=(const CudaBatch&) = delete;
 
   std::size_t size() const;
-  /// Moves all scenes on by `moments` and appends to logs[k]; a null `logs` keeps nothing. Throws
-  /// Error(numerical_stop) where a scene's state is no number; the others are then at the end of their moments.
+  /// Moves scene k on by moments[k] and appends to logs[k]; a null `logs` keeps nothing. The scenes that have the same
+  /// moments left share the GPU. Throws Error(numerical_stop) where a scene's state is no number; the others are then
+  /// at the end of their moments.
+  void advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>* logs);
+  /// Moves all scenes on by `moments`.
   void advance(std::int64_t moments, std::vector<MomentLog>* logs);
   std::int64_t moment(std::size_t scene) const;
   const Bodies& bodies(std::size_t scene);
@@ -60,6 +63,7 @@ class CudaBatch {
   std::uint64_t state_hash(std::size_t scene);
   /// What the scenes run on: device name and driver.
   const CudaDevice& device() const;
+  /// Blocks of each scene in the last launch.
   int blocks() const;
   int threads() const;
   /// Time that the GPU spent in the kernels of the last advance [s].

@@ -21,6 +21,7 @@ CudaDevice usable_cuda_device() { throw Error(ExitCode::device, std::string(miss
 CudaBatch::CudaBatch(std::vector<BatchScene>, const CudaOptions&) { usable_cuda_device(); }
 CudaBatch::~CudaBatch() = default;
 std::size_t CudaBatch::size() const { return 0; }
+void CudaBatch::advance(const std::vector<std::int64_t>&, std::vector<MomentLog>*) {}
 void CudaBatch::advance(std::int64_t, std::vector<MomentLog>*) {}
 std::int64_t CudaBatch::moment(std::size_t) const { return 0; }
 const Bodies& CudaBatch::bodies(std::size_t) { throw Error(ExitCode::device, missing); }
@@ -34,10 +35,5 @@ int CudaBatch::threads() const { return 0; }
 double CudaBatch::device_time() const { return 0.0; }
 std::vector<double> CudaBatch::stage_clocks() const { return {}; }
 std::vector<std::string> cuda_stage_names() { return {}; }
-
-std::unique_ptr<Engine> make_cuda_engine(const SceneDef&, Bodies, const CudaOptions&) {
-  usable_cuda_device();
-  return nullptr;
-}
 
 }  // namespace gem

@@ -17,8 +17,8 @@ namespace gem {
 class CudaScene {
  public:
   /// `status` is its place among the statuses of the batch, on the device.
-  CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status)
-      : status_(status), blocks_(blocks) {
+  /// `blocks`: the most that ever work on it.
+  CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status) : status_(status) {
     const MomentConstants constants = moment_constants(scene.scene, scene.bodies);
     field_ = make_field_state(std::move(scene.bodies), constants);
     ledger_.start = total(field_);
@@ -54,8 +54,8 @@ class CudaScene {
     state_here_ = books_here_ = false;
   }
 
-  /// Fetches the rings of the last call and appends them.
-  void append(const DeviceStatus& status, cudaStream_t stream, MomentLog& log) {
+  /// Fetches the rings of the last call, by so many blocks, and appends them.
+  void append(const DeviceStatus& status, int blocks, cudaStream_t stream, MomentLog& log) {
     if (status.samples == 0) return;
     const std::size_t events = reinterpret_cast<std::byte*>(device_.event) - ring_memory_.data();
     const std::size_t used = events + sizeof(EventRecord) * static_cast<std::size_t>(status.events);
@@ -64,7 +64,7 @@ class CudaScene {
     check_cuda(cudaStreamSynchronize(stream), "fetch the record");
     DeviceScene rings;
     place_rings(rings, sizes_, ring_here_.data());
-    append_log(field_, rings, status, blocks_, log);
+    append_log(field_, rings, status, blocks, log);
   }
 
   /// Makes room for a longer list.
@@ -174,6 +174,8 @@ class CudaScene {
     const std::size_t bytes = place_rings(device_, sizes_, nullptr);
     if (bytes != ring_memory_.bytes()) {
       ring_memory_ = DeviceMemory(bytes);
+      // fetched whole, with what a call has left empty
+      check_cuda(cudaMemset(ring_memory_.data(), 0, bytes), "clear the record");
       ring_here_ = PinnedMemory(bytes);
     }
     place_rings(device_, sizes_, ring_memory_.data());
@@ -190,7 +192,6 @@ class CudaScene {
   SceneSizes sizes_;
   DeviceScene device_;
   DeviceStatus* status_;
-  int blocks_;
   std::int32_t carried_ = 0;  // contacts in device_.carried
   DeviceMemory field_memory_, list_memory_, ring_memory_;
   PinnedMemory ring_here_, state_copy_;

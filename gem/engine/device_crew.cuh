@@ -62,6 +62,7 @@ struct BlockRoom {
   StageClock& clock;
   std::byte* room;
   std::size_t bytes;
+  bool keeps_time;  // the first block of its crew
 };
 
 /// What crews of one or of many blocks have in common.
@@ -83,7 +84,7 @@ class DeviceCrew {
   __device__ std::uint32_t alarms() const { return *static_cast<const volatile std::uint32_t*>(&room_.shared.alarms); }
 
   __device__ void lap(int stage) {
-    if (threadIdx.x != 0 || blockIdx.x != 0) return;
+    if (threadIdx.x != 0 || !room_.keeps_time) return;
     const long long now = clock64();
     room_.clock.sum[stage] += now - room_.clock.last;
     room_.clock.last = now;

@@ -35,9 +35,8 @@ struct Desk {
   PairCell* pair = nullptr;
   LookItem* look = nullptr;          // one for each thread
   DeskOutlines* outlines = nullptr;  // one for each group of lanes
-  std::size_t solver_bytes = 0;      // the room of looks and outlines serves the iterations of a coupled moment too
-  std::byte* pairs_room = nullptr;
-  std::size_t pairs_bytes = 0;
+  // the room of looks and outlines, and what the copies leave, serves the iterations of a coupled moment too
+  std::size_t minimum_bytes = 0, bodies_begin = 0, solver_bytes = 0;
 };
 
 /// Bytes that a desk cannot do without.
@@ -53,6 +52,10 @@ GEM_DEVICE inline void copy_words(const Crew& crew, void* to, const void* from, 
   for (std::size_t w = crew.thread(); w < bytes / sizeof(std::uint64_t); w += crew.threads()) target[w] = source[w];
 }
 
+/// The fast memory is shared out by lines.
+constexpr std::size_t desk_line = 128;
+GEM_DEVICE inline std::size_t whole_lines(std::size_t bytes) { return (bytes + desk_line - 1) / desk_line * desk_line; }
+
 /// Shares out the fast memory and the threads.
 template <class Crew>
 GEM_DEVICE inline Desk make_desk(const DeviceScene& s, Crew& crew) {
@@ -64,26 +67,27 @@ GEM_DEVICE inline Desk make_desk(const DeviceScene& s, Crew& crew) {
   desk.body_step = crew.block() == 0 && !alone ? crew.threads() - warp : crew.threads();
   desk.first_body = desk.platform && !alone ? desk.bodies.end : desk.bodies.begin + crew.thread();
 
-  std::byte* room = crew.room();
-  std::byte* const end = room + crew.room_bytes();
+  // from the start what every moment fills anew, from the end the copies
+  std::size_t used = 0;
   const auto take = [&](std::size_t bytes) {
-    std::byte* taken = room;
-    room += (bytes + 127) / 128 * 128;
+    std::byte* taken = crew.room() + used;
+    used += whole_lines(bytes);
     return taken;
   };
-  const auto fits = [&](std::size_t bytes) { return room + bytes + 128 <= end; };
   desk.look = reinterpret_cast<LookItem*>(take(crew.threads() * sizeof(LookItem)));
   desk.outlines = reinterpret_cast<DeskOutlines*>(take(crew.threads() / Crew::Lanes::size * sizeof(DeskOutlines)));
-  desk.solver_bytes = room - crew.room();
+  desk.minimum_bytes = used;
+  desk.bodies_begin = crew.room_bytes() / desk_line * desk_line;
   desk.body = s.body;
   desk.motion = s.motion;
-  const std::size_t own = desk.bodies.count();
-  if (fits(own * (sizeof(BodyCell) + sizeof(BodyMotion)))) {
-    desk.body = reinterpret_cast<BodyCell*>(take(own * sizeof(BodyCell))) - desk.bodies.begin;
-    desk.motion = reinterpret_cast<BodyMotion*>(take(own * sizeof(BodyMotion))) - desk.bodies.begin;
+  const std::size_t own = desk.bodies.count(), cells = whole_lines(own * sizeof(BodyCell)),
+                    motions = whole_lines(own * sizeof(BodyMotion));
+  if (used + cells + motions <= desk.bodies_begin) {
+    desk.bodies_begin -= cells + motions;
+    desk.body = reinterpret_cast<BodyCell*>(crew.room() + desk.bodies_begin) - desk.bodies.begin;
+    desk.motion = reinterpret_cast<BodyMotion*>(crew.room() + desk.bodies_begin + cells) - desk.bodies.begin;
   }
-  desk.pairs_room = room;
-  desk.pairs_bytes = end - room;
+  desk.solver_bytes = desk.bodies_begin;
   return desk;
 }
 
@@ -93,9 +97,12 @@ GEM_DEVICE inline void take_pairs(const DeviceScene& s, Crew& crew, Desk& desk) 
   desk.pairs = stretch_of(crew, s.counters->pairs);
   const std::size_t bytes = desk.pairs.count() * sizeof(PairCell);
   desk.pair = s.pair;
-  if (bytes > desk.pairs_bytes) return;
-  desk.pair = reinterpret_cast<PairCell*>(desk.pairs_room) - desk.pairs.begin;
-  copy_words(crew, desk.pairs_room, s.pair + desk.pairs.begin, bytes);
+  desk.solver_bytes = desk.bodies_begin;
+  if (bytes > desk.bodies_begin - desk.minimum_bytes) return;  // both are whole lines
+  desk.solver_bytes -= whole_lines(bytes);
+  std::byte* const to = crew.room() + desk.solver_bytes;
+  desk.pair = reinterpret_cast<PairCell*>(to) - desk.pairs.begin;
+  copy_words(crew, to, s.pair + desk.pairs.begin, bytes);
 }
 
 template <class Crew>

@@ -147,6 +147,7 @@ struct EngineOptions {
   std::string name = "cpu";                   // reference | cpu | cuda
   int threads = 0;                            // 0: all that the machine offers
   std::size_t contacts_worth_threads = 2048;  // coupled: fewer are iterated by one thread
+  int device = -1;                            // cuda: index of the GPU; -1: the first that can be used
   BaselineOptions baseline = {};
 };
 

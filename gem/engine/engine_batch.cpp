@@ -30,11 +30,13 @@ class CudaMember : public Engine {
 
 class CudaEngines : public EngineBatch {
  public:
-  explicit CudaEngines(std::vector<BatchScene> scenes) : batch_(std::move(scenes), {}) {
+  CudaEngines(std::vector<BatchScene> scenes, int device) : batch_(std::move(scenes), {.device = device}) {
     for (std::size_t k = 0; k < batch_.size(); ++k) members_.push_back(std::make_unique<CudaMember>(batch_, k));
   }
   std::size_t size() const override { return members_.size(); }
-  void advance(std::int64_t moments, std::vector<MomentLog>& logs) override { batch_.advance(moments, &logs); }
+  void advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>& logs) override {
+    batch_.advance(moments, &logs);
+  }
   Engine& engine(std::size_t scene) override { return *members_[scene]; }
 
  private:
@@ -48,11 +50,11 @@ class SingleEngines : public EngineBatch {
     for (BatchScene& scene : scenes) engines_.push_back(make_engine(scene.scene, std::move(scene.bodies), options));
   }
   std::size_t size() const override { return engines_.size(); }
-  void advance(std::int64_t moments, std::vector<MomentLog>& logs) override {
+  void advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>& logs) override {
     std::exception_ptr fault;
     for (std::size_t k = 0; k < engines_.size(); ++k) {
       try {
-        engines_[k]->advance(moments, logs[k]);
+        if (moments[k] > 0) engines_[k]->advance(moments[k], logs[k]);
       } catch (const Error&) {
         if (!fault) fault = std::current_exception();
       }
@@ -68,7 +70,7 @@ class SingleEngines : public EngineBatch {
 }  // namespace
 
 std::unique_ptr<EngineBatch> make_engine_batch(std::vector<BatchScene> scenes, const EngineOptions& options) {
-  if (options.name == "cuda") return std::make_unique<CudaEngines>(std::move(scenes));
+  if (options.name == "cuda") return std::make_unique<CudaEngines>(std::move(scenes), options.device);
   return std::make_unique<SingleEngines>(std::move(scenes), options);
 }
 

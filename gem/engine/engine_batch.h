@@ -14,9 +14,9 @@ class EngineBatch {
  public:
   virtual ~EngineBatch() = default;
   virtual std::size_t size() const = 0;
-  /// Moves all scenes on by `moments` and appends to logs[k]. Throws Error(numerical_stop) where a scene's state is no
-  /// number; that scene stays short of its moments, the others are at the end of theirs.
-  virtual void advance(std::int64_t moments, std::vector<MomentLog>& logs) = 0;
+  /// Moves scene k on by moments[k], which may be 0, and appends to logs[k]. Throws Error(numerical_stop) where a
+  /// scene's state is no number; that scene stays short of its moments, the others are at the end of theirs.
+  virtual void advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>& logs) = 0;
   /// One scene as it stands; its own advance() is not to be called.
   virtual Engine& engine(std::size_t scene) = 0;
 };

@@ -41,7 +41,7 @@ std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const 
   if (options.name == "reference") return std::make_unique<ReferenceEngine>(scene, std::move(bodies));
   if (options.name == "cpu")
     return std::make_unique<CpuEngine>(scene, std::move(bodies), threads, options.contacts_worth_threads);
-  if (options.name == "cuda") return make_cuda_engine(scene, std::move(bodies));
+  if (options.name == "cuda") return make_cuda_engine(scene, std::move(bodies), {.device = options.device});
   for (const Baseline& baseline : baselines())
     if (options.name == baseline.name) return baseline.make(scene, std::move(bodies), options);
   std::vector<std::string> known = engine_names();

@@ -119,7 +119,8 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(s.point, 2 * pairs);
   placer.place(s.point_numbers, PointTable::columns * 2 * pairs);
   s.points = {s.point_numbers, static_cast<std::int32_t>(2 * pairs)};
-  placer.place(s.held, 2 * pairs);
+  placer.place(s.held_quad, held_columns * 2 * pairs);
+  placer.place(s.held_place, 2 * 2 * pairs);
   placer.place(s.push, 2 * rows);
   placer.place(s.push_base, 2 * rows);
   placer.place(s.solver_entry, n);

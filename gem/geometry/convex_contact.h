@@ -333,8 +333,10 @@ GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, V
     contact.count = axis.distance < margin ? 1 : 0;
     contact.point[0] = {corner - (0.5 * axis.distance) * outward, axis.distance, 2 * deepest + (1 - side_r)};
   } else {
-    for (int k = 0; k < 2; ++k)
-      if (end[k].separation < margin) contact.point[contact.count++] = end[k];
+    const bool low_touches = end[0].separation < margin, high_touches = end[1].separation < margin;
+    contact.point[0] = low_touches ? end[0] : end[1];
+    contact.point[1] = end[1];
+    contact.count = (low_touches ? 1 : 0) + (high_touches ? 1 : 0);
     contact.width = high_s - low_s;
   }
   // along the normal turned left: against `along` when the reference is B

@@ -142,6 +142,16 @@ TEST_P(CudaJam, ARestartChangesNothing) {
   EXPECT_EQ(engine->state_hash(), hash_);
 }
 
+TEST_P(CudaJam, ScenesOfABatchGoOnWithoutTheOthers) {
+  CudaBatch batch(copies(3), {.ring_moments = 7});
+  for (const std::size_t k : {0, 1, 2}) batch.restore(k, start_);
+  batch.advance({moments / 2, moments, 0}, nullptr);
+  EXPECT_EQ(batch.moment(2), start_.moment);
+  EXPECT_EQ(batch.state_hash(1), hash_);
+  batch.advance({moments - moments / 2, 0, moments}, nullptr);
+  for (const std::size_t k : {0, 1, 2}) EXPECT_EQ(batch.state_hash(k), hash_) << "place " << k;
+}
+
 TEST_P(CudaJam, PlaceAndSizeOfABatchChangeNothing) {
   std::vector<BatchScene> scenes = copies(5);
   for (const std::size_t other : {0, 1, 3}) {

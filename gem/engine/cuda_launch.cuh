@@ -1,0 +1,164 @@
+// One launch of the kernel that moves scenes: how they are spread over the device, and how long it took.
+#pragma once
+
+#include <algorithm>
+
+#include "gem/engine/cuda_memory.cuh"
+#include "gem/engine/device_crew.cuh"
+#include "gem/engine/device_moments.h"
+
+namespace gem {
+namespace {
+
+constexpr int most_threads = 512;  // leaves 128 registers for each
+
+/// What a launch works on: scene k with `blocks` blocks, moved on by moments[k] moments.
+struct Launch {
+  const DeviceScene* scenes;
+  const std::int32_t* moments;
+  CrewGate* gates;
+  int blocks;
+  std::size_t room_bytes;
+};
+
+template <class Crew>
+__global__ void __launch_bounds__(most_threads, 1) advance_scenes(const Launch launch) {
+  __shared__ DeviceScene scene;
+  __shared__ BlockCell cell;
+  __shared__ StageClock clock;
+  extern __shared__ __align__(128) std::byte room[];
+  const int k = static_cast<int>(blockIdx.x) / launch.blocks;
+  if (threadIdx.x == 0) {
+    clock = {};
+    clock.last = clock64();
+  }
+  const auto* from = reinterpret_cast<const std::uint64_t*>(launch.scenes + k);
+  auto* to = reinterpret_cast<std::uint64_t*>(&scene);
+  for (unsigned w = threadIdx.x; w < sizeof(DeviceScene) / sizeof(std::uint64_t); w += blockDim.x) to[w] = from[w];
+  __syncthreads();
+  const bool first = static_cast<int>(blockIdx.x) % launch.blocks == 0;
+  Crew crew(BlockRoom{cell, clock, room, launch.room_bytes, first}, launch.blocks, launch.gates + k);
+  advance_scene(scene, crew, launch.moments[k]);
+  crew.barrier();  // no block leaves while another may still raise an alarm in it
+}
+
+constexpr int largest_cluster = 16;
+
+/// The fast memory that a kernel takes is taken from the cache; more than this loses more there than it gains [bytes].
+constexpr std::size_t most_room = 160 * 1024;
+
+/// How a batch is spread over the device.
+struct Spread {
+  int scenes = 1, blocks = 1, threads = most_threads;
+  bool gated() const { return blocks > largest_cluster; }
+  /// Gated blocks stand in clusters too, for the first of them; where their number does not divide, in smaller ones.
+  int cluster() const {
+    int size = largest_cluster;
+    while (gated() && blocks % size != 0) size /= 2;
+    return gated() ? size : blocks;
+  }
+  auto kernel() const { return gated() ? advance_scenes<GateCrew> : advance_scenes<ClusterCrew>; }
+};
+
+/// The fast memory that a block may have besides what the kernel takes itself; the kernel is allowed to take it
+/// [bytes].
+std::size_t room_of_block(const Spread& spread) {
+  int device = 0, most = 0;
+  cudaFuncAttributes attributes{};
+  check_cuda(cudaGetDevice(&device), "be set up");
+  check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
+  check_cuda(cudaFuncGetAttributes(&attributes, spread.kernel()), "be set up");
+  const std::size_t left =
+      std::min(most_room, (static_cast<std::size_t>(most) - attributes.sharedSizeBytes) / 128 * 128);
+  check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(left)),
+             "be set up");
+  check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
+  return left;
+}
+
+/// A launch and the attributes that it points to.
+struct LaunchConfig {
+  cudaLaunchConfig_t config{};
+  cudaLaunchAttribute attribute[2];
+
+  LaunchConfig(const Spread& spread, std::size_t room, cudaStream_t stream) {
+    attribute[0].id = cudaLaunchAttributeClusterDimension;
+    attribute[0].val.clusterDim = {static_cast<unsigned>(spread.cluster()), 1, 1};
+    attribute[1].id = cudaLaunchAttributeCooperative;
+    attribute[1].val.cooperative = 1;
+    config.gridDim = dim3(static_cast<unsigned>(spread.scenes * spread.blocks));
+    config.blockDim = dim3(static_cast<unsigned>(spread.threads));
+    config.dynamicSmemBytes = room;
+    config.stream = stream;
+    config.attrs = attribute;
+    config.numAttrs = spread.gated() ? 2 : 1;
+  }
+  LaunchConfig(const LaunchConfig&) = delete;
+  LaunchConfig& operator=(const LaunchConfig&) = delete;
+
+  /// Clusters that run at the same time.
+  int clusters(const Spread& spread) {
+    int most = 0;
+    config.numAttrs = 1;
+    if (cudaOccupancyMaxActiveClusters(&most, spread.kernel(), &config) != cudaSuccess) most = 0;
+    cudaGetLastError();
+    config.numAttrs = spread.gated() ? 2 : 1;
+    return most;
+  }
+};
+
+/// The most blocks for each scene with which all scenes run at the same time; no more than `useful`.
+int most_blocks(int scenes, int threads, int multiprocessors, int useful) {
+  const int share = std::min(multiprocessors / scenes, useful) / largest_cluster * largest_cluster;
+  for (int blocks = share; blocks > largest_cluster; blocks -= largest_cluster) {
+    const Spread spread{scenes, blocks, threads};
+    if (LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes * blocks / largest_cluster)
+      return blocks;
+  }
+  for (int blocks = largest_cluster; blocks > 1; --blocks) {
+    const Spread spread{scenes, blocks, threads};
+    if (blocks <= useful && LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes)
+      return blocks;
+  }
+  return 1;
+}
+
+/// A stream and two marks in its time. Others may begin with it and end before it.
+class Timeline {
+ public:
+  Timeline() {
+    check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "make a stream");
+    check_cuda(cudaEventCreate(&begin_), "make a stream");
+    check_cuda(cudaEventCreate(&end_), "make a stream");
+  }
+  ~Timeline() {
+    cudaEventDestroy(begin_);
+    cudaEventDestroy(end_);
+    cudaStreamDestroy(stream_);
+  }
+  Timeline(const Timeline&) = delete;
+  Timeline& operator=(const Timeline&) = delete;
+
+  cudaStream_t stream() const { return stream_; }
+  void begin() { check_cuda(cudaEventRecord(begin_, stream_), "be timed"); }
+  void end() { check_cuda(cudaEventRecord(end_, stream_), "be timed"); }
+  /// After the beginning of `other`.
+  void begin_after(const Timeline& other) {
+    check_cuda(cudaStreamWaitEvent(stream_, other.begin_, 0), "start");
+    begin();
+  }
+  /// Goes on when `other` has ended.
+  void wait_for(const Timeline& other) { check_cuda(cudaStreamWaitEvent(stream_, other.end_, 0), "start"); }
+  double seconds() const {
+    float milliseconds = 0.0F;
+    check_cuda(cudaEventElapsedTime(&milliseconds, begin_, end_), "be timed");
+    return 1e-3 * static_cast<double>(milliseconds);
+  }
+
+ private:
+  cudaStream_t stream_ = nullptr;
+  cudaEvent_t begin_ = nullptr, end_ = nullptr;
+};
+
+}  // namespace
+}  // namespace gem

@@ -1,0 +1,192 @@
+// The bodies and points of a coupled moment, shared out among the blocks of a crew: who iterates what, and where its
+// numbers stand.
+//
+// A point writes what it pushes into the rows of both bodies, in the order in which they add it up, so that no thread
+// looks for anything while the iterations run. Where the blocks of a crew reach each other's fast memory, the rows
+// stand there as far as it holds them.
+#pragma once
+
+#include "gem/engine/coupled_visit.h"
+#include "gem/engine/device_points.h"
+
+namespace gem {
+
+/// What a block has before it in a coupled moment.
+struct SolverDesk {
+  std::int32_t moment = 0;
+  MomentPace<float> pace;
+  Stretch points;                 // that the block iterates
+  std::int32_t bodies = 0;        // moving, with points
+  Stretch own;                    // the block's stretch of them, by spot
+  SolverEntry* entry = nullptr;   // by place among them
+  AddedMotion* motion = nullptr;  // the same, in the block's fast memory; null: they stand by body
+};
+
+/// Calls work(point) for the points of this thread.
+template <class Crew, class Work>
+GEM_DEVICE GEM_INLINE void each_point(const Crew& crew, const SolverDesk& desk, Work&& work) {
+  for (std::int32_t i = desk.points.begin + crew.thread(); i < desk.points.end; i += crew.threads()) work(i);
+}
+
+/// The points that a block has taken, as the pairs have opened them.
+template <class Crew>
+GEM_DEVICE GEM_INLINE std::int32_t* taken_list(const DeviceScene& s, const Crew& crew) {
+  return s.taken_list + static_cast<std::int64_t>(crew.block()) * s.points_capacity;
+}
+
+template <class Crew>
+class SolverList {
+ public:
+  /// `room`: bytes of fast memory of each block that the solver may use, from the start.
+  GEM_DEVICE SolverList(const DeviceScene& s, Crew& crew, std::int32_t moment, std::size_t room)
+      : s_(s), crew_(crew), moment_(moment), room_(room) {}
+
+  /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
+  GEM_DEVICE void make(SolverDesk& desk) {
+    const std::int32_t words = bit_words(s_);
+    const std::int64_t own_words = static_cast<std::int64_t>(crew_.block()) * (words + 1);
+    std::int32_t *const bodies = s_.bodies_before + own_words, *const spots = s_.spots_before + own_words;
+    BlockCell& shared = crew_.shared();
+    if (crew_.thread() == 0) shared.records = shared.taken = 0;
+    if (crew_.thread() < Crew::Warp::size) {
+      count_marks(s_.touched_bodies, bodies, words);
+      count_marks(s_.touched_spots, spots, words);
+    }
+    crew_.block_barrier();
+    desk.bodies = spots[words];
+    desk.own = own_ = stretch_of(crew_, desk.bodies);
+    for (std::int32_t w = crew_.thread(); w < words; w += crew_.threads()) {
+      std::int32_t at = spots[w];
+      if (at >= own_.end || spots[w + 1] <= own_.begin) continue;
+      const std::uint32_t bits = s_.touched_spots[w];
+      for (int k = 0; k < 32; ++k) {
+        if (!(bits >> k & 1U)) continue;
+        if (at >= own_.begin && at < own_.end) s_.solver_entry[at].body = s_.body_at[32 * w + k];
+        ++at;
+      }
+    }
+    crew_.block_barrier();
+    place_entries(desk);
+    // the platform, first of all where it is among them, has a long row
+    const bool platform = own_.begin < own_.end && s_.solver_entry[own_.begin].body == 0;
+    const std::int32_t first = own_.begin + (platform ? 1 : 0);
+    for (std::int32_t e = first + group(); e < own_.end; e += groups()) list_points(crew_.lanes(), desk, e, bodies);
+    if (platform && crew_.thread() < Crew::Warp::size) list_points(crew_.warp(), desk, own_.begin, bodies);
+    crew_.block_barrier();
+    if (crew_.thread() == 0) shared.first_taken = crew_.add(&s_.counters->taken_points, shared.taken);
+    crew_.block_barrier();
+    desk.points = {shared.first_taken, shared.first_taken + shared.taken};
+  }
+
+ private:
+  GEM_DEVICE GEM_INLINE int group() const { return crew_.thread() / Crew::Lanes::size; }
+  GEM_DEVICE GEM_INLINE int groups() const { return crew_.threads() / Crew::Lanes::size; }
+
+  GEM_DEVICE void count_marks(const std::uint32_t* marks, std::int32_t* before, std::int32_t words) {
+    const auto warp = crew_.warp();
+    std::int32_t sum = 0;
+    for (std::int32_t first = 0; first < words; first += Crew::Warp::size) {
+      const std::int32_t w = first + warp.rank();
+      const int mine = w < words ? bits_in(marks[w]) : 0;
+      const int below = warp.sum_below(mine);
+      if (w < words) before[w] = sum + below;
+      sum += warp.sum(mine);
+    }
+    if (warp.rank() == 0) before[words] = sum;
+  }
+
+  /// The entries of the block's bodies stand in its fast memory where that holds them.
+  GEM_DEVICE void place_entries(SolverDesk& desk) {
+    static_assert(sizeof(SolverEntry) == sizeof(PushRecord) && sizeof(AddedMotion) == sizeof(PushRecord));
+    const std::int32_t count = own_.count();
+    desk.entry = s_.solver_entry;
+    desk.motion = nullptr;
+    records_begin_ = 0;
+    if (!Crew::shares_rooms || 2 * static_cast<std::size_t>(count) * sizeof(PushRecord) > room_) return;
+    desk.entry = reinterpret_cast<SolverEntry*>(crew_.room()) - own_.begin;
+    desk.motion = reinterpret_cast<AddedMotion*>(crew_.room()) + count - own_.begin;
+    records_begin_ = 2 * count;
+  }
+
+  /// Where the records of a body of `count` points stand in the block's fast memory; -1: they do not.
+  GEM_DEVICE std::int32_t take_records(std::int32_t count) {
+    if (!Crew::shares_rooms) return -1;
+    const std::int32_t at = records_begin_ + crew_.add(&crew_.shared().records, count);
+    return static_cast<std::size_t>(at + count) * sizeof(PushRecord) <= room_ ? at : -1;
+  }
+
+  GEM_DEVICE static std::int32_t room_place(int block, std::int32_t at) { return block << 16 | at; }
+
+  /// Whether the block of a body takes the points at a place of its row: those with a large body, and of two floes the
+  /// one that is A. The platform's are shared out among its floes.
+  GEM_DEVICE bool takes(std::int32_t body, std::int32_t row, bool as_b) const {
+    return is_large(s_, s_.row_other[row]) || (!as_b && body != 0);
+  }
+
+  /// Reads the row of a body by a group of lanes and gives its points their places.
+  template <class Group>
+  GEM_DEVICE void list_points(const Group& lanes, const SolverDesk& desk, std::int32_t e,
+                              const std::int32_t* bodies_before) {
+    const std::int32_t body = s_.solver_entry[e].body;
+    const BodyMotion& motion = s_.motion[body];
+    const std::int32_t begin = motion.row_begin, lower = motion.lower_count, places = motion.row_count;
+    std::int32_t count = 0, as_b = 0, taken = 0;
+    for (std::int32_t first = 0; first < places; first += Group::size) {
+      const std::int32_t at = first + lanes.rank();
+      const std::int32_t points = points_at(begin, at, places).count;
+      count += lanes.sum(points);
+      as_b += lanes.sum(at < lower ? points : 0);
+      taken += lanes.sum(points > 0 && takes(body, begin + at, at < lower) ? points : 0);
+    }
+    std::int32_t room = lanes.rank() == 0 ? take_records(count) : 0;
+    room = lanes.from(room, 0);
+    std::int32_t take = lanes.rank() == 0 && taken > 0 ? crew_.add(&crew_.shared().taken, taken) : 0;
+    take = lanes.from(take, 0);
+    const std::int32_t moved_at = desk.motion ? room_place(crew_.block(), own_.count() + e - own_.begin) : -1;
+    std::int32_t before = 0;
+    for (std::int32_t first = 0; first < places; first += Group::size) {
+      const std::int32_t at = first + lanes.rank();
+      const RowPoints points = points_at(begin, at, places);
+      const std::int32_t mine = before + lanes.sum_below(points.count);
+      const bool mine_to_take = points.count > 0 && takes(body, begin + at, at < lower);
+      const std::int32_t to = take + lanes.sum_below(mine_to_take ? points.count : 0);
+      for (std::int32_t k = 0; k < points.count; ++k) {
+        PointCell& point = s_.point[points.first + k];
+        const std::int32_t in_room = room < 0 ? -1 : room_place(crew_.block(), room + mine + k);
+        (at < lower ? point.place_b : point.place_a) = 2 * begin + mine + k;
+        (at < lower ? point.room_b : point.room_a) = in_room;
+        (at < lower ? point.motion_b : point.motion_a) = moved_at;
+        if (mine_to_take) taken_list(s_, crew_)[to + k] = points.first + k;
+      }
+      before += lanes.sum(points.count);
+      take += lanes.sum(mine_to_take ? points.count : 0);
+    }
+    if (lanes.rank() != 0) return;
+    const BodyCell& cell = s_.body[body];
+    const std::uint32_t below = s_.touched_bodies[body / 32] & ((1U << (body % 32)) - 1U);
+    desk.entry[e] = {body,
+                     2 * begin,
+                     room,
+                     as_b,
+                     count,
+                     static_cast<float>(cell.inverse_mass),
+                     static_cast<float>(cell.inverse_inertia),
+                     bodies_before[body / 32] + bits_in(below)};
+    s_.body_points[body] = {moment_, count};
+    (desk.motion ? desk.motion[e] : s_.added[body]) = {};
+  }
+
+  GEM_DEVICE RowPoints points_at(std::int32_t begin, std::int32_t at, std::int32_t places) const {
+    if (at >= places || s_.stamp[begin + at].entry != moment_) return {0, 0};
+    return s_.row_points[begin + at];
+  }
+
+  const DeviceScene& s_;
+  Crew& crew_;
+  std::int32_t moment_;
+  std::size_t room_;
+  Stretch own_;
+  std::int32_t records_begin_ = 0;  // in the block's fast memory
+};
+
+}  // namespace gem

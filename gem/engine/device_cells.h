@@ -48,7 +48,6 @@ struct BodyAfter {
 /// The platform between its two halves of a moment.
 struct PlatformCell {
   Vec2 moved;           // position after the first half [m]
-  Vec2 start_velocity;  // before the first half [m/s]
   Vec2 velocity;        // at the end of the last moment, or after the first half of the next [m/s]
   Quantity mooring_force;
   Vec2 mooring_before, drag_before;  // running impulses at the start of the moment [N s]

@@ -23,7 +23,6 @@ GEM_DEVICE inline void platform_first_half(const DeviceScene& s, Mover& mover, d
   p.mooring_before = p.mooring_force.momentum;
   p.drag_before = s.book(Channel::platform_drag, 0).momentum;
   p.moved = mover.position;
-  p.start_velocity = p.velocity;
   if (s.constants.moored_or_free) platform_half(s.constants, platform_motion(s, mass, p), true);
   mover.velocity = p.velocity;
   mover.spin = spin;

@@ -5,8 +5,8 @@
 #   GEM   the program
 #   OUT   gets runs/ (run files), summaries/ (what `gem sweep collect` makes of them) and paper_1.tar.gz, paper_2.tar.gz, ...
 #         with the summaries, none larger than 15 MiB
-#   PART  seeds:1-10 (these seeds of table1_seeds.toml), table2 period_question sensitivity sensitivity_moment
-#         divergence day; left out: all, in an order of importance
+#   PART  seeds:1-10 (these seeds of table1_seeds.toml), open:1-10 (but for the 200 m gap, which takes longest), table2
+#         period_question sensitivity sensitivity_moment divergence day; left out: all, in an order of importance
 # Environment: GEM_MINUTES=9 stop after so long, with what is finished packed
 #              GEM_RUN="--engine cuda" options of `gem sweep run`;  GEM_JOBS=16 processes that collect
 #              GEM_QUICK=1 a rehearsal with few floes in minutes on a CPU, whose numbers mean nothing
@@ -51,17 +51,24 @@ quick_settings() {
   [ "$1" != divergence ] || echo --set=floes.moved_floe=5
 }
 
-sweep_of() { case $1 in seeds:*) echo table1_seeds ;; *) echo "$1" ;; esac; }
+sweep_of() { case $1 in seeds:* | open:*) echo table1_seeds ;; *) echo "$1" ;; esac; }
+
+# conditions of a part, counted from 0: in threes of 400, 300 and 200 m gap
+conditions_of() {
+  condition=0
+  while [ "$condition" -lt 36 ]; do
+    case $1/$((condition / 3 % 3)) in open:*/2) ;; *) echo "$condition" ;; esac
+    condition=$((condition + 1))
+  done
+}
 
 # runs of a part, as a list for --index; empty: all. A condition's thirty seeds follow each other.
 index_of() {
   case $1 in
-  seeds:*)
-    span=${1#seeds:}
-    condition=0
-    while [ "$condition" -lt 36 ]; do
+  seeds:* | open:*)
+    span=${1#*:}
+    for condition in $(conditions_of "$1"); do
       printf '%s%d-%d' "$([ "$condition" = 0 ] || echo ,)" $((30 * condition + ${span%-*})) $((30 * condition + ${span#*-}))
-      condition=$((condition + 1))
     done
     ;;
   esac
@@ -71,18 +78,16 @@ index_of() {
 # the last bit are kept exact; run 1 alone is compared with the null model, each seed by a process of its own.
 collections() {
   case $1 in
-  seeds:*)
-    span=${1#seeds:}
+  seeds:* | open:*)
+    span=${1#*:}
     seed=${span%-*}
     while [ "$seed" -le "${span#*-}" ]; do
       printf '%s\t--index=%d\t--series=10\n' "seeds_run1_$seed" "$seed"
       seed=$((seed + 1))
     done
-    condition=1
-    while [ "$condition" -lt 36 ]; do
-      printf '%s\t--index=%d-%d\t--series=10\t--no-null-model\n' "seeds_${span}_$((condition + 1))" \
-        $((30 * condition + ${span%-*})) $((30 * condition + ${span#*-}))
-      condition=$((condition + 1))
+    for condition in $(conditions_of "$1"); do
+      [ "$condition" = 0 ] || printf '%s\t--index=%d-%d\t--series=10\t--no-null-model\n' \
+        "seeds_${span}_$((condition + 1))" $((30 * condition + ${span%-*})) $((30 * condition + ${span#*-}))
     done
     ;;
   table2) printf 'table2\t--exact\t--series=2\n' ;;

@@ -11,6 +11,13 @@ namespace gem {
 /// More are worth it only where each scene can have them.
 constexpr int largest_share = 8;
 
+/// The most blocks that a scene is given: more than one for so many bodies would only wait for each other, and every
+/// block needs a body of its own.
+inline int useful_blocks(std::size_t bodies) {
+  constexpr std::size_t bodies_worth_a_block = 24, most = 4096;
+  return static_cast<int>(std::clamp<std::size_t>(bodies / bodies_worth_a_block, 1, most));
+}
+
 /// Blocks of each scene, `equal` if all have as many. `work` is what a moment of each took lately, time times blocks in
 /// any unit. Scenes that take longest get more, until all are about equally long or the multiprocessors are used up;
 /// where there are too many scenes for that, all have as many.

@@ -23,6 +23,12 @@ TEST(BlockShare, HeavyScenesGetMoreAndAllFit) {
   for (std::size_t k = 0; k < 36; ++k) EXPECT_TRUE(k % 3 == 0 ? blocks[k] >= 4 : blocks[k] == 2) << k;
 }
 
+TEST(BlockShare, APlatformAloneHasOneBlock) {
+  EXPECT_EQ(useful_blocks(1), 1);
+  EXPECT_EQ(useful_blocks(47), 1);
+  EXPECT_EQ(useful_blocks(4009), 167);
+}
+
 TEST(BlockShare, TooManyScenesHaveAsManyEach) {
   EXPECT_EQ(share_blocks(std::vector<double>(66, 1.0), 132, 2), std::vector<int>(66, 2));
 }

@@ -28,7 +28,6 @@ class CudaBatch::Work {
       : device_(on_device(options)),
         threads_(options.threads > 0 ? options.threads : most_threads),
         chosen_blocks_(options.blocks),
-        useful_blocks_(useful_blocks(scenes)),
         ring_moments_(options.ring_moments),
         status_memory_(sizeof(DeviceStatus) * scenes.size()),
         scene_memory_(sizeof(DeviceScene) * scenes.size()),
@@ -41,6 +40,11 @@ class CudaBatch::Work {
     auto* status = reinterpret_cast<DeviceStatus*>(status_memory_.data());
     work_.assign(scenes.size(), 1.0);
     share_.assign(scenes.size(), 0);
+    for (const BatchScene& scene : scenes) {
+      const std::size_t bodies = scene.bodies.count();
+      useful_.push_back(chosen_blocks_ > 0 ? std::min(chosen_blocks_, static_cast<int>(bodies))
+                                           : useful_blocks(bodies));
+    }
     const int most = blocks_for(1);
     for (BatchScene& scene : scenes) scenes_.emplace_back(std::move(scene), options, most, status++);
   }
@@ -90,16 +94,9 @@ class CudaBatch::Work {
   int blocks_for(std::size_t scenes) {
     if (chosen_blocks_ > 0) return chosen_blocks_;
     int& blocks = blocks_of_count_[scenes];
-    if (blocks == 0) blocks = most_blocks(static_cast<int>(scenes), threads_, device_.multiprocessors, useful_blocks_);
+    const int useful = *std::max_element(useful_.begin(), useful_.end());
+    if (blocks == 0) blocks = most_blocks(static_cast<int>(scenes), threads_, device_.multiprocessors, useful);
     return blocks;
-  }
-
-  /// More blocks than one for so many bodies would only wait for each other.
-  static int useful_blocks(const std::vector<BatchScene>& scenes) {
-    constexpr std::size_t bodies_worth_a_block = 24;
-    std::size_t most = 1;
-    for (const BatchScene& scene : scenes) most = std::max(most, scene.bodies.count());
-    return static_cast<int>(std::max<std::size_t>(1, std::min<std::size_t>(4096, most / bodies_worth_a_block)));
   }
 
   void use() const { check_cuda(cudaSetDevice(device_.index), "be chosen"); }
@@ -113,7 +110,7 @@ class CudaBatch::Work {
     const std::vector<int> blocks =
         even ? std::vector<int>(active.size(), equal) : share_blocks(work, device_.multiprocessors, equal);
     for (std::size_t at = 0; at < active.size(); ++at)
-      share_[active[at]] = even ? equal : std::min(blocks[at], useful_blocks_);
+      share_[active[at]] = std::min(even ? equal : blocks[at], useful_[active[at]]);
   }
 
   /// Moves each of some scenes on by as much as its ring holds; those that take longest start first.
@@ -187,8 +184,9 @@ class CudaBatch::Work {
   }
 
   CudaDevice device_;
-  int threads_, chosen_blocks_, useful_blocks_, ring_moments_;
+  int threads_, chosen_blocks_, ring_moments_;
   std::map<std::size_t, int> blocks_of_count_;
+  std::vector<int> useful_;       // most blocks of each scene
   std::vector<double> work_;      // of each scene: clocks of its blocks a moment, in the last launch
   std::vector<int> share_;        // blocks of each in the last launch
   std::map<int, Timeline> part_;  // of a launch, by the blocks of a scene

@@ -124,7 +124,7 @@ GEM_DEVICE inline void make_pairs(const DeviceScene& s, Crew& crew) {
       const std::int32_t row = s.motion[i].row_begin + at, other = s.row_other[row];
       s.pair[p] = {i, other, row, place_in_row(s, other, i), {}, {}, 0.0, 0.0};
       s.row_pair[row] = s.row_pair[s.pair[p].row_b] = p;
-      if (s.memory) s.memory[p].moment = -1;
+      if (s.memory) s.memory[p].moment = PairMemory::never;
     }
   }
   // the long rows of large bodies are shared out place by place
@@ -135,7 +135,7 @@ GEM_DEVICE inline void make_pairs(const DeviceScene& s, Crew& crew) {
       const std::int32_t row = s.motion[i].row_begin + at, other = s.row_other[row];
       s.pair[p] = {i, other, row, place_in_row(s, other, i), {}, {}, 0.0, 0.0};
       s.row_pair[row] = s.row_pair[s.pair[p].row_b] = p;
-      if (s.memory) s.memory[p].moment = -1;
+      if (s.memory) s.memory[p].moment = PairMemory::never;
     }
   }
 }

@@ -140,6 +140,15 @@ INSTANTIATE_TEST_SUITE_P(Combinations, DeviceMomentsTest,
 
 class DeviceResolutions : public testing::TestWithParam<Resolution> {};
 
+TEST(PairMemory, OfAPairThatIsNewHoldsNothingInAnyMoment) {
+  PairMemory memory;
+  memory.feature[0] = 3;  // what an earlier list left there
+  memory.impulse[0] = {1.0, 2.0, 3.0};
+  for (const std::int32_t moment : {0, 1, 1000}) EXPECT_EQ(last_impulse(memory, 3, moment).normal, 0.0) << moment;
+  memory.moment = 999;
+  EXPECT_EQ(last_impulse(memory, 3, 1000).normal, 1.0);
+}
+
 TEST_P(DeviceResolutions, BlocksAndThreadsChangeNothing) {
   constexpr std::int64_t moments = 12;  // threads that outnumber the processors wait long at every barrier
   SceneDef scene = test::busy_scene(7);

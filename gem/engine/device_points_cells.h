@@ -14,7 +14,8 @@ struct RowPoints {
 
 /// Coupled: what the points of a pair carried at the end of a moment.
 struct PairMemory {
-  std::int32_t moment = -1;
+  static constexpr std::int32_t never = -2;  // the moment before the first is -1
+  std::int32_t moment = never;
   std::int32_t unused = 0;
   std::int32_t feature[2] = {-1, -1};
   PointImpulse<double> impulse[2] = {};

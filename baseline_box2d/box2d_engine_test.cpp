@@ -199,7 +199,7 @@ TEST(Box2dEngine, V33_columnOnAWall) {
 }
 
 TEST(Box2dEngine, SameRunTwiceGivesTheSameBits) {
-  const SceneDef scene = test::busy_scene(5);
+  const SceneDef scene = test::busy_scene(15);
   std::array<std::uint64_t, 2> hash{};
   for (std::uint64_t& h : hash) {
     const auto engine = make_engine(scene, test::busy_field(scene), on("box2d"));
@@ -212,7 +212,7 @@ TEST(Box2dEngine, SameRunTwiceGivesTheSameBits) {
 }
 
 TEST(Box2dEngine, IceForceIsWhatMovesThePlatformAndBooksCloseInFloat) {
-  SceneDef scene = test::busy_scene(5);
+  SceneDef scene = test::busy_scene(15);
   scene.mooring.stiffness_N_per_m = 0.0;
   scene.platform_drag.present = false;
   const auto engine = make_engine(scene, test::busy_field(scene), on("box2d"));
@@ -240,7 +240,7 @@ TEST(Box2dEngine, IceForceIsWhatMovesThePlatformAndBooksCloseInFloat) {
 }
 
 TEST(Box2dEngine, RestoredStateIsTheSameStateWithoutItsWarmStart) {
-  const SceneDef scene = test::busy_scene(5);
+  const SceneDef scene = test::busy_scene(15);
   const auto engine = make_engine(scene, test::busy_field(scene), on("box2d"));
   MomentLog log;
   engine->advance(200, log);
@@ -264,7 +264,7 @@ TEST(Box2dEngine, RestoredStateIsTheSameStateWithoutItsWarmStart) {
 }
 
 TEST(Box2dEngine, WithoutMeasuringTheMotionIsTheSame) {
-  const SceneDef scene = test::busy_scene(5);
+  const SceneDef scene = test::busy_scene(15);
   const auto measured = make_engine(scene, test::busy_field(scene), on("box2d"));
   EngineOptions options = on("box2d");
   options.baseline.measures_quality = false;

@@ -27,7 +27,7 @@ struct Outcome {
 
 /// A crowd round an unmoored platform. Fails unless momentum is kept to float.
 Outcome outcome(const std::string& experiment) {
-  SceneDef scene = test::busy_scene(5);
+  SceneDef scene = test::busy_scene(15);
   scene.mooring.stiffness_N_per_m = 0.0;
   scene.ice.friction_ice = 0.4;
   scene.ice.friction_structure = 0.1;  // mixed: 0.2

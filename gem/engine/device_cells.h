@@ -47,8 +47,8 @@ struct BodyAfter {
 
 /// The platform between its two halves of a moment.
 struct PlatformCell {
-  Vec2 moved;           // position after the first half [m]
-  Vec2 velocity;        // at the end of the last moment, or after the first half of the next [m/s]
+  Vec2 moved;     // position after the first half [m]
+  Vec2 velocity;  // at the end of the last moment, or after the first half of the next [m/s]
   Quantity mooring_force;
   Vec2 mooring_before, drag_before;  // running impulses at the start of the moment [N s]
   std::int32_t row_begin = 0;        // as in its BodyMotion

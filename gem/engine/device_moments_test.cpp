@@ -105,7 +105,7 @@ using Choice = std::tuple<Resolution, Manifold, Yaw, FrictionLaw, DragLaw>;
 class DeviceMomentsTest : public testing::TestWithParam<Choice> {};
 
 TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
-  SceneDef scene = test::busy_scene(5);
+  SceneDef scene = test::busy_scene(8);
   std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
            scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");

@@ -46,7 +46,7 @@ using Laws = std::tuple<Resolution, Manifold, Yaw, FrictionLaw, DragLaw>;
 class CudaLaws : public OnGpu, public testing::WithParamInterface<Laws> {};
 
 TEST_P(CudaLaws, GiveTheBitsOfTheCpu) {
-  SceneDef scene = test::busy_scene(5);
+  SceneDef scene = test::busy_scene(8);
   std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
            scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu"), cuda = test::busy_engine(scene, "cuda");

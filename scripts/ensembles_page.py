@@ -7,7 +7,7 @@ import pathlib
 import shutil
 
 import chart
-from measured import stamp
+from measured import provenance, since, stamp
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROWS = ROOT / "bench" / "results" / "speed_against_error"
@@ -149,7 +149,8 @@ def hits():
                   == (setting, slower, gap)]
         return f"{sum(values) / len(values):.3f}"
 
-    body, commits = [], ", ".join(f"`{c}`" for c in dict.fromkeys(r["commit"] for r in rows))
+    commits = dict.fromkeys(r["commit"] for r in rows)
+    body, changed = [], dict.fromkeys(f"{since(c)}." for c in commits if since(c))
     for setting in dict.fromkeys(r["setting"] for r in rows):
         seeds = len({r["seed"] for r in rows if r["setting"] == setting})
         body.append([f"{setting} ({seeds})", rate(setting, 0.01, 1.0)] +
@@ -162,7 +163,7 @@ def hits():
             "the platform pauses and comes back with a jerk. Skin and pushing apart do not matter, the moment little: 50 iterations or cold",
             "starts bring the pauses down towards gem's, gem held to 4 iterations has more of them than Box2D, and with 400 fewer than",
             "with its own 32. So rates of hits measure how far rows converge; landings measure how much ice arrives. Made by",
-            f"`scripts/hits_study.sh`, commit {commits}.", ""] + table(["setting (runs)", "hits", "touch after 0.15 s", "0.3 s", "1 s", "3 s: landings", "10 s"], body)
+            f"`scripts/hits_study.sh`, rows of commit {', '.join(f'`{c}`' for c in commits)} (machine not recorded).", *changed, ""] + table(["setting (runs)", "hits", "touch after 0.15 s", "0.3 s", "1 s", "3 s: landings", "10 s"], body)
 
 
 def main():
@@ -176,7 +177,7 @@ def main():
              "Every setting runs the same seeds, each another field. \"The same\" means equivalent within the margin at 5 %: two one-sided",
              "Welch tests (`gem/analysis/equivalence.h`) over runs, adjusted by Holm for all quantities of a case and setting;",
              "\"no\": the whole 90 % interval lies outside the margin. Samples of one run are never tested: they are correlated.",
-             "Intervals of means are bootstraps over runs.", ""]
+             "Intervals of means are bootstraps over runs.", "", provenance("ensembles"), ""]
     lines += agreement(rows)
     if forest(rows):
         lines += ["![Differences between gem and Box2D](figures/ensembles.svg)", ""]

@@ -74,6 +74,13 @@ CONTACTS_CHANGED = ("Since then gem's contacts have changed: no point is left ou
                     "drift, and floes are numbered along the channel; runs of today have other bits, and these rows were not made again")
 CHANGED_SINCE = {"1fcea2322717": CONTACTS_CHANGED, "d3be220d2d4d": CONTACTS_CHANGED}
 
+# Commits between which only the GPU's share of blocks, tests and pages changed: runs have the same bits.
+SAME_RESULTS = ({"0625f162490c", "f46bce1e0847"},)
+
+
+def same_results(one, other):
+    return one == other or any({one, other} <= same for same in SAME_RESULTS)
+
 
 def since(commit):
     return CHANGED_SINCE.get(commit.removesuffix("-dirty"), "")

@@ -92,12 +92,12 @@ def forest(rows):
             continue
         settings = list(dict.fromkeys(r["setting"] for r in these))
         quantities = list(dict.fromkeys(r["quantity"] for r in these))
-        panel = chart.Panel(f"{case}: difference from gem over the margin", "difference / margin, 90 % interval", "", "")
+        panel = chart.Panel(f"{case}: difference from gem over the margin", "difference / margin with its 90 % interval; dashed: the margin", "", "")
         ticks = ", ".join(f'"{q}" {len(quantities) - k}' for k, q in enumerate(quantities))
         panel.extra += [f"set ytics ({ticks})", "set ytics noenhanced font ',9'", f"set yrange [0.3:{len(quantities) + 0.7}]",
-                        "set xrange [-4:4]"]
+                        "set xrange [-6:6]"]
         for at in (-1, 1):
-            panel.mark(at, "margin")
+            panel.mark(at, "")
         for j, setting in enumerate(settings):
             points = [(share(r, "difference"), len(quantities) - quantities.index(r["quantity"]) - 0.15 * j,
                        share(r, "difference_low"), share(r, "difference_high"))
@@ -129,7 +129,7 @@ def map_figure(rows, setting="Box2D 8/3"):
         for key, title in (("first_share", f"{case}: gem"), ("share", f"{case}: {setting}")):
             panel = chart.Panel(title, "x [m]", "y [m]", "")
             panel.extra += ["unset key", "set size ratio -1", "set palette defined (0 '#f2f6fa', 0.5 '#6fa8dc', 1 '#073763')",
-                            "set cbrange [0:1]", "set xrange [-400:100]", "set yrange [-200:200]"]
+                            "set cbrange [0:1]", "set cblabel 'share covered by ice'", "set xrange [-400:100]", "set yrange [-200:200]"]
             points = [(-390 + 20 * int(r["column"]), -190 + 20 * int(r["row"]), number(r[key])) for r in these]
             panel.curve(None, None, points, "image pixels")
             panels.append(panel)

@@ -60,8 +60,8 @@ class Panel:
     def x_range(self):
         """Logarithms of the ends of a logarithmic x axis that holds all points and marks, with room for labels on the left."""
         points = [point[0] for curve in self.curves for point in curve[3]]
-        low, high = math.log10(min(points)), math.log10(1.3 * max(points + [x for x, _ in self.marks]))
-        return (low - 0.25 * (high - low), high) if self.texts else (math.floor(low), math.ceil(high))
+        low, high = math.log10(min(points)), math.log10(max(points + [1.3 * x for x, _ in self.marks]))
+        return (low - 0.25 * (high - low), high + 0.02 * (high - low)) if self.texts else (math.floor(low), math.ceil(high))
 
     def texts_with_room(self):
         points = [point[1] for curve in self.curves for point in curve[3]]
@@ -69,7 +69,8 @@ class Panel:
         width = self.x_range()[1] - self.x_range()[0]
         placed = []
         for x, y, label, colour in self.texts:
-            if all(abs(math.log10(y / v)) > 0.06 * height or abs(math.log10(x / u)) > 0.012 * len(label) * width for u, v in placed):
+            room = 0.012 * len(label) * width
+            if all(abs(math.log10(y / v)) > 0.06 * height or abs(math.log10(x / u)) > room for u, v in placed):
                 placed.append((x, y))
                 yield x, y, label, colour
 
@@ -84,9 +85,11 @@ class Panel:
             lines.append("set xrange [{:.6g}:{:.6g}]".format(*(10.0 ** end for end in self.x_range())))
         for x, label in self.marks:
             lines.append(f"set arrow from first {x:g}, graph 0 to first {x:g}, graph 1 nohead dt 2 lc rgb '#888888'")
-            lines.append(f"set label {quoted(label)} at first {x:g}, graph 1 center offset 0,0.5 font ',8' noenhanced tc rgb '#666666'")
+            lines.append(f"set label {quoted(label)} at first {x:g}, graph 1 center offset 0,0.5 font ',8' noenhanced "
+                         "tc rgb '#666666'")
         for x, y, label, colour in self.texts_with_room() if self.texts else ():
-            lines.append(f"set label {quoted(label)} at first {x:g}, first {y:g} right offset -0.7,-0.4 font ',9' noenhanced tc rgb '{colour}'")
+            lines.append(f"set label {quoted(label)} at first {x:g}, first {y:g} right offset -0.7,-0.4 font ',9' noenhanced "
+                         f"tc rgb '{colour}'")
         parts, seen = [], {}
         for k, (label, colour, style, points) in enumerate(self.curves):
             if colour and label and " dt " not in style:  # curves of one family are told apart by their dashes

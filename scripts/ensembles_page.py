@@ -7,7 +7,7 @@ import pathlib
 import shutil
 
 import chart
-from measured import provenance, since, stamp
+from measured import provenance, since, stamp, wrapped
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROWS = ROOT / "bench" / "results" / "speed_against_error"
@@ -150,7 +150,7 @@ def hits():
         return f"{sum(values) / len(values):.3f}"
 
     commits = dict.fromkeys(r["commit"] for r in rows)
-    body, changed = [], dict.fromkeys(f"{since(c)}." for c in commits if since(c))
+    body, changed = [], dict.fromkeys(wrapped(f"{since(c)}.") for c in commits if since(c))
     for setting in dict.fromkeys(r["setting"] for r in rows):
         seeds = len({r["seed"] for r in rows if r["setting"] == setting})
         body.append([f"{setting} ({seeds})", rate(setting, 0.01, 1.0)] +

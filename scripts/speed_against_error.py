@@ -48,8 +48,8 @@ def part_c():
     cases = [case for (case, setting), numbers in values.items()
              if setting == "fine" and len(numbers["offset_x_mean_m"]) >= 3]
     if not cases:
-        return ["## C. Statistics", "", "Not measured: the ensemble `fine`, from which biases are measured, was not made. The ensembles that "
-                "were made compare gem with Box2D: [README.md](README.md).", ""]
+        return ["## C. Statistics", "", "Not measured: the ensemble `fine`, from which biases are measured, was not made. The ensembles",
+                "that were made compare gem with Box2D: [README.md](README.md).", ""]
     lines = ["## C. Statistics", "",
              "Mean square error of an ensemble's mean, bias^2 + variance / N, against the cost of its N members; the bias is",
              "the difference from the ensemble `fine` (a quarter of the moment, 400 iterations) and holds its own scatter,",
@@ -149,7 +149,7 @@ SPEED_SETTINGS = ("gem", "gem independent", "Box2D 8/3")
 
 # What the page is made of: part of the measurement, its table, what it shows.
 TABLES = (("closed_form", "closed_form_errors.csv", "A. Closed forms"), ("windows", "windows.csv", "bars; B. Short windows"),
-          ("ensembles", "ensemble_rows.csv", "C. Statistics"), ("paths", "paths.csv", "Path by path"),
+          ("ensembles", "ensemble_rows.csv", "README.md: ensembles"), ("paths", "paths.csv", "Path by path"),
           ("speed", "speed.csv", "Real-time factors"))
 
 
@@ -163,6 +163,8 @@ def stated_conditions():
             commit_of(run) for run in conditions()[1] if part in run["parts"])
         body.append([shows, f"`{name}`", str(len(rows)) if rows else "not measured",
                      ", ".join(f"`{c}`" for c in commits) if rows else ""])
+        if part == "ensembles" and not any(r["setting"] == "fine" for r in rows):
+            body.append(["C. Statistics", f"`{name}`, setting `fine`", "not measured", ""])
     text = conditions()[0] if parts else []
     return ["## Where the numbers come from", "", "Tables of `bench/results/speed_against_error`:", ""] + table(
         ["part", "table", "rows", "commits"], body) + ["What `scripts/measure.sh` noted as it ran, and notes on what was joined:", "",

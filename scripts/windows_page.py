@@ -5,7 +5,7 @@ import re
 
 import chart
 from bars_page import JUDGED, KINDS, points_of
-from measured import FIGURES, ROOT, figure, grouped, provenance, read, rms, same_results, stamp, table
+from measured import FIGURES, ROOT, figure, grouped, provenance, read, rms, same_results, stamp, table, wrapped
 
 # The paper's own speeds (ICETECH 2014, one GPU of that year): dated marks, other hardware.
 PAPER = ((1.0 / 6.0, "2014: 6x"), (1.0 / 2.0, "2014: 2x"))
@@ -154,9 +154,9 @@ def part_b():
         places = points_of(group, "places")
         for name, (cost, error, commit) in cuda_points(group, places).items():
             beside = [f"{places[s][0] / cost:.3g} times as fast as {s} ({1e3 * places[s][1]:.3g} mm)" for s in JUDGED if s in places]
-            lines += [f"{name}: {1 / cost:.4g} x real time, {', '.join(beside)}; commit `{commit}`. Timed over 256 "
+            lines += [wrapped(f"{name}: {1 / cost:.4g} x real time, {', '.join(beside)}; commit `{commit}`. Timed over 256 "
                       f"moments from the first window's start; its bits are the processor's, so its error of {1e3 * error:.3g} mm is that of "
-                      "gem dt over these windows.", ""]
+                      "gem dt over these windows."), ""]
     lines += dropped_table(regimes)
     chart.write_figure(FIGURES / "windows.svg", panels, 2, 760, 500, stamp("windows"))
     return lines + figure("windows", "Part B: error against cost in windows; dashed upright: the paper's speeds of 2014, 6 and 2 times "

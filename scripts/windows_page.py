@@ -156,7 +156,7 @@ def part_b():
             beside = [f"{places[s][0] / cost:.3g} times as fast as {s} ({1e3 * places[s][1]:.3g} mm)" for s in JUDGED if s in places]
             lines += [wrapped(f"{name}: {1 / cost:.4g} x real time, {', '.join(beside)}; commit `{commit}`. Timed over 256 "
                       f"moments from the first window's start; its bits are the processor's, so its error of {1e3 * error:.3g} mm is that of "
-                      "gem dt over these windows."), ""]
+                      "gem dt over these windows, and Box2D's time is that of the table."), ""]
     lines += dropped_table(regimes)
     chart.write_figure(FIGURES / "windows.svg", panels, 2, 760, 500, stamp("windows"))
     return lines + figure("windows", "Part B: error against cost in windows; dashed upright: the paper's speeds of 2014, 6 and 2 times "

@@ -1,4 +1,5 @@
 """Line and point charts as SVG files by gnuplot: one style for all measured figures."""
+import math
 import subprocess
 import textwrap
 
@@ -41,6 +42,7 @@ class Panel:
     def __init__(self, title, x, y, log="xy"):
         self.title, self.x, self.y, self.log = title, x, y, log
         self.curves, self.marks, self.texts, self.extra = [], [], [], []
+        self.key = "outside right top"
 
     def curve(self, label, colour, points, style="linespoints pt 7 ps 0.5 lw 1.5"):
         points = [p for p in points if all(v == v for v in p) and not ("y" in self.log and p[1] <= 0.0)
@@ -52,22 +54,42 @@ class Panel:
         self.marks.append((x, label))
 
     def text(self, x, y, label, colour):
+        """A label left of and below its point, where a Pareto front leaves room; left out where it would lie on another."""
         self.texts.append((x, y, label, colour))
 
+    def x_range(self):
+        """Logarithms of the ends of a logarithmic x axis that holds all points and marks, with room for labels on the left."""
+        points = [point[0] for curve in self.curves for point in curve[3]]
+        low, high = math.log10(min(points)), math.log10(max(points + [1.3 * x for x, _ in self.marks]))
+        return (low - 0.25 * (high - low), high + 0.02 * (high - low)) if self.texts else (math.floor(low), math.ceil(high))
+
+    def texts_with_room(self):
+        points = [point[1] for curve in self.curves for point in curve[3]]
+        height = math.log10(max(points) / min(points)) or 1.0
+        width = self.x_range()[1] - self.x_range()[0]
+        placed = []
+        for x, y, label, colour in self.texts:
+            room = 0.012 * len(label) * width
+            if all(abs(math.log10(y / v)) > 0.06 * height or abs(math.log10(x / u)) > room for u, v in placed):
+                placed.append((x, y))
+                yield x, y, label, colour
+
     def script(self):
-        lines = ["reset", f"set title {quoted(self.title)} noenhanced font ',13'", f"set xlabel {quoted(self.x)}",
-                 f"set ylabel {quoted(self.y)}", "set grid lc rgb '#dddddd'", "set key outside right top samplen 3 spacing 1.1 noenhanced",
+        gap = "\\n " if self.key.startswith("below") else ""  # between the axis and the key
+        lines = ["reset", f"set title {quoted(self.title)} noenhanced font ',13'", f"set xlabel {quoted(self.x + gap)}",
+                 f"set ylabel {quoted(self.y)}", "set grid lc rgb '#dddddd'", f"set key {self.key} samplen 3 spacing 1.1 noenhanced",
                  "set border 3", "set tics nomirror"]
         lines += [f"set logscale {axis}\nset format {axis} '10^{{%L}}'" for axis in self.log]
         lines += self.extra
-        if "x" in self.log and self.marks:  # wide enough for all marks
-            lines.append(f"set xrange [*:{1.3 * max(x for x, _ in self.marks):g}<*]")
+        if "x" in self.log and self.curves:
+            lines.append("set xrange [{:.6g}:{:.6g}]".format(*(10.0 ** end for end in self.x_range())))
         for x, label in self.marks:
             lines.append(f"set arrow from first {x:g}, graph 0 to first {x:g}, graph 1 nohead dt 2 lc rgb '#888888'")
-            lines.append(f"set label {quoted(label)} at first {x:g}, graph 0.97 right rotate by 90 offset -0.7,0 font ',9' "
-                         "noenhanced tc rgb '#666666'")
-        for x, y, label, colour in self.texts:
-            lines.append(f"set label {quoted(label)} at first {x:g}, first {y:g} offset 0.6,0.4 font ',8' noenhanced tc rgb '{colour}'")
+            lines.append(f"set label {quoted(label)} at first {x:g}, graph 1 center offset 0,0.5 font ',8' noenhanced "
+                         "tc rgb '#666666'")
+        for x, y, label, colour in self.texts_with_room() if self.texts else ():
+            lines.append(f"set label {quoted(label)} at first {x:g}, first {y:g} right offset -0.7,-0.4 font ',9' noenhanced "
+                         f"tc rgb '{colour}'")
         parts, seen = [], {}
         for k, (label, colour, style, points) in enumerate(self.curves):
             if colour and label and " dt " not in style:  # curves of one family are told apart by their dashes

@@ -7,7 +7,7 @@ import pathlib
 import shutil
 
 import chart
-from measured import stamp
+from measured import provenance, since, stamp, wrapped
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROWS = ROOT / "bench" / "results" / "speed_against_error"
@@ -92,12 +92,12 @@ def forest(rows):
             continue
         settings = list(dict.fromkeys(r["setting"] for r in these))
         quantities = list(dict.fromkeys(r["quantity"] for r in these))
-        panel = chart.Panel(f"{case}: difference from gem over the margin", "difference / margin, 90 % interval", "", "")
+        panel = chart.Panel(f"{case}: difference from gem over the margin", "difference / margin with its 90 % interval; dashed: the margin", "", "")
         ticks = ", ".join(f'"{q}" {len(quantities) - k}' for k, q in enumerate(quantities))
         panel.extra += [f"set ytics ({ticks})", "set ytics noenhanced font ',9'", f"set yrange [0.3:{len(quantities) + 0.7}]",
-                        "set xrange [-4:4]"]
+                        "set xrange [-6:6]"]
         for at in (-1, 1):
-            panel.mark(at, "margin")
+            panel.mark(at, "")
         for j, setting in enumerate(settings):
             points = [(share(r, "difference"), len(quantities) - quantities.index(r["quantity"]) - 0.15 * j,
                        share(r, "difference_low"), share(r, "difference_high"))
@@ -129,7 +129,7 @@ def map_figure(rows, setting="Box2D 8/3"):
         for key, title in (("first_share", f"{case}: gem"), ("share", f"{case}: {setting}")):
             panel = chart.Panel(title, "x [m]", "y [m]", "")
             panel.extra += ["unset key", "set size ratio -1", "set palette defined (0 '#f2f6fa', 0.5 '#6fa8dc', 1 '#073763')",
-                            "set cbrange [0:1]", "set xrange [-400:100]", "set yrange [-200:200]"]
+                            "set cbrange [0:1]", "set cblabel 'share covered by ice'", "set xrange [-400:100]", "set yrange [-200:200]"]
             points = [(-390 + 20 * int(r["column"]), -190 + 20 * int(r["row"]), number(r[key])) for r in these]
             panel.curve(None, None, points, "image pixels")
             panels.append(panel)
@@ -149,7 +149,8 @@ def hits():
                   == (setting, slower, gap)]
         return f"{sum(values) / len(values):.3f}"
 
-    body, commits = [], ", ".join(f"`{c}`" for c in dict.fromkeys(r["commit"] for r in rows))
+    commits = dict.fromkeys(r["commit"] for r in rows)
+    body, changed = [], dict.fromkeys(wrapped(f"{since(c)}.") for c in commits if since(c))
     for setting in dict.fromkeys(r["setting"] for r in rows):
         seeds = len({r["seed"] for r in rows if r["setting"] == setting})
         body.append([f"{setting} ({seeds})", rate(setting, 0.01, 1.0)] +
@@ -162,7 +163,7 @@ def hits():
             "the platform pauses and comes back with a jerk. Skin and pushing apart do not matter, the moment little: 50 iterations or cold",
             "starts bring the pauses down towards gem's, gem held to 4 iterations has more of them than Box2D, and with 400 fewer than",
             "with its own 32. So rates of hits measure how far rows converge; landings measure how much ice arrives. Made by",
-            f"`scripts/hits_study.sh`, commit {commits}.", ""] + table(["setting (runs)", "hits", "touch after 0.15 s", "0.3 s", "1 s", "3 s: landings", "10 s"], body)
+            f"`scripts/hits_study.sh`, rows of commit {', '.join(f'`{c}`' for c in commits)} (machine not recorded).", *changed, ""] + table(["setting (runs)", "hits", "touch after 0.15 s", "0.3 s", "1 s", "3 s: landings", "10 s"], body)
 
 
 def main():
@@ -176,7 +177,7 @@ def main():
              "Every setting runs the same seeds, each another field. \"The same\" means equivalent within the margin at 5 %: two one-sided",
              "Welch tests (`gem/analysis/equivalence.h`) over runs, adjusted by Holm for all quantities of a case and setting;",
              "\"no\": the whole 90 % interval lies outside the margin. Samples of one run are never tested: they are correlated.",
-             "Intervals of means are bootstraps over runs.", ""]
+             "Intervals of means are bootstraps over runs.", "", provenance("ensembles"), ""]
     lines += agreement(rows)
     if forest(rows):
         lines += ["![Differences between gem and Box2D](figures/ensembles.svg)", ""]

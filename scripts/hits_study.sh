@@ -42,7 +42,12 @@ settings | while IFS='|' read -r label seeds arguments; do
         --out "$run.part" </dev/null
       mv "$run.part" "$run"
     }
-    commit=$("$programs/gem" --version | cut -d' ' -f3 | head -n 1)
+    # of the run, which may have been kept from an older program
+    commit=$("$programs/gem" info --json "$run" | sed -n 's/.*"gem_build": "gem [^ ]* \([^ ]*\) .*/\1/p')
+    [ -n "$commit" ] || {
+      echo "no commit in $run (gem info --json) remove it, so that it is made again" >&2
+      exit 1
+    }
     "$programs/gem_ensembles" touches "$run" 300 900 0.15 0.3 1 3 10 | while IFS= read -r row; do
       echo "\"$label\",$seed,$row,$commit"
     done

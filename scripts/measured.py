@@ -3,6 +3,7 @@ import csv
 import math
 import pathlib
 import statistics
+import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ROWS = ROOT / "bench" / "results" / "speed_against_error"
@@ -60,9 +61,49 @@ def conditions():
         if word == "begun":
             when, _, parts = rest.partition(": ")
             runs.append({"begun": when, "parts": [part.split(":")[0] for part in parts.split()]})
-        elif runs and word in ("machine", "load", "program"):
+        elif runs and word in ("machine", "load", "program", "note"):
             runs[-1].setdefault(word, rest.strip())
     return lines, runs
+
+
+def commit_of(run):
+    return (run.get("program", "") + " ? ? ?").split()[2]
+
+
+# Changes of gem's results after commits whose rows are still shown; a commit that is not here has the results of today.
+CONTACTS_CHANGED = ("Since then gem's contacts have changed: no point is left out of the iterations any more, contacts reach 1.5 moments of "
+                    "drift, and floes are numbered along the channel; runs of today have other bits, and these rows were not made again")
+CHANGED_SINCE = {"1fcea2322717": CONTACTS_CHANGED,
+                 "d3be220d2d4d": CONTACTS_CHANGED + ". The commit is that of the program which counted; the runs are of it or older"}
+
+# Commits between which only the GPU's share of blocks, tests and pages changed: runs have the same bits.
+SAME_RESULTS = ({"0625f162490c", "f46bce1e0847"},)
+
+
+def same_results(one, other):
+    return one == other or any({one, other} <= same for same in SAME_RESULTS)
+
+
+def since(commit):
+    return CHANGED_SINCE.get(commit.removesuffix("-dirty"), "")
+
+
+def wrapped(text):
+    return textwrap.fill(text, 125, break_on_hyphens=False, break_long_words=False)
+
+
+def provenance(part, rows=()):
+    """By which commits, when and where a part was measured, as a paragraph; rows that state their commit choose among its runs."""
+    commits = dict.fromkeys(row["commit"] for row in rows if row.get("commit"))
+    runs = [run for run in conditions()[1] if part in run["parts"] and (not commits or commit_of(run) in commits)]
+    texts = []
+    for commit in commits or dict.fromkeys(commit_of(run) for run in runs):
+        mine = [run for run in runs if commit_of(run) == commit]
+        where = dict.fromkeys(f"{run['begun'][:10]} on {run.get('machine', '?')}, load {run.get('load', '?').replace(', quick 0', '')}"
+                              + (f" ({run['note']})" if "note" in run else "") for run in mine)
+        text = f"commit `{commit}`, " + ("; ".join(where) or "conditions not recorded")
+        texts.append(text + (f". {since(commit)}" if since(commit) else ""))
+    return wrapped("Measured by " + "; by ".join(texts) + ".") if texts else "Not measured."
 
 
 def stamp(*parts):
@@ -71,8 +112,7 @@ def stamp(*parts):
     for run in reversed(conditions()[1]):
         if not set(parts) & set(run["parts"]):
             continue
-        version = (run.get("program", "") + " ? ? ?").split()
-        text = f"commit {version[2]}, {run['begun'][:10]}, {run.get('machine', '?')}, load {run.get('load', '?')}"
+        text = f"commit {commit_of(run)}, {run['begun'][:10]}, {run.get('machine', '?')}, load {run.get('load', '?')}"
         if text.endswith("quick 1"):
             text = "REHEARSAL, numbers mean nothing: " + text
         texts.append(text.replace(", quick 0", "").replace(", quick 1", ""))

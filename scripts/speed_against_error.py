@@ -6,28 +6,33 @@ import math
 import statistics
 
 import chart
-from measured import FIGURES, FOLDER, ROOT, ROWS, conditions, figure, grouped, read, stamp, table
+from bars_page import bars
+from measured import FIGURES, FOLDER, ROOT, commit_of, conditions, figure, grouped, provenance, read, stamp, table
 from windows_page import part_b
+
+# As bench/closed_form_errors.cpp says.
+CLOSED_FORMS = {"V06": "a corner on a wall", "V17": "a corner on a wall with friction", "V26": "a floe drifts onto a wall",
+                "V33": "a column of ten pressed to a wall", "V10": "a floe on the moored platform"}
 
 
 def part_a():
     rows = read("closed_form_errors.csv")
     if not rows:
-        return []
+        return ["## A. Closed forms", "", "Not measured.", ""]
     panels, lines = [], []
     for (case,), group in grouped(rows, "case").items():
         for key, what, unit in (("place_L1_m", "place", "m"), ("velocity_L1_m_per_s", "velocity", "m/s")):
-            panel = chart.Panel(f"{case}: {what}", "user time per simulated second [s/s]", f"mean error of {what} [{unit}]")
+            panel = chart.Panel(f"{case}, {CLOSED_FORMS[case]}: {what}", "user time per simulated second [s/s]", f"mean error of {what} [{unit}]")
+            panel.key = "below Left reverse width -1 maxrows 2 font ',9'"
             for (setting,), curve in grouped(group, "setting").items():
                 panel.curve(setting, chart.colour_of(setting),
-                            sorted((float(r["user_s_per_s"]), float(r[key])) for r in curve))
+                            [(float(r["user_s_per_s"]), float(r[key])) for r in sorted(curve, key=lambda r: -float(r["moment_s"]))])
             panels.append(panel)
-    chart.write_figure(FIGURES / "closed_form_errors.svg", panels, 2, 640, 300, stamp("closed_form"))
+    chart.write_figure(FIGURES / "closed_form_errors.svg", panels, 2, 560, 340, stamp("closed_form"))
     lines += ["## A. Closed forms", "",
               "Mean over time of the error of place and velocity (velocities jump at impacts, so their largest error does",
               "not shrink with the moment); impacts are spread evenly over a moment. Along each curve the moment is halved.",
-              "V33 begins with touching floes, inside Box2D's skins, which push them apart: with the usual skin that is its",
-              "error. V42 has no contacts: its path is the mooring's exact one on every engine.", ""]
+              "V33 begins with touching floes, inside Box2D's skins, which push them apart: with the usual skin that is its error.", "", provenance("closed_form", rows), ""]
     return lines + figure("closed_form_errors", "Part A: error against cost on five closed forms.")
 
 
@@ -43,11 +48,12 @@ def part_c():
     cases = [case for (case, setting), numbers in values.items()
              if setting == "fine" and len(numbers["offset_x_mean_m"]) >= 3]
     if not cases:
-        return []
+        return ["## C. Statistics", "", "Not measured: the ensemble `fine`, from which biases are measured, was not made. The ensembles",
+                "that were made compare gem with Box2D: [README.md](README.md).", ""]
     lines = ["## C. Statistics", "",
              "Mean square error of an ensemble's mean, bias^2 + variance / N, against the cost of its N members; the bias is",
              "the difference from the ensemble `fine` (a quarter of the moment, 400 iterations) and holds its own scatter,",
-             "stated as noise. Cost is wall time on one core with recording.", ""]
+             "stated as noise. Cost is wall time on one core with recording.", "", provenance("ensembles"), ""]
     panels = []
     for case in dict.fromkeys(cases):
         fine = values[(case, "fine")]
@@ -78,7 +84,7 @@ def part_c():
 def part_paths():
     rows = read("paths.csv")
     if not rows:
-        return []
+        return ["## Path by path, before runs part", "", "Not measured.", ""]
     panels = []
     for (regime,), group in grouped(rows, "regime").items():
         for key, what in (("floes_rms_m", "floes, root mean square"), ("platform_m", "platform")):
@@ -91,20 +97,21 @@ def part_paths():
     chart.write_figure(FIGURES / "paths.svg", panels, 2, 760, 360, stamp("paths"))
     return ["## Path by path, before runs part", "",
             "All settings start from one identical state; the distance is from the same scene at a quarter of the moment,",
-            "converged. Where the curves level off the paths are no longer the same and only statistics compare.", ""
-            ] + figure("paths", "Distance of floes and platform from the reference over time.")
+            "converged. Where the curves level off the paths are no longer the same and only statistics compare.", "",
+            provenance("paths"), ""] + figure("paths", "Distance of floes and platform from the reference over time.")
 
 
 def part_speed():
     rows = read("speed.csv")
     if not rows:
-        return []
+        return ["## Real-time factors", "", "Not measured.", ""]
     lines = ["## Real-time factors", "",
-             "Every engine runs the whole case in one process, taking turns block by block; recording is off. Whole run:",
-             "simulated time over the sum of wall times. Ratio: Box2D's wall time over gem's, median over the blocks with its",
-             "quartiles; above 1 gem is faster.", ""]
-    body = []
-    for (case,), group in grouped([r for r in rows if r["case"] != "growth"], "case").items():
+             "Every engine runs the case from its beginning for the time stated, one thread each, in one process, taking turns block by",
+             "block; recording is off. The factor is simulated time over the sum of wall times. Ratio: Box2D's wall time over gem's,",
+             "median over the blocks with its quartiles; above 1 gem is faster. gem and Box2D take the same moment here, so this is speed",
+             "without regard to error.", "", provenance("speed", rows), ""]
+    body, middles = [], []
+    for (case,), group in sorted(grouped([r for r in rows if r["case"] != "growth"], "case").items()):
         settings = grouped(group, "setting")
         total = {s[0]: sum(float(r["wall_s"]) for r in b) for s, b in settings.items()}
         span = max(float(r["to_s"]) for r in group)
@@ -114,30 +121,54 @@ def part_speed():
                 if blocks.get("Box2D 8/3", {}).get(k) and blocks["gem"][k] > 0.0]
         if len(both) >= 2:
             low, middle, high = statistics.quantiles(both, n=4)
+            middles.append(middle)
             cells.append(f"{middle:.2f} ({low:.2f} to {high:.2f})")
         body.append(cells + [""] * (6 - len(cells)))
     lines += table(["case", "simulated [s]"] + [f"{s}, x real time" for s in SPEED_SETTINGS] + ["Box2D / gem"], body)
+    if middles:
+        lines += [f"Over {len(middles)} cases gem takes 1/{min(middles):.2f} to 1/{max(middles):.2f} of Box2D's time, in the middle "
+                  f"1/{statistics.median(middles):.2f}.", ""]
     panel = chart.Panel("Growth with the number of floes", "floes", "wall time per simulated second [s/s]")
-    grown = [r for r in rows if r["case"] == "growth"]
+    powers, grown = [], [r for r in rows if r["case"] == "growth"]
     for (setting,), group in grouped(grown, "setting").items():
         points = []
         for (floes,), blocks in grouped(group, "floes").items():
             costs = [float(r["wall_s"]) / (float(r["to_s"]) - float(r["from_s"])) for r in blocks]
             points.append((float(floes), statistics.median(costs)))
         panel.curve(setting, chart.colour_of(setting), sorted(points))
+        if len(points) >= 2:
+            powers.append(f"{setting} {statistics.linear_regression(*zip(*((math.log(x), math.log(y)) for x, y in points))).slope:.2f}")
     if chart.write_figure(FIGURES / "growth.svg", [panel], stamp=stamp("speed")):
         lines += figure("growth", "Cost over the number of floes: run 2 of Table 1 with its field, channel and gap scaled.")
+        lines += ["Cost grows with the number of floes to the power: " + ", ".join(powers) + ".", ""]
     return lines
 
 
 SPEED_SETTINGS = ("gem", "gem independent", "Box2D 8/3")
 
 
+# What the page is made of: part of the measurement, its table, what it shows.
+TABLES = (("closed_form", "closed_form_errors.csv", "A. Closed forms"), ("windows", "windows.csv", "bars; B. Short windows"),
+          ("ensembles", "ensemble_rows.csv", "README.md: ensembles"), ("paths", "paths.csv", "Path by path"),
+          ("speed", "speed.csv", "Real-time factors"))
+
+
 def stated_conditions():
-    text, runs = conditions()
-    commits = dict.fromkeys(run.get("program", "? ? ?").split()[2] for run in runs)
-    return ["Commits of the programs: " + ", ".join(f"`{c}`" for c in commits) + ". Conditions:", "", "```"] + (
-        text or ["(none recorded)"]) + ["```", ""]
+    """Which tables were measured, and what was noted then."""
+    parts = {part for part, name, _ in TABLES if read(name)}
+    body = []
+    for part, name, shows in TABLES:
+        rows = read(name)
+        commits = dict.fromkeys(r["commit"] for r in rows if "commit" in r) or dict.fromkeys(
+            commit_of(run) for run in conditions()[1] if part in run["parts"])
+        body.append([shows, f"`{name}`", str(len(rows)) if rows else "not measured",
+                     ", ".join(f"`{c}`" for c in commits) if rows else ""])
+        if part == "ensembles" and not any(r["setting"] == "fine" for r in rows):
+            body.append(["C. Statistics", f"`{name}`, setting `fine`", "not measured", ""])
+    text = conditions()[0] if parts else []
+    return ["## Where the numbers come from", "", "Tables of `bench/results/speed_against_error`:", ""] + table(
+        ["part", "table", "rows", "commits"], body) + ["What `scripts/measure.sh` noted as it ran, and notes on what was joined:", "",
+                                                       "```"] + (text or ["(nothing measured)"]) + ["```", ""]
 
 
 def main():
@@ -145,8 +176,7 @@ def main():
     page = ["# Speed against error", "",
             "gem and Box2D 2.4.1 on the same scenes: what a second of simulated time costs and how wrong it is. Made by",
             "`scripts/speed_against_error.sh` from measurements of `scripts/measure.sh`; nothing here is typed.", ""]
-    page += stated_conditions() if any(ROWS.glob("*.csv")) else ["Not measured yet.", ""]
-    for part in (part_a, part_b, part_c, part_paths, part_speed):
+    for part in (bars, part_a, part_b, part_c, part_paths, part_speed, stated_conditions):
         page += part()
     (FOLDER / "speed_against_error.md").write_text("\n".join(page).rstrip() + "\n", encoding="utf-8")
     print(f"{(FOLDER / 'speed_against_error.md').relative_to(ROOT)} is up to date")

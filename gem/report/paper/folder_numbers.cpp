@@ -79,8 +79,7 @@ void add_trend(const std::vector<ExcursionPoint>& points, FolderNumbers& numbers
   }
   if (seeds.size() > 1)
     numbers["excursion_scatter_of_seeds"] =
-        from(bootstrap_values(seeds, [](std::span<const double> v) { return moments(v).mean; }),
-             "95 % over " + std::to_string(seeds.size()) + " conditions");
+        from(mean_of_runs(seeds), "95 % over " + std::to_string(seeds.size()) + " conditions");
 }
 
 /// Neighbours differ in one property and agree in the others.
@@ -150,7 +149,7 @@ double ExcursionPoint::mean() const { return moments(largest_m).mean; }
 
 std::optional<IntervalEstimate> ExcursionPoint::mean_interval() const {
   if (largest_m.size() < 2) return std::nullopt;
-  return bootstrap_values(largest_m, [](std::span<const double> v) { return moments(v).mean; });
+  return mean_of_runs(largest_m);
 }
 
 std::vector<ExcursionPoint> excursion_points(const PaperFolder& folder, const std::vector<TableRow>& rows) {

@@ -2,10 +2,10 @@
 #include "gem/report/paper/seed_extremes.h"
 
 #include <algorithm>
-#include <span>
 #include <stdexcept>
 
 #include "gem/analysis/acer.h"
+#include "gem/analysis/bootstrap.h"
 #include "gem/analysis/gumbel.h"
 #include "gem/analysis/moments.h"
 
@@ -75,9 +75,8 @@ std::vector<ExtremesRow> seed_extremes(const PaperFolder& folder, const std::vec
     if (largest.size() < kFewestRuns) continue;
     const auto p90 = gumbel(largest, 1.0);
     if (!p90) continue;
-    rows.push_back({condition, largest.size(),
-                    bootstrap_values(largest, [](std::span<const double> v) { return moments(v).mean; }), *p90,
-                    by_blocks(runs), by_acer(runs), gumbel(largest_forces(runs), 1.0)});
+    rows.push_back({condition, largest.size(), mean_of_runs(largest), *p90, by_blocks(runs), by_acer(runs),
+                    gumbel(largest_forces(runs), 1.0)});
   }
   return rows;
 }

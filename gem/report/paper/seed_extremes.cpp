@@ -53,8 +53,8 @@ std::optional<IntervalEstimate> by_blocks(const std::vector<PaperRun>& runs) {
   for (const PaperRun& run : runs)
     maxima.insert(maxima.end(), run.blocks.largest_excursion.begin(), run.blocks.largest_excursion.end());
   if (maxima.size() < 2 * runs.size()) return std::nullopt;
-  const double duration = runs.front().numbers.find("duration_s")->value;
-  return gumbel(maxima, duration / kBlockLength);
+  const auto duration = runs.front().numbers.find("duration_s");
+  return duration ? gumbel(maxima, duration->value / kBlockLength) : std::nullopt;
 }
 
 std::vector<double> largest_forces(const std::vector<PaperRun>& runs) {

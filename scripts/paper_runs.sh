@@ -10,15 +10,20 @@
 # Environment: GEM_MINUTES=9 stop after so long, with what is finished packed
 #              GEM_RUN="--engine cuda" options of `gem sweep run`;  GEM_JOBS=16 processes that collect
 #              GEM_QUICK=1 a rehearsal with few floes in minutes on a CPU, whose numbers mean nothing
+# Exit code: 0 all is done, 2 wrong use, 8 something is left: run it again.
 # Then, where the report is made: tar xzf each into DIR; scripts/paper_report.sh DIR [folders of run files]
 set -eu
 [ $# -ge 2 ] || {
-  sed -n '2,15s/^# //p' "$0" >&2
+  sed -n '2,16s/^# //p' "$0" >&2
   exit 2
 }
+wrong() {
+  echo "$1" >&2
+  exit 2
+}
+if [ ! -f "$1" ] || [ ! -x "$1" ]; then wrong "$1 is no program (no such file or not executable) name the program gem"; fi
 program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
-mkdir -p "$2/runs" "$2/summaries" "$2/lists"
-out=$(cd "$2" && pwd)
+folder=$2
 shift 2
 quick=${GEM_QUICK:-0}
 [ $# -gt 0 ] || if [ "$quick" = 1 ]; then
@@ -26,6 +31,28 @@ quick=${GEM_QUICK:-0}
 else
   set -- seeds:1-10 table2 period_question seeds:11-20 sensitivity sensitivity_moment divergence seeds:21-30 day
 fi
+
+is_part() {
+  case $1 in
+  seeds:* | open:*)
+    span=${1#*:}
+    first=${span%%-*} last=${span#*-}
+    case $span in *-*) ;; *) return 1 ;; esac
+    case $first$last in *[!0-9]*) return 1 ;; esac
+    case $first in '' | 0*) return 1 ;; esac
+    case $last in '' | 0* | ???*) return 1 ;; esac
+    [ "$first" -le "$last" ] && [ "$last" -le 30 ]
+    ;;
+  table2 | period_question | sensitivity | sensitivity_moment | divergence | day) ;;
+  *) return 1 ;;
+  esac
+}
+for part; do
+  is_part "$part" || wrong "$part is no part (its name or its seeds, 1 to 30) see the top of $0"
+done
+
+mkdir -p "$folder/runs" "$folder/summaries" "$folder/lists"
+out=$(cd "$folder" && pwd)
 cd "$(dirname "$0")/.."
 . scripts/workers.sh
 jobs=${GEM_JOBS:-$(grep -c ^processor /proc/cpuinfo)}
@@ -74,6 +101,22 @@ index_of() {
   esac
 }
 
+# pieces PART RUNS OPTION...: a sweep collected by so many runs at a time, so that all processors collect
+pieces() {
+  name=$1 step=$2
+  shift 2
+  count=$("$program" sweep status "$out/runs/$name" --json | grep -c '"state_hash"')
+  first=1
+  while [ "$first" -le "$count" ]; do
+    last=$((first + step - 1))
+    [ "$last" -le "$count" ] || last=$count
+    printf '%s_%d\t--index=%d-%d' "$name" "$first" "$first" "$last"
+    printf '\t%s' "$@"
+    echo
+    first=$((last + 1))
+  done
+}
+
 # what to collect of a part: name, then options of `gem sweep collect`, with tabs between. Paths that are to be compared to
 # the last bit are kept exact; run 1 alone is compared with the null model, each seed by a process of its own.
 collections() {
@@ -90,10 +133,10 @@ collections() {
         "seeds_${span}_$((condition + 1))" $((30 * condition + ${span%-*})) $((30 * condition + ${span#*-}))
     done
     ;;
-  table2) printf 'table2\t--exact\t--series=2\n' ;;
-  divergence) printf 'divergence\t--exact\t--series=5\t--no-null-model\n' ;;
-  day) printf 'day\t--series=10\t--no-null-model\n' ;;
-  *) printf '%s\t--series=0\t--no-null-model\n' "$1" ;;
+  table2) pieces table2 1 --exact --series=2 ;; # with the null model, which takes most of the time
+  divergence) pieces divergence 4 --exact --series=5 --no-null-model ;;
+  day) pieces day 1 --series=10 --no-null-model ;;
+  *) pieces "$1" 4 --series=0 --no-null-model ;;
   esac
 }
 
@@ -109,28 +152,36 @@ run() {
   divergence) [ "$quick" = 1 ] || set -- "$@" --set sweep.seeds.count=20 ;;
   esac
   if [ -n "${run_until:-}" ]; then
-    # an interrupt ends a run in order
-    timeout -s INT -k 20 $((run_until - $(date +%s))) "$program" "$@"
+    # an interrupt ends a run in order; a limit of 0 would be none
+    seconds=$((run_until - $(date +%s)))
+    timeout -s INT -k 20 $((seconds > 0 ? seconds : 1)) "$program" "$@"
   else
     "$program" "$@"
   fi
 }
 
-# collect LINE of collections
+# collect LINE of collections. A piece of which no run is done is no fault of collecting.
 collect() {
   tab=$(printf '\t')
   name=${1%%"$tab"*}
   case $1 in *"$tab"*) options=$(printf '%s' "${1#*"$tab"}" | tr '\t' ' ') ;; *) options= ;; esac
   # shellcheck disable=SC2086
   "$program" sweep collect "$out/runs/$collected" --out "$out/summaries/$name.h5" --overwrite --partial $options \
-    >"$out/lists/$name.log" 2>&1 || ! cat "$out/lists/$name.log"
+    >"$out/lists/$name.log" 2>&1 && return 0
+  ! grep -q 'holds 0 done runs' "$out/lists/$name.log" || return 0
+  cat "$out/lists/$name.log"
+  echo "$name" >>"$out/lists/not_collected"
+  return 1
 }
 
+# collect_part PART: 0 if all that is done was collected
 collect_part() {
   collected=$(sweep_of "$1")
   [ -e "$out/runs/$collected/manifest.json" ] || return 0
   collections "$1" >"$out/lists/collect"
+  : >"$out/lists/not_collected"
   in_parallel "$jobs" "$out/lists/collect" "$out/lists/none" collect
+  [ ! -s "$out/lists/not_collected" ]
 }
 
 pack() {
@@ -160,10 +211,15 @@ for part; do
     continue
   fi
   note "$part"
-  run "$part" || left="$left $part"
-  collect_part "$part"
+  complete=1
+  run "$part" || complete=0
+  collect_part "$part" || complete=0
+  [ $complete = 1 ] || left="$left $part"
 done
 note "left: ${left:-nothing}"
 pack
 ls -l "$out"/paper_*.tar.gz
-[ -z "$left" ] || echo "not finished:$left; run this again to go on" >&2
+[ -z "$left" ] || {
+  echo "not finished:$left; run this again to go on" >&2
+  exit 8
+}

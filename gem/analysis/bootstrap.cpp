@@ -76,6 +76,16 @@ IntervalEstimate bootstrap_values(std::span<const double> values, const ValueSta
       resampling);
 }
 
+IntervalEstimate mean_of_runs(std::span<const double> values) {
+  const auto mean = [](std::span<const double> chosen) { return gsl_stats_mean(chosen.data(), 1, chosen.size()); };
+  if (values.size() >= kRunsForBootstrap) return bootstrap_values(values, mean);
+  if (values.size() < 2) throw std::invalid_argument("an interval over runs needs two runs");
+  const auto n = static_cast<double>(values.size());
+  const double error = gsl_stats_sd(values.data(), 1, values.size()) / std::sqrt(n);
+  const double half = gsl_cdf_tdist_Pinv(0.975, n - 1.0) * error;
+  return {mean(values), mean(values) - half, mean(values) + half};
+}
+
 IntervalEstimate moving_block_mean(std::span<const double> signal, std::size_t block, const Resampling& resampling) {
   const std::size_t blocks = block == 0 ? 0 : signal.size() / block;
   check(resampling, blocks, "a moving-block bootstrap needs two blocks");

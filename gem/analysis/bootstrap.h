@@ -35,6 +35,14 @@ std::vector<IntervalEstimate> bootstrap_together(std::size_t runs, const RunStat
 IntervalEstimate bootstrap_values(std::span<const double> values, const ValueStatistic& statistic,
                                   const Resampling& resampling = {});
 
+/// From this many runs on the interval of a mean comes from resampling: percentiles of fewer cannot reach beyond the
+/// runs themselves, and hold the truth of two in one half of all cases only.
+inline constexpr std::size_t kRunsForBootstrap = 10;
+
+/// Mean of independent runs with its interval of 95 %: Student's t below kRunsForBootstrap runs, which takes them as
+/// normal, the bootstrap from there on. Needs two runs, otherwise std::invalid_argument.
+IntervalEstimate mean_of_runs(std::span<const double> values);
+
 /// Mean of one correlated record by the moving-block bootstrap (Kuensch 1989). A block of `block` samples must be
 /// several correlation times long. Needs two blocks, otherwise std::invalid_argument.
 IntervalEstimate moving_block_mean(std::span<const double> signal, std::size_t block,

@@ -45,6 +45,27 @@ TEST(Bootstrap, RefusesOneRunAndSillyOptions) {
   EXPECT_THROW(moving_block_mean(std::vector<double>(10, 1.0), 0), std::invalid_argument);
 }
 
+// 2000 intervals of 95 %: the count that hold the truth scatters by 10 about 1900; Student's t is exact for normal
+// runs.
+TEST(MeanOfRuns, HoldsTheMeanOfAFewRuns) {
+  for (const std::size_t runs : {2U, 3U, 4U, 9U}) {
+    int covered = 0;
+    for (std::uint64_t seed = 0; seed < 2000; ++seed)
+      covered += mean_of_runs(white_noise(runs, 1.0, seed)).holds(0.0) ? 1 : 0;
+    EXPECT_GE(covered, 1870) << runs;
+    EXPECT_LE(covered, 1930) << runs;
+  }
+}
+
+TEST(MeanOfRuns, IsStudentsOfAFewAndTheBootstrapOfMany) {
+  const IntervalEstimate two = mean_of_runs(std::vector<double>{1.0, 3.0});
+  EXPECT_DOUBLE_EQ(two.value, 2.0);
+  EXPECT_NEAR(two.high - 2.0, 12.7062, 1e-4) << "t of one degree of freedom times a standard error of 1";
+  const std::vector<double> many = white_noise(kRunsForBootstrap, 1.0, 3);
+  EXPECT_EQ(mean_of_runs(many).low, bootstrap_values(many, mean_of).low);
+  EXPECT_THROW(mean_of_runs(std::vector<double>{1.0}), std::invalid_argument);
+}
+
 // 400 intervals of 95 %: the count that hold the truth scatters by 1.1 % about the true coverage; 91 to 98.5 % allows
 // three deviations beyond the 1 % that a percentile interval of 20 values may lack.
 TEST(LongBootstrap, CoversTheMeanOfTwentyRuns) {

@@ -18,6 +18,7 @@
 #include "gem/report/paper/paper_summary.h"
 #include "gem/report/platform_series.h"
 #include "gem/report/run_findings.h"
+#include "gem/scene/scene_file.h"
 
 namespace gem {
 namespace {
@@ -160,7 +161,24 @@ void check(const SweepCollectChoice& choice) {
   if (!(choice.interval_s >= 0.0))
     throw Error(ExitCode::usage, "--series " + number_text(choice.interval_s) +
                                      " is no interval (it must be 0 s, for no series, or more) give one");
+  if (choice.exact && choice.interval_s == 0.0)
+    throw Error(ExitCode::usage,
+                "--exact keeps nothing (--series 0 leaves the displacement out) leave one of them out");
   check_output_path(choice.output, choice.overwrite);
+}
+
+/// Between the samples of a run there is nothing to collect.
+void check_intervals(const SweepCollectChoice& choice, const std::vector<SweepRow>& rows) {
+  constexpr double kRounding = 1e-9;
+  if (choice.interval_s == 0.0) return;
+  for (const SweepRow& row : rows) {
+    const std::string path = run_path(choice.folder, row.name);
+    const double sampled_s = parse_scene(RunFile(path).attribute("gem_case_toml"), path).output.platform_interval_s;
+    if (choice.interval_s < sampled_s * (1.0 - kRounding))
+      throw Error(ExitCode::usage, "--series " + number_text(choice.interval_s) + " is too short (" + shown(row.name) +
+                                       " was recorded every " + number_text(sampled_s) +
+                                       " s: output.platform_interval_s) give that or more, or 0 for no series");
+  }
 }
 
 }  // namespace
@@ -168,6 +186,7 @@ void check(const SweepCollectChoice& choice) {
 int collect_sweep(const SweepCollectChoice& choice) {
   check(choice);
   const std::vector<SweepRow> rows = done_rows(choice);
+  check_intervals(choice, rows);
   SummaryTable table;
   table.title = "summary of a sweep of " + std::to_string(rows.size()) + " runs";
   table.history = choice.command_line;

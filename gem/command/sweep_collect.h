@@ -11,7 +11,7 @@ struct SweepCollectChoice {
   std::string command_line;
   std::string index;        // of the runs meant; empty: all
   double from_s = 0.0;      // the analysis leaves out what is before
-  double interval_s = 1.0;  // of the displacement; 0: none
+  double interval_s = 1.0;  // of the displacement, no shorter than a run was recorded; 0: none
   bool exact = false;       // displacement and velocity in double precision, for runs that are to be compared
   bool null_model = true;   // compare the motion with records of the null model: most of the time
   bool partial = false;
@@ -19,7 +19,8 @@ struct SweepCollectChoice {
 };
 
 /// Writes the summary, which `gem paper` reads in place of the run files if nothing is left out before `from_s`.
-/// Returns 0. Throws Error(file_system) if runs are not done (and not partial).
+/// Returns 0. Throws Error(file_system) if runs are not done (and not partial), Error(usage) for options that do not go
+/// together or with the runs.
 int collect_sweep(const SweepCollectChoice& choice);
 
 }  // namespace gem

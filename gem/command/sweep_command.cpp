@@ -52,7 +52,10 @@ void add_run(CLI::App& group, Chosen& chosen) {
   run->add_option("--engine", choice->engine, "engine; auto: cuda where a GPU can take a run, else cpu")
       ->check(CLI::IsMember(engine_choices()))
       ->capture_default_str();
-  run->add_option("-j,--jobs", choice->jobs, "runs at a time, each in its own process; one per processor if left out")
+  run->add_option(
+         "-j,--jobs", choice->jobs,
+         "processes at a time, each with one run, or with a batch of runs on a GPU; one per GPU, without GPUs one per "
+         "processor, if left out")
       ->type_name("J");
   run->add_option("--threads", choice->threads, "threads of each run; the processors over --jobs if left out")
       ->type_name("T");

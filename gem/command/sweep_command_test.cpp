@@ -254,6 +254,20 @@ TEST_F(SweepCommandTest, CollectAsksForAllRuns) {
   EXPECT_EQ(gem({"sweep", "collect", "d", "--out", "s.h5", "--partial"}), 4);
 }
 
+TEST_F(SweepCommandTest, CollectKeepsNoMoreThanWasRecorded) {
+  ASSERT_EQ(sweep("d", {"--index", "1"}), 0);
+  const auto collect = [&](const Words& more) {
+    Words words = {"sweep", "collect", "d", "--out", "s.h5", "--partial", "--overwrite", "--no-null-model"};
+    words.insert(words.end(), more.begin(), more.end());
+    return gem(words);
+  };
+  EXPECT_EQ(collect({"--series", "1e-9"}), 2);
+  EXPECT_NE(text_of("err_").find("0.02 s"), std::string::npos) << text_of("err_");
+  EXPECT_EQ(collect({"--series", "0.02"}), 0) << text_of("err_");
+  EXPECT_EQ(collect({"--series", "0"}), 0) << text_of("err_");
+  EXPECT_EQ(collect({"--series", "0", "--exact"}), 2);
+}
+
 TEST(IndexList, NumbersAndRanges) {
   using Places = std::vector<std::size_t>;
   EXPECT_EQ(parse_index_list("", 3), (Places{0, 1, 2}));

@@ -36,11 +36,11 @@ int choose_jobs(const std::string& asked) {
   int jobs = 0;
   const auto [end, fault] = std::from_chars(asked.data(), asked.data() + asked.size(), jobs);
   if (fault != std::errc{} || end != asked.data() + asked.size() || jobs < 1 || jobs > 4096)
-    throw Error(ExitCode::usage, "--jobs " + asked + " is no count of runs at a time (1 to 4096) give one");
+    throw Error(ExitCode::usage, "--jobs " + asked + " is no count of processes at a time (1 to 4096) give one");
   return jobs;
 }
 
-/// The processors are shared out: first among runs, which scale best, then among the threads of each.
+/// The processors are shared out: first among processes, which scale best, then among the threads of each.
 void share_processors(const SweepRunChoice& choice, SweepPlan& plan, RunLog& log) {
   const int machine = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const std::size_t at_once = plan.devices.empty() ? plan.batches.size() : plan.devices.size();
@@ -53,7 +53,7 @@ void share_processors(const SweepRunChoice& choice, SweepPlan& plan, RunLog& log
     threads = choose_threads(choice.threads, message);
     if (!message.empty()) log.message("warning", message);
   }
-  if (choice.jobs.empty()) plan.jobs = std::clamp(given ? machine / threads : machine, 1, to_do);
+  if (choice.jobs.empty()) plan.jobs = open_jobs(to_do, !plan.devices.empty(), machine, given ? threads : 0);
   if (!given) threads = std::max(1, machine / plan.jobs);
 }
 
@@ -131,6 +131,11 @@ void group(SweepPlan& plan) {
 }
 
 }  // namespace
+
+int open_jobs(int side_by_side, bool on_gpus, int processors, int threads) {
+  if (on_gpus) return side_by_side;
+  return std::clamp(processors / std::max(1, threads), 1, side_by_side);
+}
 
 std::vector<std::vector<std::size_t>> share_runs(const std::vector<std::int64_t>& moments, std::size_t devices) {
   constexpr std::size_t largest_batch = 66;  // runs; more find no room side by side on a large GPU

@@ -19,6 +19,18 @@ TEST(SweepPlan, SeveralGpusGetLongAndShortRunsAlike) {
   EXPECT_EQ(share_runs({5}, 8), (Batches{{0}}));
 }
 
+TEST(SweepPlan, EveryGpuHasItsProcessWhateverItsThreads) {
+  EXPECT_EQ(open_jobs(8, true, 16, 16), 8);
+  EXPECT_EQ(open_jobs(8, true, 4, 0), 8);
+}
+
+TEST(SweepPlan, WithoutGpusProcessesTimesThreadsFillTheProcessors) {
+  EXPECT_EQ(open_jobs(100, false, 16, 4), 4);
+  EXPECT_EQ(open_jobs(100, false, 16, 0), 16);
+  EXPECT_EQ(open_jobs(100, false, 16, 32), 1);
+  EXPECT_EQ(open_jobs(3, false, 16, 1), 3);
+}
+
 TEST(SweepPlan, NoBatchIsTooLargeAndNoRunIsLost) {
   const Batches batches = share_runs(std::vector<std::int64_t>(200, 3), 2);
   std::vector<std::size_t> all;

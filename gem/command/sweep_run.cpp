@@ -224,8 +224,10 @@ int run_sweep(const SweepRunChoice& choice) {
     if (const SweepRow& row = plan.rows[i]; row.status == "stopped" || row.status == "failed")
       log.message("info", shown(row.name) + " is run again: " + row.error);
   log.message("info", std::to_string(plan.to_do.size()) + " of " + std::to_string(plan.rows.size()) + " runs to do, " +
-                          std::to_string(plan.jobs) + " at a time with " +
-                          std::to_string(plan.settings.engine.threads) + " threads, engine " + choice.engine + ", to " +
+                          std::to_string(plan.jobs) +
+                          (plan.devices.empty() ? " at a time" : " batches of them at a time") + " with " +
+                          std::to_string(plan.settings.engine.threads) + " threads, " +
+                          std::to_string(plan.devices.size()) + " GPUs, engine " + choice.engine + ", to " +
                           shown(choice.folder));
   SweepRun run(plan, log);
   run.go();

@@ -14,7 +14,7 @@ struct SweepRunChoice {
   std::string folder;
   std::string index;  // of the runs meant; empty: all
   std::string engine = "auto";
-  std::string jobs;     // runs at a time; empty: as many as there are processors
+  std::string jobs;     // processes at a time; empty: one per GPU with a batch, else one per processor
   std::string threads;  // of each run; empty: what is left of the processors
   std::string progress = "auto";
   std::string log_format = "text";

@@ -63,7 +63,7 @@ class CudaBatch {
   std::uint64_t state_hash(std::size_t scene);
   /// What the scenes run on: device name and driver.
   const CudaDevice& device() const;
-  /// Blocks of each scene in the last launch.
+  /// Blocks of the first scene in the last launch; others may have had another number.
   int blocks() const;
   int threads() const;
   /// Time that the GPU spent in the kernels of the last advance [s].

@@ -52,7 +52,8 @@ void write_summary(const std::string& path, bool overwrite, const SummaryTable& 
 bool is_summary(const std::string& path);
 
 /// Reads a summary back, numbers as they were written (a series in single precision as rounded). Throws
-/// Error(file_system) if the file cannot be read or is no summary.
+/// Error(file_system) if the file cannot be read or is no summary, or if its columns, series and scales differ in
+/// length.
 SummaryTable read_summary(const std::string& path);
 
 }  // namespace gem

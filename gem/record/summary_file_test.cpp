@@ -91,6 +91,35 @@ TEST(SummaryFile, KnowsWhatIsNoSummary) {
   EXPECT_FALSE(is_summary(std::string(GEM_SOURCE_DIR) + "/README.md"));
 }
 
+TEST(SummaryFile, WhatDoesNotFitTogetherIsNamed) {
+  const std::string path = testing::TempDir() + "gem_summary_unfit.h5";
+  const auto message = [&] {
+    try {
+      read_summary(path);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  write_summary(path, true, two_runs());
+  EXPECT_EQ(message(), "");
+  {
+    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    const std::array<hsize_t, 1> three = {3};
+    const std::array<double, 3> values{};
+    ASSERT_GE(H5LTmake_dataset_double(file, "longer", 1, three.data(), values.data()), 0);
+  }
+  EXPECT_NE(message().find("longer has not one value for each run"), std::string::npos) << message();
+  write_summary(path, true, two_runs());
+  {
+    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    const Handle x(H5Dopen2(file, "x", H5P_DEFAULT), H5Dclose);
+    const Handle time(H5Dopen2(file, "time", H5P_DEFAULT), H5Dclose);
+    ASSERT_GE(H5DSdetach_scale(x, time, 1), 0);
+  }
+  EXPECT_NE(message().find("x has no scale"), std::string::npos) << message();
+}
+
 TEST(SummaryFile, ReplacesOnlyWhenTold) {
   const std::string path = testing::TempDir() + "gem_summary_kept.h5";
   write_summary(path, true, two_runs());

@@ -124,6 +124,7 @@ void read_dataset(const Dataset& data, const std::string& name, SummaryTable& ta
   const std::string units = data.text("units");
   const std::string meaning = data.text("long_name");
   settings.merge(words(data.text("coordinates")));
+  if (name == "run" && !data.is_text()) throw hdf5::Failure{"its runs have no names"};
   if (name == "run")
     table.runs = data.texts();
   else if (data.is_scale())
@@ -140,6 +141,20 @@ template <class Item>
 const Item* named(const std::vector<Item>& items, const std::string& name) {
   const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.name == name; });
   return found == items.end() ? nullptr : &*found;
+}
+
+/// Every column has a value for each run, every series a row as long as its axis.
+void check_lengths(const SummaryTable& table) {
+  if (table.runs.empty()) throw hdf5::Failure{"it lists no runs"};
+  for (const SummaryColumn& column : table.columns)
+    if (std::max(column.numbers.size(), column.texts.size()) != table.runs.size())
+      throw hdf5::Failure{column.name + " has not one value for each run"};
+  for (const SummarySeries& series : table.series) {
+    const SummaryAxis* axis = table.axis(series.axis);
+    if (axis == nullptr) throw hdf5::Failure{series.name + " has no scale"};
+    if (series.values.size() != table.runs.size() * axis->values.size())
+      throw hdf5::Failure{series.name + " has not one row for each run"};
+  }
 }
 
 }  // namespace
@@ -167,6 +182,7 @@ SummaryTable read_summary(const std::string& path) {
     std::set<std::string> settings;
     for (const std::string& name : dataset_names(file)) read_dataset(Dataset(file, name), name, table, settings);
     for (SummaryColumn& column : table.columns) column.is_setting = settings.contains(column.name);
+    check_lengths(table);
     return table;
   } catch (const hdf5::Failure& failure) {
     throw Error(ExitCode::file_system, "cannot read the summary " + shown(path) + " (" + failure.text +

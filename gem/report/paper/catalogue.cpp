@@ -60,6 +60,7 @@ Statement statement_of(const Json& json) {
   statement.rule = rule_of(json, statement.id);
   statement.share = json.value("share", statement.share);
   if (!(statement.share > 0.0 && statement.share < 1.0)) reject(statement.id + ": 'share' lies between 0 and 1");
+  statement.alike = json.value("alike", false);
   statement.why = json.at("why").get<std::string>();
   statement.choice = json.value("choice", false);
   return statement;
@@ -91,8 +92,9 @@ Catalogue parse_catalogue(const std::string& text, const std::string& origin) {
 Catalogue read_catalogue(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file)
-    throw Error(ExitCode::file_system,
-                "cannot read " + shown(path) + " (no such file or no permission) name validation/paper/paper.json");
+    throw Error(ExitCode::file_system, "cannot read " + shown(path) +
+                                           " (no such file or no permission) name it with --statements: it is "
+                                           "validation/paper/paper.json of gem's sources");
   std::ostringstream text;
   text << file.rdbuf();
   return parse_catalogue(text.str(), path);

@@ -30,6 +30,7 @@ struct Statement {
   Over over = Over::mean;
   Rule rule;
   double share = 0.5;   // of the runs that must obey a statement about each run
+  bool alike = false;   // set by the case or its generator, so that every seed tells the same: one run decides
   std::string why;      // this rule and this tolerance
   bool choice = false;  // is asked again for every modelling choice
 };

@@ -48,6 +48,15 @@ TEST(Catalogue, HoldsTheTablesOfThePaper) {
   EXPECT_TRUE(catalogue.rows[41].drag);
 }
 
+TEST(Catalogue, OneRunDecidesWhatIsAlikeInAll) {
+  std::set<std::string> alike;
+  for (const Statement& statement : read_catalogue(source("validation/paper/paper.json")).statements)
+    if (statement.alike) alike.insert(statement.metric);
+  for (const char* metric : {"floe_count", "floe_size_mean_m", "duration_s"}) EXPECT_TRUE(alike.contains(metric));
+  for (const char* metric : {"orbit_largest_m", "x_amplitude_variation", "plug_over_start"})
+    EXPECT_FALSE(alike.contains(metric)) << metric;
+}
+
 TEST(Catalogue, EveryConditionIsARunOfSomeSweep) {
   const std::set<std::string> names = conditions_of({"table1", "table2", "period_question"});
   const Catalogue catalogue = read_catalogue(source("validation/paper/paper.json"));

@@ -97,7 +97,8 @@ DivergenceStudy divergence_study(const PaperFolder& folder) {
   std::vector<const PaperRun*> disturbed;
   for (const auto& [condition, runs] : folder.conditions)
     for (const PaperRun& run : runs) {
-      if (run.scene.floes.moved_floe < 0 || !run.numbers.find("natural_period_s")) continue;
+      if (run.scene.floes.moved_floe < 0 || !run.numbers.find("natural_period_s") || !run.numbers.find("x_deviation_m"))
+        continue;
       if (moved(run) == 0.0)
         undisturbed[run.seed] = &run;
       else

@@ -15,11 +15,12 @@ constexpr double kThick = 1.2, kMedium = 0.7, kThin = 0.5;  // of the paper's cl
 /// Both intervals at their worst, so that the ratio's interval is too wide rather than too narrow.
 Measured ratio(const Measured& a, const Measured& b) {
   const double infinity = std::numeric_limits<double>::infinity();
+  if (!(b.high > 0.0)) return {a.value / b.value, -infinity, infinity, a.interval + " / " + b.interval};
   const bool positive = b.low > 0.0;
   return {a.value / b.value, a.low / b.high, positive ? a.high / b.low : infinity, a.interval + " / " + b.interval};
 }
 
-/// One condition over another, seed by seed; empty with too few common seeds.
+/// One condition over another, seed by seed; empty without a common seed.
 std::optional<Measured> ratio_by_seed(const PaperFolder& folder, const std::string& over, const std::string& under,
                                       const std::string& metric) {
   std::vector<RunNumber> ratios;
@@ -27,11 +28,11 @@ std::optional<Measured> ratio_by_seed(const PaperFolder& folder, const std::stri
     for (const PaperRun& b : folder.of(under)) {
       const auto top = a.numbers.find(metric);
       const auto bottom = b.numbers.find(metric);
-      if (a.seed != b.seed || !top || !bottom) continue;
+      if (a.seed != b.seed || !top || !bottom || bottom->value == 0.0) continue;
       const double value = top->value / bottom->value;
       ratios.push_back({value, value, value, false});
     }
-  return ratios.size() < kRunsForShare ? std::nullopt : over_runs(ratios, Over::every);
+  return over_runs(ratios, Over::every);
 }
 
 std::string share_text(const HeldShare& share) {
@@ -52,14 +53,13 @@ std::optional<Measured> measure(const Statement& statement, const PaperFolder& f
     if (!measured) note = (folder.of(name).empty() ? "no run " : "not in the record of ") + name;
     return measured;
   };
-  if (!statement.against.empty() && statement.over == Over::every)
-    if (const auto ratios =
-            ratio_by_seed(folder, prefix + statement.condition, prefix + statement.against, statement.metric))
-      return ratios;
   const auto measured = of(statement.condition);
   if (!measured || statement.against.empty()) return measured;
   const auto against = of(statement.against);
-  return against ? std::optional(ratio(*measured, *against)) : std::nullopt;
+  if (!against) return std::nullopt;
+  if (statement.over != Over::every) return ratio(*measured, *against);
+  note = "no seed in common";
+  return ratio_by_seed(folder, prefix + statement.condition, prefix + statement.against, statement.metric);
 }
 
 double tenths_of(const SceneDef& scene, double thickness) {
@@ -96,10 +96,16 @@ JudgedRow evaluate(const Statement& statement, const PaperFolder& folder, const 
   if (!statement.against.empty()) row.condition += " / " + prefix + statement.against;
   row.measured = measure(statement, folder, numbers, prefix, row.note);
   row.verdict = judge(statement.rule, row.measured);
-  if (row.measured) row.share = held_share(statement.rule, row.measured->each);
-  if (!row.share) return row;
-  row.measured->interval += share_text(*row.share);
-  if (statement.over == Over::every) row.verdict = judge_share(*row.share, statement.share);
+  if (!row.measured) return row;
+  const std::size_t runs = row.measured->each.size();
+  row.one_seed = runs == 1 && !statement.alike;
+  row.share = held_share(statement.rule, row.measured->each);
+  if (row.share) row.measured->interval += share_text(*row.share);
+  if (statement.over != Over::every) return row;
+  if (row.share)
+    row.verdict = judge_share(*row.share, statement.share);
+  else if (runs > 0 && !statement.alike)
+    row.verdict = Verdict::undecidable;
   return row;
 }
 

@@ -18,11 +18,13 @@ struct JudgedRow {
   std::optional<HeldShare> share = {};  // of several runs
   Verdict verdict = Verdict::undecidable;
   std::string note = {};  // why there is no measurement
+  bool one_seed = false;  // though seeds differ
 };
 
 /// One statement. The mean over the runs is judged by its interval; a statement about each run by the share of runs
-/// that obey it. A ratio of two conditions about each run pairs their seeds. `prefix` stands before the names of its
-/// conditions: the same statement under another choice.
+/// that obey it, and undecidable with fewer than kRunsForShare runs unless all runs are alike in it. A ratio of two
+/// conditions about each run pairs their seeds. `prefix` stands before the names of its conditions: the same statement
+/// under another choice.
 JudgedRow evaluate(const Statement& statement, const PaperFolder& folder, const FolderNumbers& numbers,
                    const std::string& prefix = "");
 

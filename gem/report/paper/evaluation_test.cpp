@@ -36,15 +36,21 @@ PaperFolder two_conditions() {
   PaperFolder folder;
   folder.conditions["a"] = {run_with("a", 1, 2.0), run_with("a", 2, 3.0)};
   folder.conditions["b"] = {run_with("b", 1, 1.0)};
-  folder.conditions["slow__a"] = {run_with("slow__a", 1, 0.5)};
+  for (std::uint64_t seed = 1; seed <= kRunsForShare; ++seed)
+    folder.conditions["slow__a"].push_back(run_with("slow__a", seed, 0.5));
   return folder;
 }
 
 TEST(Evaluation, JudgesTheRunsOfACondition) {
   const PaperFolder folder = two_conditions();
-  EXPECT_EQ(evaluate(statement(RuleKind::above, 1.5), folder, {}).verdict, Verdict::reproduced);
-  EXPECT_EQ(evaluate(statement(RuleKind::above, 2.5), folder, {}).verdict, Verdict::undecidable);
-  EXPECT_EQ(evaluate(statement(RuleKind::above, 3.5), folder, {}).verdict, Verdict::not_reproduced);
+  const auto verdict = [&](double above) {
+    Statement s = statement(RuleKind::above, above);
+    s.alike = true;
+    return evaluate(s, folder, {}).verdict;
+  };
+  EXPECT_EQ(verdict(1.5), Verdict::reproduced);
+  EXPECT_EQ(verdict(2.5), Verdict::undecidable);
+  EXPECT_EQ(verdict(3.5), Verdict::not_reproduced);
   Statement missing = statement(RuleKind::above, 1.0);
   missing.condition = "c";
   const JudgedRow row = evaluate(missing, folder, {});
@@ -52,14 +58,40 @@ TEST(Evaluation, JudgesTheRunsOfACondition) {
   EXPECT_EQ(row.note, "no run c");
 }
 
+TEST(Evaluation, FewSeedsDecideNothingAboutEachRunUnlessAllAreAlike) {
+  for (std::size_t count = 1; count < kRunsForShare; ++count) {
+    PaperFolder folder;
+    for (std::uint64_t seed = 1; seed <= count; ++seed) folder.conditions["a"].push_back(run_with("a", seed, 2.0));
+    Statement s = statement(RuleKind::above, 1.0);
+    const JudgedRow row = evaluate(s, folder, {});
+    EXPECT_EQ(row.verdict, Verdict::undecidable) << count;
+    EXPECT_EQ(row.one_seed, count == 1);
+    s.rule.expected = 3.0;
+    EXPECT_EQ(evaluate(s, folder, {}).verdict, Verdict::undecidable) << count;
+    s.alike = true;
+    EXPECT_EQ(evaluate(s, folder, {}).verdict, Verdict::not_reproduced) << count;
+    EXPECT_FALSE(evaluate(s, folder, {}).one_seed);
+  }
+}
+
 TEST(Evaluation, ARatioTakesBothIntervalsAtTheirWorst) {
   Statement ratio = statement(RuleKind::above, 1.9);
   ratio.against = "b";
-  const JudgedRow row = evaluate(ratio, two_conditions(), {});
+  ratio.over = Over::mean;
+  PaperFolder folder;
+  const auto of = [&](const std::string& name, const RunNumber& number) {
+    folder.conditions[name] = {run_with(name, 1, 0.0)};
+    folder.conditions[name][0].numbers.add("largest_m", number);
+  };
+  of("a", {5.0, 4.0, 6.0, true});
+  of("b", {1.5, 1.0, 2.0, true});
+  const JudgedRow row = evaluate(ratio, folder, {});
   ASSERT_TRUE(row.measured);
   EXPECT_DOUBLE_EQ(row.measured->low, 2.0);
-  EXPECT_DOUBLE_EQ(row.measured->high, 3.0);
+  EXPECT_DOUBLE_EQ(row.measured->high, 6.0);
   EXPECT_EQ(row.verdict, Verdict::reproduced);
+  of("b", {0.0, 0.0, 0.0, true});
+  EXPECT_EQ(evaluate(ratio, folder, {}).verdict, Verdict::undecidable) << "nothing over nothing";
 }
 
 PaperFolder seeds(const std::vector<double>& a, const std::vector<double>& b = {}) {
@@ -103,6 +135,17 @@ TEST(Evaluation, ARatioAboutEachRunPairsTheSeeds) {
   ASSERT_TRUE(row.share);
   EXPECT_EQ(row.share->holds, 5U);
   EXPECT_EQ(row.verdict, Verdict::reproduced);
+}
+
+TEST(Evaluation, ARatioAboutEachRunNeedsCommonSeeds) {
+  Statement ratio = statement(RuleKind::above, 1.0);
+  ratio.against = "b";
+  const JudgedRow none = evaluate(ratio, seeds({2, 4, 6, 8}, {0, 0, 0, 0}), {});
+  EXPECT_FALSE(none.measured) << "a ratio to nothing is left out";
+  EXPECT_EQ(none.note, "no seed in common");
+  const JudgedRow few = evaluate(ratio, seeds({2, 4, 6, 8, 10}, {1, 1, 1}), {});
+  EXPECT_EQ(few.measured->each.size(), 3U);
+  EXPECT_EQ(few.verdict, Verdict::undecidable);
 }
 
 TEST(Evaluation, APairThatNeverPartsObeysNoTime) {

@@ -41,11 +41,13 @@ void add_totals(const PaperFolder& folder, const std::set<std::string>& names, F
   for (const std::string& name : names) {
     if (folder.of(name).empty()) return;
     const Numbers& first = folder.of(name).front().numbers;
-    simulated += first.find("duration_s")->value;
+    const auto duration = first.find("duration_s");
     const auto own_wall = first.find("wall_s");
-    if (!own_wall) return;
+    const auto factor = first.find("real_time_factor");
+    if (!duration || !own_wall || !factor) return;
+    simulated += duration->value;
     wall += own_wall->value;
-    best = std::max(best, first.find("real_time_factor")->value);
+    best = std::max(best, factor->value);
   }
   const std::string what = std::to_string(names.size()) + " runs";
   numbers["simulated_h"] = exact(simulated / 3600.0, what);
@@ -79,8 +81,7 @@ void add_trend(const std::vector<ExcursionPoint>& points, FolderNumbers& numbers
   }
   if (seeds.size() > 1)
     numbers["excursion_scatter_of_seeds"] =
-        from(bootstrap_values(seeds, [](std::span<const double> v) { return moments(v).mean; }),
-             "95 % over " + std::to_string(seeds.size()) + " conditions");
+        from(mean_of_runs(seeds), "95 % over " + std::to_string(seeds.size()) + " conditions");
 }
 
 /// Neighbours differ in one property and agree in the others.
@@ -133,7 +134,9 @@ void add_tail(const PaperFolder& folder, FolderNumbers& numbers) {
   std::vector<RunPeaks> runs;
   std::vector<double> all;
   for (const PaperRun& run : folder.of(kRunOne)) {
-    runs.push_back({run.excursion_peaks, run.numbers.find("duration_s")->value});
+    const auto duration = run.numbers.find("duration_s");
+    if (!duration) continue;
+    runs.push_back({run.excursion_peaks, duration->value});
     all.insert(all.end(), run.excursion_peaks.begin(), run.excursion_peaks.end());
   }
   if (runs.size() < 2) return;
@@ -150,7 +153,7 @@ double ExcursionPoint::mean() const { return moments(largest_m).mean; }
 
 std::optional<IntervalEstimate> ExcursionPoint::mean_interval() const {
   if (largest_m.size() < 2) return std::nullopt;
-  return bootstrap_values(largest_m, [](std::span<const double> v) { return moments(v).mean; });
+  return mean_of_runs(largest_m);
 }
 
 std::vector<ExcursionPoint> excursion_points(const PaperFolder& folder, const std::vector<TableRow>& rows) {

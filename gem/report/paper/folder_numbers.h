@@ -25,7 +25,7 @@ struct ExcursionPoint {
   std::vector<double> largest_m;  // one per seed
 
   double mean() const;
-  /// Of the mean, by the bootstrap over the seeds; empty for one.
+  /// Of the mean over the seeds, 95 %; empty for one.
   std::optional<IntervalEstimate> mean_interval() const;
 };
 std::vector<ExcursionPoint> excursion_points(const PaperFolder& folder, const std::vector<TableRow>& rows);

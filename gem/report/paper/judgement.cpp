@@ -7,7 +7,6 @@
 
 #include "gem/analysis/bootstrap.h"
 #include "gem/analysis/equivalence.h"
-#include "gem/analysis/moments.h"
 #include "gem/analysis/proportion.h"
 #include "gem/base/number_text.h"
 
@@ -26,8 +25,7 @@ std::string runs_text(std::size_t count) { return std::to_string(count) + (count
 Measured mean_over(const std::vector<RunNumber>& runs, const std::vector<double>& values) {
   const bool alike = std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); });
   if (runs.size() > 1 && !(alike && runs.front().interval)) {
-    const IntervalEstimate mean =
-        bootstrap_values(values, [](std::span<const double> chosen) { return moments(chosen).mean; });
+    const IntervalEstimate mean = mean_of_runs(values);
     return {mean.value, mean.low, mean.high, "95 % over " + runs_text(runs.size()), values};
   }
   const RunNumber& only = runs.front();

@@ -63,7 +63,7 @@ std::optional<RuleKind> rule_kind(const std::string& name);
 enum class Over {
   mean,    // mean with its interval over the runs; for one run the interval that it brings, otherwise none at all
   every,   // the middle one, from the smallest to the largest: the statement is about each run, and the share of runs
-           // that obey it decides (fewer than kRunsForShare: all or none of them)
+           // that obey it decides
   chances  // chances of independent runs, combined
 };
 

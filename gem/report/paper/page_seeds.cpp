@@ -24,12 +24,12 @@ std::string stationarity_text(const Reproduction& result) {
   std::ostringstream text;
   text << "## Is the motion stationary?\n\n";
   if (result.stationarity.empty()) return text.str() + "Needs several seeds of a condition.\n\n";
-  text << "Second half of every run against its first, over the seeds (95 % by the bootstrap over them). Swing: "
-          "deviation "
-          "of x within stretches of 600 s. A run grows or shrinks if the interval of the ratio leaves out 1.\n\n"
+  text << "Second half of every run against its first, over the seeds (95 % over them: Student's t of fewer "
+          "than ten, of the ratios by their logarithms; the bootstrap from ten on). Swing: deviation of x within "
+          "stretches of 600 s. A run grows or shrinks if the interval of the ratio leaves out 1; fewer than four seeds "
+          "decide nothing.\n\n"
        << "| run | seeds | half [s] | swing of x, first half [mm] | second half [mm] | ratio of x | ratio of y | mean "
-          "of "
-          "x, shift [mm] | |\n|---|---:|---:|---|---|---|---|---|---|\n";
+          "of x, shift [mm] | |\n|---|---:|---:|---|---|---|---|---|---|\n";
   for (const StationarityRow& row : result.stationarity)
     text << "| " << row.condition << " | " << row.seeds << " | " << rounded_text(row.half_s, 5) << " | "
          << interval_text(row.early_swing_m, kMillimetre) << " | " << interval_text(row.late_swing_m, kMillimetre)
@@ -43,10 +43,9 @@ std::string extremes_text(const Reproduction& result) {
   text << "## The largest excursion of a run\n\n";
   if (result.extremes.empty()) return text.str() + "Needs five seeds of a condition.\n\n";
   text << "Exposure: the duration of the run. p90: what nine runs of ten stay below, with its 95 % interval; by "
-          "Gumbel's "
-          "law of the largest of each run, of the largest of each 600 s (which takes these as independent and the "
-          "motion "
-          "as stationary: where it is not, this differs), and by ACER (k = 2) of all peaks, one per natural period (- "
+          "Gumbel's law of the largest of each run, of the largest of each 600 s (which takes these as independent and "
+          "the motion as stationary: where it is not, this differs), and by ACER (k = 2) of all peaks, one per natural "
+          "period (- "
           "where they do not resolve its tail).\n\n"
        << "| run | seeds | mean [mm] | p90, runs [mm] | p90, 600 s [mm] | p90, ACER [mm] | p90 of the ice force, 1 s "
           "[kN] |\n|---|---:|---|---|---|---|---|\n";

@@ -10,14 +10,16 @@ namespace gem {
 namespace {
 
 constexpr const char* kHowTo = R"(How a verdict comes about: every statement is one number with an interval and one rule
-(`validation/paper/paper.json`: rule, tolerance and why). *Reproduced*: the whole interval obeys the rule. *Not reproduced*:
-none of it does. *Undecidable*: a part of it does, or runs are missing; an average over one run without an interval of its
-own decides nothing. A statement about an average is judged by the mean over the seeds and its 95 % interval (bootstrap over
-them). A statement about each run is judged by the share of seeds that obey it, with Wilson's 95 % interval: reproduced if
-that lies above one half (or the share that its row in `paper.json` asks for), not reproduced if it lies below; with fewer
-than four seeds all or none must obey. A chance (p) that is not small proves nothing and is undecidable. Each row is judged for itself: of many
-rows at 95 % a few near their bound will be wrong. The paper's figures survive as statements only, so no curve is compared
-with a curve.
+(`validation/paper/paper.json`: rule, tolerance and why). *Reproduced*: the whole interval obeys the rule. *Not
+reproduced*: none of it does. *Undecidable*: a part of it does, or runs are missing; an average over one run without
+an interval of its own decides nothing. A statement about an average is judged by the mean over the seeds and its 95 %
+interval (Student's t of fewer than ten, the bootstrap over them from ten on). A statement about each run is judged by
+the share of seeds that obey it, with Wilson's 95 % interval: reproduced if that lies above one half (or the share
+that its row in `paper.json` asks for), not reproduced if it lies below; fewer than four seeds decide nothing, even if
+all obey. What the case or its generator sets (`alike` in `paper.json`: floes, durations, the swing without ice) is
+the same for every seed, and one run decides it. *One seed* marks a verdict on a single run. A chance (p) that is not
+small proves nothing and is undecidable. Each row is judged for itself: of many rows at 95 % a few near their bound
+will be wrong. The paper's figures survive as statements only, so no curve is compared with a curve.
 )";
 
 std::string marked(Verdict verdict) {
@@ -57,7 +59,7 @@ std::string statements_text(const Reproduction& result) {
     text << "| " << row.id << " | " << cell(row.source) << " | " << cell(row.says) << " | "
          << (row.condition.empty() ? "all" : cell(row.condition)) << " | `" << row.metric << "` | "
          << rule_text(row.rule) << " | " << cell(result_text(row.measured, row.note)) << " | " << marked(row.verdict)
-         << " |\n";
+         << (row.one_seed ? " (one seed)" : "") << " |\n";
   return text.str() + "\n";
 }
 

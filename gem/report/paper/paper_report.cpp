@@ -24,6 +24,14 @@ void write(const std::filesystem::path& path, const std::string& text) {
                 "cannot write " + path.string() + " (disk full or no permission) choose another output folder");
 }
 
+/// A report of nothing would replace one of something.
+void check_runs(const PaperFolder& folder) {
+  if (!folder.conditions.empty()) return;
+  const std::string reason = folder.refused.empty() ? "no file *.h5 is there" : folder.refused.front();
+  throw Error(ExitCode::file_system,
+              "no run was read (" + reason + ") name folders of run files or of what `gem sweep collect` made");
+}
+
 void append(std::vector<PaperFigure>& all, std::vector<PaperFigure> more) {
   for (PaperFigure& figure : more) all.push_back(std::move(figure));
 }
@@ -56,6 +64,7 @@ PaperReportSummary write_paper_report(const std::vector<std::string>& runs, cons
                                       const std::string& statements) {
   const Catalogue catalogue = read_catalogue(statements);
   const PaperFolder folder = read_paper_folders(runs);
+  check_runs(folder);
   const std::filesystem::path root(out);
   const std::filesystem::path pictures = root / "figures";
   Reproduction result;

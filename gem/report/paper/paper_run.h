@@ -78,7 +78,6 @@ PaperRun paper_run(const RunFile& records, const RunData& data, NullModel null_m
 /// used is listed, not fatal. A run that is found again adds what the first lacks if it has the same state hash, and is
 /// refused otherwise. Throws Error(file_system) if a folder or file is not there.
 PaperFolder read_paper_folders(const std::vector<std::string>& folders);
-inline PaperFolder read_paper_folder(const std::string& folder) { return read_paper_folders({folder}); }
 
 /// Platform's path at an interval [s], or at the longer one that a summary kept; empty where nothing was kept.
 PlatformPath path_of(const PaperRun& run, double interval_s);

@@ -11,6 +11,7 @@
 #include "gem/base/error.h"
 #include "gem/report/paper/divergence_study.h"
 #include "gem/report/paper/null_model.h"
+#include "gem/report/paper/paper_report.h"
 #include "gem/report/run_program.h"
 
 namespace gem {
@@ -63,7 +64,7 @@ TEST_F(PaperRunFiles, AFolderIsReadBySeedAndWhatIsNoRunIsListed) {
   run("again.h5", {"run.duration_s=60", "run.seed=1", "run.name=\"V39_s1\""});
   std::ofstream(folder_ / "broken.h5") << "no run";
   std::ofstream(folder_ / "notes.txt") << "not looked at";
-  const PaperFolder folder = read_paper_folder(folder_.string());
+  const PaperFolder folder = read_paper_folders({folder_.string()});
   ASSERT_EQ(folder.of("V39").size(), 2U);
   EXPECT_EQ(folder.of("V39")[0].seed, 1U);
   EXPECT_EQ(folder.of("V39")[1].seed, 2U);
@@ -71,7 +72,27 @@ TEST_F(PaperRunFiles, AFolderIsReadBySeedAndWhatIsNoRunIsListed) {
   EXPECT_EQ(folder.refused.size(), 1U);
   EXPECT_EQ(folder.repeated, 1U);
   EXPECT_TRUE(folder.of("other").empty());
-  EXPECT_THROW(read_paper_folder((folder_ / "nowhere").string()), Error);
+  EXPECT_THROW(read_paper_folders({(folder_ / "nowhere").string()}), Error);
+}
+
+TEST_F(PaperRunFiles, AReportOfNothingReplacesNone) {
+  const fs::path report = folder_ / "report";
+  fs::create_directories(report / "figures");
+  std::ofstream(report / "figures" / "old.svg") << "a picture";
+  const auto message = [&] {
+    try {
+      write_paper_report({folder_.string()}, report.string(),
+                         std::string(GEM_SOURCE_DIR) + "/validation/paper/paper.json");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_NE(message().find("no file *.h5"), std::string::npos) << message();
+  std::ofstream(folder_ / "broken.h5") << "no run";
+  EXPECT_NE(message().find("broken.h5"), std::string::npos) << message();
+  EXPECT_TRUE(fs::exists(report / "figures" / "old.svg"));
+  EXPECT_FALSE(fs::exists(report / "README.md"));
 }
 
 TEST_F(PaperRunFiles, IceGivesLoadsAndCover) {
@@ -98,7 +119,7 @@ TEST_F(PaperRunFiles, DisturbedRunsFindThePartnerOfTheirSeed) {
           {"run.duration_s=60", std::string("run.seed=") + seed, floe, "floes.moved_floe=0",
            std::string("run.name=\"moved_") + moved + "_s" + seed + "\"",
            std::string("floes.moved_by_m=[") + moved + ",0.0]", "platform.start_offset_m=[0.0,0.0]"});
-  const DivergenceStudy study = divergence_study(read_paper_folder(folder_.string()));
+  const DivergenceStudy study = divergence_study(read_paper_folders({folder_.string()}));
   ASSERT_EQ(study.pairs.size(), 2U);
   for (const DivergingPair& pair : study.pairs) {
     EXPECT_EQ(pair.moved_m, 1e-3);

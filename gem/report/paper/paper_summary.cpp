@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "gem/base/error.h"
@@ -132,25 +133,53 @@ void read_numbers(const SummaryTable& table, std::vector<PaperRun>& runs) {
     if (column.numbers.empty() || column.is_setting) continue;
     const SummaryColumn* low = table.column(column.name + "_low");
     const SummaryColumn* high = table.column(column.name + "_high");
+    const bool ends = low != nullptr && high != nullptr && !low->numbers.empty() && !high->numbers.empty();
     for (std::size_t run = 0; run < runs.size(); ++run) {
       const double value = column.numbers[run];
-      const bool interval = low != nullptr && high != nullptr && !std::isnan(low->numbers[run]);
+      const bool interval = ends && !std::isnan(low->numbers[run]) && !std::isnan(high->numbers[run]);
       runs[run].numbers.add(column.name, interval ? RunNumber{value, low->numbers[run], high->numbers[run], true}
                                                   : RunNumber{value, value, value, false});
     }
   }
 }
 
-void read_series(const SummaryTable& table, std::vector<PaperRun>& runs) {
+[[noreturn]] void reject(const std::string& origin, const std::string& problem) {
+  throw Error(ExitCode::file_system, "cannot read " + shown(origin) + " (" + problem + ") collect the runs again");
+}
+
+/// Of the path; 0 where one sample alone was kept.
+double interval_of(const SummaryTable& table, const std::string& origin) {
+  const SummaryAxis* axis = table.axis("time");
+  if (axis == nullptr || axis->values.size() < 2) return 0.0;
+  const double interval_s = axis->values[1] - axis->values[0];
+  if (!(interval_s > 0.0)) reject(origin, "its times do not increase");
+  return interval_s;
+}
+
+void check_lengths(PaperRun& run, const std::string& origin) {
+  std::map<std::string, std::size_t> length;
+  for (const SeriesEntry& entry : entries()) {
+    if (std::string(entry.axis) == "time" && !run.path) continue;
+    const std::size_t own = entry.values(run).size();
+    const bool velocity = std::string(entry.name).starts_with("velocity");  // not kept with every path
+    if (velocity && own == 0) continue;
+    if (length.insert({entry.axis, own}).first->second != own)
+      reject(origin, std::string(entry.name) + " differs in length from the series beside it");
+  }
+  if (run.path && run.path->vx.size() != run.path->vy.size()) reject(origin, "one velocity of two");
+}
+
+void read_series(const SummaryTable& table, std::vector<PaperRun>& runs, const std::string& origin) {
+  const double interval_s = interval_of(table, origin);
   for (const SeriesEntry& entry : entries()) {
     const SummarySeries* series = table.one_series(entry.name);
     if (series == nullptr) continue;
+    if (series->axis != entry.axis) reject(origin, series->name + " does not run along " + entry.axis);
     const std::vector<Values> rows = rows_of(*series, runs.size());
     for (std::size_t run = 0; run < runs.size(); ++run) {
       entry.values(runs[run]) = rows[run];
       if (series->axis != "time") continue;
-      const Values& time = table.axis("time")->values;
-      runs[run].path->interval_s = time.size() > 1 ? time[1] - time[0] : 0.0;
+      runs[run].path->interval_s = interval_s;
       runs[run].path->exact = series->exact;
     }
   }
@@ -197,8 +226,7 @@ std::vector<PaperRun> paper_runs(const SummaryTable& table, const std::string& o
   const auto texts = [&](const char* name) -> const std::vector<std::string>& {
     const SummaryColumn* column = table.column(name);
     if (column == nullptr || column->texts.size() != table.runs.size())
-      throw Error(ExitCode::file_system, "cannot read " + shown(origin) + " (no column " + name +
-                                             ": made with --from, or by an older program) collect the runs again");
+      reject(origin, std::string("no column ") + name + ": made with --from, or by an older program");
     return column->texts;
   };
   std::vector<PaperRun> runs(table.runs.size());
@@ -213,7 +241,11 @@ std::vector<PaperRun> paper_runs(const SummaryTable& table, const std::string& o
     runs[i].state_hash = texts("state_hash")[i];
   }
   read_numbers(table, runs);
-  read_series(table, runs);
+  read_series(table, runs, origin);
+  for (PaperRun& run : runs) {
+    if (!run.numbers.find("duration_s")) reject(origin, "a run has no duration_s");
+    check_lengths(run, origin);
+  }
   return runs;
 }
 

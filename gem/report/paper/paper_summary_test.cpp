@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 #include "gem/base/error.h"
 
@@ -114,6 +116,39 @@ TEST_F(PaperSummary, ASummaryWithoutItsPaperPartIsRefused) {
   SummaryTable table = table_of({made_up(1, "aa")});
   std::erase_if(table.columns, [](const SummaryColumn& column) { return column.name == "case_toml"; });
   EXPECT_THROW(paper_runs(table, "s.h5"), Error);
+}
+
+TEST_F(PaperSummary, WhatDoesNotFitTogetherIsRefused) {
+  const auto refused = [](const std::function<void(SummaryTable&)>& spoil) {
+    SummaryTable table = table_of({made_up(1, "aa"), made_up(2, "bb")});
+    spoil(table);
+    try {
+      paper_runs(table, "s.h5");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto series = [](SummaryTable& table, const std::string& name) -> SummarySeries& {
+    return *std::find_if(table.series.begin(), table.series.end(), [&](const auto& one) { return one.name == name; });
+  };
+  EXPECT_EQ(refused([](SummaryTable&) {}), "");
+  EXPECT_NE(refused([&](SummaryTable& t) { series(t, "displacement_x").axis = "block"; }).find("along time"),
+            std::string::npos);
+  EXPECT_NE(refused([&](SummaryTable& t) { series(t, "displacement_y").values[1] = std::nan(""); }).find("length"),
+            std::string::npos);
+  EXPECT_NE(refused([](SummaryTable& t) {
+              for (SummaryAxis& axis : t.axes) std::fill(axis.values.begin(), axis.values.end(), 0.0);
+            }).find("do not increase"),
+            std::string::npos);
+  EXPECT_NE(refused([](SummaryTable& t) {
+              std::erase_if(t.columns, [](const SummaryColumn& column) { return column.name == "duration_s"; });
+            }).find("duration_s"),
+            std::string::npos);
+}
+
+TEST(PlatformPath, OfOneSampleHasNothingToThin) {
+  EXPECT_EQ(thinned({0.0, true, {1.0}, {2.0}, {}, {}}, 5.0).x, (std::vector<double>{1.0}));
 }
 
 TEST(PlatformPath, IsThinnedByWholeSteps) {

@@ -44,6 +44,7 @@ PlatformPath read_path(const std::string& run_file, double interval_s) {
 }
 
 PlatformPath thinned(const PlatformPath& path, double interval_s) {
+  if (!(path.interval_s > 0.0)) return path;
   const auto step = static_cast<std::size_t>(std::llround(interval_s / path.interval_s));
   if (step < 2 || std::abs(static_cast<double>(step) * path.interval_s - interval_s) > 1e-9 * interval_s) return path;
   PlatformPath result{interval_s, path.exact, {}, {}, {}, {}};

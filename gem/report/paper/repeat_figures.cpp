@@ -48,7 +48,8 @@ PaperFigure draw_repetition(const std::vector<Curve>& list, const std::filesyste
   const Unit time{"h", 3600.0};
   std::string plot = "plot ";
   double largest = 0.0;
-  for (const Curve& curve : list) largest = std::max(largest, curve.run->numbers.find("orbit_largest_m")->value);
+  for (const Curve& curve : list)
+    if (const auto own = curve.run->numbers.find("orbit_largest_m")) largest = std::max(largest, own->value);
   const Unit metre = length_unit(largest);
   for (std::size_t c = 0; c < list.size(); ++c) {
     const PlatformPath path = path_of(*list[c].run, kInterval);

@@ -2,10 +2,10 @@
 #include "gem/report/paper/seed_extremes.h"
 
 #include <algorithm>
-#include <span>
 #include <stdexcept>
 
 #include "gem/analysis/acer.h"
+#include "gem/analysis/bootstrap.h"
 #include "gem/analysis/gumbel.h"
 #include "gem/analysis/moments.h"
 
@@ -53,8 +53,8 @@ std::optional<IntervalEstimate> by_blocks(const std::vector<PaperRun>& runs) {
   for (const PaperRun& run : runs)
     maxima.insert(maxima.end(), run.blocks.largest_excursion.begin(), run.blocks.largest_excursion.end());
   if (maxima.size() < 2 * runs.size()) return std::nullopt;
-  const double duration = runs.front().numbers.find("duration_s")->value;
-  return gumbel(maxima, duration / kBlockLength);
+  const auto duration = runs.front().numbers.find("duration_s");
+  return duration ? gumbel(maxima, duration->value / kBlockLength) : std::nullopt;
 }
 
 std::vector<double> largest_forces(const std::vector<PaperRun>& runs) {
@@ -75,9 +75,8 @@ std::vector<ExtremesRow> seed_extremes(const PaperFolder& folder, const std::vec
     if (largest.size() < kFewestRuns) continue;
     const auto p90 = gumbel(largest, 1.0);
     if (!p90) continue;
-    rows.push_back({condition, largest.size(),
-                    bootstrap_values(largest, [](std::span<const double> v) { return moments(v).mean; }), *p90,
-                    by_blocks(runs), by_acer(runs), gumbel(largest_forces(runs), 1.0)});
+    rows.push_back({condition, largest.size(), mean_of_runs(largest), *p90, by_blocks(runs), by_acer(runs),
+                    gumbel(largest_forces(runs), 1.0)});
   }
   return rows;
 }

@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "gem/analysis/bootstrap.h"
-#include "gem/analysis/moments.h"
 #include "gem/report/paper/paper_figures.h"
 #include "gem/report/paper/seed_extremes.h"
 #include "gem/report/paper/stationarity.h"
@@ -64,8 +63,7 @@ PaperFigure draw_convergence(const std::vector<PaperRun>& runs, const std::strin
   Csv mean("duration [h],mean [mm],low [mm],high [mm]");
   for (std::size_t i = 0; i < at_end.size(); ++i) {
     if (at_end[i].size() < 2) continue;
-    const IntervalEstimate over =
-        bootstrap_values(at_end[i], [](std::span<const double> v) { return moments(v).mean; });
+    const IntervalEstimate over = mean_of_runs(at_end[i]);
     mean.row(
         {hours(static_cast<double>(i + 1)), over.value / kMillimetre, over.low / kMillimetre, over.high / kMillimetre});
   }

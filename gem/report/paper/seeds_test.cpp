@@ -49,6 +49,12 @@ TEST(Stationarity, SteadyAndUndecidedAreTwoThings) {
   EXPECT_EQ(stationarity(seeds(1.0, 0.005), {"a"})[0].growth, Growth::steady);
   EXPECT_EQ(stationarity(seeds(1.0, 0.2), {"a"})[0].growth, Growth::undecided);
   EXPECT_EQ(stationarity(seeds(0.8, 0.01), {"a"})[0].growth, Growth::shrinks);
+  PaperFolder few = seeds(1.2, 0.01);
+  few.conditions["a"].resize(4);
+  EXPECT_EQ(stationarity(few, {"a"})[0].growth, Growth::grows);
+  few.conditions["a"].resize(3);
+  ASSERT_GT(stationarity(few, {"a"})[0].ratio_x.low, 1.0);
+  EXPECT_EQ(stationarity(few, {"a"})[0].growth, Growth::undecided) << "three seeds decide nothing";
   PaperFolder one = seeds(1.2, 0.0);
   one.conditions["a"].resize(1);
   EXPECT_TRUE(stationarity(one, {"a"}).empty());

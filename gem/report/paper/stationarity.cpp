@@ -11,13 +11,9 @@
 namespace gem {
 namespace {
 
-IntervalEstimate mean_of(const std::vector<double>& values) {
-  return bootstrap_values(values, [](std::span<const double> chosen) { return moments(chosen).mean; });
-}
-
 IntervalEstimate geometric_mean(std::vector<double> ratios) {
   for (double& ratio : ratios) ratio = std::log(ratio);
-  const IntervalEstimate mean = mean_of(ratios);
+  const IntervalEstimate mean = mean_of_runs(ratios);
   return {std::exp(mean.value), std::exp(mean.low), std::exp(mean.high)};
 }
 
@@ -53,7 +49,8 @@ struct Halves {
 
 }  // namespace
 
-Growth judge_growth(const IntervalEstimate& ratio) {
+Growth judge_growth(const IntervalEstimate& ratio, std::size_t seeds) {
+  if (seeds < kRunsForGrowth) return Growth::undecided;
   if (ratio.low > 1.0) return Growth::grows;
   if (ratio.high < 1.0) return Growth::shrinks;
   return ratio.low >= 1.0 - kSteady && ratio.high <= 1.0 + kSteady ? Growth::steady : Growth::undecided;
@@ -82,12 +79,12 @@ std::vector<StationarityRow> stationarity(const PaperFolder& folder, const std::
     StationarityRow row{condition,
                         halves.ratio_x.size(),
                         kBlockLength * static_cast<double>(halves.longest),
-                        mean_of(halves.early_x),
-                        mean_of(halves.late_x),
+                        mean_of_runs(halves.early_x),
+                        mean_of_runs(halves.late_x),
                         geometric_mean(halves.ratio_x),
                         geometric_mean(halves.ratio_y),
-                        mean_of(halves.shift)};
-    row.growth = judge_growth(row.ratio_x);
+                        mean_of_runs(halves.shift)};
+    row.growth = judge_growth(row.ratio_x, row.seeds);
     rows.push_back(row);
   }
   return rows;
@@ -100,7 +97,7 @@ std::vector<IntervalEstimate> over_seeds(const std::vector<PaperRun>& runs, std:
     for (const PaperRun& run : runs)
       if (const std::vector<double>& all = run.blocks.*quantity; block < all.size()) values.push_back(all[block]);
     if (values.size() < 2) return result;
-    result.push_back(mean_of(values));
+    result.push_back(mean_of_runs(values));
   }
 }
 

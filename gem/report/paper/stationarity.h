@@ -11,7 +11,7 @@ namespace gem {
 
 enum class Growth { grows, shrinks, steady, undecided };
 
-/// Of one condition; means over its seeds with 95 % by the bootstrap over them.
+/// Of one condition; means over its seeds with their 95 % (mean_of_runs; of ratios by their logarithms).
 struct StationarityRow {
   std::string condition;
   std::size_t seeds = 0;
@@ -25,8 +25,9 @@ struct StationarityRow {
 };
 
 /// Grows if the interval of the ratio lies above 1, shrinks below; steady if it lies within 1 +- kSteady and decides
-/// neither.
-Growth judge_growth(const IntervalEstimate& ratio);
+/// neither. Fewer than kRunsForGrowth seeds decide nothing.
+Growth judge_growth(const IntervalEstimate& ratio, std::size_t seeds);
+inline constexpr std::size_t kRunsForGrowth = 4;
 inline constexpr double kSteady = 0.1;
 std::string growth_text(Growth growth);
 

@@ -1,0 +1,28 @@
+# Swing and offset over time. Redraw: gnuplot -d growth.gp
+set terminal svg size 1000,380 dynamic noenhanced font 'sans-serif,14' background '#ffffff'
+set output 'growth.svg'
+set encoding utf8
+set datafile separator ','
+set datafile columnheaders
+set key noautotitle
+set border 3 lc rgb '#8a8f98' lw 1
+set tics nomirror out scale 0.5 font ',12' textcolor rgb '#3c4149'
+set xtics offset 0,0.3
+set grid xtics ytics back lc rgb '#e6e8eb' lw 1 dt solid
+set key outside top left horizontal Left reverse width 1 samplen 1.6 spacing 1.15 textcolor rgb '#3c4149'
+set lmargin 11
+set rmargin 3
+set tmargin 2
+set style line 1 lc rgb '#31688e' lw 1.2
+set style line 2 lc rgb '#c2571a' lw 1.4
+set style line 3 lc rgb '#35a37a' lw 1.2
+set style line 4 lc rgb '#8a8f98' lw 1.0
+set style fill solid 1.0 noborder
+set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725')
+set label 99 '004_400_25: coupled, dt 0.2 s, seed 1  gem 0.1.0 (682232919a69), 4 seeds' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
+set key outside bottom left horizontal
+set xlabel 'time [h]' offset 0,0.4
+set ylabel '[mm]'
+set xrange [0:*]
+set xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid
+plot 'growth_x.csv' using 1:2:3:4 with yerrorbars linestyle 1 pt 7 ps 0.5 title 'swing of x', '' using 1:2 with lines linestyle 1 notitle, 'growth_y.csv' using ($1+0.01):2:3:4 with yerrorbars linestyle 2 pt 7 ps 0.5 title 'swing of y', '' using ($1+0.01):2 with lines linestyle 2 notitle, 'growth_offset.csv' using ($1-0.01):2:3:4 with yerrorbars linestyle 3 pt 7 ps 0.5 title 'mean of x', '' using ($1-0.01):2 with lines linestyle 3 notitle

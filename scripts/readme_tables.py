@@ -6,6 +6,7 @@ usage: scripts/readme_tables.py
 clean_root_run.txt, clean_root_test.txt   what scripts/run.sh and scripts/test.sh printed in a bare Debian 12 root
 real_time_factor*.csv                     what bench/real_time_factor.py wrote
 cuda_*.csv                                what gem_cuda_speed printed
+scenes.csv                                what bench/scene_bench.py wrote
 """
 import csv
 import glob
@@ -75,11 +76,28 @@ def gpu_table():
     return rows
 
 
+def scenes_table():
+    """Moments without each feature against all of them, then over the number of floes."""
+    with open(os.path.join(RESULTS, "scenes.csv"), newline="", encoding="utf-8") as file:
+        scenes = list(csv.DictReader(file))
+    everything = next(float(r["least_us"]) for r in scenes if r["scene"] == "feature/everything")
+    rows = ["| moment | \u00b5s | of the whole | ns a floe | contacts | state hash |", "|" + "---|" * 6]
+    for r in scenes:
+        kind, name = r["scene"].split("/")
+        share = f"{float(r['least_us']) / everything:.2f}" if kind == "feature" else ""
+        per_floe = f"{float(r['ns_per_floe']):.0f}" if r["floes"] else ""
+        title = name.replace("_", " ") if kind == "feature" else f"{name} floes"
+        rows.append(f"| {title} | {float(r['least_us']):.0f} | {share} | {per_floe} | {float(r['contacts']):.0f} | "
+                    f"`{r['state_hash']}` |")
+    return rows
+
+
 def main():
     path = os.path.join(TOP, "README.md")
     with open(path, encoding="utf-8") as file:
         text = file.read()
-    for mark, rows in (("set-up", set_up_table()), ("speed", speed_table()), ("gpu", gpu_table())):
+    for mark, rows in (("set-up", set_up_table()), ("speed", speed_table()), ("gpu", gpu_table()),
+                       ("scenes", scenes_table())):
         begin, end = f"<!-- table: {mark} -->", "<!-- end of table -->"
         head, rest = text.split(begin, 1)
         text = head + begin + "\n" + "\n".join(rows) + "\n" + end + rest.split(end, 1)[1]

@@ -24,15 +24,13 @@ inline CollisionMass collision_mass(const Bodies& b, std::int32_t i) {
   return {b.inverse_mass[i], b.inverse_inertia[i]};
 }
 
-/// Asks the cache for what the search for contacts reads of a body. The bodies of a list's pairs lie anywhere in
-/// memory.
+/// Asks the cache for what the search for contacts reads of a body. Where floes are not numbered along the channel the
+/// bodies of a list's pairs lie anywhere in memory.
 inline void foresee_search(const FieldState& f, std::int32_t i) {
   __builtin_prefetch(&f.bodies.position[i]);
   __builtin_prefetch(&f.bodies.radius[i]);
   __builtin_prefetch(&f.turn_travel[i]);
   __builtin_prefetch(&f.bodies.vertex_begin[i]);
-  __builtin_prefetch(&f.bodies.velocity[i]);
-  __builtin_prefetch(&f.bodies.spin[i]);
 }
 
 /// The same for its outline.

@@ -9,6 +9,7 @@
 // | book_contact       | velocities after                        | books of B, struck flags                |
 #pragma once
 
+#include "gem/engine/body_repair.h"
 #include "gem/engine/contact.h"
 #include "gem/engine/coupled_point.h"
 #include "gem/engine/field_state.h"
@@ -120,6 +121,13 @@ inline PointGeometry<double> point_of_contact(const FieldState& f, const Contact
 
 inline void resolve_alone(const FieldState& f, Contact& contact) {
   resolve_alone(f.constants, collision_mass(f.bodies, contact.a), collision_mass(f.bodies, contact.b), contact);
+}
+
+/// Takes over what of body i's position repair is done in this moment.
+inline void take_repair(FieldState& f, std::size_t i, const BodyRepair& repair) {
+  const BodyRepair done = within_reach(repair, f.bodies.radius[i], f.constants.repair_reach);
+  f.repair_shift[i] = done.shift;
+  f.repair_turn[i] = done.turn;
 }
 
 /// Adds an impulse on B, and its opposite on A.

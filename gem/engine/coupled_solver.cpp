@@ -207,8 +207,7 @@ void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team
     const Motion<double>& m = motion_[entry];
     f.bodies.velocity[i] = {m.x, m.y};
     f.bodies.spin[i] = m.spin;
-    f.repair_shift[i] = {m.shift_x, m.shift_y};
-    f.repair_turn[i] = m.turn;
+    take_repair(f, i, {{m.shift_x, m.shift_y}, m.turn});
   });
 }
 

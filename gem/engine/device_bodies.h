@@ -1,6 +1,7 @@
 // The bodies phase of a moment: each body adds what its contacts did, moves, and takes the drag of the next moment.
 #pragma once
 
+#include "gem/engine/body_repair.h"
 #include "gem/engine/device_gather.h"
 #include "gem/engine/solo_event.h"
 
@@ -78,27 +79,20 @@ GEM_DEVICE inline void kick_body(const DeviceScene& s, Mover& mover, BodyMotion&
   motion.angle_correction = kicked.angle_correction;
 }
 
-/// Position repair of a moment.
-struct Repair {
-  Vec2 shift;         // [m]
-  double turn = 0.0;  // [rad]
-};
-
 /// Takes over what the iterations of a coupled moment found for body i; returns whether any of its points acted.
 GEM_DEVICE inline bool take_solved(const DeviceScene& s, std::int32_t i, std::int32_t moment, BodyAfter& after,
-                                   Repair& repair) {
+                                   BodyRepair& repair) {
   if (s.body_points[i].moment != moment) return false;
   const SolvedMotion& solved = s.solved[i];
   after.velocity = {solved.part[0], solved.part[1]};
   after.spin = solved.part[4];
-  repair.shift = {solved.part[2], solved.part[3]};
-  repair.turn = solved.part[5];
+  repair = within_reach({{solved.part[2], solved.part[3]}, solved.part[5]}, s.body[i].radius, s.constants.repair_reach);
   return solved.part[6] > 0.0;
 }
 
 /// Moves a floe with its velocity after the events; whether it turned.
 GEM_DEVICE inline bool drift(const DeviceScene& s, Mover& mover, const BodyMotion& motion, const BodyAfter& after,
-                             bool struck, const Repair& repair, Quantity& drag_book) {
+                             bool struck, const BodyRepair& repair, Quantity& drag_book) {
   const double dt = s.constants.dt;
   double angle = dt * after.spin;
   if (struck) {
@@ -138,7 +132,7 @@ GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& d
   Quantity drag_book = s.book(Channel::drag, i);
   Mover mover = mover_of(cell);
   BodyAfter after{mover.velocity, mover.spin};
-  Repair repair;
+  BodyRepair repair;
   bool struck = gather(s, i, cell, motion, step.moment, after);
   if (cell.kind != BodyKind::floe || !cell.active) return;
   if (s.constants.resolution == Resolution::coupled) {

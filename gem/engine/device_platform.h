@@ -127,7 +127,7 @@ GEM_DEVICE inline void book_platform_repair(const DeviceScene& s, double mass, c
 /// What one thread does for the platform, once the contacts are summed.
 template <class Crew>
 GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, const Desk& desk, const PlatformSums& sums,
-                                          const Repair& repair, std::int32_t pressed, const MomentStep& step) {
+                                          const BodyRepair& repair, std::int32_t pressed, const MomentStep& step) {
   BodyCell& cell = desk.body[0];
   const BodyMotion& motion = desk.motion[0];
   PlatformCell& p = *s.platform;
@@ -160,7 +160,7 @@ GEM_DEVICE inline void move_platform(const DeviceScene& s, Crew& crew, const Des
   const std::int32_t terms = line_up_terms(s, warp, cell, desk.motion[0], step.moment, pressed);
   PlatformSums start;
   BodyAfter after{cell.velocity, cell.spin};
-  Repair repair;
+  BodyRepair repair;
   if (s.constants.resolution == Resolution::coupled) take_solved(s, 0, step.moment, after, repair);
   start.velocity = after.velocity;
   start.spin = after.spin;

@@ -64,6 +64,8 @@ MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
                                                                : PointFriction::fixed_direction;
   c.repair_share = scene.numerics.repair_share;
   c.repair_speed = scene.numerics.repair_speed_m_per_s;
+  // what a contact reaches beyond one moment of drift
+  c.repair_reach = std::max((scene.numerics.contact_reach - 1.0) * fastest, c.repair_speed) * c.dt;
   c.list_margin = scene.numerics.list_margin_m;
   c.retire_x = scene.output.retire_x_m;
   return c;

@@ -42,6 +42,7 @@ struct MomentConstants {
   bool crushing_limit = true;  // coupled
   double repair_share = 0.0;   // share of an overlap taken back in one moment [-]
   double repair_speed = 0.0;   // ... at most at this speed [m/s]
+  double repair_reach = 0.0;   // coupled: farthest that the repair takes a point of a body in one moment [m]
   double list_margin = 0.0;    // [m]
   double retire_x = 0.0;       // [m]
 };

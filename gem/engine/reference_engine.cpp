@@ -205,8 +205,7 @@ void ReferenceEngine::resolve_coupled(std::vector<Contact>& contacts, MomentQual
     if (!(f.bodies.inverse_mass[i] > 0.0)) continue;
     f.bodies.velocity[i] = {motion[i].x, motion[i].y};
     f.bodies.spin[i] = motion[i].spin;
-    f.repair_shift[i] = {motion[i].shift_x, motion[i].shift_y};
-    f.repair_turn[i] = motion[i].turn;
+    take_repair(f, i, {{motion[i].shift_x, motion[i].shift_y}, motion[i].turn});
   }
   for (const Point& point : points) {
     point.slot->impulse = {point.impulse.normal, point.impulse.tangential};

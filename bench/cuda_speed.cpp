@@ -1,7 +1,7 @@
 // Speed of the cuda engine by device events, as CSV: one scene in three phases and several layouts, and batches.
 //
-// usage: gem_cuda_speed CASES_FOLDER [single|copies|batch|table|profile|all] [largest batch] [coupled|independent]
-// [phase]
+// usage: gem_cuda_speed CASES_FOLDER [single|copies|batch|table|growth|profile|all] [largest batch]
+// [coupled|independent] [phase]
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,6 +17,7 @@
 #include "gem/scene/scene_file.h"
 #include "gem/scene/sweep.h"
 #include "gem_version.h"
+#include "growth_field.h"
 
 namespace gem {
 namespace {
@@ -217,6 +218,24 @@ void table(const Subject& subject) {
   time_batch(subject, "table1_recorded", scenes, 1200.0, true);
 }
 
+/// One scene of many floes, in the strict mode of all others.
+void growth(const Subject& subject) {
+  for (const std::int64_t count : {1000, 10000, 100000, 1000000, 4000000}) {
+    auto [scene, bodies] = growth_field(count);
+    scene.contact.resolution = subject.resolution;
+    if (subject.resolution == Resolution::independent) scene.contact.manifold = Manifold::chord_middle;
+    CudaBatch batch({{scene, bodies}}, {.samples = false});
+    batch.advance(100, nullptr);
+    const EngineState start = batch.save(0);
+    const Timing time = time_moments(batch, start, nullptr, 3);
+    std::printf("%s,%s,%s,growth,%lld floes,1,%d,%d,%.3f,%.3f,%.0f,,%.2f,%016llx", GEM_COMMIT,
+                batch.device().name.c_str(), subject.name(), static_cast<long long>(count), batch.blocks(),
+                batch.threads(), 1e6 * time.median, 1e6 * time.spread, scene.numerics.moment_s / time.median,
+                time.wall / time.median, static_cast<unsigned long long>(batch.state_hash(0)));
+    end_row(batch);
+  }
+}
+
 }  // namespace
 }  // namespace gem
 
@@ -234,6 +253,7 @@ int main(int count, char** argument) {
     if (what == "copies" || what == "all") gem::copies(subject, largest);
     if (what == "batch" || what == "all") gem::batches(subject, largest);
     if (what == "table" || what == "all") gem::table(subject);
+    if (what == "growth" || what == "all") gem::growth(subject);
     return 0;
   } catch (const gem::Error& error) {
     std::fprintf(stderr, "gem_cuda_speed: %s\n", error.what());

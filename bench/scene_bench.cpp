@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "gem/base/random.h"
 #include "gem/engine/engine.h"
 #include "gem/field/field.h"
 #include "gem/scene/scene_file.h"
+#include "growth_field.h"
 
 namespace gem {
 namespace {
@@ -99,22 +99,9 @@ void one_feature(benchmark::State& state, const Feature& feature) {
   time_moments(state, *engine, start, 40, log);
 }
 
-/// `count` floes of one shape list on open water, at the concentration of the main case, that drift through each other.
 void growth(benchmark::State& state) {
   const std::int64_t count = state.range(0);
-  SceneDef scene;
-  scene.boundary.present = scene.platform.present = false;
-  scene.mooring.stiffness_N_per_m = 0.0;
-  scene.floes.source = FloeSource::copied;
-  scene.floes.placement = Placement::tiled;
-  scene.floes.count = count;
-  const double area_per_floe = 1500.0 * 400.0 / 4008.0;  // [m2]
-  scene.floes.length_m = scene.floes.width_m = std::sqrt(area_per_floe * double(count));
-  scene.floes.start_x_m = -scene.floes.length_m - 100.0;
-  Bodies bodies = make_field(scene);
-  RandomSequence random(Random(8, 0));
-  for (std::size_t i = 0; i < bodies.count(); ++i)
-    bodies.velocity[i] = {0.25 + random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
+  const auto [scene, bodies] = growth_field(count);
   const auto engine = make_engine(scene, bodies, {"cpu", 1});
   MomentLog log;
   log.wants_events = false;

@@ -26,14 +26,16 @@
 namespace gem::repeats {
 namespace {
 
-constexpr double kInterval = 2.0;  // between the samples of a path [s]
-constexpr double kMoved = 1e-9;    // [m]
+constexpr double kInterval = 2.0;       // between the samples of a path [s]
+constexpr const char* kMoved = "1e-9";  // [m]
 
 struct Planned {
   std::string contacts;  // independent or coupled
-  std::string sums;      // ordered, zero or velocity (SumStart), moved: ordered with one floe moved
+  std::string sums;      // ordered; zero or velocity (SumStart); "moved 1e-9": ordered, one floe moved so far [m]
   int run = 0;           // repeat; the floe that is moved, counted from the platform; 0: as it is
 };
+
+bool moved(const Planned& run) { return run.sums.starts_with("moved"); }
 
 struct Path {
   std::vector<Vec2> place, velocity;  // [m], velocity over the natural frequency [m]
@@ -52,7 +54,7 @@ std::vector<Planned> plan() {
     runs.push_back({contacts, "ordered", 0});
     for (int k = 1; k <= 6; ++k) runs.push_back({contacts, "zero", k});
     for (int k = 1; k <= 6 && independent; ++k) runs.push_back({contacts, "velocity", k});
-    for (const int floe : {50, 100, 150, 200}) runs.push_back({contacts, "moved", floe});
+    for (const int floe : {50, 100, 150, 200}) runs.push_back({contacts, std::string("moved ") + kMoved, floe});
   }
   return runs;
 }
@@ -61,9 +63,9 @@ std::vector<Planned> plan() {
 SceneDef scene_of(const Planned& run, const std::string& file) {
   std::vector<std::string> settings = {"ice.friction_ice=0.1", "contact.resolution=\"" + run.contacts + "\""};
   if (run.contacts == "independent") settings.push_back("contact.manifold=\"chord_middle\"");
-  if (run.sums == "moved") {
+  if (moved(run)) {
     settings.push_back("floes.moved_floe=" + std::to_string(run.run));
-    settings.push_back("floes.moved_by_m=[" + number_text(kMoved) + ", 0.0]");
+    settings.push_back(std::string("floes.moved_by_m=[") + kMoved + ", 0.0]");
   }
   return read_scene(file, settings);
 }
@@ -72,7 +74,7 @@ Done carried_out(const Planned& run, const std::string& file, double seconds) {
   const SceneDef scene = scene_of(run, file);
   Bodies bodies = make_field(scene);
   const double frequency = std::sqrt(scene.mooring.stiffness_N_per_m / scene.platform.mass_kg);
-  const bool in_order = run.sums == "ordered" || run.sums == "moved";
+  const bool in_order = run.sums == "ordered" || moved(run);
   std::unique_ptr<CpuEngine> engine;
   UnorderedEngine* unordered = nullptr;
   if (in_order) {
@@ -84,13 +86,17 @@ Done carried_out(const Planned& run, const std::string& file, double seconds) {
     engine = std::move(made);
   }
   Done done;
+  const auto note = [&](Vec2 place, Vec2 velocity) {
+    done.path.place.push_back(place);
+    done.path.velocity.push_back((1.0 / frequency) * velocity);
+  };
+  note(engine->bodies().position[0], engine->bodies().velocity[0]);
   const std::int64_t step = std::llround(kInterval / scene.numerics.moment_s);
   for (double time = 0.0; time < seconds; time += kInterval) {
     MomentLog log;
     log.wants_events = false;
     engine->advance(step, log);
-    done.path.place.push_back(log.platform.back().position);
-    done.path.velocity.push_back((1.0 / frequency) * log.platform.back().velocity);
+    note(log.platform.back().position, log.platform.back().velocity);
   }
   done.hash = engine->state_hash();
   if (unordered != nullptr) done.statistics = unordered->statistics();
@@ -135,7 +141,7 @@ std::vector<Pair> pairs_of(const std::vector<Planned>& runs) {
       continue;
     }
     if (runs[i].sums != "velocity") pairs.push_back({i, ordered});
-    if (runs[i].sums != "moved" && runs[i].run % 2 == 0) pairs.push_back({i - 1, i});
+    if (!moved(runs[i]) && runs[i].run % 2 == 0) pairs.push_back({i - 1, i});
   }
   return pairs;
 }
@@ -148,7 +154,7 @@ std::string distances_text(const std::vector<Planned>& runs, const std::vector<D
             std::to_string(runs[pair.b].run);
   text += "\n";
   for (std::size_t i = 0; i < done.front().path.place.size(); ++i) {
-    text += number_text(kInterval * static_cast<double>(i + 1));
+    text += number_text(kInterval * static_cast<double>(i));
     for (const Pair& pair : pairs) text += "," + number_text(distance(done[pair.a].path, done[pair.b].path, i), 3);
     text += "\n";
   }

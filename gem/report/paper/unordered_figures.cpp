@@ -50,7 +50,7 @@ std::vector<PaperFigure> unordered_figures(const UnorderedStudy& study, const st
   plots.draw(
       {"unordered", "Distance of repeats without order", "", ""}, {1000, 460},
       "set key outside bottom left horizontal\nset logscale y\nset format y '10^{%L}'\nset termoption enhanced\n"
-      "set xlabel 'time [h]' offset 0,0.4\nset ylabel 'distance of the platforms [m]'\n"
+      "set xrange [0:*]\nset xlabel 'time [h]' offset 0,0.4\nset ylabel 'distance of the platforms [m]'\n"
       "set arrow 1 from graph 0, first " +
           swing + " to graph 1, first " + swing +
           " nohead lc rgb '#3c4149' dt (6,4) front\nset label 1 'deviation of the motion' at graph 0.99, first " +

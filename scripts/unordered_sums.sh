@@ -1,6 +1,7 @@
 #!/bin/sh
 # When do repeats of run 1 part whose sums are taken in single precision in no fixed order? Two hours of run 1 with
-# `independent` and with `coupled` contacts: in order, repeated, and with one floe moved by 1e-9 m. Half an hour on two cores.
+# `independent` and with `coupled` contacts: in order, repeated, and with one floe moved by 1e-9 m. Took 26 minutes on
+# two cores busy with other work.
 # Usage: scripts/unordered_sums.sh [PROGRAM]    then: scripts/paper_report.sh
 #   PROGRAM   build/unordered_sums without one; writes unordered_runs.csv and unordered_distances.csv in validation/paper
 # Environment: GEM_SECONDS=7200 simulated; GEM_JOBS=2 runs at a time; GEM_OUT=validation/paper

@@ -7,7 +7,7 @@
 namespace gem {
 namespace {
 
-constexpr std::size_t kPoints = 1000;
+constexpr std::size_t kPoints = 2000;
 constexpr double kHour = 3600.0;  // after about which the paper's repeat parts [s]
 
 /// In the picture: repeats, and what a hair does. Against the run in order there is rounding besides.
@@ -50,12 +50,14 @@ std::vector<PaperFigure> unordered_figures(const UnorderedStudy& study, const st
   plots.draw(
       {"unordered", "Distance of repeats without order", "", ""}, {1000, 460},
       "set key outside bottom left horizontal\nset logscale y\nset format y '10^{%L}'\nset termoption enhanced\n"
-      "set xrange [0:*]\nset xlabel 'time [h]' offset 0,0.4\nset ylabel 'distance of the platforms [m]'\n"
+      "set logscale x\nset autoscale xfix\nset xtics (0.05,0.1,0.2,0.5,1,2)\nset xlabel 'time [h]' offset 0,0.4\nset "
+      "ylabel 'distance of "
+      "the platforms [m]'\n"
       "set arrow 1 from graph 0, first " +
           swing + " to graph 1, first " + swing +
-          " nohead lc rgb '#3c4149' dt (6,4) front\nset label 1 'deviation of the motion' at graph 0.99, first " +
+          " nohead lc rgb '#3c4149' dt (6,4) front\nset label 1 'deviation of the motion' at graph 0.01, first " +
           swing +
-          " right offset 0,0.6 textcolor rgb '#3c4149' front\n"
+          " offset 0,0.6 textcolor rgb '#3c4149' front\n"
           "set arrow 2 from first 1, graph 0 to first 1, graph 1 nohead lc rgb '#3c4149' dt (2,4) front\n" +
           plot + "\n");
   return {{"-",

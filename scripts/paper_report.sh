@@ -3,6 +3,7 @@
 # picture as SVG with a PNG preview, its numbers and its script. Any subset of the runs will do: the page says what is
 # missing. scripts/paper_runs.sh makes the runs and what `gem sweep collect` keeps of them; several seeds of a run may lie
 # side by side, and a run that is there twice counts once (with another state hash: not at all, the first is kept).
+# What is beside validation/paper/paper.json is read too: the rows of scripts/unordered_sums.sh.
 # Usage: scripts/paper_report.sh [-o OUT] [-b BUILD_FOLDER] FOLDER...      The default of OUT is validation/paper.
 set -euo pipefail
 export LC_ALL=C.UTF-8

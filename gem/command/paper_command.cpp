@@ -21,7 +21,10 @@ void add_paper_command(CLI::App& app, Chosen& chosen) {
                    "made of them")
       ->required();
   command->add_option("-o,--out", options->out, "folder of the report")->required();
-  command->add_option("--statements", options->statements, "the paper's tables and statements (JSON)")
+  command
+      ->add_option(
+          "--statements", options->statements,
+          "the paper's tables and statements (JSON); rows of scripts/unordered_sums.sh are read from the same folder")
       ->default_val("validation/paper/paper.json");
   command->callback([options, &chosen] {
     chosen.action = [options] {

@@ -49,11 +49,7 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
     platform_first_half(f);
     quality_ = {};
   });
-  if (f.constants.resolution == Resolution::coupled) {
-    coupled_.resolve(f, contacts, team, rank, quality_);
-  } else {
-    resolve_independent(team, rank);
-  }
+  resolve(team, rank);
   // the books and the look at the overlaps are each in order; they go on side by side
   if (rank == team.size() - 1) note_contacts(f, contacts, quality_, log);
   team.single(rank, [&] {
@@ -71,6 +67,14 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
     retire(f);
     log_moment(f, contacts, before_, quality_, log);
   });
+}
+
+void CpuEngine::resolve(ThreadTeam& team, int rank) {
+  if (field_.constants.resolution == Resolution::coupled) {
+    coupled_.resolve(field_, pairs_.contacts(), team, rank, quality_);
+  } else {
+    resolve_independent(team, rank);
+  }
 }
 
 void CpuEngine::resolve_independent(ThreadTeam& team, int rank) {

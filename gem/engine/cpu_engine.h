@@ -25,6 +25,13 @@ class CpuEngine : public Engine {
   EngineState save() override;
   void restore(const EngineState& state) override;
 
+ protected:
+  /// Inside a team's run: the pair events of the moment. A study may look at what they did and do it otherwise.
+  virtual void resolve(ThreadTeam& team, int rank);
+  FieldState& field() { return field_; }
+  /// Of this moment, with their impulses once they are resolved.
+  Contacts contacts() const { return pairs_.contacts(); }
+
  private:
   void one_moment(ThreadTeam& team, int rank, MomentLog& log);
   void resolve_independent(ThreadTeam& team, int rank);

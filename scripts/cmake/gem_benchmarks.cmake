@@ -20,6 +20,11 @@ endif()
 add_executable(speed_against_error bench/speed_against_error.cpp bench/setting.cpp bench/overlaps.cpp)
 target_link_libraries(speed_against_error PRIVATE gem_command gem_baseline CLI11::CLI11)
 
+# What repeated runs do whose sums are taken in no fixed order: validation/paper/README.md.
+add_executable(unordered_sums ${PROJECT_SOURCE_DIR}/validation/paper/unordered_sums.cpp
+  ${PROJECT_SOURCE_DIR}/validation/paper/unordered_engine.cpp)
+target_link_libraries(unordered_sums PRIVATE gem_analysis)
+
 # The study behind the choice of the coupled resolution: validation/solver_study.md.
 file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/solver_study/*.cpp)
 list(FILTER study_sources EXCLUDE REGEX "_study\\.cpp$")

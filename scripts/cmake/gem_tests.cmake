@@ -24,6 +24,9 @@ if(TARGET box2d::box2d)
   gem_test_program(gem_baseline_tests unit ${baseline_tests})
 endif()
 
+set(repeats ${PROJECT_SOURCE_DIR}/validation/paper/unordered_engine)
+gem_test_program(gem_repeats_tests unit ${repeats}_test.cpp ${repeats}.cpp)
+
 # Clipper judges the overlap of outlines; without it that test is skipped with its reason.
 find_path(POLYCLIPPING_INCLUDE_DIR polyclipping/clipper.hpp)
 find_library(POLYCLIPPING_LIBRARY polyclipping)

@@ -51,16 +51,16 @@ std::vector<double> distance(const Path& a, const Path& b) {
 
 double moved(const PaperRun& run) { return length(run.scene.floes.moved_by_m); }
 
-/// All pairs of one disturbance, each from the time on at which it was reached, as long as the shortest of them. A pair
-/// that was never reached says nothing and is left out.
-std::vector<std::vector<double>> reached(const std::vector<DivergingPair>& pairs, double moved_m) {
+/// Each distance from the time on at which the disturbance has arrived, as long as the shortest of them. One that it
+/// never reached says nothing and is left out.
+std::vector<std::vector<double>> reached(const std::vector<std::vector<double>>& distances) {
   std::vector<std::vector<double>> result;
   std::size_t shortest = SIZE_MAX;
-  for (const DivergingPair& pair : pairs) {
-    if (pair.moved_m != moved_m || !(pair.distance.back() > 0.0)) continue;
+  for (const std::vector<double>& distance : distances) {
+    if (distance.empty() || !(distance.back() > 0.0)) continue;
     // From the last zero on: two paths may meet again to the last bit while they differ only by rounding.
-    const auto zero = std::find(pair.distance.rbegin(), pair.distance.rend(), 0.0);
-    result.emplace_back(zero.base(), pair.distance.end());
+    const auto zero = std::find(distance.rbegin(), distance.rend(), 0.0);
+    result.emplace_back(zero.base(), distance.end());
     shortest = std::min(shortest, result.back().size());
   }
   for (std::vector<double>& distance : result) distance.resize(shortest);
@@ -70,11 +70,10 @@ std::vector<std::vector<double>> reached(const std::vector<DivergingPair>& pairs
 void add_growth(DivergenceStudy& study) {
   for (const DivergingPair& pair : study.pairs) {
     if (study.growth.contains(pair.moved_m)) continue;
-    const auto pairs = reached(study.pairs, pair.moved_m);
-    if (pairs.size() < 2) continue;
-    const double start = std::exp(mean_log_distance(pairs).front());
-    if (const auto rate = growth_rate(pairs, study.interval_s, 10.0 * start, kOnset * study.swing_m))
-      study.growth[pair.moved_m] = *rate;
+    std::vector<std::vector<double>> distances;
+    for (const DivergingPair& other : study.pairs)
+      if (other.moved_m == pair.moved_m) distances.push_back(other.distance);
+    if (const auto rate = growth_of(distances, study.interval_s, study.swing_m)) study.growth[pair.moved_m] = *rate;
   }
 }
 
@@ -91,6 +90,18 @@ void add_shift(DivergenceStudy& study) {
 }
 
 }  // namespace
+
+std::optional<GrowthRate> growth_of(const std::vector<std::vector<double>>& distances, double interval_s,
+                                    double swing_m) {
+  const auto grown = reached(distances);
+  if (grown.size() < 2) return std::nullopt;
+  const double start = std::exp(mean_log_distance(grown).front());
+  return growth_rate(grown, interval_s, 10.0 * start, kOnset * swing_m);
+}
+
+double parting_time(const std::vector<double>& distance, double interval_s, double swing_m) {
+  return onset_time(distance, interval_s, kParting * swing_m).value_or(std::numeric_limits<double>::infinity());
+}
 
 DivergenceStudy divergence_study(const PaperFolder& folder) {
   std::map<std::uint64_t, const PaperRun*> undisturbed;
@@ -151,10 +162,9 @@ void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers
   std::map<double, std::vector<RunNumber>> parting;
   std::map<double, std::vector<RunNumber>> parted;
   for (const DivergingPair& pair : study.pairs) {
-    const auto time = onset_time(pair.distance, study.interval_s, kParting * study.swing_m);
-    const double at = time.value_or(std::numeric_limits<double>::infinity());
+    const double at = parting_time(pair.distance, study.interval_s, study.swing_m);
     parting[pair.moved_m].push_back({at, at, at, false});
-    const double share = time ? 1.0 : 0.0;
+    const double share = std::isfinite(at) ? 1.0 : 0.0;
     parted[pair.moved_m].push_back({share, share, share, false});
   }
   for (const auto& [size, times] : parting) numbers["parting_s_" + number_text(size)] = *over_runs(times, Over::every);

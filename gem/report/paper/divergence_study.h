@@ -27,6 +27,15 @@ struct DivergenceStudy {
   std::optional<OnsetShift> shift;      // of the time at which the distance is a tenth of the swing
 };
 
+/// How fast distances [m] grow in the mean, each from when it is more than nothing: from ten times where they begin to
+/// a tenth of `swing_m`. Distances that stay at nothing are left out; empty for fewer than two others, or if they grow
+/// within fewer samples than growth_rate() asks for.
+std::optional<GrowthRate> growth_of(const std::vector<std::vector<double>>& distances, double interval_s,
+                                    double swing_m);
+
+/// When a distance [m] is half of `swing_m`, where the eye sees two curves; infinite if it never is [s].
+double parting_time(const std::vector<double>& distance, double interval_s, double swing_m);
+
 /// From the runs with floes.moved_floe set: those moved by nothing are the undisturbed ones of their seed.
 /// A pair differs in floes.moved_by_m and in nothing else.
 DivergenceStudy divergence_study(const PaperFolder& folder);

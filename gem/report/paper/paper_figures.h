@@ -9,6 +9,7 @@
 #include "gem/report/paper/catalogue.h"
 #include "gem/report/paper/divergence_study.h"
 #include "gem/report/paper/paper_run.h"
+#include "gem/report/paper/unordered_study.h"
 
 namespace gem {
 
@@ -26,6 +27,9 @@ std::vector<PaperFigure> twin_figures(const PaperFolder& folder, const std::file
 /// pairs, their distance against time.
 std::vector<PaperFigure> repeat_figures(const PaperFolder& folder, const DivergenceStudy& study,
                                         const std::filesystem::path& out);
+
+/// Distance against time of repeats whose sums are taken in no fixed order, beside that of runs with a floe moved.
+std::vector<PaperFigure> unordered_figures(const UnorderedStudy& study, const std::filesystem::path& out);
 
 /// Figures 17 to 20: largest excursion against current, one line per gap, the mean over the seeds with
 /// its 95 % interval and, thin, from the smallest to the largest seed.

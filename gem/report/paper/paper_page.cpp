@@ -117,8 +117,8 @@ std::string missing_text(const PaperFolder& folder) {
 std::string page_text(const PaperFolder& folder, const Reproduction& result, const std::filesystem::path& root) {
   return head_text(folder, result) + statements_text(result) + settings_text(folder, result) +
          stationarity_text(result) + extremes_text(result) + period_text(result) + counting_text(folder) +
-         choices_text(result) + divergence_text(result) + chaos_text(folder) + missing_text(folder) +
-         figures_text(result, root);
+         choices_text(result) + divergence_text(result) + chaos_text(folder) + unordered_text(result.unordered) +
+         missing_text(folder) + figures_text(result, root);
 }
 
 }  // namespace gem

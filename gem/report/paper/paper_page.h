@@ -12,6 +12,7 @@
 #include "gem/report/paper/seed_extremes.h"
 #include "gem/report/paper/sensitivity.h"
 #include "gem/report/paper/stationarity.h"
+#include "gem/report/paper/unordered_study.h"
 
 namespace gem {
 
@@ -24,6 +25,7 @@ struct Reproduction {
   std::vector<StationarityRow> stationarity;
   std::vector<ExtremesRow> extremes;
   DivergenceStudy divergence;
+  UnorderedStudy unordered;
   std::vector<PaperFigure> figures;
 };
 

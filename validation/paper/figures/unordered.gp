@@ -1,0 +1,35 @@
+# Distance of repeats without order. Redraw: gnuplot -d unordered.gp
+set terminal svg size 1000,460 dynamic noenhanced font 'sans-serif,14' background '#ffffff'
+set output 'unordered.svg'
+set encoding utf8
+set datafile separator ','
+set datafile columnheaders
+set key noautotitle
+set border 3 lc rgb '#8a8f98' lw 1
+set tics nomirror out scale 0.5 font ',12' textcolor rgb '#3c4149'
+set xtics offset 0,0.3
+set grid xtics ytics back lc rgb '#e6e8eb' lw 1 dt solid
+set key outside top left horizontal Left reverse width 1 samplen 1.6 spacing 1.15 textcolor rgb '#3c4149'
+set lmargin 11
+set rmargin 3
+set tmargin 2
+set style line 1 lc rgb '#31688e' lw 1.2
+set style line 2 lc rgb '#c2571a' lw 1.4
+set style line 3 lc rgb '#35a37a' lw 1.2
+set style line 4 lc rgb '#8a8f98' lw 1.0
+set style fill solid 1.0 noborder
+set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725')
+set label 99 '004_400_25: sums in single precision in no fixed order  gem 1529cbc116e6' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
+set key outside bottom left horizontal
+set logscale y
+set format y '10^{%L}'
+set termoption enhanced
+set logscale x
+set autoscale xfix
+set xtics (0.05,0.1,0.2,0.5,1,2)
+set xlabel 'time [h]' offset 0,0.4
+set ylabel 'distance of the platforms [m]'
+set arrow 1 from graph 0, first 0.01544 to graph 1, first 0.01544 nohead lc rgb '#3c4149' dt (6,4) front
+set label 1 'deviation of the motion' at graph 0.01, first 0.01544 offset 0,0.6 textcolor rgb '#3c4149' front
+set arrow 2 from first 1, graph 0 to first 1, graph 1 nohead lc rgb '#3c4149' dt (2,4) front
+plot 'unordered_1.csv' using 1:2 with lines linestyle 1 title 'independent: repeats', 'unordered_2.csv' using 1:2 with lines linestyle 2 title 'independent: repeats, added to the velocity', 'unordered_3.csv' using 1:2 with lines linestyle 3 title 'independent: floe moved 1e-9 m', 'unordered_4.csv' using 1:2 with lines linestyle 4 title 'coupled: repeats', 'unordered_5.csv' using 1:2 with lines linestyle 1 dt (3,3) title 'coupled: floe moved 1e-9 m'

@@ -20,12 +20,12 @@ void CoupledLayout::count_points(const FieldState& f, Contacts contacts) {
 }
 
 /// Gives the moving bodies their entries. Within stretches, those with as many points stand together: the loops over a
-/// body's points then end as the processor foresees.
+/// body's points are then as long for many bodies.
 void CoupledLayout::order_bodies(const FieldState& f) {
-  constexpr std::int32_t stretch = 512, kinds = 256;
+  constexpr std::int32_t stretch = 512, of_each = Alike::most + 1, kinds = of_each * of_each;
   const auto kind = [this](std::int32_t i) {
     const std::int32_t as_b = points_as_b_[i], as_a = points_of_[i] - as_b;
-    return 16 * std::min(as_b, 15) + std::min(as_a, 15);
+    return of_each * std::min(as_b, Alike::most) + std::min(as_a, Alike::most);
   };
   moving_.clear();
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(f.bodies.count()); ++i)
@@ -33,11 +33,16 @@ void CoupledLayout::order_bodies(const FieldState& f) {
   const auto count = static_cast<std::int32_t>(moving_.size());
   body_.resize(1 + count);
   rank_.resize(1 + count);
+  alike_.clear();
   for (std::int32_t first = 0; first < count; first += stretch) {
     const std::int32_t last = std::min(first + stretch, count);
     std::int32_t next[kinds + 1] = {};
     for (std::int32_t j = first; j < last; ++j) ++next[kind(moving_[j]) + 1];
-    for (std::int32_t k = 0; k < kinds; ++k) next[k + 1] += next[k];
+    for (std::int32_t k = 0; k < kinds; ++k) {
+      const std::int32_t of_kind = next[k + 1], at = 1 + first + next[k];
+      if (of_kind > 0) alike_.push_back({at, at + of_kind, k / of_each, k % of_each});
+      next[k + 1] += next[k];
+    }
     for (std::int32_t j = first; j < last; ++j) {
       const std::int32_t at = 1 + first + next[kind(moving_[j])]++;
       body_[at] = moving_[j];

@@ -13,6 +13,11 @@ namespace gem {
 class CoupledLayout {
  public:
   static constexpr std::int32_t at_rest = 0;
+  /// Neighbouring entries with as many points as B, and as A; `most` stands for itself and for all above.
+  struct Alike {
+    static constexpr std::int32_t most = 15;
+    std::int32_t first, last, as_b, as_a;
+  };
   /// Entries of points_as_b() past its end that may be read ahead.
   static constexpr std::int32_t looked_ahead = 12;
 
@@ -34,6 +39,8 @@ class CoupledLayout {
   std::int32_t first_as_a(std::int32_t entry) const { return first_as_a_[entry]; }
   std::int32_t end_as_a(std::int32_t entry) const { return end_as_a_[entry]; }
   const std::uint32_t* points_as_b() const { return as_b_.data(); }
+  /// All moving bodies with points, ascending.
+  const std::vector<Alike>& alike() const { return alike_; }
 
  private:
   void count_points(const FieldState& f, Contacts contacts);
@@ -46,6 +53,7 @@ class CoupledLayout {
   std::vector<std::int32_t> moving_;                              // bodies that move and have points, ascending
   std::vector<std::int32_t> body_, rank_, begin_as_b_, first_as_a_, end_as_a_, next_as_b_;  // per entry
   std::vector<std::uint32_t> as_b_;
+  std::vector<Alike> alike_;
 };
 
 }  // namespace gem

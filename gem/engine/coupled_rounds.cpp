@@ -188,18 +188,83 @@ GEM_CLONES void CoupledRounds::push(std::int32_t begin, std::int32_t end) {
   for (std::int32_t i = begin; i < end; ++i) write_push(i);
 }
 
-GEM_CLONES void CoupledRounds::move(const CoupledLayout& layout, std::int32_t begin, std::int32_t end) {
+GEM_INLINE void CoupledRounds::move_body(std::int32_t entry, const FloatPack& to_b, const FloatPack& to_a) {
+  const FloatMask of_a{0, 1, 2, 3, 4, 5, 4, 5}, of_b{0, 1, 2, 3, 6, 7, 6, 7};
+  motion_[entry].lanes = answer_[entry].lanes * (__builtin_shuffle(to_b, of_b) - __builtin_shuffle(to_a, of_a));
+}
+
+GEM_INLINE void CoupledRounds::move_any(const CoupledLayout& layout, std::int32_t begin, std::int32_t end) {
   const Row* const push = push_.data();
   const std::uint32_t* const as_b = layout.points_as_b();
-  const FloatMask of_a{0, 1, 2, 3, 4, 5, 4, 5}, of_b{0, 1, 2, 3, 6, 7, 6, 7};
   for (std::int32_t k = begin; k < end; ++k) {
     FloatPack to_b{}, to_a{};
-    for (std::int32_t s = layout.begin_as_b(k); s < layout.begin_as_b(k + 1); ++s) {
-      __builtin_prefetch(&push[as_b[s + CoupledLayout::looked_ahead]]);
-      to_b += push[as_b[s]].lanes;
-    }
+    for (std::int32_t s = layout.begin_as_b(k); s < layout.begin_as_b(k + 1); ++s) to_b += push[as_b[s]].lanes;
     for (std::int32_t point = layout.first_as_a(k); point < layout.end_as_a(k); ++point) to_a += push[point].lanes;
-    motion_[k].lanes = answer_[k].lanes * (__builtin_shuffle(to_b, of_b) - __builtin_shuffle(to_a, of_a));
+    move_body(k, to_b, to_a);
+  }
+}
+
+/// Bodies with `as_b` and `as_a` points: no loop over them is left.
+template <int as_b, int as_a>
+GEM_INLINE void CoupledRounds::move_alike(const CoupledLayout& layout, std::int32_t begin, std::int32_t end) {
+  const Row* const push = push_.data();
+  const std::uint32_t* point_as_b = layout.points_as_b() + layout.begin_as_b(begin);
+  for (std::int32_t k = begin; k < end; ++k, point_as_b += as_b) {
+    FloatPack to_b{}, to_a{};
+#pragma GCC unroll 8
+    for (int s = 0; s < as_b; ++s) to_b += push[point_as_b[s]].lanes;
+    const Row* const push_a = push + layout.first_as_a(k);
+#pragma GCC unroll 8
+    for (int s = 0; s < as_a; ++s) to_a += push_a[s].lanes;
+    move_body(k, to_b, to_a);
+  }
+}
+
+template <int as_b>
+GEM_INLINE void CoupledRounds::move_alike(const CoupledLayout& layout, std::int32_t begin, std::int32_t end,
+                                          std::int32_t as_a) {
+  switch (as_a) {
+    case 0:
+      return move_alike<as_b, 0>(layout, begin, end);
+    case 1:
+      return move_alike<as_b, 1>(layout, begin, end);
+    case 2:
+      return move_alike<as_b, 2>(layout, begin, end);
+    case 3:
+      return move_alike<as_b, 3>(layout, begin, end);
+    case 4:
+      return move_alike<as_b, 4>(layout, begin, end);
+    default:
+      return move_any(layout, begin, end);
+  }
+}
+
+GEM_CLONES void CoupledRounds::move(const CoupledLayout& layout, std::int32_t begin, std::int32_t end) {
+  using Alike = CoupledLayout::Alike;
+  const std::vector<Alike>& alike = layout.alike();
+  auto group = std::upper_bound(alike.begin(), alike.end(), begin,
+                                [](std::int32_t entry, const Alike& a) { return entry < a.last; });
+  for (; group != alike.end() && group->first < end; ++group) {
+    const std::int32_t first = std::max(begin, group->first), last = std::min(end, group->last);
+    switch (group->as_b) {
+      case 0:
+        move_alike<0>(layout, first, last, group->as_a);
+        break;
+      case 1:
+        move_alike<1>(layout, first, last, group->as_a);
+        break;
+      case 2:
+        move_alike<2>(layout, first, last, group->as_a);
+        break;
+      case 3:
+        move_alike<3>(layout, first, last, group->as_a);
+        break;
+      case 4:
+        move_alike<4>(layout, first, last, group->as_a);
+        break;
+      default:
+        move_any(layout, first, last);
+    }
   }
 }
 

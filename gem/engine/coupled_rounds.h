@@ -55,6 +55,13 @@ class CoupledRounds {
     PointImpulse<FloatPack> at, carried;
   };
 
+  void move_body(std::int32_t entry, const FloatPack& to_b, const FloatPack& to_a);
+  void move_any(const CoupledLayout& layout, std::int32_t begin, std::int32_t end);
+  template <int as_b, int as_a>
+  void move_alike(const CoupledLayout& layout, std::int32_t begin, std::int32_t end);
+  template <int as_b>
+  void move_alike(const CoupledLayout& layout, std::int32_t begin, std::int32_t end, std::int32_t as_a);
+
   static PointFrame<FloatPack> frame_of(const Block& b);
   Approach<FloatPack> approach_of(const Block& b) const;
   void write_push(std::int32_t block);

@@ -21,6 +21,14 @@ void CoupledSolver::restore(std::vector<std::uint64_t> keys, std::vector<PointIm
   impulses_ = std::move(impulses);
 }
 
+void CoupledSolver::lay_out(const FieldState& f, Contacts contacts, int threads) {
+  asked_.assign(threads, {});
+  iterations_ = 0;
+  residual_ = 0.0;
+  layout_.lay_out(f, contacts);
+  make_room();
+}
+
 void CoupledSolver::make_room() {
   point_.resize(layout_.points());
   next_keys_.resize(layout_.points());
@@ -191,7 +199,8 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
 }
 
 void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
-  team.for_each(rank, static_cast<std::int64_t>(contacts.size()), [&](std::int64_t c) {
+  const auto count = static_cast<std::int64_t>(contacts.size());
+  for (std::int64_t c = team.begin_of(rank, count); c < team.begin_of(rank + 1, count); ++c) {
     Contact& contact = *contacts[c];
     for (int k = 0; k < contact.count; ++k) {
       const std::int32_t i = layout_.first_point(c) + k;
@@ -201,7 +210,7 @@ void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team
       next_keys_[i] = contact_key(contact.a, contact.b, contact.slot[k].feature);
       next_impulses_[i] = p;
     }
-  });
+  }
   team.for_each(rank, layout_.bodies(), [&](std::int64_t k) {
     const std::int32_t entry = static_cast<std::int32_t>(k) + 1, i = layout_.body(entry);
     const Motion<double>& m = motion_[entry];
@@ -213,13 +222,6 @@ void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team
 }
 
 void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality) {
-  team.single(rank, [&] {
-    asked_.assign(team.size(), {});
-    iterations_ = 0;
-    residual_ = 0.0;
-    layout_.lay_out(f, contacts);
-    make_room();
-  });
   if (team.failed()) return;
   if (!contacts.empty()) {
     const auto count = static_cast<std::int64_t>(contacts.size());

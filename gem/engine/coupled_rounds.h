@@ -14,7 +14,6 @@ namespace gem {
 class CoupledRounds {
  public:
   void resize(const CoupledLayout& layout);
-  std::int32_t blocks() const { return static_cast<std::int32_t>(block_.size()); }
 
   /// What of a point stays for the moment.
   void set_geometry(std::int32_t point, const PointGeometry<double>& g, std::int32_t entry_a, std::int32_t entry_b);

@@ -25,7 +25,7 @@ void CoupledSolver::lay_out(const FieldState& f, Contacts contacts, int threads)
   asked_.assign(threads, {});
   iterations_ = 0;
   residual_ = 0.0;
-  layout_.lay_out(f, contacts);
+  layout_.lay_out(f, contacts, threads);
   make_room();
 }
 
@@ -78,15 +78,14 @@ void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::in
 }
 
 CoupledSolver::Stretch CoupledSolver::stretch_of(const ThreadTeam& team, int rank) const {
-  const std::int64_t blocks = rounds_.blocks(), bodies = layout_.bodies();
-  const auto first_block = static_cast<std::int32_t>(team.begin_of(rank, blocks));
-  const auto last_block = static_cast<std::int32_t>(team.begin_of(rank + 1, blocks));
+  if (team.size() == 1) return {0, layout_.blocks(), 0, layout_.points(), 1, 1 + layout_.bodies()};
+  const std::int32_t first_block = layout_.first_block_of(rank), last_block = layout_.first_block_of(rank + 1);
   return {first_block,
           last_block,
           std::min(float_lanes * first_block, layout_.points()),
           std::min(float_lanes * last_block, layout_.points()),
-          static_cast<std::int32_t>(1 + team.begin_of(rank, bodies)),
-          static_cast<std::int32_t>(1 + team.begin_of(rank + 1, bodies))};
+          layout_.first_entry_of(rank),
+          layout_.first_entry_of(rank + 1)};
 }
 
 /// Velocities that the base's impulses give.

@@ -154,6 +154,7 @@ class StagedMoment {
     platform_first_half(field_);
     MomentQuality quality;
     lap();
+    solver_.lay_out(field_, pairs_.contacts(), team_.size());
     team_.run([&](int rank) { solver_.resolve(field_, pairs_.contacts(), team_, rank, quality); });
     lap(resolve);
     for (const Contact* contact : pairs_.contacts()) book_contact(field_, *contact);

@@ -22,4 +22,26 @@ GEM_INLINE FloatPack larger(FloatPack a, FloatPack b) { return a > b ? a : b; }
 GEM_INLINE FloatPack smaller(FloatPack a, FloatPack b) { return a < b ? a : b; }
 GEM_INLINE FloatPack magnitude(FloatPack a) { return a < 0.0F ? -a : a; }
 
+typedef float FloatHalf __attribute__((vector_size(16)));
+
+/// Four floats from anywhere in memory beside four others.
+GEM_INLINE FloatPack side_by_side(const float* left, const float* right) {
+  FloatHalf l, r;
+  __builtin_memcpy(&l, left, sizeof l);
+  __builtin_memcpy(&r, right, sizeof r);
+  return __builtin_shufflevector(l, r, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+/// Turns four rows of four into four columns, in both halves.
+GEM_INLINE void transpose_halves(FloatPack* r) {
+  const FloatMask low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
+  const FloatMask first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};
+  const FloatPack a = __builtin_shuffle(r[0], r[1], low), b = __builtin_shuffle(r[0], r[1], high);
+  const FloatPack c = __builtin_shuffle(r[2], r[3], low), d = __builtin_shuffle(r[2], r[3], high);
+  r[0] = __builtin_shuffle(a, c, first);
+  r[1] = __builtin_shuffle(a, c, second);
+  r[2] = __builtin_shuffle(b, d, first);
+  r[3] = __builtin_shuffle(b, d, second);
+}
+
 }  // namespace gem

@@ -19,30 +19,57 @@ void CoupledLayout::count_points(const FieldState& f, Contacts contacts) {
   }
 }
 
-/// Gives the moving bodies their entries. Within stretches, those with as many points stand together: the loops over a
-/// body's points then end as the processor foresees.
-void CoupledLayout::order_bodies(const FieldState& f) {
-  constexpr std::int32_t stretch = 512, kinds = 256;
-  const auto kind = [this](std::int32_t i) {
-    const std::int32_t as_b = points_as_b_[i], as_a = points_of_[i] - as_b;
-    return 16 * std::min(as_b, 15) + std::min(as_a, 15);
-  };
+/// Finds the moving bodies and shares them and the points out among the threads.
+void CoupledLayout::share_out(const FieldState& f, Contacts contacts, int threads) {
   moving_.clear();
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(f.bodies.count()); ++i)
     if (points_of_[i] > 0 && f.bodies.inverse_mass[i] > 0.0) moving_.push_back(i);
+  first_block_.assign(1, 0);
+  first_entry_.assign(1, 1);
+  for (std::int64_t rank = 1; rank < threads; ++rank) {
+    first_block_.push_back(static_cast<std::int32_t>(blocks() * rank / threads));
+    const auto contact = std::lower_bound(first_point_.begin(), first_point_.end(), float_lanes * first_block_.back());
+    const auto body = contact == first_point_.end() ? moving_.end()
+                                                    : std::lower_bound(moving_.begin(), moving_.end(),
+                                                                       contacts[contact - first_point_.begin()]->a);
+    first_entry_.push_back(std::max(first_entry_.back(), 1 + static_cast<std::int32_t>(body - moving_.begin())));
+  }
+  first_block_.push_back(blocks());
+  first_entry_.push_back(1 + static_cast<std::int32_t>(moving_.size()));
+}
+
+/// Gives some of the moving bodies their entries: those with as many points stand together.
+void CoupledLayout::order_stretch(std::int32_t first, std::int32_t last) {
+  constexpr std::int32_t of_each = Alike::most + 1, kinds = of_each * of_each;
+  const auto kind = [this](std::int32_t i) {
+    const std::int32_t as_b = points_as_b_[i], as_a = points_of_[i] - as_b;
+    return of_each * std::min(as_b, Alike::most) + std::min(as_a, Alike::most);
+  };
+  std::int32_t next[kinds + 1] = {};
+  for (std::int32_t j = first; j < last; ++j) ++next[kind(moving_[j]) + 1];
+  for (std::int32_t k = 0; k < kinds; ++k) {
+    const std::int32_t of_kind = next[k + 1], at = 1 + first + next[k];
+    if (of_kind > 0) alike_.push_back({at, at + of_kind, k / of_each, k % of_each});
+    next[k + 1] += next[k];
+  }
+  for (std::int32_t j = first; j < last; ++j) {
+    const std::int32_t at = 1 + first + next[kind(moving_[j])]++;
+    body_[at] = moving_[j];
+    rank_[at] = j;
+  }
+}
+
+/// Stretches of a thread's bodies are ordered each for itself: neighbours lie near each other still.
+void CoupledLayout::order_bodies(const FieldState& f) {
+  constexpr std::int32_t stretch = 512;
   const auto count = static_cast<std::int32_t>(moving_.size());
   body_.resize(1 + count);
   rank_.resize(1 + count);
-  for (std::int32_t first = 0; first < count; first += stretch) {
-    const std::int32_t last = std::min(first + stretch, count);
-    std::int32_t next[kinds + 1] = {};
-    for (std::int32_t j = first; j < last; ++j) ++next[kind(moving_[j]) + 1];
-    for (std::int32_t k = 0; k < kinds; ++k) next[k + 1] += next[k];
-    for (std::int32_t j = first; j < last; ++j) {
-      const std::int32_t at = 1 + first + next[kind(moving_[j])]++;
-      body_[at] = moving_[j];
-      rank_[at] = j;
-    }
+  alike_.clear();
+  for (std::size_t rank = 0; rank + 1 < first_entry_.size(); ++rank) {
+    const std::int32_t end = first_entry_[rank + 1] - 1;
+    for (std::int32_t first = first_entry_[rank] - 1; first < end; first += stretch)
+      order_stretch(first, std::min(first + stretch, end));
   }
   entry_of_.assign(f.bodies.count(), at_rest);
   begin_as_b_.assign(2, 0);
@@ -68,8 +95,9 @@ void CoupledLayout::list_points(Contacts contacts) {
   }
 }
 
-void CoupledLayout::lay_out(const FieldState& f, Contacts contacts) {
+void CoupledLayout::lay_out(const FieldState& f, Contacts contacts, int threads) {
   count_points(f, contacts);
+  share_out(f, contacts, threads);
   order_bodies(f);
   list_points(contacts);
 }

@@ -8,32 +8,10 @@ namespace {
 // the same bits with wider registers: no fused multiply-add among them
 #define GEM_CLONES __attribute__((target_clones("avx2", "default")))
 
-/// Turns eight rows of eight into eight columns.
-GEM_INLINE void transpose(FloatPack (&r)[float_lanes]) {
-  const FloatMask low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
-  const FloatMask first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};
-  const FloatMask left{0, 1, 2, 3, 8, 9, 10, 11}, right{4, 5, 6, 7, 12, 13, 14, 15};
-  FloatPack two[float_lanes], four[float_lanes];
-  for (int i = 0; i < float_lanes; i += 2) {
-    two[i] = __builtin_shuffle(r[i], r[i + 1], low);
-    two[i + 1] = __builtin_shuffle(r[i], r[i + 1], high);
-  }
-  for (int i = 0; i < float_lanes; i += 4) {
-    four[i] = __builtin_shuffle(two[i], two[i + 2], first);
-    four[i + 1] = __builtin_shuffle(two[i], two[i + 2], second);
-    four[i + 2] = __builtin_shuffle(two[i + 1], two[i + 3], first);
-    four[i + 3] = __builtin_shuffle(two[i + 1], two[i + 3], second);
-  }
-  for (int i = 0; i < float_lanes / 2; ++i) {
-    r[i] = __builtin_shuffle(four[i], four[i + 4], left);
-    r[i + 4] = __builtin_shuffle(four[i], four[i + 4], right);
-  }
-}
-
 }  // namespace
 
 void CoupledRounds::resize(const CoupledLayout& layout) {
-  const std::int32_t blocks = (layout.points() + float_lanes - 1) / float_lanes;
+  const std::int32_t blocks = layout.blocks();
   block_.resize(blocks);
   addition_.assign(blocks, BlockAddition{});
   push_.resize(static_cast<std::size_t>(blocks) * float_lanes + 1);
@@ -59,8 +37,8 @@ void CoupledRounds::set_geometry(std::int32_t point, const PointGeometry<double>
   b.lever_b_n[lane] = f.lever_b_n, b.lever_b_t[lane] = f.lever_b_t;
   b.inverse_nn[lane] = f.inverse_nn, b.inverse_tt[lane] = f.inverse_tt;
   b.nt[lane] = f.nt, b.friction[lane] = f.friction;
-  b.a[lane] = entry_a;
-  b.b[lane] = entry_b;
+  b.a[lane] = float_lanes * entry_a;
+  b.b[lane] = float_lanes * entry_b;
 }
 
 void CoupledRounds::set_base(std::int32_t point, const PointGeometry<double>& g, const PointImpulse<double>& base,
@@ -102,48 +80,53 @@ GEM_INLINE PointFrame<FloatPack> CoupledRounds::frame_of(const Block& b) {
           b.least,      b.most,       b.room_left, b.room_right, b.repair_excess, b.repair_least};
 }
 
-/// Asks the cache for the motions of a block's bodies, which lie anywhere.
-GEM_INLINE void CoupledRounds::foresee_motions(const Block& b) const {
-  for (int lane = 0; lane < float_lanes; ++lane) {
-    __builtin_prefetch(&motion_[b.a[lane]]);
-    __builtin_prefetch(&motion_[b.b[lane]]);
-  }
-}
-
 GEM_INLINE Approach<FloatPack> CoupledRounds::approach_of(const Block& b) const {
-  // velocities and shifts of B against A in the first four lanes; spin and turn of A in the next two, of B in the last
-  const FloatMask of_both{0, 1, 2, 3, 12, 13, 6, 7};
-  FloatPack w[float_lanes];
-  for (int lane = 0; lane < float_lanes; ++lane) {
-    const FloatPack &p = motion_[b.a[lane]].lanes, &q = motion_[b.b[lane]].lanes;
-    const FloatPack spins = __builtin_shuffle(q, p, of_both), apart = q - p;
-    w[lane] = __builtin_shuffle(apart, spins, FloatMask{0, 1, 2, 3, 12, 13, 14, 15});
+  const FloatMask of_both{0, 1, 10, 11, 4, 5, 14, 15};
+  constexpr int half = float_lanes / 2;
+  const float* const motion = reinterpret_cast<const float*>(motion_.data());
+  FloatPack apart[half], turns[half];  // velocities and shifts of B against A; spin and turn of A, of B
+  for (int lane = 0; lane < half; ++lane) {
+    const float *a = motion + b.a[lane], *other_a = motion + b.a[lane + half];
+    const float *to = motion + b.b[lane], *other_to = motion + b.b[lane + half];
+    apart[lane] = side_by_side(to, other_to) - side_by_side(a, other_a);
+    turns[lane] =
+        __builtin_shuffle(side_by_side(a + half, other_a + half), side_by_side(to + half, other_to + half), of_both);
   }
-  transpose(w);
-  return {w[0], w[1], w[2], w[3], w[4], w[5], w[6], w[7]};
+  transpose_halves(apart);
+  transpose_halves(turns);
+  return {apart[0], apart[1], apart[2], apart[3], turns[0], turns[1], turns[2], turns[3]};
 }
 
-GEM_INLINE void CoupledRounds::write_push(std::int32_t block, const PointFrame<FloatPack>& f,
-                                          const PointImpulse<FloatPack>& p) {
-  const PointPush<FloatPack> push = push_of(f, p);
+GEM_INLINE void CoupledRounds::write_push(std::int32_t block) {
+  constexpr int half = float_lanes / 2;
+  const PointPush<FloatPack> push = push_of(frame_of(block_[block]), addition_[block].carried);
   FloatPack w[float_lanes] = {push.x,       push.y,      push.shift_x, push.shift_y,
                               push.twist_a, push.turn_a, push.twist_b, push.turn_b};
-  transpose(w);
-  for (int lane = 0; lane < float_lanes; ++lane) push_[float_lanes * block + lane].lanes = w[lane];
+  transpose_halves(w);
+  transpose_halves(w + half);
+  const FloatMask left{0, 1, 2, 3, 8, 9, 10, 11}, right{4, 5, 6, 7, 12, 13, 14, 15};
+  for (int lane = 0; lane < half; ++lane) {
+    push_[float_lanes * block + lane].lanes = __builtin_shuffle(w[lane], w[lane + half], left);
+    push_[float_lanes * block + lane + half].lanes = __builtin_shuffle(w[lane], w[lane + half], right);
+  }
 }
 
 template <PointFriction law, bool judged>
 GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead) {
+  if (begin == end) return 0.0F;
   FloatPack most{};
+  Approach<FloatPack> next = approach_of(block_[begin]);
   for (std::int32_t i = begin; i < end; ++i) {
-    foresee_motions(block_[i + 2 < end ? i + 2 : i]);
-    const PointFrame<FloatPack> f = frame_of(block_[i]);
+    // three blocks under way: one block's chain of results is longer than what the processor looks ahead
+    const Approach<FloatPack> approach = next;
+    if (i + 1 < end) next = approach_of(block_[i + 1]);
     BlockAddition& addition = addition_[i];
     const FloatPack asked =
-        visit_point<law, judged>(f, approach_of(block_[i]), pace, ahead, addition.at, addition.carried);
+        visit_point<law, judged>(frame_of(block_[i]), approach, pace, ahead, addition.at, addition.carried);
     if constexpr (judged) most = larger(asked, most);
-    write_push(i, f, addition.carried);
+    if (i > begin) write_push(i - 1);
   }
+  write_push(end - 1);
   float largest = 0.0F;
   for (int lane = 0; lane < float_lanes; ++lane) largest = larger(most[lane], largest);
   return largest;
@@ -180,21 +163,86 @@ float CoupledRounds::visit(PointFriction law, bool judged, std::int32_t begin, s
 }
 
 GEM_CLONES void CoupledRounds::push(std::int32_t begin, std::int32_t end) {
-  for (std::int32_t i = begin; i < end; ++i) write_push(i, frame_of(block_[i]), addition_[i].carried);
+  for (std::int32_t i = begin; i < end; ++i) write_push(i);
+}
+
+GEM_INLINE void CoupledRounds::move_body(std::int32_t entry, const FloatPack& to_b, const FloatPack& to_a) {
+  const FloatMask of_a{0, 1, 2, 3, 4, 5, 4, 5}, of_b{0, 1, 2, 3, 6, 7, 6, 7};
+  motion_[entry].lanes = answer_[entry].lanes * (__builtin_shuffle(to_b, of_b) - __builtin_shuffle(to_a, of_a));
+}
+
+GEM_INLINE void CoupledRounds::move_any(const CoupledLayout& layout, std::int32_t begin, std::int32_t end) {
+  const Row* const push = push_.data();
+  const std::uint32_t* const as_b = layout.points_as_b();
+  for (std::int32_t k = begin; k < end; ++k) {
+    FloatPack to_b{}, to_a{};
+    for (std::int32_t s = layout.begin_as_b(k); s < layout.begin_as_b(k + 1); ++s) to_b += push[as_b[s]].lanes;
+    for (std::int32_t point = layout.first_as_a(k); point < layout.end_as_a(k); ++point) to_a += push[point].lanes;
+    move_body(k, to_b, to_a);
+  }
+}
+
+/// Bodies with `as_b` and `as_a` points: no loop over them is left.
+template <int as_b, int as_a>
+GEM_INLINE void CoupledRounds::move_alike(const CoupledLayout& layout, std::int32_t begin, std::int32_t end) {
+  const Row* const push = push_.data();
+  const std::uint32_t* point_as_b = layout.points_as_b() + layout.begin_as_b(begin);
+  for (std::int32_t k = begin; k < end; ++k, point_as_b += as_b) {
+    FloatPack to_b{}, to_a{};
+#pragma GCC unroll 8
+    for (int s = 0; s < as_b; ++s) to_b += push[point_as_b[s]].lanes;
+    const Row* const push_a = push + layout.first_as_a(k);
+#pragma GCC unroll 8
+    for (int s = 0; s < as_a; ++s) to_a += push_a[s].lanes;
+    move_body(k, to_b, to_a);
+  }
+}
+
+template <int as_b>
+GEM_INLINE void CoupledRounds::move_alike(const CoupledLayout& layout, std::int32_t begin, std::int32_t end,
+                                          std::int32_t as_a) {
+  switch (as_a) {
+    case 0:
+      return move_alike<as_b, 0>(layout, begin, end);
+    case 1:
+      return move_alike<as_b, 1>(layout, begin, end);
+    case 2:
+      return move_alike<as_b, 2>(layout, begin, end);
+    case 3:
+      return move_alike<as_b, 3>(layout, begin, end);
+    case 4:
+      return move_alike<as_b, 4>(layout, begin, end);
+    default:
+      return move_any(layout, begin, end);
+  }
 }
 
 GEM_CLONES void CoupledRounds::move(const CoupledLayout& layout, std::int32_t begin, std::int32_t end) {
-  const Row* const push = push_.data();
-  const std::uint32_t* const as_b = layout.points_as_b();
-  const FloatMask of_a{0, 1, 2, 3, 4, 5, 4, 5}, of_b{0, 1, 2, 3, 6, 7, 6, 7};
-  for (std::int32_t k = begin; k < end; ++k) {
-    FloatPack to_b{}, to_a{};
-    for (std::int32_t s = layout.begin_as_b(k); s < layout.begin_as_b(k + 1); ++s) {
-      __builtin_prefetch(&push[as_b[s + CoupledLayout::looked_ahead]]);
-      to_b += push[as_b[s]].lanes;
+  using Alike = CoupledLayout::Alike;
+  const std::vector<Alike>& alike = layout.alike();
+  auto group = std::upper_bound(alike.begin(), alike.end(), begin,
+                                [](std::int32_t entry, const Alike& a) { return entry < a.last; });
+  for (; group != alike.end() && group->first < end; ++group) {
+    const std::int32_t first = std::max(begin, group->first), last = std::min(end, group->last);
+    switch (group->as_b) {
+      case 0:
+        move_alike<0>(layout, first, last, group->as_a);
+        break;
+      case 1:
+        move_alike<1>(layout, first, last, group->as_a);
+        break;
+      case 2:
+        move_alike<2>(layout, first, last, group->as_a);
+        break;
+      case 3:
+        move_alike<3>(layout, first, last, group->as_a);
+        break;
+      case 4:
+        move_alike<4>(layout, first, last, group->as_a);
+        break;
+      default:
+        move_any(layout, first, last);
     }
-    for (std::int32_t point = layout.first_as_a(k); point < layout.end_as_a(k); ++point) to_a += push[point].lanes;
-    motion_[k].lanes = answer_[k].lanes * (__builtin_shuffle(to_b, of_b) - __builtin_shuffle(to_a, of_a));
   }
 }
 

@@ -14,13 +14,16 @@ namespace gem {
 class CoupledRounds {
  public:
   void resize(const CoupledLayout& layout);
-  std::int32_t blocks() const { return static_cast<std::int32_t>(block_.size()); }
 
   /// What of a point stays for the moment.
   void set_geometry(std::int32_t point, const PointGeometry<double>& g, std::int32_t entry_a, std::int32_t entry_b);
   /// Entries of a point's bodies.
-  std::int32_t entry_a(std::int32_t point) const { return block_[point / float_lanes].a[point % float_lanes]; }
-  std::int32_t entry_b(std::int32_t point) const { return block_[point / float_lanes].b[point % float_lanes]; }
+  std::int32_t entry_a(std::int32_t point) const {
+    return block_[point / float_lanes].a[point % float_lanes] / float_lanes;
+  }
+  std::int32_t entry_b(std::int32_t point) const {
+    return block_[point / float_lanes].b[point % float_lanes] / float_lanes;
+  }
   /// A round begins from this base: what was added so far is in it.
   void set_base(std::int32_t point, const PointGeometry<double>& g, const PointImpulse<double>& base,
                 const Motion<double>& a, const Motion<double>& b);
@@ -45,16 +48,22 @@ class CoupledRounds {
   struct alignas(64) Block {
     FloatPack normal_x, normal_y, lever_a_n, lever_a_t, lever_b_n, lever_b_t, inverse_nn, inverse_tt, nt, friction;
     FloatPack excess, slip, least, most, room_left, room_right, repair_excess, repair_least;
-    std::int32_t a[float_lanes], b[float_lanes];  // entries of the bodies
+    std::int32_t a[float_lanes], b[float_lanes];  // where the motions of the bodies begin, in floats
   };
   struct alignas(32) BlockAddition {
     PointImpulse<FloatPack> at, carried;
   };
 
+  void move_body(std::int32_t entry, const FloatPack& to_b, const FloatPack& to_a);
+  void move_any(const CoupledLayout& layout, std::int32_t begin, std::int32_t end);
+  template <int as_b, int as_a>
+  void move_alike(const CoupledLayout& layout, std::int32_t begin, std::int32_t end);
+  template <int as_b>
+  void move_alike(const CoupledLayout& layout, std::int32_t begin, std::int32_t end, std::int32_t as_a);
+
   static PointFrame<FloatPack> frame_of(const Block& b);
-  void foresee_motions(const Block& b) const;
   Approach<FloatPack> approach_of(const Block& b) const;
-  void write_push(std::int32_t block, const PointFrame<FloatPack>& f, const PointImpulse<FloatPack>& p);
+  void write_push(std::int32_t block);
   template <PointFriction law, bool judged>
   float visit_range(std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead);
   float visit_frictionless(bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead);

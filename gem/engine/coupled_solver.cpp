@@ -21,6 +21,14 @@ void CoupledSolver::restore(std::vector<std::uint64_t> keys, std::vector<PointIm
   impulses_ = std::move(impulses);
 }
 
+void CoupledSolver::lay_out(const FieldState& f, Contacts contacts, int threads) {
+  asked_.assign(threads, {});
+  iterations_ = 0;
+  residual_ = 0.0;
+  layout_.lay_out(f, contacts, threads);
+  make_room();
+}
+
 void CoupledSolver::make_room() {
   point_.resize(layout_.points());
   next_keys_.resize(layout_.points());
@@ -70,15 +78,14 @@ void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::in
 }
 
 CoupledSolver::Stretch CoupledSolver::stretch_of(const ThreadTeam& team, int rank) const {
-  const std::int64_t blocks = rounds_.blocks(), bodies = layout_.bodies();
-  const auto first_block = static_cast<std::int32_t>(team.begin_of(rank, blocks));
-  const auto last_block = static_cast<std::int32_t>(team.begin_of(rank + 1, blocks));
+  if (team.size() == 1) return {0, layout_.blocks(), 0, layout_.points(), 1, 1 + layout_.bodies()};
+  const std::int32_t first_block = layout_.first_block_of(rank), last_block = layout_.first_block_of(rank + 1);
   return {first_block,
           last_block,
           std::min(float_lanes * first_block, layout_.points()),
           std::min(float_lanes * last_block, layout_.points()),
-          static_cast<std::int32_t>(1 + team.begin_of(rank, bodies)),
-          static_cast<std::int32_t>(1 + team.begin_of(rank + 1, bodies))};
+          layout_.first_entry_of(rank),
+          layout_.first_entry_of(rank + 1)};
 }
 
 /// Velocities that the base's impulses give.
@@ -191,7 +198,8 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
 }
 
 void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
-  team.for_each(rank, static_cast<std::int64_t>(contacts.size()), [&](std::int64_t c) {
+  const auto count = static_cast<std::int64_t>(contacts.size());
+  for (std::int64_t c = team.begin_of(rank, count); c < team.begin_of(rank + 1, count); ++c) {
     Contact& contact = *contacts[c];
     for (int k = 0; k < contact.count; ++k) {
       const std::int32_t i = layout_.first_point(c) + k;
@@ -201,7 +209,7 @@ void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team
       next_keys_[i] = contact_key(contact.a, contact.b, contact.slot[k].feature);
       next_impulses_[i] = p;
     }
-  });
+  }
   team.for_each(rank, layout_.bodies(), [&](std::int64_t k) {
     const std::int32_t entry = static_cast<std::int32_t>(k) + 1, i = layout_.body(entry);
     const Motion<double>& m = motion_[entry];
@@ -212,13 +220,6 @@ void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team
 }
 
 void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality) {
-  team.single(rank, [&] {
-    asked_.assign(team.size(), {});
-    iterations_ = 0;
-    residual_ = 0.0;
-    layout_.lay_out(f, contacts);
-    make_room();
-  });
   if (team.failed()) return;
   if (!contacts.empty()) {
     const auto count = static_cast<std::int64_t>(contacts.size());

@@ -21,7 +21,9 @@ class CoupledSolver {
   /// Moments with fewer contacts are iterated by one thread: the wait after each phase would cost more than it brings.
   explicit CoupledSolver(std::size_t contacts_worth_threads = 2048) : contacts_worth_threads_(contacts_worth_threads) {}
 
-  /// Inside a team's run: resolves the contacts (ascending in a, b); changes velocities, impulses and repair shifts.
+  /// Makes room for the contacts (ascending in a, b) that `threads` will resolve; asks for no velocity and no position.
+  void lay_out(const FieldState& f, Contacts contacts, int threads);
+  /// Inside a team's run: resolves the contacts laid out; changes velocities, impulses and repair shifts.
   void resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality);
 
   const std::vector<std::uint64_t>& keys() const { return keys_; }

@@ -29,6 +29,7 @@ void resolve(Resolved& r, std::uint64_t seed, int threads) {
   ThreadTeam team(threads);
   team.run([&](int rank) {
     r.pairs.find(r.field, team, rank);
+    team.single(rank, [&] { r.solver.lay_out(r.field, r.pairs.contacts(), team.size()); });
     r.solver.resolve(r.field, r.pairs.contacts(), team, rank, r.quality);
   });
 }

@@ -41,14 +41,17 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
   pairs_.find(f, team, rank);
   const Contacts contacts = pairs_.contacts();
 
-  team.for_each(rank, n, [&](std::int64_t i) {
-    if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
-  });
-  team.single(rank, [&] {
+  // what one thread must do alone goes on beside what all can share
+  team.first_alone(rank, [&] {
     before_ = platform_impulses(f);
     platform_first_half(f);
     quality_ = {};
+    if (f.constants.resolution == Resolution::coupled) coupled_.lay_out(f, contacts, team.size());
   });
+  team.hand_out(n, [&](std::int64_t i) {
+    if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
+  });
+  team.barrier();
   resolve(team, rank);
   // the books and the look at the overlaps are each in order; they go on side by side
   if (rank == team.size() - 1) note_contacts(f, contacts, quality_, log);

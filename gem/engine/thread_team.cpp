@@ -60,10 +60,10 @@ void ThreadTeam::run(const std::function<void(int)>& task) {
 }
 
 void ThreadTeam::barrier() {
-  if (size_ == 1) return;
   const std::uint32_t phase = phase_.load(std::memory_order_acquire);
-  if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
+  if (size_ == 1 || arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
     arrived_.store(0, std::memory_order_relaxed);
+    handed_out_.store(0, std::memory_order_relaxed);
     phase_.store(phase + 1, std::memory_order_release);
     return;
   }

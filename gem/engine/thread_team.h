@@ -1,6 +1,7 @@
 // Threads that go through a step together: they share out index ranges and wait for each other between stages.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -37,16 +38,34 @@ class ThreadTeam {
     barrier();
   }
 
-  /// Inside run: calls work() on rank 0 while the others wait. After an exception in it, failed() is true.
+  /// Inside run: calls visit(i) for i in [0, count), short stretches at a time on whichever thread is free; at most
+  /// once between two barriers. Does not wait for the others.
+  template <class Visit>
+  void hand_out(std::int64_t count, Visit&& visit) {
+    constexpr std::int64_t stretch = 256;
+    for (;;) {
+      const std::int64_t begin = handed_out_.fetch_add(stretch, std::memory_order_relaxed);
+      if (begin >= count) return;
+      for (std::int64_t i = begin; i < std::min(begin + stretch, count); ++i) visit(i);
+    }
+  }
+
+  /// Inside run: calls work() on rank 0 while the others go on. After an exception in it and a barrier, failed() is
+  /// true.
+  template <class Work>
+  void first_alone(int rank, Work&& work) {
+    if (rank != 0) return;
+    try {
+      work();
+    } catch (...) {
+      fault_ = std::current_exception();
+    }
+  }
+
+  /// The same while the others wait.
   template <class Work>
   void single(int rank, Work&& work) {
-    if (rank == 0) {
-      try {
-        work();
-      } catch (...) {
-        fault_ = std::current_exception();
-      }
-    }
+    first_alone(rank, work);
     barrier();
   }
 
@@ -61,6 +80,7 @@ class ThreadTeam {
   const int size_;
   std::atomic<int> arrived_{0};
   std::atomic<std::uint32_t> phase_{0};
+  std::atomic<std::int64_t> handed_out_{0};  // since the last barrier
   std::exception_ptr fault_;
 
   std::mutex mutex_;

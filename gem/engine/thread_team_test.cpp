@@ -53,6 +53,24 @@ TEST_P(ThreadTeamTest, SingleRunsOnceAndOthersWait) {
   for (const int s : seen) EXPECT_EQ(s, 100);
 }
 
+TEST_P(ThreadTeamTest, WhatIsHandedOutIsVisitedOnceWhileTheFirstIsBusy) {
+  ThreadTeam team(GetParam());
+  for (const std::int64_t count : {0, 1, 255, 256, 5000}) {
+    std::vector<int> visits(count, 0);
+    int first = 0;
+    constexpr int rounds = 20;
+    team.run([&](int rank) {
+      for (int round = 0; round < rounds; ++round) {
+        team.first_alone(rank, [&] { ++first; });
+        team.hand_out(count, [&](std::int64_t i) { ++visits[i]; });
+        team.barrier();
+      }
+    });
+    EXPECT_EQ(first, rounds);
+    for (const int v : visits) ASSERT_EQ(v, rounds);
+  }
+}
+
 TEST_P(ThreadTeamTest, ExceptionInSingleIsThrownAgain) {
   ThreadTeam team(GetParam());
   std::vector<int> told(team.size(), 0);

@@ -5,7 +5,10 @@
 // | platform_first_half | platform position, velocity| the same, half a moment on; start position            |
 // | drift_floe          | velocity, struck, repair   | position, rotation, outline, travel, struck = 0       |
 // | platform_second_half| platform position, velocity| the same, outline                                     |
+// | retire_floe         | position                   | active, book of what left                             |
 #pragma once
+
+#include <cmath>
 
 #include "gem/engine/field_state.h"
 #include "gem/engine/solo_event.h"
@@ -61,6 +64,24 @@ inline void drift_floe(FieldState& f, std::size_t i) {
   f.repair_shift[i] = {};
   f.repair_turn[i] = 0.0;
   turn_body(f, i, angle);
+}
+
+/// Whether the state of body i is made of numbers; that of a retired floe does not matter.
+inline bool finite_or_inactive(const Bodies& b, std::size_t i) {
+  return !b.active[i] || std::isfinite(b.position[i].x + b.position[i].y + b.velocity[i].x + b.velocity[i].y +
+                                       b.spin[i] + b.rotation[i].cosine + b.rotation[i].sine);
+}
+
+/// Retires floe i if it is past the retire line, and enters what it takes along.
+inline void retire_floe(FieldState& f, std::size_t i) {
+  Bodies& b = f.bodies;
+  if (!b.active[i] || !(b.position[i].x > f.constants.retire_x)) return;
+  const Quantity gone = quantity_of(b.mass[i], b.inertia[i], b.position[i], b.velocity[i], b.spin[i]);
+  Quantity& book = f.book(Channel::retired, i);
+  book.momentum -= gone.momentum;
+  book.angular_momentum -= gone.angular_momentum;
+  book.energy -= gone.energy;
+  b.active[i] = 0;
 }
 
 inline PlatformMotion platform_motion(FieldState& f) {

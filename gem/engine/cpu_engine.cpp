@@ -10,6 +10,7 @@
 
 #include "gem/engine/books.h"
 #include "gem/engine/contact_stages.h"
+#include "gem/engine/kick_floes.h"
 #include "gem/engine/solo_stages.h"
 
 namespace gem {
@@ -41,9 +42,8 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
   pairs_.find(f, team, rank);
   const Contacts contacts = pairs_.contacts();
 
-  team.for_each(rank, n, [&](std::int64_t i) {
-    if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
-  });
+  kick_floes(f, team.begin_of(rank, n), team.begin_of(rank + 1, n));
+  team.barrier();
   team.single(rank, [&] {
     before_ = platform_impulses(f);
     platform_first_half(f);

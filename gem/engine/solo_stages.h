@@ -15,16 +15,21 @@
 
 namespace gem {
 
-/// Drag of the current on floe i over the moment: its velocity at the end, before any event.
-inline void kick_floe(FieldState& f, std::size_t i) {
+/// Gives floe i the velocity that the drag of the current leaves it, and enters it in the books.
+inline void enter_kick(FieldState& f, std::size_t i, const Kick& kicked) {
   Bodies& b = f.bodies;
-  if (f.constants.drag_law == DragLaw::none || !b.active[i]) return;
-  const Kick kicked = kick(f.constants, b.drag[i], b.spin_drag[i], b.velocity[i], b.spin[i]);
   book_kick(f.book(Channel::drag, i), b.mass[i], b.inertia[i], b.position[i], b.velocity[i], b.spin[i], kicked);
   b.velocity[i] = kicked.velocity;
   b.spin[i] = kicked.spin;
   f.path_correction[i] = kicked.path_correction;
   f.angle_correction[i] = kicked.angle_correction;
+}
+
+/// Drag of the current on floe i over the moment: its velocity at the end, before any event.
+inline void kick_floe(FieldState& f, std::size_t i) {
+  const Bodies& b = f.bodies;
+  if (f.constants.drag_law == DragLaw::none || !b.active[i]) return;
+  enter_kick(f, i, kick(f.constants, b.drag[i], b.spin_drag[i], b.velocity[i], b.spin[i]));
 }
 
 /// Turns the outline of body i into world axes.

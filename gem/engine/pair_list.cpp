@@ -16,6 +16,12 @@
 
 namespace gem {
 
+void PairList::clear() {
+  valid_ = false;
+  pairs_.clear();
+  look_.clear();
+}
+
 void PairList::take_spots(const FieldState& f, ThreadTeam& team, int rank) {
   const double allowed = 0.5 * f.constants.list_margin;
   const double elapsed = static_cast<double>(age_) * f.constants.dt;
@@ -84,13 +90,13 @@ void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
   Part& mine = part_[rank];
   const auto pair_count = static_cast<std::int64_t>(pairs_.size());
   const std::size_t due = list_due(team.begin_of(rank, pair_count), team.begin_of(rank + 1, pair_count), mine.due);
-  if (mine.found.size() < due) mine.found.resize(2 * due);
   mine.count = 0;
   for (std::size_t k = 0; k < due; ++k) {
     const std::int32_t soon = mine.due[std::min(k + 8, due - 1)];
     __builtin_prefetch(&look_[soon]);
     foresee_search(f, pairs_[soon].b);
     foresee_outline(f, pairs_[mine.due[std::min(k + 4, due - 1)]].b);
+    if (mine.count == mine.found.size()) mine.found.resize(2 * mine.count + 64);
     if (look(f, mine.due[k], mine.found[mine.count])) ++mine.count;
   }
   team.barrier();

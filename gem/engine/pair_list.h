@@ -18,7 +18,7 @@ class PairList {
   /// Contacts of the last find, ascending in (a, b); they stay until the next.
   Contacts contacts() const { return contacts_; }
   /// Forgets the list, e.g. after a restart.
-  void clear() { valid_ = false; }
+  void clear();
   std::int64_t builds() const { return builds_; }
   std::size_t size() const { return pairs_.size(); }
 
@@ -66,10 +66,13 @@ class PairList {
   void pairs_of_large_bodies(const FieldState& f);
   void pairs_of_floe(std::size_t i, Part& part) const;
   bool near(std::size_t a, std::size_t b) const;
+  void keep_looks();
 
   std::vector<Spot> spot_;
   std::vector<Pair> pairs_;
   std::vector<Look> look_;  // per pair
+  std::vector<Pair> last_pairs_;
+  std::vector<Look> last_look_;  // of the list before, while the next is built
   bool valid_ = false;
   std::int64_t builds_ = 0;
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "gem/engine/pair_list.h"
 
@@ -135,11 +136,26 @@ void PairList::note_course(const FieldState& f) {
   box_.resize(f.bodies.count());
 }
 
+/// A pair that was listed before goes on from its last look. Both lists ascend in (a, b).
+void PairList::keep_looks() {
+  look_.assign(pairs_.size(), {});
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const Pair& pair = pairs_[i];
+    while (at < last_pairs_.size() && std::pair(last_pairs_[at].a, last_pairs_[at].b) < std::pair(pair.a, pair.b)) ++at;
+    if (at == last_pairs_.size() || last_pairs_[at].a != pair.a || last_pairs_[at].b != pair.b) continue;
+    pairs_[i] = last_pairs_[at];
+    look_[i] = last_look_[at];
+  }
+}
+
 void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
   const std::int64_t n = static_cast<std::int64_t>(f.bodies.count());
   team.single(rank, [&] { note_course(f); });
   team.for_each(rank, n, [&](std::int64_t i) { box_[i] = box_of(f, i); });
   team.single(rank, [&] {
+    last_pairs_.swap(pairs_);
+    last_look_.swap(look_);
     pairs_.clear();
     fill_grid(f);
     pairs_of_large_bodies(f);
@@ -148,7 +164,7 @@ void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
   team.for_each(rank, n, [&](std::int64_t i) { pairs_of_floe(i, part_[rank]); });
   team.single(rank, [&] {
     for (int r = 0; r < team.size(); ++r) pairs_.insert(pairs_.end(), part_[r].near.begin(), part_[r].near.end());
-    look_.assign(pairs_.size(), {});
+    keep_looks();
     valid_ = true;
     ++builds_;
   });

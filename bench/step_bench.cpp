@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "gem/engine/books.h"
+#include "gem/engine/contact_outcome.h"
 #include "gem/engine/contact_stages.h"
 #include "gem/engine/coupled_solver.h"
 #include "gem/engine/engine.h"
@@ -157,7 +158,11 @@ class StagedMoment {
     solver_.lay_out(field_, pairs_.contacts(), team_.size());
     team_.run([&](int rank) { solver_.resolve(field_, pairs_.contacts(), team_, rank, quality); });
     lap(resolve);
-    for (const Contact* contact : pairs_.contacts()) book_contact(field_, *contact);
+    for (const Contact* contact : pairs_.contacts()) {
+      ContactOutcome outcome;
+      find_outcome(field_, *contact, outcome);
+      book_contact(field_, *contact, outcome);
+    }
     lap(book);
     each_floe(drift_floe);
     lap(drift);

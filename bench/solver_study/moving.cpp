@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gem/engine/books.h"
+#include "gem/engine/contact_outcome.h"
 #include "gem/engine/contact_stages.h"
 #include "gem/engine/coupled_solver.h"
 #include "gem/engine/solo_stages.h"
@@ -93,7 +94,11 @@ Stepper production(std::int64_t iterations) {
             MomentQuality quality;
             field.team.run([&](int rank) { solver->resolve(f, contacts, field.team, rank, quality); });
             field.note_change(velocity, spin);
-            for (const Contact* contact : contacts) book_contact(f, *contact);
+            for (const Contact* contact : contacts) {
+              ContactOutcome outcome;
+              find_outcome(f, *contact, outcome);
+              book_contact(f, *contact, outcome);
+            }
             field.drift();
           }};
 }

@@ -79,13 +79,17 @@ GEM_HD inline double log(double x) {
   return n * ln2_high + (twice_atanh((mantissa - 1.0) / (mantissa + 1.0)) + n * ln2_low);
 }
 
+/// ln(1 + z) for 0 <= z < short_argument: five terms are as good as all.
+constexpr double short_argument = 0.02;
+GEM_HD inline double log1p_short(double z) {
+  const double t = z / (2.0 + z);
+  const double q = t * t;
+  return 2.0 * (t + t * (q * (1.0 / 3.0 + q * (1.0 / 5.0 + q * (1.0 / 7.0 + q * (1.0 / 9.0))))));
+}
+
 /// ln(1 + z) for z >= 0, accurate for small z.
 GEM_HD inline double log1p(double z) {
-  if (z < 0.02) {  // the usual case of a short moment: five terms are as good as all
-    const double t = z / (2.0 + z);
-    const double q = t * t;
-    return 2.0 * (t + t * (q * (1.0 / 3.0 + q * (1.0 / 5.0 + q * (1.0 / 7.0 + q * (1.0 / 9.0))))));
-  }
+  if (z < short_argument) return log1p_short(z);  // the usual case of a short moment
   if (z < 0.25) return twice_atanh(z / (2.0 + z));
   const double sum = 1.0 + z;
   if (!(z < 0x1p53)) return log(sum);

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/engine/contact_quality.h"
 #include "gem/engine/contact_stages.h"
-#include "gem/engine/ordered_sum.h"
 #include "gem/engine/solo_stages.h"
 
 namespace gem {
@@ -32,19 +29,6 @@ EventBodies event_bodies(const FieldState& f, const Contact& contact) {
           b.position[contact.b],        b.position[contact.b] - f.platform_position,
           f.outline(contact.a),         f.outline(contact.b),
           crushing_ice(f, contact)};
-}
-
-void note_overlap(const FieldState& f, const Contact& contact, double depth, MomentQuality& quality, MomentLog& log) {
-  const double share = depth / std::sqrt(std::min(f.bodies.area[contact.a], f.bodies.area[contact.b]));
-  log.overlap.add(depth);
-  log.overlap_share.add(share);
-  quality.maximum_overlap = std::max(quality.maximum_overlap, depth);
-  quality.maximum_share = std::max(quality.maximum_share, share);
-}
-
-bool finite(const Bodies& b, std::size_t i) {
-  return std::isfinite(b.position[i].x + b.position[i].y + b.velocity[i].x + b.velocity[i].y + b.spin[i] +
-                       b.rotation[i].cosine + b.rotation[i].sine);
 }
 
 }  // namespace
@@ -131,7 +115,7 @@ Ledger closed_books(const FieldState& f, Ledger& running) {
 
 void check_finite(const FieldState& f, std::int64_t moment) {
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
-    if (f.bodies.active[i] && !finite(f.bodies, i))
+    if (!finite_or_inactive(f.bodies, i))
       throw Error(ExitCode::numerical_stop,
                   "body " + std::to_string(i) + " has a state that is no number after moment " +
                       std::to_string(moment) + " (t = " + number_text(static_cast<double>(moment) * f.constants.dt, 9) +
@@ -139,33 +123,8 @@ void check_finite(const FieldState& f, std::int64_t moment) {
 }
 
 void retire(FieldState& f) {
-  Bodies& b = f.bodies;
-  for (std::size_t i = 0; i < b.count(); ++i) {
-    if (!b.active[i] || b.kind[i] != BodyKind::floe || !(b.position[i].x > f.constants.retire_x)) continue;
-    const Quantity gone = of_body(b, i);
-    Quantity& book = f.book(Channel::retired, i);
-    book.momentum -= gone.momentum;
-    book.angular_momentum -= gone.angular_momentum;
-    book.energy -= gone.energy;
-    b.active[i] = 0;
-  }
-}
-
-void note_contacts(const FieldState& f, Contacts contacts, MomentQuality& quality, MomentLog& log) {
-  std::vector<double> work(f.bodies.count() + sum_width, 0.0);  // of B's contacts, or of A's with a fixed B
-  for (const Contact* contact : contacts) {
-    const CollisionMass a = collision_mass(f.bodies, contact->a), b = collision_mass(f.bodies, contact->b);
-    for (int k = 0; k < contact->count; ++k) {
-      const ContactSlot& slot = contact->slot[k];
-      const PointQuality point = point_quality(*contact, slot, a, b, relative_velocity(f.bodies, *contact, slot));
-      quality.complementarity = std::max(quality.complementarity, point.complementarity);
-      quality.cone_excess = std::max(quality.cone_excess, point.cone_excess);
-      work[b.inverse_mass > 0.0 ? contact->b : contact->a] += point.work;
-      if (slot.separation <= 0.0 || slot.impulse.normal > 0.0) ++quality.contacts;
-      if (slot.separation < 0.0) note_overlap(f, *contact, -slot.separation, quality, log);
-    }
-  }
-  quality.energy_created = std::max(0.0, ordered_sum(work.data(), f.bodies.count()));
+  for (std::size_t i = 0; i < f.bodies.count(); ++i)
+    if (f.bodies.kind[i] == BodyKind::floe) retire_floe(f, i);
 }
 
 void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, double event_speed, MomentLog& log) {

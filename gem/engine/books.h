@@ -21,13 +21,8 @@ Ledger closed_books(const FieldState& f, Ledger& running);
 /// Throws Error(numerical_stop) naming the first body whose state is no number; `moment` names the place.
 void check_finite(const FieldState& f, std::int64_t moment);
 
-/// Retires the floes past the retire line and enters what they take along.
+/// Retires all floes past the retire line.
 void retire(FieldState& f);
-
-/// How many points touched or were pressed, how deep they were at the start of the moment, and how well they obey the
-/// laws of contact now that the events are done; counts the overlaps in the log. The velocities must still be those
-/// after the events.
-void note_contacts(const FieldState& f, Contacts contacts, MomentQuality& quality, MomentLog& log);
 
 /// The bodies of a platform event at its instant.
 struct EventBodies {

@@ -1,4 +1,4 @@
-// Stages that act on one pair: find where it touches, see how heavy it feels, resolve its event, enter it in the books.
+// Stages that act on one pair: find where it touches, see how heavy it feels, resolve its event.
 //
 // | stage              | reads                                   | writes                                  |
 // | find_contact       | positions, outlines of a and b          | the contact's geometry                  |
@@ -6,7 +6,6 @@
 // | resolve_alone      | the contact                             | its impulses                            |
 // | apply_impulses     | the contact's impulses                  | velocities of a and b                   |
 // | point_of_contact   | the contact, masses                     | nothing: returns what iterations need   |
-// | book_contact       | velocities after                        | books of B, struck flags                |
 #pragma once
 
 #include "gem/engine/body_repair.h"
@@ -142,28 +141,6 @@ inline void apply_impulse(Bodies& b, const Contact& contact, const ContactSlot& 
 /// All impulses of a contact at once.
 inline void apply_impulses(Bodies& b, const Contact& contact) {
   for (int k = 0; k < contact.count; ++k) apply_impulse(b, contact, contact.slot[k], contact.slot[k].impulse);
-}
-
-/// Enters a resolved contact in the books of its body B and marks its bodies as struck. Velocities must be those after
-/// the events.
-inline void book_contact(FieldState& f, const Contact& contact) {
-  const bool fixed_b = f.bodies.kind[contact.b] == BodyKind::fixed;
-  const bool on_fixed = fixed_b || f.bodies.kind[contact.a] == BodyKind::fixed;
-  const bool on_locked = contact.a == 0 && f.bodies.inverse_inertia[0] == 0.0;
-  const ContactBooks books{f.book(Channel::impact, contact.b), f.book(Channel::elastic, contact.b),
-                           f.book(Channel::friction, contact.b)};
-  for (int k = 0; k < contact.count; ++k) {
-    const ContactSlot& slot = contact.slot[k];
-    if (!acted(slot)) continue;
-    f.struck[contact.a] = f.struck[contact.b] = 1;
-    const SlotWork work = slot_work(contact, slot, relative_velocity(f.bodies, contact, slot));
-    books.impact.energy += work.impact;
-    books.elastic.energy += work.elastic;
-    books.friction.energy += work.friction;
-    if (on_fixed) book_fixed(books, contact, slot, f.bodies.position[contact.b], fixed_b);
-    // a locked platform hands the twist on to whatever locks it
-    if (on_locked) f.mooring_force.angular_momentum += cross(slot.arm_a, world_impulse(contact, slot.impulse));
-  }
 }
 
 }  // namespace gem

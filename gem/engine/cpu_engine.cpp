@@ -10,6 +10,7 @@
 
 #include "gem/engine/books.h"
 #include "gem/engine/contact_stages.h"
+#include "gem/engine/kick_floes.h"
 #include "gem/engine/solo_stages.h"
 
 namespace gem {
@@ -46,28 +47,27 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
     before_ = platform_impulses(f);
     platform_first_half(f);
     quality_ = {};
+    outcomes_.resize(contacts.size());
     if (f.constants.resolution == Resolution::coupled) coupled_.lay_out(f, contacts, team.size());
   });
-  team.hand_out(n, [&](std::int64_t i) {
-    if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
-  });
+  team.hand_out(n, [&](std::int64_t begin, std::int64_t end) { kick_floes(f, begin, end); });
   team.barrier();
+  if (team.failed()) return;
   resolve(team, rank);
+  team.for_each(rank, static_cast<std::int64_t>(contacts.size()),
+                [&](std::int64_t c) { find_outcome(f, *contacts[c], outcomes_[c]); });
   // the books and the look at the overlaps are each in order; they go on side by side
-  if (rank == team.size() - 1) note_contacts(f, contacts, quality_, log);
+  if (rank == team.size() - 1) note_outcomes(f, outcomes_, quality_, log);
   team.single(rank, [&] {
-    for (const Contact* contact : contacts) book_contact(f, *contact);
+    for (std::size_t c = 0; c < contacts.size(); ++c) book_contact(f, *contacts[c], outcomes_[c]);
     log_events(f, contacts, moment_, event_speed_, log);
   });
 
-  team.for_each(rank, n, [&](std::int64_t i) {
-    if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
-  });
+  team.for_each(rank, n, [&](std::int64_t i) { move_floe(i); });
   team.single(rank, [&] {
     platform_second_half(f);
     ++moment_;
-    check_finite(f, moment_);
-    retire(f);
+    if (lost_.exchange(false) || !finite_or_inactive(f.bodies, 0)) check_finite(f, moment_);
     log_moment(f, contacts, before_, quality_, log);
   });
 }
@@ -78,6 +78,17 @@ void CpuEngine::resolve(ThreadTeam& team, int rank) {
   } else {
     resolve_independent(team, rank);
   }
+}
+
+/// Motion of body i, if it is a floe, and what follows from where it then is.
+void CpuEngine::move_floe(std::int64_t i) {
+  FieldState& f = field_;
+  if (f.bodies.kind[i] != BodyKind::floe) return;
+  drift_floe(f, i);
+  if (finite_or_inactive(f.bodies, i))
+    retire_floe(f, i);
+  else
+    lost_ = true;
 }
 
 void CpuEngine::resolve_independent(ThreadTeam& team, int rank) {

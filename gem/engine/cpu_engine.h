@@ -1,9 +1,11 @@
 // The CPU engine: near-pair lists and a team of threads; the same bits for any number of threads.
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "gem/engine/books.h"
+#include "gem/engine/contact_outcome.h"
 #include "gem/engine/coupled_solver.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/field_state.h"
@@ -34,6 +36,7 @@ class CpuEngine : public Engine {
 
  private:
   void one_moment(ThreadTeam& team, int rank, MomentLog& log);
+  void move_floe(std::int64_t i);
   void resolve_independent(ThreadTeam& team, int rank);
 
   FieldState field_;
@@ -45,6 +48,8 @@ class CpuEngine : public Engine {
   std::int64_t moment_ = 0;
   PairList pairs_;
   CoupledSolver coupled_;
+  std::vector<ContactOutcome> outcomes_;  // of this moment's contacts
+  std::atomic<bool> lost_{false};         // a floe's state became no number
   MomentQuality quality_;
   PlatformImpulses before_;  // at the start of the moment
 };

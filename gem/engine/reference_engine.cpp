@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gem/engine/books.h"
+#include "gem/engine/contact_outcome.h"
 #include "gem/engine/contact_stages.h"
 #include "gem/engine/ordered_sum.h"
 #include "gem/engine/solo_stages.h"
@@ -50,8 +51,12 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
       for (Contact& contact : contacts) resolve_alone(f, contact);
       for (Contact& contact : contacts) apply_impulses(f.bodies, contact);
     }
-    for (const Contact& contact : contacts) book_contact(f, contact);
-    note_contacts(f, view, quality, log);
+    std::vector<ContactOutcome> outcomes(contacts.size());
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      find_outcome(f, contacts[c], outcomes[c]);
+      book_contact(f, contacts[c], outcomes[c]);
+    }
+    note_outcomes(f, outcomes, quality, log);
     log_events(f, view, moment_, event_speed_, log);
     for (std::size_t i = 0; i < f.bodies.count(); ++i)
       if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);

@@ -26,6 +26,10 @@ struct Kick {
   double angle_correction = 0.0;  // [rad]
 };
 
+GEM_HD inline Kick kick_of(const MomentConstants& c, const DragSolution& solved, SpinDragSolution turn) {
+  return {c.current - solved.slip, turn.spin, -solved.path_correction, turn.angle_correction};
+}
+
 /// Drag of the current over one moment; `drag` and `spin_drag` are the floe's coefficients.
 GEM_HD inline Kick kick(const MomentConstants& c, double drag, double spin_drag, Vec2 velocity, double spin) {
   const Vec2 slip = c.current - velocity;
@@ -38,7 +42,7 @@ GEM_HD inline Kick kick(const MomentConstants& c, double drag, double spin_drag,
     solved = drag_linear(drag, slip, c.linear_decay, c.dt);
     if (spin_drag > 0.0) turn = spin_drag_linear(spin_drag, spin, c.linear_decay, c.dt);
   }
-  return {c.current - solved.slip, turn.spin, -solved.path_correction, turn.angle_correction};
+  return kick_of(c, solved, turn);
 }
 
 /// Enters a kick in the floe's drag book.

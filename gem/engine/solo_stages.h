@@ -5,23 +5,31 @@
 // | platform_first_half | platform position, velocity| the same, half a moment on; start position            |
 // | drift_floe          | velocity, struck, repair   | position, rotation, outline, travel, struck = 0       |
 // | platform_second_half| platform position, velocity| the same, outline                                     |
+// | retire_floe         | position                   | active, book of what left                             |
 #pragma once
+
+#include <cmath>
 
 #include "gem/engine/field_state.h"
 #include "gem/engine/solo_event.h"
 
 namespace gem {
 
-/// Drag of the current on floe i over the moment: its velocity at the end, before any event.
-inline void kick_floe(FieldState& f, std::size_t i) {
+/// Gives floe i the velocity that the drag of the current leaves it, and enters it in the books.
+inline void enter_kick(FieldState& f, std::size_t i, const Kick& kicked) {
   Bodies& b = f.bodies;
-  if (f.constants.drag_law == DragLaw::none || !b.active[i]) return;
-  const Kick kicked = kick(f.constants, b.drag[i], b.spin_drag[i], b.velocity[i], b.spin[i]);
   book_kick(f.book(Channel::drag, i), b.mass[i], b.inertia[i], b.position[i], b.velocity[i], b.spin[i], kicked);
   b.velocity[i] = kicked.velocity;
   b.spin[i] = kicked.spin;
   f.path_correction[i] = kicked.path_correction;
   f.angle_correction[i] = kicked.angle_correction;
+}
+
+/// Drag of the current on floe i over the moment: its velocity at the end, before any event.
+inline void kick_floe(FieldState& f, std::size_t i) {
+  const Bodies& b = f.bodies;
+  if (f.constants.drag_law == DragLaw::none || !b.active[i]) return;
+  enter_kick(f, i, kick(f.constants, b.drag[i], b.spin_drag[i], b.velocity[i], b.spin[i]));
 }
 
 /// Turns the outline of body i into world axes.
@@ -61,6 +69,24 @@ inline void drift_floe(FieldState& f, std::size_t i) {
   f.repair_shift[i] = {};
   f.repair_turn[i] = 0.0;
   turn_body(f, i, angle);
+}
+
+/// Whether the state of body i is made of numbers; that of a retired floe does not matter.
+inline bool finite_or_inactive(const Bodies& b, std::size_t i) {
+  return !b.active[i] || std::isfinite(b.position[i].x + b.position[i].y + b.velocity[i].x + b.velocity[i].y +
+                                       b.spin[i] + b.rotation[i].cosine + b.rotation[i].sine);
+}
+
+/// Retires floe i if it is past the retire line, and enters what it takes along.
+inline void retire_floe(FieldState& f, std::size_t i) {
+  Bodies& b = f.bodies;
+  if (!b.active[i] || !(b.position[i].x > f.constants.retire_x)) return;
+  const Quantity gone = quantity_of(b.mass[i], b.inertia[i], b.position[i], b.velocity[i], b.spin[i]);
+  Quantity& book = f.book(Channel::retired, i);
+  book.momentum -= gone.momentum;
+  book.angular_momentum -= gone.angular_momentum;
+  book.energy -= gone.energy;
+  b.active[i] = 0;
 }
 
 inline PlatformMotion platform_motion(FieldState& f) {

@@ -38,15 +38,15 @@ class ThreadTeam {
     barrier();
   }
 
-  /// Inside run: calls visit(i) for i in [0, count), short stretches at a time on whichever thread is free; at most
-  /// once between two barriers. Does not wait for the others.
+  /// Inside run: calls visit(begin, end) with short stretches of [0, count), on whichever thread is free; at most once
+  /// between two barriers. Does not wait for the others.
   template <class Visit>
   void hand_out(std::int64_t count, Visit&& visit) {
     constexpr std::int64_t stretch = 256;
     for (;;) {
       const std::int64_t begin = handed_out_.fetch_add(stretch, std::memory_order_relaxed);
       if (begin >= count) return;
-      for (std::int64_t i = begin; i < std::min(begin + stretch, count); ++i) visit(i);
+      visit(begin, std::min(begin + stretch, count));
     }
   }
 

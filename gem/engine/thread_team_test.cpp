@@ -62,7 +62,9 @@ TEST_P(ThreadTeamTest, WhatIsHandedOutIsVisitedOnceWhileTheFirstIsBusy) {
     team.run([&](int rank) {
       for (int round = 0; round < rounds; ++round) {
         team.first_alone(rank, [&] { ++first; });
-        team.hand_out(count, [&](std::int64_t i) { ++visits[i]; });
+        team.hand_out(count, [&](std::int64_t begin, std::int64_t end) {
+          for (std::int64_t i = begin; i < end; ++i) ++visits[i];
+        });
         team.barrier();
       }
     });

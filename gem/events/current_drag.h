@@ -25,19 +25,40 @@ struct SpinDragSolution {
   double angle_correction = 0.0;  // [rad]
 };
 
+/// z of the quadratic law.
+GEM_HD inline double drag_reach(double k, double speed, double dt) { return k * speed * dt; }
+
+/// What the quadratic law makes of a slip, both in proportion to it.
+struct DragShares {
+  double left;             // after the moment
+  double path_correction;  // [s]
+};
+
+/// `log`: ln(1 + z), z > 0.
+GEM_HD inline DragShares drag_shares(double z, double log, double dt) {
+  const double left = 1.0 / (1.0 + z);
+  return {left, dt * (log / z - left)};
+}
+
+GEM_HD inline DragSolution shared_out(DragShares shares, Vec2 slip) {
+  return {shares.left * slip, shares.path_correction * slip};
+}
+
+GEM_HD inline SpinDragSolution shared_out(DragShares shares, double spin) {
+  return {shares.left * spin, shares.path_correction * spin};
+}
+
 /// Quadratic law; `speed` is |slip|.
 GEM_HD inline DragSolution drag_quadratic(double k, Vec2 slip, double speed, double dt) {
-  const double z = k * speed * dt;
+  const double z = drag_reach(k, speed, dt);
   if (!(z > 0.0)) return {slip, {}};
-  const double factor = 1.0 / (1.0 + z);
-  return {factor * slip, (dt * (strict::log1p(z) / z - factor)) * slip};
+  return shared_out(drag_shares(z, strict::log1p(z), dt), slip);
 }
 
 GEM_HD inline SpinDragSolution spin_drag_quadratic(double k, double spin, double dt) {
-  const double z = k * (spin < 0.0 ? -spin : spin) * dt;
+  const double z = drag_reach(k, spin < 0.0 ? -spin : spin, dt);
   if (!(z > 0.0)) return {spin, 0.0};
-  const double factor = 1.0 / (1.0 + z);
-  return {factor * spin, dt * (strict::log1p(z) / z - factor) * spin};
+  return shared_out(drag_shares(z, strict::log1p(z), dt), spin);
 }
 
 /// Linear law with rate = 1/tau [1/s]; `decay` is e^(-rate dt), the same for all floes and moments.

@@ -310,10 +310,7 @@ GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, V
   const double d0 = dot(outward, q0 - p0);
   const double d1 = dot(outward, q1 - p0);
 
-  ContactGeometry contact;
-  contact.normal = axis.edge_of_b ? -outward : outward;
   const double span = s1 - s0;
-  ContactPoint end[2];
   // low end: where the later of the two starts; high end: where the earlier of the two stops
   const bool low_is_incident = !(s0 < 0.0) || !(span > 0.0);
   const bool high_is_incident = !(s1 > reach) || !(span > 0.0);
@@ -321,39 +318,34 @@ GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, V
   const double high_depth = high_is_incident ? d1 : d0 + (d1 - d0) * ((reach - s0) / span);
   const Vec2 low = low_is_incident ? q0 - (0.5 * d0) * outward : p0 + (0.5 * low_depth) * outward;
   const Vec2 high = high_is_incident ? q1 - (0.5 * d1) * outward : p1 + (0.5 * high_depth) * outward;
-  end[0] = {low, low_depth, low_is_incident ? 2 * edge_end + (1 - side_r) : 2 * axis.edge + side_r};
-  end[1] = {high, high_depth, high_is_incident ? 2 * edge + (1 - side_r) : 2 * reference_end + side_r};
+  const ContactPoint low_end{low, low_depth, low_is_incident ? 2 * edge_end + (1 - side_r) : 2 * axis.edge + side_r};
+  const ContactPoint high_end{high, high_depth,
+                              high_is_incident ? 2 * edge + (1 - side_r) : 2 * reference_end + side_r};
 
-  // beyond each other's ends (corner against corner): only the deepest corner touches
+  const Vec2 normal = axis.edge_of_b ? -outward : outward;
   const double low_s = low_is_incident ? s0 : 0.0;
   const double high_s = high_is_incident ? s1 : reach;
   const bool stretch = span > 0.0 && high_s > low_s;
-  if (!stretch) {
-    const Vec2 corner = to_i + i.corner[deepest];
-    contact.count = axis.distance < margin ? 1 : 0;
-    contact.point[0] = {corner - (0.5 * axis.distance) * outward, axis.distance, 2 * deepest + (1 - side_r)};
-  } else {
-    const bool low_touches = end[0].separation < margin, high_touches = end[1].separation < margin;
-    contact.point[0] = low_touches ? end[0] : end[1];
-    contact.point[1] = end[1];
-    contact.count = (low_touches ? 1 : 0) + (high_touches ? 1 : 0);
-    contact.width = high_s - low_s;
-  }
+  const double width = stretch ? high_s - low_s : 0.0;
+  const bool low_touches = low_depth < margin, high_touches = high_depth < margin;
   // along the normal turned left: against `along` when the reference is B
-  if (contact.count == 2 && axis.edge_of_b) {
-    const ContactPoint first = contact.point[0];
-    contact.point[0] = contact.point[1];
-    contact.point[1] = first;
-  }
-  if (contact.count == 2) return contact;
+  if (stretch && low_touches && high_touches)
+    return axis.edge_of_b ? ContactGeometry{normal, 2, {high_end, low_end}, width, 0.0}
+                          : ContactGeometry{normal, 2, {low_end, high_end}, width, 0.0};
   // chord growth at the deepest corner: cotangents of its two sides against the reference edge
   const Vec2 side_before = turned_left(i.normal[before]);
   const Vec2 side_after = turned_left(i.normal[deepest]);
   const double rise_before = -dot(outward, side_before);
   const double rise_after = dot(outward, side_after);
-  if (rise_before > 0.0) contact.growth += -dot(along, side_before) / rise_before;
-  if (rise_after > 0.0) contact.growth += -dot(along, side_after) / rise_after;
-  return contact;
+  double growth = 0.0;
+  if (rise_before > 0.0) growth += -dot(along, side_before) / rise_before;
+  if (rise_after > 0.0) growth += -dot(along, side_after) / rise_after;
+  if (stretch)
+    return {normal, low_touches || high_touches ? 1 : 0, {low_touches ? low_end : high_end, high_end}, width, growth};
+  // beyond each other's ends (corner against corner): only the deepest corner touches
+  const Vec2 corner = to_i + i.corner[deepest];
+  const ContactPoint at_corner{corner - (0.5 * axis.distance) * outward, axis.distance, 2 * deepest + (1 - side_r)};
+  return {normal, axis.distance < margin ? 1 : 0, {at_corner, {}}, width, growth};
 }
 
 /// Length over which the two outlines face each other along `tangent` [m]: no chord of theirs can be longer.

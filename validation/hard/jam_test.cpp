@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "gem/base/random.h"
 #include "gem/field/field.h"
@@ -116,7 +117,19 @@ TEST_P(HardJam, H7_minute_of_jam) {
   judge_jam("H7.minute", watch, run, scene, field);
 }
 
-/// A day takes long: one line an hour says how it goes.
+/// A day is long: GEM_ENGINE moves it with another engine (the bits are the same), GEM_THREADS leaves processors to
+/// other work.
+Setting setting_of_the_day(Setting setting) {
+  if (const char* engine = std::getenv("GEM_ENGINE")) setting.engine = engine;
+  return setting;
+}
+
+int threads_of_the_day() {
+  const char* threads = std::getenv("GEM_THREADS");
+  return threads ? std::atoi(threads) : 0;
+}
+
+/// One line an hour says how it goes.
 void tell_hour(int hour, const JamWatch& watch, Watched& run) {
   std::printf("hour %2d: %zu points, overlap %.3g m at most so far, 99.9 %% of the half day %.3g m\n", hour,
               points_of(run), run.worst().overlap, watch.worst.most);
@@ -126,7 +139,7 @@ void tell_hour(int hour, const JamWatch& watch, Watched& run) {
 TEST_P(LongHardJam, H7_day_of_jam) {
   const SceneDef scene = read_hard_case("H07_day_of_jam.toml", setting());
   const Bodies field = make_field(scene);
-  Watched run(scene, field, setting(), 0);
+  Watched run(scene, field, setting_of_the_day(setting()), threads_of_the_day());
   const auto hour = static_cast<std::int64_t>(3600.0 / scene.numerics.moment_s);
   JamWatch first, last;
   for (int minute = 0; minute < 24 * 60; ++minute) {

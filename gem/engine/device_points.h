@@ -71,7 +71,8 @@ GEM_DEVICE inline void carry_memory(const DeviceScene& s, Crew& crew, const Desk
     carried.b = desk.pair[p].b;
     for (int j = 0; j < 2; ++j) {
       carried.feature[j] = s.memory[p].feature[j];
-      carried.impulse[j] = s.memory[p].impulse[j];
+      // a contact of one point has no second impulse
+      carried.impulse[j] = carried.feature[j] < 0 ? PointImpulse<double>{} : s.memory[p].impulse[j];
     }
   }
 }

@@ -15,8 +15,8 @@
 
 namespace gem {
 
-CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_threads)
-    : event_speed_(scene.output.event_speed_m_per_s), all_threads_(threads), coupled_(contacts_worth_threads) {
+CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread)
+    : event_speed_(scene.output.event_speed_m_per_s), all_threads_(threads), coupled_(contacts_worth_a_thread) {
   const MomentConstants constants = moment_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   ledger_.start = total(field_);
@@ -81,7 +81,7 @@ void CpuEngine::resolve(ThreadTeam& team, int rank) {
 }
 
 /// Motion of body i, if it is a floe, and what follows from where it then is.
-void CpuEngine::move_floe(std::int64_t i) {
+GEM_CLONES void CpuEngine::move_floe(std::int64_t i) {
   FieldState& f = field_;
   if (f.bodies.kind[i] != BodyKind::floe) return;
   drift_floe(f, i);

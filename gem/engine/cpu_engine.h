@@ -36,7 +36,6 @@ class CpuEngine : public Engine {
 
  private:
   void one_moment(ThreadTeam& team, int rank, MomentLog& log);
-  void move_floe(std::int64_t i);
   void resolve_independent(ThreadTeam& team, int rank);
 
   FieldState field_;

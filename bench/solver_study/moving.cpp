@@ -92,6 +92,7 @@ Stepper production(std::int64_t iterations) {
             const auto velocity = f.bodies.velocity;
             const auto spin = f.bodies.spin;
             MomentQuality quality;
+            solver->lay_out(f, contacts, field.team.size());
             field.team.run([&](int rank) { solver->resolve(f, contacts, field.team, rank, quality); });
             field.note_change(velocity, spin);
             for (const Contact* contact : contacts) {

@@ -12,4 +12,6 @@
 #define GEM_DEVICE
 #define GEM_INLINE inline __attribute__((always_inline))
 #define GEM_NOINLINE __attribute__((noinline))
+// of a host function, also built for wider registers: the same bits, as no fused multiply-add is among them
+#define GEM_CLONES __attribute__((target_clones("avx2", "default")))
 #endif

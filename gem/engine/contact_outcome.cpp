@@ -9,7 +9,7 @@
 
 namespace gem {
 
-void find_outcome(const FieldState& f, const Contact& contact, ContactOutcome& outcome) {
+GEM_CLONES void find_outcome(const FieldState& f, const Contact& contact, ContactOutcome& outcome) {
   const Bodies& bodies = f.bodies;
   const CollisionMass a = collision_mass(bodies, contact.a), b = collision_mass(bodies, contact.b);
   outcome.a = contact.a;

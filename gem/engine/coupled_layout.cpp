@@ -20,22 +20,24 @@ void CoupledLayout::count_points(const FieldState& f, Contacts contacts) {
 }
 
 /// Finds the moving bodies and shares them and the points out among the threads.
-void CoupledLayout::share_out(const FieldState& f, Contacts contacts, int threads) {
+void CoupledLayout::share_out(const FieldState& f, int threads) {
   moving_.clear();
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(f.bodies.count()); ++i)
-    if (points_of_[i] > 0 && f.bodies.inverse_mass[i] > 0.0) moving_.push_back(i);
-  first_block_.assign(1, 0);
-  first_entry_.assign(1, 1);
-  for (std::int64_t rank = 1; rank < threads; ++rank) {
-    first_block_.push_back(static_cast<std::int32_t>(blocks() * rank / threads));
-    const auto contact = std::lower_bound(first_point_.begin(), first_point_.end(), float_lanes * first_block_.back());
-    const auto body = contact == first_point_.end() ? moving_.end()
-                                                    : std::lower_bound(moving_.begin(), moving_.end(),
-                                                                       contacts[contact - first_point_.begin()]->a);
-    first_entry_.push_back(std::max(first_entry_.back(), 1 + static_cast<std::int32_t>(body - moving_.begin())));
+  std::int64_t sides = 0;  // of points, on moving bodies
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(f.bodies.count()); ++i) {
+    if (points_of_[i] == 0 || !(f.bodies.inverse_mass[i] > 0.0)) continue;
+    moving_.push_back(i);
+    sides += points_of_[i];
   }
-  first_block_.push_back(blocks());
-  first_entry_.push_back(1 + static_cast<std::int32_t>(moving_.size()));
+  first_block_.clear();
+  for (std::int64_t rank = 0; rank <= threads; ++rank)
+    first_block_.push_back(static_cast<std::int32_t>(blocks() * rank / threads));
+  first_entry_.assign(1, 1);
+  std::int64_t counted = 0;
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(moving_.size()); ++k) {
+    while (counted * threads > sides * static_cast<std::int64_t>(first_entry_.size())) first_entry_.push_back(1 + k);
+    counted += points_of_[moving_[k]];
+  }
+  first_entry_.resize(threads + 1, 1 + static_cast<std::int32_t>(moving_.size()));
 }
 
 /// Gives some of the moving bodies their entries: those with as many points stand together.
@@ -97,7 +99,7 @@ void CoupledLayout::list_points(Contacts contacts) {
 
 void CoupledLayout::lay_out(const FieldState& f, Contacts contacts, int threads) {
   count_points(f, contacts);
-  share_out(f, contacts, threads);
+  share_out(f, threads);
   order_bodies(f);
   list_points(contacts);
 }

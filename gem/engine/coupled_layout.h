@@ -50,7 +50,7 @@ class CoupledLayout {
 
  private:
   void count_points(const FieldState& f, Contacts contacts);
-  void share_out(const FieldState& f, Contacts contacts, int threads);
+  void share_out(const FieldState& f, int threads);
   void order_bodies(const FieldState& f);
   void order_stretch(std::int32_t first, std::int32_t last);
   void list_points(Contacts contacts);

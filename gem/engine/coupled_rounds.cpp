@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace gem {
-namespace {
-
-// the same bits with wider registers: no fused multiply-add among them
-#define GEM_CLONES __attribute__((target_clones("avx2", "default")))
-
-}  // namespace
 
 void CoupledRounds::resize(const CoupledLayout& layout) {
   const std::int32_t blocks = layout.blocks();

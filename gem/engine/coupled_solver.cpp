@@ -225,7 +225,7 @@ void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, 
     const auto count = static_cast<std::int64_t>(contacts.size());
     begin_points(f, contacts, team.begin_of(rank, count), team.begin_of(rank + 1, count));
     team.barrier();
-    if (contacts.size() < contacts_worth_threads_) {
+    if (contacts.size() < contacts_worth_a_thread_ * team.size()) {
       team.single(rank, [&] { iterate(f, alone_, 0); });
     } else {
       iterate(f, team, rank);

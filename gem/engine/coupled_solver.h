@@ -18,8 +18,9 @@ namespace gem {
 /// Keeps what lasts from moment to moment: the impulses of the last one.
 class CoupledSolver {
  public:
-  /// Moments with fewer contacts are iterated by one thread: the wait after each phase would cost more than it brings.
-  explicit CoupledSolver(std::size_t contacts_worth_threads = 2048) : contacts_worth_threads_(contacts_worth_threads) {}
+  /// Moments with fewer contacts for each thread are iterated by one: the waits would cost more than the others bring.
+  explicit CoupledSolver(std::size_t contacts_worth_a_thread = 256)
+      : contacts_worth_a_thread_(contacts_worth_a_thread) {}
 
   /// Makes room for the contacts (ascending in a, b) that `threads` will resolve; asks for no velocity and no position.
   void lay_out(const FieldState& f, Contacts contacts, int threads);
@@ -72,7 +73,7 @@ class CoupledSolver {
   std::int32_t iterations_ = 0;
   double residual_ = 0.0;
   ThreadTeam alone_{1};
-  std::size_t contacts_worth_threads_;
+  std::size_t contacts_worth_a_thread_;
 };
 
 }  // namespace gem

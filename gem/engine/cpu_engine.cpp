@@ -11,12 +11,13 @@
 #include "gem/engine/books.h"
 #include "gem/engine/contact_stages.h"
 #include "gem/engine/kick_floes.h"
+#include "gem/engine/move_floes.h"
 #include "gem/engine/solo_stages.h"
 
 namespace gem {
 
-CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_threads)
-    : event_speed_(scene.output.event_speed_m_per_s), all_threads_(threads), coupled_(contacts_worth_threads) {
+CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread)
+    : event_speed_(scene.output.event_speed_m_per_s), all_threads_(threads), coupled_(contacts_worth_a_thread) {
   const MomentConstants constants = moment_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   ledger_.start = total(field_);
@@ -63,7 +64,8 @@ void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
     log_events(f, contacts, moment_, event_speed_, log);
   });
 
-  team.for_each(rank, n, [&](std::int64_t i) { move_floe(i); });
+  if (!move_floes(f, team.begin_of(rank, n), team.begin_of(rank + 1, n))) lost_ = true;
+  team.barrier();
   team.single(rank, [&] {
     platform_second_half(f);
     ++moment_;
@@ -78,17 +80,6 @@ void CpuEngine::resolve(ThreadTeam& team, int rank) {
   } else {
     resolve_independent(team, rank);
   }
-}
-
-/// Motion of body i, if it is a floe, and what follows from where it then is.
-void CpuEngine::move_floe(std::int64_t i) {
-  FieldState& f = field_;
-  if (f.bodies.kind[i] != BodyKind::floe) return;
-  drift_floe(f, i);
-  if (finite_or_inactive(f.bodies, i))
-    retire_floe(f, i);
-  else
-    lost_ = true;
 }
 
 void CpuEngine::resolve_independent(ThreadTeam& team, int rank) {

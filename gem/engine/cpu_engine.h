@@ -17,7 +17,7 @@ namespace gem {
 
 class CpuEngine : public Engine {
  public:
-  CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_threads);
+  CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread);
 
   std::string name() const override { return "cpu"; }
   void advance(std::int64_t moments, MomentLog& log) override;
@@ -36,7 +36,6 @@ class CpuEngine : public Engine {
 
  private:
   void one_moment(ThreadTeam& team, int rank, MomentLog& log);
-  void move_floe(std::int64_t i);
   void resolve_independent(ThreadTeam& team, int rank);
 
   FieldState field_;

@@ -146,7 +146,7 @@ std::uint64_t hash_of(std::int64_t moment, const Bodies& bodies);
 struct EngineOptions {
   std::string name = "cpu";                   // reference | cpu | cuda
   int threads = 0;                            // 0: all that the machine offers
-  std::size_t contacts_worth_threads = 2048;  // coupled: fewer are iterated by one thread
+  std::size_t contacts_worth_a_thread = 256;  // coupled: fewer for each thread are iterated by one
   int device = -1;                            // cuda: index of the GPU; -1: the first that can be used
   BaselineOptions baseline = {};
 };

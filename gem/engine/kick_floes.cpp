@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gem/base/choose.h"
+#include "gem/base/macros.h"
 #include "gem/engine/solo_stages.h"
 
 namespace gem {
@@ -24,7 +25,7 @@ struct BlockShares {
   bool hold(int j) const { return reach[j] > 0.0 && reach[j] < strict::short_argument; }
 };
 
-void kick_block(FieldState& f, std::int64_t begin, int count) {
+GEM_CLONES void kick_block(FieldState& f, std::int64_t begin, int count) {
   const MomentConstants& c = f.constants;
   const Bodies& b = f.bodies;
   BlockShares slips, spins;

@@ -40,7 +40,7 @@ std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const 
   const int threads = options.threads > 0 ? options.threads : machine;
   if (options.name == "reference") return std::make_unique<ReferenceEngine>(scene, std::move(bodies));
   if (options.name == "cpu")
-    return std::make_unique<CpuEngine>(scene, std::move(bodies), threads, options.contacts_worth_threads);
+    return std::make_unique<CpuEngine>(scene, std::move(bodies), threads, options.contacts_worth_a_thread);
   if (options.name == "cuda") return make_cuda_engine(scene, std::move(bodies), {.device = options.device});
   for (const Baseline& baseline : baselines())
     if (options.name == baseline.name) return baseline.make(scene, std::move(bodies), options);

@@ -38,10 +38,11 @@ void PairList::take_spots(const FieldState& f, ThreadTeam& team, int rank) {
   team.barrier();
 }
 
-std::size_t PairList::list_due(std::int64_t begin, std::int64_t end, std::vector<std::int32_t>& due) const {
+void PairList::list_due(std::int64_t begin, std::int64_t end, Part& part) const {
   constexpr std::int64_t ahead = 12;
+  std::vector<std::int32_t>& due = part.due;
   if (due.size() < pairs_.size()) due.resize(pairs_.size());
-  std::size_t count = 0;
+  std::int64_t count = 0;
   for (std::int64_t i = begin; i < end; ++i) {
     __builtin_prefetch(&spot_[pairs_[std::min(i + ahead, end - 1)].b]);
     const Pair& pair = pairs_[i];
@@ -51,7 +52,7 @@ std::size_t PairList::list_due(std::int64_t begin, std::int64_t end, std::vector
     due[count] = static_cast<std::int32_t>(i);
     count += !((left > 0.0) & (dot(shifted, shifted) < left * left));
   }
-  return count;
+  part.due_count = count;
 }
 
 bool PairList::look(const FieldState& f, std::int32_t i, Contact& contact) {
@@ -74,6 +75,30 @@ bool PairList::look(const FieldState& f, std::int32_t i, Contact& contact) {
   return touches;
 }
 
+void PairList::look_at(const FieldState& f, const std::int32_t* due, std::int64_t count, Part& part) {
+  for (std::int64_t k = 0; k < count; ++k) {
+    const std::int32_t soon = due[std::min(k + 8, count - 1)];
+    __builtin_prefetch(&look_[soon]);
+    foresee_search(f, pairs_[soon].b);
+    foresee_outline(f, pairs_[due[std::min(k + 4, count - 1)]].b);
+    if (part.count == part.found.size()) part.found.resize(2 * part.count + 64);
+    if (look(f, due[k], part.found[part.count])) ++part.count;
+  }
+}
+
+void PairList::take_looks(const FieldState& f, const ThreadTeam& team, int rank) {
+  std::int64_t all = 0;
+  for (int r = 0; r < team.size(); ++r) all += part_[r].due_count;
+  std::int64_t begin = team.begin_of(rank, all), end = team.begin_of(rank + 1, all);
+  part_[rank].count = 0;
+  for (int r = 0; r < team.size(); ++r) {
+    const std::int64_t count = part_[r].due_count, first = std::clamp<std::int64_t>(begin, 0, count);
+    look_at(f, part_[r].due.data() + first, std::clamp<std::int64_t>(end, 0, count) - first, part_[rank]);
+    begin -= count;
+    end -= count;
+  }
+}
+
 void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
   team.single(rank, [&] {
     part_.resize(std::max(part_.size(), static_cast<std::size_t>(team.size())));
@@ -89,16 +114,9 @@ void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
 
   Part& mine = part_[rank];
   const auto pair_count = static_cast<std::int64_t>(pairs_.size());
-  const std::size_t due = list_due(team.begin_of(rank, pair_count), team.begin_of(rank + 1, pair_count), mine.due);
-  mine.count = 0;
-  for (std::size_t k = 0; k < due; ++k) {
-    const std::int32_t soon = mine.due[std::min(k + 8, due - 1)];
-    __builtin_prefetch(&look_[soon]);
-    foresee_search(f, pairs_[soon].b);
-    foresee_outline(f, pairs_[mine.due[std::min(k + 4, due - 1)]].b);
-    if (mine.count == mine.found.size()) mine.found.resize(2 * mine.count + 64);
-    if (look(f, mine.due[k], mine.found[mine.count])) ++mine.count;
-  }
+  list_due(team.begin_of(rank, pair_count), team.begin_of(rank + 1, pair_count), mine);
+  team.barrier();
+  take_looks(f, team, rank);
   team.barrier();
   team.single(rank, [&] {
     ++age_;

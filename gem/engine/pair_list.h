@@ -46,6 +46,7 @@ class PairList {
     std::vector<Contact> found;     // as long as the longest moment so far
     std::size_t count = 0;          // of them found in this moment
     std::vector<std::int32_t> due;  // room for all pairs
+    std::int64_t due_count = 0;     // of them due in this moment
     std::vector<Pair> near;
     std::vector<std::int32_t> met;  // floes that a box meets in a row of cells
     bool strayed = false;
@@ -53,8 +54,11 @@ class PairList {
 
   /// Notes where every body stands, and whether it strayed from the course that the list was built on.
   void take_spots(const FieldState& f, ThreadTeam& team, int rank);
-  /// Lists those of a stretch of pairs that may touch now; returns how many.
-  std::size_t list_due(std::int64_t begin, std::int64_t end, std::vector<std::int32_t>& due) const;
+  /// Lists those of a stretch of pairs that may touch now.
+  void list_due(std::int64_t begin, std::int64_t end, Part& part) const;
+  /// Takes a thread's share of the looks that are due, of whoever listed them.
+  void take_looks(const FieldState& f, const ThreadTeam& team, int rank);
+  void look_at(const FieldState& f, const std::int32_t* due, std::int64_t count, Part& part);
   bool look(const FieldState& f, std::int32_t i, Contact& contact);
 
   // pair_list_build.cpp

@@ -41,20 +41,23 @@ inline void turn_outline(FieldState& f, std::size_t i) {
   }
 }
 
-/// Turns body i by `angle` and follows with its outline.
-inline void turn_body(FieldState& f, std::size_t i, double angle) {
-  if (angle == 0.0) return;
-  f.bodies.rotation[i] = turned(f.bodies.rotation[i], angle);
+/// Takes over where a turn of body i by `angle` has led it, and follows with its outline.
+inline void take_turn(FieldState& f, std::size_t i, double angle, Rotation rotation) {
+  f.bodies.rotation[i] = rotation;
   f.turn_travel[i] += angle < 0.0 ? -angle : angle;
   turn_outline(f, i);
 }
 
-/// Moves floe i over the moment with its velocity after the events. A floe that no event touched follows the exact
-/// path of its drag.
-inline void drift_floe(FieldState& f, std::size_t i) {
+/// Turns body i by `angle`.
+inline void turn_body(FieldState& f, std::size_t i, double angle) {
+  if (angle != 0.0) take_turn(f, i, angle, turned(f.bodies.rotation[i], angle));
+}
+
+/// Moves floe i over the moment with its velocity after the events, but for its turn, which it returns [rad]. A floe
+/// that no event touched follows the exact path of its drag.
+inline double shift_floe(FieldState& f, std::size_t i) {
   Bodies& b = f.bodies;
   const double dt = f.constants.dt;
-  if (!b.active[i]) return;
   double angle = dt * b.spin[i];
   if (f.struck[i]) {
     b.position[i] += dt * b.velocity[i] + f.repair_shift[i];
@@ -68,7 +71,12 @@ inline void drift_floe(FieldState& f, std::size_t i) {
   }
   f.repair_shift[i] = {};
   f.repair_turn[i] = 0.0;
-  turn_body(f, i, angle);
+  return angle;
+}
+
+/// Moves floe i over the moment.
+inline void drift_floe(FieldState& f, std::size_t i) {
+  if (f.bodies.active[i]) turn_body(f, i, shift_floe(f, i));
 }
 
 /// Whether the state of body i is made of numbers; that of a retired floe does not matter.

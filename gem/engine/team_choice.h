@@ -13,8 +13,11 @@ namespace gem {
 /// bits.
 class TeamChoice {
  public:
-  /// Moments to run before the next call of note().
-  std::int64_t stretch(std::int64_t moments) const { return std::min<std::int64_t>(moments, 16); }
+  /// Moments to run before the next call of note(). One thread, which is mostly the slower choice, gets a short trial;
+  /// all need a longer one, as some must wake up first.
+  std::int64_t stretch(std::int64_t moments) const {
+    return std::min<std::int64_t>(moments, on_trial_ && !all_threads_ ? 4 : 16);
+  }
   bool all_threads() const { return all_threads_; }
 
   void start() { start_ = std::chrono::steady_clock::now(); }

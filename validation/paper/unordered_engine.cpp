@@ -31,7 +31,7 @@ void shuffle(std::vector<SingleMotion>& pushes, RandomSequence& random) {
 }
 
 UnorderedEngine::UnorderedEngine(const SceneDef& scene, Bodies bodies, SumStart start, std::uint64_t repeat)
-    : CpuEngine(scene, std::move(bodies), 1, EngineOptions{}.contacts_worth_threads), start_(start), repeat_(repeat) {}
+    : CpuEngine(scene, std::move(bodies), 1, EngineOptions{}.contacts_worth_a_thread), start_(start), repeat_(repeat) {}
 
 /// On one thread, as the constructor asks.
 void UnorderedEngine::resolve(ThreadTeam& team, int rank) {

@@ -79,7 +79,7 @@ TEST_P(UnorderedSums, TwoRepeatsPartOnceOrderMatters) {
 
 TEST_P(UnorderedSums, OneMomentIsTheOrderedOneButForRounding) {
   const SceneDef made = scene();
-  CpuEngine ordered(made, test::busy_field(made), 1, EngineOptions{}.contacts_worth_threads);
+  CpuEngine ordered(made, test::busy_field(made), 1, EngineOptions{}.contacts_worth_a_thread);
   MomentLog log;
   ordered.advance(50, log);
   UnorderedEngine unordered = repeat(1);

@@ -78,7 +78,7 @@ Done carried_out(const Planned& run, const std::string& file, double seconds) {
   std::unique_ptr<CpuEngine> engine;
   UnorderedEngine* unordered = nullptr;
   if (in_order) {
-    engine = std::make_unique<CpuEngine>(scene, std::move(bodies), 1, EngineOptions{}.contacts_worth_threads);
+    engine = std::make_unique<CpuEngine>(scene, std::move(bodies), 1, EngineOptions{}.contacts_worth_a_thread);
   } else {
     const SumStart start = run.sums == "zero" ? SumStart::zero : SumStart::velocity;
     auto made = std::make_unique<UnorderedEngine>(scene, std::move(bodies), start, run.run);

@@ -51,6 +51,8 @@ GEM_CLONES void kick_block(FieldState& f, std::int64_t begin, int count) {
 }  // namespace
 
 void kick_floes(FieldState& f, std::int64_t begin, std::int64_t end) {
+  // the platform comes first and may be on its own way meanwhile
+  while (begin < end && f.bodies.kind[begin] != BodyKind::floe) ++begin;
   if (f.constants.drag_law == DragLaw::quadratic) {
     for (std::int64_t i = begin; i < end; i += block_size)
       kick_block(f, i, static_cast<int>(std::min<std::int64_t>(block_size, end - i)));

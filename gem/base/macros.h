@@ -12,6 +12,11 @@
 #define GEM_DEVICE
 #define GEM_INLINE inline __attribute__((always_inline))
 #define GEM_NOINLINE __attribute__((noinline))
-// of a host function, also built for wider registers: the same bits, as no fused multiply-add is among them
+// of a host function, also built for wider registers: the same bits, as no fused multiply-add is among them. What
+// chooses at the program's start runs before the thread sanitizer is ready
+#ifdef __SANITIZE_THREAD__
+#define GEM_CLONES
+#else
 #define GEM_CLONES __attribute__((target_clones("avx2", "default")))
+#endif
 #endif

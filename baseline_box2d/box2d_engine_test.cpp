@@ -11,6 +11,7 @@
 
 #include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
+#include "gem/base/scratch_folder.h"
 #include "gem/engine/test_scenes.h"
 #include "gem/field/field.h"
 
@@ -280,7 +281,8 @@ TEST(Box2dEngine, WithoutMeasuringTheMotionIsTheSame) {
 }
 
 TEST(Box2dEngine, RunsFromTheCommandLine) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "gem_box2d_test.h5";
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.path() / "run.h5";
   const std::string command = std::string(GEM_PROGRAM) + " run " + GEM_SOURCE_DIR +
                               "/cases/analytic/V10_floe_on_moored_platform.toml --engine box2d --until 5 -q "
                               "--velocity-iterations 20 --position-iterations 10 --skin 0.01 --overwrite -o " +
@@ -295,7 +297,6 @@ TEST(Box2dEngine, RunsFromTheCommandLine) {
   while (fgets(buffer.data(), buffer.size(), pipe) != nullptr) text += buffer.data();
   pclose(pipe);
   EXPECT_NE(text.find("box2d"), std::string::npos) << text;
-  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "gem/base/error.h"
+#include "gem/base/scratch_folder.h"
 #include "gem/record/fake_engine.h"
 #include "gem/record/output_path.h"
 #include "gem/record/recorder.h"
@@ -24,15 +25,11 @@ namespace fs = std::filesystem;
 class RunFileTest : public testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "gem run file \xc3\xa9 XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
     scene_.run.duration_s = 10.0;
     scene_.output.floes_interval_s = 2.0;
     options_.output = (folder_ / "a run.h5").string();
     options_.log.quiet = true;
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   RunSummary run(int floes = 3, bool platform = true) {
     scene_.platform.present = platform;
@@ -54,7 +51,8 @@ class RunFileTest : public testing::Test {
     }
   }
 
-  fs::path folder_;
+  ScratchFolder scratch_{"gem run file \xc3\xa9"};
+  const fs::path& folder_ = scratch_.path();
   SceneDef scene_;
   RunOptions options_;
 };

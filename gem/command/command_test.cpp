@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "gem/base/error.h"
+#include "gem/base/scratch_folder.h"
 #include "gem/record/run_file.h"
 
 namespace gem {
@@ -22,14 +23,10 @@ namespace fs = std::filesystem;
 class CommandTest : public testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "gem command \xc3\xbc XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
     std::ofstream(folder_ / "swing.toml")
         << "[run]\nname = \"swing\"\nduration_s = 20.0\n[floes]\nsource = \"listed\"\n"
            "[boundary]\npresent = false\n[platform]\nstart_offset_m = [1.0, 0.0]\n";
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   /// Runs a shell line in the test's folder; `gem` stands for the program. Output goes to out and err.
   int shell(const std::string& line) {
@@ -72,7 +69,8 @@ class CommandTest : public testing::Test {
     return status;
   }
 
-  fs::path folder_;
+  ScratchFolder scratch_{"gem command \xc3\xbc"};
+  const fs::path& folder_ = scratch_.path();
 };
 
 TEST_F(CommandTest, RunWritesAFileAndASummary) {

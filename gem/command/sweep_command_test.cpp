@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "gem/base/error.h"
+#include "gem/base/scratch_folder.h"
 #include "gem/command/index_list.h"
 #include "gem/command/sweep_folder.h"
 #include "gem/record/run_file.h"
@@ -61,13 +62,7 @@ std::string sweep_text() {
 
 class SweepCommandTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "gem sweep XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    std::ofstream(folder_ / "tiny.toml") << sweep_text();
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { std::ofstream(folder_ / "tiny.toml") << sweep_text(); }
 
   /// Starts gem in the test's folder; its outputs go to out_TAG and err_TAG.
   pid_t start(const Words& arguments, const std::string& tag = "") {
@@ -126,7 +121,8 @@ class SweepCommandTest : public testing::Test {
     FAIL() << "no run was done within half a minute";
   }
 
-  fs::path folder_;
+  ScratchFolder scratch_{"gem sweep"};
+  const fs::path& folder_ = scratch_.path();
   /// Makes each run last long enough to be interrupted.
   const Words slow_ = {"--set", "numerics.moment_s=2e-5", "--set", "output.platform_interval_s=0.02"};
 };

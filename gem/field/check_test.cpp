@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "gem/base/error.h"
+#include "gem/base/scratch_folder.h"
 #include "gem/field/check_field.h"
 #include "gem/field/check_outline.h"
 #include "gem/field/field.h"
@@ -129,14 +130,10 @@ TEST(CheckField, FindsOneOverlapAmongMany) {
 
 class FloeFile : public ::testing::Test {
  protected:
-  void TearDown() override { std::filesystem::remove(path_); }
   std::string write(const std::string& ending, const std::string& text) {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = (std::filesystem::temp_directory_path() / (std::string("gem_") + test->name() + ending)).string();
-    std::ofstream(path_, std::ios::binary) << text;
-    return path_;
+    return folder_.write("floes" + ending, text);
   }
-  std::string path_;
+  ScratchFolder folder_;
 };
 
 TEST_F(FloeFile, ReadsCsvInEitherDirection) {
@@ -229,10 +226,10 @@ TEST_F(FloeFile, RefusesBadGeoJson) {
 
 TEST(FloeFilePath, MissingFileAndUnknownKind) {
   expect_contains(message_of([] { read_floe_file("/nowhere/floes.csv"); }), {"/nowhere/floes.csv", "cannot read"});
-  const auto folder = std::filesystem::temp_directory_path() / "gem_folder.csv";
-  std::filesystem::create_directory(folder);
-  expect_contains(message_of([&] { read_floe_file(folder.string()); }), {"cannot read"});
-  std::filesystem::remove(folder);
+  const ScratchFolder folder("gem.csv");
+  const auto inside = folder.path() / "folder.csv";
+  std::filesystem::create_directory(inside);
+  expect_contains(message_of([&] { read_floe_file(inside.string()); }), {"cannot read"});
   expect_contains(message_of([] { read_floe_file("floes.shp"); }), {"unknown kind"});
 }
 

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "gem/base/error.h"
+#include "gem/base/scratch_folder.h"
 #include "gem/record/run_writer.h"
 #include "gem/report/run_findings.h"
 #include "gem/report/run_program.h"
@@ -24,13 +25,8 @@ namespace fs = std::filesystem;
 class Report : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              ("gem_report_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     if (!run_program({"gnuplot", "--version"}, folder_).found) GTEST_SKIP() << "gnuplot is not installed";
   }
-  void TearDown() override { fs::remove_all(folder_); }
   std::string page() const {
     std::ifstream file(folder_ / "report" / "index.html");
     std::ostringstream text;
@@ -38,7 +34,8 @@ class Report : public ::testing::Test {
     return text.str();
   }
   std::string out() const { return (folder_ / "report").string(); }
-  fs::path folder_;
+  ScratchFolder scratch_{"gem_report"};
+  const fs::path& folder_ = scratch_.path();
 };
 
 const Corners kSquare = {{-2.0, -2.0}, {2.0, -2.0}, {2.0, 2.0}, {-2.0, 2.0}};

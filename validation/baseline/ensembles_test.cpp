@@ -9,6 +9,7 @@
 #include <string>
 
 #include "gem/base/error.h"
+#include "gem/base/scratch_folder.h"
 #include "validation/baseline/ensemble_compare.h"
 #include "validation/baseline/ensemble_plan.h"
 #include "validation/baseline/ensemble_rows.h"
@@ -16,14 +17,6 @@
 
 namespace gem::baseline {
 namespace {
-
-const std::filesystem::path scratch = std::filesystem::temp_directory_path() / "gem_ensembles_test";
-
-std::string written(const std::string& name, const std::string& text) {
-  std::filesystem::create_directories(scratch);
-  std::ofstream(scratch / name) << text;
-  return (scratch / name).string();
-}
 
 EnsemblePlan shipped_plan() { return read_plan(GEM_SOURCE_DIR "/validation/baseline/ensembles.txt"); }
 
@@ -37,9 +30,10 @@ TEST(EnsemblePlan, TheShippedOneComparesBothEnginesOverTwentyFields) {
 }
 
 TEST(EnsemblePlan, FaultsNameTheirLine) {
-  const auto fault_of = [](const std::string& text) -> std::string {
+  const ScratchFolder folder;
+  const auto fault_of = [&](const std::string& text) -> std::string {
     try {
-      read_plan(written("bad.txt", text));
+      read_plan(folder.write("bad.txt", text));
     } catch (const Error& error) {
       return error.what();
     }
@@ -49,7 +43,7 @@ TEST(EnsemblePlan, FaultsNameTheirLine) {
   EXPECT_NE(fault_of("part | p | twenty | a\n").find("twenty"), std::string::npos);
   EXPECT_NE(fault_of("colour | red\n").find("colour"), std::string::npos);
   EXPECT_NE(fault_of("# nothing\n").find("no plan"), std::string::npos);
-  EXPECT_THROW(read_plan((scratch / "missing.txt").string()), Error);
+  EXPECT_THROW(read_plan((folder.path() / "missing.txt").string()), Error);
 }
 
 /// Twelve runs round `mean` with a scatter of about `scatter`.
@@ -104,8 +98,8 @@ TEST(PlatformEvents, AFloeThatRattlesLandsOnce) {
 }
 
 TEST(EnsembleRows, OneHitOfOneFloe) {
-  const std::string file = (scratch / "run.h5").string();
-  std::filesystem::create_directories(scratch);
+  const ScratchFolder folder;
+  const std::string file = (folder.path() / "run.h5").string();
   const std::string command = std::string(GEM_PROGRAM) + " run " + GEM_SOURCE_DIR +
                               "/cases/analytic/V10_floe_on_moored_platform.toml --engine cpu -q --overwrite "
                               "--until 60 --set output.event_speed_m_per_s=0 -o " +

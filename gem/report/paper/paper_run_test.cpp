@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "gem/base/error.h"
+#include "gem/base/scratch_folder.h"
 #include "gem/report/paper/divergence_study.h"
 #include "gem/report/paper/null_model.h"
 #include "gem/report/paper/paper_report.h"
@@ -21,14 +22,6 @@ namespace fs = std::filesystem;
 
 class PaperRunFiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              ("gem_paper_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   void run(const std::string& file, std::vector<std::string> settings) {
     std::vector<std::string> command = {GEM_PROGRAM,
                                         "run",
@@ -42,7 +35,8 @@ class PaperRunFiles : public ::testing::Test {
     ASSERT_EQ(result.exit_code, 0) << result.output;
   }
 
-  fs::path folder_;
+  ScratchFolder scratch_{"gem_paper"};
+  const fs::path& folder_ = scratch_.path();
   std::string case_ = "cases/analytic/V39_free_swing.toml";
 };
 

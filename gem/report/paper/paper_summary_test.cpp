@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "gem/base/error.h"
+#include "gem/base/scratch_folder.h"
 
 namespace gem {
 namespace {
@@ -52,19 +53,13 @@ SummaryTable table_of(const std::vector<PaperRun>& runs) {
 
 class PaperSummary : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              ("gem_paper_summary_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   std::string write(const std::string& name, const std::vector<PaperRun>& runs) {
     const std::string path = (folder_ / name).string();
     write_summary(path, true, table_of(runs));
     return path;
   }
-  fs::path folder_;
+  ScratchFolder scratch_{"gem_summary"};
+  const fs::path& folder_ = scratch_.path();
 };
 
 TEST_F(PaperSummary, BringsEveryRunBack) {

@@ -5,11 +5,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/base/scratch_folder.h"
 
 namespace gem {
 namespace {
@@ -33,18 +33,16 @@ std::string growing() {
   return text;
 }
 
-std::filesystem::path folder_with(const std::string& runs, const std::string& distances) {
-  const auto folder = std::filesystem::temp_directory_path() / "gem_unordered_study_test";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  if (!runs.empty()) std::ofstream(folder / "unordered_runs.csv") << runs;
-  if (!distances.empty()) std::ofstream(folder / "unordered_distances.csv") << distances;
-  return folder;
+UnorderedStudy study_of(const std::string& runs, const std::string& distances) {
+  const ScratchFolder folder;
+  if (!runs.empty()) folder.write("unordered_runs.csv", runs);
+  if (!distances.empty()) folder.write("unordered_distances.csv", distances);
+  return read_unordered_study(folder.path());
 }
 
 std::string message_of(const std::string& runs, const std::string& distances) {
   try {
-    read_unordered_study(folder_with(runs, distances));
+    study_of(runs, distances);
   } catch (const Error& error) {
     return error.what();
   }
@@ -52,7 +50,7 @@ std::string message_of(const std::string& runs, const std::string& distances) {
 }
 
 TEST(UnorderedStudy, PairsOfOneKindStandTogetherAndTellTheirGrowth) {
-  const UnorderedStudy study = read_unordered_study(folder_with(kRuns, growing()));
+  const UnorderedStudy study = study_of(kRuns, growing());
   ASSERT_EQ(study.runs.size(), 3U);
   EXPECT_EQ(study.runs[1].changed, 5.0);
   EXPECT_EQ(study.runs[1].rounding_largest, 5e-7);
@@ -71,7 +69,7 @@ TEST(UnorderedStudy, PairsOfOneKindStandTogetherAndTellTheirGrowth) {
 
 TEST(UnorderedStudy, PartingIsThatOfIndependentRepeatsAlone) {
   FolderNumbers numbers;
-  add_unordered_numbers(read_unordered_study(folder_with(kRuns, growing())), numbers);
+  add_unordered_numbers(study_of(kRuns, growing()), numbers);
   ASSERT_TRUE(numbers.contains("unordered_parting_s"));
   const Measured& parting = numbers.at("unordered_parting_s");
   EXPECT_EQ(parting.each.size(), 2U);
@@ -79,7 +77,7 @@ TEST(UnorderedStudy, PartingIsThatOfIndependentRepeatsAlone) {
 }
 
 TEST(UnorderedStudy, WithoutRowsThereIsNone) {
-  const UnorderedStudy study = read_unordered_study(folder_with("", ""));
+  const UnorderedStudy study = study_of("", "");
   EXPECT_TRUE(study.runs.empty());
   FolderNumbers numbers;
   add_unordered_numbers(study, numbers);

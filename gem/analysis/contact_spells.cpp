@@ -30,11 +30,9 @@ IntervalEstimate contact_fraction(std::span<const double> contacts, double inter
   for (std::size_t i = 0; i < contacts.size(); ++i) touching[i] = contacts[i] != 0.0 ? 1.0 : 0.0;
   const auto block = static_cast<std::size_t>(std::llround(block_s / interval_s));
   IntervalEstimate fraction = moving_block_mean(touching, block, resampling);
-  if (fraction.low == fraction.high) {
-    const auto blocks = touching.size() / block;
-    const bool always = fraction.value > 0.5;
-    return wilson_share(always ? blocks : 0, blocks, resampling.confidence);
-  }
+  const std::size_t blocks = touching.size() / block;
+  if (fraction.value == 0.0) return wilson_share(0, blocks, resampling.confidence);
+  if (fraction.value == 1.0) return wilson_share(blocks, blocks, resampling.confidence);
   fraction.low = std::max(fraction.low, 0.0);
   fraction.high = std::min(fraction.high, 1.0);
   return fraction;

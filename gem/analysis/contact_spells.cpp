@@ -1,9 +1,11 @@
 // Runs of equal state in a record of contacts.
 #include "gem/analysis/contact_spells.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gem/analysis/moments.h"
+#include "gem/analysis/proportion.h"
 
 namespace gem {
 
@@ -26,7 +28,14 @@ IntervalEstimate contact_fraction(std::span<const double> contacts, double inter
                                   const Resampling& resampling) {
   std::vector<double> touching(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) touching[i] = contacts[i] != 0.0 ? 1.0 : 0.0;
-  return moving_block_mean(touching, static_cast<std::size_t>(std::llround(block_s / interval_s)), resampling);
+  const auto block = static_cast<std::size_t>(std::llround(block_s / interval_s));
+  IntervalEstimate fraction = moving_block_mean(touching, block, resampling);
+  const std::size_t blocks = touching.size() / block;
+  if (fraction.value == 0.0) return wilson_share(0, blocks, resampling.confidence);
+  if (fraction.value == 1.0) return wilson_share(blocks, blocks, resampling.confidence);
+  fraction.low = std::max(fraction.low, 0.0);
+  fraction.high = std::min(fraction.high, 1.0);
+  return fraction;
 }
 
 }  // namespace gem

@@ -19,7 +19,9 @@ struct ContactSpells {
 /// A sample has contact if it is not zero. All zero for an empty record.
 ContactSpells contact_spells(std::span<const double> contacts, double interval_s);
 
-/// The fraction of time with contact and its interval by blocks of `block_s`, longer than spells and gaps are long.
+/// The fraction of time with contact and its interval by blocks of `block_s`, longer than spells and gaps are long,
+/// within [0, 1]. Where contact never changes, resampling says nothing: there the interval is Wilson's, each block a
+/// trial. Needs two blocks, otherwise std::invalid_argument.
 IntervalEstimate contact_fraction(std::span<const double> contacts, double interval_s, double block_s,
                                   const Resampling& resampling = {});
 

@@ -28,6 +28,29 @@ TEST(ContactSpells, OfARecordThatNeverChanges) {
   EXPECT_TRUE(spells.contact.empty() && spells.gap.empty());
 }
 
+TEST(ContactSpells, AFractionOfNoneOrAllHasAnIntervalToo) {
+  constexpr double z2 = 1.959963984540054 * 1.959963984540054;
+  const IntervalEstimate none = contact_fraction(std::vector<double>(100, 0.0), 0.1, 1.0);
+  EXPECT_EQ(none.value, 0.0);
+  EXPECT_NEAR(none.high, z2 / (10.0 + z2), 1e-12) << "ten blocks, none with contact";
+  const IntervalEstimate all = contact_fraction(std::vector<double>(100, 2.0), 0.1, 1.0);
+  EXPECT_EQ(all.value, 1.0);
+  EXPECT_NEAR(all.low, 10.0 / (10.0 + z2), 1e-12);
+}
+
+TEST(ContactSpells, AFractionStaysWithinZeroAndOne) {
+  std::vector<double> contacts(100, 0.0);
+  for (int i = 45; i < 55; ++i) contacts[i] = 1.0;  // in the middle, where most blocks lie
+  EXPECT_LT(moving_block_mean(contacts, 10).low, 0.0);
+  const IntervalEstimate few = contact_fraction(contacts, 0.1, 1.0);
+  EXPECT_EQ(few.low, 0.0);
+  EXPECT_GT(few.high, few.value);
+  for (double& contact : contacts) contact = 1.0 - contact;
+  const IntervalEstimate most = contact_fraction(contacts, 0.1, 1.0);
+  EXPECT_EQ(most.high, 1.0);
+  EXPECT_LT(most.low, most.value);
+}
+
 // Contact ends with chance 0.1 and begins with chance 0.025 in a sample: it holds 0.2 of the time, spells last 10
 // samples, gaps 40. Spells of 20000 samples number 400: their mean scatters by 5 %.
 TEST(ContactSpells, OfATwoStateProcess) {

@@ -23,6 +23,10 @@ TEST(Proportion, AllOrNoneLeaveRoom) {
   EXPECT_EQ(all.value, 1.0);
   EXPECT_NEAR(all.low, 30.0 / (30.0 + 1.959963984540054 * 1.959963984540054), 1e-12);
   EXPECT_NEAR(all.high, 1.0, 1e-12);
+  for (std::size_t n = 1; n < 100; ++n) {
+    EXPECT_LE(wilson_share(n, n).high, 1.0);
+    EXPECT_GE(wilson_share(0, n).low, 0.0);
+  }
   EXPECT_NEAR(wilson_share(0, 30).high, 1.0 - all.low, 1e-12);
   EXPECT_LT(wilson_share(3, 3).low, 0.5) << "three of three may still be chance";
   EXPECT_GT(wilson_share(4, 4).low, 0.5);

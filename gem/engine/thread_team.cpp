@@ -1,4 +1,7 @@
+// Starting, waiting and giving up together.
 #include "gem/engine/thread_team.h"
+
+#include <utility>
 
 namespace gem {
 namespace {
@@ -39,9 +42,40 @@ void ThreadTeam::serve(int rank) {
       served = calls_;
       task = task_;
     }
-    (*task)(rank);
-    barrier();
+    carry_out(*task, rank);
   }
+}
+
+void ThreadTeam::carry_out(const std::function<void(int)>& task, int rank) {
+  try {
+    task(rank);
+    barrier();
+  } catch (const CalledOff&) {
+    gone_.fetch_add(1, std::memory_order_release);
+  } catch (...) {
+    note_left(std::current_exception());
+    gone_.fetch_add(1, std::memory_order_release);
+  }
+}
+
+/// The barrier that this thread does not come to keeps all others, so that each of them learns of it there.
+void ThreadTeam::note_left(std::exception_ptr why) {
+  const std::lock_guard lock(mutex_);
+  if (!left_by_) left_by_ = std::move(why);
+  called_off_.store(true, std::memory_order_release);
+}
+
+void ThreadTeam::gather_again() {
+  while (gone_.load(std::memory_order_acquire) < size_) std::this_thread::yield();
+  gone_.store(0, std::memory_order_relaxed);
+  arrived_.store(0, std::memory_order_relaxed);
+  handed_out_.store(0, std::memory_order_relaxed);
+  called_off_.store(false, std::memory_order_relaxed);
+  const std::lock_guard lock(mutex_);
+  // what a thread met after a fault in single() may come of that fault
+  const std::exception_ptr why = fault_ ? fault_ : left_by_;
+  left_by_ = nullptr;
+  std::rethrow_exception(why);
 }
 
 void ThreadTeam::run(const std::function<void(int)>& task) {
@@ -54,8 +88,8 @@ void ThreadTeam::run(const std::function<void(int)>& task) {
     }
     wake_.notify_all();
   }
-  task(0);
-  barrier();
+  carry_out(task, 0);
+  if (called_off_.load(std::memory_order_acquire)) gather_again();
   if (fault_) std::rethrow_exception(fault_);
 }
 
@@ -68,6 +102,7 @@ void ThreadTeam::barrier() {
     return;
   }
   for (int spin = 0; phase_.load(std::memory_order_acquire) == phase; ++spin) {
+    if (called_off_.load(std::memory_order_relaxed)) throw CalledOff{};
     if (spin < spins) {
       relax();
     } else {

@@ -25,10 +25,11 @@ class ThreadTeam {
   int size() const { return size_; }
 
   /// Runs task(rank) on every thread, rank 0 on the caller; returns when all are done. An exception thrown in single()
-  /// is thrown again here.
+  /// is thrown again here. So is one that leaves a task, the first of several: the other threads are called off at
+  /// their next barrier, and the team is as good as new.
   void run(const std::function<void(int)>& task);
 
-  /// Inside run: waits for all threads.
+  /// Inside run: waits for all threads. Throws what run() catches if one of them will not come.
   void barrier();
 
   /// Inside run: calls visit(i) for i in [0, count), an equal stretch on each thread, then waits for all.
@@ -75,16 +76,25 @@ class ThreadTeam {
   std::int64_t begin_of(int rank, std::int64_t count) const { return count * rank / size_; }
 
  private:
+  struct CalledOff {};
+
   void serve(int rank);
+  /// The task and the barrier behind it; notes what the task throws.
+  void carry_out(const std::function<void(int)>& task, int rank);
+  void note_left(std::exception_ptr why);
+  [[noreturn]] void gather_again();
 
   const int size_;
   std::atomic<int> arrived_{0};
   std::atomic<std::uint32_t> phase_{0};
   std::atomic<std::int64_t> handed_out_{0};  // since the last barrier
+  std::atomic<bool> called_off_{false};      // a thread has left its task by an exception
+  std::atomic<int> gone_{0};                 // threads that are out of a task that was called off
   std::exception_ptr fault_;
 
   std::mutex mutex_;
   std::condition_variable wake_;
+  std::exception_ptr left_by_;  // why the first thread left
   const std::function<void(int)>* task_ = nullptr;
   std::uint64_t calls_ = 0;
   bool closing_ = false;

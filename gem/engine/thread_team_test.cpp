@@ -5,6 +5,7 @@
 
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 namespace gem {
 namespace {
@@ -87,6 +88,42 @@ TEST_P(ThreadTeamTest, ExceptionInSingleIsThrownAgain) {
   EXPECT_NO_THROW(team.run([&](int rank) { team.single(rank, [&] { ++runs; }); }));
   EXPECT_EQ(runs, 1);
   EXPECT_FALSE(team.failed());
+}
+
+TEST_P(ThreadTeamTest, AnExceptionOfAnyThreadReachesTheCaller) {
+  ThreadTeam team(GetParam());
+  for (int faulty = 0; faulty < team.size(); ++faulty) {
+    std::vector<int> behind(team.size(), 0);
+    const auto task = [&](int rank) {
+      team.barrier();
+      if (rank == faulty) throw std::runtime_error("no room for rank " + std::to_string(rank));
+      team.barrier();
+      behind[rank] = 1;
+    };
+    try {
+      team.run(task);
+      FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(error.what(), "no room for rank " + std::to_string(faulty));
+    }
+    for (const int b : behind) EXPECT_EQ(b, 0) << "went on without the one that left";
+    // the team is as good as new
+    std::vector<int> visits(1000, 0);
+    team.run([&](int rank) { team.for_each(rank, 1000, [&](std::int64_t i) { ++visits[i]; }); });
+    for (const int v : visits) ASSERT_EQ(v, 1);
+  }
+}
+
+TEST_P(ThreadTeamTest, OfManyExceptionsOneReachesTheCaller) {
+  ThreadTeam team(GetParam());
+  for (int round = 0; round < 50; ++round) {
+    EXPECT_THROW(team.run([&](int rank) { throw rank; }), int);
+    EXPECT_THROW(team.run([&](int rank) {
+      team.single(rank, [] { throw std::runtime_error("the cause"); });
+      throw rank;  // what follows from it
+    }),
+                 std::runtime_error);
+  }
 }
 
 TEST_P(ThreadTeamTest, ManyShortRuns) {

@@ -163,6 +163,22 @@ TEST_F(FloeFile, WithoutThicknessTheClassesDecide) {
   EXPECT_EQ(make_field(scene).thickness.back(), 0.9);
 }
 
+TEST_F(FloeFile, RefusesSlipsOfUnit) {
+  const struct {
+    std::string text;
+    std::vector<std::string> parts;
+  } rows[] = {
+      {"floe,x,y\n1,-9000,0\n1,-2000,0\n1,-2000,7000\n", {"floe[0]: size", "allowed [0.1, 1000] m", "give it in m"}},
+      {"floe,x,y,thickness\n1,-70,0,1200\n1,-60,0,1200\n1,-60,9,1200\n", {"floe[0]: thickness", "value 1200"}},
+  };
+  for (const auto& row : rows) {
+    SceneDef scene;
+    scene.floes.source = FloeSource::file;
+    scene.floes.path = write(".csv", row.text);
+    expect_contains(message_of([&] { make_field(scene); }), row.parts);
+  }
+}
+
 TEST_F(FloeFile, RefusesBadCsvWithTheLine) {
   const struct {
     std::string text;

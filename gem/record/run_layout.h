@@ -1,11 +1,11 @@
-// The HDF5 side of the run writer: creates the file with all its datasets and appends rows. One thread at a time.
+// What a run file holds and how slabs go into it. One thread at a time.
 #pragma once
 
 #include <map>
 #include <string>
 #include <vector>
 
-#include "gem/record/hdf5_handle.h"
+#include "gem/record/column_file.h"
 #include "gem/record/run_writer.h"
 
 namespace gem {
@@ -26,40 +26,25 @@ class RunLayout {
   double saved_time() const { return saved_time_; }
   bool any_written() const { return any_written_; }
   void set_text(const char* attribute, const std::string& text);
-  void flush();
-  void close();
-  /// Gives up all handles without closing: after a failure the library cannot close the file any more.
-  void abandon();
+  void flush() { file_.flush(); }
+  void close() { file_.close(); }
+  void abandon() { file_.abandon(); }
 
  private:
-  struct Dataset {
-    hdf5::Handle id;
-    hsize_t rows = 0;
-    hsize_t width = 1;
-  };
-  void create_file(const std::string& path, bool overwrite);
   void write_header(const SceneDef& scene, const Bodies& bodies, const Provenance& provenance);
-  void measure(const SceneDef& scene, const Bodies& bodies);
-  void add_group(const std::string& group, const char* unlimited);
-  void add_dimension(hid_t group, const std::string& name, hsize_t size, bool unlimited);
-  void add_column(const Column& column, const std::vector<double>* values);
-  void describe(const Column& column, hid_t dataset);
-  void attach_scales(const Column& column, const std::vector<std::string>& names, hid_t dataset);
-  template <class Value>
-  void append_column(const std::string& path, const std::vector<Value>& values, hsize_t rows);
+  void add_group(const std::string& group);
   template <class Row>
   void append_rows(const std::vector<RowColumn<Row>>& columns, std::vector<Row>& rows, std::size_t count);
   void append_stats(std::size_t count);
   void append_events(std::size_t count);
   void append_frames(std::size_t count);
 
-  hdf5::Handle file_;
+  std::map<std::string, hsize_t> size_;  // of the dimensions that do not grow
+  ChunkShape chunk_;
+  ColumnFile file_;
   Slab waiting_;
   double saved_time_ = 0.0;
   bool any_written_ = false;
-  std::map<std::string, hsize_t> size_;        // of the fixed dimensions
-  std::map<std::string, Dataset> dataset_;     // by path, those that grow
-  std::map<std::string, hdf5::Handle> scale_;  // by path
 };
 
 }  // namespace gem

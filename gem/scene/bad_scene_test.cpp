@@ -171,6 +171,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"file_without_path", "[floes]\nsource = \"file\"\n", {"bad.toml: floes.path: missing"}},
         BadScene{"path_not_used", "[floes]\npath = \"a.csv\"\n", {"bad.toml:2:8: floes.path: not used"}},
         BadScene{"floes_not_used", "[[floe]]\n" + square, {"bad.toml:1:1: floe:", "set floes.source = \"listed\""}},
+        BadScene{"floe_too_large",
+                 "[floes]\nsource = \"listed\"\n[[floe]]\n"
+                 "outline_m = [[-1e3, -1e3], [1e3, -1e3], [1e3, 1e3], [-1e3, 1e3]]\n",
+                 {"floe[0]: size", "value 2000, allowed [0.1, 1000] m"}},
+        BadScene{"floe_too_small",
+                 "[numerics]\nmoment_s = 0.01\n[floes]\nsource = \"listed\"\n[[floe]]\n"
+                 "outline_m = [[0, 0], [0.05, 0], [0.05, 0.05], [0, 0.05]]\n",
+                 {"floe[0]: size", "value 0.05, allowed [0.1, 1000] m"}},
         BadScene{"name_with_slash", "[run]\nname = \"a/b\"\n", {"bad.toml:2:8: run.name"}},
         BadScene{"name_empty", "[run]\nname = \"\"\n", {"bad.toml:2:8: run.name"}},
         BadScene{"name_with_control", "[run]\nname = \"a\\u0007\"\n", {"bad.toml:2:8: run.name", "a\\u0007"}},
@@ -199,6 +207,23 @@ TEST(BadScene, ListedFloesLimitTheMoment) {
       "[output]\nplatform_interval_s = 1\n[numerics]\nmoment_s = ";
   EXPECT_EQ(rejection(pair + "0.2\n"), "accepted");
   EXPECT_NE(rejection(pair + "0.21\n").find("allowed at most 0.2 s"), std::string::npos);
+}
+
+TEST(BadScene, ThePlatformsStartLimitsTheMoment) {
+  // A floe of 2 m in still water: the platform may pass a tenth of it, at 1 m/s in 0.2 s.
+  const std::string still =
+      "[current]\nvelocity_m_per_s = [0, 0]\n[boundary]\npresent = false\n[floes]\nsource = \"listed\"\n"
+      "[[floe]]\noutline_m = [[0,0],[2,0],[2,2],[0,2]]\nposition_m = [-80, 0]\n"
+      "[output]\nplatform_interval_s = 1\n";
+  const std::string thrown = still + "[platform]\nstart_velocity_m_per_s = [-1, 0]\n[numerics]\nmoment_s = ";
+  EXPECT_EQ(rejection(thrown + "0.2\n"), "accepted");
+  EXPECT_NE(rejection(thrown + "0.21\n").find("allowed at most 0.2 s"), std::string::npos);
+  // let go 10 m beside its mooring, omega = 0.1 /s
+  const std::string released = still +
+                               "[mooring]\nstiffness_N_per_m = 1e6\n[platform]\nmass_kg = 1e8\n"
+                               "start_offset_m = [10, 0]\n[numerics]\nmoment_s = ";
+  EXPECT_EQ(rejection(released + "0.19\n"), "accepted");
+  EXPECT_NE(rejection(released + "0.21\n").find("bodies closing at"), std::string::npos);
 }
 
 class SceneFiles : public testing::Test {

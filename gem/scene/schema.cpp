@@ -17,8 +17,6 @@ using SceneTable = OptionTable<SceneDef>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Range place_range = {-1e6, 1e6};
 constexpr Range speed_range = {-10.0, 10.0};
-constexpr Range floe_size_range = {0.1, 1000.0};
-constexpr Range thickness_range = {0.01, 10.0};
 constexpr Range density_range = {1.0, 1e4};
 constexpr Range extent_range = {0.0, 1e6, true};
 

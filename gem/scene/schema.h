@@ -26,6 +26,9 @@ struct Range {
   }
 };
 
+inline constexpr Range floe_size_range = {0.1, 1000.0};  // root of the area [m]
+inline constexpr Range thickness_range = {0.01, 10.0};   // of ice [m]
+
 /// "[0, 1)" with the unit.
 std::string range_text(const Range& range, const std::string& unit);
 

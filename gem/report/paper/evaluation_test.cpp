@@ -213,6 +213,9 @@ TEST(Evaluation, TrendsOverTheConditionsOfTable1) {
   EXPECT_NEAR(numbers.at("excursion_exponent_current").value, 1.0, 1e-9);
   EXPECT_EQ(numbers.at("thicker_is_larger_share").value, 1.0);
   EXPECT_EQ(numbers.at("narrower_is_larger_share").value, 1.0);
+  // all of 27 pairs: Wilson's interval ends at n / (n + z^2), it is not a point
+  EXPECT_NEAR(numbers.at("thicker_is_larger_share").low, 27.0 / (27.0 + 1.959964 * 1.959964), 1e-6);
+  EXPECT_NEAR(numbers.at("thicker_is_larger_share").high, 1.0, 1e-12);
   EXPECT_FALSE(numbers.contains("simulated_h"));  // no wall times: nothing is said about speed
 }
 

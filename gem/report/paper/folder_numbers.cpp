@@ -11,6 +11,7 @@
 #include "gem/analysis/linear_model.h"
 #include "gem/analysis/moments.h"
 #include "gem/analysis/peaks_over_threshold.h"
+#include "gem/analysis/proportion.h"
 #include "gem/report/paper/settings_check.h"
 
 namespace gem {
@@ -88,13 +89,15 @@ void add_trend(const std::vector<ExcursionPoint>& points, FolderNumbers& numbers
 template <typename Property, typename Others>
 void add_share(const std::vector<ExcursionPoint>& points, const std::string& name, Property more, Others same,
                FolderNumbers& numbers) {
-  std::vector<double> larger;
+  std::size_t larger = 0, pairs = 0;
   for (const ExcursionPoint& a : points)
-    for (const ExcursionPoint& b : points)
-      if (!a.mixed && !b.mixed && same(a, b) && more(b, a)) larger.push_back(b.mean() > a.mean() ? 1.0 : 0.0);
-  if (larger.size() < 4) return;
-  numbers[name] = from(bootstrap_values(larger, [](std::span<const double> v) { return moments(v).mean; }),
-                       "95 % over " + std::to_string(larger.size()) + " pairs");
+    for (const ExcursionPoint& b : points) {
+      if (a.mixed || b.mixed || !same(a, b) || !more(b, a)) continue;
+      ++pairs;
+      larger += b.mean() > a.mean() ? 1U : 0U;
+    }
+  if (pairs < kRunsForShare) return;
+  numbers[name] = from(wilson_share(larger, pairs), "Wilson's 95 % over " + std::to_string(pairs) + " pairs");
 }
 
 void add_shares(const std::vector<ExcursionPoint>& points, FolderNumbers& numbers) {

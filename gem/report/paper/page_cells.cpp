@@ -29,4 +29,9 @@ std::string mean_text(const PaperFolder& folder, const std::string& run, const s
   return value + " (" + rounded_text(measured->low / unit, 3) + " … " + rounded_text(measured->high / unit, 3) + ")";
 }
 
+std::string chance_text(const PaperFolder& folder, const std::string& run, const std::string& name) {
+  const auto measured = over_runs(folder.numbers(run, name), Over::chances);
+  return measured ? rounded_text(measured->value, 3) : "-";
+}
+
 }  // namespace gem

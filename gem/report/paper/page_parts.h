@@ -17,6 +17,9 @@ std::string result_text(const std::optional<Measured>& measured, const std::stri
 /// Mean over the runs of a condition in a unit, with its interval if there is one; "-" without runs.
 std::string mean_text(const PaperFolder& folder, const std::string& run, const std::string& name, double unit = 1.0);
 
+/// The chance of independent runs together, by Fisher's method; "-" without runs.
+std::string chance_text(const PaperFolder& folder, const std::string& run, const std::string& name);
+
 std::string period_text(const Reproduction& result);
 /// How the three ways to name a period differ in run 1, and how the count depends on the sampling.
 std::string counting_text(const PaperFolder& folder);

@@ -123,7 +123,8 @@ std::string chaos_text(const PaperFolder& folder) {
   text << "Run 1 against 99 records of the null model: a linear oscillator with the mooring's period, hit at random as "
           "often "
           "as floes touched, damped as by floes that hit once or as much more as the run's own memory over one period "
-          "asks for.\n\n| number | x | null | p | y | null | p |\n|---|---|---|---|---|---|---|\n";
+          "asks for. Numbers: mean over the runs; p: of all runs together, by Fisher's method.\n\n| number | x | null "
+          "| p | y | null | p |\n|---|---|---|---|---|---|---|\n";
   for (const auto& [name, key] :
        {std::pair("0-1 test K", "zero_one_k"), std::pair("prediction error", "prediction_error")}) {
     const std::string base = key;
@@ -132,7 +133,7 @@ std::string chaos_text(const PaperFolder& folder) {
     for (const std::string axis : {"x_", "y_"})
       text << " | " << mean_text(folder, "004_400_25", axis + base) << " | "
            << mean_text(folder, "004_400_25", axis + base + "_null_median") << " | "
-           << mean_text(folder, "004_400_25", axis + chance);
+           << chance_text(folder, "004_400_25", axis + chance);
     text << " |\n";
   }
   text << "| damping ratio | | " << mean_text(folder, "004_400_25", "x_null_damping_ratio") << " | | | "

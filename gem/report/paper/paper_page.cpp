@@ -13,7 +13,8 @@ constexpr const char* kHowTo = R"(How a verdict comes about: every statement is 
 (`validation/paper/paper.json`: rule, tolerance and why). *Reproduced*: the whole interval obeys the rule. *Not
 reproduced*: none of it does. *Undecidable*: a part of it does, or runs are missing; an average over one run without
 an interval of its own decides nothing. A statement about an average is judged by the mean over the seeds and its 95 %
-interval (Student's t of fewer than ten, the bootstrap over them from ten on). A statement about each run is judged by
+interval (Student's t of fewer than ten, the bootstrap over them from ten on). A share of pairs of runs has Wilson's
+95 % interval, which takes the pairs as independent, though they share runs. A statement about each run is judged by
 the share of seeds that obey it, with Wilson's 95 % interval: reproduced if that lies above one half (or the share
 that its row in `paper.json` asks for), not reproduced if it lies below; fewer than four seeds decide nothing, even if
 all obey. What the case or its generator sets (`alike` in `paper.json`: floes, durations, the swing without ice) is

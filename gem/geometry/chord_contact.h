@@ -1,0 +1,153 @@
+// The chord of an overlap of two convex outlines.
+//
+// Outlines are given turned into world axes about their own centroid; B's centroid stands at `offset` from A's.
+#pragma once
+
+#include "gem/geometry/contact_geometry.h"
+#include "gem/geometry/separating_axes.h"
+
+namespace gem {
+
+namespace detail {
+
+/// Parts of edge p -> q inside all edges of `a`: parameters and the edges of `a` that cut it; -1 where uncut.
+struct ClippedEdge {
+  double begin = 0.0, end = 1.0;
+  int entry = -1, exit = -1;
+};
+
+GEM_HD inline ClippedEdge clip_edge(const Outline& a, Vec2 p, Vec2 q) {
+  ClippedEdge clipped;
+  for (int i = 0; i < a.count; ++i) {
+    const double at_p = dot(a.normal[i], p - a.corner[i]);
+    const double at_q = dot(a.normal[i], q - a.corner[i]);
+    if (at_p > 0.0 && at_q > 0.0) {
+      clipped.begin = 1.0;
+      clipped.end = 0.0;
+      return clipped;
+    }
+    if (at_p > 0.0) {
+      const double t = at_p / (at_p - at_q);
+      if (t > clipped.begin) {
+        clipped.begin = t;
+        clipped.entry = i;
+      }
+    } else if (at_q > 0.0) {
+      const double t = at_p / (at_p - at_q);
+      if (t < clipped.end) {
+        clipped.end = t;
+        clipped.exit = i;
+      }
+    }
+  }
+  return clipped;
+}
+
+/// How fast the crossing of an edge of A (direction `edge_a`) with an edge of B (normal `normal_b`) runs along
+/// `tangent` as B sinks into A against `normal`; 0 for parallel edges.
+GEM_HD inline double crossing_rate(Vec2 edge_a, Vec2 normal_b, Vec2 normal, Vec2 tangent) {
+  const double denominator = dot(edge_a, normal_b);
+  if (denominator == 0.0) return 0.0;
+  return -(dot(normal, normal_b) / denominator) * dot(edge_a, tangent);
+}
+
+}  // namespace detail
+
+/// The crossings of two outlines, added up edge by edge of B.
+struct ChordSum {
+  Vec2 chord, middle;
+  double size = 0.0;  // of the coordinates that the chord is the difference of
+  int entries = 0, exits = 0;
+  int entry_a = 0, entry_b = 0, exit_a = 0, exit_b = 0;  // edges of the last crossing of each kind
+};
+
+/// B's outline runs into A through its edge `edge_a` at `crossing`.
+GEM_HD inline void add_entry(ChordSum& sum, Vec2 crossing, int edge_a, int edge_b) {
+  sum.chord -= crossing;
+  sum.size += length(crossing);
+  sum.middle += crossing;
+  sum.entry_a = edge_a;
+  sum.entry_b = edge_b;
+  ++sum.entries;
+}
+
+/// B's outline runs out of A.
+GEM_HD inline void add_exit(ChordSum& sum, Vec2 crossing, int edge_a, int edge_b) {
+  sum.chord += crossing;
+  sum.size += length(crossing);
+  sum.middle += crossing;
+  sum.exit_a = edge_a;
+  sum.exit_b = edge_b;
+  ++sum.exits;
+}
+
+/// One edge of B with its part inside A and where it crosses A's outline.
+struct CrossingEdge {
+  Vec2 begin, end;
+  detail::ClippedEdge clipped;
+  GEM_HD Vec2 entry() const { return begin + clipped.begin * (end - begin); }
+  GEM_HD Vec2 exit() const { return begin + clipped.end * (end - begin); }
+  GEM_HD bool enters() const { return clipped.begin < clipped.end && clipped.entry >= 0; }
+  GEM_HD bool leaves() const { return clipped.begin < clipped.end && clipped.exit >= 0; }
+};
+
+GEM_HD inline CrossingEdge crossing_edge(const Outline& a, const Outline& b, Vec2 offset, int edge) {
+  const Vec2 p = offset + b.corner[edge];
+  const Vec2 q = offset + b.corner[edge + 1 < b.count ? edge + 1 : 0];
+  return {p, q, detail::clip_edge(a, p, q)};
+}
+
+/// The chord of an overlap: it joins the two crossings of the outlines; the normal is perpendicular to it, the contact
+/// point its middle. Several crossings (deep overlap) add up to one resultant chord. Without a crossing (one outline
+/// inside the other, or an overlap smaller than rounding) the separating axis and its deepest corner stand in, width 0.
+GEM_HD inline ContactGeometry chord_geometry(const Outline& a, const Outline& b, Vec2 offset, const Separation& axis,
+                                             const ChordSum& sum) {
+  ContactGeometry contact;
+  const double width = length(sum.chord);
+  contact.count = 1;
+  contact.point[0].separation = axis.distance;
+  constexpr double rounding = 4e-15;
+  if (sum.entries == sum.exits && sum.entries > 0 && width > rounding * sum.size) {
+    const Vec2 tangent = (1.0 / width) * sum.chord;
+    contact.normal = turned_left(tangent);
+    contact.point[0].position = (0.5 / sum.entries) * sum.middle;
+    contact.width = width;
+    // edge direction = normal turned left; tangent runs from the entry of B into A to its exit
+    const Vec2 exit_edge = turned_left(a.normal[sum.exit_a]), entry_edge = turned_left(a.normal[sum.entry_a]);
+    contact.growth = detail::crossing_rate(exit_edge, b.normal[sum.exit_b], contact.normal, tangent) -
+                     detail::crossing_rate(entry_edge, b.normal[sum.entry_b], contact.normal, tangent);
+    return contact;
+  }
+  if (axis.edge_of_b) {
+    contact.normal = -b.normal[axis.edge];
+    contact.point[0].position = a.corner[detail::support_corner(a, -contact.normal)];
+  } else {
+    contact.normal = a.normal[axis.edge];
+    contact.point[0].position = offset + b.corner[detail::support_corner(b, contact.normal)];
+  }
+  return contact;
+}
+
+GEM_HD inline ContactGeometry chord_contact(const Outline& a, const Outline& b, Vec2 offset, const Separation& axis) {
+  ChordSum sum;
+  for (int j = 0; j < b.count; ++j) {
+    const CrossingEdge edge = crossing_edge(a, b, offset, j);
+    if (edge.enters()) add_entry(sum, edge.entry(), edge.clipped.entry, j);
+    if (edge.leaves()) add_exit(sum, edge.exit(), edge.clipped.exit, j);
+  }
+  return chord_geometry(a, b, offset, axis, sum);
+}
+
+/// Length over which the two outlines face each other along `tangent` [m]: no chord of theirs can be longer.
+GEM_HD inline double facing_length(const Outline& a, const Outline& b, Vec2 offset, Vec2 tangent) {
+  const double a_low = dot(tangent, a.corner[detail::support_corner(a, tangent)]);
+  const double a_high = dot(tangent, a.corner[detail::support_corner(a, -tangent)]);
+  const double shift = dot(tangent, offset);
+  const double b_low = shift + dot(tangent, b.corner[detail::support_corner(b, tangent)]);
+  const double b_high = shift + dot(tangent, b.corner[detail::support_corner(b, -tangent)]);
+  const double low = a_low > b_low ? a_low : b_low;
+  const double high = a_high < b_high ? a_high : b_high;
+  return high > low ? high - low : 0.0;
+}
+
+}  // namespace gem

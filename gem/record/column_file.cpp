@@ -1,0 +1,215 @@
+// Creation of dimensions and columns with their attributes, and rows that are appended to them.
+#include "gem/record/column_file.h"
+
+#include <hdf5_hl.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "gem/engine/overlap_count.h"
+
+namespace gem {
+
+using hdf5::check;
+using hdf5::checked;
+using hdf5::Handle;
+
+namespace {
+
+hid_t file_type(Stored stored) {
+  switch (stored) {
+    case Stored::f8:
+      return H5T_IEEE_F64LE;
+    case Stored::f4:
+      return H5T_IEEE_F32LE;
+    case Stored::i4:
+      return H5T_STD_I32LE;
+    case Stored::u1:
+      return H5T_STD_U8LE;
+  }
+  return H5T_IEEE_F64LE;
+}
+
+hid_t memory_type(double) { return H5T_NATIVE_DOUBLE; }
+hid_t memory_type(float) { return H5T_NATIVE_FLOAT; }
+
+std::vector<std::string> words(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> list;
+  for (std::string word; stream >> word;) list.push_back(word);
+  return list;
+}
+
+bool grows(const std::string& dimension) { return dimension == "time" || dimension == "event"; }
+
+}  // namespace
+
+ChunkShape chunk_shape(std::size_t floes) {
+  ChunkShape shape;
+  shape.frames = std::clamp<hsize_t>(65536 / std::max<hsize_t>(floes, 1), 1, shape.frames);
+  shape.floes = 32768 / shape.frames;
+  shape.platform = 64 * shape.frames;
+  return shape;
+}
+
+hsize_t ChunkShape::rows_of(const std::string& group) const {
+  if (group == "floes" || group == "stats") return frames;
+  return group == "platform" ? platform : events;
+}
+
+ColumnFile::ColumnFile(const std::string& path, bool overwrite, const std::map<std::string, hsize_t>& size,
+                       const ChunkShape& chunk)
+    : size_(size), chunk_(chunk) {
+  const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "file format");
+  check(H5Pset_file_locking(access, true, true), "file locking");
+  // the index of the file goes to disk when it is flushed and at no other time
+  H5AC_cache_config_t cache{};
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  check(H5Pget_mdc_config(access, &cache), "index cache");
+  cache.evictions_enabled = false;
+  cache.incr_mode = H5C_incr__off;
+  cache.flash_incr_mode = H5C_flash_incr__off;
+  cache.decr_mode = H5C_decr__off;
+  check(H5Pset_mdc_config(access, &cache), "index cache");
+  const Handle creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "file creation");
+  file_ = checked(H5Fcreate(path.c_str(), overwrite ? H5F_ACC_TRUNC : H5F_ACC_EXCL, creation, access), H5Fclose,
+                  "cannot create");
+}
+
+Handle ColumnFile::add_group(const std::string& group) {
+  return checked(H5Gcreate2(file_, group.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, group.c_str());
+}
+
+/// A dimension without values, the way netCDF marks one. A dimension of size 0 must be able to grow to be legal there.
+void ColumnFile::add_dimension(hid_t group, const std::string& name, hsize_t size, bool unlimited) {
+  const hsize_t maximum = unlimited || size == 0 ? H5S_UNLIMITED : size;
+  const Handle space = checked(H5Screate_simple(1, &size, &maximum), H5Sclose, name.c_str());
+  const Handle creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name.c_str());
+  if (maximum == H5S_UNLIMITED) {
+    check(H5Pset_chunk(creation, 1, &chunk_.events), name.c_str());
+  }
+  Handle id = checked(H5Dcreate2(group, name.c_str(), H5T_IEEE_F32BE, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+                      H5Dclose, name.c_str());
+  std::string digits = std::to_string(size);
+  digits.insert(0, digits.size() < 10 ? 10 - digits.size() : 0, ' ');
+  const std::string mark = "This is a netCDF dimension but not a netCDF variable." + digits;
+  check(H5DSset_scale(id, mark.c_str()), name.c_str());
+  char path[256] = "";
+  H5Iget_name(id, path, sizeof path);
+  if (unlimited) {
+    dataset_[path] = Dataset{checked(H5Dopen2(file_, path, H5P_DEFAULT), H5Dclose, path), 0, 1};
+  }
+  scale_[path] = std::move(id);
+}
+
+void ColumnFile::add_column(const Column& column, const std::vector<double>* values) {
+  const std::vector<std::string> names = words(column.dimensions);
+  std::vector<hsize_t> size, maximum, chunk;
+  bool chunked = false;
+  for (std::size_t d = 0; d < names.size(); ++d) {
+    const hsize_t now = grows(names[d]) ? 0 : size_.at(names[d]);
+    const bool open = grows(names[d]) || now == 0;
+    size.push_back(now);
+    maximum.push_back(open ? H5S_UNLIMITED : now);
+    const hsize_t wish = d > 0 ? chunk_.floes : chunk_.rows_of(column.group);
+    chunk.push_back(open ? wish : std::min(wish, now));
+    chunked = chunked || open || now > 64;
+  }
+  const std::string path = "/" + column.group + "/" + column.name;
+  const Handle space =
+      checked(H5Screate_simple(static_cast<int>(size.size()), size.data(), maximum.data()), H5Sclose, path.c_str());
+  const Handle creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path.c_str());
+  const Handle access = checked(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, path.c_str());
+  if (chunked) {
+    check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), path.c_str());
+    check(H5Pset_shuffle(creation), path.c_str());
+    check(H5Pset_deflate(creation, 4), path.c_str());
+    // a block of frames stays in the cache until it is full, so that no chunk is inflated again to be filled
+    const hsize_t block = chunk_.frames * (size.back() + chunk_.floes) * sizeof(float) + 1048576;
+    check(H5Pset_chunk_cache(access, 12421, block, 1.0), path.c_str());
+  }
+  Handle id = checked(H5Dcreate2(file_, path.c_str(), file_type(column.stored), space, H5P_DEFAULT, creation, access),
+                      H5Dclose, path.c_str());
+  describe(column, id);
+  attach_scales(column, names, id);
+  if (values != nullptr && !values->empty()) {
+    check(H5Dwrite(id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values->data()), path.c_str());
+  }
+  if (grows(names.front())) dataset_[path] = Dataset{std::move(id), 0, names.size() > 1 ? size.back() : 1};
+}
+
+void ColumnFile::describe(const Column& column, hid_t dataset) {
+  hdf5::write_text(dataset, "units", column.units);
+  hdf5::write_text(dataset, "long_name", column.long_name);
+  if (column.name == "vertex_count") {
+    hdf5::write_text(dataset, "sample_dimension", column.group == "shape" ? "vertex" : "boundary_vertex");
+  }
+  if (column.group == "shape" && column.name == "thickness") {
+    hdf5::write_text(dataset, "standard_name", "sea_ice_thickness");
+  }
+  if (column.dimensions == "time overlap_class") {
+    std::vector<double> edges;
+    for (int i = 0; i < OverlapCount::classes; ++i) edges.push_back(OverlapCount::upper_edge(i));
+    hdf5::write_numbers(dataset, "class_upper_edges", H5T_IEEE_F64LE, edges);
+  }
+  if (column.flag_meanings.empty()) return;
+  std::vector<double> values(words(column.flag_meanings).size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = double(i);
+  hdf5::write_numbers(dataset, "flag_values", file_type(column.stored), values);
+  hdf5::write_text(dataset, "flag_meanings", column.flag_meanings);
+}
+
+void ColumnFile::attach_scales(const Column& column, const std::vector<std::string>& names, hid_t dataset) {
+  const std::string path = "/" + column.group + "/" + column.name;
+  if (names.front() == column.name) {
+    check(H5DSset_scale(dataset, column.name.c_str()), path.c_str());
+    scale_[path] = checked(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path.c_str());
+    return;
+  }
+  for (std::size_t d = 0; d < names.size(); ++d) {
+    const auto own = scale_.find("/" + column.group + "/" + names[d]);
+    const auto found = own != scale_.end() ? own : scale_.find("/" + names[d]);
+    check(H5DSattach_scale(dataset, found->second, static_cast<unsigned>(d)), path.c_str());
+  }
+}
+
+template <class Value>
+void ColumnFile::append(const std::string& path, const std::vector<Value>& values, hsize_t rows) {
+  if (rows == 0) return;
+  Dataset& dataset = dataset_.at(path);
+  const hsize_t start[2] = {dataset.rows, 0};
+  const hsize_t count[2] = {rows, dataset.width};
+  const hsize_t size[2] = {dataset.rows + rows, dataset.width};
+  dataset.rows += rows;
+  check(H5Dset_extent(dataset.id, size), path.c_str());
+  if (values.empty()) return;
+  const Handle file_space = checked(H5Dget_space(dataset.id), H5Sclose, path.c_str());
+  check(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, nullptr, count, nullptr), path.c_str());
+  const int rank = H5Sget_simple_extent_ndims(file_space);
+  const Handle memory_space = checked(H5Screate_simple(rank, count, nullptr), H5Sclose, path.c_str());
+  check(H5Dwrite(dataset.id, memory_type(Value{}), memory_space, file_space, H5P_DEFAULT, values.data()), path.c_str());
+}
+
+template void ColumnFile::append(const std::string&, const std::vector<double>&, hsize_t);
+template void ColumnFile::append(const std::string&, const std::vector<float>&, hsize_t);
+
+void ColumnFile::flush() { check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "cannot flush"); }
+
+void ColumnFile::close() {
+  for (auto& [path, dataset] : dataset_) {
+    if (!dataset.id.close()) throw hdf5::Failure{path + ": " + hdf5::last_reason()};
+  }
+  for (auto& [path, scale] : scale_) {
+    if (!scale.close()) throw hdf5::Failure{path + ": " + hdf5::last_reason()};
+  }
+  if (!file_.close()) throw hdf5::Failure{"cannot close: " + hdf5::last_reason()};
+}
+
+void ColumnFile::abandon() {
+  for (auto& [path, dataset] : dataset_) dataset.id.abandon();
+  for (auto& [path, scale] : scale_) scale.abandon();
+  file_.abandon();
+}
+
+}  // namespace gem

@@ -1,0 +1,50 @@
+// How much of a run may wait in memory: what a kill would cost.
+#include "gem/record/run_layout.h"
+
+#include <gtest/gtest.h>
+
+#include "gem/base/scratch_folder.h"
+#include "gem/record/fake_engine.h"
+#include "gem/record/recorder.h"
+
+namespace gem {
+namespace {
+
+TEST(ChunkShape, HoldsFewerFramesOfMoreFloes) {
+  EXPECT_EQ(chunk_shape(0).frames, 16U);
+  EXPECT_EQ(chunk_shape(4008).frames, 16U);
+  EXPECT_EQ(chunk_shape(4008).floes, 2048U);
+  EXPECT_EQ(chunk_shape(4008).platform, 1024U);
+  EXPECT_EQ(chunk_shape(20000).frames, 3U);
+  EXPECT_EQ(chunk_shape(1000000).frames, 1U);
+  EXPECT_EQ(chunk_shape(1000000).floes, 32768U);
+  EXPECT_EQ(chunk_shape(1000000).platform, 64U);
+}
+
+/// Frames that wait after seven were handed over.
+std::size_t frames_waiting(int floes) {
+  const ScratchFolder folder("gem layout");
+  SceneDef scene;
+  scene.output.floes_interval_s = scene.numerics.moment_s;
+  FakeEngine engine(scene, fake_field(floes));
+  RunLayout layout((folder.path() / "run.h5").string(), false, scene, engine.bodies(), {});
+  Recorder recorder(scene, engine);
+  for (int frame = 1; frame < 7; ++frame) {
+    MomentLog log;
+    engine.advance(1, log);
+    recorder.add(log, 100);
+    recorder.add_frame(engine, 0.0);
+  }
+  layout.append(recorder.take());
+  layout.close();
+  return layout.waiting().floes.time.size();
+}
+
+TEST(RunLayout, OfALargeFieldNoFrameWaits) {
+  EXPECT_EQ(frames_waiting(10), 7U);
+  EXPECT_EQ(frames_waiting(20000), 1U);
+  EXPECT_EQ(frames_waiting(70000), 0U);
+}
+
+}  // namespace
+}  // namespace gem

@@ -1,0 +1,59 @@
+// Speeds and widths by which a moment is judged.
+#include "gem/scene/scene_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gem {
+namespace {
+
+/// Smallest distance between two parallel lines that hold the outline between them; repeated corners are left to the
+/// checks of the field.
+double outline_width(const std::vector<Vec2>& outline) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 edge = outline[(i + 1) % outline.size()] - outline[i];
+    if (dot(edge, edge) == 0.0) continue;
+    double low = 0.0;
+    double high = 0.0;
+    for (const Vec2 p : outline) {
+      const double side = cross(edge, p - outline[i]) / length(edge);
+      low = std::min(low, side);
+      high = std::max(high, side);
+    }
+    if (high > low) smallest = std::min(smallest, high - low);
+  }
+  return smallest;
+}
+
+/// Of the swing that the platform starts with; what the ice adds is slower than the ice [m/s].
+double platform_speed_bound(const SceneDef& scene) {
+  if (!scene.platform.present) return 0.0;
+  const double swing =
+      std::sqrt(scene.mooring.stiffness_N_per_m / scene.platform.mass_kg) * length(scene.platform.start_offset_m);
+  return std::hypot(length(scene.platform.start_velocity_m_per_s), swing);
+}
+
+}  // namespace
+
+double closing_speed_bound(const SceneDef& scene) {
+  Vec2 low = {std::min(0.0, scene.current.velocity_m_per_s.x), std::min(0.0, scene.current.velocity_m_per_s.y)};
+  Vec2 high = {std::max(0.0, scene.current.velocity_m_per_s.x), std::max(0.0, scene.current.velocity_m_per_s.y)};
+  for (const FloeDef& floe : scene.floe) {
+    low = {std::min(low.x, floe.velocity_m_per_s.x), std::min(low.y, floe.velocity_m_per_s.y)};
+    high = {std::max(high.x, floe.velocity_m_per_s.x), std::max(high.y, floe.velocity_m_per_s.y)};
+  }
+  return length(high - low) + platform_speed_bound(scene);
+}
+
+double smallest_floe_width(const SceneDef& scene) {
+  double smallest = std::numeric_limits<double>::infinity();
+  const FloesDef& floes = scene.floes;
+  const bool made = floes.source == FloeSource::generated || floes.source == FloeSource::copied;
+  if (made && floes.count > 0) smallest = floes.size_minimum_m;
+  for (const FloeDef& floe : scene.floe) smallest = std::min(smallest, outline_width(floe.outline_m));
+  return smallest;
+}
+
+}  // namespace gem

@@ -108,10 +108,12 @@ bool PairList::look(const FieldState& f, std::int32_t i, Contact& contact) {
 
 void PairList::look_at(const FieldState& f, const std::int32_t* due, std::int64_t count, Part& part) {
   for (std::int64_t k = 0; k < count; ++k) {
-    const std::int32_t soon = due[std::min(k + 8, count - 1)];
-    __builtin_prefetch(&look_[soon]);
-    foresee_search(f, pairs_[soon].b);
-    foresee_outline(f, pairs_[due[std::min(k + 4, count - 1)]].b);
+    const auto soon = [&](std::int64_t looks) { return due[std::min(k + looks, count - 1)]; };
+    __builtin_prefetch(&pairs_[soon(16)]);
+    __builtin_prefetch(&look_[soon(8)]);
+    foresee_search(f, pairs_[soon(8)].b);
+    foresee_outline(f, pairs_[soon(4)].a);
+    foresee_outline(f, pairs_[soon(4)].b);
     if (part.count == part.found.size()) part.found.resize(2 * part.count + 64);
     if (look(f, due[k], part.found[part.count])) ++part.count;
   }

@@ -45,17 +45,19 @@ class PairList {
   struct alignas(64) Part {         // one per thread
     std::vector<Contact> found;     // as long as the longest moment so far
     std::size_t count = 0;          // of them found in this moment
-    std::vector<std::int32_t> due;  // room for all pairs
+    std::vector<std::int32_t> due;  // room for all pairs: first those that wake, then those of them that are due
     std::int64_t due_count = 0;     // of them due in this moment
     std::vector<Pair> near;
     std::vector<std::int32_t> met;  // floes that a box meets in a row of cells
     bool strayed = false;
+    double farthest = 0.0, rim = 0.0;  // that a body went and turned in the last moment [m]
   };
 
   /// Notes where every body stands, and whether it strayed from the course that the list was built on.
   void take_spots(const FieldState& f, ThreadTeam& team, int rank);
   /// Lists those of a stretch of pairs that may touch now.
-  void list_due(std::int64_t begin, std::int64_t end, Part& part) const;
+  void list_due(std::int64_t begin, std::int64_t end, Part& part);
+  std::int64_t list_waking(std::int64_t begin, std::int64_t end, std::int32_t* waking) const;
   /// Takes a thread's share of the looks that are due, of whoever listed them.
   void take_looks(const FieldState& f, const ThreadTeam& team, int rank);
   void look_at(const FieldState& f, const std::int32_t* due, std::int64_t count, Part& part);
@@ -74,7 +76,9 @@ class PairList {
 
   std::vector<Spot> spot_;
   std::vector<Pair> pairs_;
-  std::vector<Look> look_;  // per pair
+  std::vector<Look> look_;   // per pair
+  std::vector<float> wake_;  // per pair: it is not due while clock_ stays below [m]
+  double clock_ = 0.0;  // how far any two bodies can have gone, one relative to the other, since the list was built [m]
   std::vector<Pair> last_pairs_;
   std::vector<Look> last_look_;  // of the list before, while the next is built
   bool valid_ = false;

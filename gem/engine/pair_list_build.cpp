@@ -165,6 +165,8 @@ void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
   team.single(rank, [&] {
     for (int r = 0; r < team.size(); ++r) pairs_.insert(pairs_.end(), part_[r].near.begin(), part_[r].near.end());
     keep_looks();
+    wake_.assign(pairs_.size(), 0.0F);
+    clock_ = 0.0;
     valid_ = true;
     ++builds_;
   });

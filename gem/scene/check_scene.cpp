@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "gem/scene/start_speeds.h"
 #include "gem/scene/toml_text.h"
 
 namespace gem {
@@ -197,16 +198,6 @@ double outline_width(const std::vector<Vec2>& outline) {
 }
 
 }  // namespace
-
-double closing_speed_bound(const SceneDef& scene) {
-  Vec2 low = {std::min(0.0, scene.current.velocity_m_per_s.x), std::min(0.0, scene.current.velocity_m_per_s.y)};
-  Vec2 high = {std::max(0.0, scene.current.velocity_m_per_s.x), std::max(0.0, scene.current.velocity_m_per_s.y)};
-  for (const FloeDef& floe : scene.floe) {
-    low = {std::min(low.x, floe.velocity_m_per_s.x), std::min(low.y, floe.velocity_m_per_s.y)};
-    high = {std::max(high.x, floe.velocity_m_per_s.x), std::max(high.y, floe.velocity_m_per_s.y)};
-  }
-  return length(high - low);
-}
 
 double smallest_floe_width(const SceneDef& scene) {
   double smallest = std::numeric_limits<double>::infinity();

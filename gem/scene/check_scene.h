@@ -20,10 +20,6 @@ std::vector<SceneProblem> check_scene(const SceneDef& scene);
 /// What is allowed but deserves a second look, one line each: "key: problem (value, limit) suggestion".
 std::vector<std::string> scene_warnings(const SceneDef& scene);
 
-/// Largest speed at which two bodies of the scene may approach each other: platform or wall at rest, water, listed
-/// floes [m/s].
-double closing_speed_bound(const SceneDef& scene);
-
 /// Smallest width of any floe of the scene that is known before the field is made [m]; infinity without floes.
 double smallest_floe_width(const SceneDef& scene);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gem/events/events.h"
+#include "gem/geometry/tilted_faces.h"
 
 namespace gem::baseline {
 namespace {
@@ -53,7 +54,9 @@ void add_crushing(const FieldState& f, ContactEvent& e) {
   const double reach = f.constants.contact_margin + std::max(0.0, axis.distance);
   const ContactGeometry shape = face_contact(platform, floe, offset, axis, reach);
   e.width = shape.width;
-  e.growth = shape.growth;
+  const bool faces = shape.count == 2;
+  e.growth = faces ? tilted_faces_growth(platform, floe, shape.normal, shape.point[0], shape.point[1], shape.width)
+                   : shape.growth;
   e.depth = std::max(0.0, -axis.distance);
   e.effective_mass = 1.0 / contact_compliance({b.inverse_mass[0], b.inverse_inertia[0]}, arm_on_platform(f, e.point),
                                               {b.inverse_mass[e.body_b], b.inverse_inertia[e.body_b]},
@@ -61,7 +64,8 @@ void add_crushing(const FieldState& f, ContactEvent& e) {
                                .nn;
   CrushingIce ice = f.constants.ice;
   ice.thickness = b.thickness[e.body_b];
-  const double longest = e.growth > 0.0 ? facing_length(platform, floe, offset, turned_left(e.normal)) : e.width;
+  const bool corner = !faces && e.growth > 0.0;
+  const double longest = corner ? facing_length(platform, floe, offset, turned_left(e.normal)) : e.width;
   e.peak_force =
       crushing_peak(ice, e.growth, longest, 0.5 * e.effective_mass * e.closing_speed * e.closing_speed).force;
 }

@@ -8,6 +8,7 @@
 #include "gem/base/number_text.h"
 #include "gem/engine/contact_stages.h"
 #include "gem/engine/solo_stages.h"
+#include "gem/geometry/tilted_faces.h"
 
 namespace gem {
 namespace {
@@ -31,6 +32,21 @@ EventBodies event_bodies(const FieldState& f, const Contact& contact) {
           crushing_ice(f, contact)};
 }
 
+ContactPoint point_of(const ContactSlot& slot) { return {{}, slot.separation, slot.feature}; }
+
+/// Chord growth of a contact; two points are within the contact margin whatever the tilt of their faces.
+double growth_of(const Contact& contact, const EventBodies& bodies) {
+  if (contact.count < 2) return contact.growth;
+  return tilted_faces_growth(bodies.outline_a, bodies.outline_b, contact.normal, point_of(contact.slot[0]),
+                             point_of(contact.slot[1]), contact.width);
+}
+
+/// Longest chord that crushing can come to [m].
+double longest_chord(const Contact& contact, const EventBodies& bodies) {
+  if (contact.count == 2 || !(contact.growth > 0.0)) return contact.width;
+  return facing_length(bodies.outline_a, bodies.outline_b, bodies.offset, turned_left(contact.normal));
+}
+
 }  // namespace
 
 ContactEvent event_of(const Contact& contact, const EventBodies& bodies, double time) {
@@ -40,7 +56,7 @@ ContactEvent event_of(const Contact& contact, const EventBodies& bodies, double 
   e.body_b = contact.b;
   e.normal = contact.normal;
   e.width = contact.width;
-  e.growth = contact.growth;
+  e.growth = growth_of(contact, bodies);
   Vec2 arm_a, arm_b;
   for (int k = 0; k < contact.count; ++k) {
     const ContactSlot& slot = contact.slot[k];
@@ -58,10 +74,7 @@ ContactEvent event_of(const Contact& contact, const EventBodies& bodies, double 
   e.point = bodies.position_b + arm_b;
   e.effective_mass = 1.0 / contact_compliance(bodies.mass_a, arm_a, bodies.mass_b, arm_b, contact.normal).nn;
   const double energy = 0.5 * e.effective_mass * e.closing_speed * e.closing_speed;
-  const double longest = contact.growth > 0.0 ? facing_length(bodies.outline_a, bodies.outline_b, bodies.offset,
-                                                              turned_left(contact.normal))
-                                              : contact.width;
-  e.peak_force = crushing_peak(bodies.ice, contact.growth, longest, energy).force;
+  e.peak_force = crushing_peak(bodies.ice, e.growth, longest_chord(contact, bodies), energy).force;
   return e;
 }
 

@@ -34,7 +34,7 @@ struct Contact {
   std::int32_t count = 0;
   Vec2 normal;
   double width = 0.0;   // chord or touching stretch [m]
-  double growth = 0.0;  // chord growth with depth, 0: flat [-]
+  double growth = 0.0;  // chord growth with depth of one point; two points: tilted_faces.h [-]
   double friction = 0.0;
   ContactSlot slot[2];
 };

@@ -68,6 +68,7 @@ void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes
       quality.maximum_share = std::max(quality.maximum_share, point.share);
     }
   }
+  // the net of the moment: what single contacts gave does not show where others took more
   quality.energy_created = std::max(0.0, ordered_sum(work.data(), f.bodies.count()));
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <tuple>
@@ -125,6 +126,12 @@ TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
     test::expect_same_memory(state, cpu->save());
     test::expect_same_judgement(log, expected);
     EXPECT_GT(state.impulse_key.size(), 20u);
+  } else {
+    MomentQuality worst;
+    for (const MomentQuality& quality : log.quality) worst.worsen(quality);
+    // not measured is no zero
+    EXPECT_TRUE(std::isnan(worst.complementarity) && std::isnan(worst.cone_excess) && std::isnan(worst.energy_created));
+    EXPECT_GT(worst.maximum_overlap, 0.0);
   }
   EXPECT_GT(test::contacts_in(expected), 5000);
   EXPECT_GT(expected.events.size(), 2u);

@@ -54,10 +54,11 @@ struct MomentQuality {
   double residual = 0.0;         // largest speed that an event still asked for at the last iteration [m/s]
   double maximum_overlap = 0.0;  // deepest overlap depth at the start of the moment [m]
   double maximum_share = 0.0;    // largest overlap over the size of the smaller body [-]
-  // once the events are done (contact_quality.h)
+  // once the events are done (contact_quality.h); NaN where not measured: `independent` moments of the cuda engine
   double complementarity = 0.0;  // largest change of normal velocity that a point still asked for [m/s]
   double cone_excess = 0.0;      // largest friction impulse beyond Coulomb's bound [N s]
-  double energy_created = 0.0;   // work of all contacts, where they gave energy [J]
+  double energy_created = 0.0;   // net work of all contacts of the moment where it is > 0: no sum of what single ones
+                                 // gave, which others of the same moment may outweigh [J]
 
   /// Keeps the worse of each.
   void worsen(const MomentQuality& other) {
@@ -66,10 +67,14 @@ struct MomentQuality {
     residual = std::max(residual, other.residual);
     maximum_overlap = std::max(maximum_overlap, other.maximum_overlap);
     maximum_share = std::max(maximum_share, other.maximum_share);
-    complementarity = std::max(complementarity, other.complementarity);
-    cone_excess = std::max(cone_excess, other.cone_excess);
-    energy_created = std::max(energy_created, other.energy_created);
+    complementarity = worse(complementarity, other.complementarity);
+    cone_excess = worse(cone_excess, other.cone_excess);
+    energy_created = worse(energy_created, other.energy_created);
   }
+
+ private:
+  /// The larger; no number if either is none.
+  static double worse(double a, double b) { return a < b || b != b ? b : a; }
 };
 
 /// Filled by advance(): one entry of `platform` and `quality` per moment, events in time and id order.

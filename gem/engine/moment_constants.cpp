@@ -4,16 +4,18 @@
 #include <cmath>
 
 #include "gem/engine/coupled_visit.h"
+#include "gem/scene/scene_bounds.h"
 
 namespace gem {
 
 namespace {
 
-/// Largest speed that the scene starts with or drives towards [m/s]: the measure of residual and contact margin.
+/// Largest speed of any point that the scene starts with or drives towards [m/s]: the measure of residual and contact
+/// margin.
 double fastest_of(const SceneDef& scene, const Bodies& bodies) {
   constexpr double slowest_of_interest = 1e-3;
   double fastest = std::max(slowest_of_interest, length(scene.current.velocity_m_per_s));
-  for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s));
+  for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s) + rim_speed(floe));
   if (!scene.platform.present) return fastest;
   const double swing = std::sqrt(scene.mooring.stiffness_N_per_m / bodies.mass[0]);
   return std::max(

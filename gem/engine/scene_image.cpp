@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "gem/engine/books.h"
 #include "gem/engine/device_solver.h"
@@ -96,7 +97,8 @@ class EventReader {
   std::vector<Vec2> corner_[2], normal_[2];
 };
 
-MomentQuality quality_of(const BlockQuality* block, int blocks) {
+/// The worst of all blocks. Only coupled moments look at their events once they are done.
+MomentQuality quality_of(const BlockQuality* block, int blocks, Resolution resolution) {
   MomentQuality quality;
   for (int k = 0; k < blocks; ++k) {
     quality.contacts += block[k].contacts;
@@ -108,6 +110,8 @@ MomentQuality quality_of(const BlockQuality* block, int blocks) {
     quality.energy_created = std::max(quality.energy_created, block[k].energy_created);
     quality.maximum_overlap = std::max(quality.maximum_overlap, strict::double_of(block[k].overlap));
   }
+  if (resolution == Resolution::independent)
+    quality.complementarity = quality.cone_excess = quality.energy_created = std::numeric_limits<double>::quiet_NaN();
   return quality;
 }
 
@@ -298,7 +302,7 @@ void read_state(const BodyState* state, FieldState& f) {
 void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatus& status, int blocks, MomentLog& log) {
   log.platform.insert(log.platform.end(), rings.sample, rings.sample + status.samples);
   for (std::int32_t m = 0; m < status.samples; ++m)
-    log.quality.push_back(quality_of(rings.quality + m * blocks, blocks));
+    log.quality.push_back(quality_of(rings.quality + m * blocks, blocks, f.constants.resolution));
   for (int k = 0; k < OverlapCount::classes; ++k) {
     log.overlap.count[k] += rings.overlap_count[k];
     log.overlap_share.count[k] += rings.overlap_count[OverlapCount::classes + k];

@@ -6,8 +6,8 @@
 //   flat       w = L:    F_m = P0 (h L)^(1+ex),            z_m = E / F_m
 //   duration   t_c = (z_m / v) sqrt(pi) Gamma(1 + 1/n) / Gamma(1/2 + 1/n)   (to zero closing speed)
 //
-//   P0  pressure on 1 m2 [Pa]      ex  pressure-area exponent [-], -0.7 to 0      h  thickness [m]
-//   g   chord growth, cot + cot of the angles between the chord and the two sides [-]; infinite for a flat contact
+//   P0  pressure on 1 m2 [Pa]      ex  pressure-area exponent [-], -0.9 to 0.5; ice: -0.7 to 0      h  thickness [m]
+//   g   chord growth, cot + cot of the angles between the chord and the two sides [-]; 0 stands for a flat contact
 //   L   longest chord possible [m]   E  crushing energy, m_e v^2 / 2 [J]          v  closing speed [m/s]
 //
 // Source: Popov 1967 as updated with a pressure-area relation by Daley 1999. Valid for vertical sides; neglected:

@@ -18,7 +18,8 @@ struct ContactGeometry {
   int count = 0;  // points
   ContactPoint point[2];
   double width = 0.0;   // chord or touching stretch [m]
-  double growth = 0.0;  // how fast the chord grows with depth: cot + cot of the angles at its ends [-]; 0: flat
+  double growth = 0.0;  // how fast the chord of one point grows with depth: cot + cot of the angles at its ends [-];
+                        // 0: flat, or two points, whose tilt only tilted_faces.h looks at
 };
 
 }  // namespace gem

@@ -155,7 +155,9 @@ std::vector<StatsColumn> make_stats_columns() {
                    [](const S& s) { return s.complementarity; }),
       stats_column("cone_excess", "N s", "largest friction impulse beyond Coulomb's bound since the last row",
                    [](const S& s) { return s.cone_excess; }),
-      stats_column("energy_created", "J", "largest energy that the contacts of one moment gave since the last row",
+      stats_column("energy_created", "J",
+                   "largest net energy that all contacts of one moment together gave since the last row, 0 where they "
+                   "took; no sum of what single contacts gave",
                    [](const S& s) { return s.energy_created; }),
       stats_column("active_floes", "1", "floes that take part", [](const S& s) { return s.active_floes; }),
       stats_column("wall_time", "s", "wall time since the start of the run", [](const S& s) { return s.wall_time; }),

@@ -5,8 +5,11 @@
 
 namespace gem {
 
-/// Speed at which two bodies of the scene may approach each other: water, wall at rest, listed floes, and the platform
-/// as it starts [m/s].
+/// How fast a listed floe's spin moves its farthest corner about its centroid at the start [m/s].
+double rim_speed(const FloeDef& floe);
+
+/// Largest speed at which points of two bodies of the scene may approach each other: water, wall at rest, listed floes
+/// with the two largest rim speeds, and the platform as it starts [m/s].
 double closing_speed_bound(const SceneDef& scene);
 
 /// Smallest width of any floe of the scene that is known before the field is made [m]; infinity without floes.

@@ -1,7 +1,9 @@
 // Closed-form crushing of an impact, and what may not be called a peak load: V48 and V49.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "gem/base/number_text.h"
 #include "gem/events/crushing.h"
 #include "validation/verification/expected.h"
 #include "validation/verification/scenes.h"
@@ -81,6 +83,61 @@ TEST_P(CrushingEvents, V49_peak_is_not_impulse_over_moment) {
     const double impulse_rate = event.impulse_normal / dt;
     check_value("V49.J_over_dt", mass * speed / dt, impulse_rate, 1e-6 * impulse_rate, "N", where());
     EXPECT_GT(std::fabs(std::log(event.peak_force / impulse_rate)), 0.1) << "a peak load that is J / dt";
+  }
+}
+
+constexpr double side = 8.0, thickness = 0.5;  // of the tilted floe [m]
+const CrushingIce ice_of_scene{2.5e6, -0.1, thickness};
+
+/// A floe at 0.25 m/s whose face touches the middle of the platform's first face, turned by `tilt` [rad] against it.
+SceneDef tilted_scene(double tilt, double dt, double contact_reach) {
+  SceneDef scene = quiet_scene();
+  scene.numerics.moment_s = dt;
+  scene.numerics.contact_reach = contact_reach;
+  scene.ice.crushing_pressure_Pa = ice_of_scene.pressure;
+  scene.platform.present = true;
+  scene.platform.mass_kg = 1e12;
+  scene.mooring.stiffness_N_per_m = 0.0;
+  scene.output.event_speed_m_per_s = 0.0;
+  const double facing = degrees(9.0), face = 50.0 * std::cos(facing);
+  const Vec2 outward{std::cos(facing), std::sin(facing)};
+  const double reach = 0.5 * side * (std::cos(tilt) + std::sin(tilt));
+  scene.floe = {
+      {rectangle(side, side), (face + reach - touch) * outward, facing + tilt, -0.25 * outward, 0.0, thickness}};
+  return scene;
+}
+
+TEST_P(CrushingEvents, V49_peak_of_tilted_faces) {
+  for (const double tilt : {0.0, 1e-6, 1e-3, 3e-3, 1e-2}) {
+    const std::string key = "V49.tilt_" + number_text(tilt);
+    const double growth = tilt > 0.0 ? 1.0 / std::tan(tilt) + std::tan(tilt) : 0.0;
+    const auto law = [&](double energy) { return crushing_peak(ice_of_scene, growth, side, energy).force; };
+    double worst = 1.0, smallest = 1e300, largest = 0.0;
+    for (const double dt : {0.4, 0.2, 0.1, 0.05, 0.02})
+      for (const double contact_reach : {1.0, 1.5, 10.0}) {
+        Simulation run = start(tilted_scene(tilt, dt, contact_reach), setting());
+        run.advance(1);
+        ASSERT_EQ(run.log.events.size(), 1u) << key << " dt " << dt;
+        const ContactEvent& event = run.log.events[0];
+        const double ratio =
+            event.peak_force / law(0.5 * event.effective_mass * event.closing_speed * event.closing_speed);
+        if (std::fabs(ratio - 1.0) > std::fabs(worst - 1.0)) worst = ratio;
+        smallest = std::min(smallest, event.peak_force);
+        largest = std::max(largest, event.peak_force);
+      }
+    // places 50 m from the origin are rounded to 7e-15 m, some ten of them to the ends' separations, which differ by
+    // side x tilt; the chord of a small margin may be longest at side (cos + sin) instead of side cos
+    const double tolerance = rounding + (tilt > 0.0 ? 7e-14 / (side * tilt) + tilt : tilt);
+    check_value(key, 1.0, worst, tolerance, "-", where());
+    // whether the second end closes in the same moment is the moment's doing: the event then has up to all of the
+    // floe's energy, not what the corner stops. Between these two no peak may lie outside
+    const double whole = 0.5 * 900.0 * thickness * side * side * 0.25 * 0.25;
+    const double lever = 0.5 * side * (std::cos(tilt) - std::sin(tilt));
+    const double corner = whole / (1.0 + 6.0 * lever * lever / (side * side));
+    const double slack = 1.0 + tolerance;
+    EXPECT_GE(smallest * slack, law(corner)) << key;
+    EXPECT_LE(largest, law(whole) * slack) << key;
+    check_value(key + ".spread", 1.0, largest / smallest, slack * law(whole) / law(corner) - 1.0, "-", where());
   }
 }
 

@@ -19,6 +19,12 @@ double fraction(double time, double duration) { return duration > 0.0 ? std::min
 
 double rate(const Progress& p) { return p.wall_time > 0.0 ? p.time / p.wall_time : 0.0; }
 
+/// Three digits of the duration.
+std::string time_text(const Progress& p) {
+  const double size = std::max(p.duration, 1e-6);
+  return fixed_text(p.time, std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6));
+}
+
 double left(const Progress& p) { return rate(p) > 0.0 ? (p.duration - p.time) / rate(p) : 0.0; }
 
 }  // namespace
@@ -30,9 +36,11 @@ std::string clock_text(double seconds) {
   return whole >= 3600 ? std::to_string(whole / 3600) + ":" + tail : tail;
 }
 
+std::string rate_text(double rate) { return rate < 10.0 ? number_text(rate, 2) : fixed_text(rate, 0); }
+
 std::string progress_text(const Progress& p) {
-  return fixed_text(std::floor(100.0 * fraction(p.time, p.duration)), 0) + " %  " + fixed_text(p.time, 0) + " s  " +
-         fixed_text(rate(p), 0) + " x real time  " + std::to_string(p.contacts) + " contacts  energy residual " +
+  return fixed_text(std::floor(100.0 * fraction(p.time, p.duration)), 0) + " %  " + time_text(p) + " s  " +
+         rate_text(rate(p)) + " x real time  " + std::to_string(p.contacts) + " contacts  energy residual " +
          number_text(p.energy_residual, 2) + "  " + clock_text(left(p)) + " left";
 }
 

@@ -56,6 +56,9 @@ class RunLog {
 /// Hours, minutes and seconds, as 1:02:03 or 02:03.
 std::string clock_text(double seconds);
 
+/// Simulated over wall time for people: two digits below ten, whole numbers above.
+std::string rate_text(double rate);
+
 /// One line for people; `duration` 0 counts as done.
 std::string progress_text(const Progress& progress);
 

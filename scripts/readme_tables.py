@@ -15,6 +15,7 @@ import re
 
 TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 RESULTS = os.path.join(TOP, "bench", "results")
+GPU_BATCHES = ("batch_recorded", "table1_recorded", "growth")
 NAMES = {1: "004_400_25", 2: "004_400_50", 27: "400_200_100"}
 
 
@@ -51,18 +52,21 @@ def speed_table():
 
 
 def gpu_rows():
-    """All rows of gem_cuda_speed; of the layouts of one scene only the fastest."""
-    fastest, batches = {}, []
+    """Of the layouts of one scene the fastest; of recorded batches and of growth the largest. The files hold the rest."""
+    fastest, largest = {}, {}
     for path in sorted(glob.glob(os.path.join(RESULTS, "cuda_*.csv"))):
         with open(path, newline="", encoding="utf-8") as file:
             for r in csv.DictReader(file):
                 key = r["resolution"], r["phase"]
                 if r["measure"] != "moment":
-                    batches.append(r)
+                    kind = r["resolution"], r["measure"]
+                    size = int(r["scenes"]) * (int(r["phase"].split()[0]) if r["measure"] == "growth" else 1)
+                    if r["measure"] in GPU_BATCHES and size >= largest.get(kind, (0, None))[0]:
+                        largest[kind] = size, r
                 elif key not in fastest or float(r["microseconds_per_moment"]) < float(
                         fastest[key]["microseconds_per_moment"]):
                     fastest[key] = r
-    return list(fastest.values()) + batches
+    return list(fastest.values()) + [row for _, row in largest.values()]
 
 
 def gpu_table():

@@ -1,12 +1,10 @@
 // Statistics of records, by GSL where it has them.
 #include "gem/analysis/moments.h"
 
-#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace gem {
 
@@ -33,17 +31,6 @@ Excursion maximum_radial_excursion(std::span<const double> x, std::span<const do
     if (distance > largest.value) largest = {distance, i};
   }
   return largest;
-}
-
-MeanEstimate batch_mean(std::span<const double> signal, std::size_t batches, double confidence) {
-  if (batches < 2 || signal.size() < batches) throw std::invalid_argument("batch means need two batches of samples");
-  const std::size_t length = signal.size() / batches;
-  std::vector<double> means(batches);
-  for (std::size_t b = 0; b < batches; ++b) means[b] = gsl_stats_mean(signal.data() + b * length, 1, length);
-  const auto count = static_cast<double>(batches);
-  const double quantile = gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, count - 1.0);
-  return {gsl_stats_mean(signal.data(), 1, signal.size()),
-          quantile * gsl_stats_sd(means.data(), 1, batches) / std::sqrt(count), batches};
 }
 
 double percentile(std::span<const double> signal, double p) {

@@ -1,4 +1,4 @@
-// Moments, extremes and percentiles of a record, with an interval for the mean that respects correlation.
+// Moments, extremes and percentiles of a record.
 #pragma once
 
 #include <cstddef>
@@ -25,17 +25,6 @@ Excursion maximum_excursion(std::span<const double> signal, double rest = 0.0);
 /// The same in the plane, from (rest_x, rest_y). Both records have one length.
 Excursion maximum_radial_excursion(std::span<const double> x, std::span<const double> y, double rest_x = 0.0,
                                    double rest_y = 0.0);
-
-/// Mean and the half width of its confidence interval.
-struct MeanEstimate {
-  double mean = 0.0;
-  double half_width = 0.0;
-  std::size_t batches = 0;
-};
-/// Batch means: the record is cut into `batches` equal stretches whose means are taken as independent, so a stretch
-/// must be longer than the correlation. Student's t with batches - 1 degrees of freedom. Needs batches >= 2 and at
-/// least one sample per batch, otherwise std::invalid_argument.
-MeanEstimate batch_mean(std::span<const double> signal, std::size_t batches = 20, double confidence = 0.95);
 
 /// Value that a fraction `p` in [0,1] of the record stays below, by linear interpolation; 0 for an empty record.
 double percentile(std::span<const double> signal, double p);

@@ -105,38 +105,12 @@ std::optional<PeriodEstimate> spectral_period(const std::vector<Spectrum>& eigen
                         1.0 / std::max(frequency - half_width, 0.5 / mean.duration)};
 }
 
-Crossings zero_up_crossings(std::span<const double> signal, double interval_s) {
-  const std::vector<double> times = crossing_times(signal, interval_s);
-  Crossings crossings{times.size(), 0.0};
-  if (times.size() > 1) crossings.mean_period = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-  return crossings;
-}
-
-Maxima local_maxima(std::span<const double> signal, double interval_s) {
-  Maxima maxima{maxima_times(signal, interval_s).size(), 0.0};
-  if (maxima.count > 0)
-    maxima.mean_period = static_cast<double>(signal.size()) * interval_s / static_cast<double>(maxima.count);
-  return maxima;
-}
-
 std::optional<PeriodEstimate> crossing_period(std::span<const double> signal, double interval_s) {
   return mean_gap(crossing_times(signal, interval_s));
 }
 
 std::optional<PeriodEstimate> maxima_period(std::span<const double> signal, double interval_s) {
   return mean_gap(maxima_times(signal, interval_s));
-}
-
-double moment_period(const Spectrum& spectrum, double low, double high) {
-  double power = 0.0;
-  double moment = 0.0;
-  for (std::size_t i = 0; i < spectrum.density.size(); ++i) {
-    const double frequency = spectrum.frequency(i);
-    if (frequency < low || frequency > high) continue;
-    power += spectrum.density[i];
-    moment += spectrum.density[i] * frequency * frequency;
-  }
-  return moment > 0.0 ? std::sqrt(power / moment) : 0.0;
 }
 
 }  // namespace gem

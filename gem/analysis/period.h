@@ -27,29 +27,11 @@ struct PeriodEstimate {
 /// peak less than a lobe away from zero frequency: with NW = 2.5, fewer than five cycles in the record.
 std::optional<PeriodEstimate> spectral_period(const std::vector<Spectrum>& eigenspectra);
 
-/// Up-crossings of zero by the mean-removed record, each placed by linear interpolation.
-struct Crossings {
-  std::size_t count = 0;
-  double mean_period = 0.0;  // between the first and the last; 0 with fewer than two [s]
-};
-Crossings zero_up_crossings(std::span<const double> signal, double interval_s);
-
-/// Local maxima of the record: every wiggle counts, so their mean period is a lower bound for broad-band records.
-struct Maxima {
-  std::size_t count = 0;
-  double mean_period = 0.0;  // duration over count; 0 without maxima [s]
-};
-Maxima local_maxima(std::span<const double> signal, double interval_s);
-
-/// The mean time between zero up-crossings with its interval, by the scatter of the single times between them and how
-/// they correlate. Empty with fewer than 20 of them.
+/// The mean time between up-crossings of zero by the mean-removed record, each placed by linear interpolation, with its
+/// interval, by the scatter of the single times between them and how they correlate. Empty with fewer than 20 of them.
 std::optional<PeriodEstimate> crossing_period(std::span<const double> signal, double interval_s);
 
-/// The same for the time between local maxima.
+/// The same for the time between local maxima: every wiggle counts, so it is a lower bound for broad-band records.
 std::optional<PeriodEstimate> maxima_period(std::span<const double> signal, double interval_s);
-
-/// Mean up-crossing period of a normal record with this spectrum, from its moments within [low, high]: sqrt(m0 / m2)
-/// [s]. The limits [Hz] keep out noise, which m2 weighs by frequency squared. 0 without power between them.
-double moment_period(const Spectrum& spectrum, double low, double high);
 
 }  // namespace gem

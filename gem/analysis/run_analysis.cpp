@@ -118,12 +118,12 @@ std::vector<Finding> orbit_findings(const PlatformSeries& series) {
   return findings.list;
 }
 
-void add_lengths(Findings& findings, const std::string& name, const std::vector<double>& lengths) {
-  const bool any = !lengths.empty();
-  findings.add(name + "s", std::optional<double>(static_cast<double>(lengths.size())));
-  findings.add(name + "_mean_s", any ? std::optional<double>(moments(lengths).mean) : std::nullopt);
-  findings.add(name + "_median_s", any ? std::optional<double>(percentile(lengths, 0.5)) : std::nullopt);
-  findings.add(name + "_longest_s", any ? std::optional<double>(moments(lengths).maximum) : std::nullopt);
+void add_lengths(Findings& findings, const std::string& name, const std::vector<Spell>& spells) {
+  findings.add(name + "s", std::optional<double>(static_cast<double>(spells.size())));
+  findings.add(name + "s_cut", std::optional<double>(static_cast<double>(cut_spells(spells))));
+  findings.add(name + "_mean_s", spell_mean(spells));
+  findings.add(name + "_median_s", spell_median(spells));
+  findings.add(name + "_longest_at_least_s", longest_spell(spells));
 }
 
 std::vector<Finding> contact_findings(const PlatformSeries& series) {
@@ -145,6 +145,7 @@ std::vector<Finding> load_findings(const PlatformSeries& series) {
   const std::size_t stretch = independent_samples(series);
   add_mean(findings, "ice_force_x_mean_N", series.ice_force_x, stretch);
   add_mean(findings, "ice_force_y_mean_N", series.ice_force_y, stretch);
+  add_mean(findings, "mooring_force_x_mean_N", series.mooring_force_x, stretch);
   const auto largest = [](const std::vector<double>& x, const std::vector<double>& y) {
     return std::optional<double>(maximum_radial_excursion(x, y).value);
   };
@@ -172,6 +173,12 @@ std::vector<Finding> analyse_platform(const PlatformSeries& series) {
        {axis_findings("y_", series.y, series), orbit_findings(series), contact_findings(series), load_findings(series)})
     all.insert(all.end(), part.begin(), part.end());
   return all;
+}
+
+Finding finding_of(const std::vector<Finding>& findings, const std::string& name) {
+  const auto found =
+      std::find_if(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.name == name; });
+  return found == findings.end() ? Finding{name, {}, {}} : *found;
 }
 
 }  // namespace gem

@@ -29,8 +29,13 @@ struct Finding {
 };
 
 /// Motion, periods three ways, orbit, contact and loads. Intervals are of 95 % and take stretches of four natural
-/// periods (a twentieth of the record without mooring) as independent. The same names in the same order for every run.
-/// Throws std::invalid_argument for fewer than 64 samples or columns of unequal length.
+/// periods (a twentieth of the record without mooring) as independent. Spells and gaps of contact that an end of the
+/// record cuts off count with what is seen of them (contact_spells.h says how), their number is given. The same names
+/// in the same order for every run. Throws std::invalid_argument for fewer than 64 samples or columns of unequal
+/// length.
 std::vector<Finding> analyse_platform(const PlatformSeries& series);
+
+/// The finding of a name; without value where the list has none, as for a record too short to analyse.
+Finding finding_of(const std::vector<Finding>& findings, const std::string& name);
 
 }  // namespace gem

@@ -60,6 +60,10 @@ TEST(AnalysePlatform, OfACirclingPlatform) {
   EXPECT_NEAR(value("contact_fraction"), 0.1, 1e-12);
   EXPECT_NEAR(value("contact_spell_mean_s"), 1.0, 1e-12);
   EXPECT_NEAR(value("contact_gap_median_s"), 9.0, 1e-12);
+  EXPECT_NEAR(value("contact_gap_mean_s"), 9.0, 1e-12);
+  EXPECT_EQ(value("contact_spells_cut"), 0.0);
+  EXPECT_EQ(value("contact_gaps_cut"), 2.0);
+  EXPECT_NEAR(value("contact_gap_longest_at_least_s"), 9.0, 1e-12);
   EXPECT_NEAR(value("ice_force_x_mean_N"), 1000.0, 1e-9);
   EXPECT_NEAR(value("ice_force_window_largest_N"), 5000.0, 1e-9);
   EXPECT_NEAR(value("mooring_force_largest_N"), 1e4, 1e-9);

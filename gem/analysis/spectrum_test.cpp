@@ -1,4 +1,4 @@
-// Tapers, spectra and periods on signals whose spectrum is known.
+// Tapers, spectra and spectral periods on signals whose spectrum is known.
 #include "gem/analysis/spectrum.h"
 
 #include <gtest/gtest.h>
@@ -149,30 +149,6 @@ TEST(SpectralPeriod, IsEmptyWithTooFewCycles) {
   for (std::size_t i = 0; i < signal.size(); ++i)
     signal[i] = 1e-4 * static_cast<double>(i) + std::sin(kTurn * static_cast<double>(i) / 900.0);
   EXPECT_FALSE(spectral_period(eigenspectra(signal, 0.1)).has_value());
-}
-
-TEST(ZeroUpCrossings, MeasureThePeriodOfASineAboutItsMean) {
-  std::vector<double> signal(7200);
-  for (std::size_t i = 0; i < signal.size(); ++i) signal[i] = 5.0 + std::sin(kTurn * static_cast<double>(i) / 90.0);
-  const Crossings crossings = zero_up_crossings(signal, 1.0);
-  EXPECT_NEAR(static_cast<double>(crossings.count), 80.0, 1.0);
-  EXPECT_NEAR(crossings.mean_period, 90.0, 1e-3);
-}
-
-TEST(LocalMaxima, CountWigglesThatCrossingsIgnore) {
-  std::vector<double> signal(8000);
-  for (std::size_t i = 0; i < signal.size(); ++i) {
-    const double turn = kTurn * static_cast<double>(i) / 1000.0;
-    signal[i] = std::cos(turn) + 0.5 * std::cos(10.0 * turn);
-  }
-  const Maxima maxima = local_maxima(signal, 0.1);
-  EXPECT_NEAR(static_cast<double>(maxima.count), 80.0, 2.0);
-  EXPECT_NEAR(maxima.mean_period, 10.0, 0.3);
-}
-
-TEST(LocalMaxima, CountAFlatTopOnce) {
-  const std::vector<double> signal = {0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 2.0, 1.0};
-  EXPECT_EQ(local_maxima(signal, 1.0).count, 2u);
 }
 
 }  // namespace

@@ -38,8 +38,5 @@ struct Rotation {
 GEM_HD constexpr Vec2 rotate(Rotation q, Vec2 a) {
   return {q.cosine * a.x - q.sine * a.y, q.sine * a.x + q.cosine * a.y};
 }
-GEM_HD constexpr Vec2 rotate_back(Rotation q, Vec2 a) {
-  return {q.cosine * a.x + q.sine * a.y, q.cosine * a.y - q.sine * a.x};
-}
 
 }  // namespace gem

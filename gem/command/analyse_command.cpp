@@ -1,6 +1,8 @@
 // gem analyse: periods, offset, orbit, contact and loads of one run; means and extremes over several.
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "gem/analysis/run_analysis.h"
 #include "gem/analysis/runs_analysis.h"
@@ -24,9 +26,10 @@ struct Options {
   bool json = false;
 };
 
-/// A run's platform record, its name and how long it lasted.
+/// What one run says, where it comes from and how long it lasted.
 struct Run {
   std::string path, name;
+  std::string state_hash;  // empty if the run did not end in order
   double duration_s = 0.0;
   std::vector<Finding> findings;
 };
@@ -39,7 +42,8 @@ Run analysed(const std::string& path, const Options& options) {
     throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " +
                                      std::to_string(kSamplesForStatistics) + " samples of a platform from --from " +
                                      number_text(options.from_s) + " s on) choose an earlier start or a longer run");
-  return {path, data.identity.name, time.back() - time[first], analyse_platform(platform_series(data, first))};
+  return {path, data.identity.name, data.identity.state_hash, time.back() - time[first],
+          analyse_platform(platform_series(data, first))};
 }
 
 Json json_of(const IntervalEstimate& estimate) {
@@ -79,7 +83,10 @@ std::string text_of(const Run& run) {
   for (const Finding& finding : run.findings)
     text += row_text(finding.name, {finding.value ? short_text(*finding.value) : "not resolved",
                                     finding.interval ? interval_text(*finding.interval) : "-"});
-  return text;
+  return text +
+         "spells and gaps of contact that the record's ends cut count with what is seen: mean by all their time over "
+         "the\n"
+         "ends seen (exponential), median by Kaplan-Meier, the longest a lower bound\n";
 }
 
 /// The findings of which the largest value of an exposure is asked.
@@ -96,6 +103,22 @@ void check_exposure(const std::vector<Run>& runs) {
       throw Error(ExitCode::usage, shown(run.path) + ": lasts " + short_text(run.duration_s) + " s, the first run " +
                                        short_text(runs.front().duration_s) +
                                        " s (a largest value grows with the duration) analyse runs of one length");
+}
+
+bool same_run(const Run& a, const Run& b) {
+  if (!a.state_hash.empty() && a.state_hash == b.state_hash) return true;
+  std::error_code ignored;
+  return std::filesystem::equivalent(a.path, b.path, ignored);
+}
+
+/// Runs are taken as independent: the same bits twice would narrow every interval for nothing.
+void check_different(const std::vector<Run>& runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (same_run(runs[i], runs[j]))
+        throw Error(ExitCode::usage, shown(runs[i].path) + ": the same run as " + shown(runs[j].path) +
+                                         " (state hash " + runs[i].state_hash +
+                                         "; several runs are taken as independent) give each run once");
 }
 
 struct Combined {
@@ -159,6 +182,7 @@ int analyse(const Options& options) {
     return 0;
   }
   check_exposure(runs);
+  check_different(runs);
   const Combined all = combined(runs);
   print(options.json ? json_of(runs, all).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                      : text_of(runs, all));

@@ -46,13 +46,18 @@ SceneDef read_case(const CaseChoice& choice) {
                                    ") see `gem sweep list`");
 }
 
-Bodies field_of(const SceneDef& scene) {
-  if (scene.floes.source != FloeSource::file || !is_run_file(scene.floes.path)) return make_field(scene);
+SceneDef with_floes_of_run_file(const SceneDef& scene) {
+  if (scene.floes.source != FloeSource::file || !is_run_file(scene.floes.path)) return scene;
   SceneDef listed = scene;
   listed.floes.source = FloeSource::listed;
   listed.floe = floes_of_run_file(scene.floes.path);
-  return make_field(listed);
+  if (listed.floe.empty())
+    throw Error(ExitCode::scene_rejected,
+                scene.floes.path + ": no floes (that run had none) name another file or set floes.source = \"listed\"");
+  return listed;
 }
+
+Bodies field_of(const SceneDef& scene) { return make_field(with_floes_of_run_file(scene)); }
 
 std::string run_file_name(const std::string& run_name) {
   std::string name = run_name.empty() ? "run" : run_name;

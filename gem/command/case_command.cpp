@@ -66,7 +66,8 @@ struct CaseOptions {
 int check(const CaseOptions& options) {
   const SceneDef scene = read_case(options.chosen_case);
   const std::vector<std::string> warnings = scene_warnings(scene);
-  const FieldSummary field = summarise(scene, field_of(scene));
+  const SceneDef listed = with_floes_of_run_file(scene);
+  const FieldSummary field = summarise(listed, make_field(listed));
   print(options.json ? check_json(scene, field, warnings) : check_text(scene, field, warnings));
   return 0;
 }

@@ -40,13 +40,18 @@ void add_case_options(CLI::App& command, CaseChoice& choice, bool required);
 /// Reads the chosen case. Throws Error(usage) for a sweep without --index and for a case with it.
 SceneDef read_case(const CaseChoice& choice);
 
+/// The scene with the floes of a run file listed, if its floe source is one; otherwise the scene itself.
+/// Throws Error(scene_rejected) for a run file without floes.
+SceneDef with_floes_of_run_file(const SceneDef& scene);
+
 /// The field of a scene; a run file as floe source is read here.
 Bodies field_of(const SceneDef& scene);
 
 /// Writes to standard output. Throws Error(file_system) if that fails for another reason than a closed pipe.
 void print(const std::string& text);
 
-/// The threads to use: what was asked for, or OMP_NUM_THREADS, or all; silly values are clamped and `message` says so.
+/// The threads to use: what was asked for, or OMP_NUM_THREADS, or all. What the environment says amiss, and more than
+/// four times the processors, is clamped and `message` says so; --threads below 1 throws Error(usage).
 int choose_threads(const std::string& asked, std::string& message);
 
 /// Makes the chosen engine; `auto` stands for cuda where a GPU can take the scene and for cpu where none can.

@@ -98,16 +98,20 @@ TEST_F(CommandTest, FaultsHaveTheirExitCodeOneLineAndNoFile) {
       {"gem run swing.toml --fast", 2, "--fast"},
       {"gem run swing.toml --engine gpu", 2, "--engine"},
       {"gem run swing.toml --threads two", 2, "--threads two"},
+      {"gem run swing.toml --threads 0", 2, "--threads 0"},
+      {"gem run swing.toml --threads -2", 2, "--threads -2"},
+      {"gem run swing.toml --threads 2 --engine reference", 2, "--threads 2 says nothing to the engine reference"},
+      {"gem run swing.toml --until 10 --set run.duration_s=20", 2, "--until 10 and --set run.duration_s=20"},
       {"gem run swing.toml --index 1", 2, "single case"},
       {"gem run --index 1", 2, "--index"},
       {"gem run swing.toml --set run.duration=1", 3, "run.duration"},
       {"gem run swing.toml --until nan", 3, "duration_s"},
-      {"gem run swing.toml --until -1", 3, "duration_s"},
+      {"gem run swing.toml --until -1", 3, "--until -1: run.duration_s: out of range"},
       {"gem run swing.toml --until 1e12", 3, "duration_s"},
       {"gem run missing.toml", 4, "missing.toml"},
       {"gem run swing.toml --out missing/run.h5", 4, "No such file"},
       {"gem run swing.toml --out .", 4, "directory"},
-      {"gem run swing.toml --out /proc/run.h5", 4, "/proc"},
+      {"gem run swing.toml --out /proc/run.h5", 4, "folder /proc: it takes no files"},
       {"gem run --until 1e8", 7, "--force"},
       {"gem info swing.toml", 4, "not an HDF5 file"},
       {"gem report missing.h5", 4, "missing.h5"},
@@ -134,6 +138,18 @@ TEST_F(CommandTest, DryRunComputesNothing) {
   EXPECT_EQ(shell("gem run swing.toml --dry-run --json"), 0) << text_of("err");
   EXPECT_NE(text_of("out").find("\"memory_bytes\""), std::string::npos);
   EXPECT_FALSE(exists("swing.h5"));
+  EXPECT_EQ(text_of("out").find("\"auto\""), std::string::npos) << text_of("out");
+  EXPECT_EQ(shell("gem run swing.toml --dry-run --engine reference"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("reference, 1 thread\n"), std::string::npos) << text_of("out");
+}
+
+TEST_F(CommandTest, ABaselinesSettingsAreRefusedByOtherEngines) {
+  if (shell("gem run --help | grep -q velocity-iterations") != 0) GTEST_SKIP() << "built without a baseline";
+  for (const char* engine : {"cpu", "auto", "reference"}) {
+    EXPECT_EQ(shell(std::string("gem run swing.toml --velocity-iterations 3 --engine ") + engine), 2);
+    EXPECT_NE(text_of("err").find("--velocity-iterations says nothing to the engine"), std::string::npos);
+  }
+  EXPECT_EQ(shell("gem run swing.toml -q --velocity-iterations 3 --engine box2d"), 0) << text_of("err");
 }
 
 TEST_F(CommandTest, FullDiskIsExitCodeFour) {
@@ -182,6 +198,7 @@ TEST_F(CommandTest, AnalyseSaysPeriodsThreeWays) {
   ASSERT_EQ(shell("gem analyse swing.h5 --from 500"), 0) << text_of("err");
   EXPECT_NE(text_of("out").find("x_period_by_crossings_s"), std::string::npos);
   EXPECT_NE(text_of("out").find("not resolved"), std::string::npos);
+  EXPECT_NE(text_of("out").find("Kaplan-Meier"), std::string::npos);
 }
 
 TEST_F(CommandTest, AnalyseCombinesRunsOfOneLength) {
@@ -217,6 +234,10 @@ TEST_F(CommandTest, AnalyseRefusesWhatItCannotJudge) {
   EXPECT_EQ(shell("gem analyse swing.h5 long.h5"), 2);
   EXPECT_NE(text_of("err").find("one length"), std::string::npos) << text_of("err");
   EXPECT_EQ(shell("gem analyse missing.h5"), 4);
+  EXPECT_EQ(shell("gem analyse swing.h5 swing.h5"), 2);
+  EXPECT_NE(text_of("err").find("the same run as swing.h5"), std::string::npos) << text_of("err");
+  EXPECT_EQ(shell("gem run swing.toml -q --threads 1 --out copy.h5 && gem analyse swing.h5 copy.h5"), 2);
+  EXPECT_NE(text_of("err").find("copy.h5: the same run as swing.h5"), std::string::npos) << text_of("err");
 }
 
 TEST_F(CommandTest, SillyThreadCountsAreClamped) {
@@ -281,6 +302,12 @@ TEST_F(CommandTest, ARunFileIsAFieldForAnotherRun) {
             0)
       << text_of("err");
   EXPECT_EQ(RunFile(path("two.h5")).column("floes/x"), RunFile(path("one.h5")).column("floes/x"));
+  const std::string as_file = " --set 'floes.source=\"file\"' --set 'floe=[]' --set 'floes.path=";
+  EXPECT_EQ(shell("gem case check one.toml --json" + as_file + "\"one.h5\"'"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("\"floes\": 1"), std::string::npos) << text_of("out");
+  ASSERT_EQ(shell("gem run swing.toml -q"), 0) << text_of("err");
+  EXPECT_EQ(shell("gem run one.toml -q --out no.h5" + as_file + "\"swing.h5\"'"), 3);
+  EXPECT_NE(text_of("err").find("no floes"), std::string::npos) << text_of("err");
 }
 
 }  // namespace

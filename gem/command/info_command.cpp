@@ -35,6 +35,16 @@ nlohmann::ordered_json describe(const RunFile& file) {
   return object;
 }
 
+std::string text_of(const nlohmann::ordered_json& object) {
+  std::size_t width = 0;
+  for (const auto& entry : object.items()) width = std::max(width, entry.key().size() + 1);
+  std::string text;
+  for (const auto& [name, value] : object.items())
+    text += name + std::string(width - name.size(), ' ') +
+            (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
+  return text;
+}
+
 }  // namespace
 
 void add_info_command(CLI::App& app, Chosen& chosen) {
@@ -60,12 +70,7 @@ void add_info_command(CLI::App& app, Chosen& chosen) {
         print(object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
         return 0;
       }
-      std::string text;
-      for (const auto& [name, value] : object.items()) {
-        text += name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') +
-                (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
-      }
-      print(text);
+      print(text_of(object));
       return 0;
     };
   });

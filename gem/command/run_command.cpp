@@ -1,4 +1,5 @@
 // gem run: one case to one run file.
+#include <algorithm>
 #include <csignal>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include "gem/command/command.h"
 #include "gem/record/output_path.h"
 #include "gem/scene/check_scene.h"
+#include "gem/scene/document.h"
 #include "gem/scene/scene_file.h"
 
 namespace gem {
@@ -25,9 +27,41 @@ struct RunChoice {
   bool dry_run = false;
   bool force = false;
   bool json = false;
+  std::vector<const CLI::Option*> baseline_options;
 };
 
-std::string dry_run_text(const SceneDef& scene, const Bodies& field, const Estimate& need, const RunChoice& choice) {
+std::string threads_text(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
+
+bool is_baseline(const std::string& engine) {
+  const std::vector<std::string> names = baseline_names();
+  return std::find(names.begin(), names.end(), engine) != names.end();
+}
+
+/// What the chosen engine would not look at is refused, not ignored.
+void check_engine_options(const RunChoice& choice) {
+  const std::string& engine = choice.engine.name;
+  for (const CLI::Option* option : choice.baseline_options)
+    if (option->count() > 0 && !is_baseline(engine))
+      throw Error(ExitCode::usage, option->get_name() + " says nothing to the engine " + engine + " (it is for " +
+                                       baseline_names().front() + ") leave it out");
+  if (engine == "cpu" || engine == "auto" || choice.threads.empty() || choice.threads == "1") return;
+  throw Error(ExitCode::usage, "--threads " + choice.threads + " says nothing to the engine " + engine +
+                                   " (only the engine cpu has threads) leave it out");
+}
+
+/// --until stands for run.duration_s, which must not be given twice.
+void set_end(RunChoice& choice) {
+  if (choice.until.empty()) return;
+  for (const std::string& text : choice.chosen_case.overrides)
+    if (find_path(parse_override(text), "run.duration_s") != nullptr)
+      throw Error(ExitCode::usage, "--until " + choice.until + " and --set " + text +
+                                       " both say when the run ends (one would be ignored) give one of them");
+  choice.chosen_case.overrides.push_back("--until run.duration_s=" + choice.until);
+}
+
+/// `place` is what the engine computes on.
+std::string dry_run_text(const SceneDef& scene, const Bodies& field, const Estimate& need, const RunChoice& choice,
+                         const std::string& place) {
   const std::size_t floes = std::size_t(std::count(field.kind.begin(), field.kind.end(), BodyKind::floe));
   if (choice.json) {
     const nlohmann::ordered_json object = {{"name", scene.run.name},
@@ -43,16 +77,17 @@ std::string dry_run_text(const SceneDef& scene, const Bodies& field, const Estim
   }
   return resolved_toml(scene) + "\n# dry run: nothing was computed\n# case    " + scene_hash(scene) + "\n# floes   " +
          std::to_string(floes) + "\n# moments " + fixed_text(need.moments, 0) + "\n# engine  " + choice.engine.name +
-         ", " + std::to_string(choice.engine.threads) + " threads\n# memory  about " + size_text(need.memory) +
-         "\n# disk    about " + size_text(need.disk) + " in " + shown(choice.options.output) + "\n";
+         ", " + place + "\n# memory  about " + size_text(need.memory) + "\n# disk    about " + size_text(need.disk) +
+         " in " + shown(choice.options.output) + "\n";
 }
 
 int run(RunChoice choice) {
   choice.options.log = {progress_mode(choice.progress), choice.options.log.quiet, choice.log_format == "json"};
   RunLog log(choice.options.log);
-  if (!choice.until.empty()) choice.chosen_case.overrides.push_back("run.duration_s=" + choice.until);
+  set_end(choice);
   std::string thread_message;
   choice.engine.threads = choose_threads(choice.threads, thread_message);
+  check_engine_options(choice);
   if (!thread_message.empty()) log.message("warning", thread_message);
 
   const SceneDef scene = read_case(choice.chosen_case);
@@ -64,13 +99,14 @@ int run(RunChoice choice) {
   if (!choice.force) check_resources(need, choice.options.output);
 
   const Bodies field = field_of(scene);
+  const auto engine = engine_for(scene, field, choice.engine);
+  choice.engine.name = engine->name();
+  if (choice.engine.name != "cpu") choice.engine.threads = 1;
+  const std::string place = engine->device().empty() ? threads_text(choice.engine.threads) : engine->device();
   if (choice.dry_run) {
-    print(dry_run_text(scene, field, need, choice));
+    print(dry_run_text(scene, field, need, choice, place));
     return 0;
   }
-  const auto engine = engine_for(scene, field, choice.engine);
-  const std::string place =
-      engine->device().empty() ? std::to_string(choice.engine.threads) + " threads" : engine->device();
   log.message("info", scene.run.name + ": " + number_text(scene.run.duration_s) + " s, engine " + engine->name() +
                           ", " + place + ", to " + shown(choice.options.output));
   choice.options.threads = choice.engine.threads;
@@ -97,20 +133,21 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   command->add_option("--threads", choice->threads, "threads of the cpu engine; all if left out")->type_name("N");
   if (!baseline_names().empty()) {
     BaselineOptions& baseline = choice->engine.baseline;
-    command->add_option("--velocity-iterations", baseline.velocity_iterations, "of box2d's solver")
-        ->capture_default_str();
-    command->add_option("--position-iterations", baseline.position_iterations, "of box2d's solver")
-        ->capture_default_str();
-    command->add_option("--skin", baseline.skin_m, "radius round box2d's outlines [m]")->capture_default_str();
-    command
-        ->add_option_function<std::vector<std::string>>(
-            "--experiment",
-            [&baseline](const std::vector<std::string>& texts) {
-              for (const std::string& text : texts) set_experiment(baseline, text);
-            },
-            "one setting of box2d changed: " + experiment_keys())
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+    choice->baseline_options = {
+        command->add_option("--velocity-iterations", baseline.velocity_iterations, "of box2d's solver")
+            ->capture_default_str(),
+        command->add_option("--position-iterations", baseline.position_iterations, "of box2d's solver")
+            ->capture_default_str(),
+        command->add_option("--skin", baseline.skin_m, "radius round box2d's outlines [m]")->capture_default_str()};
+    choice->baseline_options.push_back(command
+                                           ->add_option_function<std::vector<std::string>>(
+                                               "--experiment",
+                                               [&baseline](const std::vector<std::string>& texts) {
+                                                 for (const std::string& text : texts) set_experiment(baseline, text);
+                                               },
+                                               "one setting of box2d changed: " + experiment_keys())
+                                           ->type_name("KEY=VALUE")
+                                           ->allow_extra_args(false));
   }
   command->add_option("--until", choice->until, "end at this time: sets run.duration_s")->type_name("SECONDS");
   command->add_flag("--overwrite", choice->options.overwrite, "replace an existing run file");

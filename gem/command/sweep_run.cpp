@@ -153,7 +153,7 @@ class SweepRun {
     const std::size_t done = now.done + now.already;
     const std::string line = std::to_string(done) + "/" + std::to_string(plan_.rows.size()) + " done, " +
                              std::to_string(now.running) + " running, " + std::to_string(now.failed) + " failed  " +
-                             fixed_text(rate, 0) + " x real time  " + clock_text(left) + " left";
+                             rate_text(rate) + " x real time  " + clock_text(left) + " left";
     const Json object = {{"level", "progress"},    {"runs", plan_.rows.size()}, {"done", done},
                          {"running", now.running}, {"failed", now.failed},      {"time_s", now.time},
                          {"wall_time_s", wall},    {"sim_rate", rate},          {"left_s", left}};

@@ -1,11 +1,11 @@
-// Stands in for the CUDA engine in a build without a CUDA compiler: every use says so.
+// Stands in for the CUDA engine in a build without it: every use says so, and why it is not there.
 #include "gem/base/error.h"
 #include "gem/engine/cuda_engine.h"
 
 namespace gem {
 namespace {
 
-const char* const missing = "this build has no GPU engine (no CUDA compiler was found when it was configured)";
+const char* const missing = "this build has no GPU engine (" GEM_NO_CUDA_BECAUSE ")";
 
 }  // namespace
 

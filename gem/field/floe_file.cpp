@@ -75,7 +75,7 @@ class CsvReader {
       }
     }
     if (columns_ == 0) refuse(path_, "no header line (the file is empty) write floe,x,y or floe,x,y,thickness");
-    finish();
+    check_outlines();
     return floes_;
   }
 
@@ -104,11 +104,10 @@ class CsvReader {
   }
 
   void start(const std::string& name) {
-    finish();
     if (!names_.insert(name).second)
       refuse(where(), "floe " + name + " comes a second time (the rows of a floe stand together) rename or move it");
     name_ = name;
-    first_line_ = line_;
+    places_.push_back(where() + ": floe " + name);
     floes_.emplace_back();
     floes_.back().thickness_m = 0.0;
   }
@@ -120,18 +119,18 @@ class CsvReader {
     floe.thickness_m = thickness;
   }
 
-  void finish() const {
-    if (floes_.empty()) return;
-    check_outline(floes_.back().outline_m, path_ + ":" + std::to_string(first_line_) + ": floe " + name_);
+  /// After all rows: of floes whose rows are mixed it is the rows that are wrong, not the outlines.
+  void check_outlines() const {
+    for (std::size_t i = 0; i < floes_.size(); ++i) check_outline(floes_[i].outline_m, places_[i]);
   }
 
   std::string path_;
   std::size_t line_ = 0;
-  std::size_t first_line_ = 0;
   std::size_t columns_ = 0;
   std::string name_;
   std::set<std::string> names_;
   std::vector<FloeDef> floes_;
+  std::vector<std::string> places_;  // of each floe, for messages
 };
 
 using Json = nlohmann::json;
@@ -198,9 +197,17 @@ bool ends_with(const std::string& path, const std::string& ending) {
 }  // namespace
 
 std::vector<FloeDef> read_floe_file(const std::string& path) {
-  if (ends_with(path, ".csv")) return CsvReader(path).read(read_text(path));
-  if (ends_with(path, ".geojson")) return read_geojson(path, read_text(path));
-  refuse(path, "unknown kind of floe file (known are .csv and .geojson) convert it");
+  std::vector<FloeDef> floes;
+  if (ends_with(path, ".csv")) {
+    floes = CsvReader(path).read(read_text(path));
+  } else if (ends_with(path, ".geojson")) {
+    floes = read_geojson(path, read_text(path));
+  } else {
+    refuse(path, "unknown kind of floe file (known are .csv, .geojson and run files) convert it");
+  }
+  if (floes.empty())
+    refuse(path, "no floes (the file ends before the first) add some or set floes.source = \"listed\"");
+  return floes;
 }
 
 }  // namespace gem

@@ -12,7 +12,7 @@ namespace gem {
 /// corner not repeated) or .geojson (FeatureCollection of Polygon features without holes, coordinates in m, optional
 /// property `thickness`). Outlines are in world coordinates, in either direction. A floe without thickness gets
 /// thickness_m = 0: the ice classes decide. Throws Error(file_system) if the file cannot be read and
-/// Error(scene_rejected) with file and line or feature for anything wrong in it.
+/// Error(scene_rejected) with file and line or feature for anything wrong in it, and for a file without floes.
 std::vector<FloeDef> read_floe_file(const std::string& path);
 
 }  // namespace gem

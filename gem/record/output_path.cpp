@@ -35,7 +35,14 @@ std::string system_reason(int code) { return std::generic_category().message(cod
 void test_write(const std::string& path) {
   std::string probe = folder_of(path) + "/.gem-write-test-XXXXXX";
   const int file = mkstemp(probe.data());
-  if (file < 0) refuse(path, "folder " + shown(folder_of(path)) + ": " + system_reason(errno), "choose another --out");
+  if (file < 0) {
+    const int fault = errno;
+    struct stat status {};
+    // /proc and its like answer "no such file" to whoever would make one in them
+    const bool there = fault == ENOENT && stat(folder_of(path).c_str(), &status) == 0;
+    refuse(path, "folder " + shown(folder_of(path)) + ": " + (there ? "it takes no files" : system_reason(fault)),
+           "choose another --out");
+  }
   const bool written = write(file, "gem", 3) == 3;
   const int write_errno = errno;
   const bool closed = close(file) == 0;

@@ -37,15 +37,22 @@ void write_whole(const RunData& run, const std::vector<double>& force, const std
   folder.write_csv(name, csv);
 }
 
-/// The extract at full resolution, and the crushing peaks of its impacts.
+/// Whether the mean over the window says more than that over a sample.
+bool has_window(const RunData& run) { return run.force_window_s > 1.5 * sample_interval(run.platform.time); }
+
+/// The extract at full resolution, and the crushing peaks of its impacts. Means are recorded at the end of what they
+/// are over: that over the window is moved to its middle.
 void write_window(const RunData& run, const Window& window, const Unit& unit, const Unit& peak_unit,
                   const PlotFolder& folder) {
   const PlatformRecord& p = run.platform;
   const SampleRange range = samples_within(p.time, window.from, window.to);
-  Csv samples("t [s],mean over a sample [" + unit.name + "],mean over the window [" + unit.name + "]");
-  for (std::size_t i = range.begin; i < range.end; ++i)
-    samples.row({p.time[i], p.ice_force_x[i] / unit.size, p.ice_force_mean_x[i] / unit.size});
+  Csv samples("t at the end [s],mean over a sample [" + unit.name + "]");
+  for (std::size_t i = range.begin; i < range.end; ++i) samples.row({p.time[i], p.ice_force_x[i] / unit.size});
   folder.write_csv("ice_force_window", samples);
+  Csv means("t at the middle [s],mean over the window [" + unit.name + "]");
+  for (std::size_t i = range.begin; i < range.end; ++i)
+    means.row({p.time[i] - 0.5 * run.force_window_s, p.ice_force_mean_x[i] / unit.size});
+  if (has_window(run)) folder.write_csv("ice_force_window_mean", means);
   Csv peaks("t [s],x component of the crushing peak [" + peak_unit.name + "]");
   for (const std::size_t i : opening_events(run.events))
     if (run.events.time[i] >= window.from && run.events.time[i] <= window.to)
@@ -67,9 +74,11 @@ std::string window_plots(const RunData& run, const Window& window, const std::st
            << "plot 0 with lines lc rgb '#8a8f98' lw 0.8 notitle, 'ice_force_peaks.csv' using 1:2 with impulses lc rgb "
               "'#d9b39c' lw 1.6 notitle, '' using 1:2 with points pt 7 ps 0.35 lc rgb '#c2571a' title 'each impact'\n"
            << "unset label 99\nset xlabel 'time [s]' offset 0,0.4\nset ylabel 'ice force, x [" << unit.name
-           << "]'\nplot 'ice_force_window.csv' using 1:2 with fsteps linestyle 1 title 'over each " << sample
-           << " s', '' using 1:3 with lines lc rgb '#440154' lw 1.8 title 'over " << number_text(run.force_window_s, 6)
-           << " s'\n";
+           << "]'\nplot 'ice_force_window.csv' using 1:2 with fsteps linestyle 1 title 'over each " << sample << " s'";
+  if (has_window(run))
+    commands << ", 'ice_force_window_mean.csv' using 1:2 with lines lc rgb '#440154' lw 1.8 title 'over "
+             << number_text(run.force_window_s, 6) << " s'";
+  commands << '\n';
   return commands.str();
 }
 
@@ -93,8 +102,9 @@ Figure draw_ice_force(const RunData& run, const PlotFolder& folder) {
   const std::string caption =
       "Net x force of the ice on the platform. Bottom: the whole record, the impulse of each " + sample +
       " s divided by " + sample + " s. Middle: the " + number_text(window.to - window.from, 2) +
-      " s around the record's largest value (marked below), with the mean over " + number_text(run.force_window_s, 6) +
-      " s. Top: the closed-form crushing peaks of the impacts in that time, which no impulse over a sample can show.";
+      " s around the record's largest value (marked below)" +
+      (has_window(run) ? ", with the mean over the " + number_text(run.force_window_s, 6) + " s about each time" : "") +
+      ". Top: the closed-form crushing peaks of the impacts in that time, which no impulse over a sample can show.";
   return folder.draw({"ice_force", "Net x force of the ice on the platform", caption, ""}, {1000, 780}, commands.str());
 }
 

@@ -61,10 +61,17 @@ width. It lasts about a tenth of a second or less and does not follow from the i
 side it is pressure times contact area whatever the speed, and lasts milliseconds: a bound on local load, not a load on
 the mooring. It is given for impacts, that is for events that follow at least a second without contact of the same
 floe.</p>
-<p>Mean values carry a 95 % interval from batch means, which allows for the slow memory of the motion. The spectral
-period carries the larger of a jackknife over the tapers and half a resolution cell. Zero up-crossings are of the
-record without its mean. Local maxima count every wiggle and are given so that counts by eye can be compared.</p>
+<p>Means, periods and contact are those of <code>gem analyse</code>, with intervals of 95 %. A mean has the interval of
+so many independent samples as its memory leaves, from sixteen natural periods on. The spectral period carries a
+jackknife over the tapers and half a resolution cell; where that spans more than a factor of two, the run does not
+resolve a main period. The mean times between zero up-crossings of the record without its mean, and between local
+maxima, are given from twenty of them on. Maxima count every wiggle, so that counts by eye can be compared.</p>
 </div></section>
+)";
+
+constexpr const char* kNoField = R"(<section><h2>The field</h2>
+<p class="notes">No frames recorded: pictures of the field need three frames of the floes
+(<code>output.floes_interval_s</code>).</p></section>
 )";
 
 std::string figure_html(const Figure& figure) {
@@ -88,17 +95,18 @@ std::string warning(const RunIdentity& identity) {
 
 }  // namespace
 
-std::string page_html(const RunData& run, const RunFindings& findings, const PageFigures& figures) {
+std::string page_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis,
+                      const PageFigures& figures) {
   const std::string name = escaped(run.identity.name);
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       name + " - run report</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
   html += "<header><h1>" + name + "</h1>\n<p>Ice loads on a moored platform: report of one run</p></header>\n";
-  html += warning(run.identity) + headline_html(run, findings);
-  html += section("The field", figures.field, false);
-  html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + motion_html(run, findings) +
-          loads_html(run, findings) + quality_html(run, findings) + identity_html(run) + "</section>\n";
+  html += warning(run.identity) + headline_html(run, findings, analysis);
+  html += figures.field.empty() ? kNoField : section("The field", figures.field, false);
+  html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + motion_html(run, findings, analysis) +
+          loads_html(run, findings, analysis) + quality_html(run, findings) + identity_html(run) + "</section>\n";
   html += section("Motion of the platform", figures.motion, true);
   html += section("Forces on the platform", figures.force, true);
   html += section("Books of the run", figures.books, false);

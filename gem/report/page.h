@@ -15,7 +15,8 @@ struct PageFigures {
 };
 
 /// Self-contained HTML: style and pictures inline, nothing loaded from elsewhere.
-std::string page_html(const RunData& run, const RunFindings& findings, const PageFigures& figures);
+std::string page_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis,
+                      const PageFigures& figures);
 
 /// Text made safe for HTML.
 std::string escaped(const std::string& text);

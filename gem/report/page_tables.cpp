@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
 #include "gem/base/number_text.h"
 #include "gem/report/display.h"
@@ -27,29 +28,46 @@ std::string stated(const std::string& text) { return text.empty() ? "not stated"
 std::string code(const std::string& text) { return text.empty() ? "not stated" : "<code>" + escaped(text) + "</code>"; }
 
 /// "12.3 &plusmn; 0.4 mm": both rounded where the uncertainty has two digits.
-std::string with_interval(const MeanEstimate& estimate, const Unit& unit) {
-  if (estimate.batches == 0) return "record too short";
-  const double half = estimate.half_width / unit.size;
+std::string mean_text(const Finding& mean, const Unit& unit) {
+  if (!mean.value) return "record too short";
+  if (!mean.interval) return with_unit(*mean.value, unit) + ", record too short for an interval";
+  const double half = 0.5 * (mean.interval->high - mean.interval->low) / unit.size;
   const int decimals = half > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(half))), 0, 9) : 3;
-  return decimal_text(estimate.mean / unit.size, decimals) + " &plusmn; " + decimal_text(half, decimals) + " " +
+  return decimal_text(*mean.value / unit.size, decimals) + " &plusmn; " + decimal_text(half, decimals) + " " +
          unit.name;
+}
+
+std::string ends_text(const IntervalEstimate& interval, const Unit& unit) {
+  return rounded_text(interval.low / unit.size, 3) + " to " + with_unit(interval.high, unit);
 }
 
 std::string at_time(double time, double duration) { return " at " + with_unit(time, time_unit(duration)); }
 
-std::string spectral_text(const std::optional<PeriodEstimate>& period) {
-  if (!period) return "not resolved";
-  return rounded_text(period->period, 3) + " s (" + rounded_text(period->low, 3) + " to " +
-         rounded_text(period->high, 3) + " s)";
+const Unit kSeconds{"s", 1.0};
+
+std::string period_text(const Finding& period) {
+  if (!period.value || !period.interval) return "not resolved";
+  return with_unit(*period.value, kSeconds) + " (" + ends_text(*period.interval, kSeconds) + ")";
 }
 
-std::string counted(double period, std::size_t count, const std::string& what) {
-  if (period <= 0.0) return "none";
-  return rounded_text(period, 3) + " s (" + std::to_string(count) + " " + what + ")";
+std::string contact_text(const Finding& fraction) {
+  if (!fraction.value) return "record too short";
+  const Unit percent{"%", 0.01};
+  return with_unit(*fraction.value, percent) +
+         (fraction.interval ? " (" + ends_text(*fraction.interval, percent) + ")" : "");
 }
 
 std::string figure_of_run(const std::string& value, const std::string& meaning) {
   return "<div><strong>" + value + "</strong><span>" + meaning + "</span></div>\n";
+}
+
+/// A period whose interval spans more than a factor of two is no main period.
+std::string main_period_html(const RunData& run, const Finding& period) {
+  if (!period.value || !period.interval) return "";
+  const bool resolved = period.interval->high <= 2.0 * period.interval->low;
+  std::string meaning = "main period in x, " + ends_text(*period.interval, kSeconds);
+  if (run.natural_period_s > 0.0) meaning += "; natural period " + with_unit(run.natural_period_s, kSeconds);
+  return figure_of_run(resolved ? with_unit(*period.value, kSeconds) : "not resolved", meaning);
 }
 
 std::string force_text(double force) { return with_unit(force, force_unit(std::abs(force))); }
@@ -61,16 +79,12 @@ std::string impulse_text(double impulse) { return with_unit(impulse, impulse_uni
 
 }  // namespace
 
-std::string headline_html(const RunData& run, const RunFindings& findings) {
+std::string headline_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis) {
   std::string html = "<section class=\"headline\">\n";
   if (!run.platform.time.empty()) {
     html += figure_of_run(with_unit(findings.radial_excursion, length_unit(findings.radial_excursion)),
                           "largest excursion of the platform");
-    if (findings.x.spectral)
-      html += figure_of_run(rounded_text(findings.x.spectral->period, 3) + " s",
-                            run.natural_period_s > 0.0
-                                ? "main period in x; natural period " + rounded_text(run.natural_period_s, 3) + " s"
-                                : "main period in x");
+    html += main_period_html(run, finding_of(analysis, "x_period_by_spectrum_s"));
     html += figure_of_run(force_text(findings.loads.mooring_largest), "largest mooring force");
     html += figure_of_run(force_text(findings.loads.ice_window_largest),
                           "largest ice force averaged over " + number_text(run.force_window_s, 6) + " s");
@@ -92,24 +106,25 @@ std::string identity_html(const RunData& run) {
   return table("Identity", rows);
 }
 
-std::string motion_html(const RunData& run, const RunFindings& findings) {
+std::string motion_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis) {
   if (run.platform.time.empty()) return "";
   const AxisMotion& x = findings.x;
   const AxisMotion& y = findings.y;
   const Unit unit = length_unit(findings.radial_excursion);
+  const auto named = [&](const std::string& name) { return finding_of(analysis, name); };
   std::string rows =
       "<tr><td></td><th scope=\"col\">x, along the current</th><th scope=\"col\">y, across</th></tr>\n" +
-      row("mean offset, 95 % interval", {with_interval(x.offset, unit), with_interval(y.offset, unit)}) +
+      row("mean offset, 95 % interval", {mean_text(named("x_offset_m"), unit), mean_text(named("y_offset_m"), unit)}) +
       row("standard deviation", {with_unit(x.deviation, unit), with_unit(y.deviation, unit)}) +
       row("largest excursion from rest", {with_unit(x.excursion, unit) + at_time(x.excursion_time, run.duration_s),
                                           with_unit(y.excursion, unit) + at_time(y.excursion_time, run.duration_s)}) +
       row("in the plane",
           {with_unit(findings.radial_excursion, unit) + at_time(findings.radial_time, run.duration_s), ""});
-  rows += row("period, spectral peak", {spectral_text(x.spectral), spectral_text(y.spectral)}) +
-          row("period, zero up-crossings", {counted(x.crossings.mean_period, x.crossings.count, "crossings"),
-                                            counted(y.crossings.mean_period, y.crossings.count, "crossings")}) +
-          row("period, local maxima", {counted(x.maxima.mean_period, x.maxima.count, "maxima"),
-                                       counted(y.maxima.mean_period, y.maxima.count, "maxima")});
+  const std::pair<const char*, const char*> ways[] = {{"period, spectral peak", "period_by_spectrum_s"},
+                                                      {"period, zero up-crossings", "period_by_crossings_s"},
+                                                      {"period, local maxima", "period_by_maxima_s"}};
+  for (const auto& [words, name] : ways)
+    rows += row(words, {period_text(named(std::string("x_") + name)), period_text(named(std::string("y_") + name))});
   if (run.natural_period_s > 0.0) {
     const std::string natural = rounded_text(run.natural_period_s, 4) + " s";
     rows += row("natural period, 2&pi;&radic;(M/k)", {natural, natural});
@@ -117,26 +132,28 @@ std::string motion_html(const RunData& run, const RunFindings& findings) {
   return table("Motion of the platform", rows);
 }
 
-std::string loads_html(const RunData& run, const RunFindings& findings) {
+std::string loads_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis) {
   if (run.platform.time.empty()) return "";
   const PlatformLoads& l = findings.loads;
   const std::string window = number_text(run.force_window_s, 6) + " s";
-  const double mean = std::hypot(l.ice_mean_x.mean, l.ice_mean_y.mean);
-  std::string rows = row("event impulse, largest of one event", {impulse_text(l.event_impulse_largest)}) +
-                     row("net impulse of one sample (" + number_text(l.sample_s, 6) + " s), largest",
-                         {impulse_text(l.sample_impulse_largest)}) +
-                     row("ice force averaged over " + window + ", largest", {force_text(l.ice_window_largest)}) +
-                     row("ice force averaged over the run, x", {with_interval(l.ice_mean_x, force_unit(mean))}) +
-                     row("ice force averaged over the run, y", {with_interval(l.ice_mean_y, force_unit(mean))}) +
-                     row("crushing peak of one impact (closed form), largest", {force_text(l.crushing_largest)}) +
-                     row("crushing peak of one impact, median", {force_text(l.crushing_median)}) +
-                     row("mooring force, largest", {force_text(l.mooring_largest)}) +
-                     row("mooring force averaged over the run, x",
-                         {with_interval(l.mooring_mean_x, force_unit(std::abs(l.mooring_mean_x.mean)))}) +
-                     row("events on the platform", {std::to_string(l.events)}) +
-                     row("impacts (events that open a touch)", {std::to_string(l.touches)}) +
-                     row("arrivals (different floes that hit it)", {std::to_string(l.arrivals)}) +
-                     row("samples with contact", {rounded_text(100.0 * l.contact_fraction, 3) + " %"});
+  const Unit mean_unit = force_unit(std::hypot(l.ice_mean_x, l.ice_mean_y));
+  const Finding mooring = finding_of(analysis, "mooring_force_x_mean_N");
+  std::string rows =
+      row("event impulse, largest of one event", {impulse_text(l.event_impulse_largest)}) +
+      row("net impulse of one sample (" + number_text(l.sample_s, 6) + " s), largest",
+          {impulse_text(l.sample_impulse_largest)}) +
+      row("ice force averaged over " + window + ", largest", {force_text(l.ice_window_largest)}) +
+      row("ice force averaged over the run, x", {mean_text(finding_of(analysis, "ice_force_x_mean_N"), mean_unit)}) +
+      row("ice force averaged over the run, y", {mean_text(finding_of(analysis, "ice_force_y_mean_N"), mean_unit)}) +
+      row("crushing peak of one impact (closed form), largest", {force_text(l.crushing_largest)}) +
+      row("crushing peak of one impact, median", {force_text(l.crushing_median)}) +
+      row("mooring force, largest", {force_text(l.mooring_largest)}) +
+      row("mooring force averaged over the run, x",
+          {mean_text(mooring, force_unit(std::abs(mooring.value.value_or(0.0))))}) +
+      row("events on the platform", {std::to_string(l.events)}) +
+      row("impacts (events that open a touch)", {std::to_string(l.touches)}) +
+      row("arrivals (different floes that hit it)", {std::to_string(l.arrivals)}) +
+      row("samples with contact", {contact_text(finding_of(analysis, "contact_fraction"))});
   return table("Loads on the platform", rows);
 }
 

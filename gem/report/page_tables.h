@@ -2,16 +2,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "gem/report/run_data.h"
 #include "gem/report/run_findings.h"
 
 namespace gem {
 
-std::string headline_html(const RunData& run, const RunFindings& findings);
+std::string headline_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis);
 std::string identity_html(const RunData& run);
-std::string motion_html(const RunData& run, const RunFindings& findings);
-std::string loads_html(const RunData& run, const RunFindings& findings);
+std::string motion_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis);
+std::string loads_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis);
 std::string quality_html(const RunData& run, const RunFindings& findings);
 
 }  // namespace gem

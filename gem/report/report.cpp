@@ -36,7 +36,7 @@ void write_report(const RunData& run, const std::string& out_dir, bool allow_inc
   const PageFigures figures{field_figures(run, plots), motion_figures(run, findings, plots), force_figures(run, plots),
                             book_figures(run, plots)};
   std::ofstream page(folder / "index.html", std::ios::binary);
-  page << page_html(run, findings, figures);
+  page << page_html(run, findings, whole_run_analysis(run), figures);
   page.close();
   if (!page)
     throw Error(ExitCode::file_system, "cannot write " + (folder / "index.html").string() +

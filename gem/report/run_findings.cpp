@@ -8,16 +8,10 @@
 
 #include "gem/analysis/spectrum.h"
 #include "gem/base/error.h"
+#include "gem/report/platform_series.h"
 
 namespace gem {
 namespace {
-
-/// Batches of four natural periods are longer than the memory of the motion; between 5 and 20 of them.
-std::size_t batch_count(const RunData& run) {
-  if (run.natural_period_s <= 0.0) return 20;
-  const double batches = run.duration_s / (4.0 * run.natural_period_s);
-  return static_cast<std::size_t>(std::clamp(batches, 5.0, 20.0));
-}
 
 std::vector<double> from_rest(const std::vector<double>& position, double rest) {
   std::vector<double> result = position;
@@ -34,12 +28,9 @@ AxisMotion axis_motion(const RunData& run, const std::vector<double>& position, 
   axis.excursion_time = run.platform.time[largest.sample];
   if (motion.size() < kSamplesForStatistics) return axis;
   const double interval = sample_interval(run.platform.time);
-  axis.offset = batch_mean(motion, batch_count(run));
   const std::vector<Spectrum> spectra = eigenspectra(motion, interval);
   axis.spectral = spectral_period(spectra);
   axis.spectrum = mean_spectrum(spectra);
-  axis.crossings = zero_up_crossings(motion, interval);
-  axis.maxima = local_maxima(motion, interval);
   return axis;
 }
 
@@ -62,9 +53,8 @@ PlatformLoads loads(const RunData& run) {
   if (p.time.size() >= kSamplesForStatistics) {
     result.sample_s = sample_interval(p.time);
     result.sample_impulse_largest = largest_length(p.ice_force_x, p.ice_force_y) * result.sample_s;
-    result.ice_mean_x = batch_mean(p.ice_force_x, batch_count(run));
-    result.ice_mean_y = batch_mean(p.ice_force_y, batch_count(run));
-    result.mooring_mean_x = batch_mean(p.mooring_force_x, batch_count(run));
+    result.ice_mean_x = moments(p.ice_force_x).mean;
+    result.ice_mean_y = moments(p.ice_force_y).mean;
   }
   result.events = run.events.time.size();
   result.arrivals = std::set<std::int32_t>(run.events.body_b.begin(), run.events.body_b.end()).size();
@@ -126,6 +116,11 @@ RunFindings run_findings(const RunData& run) {
   findings.radial_time = run.platform.time[radial.sample];
   findings.loads = loads(run);
   return findings;
+}
+
+std::vector<Finding> whole_run_analysis(const RunData& run) {
+  if (run.platform.time.size() < kSamplesForStatistics) return {};
+  return analyse_platform(platform_series(run));
 }
 
 }  // namespace gem

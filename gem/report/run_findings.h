@@ -7,33 +7,30 @@
 
 #include "gem/analysis/moments.h"
 #include "gem/analysis/period.h"
+#include "gem/analysis/run_analysis.h"
 #include "gem/report/run_data.h"
 
 namespace gem {
 
 /// One axis of the platform's motion, measured from rest [m, s].
 struct AxisMotion {
-  MeanEstimate offset;
   double deviation = 0.0;
   double excursion = 0.0;  // signed
   double excursion_time = 0.0;
   std::optional<PeriodEstimate> spectral;
-  Crossings crossings;
-  Maxima maxima;
   Spectrum spectrum;
 };
 
 /// Three ice load channels that are never mixed, and the mooring. Largest values are magnitudes in the plane.
 struct PlatformLoads {
-  double sample_s = 0.0;                // one sample of the platform record [s]
-  double sample_impulse_largest = 0.0;  // net ice impulse of one sample [N s]
-  double event_impulse_largest = 0.0;   // normal impulse of one event [N s]
-  double ice_window_largest = 0.0;      // of the window average [N]
-  MeanEstimate ice_mean_x, ice_mean_y;  // over the run [N]
-  double crushing_largest = 0.0;        // closed-form peak among the events that open a touch [N]
+  double sample_s = 0.0;                      // one sample of the platform record [s]
+  double sample_impulse_largest = 0.0;        // net ice impulse of one sample [N s]
+  double event_impulse_largest = 0.0;         // normal impulse of one event [N s]
+  double ice_window_largest = 0.0;            // of the window average [N]
+  double ice_mean_x = 0.0, ice_mean_y = 0.0;  // over the run [N]
+  double crushing_largest = 0.0;              // closed-form peak among the events that open a touch [N]
   double crushing_median = 0.0;
   double mooring_largest = 0.0;  // [N]
-  MeanEstimate mooring_mean_x;   // [N]
   double contact_fraction = 0.0;
   std::size_t events = 0;
   std::size_t touches = 0;   // events that follow at least kTouchGap without one of the same floe
@@ -51,6 +48,7 @@ struct RunQuality {
   double speed = 0.0;                                // simulated over wall time
 };
 
+/// What single samples and events say. What needs an interval is in the analysis.
 struct RunFindings {
   AxisMotion x, y;
   double radial_excursion = 0.0;  // [m]
@@ -68,6 +66,9 @@ std::vector<std::size_t> opening_events(const EventRecord& events);
 
 /// Computes everything that the run's records allow; the rest stays zero or empty.
 RunFindings run_findings(const RunData& run);
+
+/// What analyse_platform() says of the whole run; empty for a record too short to analyse.
+std::vector<Finding> whole_run_analysis(const RunData& run);
 
 /// Interval of evenly sampled times [s]. Throws Error(file_system) if the samples are not even to 1e-6.
 double sample_interval(const std::vector<double>& time);

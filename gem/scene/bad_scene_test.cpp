@@ -192,8 +192,18 @@ TEST(BadScene, AllProblemsAreReportedTogetherOneLineEach) {
     EXPECT_NE(message.find(place), std::string::npos) << place << " in " << message;
 }
 
+TEST(BadScene, AnUnknownKeyLikeNoOtherGetsAHint) {
+  const std::string message = rejection("[nothing]\nx = 1\n[run]\nqqqqqqqqqqqqqqqqqq = 1\n[[floe]]\nqqqqqqqqqq = 1\n");
+  EXPECT_EQ(message.find(";\n"), std::string::npos) << message;
+  EXPECT_NE(message.find("nothing: unknown section; `gem case explain` lists what there is"), std::string::npos)
+      << message;
+  EXPECT_NE(message.find("unknown key; `gem case explain` lists what there is"), std::string::npos) << message;
+}
+
 TEST(BadScene, OverridesNameThemselves) {
-  EXPECT_NE(rejection("", {"platform.mas=3"}).find("--set platform.mas=3:1:10: platform.mas: unknown key"),
+  EXPECT_NE(rejection("", {"platform.mas=3"}).find("--set platform.mas=3: platform.mas: unknown key"),
+            std::string::npos);
+  EXPECT_NE(rejection("", {"--until run.duration_s=-5"}).find("--until -5: run.duration_s: out of range"),
             std::string::npos);
   EXPECT_NE(rejection("", {"contact.resolution=coupled"}).find("text needs quotes"), std::string::npos);
 }

@@ -39,6 +39,8 @@ std::vector<Row> all_rows() {
   return rows;
 }
 
+std::string section_of(const std::string& path) { return path.substr(0, path.rfind('.')); }
+
 std::vector<Row> rows_of(const std::string& key) {
   const std::vector<Row> rows = all_rows();
   if (key.empty()) return rows;
@@ -46,11 +48,13 @@ std::vector<Row> rows_of(const std::string& key) {
   std::vector<std::string> names;
   for (const Row& row : rows) {
     names.push_back(row.info.path);
+    const std::string section = section_of(row.info.path);
+    if (std::find(names.begin(), names.end(), section) == names.end()) names.push_back(section);
     if (row.info.path == key || row.info.path.starts_with(key + ".")) found.push_back(row);
   }
   if (found.empty())
     throw Error(ExitCode::usage,
-                "unknown key " + value_text(key) + " (not in the option table)" + suggestion(key, names));
+                "unknown key " + value_text(key) + " (not in the option table)" + suggestion_or_list(key, names));
   return found;
 }
 
@@ -75,15 +79,14 @@ std::string explain(const std::string& key) {
   std::string text;
   std::string open;
   for (const Row& row : rows_of(key)) {
-    const std::size_t dot = row.info.path.rfind('.');
-    const std::string section = row.info.path.substr(0, dot);
+    const std::string section = section_of(row.info.path);
     if (section != open) {
       if (!text.empty()) text += '\n';
       text += heading(section) + "\n";
       open = section;
     }
-    text += row.info.path.substr(dot + 1) + " = " + (row.default_text.empty() ? "(must be given)" : row.default_text) +
-            "\n";
+    text += row.info.path.substr(section.size() + 1) + " = " +
+            (row.default_text.empty() ? "(must be given)" : row.default_text) + "\n";
     text += "    " + row.info.doc + "\n    " + type_name(row.info.type);
     if (!row.info.unit.empty()) text += ", " + row.info.unit;
     const std::string allowed = allowed_text(row.info);

@@ -93,9 +93,27 @@ TomlNode load_text(const std::string& text, const std::string& origin) {
   return with_includes(parse_toml(text, origin), {}, open);
 }
 
+namespace {
+
+/// An override is one line that the user has before him: its option says enough.
+void forget_lines(TomlNode& node) {
+  node.place.line = node.key_place.line = 0;
+  for (auto& entry : node.entries) forget_lines(entry.second);
+  for (TomlNode& item : node.items) forget_lines(item);
+}
+
+}  // namespace
+
 TomlNode parse_override(const std::string& text) {
+  const std::size_t space = text.starts_with("--") ? text.find(' ') : std::string::npos;
+  const std::string assignment = space == std::string::npos ? text : text.substr(space + 1);
+  const std::string given = space == std::string::npos
+                                ? "--set " + text
+                                : text.substr(0, space + 1) + assignment.substr(assignment.find('=') + 1);
   try {
-    return parse_toml(text, "--set " + text);
+    TomlNode tree = parse_toml(assignment, given);
+    forget_lines(tree);
+    return tree;
   } catch (const Error& error) {
     throw Error(error.code(), std::string(error.what()) + " (--set takes key=value in TOML syntax; text needs quotes)");
   }

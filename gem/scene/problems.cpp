@@ -79,4 +79,9 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
   return nearest.empty() ? "" : " did you mean `" + nearest + "`?";
 }
 
+std::string suggestion_or_list(const std::string& name, const std::vector<std::string>& candidates) {
+  const std::string near = suggestion(name, candidates);
+  return near.empty() ? " `gem case explain` lists what there is" : near;
+}
+
 }  // namespace gem

@@ -26,4 +26,7 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
 /// " did you mean `x`?" or "" if nothing is close.
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
 
+/// The same for keys of a case, or where they are listed if nothing is close.
+std::string suggestion_or_list(const std::string& name, const std::vector<std::string>& candidates);
+
 }  // namespace gem

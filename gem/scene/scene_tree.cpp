@@ -41,7 +41,7 @@ T read_entry(const TomlNode& node, const std::string& key, const std::vector<Opt
   for (const auto& [name, value] : node.entries) {
     const Option<T>* option = find_option(options, name);
     if (option == nullptr)
-      problems.add(value.key_place, key + "." + name, "unknown key;" + suggestion(name, paths_of(options, "")));
+      problems.add(value.key_place, key + "." + name, "unknown key;" + suggestion_or_list(name, paths_of(options, "")));
     else if (const auto read = read_value(*option, key + "." + name, value, problems))
       option->set(out, *read);
   }
@@ -71,7 +71,7 @@ void read_section(const std::string& section, const TomlNode& node, SceneDef& sc
     } else if (const auto* option = find_option(scene_options(), path)) {
       if (const auto read = read_value(*option, path, value, problems)) option->set(scene, *read);
     } else {
-      problems.add(value.key_place, path, "unknown key;" + suggestion(path, known_keys()));
+      problems.add(value.key_place, path, "unknown key;" + suggestion_or_list(path, known_keys()));
     }
   }
 }
@@ -98,7 +98,8 @@ SceneDef scene_from_tree(const TomlNode& document, Problems& problems) {
       const bool table = value.kind == TomlKind::table;
       std::vector<std::string> candidates = known_keys();
       if (table) candidates.assign(sections.begin(), sections.end());
-      problems.add(value.key_place, name, (table ? "unknown section;" : "unknown key;") + suggestion(name, candidates));
+      problems.add(value.key_place, name,
+                   (table ? "unknown section;" : "unknown key;") + suggestion_or_list(name, candidates));
     } else if (value.kind != TomlKind::table) {
       problems.add(value.place, name, "wrong type (value " + describe(value) + ", expected [" + name + "])");
     } else {

@@ -59,7 +59,8 @@ void add_floe_source(SceneTable& t) {
   t.choice("floes.source", {"generated", "copied", "file", "listed"},
            "where the floes come from: a generated field, copies of a few shapes, a file, or [[floe]]",
            GEM_FIELD(floes.source));
-  t.text("floes.path", "floe file for source = \"file\": .csv, .geojson or a run file, relative to the case file",
+  t.text("floes.path",
+         "floe file for source = \"file\": .csv, .geojson or a run file (its start), relative to the case file",
          GEM_FIELD(floes.path));
   t.integer("floes.count", {0.0, 1e7}, "number of floes", GEM_FIELD(floes.count));
   t.number("floes.length_m", "m", extent_range, "length of the field along the current", GEM_FIELD(floes.length_m));

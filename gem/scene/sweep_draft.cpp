@@ -174,7 +174,8 @@ class ProductSweep {
 std::vector<Draft> list_drafts(const TomlNode& sweep) {
   for (const auto& [key, value] : sweep.entries)
     if (key != "mode" && key != "run" && key != "seeds")
-      reject(value.key_place, "sweep." + key, "unknown key;" + suggestion(key, {"mode", "run", "seeds"}));
+      reject(value.key_place, "sweep." + key,
+             "unknown key (known are mode, run and seeds)" + suggestion(key, {"mode", "run", "seeds"}));
   const TomlNode* runs = sweep.find("run");
   if (runs == nullptr) reject(sweep.key_place, "sweep.run", "missing; give [[sweep.run]]");
   std::vector<Draft> out;
@@ -209,7 +210,8 @@ std::vector<Draft> with_seeds(std::vector<Draft> drafts, const TomlNode& sweep) 
   expect(*seeds, TomlKind::table, "sweep.seeds", "{ count, first }");
   for (const auto& [key, value] : seeds->entries)
     if (key != "count" && key != "first")
-      reject(value.key_place, "sweep.seeds." + key, "unknown key;" + suggestion(key, {"count", "first"}));
+      reject(value.key_place, "sweep.seeds." + key,
+             "unknown key (known are count and first)" + suggestion(key, {"count", "first"}));
   const auto most = static_cast<std::int64_t>(members_maximum / std::max<std::size_t>(1, drafts.size()));
   const std::int64_t count = seed_number(*seeds, "count", 1, most, 1);
   const std::int64_t first = seed_number(*seeds, "first", 0, std::int64_t{1} << 52, 1);

@@ -44,6 +44,13 @@ if(GEM_HAS_CUDA)
   list(APPEND simulator_sources ${cuda_sources})
   # As on the host: a*b+c is never contracted.
   set_source_files_properties(${cuda_sources} PROPERTIES COMPILE_OPTIONS "--fmad=false;-lineinfo;-Xcompiler=-ffp-contract=off")
+else()
+  set(no_cuda_because "no CUDA compiler was found when it was configured")
+  if(GEM_CUDA STREQUAL OFF)
+    set(no_cuda_because "it was configured with GEM_CUDA=OFF")
+  endif()
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/cuda_missing.cpp PROPERTIES COMPILE_DEFINITIONS
+    "GEM_NO_CUDA_BECAUSE=\"${no_cuda_because}\"")
 endif()
 # The compiler tells how packs of numbers are passed although every function on them is inlined; the header's pragma does
 # not reach what is told at the end of the file.

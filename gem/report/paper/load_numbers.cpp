@@ -35,7 +35,7 @@ void add_load_numbers(const NumberSource& source, Numbers& numbers) {
   const PlatformSeries& series = source.series;
   const PlatformLoads& loads = source.loads;
   if (loads.events == 0 && loads.contact_fraction == 0.0) return;
-  const double mean = std::hypot(loads.ice_mean_x.mean, loads.ice_mean_y.mean);
+  const double mean = std::hypot(loads.ice_mean_x, loads.ice_mean_y);
   const double sample_peak = loads.sample_impulse_largest / loads.sample_s;
   numbers.add("ice_mean_N", mean);
   numbers.add("ice_peak_sample_N", sample_peak);

@@ -1,9 +1,10 @@
-// Blocks of moments up to the next frame of any scene.
+// Scenes go on side by side, each up to its own next frame or as far as the engine takes it in one go.
 #include "gem/run_batch.h"
 
 #include <algorithm>
 #include <memory>
 
+#include "gem/engine/thread_team.h"
 #include "gem/run_signals.h"
 #include "gem/run_steps.h"
 
@@ -13,7 +14,12 @@ namespace {
 class BatchRun {
  public:
   BatchRun(const std::vector<SceneDef>& scenes, EngineBatch& batch, const std::vector<RunOptions>& options)
-      : batch_(batch), options_(options), logs_(scenes.size()), ends_(scenes.size()), runs_(scenes.size()) {
+      : batch_(batch),
+        options_(options),
+        logs_(scenes.size()),
+        ends_(scenes.size()),
+        runs_(scenes.size()),
+        team_(team_size(options)) {
     for (std::size_t k = 0; k < scenes.size(); ++k)
       guarded(k, [&] { runs_[k] = std::make_unique<RunSteps>(scenes[k], batch.engine(k), options[k]); });
   }
@@ -22,10 +28,11 @@ class BatchRun {
     const StopSignals signals;
     each([](RunSteps& run, std::size_t) { run.begin(); });
     int stop = 0;
-    while (std::int64_t moments = moments_ahead()) {
+    finish(0, [](const RunSteps& run) { return run.at_end(); });
+    while (std::any_of(runs_.begin(), runs_.end(), [](const auto& run) { return run != nullptr; })) {
       stop = stop_signal_of(options_.front());
       if (stop != 0) break;
-      advance(moments);
+      advance();
       finish(0, [](const RunSteps& run) { return run.at_end(); });
     }
     finish(stop, [](const RunSteps&) { return true; });
@@ -67,31 +74,38 @@ class BatchRun {
     runs_[k].reset();
   }
 
-  /// 0: every run is at its end or has failed.
-  std::int64_t moments_ahead() const {
-    std::int64_t least = 0;
-    for (const auto& run : runs_)
-      if (run && !run->at_end()) least = least == 0 ? run->moments_ahead() : std::min(least, run->moments_ahead());
-    return least;
+  /// Threads that record: what a scene's moments left is its own.
+  static int team_size(const std::vector<RunOptions>& options) {
+    constexpr int most = 16;
+    return std::clamp(options.front().threads, 1, std::min(most, static_cast<int>(options.size())));
   }
 
   /// Moves on what is neither over nor failed.
-  void advance(std::int64_t moments) {
-    std::vector<std::int64_t> goal(batch_.size()), some(batch_.size(), 0);
-    for (std::size_t k = 0; k < goal.size(); ++k) {
+  void advance() {
+    constexpr std::int64_t most_moments =
+        256;  // of one call: progress, the disk and signals are looked at between them
+    std::vector<MomentsAhead> ahead(batch_.size());
+    for (std::size_t k = 0; k < ahead.size(); ++k) {
       if (!runs_[k]) continue;
       runs_[k]->prepare(logs_[k]);
-      some[k] = runs_[k]->at_end() ? 0 : moments;
-      goal[k] = batch_.engine(k).moment() + some[k];
+      ahead[k] = {runs_[k]->moments_ahead(most_moments), runs_[k]->moments_left()};
     }
+    std::vector<std::exception_ptr> faults;
     try {
-      batch_.advance(some, logs_);
-    } catch (const Error& error) {
-      const bool of_a_scene = error.code() == ExitCode::numerical_stop;
-      for (std::size_t k = 0; k < goal.size(); ++k)
-        if (runs_[k] && (!of_a_scene || batch_.engine(k).moment() < goal[k])) fail(k, error);
+      faults = batch_.advance(ahead, logs_);
+    } catch (const Error&) {
+      faults.assign(ahead.size(), std::current_exception());
     }
-    each([this](RunSteps& run, std::size_t k) { run.take(logs_[k]); });
+    team_.run([&](int rank) {
+      for (std::size_t k = static_cast<std::size_t>(rank); k < runs_.size();
+           k += static_cast<std::size_t>(team_.size()))
+        if (runs_[k]) guarded(k, [&] { take(k, faults[k]); });
+    });
+  }
+
+  void take(std::size_t k, const std::exception_ptr& fault) {
+    if (fault) std::rethrow_exception(fault);
+    if (!logs_[k].platform.empty()) runs_[k]->take(logs_[k]);
   }
 
   EngineBatch& batch_;
@@ -99,6 +113,7 @@ class BatchRun {
   std::vector<MomentLog> logs_;
   std::vector<BatchEnd> ends_;
   std::vector<std::unique_ptr<RunSteps>> runs_;  // empty: over
+  ThreadTeam team_;
 };
 
 }  // namespace

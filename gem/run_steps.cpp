@@ -18,7 +18,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t block_moments = 64;
 constexpr std::size_t slab_frames = 64;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -62,9 +61,9 @@ RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& opti
 
 void RunSteps::begin() { start_ = flushed_ = Clock::now(); }
 
-std::int64_t RunSteps::moments_ahead() const {
+std::int64_t RunSteps::moments_ahead(std::int64_t most) const {
   const std::int64_t now = engine_.moment();
-  return std::min({now + block_moments, recorder_.next_frame(), last_moment_}) - now;
+  return std::min({now + most, recorder_.next_frame(), last_moment_}) - now;
 }
 
 void RunSteps::prepare(MomentLog& log) const {

@@ -18,8 +18,10 @@ class RunSteps {
   /// Starts the clock of the run.
   void begin();
   bool at_end() const { return engine_.moment() >= last_moment_; }
-  /// Moments up to the next frame, or to where progress and the disk are looked at.
-  std::int64_t moments_ahead() const;
+  /// Moments up to the next frame, or to where progress and the disk are looked at: `most`.
+  std::int64_t moments_ahead(std::int64_t most = 64) const;
+  /// Moments up to the end.
+  std::int64_t moments_left() const { return last_moment_ - engine_.moment(); }
   /// Empties a log for the next moments.
   void prepare(MomentLog& log) const;
   /// Records and checks the moments that the engine has made; `log` holds them. Throws like run_scene.

@@ -1,15 +1,15 @@
-// How the multiprocessors of a GPU are shared out among the scenes of a batch.
+// How the multiprocessors of a GPU are shared out among the scenes of a batch, in space and in time.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 namespace gem {
-
-/// More are worth it only where each scene can have them.
-constexpr int largest_share = 8;
 
 /// The most blocks that a scene is given: more than one for so many bodies would only wait for each other, and every
 /// block needs a body of its own.
@@ -18,31 +18,70 @@ inline int useful_blocks(std::size_t bodies) {
   return static_cast<int>(std::clamp<std::size_t>(bodies / bodies_worth_a_block, 1, most));
 }
 
-/// Blocks of each scene, `equal` if all have as many. `work` is what a moment of each took lately, time times blocks in
-/// any unit. Scenes that take longest get more, until all are about equally long or the multiprocessors are used up;
-/// where there are too many scenes for that, all have as many.
-inline std::vector<int> share_blocks(const std::vector<double>& work, int multiprocessors, int equal) {
-  constexpr int sizes[] = {2, 3, 4, 6, largest_share};
-  // clusters of several sizes do not fill the device: with 0.97 some had to wait for others
-  constexpr double usable = 0.9;
-  const int most = static_cast<int>(usable * multiprocessors);
-  int left = most - sizes[0] * static_cast<int>(work.size());
-  if (left < static_cast<int>(work.size()) / 4) return std::vector<int>(work.size(), equal);
+/// Clusters of these many blocks stand side by side without a gap, the larger ones placed first, for each divides the
+/// next.
+constexpr std::array<int, 5> share_sizes = {1, 2, 4, 8, 16};
+/// More are worth it only where each scene can have them.
+constexpr int largest_share = share_sizes.back();
+/// How many clusters of each size the device runs at the same time where there are no others.
+using ClusterRoom = std::array<int, share_sizes.size()>;
+
+/// Whether as many clusters of each size run at the same time.
+inline bool fit_together(const ClusterRoom& clusters, const ClusterRoom& room) {
+  for (std::size_t size = 0; size < share_sizes.size(); ++size) {
+    int taken = 0;
+    for (std::size_t larger = size; larger < share_sizes.size(); ++larger)
+      taken += clusters[larger] * (share_sizes[larger] / share_sizes[size]);
+    if (taken > room[size]) return false;
+  }
+  return true;
+}
+
+/// Blocks of each scene, `equal` if all have as many. `work` is what each has ahead, time times blocks in any unit.
+/// Scenes that take longest get more, until the device is full; where there are too many scenes for that, all have as
+/// many. No scene gets more than is useful for it.
+inline std::vector<int> share_blocks(const std::vector<double>& work, const std::vector<int>& useful,
+                                     const ClusterRoom& room, int equal) {
+  ClusterRoom clusters{};
+  clusters[0] = static_cast<int>(work.size());
+  if (!fit_together(clusters, room)) return std::vector<int>(work.size(), equal);
   std::vector<std::size_t> size(work.size(), 0);
-  const auto time = [&](std::size_t k) { return work[k] / sizes[size[k]]; };
+  std::vector<bool> grows(work.size(), true);
+  const auto time = [&](std::size_t k) { return work[k] / share_sizes[size[k]]; };
   for (;;) {
-    std::size_t longest = 0;
-    for (std::size_t k = 1; k < work.size(); ++k)
-      if (time(k) > time(longest)) longest = k;
-    if (size[longest] + 1 == std::size(sizes)) break;
-    const int more = sizes[size[longest] + 1] - sizes[size[longest]];
-    if (more > left) break;
-    left -= more;
-    ++size[longest];
+    std::size_t longest = work.size();
+    for (std::size_t k = 0; k < work.size(); ++k)
+      if (grows[k] && (longest == work.size() || time(k) > time(longest))) longest = k;
+    if (longest == work.size()) break;
+    const std::size_t next = size[longest] + 1;
+    ClusterRoom grown = clusters;
+    if (next < share_sizes.size()) --grown[next - 1], ++grown[next];
+    if (next == share_sizes.size() || share_sizes[next] > useful[longest] || !fit_together(grown, room)) {
+      grows[longest] = false;
+      continue;
+    }
+    clusters = grown;
+    size[longest] = next;
   }
   std::vector<int> blocks;
-  for (const std::size_t chosen : size) blocks.push_back(sizes[chosen]);
+  for (const std::size_t chosen : size) blocks.push_back(share_sizes[chosen]);
   return blocks;
+}
+
+/// Moments of each scene in one launch, so that all end at about the same time: the quickest makes `most`, a slower one
+/// fewer, none fewer than `fewest`. `time` is that of a moment of each, in any unit.
+inline std::vector<std::int64_t> share_moments(const std::vector<double>& time, std::int64_t fewest,
+                                               std::int64_t most) {
+  double quickest = std::numeric_limits<double>::infinity(), slowest = 0.0;
+  for (const double one : time) {
+    quickest = std::min(quickest, one);
+    slowest = std::max(slowest, one);
+  }
+  const double all = std::max(static_cast<double>(most) * quickest, static_cast<double>(fewest) * slowest);
+  std::vector<std::int64_t> moments;
+  for (const double one : time)
+    moments.push_back(static_cast<std::int64_t>(std::min(static_cast<double>(most), all / one)));
+  return moments;
 }
 
 }  // namespace gem

@@ -2,6 +2,7 @@
 #include "gem/engine/cuda_engine.h"
 
 #include <algorithm>
+#include <bit>
 #include <exception>
 #include <map>
 
@@ -23,6 +24,9 @@ CudaDevice chosen_device(int index) {
 }  // namespace
 
 class CudaBatch::Work {
+  /// Of the slowest scene in one launch: fewer would not be worth the start.
+  static constexpr std::int64_t fewest_moments = 16;
+
  public:
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
       : device_(on_device(options)),
@@ -49,20 +53,20 @@ class CudaBatch::Work {
     for (BatchScene& scene : scenes) scenes_.emplace_back(std::move(scene), options, most, status++);
   }
 
-  void advance(std::vector<std::int64_t> left, std::vector<MomentLog>* logs) {
-    use();
-    device_time_ = 0.0;
-    fault_ = nullptr;
-    for (std::size_t k = 0; k < scenes_.size(); ++k) {
-      if (left[k] == 0) continue;
-      scenes_[k].check_start();
-      scenes_[k].want_events(logs && (*logs)[k].wants_events);
-    }
-    for (std::vector<std::size_t> active = unfinished(left); !active.empty(); active = unfinished(left)) {
-      launch(active, left);
-      for (const std::size_t k : active) collect(k, left[k], logs ? &(*logs)[k] : nullptr);
-    }
-    if (fault_) std::rethrow_exception(fault_);
+  void advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>* logs) {
+    std::vector<MomentsAhead> ahead;
+    for (const std::int64_t some : moments) ahead.push_back({some, some});
+    begin(ahead, logs);
+    while (std::any_of(ahead.begin(), ahead.end(), [](const MomentsAhead& one) { return one.most > 0; }))
+      launch(ahead, logs);
+    for (const std::exception_ptr& fault : faults_)
+      if (fault) std::rethrow_exception(fault);
+  }
+
+  std::vector<std::exception_ptr> advance_some(std::vector<MomentsAhead> ahead, std::vector<MomentLog>& logs) {
+    begin(ahead, &logs);
+    launch(ahead, &logs);
+    return faults_;
   }
 
   CudaScene& scene(std::size_t k) {
@@ -83,11 +87,15 @@ class CudaBatch::Work {
     return device;
   }
 
-  static std::vector<std::size_t> unfinished(const std::vector<std::int64_t>& left) {
-    std::vector<std::size_t> active;
-    for (std::size_t k = 0; k < left.size(); ++k)
-      if (left[k] > 0) active.push_back(k);
-    return active;
+  void begin(const std::vector<MomentsAhead>& ahead, const std::vector<MomentLog>* logs) {
+    use();
+    device_time_ = 0.0;
+    faults_.assign(scenes_.size(), nullptr);
+    for (std::size_t k = 0; k < scenes_.size(); ++k) {
+      if (ahead[k].most == 0) continue;
+      scenes_[k].check_start();
+      scenes_[k].want_events(logs && (*logs)[k].wants_events);
+    }
   }
 
   /// Blocks of each scene where so many share the GPU.
@@ -101,29 +109,50 @@ class CudaBatch::Work {
 
   void use() const { check_cuda(cudaSetDevice(device_.index), "be chosen"); }
 
-  /// Shares the GPU out among some scenes.
-  void share_out(const std::vector<std::size_t>& active) {
+  /// Shares the GPU out among some scenes: as many blocks each where that fills it better than clusters can.
+  void share_out(const std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
     const int equal = blocks_for(active.size());
     std::vector<double> work;
-    for (const std::size_t k : active) work.push_back(work_[k]);
+    std::vector<int> useful;
+    for (const std::size_t k : active) {
+      work.push_back(work_[k] * static_cast<double>(ahead[k].all));
+      useful.push_back(useful_[k]);
+    }
     const bool even = chosen_blocks_ > 0 || equal > largest_share;
     const std::vector<int> blocks =
-        even ? std::vector<int>(active.size(), equal) : share_blocks(work, device_.multiprocessors, equal);
-    for (std::size_t at = 0; at < active.size(); ++at)
-      share_[active[at]] = std::min(even ? equal : blocks[at], useful_[active[at]]);
+        even ? std::vector<int>(active.size(), equal) : share_blocks(work, useful, cluster_room(), equal);
+    for (std::size_t at = 0; at < active.size(); ++at) share_[active[at]] = std::min(blocks[at], useful_[active[at]]);
   }
 
-  /// Moves each of some scenes on by as much as its ring holds; those that take longest start first.
-  void launch(std::vector<std::size_t> active, const std::vector<std::int64_t>& left) {
-    share_out(active);
+  const ClusterRoom& cluster_room() {
+    if (cluster_room_[0] == 0) cluster_room_ = room_for_clusters(threads_);
+    return cluster_room_;
+  }
+
+  /// Moves each scene that has moments ahead on by some of them, all for about as long, and takes off `ahead` what was
+  /// done.
+  void launch(std::vector<MomentsAhead>& ahead, std::vector<MomentLog>* logs) {
+    std::vector<std::size_t> active;
+    for (std::size_t k = 0; k < ahead.size(); ++k)
+      if (ahead[k].most > 0) active.push_back(k);
+    share_out(active, ahead);
     std::stable_sort(active.begin(), active.end(), [this](std::size_t i, std::size_t j) {
       return share_[i] != share_[j] ? share_[i] > share_[j] : work_[i] > work_[j];
     });
+    move(active, ahead);
+    for (const std::size_t k : active) collect(k, ahead[k], logs ? &(*logs)[k] : nullptr);
+  }
+
+  /// The launch of scenes in the order of their blocks, most first.
+  void move(const std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
+    std::vector<double> time;
+    for (const std::size_t k : active) time.push_back(work_[k] / share_[k]);
+    const std::vector<std::int64_t> moments = share_moments(time, fewest_moments, ring_moments_);
     auto* scene = reinterpret_cast<DeviceScene*>(scene_.data());
     auto* wanted = reinterpret_cast<std::int32_t*>(wanted_.data());
     for (std::size_t at = 0; at < active.size(); ++at) {
       scene[at] = scenes_[active[at]].device();
-      wanted[at] = static_cast<std::int32_t>(std::min<std::int64_t>(left[active[at]], ring_moments_));
+      wanted[at] = static_cast<std::int32_t>(std::min(ahead[active[at]].most, moments[at]));
     }
     const cudaStream_t stream = time_.stream();
     check_cuda(cudaMemcpyAsync(scene_memory_.data(), scene, scene_.bytes(), cudaMemcpyHostToDevice, stream), "start");
@@ -142,9 +171,10 @@ class CudaBatch::Work {
     device_time_ += time_.seconds();
   }
 
-  /// Starts those scenes of a launch that have the same number of blocks, beside the others.
+  /// Starts those scenes of a launch that have the same number of blocks, beside the others. Larger clusters take
+  /// their places first: the order of the streams' starts says nothing, their priority does.
   void launch_part(std::size_t first, std::size_t count, int blocks) {
-    Timeline& part = part_[blocks];
+    Timeline& part = part_.try_emplace(blocks, std::bit_width(static_cast<unsigned>(blocks))).first->second;
     const Spread spread{static_cast<int>(count), blocks, threads_};
     const std::size_t room = room_of_block(spread);
     const LaunchConfig config(spread, room, part.stream());
@@ -158,7 +188,7 @@ class CudaBatch::Work {
   }
 
   /// Takes what a call left and removes what stopped it.
-  void collect(std::size_t k, std::int64_t& left, MomentLog* log) {
+  void collect(std::size_t k, MomentsAhead& ahead, MomentLog* log) {
     DeviceStatus status = reinterpret_cast<const DeviceStatus*>(status_.data())[k];
     CudaScene& scene = scenes_[k];
     scene.note(status);
@@ -168,18 +198,19 @@ class CudaBatch::Work {
       if (k == 0) stage_clocks_[stage] += static_cast<double>(status.stage_clocks[stage]);
     }
     if (status.samples > 0) work_[k] = clocks * share_[k] / status.samples;
-    left -= status.samples;
+    ahead.most -= status.samples;
+    ahead.all -= status.samples;
     const bool failed = status.stop == DeviceStop::not_finite;
     if (failed && status.samples > 0) --status.samples;  // the moment that failed is not logged
     if (log) scene.append(status, share_[k], time_.stream(), *log);
     if (status.stop == DeviceStop::list_full) scene.grow(status);
     if (!failed) return;
-    left = 0;
+    ahead.most = 0;
     try {
       scene.bodies();
       check_finite(scene.field(), status.moment);
     } catch (const Error&) {
-      if (!fault_) fault_ = std::current_exception();
+      faults_[k] = std::current_exception();
     }
   }
 
@@ -187,6 +218,7 @@ class CudaBatch::Work {
   int threads_, chosen_blocks_, ring_moments_;
   std::map<std::size_t, int> blocks_of_count_;
   std::vector<int> useful_;       // most blocks of each scene
+  ClusterRoom cluster_room_{};    // asked for when scenes first share the GPU
   std::vector<double> work_;      // of each scene: clocks of its blocks a moment, in the last launch
   std::vector<int> share_;        // blocks of each in the last launch
   std::map<int, Timeline> part_;  // of a launch, by the blocks of a scene
@@ -196,7 +228,7 @@ class CudaBatch::Work {
   std::vector<CudaScene> scenes_;
   double device_time_ = 0.0;
   std::vector<double> stage_clocks_ = std::vector<double>(stage_count);
-  std::exception_ptr fault_;
+  std::vector<std::exception_ptr> faults_;  // of each scene, since the last call
 };
 
 CudaBatch::CudaBatch(std::vector<BatchScene> scenes, const CudaOptions& options)
@@ -209,6 +241,10 @@ void CudaBatch::advance(const std::vector<std::int64_t>& moments, std::vector<Mo
 }
 void CudaBatch::advance(std::int64_t moments, std::vector<MomentLog>* logs) {
   work_->advance(std::vector<std::int64_t>(size(), moments), logs);
+}
+std::vector<std::exception_ptr> CudaBatch::advance_some(const std::vector<MomentsAhead>& ahead,
+                                                        std::vector<MomentLog>& logs) {
+  return work_->advance_some(ahead, logs);
 }
 std::int64_t CudaBatch::moment(std::size_t scene) const { return work_->scene(scene).moment(); }
 const Bodies& CudaBatch::bodies(std::size_t scene) { return work_->scene(scene).bodies(); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,6 +40,12 @@ struct BatchScene {
   Bodies bodies;
 };
 
+/// What a scene of a batch still has to do.
+struct MomentsAhead {
+  std::int64_t most = 0;  // in the next call; 0: the scene stays as it is
+  std::int64_t all = 0;   // to its end: scenes that have much ahead get more of the GPU
+};
+
 /// Many scenes on one GPU, moved on together. Each has the bits that it has alone. Throws Error(device) where no GPU
 /// answers or a call fails, Error(resource_limit) where its memory is too small.
 class CudaBatch {
@@ -49,12 +56,15 @@ class CudaBatch {
   CudaBatch& operator=(const CudaBatch&) = delete;
 
   std::size_t size() const;
-  /// Moves scene k on by moments[k] and appends to logs[k]; a null `logs` keeps nothing. The scenes that have the same
-  /// moments left share the GPU. Throws Error(numerical_stop) where a scene's state is no number; the others are then
-  /// at the end of their moments.
+  /// Moves scene k on by moments[k] and appends to logs[k]; a null `logs` keeps nothing. Throws Error(numerical_stop)
+  /// where a scene's state is no number; the others are then at the end of their moments.
   void advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>* logs);
   /// Moves all scenes on by `moments`.
   void advance(std::int64_t moments, std::vector<MomentLog>* logs);
+  /// Moves scene k on by no more than ahead[k].most, all scenes for about as long, so that the GPU is busy to the end
+  /// of the call, and appends to logs[k]. Returns what stopped each scene, null for most: Error(numerical_stop) where
+  /// its state is no number.
+  std::vector<std::exception_ptr> advance_some(const std::vector<MomentsAhead>& ahead, std::vector<MomentLog>& logs);
   std::int64_t moment(std::size_t scene) const;
   const Bodies& bodies(std::size_t scene);
   Ledger ledger(std::size_t scene);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "gem/engine/block_share.h"
 #include "gem/engine/cuda_memory.cuh"
 #include "gem/engine/device_crew.cuh"
 #include "gem/engine/device_moments.h"
@@ -123,11 +124,26 @@ int most_blocks(int scenes, int threads, int multiprocessors, int useful) {
   return 1;
 }
 
+/// How many clusters of each size that scenes may have run at the same time.
+ClusterRoom room_for_clusters(int threads) {
+  ClusterRoom room;
+  for (std::size_t size = 0; size < room.size(); ++size) {
+    const Spread spread{1, share_sizes[size], threads};
+    room[size] = LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread);
+  }
+  return room;
+}
+
 /// A stream and two marks in its time. Others may begin with it and end before it.
 class Timeline {
  public:
-  Timeline() {
-    check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "make a stream");
+  /// Of what waits for a place on the device, streams of higher priority start first, as far as it tells priorities
+  /// apart.
+  explicit Timeline(int priority = 0) {
+    int lowest = 0, highest = 0;
+    check_cuda(cudaDeviceGetStreamPriorityRange(&lowest, &highest), "make a stream");
+    const int level = std::max(lowest - priority, highest);
+    check_cuda(cudaStreamCreateWithPriority(&stream_, cudaStreamNonBlocking, level), "make a stream");
     check_cuda(cudaEventCreate(&begin_), "make a stream");
     check_cuda(cudaEventCreate(&end_), "make a stream");
   }

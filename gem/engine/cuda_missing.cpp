@@ -23,6 +23,9 @@ CudaBatch::~CudaBatch() = default;
 std::size_t CudaBatch::size() const { return 0; }
 void CudaBatch::advance(const std::vector<std::int64_t>&, std::vector<MomentLog>*) {}
 void CudaBatch::advance(std::int64_t, std::vector<MomentLog>*) {}
+std::vector<std::exception_ptr> CudaBatch::advance_some(const std::vector<MomentsAhead>&, std::vector<MomentLog>&) {
+  return {};
+}
 std::int64_t CudaBatch::moment(std::size_t) const { return 0; }
 const Bodies& CudaBatch::bodies(std::size_t) { throw Error(ExitCode::device, missing); }
 Ledger CudaBatch::ledger(std::size_t) { return {}; }

@@ -34,8 +34,9 @@ class CudaEngines : public EngineBatch {
     for (std::size_t k = 0; k < batch_.size(); ++k) members_.push_back(std::make_unique<CudaMember>(batch_, k));
   }
   std::size_t size() const override { return members_.size(); }
-  void advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>& logs) override {
-    batch_.advance(moments, &logs);
+  std::vector<std::exception_ptr> advance(const std::vector<MomentsAhead>& ahead,
+                                          std::vector<MomentLog>& logs) override {
+    return batch_.advance_some(ahead, logs);
   }
   Engine& engine(std::size_t scene) override { return *members_[scene]; }
 
@@ -50,16 +51,17 @@ class SingleEngines : public EngineBatch {
     for (BatchScene& scene : scenes) engines_.push_back(make_engine(scene.scene, std::move(scene.bodies), options));
   }
   std::size_t size() const override { return engines_.size(); }
-  void advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>& logs) override {
-    std::exception_ptr fault;
+  std::vector<std::exception_ptr> advance(const std::vector<MomentsAhead>& ahead,
+                                          std::vector<MomentLog>& logs) override {
+    std::vector<std::exception_ptr> faults(engines_.size());
     for (std::size_t k = 0; k < engines_.size(); ++k) {
       try {
-        if (moments[k] > 0) engines_[k]->advance(moments[k], logs[k]);
+        if (ahead[k].most > 0) engines_[k]->advance(ahead[k].most, logs[k]);
       } catch (const Error&) {
-        if (!fault) fault = std::current_exception();
+        faults[k] = std::current_exception();
       }
     }
-    if (fault) std::rethrow_exception(fault);
+    return faults;
   }
   Engine& engine(std::size_t scene) override { return *engines_[scene]; }
 

@@ -1,6 +1,7 @@
 // Many scenes that are moved on together, where an engine gains by that.
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,9 +15,10 @@ class EngineBatch {
  public:
   virtual ~EngineBatch() = default;
   virtual std::size_t size() const = 0;
-  /// Moves scene k on by moments[k], which may be 0, and appends to logs[k]. Throws Error(numerical_stop) where a
-  /// scene's state is no number; that scene stays short of its moments, the others are at the end of theirs.
-  virtual void advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>& logs) = 0;
+  /// Moves scene k on by no more than ahead[k].most, by fewer where that keeps the engine busier, and appends to
+  /// logs[k]. Returns what stopped each scene, null for most: Error(numerical_stop) where its state is no number.
+  virtual std::vector<std::exception_ptr> advance(const std::vector<MomentsAhead>& ahead,
+                                                  std::vector<MomentLog>& logs) = 0;
   /// One scene as it stands; its own advance() is not to be called.
   virtual Engine& engine(std::size_t scene) = 0;
 };

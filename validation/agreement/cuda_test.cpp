@@ -171,6 +171,34 @@ TEST_P(CudaJam, PlaceAndSizeOfABatchChangeNothing) {
   }
 }
 
+TEST_P(CudaJam, ScenesThatShareTheDeviceUnequallyKeepTheirBits) {
+  std::vector<BatchScene> scenes = copies(26);
+  CudaBatch batch(scenes, {.ring_moments = 32});
+  std::vector<MomentsAhead> ahead;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    batch.restore(k, start_);
+    // some have ten times as much before them as others, and some stop at a frame of their own
+    ahead.push_back({0, k % 3 == 0 ? 10 * moments : moments});
+  }
+  std::vector<MomentLog> logs(scenes.size());
+  const auto left = [&](std::size_t k) { return start_.moment + moments - batch.moment(k); };
+  int calls = 0, uneven = 0;
+  for (bool going = true; going; ++calls) {
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+      ahead[k].most = std::min<std::int64_t>(left(k), k % 5 == 0 ? 3 : moments);
+    for (const std::exception_ptr& fault : batch.advance_some(ahead, logs)) EXPECT_EQ(fault, nullptr);
+    going = false;
+    for (std::size_t k = 0; k < scenes.size(); ++k) going = going || left(k) > 0;
+    for (std::size_t k = 0; k < scenes.size(); ++k) uneven += left(k) != left(0);
+    ASSERT_LT(calls, 1000);
+  }
+  EXPECT_GT(uneven, 0) << "all went at one pace";
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    EXPECT_EQ(batch.state_hash(k), hash_) << "place " << k;
+    test::expect_same_log(logs[k], expected_);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Ways, CudaJam,
                          testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends)),

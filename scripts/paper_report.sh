@@ -4,7 +4,9 @@
 # missing. scripts/paper_runs.sh makes the runs and what `gem sweep collect` keeps of them; several seeds of a run may lie
 # side by side, and a run that is there twice counts once (with another state hash: not at all, the first is kept).
 # What is beside validation/paper/paper.json is read too: the rows of scripts/unordered_sums.sh.
-# Usage: scripts/paper_report.sh [-o OUT] [-b BUILD_FOLDER] FOLDER...      The default of OUT is validation/paper.
+# Usage: scripts/paper_report.sh [-o OUT] [-b BUILD_FOLDER] [FOLDER...]      The default of OUT is validation/paper.
+#   FOLDER  of run files and summaries, or of archives of them (*.tar.xz, needs xz); left out: bench/results/paper, whose
+#           summaries were made on a GPU. Pictures of fields need run files.
 set -euo pipefail
 export LC_ALL=C.UTF-8
 
@@ -19,15 +21,23 @@ while getopts o:b: option; do
   esac
 done
 shift $((OPTIND - 1))
-if [ $# -lt 1 ]; then
-  echo "usage: scripts/paper_report.sh [-o OUT] [-b BUILD_FOLDER] FOLDER..." >&2
-  exit 2
-fi
+[ $# -ge 1 ] || set -- "$source_folder/bench/results/paper"
 if ! [ -x "$gem" ]; then
   echo "no $gem (not built) run: cmake --workflow --preset default" >&2
   exit 2
 fi
-"$gem" paper "$@" --out "$out" --statements "$source_folder/validation/paper/paper.json"
+
+unpacked=$(mktemp -d)
+trap 'rm -rf "$unpacked"' EXIT
+folders=()
+for folder; do
+  folders+=("$folder")
+  for archive in "$folder"/*.tar.xz; do
+    [ ! -e "$archive" ] || tar -C "$unpacked" -xJf "$archive"
+  done
+done
+[ -z "$(ls -A "$unpacked")" ] || folders+=("$unpacked")
+"$gem" paper "${folders[@]}" --out "$out" --statements "$source_folder/validation/paper/paper.json"
 
 # The same scripts draw the previews on gnuplot's other terminal.
 if ! gnuplot -e 'set terminal pngcairo' >/dev/null 2>&1; then

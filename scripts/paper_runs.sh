@@ -6,7 +6,8 @@
 #   OUT   gets runs/ (run files), summaries/ (what `gem sweep collect` makes of them) and paper_1.tar.gz, paper_2.tar.gz, ...
 #         with the summaries, none larger than 15 MiB
 #   PART  seeds:1-10 (these seeds of table1_seeds.toml), open:1-10 (but for the 200 m gap, which takes longest), table2
-#         period_question sensitivity sensitivity_moment divergence day; left out: all, in an order of importance
+#         period_question sensitivity sensitivity_moment divergence day, day:2 (its second run alone); left out: all, in an
+#         order of importance
 # Environment: GEM_MINUTES=9 stop after so long, with what is finished packed
 #              GEM_RUN="--engine cuda" options of `gem sweep run`;  GEM_JOBS=16 processes that collect
 #              GEM_QUICK=1 a rehearsal with few floes in minutes on a CPU, whose numbers mean nothing
@@ -14,7 +15,7 @@
 # Then, where the report is made: tar xzf each into DIR; scripts/paper_report.sh DIR [folders of run files]
 set -eu
 [ $# -ge 2 ] || {
-  sed -n '2,16s/^# //p' "$0" >&2
+  sed -n '2,17s/^# //p' "$0" >&2
   exit 2
 }
 wrong() {
@@ -43,7 +44,7 @@ is_part() {
     case $last in '' | 0* | ???*) return 1 ;; esac
     [ "$first" -le "$last" ] && [ "$last" -le 30 ]
     ;;
-  table2 | period_question | sensitivity | sensitivity_moment | divergence | day) ;;
+  table2 | period_question | sensitivity | sensitivity_moment | divergence | day | day:[1-3]) ;;
   *) return 1 ;;
   esac
 }
@@ -78,7 +79,7 @@ quick_settings() {
   [ "$1" != divergence ] || echo --set=floes.moved_floe=5
 }
 
-sweep_of() { case $1 in seeds:* | open:*) echo table1_seeds ;; *) echo "$1" ;; esac; }
+sweep_of() { case $1 in seeds:* | open:*) echo table1_seeds ;; *) echo "${1%%:*}" ;; esac; }
 
 # conditions of a part, counted from 0: in threes of 400, 300 and 200 m gap
 conditions_of() {
@@ -98,6 +99,7 @@ index_of() {
       printf '%s%d-%d' "$([ "$condition" = 0 ] || echo ,)" $((30 * condition + ${span%-*})) $((30 * condition + ${span#*-}))
     done
     ;;
+  day:*) printf '%s' "${1#*:}" ;;
   esac
 }
 
@@ -135,7 +137,7 @@ collections() {
     ;;
   table2) pieces table2 1 --exact --series=2 ;; # with the null model, which takes most of the time
   divergence) pieces divergence 4 --exact --series=5 --no-null-model ;;
-  day) pieces day 1 --series=10 --no-null-model ;;
+  day*) pieces day 1 --series=10 --no-null-model ;;
   *) pieces "$1" 4 --series=0 --no-null-model ;;
   esac
 }

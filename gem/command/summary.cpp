@@ -1,4 +1,6 @@
 // The summary of a run, for people and as JSON.
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "gem/base/number_text.h"
@@ -6,6 +8,13 @@
 #include "gem/record/run_writer.h"
 
 namespace gem {
+namespace {
+
+std::string measured_text(double value, const char* unit) {
+  return std::isnan(value) ? "not measured" : number_text(value, 3) + unit;
+}
+
+}  // namespace
 
 std::string summary_text(const RunSummary& s) {
   const auto line = [](const std::string& name, const std::string& value) {
@@ -24,9 +33,9 @@ std::string summary_text(const RunSummary& s) {
   text += line("99.9 % of overlaps", "below " + number_text(s.overlap.quantile(0.999), 3) + " m, " +
                                          number_text(100.0 * s.overlap_share.quantile(0.999), 3) + " %");
   text += line("last sweep changed", number_text(s.worst.residual, 3) + " m/s");
-  text += line("complementarity", number_text(s.worst.complementarity, 3) + " m/s");
-  text += line("friction cone", number_text(s.worst.cone_excess, 3) + " N s beyond");
-  text += line("energy created", number_text(s.worst.energy_created, 3) + " J");
+  text += line("complementarity", measured_text(s.worst.complementarity, " m/s"));
+  text += line("friction cone", measured_text(s.worst.cone_excess, " N s beyond"));
+  text += line("energy created", measured_text(s.worst.energy_created, " J"));
   text += line("momentum residual", number_text(s.residual.momentum, 3));
   text += line("angular residual", number_text(s.residual.angular_momentum, 3));
   text += line("energy residual", number_text(s.residual.energy, 3));

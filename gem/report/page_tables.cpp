@@ -27,6 +27,10 @@ std::string stated(const std::string& text) { return text.empty() ? "not stated"
 
 std::string code(const std::string& text) { return text.empty() ? "not stated" : "<code>" + escaped(text) + "</code>"; }
 
+std::string measured_text(double value, const char* unit) {
+  return std::isnan(value) ? "not measured" : exponent_text(value) + unit;
+}
+
 /// "12.3 &plusmn; 0.4 mm": both rounded where the uncertainty has two digits.
 std::string mean_text(const Finding& mean, const Unit& unit) {
   if (!mean.value) return "record too short";
@@ -166,9 +170,9 @@ std::string quality_html(const RunData& run, const RunFindings& findings) {
                    row("energy unexplained, relative", {exponent_text(q.residual_energy)}) +
                    row("deepest overlap", {with_share(q.maximum_overlap, q.maximum_share)}) +
                    row("99.9 % of the overlaps are below", {with_share(q.most_overlap, q.most_share)}) +
-                   row("complementarity missed by", {exponent_text(q.complementarity) + " m/s"}) +
-                   row("friction beyond Coulomb's bound", {exponent_text(q.cone_excess) + " N s"}) +
-                   row("energy given by the contacts of one moment", {exponent_text(q.energy_created) + " J"}) +
+                   row("complementarity missed by", {measured_text(q.complementarity, " m/s")}) +
+                   row("friction beyond Coulomb's bound", {measured_text(q.cone_excess, " N s")}) +
+                   row("energy given by the contacts of one moment", {measured_text(q.energy_created, " J")}) +
                    row("wall time", {with_unit(run.stats.wall_time.back(), Unit{"s", 1.0})}) +
                    row("speed", {rounded_text(q.speed, 3) + " &times; real time"}));
 }

@@ -102,6 +102,15 @@ TEST(RunFindings, DescribeASwingingPlatform) {
   EXPECT_DOUBLE_EQ(findings.quality.speed, 120.0);
 }
 
+TEST_F(Report, SaysWhatWasNotMeasured) {
+  RunData run = swinging_platform();
+  run.stats.complementarity = run.stats.cone_excess = {NAN, NAN, NAN};
+  write_report(run, out(), false);
+  const std::string html = page();
+  EXPECT_NE(html.find("complementarity missed by</th><td>not measured</td>"), std::string::npos);
+  EXPECT_NE(html.find("energy given by the contacts of one moment</th><td>3.0e+00 J</td>"), std::string::npos);
+}
+
 TEST_F(Report, SaysWhatTheAnalysisSays) {
   const RunData run = swinging_platform();
   const std::vector<Finding> analysis = whole_run_analysis(run);

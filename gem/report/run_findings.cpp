@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -44,6 +45,12 @@ double largest_of(const std::vector<double>& values) {
   return largest;
 }
 
+/// NaN where an engine does not measure it.
+double largest_measured(const std::vector<double>& values) {
+  const bool measured = std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+  return measured ? largest_of(values) : std::numeric_limits<double>::quiet_NaN();
+}
+
 PlatformLoads loads(const RunData& run) {
   const PlatformRecord& p = run.platform;
   PlatformLoads result;
@@ -76,9 +83,9 @@ RunQuality quality(const StatsRecord& stats) {
   result.most_overlap = stats.overlap.quantile(0.999);
   result.maximum_share = largest_of(stats.maximum_overlap_share);
   result.most_share = stats.overlap_share.quantile(0.999);
-  result.complementarity = largest_of(stats.complementarity);
-  result.cone_excess = largest_of(stats.cone_excess);
-  result.energy_created = largest_of(stats.energy_created);
+  result.complementarity = largest_measured(stats.complementarity);
+  result.cone_excess = largest_measured(stats.cone_excess);
+  result.energy_created = largest_measured(stats.energy_created);
   if (!stats.time.empty() && stats.wall_time.back() > 0.0) result.speed = stats.time.back() / stats.wall_time.back();
   return result;
 }

@@ -37,7 +37,8 @@ struct PlatformLoads {
   std::size_t arrivals = 0;  // distinct floes that hit the platform
 };
 
-/// How well the run kept its books, and how fast it went.
+/// How well the run kept its books, and how fast it went. Complementarity, cone excess and energy created are NaN where
+/// the engine does not measure them.
 struct RunQuality {
   double residual_momentum = 0.0, residual_angular_momentum = 0.0, residual_energy = 0.0;  // largest of the run
   double maximum_overlap = 0.0, most_overlap = 0.0;  // of the run, and of 99.9 % of its overlaps [m]

@@ -19,13 +19,13 @@ set style line 3 lc rgb '#35a37a' lw 1.2
 set style line 4 lc rgb '#8a8f98' lw 1.0
 set style fill solid 1.0 noborder
 set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725')
-set label 99 'moved_1e-3_s1: coupled, dt 0.2 s, seed 1  gem 0.1.0 (70acd95ee2b7-dirty)' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
+set label 99 'moved_1e-3_s1: coupled, dt 0.2 s, seed 1  gem 0.1.0 (05b9fc71459f-dirty)' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
 set key outside bottom left horizontal
 set logscale y
 set format y '10^{%L}'
 set termoption enhanced
 set xlabel 'time [h]' offset 0,0.4
 set ylabel 'distance of the platforms [m]'
-set arrow 1 from graph 0, first 0.01657 to graph 1, first 0.01657 nohead lc rgb '#3c4149' dt (6,4) front
-set label 1 'deviation of the motion' at graph 0.01, first 0.01657 offset 0,0.6 textcolor rgb '#3c4149' front
+set arrow 1 from graph 0, first 0.02077 to graph 1, first 0.02077 nohead lc rgb '#3c4149' dt (6,4) front
+set label 1 'deviation of the motion' at graph 0.01, first 0.02077 offset 0,0.6 textcolor rgb '#3c4149' front
 plot 'distance_1e-09.csv' using 1:2 with lines linestyle 1 title 'moved by 1e-09 m', 'distance_1e-07.csv' using 1:2 with lines linestyle 2 title 'moved by 1e-07 m', 'distance_1e-05.csv' using 1:2 with lines linestyle 3 title 'moved by 1e-05 m', 'distance_0.001.csv' using 1:2 with lines linestyle 4 title 'moved by 0.001 m'

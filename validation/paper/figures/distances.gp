@@ -24,8 +24,9 @@ set key outside bottom left horizontal
 set logscale y
 set format y '10^{%L}'
 set termoption enhanced
-set xlabel 'time [h]' offset 0,0.4
+set xlabel 'time [min]' offset 0,0.4
+set xrange [0:38.2]
 set ylabel 'distance of the platforms [m]'
 set arrow 1 from graph 0, first 0.02077 to graph 1, first 0.02077 nohead lc rgb '#3c4149' dt (6,4) front
 set label 1 'deviation of the motion' at graph 0.01, first 0.02077 offset 0,0.6 textcolor rgb '#3c4149' front
-plot 'distance_1e-09.csv' using 1:2 with lines linestyle 1 title 'moved by 1e-09 m', 'distance_1e-07.csv' using 1:2 with lines linestyle 2 title 'moved by 1e-07 m', 'distance_1e-05.csv' using 1:2 with lines linestyle 3 title 'moved by 1e-05 m', 'distance_0.001.csv' using 1:2 with lines linestyle 4 title 'moved by 0.001 m'
+plot 'distance_1e-09.csv' using 1:3:4 with filledcurves linestyle 1 fs transparent solid 0.12, 'distance_1e-07.csv' using 1:3:4 with filledcurves linestyle 2 fs transparent solid 0.12, 'distance_1e-05.csv' using 1:3:4 with filledcurves linestyle 3 fs transparent solid 0.12, 'distance_0.001.csv' using 1:3:4 with filledcurves linestyle 4 fs transparent solid 0.12, 'distance_1e-09.csv' using 1:2 with lines linestyle 1 lw 2 title 'moved by 1e-09 m (20 pairs)', 'distance_1e-07.csv' using 1:2 with lines linestyle 2 lw 2 title 'moved by 1e-07 m (20 pairs)', 'distance_1e-05.csv' using 1:2 with lines linestyle 3 lw 2 title 'moved by 1e-05 m (20 pairs)', 'distance_0.001.csv' using 1:2 with lines linestyle 4 lw 2 title 'moved by 0.001 m (20 pairs)'

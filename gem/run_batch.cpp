@@ -13,13 +13,14 @@ namespace {
 
 class BatchRun {
  public:
-  BatchRun(const std::vector<SceneDef>& scenes, EngineBatch& batch, const std::vector<RunOptions>& options)
+  BatchRun(const std::vector<SceneDef>& scenes, EngineBatch& batch, const std::vector<RunOptions>& options,
+           int recorders)
       : batch_(batch),
         options_(options),
         logs_(scenes.size()),
         ends_(scenes.size()),
         runs_(scenes.size()),
-        team_(team_size(options)) {
+        team_(std::clamp(recorders, 1, std::max(1, static_cast<int>(scenes.size())))) {
     for (std::size_t k = 0; k < scenes.size(); ++k)
       guarded(k, [&] { runs_[k] = std::make_unique<RunSteps>(scenes[k], batch.engine(k), options[k]); });
   }
@@ -74,21 +75,13 @@ class BatchRun {
     runs_[k].reset();
   }
 
-  /// Threads that record: what a scene's moments left is its own.
-  static int team_size(const std::vector<RunOptions>& options) {
-    constexpr int most = 16;
-    return std::clamp(options.front().threads, 1, std::min(most, static_cast<int>(options.size())));
-  }
-
-  /// Moves on what is neither over nor failed.
+  /// Moves on what is neither over nor failed. Progress, the disk and signals are looked at in between.
   void advance() {
-    constexpr std::int64_t most_moments =
-        256;  // of one call: progress, the disk and signals are looked at between them
     std::vector<MomentsAhead> ahead(batch_.size());
     for (std::size_t k = 0; k < ahead.size(); ++k) {
       if (!runs_[k]) continue;
       runs_[k]->prepare(logs_[k]);
-      ahead[k] = {runs_[k]->moments_ahead(most_moments), runs_[k]->moments_left()};
+      ahead[k] = {runs_[k]->moments_ahead(most_launch_moments), runs_[k]->moments_left()};
     }
     std::vector<std::exception_ptr> faults;
     try {
@@ -119,8 +112,8 @@ class BatchRun {
 }  // namespace
 
 std::vector<BatchEnd> run_batch(const std::vector<SceneDef>& scenes, EngineBatch& batch,
-                                const std::vector<RunOptions>& options) {
-  return BatchRun(scenes, batch, options).go();
+                                const std::vector<RunOptions>& options, int recorders) {
+  return BatchRun(scenes, batch, options, recorders).go();
 }
 
 }  // namespace gem

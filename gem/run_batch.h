@@ -18,8 +18,9 @@ struct BatchEnd {
 };
 
 /// Runs scenes to their ends, each into its own file with the same bits that it has alone. A
-/// scene that fails stops no other. `options[k]` belongs to `scenes[k]` and to scene k of the batch.
+/// scene that fails stops no other. `options[k]` belongs to `scenes[k]` and to scene k of the batch. What the scenes
+/// left is recorded by as many threads.
 std::vector<BatchEnd> run_batch(const std::vector<SceneDef>& scenes, EngineBatch& batch,
-                                const std::vector<RunOptions>& options);
+                                const std::vector<RunOptions>& options, int recorders = 1);
 
 }  // namespace gem

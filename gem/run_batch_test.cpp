@@ -36,7 +36,7 @@ TEST(RunBatch, EachSceneHasTheBitsAndTheRecordThatItHasAlone) {
   EngineOptions engine;
   engine.threads = 1;
   const auto batch = make_engine_batch(starts, engine);
-  const std::vector<BatchEnd> ends = run_batch(scenes, *batch, options);
+  const std::vector<BatchEnd> ends = run_batch(scenes, *batch, options, 3);
   ASSERT_EQ(ends.size(), 3u);
   for (std::size_t k = 0; k < ends.size(); ++k) {
     EXPECT_EQ(ends[k].fault, "");
@@ -88,7 +88,7 @@ TEST(RunBatch, ASceneThatFailsStopsNoOther) {
   const std::vector<SceneDef> scenes(3, scene);
   const std::vector<RunOptions> options = {options_for("a"), options_for("b"), options_for("c")};
   FakeBatch batch(scene, 3, 300);
-  const std::vector<BatchEnd> ends = run_batch(scenes, batch, options);
+  const std::vector<BatchEnd> ends = run_batch(scenes, batch, options, 2);
   EXPECT_EQ(ends[1].code, ExitCode::numerical_stop);
   EXPECT_NE(ends[1].fault.find("not finite"), std::string::npos);
   EXPECT_NE(RunFile(options[1].output, true).status().find("stopped:numerical"), std::string::npos);

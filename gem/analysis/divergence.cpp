@@ -7,6 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "gem/analysis/line_fit.h"
+
 namespace gem {
 namespace {
 
@@ -92,16 +94,17 @@ std::optional<double> onset_time(std::span<const double> distance, double interv
   return std::nullopt;
 }
 
-OnsetShift onset_shift(std::span<const double> sizes, std::span<const double> onsets) {
+OnsetShift onset_shift(std::span<const double> sizes, std::span<const double> onsets,
+                       std::span<const std::uint64_t> field) {
   std::vector<double> log_size;
   for (const double size : sizes) {
     if (!(size > 0.0)) throw std::invalid_argument("a disturbance of zero has no logarithm");
     log_size.push_back(std::log(size));
   }
-  const LineFit line = fit_line(log_size, onsets);
+  const IntervalEstimate shift = common_slope(log_size, onsets, field);
   const auto rate = [](double slope) { return slope < 0.0 ? -1.0 / slope : std::numeric_limits<double>::infinity(); };
   // A steeper shift is slower growth.
-  return {line, {rate(line.slope.value), rate(line.slope.low), rate(line.slope.high)}};
+  return {shift, {rate(shift.value), rate(shift.low), rate(shift.high)}};
 }
 
 }  // namespace gem

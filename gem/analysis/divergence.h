@@ -1,13 +1,13 @@
 // How fast two runs part that began almost alike: growth rate of their distance, and how its onset shifts.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "gem/analysis/bootstrap.h"
 #include "gem/analysis/interval_estimate.h"
-#include "gem/analysis/line_fit.h"
 
 namespace gem {
 
@@ -35,10 +35,12 @@ std::optional<double> onset_time(std::span<const double> distance, double interv
 
 /// Onsets of disturbances of different size. Exponential growth at a rate delays the onset by ln(1 / size) / rate.
 struct OnsetShift {
-  LineFit line;           // onset [s] over ln(size)
-  IntervalEstimate rate;  // -1 / slope [1/s]; an end is infinite where the slope may be zero
+  IntervalEstimate slope;  // of the onset over ln(size) [s]
+  IntervalEstimate rate;   // -1 / slope [1/s]; an end is infinite where the slope may be zero
 };
-/// Needs three onsets of at least two sizes, all positive, otherwise std::invalid_argument.
-OnsetShift onset_shift(std::span<const double> sizes, std::span<const double> onsets);
+/// `field`: what was disturbed; each has an onset of its own besides the shift. Needs two more onsets than fields, in
+/// one field of two sizes, all sizes positive, otherwise std::invalid_argument.
+OnsetShift onset_shift(std::span<const double> sizes, std::span<const double> onsets,
+                       std::span<const std::uint64_t> field);
 
 }  // namespace gem

@@ -81,17 +81,18 @@ TEST(OnsetShift, OfTheLogisticMap) {
       sizes.push_back(size);
       onsets.push_back(*onset_time(distance, 1.0, 1e-2));
     }
-  const OnsetShift shift = onset_shift(sizes, onsets);
+  const OnsetShift shift = onset_shift(sizes, onsets, std::vector<std::uint64_t>(sizes.size(), 1));
   EXPECT_TRUE(shift.rate.holds(std::numbers::ln2));
   EXPECT_LT(shift.rate.high - shift.rate.low, 0.3);
-  EXPECT_THROW(onset_shift(std::vector<double>{0.0, 1.0, 2.0}, std::vector<double>{1.0, 2.0, 3.0}),
+  EXPECT_THROW(onset_shift(std::vector<double>{0.0, 1.0, 2.0}, std::vector<double>{1.0, 2.0, 3.0},
+                           std::vector<std::uint64_t>{1, 1, 1}),
                std::invalid_argument);
 }
 
 // Onsets that do not depend on the size allow any rate: the interval says so.
 TEST(OnsetShift, WithoutAShiftHasNoUpperEnd) {
-  const OnsetShift shift =
-      onset_shift(std::vector<double>{1e-9, 1e-7, 1e-5, 1e-3}, std::vector<double>{5.0, 6.0, 5.5, 5.8});
+  const OnsetShift shift = onset_shift(std::vector<double>{1e-9, 1e-7, 1e-5, 1e-3},
+                                       std::vector<double>{5.0, 6.0, 5.5, 5.8}, std::vector<std::uint64_t>{1, 1, 1, 1});
   EXPECT_TRUE(std::isinf(shift.rate.high));
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace gem {
@@ -29,6 +30,34 @@ LineFit fit_line(std::span<const double> x, std::span<const double> y, double co
     return IntervalEstimate{value, value - half, value + half};
   };
   return {around(slope, var_slope), around(intercept, var_intercept), std::sqrt(squares / freedom)};
+}
+
+IntervalEstimate common_slope(std::span<const double> x, std::span<const double> y,
+                              std::span<const std::uint64_t> group, double confidence) {
+  if (x.size() != y.size() || x.size() != group.size()) throw std::invalid_argument("points without a group");
+  struct Level {
+    double count = 0.0, x = 0.0, y = 0.0;
+  };
+  std::map<std::uint64_t, Level> levels;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    Level& level = levels[group[i]];
+    level.count += 1.0;
+    level.x += x[i];
+    level.y += y[i];
+  }
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Level& level = levels[group[i]];
+    const double dx = x[i] - level.x / level.count, dy = y[i] - level.y / level.count;
+    xx += dx * dx;
+    xy += dx * dy;
+    yy += dy * dy;
+  }
+  const double freedom = static_cast<double>(x.size()) - static_cast<double>(levels.size()) - 1.0;
+  if (!(freedom >= 1.0) || !(xx > 0.0)) throw std::invalid_argument("a slope needs two more points than groups");
+  const double slope = xy / xx, squares = std::max(yy - slope * xy, 0.0);
+  const double half = gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, freedom) * std::sqrt(squares / freedom / xx);
+  return {slope, slope - half, slope + half};
 }
 
 }  // namespace gem

@@ -61,7 +61,9 @@ class SweepBatch {
       scenes.push_back(held.task.member->scene);
       options.push_back(options_of(*held.task.member, settings_, *held.task.entry, stop_));
     }
-    const std::vector<BatchEnd> ends = run_batch(scenes, *batch, options);
+    constexpr int useful_recorders = 16;
+    const std::vector<BatchEnd> ends =
+        run_batch(scenes, *batch, options, std::min(settings_.engine.threads, useful_recorders));
     for (std::size_t k = 0; k < group.size(); ++k) {
       Held& held = group[k];
       end(held, ends[k].fault.empty() ? outcome_of(ends[k].summary, held.row)

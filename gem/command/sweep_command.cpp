@@ -57,7 +57,8 @@ void add_run(CLI::App& group, Chosen& chosen) {
          "processes at a time, each with one run, or with a batch of runs on a GPU; one per GPU, without GPUs one per "
          "processor, if left out")
       ->type_name("J");
-  run->add_option("--threads", choice->threads, "threads of each run; the processors over --jobs if left out")
+  run->add_option("--threads", choice->threads,
+                  "threads of each run, of a batch on a GPU those that record; the processors over --jobs if left out")
       ->type_name("T");
   run->add_flag("--overwrite", choice->overwrite, "run the done ones again and replace files of other cases");
   run->add_flag("--dry-run", choice->dry_run, "say what would be run and what it needs; compute and write nothing");

@@ -42,7 +42,7 @@ class CudaBatch::Work {
         wanted_(sizeof(std::int32_t) * scenes.size()) {
     scenes_.reserve(scenes.size());
     auto* status = reinterpret_cast<DeviceStatus*>(status_memory_.data());
-    work_.assign(scenes.size(), 1.0);
+    work_.assign(scenes.size(), 0.0);
     share_.assign(scenes.size(), 0);
     for (const BatchScene& scene : scenes) {
       const std::size_t bodies = scene.bodies.count();
@@ -87,14 +87,28 @@ class CudaBatch::Work {
     return device;
   }
 
-  void begin(const std::vector<MomentsAhead>& ahead, const std::vector<MomentLog>* logs) {
+  /// A scene whose start is no number stays where it is.
+  void begin(std::vector<MomentsAhead>& ahead, const std::vector<MomentLog>* logs) {
     use();
     device_time_ = 0.0;
     faults_.assign(scenes_.size(), nullptr);
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
       if (ahead[k].most == 0) continue;
-      scenes_[k].check_start();
       scenes_[k].want_events(logs && (*logs)[k].wants_events);
+      guarded(k, ahead[k], [&] { scenes_[k].check_start(); });
+    }
+  }
+
+  /// Does something for a scene. What is wrong with it ends its moments and no other's; a GPU that does not answer ends
+  /// them all.
+  template <class Action>
+  void guarded(std::size_t k, MomentsAhead& ahead, Action action) {
+    try {
+      action();
+    } catch (const Error& error) {
+      if (error.code() == ExitCode::device) throw;
+      faults_[k] = std::current_exception();
+      ahead.most = 0;
     }
   }
 
@@ -109,7 +123,8 @@ class CudaBatch::Work {
 
   void use() const { check_cuda(cudaSetDevice(device_.index), "be chosen"); }
 
-  /// Shares the GPU out among some scenes: as many blocks each where that fills it better than clusters can.
+  /// Shares the GPU out among some scenes: as many blocks each where that fills it better than clusters can, or where
+  /// more would not help.
   void share_out(const std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
     const int equal = blocks_for(active.size());
     std::vector<double> work;
@@ -118,7 +133,8 @@ class CudaBatch::Work {
       work.push_back(work_[k] * static_cast<double>(ahead[k].all));
       useful.push_back(useful_[k]);
     }
-    const bool even = chosen_blocks_ > 0 || equal > largest_share;
+    const bool even =
+        chosen_blocks_ > 0 || equal > largest_share || equal >= *std::max_element(useful.begin(), useful.end());
     const std::vector<int> blocks =
         even ? std::vector<int>(active.size(), equal) : share_blocks(work, useful, cluster_room(), equal);
     for (std::size_t at = 0; at < active.size(); ++at) share_[active[at]] = std::min(blocks[at], useful_[active[at]]);
@@ -135,12 +151,25 @@ class CudaBatch::Work {
     std::vector<std::size_t> active;
     for (std::size_t k = 0; k < ahead.size(); ++k)
       if (ahead[k].most > 0) active.push_back(k);
+    if (active.empty()) return;
+    guess_work(active);
     share_out(active, ahead);
     std::stable_sort(active.begin(), active.end(), [this](std::size_t i, std::size_t j) {
       return share_[i] != share_[j] ? share_[i] > share_[j] : work_[i] > work_[j];
     });
     move(active, ahead);
     for (const std::size_t k : active) collect(k, ahead[k], logs ? &(*logs)[k] : nullptr);
+  }
+
+  /// A scene that has made no moment yet is taken for one like the others.
+  void guess_work(const std::vector<std::size_t>& active) {
+    double sum = 0.0, known = 0.0;
+    for (const std::size_t k : active) {
+      sum += work_[k];
+      known += work_[k] > 0.0 ? 1.0 : 0.0;
+    }
+    for (const std::size_t k : active)
+      if (work_[k] == 0.0) work_[k] = known > 0.0 ? sum / known : 1.0;
   }
 
   /// The launch of scenes in the order of their blocks, most first.
@@ -202,16 +231,14 @@ class CudaBatch::Work {
     ahead.all -= status.samples;
     const bool failed = status.stop == DeviceStop::not_finite;
     if (failed && status.samples > 0) --status.samples;  // the moment that failed is not logged
-    if (log) scene.append(status, share_[k], time_.stream(), *log);
-    if (status.stop == DeviceStop::list_full) scene.grow(status);
-    if (!failed) return;
-    ahead.most = 0;
-    try {
+    guarded(k, ahead, [&] {
+      if (log) scene.append(status, share_[k], time_.stream(), *log);
+      if (status.stop == DeviceStop::list_full) scene.grow(status);
+      if (!failed) return;
+      ahead.most = 0;
       scene.bodies();
       check_finite(scene.field(), status.moment);
-    } catch (const Error&) {
-      faults_[k] = std::current_exception();
-    }
+    });
   }
 
   CudaDevice device_;
@@ -219,7 +246,7 @@ class CudaBatch::Work {
   std::map<std::size_t, int> blocks_of_count_;
   std::vector<int> useful_;       // most blocks of each scene
   ClusterRoom cluster_room_{};    // asked for when scenes first share the GPU
-  std::vector<double> work_;      // of each scene: clocks of its blocks a moment, in the last launch
+  std::vector<double> work_;      // of each scene: clocks of its blocks a moment, in the last launch; 0: unknown
   std::vector<int> share_;        // blocks of each in the last launch
   std::map<int, Timeline> part_;  // of a launch, by the blocks of a scene
   Timeline time_;

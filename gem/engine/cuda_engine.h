@@ -24,14 +24,17 @@ struct CudaDevice {
 /// All GPUs; where there is none, `reason` says why.
 std::vector<CudaDevice> cuda_devices(std::string& reason);
 
+/// Moments that the quickest scene makes in one launch.
+constexpr int most_launch_moments = 256;
+
 /// How the scenes of a batch are laid out on the GPU. No choice changes a result.
 struct CudaOptions {
-  int device = -1;         // -1: the first that can be used
-  int blocks = 0;          // that work on one scene: up to 16, or a multiple of that; 0: as many as help
-  int threads = 0;         // of a block, a multiple of 32; 0: chosen
-  int ring_moments = 256;  // moments of one launch
-  int list_rows = 0;       // places of the list of near bodies to begin with; it grows on demand; 0: chosen
-  bool samples = true;     // keep what the platform felt
+  int device = -1;                         // -1: the first that can be used
+  int blocks = 0;                          // that work on one scene: up to 16, or a multiple of that; 0: as help most
+  int threads = 0;                         // of a block, a multiple of 32; 0: chosen
+  int ring_moments = most_launch_moments;  // of one launch, at most
+  int list_rows = 0;    // places of the list of near bodies to begin with; it grows on demand; 0: chosen
+  bool samples = true;  // keep what the platform felt
 };
 
 /// A scene of a batch.

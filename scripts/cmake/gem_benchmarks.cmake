@@ -25,6 +25,10 @@ add_executable(unordered_sums ${PROJECT_SOURCE_DIR}/validation/paper/unordered_s
   ${PROJECT_SOURCE_DIR}/validation/paper/unordered_engine.cpp)
 target_link_libraries(unordered_sums PRIVATE gem_analysis)
 
+# How fast the ice of two runs parts that differ by the place of one floe: the same page.
+add_executable(ice_distances ${PROJECT_SOURCE_DIR}/validation/paper/ice_distances.cpp)
+target_link_libraries(ice_distances PRIVATE gem_simulator)
+
 # The study behind the choice of the coupled resolution: validation/solver_study.md.
 file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/solver_study/*.cpp)
 list(FILTER study_sources EXCLUDE REGEX "_study\\.cpp$")

@@ -2,9 +2,11 @@
 #include "gem/report/paper/divergence_study.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 
 #include "gem/analysis/moments.h"
 #include "gem/base/number_text.h"
@@ -79,14 +81,17 @@ void add_growth(DivergenceStudy& study) {
 
 void add_shift(DivergenceStudy& study) {
   std::vector<double> sizes, onsets;
+  std::vector<std::uint64_t> fields;
   for (const DivergingPair& pair : study.pairs)
     if (const auto onset = onset_time(pair.distance, study.interval_s, kOnset * study.swing_m)) {
       sizes.push_back(pair.moved_m);
       onsets.push_back(*onset);
+      fields.push_back(pair.seed);
     }
-  const bool several = sizes.size() >= 3 &&
-                       *std::min_element(sizes.begin(), sizes.end()) < *std::max_element(sizes.begin(), sizes.end());
-  if (several) study.shift = onset_shift(sizes, onsets);
+  if (sizes.empty() || *std::min_element(sizes.begin(), sizes.end()) == *std::max_element(sizes.begin(), sizes.end()))
+    return;
+  if (sizes.size() >= std::set(fields.begin(), fields.end()).size() + 2)
+    study.shift = onset_shift(sizes, onsets, fields);
 }
 
 }  // namespace
@@ -97,6 +102,11 @@ std::optional<GrowthRate> growth_of(const std::vector<std::vector<double>>& dist
   if (grown.size() < 2) return std::nullopt;
   const double start = std::exp(mean_log_distance(grown).front());
   return growth_rate(grown, interval_s, 10.0 * start, kOnset * swing_m);
+}
+
+void find_growth(DivergenceStudy& study) {
+  add_growth(study);
+  add_shift(study);
 }
 
 double parting_time(const std::vector<double>& distance, double interval_s, double swing_m) {
@@ -133,10 +143,18 @@ DivergenceStudy divergence_study(const PaperFolder& folder) {
     std::vector<double> apart = distance(base->second, scaled_path(*run, study.interval_s));
     if (!apart.empty()) study.pairs.push_back({moved(*run), run->seed, std::move(apart)});
   }
-  if (!(study.swing_m > 0.0)) return study;
-  add_growth(study);
-  add_shift(study);
+  if (study.swing_m > 0.0) find_growth(study);
   return study;
+}
+
+std::optional<IntervalEstimate> shift_over_growth(const DivergenceStudy& study) {
+  if (!study.shift || study.growth.empty()) return std::nullopt;
+  const IntervalEstimate& rate = study.growth.begin()->second.rate;
+  const IntervalEstimate& slope = study.shift->slope;
+  const std::array<double, 4> corners = {-slope.low * rate.low, -slope.low * rate.high, -slope.high * rate.low,
+                                         -slope.high * rate.high};
+  return IntervalEstimate{-slope.value * rate.value, *std::min_element(corners.begin(), corners.end()),
+                          *std::max_element(corners.begin(), corners.end())};
 }
 
 void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers) {
@@ -155,10 +173,8 @@ void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers
       numbers["divergence_late_over_early"] = {late.value / early.value, late.low / early.high, late.high / early.low,
                                                of_size};
   }
-  if (study.shift) {
-    const IntervalEstimate& rate = study.shift->rate;
-    numbers["divergence_rate_by_onset_per_s"] = {rate.value, rate.low, rate.high, pairs};
-  }
+  if (const auto share = shift_over_growth(study))
+    numbers["onset_shift_over_growth"] = {share->value, share->low, share->high, pairs};
   std::map<double, std::vector<RunNumber>> parting;
   std::map<double, std::vector<RunNumber>> parted;
   for (const DivergingPair& pair : study.pairs) {

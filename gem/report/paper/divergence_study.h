@@ -33,6 +33,9 @@ struct DivergenceStudy {
 std::optional<GrowthRate> growth_of(const std::vector<std::vector<double>>& distances, double interval_s,
                                     double swing_m);
 
+/// Growth and shift of a study from its pairs.
+void find_growth(DivergenceStudy& study);
+
 /// When a distance [m] is half of `swing_m`, where the eye sees two curves; infinite if it never is [s].
 double parting_time(const std::vector<double>& distance, double interval_s, double swing_m);
 
@@ -40,8 +43,13 @@ double parting_time(const std::vector<double>& distance, double interval_s, doub
 /// A pair differs in floes.moved_by_m and in nothing else.
 DivergenceStudy divergence_study(const PaperFolder& folder);
 
+/// How far the onset shifts with the logarithm of the disturbance, over how far it would if the distance grew from the
+/// first at the rate of the smallest disturbance: 1 for exponential growth of what was put in, 0 if the size of the
+/// disturbance makes no difference. Both intervals at their worst; empty where either is not known.
+std::optional<IntervalEstimate> shift_over_growth(const DivergenceStudy& study);
+
 /// The study as numbers: divergence_rate_per_s (of the smallest disturbance), divergence_late_over_early (its rate in
-/// the late half of the growth over that in the early half), divergence_rate_by_onset_per_s, parting_s_<moved> (when
+/// the late half of the growth over that in the early half), onset_shift_over_growth, parting_s_<moved> (when
 /// the distance is half the swing; infinite for a pair that never parts), parted_share_<moved>.
 void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers);
 

@@ -28,6 +28,7 @@ std::string choices_text(const Reproduction& result);
 std::string stationarity_text(const Reproduction& result);
 std::string extremes_text(const Reproduction& result);
 std::string divergence_text(const Reproduction& result);
+std::string ice_text(const IceStudy& study);
 std::string unordered_text(const UnorderedStudy& study);
 std::string chaos_text(const PaperFolder& folder);
 

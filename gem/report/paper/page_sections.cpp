@@ -25,6 +25,38 @@ std::string rate_text(const IntervalEstimate& rate) {
   return rounded_text(rate.value, 3) + " (" + end_text(rate.low) + " … " + end_text(rate.high) + ")";
 }
 
+/// Growth by how far the floe was moved.
+std::string growth_table(const DivergenceStudy& study) {
+  std::ostringstream text;
+  text << "| moved by [m] | growth rate [1/s] | early half | late half | from [s] | to [s] |\n"
+          "|---|---|---|---|---:|---:|\n";
+  std::set<double> sizes;
+  for (const DivergingPair& pair : study.pairs) sizes.insert(pair.moved_m);
+  for (const double size : sizes) {
+    text << "| " << number_text(size) << " | ";
+    if (const auto found = study.growth.find(size); found != study.growth.end())
+      text << rate_text(found->second.rate) << " | " << rate_text(found->second.early) << " | "
+           << rate_text(found->second.late) << " | " << rounded_text(found->second.begin, 4) << " | "
+           << rounded_text(found->second.end, 4) << " |\n";
+    else
+      text << "not resolved | | | | |\n";
+  }
+  return text.str();
+}
+
+/// How the onset shifts with the size of the move; `level`: at what the onset is.
+std::string shift_text(const DivergenceStudy& study, const std::string& level) {
+  if (!study.shift) return "";
+  std::string text = " Onset (" + level + ") over ln(moved), each field with an onset of its own: slope " +
+                     rate_text(study.shift->slope) + " s";
+  if (const auto share = shift_over_growth(study))
+    text +=
+        ", " + rate_text(*share) +
+        " of what growth at the rate of the smallest move would make it: 1 where what was put in grows, 0 where the "
+        "size of the move makes no difference";
+  return text + ".";
+}
+
 }  // namespace
 
 std::string period_text(const Reproduction& result) {
@@ -95,26 +127,25 @@ std::string divergence_text(const Reproduction& result) {
   text << study.pairs.size()
        << " pairs of runs that differ by the place of one floe. Distance of the platforms in place and "
        << "in velocity over the natural frequency; the undisturbed motion has a deviation of "
-       << rounded_text(1e3 * study.swing_m, 3)
-       << " mm.\n\n| moved by [m] | growth rate [1/s] | early half | late half | from "
-       << "[s] | to [s] |\n|---|---|---|---|---:|---:|\n";
-  std::set<double> sizes;
-  for (const DivergingPair& pair : study.pairs) sizes.insert(pair.moved_m);
-  for (const double size : sizes) {
-    text << "| " << number_text(size) << " | ";
-    if (const auto found = study.growth.find(size); found != study.growth.end())
-      text << rate_text(found->second.rate) << " | " << rate_text(found->second.early) << " | "
-           << rate_text(found->second.late) << " | " << rounded_text(found->second.begin, 4) << " | "
-           << rounded_text(found->second.end, 4) << " |\n";
-    else
-      text << "not resolved | | | | |\n";
-  }
-  text << "\nTimes count from when the disturbance has reached the platform of each pair. Exponential growth has one "
-          "rate in both halves.";
-  if (study.shift)
-    text << " Onset (a tenth of the deviation) over ln(moved): slope " << rate_text(study.shift->line.slope)
-         << " s, so a rate of " << rate_text(study.shift->rate) << " 1/s.";
-  return text.str() + "\n\n";
+       << rounded_text(1e3 * study.swing_m, 3) << " mm.\n\n"
+       << growth_table(study)
+       << "\nTimes count from when the disturbance has reached the platform of each pair. Exponential growth has one "
+          "rate in both halves."
+       << shift_text(study, "a tenth of the deviation") << "\n\n";
+  return text.str();
+}
+
+std::string ice_text(const IceStudy& study) {
+  std::string text = "## How fast the ice parts\n\n";
+  if (study.of_contacts.empty()) return text + "Needs the rows of `scripts/ice_distances.sh`.\n\n";
+  text +=
+      "The same question asked of the ice: root mean square over all floes of the distance between their places in two "
+      "runs that differ by the place of one floe; parted where it is " +
+      number_text(1e3 * kIceApart) + " mm. Made by commit `" + study.commit + "`.\n\n";
+  for (const auto& [contacts, own] : study.of_contacts)
+    text += "`" + contacts + "` contacts, " + std::to_string(own.pairs.size()) + " pairs:\n\n" + growth_table(own) +
+            "\n" + shift_text(own, "a tenth of that") + "\n\n";
+  return text;
 }
 
 std::string chaos_text(const PaperFolder& folder) {

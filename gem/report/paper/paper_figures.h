@@ -8,6 +8,7 @@
 
 #include "gem/report/paper/catalogue.h"
 #include "gem/report/paper/divergence_study.h"
+#include "gem/report/paper/ice_study.h"
 #include "gem/report/paper/paper_run.h"
 #include "gem/report/paper/unordered_study.h"
 
@@ -27,6 +28,9 @@ std::vector<PaperFigure> twin_figures(const PaperFolder& folder, const std::file
 /// pairs, their distance against time.
 std::vector<PaperFigure> repeat_figures(const PaperFolder& folder, const DivergenceStudy& study,
                                         const std::filesystem::path& out);
+
+/// Distance of the ice against time of runs that differ by the place of one floe, a picture for each kind of contacts.
+std::vector<PaperFigure> ice_figures(const IceStudy& study, const std::filesystem::path& out);
 
 /// Distance against time of repeats whose sums are taken in no fixed order, beside that of runs with a floe moved.
 std::vector<PaperFigure> unordered_figures(const UnorderedStudy& study, const std::filesystem::path& out);

@@ -7,6 +7,7 @@
 #include "gem/report/paper/catalogue.h"
 #include "gem/report/paper/divergence_study.h"
 #include "gem/report/paper/evaluation.h"
+#include "gem/report/paper/ice_study.h"
 #include "gem/report/paper/paper_figures.h"
 #include "gem/report/paper/period_question.h"
 #include "gem/report/paper/seed_extremes.h"
@@ -25,6 +26,7 @@ struct Reproduction {
   std::vector<StationarityRow> stationarity;
   std::vector<ExtremesRow> extremes;
   DivergenceStudy divergence;
+  IceStudy ice;
   UnorderedStudy unordered;
   std::vector<PaperFigure> figures;
 };

@@ -72,6 +72,8 @@ PaperReportSummary write_paper_report(const std::vector<std::string>& runs, cons
   result.divergence = divergence_study(folder);
   FolderNumbers numbers = folder_numbers(folder, catalogue);
   add_divergence_numbers(result.divergence, numbers);
+  result.ice = read_ice_study(std::filesystem::path(statements).parent_path());
+  add_ice_numbers(result.ice, numbers);
   result.unordered = read_unordered_study(std::filesystem::path(statements).parent_path());
   add_unordered_numbers(result.unordered, numbers);
   for (const Statement& statement : catalogue.statements)
@@ -85,6 +87,7 @@ PaperReportSummary write_paper_report(const std::vector<std::string>& runs, cons
   remove_pictures(pictures);
   append(result.figures, twin_figures(folder, pictures));
   append(result.figures, repeat_figures(folder, result.divergence, pictures));
+  append(result.figures, ice_figures(result.ice, pictures));
   append(result.figures, unordered_figures(result.unordered, pictures));
   append(result.figures, excursion_figures(folder, catalogue.rows, pictures));
   append(result.figures, seed_figures(folder, pictures));

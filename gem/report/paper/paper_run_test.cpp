@@ -126,6 +126,42 @@ TEST_F(PaperRunFiles, DisturbedRunsFindThePartnerOfTheirSeed) {
   EXPECT_TRUE(numbers.contains("parted_share_0.001"));
 }
 
+/// Three pairs for each size of the move, whose distances grow at 0.05/s from `start(size)` and scatter a little.
+DivergenceStudy growing_study(double (*start)(double)) {
+  DivergenceStudy study;
+  study.swing_m = 1e-2;
+  std::vector<double> sizes, onsets;
+  std::vector<std::uint64_t> fields;
+  for (const double size : {1e-9, 1e-7, 1e-5}) {
+    std::vector<std::vector<double>> distances;
+    for (const double scatter : {0.8, 1.0, 1.25}) {
+      std::vector<double> distance = {0.0};
+      for (int i = 0; i < 600; ++i) distance.push_back(std::min(scatter * start(size) * std::exp(0.05 * i), 1e-2));
+      sizes.push_back(size);
+      fields.push_back(static_cast<std::uint64_t>(10.0 * scatter));
+      onsets.push_back(onset_time(distance, 1.0, 1e-3).value());
+      distances.push_back(std::move(distance));
+    }
+    study.growth[size] = growth_of(distances, 1.0, study.swing_m).value();
+  }
+  study.shift = onset_shift(sizes, onsets, fields);
+  return study;
+}
+
+TEST(Divergence, TheOnsetShiftsAsTheGrowthOfWhatWasPutInSays) {
+  const IntervalEstimate share = shift_over_growth(growing_study([](double size) { return size; })).value();
+  EXPECT_NEAR(share.value, 1.0, 0.02);
+  EXPECT_NEAR(share.low, 1.0, 0.05);
+  EXPECT_NEAR(share.high, 1.0, 0.05);
+}
+
+TEST(Divergence, AnOnsetThatDoesNotKnowTheSizeOfTheMoveHasNoShift) {
+  const IntervalEstimate share = shift_over_growth(growing_study([](double) { return 1e-14; })).value();
+  EXPECT_NEAR(share.value, 0.0, 0.02);
+  EXPECT_LT(share.high, 0.5);
+  EXPECT_FALSE(shift_over_growth(DivergenceStudy{}).has_value());
+}
+
 TEST(NullModel, IsDampedAsByFloesThatHitOnce) {
   SceneDef scene;  // run 1: 4/10 of 0.5 m ice at 0.25 m/s
   const auto model = null_model(scene, 0.2);

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "gem/analysis/moments.h"
 #include "gem/base/number_text.h"
@@ -116,7 +115,13 @@ Csv middle_distance(const std::vector<const DivergingPair*>& pairs, double inter
   return csv;
 }
 
-PaperFigure draw_distances(const DivergenceStudy& study, const std::string& stamp, const std::filesystem::path& out) {
+/// What a picture of distances shows.
+struct DistanceLabels {
+  std::string name, title, axis, level;  // level: what the line at the study's swing is
+};
+
+PaperFigure draw_distances(const DivergenceStudy& study, const DistanceLabels& labels, const std::string& stamp,
+                           const std::filesystem::path& out) {
   const PlotFolder plots(out, stamp);
   const double parted = latest_parting(study);
   const double until_s = std::isfinite(parted) ? 3.0 * parted : std::numeric_limits<double>::infinity();
@@ -124,7 +129,7 @@ PaperFigure draw_distances(const DivergenceStudy& study, const std::string& stam
   std::string bands, lines;
   int style = 1;
   for (const auto& [moved, pairs] : by_move(study)) {
-    const std::string name = "distance_" + number_text(moved), file = quoted(name + ".csv");
+    const std::string name = labels.name + "_" + number_text(moved), file = quoted(name + ".csv");
     plots.write_csv(name, middle_distance(pairs, study.interval_s, shown_s));
     const std::string line = "linestyle " + std::to_string(style);
     bands += (style == 1 ? "" : ", ") + file + " using 1:3:4 with filledcurves " + line + " fs transparent solid 0.12";
@@ -132,18 +137,16 @@ PaperFigure draw_distances(const DivergenceStudy& study, const std::string& stam
              quoted("moved by " + number_text(moved) + " m (" + std::to_string(pairs.size()) + " pairs)");
     style = style % 4 + 1;
   }
-  std::ostringstream commands;
-  commands << "set key outside bottom left horizontal\nset logscale y\nset format y '10^{%L}'\nset termoption "
-              "enhanced\nset xlabel 'time [min]' offset 0,0.4\nset xrange [0:"
-           << number_text(shown_s / 60.0, 3) << "]\n"
-           << "set ylabel 'distance of the platforms [m]'\nset arrow 1 from graph 0, first "
-           << number_text(study.swing_m, 4) << " to graph 1, first " << number_text(study.swing_m, 4)
-           << " nohead lc rgb '#3c4149' dt (6,4) front\nset label 1 'deviation of the motion' at graph 0.01, first "
-           << number_text(study.swing_m, 4) << " offset 0,0.6 textcolor rgb '#3c4149' front\nplot " << bands << lines
-           << '\n';
-  plots.draw({"distances", "Distance of disturbed runs", "", ""}, {1000, 420}, commands.str());
-  return {"-", "Distance of runs that differ by the place of one floe: the middle pair and eight of ten",
-          out / "distances"};
+  const std::string level = number_text(study.swing_m, 4);
+  plots.draw({labels.name, labels.title, "", ""}, {1000, 420},
+             "set key outside bottom left horizontal\nset logscale y\nset format y '10^{%L}'\nset termoption enhanced\n"
+             "set xlabel 'time [min]' offset 0,0.4\nset xrange [0:" +
+                 number_text(shown_s / 60.0, 3) + "]\nset ylabel " + quoted(labels.axis) +
+                 "\nset arrow 1 from graph 0, first " + level + " to graph 1, first " + level +
+                 " nohead lc rgb '#3c4149' dt (6,4) front\nset label 1 " + quoted(labels.level) +
+                 " at graph 0.01, first " + level + " offset 0,0.6 textcolor rgb '#3c4149' front\nplot " + bands +
+                 lines + "\n");
+  return {"-", labels.title, out / labels.name};
 }
 
 }  // namespace
@@ -155,7 +158,25 @@ std::vector<PaperFigure> repeat_figures(const PaperFolder& folder, const Diverge
   if (list.size() > 1) figures.push_back(draw_repetition(list, out));
   const bool apart = std::any_of(study.pairs.begin(), study.pairs.end(),
                                  [](const DivergingPair& pair) { return pair.distance.back() > 0.0; });
-  if (apart && study.swing_m > 0.0) figures.push_back(draw_distances(study, conditions(folder), out));
+  if (apart && study.swing_m > 0.0)
+    figures.push_back(draw_distances(
+        study,
+        {"distances",
+         "Distance of the platforms of runs that differ by the place of one floe: the middle pair and eight of ten",
+         "distance of the platforms [m]", "deviation of the motion"},
+        conditions(folder), out));
+  return figures;
+}
+
+std::vector<PaperFigure> ice_figures(const IceStudy& study, const std::filesystem::path& out) {
+  std::vector<PaperFigure> figures;
+  for (const auto& [contacts, own] : study.of_contacts)
+    figures.push_back(draw_distances(own,
+                                     {"ice_" + contacts,
+                                      "Distance of the ice of runs that differ by the place of one floe, " + contacts +
+                                          " contacts: the middle pair and eight of ten",
+                                      "distance of the ice, rms [m]", "parted"},
+                                     "004_400_25: " + contacts + ", seeds 1 to 5  gem " + study.commit, out));
   return figures;
 }
 

@@ -1,53 +1,17 @@
 // Two files of rows to pairs of runs.
 #include "gem/report/paper/unordered_study.h"
 
-#include <cmath>
-#include <fstream>
-#include <sstream>
-
-#include "gem/base/error.h"
-#include "gem/base/number_text.h"
 #include "gem/report/paper/divergence_study.h"
+#include "gem/report/paper/row_file.h"
 
 namespace gem {
 namespace {
 
 constexpr std::size_t kRunFields = 15;
-
-/// A file of rows, read one by one.
-class Rows {
- public:
-  explicit Rows(const std::filesystem::path& path) : path_(path.string()), file_(path) {
-    if (!file_) throw fault("it does not open");
-  }
-  /// The fields of the next row; false at the end.
-  bool next(std::vector<std::string>& fields) {
-    std::string line;
-    if (!std::getline(file_, line)) return false;
-    ++line_;
-    fields.clear();
-    std::istringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-    return true;
-  }
-  Error fault(const std::string& why) const {
-    return Error(ExitCode::file_system, "cannot read " + path_ + " (" + why + " in line " + std::to_string(line_) +
-                                            ") make it again by scripts/unordered_sums.sh");
-  }
-  double number(const std::string& field) const {
-    const auto value = parse_number(field);
-    if (!value || !std::isfinite(*value)) throw fault("'" + field + "' is no number");
-    return *value;
-  }
-
- private:
-  std::string path_;
-  std::ifstream file_;
-  int line_ = 0;
-};
+constexpr const char* kMaker = "scripts/unordered_sums.sh";
 
 std::vector<UnorderedRun> read_runs(const std::filesystem::path& path) {
-  Rows rows(path);
+  RowFile rows(path, kMaker);
   std::vector<UnorderedRun> runs;
   std::vector<std::string> f;
   for (rows.next(f); rows.next(f);) {
@@ -66,7 +30,7 @@ double swing_in_order(const std::vector<UnorderedRun>& runs, const std::string& 
 }
 
 /// Index of the pairs of a column "contacts:sums:run-run".
-std::size_t pairs_of_column(const std::string& column, const Rows& rows, UnorderedStudy& study) {
+std::size_t pairs_of_column(const std::string& column, const RowFile& rows, UnorderedStudy& study) {
   const auto first = column.find(':'), second = column.rfind(':');
   if (first == std::string::npos || first == second) throw rows.fault("'" + column + "' names no pair");
   const std::string contacts = column.substr(0, first), sums = column.substr(first + 1, second - first - 1);
@@ -81,7 +45,7 @@ std::size_t pairs_of_column(const std::string& column, const Rows& rows, Unorder
 }
 
 void read_distances(const std::filesystem::path& path, UnorderedStudy& study) {
-  Rows rows(path);
+  RowFile rows(path, kMaker);
   std::vector<std::string> f;
   rows.next(f);
   struct Place {

@@ -1,4 +1,4 @@
-# Distance of disturbed runs. Redraw: gnuplot -d distances.gp
+# Distance of the platforms of runs that differ by the place of one floe: the middle pair and eight of ten. Redraw: gnuplot -d distances.gp
 set terminal svg size 1000,420 dynamic noenhanced font 'sans-serif,14' background '#ffffff'
 set output 'distances.svg'
 set encoding utf8
@@ -29,4 +29,4 @@ set xrange [0:38.2]
 set ylabel 'distance of the platforms [m]'
 set arrow 1 from graph 0, first 0.02077 to graph 1, first 0.02077 nohead lc rgb '#3c4149' dt (6,4) front
 set label 1 'deviation of the motion' at graph 0.01, first 0.02077 offset 0,0.6 textcolor rgb '#3c4149' front
-plot 'distance_1e-09.csv' using 1:3:4 with filledcurves linestyle 1 fs transparent solid 0.12, 'distance_1e-07.csv' using 1:3:4 with filledcurves linestyle 2 fs transparent solid 0.12, 'distance_1e-05.csv' using 1:3:4 with filledcurves linestyle 3 fs transparent solid 0.12, 'distance_0.001.csv' using 1:3:4 with filledcurves linestyle 4 fs transparent solid 0.12, 'distance_1e-09.csv' using 1:2 with lines linestyle 1 lw 2 title 'moved by 1e-09 m (20 pairs)', 'distance_1e-07.csv' using 1:2 with lines linestyle 2 lw 2 title 'moved by 1e-07 m (20 pairs)', 'distance_1e-05.csv' using 1:2 with lines linestyle 3 lw 2 title 'moved by 1e-05 m (20 pairs)', 'distance_0.001.csv' using 1:2 with lines linestyle 4 lw 2 title 'moved by 0.001 m (20 pairs)'
+plot 'distances_1e-09.csv' using 1:3:4 with filledcurves linestyle 1 fs transparent solid 0.12, 'distances_1e-07.csv' using 1:3:4 with filledcurves linestyle 2 fs transparent solid 0.12, 'distances_1e-05.csv' using 1:3:4 with filledcurves linestyle 3 fs transparent solid 0.12, 'distances_0.001.csv' using 1:3:4 with filledcurves linestyle 4 fs transparent solid 0.12, 'distances_1e-09.csv' using 1:2 with lines linestyle 1 lw 2 title 'moved by 1e-09 m (20 pairs)', 'distances_1e-07.csv' using 1:2 with lines linestyle 2 lw 2 title 'moved by 1e-07 m (20 pairs)', 'distances_1e-05.csv' using 1:2 with lines linestyle 3 lw 2 title 'moved by 1e-05 m (20 pairs)', 'distances_0.001.csv' using 1:2 with lines linestyle 4 lw 2 title 'moved by 0.001 m (20 pairs)'

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -292,19 +293,29 @@ TEST_F(CommandTest, CaseAndSweepCommands) {
 }
 
 TEST_F(CommandTest, ARunFileIsAFieldForAnotherRun) {
+  // the end of a long floe turns into the side of another: how far a contact must be seen follows the spin
   std::ofstream(folder_ / "one.toml") << "[run]\nname = \"one\"\nduration_s = 5.0\n[floes]\nsource = \"listed\"\n"
                                          "[boundary]\npresent = false\n[platform]\npresent = false\n"
-                                         "[[floe]]\noutline_m = [[-2, -2], [2, -2], [2, 2], [-2, 2]]\n"
-                                         "position_m = [-30, 3]\n";
+                                         "[current]\nvelocity_m_per_s = [0, 0]\n[numerics]\nmoment_s = 0.05\n"
+                                         "[output]\nfloes_interval_s = 0.05\n"
+                                         "[[floe]]\noutline_m = [[-1, -6], [1, -6], [1, 6], [-1, 6]]\n"
+                                         "position_m = [-30, 3]\nspin_rad_per_s = 0.5\n"
+                                         "[[floe]]\noutline_m = [[-5, -5], [5, -5], [5, 5], [-5, 5]]\n"
+                                         "position_m = [-22, 3]\n";
   ASSERT_EQ(shell("gem run one.toml -q"), 0) << text_of("err");
-  ASSERT_EQ(shell("gem run one.toml -q --out two.h5 --set 'floes.source=\"file\"' --set 'floes.path=\"one.h5\"' --set "
-                  "'floe=[]'"),
-            0)
-      << text_of("err");
-  EXPECT_EQ(RunFile(path("two.h5")).column("floes/x"), RunFile(path("one.h5")).column("floes/x"));
   const std::string as_file = " --set 'floes.source=\"file\"' --set 'floe=[]' --set 'floes.path=";
+  ASSERT_EQ(shell("gem run one.toml -q --out two.h5" + as_file + "\"one.h5\"'"), 0) << text_of("err");
+  EXPECT_EQ(RunFile(path("two.h5")).column("floes/x"), RunFile(path("one.h5")).column("floes/x"));
+  EXPECT_EQ(RunFile(path("two.h5")).attribute("gem_state_hash"), RunFile(path("one.h5")).attribute("gem_state_hash"));
+  const std::vector<double> contacts = RunFile(path("one.h5")).column("stats/contacts");
+  EXPECT_GT(*std::max_element(contacts.begin(), contacts.end()), 0.0) << "the floes never met";
   EXPECT_EQ(shell("gem case check one.toml --json" + as_file + "\"one.h5\"'"), 0) << text_of("err");
-  EXPECT_NE(text_of("out").find("\"floes\": 1"), std::string::npos) << text_of("out");
+  EXPECT_NE(text_of("out").find("\"floes\": 2"), std::string::npos) << text_of("out");
+  const std::string too_long = "\"one.h5\"' --set numerics.moment_s=0.1 --set output.floes_interval_s=0.1";
+  for (const std::string line : {"gem run one.toml -q --out no.h5", "gem case check one.toml"}) {
+    EXPECT_EQ(shell(line + as_file + too_long), 3) << line;
+    EXPECT_NE(text_of("err").find("numerics.moment_s: the moment is too long"), std::string::npos) << text_of("err");
+  }
   ASSERT_EQ(shell("gem run swing.toml -q"), 0) << text_of("err");
   EXPECT_EQ(shell("gem run one.toml -q --out no.h5" + as_file + "\"swing.h5\"'"), 3);
   EXPECT_NE(text_of("err").find("no floes"), std::string::npos) << text_of("err");

@@ -101,6 +101,7 @@ TEST_F(CommandTest, FaultsHaveTheirExitCodeOneLineAndNoFile) {
       {"gem run swing.toml --threads two", 2, "--threads two"},
       {"gem run swing.toml --threads 0", 2, "--threads 0"},
       {"gem run swing.toml --threads -2", 2, "--threads -2"},
+      {"gem run swing.toml --threads -99999999999999999999", 2, "--threads -99999999999999999999 is no count"},
       {"gem run swing.toml --threads 2 --engine reference", 2, "--threads 2 says nothing to the engine reference"},
       {"gem run swing.toml --until 10 --set run.duration_s=20", 2, "--until 10 and --set run.duration_s=20"},
       {"gem run swing.toml --index 1", 2, "single case"},

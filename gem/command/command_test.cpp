@@ -278,8 +278,12 @@ TEST_F(CommandTest, AKilledRunIsReadableToTheLastFlush) {
       continue;
     }
   }
-  EXPECT_EQ(readable, 2);
+  ASSERT_EQ(readable, 2);
   EXPECT_EQ(shell("gem info swing.h5"), 0);
+  // it has no state hash to be named
+  const double late = RunFile(path("swing.h5"), true).column("platform/time").back() - 50.0;
+  EXPECT_EQ(shell("gem analyse --allow-incomplete swing.h5 swing.h5 --from " + std::to_string(late)), 2);
+  EXPECT_NE(text_of("err").find("the same run as swing.h5 (several runs"), std::string::npos) << text_of("err");
 }
 
 TEST_F(CommandTest, CaseAndSweepCommands) {

@@ -102,7 +102,9 @@ void ThreadTeam::barrier() {
     return;
   }
   for (int spin = 0; phase_.load(std::memory_order_acquire) == phase; ++spin) {
-    if (called_off_.load(std::memory_order_relaxed)) throw CalledOff{};
+    // the next run may be called off while this thread has not yet seen that the others came: it looks once more
+    if (called_off_.load(std::memory_order_acquire) && phase_.load(std::memory_order_acquire) == phase)
+      throw CalledOff{};
     if (spin < spins) {
       relax();
     } else {

@@ -55,8 +55,7 @@ void add_crushing(const FieldState& f, ContactEvent& e) {
   const ContactGeometry shape = face_contact(platform, floe, offset, axis, reach);
   e.width = shape.width;
   const bool faces = shape.count == 2;
-  e.growth = faces ? tilted_faces_growth(platform, floe, shape.normal, shape.point[0], shape.point[1], shape.width)
-                   : shape.growth;
+  e.growth = faces ? tilted_faces_growth(platform, floe, shape.point[0], shape.point[1], shape.width) : shape.growth;
   e.depth = std::max(0.0, -axis.distance);
   e.effective_mass = 1.0 / contact_compliance({b.inverse_mass[0], b.inverse_inertia[0]}, arm_on_platform(f, e.point),
                                               {b.inverse_mass[e.body_b], b.inverse_inertia[e.body_b]},

@@ -20,6 +20,7 @@
 #include "bench/setting.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/field/field.h"
 #include "gem_version.h"
 
 namespace gem::bench {
@@ -33,7 +34,7 @@ struct Runner {
 std::vector<Runner> runners(const std::string& settings, const CaseChoice& choice) {
   std::vector<Runner> all;
   for (const EngineSetting& setting : read_settings(settings, choice))
-    all.push_back({setting, make_engine(setting.scene, field_of(setting.scene), setting.engine)});
+    all.push_back({setting, make_engine(setting.scene, make_field(setting.scene), setting.engine)});
   return all;
 }
 

@@ -93,7 +93,7 @@ std::vector<EngineSetting> read_settings(const std::string& path, const CaseChoi
     CaseChoice choice = chosen_case;
     setting.overrides = words(overrides);
     choice.overrides.insert(choice.overrides.end(), setting.overrides.begin(), setting.overrides.end());
-    setting.scene = read_case(choice);
+    setting.scene = with_floes_of_run_file(read_case(choice));
     setting.scene.numerics.moment_s *= setting.moment_factor;
     settings.push_back(setting);
   }

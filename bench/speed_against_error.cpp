@@ -29,6 +29,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/engine/engine.h"
+#include "gem/field/field.h"
 #include "gem_version.h"
 
 namespace gem::bench {
@@ -164,9 +165,10 @@ int run(const std::vector<std::string>& arguments) {
   };
   const Setting* const reference = labelled(5);
   const Setting* const leader = labelled(6);
-  const SceneDef scene = read_case(choice);
+  const SceneDef scene = with_floes_of_run_file(read_case(choice));
   const SceneDef& lead_scene = leader == nullptr ? scene : leader->scene;
-  const auto lead = make_engine(lead_scene, field_of(lead_scene), leader == nullptr ? EngineOptions{} : leader->engine);
+  const auto lead =
+      make_engine(lead_scene, make_field(lead_scene), leader == nullptr ? EngineOptions{} : leader->engine);
   std::cout
       << "case,start_s,window_s,setting,engine,moment_s,user_s_per_s,user_least_s_per_s,wall_s_per_s,"
          "real_time_factor,overlap_maximum_m,overlap_999_m,overlap_mean_m,gap_mean_m,near_pairs,"

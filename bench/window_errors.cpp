@@ -25,6 +25,7 @@
 #include "bench/setting.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/field/field.h"
 #include "gem_version.h"
 
 namespace gem::bench {
@@ -147,8 +148,8 @@ class Tables {
 
 /// The reference's engine at the first window.
 std::unique_ptr<Engine> settled_reference(const EngineSetting& reference, const Task& task) {
-  const SceneDef scene = read_case(task.chosen_case);
-  const auto lead = make_engine(scene, field_of(scene), {"cpu", 1});
+  const SceneDef scene = with_floes_of_run_file(read_case(task.chosen_case));
+  const auto lead = make_engine(scene, make_field(scene), {"cpu", 1});
   const double moment = scene.numerics.moment_s, led = task.start - task.settle;
   const std::int64_t last = std::llround(led / moment);
   while (lead->moment() < last) {

@@ -15,6 +15,7 @@
 #include "gem/record/fake_engine.h"
 #include "gem/record/output_path.h"
 #include "gem/record/recorder.h"
+#include "gem/report/load_run.h"
 #include "gem/run_scene.h"
 
 namespace gem {
@@ -121,6 +122,7 @@ TEST_F(RunFileTest, RunsWithoutFloesPlatformOrTime) {
   const RunSummary summary = run();
   EXPECT_EQ(summary.moments, 0);
   EXPECT_EQ(RunFile(options_.output).frame_count(), 1U);
+  EXPECT_EQ(load_run(options_.output, false).frames.size(), 1U);
 }
 
 TEST_F(RunFileTest, FloesComeBackAsListedFloes) {

@@ -35,7 +35,7 @@ ContactSpells contact_spells(std::span<const double> contacts, double interval_s
 std::optional<double> spell_mean(std::span<const Spell> spells);
 
 /// Median length by Kaplan and Meier, of the spells whose beginning is seen [s]: a cut one only says that it lasted
-/// longer. Empty where less than half of them are seen to end.
+/// longer. Empty where the survival curve stays above one half.
 std::optional<double> spell_median(std::span<const Spell> spells);
 
 /// The longest spell, cut ones with what is seen of them, so the true one is at least as long [s]. Empty without

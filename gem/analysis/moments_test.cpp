@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
-#include <stdexcept>
 #include <vector>
 
 namespace gem {

@@ -111,14 +111,17 @@ bool same_run(const Run& a, const Run& b) {
   return std::filesystem::equivalent(a.path, b.path, ignored);
 }
 
+/// A run that did not end in order has no hash.
+std::string hash_clause(const Run& run) { return run.state_hash.empty() ? "" : "state hash " + run.state_hash + "; "; }
+
 /// Runs are taken as independent: the same bits twice would narrow every interval for nothing.
 void check_different(const std::vector<Run>& runs) {
   for (std::size_t i = 0; i < runs.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (same_run(runs[i], runs[j]))
-        throw Error(ExitCode::usage, shown(runs[i].path) + ": the same run as " + shown(runs[j].path) +
-                                         " (state hash " + runs[i].state_hash +
-                                         "; several runs are taken as independent) give each run once");
+        throw Error(ExitCode::usage, shown(runs[i].path) + ": the same run as " + shown(runs[j].path) + " (" +
+                                         hash_clause(runs[i]) +
+                                         "several runs are taken as independent) give each run once");
 }
 
 struct Combined {

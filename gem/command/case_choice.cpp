@@ -3,11 +3,12 @@
 
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include "gem/base/error.h"
 #include "gem/command/command.h"
-#include "gem/field/field.h"
 #include "gem/record/run_file.h"
+#include "gem/scene/check_scene.h"
 #include "gem/scene/scene_file.h"
 #include "gem/scene/sweep.h"
 
@@ -48,16 +49,12 @@ SceneDef read_case(const CaseChoice& choice) {
 
 SceneDef with_floes_of_run_file(const SceneDef& scene) {
   if (scene.floes.source != FloeSource::file || !is_run_file(scene.floes.path)) return scene;
-  SceneDef listed = scene;
-  listed.floes.source = FloeSource::listed;
-  listed.floe = floes_of_run_file(scene.floes.path);
-  if (listed.floe.empty())
+  std::vector<FloeDef> floes = floes_of_run_file(scene.floes.path);
+  if (floes.empty())
     throw Error(ExitCode::scene_rejected,
                 scene.floes.path + ": no floes (that run had none) name another file or set floes.source = \"listed\"");
-  return listed;
+  return with_listed_floes(scene, std::move(floes));
 }
-
-Bodies field_of(const SceneDef& scene) { return make_field(with_floes_of_run_file(scene)); }
 
 std::string run_file_name(const std::string& run_name) {
   std::string name = run_name.empty() ? "run" : run_name;

@@ -40,12 +40,10 @@ void add_case_options(CLI::App& command, CaseChoice& choice, bool required);
 /// Reads the chosen case. Throws Error(usage) for a sweep without --index and for a case with it.
 SceneDef read_case(const CaseChoice& choice);
 
-/// The scene with the floes of a run file listed, if its floe source is one; otherwise the scene itself.
-/// Throws Error(scene_rejected) for a run file without floes.
+/// The scene with the floes of a run file listed, if its floe source is one; otherwise the scene itself. Fields and
+/// engines are made of this: an engine's reach follows how fast listed floes are. Throws Error(scene_rejected) for a
+/// run file without floes and for what is refused of listed ones.
 SceneDef with_floes_of_run_file(const SceneDef& scene);
-
-/// The field of a scene; a run file as floe source is read here.
-Bodies field_of(const SceneDef& scene);
 
 /// Writes to standard output. Throws Error(file_system) if that fails for another reason than a closed pipe.
 void print(const std::string& text);

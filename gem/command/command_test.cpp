@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -100,6 +101,7 @@ TEST_F(CommandTest, FaultsHaveTheirExitCodeOneLineAndNoFile) {
       {"gem run swing.toml --threads two", 2, "--threads two"},
       {"gem run swing.toml --threads 0", 2, "--threads 0"},
       {"gem run swing.toml --threads -2", 2, "--threads -2"},
+      {"gem run swing.toml --threads -99999999999999999999", 2, "--threads -99999999999999999999 is no count"},
       {"gem run swing.toml --threads 2 --engine reference", 2, "--threads 2 says nothing to the engine reference"},
       {"gem run swing.toml --until 10 --set run.duration_s=20", 2, "--until 10 and --set run.duration_s=20"},
       {"gem run swing.toml --index 1", 2, "single case"},
@@ -276,8 +278,12 @@ TEST_F(CommandTest, AKilledRunIsReadableToTheLastFlush) {
       continue;
     }
   }
-  EXPECT_EQ(readable, 2);
+  ASSERT_EQ(readable, 2);
   EXPECT_EQ(shell("gem info swing.h5"), 0);
+  // it has no state hash to be named
+  const double late = RunFile(path("swing.h5"), true).column("platform/time").back() - 50.0;
+  EXPECT_EQ(shell("gem analyse --allow-incomplete swing.h5 swing.h5 --from " + std::to_string(late)), 2);
+  EXPECT_NE(text_of("err").find("the same run as swing.h5 (several runs"), std::string::npos) << text_of("err");
 }
 
 TEST_F(CommandTest, CaseAndSweepCommands) {
@@ -292,19 +298,29 @@ TEST_F(CommandTest, CaseAndSweepCommands) {
 }
 
 TEST_F(CommandTest, ARunFileIsAFieldForAnotherRun) {
+  // the end of a long floe turns into the side of another: how far a contact must be seen follows the spin
   std::ofstream(folder_ / "one.toml") << "[run]\nname = \"one\"\nduration_s = 5.0\n[floes]\nsource = \"listed\"\n"
                                          "[boundary]\npresent = false\n[platform]\npresent = false\n"
-                                         "[[floe]]\noutline_m = [[-2, -2], [2, -2], [2, 2], [-2, 2]]\n"
-                                         "position_m = [-30, 3]\n";
+                                         "[current]\nvelocity_m_per_s = [0, 0]\n[numerics]\nmoment_s = 0.05\n"
+                                         "[output]\nfloes_interval_s = 0.05\n"
+                                         "[[floe]]\noutline_m = [[-1, -6], [1, -6], [1, 6], [-1, 6]]\n"
+                                         "position_m = [-30, 3]\nspin_rad_per_s = 0.5\n"
+                                         "[[floe]]\noutline_m = [[-5, -5], [5, -5], [5, 5], [-5, 5]]\n"
+                                         "position_m = [-22, 3]\n";
   ASSERT_EQ(shell("gem run one.toml -q"), 0) << text_of("err");
-  ASSERT_EQ(shell("gem run one.toml -q --out two.h5 --set 'floes.source=\"file\"' --set 'floes.path=\"one.h5\"' --set "
-                  "'floe=[]'"),
-            0)
-      << text_of("err");
-  EXPECT_EQ(RunFile(path("two.h5")).column("floes/x"), RunFile(path("one.h5")).column("floes/x"));
   const std::string as_file = " --set 'floes.source=\"file\"' --set 'floe=[]' --set 'floes.path=";
+  ASSERT_EQ(shell("gem run one.toml -q --out two.h5" + as_file + "\"one.h5\"'"), 0) << text_of("err");
+  EXPECT_EQ(RunFile(path("two.h5")).column("floes/x"), RunFile(path("one.h5")).column("floes/x"));
+  EXPECT_EQ(RunFile(path("two.h5")).attribute("gem_state_hash"), RunFile(path("one.h5")).attribute("gem_state_hash"));
+  const std::vector<double> contacts = RunFile(path("one.h5")).column("stats/contacts");
+  EXPECT_GT(*std::max_element(contacts.begin(), contacts.end()), 0.0) << "the floes never met";
   EXPECT_EQ(shell("gem case check one.toml --json" + as_file + "\"one.h5\"'"), 0) << text_of("err");
-  EXPECT_NE(text_of("out").find("\"floes\": 1"), std::string::npos) << text_of("out");
+  EXPECT_NE(text_of("out").find("\"floes\": 2"), std::string::npos) << text_of("out");
+  const std::string too_long = "\"one.h5\"' --set numerics.moment_s=0.1 --set output.floes_interval_s=0.1";
+  for (const std::string line : {"gem run one.toml -q --out no.h5", "gem case check one.toml"}) {
+    EXPECT_EQ(shell(line + as_file + too_long), 3) << line;
+    EXPECT_NE(text_of("err").find("numerics.moment_s: the moment is too long"), std::string::npos) << text_of("err");
+  }
   ASSERT_EQ(shell("gem run swing.toml -q"), 0) << text_of("err");
   EXPECT_EQ(shell("gem run one.toml -q --out no.h5" + as_file + "\"swing.h5\"'"), 3);
   EXPECT_NE(text_of("err").find("no floes"), std::string::npos) << text_of("err");

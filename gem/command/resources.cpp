@@ -93,10 +93,10 @@ int choose_threads(const std::string& asked, std::string& message) {
     message = what + " is not a whole number, using " + std::to_string(machine);
     return machine;
   }
-  if (from_option && fault == std::errc() && threads < 1)
-    throw Error(ExitCode::usage, what + " is no count of threads (it must be 1 or more) leave it out to use all");
   const int limit = 4 * machine;
-  if (fault == std::errc::result_out_of_range) threads = limit + 1;
+  if (fault == std::errc::result_out_of_range) threads = text.front() == '-' ? 0 : limit + 1;
+  if (from_option && threads < 1)
+    throw Error(ExitCode::usage, what + " is no count of threads (it must be 1 or more) leave it out to use all");
   if (threads >= 1 && threads <= limit) return threads;
   const int used = threads < 1 ? machine : limit;
   message = what + " is out of range (1 to " + std::to_string(limit) + " here), using " + std::to_string(used);

@@ -7,6 +7,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
+#include "gem/field/field.h"
 #include "gem/record/output_path.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/document.h"
@@ -95,11 +96,12 @@ int run(RunChoice choice) {
   for (const std::string& warning : scene_warnings(scene)) log.message("warning", warning);
   if (choice.options.output.empty()) choice.options.output = run_file_name(scene.run.name);
   check_output_path(choice.options.output, choice.options.overwrite);
-  const Estimate need = estimate(scene);
+  const SceneDef listed = with_floes_of_run_file(scene);
+  const Estimate need = estimate(listed);
   if (!choice.force) check_resources(need, choice.options.output);
 
-  const Bodies field = field_of(scene);
-  const auto engine = engine_for(scene, field, choice.engine);
+  const Bodies field = make_field(listed);
+  const auto engine = engine_for(listed, field, choice.engine);
   choice.engine.name = engine->name();
   if (choice.engine.name != "cpu") choice.engine.threads = 1;
   const std::string place = engine->device().empty() ? threads_text(choice.engine.threads) : engine->device();

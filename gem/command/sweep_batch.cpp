@@ -3,16 +3,18 @@
 
 #include "gem/command/command.h"
 #include "gem/command/sweep_worker.h"
+#include "gem/field/field.h"
 #include "gem/run_batch.h"
 
 namespace gem {
 namespace {
 
-/// A run with its lock, which goes when the run's row is written.
+/// A run with its lock, which goes when the run's row is written; `listed` is what its field and engine are made of.
 struct Held {
   SweepTask task;
   SweepRow row;
   SweepLock lock;
+  SceneDef listed = {};
   Bodies field = {};
 };
 
@@ -37,7 +39,8 @@ class SweepBatch {
           end(held, *reason);
           continue;
         }
-        held.field = field_of(task.member->scene);
+        held.listed = with_floes_of_run_file(task.member->scene);
+        held.field = make_field(held.listed);
         group.push_back(std::move(held));
       } catch (...) {
         end(held, failure_now(held.row, *task.entry));
@@ -80,7 +83,7 @@ class SweepBatch {
 
   static std::vector<BatchScene> scenes_of(const Group& group) {
     std::vector<BatchScene> scenes;
-    for (const Held& held : group) scenes.push_back({held.task.member->scene, held.field});
+    for (const Held& held : group) scenes.push_back({held.listed, held.field});
     return scenes;
   }
 

@@ -2,14 +2,15 @@
 #include "gem/command/sweep_worker.h"
 
 #include "gem/command/command.h"
+#include "gem/field/field.h"
 
 namespace gem {
 namespace {
 
 RunSummary run_member(const SweepMember& member, const SweepSettings& settings, SweepBoard::Entry& entry,
                       const std::atomic<int>& stop) {
-  const Bodies field = field_of(member.scene);
-  const auto engine = engine_for(member.scene, field, settings.engine);
+  const SceneDef listed = with_floes_of_run_file(member.scene);
+  const auto engine = engine_for(listed, make_field(listed), settings.engine);
   RunOptions options = options_of(member, settings, entry, stop);
   if (!engine->method().empty()) options.books = reported_only;
   return run_scene(member.scene, *engine, options);

@@ -37,8 +37,8 @@ ContactPoint point_of(const ContactSlot& slot) { return {{}, slot.separation, sl
 /// Chord growth of a contact; two points are within the contact margin whatever the tilt of their faces.
 double growth_of(const Contact& contact, const EventBodies& bodies) {
   if (contact.count < 2) return contact.growth;
-  return tilted_faces_growth(bodies.outline_a, bodies.outline_b, contact.normal, point_of(contact.slot[0]),
-                             point_of(contact.slot[1]), contact.width);
+  return tilted_faces_growth(bodies.outline_a, bodies.outline_b, point_of(contact.slot[0]), point_of(contact.slot[1]),
+                             contact.width);
 }
 
 /// Longest chord that crushing can come to [m].

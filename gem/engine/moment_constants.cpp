@@ -12,14 +12,11 @@ namespace {
 
 /// Largest speed of any point that the scene starts with or drives towards [m/s]: the measure of residual and contact
 /// margin.
-double fastest_of(const SceneDef& scene, const Bodies& bodies) {
+double fastest_of(const SceneDef& scene) {
   constexpr double slowest_of_interest = 1e-3;
   double fastest = std::max(slowest_of_interest, length(scene.current.velocity_m_per_s));
   for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s) + rim_speed(floe));
-  if (!scene.platform.present) return fastest;
-  const double swing = std::sqrt(scene.mooring.stiffness_N_per_m / bodies.mass[0]);
-  return std::max(
-      {fastest, length(scene.platform.start_velocity_m_per_s), swing * length(scene.platform.start_offset_m)});
+  return std::max(fastest, platform_speed_bound(scene));
 }
 
 }  // namespace
@@ -55,7 +52,7 @@ MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
   c.ice = {scene.ice.crushing_pressure_Pa, scene.ice.pressure_area_exponent, 0.0};
 
   const bool coupled = c.resolution == Resolution::coupled;
-  const double fastest = fastest_of(scene, bodies);
+  const double fastest = fastest_of(scene);
   if (coupled && c.manifold == Manifold::chord_ends) c.contact_margin = scene.numerics.contact_reach * fastest * c.dt;
   c.residual_speed = scene.numerics.residual_tolerance * fastest;
   c.tight_residual = scene.numerics.residual_tolerance < IterationCourse::single_precision;

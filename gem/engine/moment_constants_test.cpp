@@ -42,6 +42,16 @@ TEST(MomentConstants, ReachFollowsTheRim) {
   EXPECT_DOUBLE_EQ(constants_of(turning).repair_reach, (turning.numerics.contact_reach - 1.0) * rim * 0.1);
 }
 
+TEST(MomentConstants, ReachFollowsThePlatformsSwing) {
+  SceneDef scene = turning_floe(0.1, 0.0);
+  scene.platform.present = true;
+  scene.platform.anchor_m = {100.0, 0.0};
+  scene.platform.start_velocity_m_per_s = {0.3, 0.0};
+  scene.platform.start_offset_m = {4.0, 0.0};
+  scene.mooring.stiffness_N_per_m = 0.01 * scene.platform.mass_kg;
+  EXPECT_DOUBLE_EQ(constants_of(scene).contact_margin, scene.numerics.contact_reach * 0.5 * 0.1);
+}
+
 TEST(MomentConstants, AnEndThatTurnsIsSeenBeforeItIsIn) {
   for (const double dt : {0.2, 0.1, 0.05}) {
     const SceneDef scene = turning_floe(dt);

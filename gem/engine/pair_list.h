@@ -27,7 +27,9 @@ class PairList {
   struct Pair {
     std::int32_t a, b;
     Vec2 offset;
-    double free = -1e300;  // gap beyond the contact margin, and the ways of both rims until then [m]
+    // gap beyond the contact margin, and the ways of both rims until then; at first too small not to be looked at, and
+    // within what a float holds [m]
+    double free = -1e30;
   };
   /// What a look starts from.
   struct Look {

@@ -1,7 +1,11 @@
 // Starting, waiting and giving up together.
 #include "gem/engine/thread_team.h"
 
+#include <string>
+#include <system_error>
 #include <utility>
+
+#include "gem/base/error.h"
 
 namespace gem {
 namespace {
@@ -19,10 +23,19 @@ inline void relax() {
 }  // namespace
 
 ThreadTeam::ThreadTeam(int threads) : size_(threads) {
-  for (int rank = 1; rank < size_; ++rank) threads_.emplace_back([this, rank] { serve(rank); });
+  threads_.reserve(static_cast<std::size_t>(size_ - 1));
+  try {
+    for (int rank = 1; rank < size_; ++rank) threads_.emplace_back([this, rank] { serve(rank); });
+  } catch (const std::system_error& error) {
+    close();
+    throw Error(ExitCode::resource_limit, "cannot start " + std::to_string(size_) + " threads (" + error.what() +
+                                              ") ask for fewer with --threads, or run fewer programs at once");
+  }
 }
 
-ThreadTeam::~ThreadTeam() {
+ThreadTeam::~ThreadTeam() { close(); }
+
+void ThreadTeam::close() {
   {
     const std::lock_guard lock(mutex_);
     closing_ = true;
@@ -102,7 +115,9 @@ void ThreadTeam::barrier() {
     return;
   }
   for (int spin = 0; phase_.load(std::memory_order_acquire) == phase; ++spin) {
-    if (called_off_.load(std::memory_order_relaxed)) throw CalledOff{};
+    // the next run may be called off while this thread has not yet seen that the others came: it looks once more
+    if (called_off_.load(std::memory_order_acquire) && phase_.load(std::memory_order_acquire) == phase)
+      throw CalledOff{};
     if (spin < spins) {
       relax();
     } else {

@@ -17,6 +17,7 @@ namespace gem {
 /// a machine busy with other work is not held up.
 class ThreadTeam {
  public:
+  /// Throws Error(resource_limit) if the system does not give so many threads.
   explicit ThreadTeam(int threads);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
@@ -79,6 +80,8 @@ class ThreadTeam {
   struct CalledOff {};
 
   void serve(int rank);
+  /// Sends the threads home and waits for them.
+  void close();
   /// The task and the barrier behind it; notes what the task throws.
   void carry_out(const std::function<void(int)>& task, int rank);
   void note_left(std::exception_ptr why);

@@ -2,10 +2,14 @@
 #include "gem/engine/thread_team.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <cstdlib>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+
+#include "gem/base/error.h"
 
 namespace gem {
 namespace {
@@ -134,6 +138,26 @@ TEST_P(ThreadTeamTest, ManyShortRuns) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, ThreadTeamTest, testing::Values(1, 2, 3, 5, 8));
+
+/// Asks for more threads than there are addresses for; exits with 0 if that is told and nothing is left running.
+[[noreturn]] void start_too_many() {
+  const rlimit limit{1UL << 30, 1UL << 30};  // 8 MB of stack each: some start
+  setrlimit(RLIMIT_AS, &limit);
+  try {
+    ThreadTeam team(1000);
+  } catch (const Error& error) {
+    const bool told = std::string(error.what()).find("cannot start 1000 threads") == 0;
+    std::_Exit(error.code() == ExitCode::resource_limit && told ? 0 : 1);
+  }
+  std::_Exit(2);
+}
+
+TEST(ThreadTeamDeathTest, TooManyThreadsAreAnError) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the sanitizer needs the addresses that the test takes away";
+#endif
+  EXPECT_EXIT(start_too_many(), testing::ExitedWithCode(0), "");
+}
 
 }  // namespace
 }  // namespace gem

@@ -94,23 +94,12 @@ void append_floes(Bodies& bodies, const SceneDef& scene, const std::vector<FloeD
   }
 }
 
-/// A file's floes are known only now: what check_scene asks of listed floes is asked of them here.
-std::vector<FloeDef> checked_floe_file(const SceneDef& scene) {
-  SceneDef listed = scene;
-  listed.floe = read_floe_file(scene.floes.path);
-  listed.floes.source = FloeSource::listed;
-  listed.floes.path.clear();
-  for (const SceneProblem& problem : check_scene(listed))
-    throw Error(ExitCode::scene_rejected, problem.key + ": " + problem.text);
-  return listed.floe;
-}
-
 std::vector<FloeDef> floes_of(const SceneDef& scene, const std::vector<std::vector<Vec2>>& obstacles) {
   switch (scene.floes.source) {
     case FloeSource::listed:
       return scene.floe;
     case FloeSource::file:
-      return checked_floe_file(scene);
+      return with_listed_floes(scene, read_floe_file(scene.floes.path)).floe;
     case FloeSource::generated:
     case FloeSource::copied:
       break;

@@ -14,7 +14,7 @@ using test::Shape;
 constexpr double turns_of(double angle) { return angle / (2.0 * M_PI); }
 
 double growth(const Shape& a, const Shape& b, const ContactGeometry& c) {
-  return tilted_faces_growth(a.outline(), b.outline(), c.normal, c.point[0], c.point[1], c.width);
+  return tilted_faces_growth(a.outline(), b.outline(), c.point[0], c.point[1], c.width);
 }
 
 /// B stands so far along x that the deepest point is `depth` deep in the face of A at x = `face`.
@@ -52,6 +52,26 @@ TEST(TiltedFaces, OtherSideLeansInAndOverhangs) {
     ASSERT_EQ(c.count, 2) << corner;
     const double beta = M_PI - tilt - corner;  // below a right angle it leans over the wall away from the chord
     EXPECT_NEAR(growth(wall, triangle, c), 1.0 / std::tan(tilt) + 1.0 / std::tan(beta), 1e-9) << corner;
+  }
+}
+
+TEST(TiltedFaces, SharpCornerOfTheBodyThatOwnsTheNormal) {
+  const double corner = M_PI / 18.0;  // 10 degrees
+  const Shape needle({{0.0, 0.0}, {0.0, 8.0}, {-8.0 * std::sin(corner), 8.0 * std::cos(corner)}});
+  for (const double tilt : {0.02, 0.9 * corner, corner, 1.05 * corner}) {
+    // a block whose face stands 0.1 m before the needle's tip and leans away from its side; it begins so little below
+    // the tip that it is the needle's side that parts them best
+    const Vec2 along{std::sin(tilt), std::cos(tilt)}, inward{std::cos(tilt), -std::sin(tilt)};
+    const double below = 0.2 * 0.1 * tilt;
+    const Vec2 low = Vec2{0.1, 0.0} - below * along;
+    const Shape block({low, low + 10.0 * inward, low + 10.0 * inward + 10.0 * along, low + 10.0 * along});
+    const ContactGeometry c = test::face(needle, block, {0.0, 0.0});
+    ASSERT_EQ(c.count, 2);
+    ASSERT_EQ(c.normal.y, 0.0) << "not the needle's";
+    const ContactPoint& first = c.point[c.point[1].separation < c.point[0].separation];
+    ASSERT_EQ(first.feature, 0) << "not the needle's tip";
+    const double expected = std::sin(corner) / (std::sin(tilt) * std::sin(tilt + corner));
+    EXPECT_NEAR(growth(needle, block, c) / expected, 1.0, 1e-12) << tilt;
   }
 }
 

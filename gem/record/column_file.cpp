@@ -48,13 +48,12 @@ ChunkShape chunk_shape(std::size_t floes) {
   ChunkShape shape;
   shape.frames = std::clamp<hsize_t>(65536 / std::max<hsize_t>(floes, 1), 1, shape.frames);
   shape.floes = 32768 / shape.frames;
-  shape.platform = 64 * shape.frames;
+  shape.rows = 64 * shape.frames;
   return shape;
 }
 
 hsize_t ChunkShape::rows_of(const std::string& group) const {
-  if (group == "floes" || group == "stats") return frames;
-  return group == "platform" ? platform : events;
+  return group == "floes" || group == "stats" ? frames : rows;
 }
 
 ColumnFile::ColumnFile(const std::string& path, bool overwrite, const std::map<std::string, hsize_t>& size,
@@ -87,7 +86,7 @@ void ColumnFile::add_dimension(hid_t group, const std::string& name, hsize_t siz
   const Handle space = checked(H5Screate_simple(1, &size, &maximum), H5Sclose, name.c_str());
   const Handle creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name.c_str());
   if (maximum == H5S_UNLIMITED) {
-    check(H5Pset_chunk(creation, 1, &chunk_.events), name.c_str());
+    check(H5Pset_chunk(creation, 1, &chunk_.rows), name.c_str());
   }
   Handle id = checked(H5Dcreate2(group, name.c_str(), H5T_IEEE_F32BE, space, H5P_DEFAULT, creation, H5P_DEFAULT),
                       H5Dclose, name.c_str());

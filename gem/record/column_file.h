@@ -15,8 +15,7 @@ namespace gem {
 struct ChunkShape {
   hsize_t frames = 16;
   hsize_t floes = 2048;
-  hsize_t platform = 1024;  // rows
-  hsize_t events = 1024;    // rows
+  hsize_t rows = 1024;  // of the platform and of the events
 
   hsize_t rows_of(const std::string& group) const;
 };

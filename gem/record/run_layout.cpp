@@ -169,8 +169,8 @@ void RunLayout::append(Slab slab) {
   for (const auto& entry : floe_columns()) add(waiting_.floes.*(entry.values), slab.floes.*(entry.values));
 
   const auto whole = [](std::size_t rows, hsize_t chunk) { return rows - rows % chunk; };
-  append_rows(platform_columns(), waiting_.platform, whole(waiting_.platform.size(), chunk_.platform));
-  append_events(whole(waiting_.events.size(), chunk_.events));
+  append_rows(platform_columns(), waiting_.platform, whole(waiting_.platform.size(), chunk_.rows));
+  append_events(whole(waiting_.events.size(), chunk_.rows));
   append_stats(whole(waiting_.stats.size(), chunk_.frames));
   append_frames(whole(waiting_.floes.time.size(), chunk_.frames));
 }

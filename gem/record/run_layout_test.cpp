@@ -14,11 +14,12 @@ TEST(ChunkShape, HoldsFewerFramesOfMoreFloes) {
   EXPECT_EQ(chunk_shape(0).frames, 16U);
   EXPECT_EQ(chunk_shape(4008).frames, 16U);
   EXPECT_EQ(chunk_shape(4008).floes, 2048U);
-  EXPECT_EQ(chunk_shape(4008).platform, 1024U);
+  EXPECT_EQ(chunk_shape(4008).rows, 1024U);
   EXPECT_EQ(chunk_shape(20000).frames, 3U);
   EXPECT_EQ(chunk_shape(1000000).frames, 1U);
   EXPECT_EQ(chunk_shape(1000000).floes, 32768U);
-  EXPECT_EQ(chunk_shape(1000000).platform, 64U);
+  EXPECT_EQ(chunk_shape(1000000).rows, 64U);
+  EXPECT_EQ(chunk_shape(1000000).rows_of("events"), 64U);
 }
 
 /// Frames that wait after seven were handed over.

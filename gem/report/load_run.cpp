@@ -85,10 +85,13 @@ FloeFrame floe_frame(const FrameView& view) {
   return frame;
 }
 
-std::vector<FloeFrame> three_frames(const RunFile& file) {
+std::vector<FloeFrame> up_to_three_frames(const RunFile& file) {
   const std::size_t count = file.frame_count();
-  if (count < 3) return {};
-  return {floe_frame(file.frame(0)), floe_frame(file.frame(count / 2)), floe_frame(file.frame(count - 1))};
+  if (count >= 3)
+    return {floe_frame(file.frame(0)), floe_frame(file.frame(count / 2)), floe_frame(file.frame(count - 1))};
+  std::vector<FloeFrame> frames;
+  for (std::size_t i = 0; i < count; ++i) frames.push_back(floe_frame(file.frame(i)));
+  return frames;
 }
 
 }  // namespace
@@ -111,7 +114,7 @@ RunData load_run(const std::string& run_file, bool allow_incomplete) {
   run.platform_outline = file.platform_outline();
   run.fixed = file.boundary_outlines();
   run.floe_outlines = file.floe_outlines();
-  run.frames = three_frames(file);
+  run.frames = up_to_three_frames(file);
   return run;
 }
 

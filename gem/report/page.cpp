@@ -69,10 +69,16 @@ maxima, are given from twenty of them on. Maxima count every wiggle, so that cou
 </div></section>
 )";
 
-constexpr const char* kNoField = R"(<section><h2>The field</h2>
-<p class="notes">No frames recorded: pictures of the field need three frames of the floes
-(<code>output.floes_interval_s</code>).</p></section>
-)";
+/// Why there are no pictures of the field.
+std::string no_field_html(const RunData& run) {
+  std::string why = "The run has no floes.";
+  if (!run.floe_outlines.empty()) {
+    const char* recorded[] = {"No frames", "One frame", "Two frames"};
+    why = std::string(recorded[run.frames.size()]) +
+          " of the floes recorded: pictures of the field need three (<code>output.floes_interval_s</code>).";
+  }
+  return "<section><h2>The field</h2>\n<p class=\"notes\">" + why + "</p></section>\n";
+}
 
 std::string figure_html(const Figure& figure) {
   return "<figure role=\"img\" aria-label=\"" + escaped(figure.title) + "\">\n" + figure.svg + "\n<figcaption>" +
@@ -104,7 +110,7 @@ std::string page_html(const RunData& run, const RunFindings& findings, const std
       name + " - run report</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
   html += "<header><h1>" + name + "</h1>\n<p>Ice loads on a moored platform: report of one run</p></header>\n";
   html += warning(run.identity) + headline_html(run, findings, analysis);
-  html += figures.field.empty() ? kNoField : section("The field", figures.field, false);
+  html += figures.field.empty() ? no_field_html(run) : section("The field", figures.field, false);
   html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + motion_html(run, findings, analysis) +
           loads_html(run, findings, analysis) + quality_html(run, findings) + identity_html(run) + "</section>\n";
   html += section("Motion of the platform", figures.motion, true);

@@ -207,13 +207,19 @@ TEST_F(Report, NamesThePackageWhenGnuplotIsMissing) {
   EXPECT_FALSE(fs::exists(folder_ / "report"));
 }
 
-TEST_F(Report, SaysThatNoFramesWereRecorded) {
+TEST_F(Report, SaysWhyTheFieldIsNotPictured) {
   RunData run = swinging_platform();
+  const std::string heading = "<h2>The field</h2>\n<p class=\"notes\">";
   write_report(run, out(), false);
-  EXPECT_EQ(page().find("No frames recorded"), std::string::npos);
-  run.frames.clear();
+  EXPECT_EQ(page().find(heading), std::string::npos);
+  for (const char* recorded : {"Two frames of the floes recorded", "One frame", "No frames"}) {
+    run.frames.pop_back();
+    write_report(run, out(), false);
+    EXPECT_NE(page().find(heading + recorded), std::string::npos) << recorded;
+  }
+  run.floe_outlines.clear();
   write_report(run, out(), false);
-  EXPECT_NE(page().find("<h2>The field</h2>\n<p class=\"notes\">No frames recorded"), std::string::npos);
+  EXPECT_NE(page().find(heading + "The run has no floes."), std::string::npos);
 }
 
 TEST_F(Report, DoesWithoutAPlatform) {

@@ -76,7 +76,7 @@ struct RunData {
   Corners platform_outline;            // about its centre
   std::vector<Corners> fixed;          // world
   std::vector<Corners> floe_outlines;  // about the centroid
-  std::vector<FloeFrame> frames;       // start, middle, end
+  std::vector<FloeFrame> frames;       // start, middle, end; fewer where no three were recorded
 };
 
 }  // namespace gem

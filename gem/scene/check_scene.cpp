@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "gem/base/error.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/scene_bounds.h"
 #include "gem/scene/schema.h"
@@ -204,6 +206,16 @@ std::vector<SceneProblem> check_scene(const SceneDef& scene) {
         check_field_place, check_platform, check_listed, check_listed_sizes, check_floating})
     rule(scene, problems);
   return problems;
+}
+
+SceneDef with_listed_floes(const SceneDef& scene, std::vector<FloeDef> floes) {
+  SceneDef listed = scene;
+  listed.floes.source = FloeSource::listed;
+  listed.floes.path.clear();
+  listed.floe = std::move(floes);
+  for (const SceneProblem& problem : check_scene(listed))
+    throw Error(ExitCode::scene_rejected, problem.key + ": " + problem.text);
+  return listed;
 }
 
 std::vector<std::string> scene_warnings(const SceneDef& scene) {

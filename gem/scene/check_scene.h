@@ -17,6 +17,10 @@ struct SceneProblem {
 /// Everything for which the scene is refused; empty if it may run.
 std::vector<SceneProblem> check_scene(const SceneDef& scene);
 
+/// The scene with the floes of a file listed, which no check has seen yet. Throws Error(scene_rejected) with the first
+/// fault of it.
+SceneDef with_listed_floes(const SceneDef& scene, std::vector<FloeDef> floes);
+
 /// What is allowed but deserves a second look, one line each: "key: problem (value, limit) suggestion".
 std::vector<std::string> scene_warnings(const SceneDef& scene);
 

@@ -29,14 +29,6 @@ double outline_width(const std::vector<Vec2>& outline) {
   return smallest;
 }
 
-/// Of the swing that the platform starts with; what the ice adds is slower than the ice [m/s].
-double platform_speed_bound(const SceneDef& scene) {
-  if (!scene.platform.present) return 0.0;
-  const double swing =
-      std::sqrt(scene.mooring.stiffness_N_per_m / scene.platform.mass_kg) * length(scene.platform.start_offset_m);
-  return std::hypot(length(scene.platform.start_velocity_m_per_s), swing);
-}
-
 }  // namespace
 
 double rim_speed(const FloeDef& floe) {
@@ -45,6 +37,13 @@ double rim_speed(const FloeDef& floe) {
   double radius = 0.0;
   for (const Vec2 corner : floe.outline_m) radius = std::max(radius, length(corner - centroid));
   return radius * std::abs(floe.spin_rad_per_s);
+}
+
+double platform_speed_bound(const SceneDef& scene) {
+  if (!scene.platform.present) return 0.0;
+  const double swing =
+      std::sqrt(scene.mooring.stiffness_N_per_m / scene.platform.mass_kg) * length(scene.platform.start_offset_m);
+  return std::hypot(length(scene.platform.start_velocity_m_per_s), swing);
 }
 
 double closing_speed_bound(const SceneDef& scene) {

@@ -28,9 +28,9 @@ TEST_P(HardRest, H8_an_eighth_of_a_radian_a_moment) {
   bound("H8.spin", spin, 10.0, "rad/s", where());
   // at most what a turn brings to the floe's corner, 7.07 m out
   bound("H8.fastest", fastest, 10.0 * 5.0 * std::sqrt(2.0), "m/s", where());
-  // a corner comes by 5 sqrt(2) - 5 m farther out than a face between two moments, on each of the two floes, and a
-  // moment of approach
-  bound("H8.overlap", run.worst().overlap, 5.0 * (std::sqrt(2.0) - 1.0) + 0.25 * 0.0125, "m", where());
+  // no deeper than a corner of the spinning floe sweeps in one moment, 0.88 m, and a moment of approach
+  const double swept = (10.0 * 5.0 * std::sqrt(2.0) + 0.25) * scene.numerics.moment_s;
+  bound("H8.overlap", run.worst().overlap, swept, "m", where());
   bound("H8.fastest_left", fastest_floe(run.bodies()), 0.25, "m/s", where());
   expect_sound("H8", run);
 }

@@ -6,7 +6,6 @@
 //              both of the distance between their places [m]; the last row names the commit
 #include <atomic>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -20,6 +19,7 @@
 #include "gem/record/schema.h"
 #include "gem/scene/scene_file.h"
 #include "gem_version.h"
+#include "validation/paper/study_program.h"
 
 namespace gem::ice {
 namespace {
@@ -99,18 +99,13 @@ std::string distances_text(const std::vector<Planned>& plans, const std::vector<
   return text + "commit," GEM_COMMIT "\n";
 }
 
-double positive(const std::string& text) {
-  const auto value = parse_number(text);
-  if (!value || !(*value > 0.0))
-    throw Error(ExitCode::usage, "'" + text + "' is no number above 0 (of seconds or threads) give one");
-  return *value;
-}
+}  // namespace
 
 int run(const std::vector<std::string>& arguments) {
   if (arguments.size() != 4)
     throw Error(ExitCode::usage,
                 "wrong arguments (not CASE SECONDS THREADS DISTANCES.csv) see scripts/ice_distances.sh");
-  const double seconds = positive(arguments[1]), threads = positive(arguments[2]);
+  const double seconds = study::positive(arguments[1]), threads = study::positive(arguments[2]);
   std::vector<Planned> plans;
   for (const char* contacts : {"coupled", "independent"})
     for (int seed = 1; seed <= kSeeds; ++seed) plans.push_back({contacts, seed});
@@ -126,22 +121,10 @@ int run(const std::vector<std::string>& arguments) {
       }
     });
   team.clear();
-  std::ofstream file(arguments[3], std::ios::binary);
-  file << distances_text(plans, done);
-  file.close();
-  if (!file)
-    throw Error(ExitCode::file_system, "cannot write " + arguments[3] + " (disk full or no permission) choose another");
+  study::write(arguments[3], distances_text(plans, done));
   return 0;
 }
 
-}  // namespace
 }  // namespace gem::ice
 
-int main(int argc, char** argv) {
-  try {
-    return gem::ice::run({argv + 1, argv + argc});
-  } catch (const gem::Error& error) {
-    std::cerr << "ice_distances: " << error.what() << '\n';
-    return static_cast<int>(error.code());
-  }
-}
+int main(int argc, char** argv) { return gem::study::exit_code_of("ice_distances", argc, argv, gem::ice::run); }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -21,6 +20,7 @@
 #include "gem/field/field.h"
 #include "gem/scene/scene_file.h"
 #include "gem_version.h"
+#include "validation/paper/study_program.h"
 #include "validation/paper/unordered_engine.h"
 
 namespace gem::repeats {
@@ -161,27 +161,14 @@ std::string distances_text(const std::vector<Planned>& runs, const std::vector<D
   return text;
 }
 
-void write(const std::string& name, const std::string& text) {
-  std::ofstream file(name, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file)
-    throw Error(ExitCode::file_system, "cannot write " + name + " (disk full or no permission) choose another");
-}
-
-double positive(const std::string& text) {
-  const auto value = parse_number(text);
-  if (!value || !(*value > 0.0))
-    throw Error(ExitCode::usage, "'" + text + "' is no number above 0 (of seconds or threads) give one");
-  return *value;
-}
+}  // namespace
 
 int run(const std::vector<std::string>& arguments) {
   if (arguments.size() != 5)
     throw Error(ExitCode::usage,
                 "wrong arguments (not CASE SECONDS THREADS RUNS.csv DISTANCES.csv) see "
                 "scripts/unordered_sums.sh");
-  const double seconds = positive(arguments[1]), threads = positive(arguments[2]);
+  const double seconds = study::positive(arguments[1]), threads = study::positive(arguments[2]);
   const std::vector<Planned> runs = plan();
   for (const Planned& one : runs) scene_of(one, arguments[0]);  // a fault in the case shows here, not on a thread
   std::vector<Done> done(runs.size());
@@ -199,19 +186,11 @@ int run(const std::vector<std::string>& arguments) {
       "contacts,sums,run,state_hash,x_deviation_m,sums_taken,sums_of_several,sums_changed,order_rms,order_largest,"
       "rounding_rms,rounding_largest,platform_sums,platform_order_rms_m_per_s,commit\n";
   for (std::size_t i = 0; i < runs.size(); ++i) rows += run_row(runs[i], done[i]);
-  write(arguments[3], rows);
-  write(arguments[4], distances_text(runs, done));
+  study::write(arguments[3], rows);
+  study::write(arguments[4], distances_text(runs, done));
   return 0;
 }
 
-}  // namespace
 }  // namespace gem::repeats
 
-int main(int argc, char** argv) {
-  try {
-    return gem::repeats::run({argv + 1, argv + argc});
-  } catch (const gem::Error& error) {
-    std::cerr << "unordered_sums: " << error.what() << '\n';
-    return static_cast<int>(error.code());
-  }
-}
+int main(int argc, char** argv) { return gem::study::exit_code_of("unordered_sums", argc, argv, gem::repeats::run); }

@@ -60,7 +60,6 @@ void add_ice_numbers(const IceStudy& study, FolderNumbers& numbers) {
     FolderNumbers of_ice;
     add_divergence_numbers(own, of_ice);
     for (const auto& [name, as] : {std::pair{"divergence_rate_per_s", "ice_divergence_rate_" + contacts + "_per_s"},
-                                   std::pair{"divergence_late_over_early", "ice_late_over_early_" + contacts},
                                    std::pair{"onset_shift_over_growth", "ice_onset_shift_" + contacts}})
       if (const auto found = of_ice.find(name); found != of_ice.end()) numbers[as] = found->second;
   }

@@ -23,8 +23,8 @@ struct IceStudy {
 /// what cannot be understood.
 IceStudy read_ice_study(const std::filesystem::path& folder);
 
-/// ice_divergence_rate_<contacts>_per_s, ice_late_over_early_<contacts>, ice_onset_shift_<contacts>: as
-/// add_divergence_numbers has them for platforms.
+/// ice_divergence_rate_<contacts>_per_s and ice_onset_shift_<contacts>: as add_divergence_numbers has them for
+/// platforms.
 void add_ice_numbers(const IceStudy& study, FolderNumbers& numbers);
 
 }  // namespace gem

@@ -144,7 +144,8 @@ std::string ice_text(const IceStudy& study) {
       number_text(1e3 * kIceApart) +
       " mm. With `independent` contacts a difference grows where floes touch, by steps. With `coupled` ones it stands "
       "at a "
-      "micrometre over the whole field from the first touch on, however small it was: known faults in README.md. Made "
+      "few micrometres over the whole field from the first touch on, however small it was: known faults in README.md. "
+      "Made "
       "by "
       "commit `" +
       study.commit + "`.\n\n";

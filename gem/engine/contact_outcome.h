@@ -28,7 +28,8 @@ struct ContactOutcome {
 /// Velocities must be those after the events.
 void find_outcome(const FieldState& f, const Contact& contact, ContactOutcome& outcome);
 
-/// Enters a resolved contact in the books of its body B and marks its bodies as struck.
+/// Enters a resolved contact in the books of its body B and marks its bodies as struck: independent, if it acted;
+/// coupled, if it has points within reach.
 void book_contact(FieldState& f, const Contact& contact, const ContactOutcome& outcome);
 
 /// How many points touched or were pressed, how deep they were, and how well they obey the laws of contact; counts the

@@ -79,7 +79,7 @@ GEM_DEVICE inline void kick_body(const DeviceScene& s, Mover& mover, BodyMotion&
   motion.angle_correction = kicked.angle_correction;
 }
 
-/// Takes over what the iterations of a coupled moment found for body i; returns whether any of its points acted.
+/// Takes over what the iterations of a coupled moment found for body i; returns whether it has points within reach.
 GEM_DEVICE inline bool take_solved(const DeviceScene& s, std::int32_t i, std::int32_t moment, BodyAfter& after,
                                    BodyRepair& repair) {
   if (s.body_points[i].moment != moment) return false;
@@ -87,7 +87,7 @@ GEM_DEVICE inline bool take_solved(const DeviceScene& s, std::int32_t i, std::in
   after.velocity = {solved.part[0], solved.part[1]};
   after.spin = solved.part[4];
   repair = within_reach({{solved.part[2], solved.part[3]}, solved.part[5]}, s.body[i].radius, s.constants.repair_reach);
-  return solved.part[6] > 0.0;
+  return true;
 }
 
 /// Moves a floe with its velocity after the events; whether it turned.

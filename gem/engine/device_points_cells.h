@@ -47,7 +47,7 @@ struct alignas(32) PushRecord {
   FloatQuad half[2];
 };
 
-/// The same by the base's impulses; part 6 is 1 where they are not all zero.
+/// The same by the base's impulses; part 7 as device_settle.h says.
 struct alignas(64) PushBase {
   double part[8];
 };
@@ -63,7 +63,7 @@ struct alignas(16) HeldPlace {
   PushRecord* record;  // null: a fixed body
 };
 
-/// Velocities and shifts of a body under the base's impulses, in the order of PushBase; part 6: points that acted.
+/// Velocities and shifts of a body under the base's impulses, in the order of PushBase.
 struct alignas(64) SolvedMotion {
   double part[8];
 };

@@ -8,18 +8,16 @@
 namespace gem {
 
 constexpr int solved_work = 7;  // part of a PushBase: work of a contact that stands with this body, at the moment's end
-constexpr int solved_acted = 6;  // part of a PushBase and of a SolvedMotion
 
 /// Enters the base's impulses of a point, and what they give to both bodies.
 GEM_DEVICE inline void write_base(const DeviceScene& s, std::int32_t i, const PointGeometry<double>& g,
                                   const PointImpulse<double>& p) {
   const PointCell point = s.taken_point[i];
   s.points.set(i, p);
-  const double acts = p.normal != 0.0 || p.tangential != 0.0 || p.repair != 0.0 ? 1.0 : 0.0;
   const auto write = [&](std::int32_t place, double lever_n, double lever_t) {
     if (place < 0) return;
     const Push<double> push = push_of(g, p, lever_n, lever_t);
-    s.push_base[place] = {{push.x, push.y, push.shift_x, push.shift_y, push.twist, push.turn, acts, 0.0}};
+    s.push_base[place] = {{push.x, push.y, push.shift_x, push.shift_y, push.twist, push.turn, 0.0, 0.0}};
   };
   write(point.place_a, g.lever_a_n, g.lever_a_t);
   write(point.place_b, g.lever_b_n, g.lever_b_t);
@@ -47,13 +45,13 @@ class SolverBase {
             if (first + k < count) some[k] = record[first + k].part[c];
           for (int k = 0; k < together; ++k) {
             if (first + k >= count) break;
-            sum[j] += first + k < as_b || c == solved_acted ? some[k] : -some[k];
+            sum[j] += first + k < as_b ? some[k] : -some[k];
           }
         }
       const BodyCell& cell = s_.body[body];
       for (int j = 0; j < each; ++j) {
         const int c = lanes.rank() + j * size;
-        const double answer = c < 4 ? cell.inverse_mass : c < solved_acted ? cell.inverse_inertia : 1.0;
+        const double answer = c < 4 ? cell.inverse_mass : cell.inverse_inertia;
         const double moved = answer * sum[j];
         sum[j] = c == 0   ? cell.velocity.x + moved
                  : c == 1 ? cell.velocity.y + moved

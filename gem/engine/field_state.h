@@ -23,7 +23,7 @@ struct FieldState {
 
   std::vector<Vec2> path_correction;  // exact path of the drag minus velocity x dt [m]
   std::vector<double> angle_correction;
-  std::vector<std::uint8_t> struck;  // a non-zero impulse in this moment
+  std::vector<std::uint8_t> struck;  // leaves the path of its drag in this moment: see book_contact()
   std::vector<Vec2> repair_shift;    // position repair of this moment [m]
   std::vector<double> repair_turn;   // [rad]
   Vec2 platform_position;            // at the start of the moment [m]

@@ -54,7 +54,7 @@ inline void turn_body(FieldState& f, std::size_t i, double angle) {
 }
 
 /// Moves floe i over the moment with its velocity after the events, but for its turn, which it returns [rad]. A floe
-/// that no event touched follows the exact path of its drag.
+/// that nothing struck follows the exact path of its drag.
 inline double shift_floe(FieldState& f, std::size_t i) {
   Bodies& b = f.bodies;
   const double dt = f.constants.dt;

@@ -34,13 +34,22 @@ struct ColumnBars {
 
 void press(const std::string& id, const SceneDef& scene, int count, const ColumnBars& bars, const Setting& setting) {
   Watched run(scene, setting);
-  run.advance(1180, 20);
-  const double exact = count * push, dt = scene.numerics.moment_s;
-  // one second: long against a moment, short against the 60 s
-  const double force = wall_force(run, 20, dt);
-  bound(id + ".force", std::fabs(force / held_push(scene, run.bodies()) - 1.0), bars.force, "-", run.where());
-  // the closed form, which the drag of a moment misses by k U dt
-  bound(id + ".force_exact", std::fabs(force / exact - 1.0), bars.force + 0.05 * 0.5 * dt, "-", run.where());
+  const double exact = count * push, dt = scene.numerics.moment_s, drag_misses = 0.05 * 0.5 * dt;  // k U dt
+  run.advance(600, 20);
+  // means over one second, long against a moment and short against the minute: the worst of half a minute, so that a
+  // column that rattles does not pass by the second that is looked at
+  double worst = 0.0, worst_exact = 0.0, sum = 0.0;
+  constexpr int seconds = 30;
+  for (int second = 0; second < seconds; ++second) {
+    const double force = wall_force(run, 20, dt);
+    worst = std::max(worst, std::fabs(force / held_push(scene, run.bodies()) - 1.0));
+    worst_exact = std::max(worst_exact, std::fabs(force / exact - 1.0));
+    sum += force;
+  }
+  bound(id + ".force", worst, bars.force, "-", run.where());
+  // the closed form, which the drag of a moment misses
+  bound(id + ".force_exact", worst_exact, bars.force + drag_misses, "-", run.where());
+  bound(id + ".force_mean", std::fabs(sum / seconds / exact - 1.0), bars.force + drag_misses, "-", run.where());
   bound(id + ".total_overlap", overlaps(run.bodies()).total, bars.overlap, "m", run.where());
   expect_sound(id, run);
   if (setting.coupled()) return;

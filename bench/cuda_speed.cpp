@@ -236,6 +236,13 @@ void growth(const Subject& subject) {
   }
 }
 
+void check_word(const std::string& word, const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), word) != known.end()) return;
+  std::string all;
+  for (const std::string& one : known) all += " " + one;
+  throw Error(ExitCode::usage, "'" + word + "' is not known (one of" + all + ") see the top of bench/cuda_speed.cpp");
+}
+
 }  // namespace
 }  // namespace gem
 
@@ -247,6 +254,8 @@ int main(int count, char** argument) {
     if (count > 5) subject.phase = argument[5];
     if (resolution == "independent") subject.resolution = gem::Resolution::independent;
     const std::size_t largest = count > 3 ? std::strtoull(argument[3], nullptr, 10) : 264;
+    gem::check_word(what, {"single", "copies", "batch", "table", "growth", "profile", "all"});
+    gem::check_word(resolution, {"coupled", "independent"});
     gem::header();
     if (what == "profile") gem::one_launch(subject, largest);
     if (what == "single" || what == "all") gem::single(subject);

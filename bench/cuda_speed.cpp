@@ -3,6 +3,7 @@
 // usage: gem_cuda_speed CASES_FOLDER [single|copies|batch|table|growth|profile|all] [largest batch]
 // [coupled|independent] [phase]
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -179,7 +180,8 @@ std::vector<BatchScene> seeds(const Subject& subject, std::size_t count) {
   return scenes;
 }
 
-/// Moves a batch on for as many moments and prints what it took; `recorded`: with the record of every moment.
+/// Moves each scene of a batch on by the moments that the first has in `duration` and prints what it took; `recorded`:
+/// with the record of every moment.
 void time_batch(const Subject& subject, const char* measure, const std::vector<BatchScene>& scenes, double duration,
                 bool recorded) {
   const std::int64_t moments = moments_in(scenes[0].scene, duration);
@@ -190,8 +192,8 @@ void time_batch(const Subject& subject, const char* measure, const std::vector<B
   const auto begin = Clock::now();
   batch.advance(moments, recorded ? &logs : nullptr);
   const double wall = std::chrono::duration<double>(Clock::now() - begin).count(), device = batch.device_time();
-  std::printf("%s,%s,%s,%s,%.0f s,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
-              subject.name(), measure, duration, scenes.size(), batch.blocks(), batch.threads(),
+  std::printf("%s,%s,%s,%s,%lld moments,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
+              subject.name(), measure, static_cast<long long>(moments), scenes.size(), batch.blocks(), batch.threads(),
               1e6 * device / double(moments), simulated / wall, wall / device,
               static_cast<unsigned long long>(batch.state_hash(0)));
   end_row(batch);
@@ -208,7 +210,7 @@ void batches(const Subject& subject, std::size_t largest) {
   }
 }
 
-/// All runs of Table 1 together, with the record of every moment; the duration is that of the first.
+/// All runs of Table 1 together, with the record of every moment; as many moments of each.
 void table(const Subject& subject) {
   std::vector<BatchScene> scenes;
   for (const SweepMember& member : expand_sweep(subject.cases + "/table1.toml")) {
@@ -236,6 +238,14 @@ void growth(const Subject& subject) {
   }
 }
 
+std::size_t scenes_of(const std::string& text) {
+  std::size_t scenes = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), scenes);
+  if (error != std::errc{} || end != text.data() + text.size() || scenes < 1 || scenes > 4096)
+    throw Error(ExitCode::usage, "'" + text + "' is no number of scenes (1 to 4096)");
+  return scenes;
+}
+
 void check_word(const std::string& word, const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
   std::string all;
@@ -252,8 +262,9 @@ int main(int count, char** argument) {
     gem::Subject subject;
     if (count > 1) subject.cases = argument[1];
     if (count > 5) subject.phase = argument[5];
+    if (!subject.phase.empty()) gem::check_word(subject.phase, {"drift", "plug", "jam"});
     if (resolution == "independent") subject.resolution = gem::Resolution::independent;
-    const std::size_t largest = count > 3 ? std::strtoull(argument[3], nullptr, 10) : 264;
+    const std::size_t largest = count > 3 ? gem::scenes_of(argument[3]) : 264;
     gem::check_word(what, {"single", "copies", "batch", "table", "growth", "profile", "all"});
     gem::check_word(resolution, {"coupled", "independent"});
     gem::header();

@@ -49,6 +49,8 @@ def main():
     options = parser.parse_args()
     threads = [int(t) for t in options.threads.split(",")]
     indices = [int(i) for i in options.index.split(",")]
+    version = subprocess.run([options.program, "--version"], check=True, capture_output=True, text=True).stdout
+    commit = version.split()[2]  # gem VERSION COMMIT ...
     results = {}
     with tempfile.TemporaryDirectory() as folder:
         for _ in range(options.repeats):
@@ -59,14 +61,14 @@ def main():
     with open(options.output, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(("index", "threads", *KEPT, "median_wall_s", "fastest_wall_s", "slowest_wall_s",
-                         "x_real_time", "processor"))
+                         "x_real_time", "processor", "commit"))
         for (index, count), runs in results.items():
             hashes = {r["state_hash"] for r in runs}
             assert len(hashes) == 1, f"run {index} gave {hashes}"
             walls = sorted(r["wall_time_s"] for r in runs)
             median = statistics.median(walls)
             row = (index, count, *(runs[0].get(key, "") for key in KEPT), median, walls[0], walls[-1],
-                   runs[0]["time_s"] / median, processor())
+                   runs[0]["time_s"] / median, processor(), commit)
             writer.writerow(row)
             print(*row)
 

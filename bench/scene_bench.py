@@ -20,7 +20,8 @@ def measure(program, pattern):
     with tempfile.NamedTemporaryFile(suffix=".json") as out:
         subprocess.run([program, f"--benchmark_filter={pattern}", f"--benchmark_out={out.name}",
                         "--benchmark_out_format=json"], check=True, stdout=subprocess.DEVNULL)
-        return json.load(out)
+        text = out.read()
+        return json.loads(text) if text.strip() else {"context": {}}
 
 
 def exponent(rows):
@@ -39,19 +40,24 @@ def main():
     options = parser.parse_args()
     result = measure(options.program, options.filter)
     context = result["context"]
-    grown = []
+    rows, grown = [], []
+    for b in result.get("benchmarks", []):
+        family, scene = (b["name"].split("/") + [""])[:2]
+        if family not in ("feature", "growth"):
+            parser.error(f"{b['name']} (neither feature/... nor growth/...) narrow --filter")
+        floes = int(scene) if family == "growth" else ""
+        rows.append((f"{family}/{scene}", floes, b["least_us"], b["real_time"], b["contacts"], b.get("ns_per_floe", ""),
+                     b["label"], context["commit"], context["compiler"], (context.get("load_avg") or [""])[0],
+                     processor()))
+        if family == "growth":
+            grown.append((floes, b["least_us"]))
+    if not rows:
+        parser.error(f"--filter {options.filter} (no benchmark has such a name) see gem_bench --benchmark_list_tests")
     with open(options.output, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(("scene", "floes", "least_us", "mean_us", "contacts", "ns_per_floe", "state_hash", "commit",
                          "compiler", "load", "processor"))
-        for b in result["benchmarks"]:
-            family, scene = b["name"].split("/")[:2]
-            floes = int(scene) if family == "growth" else ""
-            writer.writerow((f"{family}/{scene}", floes, b["least_us"], b["real_time"], b["contacts"],
-                             b.get("ns_per_floe", ""), b["label"], context["commit"], context["compiler"],
-                             context["load_avg"][0], processor()))
-            if family == "growth":
-                grown.append((floes, b["least_us"]))
+        writer.writerows(rows)
     if len(grown) > 1:
         slope, factor = exponent(grown)
         print(f"least_us = {factor:.3g} floes^{slope:.3f}")

@@ -18,7 +18,7 @@ FNR == 1 { FS = ","; $0 = $0 }
   setting = $4 == "-" ? $3 : $3 " " $4
   if (!(setting in column)) { column[setting] = ++settings; heading[settings] = setting }
   if (!(key in seen)) { seen[key] = ++keys; named[keys] = key; expected[key] = $5; bound[key] = $8; unit[key] = $9 }
-  value = sprintf("%.3g", $6)
+  value = sprintf("%.3g", $6) ($8 == bound[key] ? "" : " (bound " $8 ")")
   if ($10 == "FAIL") { value = "**" value "**"; ++failed[key] }
   if ($10 == "missed") {
     reason = why[$4 "," key]

@@ -10,7 +10,15 @@ set -eu
   exit 2
 }
 mkdir -p "$2"
-programs=$(cd "$1" && pwd) runs=$(cd "$2" && pwd) out=$3
+programs=$(cd "$1" && pwd) runs=$(cd "$2" && pwd)
+case $3 in /*) out=$3 ;; *) out=$PWD/$3 ;; esac
+for program in gem gem_ensembles; do
+  [ -x "$programs/$program" ] || {
+    echo "no $programs/$program (not built) name the folder with gem and gem_ensembles" >&2
+    exit 2
+  }
+done
+cd "$(dirname "$0")/.."
 
 # label | seeds | arguments of gem run
 settings() {
@@ -31,7 +39,7 @@ Box2D 50/20|1 2|--engine box2d --velocity-iterations 50 --position-iterations 20
 END
 }
 
-echo "setting,seed,slower_left_out_m_per_s,gap_s,per_s,commit" >"$out"
+echo "setting,seed,slower_left_out_m_per_s,gap_s,per_s,commit" >"$out.part"
 settings | while IFS='|' read -r label seeds arguments; do
   for seed in $seeds; do
     run=$runs/$(printf '%s' "$label" | tr -c 'a-zA-Z0-9\n' _).s$seed.h5
@@ -48,8 +56,10 @@ settings | while IFS='|' read -r label seeds arguments; do
       echo "no commit in $run (gem info --json) remove it, so that it is made again" >&2
       exit 1
     }
-    "$programs/gem_ensembles" touches "$run" 300 900 0.15 0.3 1 3 10 | while IFS= read -r row; do
+    "$programs/gem_ensembles" touches "$run" 300 900 0.15 0.3 1 3 10 >"$run.rows"
+    while IFS= read -r row; do
       echo "\"$label\",$seed,$row,$commit"
-    done
+    done <"$run.rows"
   done
-done >>"$out"
+done >>"$out.part"
+mv "$out.part" "$out"

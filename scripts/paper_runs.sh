@@ -171,8 +171,8 @@ collect() {
   "$program" sweep collect "$out/runs/$collected" --out "$out/summaries/$name.h5" --overwrite --partial $options \
     >"$out/lists/$name.log" 2>&1 && return 0
   ! grep -q 'holds 0 done runs' "$out/lists/$name.log" || return 0
+  rm -f "$out/summaries/$name.h5"
   cat "$out/lists/$name.log"
-  echo "$name" >>"$out/lists/not_collected"
   return 1
 }
 
@@ -181,9 +181,12 @@ collect_part() {
   collected=$(sweep_of "$1")
   [ -e "$out/runs/$collected/manifest.json" ] || return 0
   collections "$1" >"$out/lists/collect"
-  : >"$out/lists/not_collected"
   in_parallel "$jobs" "$out/lists/collect" "$out/lists/none" collect
-  [ ! -s "$out/lists/not_collected" ]
+  # called where a failing command stops nothing: each piece must have left its file, or have no run
+  cut -f1 "$out/lists/collect" | while IFS= read -r name; do
+    [ -e "$out/summaries/$name.h5" ] || grep -q 'holds 0 done runs' "$out/lists/$name.log" || echo "$name"
+  done >"$out/lists/not_collected"
+  [ -s "$out/lists/collect" ] && [ ! -s "$out/lists/not_collected" ]
 }
 
 pack() {

@@ -71,12 +71,12 @@ def gpu_rows():
 
 def gpu_table():
     rows = ["| contacts | what | scenes | blocks x threads | µs a moment | x real time, all scenes | wall / device | "
-            "state hash | device |", "|" + "---|" * 9]
+            "state hash | device | commit |", "|" + "---|" * 10]
     for r in gpu_rows():
         what = r["phase"] if r["measure"] == "moment" else f"{r['measure'].replace('_', ', ')}, {r['phase']}"
         rows.append(f"| {r['resolution']} | {what} | {r['scenes']} | {r['blocks']} x {r['threads']} | "
                     f"{float(r['microseconds_per_moment']):.0f} | {float(r['x_real_time']):.0f} | "
-                    f"{r['wall_over_device']} | `{r['state_hash']}` | {r['device']} |")
+                    f"{r['wall_over_device']} | `{r['state_hash']}` | {r['device']} | {r['commit'][:7]}{'-dirty' if 'dirty' in r['commit'] else ''} |")
     return rows
 
 

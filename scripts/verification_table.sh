@@ -15,8 +15,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 failed=0
-GEM_TABLE=$work/results.csv "$program" --gtest_brief=1 >"$work/log" 2>&1 || failed=1
-if ! [ -s "$work/results.csv" ]; then
+GEM_TABLE=$work/results.csv "$program" --gtest_brief=1 >"$work/log" 2>&1 || failed=$?
+if [ "$failed" -gt 1 ] || ! [ -s "$work/results.csv" ]; then # more than missed bounds: it crashed or was stopped
   cat "$work/log" >&2
   exit 2
 fi

@@ -7,6 +7,10 @@
 # DONE/NAME (NAME: its first field, up to a tab) exists is left out, so a stopped run goes on where it was; FUNCTION makes
 # that file last. A failing call is told and leaves its line for the next time.
 in_parallel() {
+  [ "$1" -ge 1 ] 2>/dev/null || {
+    echo "jobs: '$1' is no number above 0" >&2
+    exit 2
+  }
   taken=$3/taken.$$
   mkdir -p "$3" "$taken"
   worker=0

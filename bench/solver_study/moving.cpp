@@ -61,7 +61,6 @@ void MovingField::drift() {
 
 void MovingField::take(const Problem& problem, const Motions& motions, const Impulses& impulses) {
   for (std::size_t k = 0; k < problem.points(); ++k) {
-    if (impulses[k].normal == 0.0 && impulses[k].repair == 0.0) continue;
     f.struck[problem.point[k].a] = f.struck[problem.point[k].b] = 1;
   }
   for (std::size_t i = 0; i < problem.bodies(); ++i) {

@@ -160,7 +160,8 @@ void add_numerics(SceneTable& t) {
   t.number("numerics.list_margin_m", "m", {0.0, 1e3}, "pairs closer than this are kept in the list of neighbours",
            GEM_FIELD(numerics.list_margin_m));
   t.number("numerics.contact_reach", "moments", {0.0, 100.0},
-           "coupled: faces that the current could close in so many moments are held apart",
+           "coupled: faces that the current could close in so many moments are held apart, and their floes move by "
+           "their velocity after the events, not along the exact path of their drag",
            GEM_FIELD(numerics.contact_reach));
   t.number("numerics.repair_share", "", {0.0, 1.0}, "coupled: share of an overlap that is taken back in one moment",
            GEM_FIELD(numerics.repair_share));

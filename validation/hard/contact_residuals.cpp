@@ -1,4 +1,5 @@
-// Rebuilds each contact point from the bodies as they stood and weighs the impulse that the engine kept for it.
+// Rebuilds the contact points of all pairs from the bodies as they stood and weighs the impulse that the engine kept
+// for each, none if it kept none.
 #include "validation/hard/contact_residuals.h"
 
 #include <algorithm>
@@ -15,6 +16,15 @@ namespace {
 bool touching(const FieldState& field, std::int32_t a, std::int32_t b, Contact& contact) {
   SeparatingAxes unknown;
   return find_contact(field, a, b, unknown, 0.0, contact);
+}
+
+/// Whether two bodies are so placed that their pair belongs to the engine: active, one of them moves, circles near.
+bool may_meet(const Bodies& bodies, std::int32_t a, std::int32_t b) {
+  constexpr double near = 1.0;  // more than any contact reaches here [m]
+  const double reach = bodies.radius[a] + bodies.radius[b] + near;
+  const Vec2 apart = bodies.position[b] - bodies.position[a];
+  return bodies.active[a] && bodies.active[b] && bodies.inverse_mass[a] + bodies.inverse_mass[b] > 0.0 &&
+         dot(apart, apart) < reach * reach;
 }
 
 ContactResiduals residuals_of(const FieldState& field, const Bodies& after, const Contact& contact, int k,
@@ -44,6 +54,7 @@ ContactResiduals residuals_of(const FieldState& field, const Bodies& after, cons
 
 void ContactResiduals::merge(const ContactResiduals& other) {
   points += other.points;
+  without_point += other.without_point;
   pull = std::max(pull, other.pull);
   closing = std::max(closing, other.closing);
   complementarity = std::max(complementarity, other.complementarity);
@@ -55,23 +66,23 @@ double ContactResiduals::worst() const { return std::max({pull, closing, complem
 
 ContactResiduals contact_residuals(const SceneDef& scene, const EngineState& before, const EngineState& after) {
   const FieldState field = make_field_state(before.bodies, moment_constants(scene, before.bodies));
+  std::map<std::uint64_t, ContactImpulse> kept;
+  for (std::size_t i = 0; i < after.impulse_key.size(); ++i)
+    kept[after.impulse_key[i]] = {after.impulse_value[i].normal, after.impulse_value[i].tangential};
   ContactResiduals worst;
+  const auto count = static_cast<std::int32_t>(before.bodies.count());
   Contact contact;
-  std::uint64_t pair = ~std::uint64_t{0};
-  bool found = false;
-  for (std::size_t i = 0; i < after.impulse_key.size(); ++i) {
-    const std::uint64_t key = after.impulse_key[i];
-    if (key >> feature_bits != pair) {
-      pair = key >> feature_bits;
-      const auto a = static_cast<std::int32_t>(pair >> 26), b = static_cast<std::int32_t>(pair & ((1u << 26) - 1));
-      found = touching(field, a, b, contact);
+  for (std::int32_t a = 0; a < count; ++a)
+    for (std::int32_t b = a + 1; b < count; ++b) {
+      if (!may_meet(before.bodies, a, b) || !touching(field, a, b, contact)) continue;
+      for (int k = 0; k < contact.count; ++k) {
+        const auto found = kept.find(contact_key(contact.a, contact.b, contact.slot[k].feature));
+        worst.merge(
+            residuals_of(field, after.bodies, contact, k, found == kept.end() ? ContactImpulse{} : found->second));
+        if (found != kept.end()) kept.erase(found);
+      }
     }
-    if (!found) continue;
-    for (int k = 0; k < contact.count; ++k)
-      if (contact_key(contact.a, contact.b, contact.slot[k].feature) == key)
-        worst.merge(residuals_of(field, after.bodies, contact, k,
-                                 {after.impulse_value[i].normal, after.impulse_value[i].tangential}));
-  }
+  worst.without_point = static_cast<std::int64_t>(kept.size());
   return worst;
 }
 

@@ -18,6 +18,7 @@ namespace gem::hard {
 /// Largest residuals of one moment; or of many, merged.
 struct ContactResiduals {
   std::int64_t points = 0;
+  std::int64_t without_point = 0;  // impulses for which the bodies have no contact point
   double pull = 0.0;
   double closing = 0.0;
   double complementarity = 0.0;

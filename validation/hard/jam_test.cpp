@@ -154,7 +154,7 @@ TEST_P(LongHardJam, H7_day_of_jam) {
   EXPECT_GT(points_of(run), 1000u) << "the ice is gone";
   judge_jam("H7.day.first_half", first, run, scene, field);
   judge_jam("H7.day.second_half", last, run, scene, field);
-  bound("H7.day.growth", last.worst.most, std::max(first.worst.most, most_overlap), "m", where());
+  bound("H7.day.growth", last.worst.most, std::max(first.worst.most, most_overlap), "m", run.where());
 }
 
 void press_tight_field(const std::string& id, int columns, int rows, double seconds, const Setting& setting) {

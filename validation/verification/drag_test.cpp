@@ -63,6 +63,27 @@ TEST_P(Drag, V22_from_rest) {
   check_from_rest("V22.k05", skin_for(0.05), setting());
 }
 
+/// What a floe's way over one moment leaves beside its new velocity x dt [m]; another floe follows `gap` behind it, as
+/// fast, so that the two drift on side by side and nothing presses.
+double way_beside_velocity(double gap, const Setting& setting) {
+  SceneDef scene = drifting({0.25, 0.0}, skin, 0.05);
+  scene.floe.push_back(square({-(10.0 + gap), 0.0}));
+  Simulation run = start(scene, setting);
+  run.advance(200);
+  const Vec2 before = run.bodies().position[floe_id];
+  run.advance(1);
+  return run.bodies().position[floe_id].x - before.x - 0.05 * run.bodies().velocity[floe_id].x;
+}
+
+TEST_P(Drag, A_floe_within_reach_leaves_the_path_of_its_drag_whatever_presses) {
+  const double reach = 1.5 * 0.25 * 0.05, rounded = 1e-15;
+  EXPECT_LT(way_beside_velocity(1.01 * reach, setting()), -1e-8) << "on its exact path it gets less far";
+  if (setting().coupled())
+    EXPECT_NEAR(way_beside_velocity(0.99 * reach, setting()), 0.0, rounded);
+  else
+    EXPECT_LT(way_beside_velocity(0.99 * reach, setting()), -1e-8);
+}
+
 TEST_P(Drag, V23_oblique) {
   SceneDef scene = drifting({0.5, 0.0}, skin_for(0.05), 0.05);
   scene.floe[0].velocity_m_per_s = {-0.1, 0.8};

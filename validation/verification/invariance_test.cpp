@@ -111,13 +111,10 @@ Bodies mirrored(Bodies b) {
 }
 
 /// A crowd whose velocities do not depend on how the iterations round: friction in a crowd has many answers, and
-/// iterations that stop early leave others; without both the velocities are unique. No drag either: a floe that an
-/// impulse of next to nothing touches leaves the exact path of its drag, by 1e-6 m a moment, and rounding decides
-/// between next to nothing and nothing.
+/// iterations that stop early leave others; without both the velocities are unique.
 SceneDef with_one_answer(SceneDef scene, const Setting& setting) {
   if (!setting.coupled()) return scene;
   scene.ice.friction_ice = scene.ice.friction_structure = 0.0;
-  scene.water.drag_law = DragLaw::none;
   return settled(scene);
 }
 

@@ -142,10 +142,9 @@ std::string ice_text(const IceStudy& study) {
       "The same question asked of the ice: root mean square over all floes of the distance between their places in two "
       "runs that differ by the place of one floe; parted where it is " +
       number_text(1e3 * kIceApart) +
-      " mm. With `independent` contacts a difference grows where floes touch, by steps. With `coupled` ones it stands "
-      "at a "
-      "few micrometres over the whole field from the first touch on, however small it was: known faults in README.md. "
-      "Made "
+      " mm. With `independent` contacts a difference grows where floes touch, by steps. With `coupled` ones it "
+      "stays as small where few floes touch, and comes to a few micrometres over the whole field once many do, however "
+      "small it was: the residual at which the iterations of a moment end, whose course any difference changes. Made "
       "by "
       "commit `" +
       study.commit + "`.\n\n";

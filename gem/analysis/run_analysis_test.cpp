@@ -88,6 +88,15 @@ TEST(AnalysePlatform, RefusesShortOrUnequalColumns) {
   EXPECT_THROW(analyse_platform(series), std::invalid_argument);
 }
 
+// Few runs have Student's interval: of two, 12.706 of the deviation over the root of two to either side.
+TEST(CombineRuns, OfTwo) {
+  const auto rows = combine_runs({{{"x", 1.0, std::nullopt}}, {{"x", 3.0, std::nullopt}}});
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_DOUBLE_EQ(rows[0].mean->value, 2.0);
+  EXPECT_NEAR(rows[0].mean->high, 2.0 + 12.7062, 1e-4);
+  EXPECT_NEAR(rows[0].mean->low, 2.0 - 12.7062, 1e-4);
+}
+
 // Eight runs of the null model: the period over runs has an interval over runs, extremes follow the Gumbel law.
 TEST(CombineRuns, OfTheNullModel) {
   std::vector<std::vector<Finding>> runs;

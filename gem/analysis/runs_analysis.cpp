@@ -21,11 +21,9 @@ std::vector<double> values_of(const std::vector<std::vector<Finding>>& runs, std
   return values;
 }
 
-double mean_of(std::span<const double> values) { return moments(values).mean; }
-
 }  // namespace
 
-std::vector<RunsFinding> combine_runs(const std::vector<std::vector<Finding>>& runs, const Resampling& resampling) {
+std::vector<RunsFinding> combine_runs(const std::vector<std::vector<Finding>>& runs) {
   std::vector<RunsFinding> rows;
   if (runs.empty()) return rows;
   for (std::size_t row = 0; row < runs.front().size(); ++row) {
@@ -36,7 +34,7 @@ std::vector<RunsFinding> combine_runs(const std::vector<std::vector<Finding>>& r
     if (values.size() > 1) {
       const auto count = static_cast<double>(values.size());
       finding.deviation = about.deviation * std::sqrt(count / (count - 1.0));
-      finding.mean = bootstrap_values(values, mean_of, resampling);
+      finding.mean = mean_of_runs(values);
     }
     rows.push_back(finding);
   }

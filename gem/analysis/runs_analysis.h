@@ -24,7 +24,7 @@ struct RunsFinding {
 };
 
 /// One row per name, in the order of the first run. Every run must have the same names, as analyse_platform() gives.
-std::vector<RunsFinding> combine_runs(const std::vector<std::vector<Finding>>& runs, const Resampling& resampling = {});
+std::vector<RunsFinding> combine_runs(const std::vector<std::vector<Finding>>& runs);
 
 /// The largest value of one exposure from the largest values of runs of that length, by the Gumbel law.
 struct RunsExtreme {

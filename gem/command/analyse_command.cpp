@@ -1,7 +1,9 @@
 // gem analyse: periods, offset, orbit, contact and loads of one run; means and extremes over several.
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <system_error>
 
 #include "gem/analysis/run_analysis.h"
@@ -10,9 +12,12 @@
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
 #include "gem/record/output_path.h"
+#include "gem/record/run_file.h"
 #include "gem/report/load_run.h"
 #include "gem/report/platform_series.h"
 #include "gem/report/run_findings.h"
+#include "gem/scene/document.h"
+#include "gem/scene/scene_file.h"
 
 namespace gem {
 namespace {
@@ -105,6 +110,39 @@ void check_exposure(const std::vector<Run>& runs) {
                                        " s (a largest value grows with the duration) analyse runs of one length");
 }
 
+/// The case of a run but for its name, its length, where it starts from and what it records, line by line, and whose
+/// mechanics moved it.
+std::vector<std::string> condition_of(const std::string& path) {
+  const RunFile file(path, true);
+  SceneDef scene = parse_scene(file.attribute("gem_case_toml"), path);
+  scene.run = {};
+  scene.output = {};
+  scene.platform.start_offset_m = {};
+  scene.platform.start_velocity_m_per_s = {};
+  scene.floes.moved_floe = -1;
+  scene.floes.moved_by_m = {};
+  const std::string engine = file.attribute("gem_engine");
+  const std::vector<std::string> others = baseline_names();
+  std::vector<std::string> lines = {"engine " +
+                                    (std::find(others.begin(), others.end(), engine) != others.end() ? engine : "gem")};
+  std::istringstream text(resolved_toml(scene));
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Several runs stand for one condition: their mean is that of nothing else.
+void check_condition(const std::vector<Run>& runs) {
+  const std::vector<std::string> first = condition_of(runs.front().path);
+  for (const Run& run : runs) {
+    const std::vector<std::string> other = condition_of(run.path);
+    const auto [a, b] = std::mismatch(first.begin(), first.end(), other.begin(), other.end());
+    if (a == first.end() && b == other.end()) continue;
+    throw Error(ExitCode::usage, shown(run.path) + ": another condition than " + shown(runs.front().path) + " (" +
+                                     (b == other.end() ? "less" : *b) + "; there " + (a == first.end() ? "less" : *a) +
+                                     ") analyse runs that differ by seed or start only");
+  }
+}
+
 bool same_run(const Run& a, const Run& b) {
   if (!a.state_hash.empty() && a.state_hash == b.state_hash) return true;
   std::error_code ignored;
@@ -184,6 +222,7 @@ int analyse(const Options& options) {
                        : text_of(runs.front()));
     return 0;
   }
+  check_condition(runs);
   check_exposure(runs);
   check_different(runs);
   const Combined all = combined(runs);

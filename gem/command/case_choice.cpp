@@ -25,11 +25,11 @@ void add_case_options(CLI::App& command, CaseChoice& choice, bool required) {
 
 SceneDef read_case(const CaseChoice& choice) {
   if (choice.path.empty()) {
-    if (choice.index >= 0) throw Error(ExitCode::usage, "--index needs a sweep file (none was given) name one");
+    if (choice.index) throw Error(ExitCode::usage, "--index needs a sweep file (none was given) name one");
     return parse_scene("", "built-in case", choice.overrides);
   }
   if (!is_sweep(choice.path)) {
-    if (choice.index >= 0) {
+    if (choice.index) {
       throw Error(ExitCode::usage, choice.path + " is a single case (no [sweep] table) leave out --index");
     }
     return read_scene(choice.path, choice.overrides);
@@ -40,10 +40,10 @@ SceneDef read_case(const CaseChoice& choice) {
   }
   const std::string range =
       members.empty() ? "none" : std::to_string(members.front().index) + " to " + std::to_string(members.back().index);
-  if (choice.index < 0) {
+  if (!choice.index) {
     throw Error(ExitCode::usage, choice.path + " is a sweep (runs " + range + ") choose one with --index");
   }
-  throw Error(ExitCode::usage, "no run " + std::to_string(choice.index) + " in " + choice.path + " (runs " + range +
+  throw Error(ExitCode::usage, "no run " + std::to_string(*choice.index) + " in " + choice.path + " (runs " + range +
                                    ") see `gem sweep list`");
 }
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,7 @@ void add_devices_command(CLI::App& app, Chosen& chosen);
 struct CaseChoice {
   std::string path;  // empty: the case built into the program
   std::vector<std::string> overrides;
-  long long index = -1;  // of a sweep
+  std::optional<long long> index;  // of a sweep
 };
 
 /// Adds the case file, --set and --index to a command.

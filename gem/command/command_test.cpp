@@ -132,7 +132,11 @@ TEST_F(CommandTest, AnExistingFileIsKeptUnlessOverwritten) {
   EXPECT_EQ(shell("gem run swing.toml"), 4);
   EXPECT_NE(text_of("err").find("--overwrite"), std::string::npos);
   EXPECT_EQ(text_of("swing.h5"), "precious");
-  EXPECT_EQ(shell("gem run swing.toml --overwrite"), 0) << text_of("err");
+  EXPECT_EQ(shell("gem run swing.toml --overwrite"), 4) << "not a file of gem's";
+  EXPECT_EQ(shell("gem run swing.toml --overwrite --out swing.toml"), 4);
+  EXPECT_EQ(text_of("swing.h5"), "precious");
+  EXPECT_EQ(shell("rm swing.h5 && gem run swing.toml --until 1 && gem run swing.toml --overwrite"), 0)
+      << text_of("err");
   EXPECT_EQ(RunFile(path("swing.h5")).status(), "complete");
 }
 
@@ -236,6 +240,10 @@ TEST_F(CommandTest, AnalyseRefusesWhatItCannotJudge) {
   EXPECT_EQ(shell("gem analyse swing.h5 long.h5"), 2);
   EXPECT_NE(text_of("err").find("one length"), std::string::npos) << text_of("err");
   EXPECT_EQ(shell("gem analyse missing.h5"), 4);
+  ASSERT_EQ(shell("gem run swing.toml -q --threads 1 --out soft.h5 --set mooring.stiffness_N_per_m=5e4"), 0);
+  EXPECT_EQ(shell("gem analyse swing.h5 soft.h5"), 2);
+  EXPECT_NE(text_of("err").find("another condition than swing.h5 (stiffness_N_per_m"), std::string::npos)
+      << text_of("err");
   EXPECT_EQ(shell("gem analyse swing.h5 swing.h5"), 2);
   EXPECT_NE(text_of("err").find("the same run as swing.h5"), std::string::npos) << text_of("err");
   EXPECT_EQ(shell("gem run swing.toml -q --threads 1 --out copy.h5 && gem analyse swing.h5 copy.h5"), 2);
@@ -295,6 +303,7 @@ TEST_F(CommandTest, CaseAndSweepCommands) {
   EXPECT_NE(text_of("out").find("004_400_25"), std::string::npos);
   EXPECT_EQ(shell("gem run '" GEM_SOURCE_DIR "/cases/table1.toml' --dry-run"), 2);
   EXPECT_NE(text_of("err").find("--index"), std::string::npos);
+  EXPECT_EQ(shell("gem run swing.toml --index -1"), 2);
 }
 
 TEST_F(CommandTest, ARunFileIsAFieldForAnotherRun) {

@@ -31,7 +31,7 @@ nlohmann::ordered_json describe(const RunFile& file) {
   object["overlap_99_9_m"] = overlaps_of(file, "stats/overlap_count").quantile(0.999);
   object["overlap_largest_share"] = largest("stats/maximum_overlap_share");
   object["overlap_99_9_share"] = overlaps_of(file, "stats/overlap_share_count").quantile(0.999);
-  object["end_s"] = frames.empty() ? 0.0 : frames.back();
+  object["end_s"] = std::max(frames.empty() ? 0.0 : frames.back(), time.empty() ? 0.0 : time.back());
   return object;
 }
 

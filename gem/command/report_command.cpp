@@ -1,4 +1,5 @@
 // gem report: pictures and tables of a run file.
+#include <filesystem>
 #include <memory>
 
 #include "gem/command/command.h"
@@ -15,14 +16,15 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("report", "write the report of a run file: one page with its figures");
   command->add_option("file", options->path, "run file")->required();
-  command->add_option("-o,--out", options->out, "folder of the report; the file's name without .h5 if left out");
+  command->add_option("-o,--out", options->out, "folder of the report; if left out NAME_report beside NAME.h5");
   command->add_flag("--allow-incomplete", options->allow_incomplete, "report a run that did not end in order");
   command->callback([options, &chosen] {
     chosen.action = [options] {
       std::string out = options->out;
       if (out.empty()) {
-        const auto dot = options->path.rfind(".h5");
-        out = dot != std::string::npos ? options->path.substr(0, dot) + "_report" : options->path + "_report";
+        std::filesystem::path stem(options->path);
+        if (stem.extension() == ".h5") stem.replace_extension();
+        out = stem.string() + "_report";
       }
       write_report(options->path, out, options->allow_incomplete);
       print(out + "/index.html\n");

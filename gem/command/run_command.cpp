@@ -95,7 +95,10 @@ int run(RunChoice choice) {
   if (choice.chosen_case.path.empty()) log.message("info", "no case file: running the built-in case " + scene.run.name);
   for (const std::string& warning : scene_warnings(scene)) log.message("warning", warning);
   if (choice.options.output.empty()) choice.options.output = run_file_name(scene.run.name);
-  check_output_path(choice.options.output, choice.options.overwrite);
+  if (!choice.dry_run) {
+    check_output_path(choice.options.output, choice.options.overwrite);
+    check_replaceable(choice.options.output);
+  }
   const SceneDef listed = with_floes_of_run_file(scene);
   const Estimate need = estimate(listed);
   if (!choice.force) check_resources(need, choice.options.output);

@@ -14,6 +14,7 @@
 #include "gem/command/sweep_settings.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
+#include "gem/record/summary_file.h"
 #include "gem/report/load_run.h"
 #include "gem/report/paper/paper_summary.h"
 #include "gem/report/platform_series.h"
@@ -165,6 +166,10 @@ void check(const SweepCollectChoice& choice) {
     throw Error(ExitCode::usage,
                 "--exact keeps nothing (--series 0 leaves the displacement out) leave one of them out");
   check_output_path(choice.output, choice.overwrite);
+  check_replaceable(choice.output);
+  if (is_run_file(choice.output) && !is_summary(choice.output))
+    throw Error(ExitCode::file_system, "cannot write " + shown(choice.output) +
+                                           " (it is a run file, and a summary would replace it) choose another --out");
 }
 
 /// Between the samples of a run there is nothing to collect.

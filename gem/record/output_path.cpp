@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "gem/base/error.h"
+#include "gem/record/run_file.h"
 
 namespace gem {
 
@@ -81,6 +82,12 @@ void check_output_path(const std::string& path, bool overwrite) {
   }
   if (path.back() == '/') refuse(path, "it names a directory", "give a file name with --out");
   test_write(path);
+}
+
+void check_replaceable(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) == 0 && status.st_size > 0 && !is_run_file(path))
+    refuse(path, "it is not a file of gem's, which --overwrite replaces", "choose another --out");
 }
 
 std::uint64_t room_at(const std::string& path) {

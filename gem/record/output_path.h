@@ -10,6 +10,10 @@ namespace gem {
 /// not accept a test file. Leaves nothing behind.
 void check_output_path(const std::string& path, bool overwrite);
 
+/// Throws Error(file_system) if what --overwrite would replace is a case, notes or a manifest: neither HDF5 nor what a
+/// kill left empty.
+void check_replaceable(const std::string& path);
+
 /// Bytes that may still be written beside `path`: free space, or less if the process has a file size limit.
 std::uint64_t room_at(const std::string& path);
 

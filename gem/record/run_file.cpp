@@ -102,7 +102,9 @@ RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::
     return 0;
   });
   const std::string version = attribute("gem_schema");
-  if (version.empty()) refuse(path, "no gem_schema attribute: not a run file", "name a file that `gem run` wrote");
+  if (version.empty())
+    refuse(path, "no gem_schema attribute: not a run file",
+           "name a file that `gem run` wrote (a summary of `gem sweep collect` is for xarray and `gem paper`)");
   if (version != schema_version)
     refuse(path, "schema " + version + ", this program reads " + schema_version, "use a matching gem");
   if (!allow_incomplete && status() != "complete") {

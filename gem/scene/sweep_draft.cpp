@@ -125,6 +125,20 @@ class ProductSweep {
         for (const std::string& axis : split(axes)) check_axis(table.key_place, "sweep.set", axis);
         expect(table, TomlKind::table, "sweep.set." + axes, "a table");
       }
+    for (const Axis& axis : axes_)
+      if (!sets_something(axis.name))
+        reject(axis.values.front().place, "sweep." + axis.name,
+               "the axis changes nothing; add map = { " + axis.name + " = \"section.key\" }");
+  }
+
+  bool sets_something(const std::string& axis) const {
+    if (const TomlNode* map = sweep_.find("map"); map != nullptr && map->find(axis) != nullptr) return true;
+    const TomlNode* set = sweep_.find("set");
+    if (set == nullptr) return false;
+    return std::any_of(set->entries.begin(), set->entries.end(), [&](const auto& entry) {
+      const std::vector<std::string> names = split(entry.first);
+      return std::find(names.begin(), names.end(), axis) != names.end();
+    });
   }
 
   Draft draft(std::size_t number) {

@@ -176,6 +176,10 @@ TomlNode parse_toml(const std::string& text, const std::string& origin) {
   if (text.size() > toml_bytes_maximum)
     reject({file, 0, 0}, "the file is too large (" + std::to_string(text.size()) + " bytes, allowed " +
                              std::to_string(toml_bytes_maximum) + ")");
+  if (text.find('\0') != std::string::npos)
+    reject({file, 0, 0}, text.starts_with("\x89HDF")
+                             ? "an HDF5 file, not a case; `gem info FILE --case` prints the case of a run"
+                             : "not a text file (it holds a zero byte)");
   LimitScanner(file).scan(text);
   try {
     TomlNode root = converted(toml::parse(text), file);

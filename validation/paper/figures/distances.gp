@@ -19,14 +19,14 @@ set style line 3 lc rgb '#35a37a' lw 1.2
 set style line 4 lc rgb '#8a8f98' lw 1.0
 set style fill solid 1.0 noborder
 set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725')
-set label 99 'moved_1e-3_s1: coupled, dt 0.2 s, seed 1  gem 0.1.0 (05b9fc71459f-dirty)' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
+set label 99 'moved_1e-3_s1: coupled, dt 0.2 s, seed 1  gem 0.1.0 (4af374c18374)' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
 set key outside bottom left horizontal
 set logscale y
 set format y '10^{%L}'
 set termoption enhanced
 set xlabel 'time [min]' offset 0,0.4
-set xrange [0:38.2]
+set xrange [0:40.5]
 set ylabel 'distance of the platforms [m]'
-set arrow 1 from graph 0, first 0.02077 to graph 1, first 0.02077 nohead lc rgb '#3c4149' dt (6,4) front
-set label 1 'deviation of the motion' at graph 0.01, first 0.02077 offset 0,0.6 textcolor rgb '#3c4149' front
+set arrow 1 from graph 0, first 0.02212 to graph 1, first 0.02212 nohead lc rgb '#3c4149' dt (6,4) front
+set label 1 'deviation of the motion' at graph 0.01, first 0.02212 offset 0,0.6 textcolor rgb '#3c4149' front
 plot 'distances_1e-09.csv' using 1:3:4 with filledcurves linestyle 1 fs transparent solid 0.12, 'distances_1e-07.csv' using 1:3:4 with filledcurves linestyle 2 fs transparent solid 0.12, 'distances_1e-05.csv' using 1:3:4 with filledcurves linestyle 3 fs transparent solid 0.12, 'distances_0.001.csv' using 1:3:4 with filledcurves linestyle 4 fs transparent solid 0.12, 'distances_1e-09.csv' using 1:2 with lines linestyle 1 lw 2 title 'moved by 1e-09 m (20 pairs)', 'distances_1e-07.csv' using 1:2 with lines linestyle 2 lw 2 title 'moved by 1e-07 m (20 pairs)', 'distances_1e-05.csv' using 1:2 with lines linestyle 3 lw 2 title 'moved by 1e-05 m (20 pairs)', 'distances_0.001.csv' using 1:2 with lines linestyle 4 lw 2 title 'moved by 0.001 m (20 pairs)'

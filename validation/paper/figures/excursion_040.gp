@@ -19,10 +19,10 @@ set style line 3 lc rgb '#35a37a' lw 1.2
 set style line 4 lc rgb '#8a8f98' lw 1.0
 set style fill solid 1.0 noborder
 set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725')
-set label 99 '040_www_uu, 15 seeds, coupled  gem 0.1.0 (05b9fc71459f-dirty)' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
+set label 99 '040_www_uu, 30 seeds, coupled  gem 0.1.0 (4af374c18374)' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
 set key outside bottom left horizontal
 set xlabel 'drift velocity [m/s]' offset 0,0.4
 set ylabel 'maximum excursion [m]'
 set xrange [0:1.1]
-set yrange [0:6.31]
+set yrange [0:6.32]
 plot 'excursion_040_400.csv' using 1:2 with lines linestyle 1 notitle, '' using ($1-0.006):2:3:4 with yerrorbars linestyle 1 lw 0.5 ps 0 notitle, '' using ($1-0.006):2:5:6 with yerrorbars linestyle 1 lw 2 pt 7 ps 0.6 title 'W = 400 m', 'excursion_040_300.csv' using 1:2 with lines linestyle 2 notitle, '' using ($1):2:3:4 with yerrorbars linestyle 2 lw 0.5 ps 0 notitle, '' using ($1):2:5:6 with yerrorbars linestyle 2 lw 2 pt 7 ps 0.6 title 'W = 300 m', 'excursion_040_200.csv' using 1:2 with lines linestyle 3 notitle, '' using ($1+0.006):2:3:4 with yerrorbars linestyle 3 lw 0.5 ps 0 notitle, '' using ($1+0.006):2:5:6 with yerrorbars linestyle 3 lw 2 pt 7 ps 0.6 title 'W = 200 m'

@@ -19,13 +19,13 @@ set style line 3 lc rgb '#35a37a' lw 1.2
 set style line 4 lc rgb '#8a8f98' lw 1.0
 set style fill solid 1.0 noborder
 set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725')
-set label 99 '004_400_25: coupled, seeds 1 to 5  gem d71ee9e9dfbb-dirty' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
+set label 99 '004_400_25: coupled, seeds 1 to 5  gem e51d90b5108a' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
 set key outside bottom left horizontal
 set logscale y
 set format y '10^{%L}'
 set termoption enhanced
 set xlabel 'time [min]' offset 0,0.4
-set xrange [0:18.7]
+set xrange [0:22.1]
 set ylabel 'distance of the ice, rms [m]'
 set arrow 1 from graph 0, first 0.01 to graph 1, first 0.01 nohead lc rgb '#3c4149' dt (6,4) front
 set label 1 'parted' at graph 0.01, first 0.01 offset 0,0.6 textcolor rgb '#3c4149' front

@@ -19,10 +19,10 @@ set style line 3 lc rgb '#35a37a' lw 1.2
 set style line 4 lc rgb '#8a8f98' lw 1.0
 set style fill solid 1.0 noborder
 set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725')
-set label 99 '004_400_25: coupled, dt 0.2 s, seed 1  gem 0.1.0 (ecf102c69c91)' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
+set label 99 '004_400_25: coupled, dt 0.2 s, seed 1  gem 0.1.0 (e51d90b5108a)' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
 set multiplot layout 3,1
 set xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid
-set xrange [4066.100:4099.100]
+set xrange [4475.700:4508.700]
 set xlabel
 set ylabel 'crushing peak, x [MN]'
 set yrange [*:*]
@@ -33,6 +33,6 @@ set ylabel 'ice force, x [kN]'
 plot 'ice_force_window.csv' using 1:2 with fsteps linestyle 1 title 'over each 0.2 s', 'ice_force_window_mean.csv' using 1:2 with lines lc rgb '#440154' lw 1.8 title 'over 1 s'
 set xrange [0:2.000000]
 set xlabel 'time [h]' offset 0,0.4
-set object 1 rectangle from first 1.129472, graph 0 to first 1.138639, graph 1 behind fillcolor rgb '#f3d9c8' fillstyle solid noborder
+set object 1 rectangle from first 1.243250, graph 0 to first 1.252417, graph 1 behind fillcolor rgb '#f3d9c8' fillstyle solid noborder
 plot 'ice_force.csv' using 1:2 with lines linestyle 1 lw 0.7
 unset multiplot

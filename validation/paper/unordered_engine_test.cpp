@@ -77,16 +77,20 @@ TEST_P(UnorderedSums, TwoRepeatsPartOnceOrderMatters) {
   EXPECT_NE(first.state_hash(), second.state_hash());
 }
 
-TEST_P(UnorderedSums, OneMomentIsTheOrderedOneButForRounding) {
+TEST_P(UnorderedSums, AMomentIsTheOrderedOneButForRounding) {
   const SceneDef made = scene();
   CpuEngine ordered(made, test::busy_field(made), 1, EngineOptions{}.contacts_worth_a_thread);
   MomentLog log;
   ordered.advance(50, log);
   UnorderedEngine unordered = repeat(1);
-  unordered.restore(ordered.save());
-  ordered.advance(1, log);
-  unordered.advance(1, log);
-  const Bodies &a = ordered.bodies(), &b = unordered.bodies();
+  double largest = 0.0;
+  for (int moment = 0; moment < 20; ++moment) {
+    unordered.restore(ordered.save());
+    ordered.advance(1, log);
+    unordered.advance(1, log);
+    const Bodies &a = ordered.bodies(), &b = unordered.bodies();
+    for (std::size_t i = 0; i < a.count(); ++i) largest = std::max(largest, length(a.velocity[i] - b.velocity[i]));
+  }
   const SumStatistics& s = unordered.statistics();
   ASSERT_GT(s.several, 0);
   // Of n terms each is rounded, and each of n additions is off by half a unit of at most the whole: (n + 1) units in
@@ -94,8 +98,6 @@ TEST_P(UnorderedSums, OneMomentIsTheOrderedOneButForRounding) {
   constexpr double terms = 25.0;
   EXPECT_LE(s.rounding_largest, 2.0 * terms * kUnit);
   EXPECT_LE(s.order_largest, 4.0 * terms * kUnit);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.count(); ++i) largest = std::max(largest, length(a.velocity[i] - b.velocity[i]));
   EXPECT_GT(largest, 0.0);
   // pushes on one floe add up to at most 10 m/s here, where nothing is faster than 3 m/s
   EXPECT_LT(largest, 2.0 * terms * kUnit * 10.0);

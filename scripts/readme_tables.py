@@ -37,7 +37,7 @@ def set_up_table():
 
 def speed_table():
     rows = ["| run | threads | simulated, s | x real time | wall, s (fastest to slowest) | deepest overlap, mm | "
-            "momentum, energy unexplained | memory, MB | state hash | processor |", "|" + "---|" * 10]
+            "momentum, energy unexplained | memory, MB | state hash | processor | commit |", "|" + "---|" * 11]
     for path in sorted(glob.glob(os.path.join(RESULTS, "real_time_factor*.csv"))):
         with open(path, newline="", encoding="utf-8") as file:
             for r in csv.DictReader(file):
@@ -47,7 +47,7 @@ def speed_table():
                     f"({float(r['fastest_wall_s']):.1f} to {float(r['slowest_wall_s']):.1f}) | "
                     f"{1e3 * float(r['maximum_overlap_m']):.1f} | {float(r['residual_momentum']):.1e}, "
                     f"{float(r['residual_energy']):.1e} | {float(r['peak_memory_bytes']) / 1e6:.0f} | "
-                    f"`{r['state_hash']}` | {r['processor']} |")
+                    f"`{r['state_hash']}` | {r['processor']} | {r['commit'][:7]} |")
     return rows
 
 

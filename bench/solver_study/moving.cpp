@@ -59,10 +59,8 @@ void MovingField::drift() {
     score.fastest_back = std::max(score.fastest_back, -dot(f.bodies.velocity[0], start_velocity_) / start);
 }
 
-void MovingField::take(const Problem& problem, const Motions& motions, const Impulses& impulses) {
-  for (std::size_t k = 0; k < problem.points(); ++k) {
-    f.struck[problem.point[k].a] = f.struck[problem.point[k].b] = 1;
-  }
+void MovingField::take(const Problem& problem, const Motions& motions) {
+  for (std::size_t k = 0; k < problem.points(); ++k) f.struck[problem.point[k].a] = f.struck[problem.point[k].b] = 1;
   for (std::size_t i = 0; i < problem.bodies(); ++i) {
     if (!(problem.inverse_mass[i] > 0.0)) continue;
     f.bodies.velocity[i] = {motions[i].x, motions[i].y};
@@ -117,7 +115,7 @@ Stepper passes_of(const std::string& name, const Candidate& candidate, int passe
             for (int pass = 0; pass < passes; ++pass) method->pass();
             impulses = method->impulses();
             keep_best_share(problem, impulses, 0.5);
-            field.take(problem, motions_of(problem, impulses), impulses);
+            field.take(problem, motions_of(problem, impulses));
             field.note_change(problem.velocity, problem.spin);
             field.last = remembered(contacts, impulses);
             field.drift();

@@ -38,7 +38,7 @@ class MovingField {
   void note_change(const std::vector<Vec2>& velocity, const std::vector<double>& spin);
   void drift();
   /// The velocities and shifts of a resolved problem.
-  void take(const Problem& problem, const Motions& motions, const Impulses& impulses);
+  void take(const Problem& problem, const Motions& motions);
 
   FieldState f;
   WarmStart last;  // impulses of the last moment

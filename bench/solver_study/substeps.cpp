@@ -134,7 +134,7 @@ Stepper small_steps(const SceneDef& scene, int steps) {
               keep_best_share(now.problem, now.impulses, 1.0);
               Motions motions = motions_of(now.problem, now.impulses);
               sweep(now, motions, nullptr, true);
-              field.take(now.problem, motions, now.impulses);
+              field.take(now.problem, motions);
               field.note_change(now.problem.velocity, now.problem.spin);
               drift(field, now);
             });
@@ -149,7 +149,7 @@ Stepper soft_steps(const SceneDef& scene, int steps) {
               for (PointImpulse<double>& impulse : now.impulses) impulse.repair = 0.0;
               Motions motions = motions_of(now.problem, now.impulses);
               sweep(now, motions, &soft, false);
-              field.take(now.problem, motions, now.impulses);
+              field.take(now.problem, motions);
               field.note_change(now.problem.velocity, now.problem.spin);
               drift(field, now);
               // relaxed: the rigid answer from here on, on top of what the drift left

@@ -9,7 +9,7 @@ BEGIN {
 
   # Headers of a third party and the only places that may include them.
   confined["cuda"] = "^(cuda|cub/|thrust/|cooperative_groups|device_launch|curand|nvtx)"
-  home["cuda"] = "^gem/engine/.*[.](cu|cuh)$"
+  home["cuda"] = "^(gem/engine|bench)/.*[.](cu|cuh)$"
   confined["toml"] = "^toml[+][+]/"
   home["toml"] = "^gem/scene/"
   confined["hdf5"] = "^(hdf5|H5)"
@@ -133,7 +133,7 @@ function check_words(code, n, words, i, word, next_is_call) {
     if (exact_code && next_is_call && index(inexact, " " word " "))
       report("bits", word, word " is not exactly rounded, so engines may differ; use gem/base/strict_math.h")
     if (cuda_free && (index(device, " " word " ") || (word ~ /^cuda[A-Z]/)))
-      report("cuda", word, word " belongs to gem/engine/*.cu and *.cuh")
+      report("cuda", word, word " belongs to *.cu and *.cuh of gem/engine and bench")
   }
 }
 

@@ -91,6 +91,8 @@ class SoloCrew {
   /// Reads the clock at the end of a stage.
   void lap(int) const {}
   void write_laps(std::int64_t*) const {}
+  static int barriers() { return 0; }
+  static int team_barriers() { return 0; }
   void raise(std::uint32_t alarms) { shared_.alarms |= alarms; }
   std::uint32_t alarms() const { return shared_.alarms; }
   void lower_alarms() { shared_.alarms = 0; }

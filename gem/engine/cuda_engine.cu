@@ -30,6 +30,7 @@ class CudaBatch::Work {
  public:
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
       : device_(on_device(options)),
+        arithmetic_(options.arithmetic),
         threads_(options.threads > 0 ? options.threads : most_threads),
         chosen_blocks_(options.blocks),
         ring_moments_(options.ring_moments),
@@ -79,6 +80,10 @@ class CudaBatch::Work {
   int threads() const { return threads_; }
   double device_time() const { return device_time_; }
   const std::vector<double>& stage_clocks() const { return stage_clocks_; }
+  std::pair<double, double> barriers() const {
+    const double moments = std::max(1.0, counted_moments_);
+    return {barriers_ / moments, team_barriers_ / moments};
+  }
 
  private:
   static CudaDevice on_device(const CudaOptions& options) {
@@ -117,7 +122,8 @@ class CudaBatch::Work {
     if (chosen_blocks_ > 0) return chosen_blocks_;
     int& blocks = blocks_of_count_[scenes];
     const int useful = *std::max_element(useful_.begin(), useful_.end());
-    if (blocks == 0) blocks = most_blocks(static_cast<int>(scenes), threads_, device_.multiprocessors, useful);
+    if (blocks == 0)
+      blocks = most_blocks(arithmetic_, static_cast<int>(scenes), threads_, device_.multiprocessors, useful);
     return blocks;
   }
 
@@ -141,7 +147,7 @@ class CudaBatch::Work {
   }
 
   const ClusterRoom& cluster_room() {
-    if (cluster_room_[0] == 0) cluster_room_ = room_for_clusters(threads_);
+    if (cluster_room_[0] == 0) cluster_room_ = room_for_clusters(arithmetic_, threads_);
     return cluster_room_;
   }
 
@@ -204,7 +210,7 @@ class CudaBatch::Work {
   /// their places first: the order of the streams' starts says nothing, their priority does.
   void launch_part(std::size_t first, std::size_t count, int blocks) {
     Timeline& part = part_.try_emplace(blocks, std::bit_width(static_cast<unsigned>(blocks))).first->second;
-    const Spread spread{static_cast<int>(count), blocks, threads_};
+    const Spread spread{arithmetic_, static_cast<int>(count), blocks, threads_};
     const std::size_t room = room_of_block(spread);
     const LaunchConfig config(spread, room, part.stream());
     const Launch work{reinterpret_cast<const DeviceScene*>(scene_memory_.data()) + first,
@@ -226,6 +232,11 @@ class CudaBatch::Work {
       clocks += static_cast<double>(status.stage_clocks[stage]);
       if (k == 0) stage_clocks_[stage] += static_cast<double>(status.stage_clocks[stage]);
     }
+    if (k == 0) {
+      barriers_ += status.barriers;
+      team_barriers_ += status.team_barriers;
+      counted_moments_ += status.samples;
+    }
     if (status.samples > 0) work_[k] = clocks * share_[k] / status.samples;
     ahead.most -= status.samples;
     ahead.all -= status.samples;
@@ -242,6 +253,7 @@ class CudaBatch::Work {
   }
 
   CudaDevice device_;
+  Arithmetic arithmetic_;
   int threads_, chosen_blocks_, ring_moments_;
   std::map<std::size_t, int> blocks_of_count_;
   std::vector<int> useful_;       // most blocks of each scene
@@ -253,7 +265,7 @@ class CudaBatch::Work {
   DeviceMemory status_memory_, scene_memory_, wanted_memory_, gate_memory_;
   PinnedMemory status_, scene_, wanted_;
   std::vector<CudaScene> scenes_;
-  double device_time_ = 0.0;
+  double device_time_ = 0.0, barriers_ = 0.0, team_barriers_ = 0.0, counted_moments_ = 0.0;
   std::vector<double> stage_clocks_ = std::vector<double>(stage_count);
   std::vector<std::exception_ptr> faults_;  // of each scene, since the last call
 };
@@ -284,6 +296,7 @@ int CudaBatch::blocks() const { return work_->blocks(); }
 int CudaBatch::threads() const { return work_->threads(); }
 double CudaBatch::device_time() const { return work_->device_time(); }
 std::vector<double> CudaBatch::stage_clocks() const { return work_->stage_clocks(); }
+std::pair<double, double> CudaBatch::barriers() const { return work_->barriers(); }
 
 std::vector<std::string> cuda_stage_names() {
   return {"choose",     "look", "resolve", "pairs_wait",  "rows",   "points",      "frames",

@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gem/engine/engine.h"
@@ -24,10 +25,14 @@ struct CudaDevice {
 /// All GPUs; where there is none, `reason` says why.
 std::vector<CudaDevice> cuda_devices(std::string& reason);
 
+/// How the kernels round. `fast`: the compiler may contract a*b+c to one rounding, so the bits are not those of
+/// `strict` and of the cpu engine; they repeat from run to run, but may change with the number of blocks of a scene.
+enum class Arithmetic { strict, fast };
+
 /// Moments that the quickest scene makes in one launch.
 constexpr int most_launch_moments = 256;
 
-/// How the scenes of a batch are laid out on the GPU. No choice changes a result.
+/// How the scenes of a batch are laid out on the GPU. No choice of strict ones changes a result.
 struct CudaOptions {
   int device = -1;                         // -1: the first that can be used
   int blocks = 0;                          // that work on one scene: up to 16, or a multiple of that; 0: as help most
@@ -35,7 +40,13 @@ struct CudaOptions {
   int ring_moments = most_launch_moments;  // of one launch, at most
   int list_rows = 0;    // places of the list of near bodies to begin with; it grows on demand; 0: chosen
   bool samples = true;  // keep what the platform felt
+  Arithmetic arithmetic = Arithmetic::strict;
 };
+
+/// Whether an engine of this name computes on a GPU, and how: "cuda" is strict, "cuda_fast" fast.
+bool is_cuda(const std::string& engine);
+Arithmetic cuda_arithmetic(const std::string& engine);
+std::string cuda_name(Arithmetic arithmetic);
 
 /// A scene of a batch.
 struct BatchScene {
@@ -83,6 +94,9 @@ class CudaBatch {
   double device_time() const;
   /// Clocks of the first scene's first thread since construction, by stage; see cuda_stage_names.
   std::vector<double> stage_clocks() const;
+  /// Barriers that the first scene passed in one moment, mean since construction: of all its blocks, and of those that
+  /// iterate where these are fewer.
+  std::pair<double, double> barriers() const;
 
  private:
   class Work;

@@ -4,44 +4,11 @@
 #include <algorithm>
 
 #include "gem/engine/block_share.h"
+#include "gem/engine/cuda_kernel.h"
 #include "gem/engine/cuda_memory.cuh"
-#include "gem/engine/device_crew.cuh"
-#include "gem/engine/device_moments.h"
 
 namespace gem {
 namespace {
-
-constexpr int most_threads = 512;  // leaves 128 registers for each
-
-/// What a launch works on: scene k with `blocks` blocks, moved on by moments[k] moments.
-struct Launch {
-  const DeviceScene* scenes;
-  const std::int32_t* moments;
-  CrewGate* gates;
-  int blocks;
-  std::size_t room_bytes;
-};
-
-template <class Crew>
-__global__ void __launch_bounds__(most_threads, 1) advance_scenes(const Launch launch) {
-  __shared__ DeviceScene scene;
-  __shared__ BlockCell cell;
-  __shared__ StageClock clock;
-  extern __shared__ __align__(128) std::byte room[];
-  const int k = static_cast<int>(blockIdx.x) / launch.blocks;
-  if (threadIdx.x == 0) {
-    clock = {};
-    clock.last = clock64();
-  }
-  const auto* from = reinterpret_cast<const std::uint64_t*>(launch.scenes + k);
-  auto* to = reinterpret_cast<std::uint64_t*>(&scene);
-  for (unsigned w = threadIdx.x; w < sizeof(DeviceScene) / sizeof(std::uint64_t); w += blockDim.x) to[w] = from[w];
-  __syncthreads();
-  const bool first = static_cast<int>(blockIdx.x) % launch.blocks == 0;
-  Crew crew(BlockRoom{cell, clock, room, launch.room_bytes, first}, launch.blocks, launch.gates + k);
-  advance_scene(scene, crew, launch.moments[k]);
-  crew.barrier();  // no block leaves while another may still raise an alarm in it
-}
 
 constexpr int largest_cluster = 16;
 
@@ -50,6 +17,7 @@ constexpr std::size_t most_room = 160 * 1024;
 
 /// How a batch is spread over the device.
 struct Spread {
+  Arithmetic arithmetic = Arithmetic::strict;
   int scenes = 1, blocks = 1, threads = most_threads;
   bool gated() const { return blocks > largest_cluster; }
   /// Gated blocks stand in clusters too, for the first of them; where their number does not divide, in smaller ones.
@@ -58,7 +26,9 @@ struct Spread {
     while (gated() && blocks % size != 0) size /= 2;
     return gated() ? size : blocks;
   }
-  auto kernel() const { return gated() ? advance_scenes<GateCrew> : advance_scenes<ClusterCrew>; }
+  AdvanceKernel kernel() const {
+    return arithmetic == Arithmetic::fast ? fast_kernel(gated()) : strict_kernel(gated());
+  }
 };
 
 /// The fast memory that a block may have besides what the kernel takes itself; the kernel is allowed to take it
@@ -109,15 +79,15 @@ struct LaunchConfig {
 };
 
 /// The most blocks for each scene with which all scenes run at the same time; no more than `useful`.
-int most_blocks(int scenes, int threads, int multiprocessors, int useful) {
+int most_blocks(Arithmetic arithmetic, int scenes, int threads, int multiprocessors, int useful) {
   const int share = std::min(multiprocessors / scenes, useful) / largest_cluster * largest_cluster;
   for (int blocks = share; blocks > largest_cluster; blocks -= largest_cluster) {
-    const Spread spread{scenes, blocks, threads};
+    const Spread spread{arithmetic, scenes, blocks, threads};
     if (LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes * blocks / largest_cluster)
       return blocks;
   }
   for (int blocks = largest_cluster; blocks > 1; --blocks) {
-    const Spread spread{scenes, blocks, threads};
+    const Spread spread{arithmetic, scenes, blocks, threads};
     if (blocks <= useful && LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes)
       return blocks;
   }
@@ -125,10 +95,10 @@ int most_blocks(int scenes, int threads, int multiprocessors, int useful) {
 }
 
 /// How many clusters of each size that scenes may have run at the same time.
-ClusterRoom room_for_clusters(int threads) {
+ClusterRoom room_for_clusters(Arithmetic arithmetic, int threads) {
   ClusterRoom room;
   for (std::size_t size = 0; size < room.size(); ++size) {
-    const Spread spread{1, share_sizes[size], threads};
+    const Spread spread{arithmetic, 1, share_sizes[size], threads};
     room[size] = LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread);
   }
   return room;

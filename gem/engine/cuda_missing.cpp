@@ -37,6 +37,7 @@ int CudaBatch::blocks() const { return 0; }
 int CudaBatch::threads() const { return 0; }
 double CudaBatch::device_time() const { return 0.0; }
 std::vector<double> CudaBatch::stage_clocks() const { return {}; }
+std::pair<double, double> CudaBatch::barriers() const { return {}; }
 std::vector<std::string> cuda_stage_names() { return {}; }
 
 }  // namespace gem

@@ -4,6 +4,7 @@
 #include <cooperative_groups.h>
 
 #include "gem/engine/crew.h"
+#include "gem/engine/cuda_kernel.h"
 #include "gem/engine/device_scene.h"
 
 namespace gem {
@@ -43,12 +44,6 @@ class LaneGroup {
 
   __device__ int first() const { return static_cast<int>(threadIdx.x) % 32 / lanes * lanes; }
   __device__ unsigned mask() const { return ones << first(); }
-};
-
-/// Where the blocks of a GateCrew meet; zero before a launch.
-struct CrewGate {
-  unsigned arrived, alarms;
-  unsigned unused[30];  // a line of memory of its own
 };
 
 /// Where the time of the first thread goes.
@@ -123,6 +118,7 @@ class ClusterCrew : public DeviceCrew {
 
   /// A warp that had parted comes together first: the barrier counts warps.
   __device__ void barrier() {
+    ++barriers_;
     if (blocks() == 1) {
       __syncthreads();
       return;
@@ -139,8 +135,13 @@ class ClusterCrew : public DeviceCrew {
     if (threadIdx.x == 0) room_.shared.alarms = 0;
   }
 
+  __device__ int barriers() const { return barriers_; }
+  __device__ static int team_barriers() { return 0; }
+
  private:
   __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
+
+  int barriers_ = 0;
 };
 
 /// More blocks than a cluster holds, all on the device at the same time; they meet at a gate in its memory. The first
@@ -157,6 +158,7 @@ class GateCrew : public DeviceCrew {
   __device__ void solve(Work&& work) {
     ClusterCrew team(room_, 0, nullptr);
     if (block() < team.blocks()) work(team);
+    team_barriers_ += team.barriers();
   }
 
   __device__ void barrier() {
@@ -181,6 +183,10 @@ class GateCrew : public DeviceCrew {
     if (block() == 0) atomicExch(&gate_->alarms, 0U);
   }
 
+  /// That all blocks passed, and that those passed which iterate.
+  __device__ int barriers() const { return static_cast<int>(passed_) / blocks_; }
+  __device__ int team_barriers() const { return team_barriers_; }
+
  private:
   __device__ static unsigned load(const unsigned* word) {
     unsigned value;
@@ -191,6 +197,7 @@ class GateCrew : public DeviceCrew {
   int blocks_;
   CrewGate* gate_;
   unsigned passed_ = 0;  // arrivals of all barriers so far
+  int team_barriers_ = 0;
 };
 
 }  // namespace gem

@@ -155,6 +155,8 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
     status.list_valid = list_valid;
     status.half_way = done < moments;
     crew.write_laps(status.stage_clocks);
+    status.barriers = crew.barriers();
+    status.team_barriers = crew.team_barriers();
     status.stop = stop;
   }
 }

@@ -203,6 +203,38 @@ TEST_P(CudaJam, ScenesThatShareTheDeviceUnequallyKeepTheirBits) {
   }
 }
 
+/// Where two states are farthest apart [m].
+double farthest_apart(const Bodies& bodies, const Bodies& others) {
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < bodies.count(); ++i)
+    farthest = std::max(farthest, length(bodies.position[i] - others.position[i]));
+  return farthest;
+}
+
+/// Contraction changes bits, so this holds to a bound: independent contacts to rounding, coupled ones to the residual
+/// at which the iterations of each moment end.
+TEST_P(CudaJam, FastKernelsRepeatThemselvesAndStayClose) {
+  const bool coupled = scene_.contact.resolution == Resolution::coupled;
+  std::uint64_t hash = 0;
+  for (int repetition = 0; repetition < 2; ++repetition) {
+    CudaBatch batch(copies(2), {.arithmetic = Arithmetic::fast});
+    for (const std::size_t k : {0, 1}) batch.restore(k, start_);
+    std::vector<MomentLog> logs(2);
+    batch.advance(moments, &logs);
+    EXPECT_EQ(batch.state_hash(0), batch.state_hash(1));
+    EXPECT_NE(batch.state_hash(0), hash_) << "nothing was contracted";
+    if (repetition == 0) hash = batch.state_hash(0);
+    EXPECT_EQ(batch.state_hash(0), hash);
+    const double apart = farthest_apart(batch.bodies(0), end_.bodies);
+    EXPECT_LT(apart, coupled ? 1e-4 : 1e-9);
+    RecordProperty("farthest_apart_m", testing::PrintToString(apart));
+    for (const MomentQuality& quality : logs[0].quality) EXPECT_GT(quality.contacts, agreement::contacts_wanted);
+    const LedgerResidual left = residual(batch.ledger(0));
+    EXPECT_LT(left.momentum, 1e-12);
+    EXPECT_LT(left.energy, 1e-12);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Ways, CudaJam,
                          testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends)),
@@ -211,6 +243,13 @@ INSTANTIATE_TEST_SUITE_P(Ways, CudaJam,
                                                                                             : "independent") +
                                   (std::get<1>(way.param) == Manifold::chord_ends ? "_ends" : "_middle");
                          });
+
+TEST_F(OnGpu, FastRunsSayWhatTheyAre) {
+  const SceneDef scene = test::busy_scene(12);
+  EXPECT_EQ(test::busy_engine(scene, "cuda_fast")->name(), "cuda_fast");
+  EXPECT_EQ(test::busy_engine(scene, "cuda_fast")->arithmetic(), "fast");
+  EXPECT_EQ(test::busy_engine(scene, "cuda")->arithmetic(), "strict");
+}
 
 TEST_F(OnGpu, AStateThatIsNoNumberStopsTheRun) {
   const SceneDef scene = test::busy_scene(12);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <utility>
 
@@ -22,10 +23,22 @@ double kinetic(const Bodies& b) {
 
 }  // namespace
 
+namespace {
+
+/// The engines of every build, and the one that GEM_ENGINE names.
+std::vector<std::string> engines() {
+  std::vector<std::string> names = engine_names();
+  const char* more = std::getenv("GEM_ENGINE");
+  if (more && std::find(names.begin(), names.end(), more) == names.end()) names.push_back(more);
+  return names;
+}
+
+}  // namespace
+
 std::vector<Setting> all_settings() {
   std::vector<Setting> settings = surveyed_baselines();
   if (!settings.empty()) return settings;
-  for (const std::string& engine : engine_names())
+  for (const std::string& engine : engines())
     for (const Resolution resolution : {Resolution::independent, Resolution::coupled})
       settings.push_back({engine, resolution});
   return settings;
@@ -33,7 +46,7 @@ std::vector<Setting> all_settings() {
 
 std::vector<Setting> coupled_settings() {
   std::vector<Setting> settings;
-  for (const std::string& engine : engine_names()) settings.push_back({engine, Resolution::coupled});
+  for (const std::string& engine : engines()) settings.push_back({engine, Resolution::coupled});
   return settings;
 }
 

@@ -1,0 +1,36 @@
+// The kernel that moves scenes on, compiled twice: strict, with the bits of the cpu engine, and fast, where the
+// compiler may contract a*b+c to one rounding.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gem/engine/cuda_engine.h"
+#include "gem/engine/device_scene.h"
+
+namespace gem {
+
+/// Where the blocks of a scene meet that are more than a cluster; zero before a launch.
+struct CrewGate {
+  unsigned arrived, alarms;
+  unsigned unused[30];  // a line of memory of its own
+};
+
+constexpr int most_threads = 512;  // leaves 128 registers for each
+
+/// What a launch works on: scene k with `blocks` blocks, moved on by moments[k] moments.
+struct Launch {
+  const DeviceScene* scenes;
+  const std::int32_t* moments;
+  CrewGate* gates;
+  int blocks;
+  std::size_t room_bytes;
+};
+
+using AdvanceKernel = void (*)(const Launch);
+
+/// `gated`: for scenes of more blocks than a cluster holds.
+AdvanceKernel strict_kernel(bool gated);
+AdvanceKernel fast_kernel(bool gated);
+
+}  // namespace gem

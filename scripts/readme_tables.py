@@ -6,6 +6,7 @@ usage: scripts/readme_tables.py
 clean_root_run.txt, clean_root_test.txt   what scripts/run.sh and scripts/test.sh printed in a bare Debian 12 root
 real_time_factor*.csv                     what bench/real_time_factor.py wrote
 cuda_*.csv                                what gem_cuda_speed printed
+barriers_h200.csv                         what gem_cuda_barriers printed
 scenes.csv                                what bench/scene_bench.py wrote
 """
 import csv
@@ -16,6 +17,7 @@ import re
 TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 RESULTS = os.path.join(TOP, "bench", "results")
 GPU_BATCHES = ("batch_recorded", "table1_recorded", "growth")
+ITERATING_BLOCKS = 16  # of a scene with more of them, those that iterate coupled moments
 NAMES = {1: "004_400_25", 2: "004_400_50", 27: "400_200_100"}
 
 
@@ -57,9 +59,9 @@ def gpu_rows():
     for path in sorted(glob.glob(os.path.join(RESULTS, "cuda_*.csv"))):
         with open(path, newline="", encoding="utf-8") as file:
             for r in csv.DictReader(file):
-                key = r["resolution"], r["phase"]
+                key = r["resolution"], r["arithmetic"], r["phase"]
                 if r["measure"] != "moment":
-                    kind = r["resolution"], r["measure"]
+                    kind = r["resolution"], r["arithmetic"], r["measure"]
                     size = int(r["scenes"]) * (int(r["phase"].split()[0]) if r["measure"] == "growth" else 1)
                     if r["measure"] in GPU_BATCHES and size >= largest.get(kind, (0, None))[0]:
                         largest[kind] = size, r
@@ -69,13 +71,27 @@ def gpu_rows():
     return list(fastest.values()) + [row for _, row in largest.values()]
 
 
+def barrier_costs():
+    """Microseconds of one barrier by blocks and threads."""
+    with open(os.path.join(RESULTS, "barriers_h200.csv"), newline="", encoding="utf-8") as file:
+        return {(int(r["blocks"]), int(r["threads"])): float(r["microseconds"]) for r in csv.DictReader(file)}
+
+
+def waiting(r, costs):
+    """What the barriers of one moment cost if nothing stood between them [us]."""
+    threads = int(r["threads"])
+    return (float(r["barriers"]) * costs[int(r["blocks"]), threads] +
+            float(r["team_barriers"]) * costs[ITERATING_BLOCKS, threads])
+
+
 def gpu_table():
-    rows = ["| contacts | what | scenes | blocks x threads | µs a moment | x real time, all scenes | wall / device | "
-            "state hash | device | commit |", "|" + "---|" * 10]
+    rows = ["| contacts | arithmetic | what | scenes | blocks x threads | µs a moment | of that barriers alone | "
+            "x real time, all scenes | wall / device | state hash | device | commit |", "|" + "---|" * 12]
+    costs = barrier_costs()
     for r in gpu_rows():
         what = r["phase"] if r["measure"] == "moment" else f"{r['measure'].replace('_', ', ')}, {r['phase']}"
-        rows.append(f"| {r['resolution']} | {what} | {r['scenes']} | {r['blocks']} x {r['threads']} | "
-                    f"{float(r['microseconds_per_moment']):.0f} | {float(r['x_real_time']):.0f} | "
+        rows.append(f"| {r['resolution']} | {r['arithmetic']} | {what} | {r['scenes']} | {r['blocks']} x {r['threads']} | "
+                    f"{float(r['microseconds_per_moment']):.0f} | {waiting(r, costs):.1f} | {float(r['x_real_time']):.0f} | "
                     f"{r['wall_over_device']} | `{r['state_hash']}` | {r['device']} | {r['commit'][:7]}{'-dirty' if 'dirty' in r['commit'] else ''} |")
     return rows
 

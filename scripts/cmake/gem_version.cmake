@@ -1,8 +1,15 @@
 # Writes gem_version.h; touches it only when something changed.
-execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --dirty --abbrev=12
+execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --abbrev=12
   OUTPUT_VARIABLE COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 if(failed)
   set(COMMIT "unknown")
+else()
+  # Results and pages are no part of a program.
+  execute_process(COMMAND git -C ${SOURCE_DIR} diff --quiet HEAD -- . ":(exclude)bench/results" ":(exclude)*.md" ":(exclude)*.svg"
+    RESULT_VARIABLE changed)
+  if(changed)
+    string(APPEND COMMIT "-dirty")
+  endif()
 endif()
 set(text "// Identity of this build.
 #pragma once

@@ -33,7 +33,7 @@ Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunO
   return {scene.run.name,    resolved_toml(scene),
           scene_hash(scene), options.command_line,
           engine.name(),     engine.method().empty() ? asked : engine.method(),
-          options.threads,   engine.method().empty() ? engine.arithmetic() : "its own",
+          options.threads,   engine.method().empty() ? "strict" : "its own",
           engine.device()};
 }
 

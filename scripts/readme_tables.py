@@ -78,20 +78,22 @@ def barrier_costs():
 
 
 def waiting(r, costs):
-    """What the barriers of one moment cost if nothing stood between them [us]."""
+    """What the barriers of a moment of one scene cost with nothing between them [us]; empty for batches, whose blocks change."""
+    if r["measure"] != "moment":
+        return ""
     threads = int(r["threads"])
-    return (float(r["barriers"]) * costs[int(r["blocks"]), threads] +
-            float(r["team_barriers"]) * costs[ITERATING_BLOCKS, threads])
+    return f"""{float(r['barriers']) * costs[int(r['blocks']), threads] +
+                float(r['team_barriers']) * costs[ITERATING_BLOCKS, threads]:.1f}"""
 
 
 def gpu_table():
-    rows = ["| contacts | arithmetic | what | scenes | blocks x threads | µs a moment | of that barriers alone | "
+    rows = ["| contacts | arithmetic | what | scenes | blocks x threads | µs a moment | barriers alone, µs | "
             "x real time, all scenes | wall / device | state hash | device | commit |", "|" + "---|" * 12]
     costs = barrier_costs()
     for r in gpu_rows():
         what = r["phase"] if r["measure"] == "moment" else f"{r['measure'].replace('_', ', ')}, {r['phase']}"
         rows.append(f"| {r['resolution']} | {r['arithmetic']} | {what} | {r['scenes']} | {r['blocks']} x {r['threads']} | "
-                    f"{float(r['microseconds_per_moment']):.0f} | {waiting(r, costs):.1f} | {float(r['x_real_time']):.0f} | "
+                    f"{float(r['microseconds_per_moment']):.0f} | {waiting(r, costs)} | {float(r['x_real_time']):.0f} | "
                     f"{r['wall_over_device']} | `{r['state_hash']}` | {r['device']} | {r['commit'][:7]}{'-dirty' if 'dirty' in r['commit'] else ''} |")
     return rows
 

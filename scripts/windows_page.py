@@ -38,7 +38,7 @@ def cuda_points(group, points):
     for path in sorted((ROOT / "bench" / "results").glob("cuda*.csv")):
         with open(path, newline="", encoding="utf-8") as file:
             for row in csv.DictReader(file):
-                if row.get("measure") not in ("moment", "copies") or CUDA_PHASES.get(row["phase"]) not in begins:
+                if row.get("arithmetic") != "strict" or row["measure"] not in ("moment", "copies") or CUDA_PHASES.get(row["phase"]) not in begins:
                     continue
                 if not all(same_results(row["commit"], commit) for commit in commits):
                     continue

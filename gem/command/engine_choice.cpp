@@ -6,7 +6,7 @@ namespace gem {
 
 std::vector<std::string> engine_choices() {
   std::vector<std::string> offered = engine_names();
-  offered.insert(offered.begin(), {"auto", "cuda", "cuda_fast"});
+  offered.insert(offered.begin(), {"auto", "cuda"});
   for (const std::string& name : baseline_names()) offered.push_back(name);
   return offered;
 }

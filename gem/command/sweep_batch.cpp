@@ -77,7 +77,7 @@ class SweepBatch {
  private:
   EngineOptions gpu() const {
     EngineOptions options = settings_.engine;
-    if (options.name == "auto") options.name = "cuda";
+    options.name = "cuda";
     return options;
   }
 

@@ -124,7 +124,7 @@ std::vector<int> gpus_that_answer() {
 
 void group(SweepPlan& plan) {
   const std::string& engine = plan.settings.engine.name;
-  if (is_cuda(engine) || engine == "auto") plan.devices = gpus_that_answer();
+  if (engine == "cuda" || engine == "auto") plan.devices = gpus_that_answer();
   std::vector<std::int64_t> moments;
   for (const std::size_t place : plan.to_do) moments.push_back(moments_of(plan.members[plan.chosen[place]].scene));
   plan.batches = share_runs(moments, plan.devices.size());

@@ -8,6 +8,9 @@
 // A repair that stepped against its change is not carried ahead: too much of it would open a gap.
 // Tonge et al. 2012 share masses the same way.
 //
+// With friction the bound of a tangential impulse follows the normal one, so there is no fixed function that goes down:
+// a fixed-point iteration without proof, judged by what it leaves (R1 to R3 of validation/hard).
+//
 // The iterations run on what is added to a base: impulses and velocities in double precision, of which each point keeps
 // the numbers below in single precision. Their rounding is one of the additions, not of the whole; after a round the
 // additions enter the base and the next round starts from there, so any residual can be asked for.
@@ -234,7 +237,8 @@ class IterationCourse {
   std::int64_t iteration_ = 0, of_round_ = 0;
   double first_ = 0.0;   // residual at the beginning of the round
   double lowest_ = 0.0;  // since the last time that nothing was carried ahead
-  // not 1: the impulses of the last moment are a fair start, and few iterations have no time for a slow one
+  // not 1: the impulses of the last moment are a fair start; 99.9 % of overlaps come out 15 to 26 % lower
+  // (validation/solver_study.md, start of the acceleration)
   double theta_ = 4.0;
 };
 

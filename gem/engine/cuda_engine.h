@@ -25,14 +25,15 @@ struct CudaDevice {
 /// All GPUs; where there is none, `reason` says why.
 std::vector<CudaDevice> cuda_devices(std::string& reason);
 
-/// How the kernels round. `fast`: the compiler may contract a*b+c to one rounding, so the bits are not those of
-/// `strict` and of the cpu engine; they repeat from run to run, but may change with the number of blocks of a scene.
+/// How the kernels round. strict: the bits of the cpu engine. fast: the compiler may contract a*b+c to one rounding;
+/// the bits are others and may change with the number of blocks of a scene. No run uses it: it gains nothing
+/// (bench/results/cuda_*.csv) and is kept to show that.
 enum class Arithmetic { strict, fast };
 
 /// Moments that the quickest scene makes in one launch.
 constexpr int most_launch_moments = 256;
 
-/// How the scenes of a batch are laid out on the GPU. No choice of strict ones changes a result.
+/// How the scenes of a batch are laid out on the GPU. With strict arithmetic no choice changes a result.
 struct CudaOptions {
   int device = -1;                         // -1: the first that can be used
   int blocks = 0;                          // that work on one scene: up to 16, or a multiple of that; 0: as help most
@@ -42,11 +43,6 @@ struct CudaOptions {
   bool samples = true;  // keep what the platform felt
   Arithmetic arithmetic = Arithmetic::strict;
 };
-
-/// Whether an engine of this name computes on a GPU, and how: "cuda" is strict, "cuda_fast" fast.
-bool is_cuda(const std::string& engine);
-Arithmetic cuda_arithmetic(const std::string& engine);
-std::string cuda_name(Arithmetic arithmetic);
 
 /// A scene of a batch.
 struct BatchScene {
@@ -60,8 +56,8 @@ struct MomentsAhead {
   std::int64_t all = 0;   // to its end: scenes that have much ahead get more of the GPU
 };
 
-/// Many scenes on one GPU, moved on together. Each has the bits that it has alone. Throws Error(device) where no GPU
-/// answers or a call fails, Error(resource_limit) where its memory is too small.
+/// Many scenes on one GPU, moved on together. With strict arithmetic each has the bits that it has alone. Throws
+/// Error(device) where no GPU answers or a call fails, Error(resource_limit) where its memory is too small.
 class CudaBatch {
  public:
   CudaBatch(std::vector<BatchScene> scenes, const CudaOptions& options);
@@ -94,8 +90,8 @@ class CudaBatch {
   double device_time() const;
   /// Clocks of the first scene's first thread since construction, by stage; see cuda_stage_names.
   std::vector<double> stage_clocks() const;
-  /// Barriers that the first scene passed in one moment, mean since construction: of all its blocks, and of those that
-  /// iterate where these are fewer.
+  /// Barriers between blocks that the first scene passed in one moment, mean since construction: of all its blocks, and
+  /// of those that iterate where these are fewer. What one block waits for by itself is not counted.
   std::pair<double, double> barriers() const;
 
  private:

@@ -5,22 +5,15 @@
 
 namespace gem {
 
-bool is_cuda(const std::string& engine) { return engine == "cuda" || engine == "cuda_fast"; }
-Arithmetic cuda_arithmetic(const std::string& engine) {
-  return engine == "cuda_fast" ? Arithmetic::fast : Arithmetic::strict;
-}
-std::string cuda_name(Arithmetic arithmetic) { return arithmetic == Arithmetic::fast ? "cuda_fast" : "cuda"; }
-
 namespace {
 
 /// A batch of one as an engine.
 class CudaEngine : public Engine {
  public:
   CudaEngine(const SceneDef& scene, Bodies bodies, const CudaOptions& options)
-      : batch_(one(scene, std::move(bodies)), options), arithmetic_(options.arithmetic), logs_(1) {}
+      : batch_(one(scene, std::move(bodies)), options), logs_(1) {}
 
-  std::string name() const override { return cuda_name(arithmetic_); }
-  std::string arithmetic() const override { return arithmetic_ == Arithmetic::fast ? "fast" : "strict"; }
+  std::string name() const override { return "cuda"; }
   std::string device() const override { return batch_.device().name + ", " + batch_.device().driver; }
   void advance(std::int64_t moments, MomentLog& log) override {
     std::swap(logs_[0], log);
@@ -46,7 +39,6 @@ class CudaEngine : public Engine {
   }
 
   CudaBatch batch_;
-  Arithmetic arithmetic_;
   std::vector<MomentLog> logs_;
 };
 

@@ -61,7 +61,7 @@ struct DeviceStatus {
   std::int32_t events = 0;                            // the same
   std::int32_t carried = 0;                           // contacts in DeviceScene::carried
   std::int64_t stage_clocks[stage_count] = {};        // of the first thread, by DeviceStage
-  std::int32_t barriers = 0, team_barriers = 0;       // passed in the call: by all blocks, by those that iterate
+  std::int32_t barriers = 0, team_barriers = 0;       // between blocks, in the call: of all, of those that iterate
   std::int32_t rows_needed = 0, platform_needed = 0;  // places in all rows, in the platform's
   DeviceStop stop = DeviceStop::done;
 };

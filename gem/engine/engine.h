@@ -111,8 +111,6 @@ class Engine {
   virtual std::string method() const { return {}; }
   /// What it runs on besides the processor, for the run file; empty: nothing.
   virtual std::string device() const { return {}; }
-  /// How it rounds, for the run file; strict: no contraction, ordered sums, the same bits on every strict engine.
-  virtual std::string arithmetic() const { return "strict"; }
   /// Moves the field on by `moments` moments and appends to `log`. Throws Error(numerical_stop) at a non-finite state.
   virtual void advance(std::int64_t moments, MomentLog& log) = 0;
   /// Moments done since t = 0; time is moment() * moment_s.

@@ -11,10 +11,8 @@ namespace {
 /// One scene of a batch on a GPU.
 class CudaMember : public Engine {
  public:
-  CudaMember(CudaBatch& batch, Arithmetic arithmetic, std::size_t scene)
-      : batch_(batch), arithmetic_(arithmetic), scene_(scene) {}
-  std::string name() const override { return cuda_name(arithmetic_); }
-  std::string arithmetic() const override { return arithmetic_ == Arithmetic::fast ? "fast" : "strict"; }
+  CudaMember(CudaBatch& batch, std::size_t scene) : batch_(batch), scene_(scene) {}
+  std::string name() const override { return "cuda"; }
   std::string device() const override { return batch_.device().name + ", " + batch_.device().driver; }
   void advance(std::int64_t, MomentLog&) override {
     throw Error(ExitCode::usage, "a scene of a batch cannot be moved on by itself");
@@ -27,16 +25,13 @@ class CudaMember : public Engine {
 
  private:
   CudaBatch& batch_;
-  Arithmetic arithmetic_;
   std::size_t scene_;
 };
 
 class CudaEngines : public EngineBatch {
  public:
-  CudaEngines(std::vector<BatchScene> scenes, int device, Arithmetic arithmetic)
-      : batch_(std::move(scenes), {.device = device, .arithmetic = arithmetic}) {
-    for (std::size_t k = 0; k < batch_.size(); ++k)
-      members_.push_back(std::make_unique<CudaMember>(batch_, arithmetic, k));
+  CudaEngines(std::vector<BatchScene> scenes, int device) : batch_(std::move(scenes), {.device = device}) {
+    for (std::size_t k = 0; k < batch_.size(); ++k) members_.push_back(std::make_unique<CudaMember>(batch_, k));
   }
   std::size_t size() const override { return members_.size(); }
   std::vector<std::exception_ptr> advance(const std::vector<MomentsAhead>& ahead,
@@ -77,8 +72,7 @@ class SingleEngines : public EngineBatch {
 }  // namespace
 
 std::unique_ptr<EngineBatch> make_engine_batch(std::vector<BatchScene> scenes, const EngineOptions& options) {
-  if (is_cuda(options.name))
-    return std::make_unique<CudaEngines>(std::move(scenes), options.device, cuda_arithmetic(options.name));
+  if (options.name == "cuda") return std::make_unique<CudaEngines>(std::move(scenes), options.device);
   return std::make_unique<SingleEngines>(std::move(scenes), options);
 }
 

@@ -23,7 +23,7 @@ class EngineBatch {
   virtual Engine& engine(std::size_t scene) = 0;
 };
 
-/// Scenes on a GPU for "cuda" and "cuda_fast", else one engine of that name for each, one after another. Throws like make_engine, and
+/// Scenes on a GPU for "cuda", else one engine of that name for each, one after another. Throws like make_engine, and
 /// Error(resource_limit) where the GPU's memory is too small for so many.
 std::unique_ptr<EngineBatch> make_engine_batch(std::vector<BatchScene> scenes, const EngineOptions& options);
 

@@ -41,13 +41,11 @@ std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const 
   if (options.name == "reference") return std::make_unique<ReferenceEngine>(scene, std::move(bodies));
   if (options.name == "cpu")
     return std::make_unique<CpuEngine>(scene, std::move(bodies), threads, options.contacts_worth_a_thread);
-  if (is_cuda(options.name))
-    return make_cuda_engine(scene, std::move(bodies),
-                            {.device = options.device, .arithmetic = cuda_arithmetic(options.name)});
+  if (options.name == "cuda") return make_cuda_engine(scene, std::move(bodies), {.device = options.device});
   for (const Baseline& baseline : baselines())
     if (options.name == baseline.name) return baseline.make(scene, std::move(bodies), options);
   std::vector<std::string> known = engine_names();
-  known.insert(known.end(), {"cuda", "cuda_fast"});
+  known.push_back("cuda");
   for (const std::string& name : baseline_names()) known.push_back(name);
   throw Error(ExitCode::usage, "unknown engine '" + options.name + "' (" + joined(known) + ")");
 }

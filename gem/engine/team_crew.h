@@ -126,6 +126,8 @@ class TeamCrew {
   }
   void lap(int) const {}
   void write_laps(std::int64_t*) const {}
+  static int barriers() { return 0; }
+  static int team_barriers() { return 0; }
   void raise(std::uint32_t alarms) {
     for (BlockCell& cell : hall_.cell) std::atomic_ref(cell.alarms).fetch_or(alarms);
   }

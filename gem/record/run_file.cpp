@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -31,6 +33,8 @@ auto reading(const std::string& path, Body body) {
   try {
     return body();
   } catch (const hdf5::Failure& failure) {
+    if (failure.text.find(std::strerror(EAGAIN)) != std::string::npos)
+      refuse(path, "a run is writing it", "wait for its end, or read a copy of the file");
     refuse(path, failure.text, "the file may be damaged or made by another program");
   }
 }

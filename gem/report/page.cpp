@@ -101,13 +101,15 @@ std::string warning(const RunIdentity& identity) {
 
 }  // namespace
 
+std::string page_title(const std::string& run) { return escaped(run) + " - run report"; }
+
 std::string page_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis,
                       const PageFigures& figures) {
   const std::string name = escaped(run.identity.name);
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-      name + " - run report</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
+      page_title(run.identity.name) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
   html += "<header><h1>" + name + "</h1>\n<p>Ice loads on a moored platform: report of one run</p></header>\n";
   html += warning(run.identity) + headline_html(run, findings, analysis);
   html += figures.field.empty() ? no_field_html(run) : section("The field", figures.field, false);

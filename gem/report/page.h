@@ -18,6 +18,9 @@ struct PageFigures {
 std::string page_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis,
                       const PageFigures& figures);
 
+/// What the page of a run is called, as it stands in its head.
+std::string page_title(const std::string& run);
+
 /// Text made safe for HTML.
 std::string escaped(const std::string& text);
 

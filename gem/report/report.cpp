@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "gem/base/error.h"
 #include "gem/report/figures.h"
@@ -20,6 +21,15 @@ std::string stamp(const RunIdentity& identity) {
   return text;
 }
 
+/// Figures of two runs must not come to lie side by side.
+void check_folder(const std::filesystem::path& page, const std::string& run) {
+  std::ifstream old(page, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(old), std::istreambuf_iterator<char>()};
+  if (text.empty() || text.find("<title>" + page_title(run) + "</title>") != std::string::npos) return;
+  throw Error(ExitCode::usage, page.string() + " is there already (it is not the report of " + run +
+                                   ") choose another folder with --out, or remove this one");
+}
+
 }  // namespace
 
 void write_report(const std::string& run_file, const std::string& out_dir, bool allow_incomplete) {
@@ -31,6 +41,7 @@ void write_report(const RunData& run, const std::string& out_dir, bool allow_inc
     throw Error(ExitCode::usage, "the run " + run.identity.name + " is not complete (status: " + run.identity.status +
                                      ") finish it, or ask for a report with --allow-incomplete");
   const std::filesystem::path folder(out_dir);
+  check_folder(folder / "index.html", run.identity.name);
   const PlotFolder plots(folder / "figures", stamp(run.identity));
   const RunFindings findings = run_findings(run);
   const PageFigures figures{field_figures(run, plots), motion_figures(run, findings, plots), force_figures(run, plots),

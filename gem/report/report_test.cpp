@@ -1,7 +1,10 @@
 // A report is written from data and from a run file, says what it found, and refuses an incomplete run.
 #include "gem/report/report.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -184,6 +187,15 @@ TEST_F(Report, DrawsTheWindowsMeanAtItsMiddle) {
   EXPECT_EQ(text_of("ice_force.gp").find("ice_force_window_mean.csv"), std::string::npos);
 }
 
+TEST_F(Report, ReplacesItsOwnPageAndNoOthers) {
+  RunData run = swinging_platform();
+  write_report(run, out(), false);
+  write_report(run, out(), false);
+  run.identity.name = "another";
+  EXPECT_THROW(write_report(run, out(), false), Error);
+  EXPECT_NE(page().find("swing_&lt;1&gt;"), std::string::npos);
+}
+
 TEST_F(Report, RefusesAnIncompleteRunUnlessAsked) {
   RunData run = swinging_platform();
   run.identity.status = "stopped:signal";
@@ -285,6 +297,20 @@ TEST_F(Report, ReadsARunFile) {
   EXPECT_NE(html.find("88.86 s"), std::string::npos);
   EXPECT_LT(fs::file_size(folder_ / "report" / "figures" / "field_end.csv"),
             fs::file_size(folder_ / "report" / "figures" / "field_start.csv"));
+}
+
+TEST_F(Report, SaysThatARunIsStillWriting) {
+  const std::string run_file = (folder_ / "tiny.h5").string();
+  write_run_file(run_file, "running");
+  const int writer = open(run_file.c_str(), O_RDONLY);
+  ASSERT_EQ(flock(writer, LOCK_EX), 0);
+  try {
+    write_report(run_file, out(), true);
+    ADD_FAILURE() << "was read";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("a run is writing it"), std::string::npos) << error.what();
+  }
+  close(writer);
 }
 
 TEST_F(Report, RefusesAnIncompleteRunFile) {

@@ -4,9 +4,11 @@ execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --abbrev=12
 if(failed)
   set(COMMIT "unknown")
 else()
-  # Results and pages are no part of a program.
-  execute_process(COMMAND git -C ${SOURCE_DIR} diff --quiet HEAD -- . ":(exclude)bench/results" ":(exclude)*.md" ":(exclude)*.svg"
-    RESULT_VARIABLE changed)
+  # What programs are made of, new files too; results and pages are no part of them.
+  execute_process(COMMAND git -C ${SOURCE_DIR} status --porcelain -- CMakeLists.txt CMakePresets.json scripts/cmake
+      gem baseline_box2d bench validation ":(exclude)bench/results" ":(exclude)validation/*.md" ":(exclude)validation/*.csv"
+      ":(exclude)validation/*/figures/*" ":(exclude)*.md"
+    OUTPUT_VARIABLE changed)
   if(changed)
     string(APPEND COMMIT "-dirty")
   endif()

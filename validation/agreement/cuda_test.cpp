@@ -211,10 +211,19 @@ double farthest_apart(const Bodies& bodies, const Bodies& others) {
   return farthest;
 }
 
-/// Contraction changes bits, so this holds to a bound: independent contacts to rounding, coupled ones to the residual
-/// at which the iterations of each moment end.
-TEST_P(CudaJam, FastKernelsRepeatThemselvesAndStayClose) {
-  const bool coupled = scene_.contact.resolution == Resolution::coupled;
+/// Contraction changes bits, and a jam whose iterations end at their most is chaotic: fast kernels may part from strict
+/// ones as a strict run does whose floes begin a rounding elsewhere, not more.
+TEST_P(CudaJam, FastKernelsRepeatThemselvesAndPartAsRoundingDoes) {
+  EngineState moved = start_;
+  for (std::size_t i = 1; i < moved.bodies.count(); i += 7)
+    if (moved.bodies.kind[i] == BodyKind::floe) moved.bodies.position[i].x += 1e-13;
+  const auto rounded = make_engine(scene_, field_, agreement::on("cpu"));
+  rounded->restore(moved);
+  MomentLog ignored;
+  rounded->advance(moments, ignored);
+  const double by_rounding = farthest_apart(rounded->bodies(), end_.bodies);
+  ASSERT_GT(by_rounding, 0.0);
+
   std::uint64_t hash = 0;
   for (int repetition = 0; repetition < 2; ++repetition) {
     CudaBatch batch(copies(2), {.arithmetic = Arithmetic::fast});
@@ -225,9 +234,7 @@ TEST_P(CudaJam, FastKernelsRepeatThemselvesAndStayClose) {
     EXPECT_NE(batch.state_hash(0), hash_) << "nothing was contracted";
     if (repetition == 0) hash = batch.state_hash(0);
     EXPECT_EQ(batch.state_hash(0), hash);
-    const double apart = farthest_apart(batch.bodies(0), end_.bodies);
-    EXPECT_LT(apart, coupled ? 1e-4 : 1e-9);
-    RecordProperty("farthest_apart_m", testing::PrintToString(apart));
+    EXPECT_LT(farthest_apart(batch.bodies(0), end_.bodies), 10.0 * by_rounding);
     for (const MomentQuality& quality : logs[0].quality) EXPECT_GT(quality.contacts, agreement::contacts_wanted);
     const LedgerResidual left = residual(batch.ledger(0));
     EXPECT_LT(left.momentum, 1e-12);
@@ -243,13 +250,6 @@ INSTANTIATE_TEST_SUITE_P(Ways, CudaJam,
                                                                                             : "independent") +
                                   (std::get<1>(way.param) == Manifold::chord_ends ? "_ends" : "_middle");
                          });
-
-TEST_F(OnGpu, FastRunsSayWhatTheyAre) {
-  const SceneDef scene = test::busy_scene(12);
-  EXPECT_EQ(test::busy_engine(scene, "cuda_fast")->name(), "cuda_fast");
-  EXPECT_EQ(test::busy_engine(scene, "cuda_fast")->arithmetic(), "fast");
-  EXPECT_EQ(test::busy_engine(scene, "cuda")->arithmetic(), "strict");
-}
 
 TEST_F(OnGpu, AStateThatIsNoNumberStopsTheRun) {
   const SceneDef scene = test::busy_scene(12);

@@ -21,14 +21,10 @@ double kinetic(const Bodies& b) {
   return sum;
 }
 
-}  // namespace
-
-namespace {
-
-/// The engines of every build, and the one that GEM_ENGINE names.
+/// The engines of every build, and the one that GEM_MORE_ENGINES names.
 std::vector<std::string> engines() {
   std::vector<std::string> names = engine_names();
-  const char* more = std::getenv("GEM_ENGINE");
+  const char* more = std::getenv("GEM_MORE_ENGINES");
   if (more && std::find(names.begin(), names.end(), more) == names.end()) names.push_back(more);
   return names;
 }

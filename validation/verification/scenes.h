@@ -27,7 +27,7 @@ struct Setting {
   Where where() const { return {engine, coupled() ? "coupled" : "independent"}; }
 };
 
-/// Every engine by name with both resolutions; with GEM_ENGINE=NAME that one too, such as one of a GPU.
+/// Every engine by name with both resolutions; with GEM_MORE_ENGINES=cuda that one too.
 std::vector<Setting> all_settings();
 /// Every engine, coupled only.
 std::vector<Setting> coupled_settings();

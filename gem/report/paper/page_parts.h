@@ -27,6 +27,8 @@ std::string choices_text(const Reproduction& result);
 /// Growth of the motion with time, and extremes, over the seeds.
 std::string stationarity_text(const Reproduction& result);
 std::string extremes_text(const Reproduction& result);
+/// Runs of a day beside the shorter ones of the same condition.
+std::string days_text(const PaperFolder& folder, const Reproduction& result);
 std::string divergence_text(const Reproduction& result);
 std::string ice_text(const IceStudy& study);
 std::string unordered_text(const UnorderedStudy& study);

@@ -1,4 +1,5 @@
 // The parts of the page that answer one question each.
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -57,6 +58,24 @@ std::string shift_text(const DivergenceStudy& study, const std::string& level) {
   return text + ".";
 }
 
+/// On which side of a candidate's predictions the measured spectral periods lie; `free` names the run without ice.
+std::string side_text(const Candidate& candidate, const std::string& free) {
+  std::size_t runs = 0, slower = 0;
+  double least = 0.0, most = 0.0;
+  for (const Prediction& prediction : candidate.predictions) {
+    if (!prediction.measured || prediction.condition == free || prediction.metric != "x_period_by_spectrum_s") continue;
+    const double longer = 100.0 * (prediction.measured->value / prediction.period_s - 1.0);
+    least = runs == 0 ? longer : std::min(least, longer);
+    most = runs == 0 ? longer : std::max(most, longer);
+    ++runs;
+    slower += longer > 0.0;
+  }
+  if (runs == 0) return "";
+  return "By their spectra, " + std::to_string(slower) + " of " + std::to_string(runs) +
+         " of these runs with ice swing more slowly than " + candidate.name + " would have them, " +
+         rounded_text(least, 2) + " to " + rounded_text(most, 2) + " % in period.\n\n";
+}
+
 }  // namespace
 
 std::string period_text(const Reproduction& result) {
@@ -80,7 +99,7 @@ std::string period_text(const Reproduction& result) {
            << result_text(prediction.measured, "no run, or too few swings") << " | "
            << candidate_verdict(prediction.verdict) << " |\n";
   }
-  return text.str() + "\n";
+  return text.str() + "\n" + side_text(result.period.front(), "free_swing");
 }
 
 std::string counting_text(const PaperFolder& folder) {

@@ -56,4 +56,29 @@ std::string extremes_text(const Reproduction& result) {
   return text.str() + "\n";
 }
 
+std::string days_text(const PaperFolder& folder, const Reproduction& result) {
+  std::ostringstream text;
+  text << "## What a day shows\n\n";
+  if (result.days.empty()) return text.str() + "Needs runs of `cases/day.toml`.\n\n";
+  text << "One run each (`cases/day.toml`), beside the runs of the same condition in Table 1 (mean over the seeds). "
+          "Swing: "
+          "deviation of x within stretches of 600 s, root mean square over an hour; 95 % over the hours of that part, "
+          "taken "
+          "as independent (of the first two, Student's t of two).\n\n"
+       << "| run | swing, first 2 h [mm] | half of the rest [mm] | other half [mm] | mean of x after 2 h [mm] | in "
+          "Table 1 "
+          "[mm] | period of x [s] | in Table 1 [s] | largest excursion of the day [mm] | in Table 1 [mm] |\n"
+          "|---|---|---|---|---|---|---|---|---:|---|\n";
+  for (const DayRow& row : result.days)
+    text << "| " << row.day << " (" << rounded_text(row.hours, 3) << " h) | " << interval_text(row.first, kMillimetre)
+         << " | " << interval_text(row.middle, kMillimetre) << " | " << interval_text(row.last, kMillimetre) << " | "
+         << interval_text(row.mean_x, kMillimetre) << " | "
+         << mean_text(folder, row.condition, "x_offset_m", kMillimetre) << " | "
+         << mean_text(folder, row.day, "x_period_by_spectrum_s") << " | "
+         << mean_text(folder, row.condition, "x_period_by_spectrum_s") << " | "
+         << rounded_text(row.largest_excursion / kMillimetre, 3) << " | "
+         << mean_text(folder, row.condition, "orbit_largest_m", kMillimetre) << " |\n";
+  return text.str() + "\n";
+}
+
 }  // namespace gem

@@ -19,8 +19,9 @@ the share of seeds that obey it, with Wilson's 95 % interval: reproduced if that
 that its row in `paper.json` asks for), not reproduced if it lies below; fewer than four seeds decide nothing, even if
 all obey. What the case or its generator sets (`alike` in `paper.json`: floes, durations, the swing without ice) is
 the same for every seed, and one run decides it. *One seed* marks a verdict on a single run. A chance (p) that is not
-small proves nothing and is undecidable. Each row is judged for itself: of many rows at 95 % a few near their bound
-will be wrong. The paper's figures survive as statements only, so no curve is compared with a curve.
+small proves nothing and is undecidable; one near 1 over many runs says besides that the null model, whose damping is
+taken from the same run, fits too well for the test to have power. Each row is judged for itself: of many rows at 95 %
+a few near their bound will be wrong. The paper's figures survive as statements only, so no curve is compared with a curve.
 )";
 
 std::string marked(Verdict verdict) {
@@ -120,9 +121,9 @@ std::string missing_text(const PaperFolder& folder) {
 
 std::string page_text(const PaperFolder& folder, const Reproduction& result, const std::filesystem::path& root) {
   return head_text(folder, result) + statements_text(result) + settings_text(folder, result) +
-         stationarity_text(result) + extremes_text(result) + period_text(result) + counting_text(folder) +
-         choices_text(result) + divergence_text(result) + ice_text(result.ice) + chaos_text(folder) +
-         unordered_text(result.unordered) + missing_text(folder) + figures_text(result, root);
+         stationarity_text(result) + extremes_text(result) + days_text(folder, result) + period_text(result) +
+         counting_text(folder) + choices_text(result) + divergence_text(result) + ice_text(result.ice) +
+         chaos_text(folder) + unordered_text(result.unordered) + missing_text(folder) + figures_text(result, root);
 }
 
 }  // namespace gem

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gem/report/paper/catalogue.h"
+#include "gem/report/paper/day_study.h"
 #include "gem/report/paper/divergence_study.h"
 #include "gem/report/paper/evaluation.h"
 #include "gem/report/paper/ice_study.h"
@@ -25,6 +26,7 @@ struct Reproduction {
   std::vector<ChoiceRow> choices;
   std::vector<StationarityRow> stationarity;
   std::vector<ExtremesRow> extremes;
+  std::vector<DayRow> days;
   DivergenceStudy divergence;
   IceStudy ice;
   UnorderedStudy unordered;

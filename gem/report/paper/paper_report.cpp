@@ -82,6 +82,7 @@ PaperReportSummary write_paper_report(const std::vector<std::string>& runs, cons
   const std::vector<std::string> names = of_tables_and_days(folder, catalogue);
   result.stationarity = stationarity(folder, names);
   result.extremes = seed_extremes(folder, names);
+  result.days = day_study(folder);
   result.period = period_candidates(folder, kPaperPeriod);
   result.choices = sensitivity(folder, catalogue);
   remove_pictures(pictures);

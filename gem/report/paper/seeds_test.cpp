@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gem/report/paper/day_study.h"
 #include "gem/report/paper/seed_extremes.h"
 #include "gem/report/paper/stationarity.h"
 
@@ -78,6 +79,27 @@ TEST(Stationarity, BlocksOfASineHaveItsDeviationAndSize) {
   EXPECT_NEAR(blocks.largest_excursion[0], 1.25, 1e-12);
   EXPECT_EQ(blocks.largest_ice_force[0], 7.0);
   EXPECT_EQ(blocks.largest_ice_force[1], 3.0);
+}
+
+TEST(DayStudy, TellsTheFirstHoursFromTheRest) {
+  PaperFolder folder;
+  PaperRun run = growing(1, 0.02, 1.0, 6 * 24);
+  for (std::size_t k = 0; k < 12; ++k) run.blocks.deviation_x[k] = 0.01;
+  for (std::size_t k = 12; k < run.blocks.count(); ++k) run.blocks.mean_x[k] = 0.5;
+  run.blocks.largest_excursion[100] = 0.7;
+  folder.conditions["day_a"].push_back(run);
+  folder.conditions["a"].push_back(growing(1, 0.02, 1.0, 144));
+  folder.conditions["day_short"].push_back(growing(1, 0.02, 1.0, 30));
+  const std::vector<DayRow> days = day_study(folder);
+  ASSERT_EQ(days.size(), 1U);
+  EXPECT_EQ(days[0].day, "day_a");
+  EXPECT_EQ(days[0].condition, "a");
+  EXPECT_EQ(days[0].hours, 24.0);
+  EXPECT_NEAR(days[0].first.value, 0.01, 1e-15);
+  EXPECT_NEAR(days[0].middle.value, 0.02, 1e-15);
+  EXPECT_NEAR(days[0].last.high, 0.02, 1e-15);
+  EXPECT_NEAR(days[0].mean_x.value, 0.5, 1e-15);
+  EXPECT_EQ(days[0].largest_excursion, 0.7);
 }
 
 TEST(SeedExtremes, FindTheQuantileOfAGumbelLaw) {

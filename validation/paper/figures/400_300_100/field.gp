@@ -19,7 +19,7 @@ set style line 3 lc rgb '#35a37a' lw 1.2
 set style line 4 lc rgb '#8a8f98' lw 1.0
 set style fill solid 1.0 noborder
 set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', 7 '#6ece58', 8 '#b5de2b', 9 '#fde725')
-set label 99 '400_300_100: coupled, dt 0.05 s, seed 1  gem 0.1.0 (e51d90b5108a)' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
+set label 99 '400_300_100: coupled, dt 0.05 s, seed 1  gem 0.1.0 (4e93e10c64dd)' at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front
 set size ratio -1
 set lmargin 8
 set rmargin 1

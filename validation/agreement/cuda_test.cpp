@@ -211,30 +211,27 @@ double farthest_apart(const Bodies& bodies, const Bodies& others) {
   return farthest;
 }
 
-/// Contraction changes bits, and a jam whose iterations end at their most is chaotic: fast kernels may part from strict
-/// ones as a strict run does whose floes begin a rounding elsewhere, not more.
-TEST_P(CudaJam, FastKernelsRepeatThemselvesAndPartAsRoundingDoes) {
-  EngineState moved = start_;
-  for (std::size_t i = 1; i < moved.bodies.count(); i += 7)
-    if (moved.bodies.kind[i] == BodyKind::floe) moved.bodies.position[i].x += 1e-13;
-  const auto rounded = make_engine(scene_, field_, agreement::on("cpu"));
-  rounded->restore(moved);
+/// Contraction changes bits. After one moment that is rounding, and with coupled contacts what rounding does to when
+/// the iterations begin again; after sixty it is chaos (a strict run whose floes begin 1e-13 m elsewhere is 3 cm off),
+/// so there only repetition, books and contacts are asked for.
+TEST_P(CudaJam, FastKernelsAreCloseAndRepeatThemselves) {
+  const bool coupled = scene_.contact.resolution == Resolution::coupled;
+  const auto strict = make_engine(scene_, field_, agreement::on("cpu"));
+  strict->restore(start_);
   MomentLog ignored;
-  rounded->advance(moments, ignored);
-  const double by_rounding = farthest_apart(rounded->bodies(), end_.bodies);
-  ASSERT_GT(by_rounding, 0.0);
-
+  strict->advance(1, ignored);
   std::uint64_t hash = 0;
   for (int repetition = 0; repetition < 2; ++repetition) {
     CudaBatch batch(copies(2), {.arithmetic = Arithmetic::fast});
     for (const std::size_t k : {0, 1}) batch.restore(k, start_);
     std::vector<MomentLog> logs(2);
-    batch.advance(moments, &logs);
+    batch.advance(1, &logs);
+    EXPECT_LT(farthest_apart(batch.bodies(0), strict->bodies()), coupled ? 1e-6 : 1e-11);
+    batch.advance(moments - 1, &logs);
     EXPECT_EQ(batch.state_hash(0), batch.state_hash(1));
     EXPECT_NE(batch.state_hash(0), hash_) << "nothing was contracted";
     if (repetition == 0) hash = batch.state_hash(0);
     EXPECT_EQ(batch.state_hash(0), hash);
-    EXPECT_LT(farthest_apart(batch.bodies(0), end_.bodies), 10.0 * by_rounding);
     for (const MomentQuality& quality : logs[0].quality) EXPECT_GT(quality.contacts, agreement::contacts_wanted);
     const LedgerResidual left = residual(batch.ledger(0));
     EXPECT_LT(left.momentum, 1e-12);

@@ -60,11 +60,12 @@ std::string days_text(const PaperFolder& folder, const Reproduction& result) {
   std::ostringstream text;
   text << "## What a day shows\n\n";
   if (result.days.empty()) return text.str() + "Needs runs of `cases/day.toml`.\n\n";
-  text << "One run each (`cases/day.toml`), beside the runs of the same condition in Table 1 (mean over the seeds). "
-          "Swing: "
-          "deviation of x within stretches of 600 s, root mean square over an hour; 95 % over the hours of that part, "
-          "taken "
-          "as independent (of the first two, Student's t of two).\n\n"
+  text << "One run each (`cases/day.toml`), beside the runs of the same condition in Table 1 (mean over the seeds; "
+          "their "
+          "mean of x counts the minutes before the ice comes and after it has passed). Swing: deviation of x within "
+          "stretches of 600 s, root mean square over an hour; 95 % over the hours of that part, taken as independent "
+          "(of "
+          "the first two, Student's t of two).\n\n"
        << "| run | swing, first 2 h [mm] | half of the rest [mm] | other half [mm] | mean of x after 2 h [mm] | in "
           "Table 1 "
           "[mm] | period of x [s] | in Table 1 [s] | largest excursion of the day [mm] | in Table 1 [mm] |\n"

@@ -47,6 +47,7 @@ struct RunSummary {
   std::uint64_t state_hash = 0;
   LedgerResidual residual;     // largest over all floe frames
   MomentQuality worst;         // of all moments
+  std::int64_t at_limit = 0;   // coupled moments that ended because no more iterations were allowed
   OverlapCount overlap;        // of all moments [m]
   OverlapCount overlap_share;  // over the size of the smaller body [-]
   double active_floes = 0.0;

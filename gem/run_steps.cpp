@@ -77,7 +77,11 @@ void RunSteps::last_frame() {
 
 void RunSteps::take(const MomentLog& log) {
   recorder_.add(log, last_moment_);
-  for (const MomentQuality& quality : log.quality) summary_.worst.worsen(quality);
+  const bool coupled = scene_.contact.resolution == Resolution::coupled;
+  for (const MomentQuality& quality : log.quality) {
+    summary_.worst.worsen(quality);
+    summary_.at_limit += coupled && quality.iterations >= scene_.numerics.iterations_maximum;
+  }
   summary_.overlap += log.overlap;
   summary_.overlap_share += log.overlap_share;
   if (engine_.moment() == recorder_.next_frame() || engine_.moment() == last_moment_) frame();

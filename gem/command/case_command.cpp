@@ -42,7 +42,7 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
     line("size sqrt(area)", "mean " + fixed_text(field.size_mean, 3) + " m, sd " + fixed_text(field.size_deviation, 3) +
                                 " m, " + fixed_text(field.size_minimum, 2) + " to " +
                                 fixed_text(field.size_maximum, 2) + " m");
-    line("cover", fixed_text(field.cover, 4));
+    if (scene.floes.source != FloeSource::listed) line("cover", fixed_text(field.cover, 4));
     line("smallest gap", number_text(field.smallest_gap, 4) + " m");
     line("ice mass", number_text(field.ice_mass, 6) + " kg");
     std::string sides;

@@ -1,4 +1,5 @@
 // The summary of a run, for people and as JSON.
+#include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -14,6 +15,10 @@ std::string measured_text(double value, const char* unit) {
   return std::isnan(value) ? "not measured" : number_text(value, 3) + unit;
 }
 
+/// What 99.9 % of the overlaps are below: the edge of a class of sizes, which may lie above the deepest of all.
+double most_overlap(const RunSummary& s) { return std::min(s.overlap.quantile(0.999), s.worst.maximum_overlap); }
+double most_share(const RunSummary& s) { return std::min(s.overlap_share.quantile(0.999), s.worst.maximum_share); }
+
 }  // namespace
 
 std::string summary_text(const RunSummary& s) {
@@ -27,12 +32,13 @@ std::string summary_text(const RunSummary& s) {
   text += line("recorded", std::to_string(s.frames) + " floe frames, " + std::to_string(s.events) + " events");
   text += line("active floes", fixed_text(s.active_floes, 0));
   text += line("most contacts", std::to_string(s.worst.contacts));
-  text += line("most iterations", std::to_string(s.worst.iterations));
+  text += line("most iterations", std::to_string(s.worst.iterations) + ", the limit in " + std::to_string(s.at_limit) +
+                                      " of " + std::to_string(s.moments) + " moments");
   text += line("largest overlap", number_text(s.worst.maximum_overlap, 3) + " m, " +
                                       number_text(100.0 * s.worst.maximum_share, 3) + " % of the smaller body");
-  text += line("99.9 % of overlaps", "below " + number_text(s.overlap.quantile(0.999), 3) + " m, " +
-                                         number_text(100.0 * s.overlap_share.quantile(0.999), 3) + " %");
-  text += line("last sweep changed", number_text(s.worst.residual, 3) + " m/s");
+  text += line("99.9 % of overlaps",
+               "below " + number_text(most_overlap(s), 3) + " m, " + number_text(100.0 * most_share(s), 3) + " %");
+  text += line("largest residual", number_text(s.worst.residual, 3) + " m/s left after the last iteration");
   text += line("complementarity", measured_text(s.worst.complementarity, " m/s"));
   text += line("friction cone", measured_text(s.worst.cone_excess, " N s beyond"));
   text += line("energy created", measured_text(s.worst.energy_created, " J"));
@@ -57,10 +63,11 @@ std::string summary_json(const RunSummary& s) {
                                          {"active_floes", s.active_floes},
                                          {"contacts", s.worst.contacts},
                                          {"iterations", s.worst.iterations},
+                                         {"moments_at_iteration_limit", s.at_limit},
                                          {"maximum_overlap_m", s.worst.maximum_overlap},
                                          {"maximum_overlap_share", s.worst.maximum_share},
-                                         {"overlap_99_9_m", s.overlap.quantile(0.999)},
-                                         {"overlap_99_9_share", s.overlap_share.quantile(0.999)},
+                                         {"overlap_99_9_m", most_overlap(s)},
+                                         {"overlap_99_9_share", most_share(s)},
                                          {"closing_residual_m_per_s", s.worst.residual},
                                          {"complementarity_m_per_s", s.worst.complementarity},
                                          {"cone_excess_N_s", s.worst.cone_excess},

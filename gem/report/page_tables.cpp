@@ -142,21 +142,26 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
   const std::string window = number_text(run.force_window_s, 6) + " s";
   const Unit mean_unit = force_unit(std::hypot(l.ice_mean_x, l.ice_mean_y));
   const Finding mooring = finding_of(analysis, "mooring_force_x_mean_N");
+  // a run that was killed loses its last events, and with few of them all
+  const bool cut = run.identity.status == "running";
+  const auto of_events = [cut](const std::string& text) { return cut ? "not known: the run was cut off" : text; };
   std::string rows =
-      row("event impulse, largest of one event", {impulse_text(l.event_impulse_largest)}) +
+      row("event impulse, largest of one event", {of_events(impulse_text(l.event_impulse_largest))}) +
       row("net impulse of one sample (" + number_text(l.sample_s, 6) + " s), largest",
           {impulse_text(l.sample_impulse_largest)}) +
       row("ice force averaged over " + window + ", largest", {force_text(l.ice_window_largest)}) +
       row("ice force averaged over the run, x", {mean_text(finding_of(analysis, "ice_force_x_mean_N"), mean_unit)}) +
       row("ice force averaged over the run, y", {mean_text(finding_of(analysis, "ice_force_y_mean_N"), mean_unit)}) +
-      row("crushing peak of one impact (closed form), largest", {force_text(l.crushing_largest)}) +
-      row("crushing peak of one impact, median", {force_text(l.crushing_median)}) +
+      row("crushing peak (closed form) of the event that opens an impact, largest",
+          {of_events(force_text(l.crushing_largest))}) +
+      row("the same, median", {of_events(force_text(l.crushing_median))}) +
+      row("crushing peak of any event, largest", {of_events(force_text(l.crushing_of_any))}) +
       row("mooring force, largest", {force_text(l.mooring_largest)}) +
       row("mooring force averaged over the run, x",
           {mean_text(mooring, force_unit(std::abs(mooring.value.value_or(0.0))))}) +
-      row("events on the platform", {std::to_string(l.events)}) +
-      row("impacts (events that open a touch)", {std::to_string(l.touches)}) +
-      row("arrivals (different floes that hit it)", {std::to_string(l.arrivals)}) +
+      row("events on the platform", {of_events(std::to_string(l.events))}) +
+      row("impacts (events that open a touch)", {of_events(std::to_string(l.touches))}) +
+      row("arrivals (different floes that hit it)", {of_events(std::to_string(l.arrivals))}) +
       row("samples with contact", {contact_text(finding_of(analysis, "contact_fraction"))});
   return table("Loads on the platform", rows);
 }

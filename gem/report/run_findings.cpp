@@ -71,6 +71,7 @@ PlatformLoads loads(const RunData& run) {
   result.touches = peaks.size();
   result.crushing_largest = largest_of(peaks);
   result.crushing_median = percentile(peaks, 0.5);
+  result.crushing_of_any = largest_of(run.events.force_peak);
   return result;
 }
 
@@ -80,9 +81,9 @@ RunQuality quality(const StatsRecord& stats) {
   result.residual_angular_momentum = largest_of(stats.residual_angular_momentum);
   result.residual_energy = largest_of(stats.residual_energy);
   result.maximum_overlap = largest_of(stats.maximum_overlap);
-  result.most_overlap = stats.overlap.quantile(0.999);
+  result.most_overlap = std::min(stats.overlap.quantile(0.999), result.maximum_overlap);
   result.maximum_share = largest_of(stats.maximum_overlap_share);
-  result.most_share = stats.overlap_share.quantile(0.999);
+  result.most_share = std::min(stats.overlap_share.quantile(0.999), result.maximum_share);
   result.complementarity = largest_measured(stats.complementarity);
   result.cone_excess = largest_measured(stats.cone_excess);
   result.energy_created = largest_measured(stats.energy_created);
@@ -97,7 +98,8 @@ double sample_interval(const std::vector<double>& time) {
   for (std::size_t i = 0; i < time.size(); ++i)
     if (std::abs(time[i] - time.front() - static_cast<double>(i) * interval) > 1e-6 * time.back())
       throw Error(ExitCode::file_system,
-                  "the platform record has uneven samples (the file is damaged) run the case again");
+                  "the platform record has uneven samples (output.platform_interval_s is no whole number of moments, "
+                  "or the file is damaged) run the case with another interval");
   return interval;
 }
 

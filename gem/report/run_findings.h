@@ -30,6 +30,7 @@ struct PlatformLoads {
   double ice_mean_x = 0.0, ice_mean_y = 0.0;  // over the run [N]
   double crushing_largest = 0.0;              // closed-form peak among the events that open a touch [N]
   double crushing_median = 0.0;
+  double crushing_of_any = 0.0;  // among all events [N]
   double mooring_largest = 0.0;  // [N]
   double contact_fraction = 0.0;
   std::size_t events = 0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gem/base/error.h"
+#include "gem/base/number_text.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/scene_bounds.h"
 #include "gem/scene/schema.h"
@@ -240,6 +241,17 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
                          ", the floes cover " + number(std::round(10.0 * cover) / 10.0) +
                          " tenths) the classes only set the shares");
   }
+  const double moment = scene.numerics.moment_s;
+  const auto whole = [moment](double time) { return std::abs(std::remainder(time, moment)) <= 1e-9 * time; };
+  const double ends = moment * std::round(scene.run.duration_s / moment);
+  if (!whole(scene.run.duration_s))
+    warnings.push_back("run.duration_s: no whole number of moments (value " + number(scene.run.duration_s) +
+                       ") the run ends at " + number_text(ends, 9) + " s");
+  if (scene.platform.present && !whole(scene.output.platform_interval_s))
+    warnings.push_back("output.platform_interval_s: no whole number of moments (value " +
+                       number(scene.output.platform_interval_s) +
+                       ") samples will be uneven, and gem analyse and gem report need even ones; a moment is " +
+                       number(moment) + " s");
   if (scene.platform.present) {
     const double radius = 0.5 * scene.platform.diameter_m;
     const double draught =

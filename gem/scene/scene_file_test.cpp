@@ -160,6 +160,14 @@ TEST(SceneWarnings, UnlikelyMassAndCoverAreNamed) {
             std::string::npos);
 }
 
+TEST(SceneWarnings, TimesThatAreNoWholeMomentsAreNamed) {
+  const auto warned = [](const std::string& text) { return scene_warnings(parse_scene(text, "t.toml")); };
+  EXPECT_NE(warned("[output]\nplatform_interval_s = 0.12\n").at(0).find("output.platform_interval_s"),
+            std::string::npos);
+  EXPECT_NE(warned("[run]\nduration_s = 0.32\n").at(0).find("the run ends at 0.3 s"), std::string::npos);
+  EXPECT_TRUE(warned("[run]\nduration_s = 15200.0\n[numerics]\nmoment_s = 0.1\n").empty());
+}
+
 TEST(NearestName, FindsSlipsAndRefusesNonsense) {
   const std::vector<std::string> names = {"platform.mass_kg", "platform.yaw", "mooring.stiffness_N_per_m"};
   EXPECT_EQ(nearest_name("platform.mas", names), "platform.mass_kg");

@@ -22,12 +22,11 @@ NAMES = {1: "004_400_25", 2: "004_400_50", 27: "400_200_100"}
 
 
 def phases(name):
-    """(seconds, title) of each phase that a script listed at its end, and of the tests that ctest closed with."""
+    """(seconds, title) of each phase that a script listed at its end."""
     with open(os.path.join(RESULTS, name), encoding="utf-8") as file:
         text = file.read()
     found = re.findall(r"^ +([\d.]+) s  (.+)$", text, re.MULTILINE)
-    tests = re.search(r"Total Test time \(real\) = +([\d.]+) sec", text)
-    return found + ([(tests[1], "tests")] if tests else [])
+    return found
 
 
 def set_up_table():

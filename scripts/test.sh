@@ -15,7 +15,8 @@ if [ -n "${CI:-}" ]; then
 fi
 phase "tests" "${tests[@]}"
 print_phase_times
-# ctest names skipped tests but keeps their reasons to its own log.
-awk '/^skipped: / { print "[gem] " $0 } /: Skipped$/ { getline; print "[gem] skipped: " $0 }' \
-  build/Testing/Temporary/LastTest.log
+# ctest names skipped tests but keeps their reasons to its own log: each once, with its number of tests.
+awk '/^skipped: / { ++seen[substr($0, 10)] } /: Skipped$/ { getline; ++seen[$0] }
+  END { for (why in seen) print "[gem] skipped: " why " (" seen[why] (seen[why] == 1 ? " test)" : " tests)") }' \
+  build/Testing/Temporary/LastTest.log | sort
 say "all selected tests passed; the long ones: ctest --test-dir build -L long"

@@ -49,7 +49,16 @@ TEST(RunBatch, EachSceneHasTheBitsAndTheRecordThatItHasAlone) {
     for (const char* dataset :
          {"platform/x", "platform/ice_impulse_x", "floes/time", "events/impulse", "stats/contacts"})
       EXPECT_EQ(together.column(dataset), single.column(dataset)) << dataset;
+    EXPECT_EQ(ends[k].summary.at_limit, summary.at_limit) << k;
   }
+  SceneDef hurried = scenes[0];
+  hurried.contact.resolution = Resolution::coupled;
+  hurried.numerics.iterations_maximum = 1;
+  const RunSummary summary = run_scene(hurried, *test::busy_engine(hurried, "cpu"), options_for("hurried"));
+  EXPECT_GT(summary.at_limit, 0);
+  EXPECT_LE(summary.at_limit, summary.moments);
+  hurried.contact.resolution = Resolution::independent;
+  EXPECT_EQ(run_scene(hurried, *test::busy_engine(hurried, "cpu"), options_for("alone_each")).at_limit, 0);
 }
 
 /// Fake engines, of which the second stops at a moment.

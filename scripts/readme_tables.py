@@ -25,8 +25,7 @@ def phases(name):
     """(seconds, title) of each phase that a script listed at its end."""
     with open(os.path.join(RESULTS, name), encoding="utf-8") as file:
         text = file.read()
-    found = re.findall(r"^ +([\d.]+) s  (.+)$", text, re.MULTILINE)
-    return found
+    return re.findall(r"^ +([\d.]+) s  (.+)$", text, re.MULTILINE)
 
 
 def set_up_table():
@@ -81,8 +80,8 @@ def waiting(r, costs):
     if r["measure"] != "moment":
         return ""
     threads = int(r["threads"])
-    return f"""{float(r['barriers']) * costs[int(r['blocks']), threads] +
-                float(r['team_barriers']) * costs[ITERATING_BLOCKS, threads]:.1f}"""
+    cost = float(r["barriers"]) * costs[int(r["blocks"]), threads]
+    return f"{cost + float(r['team_barriers']) * costs[ITERATING_BLOCKS, threads]:.1f}"
 
 
 def gpu_table():

@@ -1,8 +1,10 @@
-// For tests: two runs agree to the last bit, in their state, what they logged and their books.
+// For tests: two runs agree to the last bit, in their state, what they logged and their books; or how far they are
+// apart.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <tuple>
 
@@ -11,6 +13,13 @@
 namespace gem::test {
 
 inline bool same(Vec2 a, Vec2 b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// Farthest that a body's centre is from its place in another state [m].
+inline double farthest_apart(const Bodies& a, const Bodies& b) {
+  double apart = 0.0;
+  for (std::size_t i = 0; i < a.count(); ++i) apart = std::max(apart, length(a.position[i] - b.position[i]));
+  return apart;
+}
 
 inline void expect_same_bodies(const Bodies& a, const Bodies& b) {
   for (std::size_t i = 0; i < a.count(); ++i) {

@@ -70,7 +70,7 @@ RunData swinging_platform() {
     run.platform.mooring_force_y.push_back(0.0);
     run.platform.contacts.push_back(i == 400 ? 1.0 : 0.0);
   }
-  run.events = {{199.7, 199.9}, {2, 2}, {-1.0, -1.0}, {0.0, 0.0}, {6e3, 4e3}, {9e4, 6e4}};
+  run.events = {{199.7, 199.9}, {2, 2}, {-1.0, -1.0}, {0.0, 0.0}, {6e3, 4e3}, {9e4, 1.2e5}};
   run.stats = {{0.0, 600.0, 1200.0}, {0.0, 1e-15, 2e-15}, {0.0, 0.0, 3e-15},  {0.0, 4e-14, 1e-14},
                {0.0, 0.02, 0.01},    {0.0, 5.0, 10.0},    {0.0, 120.0, 120.0}};
   run.stats.maximum_overlap_share = {0.0, 0.002, 0.001};
@@ -96,6 +96,7 @@ TEST(RunFindings, DescribeASwingingPlatform) {
   EXPECT_DOUBLE_EQ(findings.loads.sample_impulse_largest, 1e4);
   EXPECT_DOUBLE_EQ(findings.loads.ice_window_largest, 1e4);
   EXPECT_DOUBLE_EQ(findings.loads.crushing_largest, 9e4);
+  EXPECT_DOUBLE_EQ(findings.loads.crushing_of_any, 1.2e5);
   EXPECT_NEAR(findings.loads.mooring_largest, 1.5e5, 1.0);
   EXPECT_DOUBLE_EQ(findings.quality.residual_energy, 4e-14);
   EXPECT_DOUBLE_EQ(findings.quality.maximum_overlap, 0.02);
@@ -204,6 +205,10 @@ TEST_F(Report, RefusesAnIncompleteRunUnlessAsked) {
   write_report(run, out(), true);
   EXPECT_NE(page().find("class=\"warning\""), std::string::npos);
   EXPECT_NE(page().find("stopped:signal"), std::string::npos);
+  EXPECT_EQ(page().find("not known: the run was cut off"), std::string::npos);
+  run.identity.status = "running";
+  write_report(run, out(), true);
+  EXPECT_NE(page().find("not known: the run was cut off"), std::string::npos);
 }
 
 TEST_F(Report, NamesThePackageWhenGnuplotIsMissing) {

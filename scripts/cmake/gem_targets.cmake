@@ -42,7 +42,7 @@ if(GEM_HAS_CUDA)
   list(FILTER simulator_sources EXCLUDE REGEX "cuda_missing\\.cpp$")
   file(GLOB cuda_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/engine/*.cu)
   list(APPEND simulator_sources ${cuda_sources})
-  # As on the host: a*b+c is never contracted, but in the kernel of the fast mode.
+  # As on the host: a*b+c is never contracted, but in the fast kernel.
   foreach(source IN LISTS cuda_sources)
     set(contracts false)
     if(source MATCHES "/cuda_fast\\.cu$")

@@ -203,14 +203,6 @@ TEST_P(CudaJam, ScenesThatShareTheDeviceUnequallyKeepTheirBits) {
   }
 }
 
-/// Where two states are farthest apart [m].
-double farthest_apart(const Bodies& bodies, const Bodies& others) {
-  double farthest = 0.0;
-  for (std::size_t i = 0; i < bodies.count(); ++i)
-    farthest = std::max(farthest, length(bodies.position[i] - others.position[i]));
-  return farthest;
-}
-
 /// Contraction changes bits. After one moment that is rounding, and with coupled contacts what rounding does to when
 /// the iterations begin again; after sixty it is chaos (a strict run whose floes begin 1e-13 m elsewhere is 3 cm off),
 /// so there only repetition, books and contacts are asked for.
@@ -226,7 +218,7 @@ TEST_P(CudaJam, FastKernelsAreCloseAndRepeatThemselves) {
     for (const std::size_t k : {0, 1}) batch.restore(k, start_);
     std::vector<MomentLog> logs(2);
     batch.advance(1, &logs);
-    EXPECT_LT(farthest_apart(batch.bodies(0), strict->bodies()), coupled ? 1e-6 : 1e-11);
+    EXPECT_LT(test::farthest_apart(batch.bodies(0), strict->bodies()), coupled ? 1e-6 : 1e-11);
     batch.advance(moments - 1, &logs);
     EXPECT_EQ(batch.state_hash(0), batch.state_hash(1));
     EXPECT_NE(batch.state_hash(0), hash_) << "nothing was contracted";

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "gem/base/random.h"
+#include "gem/engine/same_bits.h"
 #include "gem/field/field.h"
 #include "gem/scene/check_scene.h"
 #include "validation/agreement/jam.h"
@@ -57,12 +58,6 @@ void judge_jam(const std::string& id, const JamWatch& watch, Watched& run, const
   expect_sound(id, run);
 }
 
-double farthest_apart(const Bodies& a, const Bodies& b) {
-  double apart = 0.0;
-  for (std::size_t i = 0; i < a.count(); ++i) apart = std::max(apart, length(a.position[i] - b.position[i]));
-  return apart;
-}
-
 constexpr std::int64_t half_minute = 600;
 
 /// How far apart eight frictionless jams come whose floes start with speeds that differ by `change` at most.
@@ -75,7 +70,7 @@ double apart_by_chance(const SceneDef& scene, const Bodies& after, double change
       bodies.velocity[i] += Vec2{numbers.uniform(-change, change), numbers.uniform(-change, change)};
     Watched run(scene, bodies, setting);
     run.advance(half_minute, 20);
-    apart = std::max(apart, farthest_apart(run.bodies(), after));
+    apart = std::max(apart, test::farthest_apart(run.bodies(), after));
   }
   return apart;
 }
@@ -100,7 +95,7 @@ TEST_P(HardJam, H13_friction) {
       // much. One sample more than those eight lies within ten times their largest
       const SceneDef frictionless = read_hard_member("H13_friction.toml", "H13_0", setting());
       const double change = 1e-12 * length(scene.current.velocity_m_per_s);
-      bound("H13.apart", farthest_apart(run.bodies(), slippery),
+      bound("H13.apart", test::farthest_apart(run.bodies(), slippery),
             10.0 * apart_by_chance(frictionless, slippery, change, setting()), "m", where());
     }
     JamWatch watch;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gem/base/error.h"
+#include "gem/engine/same_bits.h"
 #include "gem/field/check_outline.h"
 #include "gem/field/field.h"
 #include "validation/hard/hard.h"
@@ -19,14 +20,6 @@ void check_refused(const std::string& key, bool refused, const Where& where) {
   verification::check_value(key, 1.0, refused ? 1.0 : 0.0, 0.0, "-", where);
 }
 
-/// Longest way of a floe's centre from one state to the next [m].
-double longest_way(const Bodies& before, const Bodies& after) {
-  double longest = 0.0;
-  for (std::size_t i = 0; i < after.count(); ++i)
-    longest = std::max(longest, length(after.position[i] - before.position[i]));
-  return longest;
-}
-
 TEST_P(HardShapes, H3_overlap_at_the_start) {
   check_refused("H3.refused", is_refused("H03_overlap.toml", {}, "overlap at the start"), where());
   const SceneDef scene = read_hard_case("H03_overlap.toml", setting());
@@ -40,7 +33,7 @@ TEST_P(HardShapes, H3_overlap_at_the_start) {
     double speed = 0.0;
     Bodies before = run.bodies();
     run.advance(4000, 1, [&] {
-      speed = std::max(speed, longest_way(before, run.bodies()) / scene.numerics.moment_s);
+      speed = std::max(speed, test::farthest_apart(before, run.bodies()) / scene.numerics.moment_s);
       before = run.bodies();
     });
     bound(id + ".speed", speed, 0.1, "m/s", where());
@@ -175,7 +168,7 @@ TEST_P(HardShapes, H18_over_confined) {
   Bodies before = run.bodies();
   run.advance(800, 1, [&] {
     fastest = std::max(fastest, fastest_floe(run.bodies()));
-    longest = std::max(longest, longest_way(before, run.bodies()) / scene.numerics.moment_s);
+    longest = std::max(longest, test::farthest_apart(before, run.bodies()) / scene.numerics.moment_s);
     before = run.bodies();
   });
   bound("H18.fastest", fastest, 2e-3, "m/s", where());
@@ -183,7 +176,7 @@ TEST_P(HardShapes, H18_over_confined) {
   // by the end of the minute nothing is left to move: positions stay what they are, but for rounding
   before = run.bodies();
   run.advance(100);
-  bound("H18.end_moving", longest_way(before, run.bodies()) / 5.0, 1e-9, "m/s", where());
+  bound("H18.end_moving", test::farthest_apart(before, run.bodies()) / 5.0, 1e-9, "m/s", where());
   double farthest = 0.0;
   for (std::size_t i = first_floe_of(bodies); i < bodies.count(); ++i)
     farthest = std::max({farthest, std::fabs(run.bodies().position[i].x), std::fabs(run.bodies().position[i].y)});

@@ -112,9 +112,7 @@ struct GridFloe {
 
 /// Extremes over all floes as ordered whole numbers, and counters; all zero before a list is built.
 struct ListCounters {
-  std::uint64_t position_low[2], position_high[2];  // low ones are kept as the highest of the opposite
-  std::uint64_t velocity_low[2], velocity_high[2];
-  std::uint64_t radius;
+  std::uint64_t extreme[9];  // of -x, -y, x, y, those of velocities, radius
   std::int32_t floes, rows, pairs, placed;
   std::int32_t points, taken_points;  // coupled: of this moment, and those that blocks have taken to iterate
   std::uint32_t asked[2];             // coupled: bits of the residuals of two judged iterations in turn

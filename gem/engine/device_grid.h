@@ -15,11 +15,12 @@ GEM_DEVICE inline double unordered(std::uint64_t key) {
   return strict::double_of(key >> 63 ? key & 0x7fffffffffffffffU : ~key);
 }
 
-/// The grid on which near floes are looked for.
+/// The grid on which near floes are looked for. Its cells stand row by row, and behind each row one that is empty.
 struct ListGrid {
   Vec2 low;
   double cell = 1.0;
   std::int32_t columns = 0, rows = 0;
+  double ahead = 0.0;  // time for which the list is built [s]
 };
 
 GEM_DEVICE inline bool is_large(const DeviceScene& s, std::int32_t i) { return i < s.large_bodies; }
@@ -45,19 +46,34 @@ GEM_DEVICE inline ListBox box_of(const DeviceScene& s, const BodyCell& cell) {
   return box;
 }
 
+/// Extremes over some floes; low ones as the highest of the opposite, in the order of ListCounters.
+struct Extremes {
+  static constexpr int count = 9;
+  double most[count];
+  std::int32_t floes = 0;
+
+  GEM_DEVICE Extremes() {
+    for (double& one : most) one = -1e300;
+  }
+  GEM_DEVICE void widen(Vec2 position, Vec2 velocity, double radius) {
+    const double value[count] = {-position.x, -position.y, position.x, position.y, -velocity.x,
+                                 -velocity.y, velocity.x,  velocity.y, radius};
+    for (int k = 0; k < count; ++k) most[k] = larger(most[k], value[k]);
+    ++floes;
+  }
+};
+
+/// Enters what the threads of a warp have found.
 template <class Crew>
-GEM_DEVICE inline void note_extremes(const DeviceScene& s, Crew& crew, const BodyCell& cell, Vec2 velocity) {
-  ListCounters& all = *s.counters;
-  const auto widen = [&](std::uint64_t* low, std::uint64_t* high, Vec2 value) {
-    crew.highest(&low[0], ordered(-value.x));
-    crew.highest(&low[1], ordered(-value.y));
-    crew.highest(&high[0], ordered(value.x));
-    crew.highest(&high[1], ordered(value.y));
-  };
-  widen(all.position_low, all.position_high, cell.position);
-  widen(all.velocity_low, all.velocity_high, velocity);
-  crew.highest(&all.radius, ordered(cell.radius));
-  crew.add(&all.floes, 1);
+GEM_DEVICE inline void note_extremes(const DeviceScene& s, Crew& crew, Extremes found) {
+  const auto warp = crew.warp();
+  const int floes = warp.sum(found.floes);
+  for (int k = 0; k < Extremes::count; ++k)
+    for (int step = 1; step < Crew::Warp::size; step *= 2)
+      found.most[k] = larger(found.most[k], warp.partner(found.most[k], step));
+  if (floes == 0 || warp.rank() != 0) return;
+  for (int k = 0; k < Extremes::count; ++k) crew.highest(&s.counters->extreme[k], ordered(found.most[k]));
+  crew.add(&s.counters->floes, floes);
 }
 
 GEM_DEVICE inline std::int32_t bit_words(const DeviceScene& s) { return (s.bodies + 31) / 32; }
@@ -66,6 +82,7 @@ GEM_DEVICE inline std::int32_t bit_words(const DeviceScene& s) { return (s.bodie
 template <class Crew>
 GEM_DEVICE inline void note_courses(const DeviceScene& s, Crew& crew) {
   const std::int32_t first = rank_of(crew), step = size_of(crew);
+  Extremes found;
   for (std::int32_t i = first; i < s.bodies; i += step) {
     BodyCell& cell = s.body[i];
     BodyMotion& motion = s.motion[i];
@@ -74,8 +91,9 @@ GEM_DEVICE inline void note_courses(const DeviceScene& s, Crew& crew) {
     motion.course_velocity = velocity;
     motion.course_turned = cell.turn_travel;
     s.box[i] = box_of(s, cell);
-    if (!is_large(s, i) && cell.active) note_extremes(s, crew, cell, velocity);
+    if (!is_large(s, i) && cell.active) found.widen(cell.position, velocity, cell.radius);
   }
+  note_extremes(s, crew, found);
   for (std::int32_t w = first; w < s.large_bodies * bit_words(s); w += step) s.near_large[w] = 0;
   for (std::int32_t c = first; c < s.grid_capacity; c += step) s.grid_count[c] = 0;
   for (std::int32_t k = first; s.spot && k < spot_stretches; k += step) s.spot_count[k] = 0;
@@ -85,7 +103,7 @@ GEM_DEVICE inline void note_courses(const DeviceScene& s, Crew& crew) {
 GEM_DEVICE inline std::int32_t stretch_at(const DeviceScene& s, double x) {
   const ListCounters& all = *s.counters;
   if (all.floes == 0) return 0;
-  const double low = -unordered(all.position_low[0]), extent = unordered(all.position_high[0]) - low;
+  const double low = -unordered(all.extreme[0]), extent = unordered(all.extreme[2]) - low;
   const double at = spot_stretches * ((x - low) / extent);
   return at > 0.0 ? at < spot_stretches - 1 ? static_cast<std::int32_t>(at) : spot_stretches - 1 : 0;
 }
@@ -117,18 +135,17 @@ GEM_DEVICE inline void take_spot(const DeviceScene& s, Crew& crew, std::int32_t 
   s.body_at[spot] = i;
 }
 
-/// Two floes that may come near within the horizon stand in the same or in neighbouring cells.
-GEM_DEVICE inline ListGrid list_grid(const DeviceScene& s) {
+/// Two floes that may come near within `ahead` [s] stand in the same or in neighbouring cells.
+GEM_DEVICE inline ListGrid list_grid(const DeviceScene& s, double ahead) {
   const ListCounters& all = *s.counters;
-  if (all.floes == 0) return {};
-  const Vec2 low{-unordered(all.position_low[0]), -unordered(all.position_low[1])};
-  const Vec2 extent = Vec2{unordered(all.position_high[0]), unordered(all.position_high[1])} - low;
-  const Vec2 speeds{unordered(all.velocity_high[0]) + unordered(all.velocity_low[0]),
-                    unordered(all.velocity_high[1]) + unordered(all.velocity_low[1])};
   ListGrid grid;
+  grid.ahead = ahead;
+  if (all.floes == 0) return grid;
+  const auto extreme = [&](int k) { return unordered(all.extreme[k]); };
+  const Vec2 low{-extreme(0), -extreme(1)}, extent = Vec2{extreme(2), extreme(3)} - low;
+  const Vec2 speeds{extreme(6) + extreme(4), extreme(7) + extreme(5)};
   grid.low = low;
-  grid.cell = 2.0 * unordered(all.radius) + s.constants.list_margin + s.constants.contact_margin +
-              length(speeds) * static_cast<double>(s.horizon) * s.constants.dt;
+  grid.cell = 2.0 * extreme(8) + s.constants.list_margin + s.constants.contact_margin + length(speeds) * ahead;
   // no finer than the floes are many, so that a scattered field costs no more memory than a dense one
   const double widest = extent.x > extent.y ? extent.x : extent.y;
   const double finest = widest / (4.0 * std::sqrt(static_cast<double>(all.floes)));
@@ -138,30 +155,54 @@ GEM_DEVICE inline ListGrid list_grid(const DeviceScene& s) {
   return grid;
 }
 
+/// Place of a cell in the arrays of cells.
+GEM_DEVICE inline std::int32_t cell_at(const ListGrid& grid, std::int32_t row, std::int32_t column) {
+  return row * (grid.columns + 1) + column;
+}
+
+/// Where the floes of each cell begin, a row of cells by each warp: those of a row stand together.
+template <class Crew>
+GEM_DEVICE inline void begin_cells(const DeviceScene& s, Crew& crew, const ListGrid& grid) {
+  const auto warp = crew.warp();
+  const std::int32_t stride = grid.columns + 1;
+  for (std::int32_t r = rank_of(crew) / Crew::Warp::size; r < grid.rows; r += size_of(crew) / Crew::Warp::size) {
+    const std::int32_t* const count = s.grid_count + r * stride;
+    std::int32_t* const begin = s.grid_begin + r * stride;
+    std::int32_t all = 0;
+    for (std::int32_t c = warp.rank(); c < grid.columns; c += Crew::Warp::size) all += count[c];
+    all = warp.sum(all);
+    std::int32_t at = warp.rank() == 0 ? crew.add(&s.counters->placed, all) : 0;
+    at = warp.from(at, 0);
+    for (std::int32_t first = 0; first < stride; first += Crew::Warp::size) {
+      const std::int32_t c = first + warp.rank();
+      const std::int32_t mine = c < grid.columns ? count[c] : 0;
+      const std::int32_t below = warp.sum_below(mine);
+      if (c < stride) begin[c] = at + below;
+      at += warp.sum(mine);
+    }
+  }
+}
+
 /// Steps 2 to 4.
 template <class Crew>
-GEM_DEVICE inline ListGrid fill_grid(const DeviceScene& s, Crew& crew) {
-  const ListGrid grid = list_grid(s);
+GEM_DEVICE inline ListGrid fill_grid(const DeviceScene& s, Crew& crew, double ahead) {
+  const ListGrid grid = list_grid(s, ahead);
   const std::int32_t first = rank_of(crew), step = size_of(crew);
   for (std::int32_t i = s.large_bodies + first; i < s.bodies; i += step) {
     const BodyCell& cell = s.body[i];
     const Vec2 p = cell.position - grid.low;
-    const std::int32_t at = cell.active ? static_cast<std::int32_t>(p.y / grid.cell) * grid.columns +
-                                              static_cast<std::int32_t>(p.x / grid.cell)
+    const std::int32_t at = cell.active ? cell_at(grid, static_cast<std::int32_t>(p.y / grid.cell),
+                                                  static_cast<std::int32_t>(p.x / grid.cell))
                                         : -1;
     s.grid_cell[i] = at;
     if (s.spot) crew.add(&s.spot_count[stretch_at(s, cell.position.x)], 1);
     if (at >= 0) crew.add(&s.grid_count[at], 1);
   }
   crew.barrier();
-  for (std::int32_t c = first; c < grid.columns * grid.rows; c += step) {
-    const std::int32_t count = s.grid_count[c];
-    s.grid_begin[c] = count > 0 ? crew.add(&s.counters->placed, count) : 0;
-  }
+  begin_cells(s, crew, grid);
   begin_stretches(s, crew);
   crew.barrier();
   for (std::int32_t i = first; i < s.bodies; i += step) take_spot(s, crew, i);
-  // counted down to zero and up again: the cell's next free place
   for (std::int32_t i = s.large_bodies + first; i < s.bodies; i += step) {
     const std::int32_t at = s.grid_cell[i];
     if (at < 0) continue;
@@ -171,44 +212,44 @@ GEM_DEVICE inline ListGrid fill_grid(const DeviceScene& s, Crew& crew) {
     floe.body = i;
   }
   crew.barrier();
-  for (std::int32_t i = s.large_bodies + first; i < s.bodies; i += step) {
-    const std::int32_t at = s.grid_cell[i];
-    if (at >= 0) crew.add(&s.grid_count[at], 1);
-  }
-  crew.barrier();
   return grid;
 }
 
-/// Whether two bodies may come near within the horizon.
-GEM_DEVICE inline bool near(const DeviceScene& s, const ListBox& a, Vec2 velocity_a, const ListBox& b,
+/// Whether two bodies may come near within `ahead` [s].
+GEM_DEVICE inline bool near(const DeviceScene& s, double ahead, const ListBox& a, Vec2 velocity_a, const ListBox& b,
                             Vec2 velocity_b) {
-  const double reach = s.constants.list_margin + s.constants.contact_margin +
-                       static_cast<double>(s.horizon) * s.constants.dt * length(velocity_b - velocity_a);
+  const double reach = s.constants.list_margin + s.constants.contact_margin + ahead * length(velocity_b - velocity_a);
   return a.low.x < b.high.x + reach && b.low.x < a.high.x + reach && a.low.y < b.high.y + reach &&
          b.low.y < a.high.y + reach;
 }
 
-/// Calls visit(j) for the lower large bodies and then, in no order, the floes near body i.
-template <class Visit>
-GEM_DEVICE inline void each_near(const DeviceScene& s, const ListGrid& grid, std::int32_t i, Visit&& visit) {
+/// Calls visit(j, is_near) for the lower large bodies and then, in no order, the floes around body i, shared out among
+/// the lanes of a group; every lane makes as many calls, with is_near false where it has no body left.
+template <class Lanes, class Visit>
+GEM_DEVICE inline void each_near(const DeviceScene& s, const Lanes& lanes, const ListGrid& grid, std::int32_t i,
+                                 Visit&& visit) {
   const BodyCell& cell = s.body[i];
   if (!cell.active) return;
   const ListBox box = s.box[i];
   const Vec2 velocity = s.motion[i].course_velocity;
-  for (std::int32_t j = 0; j < s.large_bodies && j < i; ++j) {
-    const bool moves = cell.inverse_mass > 0.0 || s.body[j].inverse_mass > 0.0;
-    if (s.body[j].active && moves && near(s, s.box[j], s.motion[j].course_velocity, box, velocity)) visit(j);
+  const std::int32_t lower_large = is_large(s, i) ? i : s.large_bodies;
+  for (std::int32_t first = 0; first < lower_large; first += Lanes::size) {
+    const std::int32_t j = first + lanes.rank();
+    const bool meets = j < lower_large && s.body[j].active && (cell.inverse_mass > 0.0 || s.body[j].inverse_mass > 0.0);
+    visit(j, meets && near(s, grid.ahead, s.box[j], s.motion[j].course_velocity, box, velocity));
   }
   if (is_large(s, i)) return;
-  const std::int32_t row = s.grid_cell[i] / grid.columns, column = s.grid_cell[i] % grid.columns;
-  for (std::int32_t r = row - 1; r <= row + 1; ++r)
-    for (std::int32_t c = column - 1; c <= column + 1; ++c) {
-      if (r < 0 || r >= grid.rows || c < 0 || c >= grid.columns) continue;
-      const GridFloe* floe = s.grid_floe + s.grid_begin[r * grid.columns + c];
-      const GridFloe* const end = floe + s.grid_count[r * grid.columns + c];
-      for (; floe != end; ++floe)
-        if (floe->body != i && near(s, box, velocity, floe->box, floe->velocity)) visit(floe->body);
+  const std::int32_t row = s.grid_cell[i] / (grid.columns + 1), column = s.grid_cell[i] % (grid.columns + 1);
+  for (std::int32_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < grid.rows; ++r) {
+    const std::int32_t begin = s.grid_begin[cell_at(grid, r, column > 0 ? column - 1 : 0)],
+                       end = s.grid_begin[cell_at(grid, r, column + 2 < grid.columns ? column + 2 : grid.columns)];
+    for (std::int32_t first = begin; first < end; first += Lanes::size) {
+      const std::int32_t at = first + lanes.rank();
+      const GridFloe* const floe = s.grid_floe + at;
+      const bool other = at < end && floe->body != i;
+      visit(other ? floe->body : -1, other && near(s, grid.ahead, box, velocity, floe->box, floe->velocity));
     }
+  }
 }
 
 }  // namespace gem

@@ -4,9 +4,9 @@
 // Algorithm, a barrier after each step:
 //   1. course and box of every body; extremes of the floes' positions, velocities and radii
 //   2. floes counted by cell of a grid
-//   3. each cell takes a stretch of the list of floes
+//   3. each row of cells takes a stretch of the list of floes
 //   4. floes placed in the stretch of their cell
-//   5. each body: its lower large neighbours, and for a floe the near floes of nine cells, in a row of its own
+//   5. each body: its lower large neighbours, and for a floe the near ones in three stretches of cells, in its own row
 //   6. each large body: the row of the higher bodies near it
 //   7. a pair for each near body with a higher id
 #pragma once
@@ -29,40 +29,66 @@ GEM_DEVICE inline bool take_row(const DeviceScene& s, Crew& crew, std::int32_t i
   return fits;
 }
 
-/// Places `other` in a row of `count` sorted bodies.
-GEM_DEVICE inline void insert_sorted(std::int32_t* row, std::int32_t count, std::int32_t other) {
-  std::int32_t at = count;
-  while (at > 0 && row[at - 1] > other) {
-    row[at] = row[at - 1];
-    --at;
+/// Sorts a short row by one thread.
+GEM_DEVICE inline void sort_row(std::int32_t* row, std::int32_t count) {
+  for (std::int32_t k = 1; k < count; ++k) {
+    const std::int32_t one = row[k];
+    std::int32_t at = k;
+    for (; at > 0 && row[at - 1] > one; --at) row[at] = row[at - 1];
+    row[at] = one;
   }
-  row[at] = other;
 }
 
-/// Step 5.
+/// Writes `count` bodies in no order to a row, each lane some, to the place that as many lower ones leave it.
+template <class Lanes>
+GEM_DEVICE inline void write_sorted(const Lanes& lanes, std::int32_t* row, const std::int32_t* near,
+                                    std::int32_t count) {
+  for (std::int32_t k = lanes.rank(); k < count; k += Lanes::size) {
+    const std::int32_t one = near[k];
+    std::int32_t below = 0;
+    for (std::int32_t j = 0; j < count; ++j) below += near[j] < one ? 1 : 0;
+    row[below] = one;
+  }
+}
+
+/// Step 5: a group of lanes for each body.
 template <class Crew>
 GEM_DEVICE inline void find_near(const DeviceScene& s, Crew& crew, const ListGrid& grid) {
-  const std::int32_t first = rank_of(crew), step = size_of(crew);
-  for (std::int32_t i = first; i < s.bodies; i += step) {
+  const auto lanes = crew.lanes();
+  const std::int32_t groups = size_of(crew) / Crew::Lanes::size;
+  for (std::int32_t i = rank_of(crew) / Crew::Lanes::size; i < s.bodies; i += groups) {
     std::int32_t count = 0, lower = 0;
     std::int32_t* const kept = s.near_first + i * kept_near;
-    each_near(s, grid, i, [&](std::int32_t j) {
-      if (count < kept_near) insert_sorted(kept, count, j);
-      ++count;
-      lower += j < i;
-      if (is_large(s, j)) crew.set_bit(&s.near_large[j * bit_words(s) + i / 32], 1U << (i % 32));
+    each_near(s, lanes, grid, i, [&](std::int32_t j, bool is_near) {
+      const unsigned found = lanes.ballot(is_near), below = lanes.ballot(is_near && j < i);
+      const std::int32_t at = count + lanes.count_below(found);
+      if (is_near && at < kept_near) kept[at] = j;
+      if (is_near && is_large(s, j)) crew.set_bit(&s.near_large[j * bit_words(s) + i / 32], 1U << (i % 32));
+      count += lanes.count(found);
+      lower += lanes.count(below);
     });
     if (is_large(s, i)) {
-      s.motion[i].lower_count = count;  // step 6 takes the row
+      if (lanes.rank() == 0) s.motion[i].lower_count = count;  // step 6 takes the row
       continue;
     }
-    if (!take_row(s, crew, i, count, lower)) continue;
-    std::int32_t* row = s.row_other + s.motion[i].row_begin;
+    std::int32_t begin = 0;
+    if (lanes.rank() == 0) begin = take_row(s, crew, i, count, lower) ? s.motion[i].row_begin : -1;
+    begin = lanes.from(begin, 0);
+    if (begin < 0) continue;
+    lanes.sync();  // what each has kept is there for all
+    std::int32_t* const row = s.row_other + begin;
+    if (count <= kept_near) {
+      write_sorted(lanes, row, kept, count);
+      continue;
+    }
     std::int32_t placed = 0;
-    if (count <= kept_near)
-      for (; placed < count; ++placed) row[placed] = kept[placed];
-    else
-      each_near(s, grid, i, [&](std::int32_t j) { insert_sorted(row, placed++, j); });
+    each_near(s, lanes, grid, i, [&](std::int32_t j, bool is_near) {
+      const unsigned found = lanes.ballot(is_near);
+      if (is_near) row[placed + lanes.count_below(found)] = j;
+      placed += lanes.count(found);
+    });
+    lanes.sync();
+    if (lanes.rank() == 0) sort_row(row, count);
   }
 }
 
@@ -112,38 +138,38 @@ GEM_DEVICE inline std::int32_t place_in_row(const DeviceScene& s, std::int32_t b
   return low;
 }
 
-/// Step 7.
+/// A pair for the place `row` of body i.
+GEM_DEVICE inline void make_pair(const DeviceScene& s, std::int32_t p, std::int32_t i, std::int32_t row) {
+  const std::int32_t other = s.row_other[row], row_b = place_in_row(s, other, i);
+  s.pair[p] = {i, other, row, row_b, {}, {}, 0.0, 0.0};
+  s.row_pair[row] = s.row_pair[row_b] = p;
+  if (s.memory) s.memory[p].moment = PairMemory::never;
+}
+
+/// Step 7: a group of lanes for each floe; the long rows of large bodies are shared out place by place.
 template <class Crew>
 GEM_DEVICE inline void make_pairs(const DeviceScene& s, Crew& crew) {
-  for (std::int32_t i = rank_of(crew); i < s.bodies; i += size_of(crew)) {
+  const auto lanes = crew.lanes();
+  const std::int32_t groups = size_of(crew) / Crew::Lanes::size;
+  for (std::int32_t i = s.large_bodies + rank_of(crew) / Crew::Lanes::size; i < s.bodies; i += groups) {
     const BodyMotion& motion = s.motion[i];
-    const std::int32_t higher = motion.row_count - motion.lower_count;
-    if (is_large(s, i) || higher == 0) continue;
-    std::int32_t p = crew.add(&s.counters->pairs, higher);
-    for (std::int32_t at = motion.lower_count; at < motion.row_count; ++at, ++p) {
-      const std::int32_t row = s.motion[i].row_begin + at, other = s.row_other[row];
-      s.pair[p] = {i, other, row, place_in_row(s, other, i), {}, {}, 0.0, 0.0};
-      s.row_pair[row] = s.row_pair[s.pair[p].row_b] = p;
-      if (s.memory) s.memory[p].moment = PairMemory::never;
-    }
+    const std::int32_t begin = motion.row_begin, lower = motion.lower_count, higher = motion.row_count - lower;
+    if (higher == 0) continue;
+    std::int32_t p = lanes.rank() == 0 ? crew.add(&s.counters->pairs, higher) : 0;
+    p = lanes.from(p, 0);
+    for (std::int32_t k = lanes.rank(); k < higher; k += Crew::Lanes::size) make_pair(s, p + k, i, begin + lower + k);
   }
-  // the long rows of large bodies are shared out place by place
   for (std::int32_t i = 0; i < s.large_bodies; ++i) {
     const BodyMotion& motion = s.motion[i];
-    for (std::int32_t at = motion.lower_count + rank_of(crew); at < motion.row_count; at += size_of(crew)) {
-      const std::int32_t p = crew.add(&s.counters->pairs, 1);
-      const std::int32_t row = s.motion[i].row_begin + at, other = s.row_other[row];
-      s.pair[p] = {i, other, row, place_in_row(s, other, i), {}, {}, 0.0, 0.0};
-      s.row_pair[row] = s.row_pair[s.pair[p].row_b] = p;
-      if (s.memory) s.memory[p].moment = PairMemory::never;
-    }
+    for (std::int32_t at = motion.lower_count + rank_of(crew); at < motion.row_count; at += size_of(crew))
+      make_pair(s, crew.add(&s.counters->pairs, 1), i, motion.row_begin + at);
   }
 }
 
-/// Builds the list at the positions of the moment's start. Raises alarm_list_full where the memory is too small; the
-/// status then says how much is needed.
+/// Builds the list at the positions of the moment's start, for a life of `horizon` moments. Raises alarm_list_full
+/// where the memory is too small; the status then says how much is needed.
 template <class Crew>
-GEM_DEVICE inline void build_list(const DeviceScene& s, Crew& crew, std::int64_t moment) {
+GEM_DEVICE inline void build_list(const DeviceScene& s, Crew& crew, std::int64_t moment, std::int64_t horizon) {
   const bool one = rank_of(crew) == 0;
   crew.barrier();
   if (one) *s.counters = {};
@@ -151,7 +177,7 @@ GEM_DEVICE inline void build_list(const DeviceScene& s, Crew& crew, std::int64_t
   crew.barrier();
   note_courses(s, crew);
   crew.barrier();
-  const ListGrid grid = fill_grid(s, crew);
+  const ListGrid grid = fill_grid(s, crew, static_cast<double>(horizon) * s.constants.dt);
   find_near(s, crew, grid);
   crew.barrier();
   rows_of_large_bodies(s, crew);
@@ -161,6 +187,7 @@ GEM_DEVICE inline void build_list(const DeviceScene& s, Crew& crew, std::int64_t
   make_pairs(s, crew);
   if (one) {
     s.status->list_moment = moment;
+    s.status->horizon = horizon;
     s.status->list_valid = 1;
     ++s.status->builds;
   }

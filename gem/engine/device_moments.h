@@ -28,7 +28,9 @@ GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Crew& crew,
   }
   if (!desk.platform || crew.warp().rank() != 0) return;
   Mover mover = mover_of(desk.body[0]);
-  platform_first_half(s, mover, desk.motion[0].mass, s.after[0].spin);
+  PlatformHeld held = hold_platform(s);
+  platform_first_half(s, held, mover, desk.motion[0].mass, s.after[0].spin);
+  let_go(s, held);
   write_mover(desk.body[0], mover);
   write_mover(s.body[0], mover);
 }
@@ -73,6 +75,14 @@ GEM_DEVICE inline void write_state(const DeviceScene& s, const Crew& crew) {
   }
 }
 
+/// Moments for which a list is built after one that lived for `life`: fast floes leave their courses early, and what
+/// they might reach later would only make the list long.
+GEM_DEVICE inline std::int64_t next_horizon(const DeviceScene& s, std::int64_t life) {
+  constexpr std::int64_t shortest = 4;
+  const std::int64_t next = 2 * life > shortest ? 2 * life : shortest;
+  return next < s.horizon ? next : s.horizon;
+}
+
 /// Moves the scene on by `moments` moments, or less where something has to be done by the host first: the status says.
 template <class Crew>
 GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int32_t moments) {
@@ -82,6 +92,7 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
   const bool one = rank_of(crew) == 0;
   const std::int64_t start = status.moment;
   std::int64_t list_moment = status.list_moment;
+  std::int64_t horizon = status.horizon;
   bool list_valid = status.list_valid != 0;
   const bool coupled = s.constants.resolution == Resolution::coupled;
   bool carried = true;  // the memory of the last moment stands apart from the list
@@ -110,13 +121,15 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
       list_valid = list_valid && !(alarms & alarm_strayed);
       break;
     }
-    if (!list_valid || moment - list_moment >= s.horizon || (alarms & alarm_strayed)) {
+    const std::int64_t life = moment - list_moment;
+    if (!list_valid || life >= horizon || (alarms & alarm_strayed)) {
+      if (list_valid) horizon = next_horizon(s, life);
       if (coupled && !carried) carry_memory(s, crew, desk);
       carried = true;
       close_work(s, crew, desk, moment);
       crew.block_barrier();
       put_bodies_back(s, crew, desk);
-      build_list(s, crew, moment);
+      build_list(s, crew, moment, horizon);
       take_bodies(s, crew, desk);
       take_pairs(s, crew, desk);
       crew.block_barrier();

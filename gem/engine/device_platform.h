@@ -13,19 +13,56 @@ struct PlatformSums {
   double ice_yaw = 0.0, twist = 0.0;
 };
 
-GEM_DEVICE inline PlatformMotion platform_motion(const DeviceScene& s, double mass, PlatformCell& p) {
-  return {mass, p.moved, p.velocity, s.book(Channel::platform_drag, 0), s.book(Channel::mooring, 0), p.mooring_force};
+/// The platform's cell and the books of its own motion, in registers for one thread.
+struct PlatformHeld {
+  PlatformCell cell;
+  Quantity drag_book, mooring_book;
+};
+
+GEM_DEVICE inline PlatformHeld hold_platform(const DeviceScene& s) {
+  const PlatformCell& p = *s.platform;
+  PlatformHeld held;
+  held.cell.moved = p.moved;
+  held.cell.velocity = p.velocity;
+  held.cell.mooring_force = p.mooring_force;
+  held.cell.mooring_before = p.mooring_before;
+  held.cell.drag_before = p.drag_before;
+  held.drag_book = s.book(Channel::platform_drag, 0);
+  held.mooring_book = s.book(Channel::mooring, 0);
+  return held;
+}
+
+GEM_DEVICE inline void let_go(const DeviceScene& s, const PlatformHeld& held) {
+  PlatformCell& p = *s.platform;
+  p.moved = held.cell.moved;
+  p.velocity = held.cell.velocity;
+  p.mooring_force = held.cell.mooring_force;
+  p.mooring_before = held.cell.mooring_before;
+  p.drag_before = held.cell.drag_before;
+  s.book(Channel::platform_drag, 0) = held.drag_book;
+  s.book(Channel::mooring, 0) = held.mooring_book;
+}
+
+GEM_DEVICE inline PlatformMotion platform_motion(double mass, PlatformHeld& held) {
+  return {mass, held.cell.moved, held.cell.velocity, held.drag_book, held.mooring_book, held.cell.mooring_force};
 }
 
 /// The platform's own motion up to the instant of the events of the next moment; `spin` is the one it has.
-GEM_DEVICE inline void platform_first_half(const DeviceScene& s, Mover& mover, double mass, double spin) {
-  PlatformCell& p = *s.platform;
+GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformHeld& held, Mover& mover, double mass,
+                                           double spin) {
+  PlatformCell& p = held.cell;
   p.mooring_before = p.mooring_force.momentum;
-  p.drag_before = s.book(Channel::platform_drag, 0).momentum;
+  p.drag_before = held.drag_book.momentum;
   p.moved = mover.position;
-  if (s.constants.moored_or_free) platform_half(s.constants, platform_motion(s, mass, p), true);
+  if (s.constants.moored_or_free) platform_half(s.constants, platform_motion(mass, held), true);
   mover.velocity = p.velocity;
   mover.spin = spin;
+}
+
+/// Where the terms of a moment stand: in the fast memory that the looks leave free, as far as it holds them.
+GEM_DEVICE inline PlatformTerm* term_room(const DeviceScene& s, const Desk& desk, std::int32_t places) {
+  const std::size_t bytes = 2 * static_cast<std::size_t>(places) * sizeof(PlatformTerm);
+  return bytes <= desk.minimum_bytes ? reinterpret_cast<PlatformTerm*>(desk.look) : s.term;
 }
 
 /// What one contact point does to the platform; the velocities after a coupled moment are known already.
@@ -49,23 +86,28 @@ GEM_DEVICE inline PlatformTerm platform_term(const DeviceScene& s, const BodyCel
 /// that push, and events go to the ring.
 template <class Warp>
 GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& warp, const BodyCell& cell,
-                                             const BodyMotion& motion, std::int32_t moment, std::int32_t& pressed) {
+                                             const BodyMotion& motion, std::int32_t moment, PlatformTerm* term,
+                                             std::int32_t& pressed) {
   DeviceStatus& status = *s.status;
   const bool coupled = s.constants.resolution == Resolution::coupled;
   const std::int32_t places = motion.row_count;
   std::int32_t terms = 0, events = status.events;
   for (std::int32_t first = 0; first < places; first += Warp::size) {
-    const std::int32_t at = first + warp.rank(), row = motion.row_begin + at;
-    const bool touched = at < places && s.stamp[row].entry == moment;
-    const Contact* contact = touched ? &s.contact[s.row_pair[row]] : nullptr;
+    const std::int32_t at = first + warp.rank(), row = motion.row_begin + (at < places ? at : 0);
+    // asked for together: each waits for memory
+    const std::int32_t stamp = s.stamp[row].entry, pair = s.row_pair[row], other = s.row_other[row];
+    const bool touched = at < places && stamp == moment;
+    const Contact* const contact = &s.contact[pair];
     const int points = touched ? contact->count : 0;
+    const bool ice = touched && s.body[other].kind == BodyKind::floe;
     const unsigned one = warp.ballot(points > 0), two = warp.ballot(points > 1);
-    const bool ice = touched && s.body[contact->b].kind == BodyKind::floe;
-    std::int32_t to = terms + warp.count_below(one) + warp.count_below(two);
+    const std::int32_t to = terms + warp.count_below(one) + warp.count_below(two);
     bool presses = false;
-    for (int k = 0; k < points; ++k) {
-      s.term[to++] = platform_term(s, cell, *contact, contact->slot[k], ice);
-      presses = presses || (ice && contact->slot[k].impulse.normal > 0.0);
+    for (int k = 0; k < 2; ++k) {
+      if (k >= points) break;
+      const ContactSlot& slot = contact->slot[k];
+      term[to + k] = platform_term(s, cell, *contact, slot, ice);
+      presses = presses || (ice && slot.impulse.normal > 0.0);
     }
     const bool event = touched && s.wants_events && s.row_event_moment[at] == moment &&
                        (!coupled || is_event(*contact, s.event_speed));
@@ -84,25 +126,27 @@ GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& w
   return terms;
 }
 
-/// Adds the terms in order, each lane some of the parts.
+/// Adds the terms in order, each lane one of the parts.
 template <class Warp>
-GEM_DEVICE inline PlatformSums add_terms(const DeviceScene& s, const Warp& warp, const PlatformSums& start,
+GEM_DEVICE inline PlatformSums add_terms(const Warp& warp, const PlatformSums& start, const PlatformTerm* term,
                                          std::int32_t terms) {
-  double sum[7] = {start.velocity.x,    start.velocity.y, start.spin, start.ice_impulse.x,
-                   start.ice_impulse.y, start.ice_yaw,    start.twist};
-  for (int part = 0; part < 7; ++part) {
-    if (part % Warp::size != warp.rank()) continue;
-    const double sign = part == 6 ? 1.0 : -1.0;
-    for (std::int32_t k = 0; k < terms; ++k) sum[part] += sign * s.term[k].part[part];
+  constexpr int parts = 7;
+  double sum[parts] = {start.velocity.x,    start.velocity.y, start.spin, start.ice_impulse.x,
+                       start.ice_impulse.y, start.ice_yaw,    start.twist};
+  for (int first = 0; first < parts; first += Warp::size) {
+    const int part = first + warp.rank() < parts ? first + warp.rank() : parts - 1;
+    const double sign = part == parts - 1 ? 1.0 : -1.0;
+    double mine = sum[part];
+    for (std::int32_t k = 0; k < terms; ++k) mine += sign * term[k].part[part];
+    for (int lane = 0; lane < Warp::size && first + lane < parts; ++lane) sum[first + lane] = warp.from(mine, lane);
   }
-  for (int part = 0; part < 7; ++part) sum[part] = warp.from(sum[part], part % Warp::size);
   return {{sum[0], sum[1]}, sum[2], {sum[3], sum[4]}, sum[5], sum[6]};
 }
 
 /// Writes the moment's sample to the ring.
-GEM_DEVICE inline void write_sample(const DeviceScene& s, const Mover& mover, const PlatformSums& sums,
-                                    std::int32_t pressed, std::int32_t at) {
-  const PlatformCell& p = *s.platform;
+GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformHeld& held, const Mover& mover,
+                                    const PlatformSums& sums, std::int32_t pressed, std::int32_t at) {
+  const PlatformCell& p = held.cell;
   PlatformMoment& sample = s.sample[at];
   sample.position = mover.position;
   sample.rotation = mover.rotation;
@@ -111,7 +155,7 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const Mover& mover, co
   sample.ice_impulse = sums.ice_impulse;
   sample.ice_yaw_impulse = sums.ice_yaw;
   sample.mooring_impulse = p.mooring_force.momentum - p.mooring_before;
-  sample.drag_impulse = s.book(Channel::platform_drag, 0).momentum - p.drag_before;
+  sample.drag_impulse = held.drag_book.momentum - p.drag_before;
   sample.contacts = pressed;
 }
 
@@ -130,21 +174,23 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, cons
                                           const BodyRepair& repair, std::int32_t pressed, const MomentStep& step) {
   BodyCell& cell = desk.body[0];
   const BodyMotion& motion = desk.motion[0];
-  PlatformCell& p = *s.platform;
+  PlatformHeld held = hold_platform(s);
+  PlatformCell& p = held.cell;
   Mover mover = mover_of(cell);
   p.velocity = sums.velocity;
   if (cell.inverse_inertia == 0.0) p.mooring_force.angular_momentum = sums.twist;
   if (s.constants.moored_or_free) {
-    platform_half(s.constants, platform_motion(s, motion.mass, p), false);
+    platform_half(s.constants, platform_motion(motion.mass, held), false);
     mover.position = p.moved + repair.shift;
     book_platform_repair(s, motion.mass, p, repair.shift);
     turn(mover, s.constants.dt * sums.spin + repair.turn);
   }
   if (cell.active && !is_finite(mover, p.velocity, sums.spin)) crew.raise(alarm_not_finite);
-  if (s.wants_samples) write_sample(s, mover, sums, pressed, step.sample);
+  if (s.wants_samples) write_sample(s, held, mover, sums, pressed, step.sample);
   if (cell.active && left_course(s, mover, cell.radius, motion, step.elapsed)) crew.raise(alarm_strayed);
   if (s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) crew.raise(alarm_ring_full);
-  if (step.kick_next) platform_first_half(s, mover, motion.mass, sums.spin);
+  if (step.kick_next) platform_first_half(s, held, mover, motion.mass, sums.spin);
+  let_go(s, held);
   s.after[0].velocity = sums.velocity;
   s.after[0].spin = sums.spin;
   write_mover(s.body[0], mover);
@@ -157,7 +203,8 @@ GEM_DEVICE inline void move_platform(const DeviceScene& s, Crew& crew, const Des
   const auto warp = crew.warp();
   const BodyCell& cell = desk.body[0];
   std::int32_t pressed = 0;
-  const std::int32_t terms = line_up_terms(s, warp, cell, desk.motion[0], step.moment, pressed);
+  PlatformTerm* const term = term_room(s, desk, desk.motion[0].row_count);
+  const std::int32_t terms = line_up_terms(s, warp, cell, desk.motion[0], step.moment, term, pressed);
   PlatformSums start;
   BodyAfter after{cell.velocity, cell.spin};
   BodyRepair repair;
@@ -166,7 +213,7 @@ GEM_DEVICE inline void move_platform(const DeviceScene& s, Crew& crew, const Des
   start.spin = after.spin;
   start.twist = s.platform->mooring_force.angular_momentum;
   const double travel = cell.turn_travel;
-  const PlatformSums sums = add_terms(s, warp, start, terms);
+  const PlatformSums sums = add_terms(warp, start, term, terms);
   warp.sync();
   if (warp.rank() == 0) move_platform_body(s, crew, desk, sums, repair, pressed, step);
   warp.sync();

@@ -54,6 +54,7 @@ enum class DeviceStop : std::int32_t { done, list_full, ring_full, not_finite };
 struct DeviceStatus {
   std::int64_t moment = 0;
   std::int64_t list_moment = 0;  // at whose start the list was built
+  std::int64_t horizon = 1;      // moments that it was built for
   std::int64_t builds = 0;
   std::int32_t list_valid = 0;
   std::int32_t half_way = 0;                          // the solo events of the next moment are done
@@ -123,7 +124,7 @@ struct DeviceScene {
   ListBox* box = nullptr;
   std::int32_t *grid_cell = nullptr, *grid_count = nullptr, *grid_begin = nullptr;
   GridFloe* grid_floe = nullptr;
-  std::int32_t* near_first = nullptr;   // for each body: the first near bodies found, sorted
+  std::int32_t* near_first = nullptr;   // for each body: the first near bodies found
   std::uint32_t* near_large = nullptr;  // for each large body: a bit for each body near it
   ListCounters* counters = nullptr;
 

@@ -238,6 +238,7 @@ DeviceScene scene_constants(const FieldState& f, double event_speed) {
 void write_field(const FieldState& f, std::int64_t moment, const DeviceScene& s) {
   *s.status = {};
   s.status->moment = moment;
+  s.status->horizon = s.horizon;
   *s.platform = {};
   s.platform->velocity = f.bodies.velocity[0];
   s.platform->mooring_force = f.mooring_force;

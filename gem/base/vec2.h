@@ -7,7 +7,7 @@
 
 namespace gem {
 
-struct Vec2 {
+struct alignas(16) Vec2 {
   double x = 0.0;
   double y = 0.0;
 };
@@ -30,7 +30,7 @@ GEM_HD constexpr Vec2 turned_right(Vec2 a) { return {a.y, -a.x}; }
 GEM_HD inline double length(Vec2 a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 
 /// A rotation kept as cosine and sine, so that a step needs no trigonometry.
-struct Rotation {
+struct alignas(16) Rotation {
   double cosine = 1.0;
   double sine = 0.0;
 };

@@ -86,17 +86,18 @@ struct RowStamp {
   std::int32_t entry = -1, work = -1;
 };
 
-/// What a contact does to one body.
-struct RowEntry {
-  std::int32_t count = 0;  // steps
-  std::int32_t acted = 0;
-  MotionStep step[2];
+/// What a contact does to one body, point by point.
+struct alignas(64) RowEntry {
+  Vec2 velocity[2];    // [m/s]
+  double spin[2];      // [rad/s]
+  std::int32_t count;  // points
+  std::int32_t acted;
 };
 
 /// Energy that the points of a contact took, for the books of its body B.
-struct RowWork {
-  std::int32_t count = 0;
+struct alignas(64) RowWork {
   SlotWork slot[2];
+  std::int32_t count;
 };
 
 struct ListBox {

@@ -31,11 +31,11 @@ GEM_DEVICE inline void write_rows(const DeviceScene& s, const PairCell& pair, co
     const ContactSlot& slot = contact.slot[k];
     const Vec2 impulse = world_impulse(contact, slot.impulse);
     const MotionStep step = motion_step(bodies.mass_a, slot.arm_a, impulse);
-    to_a.step[k].velocity = -step.velocity;
-    to_a.step[k].spin = -step.spin;
+    to_a.velocity[k] = -step.velocity;
+    to_a.spin[k] = -step.spin;
     const MotionStep step_b = motion_step(bodies.mass_b, slot.arm_b, impulse);
-    to_b.step[k].velocity = step_b.velocity;
-    to_b.step[k].spin = step_b.spin;
+    to_b.velocity[k] = step_b.velocity;
+    to_b.spin[k] = step_b.spin;
     touched |= acted(slot) ? 1 : 0;
   }
   to_a.count = to_b.count = contact.count;

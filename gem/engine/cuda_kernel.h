@@ -16,7 +16,7 @@ struct CrewGate {
   unsigned unused[30];  // a line of memory of its own
 };
 
-constexpr int most_threads = 512;  // leaves 128 registers for each
+constexpr int most_threads = 256;  // leaves 128 registers for each
 
 /// What a launch works on: scene k with `blocks` blocks, moved on by moments[k] moments.
 struct Launch {

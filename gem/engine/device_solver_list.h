@@ -55,23 +55,23 @@ class SolverList {
     crew_.block_barrier();
     desk.bodies = spots[words];
     desk.own = own_ = stretch_of(crew_, desk.bodies);
-    for (std::int32_t w = crew_.thread(); w < words; w += crew_.threads()) {
-      std::int32_t at = spots[w];
-      if (at >= own_.end || spots[w + 1] <= own_.begin) continue;
-      const std::uint32_t bits = s_.touched_spots[w];
-      for (int k = 0; k < 32; ++k) {
-        if (!(bits >> k & 1U)) continue;
-        if (at >= own_.begin && at < own_.end) s_.solver_entry[at].body = s_.body_at[32 * w + k];
-        ++at;
-      }
+    for (std::int32_t spot = crew_.thread(); spot < s_.bodies; spot += crew_.threads()) {
+      const std::uint32_t bits = s_.touched_spots[spot / 32], bit = 1U << (spot % 32);
+      const std::int32_t at = spots[spot / 32] + bits_in(bits & (bit - 1U));
+      if ((bits & bit) && at >= own_.begin && at < own_.end) s_.solver_entry[at].body = s_.body_at[spot];
     }
     crew_.block_barrier();
     place_entries(desk);
-    // the platform, first of all where it is among them, has a long row
+    // the platform, first of all where it is among them, has a long row: the last warp is left to it
     const bool platform = own_.begin < own_.end && s_.solver_entry[own_.begin].body == 0;
-    const std::int32_t first = own_.begin + (platform ? 1 : 0);
-    for (std::int32_t e = first + group(); e < own_.end; e += groups()) list_points(crew_.lanes(), desk, e, bodies);
-    if (platform && crew_.thread() < Crew::Warp::size) list_points(crew_.warp(), desk, own_.begin, bodies);
+    const bool alone = crew_.threads() <= Crew::Warp::size;
+    const int rest = platform && !alone ? crew_.threads() - Crew::Warp::size : crew_.threads();
+    if (platform && (alone || crew_.thread() >= rest)) list_points(crew_.warp(), desk, own_.begin, bodies);
+    if (crew_.thread() < rest) {
+      const int group = crew_.thread() / Crew::Lanes::size, groups = rest / Crew::Lanes::size;
+      for (std::int32_t e = own_.begin + (platform ? 1 : 0) + group; e < own_.end; e += groups)
+        list_points(crew_.lanes(), desk, e, bodies);
+    }
     crew_.block_barrier();
     if (crew_.thread() == 0) shared.first_taken = crew_.add(&s_.counters->taken_points, shared.taken);
     crew_.block_barrier();
@@ -79,9 +79,6 @@ class SolverList {
   }
 
  private:
-  GEM_DEVICE GEM_INLINE int group() const { return crew_.thread() / Crew::Lanes::size; }
-  GEM_DEVICE GEM_INLINE int groups() const { return crew_.threads() / Crew::Lanes::size; }
-
   GEM_DEVICE void count_marks(const std::uint32_t* marks, std::int32_t* before, std::int32_t words) {
     const auto warp = crew_.warp();
     std::int32_t sum = 0;
@@ -117,49 +114,87 @@ class SolverList {
 
   GEM_DEVICE static std::int32_t room_place(int block, std::int32_t at) { return block << 16 | at; }
 
-  /// Whether the block of a body takes the points at a place of its row: those with a large body, and of two floes the
-  /// one that is A. The platform's are shared out among its floes.
-  GEM_DEVICE bool takes(std::int32_t body, std::int32_t row, bool as_b) const {
-    return is_large(s_, s_.row_other[row]) || (!as_b && body != 0);
+  /// Whether the block of a body takes the points that it has with `other`: those with a large body, and of two floes
+  /// the one that is A. The platform's are shared out among its floes.
+  GEM_DEVICE bool takes(std::int32_t body, std::int32_t other, bool as_b) const {
+    return is_large(s_, other) || (!as_b && body != 0);
+  }
+
+  /// Some places of a row, one in each step of a group's lane: asked for together, as each waits for memory.
+  struct PlacesOfLane {
+    static constexpr int steps = 4;
+    RowPoints points[steps];
+    bool takes[steps];
+  };
+
+  template <class Group>
+  GEM_DEVICE PlacesOfLane read_places(const Group& lanes, std::int32_t body, const BodyMotion& motion,
+                                      std::int32_t first) const {
+    const std::int32_t begin = motion.row_begin, lower = motion.lower_count, places = motion.row_count;
+    PlacesOfLane read;
+    std::int32_t stamp[PlacesOfLane::steps], other[PlacesOfLane::steps];
+    for (int k = 0; k < PlacesOfLane::steps; ++k) {
+      const std::int32_t at = first + k * Group::size + lanes.rank(), row = begin + at;
+      const bool there = at < places;
+      stamp[k] = there ? s_.stamp[row].entry : moment_ - 1;
+      other[k] = there ? s_.row_other[row] : 0;
+      read.points[k] = there ? s_.row_points[row] : RowPoints{};
+    }
+    for (int k = 0; k < PlacesOfLane::steps; ++k) {
+      const std::int32_t at = first + k * Group::size + lanes.rank();
+      if (stamp[k] != moment_) read.points[k] = {};
+      read.takes[k] = read.points[k].count > 0 && takes(body, other[k], at < lower);
+    }
+    return read;
   }
 
   /// Reads the row of a body by a group of lanes and gives its points their places.
   template <class Group>
   GEM_DEVICE void list_points(const Group& lanes, const SolverDesk& desk, std::int32_t e,
                               const std::int32_t* bodies_before) {
+    constexpr int stride = PlacesOfLane::steps * Group::size;
     const std::int32_t body = s_.solver_entry[e].body;
     const BodyMotion& motion = s_.motion[body];
     const std::int32_t begin = motion.row_begin, lower = motion.lower_count, places = motion.row_count;
     std::int32_t count = 0, as_b = 0, taken = 0;
-    for (std::int32_t first = 0; first < places; first += Group::size) {
-      const std::int32_t at = first + lanes.rank();
-      const std::int32_t points = points_at(begin, at, places).count;
-      count += lanes.sum(points);
-      as_b += lanes.sum(at < lower ? points : 0);
-      taken += lanes.sum(points > 0 && takes(body, begin + at, at < lower) ? points : 0);
+    PlacesOfLane read{};
+    for (std::int32_t first = 0; first < places; first += stride) {
+      read = read_places(lanes, body, motion, first);
+      for (int k = 0; k < PlacesOfLane::steps; ++k) {
+        const std::int32_t points = read.points[k].count;
+        count += points;
+        as_b += first + k * Group::size + lanes.rank() < lower ? points : 0;
+        taken += read.takes[k] ? points : 0;
+      }
     }
+    count = lanes.sum(count);
+    as_b = lanes.sum(as_b);
+    taken = lanes.sum(taken);
     std::int32_t room = lanes.rank() == 0 ? take_records(count) : 0;
     room = lanes.from(room, 0);
     std::int32_t take = lanes.rank() == 0 && taken > 0 ? crew_.add(&crew_.shared().taken, taken) : 0;
     take = lanes.from(take, 0);
     const std::int32_t moved_at = desk.motion ? room_place(crew_.block(), own_.count() + e - own_.begin) : -1;
     std::int32_t before = 0;
-    for (std::int32_t first = 0; first < places; first += Group::size) {
-      const std::int32_t at = first + lanes.rank();
-      const RowPoints points = points_at(begin, at, places);
-      const std::int32_t mine = before + lanes.sum_below(points.count);
-      const bool mine_to_take = points.count > 0 && takes(body, begin + at, at < lower);
-      const std::int32_t to = take + lanes.sum_below(mine_to_take ? points.count : 0);
-      for (std::int32_t k = 0; k < points.count; ++k) {
-        PointCell& point = s_.point[points.first + k];
-        const std::int32_t in_room = room < 0 ? -1 : room_place(crew_.block(), room + mine + k);
-        (at < lower ? point.place_b : point.place_a) = 2 * begin + mine + k;
-        (at < lower ? point.room_b : point.room_a) = in_room;
-        (at < lower ? point.motion_b : point.motion_a) = moved_at;
-        if (mine_to_take) taken_list(s_, crew_)[to + k] = points.first + k;
+    for (std::int32_t first = 0; first < places; first += stride) {
+      if (places > stride) read = read_places(lanes, body, motion, first);
+      for (int step = 0; step < PlacesOfLane::steps; ++step) {
+        if (first + step * Group::size >= places) break;
+        const bool is_b = first + step * Group::size + lanes.rank() < lower;
+        const RowPoints points = read.points[step];
+        const std::int32_t mine = before + lanes.sum_below(points.count);
+        const std::int32_t to = take + lanes.sum_below(read.takes[step] ? points.count : 0);
+        for (std::int32_t k = 0; k < points.count; ++k) {
+          PointCell& point = s_.point[points.first + k];
+          const std::int32_t in_room = room < 0 ? -1 : room_place(crew_.block(), room + mine + k);
+          (is_b ? point.place_b : point.place_a) = 2 * begin + mine + k;
+          (is_b ? point.room_b : point.room_a) = in_room;
+          (is_b ? point.motion_b : point.motion_a) = moved_at;
+          if (read.takes[step]) taken_list(s_, crew_)[to + k] = points.first + k;
+        }
+        before += lanes.sum(points.count);
+        take += lanes.sum(read.takes[step] ? points.count : 0);
       }
-      before += lanes.sum(points.count);
-      take += lanes.sum(mine_to_take ? points.count : 0);
     }
     if (lanes.rank() != 0) return;
     const BodyCell& cell = s_.body[body];
@@ -174,11 +209,6 @@ class SolverList {
                      bodies_before[body / 32] + bits_in(below)};
     s_.body_points[body] = {moment_, count};
     (desk.motion ? desk.motion[e] : s_.added[body]) = {};
-  }
-
-  GEM_DEVICE RowPoints points_at(std::int32_t begin, std::int32_t at, std::int32_t places) const {
-    if (at >= places || s_.stamp[begin + at].entry != moment_) return {0, 0};
-    return s_.row_points[begin + at];
   }
 
   const DeviceScene& s_;

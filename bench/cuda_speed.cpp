@@ -118,8 +118,8 @@ void single(const Subject& subject) {
     const Bodies field = make_field(scene);
     const EngineState start = start_of(phase, scene, field);
     for (const int blocks : {4, 16, 64, 112})
-      for (const int threads : {256, 512}) {
-        if (blocks < 64 && threads < 512) continue;
+      for (const int threads : {128, 256}) {
+        if (blocks < 64 && threads < 256) continue;
         CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads, .arithmetic = subject.arithmetic});
         std::vector<MomentLog> logs(1);
         const Timing time = time_moments(timed, start, &logs, 7);

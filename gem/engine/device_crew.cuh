@@ -63,14 +63,12 @@ struct BlockRoom {
 /// What crews of one or of many blocks have in common.
 class DeviceCrew {
  public:
-  using Lanes = LaneGroup<8>;
   using Warp = LaneGroup<32>;
 
   __device__ explicit DeviceCrew(const BlockRoom& room) : room_(room) {}
 
   __device__ int thread() const { return static_cast<int>(threadIdx.x); }
   __device__ int threads() const { return static_cast<int>(blockDim.x); }
-  __device__ Lanes lanes() const { return {}; }
   __device__ Warp warp() const { return {}; }
   __device__ void block_barrier() { __syncthreads(); }
   __device__ BlockCell& shared() { return room_.shared; }
@@ -103,8 +101,11 @@ class DeviceCrew {
 /// All threads of a cluster of blocks.
 class ClusterCrew : public DeviceCrew {
  public:
+  using Lanes = LaneGroup<4>;  // few blocks have many looks before them
+
   __device__ ClusterCrew(const BlockRoom& room, int, CrewGate*) : DeviceCrew(room) {}
 
+  __device__ Lanes lanes() const { return {}; }
   __device__ int block() const { return static_cast<int>(cluster().block_rank()); }
   __device__ int blocks() const { return static_cast<int>(cluster().num_blocks()); }
 
@@ -148,9 +149,12 @@ class ClusterCrew : public DeviceCrew {
 /// cluster iterates coupled moments: its blocks meet faster.
 class GateCrew : public DeviceCrew {
  public:
+  using Lanes = LaneGroup<8>;
+
   __device__ GateCrew(const BlockRoom& room, int blocks, CrewGate* gate)
       : DeviceCrew(room), blocks_(blocks), gate_(gate) {}
 
+  __device__ Lanes lanes() const { return {}; }
   __device__ int block() const { return static_cast<int>(blockIdx.x) % blocks_; }
   __device__ int blocks() const { return blocks_; }
 

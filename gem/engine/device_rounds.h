@@ -143,50 +143,36 @@ class SolverRounds {
     for (int c = 0; c < 4; ++c) sum.part[c] += term.part[c];
   }
 
-  /// What the additions of a round make of the approach of a point's bodies.
-  GEM_DEVICE GEM_INLINE static Approach<float> approach(const HeldPoint& held) {
+  template <PointFriction law, bool judged>
+  GEM_DEVICE GEM_INLINE static float visit(MomentPace<float> pace, HeldPoint& held, float ahead) {
     const AddedMotion a = *held.a.motion, b = *held.b.motion;
     const FloatQuad &go_a = a.half[0], &go_b = b.half[0], &turn_a = a.half[1], &turn_b = b.half[1];
-    return {go_b.part[0] - go_a.part[0],
-            go_b.part[1] - go_a.part[1],
-            go_b.part[2] - go_a.part[2],
-            go_b.part[3] - go_a.part[3],
-            turn_a.part[0],
-            turn_a.part[1],
-            turn_b.part[0],
-            turn_b.part[1]};
+    const Approach<float> w{go_b.part[0] - go_a.part[0],
+                            go_b.part[1] - go_a.part[1],
+                            go_b.part[2] - go_a.part[2],
+                            go_b.part[3] - go_a.part[3],
+                            turn_a.part[0],
+                            turn_a.part[1],
+                            turn_b.part[0],
+                            turn_b.part[1]};
+    const float asked = visit_point<law, judged>(held.frame, w, pace, ahead, held.at, held.carried);
+    push(held);
+    return asked;
   }
 
-  /// Visits two points, where there are so many: what both read is asked for before either is worked out. Returns,
-  /// where `judged`, the largest speed that one asked for.
-  template <PointFriction law, bool judged>
-  GEM_DEVICE GEM_INLINE static float visit_two(MomentPace<float> pace, HeldPoint& first, HeldPoint& second, bool two,
-                                               float ahead) {
-    const Approach<float> of_first = approach(first);
-    Approach<float> of_second{};
-    if (two) of_second = approach(second);
-    float most = larger(visit_point<law, judged>(first.frame, of_first, pace, ahead, first.at, first.carried), 0.0F);
-    push(first);
-    if (!two) return most;
-    most = larger(visit_point<law, judged>(second.frame, of_second, pace, ahead, second.at, second.carried), most);
-    push(second);
-    return most;
-  }
-
-  /// Visits the points of this thread; returns as visit_two().
+  /// Visits the points of this thread; returns, where `judged`, the largest speed that one asked for.
   template <PointFriction law, bool judged>
   GEM_DEVICE GEM_INLINE static float visit_all(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
                                                HeldPoint& first, HeldPoint& second, float ahead) {
     const std::int32_t size = crew.threads(), i0 = desk.points.begin + crew.thread(), end = desk.points.end;
     const HeldTable table(s);
     float most = 0.0F;
-    if (i0 < end) most = visit_two<law, judged>(desk.pace, first, second, i0 + size < end, ahead);
-    for (std::int32_t i = i0 + 2 * size; i < end; i += 2 * size) {
-      const bool two = i + size < end;
-      HeldPoint one = table.load(i), other = table.load(two ? i + size : i);
-      most = larger(visit_two<law, judged>(desk.pace, one, other, two, ahead), most);
-      table.save_additions(i, one);
-      if (two) table.save_additions(i + size, other);
+    if (i0 < end) most = larger(visit<law, judged>(desk.pace, first, ahead), most);
+    if (i0 + size < end) most = larger(visit<law, judged>(desk.pace, second, ahead), most);
+    for (std::int32_t i = i0 + 2 * size; i < end; i += size) {
+      HeldPoint held = table.load(i);
+      most = larger(visit<law, judged>(desk.pace, held, ahead), most);
+      table.save_additions(i, held);
     }
     return most;
   }

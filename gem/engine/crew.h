@@ -83,9 +83,9 @@ class SoloCrew {
   /// Fast memory of another block, where the crew's blocks can reach it.
   std::byte* room_of(int) { return room_.data(); }
   static constexpr bool shares_rooms = true;
-  /// Calls work(team) with the part of the crew that iterates coupled moments.
+  /// Calls work(team) with the part of the crew that iterates so many points of a coupled moment.
   template <class Work>
-  void solve(Work&& work) {
+  void solve(std::int32_t, Work&& work) {
     work(*this);
   }
   /// Reads the clock at the end of a stage.

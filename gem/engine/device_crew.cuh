@@ -113,7 +113,7 @@ class ClusterCrew : public DeviceCrew {
   static constexpr bool shares_rooms = true;
 
   template <class Work>
-  __device__ void solve(Work&& work) {
+  __device__ void solve(std::int32_t, Work&& work) {
     work(*this);
   }
 
@@ -146,7 +146,7 @@ class ClusterCrew : public DeviceCrew {
 };
 
 /// More blocks than a cluster holds, all on the device at the same time; they meet at a gate in its memory. The first
-/// cluster iterates coupled moments: its blocks meet faster.
+/// cluster iterates coupled moments of few points: its blocks meet faster.
 class GateCrew : public DeviceCrew {
  public:
   using Lanes = LaneGroup<8>;
@@ -158,12 +158,20 @@ class GateCrew : public DeviceCrew {
   __device__ int block() const { return static_cast<int>(blockIdx.x) % blocks_; }
   __device__ int blocks() const { return blocks_; }
 
+  /// Few points leave the other blocks of the crew nothing to do that is worth their slower barrier.
   template <class Work>
-  __device__ void solve(Work&& work) {
+  __device__ void solve(std::int32_t points, Work&& work) {
     ClusterCrew team(room_, 0, nullptr);
+    if (points > team.blocks() * threads()) {
+      work(*this);
+      return;
+    }
     if (block() < team.blocks()) work(team);
     team_barriers_ += team.barriers();
   }
+  /// Other blocks do not reach a block's fast memory.
+  static constexpr bool shares_rooms = false;
+  __device__ std::byte* room_of(int) { return room_.room; }
 
   __device__ void barrier() {
     __syncthreads();
@@ -171,9 +179,9 @@ class GateCrew : public DeviceCrew {
     if (threadIdx.x == 0) {
       __threadfence();
       atomicAdd(&gate_->arrived, 1U);
-      while (load(&gate_->arrived) < passed_) {
-      }
-      room_.shared.alarms |= load(&gate_->alarms);
+      Seen seen = look_at(gate_);
+      while (seen.arrived < passed_) seen = look_at(gate_);
+      room_.shared.alarms |= seen.alarms;
     }
     __syncthreads();
   }
@@ -192,10 +200,17 @@ class GateCrew : public DeviceCrew {
   __device__ int team_barriers() const { return team_barriers_; }
 
  private:
-  __device__ static unsigned load(const unsigned* word) {
-    unsigned value;
-    asm volatile("ld.acquire.gpu.global.u32 %0, [%1];" : "=r"(value) : "l"(word) : "memory");
-    return value;
+  struct Seen {
+    unsigned arrived, alarms;
+  };
+  /// Both words at once: each look takes the way to the memory of all.
+  __device__ static Seen look_at(const CrewGate* gate) {
+    Seen seen;
+    unsigned long long both;
+    asm volatile("ld.acquire.gpu.global.u64 %0, [%1];" : "=l"(both) : "l"(&gate->arrived) : "memory");
+    seen.arrived = static_cast<unsigned>(both);
+    seen.alarms = static_cast<unsigned>(both >> 32);
+    return seen;
   }
 
   int blocks_;

@@ -21,12 +21,13 @@ namespace {
 class HostScene {
  public:
   HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0,
-            std::size_t room = 1 << 20)
+            std::size_t room = 1 << 20, bool apart = false)
       : field_(make_field_state(bodies, moment_constants(scene, bodies))),
         sizes_(scene_sizes(field_)),
         scene_(scene_constants(field_, scene.output.event_speed_m_per_s)),
         threads_(threads),
-        room_(room) {
+        room_(room),
+        apart_(apart) {
     sizes_.blocks = blocks;
     if (rows > 0) sizes_.rows = rows;
     sizes_.samples = 32;
@@ -46,8 +47,11 @@ class HostScene {
         SoloCrew crew;
         advance_scene(scene_, crew, some);
       } else {
-        test::run_team(sizes_.blocks, threads_, room_,
-                       [&](test::TeamCrew& crew) { advance_scene(scene_, crew, some); });
+        const auto move = [&](auto& crew) { advance_scene(scene_, crew, some); };
+        if (apart_)
+          test::run_team<test::ApartCrew>(sizes_.blocks, threads_, room_, move);
+        else
+          test::run_team<test::TeamCrew>(sizes_.blocks, threads_, room_, move);
       }
       const DeviceStatus& status = *scene_.status;
       append_log(field_, scene_, status, sizes_.blocks, log);
@@ -97,6 +101,7 @@ class HostScene {
   DeviceScene scene_;
   int threads_;
   std::size_t room_;
+  bool apart_;
   std::vector<std::byte> memory_[3];
   int growths_ = 0;
 };
@@ -165,8 +170,9 @@ TEST_P(DeviceResolutions, BlocksAndThreadsChangeNothing) {
   cpu->advance(moments, expected);
   EXPECT_GT(test::contacts_in(expected), 50);
   const std::size_t none = desk_minimum(8, test::team_lanes), bodies = none + 160 * 256, all = 1 << 20;
-  for (const auto& [blocks, threads, room] : {std::tuple{1, 8, none}, {2, 4, bodies}, {3, 4, all}}) {
-    HostScene device(scene, test::busy_field(scene), blocks, threads, 0, room);
+  for (const auto& [blocks, threads, room, apart] :
+       {std::tuple{1, 8, none, false}, {2, 4, bodies, false}, {3, 4, all, false}, {2, 8, all, true}}) {
+    HostScene device(scene, test::busy_field(scene), blocks, threads, 0, room, apart);
     MomentLog log;
     device.advance(moments, log);
     test::expect_same_bodies(device.bodies(), cpu->bodies());

@@ -37,6 +37,11 @@ struct alignas(16) PointCell {
   std::int32_t motion_a = -1, motion_b = -1;  // and where the motions of its bodies stand there
 };
 
+/// Points that the block of a body takes from its row.
+struct TakenPoints {
+  std::int32_t first = 0, count = 0;  // the first among those of the block
+};
+
 /// Numbers that are fetched together.
 struct alignas(16) FloatQuad {
   float part[4];

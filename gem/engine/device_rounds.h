@@ -111,12 +111,22 @@ class SolverRounds {
     if (held.b.record) *held.b.record = {{{{p.x, p.y, p.shift_x, p.shift_y}}, {{p.twist_b, p.turn_b, 0.0F, 0.0F}}}};
   }
 
-  /// Motions by the additions of the round: as CoupledRounds::move(). A body has two threads, one for what moves it and
-  /// one for what turns it; each fetches a few records together before it adds them in their order.
+  /// Motions by the additions of the round: as CoupledRounds::move(). The platform, first of all where it is among the
+  /// block's bodies, has a long row: the last warp is left to it.
   GEM_DEVICE GEM_INLINE static void move(const DeviceScene& s, Crew& crew, const SolverDesk& desk) {
+    constexpr int warp = Crew::Warp::size;
+    const bool alone = crew.threads() <= warp;
+    const int rest = desk.platform && !alone ? crew.threads() - warp : crew.threads();
+    if (desk.platform && (alone || crew.thread() >= rest)) move_platform(s, crew, desk);
+    if (crew.thread() < rest) move_floes(s, crew, desk, rest);
+  }
+
+  /// A body has two threads, one for what moves it and one for what turns it; each fetches a few records together
+  /// before it adds them in their order.
+  GEM_DEVICE GEM_INLINE static void move_floes(const DeviceScene& s, Crew& crew, const SolverDesk& desk, int threads) {
     constexpr int together = 4;
     const auto* const room = reinterpret_cast<const PushRecord*>(crew.room());
-    for (std::int32_t k = crew.thread(); k < 2 * desk.own.count(); k += crew.threads()) {
+    for (std::int32_t k = crew.thread() + (desk.platform ? 2 : 0); k < 2 * desk.own.count(); k += threads) {
       const std::int32_t e = desk.own.begin + k / 2, half = k % 2;
       const SolverEntry entry = desk.entry[e];
       const PushRecord* const record = entry.room >= 0 ? room + entry.room : s.push + entry.place;
@@ -137,6 +147,30 @@ class SolverRounds {
           {answer * (to_b.part[0] - to_a.part[0]), answer * (to_b.part[1] - to_a.part[1]),
            answer * (to_b.part[2] - to_a.part[2]), answer * (to_b.part[3] - to_a.part[3])}};
     }
+  }
+
+  /// A lane for each number of the platform's motion; its records are brought to the block's fast memory, if they do
+  /// not stand there. It has the lowest id: no record is one of a body B.
+  GEM_DEVICE GEM_INLINE static void move_platform(const DeviceScene& s, Crew& crew, const SolverDesk& desk) {
+    constexpr int parts = sizeof(PushRecord) / sizeof(float);
+    const auto warp = crew.warp();
+    const SolverEntry entry = desk.entry[desk.own.begin];
+    const auto* record = reinterpret_cast<const float*>(s.push + entry.place);
+    auto* const room = reinterpret_cast<float*>(crew.room());
+    if (entry.room >= 0) {
+      record = room + parts * entry.room;
+    } else if (static_cast<std::size_t>(entry.count) * sizeof(PushRecord) <= desk.stage_bytes) {
+      for (std::int32_t k = warp.rank(); k < parts * entry.count; k += Crew::Warp::size) room[k] = record[k];
+      warp.sync();
+      record = room;
+    }
+    float* const motion = reinterpret_cast<float*>(desk.motion ? &desk.motion[desk.own.begin] : &s.added[entry.body]);
+    for (int part = warp.rank(); part < parts; part += Crew::Warp::size) {
+      float sum = 0.0F;
+      for (std::int32_t k = 0; k < entry.count; ++k) sum += record[parts * k + part];
+      motion[part] = (part < parts / 2 ? entry.inverse_mass : entry.inverse_inertia) * (0.0F - sum);
+    }
+    warp.sync();
   }
 
   GEM_DEVICE GEM_INLINE static void add(FloatQuad& sum, const FloatQuad& term) {

@@ -114,8 +114,10 @@ struct DeviceScene {
   std::uint32_t *touched_bodies = nullptr, *touched_spots = nullptr;  // a bit for each moving body with points
   SolverEntry* solver_entry = nullptr;                                // of those bodies, by spot
   std::int32_t *bodies_before = nullptr, *spots_before = nullptr;     // each block's own: bits before each word of them
-  PointCell* taken_point = nullptr;    // as the blocks have taken them; the numbers of points stand in this order
-  std::int32_t* taken_list = nullptr;  // each block's own: points that it takes
+  PointCell* taken_point = nullptr;      // as the blocks have taken them; the numbers of points stand in this order
+  std::int32_t* taken = nullptr;         // points as the blocks have taken them
+  std::int32_t* taken_in_row = nullptr;  // the same by row, a body's from the place of its records on
+  TakenPoints* taken_of = nullptr;       // by place among the moving bodies with points
   std::int32_t points_capacity = 0;
   double *given = nullptr, *answered = nullptr;  // by place among those bodies [J]
   double* work_created = nullptr;                // by body: of its contacts as B, or as A with a fixed B [J]

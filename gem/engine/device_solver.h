@@ -70,7 +70,7 @@ class MomentSolver {
   }
 
   GEM_DEVICE void begin_point(std::int32_t i) {
-    PointCell point = s_.point[taken_list(s_, crew_)[i - desk_.points.begin]];
+    PointCell point = s_.point[s_.taken[i]];
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
     const BodyCell &a = s_.body[contact.a], &b = s_.body[contact.b];
@@ -127,7 +127,7 @@ class MomentSolver {
 };
 
 /// Resolves a coupled moment. The iterations are left to the part of the crew that waits least for each other: few
-/// points to one block, others to one cluster of blocks where the crew is made of several.
+/// points to one block, more to one cluster of blocks, many to all.
 template <class Crew>
 GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
   const std::int32_t points = s.counters->points;
@@ -136,7 +136,7 @@ GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const D
     OneBlock<Crew> alone(crew);
     if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, desk.solver_bytes).solve();
   } else {
-    crew.solve([&](auto& team) {
+    crew.solve(points, [&](auto& team) {
       using Team = std::remove_reference_t<decltype(team)>;
       MomentSolver<Team>(s, team, moment, desk.solver_bytes).solve();
     });

@@ -20,18 +20,14 @@ struct SolverDesk {
   Stretch own;                    // the block's stretch of them, by spot
   SolverEntry* entry = nullptr;   // by place among them
   AddedMotion* motion = nullptr;  // the same, in the block's fast memory; null: they stand by body
+  bool platform = false;          // the first of them is the platform
+  std::size_t stage_bytes = 0;    // of fast memory, from the start, that nothing stands in
 };
 
 /// Calls work(point) for the points of this thread.
 template <class Crew, class Work>
 GEM_DEVICE GEM_INLINE void each_point(const Crew& crew, const SolverDesk& desk, Work&& work) {
   for (std::int32_t i = desk.points.begin + crew.thread(); i < desk.points.end; i += crew.threads()) work(i);
-}
-
-/// The points that a block has taken, as the pairs have opened them.
-template <class Crew>
-GEM_DEVICE GEM_INLINE std::int32_t* taken_list(const DeviceScene& s, const Crew& crew) {
-  return s.taken_list + static_cast<std::int64_t>(crew.block()) * s.points_capacity;
 }
 
 template <class Crew>
@@ -63,7 +59,7 @@ class SolverList {
     crew_.block_barrier();
     place_entries(desk);
     // the platform, first of all where it is among them, has a long row: the last warp is left to it
-    const bool platform = own_.begin < own_.end && s_.solver_entry[own_.begin].body == 0;
+    const bool platform = desk.platform = own_.begin < own_.end && s_.solver_entry[own_.begin].body == 0;
     const bool alone = crew_.threads() <= Crew::Warp::size;
     const int rest = platform && !alone ? crew_.threads() - Crew::Warp::size : crew_.threads();
     if (platform && (alone || crew_.thread() >= rest)) list_points(crew_.warp(), desk, own_.begin, bodies);
@@ -76,6 +72,12 @@ class SolverList {
     if (crew_.thread() == 0) shared.first_taken = crew_.add(&s_.counters->taken_points, shared.taken);
     crew_.block_barrier();
     desk.points = {shared.first_taken, shared.first_taken + shared.taken};
+    for (std::int32_t e = own_.begin + crew_.thread(); e < own_.end; e += crew_.threads()) {
+      const TakenPoints taken = s_.taken_of[e];
+      for (std::int32_t k = 0; k < taken.count; ++k)
+        s_.taken[shared.first_taken + taken.first + k] = s_.taken_in_row[desk.entry[e].place + k];
+    }
+    crew_.block_barrier();
   }
 
  private:
@@ -98,6 +100,7 @@ class SolverList {
     const std::int32_t count = own_.count();
     desk.entry = s_.solver_entry;
     desk.motion = nullptr;
+    desk.stage_bytes = Crew::shares_rooms ? 0 : room_;
     records_begin_ = 0;
     if (!Crew::shares_rooms || 2 * static_cast<std::size_t>(count) * sizeof(PushRecord) > room_) return;
     desk.entry = reinterpret_cast<SolverEntry*>(crew_.room()) - own_.begin;
@@ -172,10 +175,8 @@ class SolverList {
     taken = lanes.sum(taken);
     std::int32_t room = lanes.rank() == 0 ? take_records(count) : 0;
     room = lanes.from(room, 0);
-    std::int32_t take = lanes.rank() == 0 && taken > 0 ? crew_.add(&crew_.shared().taken, taken) : 0;
-    take = lanes.from(take, 0);
     const std::int32_t moved_at = desk.motion ? room_place(crew_.block(), own_.count() + e - own_.begin) : -1;
-    std::int32_t before = 0;
+    std::int32_t before = 0, taken_before = 0;
     for (std::int32_t first = 0; first < places; first += stride) {
       if (places > stride) read = read_places(lanes, body, motion, first);
       for (int step = 0; step < PlacesOfLane::steps; ++step) {
@@ -183,17 +184,17 @@ class SolverList {
         const bool is_b = first + step * Group::size + lanes.rank() < lower;
         const RowPoints points = read.points[step];
         const std::int32_t mine = before + lanes.sum_below(points.count);
-        const std::int32_t to = take + lanes.sum_below(read.takes[step] ? points.count : 0);
+        const std::int32_t to = taken_before + lanes.sum_below(read.takes[step] ? points.count : 0);
         for (std::int32_t k = 0; k < points.count; ++k) {
           PointCell& point = s_.point[points.first + k];
           const std::int32_t in_room = room < 0 ? -1 : room_place(crew_.block(), room + mine + k);
           (is_b ? point.place_b : point.place_a) = 2 * begin + mine + k;
           (is_b ? point.room_b : point.room_a) = in_room;
           (is_b ? point.motion_b : point.motion_a) = moved_at;
-          if (read.takes[step]) taken_list(s_, crew_)[to + k] = points.first + k;
+          if (read.takes[step]) s_.taken_in_row[2 * begin + to + k] = points.first + k;
         }
         before += lanes.sum(points.count);
-        take += lanes.sum(read.takes[step] ? points.count : 0);
+        taken_before += lanes.sum(read.takes[step] ? points.count : 0);
       }
     }
     if (lanes.rank() != 0) return;
@@ -208,6 +209,7 @@ class SolverList {
                      static_cast<float>(cell.inverse_inertia),
                      bodies_before[body / 32] + bits_in(below)};
     s_.body_points[body] = {moment_, count};
+    s_.taken_of[e] = {taken > 0 ? crew_.add(&crew_.shared().taken, taken) : 0, taken};
     (desk.motion ? desk.motion[e] : s_.added[body]) = {};
   }
 

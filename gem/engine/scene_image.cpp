@@ -136,7 +136,9 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(s.spots_before, blocks * ((n + 31) / 32 + 1));
   s.points_capacity = static_cast<std::int32_t>(2 * pairs);
   placer.place(s.taken_point, 2 * pairs);
-  placer.place(s.taken_list, std::min<std::size_t>(blocks, 16) * 2 * pairs);
+  placer.place(s.taken, 2 * pairs);
+  placer.place(s.taken_in_row, 2 * rows);
+  placer.place(s.taken_of, n);
   placer.place(s.given, n);
   placer.place(s.answered, n);
   placer.place(s.work_created, n);

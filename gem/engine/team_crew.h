@@ -121,7 +121,7 @@ class TeamCrew {
   std::byte* room_of(int block) { return hall_.room[std::size_t(block)].data(); }
   static constexpr bool shares_rooms = true;
   template <class Work>
-  void solve(Work&& work) {
+  void solve(std::int32_t, Work&& work) {
     work(*this);
   }
   void lap(int) const {}
@@ -153,14 +153,27 @@ class TeamCrew {
   int block_, thread_;
 };
 
+/// The same where no block reaches another's fast memory.
+class ApartCrew : public TeamCrew {
+ public:
+  using TeamCrew::TeamCrew;
+  std::byte* room_of(int) { return room(); }
+  static constexpr bool shares_rooms = false;
+  template <class Work>
+  void solve(std::int32_t, Work&& work) {
+    work(*this);
+  }
+};
+
 /// Runs work(crew) on every thread of a team; `threads` is a multiple of team_lanes.
-inline void run_team(int blocks, int threads, std::size_t room_bytes, const std::function<void(TeamCrew&)>& work) {
+template <class Crew>
+void run_team(int blocks, int threads, std::size_t room_bytes, const std::function<void(Crew&)>& work) {
   TeamHall hall(blocks, threads, room_bytes);
   std::vector<std::thread> team;
   for (int b = 0; b < blocks; ++b)
     for (int t = 0; t < threads; ++t)
       team.emplace_back([&, b, t] {
-        TeamCrew crew(hall, b, t);
+        Crew crew(hall, b, t);
         work(crew);
       });
   for (std::thread& thread : team) thread.join();

@@ -21,6 +21,15 @@ CudaDevice chosen_device(int index) {
   throw Error(ExitCode::device, "GPU " + std::to_string(index) + " cannot be used (see gem devices) use another");
 }
 
+int chosen_threads(int threads) {
+  if (threads == 0) return most_threads;
+  if (threads < 32 || threads > most_threads || threads % 32 != 0)
+    throw Error(ExitCode::usage, "a block of " + std::to_string(threads) +
+                                     " threads is none that the kernel can have (32 to " +
+                                     std::to_string(most_threads) + ", a multiple of 32) choose another");
+  return threads;
+}
+
 }  // namespace
 
 class CudaBatch::Work {
@@ -31,7 +40,7 @@ class CudaBatch::Work {
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
       : device_(on_device(options)),
         arithmetic_(options.arithmetic),
-        threads_(options.threads > 0 ? options.threads : most_threads),
+        threads_(chosen_threads(options.threads)),
         chosen_blocks_(options.blocks),
         ring_moments_(options.ring_moments),
         status_memory_(sizeof(DeviceStatus) * scenes.size()),

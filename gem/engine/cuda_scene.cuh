@@ -171,6 +171,9 @@ class CudaScene {
     place_list(device_, sizes_, list_memory_.data());
     // pairs are copied whole, with the gaps between their members: these are not to look like something forgotten
     check_cuda(cudaMemset(device_.pair, 0, sizeof(PairCell) * (sizes_.rows / 2 + 1)), "clear the list");
+    // asked for together with the stamps that say whether they count
+    if (sizes_.coupled)
+      check_cuda(cudaMemset(device_.row_points, 0, sizeof(RowPoints) * sizes_.rows), "clear the list");
     const std::size_t bytes = place_rings(device_, sizes_, nullptr);
     if (bytes != ring_memory_.bytes()) {
       ring_memory_ = DeviceMemory(bytes);

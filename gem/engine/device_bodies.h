@@ -123,7 +123,7 @@ GEM_DEVICE inline bool is_finite(const Mover& mover, Vec2 velocity, double spin)
 }
 
 /// One floe or fixed body through the bodies phase.
-template <class Crew>
+template <Resolution resolution, class Crew>
 GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t i,
                                  const MomentStep& step) {
   if (i == 0) return;  // the platform's warp moves it at the same time
@@ -133,9 +133,9 @@ GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& d
   Mover mover = mover_of(cell);
   BodyAfter after{mover.velocity, mover.spin};
   BodyRepair repair;
-  bool struck = gather(s, i, cell, motion, step.moment, after);
+  bool struck = gather<resolution>(s, i, cell, motion, step.moment, after);
   if (cell.kind != BodyKind::floe || !cell.active) return;
-  if (s.constants.resolution == Resolution::coupled) {
+  if constexpr (resolution == Resolution::coupled) {
     struck = take_solved(s, i, step.moment, after, repair);
     if (struck) s.book(Channel::repair, i).angular_momentum += motion.mass * cross(repair.shift, after.velocity);
   }

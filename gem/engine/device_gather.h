@@ -115,9 +115,10 @@ GEM_DEVICE inline bool add_entries(const DeviceScene& s, std::int32_t row, std::
 
 /// Adds the contacts of the moment in ascending order of the other body; returns whether any acted. Those of a coupled
 /// moment are added up already.
+template <Resolution resolution>
 GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
                               std::int32_t moment, BodyAfter& after) {
-  const bool moves = cell.kind == BodyKind::floe && s.constants.resolution == Resolution::independent;
+  const bool moves = resolution == Resolution::independent && cell.kind == BodyKind::floe;
   const std::int32_t begin = motion.row_begin, lower = motion.lower_count;
   const std::int32_t places = moves ? motion.row_count : lower;
   bool struck = false;

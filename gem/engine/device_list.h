@@ -169,7 +169,8 @@ GEM_DEVICE inline void make_pairs(const DeviceScene& s, Crew& crew) {
 /// Builds the list at the positions of the moment's start, for a life of `horizon` moments. Raises alarm_list_full
 /// where the memory is too small; the status then says how much is needed.
 template <class Crew>
-GEM_DEVICE inline void build_list(const DeviceScene& s, Crew& crew, std::int64_t moment, std::int64_t horizon) {
+GEM_DEVICE GEM_NOINLINE inline void build_list(const DeviceScene& s, Crew& crew, std::int64_t moment,
+                                               std::int64_t horizon) {
   const bool one = rank_of(crew) == 0;
   crew.barrier();
   if (one) *s.counters = {};

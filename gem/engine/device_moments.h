@@ -36,7 +36,7 @@ GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Crew& crew,
 }
 
 /// The bodies phase of one moment.
-template <class Crew>
+template <Resolution resolution, class Crew>
 GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Crew& crew, const Desk& desk, const MomentStep& step) {
   BlockCell& shared = crew.shared();
   if (crew.thread() == 0) {
@@ -49,8 +49,9 @@ GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Crew& crew, const Desk
     shared.residual = shared.energy_created = 0.0;
     if (crew.block() == 0) s.counters->points = s.counters->taken_points = 0;
   }
-  for (std::int32_t i = desk.first_body; i < desk.bodies.end; i += desk.body_step) move_body(s, crew, desk, i, step);
-  if (desk.platform) move_platform(s, crew, desk, step);
+  for (std::int32_t i = desk.first_body; i < desk.bodies.end; i += desk.body_step)
+    move_body<resolution>(s, crew, desk, i, step);
+  if (desk.platform) move_platform<resolution>(s, crew, desk, step);
   crew.lap(stage_bodies);
 }
 
@@ -83,18 +84,16 @@ GEM_DEVICE inline std::int64_t next_horizon(const DeviceScene& s, std::int64_t l
   return next < s.horizon ? next : s.horizon;
 }
 
-/// Moves the scene on by `moments` moments, or less where something has to be done by the host first: the status says.
-template <class Crew>
-GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int32_t moments) {
-  // a scene that waits for others of its batch: its next moment has not begun
-  if (moments == 0) return;
+/// advance_scene() of one resolution: what the other needs would only take registers.
+template <Resolution resolution, class Crew>
+GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::int32_t moments) {
   DeviceStatus& status = *s.status;
   const bool one = rank_of(crew) == 0;
   const std::int64_t start = status.moment;
   std::int64_t list_moment = status.list_moment;
   std::int64_t horizon = status.horizon;
   bool list_valid = status.list_valid != 0;
-  const bool coupled = s.constants.resolution == Resolution::coupled;
+  constexpr bool coupled = resolution == Resolution::coupled;
   bool carried = true;  // the memory of the last moment stands apart from the list
   if (crew.thread() == 0) crew.shared() = {};
   crew.block_barrier();
@@ -124,7 +123,8 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
     const std::int64_t life = moment - list_moment;
     if (!list_valid || life >= horizon || (alarms & alarm_strayed)) {
       if (list_valid) horizon = next_horizon(s, life);
-      if (coupled && !carried) carry_memory(s, crew, desk);
+      if constexpr (coupled)
+        if (!carried) carry_memory(s, crew, desk);
       carried = true;
       close_work(s, crew, desk, moment);
       crew.block_barrier();
@@ -140,22 +140,23 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
         stop = DeviceStop::list_full;
         break;
       }
-      if (coupled) hand_out_memory(s, crew, moment);
+      if constexpr (coupled) hand_out_memory(s, crew, moment);
     }
-    pairs_phase(s, crew, desk, moment);
+    pairs_phase<resolution>(s, crew, desk, moment);
     crew.barrier();
     crew.lap(stage_pairs_wait);
-    if (coupled) resolve_coupled(s, crew, desk, moment);
+    if constexpr (coupled) resolve_coupled(s, crew, desk, moment);
     carried = false;
     const double elapsed = static_cast<double>(moment + 1 - list_moment) * s.constants.dt;
-    bodies_phase(s, crew, desk, {moment, done, elapsed, done + 1 < moments});
+    bodies_phase<resolution>(s, crew, desk, {moment, done, elapsed, done + 1 < moments});
     crew.barrier();
     crew.lap(stage_bodies_wait);
   }
   if (stop == DeviceStop::done && (crew.alarms() & alarm_not_finite)) stop = DeviceStop::not_finite;
   list_valid = list_valid && !(crew.alarms() & alarm_strayed);
 
-  if (coupled && !carried) carry_memory(s, crew, desk);
+  if constexpr (coupled)
+    if (!carried) carry_memory(s, crew, desk);
   close_work(s, crew, desk, static_cast<std::int32_t>(start) + done);
   crew.block_barrier();
   put_bodies_back(s, crew, desk);
@@ -172,6 +173,17 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int3
     status.team_barriers = crew.team_barriers();
     status.stop = stop;
   }
+}
+
+/// Moves the scene on by `moments` moments, or less where something has to be done by the host first: the status says.
+template <class Crew>
+GEM_DEVICE inline void advance_scene(const DeviceScene& s, Crew& crew, std::int32_t moments) {
+  // a scene that waits for others of its batch: its next moment has not begun
+  if (moments == 0) return;
+  if (s.constants.resolution == Resolution::coupled)
+    advance_resolved<Resolution::coupled>(s, crew, moments);
+  else
+    advance_resolved<Resolution::independent>(s, crew, moments);
 }
 
 }  // namespace gem

@@ -174,7 +174,7 @@ GEM_DEVICE inline void work_of_last_moment(const DeviceScene& s, Crew& crew, con
 }
 
 /// The pairs phase of one moment, a desk full of pairs at a time.
-template <class Crew>
+template <Resolution resolution, class Crew>
 GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
   BlockCell& shared = crew.shared();
   const std::int32_t groups = crew.threads() / Crew::Lanes::size;
@@ -192,7 +192,7 @@ GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Crew& crew, const Desk&
     if (crew.thread() == 0) shared.looks = 0;
     if (first + crew.threads() < desk.pairs.end) crew.block_barrier();
   }
-  if (s.constants.resolution == Resolution::coupled) {
+  if constexpr (resolution == Resolution::coupled) {
     if (crew.thread() == 0 && shared.points > 0) shared.first_point = crew.add(&s.counters->points, shared.points);
     crew.block_barrier();
     for (std::int32_t k = crew.thread(); k < shared.touches; k += crew.threads())

@@ -66,12 +66,13 @@ GEM_DEVICE inline PlatformTerm* term_room(const DeviceScene& s, const Desk& desk
 }
 
 /// What one contact point does to the platform; the velocities after a coupled moment are known already.
-GEM_DEVICE inline PlatformTerm platform_term(const DeviceScene& s, const BodyCell& cell, const Contact& contact,
-                                             const ContactSlot& slot, bool ice) {
+template <Resolution resolution>
+GEM_DEVICE inline PlatformTerm platform_term(const BodyCell& cell, const Contact& contact, const ContactSlot& slot,
+                                             bool ice) {
   const Vec2 impulse = world_impulse(contact, slot.impulse);
   const double twist = cross(slot.arm_a, impulse);
   MotionStep step;
-  if (s.constants.resolution == Resolution::independent)
+  if constexpr (resolution == Resolution::independent)
     step = motion_step({cell.inverse_mass, cell.inverse_inertia}, slot.arm_a, impulse);
   PlatformTerm term{{step.velocity.x, step.velocity.y, step.spin, 0.0, 0.0, 0.0, twist}};
   if (ice) {
@@ -84,12 +85,12 @@ GEM_DEVICE inline PlatformTerm platform_term(const DeviceScene& s, const BodyCel
 
 /// Lines up the terms of all contact points of the moment in order. Returns their number; `pressed` counts the floes
 /// that push, and events go to the ring.
-template <class Warp>
+template <Resolution resolution, class Warp>
 GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& warp, const BodyCell& cell,
                                              const BodyMotion& motion, std::int32_t moment, PlatformTerm* term,
                                              std::int32_t& pressed) {
   DeviceStatus& status = *s.status;
-  const bool coupled = s.constants.resolution == Resolution::coupled;
+  constexpr bool coupled = resolution == Resolution::coupled;
   const std::int32_t places = motion.row_count;
   std::int32_t terms = 0, events = status.events;
   for (std::int32_t first = 0; first < places; first += Warp::size) {
@@ -106,7 +107,7 @@ GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& w
     for (int k = 0; k < 2; ++k) {
       if (k >= points) break;
       const ContactSlot& slot = contact->slot[k];
-      term[to + k] = platform_term(s, cell, *contact, slot, ice);
+      term[to + k] = platform_term<resolution>(cell, *contact, slot, ice);
       presses = presses || (ice && slot.impulse.normal > 0.0);
     }
     const bool event = touched && s.wants_events && s.row_event_moment[at] == moment &&
@@ -161,7 +162,6 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformHeld& he
 
 /// Enters what shifting the platform does to the mooring's energy and to the angular momentum.
 GEM_DEVICE inline void book_platform_repair(const DeviceScene& s, double mass, const PlatformCell& p, Vec2 shift) {
-  if (s.constants.resolution == Resolution::independent) return;
   const Vec2 offset = p.moved - s.constants.anchor;
   Quantity& book = s.book(Channel::repair, 0);
   book.angular_momentum += mass * cross(shift, p.velocity);
@@ -169,7 +169,7 @@ GEM_DEVICE inline void book_platform_repair(const DeviceScene& s, double mass, c
 }
 
 /// What one thread does for the platform, once the contacts are summed.
-template <class Crew>
+template <Resolution resolution, class Crew>
 GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, const Desk& desk, const PlatformSums& sums,
                                           const BodyRepair& repair, std::int32_t pressed, const MomentStep& step) {
   BodyCell& cell = desk.body[0];
@@ -182,7 +182,7 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, cons
   if (s.constants.moored_or_free) {
     platform_half(s.constants, platform_motion(motion.mass, held), false);
     mover.position = p.moved + repair.shift;
-    book_platform_repair(s, motion.mass, p, repair.shift);
+    if constexpr (resolution == Resolution::coupled) book_platform_repair(s, motion.mass, p, repair.shift);
     turn(mover, s.constants.dt * sums.spin + repair.turn);
   }
   if (cell.active && !is_finite(mover, p.velocity, sums.spin)) crew.raise(alarm_not_finite);
@@ -198,24 +198,24 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, cons
 }
 
 /// The platform through the bodies phase.
-template <class Crew>
+template <Resolution resolution, class Crew>
 GEM_DEVICE inline void move_platform(const DeviceScene& s, Crew& crew, const Desk& desk, const MomentStep& step) {
   const auto warp = crew.warp();
   const BodyCell& cell = desk.body[0];
   std::int32_t pressed = 0;
   PlatformTerm* const term = term_room(s, desk, desk.motion[0].row_count);
-  const std::int32_t terms = line_up_terms(s, warp, cell, desk.motion[0], step.moment, term, pressed);
+  const std::int32_t terms = line_up_terms<resolution>(s, warp, cell, desk.motion[0], step.moment, term, pressed);
   PlatformSums start;
   BodyAfter after{cell.velocity, cell.spin};
   BodyRepair repair;
-  if (s.constants.resolution == Resolution::coupled) take_solved(s, 0, step.moment, after, repair);
+  if constexpr (resolution == Resolution::coupled) take_solved(s, 0, step.moment, after, repair);
   start.velocity = after.velocity;
   start.spin = after.spin;
   start.twist = s.platform->mooring_force.angular_momentum;
   const double travel = cell.turn_travel;
   const PlatformSums sums = add_terms(warp, start, term, terms);
   warp.sync();
-  if (warp.rank() == 0) move_platform_body(s, crew, desk, sums, repair, pressed, step);
+  if (warp.rank() == 0) move_platform_body<resolution>(s, crew, desk, sums, repair, pressed, step);
   warp.sync();
   if (cell.vertex_count > desk_vertices && cell.turn_travel != travel)
     turn_outline(s, cell.vertex_begin, cell.vertex_count, cell.rotation, warp.rank(), Crew::Warp::size);

@@ -111,7 +111,7 @@ class CudaJam : public OnGpu, public testing::WithParamInterface<Way> {
 
 TEST_P(CudaJam, NoLayoutOnTheGpuMatters) {
   for (const int blocks : {1, 2, 8, 16, 17, 36, 80, 112})
-    for (const int threads : {64, 256, 512}) {
+    for (const int threads : {32, 128, 256}) {
       CudaBatch batch(copies(1), {.blocks = blocks, .threads = threads, .ring_moments = 23});
       batch.restore(0, start_);
       std::vector<MomentLog> logs(1);
@@ -122,6 +122,11 @@ TEST_P(CudaJam, NoLayoutOnTheGpuMatters) {
       test::expect_same_books(batch.ledger(0), ledger_);
       test::expect_same_memory(batch.save(0), end_);
     }
+}
+
+TEST_P(CudaJam, ThreadsThatNoBlockCanHaveAreRefused) {
+  for (const int threads : {-32, 16, 48, 512})
+    EXPECT_THROW(CudaBatch(copies(1), {.threads = threads}), Error) << threads << " threads";
 }
 
 TEST_P(CudaJam, AListTooSmallGrowsAndLosesNothing) {

@@ -171,7 +171,9 @@ class CudaScene {
     place_list(device_, sizes_, list_memory_.data());
     // pairs are copied whole, with the gaps between their members: these are not to look like something forgotten
     check_cuda(cudaMemset(device_.pair, 0, sizeof(PairCell) * (sizes_.rows / 2 + 1)), "clear the list");
-    // asked for together with the stamps that say whether they count
+    // read whole, and before the stamps have said what of them counts
+    check_cuda(cudaMemset(device_.entry, 0, sizeof(RowEntry) * sizes_.rows), "clear the list");
+    check_cuda(cudaMemset(device_.work, 0, sizeof(RowWork) * sizes_.rows), "clear the list");
     if (sizes_.coupled)
       check_cuda(cudaMemset(device_.row_points, 0, sizeof(RowPoints) * sizes_.rows), "clear the list");
     const std::size_t bytes = place_rings(device_, sizes_, nullptr);

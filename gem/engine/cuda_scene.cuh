@@ -171,7 +171,7 @@ class CudaScene {
     place_list(device_, sizes_, list_memory_.data());
     // pairs are copied whole, with the gaps between their members: these are not to look like something forgotten
     check_cuda(cudaMemset(device_.pair, 0, sizeof(PairCell) * (sizes_.rows / 2 + 1)), "clear the list");
-    // read whole, and before the stamps have said what of them counts
+    // read whole, with what a contact of one point leaves out; the last also beside the stamps that say what counts
     check_cuda(cudaMemset(device_.entry, 0, sizeof(RowEntry) * sizes_.rows), "clear the list");
     check_cuda(cudaMemset(device_.work, 0, sizeof(RowWork) * sizes_.rows), "clear the list");
     if (sizes_.coupled)

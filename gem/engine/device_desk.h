@@ -35,7 +35,8 @@ struct Desk {
   PairCell* pair = nullptr;
   LookItem* look = nullptr;          // one for each thread
   DeskOutlines* outlines = nullptr;  // one for each group of lanes
-  // the room of looks and outlines, and what the copies leave, serves the iterations of a coupled moment too
+  // the room of looks and outlines, and what the copies leave, serves the iterations of a coupled moment too; that of
+  // the looks also the platform's terms
   std::size_t minimum_bytes = 0, bodies_begin = 0, solver_bytes = 0;
 };
 

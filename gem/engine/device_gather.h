@@ -84,7 +84,7 @@ GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const B
     const std::int32_t row = motion.row_begin + first;
     const std::uint32_t works = row_news(s, row, motion.lower_count - first, stamp).works;
     book_works(s, i, row, works);
-    for (int k = 0; works >> k != 0; ++k)
+    for (int k = 0; k < RowNews::stretch && works >> k != 0; ++k)
       if (works >> k & 1U) s.stamp[row + k].work = -1;  // the books may be closed once more before the next moment
   }
 }

@@ -188,7 +188,6 @@ GEM_DEVICE GEM_NOINLINE inline void build_list(const DeviceScene& s, Crew& crew,
   make_pairs(s, crew);
   if (one) {
     s.status->list_moment = moment;
-    s.status->horizon = horizon;
     s.status->list_valid = 1;
     ++s.status->builds;
   }

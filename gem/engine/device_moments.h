@@ -117,7 +117,6 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
     const std::uint32_t alarms = crew.alarms();
     if (alarms & (alarm_not_finite | alarm_ring_full)) {
       stop = alarms & alarm_not_finite ? DeviceStop::not_finite : DeviceStop::ring_full;
-      list_valid = list_valid && !(alarms & alarm_strayed);
       break;
     }
     const std::int64_t life = moment - list_moment;
@@ -153,7 +152,10 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
     crew.lap(stage_bodies_wait);
   }
   if (stop == DeviceStop::done && (crew.alarms() & alarm_not_finite)) stop = DeviceStop::not_finite;
-  list_valid = list_valid && !(crew.alarms() & alarm_strayed);
+  if (list_valid && (crew.alarms() & alarm_strayed)) {
+    list_valid = false;
+    horizon = next_horizon(s, start + done - list_moment);
+  }
 
   if constexpr (coupled)
     if (!carried) carry_memory(s, crew, desk);
@@ -167,6 +169,7 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
     status.moment = start + done;
     status.samples = done;
     status.list_valid = list_valid;
+    status.horizon = horizon;
     status.half_way = done < moments;
     crew.write_laps(status.stage_clocks);
     status.barriers = crew.barriers();

@@ -88,6 +88,11 @@ class HostScene {
   const Bodies& bodies() const { return field_.bodies; }
   const DeviceStatus& status() const { return *scene_.status; }
   int growths() const { return growths_; }
+  std::int32_t longest_lower_row() const {
+    std::int32_t longest = 0;
+    for (std::int32_t i = 0; i < scene_.bodies; ++i) longest = std::max(longest, scene_.motion[i].lower_count);
+    return longest;
+  }
 
  private:
   void grow() {
@@ -180,6 +185,54 @@ TEST_P(DeviceResolutions, BlocksAndThreadsChangeNothing) {
     test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
     EXPECT_GT(device.status().builds, 0);
   }
+}
+
+/// Floes at the platform and rows of more places than one stretch of a row or the first near bodies take.
+TEST_P(DeviceResolutions, LongRowsAndThePlatformByManyThreadsChangeNothing) {
+  constexpr std::int64_t moments = 6;
+  SceneDef scene = test::busy_scene(8);
+  scene.contact.resolution = GetParam();
+  scene.numerics.list_margin_m = 60.0;
+  const auto before = test::busy_engine(scene, "cpu");
+  const auto at_platform = [](const MomentLog& log) {
+    std::int64_t floes = 0;
+    for (const PlatformMoment& sample : log.platform) floes += sample.contacts;
+    return floes;
+  };
+  for (MomentLog skipped; at_platform(skipped) < 5 && before->moment() < 3000;) {
+    skipped.clear();
+    before->advance(5, skipped);
+  }
+  const Bodies field = before->bodies();
+  const auto cpu = make_engine(scene, field, {"cpu", 1});
+  MomentLog expected;
+  cpu->advance(moments, expected);
+  EXPECT_GT(at_platform(expected), 5);
+  const std::size_t all = 1 << 20;
+  for (const auto& [blocks, threads, apart] : {std::tuple{2, 8, false}, {2, 8, true}}) {
+    HostScene device(scene, field, blocks, threads, 0, all, apart);
+    MomentLog log;
+    device.advance(moments, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+    EXPECT_GT(device.longest_lower_row(), RowNews::stretch);
+  }
+}
+
+TEST_P(DeviceResolutions, AHorizonFollowsTheLifeOfListsInShortCallsToo) {
+  SceneDef scene = test::busy_scene(6);
+  scene.contact.resolution = GetParam();
+  HostScene device(scene, test::busy_field(scene));
+  const std::int64_t longest = device.status().horizon;
+  MomentLog log;
+  std::int64_t least = longest;
+  for (int call = 0; call < 400; ++call) {
+    device.advance(1, log);
+    least = std::min(least, device.status().horizon);
+  }
+  EXPECT_GE(least, 4);
+  EXPECT_LT(least, longest);
 }
 
 TEST_P(DeviceResolutions, AListTooSmallGrowsAndLosesNothing) {

@@ -59,7 +59,7 @@ GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformHeld& h
   mover.spin = spin;
 }
 
-/// Where the terms of a moment stand: in the fast memory that the looks leave free, as far as it holds them.
+/// Where the terms of a moment stand: in the fast memory of the looks, which nobody takes now, if it holds them all.
 GEM_DEVICE inline PlatformTerm* term_room(const DeviceScene& s, const Desk& desk, std::int32_t places) {
   const std::size_t bytes = 2 * static_cast<std::size_t>(places) * sizeof(PlatformTerm);
   return bytes <= desk.minimum_bytes ? reinterpret_cast<PlatformTerm*>(desk.look) : s.term;

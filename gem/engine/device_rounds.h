@@ -1,4 +1,5 @@
-// Rounds of iterations on a device: as CoupledRounds, each point by the thread that holds it, each body by two.
+// Rounds of iterations on a device: as CoupledRounds, each point by the thread that holds it, each floe
+// by two, the platform by a warp.
 #pragma once
 
 #include <cstring>

@@ -54,7 +54,7 @@ enum class DeviceStop : std::int32_t { done, list_full, ring_full, not_finite };
 struct DeviceStatus {
   std::int64_t moment = 0;
   std::int64_t list_moment = 0;  // at whose start the list was built
-  std::int64_t horizon = 1;      // moments that it was built for
+  std::int64_t horizon = 1;      // moments that it was built for, or that the next one is
   std::int64_t builds = 0;
   std::int32_t list_valid = 0;
   std::int32_t half_way = 0;                          // the solo events of the next moment are done
@@ -130,7 +130,7 @@ struct DeviceScene {
   std::uint32_t* near_large = nullptr;  // for each large body: a bit for each body near it
   ListCounters* counters = nullptr;
 
-  PlatformTerm* term = nullptr;      // two for each place in the platform's row
+  PlatformTerm* term = nullptr;      // two for each place in the platform's row; where fast memory does not hold them
   EventRecord* row_event = nullptr;  // one for each place in the platform's row
   std::int64_t* row_event_moment = nullptr;
   PlatformMoment* sample = nullptr;       // ring

@@ -27,7 +27,7 @@ class Placer {
   std::size_t used_ = 0;
 };
 
-/// Cells of the finest grid that list_grid() may choose.
+/// Cells of the finest grid that list_grid() may choose, with the empty one behind each row.
 std::int32_t grid_cells(std::int32_t bodies) {
   const std::int32_t side = static_cast<std::int32_t>(4.0 * std::sqrt(static_cast<double>(bodies))) + 2;
   return side * side;

@@ -88,7 +88,8 @@ def panel_of(title, group, kind, what):
         panel.curve(f"{chart.FAMILIES[family]}, other", chart.COLOURS[family], rest, "points pt 6 ps 0.7")
     for name, (cost, error, _) in gpu.items():
         label, point = ("a batch of copies", 11) if "copies" in name else ("one scene", 9)
-        panel.curve(f"GPU, {label}", chart.COLOURS["cuda"], [(cost, error)], f"points pt {point} ps 1.2")
+        resolution, filled = ("coupled", point) if "coupled" in name else ("independent", point - 1)
+        panel.curve(f"GPU {resolution}, {label}", chart.COLOURS["cuda"], [(cost, error)], f"points pt {filled} ps 1.2")
     front = pareto_front({s: p for s, p in points.items() if chart.family_of(s) != "dropped"})
     panel.curve("Pareto front of the processor", "#000000", staircase(front), "lines lw 1 dt 3")
     for setting, (cost, error) in front:

@@ -64,12 +64,17 @@ std::int64_t moments_in(const SceneDef& scene, double time) { return std::llroun
 
 /// Ends a row with the barriers of a moment and the share of each stage in the first thread's time.
 void end_row(const CudaBatch& batch) {
+  std::printf(",%s", batch.launches() == Launches::phases ? "phases" : "moments");
   const auto [barriers, of_team] = batch.barriers();
   std::printf(",%.2f,%.2f", barriers, of_team);
   const std::vector<double> clocks = batch.stage_clocks();
   double all = 0.0;
   for (const double clock : clocks) all += clock;
-  for (const double clock : clocks) std::printf(",%.3f", clock / all);
+  for (const double clock : clocks)
+    if (all > 0.0)
+      std::printf(",%.3f", clock / all);
+    else
+      std::printf(",");  // by phases no block stays to read its clock
   std::printf("\n");
   std::fflush(stdout);
 }
@@ -77,7 +82,7 @@ void end_row(const CudaBatch& batch) {
 void header() {
   std::printf(
       "commit,device,resolution,arithmetic,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,"
-      "x_real_time,contacts,wall_over_device,state_hash,barriers,team_barriers");
+      "x_real_time,contacts,wall_over_device,state_hash,launches,barriers,team_barriers");
   for (const std::string& stage : cuda_stage_names()) std::printf(",%s", stage.c_str());
   std::printf("\n");
 }

@@ -66,6 +66,7 @@ struct OneLane {
 class SoloCrew {
  public:
   using Lanes = OneLane;
+  using Wide = OneLane;  // as many or more lanes
   using Warp = OneLane;
 
   int block() const { return 0; }
@@ -73,6 +74,7 @@ class SoloCrew {
   int thread() const { return 0; }
   int threads() const { return 1; }
   Lanes lanes() const { return {}; }
+  Wide wide() const { return {}; }
   Warp warp() const { return {}; }
   void barrier() {}
   void block_barrier() {}

@@ -1,14 +1,19 @@
-// Batches of scenes on a GPU: one cluster of blocks moves each scene through many moments in one launch.
+// Batches of scenes on a GPU. In one launch blocks that stay move each scene through many moments; or, where
+// independent scenes are many, a launch makes one phase of one moment of all of them.
 #include "gem/engine/cuda_engine.h"
 
 #include <algorithm>
 #include <bit>
 #include <exception>
 #include <map>
+#include <numeric>
+#include <thread>
 
 #include "gem/engine/block_share.h"
 #include "gem/engine/cuda_launch.cuh"
+#include "gem/engine/cuda_phase_launch.cuh"
 #include "gem/engine/cuda_scene.cuh"
+#include "gem/engine/thread_team.h"
 
 namespace gem {
 namespace {
@@ -35,6 +40,10 @@ int chosen_threads(int threads) {
 class CudaBatch::Work {
   /// Of the slowest scene in one launch: fewer would not be worth the start.
   static constexpr std::int64_t fewest_moments = 16;
+  static constexpr std::size_t most_phase_streams = 8;
+  /// On one multiprocessor: with fewer blocks whole moments are faster.
+  static constexpr int phase_blocks_worth_it = 5;
+  static constexpr std::size_t most_recorders = 8;  // threads that append what the scenes have recorded
 
  public:
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
@@ -43,10 +52,11 @@ class CudaBatch::Work {
         threads_(chosen_threads(options.threads)),
         chosen_blocks_(options.blocks),
         ring_moments_(options.ring_moments),
+        launches_(options.launches),
         status_memory_(sizeof(DeviceStatus) * scenes.size()),
         scene_memory_(sizeof(DeviceScene) * scenes.size()),
         wanted_memory_(sizeof(std::int32_t) * scenes.size()),
-        gate_memory_(sizeof(CrewGate) * scenes.size()),
+        gate_memory_(2 * sizeof(CrewGate) * scenes.size()),
         status_(sizeof(DeviceStatus) * scenes.size()),
         scene_(sizeof(DeviceScene) * scenes.size()),
         wanted_(sizeof(std::int32_t) * scenes.size()) {
@@ -85,8 +95,11 @@ class CudaBatch::Work {
   }
   std::size_t size() const { return scenes_.size(); }
   const CudaDevice& device() const { return device_; }
-  int blocks() const { return share_.front(); }
-  int threads() const { return threads_; }
+  Launches launches() const { return last_launches_; }
+  int blocks() const {
+    return last_launches_ == Launches::phases ? scenes_.front().device().phase_blocks : share_.front();
+  }
+  int threads() const { return last_launches_ == Launches::phases ? phase_threads : threads_; }
   double device_time() const { return device_time_; }
   const std::vector<double>& stage_clocks() const { return stage_clocks_; }
   std::pair<double, double> barriers() const {
@@ -167,13 +180,67 @@ class CudaBatch::Work {
     for (std::size_t k = 0; k < ahead.size(); ++k)
       if (ahead[k].most > 0) active.push_back(k);
     if (active.empty()) return;
+    last_launches_ = moves_by_phases(active) ? Launches::phases : Launches::moments;
+    if (last_launches_ == Launches::phases) {
+      move_by_phases(active, ahead);
+      collect(active, ahead, logs);
+      return;
+    }
     guess_work(active);
     share_out(active, ahead);
     std::stable_sort(active.begin(), active.end(), [this](std::size_t i, std::size_t j) {
       return share_[i] != share_[j] ? share_[i] > share_[j] : work_[i] > work_[j];
     });
     move(active, ahead);
-    for (const std::size_t k : active) collect(k, ahead[k], logs ? &(*logs)[k] : nullptr);
+    collect(active, ahead, logs);
+  }
+
+  /// Whether these scenes are moved by a launch for each phase: they are more than all threads at work.
+  bool moves_by_phases(const std::vector<std::size_t>& active) const {
+    if (launches_ == Launches::moments || chosen_blocks_ > 0) return false;
+    std::int64_t blocks = 0;
+    for (const std::size_t k : active) {
+      const DeviceScene& scene = scenes_[k].device();
+      if (scene.constants.resolution == Resolution::coupled) return false;
+      blocks += scene.phase_blocks;
+    }
+    return launches_ == Launches::phases || blocks >= phase_blocks_worth_it * device_.multiprocessors;
+  }
+
+  void move_by_phases(const std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
+    std::vector<std::int64_t> moments;
+    std::vector<int> blocks;
+    for (const std::size_t k : active) {
+      moments.push_back(std::min<std::int64_t>(ahead[k].most, ring_moments_));
+      blocks.push_back(scenes_[k].device().phase_blocks);
+      share_[k] = 1;
+    }
+    send(active, moments);
+    time_.begin();
+    const std::size_t streams = phase_streams_for(std::accumulate(blocks.begin(), blocks.end(), 0), active.size());
+    while (phases_.size() < streams)
+      phases_.push_back(std::make_unique<PhaseStream>(arithmetic_, device_.multiprocessors));
+    for (std::size_t g = 0; g < streams; ++g) {
+      const std::size_t first = active.size() * g / streams, last = active.size() * (g + 1) / streams;
+      PhaseLaunch work{};
+      work.scenes = reinterpret_cast<const DeviceScene*>(scene_memory_.data()) + first;
+      work.moments = reinterpret_cast<const std::int32_t*>(wanted_memory_.data()) + first;
+      work.gates = reinterpret_cast<CrewGate*>(gate_memory_.data()) + first;
+      work.team_gates = work.gates + scenes_.size();
+      phases_[g]->begin(work, {blocks.begin() + std::ptrdiff_t(first), blocks.begin() + std::ptrdiff_t(last)},
+                        static_cast<int>(streams), time_);
+    }
+    each_phase(*std::max_element(moments.begin(), moments.end()), [&](DevicePhase phase) {
+      for (std::size_t g = 0; g < streams; ++g) phases_[g]->launch(phase);
+    });
+    for (std::size_t g = 0; g < streams; ++g) phases_[g]->end(time_);
+    finish();
+  }
+
+  /// Streams among which scenes of so many blocks are shared out.
+  std::size_t phase_streams_for(int blocks, std::size_t scenes) const {
+    const int useful = std::max(1, blocks / device_.multiprocessors);
+    return std::min<std::size_t>({scenes, most_phase_streams, static_cast<std::size_t>(useful)});
   }
 
   /// A scene that has made no moment yet is taken for one like the others.
@@ -192,22 +259,35 @@ class CudaBatch::Work {
     std::vector<double> time;
     for (const std::size_t k : active) time.push_back(work_[k] / share_[k]);
     const std::vector<std::int64_t> moments = share_moments(time, fewest_moments, ring_moments_);
+    std::vector<std::int64_t> wanted;
+    for (std::size_t at = 0; at < active.size(); ++at) wanted.push_back(std::min(ahead[active[at]].most, moments[at]));
+    send(active, wanted);
+    time_.begin();
+    for (std::size_t first = 0, end = 0; first < active.size(); first = end) {
+      while (end < active.size() && share_[active[end]] == share_[active[first]]) ++end;
+      launch_part(first, end - first, share_[active[first]]);
+    }
+    finish();
+  }
+
+  /// What the launches of a call work on: scenes in this order, and the moments that are wanted of each.
+  void send(const std::vector<std::size_t>& active, const std::vector<std::int64_t>& moments) {
     auto* scene = reinterpret_cast<DeviceScene*>(scene_.data());
     auto* wanted = reinterpret_cast<std::int32_t*>(wanted_.data());
     for (std::size_t at = 0; at < active.size(); ++at) {
       scene[at] = scenes_[active[at]].device();
-      wanted[at] = static_cast<std::int32_t>(std::min(ahead[active[at]].most, moments[at]));
+      wanted[at] = static_cast<std::int32_t>(moments[at]);
     }
     const cudaStream_t stream = time_.stream();
     check_cuda(cudaMemcpyAsync(scene_memory_.data(), scene, scene_.bytes(), cudaMemcpyHostToDevice, stream), "start");
     check_cuda(cudaMemcpyAsync(wanted_memory_.data(), wanted, wanted_.bytes(), cudaMemcpyHostToDevice, stream),
                "start");
     check_cuda(cudaMemsetAsync(gate_memory_.data(), 0, gate_memory_.bytes(), stream), "start");
-    time_.begin();
-    for (std::size_t first = 0, end = 0; first < active.size(); first = end) {
-      while (end < active.size() && share_[active[end]] == share_[active[first]]) ++end;
-      launch_part(first, end - first, share_[active[first]]);
-    }
+  }
+
+  /// Waits for the launches of a call.
+  void finish() {
+    const cudaStream_t stream = time_.stream();
     time_.end();
     check_cuda(cudaMemcpyAsync(status_.data(), status_memory_.data(), status_.bytes(), cudaMemcpyDeviceToHost, stream),
                "answer");
@@ -231,11 +311,49 @@ class CudaBatch::Work {
     time_.wait_for(part);
   }
 
-  /// Takes what a call left and removes what stopped it.
-  void collect(std::size_t k, MomentsAhead& ahead, MomentLog* log) {
-    DeviceStatus status = reinterpret_cast<const DeviceStatus*>(status_.data())[k];
-    CudaScene& scene = scenes_[k];
-    scene.note(status);
+  /// Takes what a call left of each scene and removes what stopped it.
+  void collect(const std::vector<std::size_t>& active, std::vector<MomentsAhead>& ahead, std::vector<MomentLog>* logs) {
+    for (const std::size_t k : active) {
+      note(k, status_of(k));
+      ahead[k].most -= status_of(k).samples;
+      ahead[k].all -= status_of(k).samples;
+    }
+    if (logs) record(active, ahead, *logs);
+    for (const std::size_t k : active) guarded(k, ahead[k], [&] { go_on(scenes_[k], status_of(k), ahead[k]); });
+  }
+
+  const DeviceStatus& status_of(std::size_t k) const {
+    return reinterpret_cast<const DeviceStatus*>(status_.data())[k];
+  }
+
+  /// Appends the rings of all scenes, by several threads where they are many.
+  void record(const std::vector<std::size_t>& active, std::vector<MomentsAhead>& ahead, std::vector<MomentLog>& logs) {
+    for (const std::size_t k : active) scenes_[k].fetch(status_of(k), share_[k], time_.stream());
+    check_cuda(cudaStreamSynchronize(time_.stream()), "fetch the record");
+    const auto append = [&](std::size_t k) {
+      DeviceStatus status = status_of(k);
+      // the moment that failed is not logged
+      if (status.stop == DeviceStop::not_finite && status.samples > 0) --status.samples;
+      guarded(k, ahead[k], [&] { scenes_[k].append(status, share_[k], logs[k]); });
+    };
+    constexpr std::size_t scenes_worth_a_thread = 8;
+    const int threads = static_cast<int>(std::min<std::size_t>(
+        {active.size() / scenes_worth_a_thread, most_recorders, std::thread::hardware_concurrency()}));
+    if (threads < 2) {
+      for (const std::size_t k : active) append(k);
+      return;
+    }
+    if (!recorders_) recorders_ = std::make_unique<ThreadTeam>(threads);
+    recorders_->run([&](int rank) {
+      const auto count = static_cast<std::int64_t>(active.size());
+      for (std::int64_t at = recorders_->begin_of(rank, count); at < recorders_->begin_of(rank + 1, count); ++at)
+        append(active[static_cast<std::size_t>(at)]);
+    });
+  }
+
+  /// How the scene got on: what a moment of it costs.
+  void note(std::size_t k, const DeviceStatus& status) {
+    scenes_[k].note(status);
     double clocks = 0.0;
     for (std::size_t stage = 0; stage < stage_clocks_.size(); ++stage) {
       clocks += static_cast<double>(status.stage_clocks[stage]);
@@ -247,23 +365,21 @@ class CudaBatch::Work {
       counted_moments_ += status.samples;
     }
     if (status.samples > 0) work_[k] = clocks * share_[k] / status.samples;
-    ahead.most -= status.samples;
-    ahead.all -= status.samples;
-    const bool failed = status.stop == DeviceStop::not_finite;
-    if (failed && status.samples > 0) --status.samples;  // the moment that failed is not logged
-    guarded(k, ahead, [&] {
-      if (log) scene.append(status, share_[k], time_.stream(), *log);
-      if (status.stop == DeviceStop::list_full) scene.grow(status);
-      if (!failed) return;
-      ahead.most = 0;
-      scene.bodies();
-      check_finite(scene.field(), status.moment);
-    });
+  }
+
+  /// Removes what stopped a scene, where that can be done.
+  static void go_on(CudaScene& scene, const DeviceStatus& status, MomentsAhead& ahead) {
+    if (status.stop == DeviceStop::list_full) scene.grow(status);
+    if (status.stop != DeviceStop::not_finite) return;
+    ahead.most = 0;
+    scene.bodies();
+    check_finite(scene.field(), status.moment);
   }
 
   CudaDevice device_;
   Arithmetic arithmetic_;
   int threads_, chosen_blocks_, ring_moments_;
+  Launches launches_, last_launches_ = Launches::moments;
   std::map<std::size_t, int> blocks_of_count_;
   std::vector<int> useful_;       // most blocks of each scene
   ClusterRoom cluster_room_{};    // asked for when scenes first share the GPU
@@ -271,11 +387,13 @@ class CudaBatch::Work {
   std::vector<int> share_;        // blocks of each in the last launch
   std::map<int, Timeline> part_;  // of a launch, by the blocks of a scene
   Timeline time_;
+  std::vector<std::unique_ptr<PhaseStream>> phases_;
   DeviceMemory status_memory_, scene_memory_, wanted_memory_, gate_memory_;
   PinnedMemory status_, scene_, wanted_;
   std::vector<CudaScene> scenes_;
   double device_time_ = 0.0, barriers_ = 0.0, team_barriers_ = 0.0, counted_moments_ = 0.0;
   std::vector<double> stage_clocks_ = std::vector<double>(stage_count);
+  std::unique_ptr<ThreadTeam> recorders_;   // made when they are first needed
   std::vector<std::exception_ptr> faults_;  // of each scene, since the last call
 };
 
@@ -303,6 +421,7 @@ std::uint64_t CudaBatch::state_hash(std::size_t scene) { return hash_of(moment(s
 const CudaDevice& CudaBatch::device() const { return work_->device(); }
 int CudaBatch::blocks() const { return work_->blocks(); }
 int CudaBatch::threads() const { return work_->threads(); }
+Launches CudaBatch::launches() const { return work_->launches(); }
 double CudaBatch::device_time() const { return work_->device_time(); }
 std::vector<double> CudaBatch::stage_clocks() const { return work_->stage_clocks(); }
 std::pair<double, double> CudaBatch::barriers() const { return work_->barriers(); }

@@ -33,6 +33,10 @@ enum class Arithmetic { strict, fast };
 /// Moments that the quickest scene makes in one launch.
 constexpr int most_launch_moments = 256;
 
+/// What a launch does. moments: many moments of all scenes, by blocks that stay. phases: one phase of one moment of all
+/// scenes, which have independent contacts; for scenes that are many or have many bodies. chosen: what is faster.
+enum class Launches { chosen, moments, phases };
+
 /// How the scenes of a batch are laid out on the GPU. With strict arithmetic no choice changes a result.
 struct CudaOptions {
   int device = -1;                         // -1: the first that can be used
@@ -42,6 +46,7 @@ struct CudaOptions {
   int list_rows = 0;    // places of the list of near bodies to begin with; it grows on demand; 0: chosen
   bool samples = true;  // keep what the platform felt
   Arithmetic arithmetic = Arithmetic::strict;
+  Launches launches = Launches::chosen;
 };
 
 /// A scene of a batch.
@@ -86,6 +91,8 @@ class CudaBatch {
   /// Blocks of the first scene in the last launch; others may have had another number.
   int blocks() const;
   int threads() const;
+  /// What the launches of the last call did: moments or phases.
+  Launches launches() const;
   /// Time that the GPU spent in the kernels of the last advance [s].
   double device_time() const;
   /// Clocks of the first scene's first thread since construction, by stage; see cuda_stage_names.

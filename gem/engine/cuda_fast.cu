@@ -1,8 +1,10 @@
-// The kernel with contraction.
+// The kernels with contraction.
 #include "gem/engine/cuda_kernel.cuh"
+#include "gem/engine/cuda_phases.cuh"
 
 namespace gem {
 
 AdvanceKernel fast_kernel(bool gated) { return kernel_of(gated); }
+PhaseKernel fast_phase(DevicePhase phase) { return phase_kernel_of(phase); }
 
 }  // namespace gem

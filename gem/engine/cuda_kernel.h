@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "gem/engine/cuda_engine.h"
-#include "gem/engine/device_scene.h"
+#include "gem/engine/device_phases.h"
 
 namespace gem {
 
@@ -27,10 +27,37 @@ struct Launch {
   std::size_t room_bytes;
 };
 
+/// A block of a grid that makes one phase of many scenes: its scene, and which it is of the scene's blocks.
+struct PhaseBlock {
+  std::int32_t scene, block, blocks;
+};
+
+/// The scenes that need a new list in this moment, in no order.
+struct ListQueue {
+  std::int32_t count;
+  std::int32_t scene[1];  // as many as there are scenes
+};
+
+/// What the launch of a phase works on.
+struct PhaseLaunch {
+  const DeviceScene* scenes;
+  const std::int32_t* moments;
+  CrewGate* gates;       // of each scene: its alarms
+  CrewGate* team_gates;  // as many, for the blocks that build a list together
+  const PhaseBlock* blocks;
+  ListQueue* queue;
+  int scene_count;
+  std::size_t room_bytes;
+};
+
 using AdvanceKernel = void (*)(const Launch);
 
 /// `gated`: for scenes of more blocks than a cluster holds.
+using PhaseKernel = void (*)(const PhaseLaunch);
+
 AdvanceKernel strict_kernel(bool gated);
 AdvanceKernel fast_kernel(bool gated);
+PhaseKernel strict_phase(DevicePhase phase);
+PhaseKernel fast_phase(DevicePhase phase);
 
 }  // namespace gem

@@ -134,7 +134,7 @@ class Timeline {
     begin();
   }
   /// Goes on when `other` has ended.
-  void wait_for(const Timeline& other) { check_cuda(cudaStreamWaitEvent(stream_, other.end_, 0), "start"); }
+  void wait_for(const Timeline& other) const { check_cuda(cudaStreamWaitEvent(stream_, other.end_, 0), "start"); }
   double seconds() const {
     float milliseconds = 0.0F;
     check_cuda(cudaEventElapsedTime(&milliseconds, begin_, end_), "be timed");

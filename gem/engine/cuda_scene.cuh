@@ -54,14 +54,17 @@ class CudaScene {
     state_here_ = books_here_ = false;
   }
 
-  /// Fetches the rings of the last call, by so many blocks, and appends them.
-  void append(const DeviceStatus& status, int blocks, cudaStream_t stream, MomentLog& log) {
+  /// Begins to fetch what the last call, by so many blocks, has left in the rings.
+  void fetch(const DeviceStatus& status, int blocks, cudaStream_t stream) {
     if (status.samples == 0) return;
-    const std::size_t events = reinterpret_cast<std::byte*>(device_.event) - ring_memory_.data();
-    const std::size_t used = events + sizeof(EventRecord) * static_cast<std::size_t>(status.events);
-    check_cuda(cudaMemcpyAsync(ring_here_.data(), ring_memory_.data(), used, cudaMemcpyDeviceToHost, stream),
-               "fetch the record");
-    check_cuda(cudaStreamSynchronize(stream), "fetch the record");
+    const auto moments = static_cast<std::size_t>(status.samples) * static_cast<std::size_t>(blocks);
+    fetch(device_.overlap_count, device_.quality + moments, stream);
+    fetch(device_.event, device_.event + status.events, stream);
+  }
+
+  /// Appends the rings, once they have come.
+  void append(const DeviceStatus& status, int blocks, MomentLog& log) const {
+    if (status.samples == 0) return;
     DeviceScene rings;
     place_rings(rings, sizes_, ring_here_.data());
     append_log(field_, rings, status, blocks, log);
@@ -125,6 +128,15 @@ class CudaScene {
   }
 
  private:
+  /// A stretch of the rings.
+  void fetch(const void* begin, const void* end, cudaStream_t stream) {
+    const auto* const from = static_cast<const std::byte*>(begin);
+    const std::size_t at = from - ring_memory_.data(), bytes = static_cast<const std::byte*>(end) - from;
+    if (bytes == 0) return;
+    check_cuda(cudaMemcpyAsync(ring_here_.data() + at, from, bytes, cudaMemcpyDeviceToHost, stream),
+               "fetch the record");
+  }
+
   void upload() {
     DeviceScene here = device_;
     DeviceStatus status;
@@ -174,6 +186,7 @@ class CudaScene {
     // read whole, with what a contact of one point leaves out; the last also beside the stamps that say what counts
     check_cuda(cudaMemset(device_.entry, 0, sizeof(RowEntry) * sizes_.rows), "clear the list");
     check_cuda(cudaMemset(device_.work, 0, sizeof(RowWork) * sizes_.rows), "clear the list");
+    check_cuda(cudaMemset(device_.row_event, 0, sizeof(EventRecord) * sizes_.platform_rows), "clear the list");
     if (sizes_.coupled)
       check_cuda(cudaMemset(device_.row_points, 0, sizeof(RowPoints) * sizes_.rows), "clear the list");
     const std::size_t bytes = place_rings(device_, sizes_, nullptr);

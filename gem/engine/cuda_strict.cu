@@ -1,8 +1,10 @@
-// The kernel without contraction.
+// The kernels without contraction.
 #include "gem/engine/cuda_kernel.cuh"
+#include "gem/engine/cuda_phases.cuh"
 
 namespace gem {
 
 AdvanceKernel strict_kernel(bool gated) { return kernel_of(gated); }
+PhaseKernel strict_phase(DevicePhase phase) { return phase_kernel_of(phase); }
 
 }  // namespace gem

@@ -152,10 +152,13 @@ GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& d
     mover.velocity = after.velocity;
     mover.spin = after.spin;
   }
-  BodyCell& shown = s.body[i];
-  write_mover(shown, mover);
   write_mover(cell, mover);
-  if (retires) shown.active = cell.active = 0;
+  if (retires) cell.active = 0;
+  if (desk.shows) {
+    BodyCell& shown = s.body[i];
+    write_mover(shown, mover);
+    if (retires) shown.active = 0;
+  }
   s.after[i].velocity = after.velocity;
   s.after[i].spin = after.spin;
   Quantity& book = s.book(Channel::drag, i);

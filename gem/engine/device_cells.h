@@ -64,6 +64,18 @@ struct PairCell {
   double turned_a = 0.0, turned_b = 0.0;
 };
 
+/// A pair's last look, while the next list is built.
+struct PairLook {
+  SeparatingAxes axes;
+  Vec2 offset;
+  double turned_a = 0.0, turned_b = 0.0;
+};
+
+/// A stretch of the rows.
+struct RowPlace {
+  std::int32_t begin = 0, count = 0;
+};
+
 /// A pair that has to be looked at, with what the look needs.
 struct LookItem {
   std::int32_t pair = 0;
@@ -115,7 +127,9 @@ struct GridFloe {
 struct ListCounters {
   std::uint64_t extreme[9];  // of -x, -y, x, y, those of velocities, radius
   std::int32_t floes, rows, pairs, placed;
+  std::int32_t complete;              // 1: the list is all there
   std::int32_t points, taken_points;  // coupled: of this moment, and those that blocks have taken to iterate
+  std::int32_t looks, touches;        // of this moment, of scenes that are moved phase by phase
   std::uint32_t asked[2];             // coupled: bits of the residuals of two judged iterations in turn
 };
 

@@ -16,7 +16,13 @@ class LaneGroup {
   static constexpr int size = lanes;
 
   __device__ int rank() const { return static_cast<int>(threadIdx.x) % lanes; }
-  __device__ unsigned ballot(bool mine) const { return __ballot_sync(mask(), mine) >> first() & ones; }
+  /// Groups of a warp would vote one after the other: they exchange instead.
+  __device__ unsigned ballot(bool mine) const {
+    if constexpr (lanes == 32) return __ballot_sync(ones, mine);
+    unsigned bits = mine ? 1U << rank() : 0U;
+    for (int step = 1; step < lanes; step *= 2) bits |= __shfl_xor_sync(mask(), bits, step, lanes);
+    return bits;
+  }
   __device__ int from(int mine, int lane) const { return __shfl_sync(mask(), mine, lane, lanes); }
   __device__ double from(double mine, int lane) const { return __shfl_sync(mask(), mine, lane, lanes); }
   __device__ int partner(int mine, int step) const { return __shfl_xor_sync(mask(), mine, step, lanes); }
@@ -64,12 +70,14 @@ struct BlockRoom {
 class DeviceCrew {
  public:
   using Warp = LaneGroup<32>;
+  using Wide = LaneGroup<8>;  // about the edges of an outline
 
   __device__ explicit DeviceCrew(const BlockRoom& room) : room_(room) {}
 
   __device__ int thread() const { return static_cast<int>(threadIdx.x); }
   __device__ int threads() const { return static_cast<int>(blockDim.x); }
   __device__ Warp warp() const { return {}; }
+  __device__ Wide wide() const { return {}; }
   __device__ void block_barrier() { __syncthreads(); }
   __device__ BlockCell& shared() { return room_.shared; }
   __device__ std::byte* room() const { return room_.room; }

@@ -30,6 +30,7 @@ struct Desk {
   Stretch bodies, pairs;
   std::int32_t first_body = 0, body_step = 1;  // of the thread: the platform's warp leaves the floes to others
   bool platform = false;                       // the thread belongs to the platform's warp
+  bool shows = true;                           // moved bodies are shown to other blocks at once, not at the end
   BodyCell* body = nullptr;
   BodyMotion* motion = nullptr;
   PairCell* pair = nullptr;
@@ -46,20 +47,42 @@ GEM_HD inline std::size_t desk_minimum(int threads, int lanes) {
          static_cast<std::size_t>(threads / lanes) * sizeof(DeskOutlines) + 256;
 }
 
+/// What is copied at once.
+struct alignas(16) CopyWord {
+  std::uint64_t low, high;
+};
+
+/// Copies words begin to end - 1 of each of some records of `words` words: neighbouring threads take neighbouring
+/// memory, and each asks for several words before it waits.
+template <int words, int begin, int end, class Crew>
+GEM_DEVICE inline void copy_parts(const Crew& crew, void* to, const void* from, std::int32_t records) {
+  constexpr int together = 8, part = end - begin;
+  auto* const target = static_cast<CopyWord*>(to);
+  const auto* const source = static_cast<const CopyWord*>(from);
+  const auto place = [](std::int32_t w) { return w / part * words + begin + w % part; };
+  const std::int32_t count = records * part, step = crew.threads();
+  for (std::int32_t first = crew.thread(); first < count; first += together * step) {
+    CopyWord some[together];
+    for (int k = 0; k < together; ++k)
+      if (first + k * step < count) some[k] = source[place(first + k * step)];
+    for (int k = 0; k < together; ++k)
+      if (first + k * step < count) target[place(first + k * step)] = some[k];
+  }
+}
+
+/// Copies whole records.
 template <class Crew>
 GEM_DEVICE inline void copy_words(const Crew& crew, void* to, const void* from, std::size_t bytes) {
-  auto* target = static_cast<std::uint64_t*>(to);
-  const auto* source = static_cast<const std::uint64_t*>(from);
-  for (std::size_t w = crew.thread(); w < bytes / sizeof(std::uint64_t); w += crew.threads()) target[w] = source[w];
+  copy_parts<1, 0, 1>(crew, to, from, static_cast<std::int32_t>(bytes / sizeof(CopyWord)));
 }
 
 /// The fast memory is shared out by lines.
 constexpr std::size_t desk_line = 128;
 GEM_DEVICE inline std::size_t whole_lines(std::size_t bytes) { return (bytes + desk_line - 1) / desk_line * desk_line; }
 
-/// Shares out the fast memory and the threads.
+/// Shares out the bodies among the threads; everything else stands in the scene's memory.
 template <class Crew>
-GEM_DEVICE inline Desk make_desk(const DeviceScene& s, Crew& crew) {
+GEM_DEVICE inline Desk share_bodies(const DeviceScene& s, const Crew& crew) {
   Desk desk;
   desk.bodies = stretch_of(crew, s.bodies);
   const int warp = Crew::Warp::size;
@@ -67,23 +90,32 @@ GEM_DEVICE inline Desk make_desk(const DeviceScene& s, Crew& crew) {
   desk.platform = crew.block() == 0 && (alone || crew.thread() >= crew.threads() - warp);
   desk.body_step = crew.block() == 0 && !alone ? crew.threads() - warp : crew.threads();
   desk.first_body = desk.platform && !alone ? desk.bodies.end : desk.bodies.begin + crew.thread();
-
-  // from the start what every moment fills anew, from the end the copies
-  std::size_t used = 0;
-  const auto take = [&](std::size_t bytes) {
-    std::byte* taken = crew.room() + used;
-    used += whole_lines(bytes);
-    return taken;
-  };
-  desk.look = reinterpret_cast<LookItem*>(take(crew.threads() * sizeof(LookItem)));
-  desk.outlines = reinterpret_cast<DeskOutlines*>(take(crew.threads() / Crew::Lanes::size * sizeof(DeskOutlines)));
-  desk.minimum_bytes = used;
-  desk.bodies_begin = crew.room_bytes() / desk_line * desk_line;
   desk.body = s.body;
   desk.motion = s.motion;
+  desk.pair = s.pair;
+  return desk;
+}
+
+/// Takes what every moment fills anew from the start of the fast memory.
+template <class Crew>
+GEM_DEVICE inline void place_looks(Crew& crew, Desk& desk) {
+  const std::size_t looks = whole_lines(crew.threads() * sizeof(LookItem)),
+                    outlines = whole_lines(crew.threads() / Crew::Lanes::size * sizeof(DeskOutlines));
+  desk.look = reinterpret_cast<LookItem*>(crew.room());
+  desk.outlines = reinterpret_cast<DeskOutlines*>(crew.room() + looks);
+  desk.minimum_bytes = looks + outlines;
+}
+
+/// Shares out the fast memory and the threads.
+template <class Crew>
+GEM_DEVICE inline Desk make_desk(const DeviceScene& s, Crew& crew) {
+  Desk desk = share_bodies(s, crew);
+  // from the start what every moment fills anew, from the end the copies
+  place_looks(crew, desk);
+  desk.bodies_begin = crew.room_bytes() / desk_line * desk_line;
   const std::size_t own = desk.bodies.count(), cells = whole_lines(own * sizeof(BodyCell)),
                     motions = whole_lines(own * sizeof(BodyMotion));
-  if (used + cells + motions <= desk.bodies_begin) {
+  if (desk.minimum_bytes + cells + motions <= desk.bodies_begin) {
     desk.bodies_begin -= cells + motions;
     desk.body = reinterpret_cast<BodyCell*>(crew.room() + desk.bodies_begin) - desk.bodies.begin;
     desk.motion = reinterpret_cast<BodyMotion*>(crew.room() + desk.bodies_begin + cells) - desk.bodies.begin;
@@ -124,8 +156,8 @@ GEM_DEVICE inline void take_bodies(const DeviceScene& s, Crew& crew, const Desk&
 template <class Crew>
 GEM_DEVICE inline void put_bodies_back(const DeviceScene& s, Crew& crew, const Desk& desk) {
   const std::int32_t first = desk.bodies.begin;
-  if (desk.motion != s.motion)
-    copy_words(crew, s.motion + first, desk.motion + first, desk.bodies.count() * sizeof(BodyMotion));
+  if (desk.motion == s.motion) return;
+  copy_words(crew, s.motion + first, desk.motion + first, desk.bodies.count() * sizeof(BodyMotion));
 }
 
 }  // namespace gem

@@ -24,10 +24,10 @@ struct RowNews {
 };
 
 /// Places that are asked for together, as each waits for memory.
-constexpr int asked_together = 4;
+constexpr int asked_together = 2;
 
 GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::int32_t places, std::int32_t moment) {
-  constexpr int together = 2 * asked_together;
+  constexpr int together = 8;
   RowNews news;
   for (int first = 0; first < RowNews::stretch && first < places; first += together) {
     RowStamp stamp[together];
@@ -51,6 +51,31 @@ struct LowestPlaces {
   }
 };
 
+/// Field by field: the compiler copies whole records byte by byte.
+GEM_DEVICE inline RowWork read_work(const RowWork& from) {
+  RowWork work;
+  for (int k = 0; k < 2; ++k) {
+    work.slot[k].impact = from.slot[k].impact;
+    work.slot[k].elastic = from.slot[k].elastic;
+    work.slot[k].friction = from.slot[k].friction;
+  }
+  work.count = from.count;
+  return work;
+}
+
+/// The same.
+GEM_DEVICE inline RowEntry read_entry(const RowEntry& from) {
+  RowEntry entry;
+  for (int k = 0; k < 2; ++k) {
+    entry.velocity[k].x = from.velocity[k].x;
+    entry.velocity[k].y = from.velocity[k].y;
+    entry.spin[k] = from.spin[k];
+  }
+  entry.count = from.count;
+  entry.acted = from.acted;
+  return entry;
+}
+
 /// Energy of the last moment's contacts at some places of the row of their body B, into its books.
 GEM_DEVICE inline void book_works(const DeviceScene& s, std::int32_t i, std::int32_t row, std::uint32_t places) {
   if (places == 0) return;
@@ -66,7 +91,7 @@ GEM_DEVICE inline void book_works(const DeviceScene& s, std::int32_t i, std::int
     const LowestPlaces next(places);
     RowWork some[asked_together];
     for (int k = 0; k < asked_together; ++k)
-      if (next.at[k] >= 0) some[k] = s.work[row + next.at[k]];
+      if (next.at[k] >= 0) some[k] = read_work(s.work[row + next.at[k]]);
     for (int k = 0; k < asked_together; ++k) {
       if (next.at[k] < 0) continue;
       if (some[k].count > 0) add(some[k].slot[0]);
@@ -106,7 +131,7 @@ GEM_DEVICE inline bool add_entries(const DeviceScene& s, std::int32_t row, std::
     const LowestPlaces next(places);
     RowEntry some[asked_together];
     for (int k = 0; k < asked_together; ++k)
-      if (next.at[k] >= 0) some[k] = s.entry[row + next.at[k]];
+      if (next.at[k] >= 0) some[k] = read_entry(s.entry[row + next.at[k]]);
     for (int k = 0; k < asked_together; ++k)
       if (next.at[k] >= 0) struck = add_entry(some[k], after) || struck;
   }

@@ -155,12 +155,22 @@ GEM_DEVICE inline ListGrid list_grid(const DeviceScene& s, double ahead) {
   return grid;
 }
 
+/// The middle of all velocities when the list was built, and of bodies that stand [m/s].
+GEM_DEVICE inline Vec2 list_drift(const DeviceScene& s) {
+  const ListCounters& all = *s.counters;
+  if (all.floes == 0) return {};
+  const auto middle = [&](int lowest, int highest) {
+    return 0.5 * (smaller(-unordered(all.extreme[lowest]), 0.0) + larger(unordered(all.extreme[highest]), 0.0));
+  };
+  return {middle(4, 6), middle(5, 7)};
+}
+
 /// Place of a cell in the arrays of cells.
 GEM_DEVICE inline std::int32_t cell_at(const ListGrid& grid, std::int32_t row, std::int32_t column) {
   return row * (grid.columns + 1) + column;
 }
 
-/// Where the floes of each cell begin, a row of cells by each warp: those of a row stand together.
+/// Step 3: where the floes of each cell begin, a row of cells by each warp: those of a row stand together.
 template <class Crew>
 GEM_DEVICE inline void begin_cells(const DeviceScene& s, Crew& crew, const ListGrid& grid) {
   const auto warp = crew.warp();
@@ -183,12 +193,11 @@ GEM_DEVICE inline void begin_cells(const DeviceScene& s, Crew& crew, const ListG
   }
 }
 
-/// Steps 2 to 4.
+/// Step 2.
 template <class Crew>
-GEM_DEVICE inline ListGrid fill_grid(const DeviceScene& s, Crew& crew, double ahead) {
-  const ListGrid grid = list_grid(s, ahead);
-  const std::int32_t first = rank_of(crew), step = size_of(crew);
-  for (std::int32_t i = s.large_bodies + first; i < s.bodies; i += step) {
+GEM_DEVICE inline void count_floes(const DeviceScene& s, Crew& crew, const ListGrid& grid) {
+  const std::int32_t step = size_of(crew);
+  for (std::int32_t i = s.large_bodies + rank_of(crew); i < s.bodies; i += step) {
     const BodyCell& cell = s.body[i];
     const Vec2 p = cell.position - grid.low;
     const std::int32_t at = cell.active ? cell_at(grid, static_cast<std::int32_t>(p.y / grid.cell),
@@ -198,10 +207,12 @@ GEM_DEVICE inline ListGrid fill_grid(const DeviceScene& s, Crew& crew, double ah
     if (s.spot) crew.add(&s.spot_count[stretch_at(s, cell.position.x)], 1);
     if (at >= 0) crew.add(&s.grid_count[at], 1);
   }
-  crew.barrier();
-  begin_cells(s, crew, grid);
-  begin_stretches(s, crew);
-  crew.barrier();
+}
+
+/// Step 4.
+template <class Crew>
+GEM_DEVICE inline void place_floes(const DeviceScene& s, Crew& crew) {
+  const std::int32_t first = rank_of(crew), step = size_of(crew);
   for (std::int32_t i = first; i < s.bodies; i += step) take_spot(s, crew, i);
   for (std::int32_t i = s.large_bodies + first; i < s.bodies; i += step) {
     const std::int32_t at = s.grid_cell[i];
@@ -211,8 +222,6 @@ GEM_DEVICE inline ListGrid fill_grid(const DeviceScene& s, Crew& crew, double ah
     floe.velocity = s.motion[i].course_velocity;
     floe.body = i;
   }
-  crew.barrier();
-  return grid;
 }
 
 /// Whether two bodies may come near within `ahead` [s].

@@ -2,13 +2,14 @@
 // from run to run, and nothing that is computed depends on it.
 //
 // Algorithm, a barrier after each step:
+//   0. the looks at the pairs of the list before are put aside
 //   1. course and box of every body; extremes of the floes' positions, velocities and radii
 //   2. floes counted by cell of a grid
 //   3. each row of cells takes a stretch of the list of floes
 //   4. floes placed in the stretch of their cell
 //   5. each body: its lower large neighbours, and for a floe the near ones in three stretches of cells, in its own row
 //   6. each large body: the row of the higher bodies near it
-//   7. a pair for each near body with a higher id
+//   7. a pair for each near body with a higher id, with its look where it was in the list before
 #pragma once
 
 #include "gem/engine/device_grid.h"
@@ -138,10 +139,57 @@ GEM_DEVICE inline std::int32_t place_in_row(const DeviceScene& s, std::int32_t b
   return low;
 }
 
+/// Step 0: what pairs have been seen to do is not lost with their list.
+template <class Crew>
+GEM_DEVICE inline void put_looks_aside(const DeviceScene& s, Crew& crew) {
+  const std::int32_t first = rank_of(crew), step = size_of(crew);
+  const bool complete = s.counters->complete != 0;
+  for (std::int32_t i = first; i < s.bodies; i += step)
+    s.last_row[i] = {s.motion[i].row_begin, complete ? s.motion[i].row_count : 0};
+  if (!complete) return;
+  for (std::int32_t k = first; k < s.counters->rows; k += step) {
+    s.last_other[k] = s.row_other[k];
+    s.last_pair[k] = s.row_pair[k];
+  }
+  for (std::int32_t p = first; p < s.counters->pairs; p += step) {
+    const PairCell& pair = s.pair[p];
+    PairLook& look = s.last_look[p];
+    look.axes = pair.axes;
+    look.offset = pair.offset;
+    look.turned_a = pair.turned_a;
+    look.turned_b = pair.turned_b;
+  }
+}
+
+/// The last look at the pair of two bodies; null where it was not in the list before.
+GEM_DEVICE inline const PairLook* last_look(const DeviceScene& s, std::int32_t body, std::int32_t other) {
+  const RowPlace row = s.last_row[body];
+  std::int32_t low = 0, high = row.count;
+  while (low < high) {
+    const std::int32_t middle = low + (high - low) / 2;
+    if (s.last_other[row.begin + middle] < other)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  const bool found = low < row.count && s.last_other[row.begin + low] == other;
+  return found ? s.last_look + s.last_pair[row.begin + low] : nullptr;
+}
+
 /// A pair for the place `row` of body i.
 GEM_DEVICE inline void make_pair(const DeviceScene& s, std::int32_t p, std::int32_t i, std::int32_t row) {
   const std::int32_t other = s.row_other[row], row_b = place_in_row(s, other, i);
-  s.pair[p] = {i, other, row, row_b, {}, {}, 0.0, 0.0};
+  PairCell& pair = s.pair[p];
+  pair.a = i;
+  pair.b = other;
+  pair.row_a = row;
+  pair.row_b = row_b;
+  const PairLook* const look = last_look(s, i, other);
+  pair.axes = look ? look->axes : SeparatingAxes{};
+  pair.offset = look ? look->offset : Vec2{};
+  pair.turned_a = look ? look->turned_a : 0.0;
+  pair.turned_b = look ? look->turned_b : 0.0;
+  if (s.wake) s.wake[p] = 0.0F;
   s.row_pair[row] = s.row_pair[row_b] = p;
   if (s.memory) s.memory[p].moment = PairMemory::never;
 }
@@ -173,12 +221,21 @@ GEM_DEVICE GEM_NOINLINE inline void build_list(const DeviceScene& s, Crew& crew,
                                                std::int64_t horizon) {
   const bool one = rank_of(crew) == 0;
   crew.barrier();
+  put_looks_aside(s, crew);
+  crew.barrier();
   if (one) *s.counters = {};
   crew.lower_alarms();
   crew.barrier();
   note_courses(s, crew);
   crew.barrier();
-  const ListGrid grid = fill_grid(s, crew, static_cast<double>(horizon) * s.constants.dt);
+  const ListGrid grid = list_grid(s, static_cast<double>(horizon) * s.constants.dt);
+  count_floes(s, crew, grid);
+  crew.barrier();
+  begin_cells(s, crew, grid);
+  begin_stretches(s, crew);
+  crew.barrier();
+  place_floes(s, crew);
+  crew.barrier();
   find_near(s, crew, grid);
   crew.barrier();
   rows_of_large_bodies(s, crew);
@@ -187,6 +244,7 @@ GEM_DEVICE GEM_NOINLINE inline void build_list(const DeviceScene& s, Crew& crew,
   if (crew.alarms() & alarm_list_full) return;
   make_pairs(s, crew);
   if (one) {
+    s.counters->complete = 1;
     s.status->list_moment = moment;
     s.status->list_valid = 1;
     ++s.status->builds;

@@ -35,6 +35,14 @@ GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Crew& crew,
   write_mover(s.body[0], mover);
 }
 
+/// The bodies of one moment move.
+template <Resolution resolution, class Crew>
+GEM_DEVICE inline void move_bodies(const DeviceScene& s, Crew& crew, const Desk& desk, const MomentStep& step) {
+  for (std::int32_t i = desk.first_body; i < desk.bodies.end; i += desk.body_step)
+    move_body<resolution>(s, crew, desk, i, step);
+  if (desk.platform) move_platform<resolution>(s, crew, desk, step);
+}
+
 /// The bodies phase of one moment.
 template <Resolution resolution, class Crew>
 GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Crew& crew, const Desk& desk, const MomentStep& step) {
@@ -49,9 +57,7 @@ GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Crew& crew, const Desk
     shared.residual = shared.energy_created = 0.0;
     if (crew.block() == 0) s.counters->points = s.counters->taken_points = 0;
   }
-  for (std::int32_t i = desk.first_body; i < desk.bodies.end; i += desk.body_step)
-    move_body<resolution>(s, crew, desk, i, step);
-  if (desk.platform) move_platform<resolution>(s, crew, desk, step);
+  move_bodies<resolution>(s, crew, desk, step);
   crew.lap(stage_bodies);
 }
 
@@ -76,13 +82,28 @@ GEM_DEVICE inline void write_state(const DeviceScene& s, const Crew& crew) {
   }
 }
 
-/// Moments for which a list is built after one that lived for `life`: fast floes leave their courses early, and what
-/// they might reach later would only make the list long.
-GEM_DEVICE inline std::int64_t next_horizon(const DeviceScene& s, std::int64_t life) {
-  constexpr std::int64_t shortest = 4;
-  const std::int64_t next = 2 * life > shortest ? 2 * life : shortest;
-  return next < s.horizon ? next : s.horizon;
-}
+/// How long the list of near pairs may still be used.
+struct ListLife {
+  std::int64_t begin = 0;    // moment at whose start the list was built
+  std::int64_t horizon = 1;  // moments that it was built for, or that the next one is
+  bool valid = false;
+
+  GEM_DEVICE explicit ListLife(const DeviceStatus& status)
+      : begin(status.list_moment), horizon(status.horizon), valid(status.list_valid != 0) {}
+
+  GEM_DEVICE bool is_over(std::int64_t moment, std::uint32_t alarms) const {
+    return !valid || moment - begin >= horizon || (alarms & alarm_strayed);
+  }
+  /// Fast floes leave their courses early, and what they might reach later would only make the next list long: it is
+  /// built for twice the time that this one lived.
+  GEM_DEVICE void end(const DeviceScene& s, std::int64_t moment) {
+    constexpr std::int64_t shortest = 4;
+    if (!valid) return;
+    const std::int64_t next = 2 * (moment - begin) > shortest ? 2 * (moment - begin) : shortest;
+    horizon = next < s.horizon ? next : s.horizon;
+    valid = false;
+  }
+};
 
 /// advance_scene() of one resolution: what the other needs would only take registers.
 template <Resolution resolution, class Crew>
@@ -90,9 +111,7 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
   DeviceStatus& status = *s.status;
   const bool one = rank_of(crew) == 0;
   const std::int64_t start = status.moment;
-  std::int64_t list_moment = status.list_moment;
-  std::int64_t horizon = status.horizon;
-  bool list_valid = status.list_valid != 0;
+  ListLife list(status);
   constexpr bool coupled = resolution == Resolution::coupled;
   bool carried = true;  // the memory of the last moment stands apart from the list
   if (crew.thread() == 0) crew.shared() = {};
@@ -119,23 +138,23 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
       stop = alarms & alarm_not_finite ? DeviceStop::not_finite : DeviceStop::ring_full;
       break;
     }
-    const std::int64_t life = moment - list_moment;
-    if (!list_valid || life >= horizon || (alarms & alarm_strayed)) {
-      if (list_valid) horizon = next_horizon(s, life);
+    if (list.is_over(moment, alarms)) {
+      list.end(s, moment);
       if constexpr (coupled)
         if (!carried) carry_memory(s, crew, desk);
       carried = true;
       close_work(s, crew, desk, moment);
       crew.block_barrier();
       put_bodies_back(s, crew, desk);
-      build_list(s, crew, moment, horizon);
+      put_pairs_back(s, crew, desk);
+      build_list(s, crew, moment, list.horizon);
       take_bodies(s, crew, desk);
       take_pairs(s, crew, desk);
       crew.block_barrier();
       crew.lap(stage_list);
-      list_valid = !(crew.alarms() & alarm_list_full);
-      list_moment = moment;
-      if (!list_valid) {
+      list.valid = !(crew.alarms() & alarm_list_full);
+      list.begin = moment;
+      if (!list.valid) {
         stop = DeviceStop::list_full;
         break;
       }
@@ -146,16 +165,13 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
     crew.lap(stage_pairs_wait);
     if constexpr (coupled) resolve_coupled(s, crew, desk, moment);
     carried = false;
-    const double elapsed = static_cast<double>(moment + 1 - list_moment) * s.constants.dt;
+    const double elapsed = static_cast<double>(moment + 1 - list.begin) * s.constants.dt;
     bodies_phase<resolution>(s, crew, desk, {moment, done, elapsed, done + 1 < moments});
     crew.barrier();
     crew.lap(stage_bodies_wait);
   }
   if (stop == DeviceStop::done && (crew.alarms() & alarm_not_finite)) stop = DeviceStop::not_finite;
-  if (list_valid && (crew.alarms() & alarm_strayed)) {
-    list_valid = false;
-    horizon = next_horizon(s, start + done - list_moment);
-  }
+  if (crew.alarms() & alarm_strayed) list.end(s, start + done);
 
   if constexpr (coupled)
     if (!carried) carry_memory(s, crew, desk);
@@ -168,8 +184,8 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
   if (one) {
     status.moment = start + done;
     status.samples = done;
-    status.list_valid = list_valid;
-    status.horizon = horizon;
+    status.list_valid = list.valid;
+    status.horizon = list.horizon;
     status.half_way = done < moments;
     crew.write_laps(status.stage_clocks);
     status.barriers = crew.barriers();

@@ -8,108 +8,14 @@
 #include <string>
 #include <tuple>
 
-#include "gem/engine/books.h"
+#include "gem/engine/host_scene.h"
 #include "gem/engine/same_bits.h"
-#include "gem/engine/scene_image.h"
-#include "gem/engine/team_crew.h"
 #include "gem/engine/test_scenes.h"
 
 namespace gem {
 namespace {
 
-/// A device scene in the memory of the host.
-class HostScene {
- public:
-  HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0,
-            std::size_t room = 1 << 20, bool apart = false)
-      : field_(make_field_state(bodies, moment_constants(scene, bodies))),
-        sizes_(scene_sizes(field_)),
-        scene_(scene_constants(field_, scene.output.event_speed_m_per_s)),
-        threads_(threads),
-        room_(room),
-        apart_(apart) {
-    sizes_.blocks = blocks;
-    if (rows > 0) sizes_.rows = rows;
-    sizes_.samples = 32;
-    scene_.wants_events = scene_.wants_samples = 1;
-    memory_[0].resize(place_field(scene_, sizes_, nullptr));
-    place_field(scene_, sizes_, memory_[0].data());
-    memory_[2].resize(place_rings(scene_, sizes_, nullptr));
-    place_rings(scene_, sizes_, memory_[2].data());
-    grow();
-    write_field(field_, 0, scene_);
-  }
-
-  void advance(std::int64_t moments, MomentLog& log) {
-    while (moments > 0) {
-      const std::int32_t some = static_cast<std::int32_t>(std::min<std::int64_t>(moments, sizes_.samples));
-      if (sizes_.blocks == 1 && threads_ == 1) {
-        SoloCrew crew;
-        advance_scene(scene_, crew, some);
-      } else {
-        const auto move = [&](auto& crew) { advance_scene(scene_, crew, some); };
-        if (apart_)
-          test::run_team<test::ApartCrew>(sizes_.blocks, threads_, room_, move);
-        else
-          test::run_team<test::TeamCrew>(sizes_.blocks, threads_, room_, move);
-      }
-      const DeviceStatus& status = *scene_.status;
-      append_log(field_, scene_, status, sizes_.blocks, log);
-      moments -= status.samples;
-      if (status.stop == DeviceStop::list_full) {
-        sizes_.rows = std::max(sizes_.rows, status.rows_needed);
-        sizes_.platform_rows = std::max(sizes_.platform_rows, status.platform_needed);
-        const std::vector<CarriedMemory> carried = memory();
-        grow();
-        std::copy(carried.begin(), carried.end(), scene_.carried);
-        ++growths_;
-      }
-      if (status.stop == DeviceStop::not_finite) break;
-    }
-    read_state(scene_.state, field_);
-  }
-
-  /// What a batch does with a scene that is done while others are not.
-  void wait() {
-    SoloCrew crew;
-    advance_scene(scene_, crew, 0);
-  }
-
-  Ledger ledger(const Ledger& start) {
-    Ledger running;
-    running.start = start.start;
-    field_.books.assign(scene_.books, scene_.books + field_.books.size());
-    field_.mooring_force = scene_.platform->mooring_force;
-    return closed_books(field_, running);
-  }
-
-  std::vector<CarriedMemory> memory() const { return {scene_.carried, scene_.carried + scene_.status->carried}; }
-
-  const Bodies& bodies() const { return field_.bodies; }
-  const DeviceStatus& status() const { return *scene_.status; }
-  int growths() const { return growths_; }
-  std::int32_t longest_lower_row() const {
-    std::int32_t longest = 0;
-    for (std::int32_t i = 0; i < scene_.bodies; ++i) longest = std::max(longest, scene_.motion[i].lower_count);
-    return longest;
-  }
-
- private:
-  void grow() {
-    memory_[1].resize(place_list(scene_, sizes_, nullptr));
-    std::memset(memory_[1].data(), 0xff, memory_[1].size());
-    place_list(scene_, sizes_, memory_[1].data());
-  }
-
-  FieldState field_;
-  SceneSizes sizes_;
-  DeviceScene scene_;
-  int threads_;
-  std::size_t room_;
-  bool apart_;
-  std::vector<std::byte> memory_[3];
-  int growths_ = 0;
-};
+using test::HostScene;
 
 using Choice = std::tuple<Resolution, Manifold, Yaw, FrictionLaw, DragLaw>;
 

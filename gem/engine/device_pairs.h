@@ -90,7 +90,7 @@ template <class Crew>
 GEM_DEVICE inline void note_depth(const DeviceScene& s, Crew& crew, const Contact& contact) {
   if (!s.wants_samples) return;
   const double size = std::sqrt(smaller(s.area[contact.a], s.area[contact.b]));
-  for (int k = 0; k < contact.count; ++k) {
+  for (int k = 0; k < 2 && k < contact.count; ++k) {
     const double depth = -contact.slot[k].separation;
     if (!(depth > 0.0)) continue;
     const std::uint64_t of_depth = strict::bits_of(depth), of_share = strict::bits_of(depth / size);
@@ -103,9 +103,8 @@ GEM_DEVICE inline void note_depth(const DeviceScene& s, Crew& crew, const Contac
 
 /// Coupled: a touching pair before the iterations.
 template <class Crew>
-GEM_DEVICE inline void open_touch(const DeviceScene& s, Crew& crew, const Desk& desk, const Touch& touch,
+GEM_DEVICE inline void open_touch(const DeviceScene& s, Crew& crew, const PairCell& pair, const Touch& touch,
                                   std::int32_t moment) {
-  const PairCell& pair = desk.pair[touch.pair];
   const BodyCell &a = s.body[pair.a], &b = s.body[pair.b];
   Contact contact;
   open_contact(contact, pair.a, pair.b, touch.geometry, b.position - a.position);
@@ -116,15 +115,13 @@ GEM_DEVICE inline void open_touch(const DeviceScene& s, Crew& crew, const Desk& 
   open_points(s, crew, pair, touch, moment);
   if (s.wants_events && pair.a == 0 && b.kind == BodyKind::floe)
     keep_event(s, pair.row_a - s.platform->row_begin, a, b, contact, moment);
-  s.touched[desk.pairs.begin + crew.add(&crew.shared().touched, 1)] = touch.pair;
   note_depth(s, crew, contact);
 }
 
 /// The event of one touching pair.
 template <class Crew>
-GEM_DEVICE inline void resolve(const DeviceScene& s, Crew& crew, const Desk& desk, const Touch& touch,
+GEM_DEVICE inline void resolve(const DeviceScene& s, Crew& crew, const PairCell& pair, const Touch& touch,
                                std::int32_t moment) {
-  const PairCell& pair = desk.pair[touch.pair];
   const BodyCell &a = s.body[pair.a], &b = s.body[pair.b];
   Contact contact;
   open_contact(contact, pair.a, pair.b, touch.geometry, b.position - a.position);
@@ -137,39 +134,41 @@ GEM_DEVICE inline void resolve(const DeviceScene& s, Crew& crew, const Desk& des
   write_rows(s, pair, bodies, contact, moment);
   if (s.wants_events && pair.a == 0 && b.kind == BodyKind::floe && is_event(contact, s.event_speed))
     keep_event(s, pair.row_a - s.platform->row_begin, a, b, contact, moment);
-  s.touched[desk.pairs.begin + crew.add(&crew.shared().touched, 1)] = touch.pair;
-  for (int k = 0; k < contact.count; ++k)
+  for (int k = 0; k < 2 && k < contact.count; ++k)
     if (contact.slot[k].separation <= 0.0) crew.add(&crew.shared().contacts, 1);
   note_depth(s, crew, contact);
 }
 
-/// Energy that the contacts of the last moment took, now that all velocities after it are known. The last threads
-/// begin: the first have more to do in what goes on beside it.
+/// Energy that a contact of the last moment took, now that all velocities after it are known.
+GEM_DEVICE inline void work_of_contact(const DeviceScene& s, const PairCell& pair, const Contact& contact,
+                                       std::int32_t stamp) {
+  const BodyAfter a = s.after[pair.a], b = s.after[pair.b];
+  PairBodies after;
+  after.velocity_a = a.velocity;
+  after.velocity_b = b.velocity;
+  after.spin_a = a.spin;
+  after.spin_b = b.spin;
+  RowWork& work = s.work[pair.row_b];
+  const std::int32_t count = contact.count;
+  for (int j = 0; j < 2; ++j) {
+    if (j >= count) break;
+    const ContactSlot& slot = contact.slot[j];
+    SlotWork took;
+    if (acted(slot)) took = slot_work(contact, slot, relative_velocity(after, slot));
+    work.slot[j].impact = took.impact;
+    work.slot[j].elastic = took.elastic;
+    work.slot[j].friction = took.friction;
+  }
+  work.count = count;
+  s.stamp[pair.row_b].work = stamp;
+}
+
+/// The same of all contacts of the block. The last threads begin: the first have more to do in what goes on beside it.
 template <class Crew>
 GEM_DEVICE inline void work_of_last_moment(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t stamp) {
   for (std::int32_t k = crew.threads() - 1 - crew.thread(); k < crew.shared().touched; k += crew.threads()) {
     const std::int32_t p = s.touched[desk.pairs.begin + k];
-    const PairCell& pair = desk.pair[p];
-    const BodyAfter a = s.after[pair.a], b = s.after[pair.b];
-    const Contact& contact = s.contact[p];
-    PairBodies after;
-    after.velocity_a = a.velocity;
-    after.velocity_b = b.velocity;
-    after.spin_a = a.spin;
-    after.spin_b = b.spin;
-    RowWork& work = s.work[pair.row_b];
-    const std::int32_t count = contact.count;
-    for (int j = 0; j < 2; ++j) {
-      if (j >= count) break;
-      const ContactSlot& slot = contact.slot[j];
-      SlotWork took;
-      if (acted(slot)) took = slot_work(contact, slot, relative_velocity(after, slot));
-      work.slot[j].impact = took.impact;
-      work.slot[j].elastic = took.elastic;
-      work.slot[j].friction = took.friction;
-    }
-    work.count = count;
-    s.stamp[pair.row_b].work = stamp;
+    work_of_contact(s, desk.pair[p], s.contact[p], stamp);
   }
 }
 
@@ -181,25 +180,34 @@ GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Crew& crew, const Desk&
   work_of_last_moment(s, crew, desk, moment);
   for (std::int32_t first = desk.pairs.begin; first < desk.pairs.end; first += crew.threads()) {
     const std::int32_t p = first + crew.thread();
-    if (p < desk.pairs.end) choose_look(s, crew, desk, p);
+    const auto next_look = [&]() -> LookItem& { return desk.look[crew.add(&shared.looks, 1)]; };
+    if (p < desk.pairs.end) choose_look(s, desk.pair[p], p, next_look);
     crew.block_barrier();
     crew.lap(stage_choose);
     const std::int32_t looks = shared.looks;
-    for (std::int32_t k = crew.thread() / Crew::Lanes::size; k < looks; k += groups) look(s, crew, desk, desk.look[k]);
-    if (crew.thread() == 0) shared.touched = 0;
+    const auto next_touch = [&](int points) {
+      return TouchPlace{desk.pairs.begin + crew.add(&shared.touches, 1), crew.add(&shared.points, points)};
+    };
+    look_at_items(s, crew, desk.pair, desk.outlines, desk.look, Stretch{crew.thread() / Crew::Lanes::size, looks},
+                  groups, next_touch);
     crew.block_barrier();
     crew.lap(stage_look);
     if (crew.thread() == 0) shared.looks = 0;
     if (first + crew.threads() < desk.pairs.end) crew.block_barrier();
   }
+  // a block without pairs has not met since its threads read the last number: it stays the same
+  if (crew.thread() == 0 && shared.touched != shared.touches) shared.touched = shared.touches;
   if constexpr (resolution == Resolution::coupled) {
     if (crew.thread() == 0 && shared.points > 0) shared.first_point = crew.add(&s.counters->points, shared.points);
     crew.block_barrier();
-    for (std::int32_t k = crew.thread(); k < shared.touches; k += crew.threads())
-      open_touch(s, crew, desk, s.touch[desk.pairs.begin + k], moment);
-  } else {
-    for (std::int32_t k = crew.thread(); k < shared.touches; k += crew.threads())
-      resolve(s, crew, desk, s.touch[desk.pairs.begin + k], moment);
+  }
+  for (std::int32_t k = crew.thread(); k < shared.touches; k += crew.threads()) {
+    const Touch& touch = s.touch[desk.pairs.begin + k];
+    s.touched[desk.pairs.begin + k] = touch.pair;
+    if constexpr (resolution == Resolution::coupled)
+      open_touch(s, crew, desk.pair[touch.pair], touch, moment);
+    else
+      resolve(s, crew, desk.pair[touch.pair], touch, moment);
   }
   crew.lap(stage_resolve);
 }

@@ -193,8 +193,8 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, cons
   let_go(s, held);
   s.after[0].velocity = sums.velocity;
   s.after[0].spin = sums.spin;
-  write_mover(s.body[0], mover);
   write_mover(cell, mover);
+  if (desk.shows) write_mover(s.body[0], mover);
 }
 
 /// The platform through the bodies phase.

@@ -29,6 +29,11 @@ constexpr std::int32_t kept_near = 24;
 /// Outlines up to this length are turned where they are looked at.
 constexpr int desk_vertices = 12;
 
+/// Threads of a block that makes one phase of a scene, a body for each, and how many of them look at one pair.
+constexpr int phase_threads = 128, phase_lanes = 4;
+/// Blocks that build lists, on one multiprocessor.
+constexpr int list_blocks = 4;
+
 /// What the clock is read for: work, and in each phase the wait that ends it.
 enum DeviceStage {
   stage_choose,
@@ -48,6 +53,9 @@ enum DeviceStage {
   stage_count
 };
 
+/// What a scene that is moved phase by phase does in the moment that is planned; see device_phases.h.
+enum class PhaseStep : std::int32_t { ended, begins, moves, moves_on_new_list };
+
 /// Why a call came back.
 enum class DeviceStop : std::int32_t { done, list_full, ring_full, not_finite };
 
@@ -65,6 +73,15 @@ struct DeviceStatus {
   std::int32_t barriers = 0, team_barriers = 0;       // between blocks, in the call: of all, of those that iterate
   std::int32_t rows_needed = 0, platform_needed = 0;  // places in all rows, in the platform's
   DeviceStop stop = DeviceStop::done;
+  // of a scene that is moved phase by phase
+  std::int32_t wanted = 0;   // moments of the call
+  std::int32_t touched = 0;  // contacts of the last moment whose work is not in the books
+  // how far any two bodies can have gone, one relative to the other, since the list was built [m], up to which moment
+  double clock = 0.0;
+  std::int64_t clock_moment = -1;
+  std::uint64_t farthest = 0;  // bits of how far a body or its rim went in the last moment, against the drift [m]
+  Vec2 drift;                  // a velocity near those of most bodies [m/s]
+  PhaseStep step = PhaseStep::ended;
 };
 
 struct DeviceScene {
@@ -74,6 +91,7 @@ struct DeviceScene {
   std::int32_t bodies = 0, large_bodies = 0, rows_capacity = 0, platform_capacity = 0, grid_capacity = 0;
   std::int32_t events_capacity = 0;
   std::int32_t wants_events = 0, wants_samples = 0;
+  std::int32_t phase_blocks = 0;  // that share a phase where a launch makes one
 
   BodyCell* body = nullptr;
   BodyMotion* motion = nullptr;
@@ -91,6 +109,9 @@ struct DeviceScene {
   Contact* contact = nullptr;       // by pair
   std::int32_t* touched = nullptr;  // pairs, in each block's own stretch
   Touch* touch = nullptr;           // the same
+  // of scenes that are moved phase by phase, by pair
+  LookItem* look = nullptr;
+  float* wake = nullptr;  // the pair sleeps while the clock is below [m]
 
   const double* area = nullptr;  // of each body [m2]
 
@@ -122,6 +143,10 @@ struct DeviceScene {
   double *given = nullptr, *answered = nullptr;  // by place among those bodies [J]
   double* work_created = nullptr;                // by body: of its contacts as B, or as A with a fixed B [J]
   double* partial_sum = nullptr;                 // each block's own
+
+  RowPlace* last_row = nullptr;  // of each body, in the list before
+  std::int32_t *last_other = nullptr, *last_pair = nullptr;
+  PairLook* last_look = nullptr;  // by pair of the list before
 
   ListBox* box = nullptr;
   std::int32_t *grid_cell = nullptr, *grid_count = nullptr, *grid_begin = nullptr;

@@ -88,10 +88,11 @@ GEM_DEVICE inline SeparatingAxes find_axes(const Lanes& lanes, const Outline& a,
   return {axis(best.first), axis(best.second), best.others};
 }
 
-/// follow_axes() by a group of lanes.
+/// Where the axes of the last look part the outlines now. Returns whether no other axis can part them by more: else all
+/// have to be searched.
 template <class Lanes>
-GEM_DEVICE inline void follow_axes(const Lanes& lanes, SeparatingAxes& axes, const Outline& a, const Outline& b,
-                                   Vec2 offset, double moved, double limit) {
+GEM_DEVICE inline bool follow_two_axes(const Lanes& lanes, SeparatingAxes& axes, const Outline& a, const Outline& b,
+                                       Vec2 offset, double moved, double limit) {
   axes.first.distance = separation_along(lanes, axes.first, a, b, offset);
   axes.second.distance = separation_along(lanes, axes.second, a, b, offset);
   if (axes.second.distance > axes.first.distance ||
@@ -102,8 +103,7 @@ GEM_DEVICE inline void follow_axes(const Lanes& lanes, SeparatingAxes& axes, con
   }
   axes.others += moved;
   // one answer for the group, also where a state that is no number makes the lanes differ
-  if (lanes.ballot(axes.first.distance > limit || axes.first.distance > axes.others) & 1U) return;
-  axes = find_axes(lanes, a, b, offset);
+  return lanes.from(axes.first.distance > limit || axes.first.distance > axes.others ? 1 : 0, 0) != 0;
 }
 
 /// The crossings of two outlines with an edge of B for each lane, added up in the order of the edges.

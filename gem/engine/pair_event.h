@@ -44,7 +44,7 @@ GEM_HD inline void open_contact(Contact& contact, std::int32_t a, std::int32_t b
   contact.normal = geometry.normal;
   contact.width = geometry.width;
   contact.growth = geometry.growth;
-  for (int k = 0; k < geometry.count; ++k) {
+  for (int k = 0; k < 2 && k < geometry.count; ++k) {
     contact.slot[k].arm_a = geometry.point[k].position;
     contact.slot[k].arm_b = geometry.point[k].position - offset;
     contact.slot[k].separation = geometry.point[k].separation;
@@ -70,7 +70,7 @@ GEM_HD inline double elastic_target(const MomentConstants& c, const ContactSlot&
 GEM_HD inline void prepare(const MomentConstants& c, const PairBodies& p, Vec2 shift, Contact& contact) {
   contact.friction = contact.a == 0 ? c.friction_structure : c.friction_ice;
   const Vec2 tangent = turned_left(contact.normal);
-  for (int k = 0; k < contact.count; ++k) {
+  for (int k = 0; k < 2 && k < contact.count; ++k) {
     ContactSlot& slot = contact.slot[k];
     slot.arm_a -= shift;
     const Vec2 velocity = relative_velocity(p, slot);
@@ -115,7 +115,7 @@ GEM_HD inline void resolve_alone(const MomentConstants& c, CollisionMass a, Coll
   constexpr int sweeps = 24;  // the error of two points falls by 1/25 a sweep for a face (V14)
   const Vec2 tangent = turned_left(contact.normal);
   for (int sweep = 0; sweep < (contact.count == 1 ? 1 : sweeps); ++sweep) {
-    for (int k = 0; k < contact.count; ++k) {
+    for (int k = 0; k < 2 && k < contact.count; ++k) {
       ContactSlot& slot = contact.slot[k];
       Vec2 other;
       if (contact.count == 2) other = cross_response(contact, a, b, k, 1 - k);
@@ -123,7 +123,7 @@ GEM_HD inline void resolve_alone(const MomentConstants& c, CollisionMass a, Coll
                                   slot.tangential_before + dot(other, tangent), slot.target);
     }
   }
-  for (int k = 0; k < contact.count; ++k) {
+  for (int k = 0; k < 2 && k < contact.count; ++k) {
     ContactSlot& slot = contact.slot[k];
     const double closing = slot.normal_before < 0.0 ? -slot.normal_before : 0.0;
     const double asked = slot.target + closing;
@@ -207,7 +207,7 @@ GEM_HD inline bool acted(const ContactSlot& slot) {
 /// were closing faster than `event_speed`.
 GEM_HD inline bool is_event(const Contact& contact, double event_speed) {
   double carried = 0.0, pressed = 0.0;
-  for (int k = 0; k < contact.count; ++k) {
+  for (int k = 0; k < 2 && k < contact.count; ++k) {
     pressed += contact.slot[k].impulse.normal;
     carried -= contact.slot[k].impulse.normal * contact.slot[k].normal_before;
   }

@@ -156,6 +156,7 @@ SceneSizes scene_sizes(const FieldState& f) {
   sizes.vertices = static_cast<std::int32_t>(b.vertex.size());
   sizes.rows = 8 * sizes.bodies + 256;
   sizes.platform_rows = 256;
+  sizes.phase_blocks = (sizes.bodies + phase_threads - 1) / phase_threads;
   sizes.coupled = f.constants.resolution == Resolution::coupled;
   return sizes;
 }
@@ -200,6 +201,15 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
   placer.place(s.contact, pairs);
   placer.place(s.touched, pairs);
   placer.place(s.touch, pairs);
+  s.phase_blocks = sizes.phase_blocks;
+  if (!sizes.coupled) {
+    placer.place(s.look, pairs);
+    placer.place(s.wake, pairs);
+  }
+  placer.place(s.last_row, n);
+  placer.place(s.last_other, rows);
+  placer.place(s.last_pair, rows);
+  placer.place(s.last_look, pairs);
   placer.place(s.box, n);
   placer.place(s.grid_cell, n);
   placer.place(s.grid_floe, n);

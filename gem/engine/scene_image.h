@@ -18,6 +18,7 @@ struct SceneSizes {
   std::int32_t platform_rows = 0;  // places in the platform's row; the same
   std::int32_t samples = 0;        // moments in the ring
   std::int32_t blocks = 1;         // that work on the scene
+  std::int32_t phase_blocks = 1;   // that work on it where a launch makes one phase
   bool coupled = false;
 };
 

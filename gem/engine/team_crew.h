@@ -101,6 +101,7 @@ struct TeamHall {
 class TeamCrew {
  public:
   using Lanes = TeamLanes;
+  using Wide = TeamLanes;
   using Warp = TeamLanes;
 
   TeamCrew(TeamHall& hall, int block, int thread) : hall_(hall), block_(block), thread_(thread) {}
@@ -112,6 +113,7 @@ class TeamCrew {
   Lanes lanes() const {
     return {*hall_.group[std::size_t(block_ * threads() + thread_) / team_lanes], thread_ % team_lanes};
   }
+  Wide wide() const { return lanes(); }
   Warp warp() const { return lanes(); }
   void barrier() { hall_.all.arrive_and_wait(); }
   void block_barrier() { hall_.block[std::size_t(block_)]->arrive_and_wait(); }
@@ -163,6 +165,17 @@ class ApartCrew : public TeamCrew {
   void solve(std::int32_t, Work&& work) {
     work(*this);
   }
+};
+
+/// A team that makes one phase: its alarms outlive it.
+class PhaseTeam : public TeamCrew {
+ public:
+  using TeamCrew::TeamCrew;
+  void raise_in(std::uint32_t& alarms) { alarms_ = &alarms; }
+  void raise(std::uint32_t alarms) { std::atomic_ref(*alarms_).fetch_or(alarms); }
+
+ private:
+  std::uint32_t* alarms_ = nullptr;
 };
 
 /// Runs work(crew) on every thread of a team; `threads` is a multiple of team_lanes.

@@ -26,18 +26,15 @@ GEM_HD inline ClippedEdge clip_edge(const Outline& a, Vec2 p, Vec2 q) {
       clipped.end = 0.0;
       return clipped;
     }
-    if (at_p > 0.0) {
-      const double t = at_p / (at_p - at_q);
-      if (t > clipped.begin) {
-        clipped.begin = t;
-        clipped.entry = i;
-      }
-    } else if (at_q > 0.0) {
-      const double t = at_p / (at_p - at_q);
-      if (t < clipped.end) {
-        clipped.end = t;
-        clipped.exit = i;
-      }
+    if (!(at_p > 0.0 || at_q > 0.0)) continue;
+    const double t = at_p / (at_p - at_q);
+    if (at_p > 0.0 && t > clipped.begin) {
+      clipped.begin = t;
+      clipped.entry = i;
+    }
+    if (!(at_p > 0.0) && t < clipped.end) {
+      clipped.end = t;
+      clipped.exit = i;
     }
   }
   return clipped;

@@ -75,6 +75,31 @@ INSTANTIATE_TEST_SUITE_P(Combinations, CudaLaws,
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
                                           testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
 
+/// The same by a launch for each phase, of a batch of two.
+TEST_P(CudaLaws, GiveTheBitsOfTheCpuPhaseByPhase) {
+  SceneDef scene = test::busy_scene(8);
+  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
+           scene.water.drag_law) = GetParam();
+  if (scene.contact.resolution == Resolution::coupled) GTEST_SKIP() << "coupled moments are not made phase by phase";
+  const auto cpu = test::busy_engine(scene, "cpu");
+  CudaBatch batch({{scene, test::busy_field(scene)}, {scene, test::busy_field(scene)}}, {.launches = Launches::phases});
+  MomentLog expected;
+  std::vector<MomentLog> logs(2);
+  for (int call = 0; call < 8; ++call) {
+    cpu->advance(50, expected);
+    batch.advance(50, &logs);
+  }
+  EXPECT_EQ(batch.launches(), Launches::phases);
+  for (const std::size_t k : {0, 1}) {
+    test::expect_same_bodies(batch.bodies(k), cpu->bodies());
+    test::expect_same_log(logs[k], expected);
+    test::expect_same_books(batch.ledger(k), cpu->ledger());
+    EXPECT_EQ(batch.state_hash(k), cpu->state_hash());
+  }
+  EXPECT_GT(test::contacts_in(expected), 5000);
+  EXPECT_GT(expected.events.size(), 2u);
+}
+
 using Way = std::tuple<Resolution, Manifold>;
 
 /// The jam of 1,234 floes with what the cpu engine makes of it.
@@ -130,12 +155,52 @@ TEST_P(CudaJam, ThreadsThatNoBlockCanHaveAreRefused) {
 }
 
 TEST_P(CudaJam, AListTooSmallGrowsAndLosesNothing) {
-  CudaBatch batch(copies(1), {.list_rows = 100});
-  batch.restore(0, start_);
-  std::vector<MomentLog> logs(1);
-  batch.advance(moments, &logs);
-  EXPECT_EQ(batch.state_hash(0), hash_);
-  test::expect_same_log(logs[0], expected_);
+  for (const Launches launches : {Launches::moments, Launches::phases}) {
+    CudaBatch batch(copies(1), {.list_rows = 100, .launches = launches});
+    batch.restore(0, start_);
+    std::vector<MomentLog> logs(1);
+    batch.advance(moments, &logs);
+    EXPECT_EQ(batch.state_hash(0), hash_);
+    test::expect_same_log(logs[0], expected_);
+  }
+}
+
+/// As many as let the scenes be shared out among several streams, with a ring that holds few moments.
+TEST_P(CudaJam, ManyScenesKeepTheirBitsPhaseByPhase) {
+  if (scene_.contact.resolution == Resolution::coupled) GTEST_SKIP() << "coupled moments are not made phase by phase";
+  constexpr std::size_t count = 120;
+  CudaBatch batch(copies(count), {.ring_moments = 23});
+  for (std::size_t k = 0; k < count; ++k) batch.restore(k, start_);
+  std::vector<MomentLog> logs(count);
+  std::vector<std::int64_t> some(count, moments);
+  for (std::size_t k = 0; k < count; k += 3) some[k] = 7;
+  batch.advance(some, &logs);
+  EXPECT_EQ(batch.launches(), Launches::phases);
+  for (std::int64_t& more : some) more = moments - more;
+  batch.advance(some, &logs);  // as few as are moved by whole moments
+  for (std::size_t k = 0; k < count; ++k) {
+    EXPECT_EQ(batch.state_hash(k), hash_) << "place " << k;
+    test::expect_same_log(logs[k], expected_);
+  }
+  test::expect_same_books(batch.ledger(count - 1), ledger_);
+}
+
+TEST_P(CudaJam, WholeMomentsAndPhasesTakeTurns) {
+  if (scene_.contact.resolution == Resolution::coupled) GTEST_SKIP() << "coupled moments are not made phase by phase";
+  constexpr std::size_t count = 90;
+  CudaBatch batch(copies(count), {});
+  for (std::size_t k = 0; k < count; ++k) batch.restore(k, start_);
+  std::vector<std::int64_t> alone(count, 0), all(count, 5);
+  for (const std::size_t k : {0, 50}) alone[k] = 5;
+  bool by_moments = false, by_phases = false;
+  for (std::int64_t left = moments; left > 0; left -= 10) {
+    batch.advance(alone, nullptr);
+    by_moments |= batch.launches() == Launches::moments;
+    batch.advance(all, nullptr);
+    by_phases |= batch.launches() == Launches::phases;
+  }
+  EXPECT_TRUE(by_moments && by_phases);
+  for (const std::size_t k : {0, 50}) EXPECT_EQ(batch.state_hash(k), hash_) << "place " << k;
 }
 
 TEST_P(CudaJam, ARestartChangesNothing) {
@@ -181,7 +246,7 @@ TEST_P(CudaJam, PlaceAndSizeOfABatchChangeNothing) {
 
 TEST_P(CudaJam, ScenesThatShareTheDeviceUnequallyKeepTheirBits) {
   std::vector<BatchScene> scenes = copies(26);
-  CudaBatch batch(scenes, {.ring_moments = 32});
+  CudaBatch batch(scenes, {.ring_moments = 32, .launches = Launches::moments});
   std::vector<MomentsAhead> ahead;
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     batch.restore(k, start_);
@@ -262,9 +327,12 @@ TEST_F(OnGpu, AStateThatIsNoNumberStopsTheRun) {
   }
 }
 
-TEST_F(OnGpu, ASceneThatFailsStopsNoOtherOfItsBatch) {
-  const SceneDef scene = test::busy_scene(12);
-  CudaBatch batch(std::vector<BatchScene>(4, {scene, test::busy_field(scene)}), {});
+class OneOfABatch : public OnGpu, public testing::WithParamInterface<Launches> {};
+
+TEST_P(OneOfABatch, ThatFailsOnTheGpuStopsNoOther) {
+  SceneDef scene = test::busy_scene(12);
+  if (GetParam() == Launches::phases) scene.contact.resolution = Resolution::independent;
+  CudaBatch batch(std::vector<BatchScene>(4, {scene, test::busy_field(scene)}), {.launches = GetParam()});
   EngineState overflows = batch.save(0), no_number = overflows;
   overflows.bodies.position[20].x = 1e308;
   overflows.bodies.velocity[20].x = -1e308;
@@ -284,6 +352,11 @@ TEST_F(OnGpu, ASceneThatFailsStopsNoOtherOfItsBatch) {
     EXPECT_EQ(logs[k].platform.size(), 10u);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(OnGpuBy, OneOfABatch, testing::Values(Launches::moments, Launches::phases),
+                         [](const auto& launches) {
+                           return std::string(launches.param == Launches::phases ? "phases" : "moments");
+                         });
 
 class LongCuda : public OnGpu, public testing::WithParamInterface<Way> {};
 

@@ -1,0 +1,97 @@
+// The launches of a call that moves independent scenes phase by phase.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "gem/engine/cuda_kernel.h"
+#include "gem/engine/cuda_launch.cuh"
+#include "gem/engine/cuda_memory.cuh"
+
+namespace gem {
+namespace {
+
+/// Some scenes that go through the phases together, in a stream of their own beside those of others: what one waits
+/// for, another fills.
+class PhaseStream {
+ public:
+  PhaseStream(Arithmetic arithmetic, int multiprocessors)
+      : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+
+  /// The next call works on these scenes; `work` says where they lie, `bodies_blocks` how many blocks move the bodies
+  /// of each, `streams` how many such streams share the device.
+  void begin(const PhaseLaunch& work, const std::vector<int>& bodies_blocks, int streams, const Timeline& call) {
+    time_.begin_after(call);
+    work_ = work;
+    work_.scene_count = static_cast<int>(bodies_blocks.size());
+    list_grid_ = std::max(1, list_blocks * multiprocessors_ / streams);
+    std::vector<PhaseBlock> block;
+    add_blocks(block, bodies_blocks, 1);
+    all_ = static_cast<int>(block.size());
+    add_blocks(block, bodies_blocks, std::max(1, all_ * streams / (pairs_blocks * multiprocessors_)));
+    some_ = static_cast<int>(block.size()) - all_;
+    work_.blocks = reinterpret_cast<const PhaseBlock*>(send(block_memory_, block));
+    work_.queue = reinterpret_cast<ListQueue*>(
+        room(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * bodies_blocks.size()));
+  }
+
+  void launch(DevicePhase phase) {
+    const PhaseKernel kernel = arithmetic_ == Arithmetic::fast ? fast_phase(phase) : strict_phase(phase);
+    PhaseLaunch work = work_;
+    int grid = all_, block = phase_threads;
+    if (phase == DevicePhase::open || phase == DevicePhase::plan) grid = 1, block = 512;
+    if (phase == DevicePhase::list) grid = list_grid_;
+    if (phase == DevicePhase::choose || phase == DevicePhase::look || phase == DevicePhase::resolve) {
+      grid = some_;
+      work.blocks += all_;
+    }
+    if (phase == DevicePhase::choose) work.room_bytes = choose_room;
+    if (phase == DevicePhase::look) work.room_bytes = phase_threads / phase_lanes * sizeof(DeskOutlines);
+    if (phase == DevicePhase::bodies) work.room_bytes = bodies_room;
+    cudaLaunchConfig_t config{};
+    config.gridDim = dim3(static_cast<unsigned>(grid));
+    config.blockDim = dim3(static_cast<unsigned>(block));
+    config.dynamicSmemBytes = work.room_bytes;
+    config.stream = time_.stream();
+    check_cuda(cudaLaunchKernelEx(&config, kernel, work), "start");
+  }
+
+  void end(const Timeline& call) {
+    time_.end();
+    call.wait_for(time_);
+  }
+
+ private:
+  /// On one multiprocessor: more would only start and end.
+  static constexpr int pairs_blocks = 16;
+
+  /// The blocks of all scenes, for each as many as for its bodies over `share`.
+  static void add_blocks(std::vector<PhaseBlock>& all, const std::vector<int>& bodies_blocks, int share) {
+    for (std::size_t k = 0; k < bodies_blocks.size(); ++k) {
+      const int blocks = (bodies_blocks[k] + share - 1) / share;
+      for (int b = 0; b < blocks; ++b) all.push_back({static_cast<std::int32_t>(k), b, blocks});
+    }
+  }
+
+  static std::byte* room(DeviceMemory& memory, std::size_t bytes) {
+    if (memory.bytes() < bytes) memory = {}, memory = DeviceMemory(bytes);
+    return memory.data();
+  }
+  std::byte* send(DeviceMemory& memory, const std::vector<PhaseBlock>& block) {
+    const std::size_t bytes = sizeof(PhaseBlock) * block.size();
+    std::byte* const to = room(memory, bytes);
+    check_cuda(cudaMemcpyAsync(to, block.data(), bytes, cudaMemcpyHostToDevice, time_.stream()), "start");
+    check_cuda(cudaStreamSynchronize(time_.stream()), "start");
+    return to;
+  }
+
+  Arithmetic arithmetic_;
+  int multiprocessors_;
+  int all_ = 0, some_ = 0, list_grid_ = 1;  // blocks that move bodies, that work on pairs, that build lists
+  PhaseLaunch work_{};
+  Timeline time_;
+  DeviceMemory block_memory_, queue_memory_;
+};
+
+}  // namespace
+}  // namespace gem

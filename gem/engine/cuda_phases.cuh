@@ -1,0 +1,120 @@
+// The kernels that make one phase of many scenes; included by the two files that compile them.
+#pragma once
+
+#include "gem/engine/cuda_kernel.h"
+#include "gem/engine/device_crew.cuh"
+#include "gem/engine/device_phases.h"
+
+namespace gem {
+namespace {
+
+/// The blocks of a scene in one phase. They meet nowhere.
+class PhaseCrew : public DeviceCrew {
+ public:
+  using Lanes = LaneGroup<phase_lanes>;
+
+  __device__ PhaseCrew(const BlockRoom& room, int block, int blocks, CrewGate* gate)
+      : DeviceCrew(room), block_(block), blocks_(blocks), gate_(gate) {}
+
+  __device__ Lanes lanes() const { return {}; }
+  __device__ int block() const { return block_; }
+  __device__ int blocks() const { return blocks_; }
+  __device__ void raise(std::uint32_t alarms) { atomicOr(&gate_->alarms, alarms); }
+
+ private:
+  int block_, blocks_;
+  CrewGate* gate_;
+};
+
+/// The scene's constants and addresses, close at hand for all threads of a block.
+__device__ void take_scene(DeviceScene& scene, const DeviceScene* from) {
+  auto* to = reinterpret_cast<std::uint64_t*>(&scene);
+  for (unsigned w = threadIdx.x; w < sizeof(DeviceScene) / sizeof(std::uint64_t); w += blockDim.x)
+    to[w] = reinterpret_cast<const std::uint64_t*>(from)[w];
+  __syncthreads();
+}
+
+/// Whether a block has anything to do for a scene.
+template <DevicePhase phase>
+__device__ bool has_work(const DeviceScene& s, int block) {
+  const int first = block * phase_threads;
+  if (phase == DevicePhase::look) return first < s.counters->looks * phase_lanes;
+  if (phase == DevicePhase::resolve) return first < s.counters->touches;
+  return true;
+}
+
+/// A phase of all scenes, each by its own blocks.
+template <DevicePhase phase, int blocks>
+__global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const PhaseLaunch launch) {
+  __shared__ DeviceScene scene;
+  __shared__ BlockCell cell;
+  __shared__ StageClock clock;
+  extern __shared__ __align__(128) std::byte room[];
+  const PhaseBlock mine = launch.blocks[blockIdx.x];
+  if (!has_work<phase>(launch.scenes[mine.scene], mine.block)) return;
+  take_scene(scene, launch.scenes + mine.scene);
+  PhaseCrew crew(BlockRoom{cell, clock, room, launch.room_bytes, false}, mine.block, mine.blocks,
+                 launch.gates + mine.scene);
+  run_phase<phase>(scene, crew);
+}
+
+/// New lists for the scenes that need one, by as many blocks for each as there are.
+__global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(const PhaseLaunch launch) {
+  __shared__ DeviceScene scene;
+  __shared__ BlockCell cell;
+  __shared__ StageClock clock;
+  const int count = launch.queue->count, blocks = static_cast<int>(gridDim.x);
+  if (count == 0) return;
+  const int share = blocks / min(count, blocks), teams = blocks / share;
+  const int team = static_cast<int>(blockIdx.x) / share;
+  if (team >= teams) return;
+  GateCrew crew(BlockRoom{cell, clock, nullptr, 0, false}, share, launch.team_gates + team);
+  for (int at = team; at < count; at += teams) {
+    __syncthreads();  // before the scene is another one
+    take_scene(scene, launch.scenes + launch.queue->scene[at]);
+    renew_list(scene, crew);
+  }
+}
+
+/// A phase with a thread for each scene, by one block.
+template <DevicePhase phase>
+__global__ void phase_of_scenes(const PhaseLaunch launch) {
+  if (threadIdx.x == 0) launch.queue->count = 0;
+  __syncthreads();
+  for (int k = static_cast<int>(threadIdx.x); k < launch.scene_count; k += static_cast<int>(blockDim.x)) {
+    const DeviceScene& scene = launch.scenes[k];
+    launch.team_gates[k] = {};
+    if constexpr (phase == DevicePhase::open)
+      open_call(scene, launch.moments[k]);
+    else if (plan_moment(scene, launch.gates[k].alarms))
+      launch.queue->scene[DeviceCrew::add(&launch.queue->count, 1)] = k;
+  }
+}
+
+PhaseKernel phase_kernel_of(DevicePhase phase) {
+  switch (phase) {
+    case DevicePhase::open:
+      return phase_of_scenes<DevicePhase::open>;
+    case DevicePhase::begin:
+      return phase_of_all<DevicePhase::begin, 4>;
+    case DevicePhase::plan:
+      return phase_of_scenes<DevicePhase::plan>;
+    case DevicePhase::list:
+      return phase_of_lists;
+    case DevicePhase::choose:
+      return phase_of_all<DevicePhase::choose, 8>;
+    case DevicePhase::look:
+      return phase_of_all<DevicePhase::look, 5>;
+    case DevicePhase::resolve:
+      return phase_of_all<DevicePhase::resolve, 5>;
+    case DevicePhase::bodies:
+      return phase_of_all<DevicePhase::bodies, 4>;
+    case DevicePhase::last_work:
+      return phase_of_all<DevicePhase::last_work, 4>;
+    default:
+      return phase_of_all<DevicePhase::close, 4>;
+  }
+}
+
+}  // namespace
+}  // namespace gem

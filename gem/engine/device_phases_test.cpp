@@ -1,0 +1,122 @@
+// Phases run one by one give the bits, the books and the log of the cpu engine.
+#include "gem/engine/device_phases.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <tuple>
+
+#include "gem/engine/host_scene.h"
+#include "gem/engine/same_bits.h"
+#include "gem/engine/test_scenes.h"
+
+namespace gem {
+namespace {
+
+using test::HostScene;
+using Choice = std::tuple<Manifold, Yaw, FrictionLaw, DragLaw>;
+
+SceneDef independent_scene(std::int32_t size) {
+  SceneDef scene = test::busy_scene(size);
+  scene.contact.resolution = Resolution::independent;
+  return scene;
+}
+
+/// Blocks of this many threads have room for the copies of so many bodies.
+constexpr std::size_t ample_room = 1 << 20;
+
+HostScene phase_scene(const SceneDef& scene, const Bodies& field, int blocks, int threads, std::int32_t rows = 0) {
+  HostScene device(scene, field, blocks, threads, rows, ample_room);
+  device.by_phases();
+  return device;
+}
+
+class DevicePhases : public testing::TestWithParam<Choice> {};
+
+TEST_P(DevicePhases, GiveTheBitsOfTheCpuEngine) {
+  SceneDef scene = independent_scene(7);
+  std::tie(scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_lanes);
+  MomentLog expected, log;
+  for (int call = 0; call < 3; ++call) {
+    cpu->advance(40, expected);
+    device.advance(40, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    if (HasFailure()) return;
+  }
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  EXPECT_GT(test::contacts_in(expected), 1000);
+  EXPECT_GT(device.status().builds, 2);
+  EXPECT_GT(device.asleep(), 0) << "no pair ever slept";
+}
+
+INSTANTIATE_TEST_SUITE_P(Combinations, DevicePhases,
+                         testing::Combine(testing::Values(Manifold::chord_middle, Manifold::chord_ends),
+                                          testing::Values(Yaw::free, Yaw::locked),
+                                          testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
+                                          testing::Values(DragLaw::quadratic)));
+
+TEST(DevicePhase, BlocksAndThreadsChangeNothing) {
+  constexpr std::int64_t moments = 12;
+  const SceneDef scene = independent_scene(7);
+  const auto cpu = test::busy_engine(scene, "cpu");
+  MomentLog expected;
+  cpu->advance(moments, expected);
+  EXPECT_GT(test::contacts_in(expected), 50);
+  for (const auto& [blocks, threads] : {std::pair{1, 8}, {2, 4}, {3, 8}}) {
+    HostScene device = phase_scene(scene, test::busy_field(scene), blocks, threads);
+    MomentLog log;
+    device.advance(moments, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  }
+}
+
+TEST(DevicePhase, TakesTurnsWithWholeMoments) {
+  const SceneDef scene = independent_scene(7);
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_lanes);
+  MomentLog expected, log;
+  for (int call = 0; call < 12; ++call) {
+    cpu->advance(9, expected);
+    if (call % 2 == 0)
+      device.by_phases();
+    else
+      device.by_moments();
+    device.advance(9, log);
+  }
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  EXPECT_GT(test::contacts_in(expected), 500);
+}
+
+TEST(DevicePhase, OfAListTooSmallGrowsItAndLosesNothing) {
+  const SceneDef scene = independent_scene(7);
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_lanes, 40);
+  MomentLog expected, log;
+  cpu->advance(60, expected);
+  device.advance(60, log);
+  EXPECT_GT(device.growths(), 0);
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+}
+
+TEST(DevicePhase, StopsAtAStateThatIsNoNumber) {
+  const SceneDef scene = independent_scene(7);
+  Bodies field = test::busy_field(scene);
+  field.position[20].x = 1e308;
+  field.velocity[20].x = -1e308;
+  HostScene device = phase_scene(scene, field, 1, test::team_lanes);
+  MomentLog log;
+  device.advance(10, log);
+  EXPECT_EQ(device.status().stop, DeviceStop::not_finite);
+  EXPECT_LT(device.status().samples, 10);
+}
+
+}  // namespace
+}  // namespace gem

@@ -1,0 +1,156 @@
+// For tests: a device scene in the memory of the host, moved by crews of its threads.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <vector>
+
+#include "gem/engine/books.h"
+#include "gem/engine/device_phases.h"
+#include "gem/engine/scene_image.h"
+#include "gem/engine/team_crew.h"
+
+namespace gem::test {
+
+/// A device scene in the memory of the host.
+class HostScene {
+ public:
+  HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0,
+            std::size_t room = 1 << 20, bool apart = false)
+      : field_(make_field_state(bodies, moment_constants(scene, bodies))),
+        sizes_(scene_sizes(field_)),
+        scene_(scene_constants(field_, scene.output.event_speed_m_per_s)),
+        threads_(threads),
+        room_(room),
+        apart_(apart) {
+    sizes_.blocks = blocks;
+    if (rows > 0) sizes_.rows = rows;
+    sizes_.samples = 32;
+    scene_.wants_events = scene_.wants_samples = 1;
+    memory_[0].resize(place_field(scene_, sizes_, nullptr));
+    place_field(scene_, sizes_, memory_[0].data());
+    memory_[2].resize(place_rings(scene_, sizes_, nullptr));
+    place_rings(scene_, sizes_, memory_[2].data());
+    grow();
+    write_field(field_, 0, scene_);
+  }
+
+  /// From now on each phase is run by itself.
+  void by_phases() { by_phases_ = true; }
+  void by_moments() { by_phases_ = false; }
+
+  void advance(std::int64_t moments, MomentLog& log) {
+    while (moments > 0) {
+      const std::int32_t some = static_cast<std::int32_t>(std::min<std::int64_t>(moments, sizes_.samples));
+      if (by_phases_)
+        run_phases(some);
+      else
+        run_moments(some);
+      const DeviceStatus& status = *scene_.status;
+      append_log(field_, scene_, status, by_phases_ ? 1 : sizes_.blocks, log);
+      moments -= status.samples;
+      if (status.stop == DeviceStop::list_full) {
+        sizes_.rows = std::max(sizes_.rows, status.rows_needed);
+        sizes_.platform_rows = std::max(sizes_.platform_rows, status.platform_needed);
+        const std::vector<CarriedMemory> carried = memory();
+        grow();
+        std::copy(carried.begin(), carried.end(), scene_.carried);
+        ++growths_;
+      }
+      if (status.stop == DeviceStop::not_finite) break;
+    }
+    read_state(scene_.state, field_);
+  }
+
+  /// What a batch does with a scene that is done while others are not.
+  void wait() {
+    SoloCrew crew;
+    advance_scene(scene_, crew, 0);
+  }
+
+  Ledger ledger(const Ledger& start) {
+    Ledger running;
+    running.start = start.start;
+    field_.books.assign(scene_.books, scene_.books + field_.books.size());
+    field_.mooring_force = scene_.platform->mooring_force;
+    return closed_books(field_, running);
+  }
+
+  std::vector<CarriedMemory> memory() const { return {scene_.carried, scene_.carried + scene_.status->carried}; }
+
+  const Bodies& bodies() const { return field_.bodies; }
+  const DeviceStatus& status() const { return *scene_.status; }
+  int growths() const { return growths_; }
+  /// Pairs that sleep now; of a scene that was moved phase by phase.
+  std::int32_t asleep() const {
+    std::int32_t count = 0;
+    for (std::int32_t p = 0; p < scene_.counters->pairs; ++p)
+      count += scene_.wake[p] > static_cast<float>(scene_.status->clock) ? 1 : 0;
+    return count;
+  }
+  std::int32_t longest_lower_row() const {
+    std::int32_t longest = 0;
+    for (std::int32_t i = 0; i < scene_.bodies; ++i) longest = std::max(longest, scene_.motion[i].lower_count);
+    return longest;
+  }
+
+ private:
+  void run_moments(std::int32_t moments) {
+    if (sizes_.blocks == 1 && threads_ == 1) {
+      SoloCrew crew;
+      advance_scene(scene_, crew, moments);
+      return;
+    }
+    const auto move = [&](auto& crew) { advance_scene(scene_, crew, moments); };
+    if (apart_)
+      run_team<ApartCrew>(sizes_.blocks, threads_, room_, move);
+    else
+      run_team<TeamCrew>(sizes_.blocks, threads_, room_, move);
+  }
+
+  void run_phases(std::int32_t moments) {
+    bool lists = false;
+    std::uint32_t alarms = 0;
+    each_phase(moments, [&](DevicePhase phase) {
+      if (phase == DevicePhase::open) open_call(scene_, moments);
+      if (phase == DevicePhase::plan) lists = plan_moment(scene_, alarms);
+      if (phase == DevicePhase::list && lists)
+        run_team<TeamCrew>(sizes_.blocks, threads_, room_, [&](auto& crew) { renew_list(scene_, crew); });
+      run<DevicePhase::begin>(phase, alarms);
+      run<DevicePhase::choose>(phase, alarms);
+      run<DevicePhase::look>(phase, alarms);
+      run<DevicePhase::resolve>(phase, alarms);
+      run<DevicePhase::bodies>(phase, alarms);
+      run<DevicePhase::last_work>(phase, alarms);
+      run<DevicePhase::close>(phase, alarms);
+    });
+  }
+
+  /// One phase, if it is this one, by a team that ends with it; alarms stay.
+  template <DevicePhase phase>
+  void run(DevicePhase now, std::uint32_t& alarms) {
+    if (now == phase)
+      run_team<PhaseTeam>(sizes_.blocks, threads_, room_, [&](PhaseTeam& crew) {
+        crew.raise_in(alarms);
+        run_phase<phase>(scene_, crew);
+      });
+  }
+
+  void grow() {
+    memory_[1].resize(place_list(scene_, sizes_, nullptr));
+    std::memset(memory_[1].data(), 0xff, memory_[1].size());
+    place_list(scene_, sizes_, memory_[1].data());
+  }
+
+  FieldState field_;
+  SceneSizes sizes_;
+  DeviceScene scene_;
+  int threads_;
+  std::size_t room_;
+  bool apart_, by_phases_ = false;
+  std::vector<std::byte> memory_[3];
+  int growths_ = 0;
+};
+
+}  // namespace gem::test

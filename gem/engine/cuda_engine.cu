@@ -6,7 +6,6 @@
 #include <bit>
 #include <exception>
 #include <map>
-#include <numeric>
 #include <thread>
 
 #include "gem/engine/block_share.h"
@@ -40,7 +39,6 @@ int chosen_threads(int threads) {
 class CudaBatch::Work {
   /// Of the slowest scene in one launch: fewer would not be worth the start.
   static constexpr std::int64_t fewest_moments = 16;
-  static constexpr std::size_t most_phase_streams = 8;
   /// On one multiprocessor: with fewer blocks whole moments are faster.
   static constexpr int phase_blocks_worth_it = 5;
   static constexpr std::size_t most_recorders = 8;  // threads that append what the scenes have recorded
@@ -181,18 +179,21 @@ class CudaBatch::Work {
       if (ahead[k].most > 0) active.push_back(k);
     if (active.empty()) return;
     last_launches_ = moves_by_phases(active) ? Launches::phases : Launches::moments;
-    if (last_launches_ == Launches::phases) {
+    if (last_launches_ == Launches::phases)
       move_by_phases(active, ahead);
-      collect(active, ahead, logs);
-      return;
-    }
+    else
+      move_by_moments(active, ahead);
+    collect(active, ahead, logs);
+  }
+
+  /// By blocks that stay: a launch takes the scenes in the order of their blocks, most first.
+  void move_by_moments(std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
     guess_work(active);
     share_out(active, ahead);
     std::stable_sort(active.begin(), active.end(), [this](std::size_t i, std::size_t j) {
       return share_[i] != share_[j] ? share_[i] > share_[j] : work_[i] > work_[j];
     });
     move(active, ahead);
-    collect(active, ahead, logs);
   }
 
   /// Whether these scenes are moved by a launch for each phase: they are more than all threads at work.
@@ -216,31 +217,14 @@ class CudaBatch::Work {
       share_[k] = 1;
     }
     send(active, moments);
+    PhaseLaunch work{};
+    work.scenes = reinterpret_cast<const DeviceScene*>(scene_memory_.data());
+    work.moments = reinterpret_cast<const std::int32_t*>(wanted_memory_.data());
+    work.gates = reinterpret_cast<CrewGate*>(gate_memory_.data());
+    work.team_gates = work.gates + scenes_.size();
     time_.begin();
-    const std::size_t streams = phase_streams_for(std::accumulate(blocks.begin(), blocks.end(), 0), active.size());
-    while (phases_.size() < streams)
-      phases_.push_back(std::make_unique<PhaseStream>(arithmetic_, device_.multiprocessors));
-    for (std::size_t g = 0; g < streams; ++g) {
-      const std::size_t first = active.size() * g / streams, last = active.size() * (g + 1) / streams;
-      PhaseLaunch work{};
-      work.scenes = reinterpret_cast<const DeviceScene*>(scene_memory_.data()) + first;
-      work.moments = reinterpret_cast<const std::int32_t*>(wanted_memory_.data()) + first;
-      work.gates = reinterpret_cast<CrewGate*>(gate_memory_.data()) + first;
-      work.team_gates = work.gates + scenes_.size();
-      phases_[g]->begin(work, {blocks.begin() + std::ptrdiff_t(first), blocks.begin() + std::ptrdiff_t(last)},
-                        static_cast<int>(streams), time_);
-    }
-    each_phase(*std::max_element(moments.begin(), moments.end()), [&](DevicePhase phase) {
-      for (std::size_t g = 0; g < streams; ++g) phases_[g]->launch(phase);
-    });
-    for (std::size_t g = 0; g < streams; ++g) phases_[g]->end(time_);
+    phases_.run(work, blocks, *std::max_element(moments.begin(), moments.end()), time_);
     finish();
-  }
-
-  /// Streams among which scenes of so many blocks are shared out.
-  std::size_t phase_streams_for(int blocks, std::size_t scenes) const {
-    const int useful = std::max(1, blocks / device_.multiprocessors);
-    return std::min<std::size_t>({scenes, most_phase_streams, static_cast<std::size_t>(useful)});
   }
 
   /// A scene that has made no moment yet is taken for one like the others.
@@ -254,7 +238,7 @@ class CudaBatch::Work {
       if (work_[k] == 0.0) work_[k] = known > 0.0 ? sum / known : 1.0;
   }
 
-  /// The launch of scenes in the order of their blocks, most first.
+  /// The launches of scenes in this order.
   void move(const std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
     std::vector<double> time;
     for (const std::size_t k : active) time.push_back(work_[k] / share_[k]);
@@ -387,7 +371,7 @@ class CudaBatch::Work {
   std::vector<int> share_;        // blocks of each in the last launch
   std::map<int, Timeline> part_;  // of a launch, by the blocks of a scene
   Timeline time_;
-  std::vector<std::unique_ptr<PhaseStream>> phases_;
+  PhaseStreams phases_{arithmetic_, device_.multiprocessors};
   DeviceMemory status_memory_, scene_memory_, wanted_memory_, gate_memory_;
   PinnedMemory status_, scene_, wanted_;
   std::vector<CudaScene> scenes_;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
+#include <numeric>
 #include <vector>
 
 #include "gem/engine/cuda_kernel.h"
@@ -91,6 +93,49 @@ class PhaseStream {
   PhaseLaunch work_{};
   Timeline time_;
   DeviceMemory block_memory_, queue_memory_;
+};
+
+/// All scenes of a call, shared out among some streams.
+class PhaseStreams {
+ public:
+  PhaseStreams(Arithmetic arithmetic, int multiprocessors)
+      : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+
+  /// Starts a call between `call`'s beginning and its end: all phases of as many moments as the scene has that has
+  /// most. `work` says where the scenes lie, `bodies_blocks` how many blocks move the bodies of each.
+  void run(const PhaseLaunch& work, const std::vector<int>& bodies_blocks, std::int64_t moments, const Timeline& call) {
+    const std::size_t scenes = bodies_blocks.size(), count = streams_for(bodies_blocks);
+    while (stream_.size() < count) stream_.push_back(std::make_unique<PhaseStream>(arithmetic_, multiprocessors_));
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto first = static_cast<std::ptrdiff_t>(scenes * k / count),
+                 last = static_cast<std::ptrdiff_t>(scenes * (k + 1) / count);
+      PhaseLaunch part = work;
+      part.scenes += first;
+      part.moments += first;
+      part.gates += first;
+      part.team_gates += first;
+      stream_[k]->begin(part, {bodies_blocks.begin() + first, bodies_blocks.begin() + last}, static_cast<int>(count),
+                        call);
+    }
+    each_phase(moments, [&](DevicePhase phase) {
+      for (std::size_t k = 0; k < count; ++k) stream_[k]->launch(phase);
+    });
+    for (std::size_t k = 0; k < count; ++k) stream_[k]->end(call);
+  }
+
+ private:
+  static constexpr std::size_t most_streams = 8;
+
+  /// More streams than the blocks fill the device would each have too little to do.
+  std::size_t streams_for(const std::vector<int>& bodies_blocks) const {
+    const int blocks = std::accumulate(bodies_blocks.begin(), bodies_blocks.end(), 0);
+    const auto useful = static_cast<std::size_t>(std::max(1, blocks / multiprocessors_));
+    return std::min({bodies_blocks.size(), most_streams, useful});
+  }
+
+  Arithmetic arithmetic_;
+  int multiprocessors_;
+  std::vector<std::unique_ptr<PhaseStream>> stream_;
 };
 
 }  // namespace

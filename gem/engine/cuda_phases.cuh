@@ -58,7 +58,8 @@ __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const Phas
   run_phase<phase>(scene, crew);
 }
 
-/// New lists for the scenes that need one, by as many blocks for each as there are.
+/// New lists for the scenes that need one, by as many blocks for each as there are. They meet, so all have to be on the
+/// device at a time: those of all streams find room there, and what stands in their way ends by itself.
 __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
@@ -68,6 +69,7 @@ __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(con
   const int share = blocks / min(count, blocks), teams = blocks / share;
   const int team = static_cast<int>(blockIdx.x) / share;
   if (team >= teams) return;
+  if (threadIdx.x == 0) cell = {};
   GateCrew crew(BlockRoom{cell, clock, nullptr, 0, false}, share, launch.team_gates + team);
   for (int at = team; at < count; at += teams) {
     __syncthreads();  // before the scene is another one

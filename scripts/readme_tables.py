@@ -85,12 +85,12 @@ def waiting(r, costs):
 
 
 def gpu_table():
-    rows = ["| contacts | arithmetic | what | scenes | blocks x threads | µs a moment | barriers alone, µs | "
-            "x real time, all scenes | wall / device | state hash | device | commit |", "|" + "---|" * 12]
+    rows = ["| contacts | arithmetic | what | scenes | a launch makes | blocks x threads | µs a moment | barriers alone, µs | "
+            "x real time, all scenes | wall / device | state hash | device | commit |", "|" + "---|" * 13]
     costs = barrier_costs()
     for r in gpu_rows():
         what = r["phase"] if r["measure"] == "moment" else f"{r['measure'].replace('_', ', ')}, {r['phase']}"
-        rows.append(f"| {r['resolution']} | {r['arithmetic']} | {what} | {r['scenes']} | {r['blocks']} x {r['threads']} | "
+        rows.append(f"| {r['resolution']} | {r['arithmetic']} | {what} | {r['scenes']} | {r['launches']} | {r['blocks']} x {r['threads']} | "
                     f"{float(r['microseconds_per_moment']):.0f} | {waiting(r, costs)} | {float(r['x_real_time']):.0f} | "
                     f"{r['wall_over_device']} | `{r['state_hash']}` | {r['device']} | {r['commit'][:7]}{'-dirty' if 'dirty' in r['commit'] else ''} |")
     return rows

@@ -66,7 +66,7 @@ struct OneLane {
 class SoloCrew {
  public:
   using Lanes = OneLane;
-  using Wide = OneLane;  // as many or more lanes
+  using Wide = OneLane;  // as many lanes as an outline has edges, or as `Lanes`
   using Warp = OneLane;
 
   int block() const { return 0; }

@@ -321,18 +321,27 @@ class CudaBatch::Work {
       guarded(k, ahead[k], [&] { scenes_[k].append(status, share_[k], logs[k]); });
     };
     constexpr std::size_t scenes_worth_a_thread = 8;
-    const int threads = static_cast<int>(std::min<std::size_t>(
-        {active.size() / scenes_worth_a_thread, most_recorders, std::thread::hardware_concurrency()}));
-    if (threads < 2) {
+    if (active.size() < 2 * scenes_worth_a_thread || !make_recorders(scenes_.size() / scenes_worth_a_thread)) {
       for (const std::size_t k : active) append(k);
       return;
     }
-    if (!recorders_) recorders_ = std::make_unique<ThreadTeam>(threads);
     recorders_->run([&](int rank) {
       const auto count = static_cast<std::int64_t>(active.size());
       for (std::int64_t at = recorders_->begin_of(rank, count); at < recorders_->begin_of(rank + 1, count); ++at)
         append(active[static_cast<std::size_t>(at)]);
     });
+  }
+
+  /// Whether there are threads that record; a system that gives none is no fault.
+  bool make_recorders(std::size_t useful) {
+    const auto threads = std::min<std::size_t>({useful, most_recorders, std::thread::hardware_concurrency()});
+    if (recorders_ || threads < 2) return recorders_ != nullptr;
+    try {
+      recorders_ = std::make_unique<ThreadTeam>(static_cast<int>(threads));
+    } catch (const Error&) {
+      return false;
+    }
+    return true;
   }
 
   /// How the scene got on: what a moment of it costs.
@@ -346,9 +355,9 @@ class CudaBatch::Work {
     if (k == 0) {
       barriers_ += status.barriers;
       team_barriers_ += status.team_barriers;
-      counted_moments_ += status.samples;
+      if (last_launches_ == Launches::moments) counted_moments_ += status.samples;
     }
-    if (status.samples > 0) work_[k] = clocks * share_[k] / status.samples;
+    if (status.samples > 0 && clocks > 0.0) work_[k] = clocks * share_[k] / status.samples;
   }
 
   /// Removes what stopped a scene, where that can be done.

@@ -34,7 +34,8 @@ enum class Arithmetic { strict, fast };
 constexpr int most_launch_moments = 256;
 
 /// What a launch does. moments: many moments of all scenes, by blocks that stay. phases: one phase of one moment of all
-/// scenes, which have independent contacts; for scenes that are many or have many bodies. chosen: what is faster.
+/// scenes; for scenes that are many or have many bodies. chosen: what is faster. Scenes with coupled contacts, and
+/// those for which a number of blocks is given, are moved by moments in any case.
 enum class Launches { chosen, moments, phases };
 
 /// How the scenes of a batch are laid out on the GPU. With strict arithmetic no choice changes a result.
@@ -61,8 +62,9 @@ struct MomentsAhead {
   std::int64_t all = 0;   // to its end: scenes that have much ahead get more of the GPU
 };
 
-/// Many scenes on one GPU, moved on together. With strict arithmetic each has the bits that it has alone. Throws
-/// Error(device) where no GPU answers or a call fails, Error(resource_limit) where its memory is too small.
+/// Many scenes on one GPU, moved on together; no other batch of the process moves scenes on the same GPU meanwhile.
+/// With strict arithmetic each has the bits that it has alone. Throws Error(device) where no GPU answers or a call
+/// fails, Error(resource_limit) where its memory is too small.
 class CudaBatch {
  public:
   CudaBatch(std::vector<BatchScene> scenes, const CudaOptions& options);
@@ -91,7 +93,7 @@ class CudaBatch {
   /// Blocks of the first scene in the last launch; others may have had another number.
   int blocks() const;
   int threads() const;
-  /// What the launches of the last call did: moments or phases.
+  /// What the last launch did: moments or phases.
   Launches launches() const;
   /// Time that the GPU spent in the kernels of the last advance [s].
   double device_time() const;

@@ -19,10 +19,7 @@ __global__ void __launch_bounds__(most_threads, 1) advance_scenes(const Launch l
     clock = {};
     clock.last = clock64();
   }
-  const auto* from = reinterpret_cast<const std::uint64_t*>(launch.scenes + k);
-  auto* to = reinterpret_cast<std::uint64_t*>(&scene);
-  for (unsigned w = threadIdx.x; w < sizeof(DeviceScene) / sizeof(std::uint64_t); w += blockDim.x) to[w] = from[w];
-  __syncthreads();
+  take_scene(scene, launch.scenes + k);
   const bool first = static_cast<int>(blockIdx.x) % launch.blocks == 0;
   Crew crew(BlockRoom{cell, clock, room, launch.room_bytes, first}, launch.blocks, launch.gates + k);
   advance_scene(scene, crew, launch.moments[k]);

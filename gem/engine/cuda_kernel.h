@@ -53,10 +53,11 @@ struct PhaseLaunch {
 using AdvanceKernel = void (*)(const Launch);
 
 /// `gated`: for scenes of more blocks than a cluster holds.
-using PhaseKernel = void (*)(const PhaseLaunch);
-
 AdvanceKernel strict_kernel(bool gated);
 AdvanceKernel fast_kernel(bool gated);
+
+using PhaseKernel = void (*)(const PhaseLaunch);
+
 PhaseKernel strict_phase(DevicePhase phase);
 PhaseKernel fast_phase(DevicePhase phase);
 

@@ -26,7 +26,7 @@ class PhaseStream {
     time_.begin_after(call);
     work_ = work;
     work_.scene_count = static_cast<int>(bodies_blocks.size());
-    list_grid_ = std::max(1, list_blocks * multiprocessors_ / streams);
+    list_grid_ = std::max(1, list_room() / streams);
     std::vector<PhaseBlock> block;
     add_blocks(block, bodies_blocks, 1);
     all_ = static_cast<int>(block.size());
@@ -38,10 +38,9 @@ class PhaseStream {
   }
 
   void launch(DevicePhase phase) {
-    const PhaseKernel kernel = arithmetic_ == Arithmetic::fast ? fast_phase(phase) : strict_phase(phase);
     PhaseLaunch work = work_;
     int grid = all_, block = phase_threads;
-    if (phase == DevicePhase::open || phase == DevicePhase::plan) grid = 1, block = 512;
+    if (phase == DevicePhase::open || phase == DevicePhase::plan) grid = 1, block = plan_threads;
     if (phase == DevicePhase::list) grid = list_grid_;
     if (phase == DevicePhase::choose || phase == DevicePhase::look || phase == DevicePhase::resolve) {
       grid = some_;
@@ -55,7 +54,7 @@ class PhaseStream {
     config.blockDim = dim3(static_cast<unsigned>(block));
     config.dynamicSmemBytes = work.room_bytes;
     config.stream = time_.stream();
-    check_cuda(cudaLaunchKernelEx(&config, kernel, work), "start");
+    check_cuda(cudaLaunchKernelEx(&config, kernel_of_phase(phase), work), "start");
   }
 
   void end(const Timeline& call) {
@@ -66,6 +65,19 @@ class PhaseStream {
  private:
   /// On one multiprocessor: more would only start and end.
   static constexpr int pairs_blocks = 16;
+
+  /// Blocks that build lists and meet, of all streams: they have to be on the device at a time.
+  int list_room() const {
+    int together = 0;
+    check_cuda(
+        cudaOccupancyMaxActiveBlocksPerMultiprocessor(&together, kernel_of_phase(DevicePhase::list), phase_threads, 0),
+        "be set up");
+    return std::min(list_blocks, together) * multiprocessors_;
+  }
+
+  PhaseKernel kernel_of_phase(DevicePhase phase) const {
+    return arithmetic_ == Arithmetic::fast ? fast_phase(phase) : strict_phase(phase);
+  }
 
   /// The blocks of all scenes, for each as many as for its bodies over `share`.
   static void add_blocks(std::vector<PhaseBlock>& all, const std::vector<int>& bodies_blocks, int share) {

@@ -26,14 +26,6 @@ class PhaseCrew : public DeviceCrew {
   CrewGate* gate_;
 };
 
-/// The scene's constants and addresses, close at hand for all threads of a block.
-__device__ void take_scene(DeviceScene& scene, const DeviceScene* from) {
-  auto* to = reinterpret_cast<std::uint64_t*>(&scene);
-  for (unsigned w = threadIdx.x; w < sizeof(DeviceScene) / sizeof(std::uint64_t); w += blockDim.x)
-    to[w] = reinterpret_cast<const std::uint64_t*>(from)[w];
-  __syncthreads();
-}
-
 /// Whether a block has anything to do for a scene.
 template <DevicePhase phase>
 __device__ bool has_work(const DeviceScene& s, int block) {
@@ -59,7 +51,8 @@ __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const Phas
 }
 
 /// New lists for the scenes that need one, by as many blocks for each as there are. They meet, so all have to be on the
-/// device at a time: those of all streams find room there, and what stands in their way ends by itself.
+/// device at a time: it has room for those of all streams, and what stands in their way ends by itself as long as no
+/// other batch makes moments on the same device.
 __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
@@ -80,7 +73,7 @@ __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(con
 
 /// A phase with a thread for each scene, by one block.
 template <DevicePhase phase>
-__global__ void phase_of_scenes(const PhaseLaunch launch) {
+__global__ void __launch_bounds__(plan_threads) phase_of_scenes(const PhaseLaunch launch) {
   if (threadIdx.x == 0) launch.queue->count = 0;
   __syncthreads();
   for (int k = static_cast<int>(threadIdx.x); k < launch.scene_count; k += static_cast<int>(blockDim.x)) {
@@ -113,9 +106,10 @@ PhaseKernel phase_kernel_of(DevicePhase phase) {
       return phase_of_all<DevicePhase::bodies, 4>;
     case DevicePhase::last_work:
       return phase_of_all<DevicePhase::last_work, 4>;
-    default:
+    case DevicePhase::close:
       return phase_of_all<DevicePhase::close, 4>;
   }
+  return nullptr;
 }
 
 }  // namespace

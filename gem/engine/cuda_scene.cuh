@@ -58,7 +58,7 @@ class CudaScene {
   void fetch(const DeviceStatus& status, int blocks, cudaStream_t stream) {
     if (status.samples == 0) return;
     const auto moments = static_cast<std::size_t>(status.samples) * static_cast<std::size_t>(blocks);
-    fetch(device_.overlap_count, device_.quality + moments, stream);
+    fetch(device_.overlap_count, device_.quality + moments, stream);  // the samples stand between these
     fetch(device_.event, device_.event + status.events, stream);
   }
 

@@ -153,12 +153,8 @@ GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& d
     mover.spin = after.spin;
   }
   write_mover(cell, mover);
-  if (retires) cell.active = 0;
-  if (desk.shows) {
-    BodyCell& shown = s.body[i];
-    write_mover(shown, mover);
-    if (retires) shown.active = 0;
-  }
+  if (retires) s.body[i].active = cell.active = 0;
+  if (desk.shows) write_mover(s.body[i], mover);
   s.after[i].velocity = after.velocity;
   s.after[i].spin = after.spin;
   Quantity& book = s.book(Channel::drag, i);

@@ -52,6 +52,14 @@ class LaneGroup {
   __device__ unsigned mask() const { return ones << first(); }
 };
 
+/// The scene's constants and addresses, close at hand for all threads of a block.
+__device__ inline void take_scene(DeviceScene& scene, const DeviceScene* from) {
+  auto* to = reinterpret_cast<std::uint64_t*>(&scene);
+  for (unsigned w = threadIdx.x; w < sizeof(DeviceScene) / sizeof(std::uint64_t); w += blockDim.x)
+    to[w] = reinterpret_cast<const std::uint64_t*>(from)[w];
+  __syncthreads();
+}
+
 /// Where the time of the first thread goes.
 struct StageClock {
   long long last, sum[stage_count];

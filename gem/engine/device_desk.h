@@ -71,6 +71,8 @@ GEM_DEVICE inline void copy_parts(const Crew& crew, void* to, const void* from, 
 }
 
 /// Copies whole records.
+static_assert(sizeof(BodyCell) % sizeof(CopyWord) == 0 && sizeof(BodyMotion) % sizeof(CopyWord) == 0 &&
+              sizeof(PairCell) % sizeof(CopyWord) == 0);
 template <class Crew>
 GEM_DEVICE inline void copy_words(const Crew& crew, void* to, const void* from, std::size_t bytes) {
   copy_parts<1, 0, 1>(crew, to, from, static_cast<std::int32_t>(bytes / sizeof(CopyWord)));
@@ -96,22 +98,16 @@ GEM_DEVICE inline Desk share_bodies(const DeviceScene& s, const Crew& crew) {
   return desk;
 }
 
-/// Takes what every moment fills anew from the start of the fast memory.
-template <class Crew>
-GEM_DEVICE inline void place_looks(Crew& crew, Desk& desk) {
-  const std::size_t looks = whole_lines(crew.threads() * sizeof(LookItem)),
-                    outlines = whole_lines(crew.threads() / Crew::Lanes::size * sizeof(DeskOutlines));
-  desk.look = reinterpret_cast<LookItem*>(crew.room());
-  desk.outlines = reinterpret_cast<DeskOutlines*>(crew.room() + looks);
-  desk.minimum_bytes = looks + outlines;
-}
-
 /// Shares out the fast memory and the threads.
 template <class Crew>
 GEM_DEVICE inline Desk make_desk(const DeviceScene& s, Crew& crew) {
   Desk desk = share_bodies(s, crew);
   // from the start what every moment fills anew, from the end the copies
-  place_looks(crew, desk);
+  const std::size_t looks = whole_lines(crew.threads() * sizeof(LookItem)),
+                    outlines = whole_lines(crew.threads() / Crew::Lanes::size * sizeof(DeskOutlines));
+  desk.look = reinterpret_cast<LookItem*>(crew.room());
+  desk.outlines = reinterpret_cast<DeskOutlines*>(crew.room() + looks);
+  desk.minimum_bytes = looks + outlines;
   desk.bodies_begin = crew.room_bytes() / desk_line * desk_line;
   const std::size_t own = desk.bodies.count(), cells = whole_lines(own * sizeof(BodyCell)),
                     motions = whole_lines(own * sizeof(BodyMotion));
@@ -152,7 +148,7 @@ GEM_DEVICE inline void take_bodies(const DeviceScene& s, Crew& crew, const Desk&
   copy_words(crew, desk.motion + first, s.motion + first, desk.bodies.count() * sizeof(BodyMotion));
 }
 
-/// The scene's cells are always up to date; only what the owner alone reads has to go back.
+/// Moved bodies are shown at once, so the scene's cells are up to date; what the owner alone reads has to go back.
 template <class Crew>
 GEM_DEVICE inline void put_bodies_back(const DeviceScene& s, Crew& crew, const Desk& desk) {
   const std::int32_t first = desk.bodies.begin;

@@ -143,7 +143,7 @@ GEM_DEVICE inline std::int32_t place_in_row(const DeviceScene& s, std::int32_t b
 template <class Crew>
 GEM_DEVICE inline void put_looks_aside(const DeviceScene& s, Crew& crew) {
   const std::int32_t first = rank_of(crew), step = size_of(crew);
-  const bool complete = s.counters->complete != 0;
+  const bool complete = s.counters->complete == 1;
   for (std::int32_t i = first; i < s.bodies; i += step)
     s.last_row[i] = {s.motion[i].row_begin, complete ? s.motion[i].row_count : 0};
   if (!complete) return;

@@ -179,15 +179,16 @@ class Looks {
   Place place_;
 };
 
-/// Looks at every `groups`-th of some items from that of the thread's group on.
+/// Looks at items: the group of this thread at `first`, first + step, ... below `count`.
 template <class Crew, class Place>
 GEM_DEVICE inline void look_at_items(const DeviceScene& s, Crew& crew, PairCell* pair, DeskOutlines* outlines,
-                                     const LookItem* items, const Stretch& mine, std::int32_t groups, Place&& place) {
+                                     const LookItem* items, std::int32_t first, std::int32_t count, std::int32_t step,
+                                     Place&& place) {
   constexpr int of_warp = Crew::Warp::size / Crew::Lanes::size;
   const int group = crew.thread() / Crew::Lanes::size;
   Looks<Crew, Place&> looks(s, crew, pair, outlines, items, place);
   // as long as the first group of the warp has an item
-  for (std::int32_t at = mine.begin; at - group % of_warp < mine.end; at += groups) looks.look(at, mine.end, group);
+  for (std::int32_t at = first; at - group % of_warp < count; at += step) looks.look(at, count, group);
 }
 
 }  // namespace gem

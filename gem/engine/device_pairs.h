@@ -188,8 +188,8 @@ GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Crew& crew, const Desk&
     const auto next_touch = [&](int points) {
       return TouchPlace{desk.pairs.begin + crew.add(&shared.touches, 1), crew.add(&shared.points, points)};
     };
-    look_at_items(s, crew, desk.pair, desk.outlines, desk.look, Stretch{crew.thread() / Crew::Lanes::size, looks},
-                  groups, next_touch);
+    look_at_items(s, crew, desk.pair, desk.outlines, desk.look, crew.thread() / Crew::Lanes::size, looks, groups,
+                  next_touch);
     crew.block_barrier();
     crew.lap(stage_look);
     if (crew.thread() == 0) shared.looks = 0;

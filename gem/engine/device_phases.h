@@ -12,7 +12,8 @@
 // | bodies           | a thread for a body  | the bodies phase of device_bodies.h                                   |
 // | last_work, close | all                  | the books of the last moment, and the state for the host              |
 //
-// Between two phases nothing is kept but the scene's memory. Blocks meet within none, but where they build a list.
+// Between two phases nothing is kept but the scene's memory and its alarms. Blocks meet within none, but where they
+// build a list.
 #pragma once
 
 #include <cstddef>
@@ -45,6 +46,7 @@ GEM_DEVICE inline void open_call(const DeviceScene& s, std::int32_t moments) {
   status.stop = DeviceStop::done;
   status.step = moments > 0 ? PhaseStep::begins : PhaseStep::ended;
   for (std::int64_t& clocks : status.stage_clocks) clocks = 0;
+  status.barriers = status.team_barriers = 0;
   s.counters->looks = s.counters->touches = 0;
   // after moments that were made otherwise no pair sleeps until the next list
   if (status.clock_moment != status.moment) status.clock = 1e30;
@@ -146,12 +148,10 @@ constexpr std::size_t choose_room = asked_pairs * phase_threads * sizeof(std::in
 template <class Crew>
 GEM_DEVICE inline void list_awake(const DeviceScene& s, Crew& crew, Stretch pairs, float clock, std::int32_t* awake) {
   float wake[asked_pairs];
-  for (int k = 0; k < asked_pairs; ++k) {
-    const std::int32_t p = pairs.begin + k * crew.threads() + crew.thread();
-    wake[k] = p < pairs.end ? s.wake[p] : 2.0F * clock + 1.0F;
-  }
+  const std::int32_t first = pairs.begin + crew.thread(), step = crew.threads();
+  for (int k = 0; k < asked_pairs; ++k) wake[k] = first + k * step < pairs.end ? s.wake[first + k * step] : 0.0F;
   for (int k = 0; k < asked_pairs; ++k)
-    if (!(wake[k] > clock)) awake[crew.add(&crew.shared().looks, 1)] = pairs.begin + k * crew.threads() + crew.thread();
+    if (first + k * step < pairs.end && !(wake[k] > clock)) awake[crew.add(&crew.shared().looks, 1)] = first + k * step;
 }
 
 /// Pairs that may touch now, a stretch at a time.
@@ -182,8 +182,8 @@ GEM_DEVICE inline void look_at_pairs(const DeviceScene& s, Crew& crew) {
   const std::int32_t groups = crew.threads() / Crew::Lanes::size,
                      first = crew.block() * groups + crew.thread() / Crew::Lanes::size;
   const auto next_touch = [&](int) { return TouchPlace{crew.add(&s.counters->touches, 1), 0}; };
-  look_at_items(s, crew, s.pair, reinterpret_cast<DeskOutlines*>(crew.room()), s.look,
-                Stretch{first, s.counters->looks}, crew.blocks() * groups, next_touch);
+  look_at_items(s, crew, s.pair, reinterpret_cast<DeskOutlines*>(crew.room()), s.look, first, s.counters->looks,
+                crew.blocks() * groups, next_touch);
 }
 
 /// The events of all touches; what the block found of their quality goes to the moment's.
@@ -238,16 +238,20 @@ GEM_DEVICE inline void note_farthest(const DeviceScene& s, Crew& crew, const Des
   crew.block_barrier();
 }
 
-/// Puts back those lines' parts of the block's bodies that change while they move.
+/// Puts back the words of the block's bodies that change while they move, but that of their kind: others read it.
 template <class Crew>
 GEM_DEVICE inline void put_moved_back(const DeviceScene& s, Crew& crew, const Desk& desk) {
-  constexpr int words = 8, cell_end = 6, motion_begin = 2, motion_end = 4;
+  constexpr int words = 8, kind = 3, cell_end = 6, motion_begin = 2, motion_end = 4;
   static_assert(sizeof(BodyCell) == words * sizeof(CopyWord) && sizeof(BodyMotion) == sizeof(BodyCell));
-  static_assert(offsetof(BodyCell, spin) + sizeof(double) <= cell_end * sizeof(CopyWord));
-  static_assert(offsetof(BodyMotion, path_correction) >= motion_begin * sizeof(CopyWord));
-  static_assert(offsetof(BodyMotion, angle_correction) + sizeof(double) <= motion_end * sizeof(CopyWord));
+  static_assert(offsetof(BodyCell, kind) / sizeof(CopyWord) == kind &&
+                offsetof(BodyCell, active) / sizeof(CopyWord) == kind &&
+                offsetof(BodyCell, velocity) >= (kind + 1) * sizeof(CopyWord) &&
+                offsetof(BodyCell, spin) + sizeof(double) <= cell_end * sizeof(CopyWord));
+  static_assert(offsetof(BodyMotion, path_correction) >= motion_begin * sizeof(CopyWord) &&
+                offsetof(BodyMotion, angle_correction) + sizeof(double) <= motion_end * sizeof(CopyWord));
   const std::int32_t first = desk.bodies.begin, count = desk.bodies.count();
-  copy_parts<words, 0, cell_end>(crew, s.body + first, desk.body + first, count);
+  copy_parts<words, 0, kind>(crew, s.body + first, desk.body + first, count);
+  copy_parts<words, kind + 1, cell_end>(crew, s.body + first, desk.body + first, count);
   copy_parts<words, motion_begin, motion_end>(crew, s.motion + first, desk.motion + first, count);
 }
 

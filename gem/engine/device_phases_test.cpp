@@ -22,11 +22,8 @@ SceneDef independent_scene(std::int32_t size) {
   return scene;
 }
 
-/// Blocks of this many threads have room for the copies of so many bodies.
-constexpr std::size_t ample_room = 1 << 20;
-
 HostScene phase_scene(const SceneDef& scene, const Bodies& field, int blocks, int threads, std::int32_t rows = 0) {
-  HostScene device(scene, field, blocks, threads, rows, ample_room);
+  HostScene device(scene, field, blocks, threads, rows, bodies_room);
   device.by_phases();
   return device;
 }
@@ -37,7 +34,7 @@ TEST_P(DevicePhases, GiveTheBitsOfTheCpuEngine) {
   SceneDef scene = independent_scene(7);
   std::tie(scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
-  HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_lanes);
+  HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
   MomentLog expected, log;
   for (int call = 0; call < 3; ++call) {
     cpu->advance(40, expected);
@@ -59,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Combinations, DevicePhases,
                                           testing::Values(DragLaw::quadratic)));
 
 TEST(DevicePhase, BlocksAndThreadsChangeNothing) {
-  constexpr std::int64_t moments = 12;
+  constexpr std::int64_t moments = 30;
   const SceneDef scene = independent_scene(7);
   const auto cpu = test::busy_engine(scene, "cpu");
   MomentLog expected;
@@ -72,22 +69,29 @@ TEST(DevicePhase, BlocksAndThreadsChangeNothing) {
     test::expect_same_bodies(device.bodies(), cpu->bodies());
     test::expect_same_log(log, expected);
     test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+    EXPECT_GT(device.status().builds, 1);
+    EXPECT_GT(device.asleep(), 0);
   }
 }
 
 TEST(DevicePhase, TakesTurnsWithWholeMoments) {
   const SceneDef scene = independent_scene(7);
   const auto cpu = test::busy_engine(scene, "cpu");
-  HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_lanes);
+  HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
   MomentLog expected, log;
-  for (int call = 0; call < 12; ++call) {
-    cpu->advance(9, expected);
+  int survived = 0;  // lists in which pairs slept when whole moments began, and that outlived these
+  for (int call = 0; call < 60; ++call) {
+    cpu->advance(3, expected);
+    const auto builds = device.status().builds;
+    const bool slept = call > 0 && device.asleep() > 0;
     if (call % 2 == 0)
       device.by_phases();
     else
       device.by_moments();
-    device.advance(9, log);
+    device.advance(3, log);
+    if (call % 2 == 1 && slept && device.status().builds == builds) ++survived;
   }
+  EXPECT_GT(survived, 0);
   test::expect_same_bodies(device.bodies(), cpu->bodies());
   test::expect_same_log(log, expected);
   test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
@@ -97,7 +101,7 @@ TEST(DevicePhase, TakesTurnsWithWholeMoments) {
 TEST(DevicePhase, OfAListTooSmallGrowsItAndLosesNothing) {
   const SceneDef scene = independent_scene(7);
   const auto cpu = test::busy_engine(scene, "cpu");
-  HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_lanes, 40);
+  HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp, 40);
   MomentLog expected, log;
   cpu->advance(60, expected);
   device.advance(60, log);
@@ -111,7 +115,7 @@ TEST(DevicePhase, StopsAtAStateThatIsNoNumber) {
   Bodies field = test::busy_field(scene);
   field.position[20].x = 1e308;
   field.velocity[20].x = -1e308;
-  HostScene device = phase_scene(scene, field, 1, test::team_lanes);
+  HostScene device = phase_scene(scene, field, 1, test::team_warp);
   MomentLog log;
   device.advance(10, log);
   EXPECT_EQ(device.status().stop, DeviceStop::not_finite);

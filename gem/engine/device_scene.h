@@ -31,8 +31,8 @@ constexpr int desk_vertices = 12;
 
 /// Threads of a block that makes one phase of a scene, a body for each, and how many of them look at one pair.
 constexpr int phase_threads = 128, phase_lanes = 4;
-/// Blocks that build lists, on one multiprocessor.
-constexpr int list_blocks = 4;
+/// Blocks that build lists, on one multiprocessor; threads that plan, one for a scene.
+constexpr int list_blocks = 4, plan_threads = 512;
 
 /// What the clock is read for: work, and in each phase the wait that ends it.
 enum DeviceStage {
@@ -107,7 +107,7 @@ struct DeviceScene {
   RowWork* work = nullptr;
   PairCell* pair = nullptr;
   Contact* contact = nullptr;       // by pair
-  std::int32_t* touched = nullptr;  // pairs, in each block's own stretch
+  std::int32_t* touched = nullptr;  // pairs, in each block's own stretch; by phases those of all blocks together
   Touch* touch = nullptr;           // the same
   // of scenes that are moved phase by phase, by pair
   LookItem* look = nullptr;

@@ -141,6 +141,7 @@ class HostScene {
     memory_[1].resize(place_list(scene_, sizes_, nullptr));
     std::memset(memory_[1].data(), 0xff, memory_[1].size());
     place_list(scene_, sizes_, memory_[1].data());
+    *scene_.counters = {};
   }
 
   FieldState field_;

@@ -227,6 +227,7 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
 std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base) {
   Placer placer(base);
   s.events_capacity = 2 * std::max(sizes.platform_rows, sizes.samples);
+  // in this order: what a call has filled is fetched from the first on to the last quality
   placer.place(s.overlap_count, 2 * OverlapCount::classes);
   placer.place(s.sample, sizes.samples);
   placer.place(s.quality, static_cast<std::size_t>(sizes.samples) * static_cast<std::size_t>(sizes.blocks));

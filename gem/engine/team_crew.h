@@ -16,19 +16,21 @@
 
 namespace gem::test {
 
-/// Lanes of a group of threads; every lane has to take part in every exchange.
-constexpr int team_lanes = 4;
+/// Threads of a group and of a warp; all of them have to take part in every exchange of theirs.
+constexpr int team_lanes = 2, team_warp = 4;
 
+template <int lanes>
 struct GroupHall {
-  std::barrier<> meet{team_lanes};
-  alignas(16) std::byte value[team_lanes][64];
+  std::barrier<> meet{lanes};
+  alignas(16) std::byte value[lanes][64];
 };
 
+template <int lanes>
 class TeamLanes {
  public:
-  static constexpr int size = team_lanes;
+  static constexpr int size = lanes;
 
-  TeamLanes(GroupHall& hall, int rank) : hall_(&hall), rank_(rank) {}
+  TeamLanes(GroupHall<lanes>& hall, int rank) : hall_(&hall), rank_(rank) {}
 
   int rank() const { return rank_; }
   template <class T>
@@ -74,7 +76,7 @@ class TeamLanes {
   }
 
  private:
-  GroupHall* hall_;
+  GroupHall<lanes>* hall_;
   int rank_;
 };
 
@@ -87,22 +89,25 @@ struct TeamHall {
         cell(block_count),
         room(block_count, std::vector<std::byte>(room_bytes)) {
     for (int k = 0; k < block_count; ++k) block.push_back(std::make_unique<std::barrier<>>(thread_count));
-    for (int k = 0; k < block_count * thread_count / team_lanes; ++k) group.push_back(std::make_unique<GroupHall>());
+    const int all_threads = block_count * thread_count;
+    for (int k = 0; k < all_threads / team_lanes; ++k) group.push_back(std::make_unique<GroupHall<team_lanes>>());
+    for (int k = 0; k < all_threads / team_warp; ++k) warp.push_back(std::make_unique<GroupHall<team_warp>>());
   }
 
   int blocks, threads;
   std::barrier<> all;
   std::vector<std::unique_ptr<std::barrier<>>> block;
-  std::vector<std::unique_ptr<GroupHall>> group;
+  std::vector<std::unique_ptr<GroupHall<team_lanes>>> group;
+  std::vector<std::unique_ptr<GroupHall<team_warp>>> warp;
   std::vector<BlockCell> cell;
   std::vector<std::vector<std::byte>> room;
 };
 
 class TeamCrew {
  public:
-  using Lanes = TeamLanes;
-  using Wide = TeamLanes;
-  using Warp = TeamLanes;
+  using Lanes = TeamLanes<team_lanes>;
+  using Wide = Lanes;  // several of a warp
+  using Warp = TeamLanes<team_warp>;
 
   TeamCrew(TeamHall& hall, int block, int thread) : hall_(hall), block_(block), thread_(thread) {}
 
@@ -114,7 +119,9 @@ class TeamCrew {
     return {*hall_.group[std::size_t(block_ * threads() + thread_) / team_lanes], thread_ % team_lanes};
   }
   Wide wide() const { return lanes(); }
-  Warp warp() const { return lanes(); }
+  Warp warp() const {
+    return {*hall_.warp[std::size_t(block_ * threads() + thread_) / team_warp], thread_ % team_warp};
+  }
   void barrier() { hall_.all.arrive_and_wait(); }
   void block_barrier() { hall_.block[std::size_t(block_)]->arrive_and_wait(); }
   BlockCell& shared() { return hall_.cell[std::size_t(block_)]; }
@@ -178,7 +185,7 @@ class PhaseTeam : public TeamCrew {
   std::uint32_t* alarms_ = nullptr;
 };
 
-/// Runs work(crew) on every thread of a team; `threads` is a multiple of team_lanes.
+/// Runs work(crew) on every thread of a team; `threads` is a multiple of team_warp.
 template <class Crew>
 void run_team(int blocks, int threads, std::size_t room_bytes, const std::function<void(Crew&)>& work) {
   TeamHall hall(blocks, threads, room_bytes);

@@ -93,11 +93,9 @@ class CudaBatch::Work {
   }
   std::size_t size() const { return scenes_.size(); }
   const CudaDevice& device() const { return device_; }
-  Launches launches() const { return last_launches_; }
-  int blocks() const {
-    return last_launches_ == Launches::phases ? scenes_.front().device().phase_blocks : share_.front();
-  }
-  int threads() const { return last_launches_ == Launches::phases ? phase_threads : threads_; }
+  Launches launches() const { return by_phases_ > by_moments_ ? Launches::phases : Launches::moments; }
+  int blocks() const { return launches() == Launches::phases ? scenes_.front().device().phase_blocks : share_.front(); }
+  int threads() const { return launches() == Launches::phases ? phase_threads : threads_; }
   double device_time() const { return device_time_; }
   const std::vector<double>& stage_clocks() const { return stage_clocks_; }
   std::pair<double, double> barriers() const {
@@ -116,6 +114,7 @@ class CudaBatch::Work {
   void begin(std::vector<MomentsAhead>& ahead, const std::vector<MomentLog>* logs) {
     use();
     device_time_ = 0.0;
+    by_moments_ = by_phases_ = 0;
     faults_.assign(scenes_.size(), nullptr);
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
       if (ahead[k].most == 0) continue;
@@ -178,11 +177,12 @@ class CudaBatch::Work {
     for (std::size_t k = 0; k < ahead.size(); ++k)
       if (ahead[k].most > 0) active.push_back(k);
     if (active.empty()) return;
-    last_launches_ = moves_by_phases(active) ? Launches::phases : Launches::moments;
-    if (last_launches_ == Launches::phases)
+    const bool phases = moves_by_phases(active);
+    if (phases)
       move_by_phases(active, ahead);
     else
       move_by_moments(active, ahead);
+    for (const std::size_t k : active) (phases ? by_phases_ : by_moments_) += status_of(k).samples;
     collect(active, ahead, logs);
   }
 
@@ -355,7 +355,7 @@ class CudaBatch::Work {
     if (k == 0) {
       barriers_ += status.barriers;
       team_barriers_ += status.team_barriers;
-      if (last_launches_ == Launches::moments) counted_moments_ += status.samples;
+      if (status.barriers > 0) counted_moments_ += status.samples;
     }
     if (status.samples > 0 && clocks > 0.0) work_[k] = clocks * share_[k] / status.samples;
   }
@@ -372,7 +372,8 @@ class CudaBatch::Work {
   CudaDevice device_;
   Arithmetic arithmetic_;
   int threads_, chosen_blocks_, ring_moments_;
-  Launches launches_, last_launches_ = Launches::moments;
+  Launches launches_;
+  std::int64_t by_moments_ = 0, by_phases_ = 0;  // moments of all scenes in the last call, by what launches did
   std::map<std::size_t, int> blocks_of_count_;
   std::vector<int> useful_;       // most blocks of each scene
   ClusterRoom cluster_room_{};    // asked for when scenes first share the GPU

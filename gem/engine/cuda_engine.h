@@ -93,7 +93,7 @@ class CudaBatch {
   /// Blocks of the first scene in the last launch; others may have had another number.
   int blocks() const;
   int threads() const;
-  /// What the last launch did: moments or phases.
+  /// What the launches of the last call did by which most of its moments were made: moments or phases.
   Launches launches() const;
   /// Time that the GPU spent in the kernels of the last advance [s].
   double device_time() const;

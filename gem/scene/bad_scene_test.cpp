@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "gem/base/error.h"
+#include "gem/scene/document.h"
 #include "gem/scene/scene_file.h"
 
 namespace gem {
@@ -205,7 +206,17 @@ TEST(BadScene, OverridesNameThemselves) {
             std::string::npos);
   EXPECT_NE(rejection("", {"--until run.duration_s=-5"}).find("--until -5: run.duration_s: out of range"),
             std::string::npos);
-  EXPECT_NE(rejection("", {"contact.resolution=coupled"}).find("text needs quotes"), std::string::npos);
+  EXPECT_NE(rejection("", {"contact.resolution=coupled contacts"}).find("needs quotes"), std::string::npos);
+  // a word is text
+  EXPECT_NE(rejection("", {"contact.resolution=couple"}).find("--set contact.resolution=couple: contact.resolution"),
+            std::string::npos);
+  EXPECT_NE(rejection("", {"platform.mass_kg=heavy"}).find("--set platform.mass_kg=heavy"), std::string::npos);
+  EXPECT_EQ(find_path(parse_override("contact.resolution=coupled"), "contact.resolution")->text, "coupled");
+  EXPECT_EQ(find_path(parse_override("contact.resolution='coupled'"), "contact.resolution")->text, "coupled");
+  EXPECT_EQ(find_path(parse_override("drag=true"), "drag")->kind,
+            find_path(parse_override("drag=false"), "drag")->kind);
+  EXPECT_NE(find_path(parse_override("drag=true"), "drag")->kind,
+            find_path(parse_override("drag=truth"), "drag")->kind);
 }
 
 TEST(BadScene, ListedFloesLimitTheMoment) {

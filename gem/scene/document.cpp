@@ -2,6 +2,7 @@
 #include "gem/scene/document.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -102,6 +103,19 @@ void forget_lines(TomlNode& node) {
   for (TomlNode& item : node.items) forget_lines(item);
 }
 
+/// `key=word` with the quotes that a shell takes away: a word is text unless TOML knows it.
+std::string with_quotes(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals + 1 == assignment.size()) return assignment;
+  const std::string value = assignment.substr(equals + 1);
+  const auto in_word = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  if (!std::isalpha(static_cast<unsigned char>(value[0])) || !std::all_of(value.begin(), value.end(), in_word))
+    return assignment;
+  for (const char* known : {"true", "false", "inf", "nan"})
+    if (value == known) return assignment;
+  return assignment.substr(0, equals + 1) + '"' + value + '"';
+}
+
 }  // namespace
 
 TomlNode parse_override(const std::string& text) {
@@ -111,11 +125,12 @@ TomlNode parse_override(const std::string& text) {
                                 ? "--set " + text
                                 : text.substr(0, space + 1) + assignment.substr(assignment.find('=') + 1);
   try {
-    TomlNode tree = parse_toml(assignment, given);
+    TomlNode tree = parse_toml(with_quotes(assignment), given);
     forget_lines(tree);
     return tree;
   } catch (const Error& error) {
-    throw Error(error.code(), std::string(error.what()) + " (--set takes key=value in TOML syntax; text needs quotes)");
+    throw Error(error.code(), std::string(error.what()) +
+                                  " (--set takes key=value in TOML syntax; text that is not one word needs quotes)");
   }
 }
 

@@ -15,8 +15,9 @@ TomlNode load_document(const std::string& path);
 /// The same from text, whose includes and paths are relative to the working directory.
 TomlNode load_text(const std::string& text, const std::string& origin);
 
-/// One override "key.path=value" in TOML syntax as a document of its own; a text of one word needs no quotes. Messages name it "--set key.path=value"; an
-/// override "--option key.path=value" stands for that option and is named "--option value".
+/// One override "key.path=value" in TOML syntax as a document of its own; a text of one word needs no quotes. Messages
+/// name it "--set key.path=value"; an override "--option key.path=value" stands for that option and is named "--option
+/// value".
 TomlNode parse_override(const std::string& text);
 
 /// Lays overrides over the document, in order.

@@ -58,8 +58,8 @@ class SolverList {
     }
     crew_.block_barrier();
     place_entries(desk);
-    // the platform, first of all where it is among them, has a long row: the last warp is left to it
-    const bool platform = desk.platform = own_.begin < own_.end && s_.solver_entry[own_.begin].body == 0;
+    // the platform, whose spot is the first, has a long row: the last warp is left to it
+    const bool platform = desk.platform = own_.begin == 0 && own_.end > 0 && (s_.touched_spots[0] & 1U);
     const bool alone = crew_.threads() <= Crew::Warp::size;
     const int rest = platform && !alone ? crew_.threads() - Crew::Warp::size : crew_.threads();
     if (platform && (alone || crew_.thread() >= rest)) list_points(crew_.warp(), desk, own_.begin, bodies);

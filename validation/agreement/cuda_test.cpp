@@ -75,12 +75,13 @@ INSTANTIATE_TEST_SUITE_P(Combinations, CudaLaws,
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
                                           testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
 
-/// The same by a launch for each phase, of a batch of two.
-TEST_P(CudaLaws, GiveTheBitsOfTheCpuPhaseByPhase) {
+/// Laws of scenes that are moved by a launch for each phase.
+class CudaPhases : public CudaLaws {};
+
+TEST_P(CudaPhases, GiveTheBitsOfTheCpu) {
   SceneDef scene = test::busy_scene(8);
   std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
            scene.water.drag_law) = GetParam();
-  if (scene.contact.resolution == Resolution::coupled) GTEST_SKIP() << "coupled moments are not made phase by phase";
   const auto cpu = test::busy_engine(scene, "cpu");
   CudaBatch batch({{scene, test::busy_field(scene)}, {scene, test::busy_field(scene)}}, {.launches = Launches::phases});
   MomentLog expected;
@@ -99,6 +100,13 @@ TEST_P(CudaLaws, GiveTheBitsOfTheCpuPhaseByPhase) {
   EXPECT_GT(test::contacts_in(expected), 5000);
   EXPECT_GT(expected.events.size(), 2u);
 }
+
+INSTANTIATE_TEST_SUITE_P(Combinations, CudaPhases,
+                         testing::Combine(testing::Values(Resolution::independent),
+                                          testing::Values(Manifold::chord_middle, Manifold::chord_ends),
+                                          testing::Values(Yaw::free, Yaw::locked),
+                                          testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
+                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
 
 using Way = std::tuple<Resolution, Manifold>;
 

@@ -81,15 +81,17 @@ TEST(DevicePhase, TakesTurnsWithWholeMoments) {
   MomentLog expected, log;
   int survived = 0;  // lists in which pairs slept when whole moments began, and that outlived these
   for (int call = 0; call < 60; ++call) {
-    cpu->advance(3, expected);
+    const bool phases = call % 2 == 0;
+    const std::int64_t moments = phases ? 2 : 8;  // time enough for those that slept to meet
+    cpu->advance(moments, expected);
     const auto builds = device.status().builds;
     const bool slept = call > 0 && device.asleep() > 0;
-    if (call % 2 == 0)
+    if (phases)
       device.by_phases();
     else
       device.by_moments();
-    device.advance(3, log);
-    if (call % 2 == 1 && slept && device.status().builds == builds) ++survived;
+    device.advance(moments, log);
+    if (!phases && slept && device.status().builds == builds) ++survived;
   }
   EXPECT_GT(survived, 0);
   test::expect_same_bodies(device.bodies(), cpu->bodies());

@@ -6,13 +6,12 @@
 #include <bit>
 #include <exception>
 #include <map>
-#include <thread>
 
 #include "gem/engine/block_share.h"
 #include "gem/engine/cuda_launch.cuh"
 #include "gem/engine/cuda_phase_launch.cuh"
+#include "gem/engine/cuda_recorders.h"
 #include "gem/engine/cuda_scene.cuh"
-#include "gem/engine/thread_team.h"
 
 namespace gem {
 namespace {
@@ -41,7 +40,6 @@ class CudaBatch::Work {
   static constexpr std::int64_t fewest_moments = 16;
   /// On one multiprocessor: with fewer blocks whole moments are faster.
   static constexpr int phase_blocks_worth_it = 5;
-  static constexpr std::size_t most_recorders = 8;  // threads that append what the scenes have recorded
 
  public:
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
@@ -57,7 +55,8 @@ class CudaBatch::Work {
         gate_memory_(2 * sizeof(CrewGate) * scenes.size()),
         status_(sizeof(DeviceStatus) * scenes.size()),
         scene_(sizeof(DeviceScene) * scenes.size()),
-        wanted_(sizeof(std::int32_t) * scenes.size()) {
+        wanted_(sizeof(std::int32_t) * scenes.size()),
+        recorders_(scenes.size()) {
     scenes_.reserve(scenes.size());
     auto* status = reinterpret_cast<DeviceStatus*>(status_memory_.data());
     work_.assign(scenes.size(), 0.0);
@@ -310,38 +309,16 @@ class CudaBatch::Work {
     return reinterpret_cast<const DeviceStatus*>(status_.data())[k];
   }
 
-  /// Appends the rings of all scenes, by several threads where they are many.
+  /// Fetches and appends the rings of all scenes.
   void record(const std::vector<std::size_t>& active, std::vector<MomentsAhead>& ahead, std::vector<MomentLog>& logs) {
     for (const std::size_t k : active) scenes_[k].fetch(status_of(k), share_[k], time_.stream());
     check_cuda(cudaStreamSynchronize(time_.stream()), "fetch the record");
-    const auto append = [&](std::size_t k) {
+    recorders_.record(active, [&](std::size_t k) {
       DeviceStatus status = status_of(k);
       // the moment that failed is not logged
       if (status.stop == DeviceStop::not_finite && status.samples > 0) --status.samples;
       guarded(k, ahead[k], [&] { scenes_[k].append(status, share_[k], logs[k]); });
-    };
-    constexpr std::size_t scenes_worth_a_thread = 8;
-    if (active.size() < 2 * scenes_worth_a_thread || !make_recorders(scenes_.size() / scenes_worth_a_thread)) {
-      for (const std::size_t k : active) append(k);
-      return;
-    }
-    recorders_->run([&](int rank) {
-      const auto count = static_cast<std::int64_t>(active.size());
-      for (std::int64_t at = recorders_->begin_of(rank, count); at < recorders_->begin_of(rank + 1, count); ++at)
-        append(active[static_cast<std::size_t>(at)]);
     });
-  }
-
-  /// Whether there are threads that record; a system that gives none is no fault.
-  bool make_recorders(std::size_t useful) {
-    const auto threads = std::min<std::size_t>({useful, most_recorders, std::thread::hardware_concurrency()});
-    if (recorders_ || threads < 2) return recorders_ != nullptr;
-    try {
-      recorders_ = std::make_unique<ThreadTeam>(static_cast<int>(threads));
-    } catch (const Error&) {
-      return false;
-    }
-    return true;
   }
 
   /// How the scene got on: what a moment of it costs.
@@ -387,7 +364,7 @@ class CudaBatch::Work {
   std::vector<CudaScene> scenes_;
   double device_time_ = 0.0, barriers_ = 0.0, team_barriers_ = 0.0, counted_moments_ = 0.0;
   std::vector<double> stage_clocks_ = std::vector<double>(stage_count);
-  std::unique_ptr<ThreadTeam> recorders_;   // made when they are first needed
+  Recorders recorders_;
   std::vector<std::exception_ptr> faults_;  // of each scene, since the last call
 };
 

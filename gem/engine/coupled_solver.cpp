@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "gem/engine/contact_stages.h"
+#include "gem/engine/iteration_course.h"
 #include "gem/engine/ordered_sum.h"
 
 namespace gem {
@@ -167,7 +168,7 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
   settle(f, s);
   team.barrier();
   keep_best_share(f, team, rank, s, 1.0);
-  IterationCourse course(c.residual_speed, c.iterations_maximum, c.tight_residual);
+  IterationCourse course(c.residual_speed, c.iterations_maximum, c.tight_residual, f.carried_ahead.data());
   double residual = 0.0;
   auto next = IterationCourse::Next::round;
   while (next != IterationCourse::Next::end) {
@@ -180,7 +181,7 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
         residual = 0.0;
         for (const Asked& asked : asked_) residual = larger(residual, static_cast<double>(asked.speed));
       }
-      next = course.after(residual);
+      next = course.after(static_cast<float>(residual));
       if (next != IterationCourse::Next::iteration) break;
       rounds_.move(layout_, s.first_entry, s.last_entry);
       team.barrier();

@@ -16,9 +16,6 @@
 // additions enter the base and the next round starts from there, so any residual can be asked for.
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-
 #include "gem/base/choose.h"
 #include "gem/base/macros.h"
 #include "gem/engine/coupled_point.h"
@@ -176,70 +173,5 @@ GEM_HD inline PointImpulse<double> with_additions(PointFriction law, const Point
   const double repair = added.repair <= repair_least ? 0.0 : larger(p.repair + static_cast<double>(added.repair), 0.0);
   return {normal, tangential, repair};
 }
-
-/// The course of a moment's iterations: how far each carries ahead, when the base is looked at again and when to stop.
-class IterationCourse {
- public:
-  enum class Next { iteration, round, end };
-
-  /// `residual`: speed that no point may still ask for [m/s]; `most`: bound on the iterations; `tight`: the residual is
-  /// below what a round in single precision can tell, so only the first visit of a round counts.
-  GEM_HD IterationCourse(double residual, std::int64_t most, bool tight)
-      : residual_(residual), most_(most), tight_(tight) {}
-
-  GEM_HD std::int64_t iteration() const { return iteration_; }
-
-  /// Begins an iteration: how far the impulses are carried ahead along their last change.
-  GEM_HD float ahead() {
-    ++iteration_;
-    ++of_round_;
-    const double theta = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * theta_ * theta_));
-    const double ahead = (theta_ - 1.0) / theta;
-    theta_ = theta;
-    return static_cast<float>(ahead);
-  }
-
-  /// Whether the residual of this iteration is looked at; a look costs two divisions a point.
-  GEM_HD bool judged() const {
-    return iteration_ % 4 == 0 || iteration_ <= 2 || iteration_ == most_ || (tight_ && of_round_ == 1);
-  }
-
-  /// What follows an iteration that left `asked`, if it was judged [m/s].
-  GEM_HD Next after(double asked) {
-    const bool looked = judged();
-    if (of_round_ == 1) first_ = asked;
-    if (looked) watch(asked);
-    const bool met = looked && asked <= residual_;
-    if (iteration_ >= most_ || (met && (!tight_ || of_round_ == 1))) return Next::end;
-    if (of_round_ < longest_round && !(looked && tight_ && (met || asked <= single_precision * first_)))
-      return Next::iteration;
-    of_round_ = 0;
-    return Next::round;
-  }
-
-  /// Residuals below this share of the speeds need several rounds.
-  static constexpr double single_precision = 1e-6;
-
- private:
-  static constexpr std::int64_t longest_round = 32;
-
-  /// Carries ahead from nothing again once the residual has grown well beyond the lowest.
-  GEM_HD void watch(double asked) {
-    constexpr double well_beyond = 2.0;
-    const bool overshot = lowest_ > 0.0 && asked > well_beyond * lowest_;
-    if (overshot) theta_ = 1.0;
-    if (overshot || lowest_ == 0.0 || asked < lowest_) lowest_ = asked;
-  }
-
-  double residual_;
-  std::int64_t most_;
-  bool tight_;
-  std::int64_t iteration_ = 0, of_round_ = 0;
-  double first_ = 0.0;   // residual at the beginning of the round
-  double lowest_ = 0.0;  // since the last time that nothing was carried ahead
-  // not 1: the impulses of the last moment are a fair start; 99.9 % of overlaps come out 15 to 26 % lower
-  // (validation/solver_study.md, start of the acceleration)
-  double theta_ = 4.0;
-};
 
 }  // namespace gem

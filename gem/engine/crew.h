@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gem/base/macros.h"
+#include "gem/engine/solver_desk.h"
 
 namespace gem {
 
@@ -29,6 +30,7 @@ struct BlockCell {
   std::int32_t iterations;
   double residual, energy_created;
   std::uint64_t share, complementarity, cone_excess;  // bits of the largest, numbers >= 0
+  SolverDesk desk;
 };
 
 /// Bits that are set.
@@ -83,8 +85,9 @@ class SoloCrew {
   std::byte* room() { return room_.data(); }
   std::size_t room_bytes() const { return room_.size(); }
   /// Fast memory of another block, where the crew's blocks can reach it.
-  std::byte* room_of(int) { return room_.data(); }
+  std::byte* room_of(int) const { return const_cast<std::byte*>(room_.data()); }
   static constexpr bool shares_rooms = true;
+  static constexpr int kept_points = 2;  // that a thread keeps in registers while it iterates
   /// Calls work(team) with the part of the crew that iterates so many points of a coupled moment.
   template <class Work>
   void solve(std::int32_t, Work&& work) {
@@ -95,6 +98,9 @@ class SoloCrew {
   void write_laps(std::int64_t*) const {}
   static int barriers() { return 0; }
   static int team_barriers() { return 0; }
+  /// The crew, or a copy that a thread has for itself in its registers; and what that has counted goes back.
+  SoloCrew& at_hand() { return *this; }
+  void came_back(const SoloCrew&) {}
   void raise(std::uint32_t alarms) { shared_.alarms |= alarms; }
   std::uint32_t alarms() const { return shared_.alarms; }
   void lower_alarms() { shared_.alarms = 0; }
@@ -123,6 +129,7 @@ class OneBlock {
   using Lanes = typename Crew::Lanes;
   using Warp = typename Crew::Warp;
   static constexpr bool shares_rooms = true;
+  static constexpr int kept_points = Crew::kept_points;
 
   GEM_DEVICE explicit OneBlock(Crew& crew) : crew_(crew) {}
 
@@ -136,8 +143,10 @@ class OneBlock {
   GEM_DEVICE void block_barrier() { crew_.block_barrier(); }
   GEM_DEVICE BlockCell& shared() { return crew_.shared(); }
   GEM_DEVICE std::byte* room() { return crew_.room(); }
-  GEM_DEVICE std::byte* room_of(int) { return crew_.room(); }
+  GEM_DEVICE std::byte* room_of(int) const { return crew_.room(); }
   GEM_DEVICE void lap(int stage) { crew_.lap(stage); }
+  GEM_DEVICE OneBlock at_hand() const { return *this; }
+  GEM_DEVICE void came_back(const OneBlock&) {}
   template <class T>
   GEM_DEVICE static T add(T* sum, T value) {
     return Crew::add(sum, value);

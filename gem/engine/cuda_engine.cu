@@ -6,6 +6,7 @@
 #include <bit>
 #include <exception>
 #include <map>
+#include <tuple>
 
 #include "gem/engine/block_share.h"
 #include "gem/engine/cuda_launch.cuh"
@@ -40,6 +41,8 @@ class CudaBatch::Work {
   static constexpr std::int64_t fewest_moments = 16;
   /// On one multiprocessor: with fewer blocks whole moments are faster.
   static constexpr int phase_blocks_worth_it = 5;
+  /// That one cluster of blocks iterates in a reasonable time.
+  static constexpr int most_cluster_bodies = largest_cluster * solve_threads;
 
  public:
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
@@ -60,6 +63,7 @@ class CudaBatch::Work {
     scenes_.reserve(scenes.size());
     auto* status = reinterpret_cast<DeviceStatus*>(status_memory_.data());
     work_.assign(scenes.size(), 0.0);
+    visits_.assign(scenes.size(), 0.0);
     share_.assign(scenes.size(), 0);
     for (const BatchScene& scene : scenes) {
       const std::size_t bodies = scene.bodies.count();
@@ -197,22 +201,31 @@ class CudaBatch::Work {
 
   /// Whether these scenes are moved by a launch for each phase: they are more than all threads at work.
   bool moves_by_phases(const std::vector<std::size_t>& active) const {
-    if (launches_ == Launches::moments || chosen_blocks_ > 0) return false;
+    if (launches_ != Launches::chosen || chosen_blocks_ > 0) return launches_ == Launches::phases;
     std::int64_t blocks = 0;
     for (const std::size_t k : active) {
       const DeviceScene& scene = scenes_[k].device();
-      if (scene.constants.resolution == Resolution::coupled) return false;
       blocks += scene.phase_blocks;
+      if (scene.constants.resolution == Resolution::coupled && scene.bodies > most_cluster_bodies) return false;
     }
-    return launches_ == Launches::phases || blocks >= phase_blocks_worth_it * device_.multiprocessors;
+    return blocks >= phase_blocks_worth_it * device_.multiprocessors;
   }
 
-  void move_by_phases(const std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
+  /// All scenes come to their ends together: those with more ahead make more moments.
+  void move_by_phases(std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
+    const auto order = [&](std::size_t k) {
+      return std::make_tuple(scenes_[k].field().constants.resolution, -ahead[k].all, -visits_[k]);
+    };
+    std::stable_sort(active.begin(), active.end(), [&](std::size_t i, std::size_t j) { return order(i) < order(j); });
+    std::int64_t most = 1;
+    for (const std::size_t k : active) most = std::max(most, ahead[k].all);
     std::vector<std::int64_t> moments;
-    std::vector<int> blocks;
+    std::vector<PhaseScene> scenes;
     for (const std::size_t k : active) {
-      moments.push_back(std::min<std::int64_t>(ahead[k].most, ring_moments_));
-      blocks.push_back(scenes_[k].device().phase_blocks);
+      const std::int64_t share = (ahead[k].all * ring_moments_ + most - 1) / most;
+      moments.push_back(std::min({ahead[k].most, share, std::int64_t{ring_moments_}}));
+      scenes.push_back({scenes_[k].field().constants.resolution, scenes_[k].device().phase_blocks,
+                        static_cast<std::int32_t>(moments.back())});
       share_[k] = 1;
     }
     send(active, moments);
@@ -222,7 +235,7 @@ class CudaBatch::Work {
     work.gates = reinterpret_cast<CrewGate*>(gate_memory_.data());
     work.team_gates = work.gates + scenes_.size();
     time_.begin();
-    phases_.run(work, blocks, *std::max_element(moments.begin(), moments.end()), time_);
+    phases_.run(work, scenes, time_);
     finish();
   }
 
@@ -334,6 +347,8 @@ class CudaBatch::Work {
       team_barriers_ += status.team_barriers;
       if (status.barriers > 0) counted_moments_ += status.samples;
     }
+    if (status.samples > 0 && status.visits > 0)
+      visits_[k] = static_cast<double>(status.visits) / static_cast<double>(status.samples);
     if (status.samples > 0 && clocks > 0.0) work_[k] = clocks * share_[k] / status.samples;
   }
 
@@ -355,6 +370,7 @@ class CudaBatch::Work {
   std::vector<int> useful_;       // most blocks of each scene
   ClusterRoom cluster_room_{};    // asked for when scenes first share the GPU
   std::vector<double> work_;      // of each scene: clocks of its blocks a moment, in the last launch; 0: unknown
+  std::vector<double> visits_;    // of the points of each a moment, when last moved by phases
   std::vector<int> share_;        // blocks of each in the last launch
   std::map<int, Timeline> part_;  // of a launch, by the blocks of a scene
   Timeline time_;

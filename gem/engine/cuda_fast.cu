@@ -5,6 +5,6 @@
 namespace gem {
 
 AdvanceKernel fast_kernel(bool gated) { return kernel_of(gated); }
-PhaseKernel fast_phase(DevicePhase phase) { return phase_kernel_of(phase); }
+PhaseKernel fast_phase(DevicePhase phase, Resolution resolution) { return phase_kernel_of(phase, resolution); }
 
 }  // namespace gem

@@ -47,6 +47,7 @@ struct PhaseLaunch {
   const PhaseBlock* blocks;
   ListQueue* queue;
   int scene_count;
+  int solve_blocks;  // of a cluster that iterates a scene
   std::size_t room_bytes;
 };
 
@@ -58,7 +59,7 @@ AdvanceKernel fast_kernel(bool gated);
 
 using PhaseKernel = void (*)(const PhaseLaunch);
 
-PhaseKernel strict_phase(DevicePhase phase);
-PhaseKernel fast_phase(DevicePhase phase);
+PhaseKernel strict_phase(DevicePhase phase, Resolution resolution);
+PhaseKernel fast_phase(DevicePhase phase, Resolution resolution);
 
 }  // namespace gem

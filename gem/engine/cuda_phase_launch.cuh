@@ -1,9 +1,8 @@
-// The launches of a call that moves independent scenes phase by phase.
+// The launches of a call that moves scenes phase by phase.
 #pragma once
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <vector>
 
 #include "gem/engine/cuda_kernel.h"
@@ -13,6 +12,13 @@
 namespace gem {
 namespace {
 
+/// A scene of a call, as its launches see it.
+struct PhaseScene {
+  Resolution resolution = Resolution::independent;
+  int blocks = 1;            // that move its bodies
+  std::int32_t moments = 0;  // that are wanted
+};
+
 /// Some scenes that go through the phases together, in a stream of their own beside those of others: what one waits
 /// for, another fills.
 class PhaseStream {
@@ -20,24 +26,27 @@ class PhaseStream {
   PhaseStream(Arithmetic arithmetic, int multiprocessors)
       : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
 
-  /// The next call works on these scenes; `work` says where they lie, `bodies_blocks` how many blocks move the bodies
-  /// of each, `streams` how many such streams share the device.
-  void begin(const PhaseLaunch& work, const std::vector<int>& bodies_blocks, int streams, const Timeline& call) {
+  /// The next call works on these scenes, all of one resolution; `work` says where they lie, `streams` how many such
+  /// streams share the device.
+  void begin(const PhaseLaunch& work, const std::vector<PhaseScene>& scenes, int streams, const Timeline& call) {
     time_.begin_after(call);
     work_ = work;
-    work_.scene_count = static_cast<int>(bodies_blocks.size());
+    work_.scene_count = static_cast<int>(scenes.size());
+    resolution_ = scenes.front().resolution;
     list_grid_ = std::max(1, list_room() / streams);
+    if (resolution_ == Resolution::coupled) allow_solver();
     std::vector<PhaseBlock> block;
-    add_blocks(block, bodies_blocks, 1);
+    add_blocks(block, scenes, 1);
     all_ = static_cast<int>(block.size());
-    add_blocks(block, bodies_blocks, std::max(1, all_ * streams / (pairs_blocks * multiprocessors_)));
+    add_blocks(block, scenes, std::max(1, all_ * streams / (pairs_blocks * multiprocessors_)));
     some_ = static_cast<int>(block.size()) - all_;
     work_.blocks = reinterpret_cast<const PhaseBlock*>(send(block_memory_, block));
     work_.queue = reinterpret_cast<ListQueue*>(
-        room(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * bodies_blocks.size()));
+        room(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size()));
   }
 
   void launch(DevicePhase phase) {
+    if (is_of_solver(phase) && resolution_ == Resolution::independent) return;
     PhaseLaunch work = work_;
     int grid = all_, block = phase_threads;
     if (phase == DevicePhase::open || phase == DevicePhase::plan) grid = 1, block = plan_threads;
@@ -49,12 +58,30 @@ class PhaseStream {
     if (phase == DevicePhase::choose) work.room_bytes = choose_room;
     if (phase == DevicePhase::look) work.room_bytes = phase_threads / phase_lanes * sizeof(DeskOutlines);
     if (phase == DevicePhase::bodies) work.room_bytes = bodies_room;
+    if (is_of_solver(phase)) {
+      grid = work.scene_count * work.solve_blocks, block = solve_threads;
+      work.room_bytes = solve_room;
+    }
     cudaLaunchConfig_t config{};
+    cudaLaunchAttribute cluster;
+    cluster.id = cudaLaunchAttributeClusterDimension;
+    cluster.val.clusterDim = {static_cast<unsigned>(work.solve_blocks), 1, 1};
+    config.attrs = &cluster;
+    config.numAttrs = is_of_solver(phase) ? 1 : 0;
     config.gridDim = dim3(static_cast<unsigned>(grid));
     config.blockDim = dim3(static_cast<unsigned>(block));
     config.dynamicSmemBytes = work.room_bytes;
     config.stream = time_.stream();
     check_cuda(cudaLaunchKernelEx(&config, kernel_of_phase(phase), work), "start");
+  }
+
+  /// The kernels that iterate may take more fast memory, and larger clusters, than others.
+  void allow_solver() const {
+    for (const DevicePhase phase : {DevicePhase::gather, DevicePhase::iterate, DevicePhase::settle}) {
+      const PhaseKernel kernel = kernel_of_phase(phase);
+      check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, int{solve_room}), "be set up");
+      check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
+    }
   }
 
   void end(const Timeline& call) {
@@ -76,13 +103,13 @@ class PhaseStream {
   }
 
   PhaseKernel kernel_of_phase(DevicePhase phase) const {
-    return arithmetic_ == Arithmetic::fast ? fast_phase(phase) : strict_phase(phase);
+    return arithmetic_ == Arithmetic::fast ? fast_phase(phase, resolution_) : strict_phase(phase, resolution_);
   }
 
   /// The blocks of all scenes, for each as many as for its bodies over `share`.
-  static void add_blocks(std::vector<PhaseBlock>& all, const std::vector<int>& bodies_blocks, int share) {
-    for (std::size_t k = 0; k < bodies_blocks.size(); ++k) {
-      const int blocks = (bodies_blocks[k] + share - 1) / share;
+  static void add_blocks(std::vector<PhaseBlock>& all, const std::vector<PhaseScene>& scenes, int share) {
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      const int blocks = (scenes[k].blocks + share - 1) / share;
       for (int b = 0; b < blocks; ++b) all.push_back({static_cast<std::int32_t>(k), b, blocks});
     }
   }
@@ -100,6 +127,7 @@ class PhaseStream {
   }
 
   Arithmetic arithmetic_;
+  Resolution resolution_ = Resolution::independent;
   int multiprocessors_;
   int all_ = 0, some_ = 0, list_grid_ = 1;  // blocks that move bodies, that work on pairs, that build lists
   PhaseLaunch work_{};
@@ -113,36 +141,82 @@ class PhaseStreams {
   PhaseStreams(Arithmetic arithmetic, int multiprocessors)
       : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
 
-  /// Starts a call between `call`'s beginning and its end: all phases of as many moments as the scene has that has
-  /// most. `work` says where the scenes lie, `bodies_blocks` how many blocks move the bodies of each.
-  void run(const PhaseLaunch& work, const std::vector<int>& bodies_blocks, std::int64_t moments, const Timeline& call) {
-    const std::size_t scenes = bodies_blocks.size(), count = streams_for(bodies_blocks);
+  /// Starts a call between `call`'s beginning and its end. `work` says where the scenes lie; those of one resolution
+  /// stand together, those that go on for as long beside each other.
+  void run(PhaseLaunch work, const std::vector<PhaseScene>& scenes, const Timeline& call) {
+    const std::vector<std::size_t> bounds = shared_out(scenes);
+    const std::size_t count = bounds.size() - 1;
     while (stream_.size() < count) stream_.push_back(std::make_unique<PhaseStream>(arithmetic_, multiprocessors_));
+    work.solve_blocks = solve_blocks_for(scenes);
+    std::vector<std::int64_t> moments(count);
     for (std::size_t k = 0; k < count; ++k) {
-      const auto first = static_cast<std::ptrdiff_t>(scenes * k / count),
-                 last = static_cast<std::ptrdiff_t>(scenes * (k + 1) / count);
+      const auto first = static_cast<std::ptrdiff_t>(bounds[k]), last = static_cast<std::ptrdiff_t>(bounds[k + 1]);
       PhaseLaunch part = work;
       part.scenes += first;
       part.moments += first;
       part.gates += first;
       part.team_gates += first;
-      stream_[k]->begin(part, {bodies_blocks.begin() + first, bodies_blocks.begin() + last}, static_cast<int>(count),
-                        call);
+      const std::vector<PhaseScene> some(scenes.begin() + first, scenes.begin() + last);
+      for (const PhaseScene& scene : some) moments[k] = std::max<std::int64_t>(moments[k], scene.moments);
+      stream_[k]->begin(part, some, static_cast<int>(count), call);
     }
-    each_phase(moments, [&](DevicePhase phase) {
-      for (std::size_t k = 0; k < count; ++k) stream_[k]->launch(phase);
-    });
+    launch_all(moments);
     for (std::size_t k = 0; k < count; ++k) stream_[k]->end(call);
   }
 
  private:
-  static constexpr std::size_t most_streams = 8;
+  static constexpr std::size_t most_streams = 8, coupled_streams = 12;
 
-  /// More streams than the blocks fill the device would each have too little to do.
-  std::size_t streams_for(const std::vector<int>& bodies_blocks) const {
-    const int blocks = std::accumulate(bodies_blocks.begin(), bodies_blocks.end(), 0);
+  /// Streams that have fewer moments to make than others get theirs spread over the time of these.
+  void launch_all(const std::vector<std::int64_t>& moments) {
+    const std::int64_t most = *std::max_element(moments.begin(), moments.end());
+    for (const DevicePhase phase : first_phases) launch(phase, moments, [](std::int64_t) { return true; });
+    for (std::int64_t m = 0; m < most; ++m)
+      for (const DevicePhase phase : moment_phases)
+        launch(phase, moments, [&](std::int64_t mine) { return (m + 1) * mine / most > m * mine / most; });
+    for (const DevicePhase phase : last_phases) launch(phase, moments, [](std::int64_t) { return true; });
+  }
+
+  template <class Takes>
+  void launch(DevicePhase phase, const std::vector<std::int64_t>& moments, Takes&& takes) {
+    for (std::size_t k = 0; k < moments.size(); ++k)
+      if (takes(moments[k])) stream_[k]->launch(phase);
+  }
+
+  /// Where the scenes of each stream begin, and where the last ends.
+  std::vector<std::size_t> shared_out(const std::vector<PhaseScene>& scenes) const {
+    std::vector<std::size_t> bounds;
+    const std::size_t streams = streams_for(scenes);
+    for (std::size_t k = 0; k < streams; ++k) bounds.push_back(scenes.size() * k / streams);
+    for (std::size_t k = 1; k < scenes.size(); ++k)
+      if (scenes[k].resolution != scenes[k - 1].resolution) bounds.push_back(k);
+    bounds.push_back(scenes.size());
+    std::sort(bounds.begin(), bounds.end());
+    bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
+    return bounds;
+  }
+
+  /// More streams than the blocks fill the device would each have too little to do; scenes that iterate wait for each
+  /// other in a stream, so they get more.
+  std::size_t streams_for(const std::vector<PhaseScene>& scenes) const {
+    int blocks = 0;
+    for (const PhaseScene& scene : scenes) blocks += scene.blocks;
     const auto useful = static_cast<std::size_t>(std::max(1, blocks / multiprocessors_));
-    return std::min({bodies_blocks.size(), most_streams, useful});
+    return std::min(scenes.size(), coupled_in(scenes) > 0 ? coupled_streams : std::min(most_streams, useful));
+  }
+
+  static int coupled_in(const std::vector<PhaseScene>& scenes) {
+    return static_cast<int>(std::count_if(scenes.begin(), scenes.end(), [](const PhaseScene& scene) {
+      return scene.resolution == Resolution::coupled;
+    }));
+  }
+
+  /// Blocks that iterate a scene. Not all scenes iterate at a time.
+  int solve_blocks_for(const std::vector<PhaseScene>& scenes) const {
+    constexpr int waiting = 3;  // for one multiprocessor, at most
+    int blocks = largest_cluster;
+    while (blocks > 1 && blocks * coupled_in(scenes) > waiting * multiprocessors_) blocks /= 2;
+    return blocks;
   }
 
   Arithmetic arithmetic_;

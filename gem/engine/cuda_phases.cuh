@@ -26,6 +26,49 @@ class PhaseCrew : public DeviceCrew {
   CrewGate* gate_;
 };
 
+/// The blocks of a scene that iterate, a cluster or the first of its blocks alone: they meet, and reach each other's
+/// fast memory.
+class SolveCrew : public DeviceCrew {
+ public:
+  using Lanes = LaneGroup<4>;
+  static constexpr int kept_points = 0;
+  static constexpr bool shares_rooms = true;
+
+  __device__ SolveCrew(const BlockRoom& room, bool alone)
+      : DeviceCrew(room), alone_(alone), block_(alone ? 0 : static_cast<int>(cluster().block_rank())) {}
+
+  __device__ Lanes lanes() const { return {}; }
+  __device__ int block() const { return block_; }
+  __device__ int blocks() const { return alone_ ? 1 : static_cast<int>(cluster().num_blocks()); }
+  /// The own one directly: most bodies and points of a block are its own.
+  __device__ std::byte* room_of(int block) const {
+    return block == block_ ? room_.room : cluster().map_shared_rank(room_.room, block);
+  }
+  __device__ SolveCrew at_hand() const { return *this; }
+  __device__ static void came_back(const SolveCrew&) {}
+
+  template <class Work>
+  __device__ void solve(std::int32_t, Work&& work) {
+    work(*this);
+  }
+
+  /// As that of ClusterCrew.
+  __device__ void barrier() const {
+    if (alone_) {
+      __syncthreads();
+      return;
+    }
+    __syncwarp();
+    asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
+  }
+
+ private:
+  __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
+
+  bool alone_;
+  int block_;
+};
+
 /// Whether a block has anything to do for a scene.
 template <DevicePhase phase>
 __device__ bool has_work(const DeviceScene& s, int block) {
@@ -36,7 +79,7 @@ __device__ bool has_work(const DeviceScene& s, int block) {
 }
 
 /// A phase of all scenes, each by its own blocks.
-template <DevicePhase phase, int blocks>
+template <DevicePhase phase, Resolution resolution, int blocks>
 __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
@@ -47,7 +90,24 @@ __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const Phas
   take_scene(scene, launch.scenes + mine.scene);
   PhaseCrew crew(BlockRoom{cell, clock, room, launch.room_bytes, false}, mine.block, mine.blocks,
                  launch.gates + mine.scene);
-  run_phase<phase>(scene, crew);
+  run_phase<phase, resolution>(scene, crew);
+}
+
+/// A phase of the iterations of all scenes, each by a cluster of blocks.
+template <DevicePhase phase>
+__global__ void __launch_bounds__(solve_threads, 1) phase_of_solvers(const PhaseLaunch launch) {
+  __shared__ DeviceScene scene;
+  __shared__ BlockCell cell;
+  __shared__ StageClock clock;
+  extern __shared__ __align__(128) std::byte room[];
+  const DeviceScene* const from = launch.scenes + blockIdx.x / launch.solve_blocks;
+  const int points = from->counters->points;
+  const bool first = blockIdx.x % launch.solve_blocks == 0, alone = points <= solve_threads;
+  if (points == 0 || (alone && !first)) return;
+  if (threadIdx.x == 0) cell = {};
+  take_scene(scene, from);
+  SolveCrew crew(BlockRoom{cell, clock, room, launch.room_bytes, false}, alone || launch.solve_blocks == 1);
+  run_phase<phase, Resolution::coupled>(scene, crew);
 }
 
 /// New lists for the scenes that need one, by as many blocks for each as there are. They meet, so all have to be on the
@@ -86,30 +146,42 @@ __global__ void __launch_bounds__(plan_threads) phase_of_scenes(const PhaseLaunc
   }
 }
 
+template <Resolution resolution>
 PhaseKernel phase_kernel_of(DevicePhase phase) {
   switch (phase) {
     case DevicePhase::open:
       return phase_of_scenes<DevicePhase::open>;
     case DevicePhase::begin:
-      return phase_of_all<DevicePhase::begin, 4>;
+      return phase_of_all<DevicePhase::begin, resolution, 4>;
     case DevicePhase::plan:
       return phase_of_scenes<DevicePhase::plan>;
     case DevicePhase::list:
       return phase_of_lists;
     case DevicePhase::choose:
-      return phase_of_all<DevicePhase::choose, 8>;
+      return phase_of_all<DevicePhase::choose, resolution, 8>;
     case DevicePhase::look:
-      return phase_of_all<DevicePhase::look, 5>;
+      return phase_of_all<DevicePhase::look, resolution, 5>;
     case DevicePhase::resolve:
-      return phase_of_all<DevicePhase::resolve, 5>;
+      return phase_of_all<DevicePhase::resolve, resolution, 5>;
+    case DevicePhase::gather:
+      return phase_of_solvers<DevicePhase::gather>;
+    case DevicePhase::iterate:
+      return phase_of_solvers<DevicePhase::iterate>;
+    case DevicePhase::settle:
+      return phase_of_solvers<DevicePhase::settle>;
     case DevicePhase::bodies:
-      return phase_of_all<DevicePhase::bodies, 4>;
+      return phase_of_all<DevicePhase::bodies, resolution, 4>;
     case DevicePhase::last_work:
-      return phase_of_all<DevicePhase::last_work, 4>;
+      return phase_of_all<DevicePhase::last_work, resolution, 4>;
     case DevicePhase::close:
-      return phase_of_all<DevicePhase::close, 4>;
+      return phase_of_all<DevicePhase::close, resolution, 4>;
   }
   return nullptr;
+}
+
+PhaseKernel phase_kernel_of(DevicePhase phase, Resolution resolution) {
+  return resolution == Resolution::coupled ? phase_kernel_of<Resolution::coupled>(phase)
+                                           : phase_kernel_of<Resolution::independent>(phase);
 }
 
 }  // namespace

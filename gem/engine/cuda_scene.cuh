@@ -25,7 +25,7 @@ class CudaScene {
     device_ = scene_constants(field_, scene.scene.output.event_speed_m_per_s);
     sizes_ = scene_sizes(field_);
     sizes_.samples = options.ring_moments;
-    sizes_.blocks = blocks;
+    sizes_.blocks = std::max(blocks, largest_cluster);
     if (options.list_rows > 0) sizes_.rows = options.list_rows;
     device_.wants_samples = options.samples;
     field_memory_ = DeviceMemory(place_field(device_, sizes_, nullptr));

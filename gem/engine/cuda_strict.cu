@@ -5,6 +5,6 @@
 namespace gem {
 
 AdvanceKernel strict_kernel(bool gated) { return kernel_of(gated); }
-PhaseKernel strict_phase(DevicePhase phase) { return phase_kernel_of(phase); }
+PhaseKernel strict_phase(DevicePhase phase, Resolution resolution) { return phase_kernel_of(phase, resolution); }
 
 }  // namespace gem

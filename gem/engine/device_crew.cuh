@@ -79,6 +79,7 @@ class DeviceCrew {
  public:
   using Warp = LaneGroup<32>;
   using Wide = LaneGroup<8>;  // about the edges of an outline
+  static constexpr int kept_points = 2;
 
   __device__ explicit DeviceCrew(const BlockRoom& room) : room_(room) {}
 
@@ -125,7 +126,7 @@ class ClusterCrew : public DeviceCrew {
   __device__ int block() const { return static_cast<int>(cluster().block_rank()); }
   __device__ int blocks() const { return static_cast<int>(cluster().num_blocks()); }
 
-  __device__ std::byte* room_of(int block) { return cluster().map_shared_rank(room_.room, block); }
+  __device__ std::byte* room_of(int block) const { return cluster().map_shared_rank(room_.room, block); }
   static constexpr bool shares_rooms = true;
 
   template <class Work>
@@ -154,6 +155,8 @@ class ClusterCrew : public DeviceCrew {
 
   __device__ int barriers() const { return barriers_; }
   __device__ static int team_barriers() { return 0; }
+  __device__ ClusterCrew at_hand() const { return *this; }
+  __device__ void came_back(const ClusterCrew& copy) { barriers_ = copy.barriers_; }
 
  private:
   __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
@@ -187,7 +190,7 @@ class GateCrew : public DeviceCrew {
   }
   /// Other blocks do not reach a block's fast memory.
   static constexpr bool shares_rooms = false;
-  __device__ std::byte* room_of(int) { return room_.room; }
+  __device__ std::byte* room_of(int) const { return room_.room; }
 
   __device__ void barrier() {
     __syncthreads();
@@ -214,6 +217,8 @@ class GateCrew : public DeviceCrew {
   /// That all blocks passed, and that those passed which iterate.
   __device__ int barriers() const { return static_cast<int>(passed_) / blocks_; }
   __device__ int team_barriers() const { return team_barriers_; }
+  __device__ GateCrew at_hand() const { return *this; }
+  __device__ void came_back(const GateCrew& copy) { passed_ = copy.passed_; }
 
  private:
   struct Seen {

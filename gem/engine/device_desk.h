@@ -7,12 +7,6 @@
 
 namespace gem {
 
-/// A block's stretch of [0, count).
-struct Stretch {
-  std::int32_t begin = 0, end = 0;
-  GEM_DEVICE std::int32_t count() const { return end - begin; }
-};
-
 template <class Crew>
 GEM_DEVICE inline Stretch stretch_of(const Crew& crew, std::int32_t count) {
   const std::int64_t all = count;
@@ -27,7 +21,7 @@ struct DeskOutlines {
 
 /// Arrays are indexed as those of the scene. Where the fast memory does not hold the copies, they are the scene's own.
 struct Desk {
-  Stretch bodies, pairs;
+  Stretch bodies{}, pairs{};
   std::int32_t first_body = 0, body_step = 1;  // of the thread: the platform's warp leaves the floes to others
   bool platform = false;                       // the thread belongs to the platform's warp
   bool shows = true;                           // moved bodies are shown to other blocks at once, not at the end

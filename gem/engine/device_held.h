@@ -1,14 +1,11 @@
-// The points of a round: two in the registers of each thread, the rest in memory, four numbers at a time so that
-// neighbouring threads read neighbouring memory.
+// The points of a round: some in the registers of each thread, the others in the block's fast memory as far as it holds
+// them, the rest in the scene's; four numbers at a time so that neighbouring threads read neighbouring memory.
 #pragma once
 
 #include "gem/engine/coupled_visit.h"
-#include "gem/engine/device_points.h"
+#include "gem/engine/device_solver_list.h"
 
 namespace gem {
-
-/// Columns of four numbers that a point takes.
-constexpr int held_columns = 6;
 
 /// A point while a round runs.
 struct HeldPoint {
@@ -17,16 +14,15 @@ struct HeldPoint {
   HeldPlace a, b;
 };
 
-/// Points in memory. What a visit changes stands in the first two columns.
-class HeldTable {
+/// A point in memory. What a visit changes stands in the first two columns.
+class HeldCell {
  public:
-  GEM_DEVICE GEM_INLINE explicit HeldTable(const DeviceScene& s)
-      : quad_(s.held_quad), place_(s.held_place), capacity_(s.points_capacity) {}
+  GEM_DEVICE GEM_INLINE HeldCell(FloatQuad* quads, std::int32_t columns_apart) : quad_(quads), apart_(columns_apart) {}
 
-  GEM_DEVICE GEM_INLINE HeldPoint load(std::int32_t i) const {
-    const FloatQuad d = quad(2, i), e = quad(3, i), f = quad(4, i), g = quad(5, i);
+  GEM_DEVICE GEM_INLINE HeldPoint load() const {
+    const FloatQuad d = quad(2), e = quad(3), f = quad(4), g = quad(5);
     HeldPoint held;
-    load_additions(i, held);
+    load_additions(held);
     held.frame.normal_x = d.part[0], held.frame.normal_y = d.part[1];
     held.frame.lever_a_n = d.part[2], held.frame.lever_a_t = d.part[3];
     held.frame.lever_b_n = e.part[0], held.frame.lever_b_t = e.part[1];
@@ -35,41 +31,80 @@ class HeldTable {
     held.frame.least = f.part[2], held.frame.most = f.part[3];
     held.frame.room_left = g.part[0], held.frame.room_right = g.part[1];
     held.frame.repair_excess = g.part[2], held.frame.repair_least = g.part[3];
-    held.a = place_[i];
-    held.b = place_[capacity_ + i];
+    held.a = place(6);
+    held.b = place(7);
     return held;
   }
-  GEM_DEVICE GEM_INLINE void save(std::int32_t i, const HeldPoint& held) const {
+  GEM_DEVICE GEM_INLINE void save(const HeldPoint& held) const {
     const PointFrame<float>& f = held.frame;
-    save_additions(i, held);
-    quad(2, i) = {{f.normal_x, f.normal_y, f.lever_a_n, f.lever_a_t}};
-    quad(3, i) = {{f.lever_b_n, f.lever_b_t, f.inverse_nn, f.inverse_tt}};
-    quad(4, i) = {{f.excess, f.slip, f.least, f.most}};
-    quad(5, i) = {{f.room_left, f.room_right, f.repair_excess, f.repair_least}};
-    place_[i] = held.a;
-    place_[capacity_ + i] = held.b;
+    save_additions(held);
+    quad(2) = {{f.normal_x, f.normal_y, f.lever_a_n, f.lever_a_t}};
+    quad(3) = {{f.lever_b_n, f.lever_b_t, f.inverse_nn, f.inverse_tt}};
+    quad(4) = {{f.excess, f.slip, f.least, f.most}};
+    quad(5) = {{f.room_left, f.room_right, f.repair_excess, f.repair_least}};
+    set_places(held.a, held.b);
   }
 
-  GEM_DEVICE GEM_INLINE void load_additions(std::int32_t i, HeldPoint& held) const {
-    const FloatQuad b = quad(0, i), c = quad(1, i);
+  GEM_DEVICE GEM_INLINE void load_additions(HeldPoint& held) const {
+    const FloatQuad b = quad(0), c = quad(1);
     held.at = {b.part[0], b.part[1], b.part[2]};
     held.carried = {b.part[3], c.part[0], c.part[1]};
     held.frame.nt = c.part[2];
     held.frame.friction = c.part[3];
   }
-  GEM_DEVICE GEM_INLINE void save_additions(std::int32_t i, const HeldPoint& held) const {
-    quad(0, i) = {{held.at.normal, held.at.tangential, held.at.repair, held.carried.normal}};
-    quad(1, i) = {{held.carried.tangential, held.carried.repair, held.frame.nt, held.frame.friction}};
+  GEM_DEVICE GEM_INLINE void save_additions(const HeldPoint& held) const {
+    quad(0) = {{held.at.normal, held.at.tangential, held.at.repair, held.carried.normal}};
+    quad(1) = {{held.carried.tangential, held.carried.repair, held.frame.nt, held.frame.friction}};
+  }
+
+  GEM_DEVICE GEM_INLINE void set_places(const HeldPlace& a, const HeldPlace& b) const {
+    place(6) = a;
+    place(7) = b;
+  }
+  /// Takes over all of another cell but its places.
+  GEM_DEVICE GEM_INLINE void copy_numbers(const HeldCell& from) const {
+    constexpr int columns = held_columns - 2;
+    FloatQuad some[columns];
+    for (int column = 0; column < columns; ++column) some[column] = from.quad(column);
+    for (int column = 0; column < columns; ++column) quad(column) = some[column];
+  }
+  /// Takes over what a visit changes.
+  GEM_DEVICE GEM_INLINE void copy_additions(const HeldCell& from) const {
+    quad(0) = from.quad(0);
+    quad(1) = from.quad(1);
   }
 
  private:
-  GEM_DEVICE GEM_INLINE FloatQuad& quad(int column, std::int32_t i) const {
-    return quad_[static_cast<std::int64_t>(column) * capacity_ + i];
+  GEM_DEVICE GEM_INLINE FloatQuad& quad(int column) const {
+    return quad_[static_cast<std::int64_t>(column) * apart_];
   }
 
+  GEM_DEVICE GEM_INLINE HeldPlace& place(int column) const { return reinterpret_cast<HeldPlace&>(quad(column)); }
+
   FloatQuad* quad_;
-  HeldPlace* place_;  // of A, then of B
-  std::int64_t capacity_;
+  std::int32_t apart_;
+};
+
+/// All points of a block.
+class HeldTable {
+ public:
+  GEM_DEVICE GEM_INLINE HeldTable(const DeviceScene& s, const SolverDesk& desk)
+      : fast_(desk.fast_held - desk.fast.begin),
+        all_(s.held),
+        fast_end_(desk.fast.end),
+        fast_count_(desk.fast.count()),
+        capacity_(s.points_capacity) {}
+
+  GEM_DEVICE GEM_INLINE HeldCell operator[](std::int32_t i) const {
+    const bool fast = i < fast_end_;
+    return {(fast ? fast_ : all_) + i, fast ? fast_count_ : capacity_};
+  }
+  /// Where point i stands when no round runs.
+  GEM_DEVICE GEM_INLINE HeldCell at_rest(std::int32_t i) const { return {all_ + i, capacity_}; }
+
+ private:
+  FloatQuad *fast_, *all_;
+  std::int32_t fast_end_, fast_count_, capacity_;
 };
 
 }  // namespace gem

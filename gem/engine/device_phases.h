@@ -1,5 +1,5 @@
-// The moments of independent scenes phase by phase: a launch makes one phase of all scenes, and takes no more registers
-// than that needs, so that many threads hide what each waits for. Pays where there is more to do than threads at work.
+// The moments of scenes phase by phase: a launch makes one phase of all scenes, and takes no more registers than that
+// needs, so that many threads hide what each waits for. Pays where there is more to do than threads at work.
 //
 // | phase            | who                  | what                                                                  |
 // | open             | a thread for a scene | the call begins                                                       |
@@ -8,12 +8,15 @@
 // | list             | all, on a worn list  | books are brought up to date, a new list                              |
 // | choose           | a thread for a pair  | the work of the last moment's contacts; pairs that have to be seen    |
 // | look             | lanes for a look     | where these touch                                                     |
-// | resolve          | a thread for a touch | its event                                                             |
+// | resolve          | a thread for a touch | its event; coupled: its points                                        |
+// | gather           | a cluster of blocks  | coupled: who iterates which points, and where they begin              |
+// | iterate          | the same             | coupled: the first round of iterations, mostly the only one           |
+// | settle           | the same             | coupled: what they come to                                            |
 // | bodies           | a thread for a body  | the bodies phase of device_bodies.h                                   |
 // | last_work, close | all                  | the books of the last moment, and the state for the host              |
 //
 // Between two phases nothing is kept but the scene's memory and its alarms. Blocks meet within none, but where they
-// build a list.
+// build a list or iterate.
 #pragma once
 
 #include <cstddef>
@@ -22,20 +25,19 @@
 
 namespace gem {
 
-enum class DevicePhase { open, begin, plan, list, choose, look, resolve, bodies, last_work, close };
+enum class DevicePhase { open, begin, plan, list, choose, look, resolve, gather, iterate, settle, bodies, last_work, close };
 
-/// Calls run(phase) for all phases of a call, in their order.
-template <class Run>
-void each_phase(std::int64_t moments, Run&& run) {
-  run(DevicePhase::open);
-  run(DevicePhase::begin);
-  for (std::int64_t k = 0; k < moments; ++k)
-    for (const DevicePhase phase : {DevicePhase::plan, DevicePhase::list, DevicePhase::choose, DevicePhase::look,
-                                    DevicePhase::resolve, DevicePhase::bodies})
-      run(phase);
-  run(DevicePhase::plan);
-  run(DevicePhase::last_work);
-  run(DevicePhase::close);
+/// The phases of a call, in their order: once, for every moment, once. Only coupled scenes gather, iterate and settle.
+constexpr DevicePhase first_phases[] = {DevicePhase::open, DevicePhase::begin};
+constexpr DevicePhase moment_phases[] = {DevicePhase::plan,    DevicePhase::list,   DevicePhase::choose,
+                                         DevicePhase::look,    DevicePhase::resolve, DevicePhase::gather,
+                                         DevicePhase::iterate, DevicePhase::settle, DevicePhase::bodies};
+constexpr DevicePhase last_phases[] = {DevicePhase::plan, DevicePhase::last_work, DevicePhase::close};
+
+/// Nothing was found in this moment so far.
+GEM_DEVICE inline void forget_counts(const DeviceScene& s) {
+  ListCounters& counters = *s.counters;
+  counters.looks = counters.touches = counters.points = counters.taken_points = 0;
 }
 
 /// The call begins: `moments` are wanted.
@@ -47,7 +49,8 @@ GEM_DEVICE inline void open_call(const DeviceScene& s, std::int32_t moments) {
   status.step = moments > 0 ? PhaseStep::begins : PhaseStep::ended;
   for (std::int64_t& clocks : status.stage_clocks) clocks = 0;
   status.barriers = status.team_barriers = 0;
-  s.counters->looks = s.counters->touches = 0;
+  status.visits = 0;
+  forget_counts(s);
   // after moments that were made otherwise no pair sleeps until the next list
   if (status.clock_moment != status.moment) status.clock = 1e30;
   status.clock_moment = status.moment;
@@ -78,8 +81,9 @@ GEM_DEVICE inline bool plan_moment(const DeviceScene& s, std::uint32_t& alarms) 
     status.clock += 2.0 * strict::double_of(status.farthest);
     status.clock_moment = status.moment;
     status.farthest = 0;
+    status.carried = 0;  // what was carried stands in the list now
   }
-  s.counters->looks = s.counters->touches = 0;
+  forget_counts(s);
   const bool last = status.samples == status.wanted;
   status.stop = stop_of(s, alarms, last);
   status.half_way = !last;
@@ -105,14 +109,17 @@ GEM_DEVICE inline void begin_call(const DeviceScene& s, Crew& crew) {
   for (std::int32_t k = rank_of(crew); k < 2 * OverlapCount::classes; k += size_of(crew)) s.overlap_count[k] = 0;
 }
 
-/// The work of the contacts of the last moment.
+/// The work of the contacts of the last moment; `carries`: what they carried is taken out of the list.
 template <class Crew>
-GEM_DEVICE inline void close_contacts(const DeviceScene& s, Crew& crew, std::int32_t stamp) {
+GEM_DEVICE inline void close_contacts(const DeviceScene& s, Crew& crew, std::int32_t stamp, bool carries) {
   for (std::int32_t k = rank_of(crew); k < s.status->touched; k += size_of(crew)) {
     const std::int32_t p = s.touched[k];
     work_of_contact(s, s.pair[p], s.contact[p], stamp);
+    if (carries) carry_pair(s, crew, s.pair[p], s.memory[p]);
   }
 }
+
+GEM_DEVICE inline bool is_coupled(const DeviceScene& s) { return s.constants.resolution == Resolution::coupled; }
 
 /// Stamp of books that are closed between two moments; unlike that of any moment.
 GEM_DEVICE inline std::int32_t closing_stamp(const DeviceScene& s) {
@@ -129,10 +136,11 @@ GEM_DEVICE inline void close_bodies(const DeviceScene& s, Crew& crew) {
 /// A new list, by blocks that meet.
 template <class Crew>
 GEM_DEVICE inline void renew_list(const DeviceScene& s, Crew& crew) {
-  close_contacts(s, crew, closing_stamp(s));
+  close_contacts(s, crew, closing_stamp(s), is_coupled(s));
   crew.barrier();
   close_bodies(s, crew);
   build_list(s, crew, s.status->moment, s.status->horizon);
+  if (is_coupled(s) && s.status->list_valid) hand_out_memory(s, crew, static_cast<std::int32_t>(s.status->moment));
   if (rank_of(crew) != 0) return;
   s.status->touched = 0;
   s.status->drift = list_drift(s);
@@ -157,7 +165,7 @@ GEM_DEVICE inline void list_awake(const DeviceScene& s, Crew& crew, Stretch pair
 /// Pairs that may touch now, a stretch at a time.
 template <class Crew>
 GEM_DEVICE inline void choose_pairs(const DeviceScene& s, Crew& crew) {
-  close_contacts(s, crew, static_cast<std::int32_t>(s.status->moment));
+  close_contacts(s, crew, static_cast<std::int32_t>(s.status->moment), false);
   const auto next_look = [&]() -> LookItem& { return s.look[crew.add(&s.counters->looks, 1)]; };
   constexpr double surely = 1.0 - 1e-6;  // the clock is compared in single precision
   const double clock = s.status->clock;
@@ -177,17 +185,34 @@ GEM_DEVICE inline void choose_pairs(const DeviceScene& s, Crew& crew) {
   }
 }
 
-template <class Crew>
+template <Resolution resolution, class Crew>
 GEM_DEVICE inline void look_at_pairs(const DeviceScene& s, Crew& crew) {
   const std::int32_t groups = crew.threads() / Crew::Lanes::size,
                      first = crew.block() * groups + crew.thread() / Crew::Lanes::size;
-  const auto next_touch = [&](int) { return TouchPlace{crew.add(&s.counters->touches, 1), 0}; };
+  const auto next_touch = [&](int points) {
+    return TouchPlace{crew.add(&s.counters->touches, 1),
+                      resolution == Resolution::coupled ? crew.add(&s.counters->points, points) : 0};
+  };
   look_at_items(s, crew, s.pair, reinterpret_cast<DeskOutlines*>(crew.room()), s.look, first, s.counters->looks,
                 crew.blocks() * groups, next_touch);
 }
 
-/// The events of all touches; what the block found of their quality goes to the moment's.
+/// What a block found of the moment's quality goes to that of all.
 template <class Crew>
+GEM_DEVICE inline void add_quality(const DeviceScene& s, Crew& crew) {
+  crew.block_barrier();
+  if (crew.thread() != 0 || !s.wants_samples) return;
+  const BlockCell& shared = crew.shared();
+  BlockQuality& quality = s.quality[s.status->samples];
+  if (shared.overlap > 0) crew.highest(&quality.overlap, shared.overlap);
+  if (shared.share > 0) crew.highest(&quality.share, shared.share);
+  if (shared.contacts > 0) crew.add(&quality.contacts, shared.contacts);
+  if (shared.complementarity > 0) crew.highest(&quality.complementarity, shared.complementarity);
+  if (shared.cone_excess > 0) crew.highest(&quality.cone_excess, shared.cone_excess);
+}
+
+/// The events of all touches, or their points.
+template <Resolution resolution, class Crew>
 GEM_DEVICE inline void resolve_touches(const DeviceScene& s, Crew& crew) {
   BlockCell& shared = crew.shared();
   if (crew.thread() == 0) shared = {};
@@ -196,14 +221,37 @@ GEM_DEVICE inline void resolve_touches(const DeviceScene& s, Crew& crew) {
   for (std::int32_t k = rank_of(crew); k < touches; k += size_of(crew)) {
     const Touch& touch = s.touch[k];
     s.touched[k] = touch.pair;
-    resolve(s, crew, s.pair[touch.pair], touch, moment);
+    if constexpr (resolution == Resolution::coupled)
+      open_touch(s, crew, s.pair[touch.pair], touch, moment);
+    else
+      resolve(s, crew, s.pair[touch.pair], touch, moment);
   }
+  add_quality(s, crew);
+}
+
+/// The points of a coupled moment are shared out, by blocks that reach each other's fast memory.
+template <class Crew>
+GEM_DEVICE inline void gather_points(const DeviceScene& s, Crew& crew) {
+  MomentSolver<Crew>(s, crew, static_cast<std::int32_t>(s.status->moment), crew.room_bytes()).begin();
+  SolverRounds<Crew>::prepare(s, crew);
+}
+
+/// What the iterations of a coupled moment come to, by the same blocks.
+template <class Crew>
+GEM_DEVICE inline void settle_points(const DeviceScene& s, Crew& crew) {
+  BlockCell& shared = crew.shared();
+  if (crew.thread() == 0) shared = {};
   crew.block_barrier();
-  if (crew.thread() != 0 || !s.wants_samples) return;
+  SolverRounds<Crew>::run_rest(s, crew);
+  MomentSolver<Crew>(s, crew, static_cast<std::int32_t>(s.status->moment), crew.room_bytes()).end();
+  add_quality(s, crew);
+  if (rank_of(crew) != 0) return;
+  s.status->visits += static_cast<std::int64_t>(s.counters->points) * shared.iterations;
+  if (!s.wants_samples) return;
   BlockQuality& quality = s.quality[s.status->samples];
-  if (shared.overlap > 0) crew.highest(&quality.overlap, shared.overlap);
-  if (shared.share > 0) crew.highest(&quality.share, shared.share);
-  if (shared.contacts > 0) crew.add(&quality.contacts, shared.contacts);
+  quality.iterations = shared.iterations;
+  quality.residual = shared.residual;
+  quality.energy_created = shared.energy_created;
 }
 
 /// Where a block works on copies of its bodies, with what is left for the platform's terms.
@@ -256,7 +304,7 @@ GEM_DEVICE inline void put_moved_back(const DeviceScene& s, Crew& crew, const De
 }
 
 /// The bodies move.
-template <class Crew>
+template <Resolution resolution, class Crew>
 GEM_DEVICE inline void move_by_blocks(const DeviceScene& s, Crew& crew) {
   const DeviceStatus& status = *s.status;
   const Desk desk = bodies_desk(s, crew);
@@ -265,7 +313,7 @@ GEM_DEVICE inline void move_by_blocks(const DeviceScene& s, Crew& crew) {
   const std::int64_t done = status.moment + 1 - status.list_moment;
   const MomentStep step{static_cast<std::int32_t>(status.moment), status.samples,
                         static_cast<double>(done) * s.constants.dt, status.samples + 1 < status.wanted};
-  move_bodies<Resolution::independent>(s, crew, desk, step);
+  move_bodies<resolution>(s, crew, desk, step);
   crew.block_barrier();
   note_farthest(s, crew, desk);
   put_moved_back(s, crew, desk);
@@ -274,24 +322,33 @@ GEM_DEVICE inline void move_by_blocks(const DeviceScene& s, Crew& crew) {
 /// Fast memory of a block that moves bodies: their copies, and room for the terms of a usual platform [bytes].
 constexpr std::size_t bodies_room = phase_threads * (sizeof(BodyCell) + sizeof(BodyMotion)) + 8 * 1024;
 
+GEM_HD constexpr bool is_of_solver(DevicePhase phase) {
+  return phase == DevicePhase::gather || phase == DevicePhase::iterate || phase == DevicePhase::settle;
+}
+
 /// Whether the scene has no part in a phase.
 template <DevicePhase phase>
 GEM_DEVICE inline bool is_idle(const DeviceScene& s) {
+  if (is_of_solver(phase)) return s.counters->points == 0;
   if (phase == DevicePhase::begin) return s.status->step == PhaseStep::ended;
   if (phase == DevicePhase::last_work || phase == DevicePhase::close) return s.status->wanted == 0;
   return !moves(s);
 }
 
 /// What a block does for a scene in one phase.
-template <DevicePhase phase, class Crew>
+template <DevicePhase phase, Resolution resolution, class Crew>
 GEM_DEVICE inline void run_phase(const DeviceScene& s, Crew& crew) {
   if (is_idle<phase>(s)) return;
   if constexpr (phase == DevicePhase::begin) begin_call(s, crew);
   if constexpr (phase == DevicePhase::choose) choose_pairs(s, crew);
-  if constexpr (phase == DevicePhase::look) look_at_pairs(s, crew);
-  if constexpr (phase == DevicePhase::resolve) resolve_touches(s, crew);
-  if constexpr (phase == DevicePhase::bodies) move_by_blocks(s, crew);
-  if constexpr (phase == DevicePhase::last_work) close_contacts(s, crew, closing_stamp(s));
+  if constexpr (phase == DevicePhase::look) look_at_pairs<resolution>(s, crew);
+  if constexpr (phase == DevicePhase::resolve) resolve_touches<resolution>(s, crew);
+  if constexpr (phase == DevicePhase::gather) gather_points(s, crew);
+  if constexpr (phase == DevicePhase::iterate) SolverRounds<Crew>::run_first(s, crew);
+  if constexpr (phase == DevicePhase::settle) settle_points(s, crew);
+  if constexpr (phase == DevicePhase::bodies) move_by_blocks<resolution>(s, crew);
+  if constexpr (phase == DevicePhase::last_work)
+    close_contacts(s, crew, closing_stamp(s), resolution == Resolution::coupled);
   if constexpr (phase == DevicePhase::close) {
     close_bodies(s, crew);
     write_state(s, crew);

@@ -14,11 +14,11 @@ namespace gem {
 namespace {
 
 using test::HostScene;
-using Choice = std::tuple<Manifold, Yaw, FrictionLaw, DragLaw>;
+using Choice = std::tuple<Resolution, Manifold, Yaw, FrictionLaw, DragLaw>;
 
-SceneDef independent_scene(std::int32_t size) {
-  SceneDef scene = test::busy_scene(size);
-  scene.contact.resolution = Resolution::independent;
+SceneDef scene_of(Resolution resolution) {
+  SceneDef scene = test::busy_scene(7);
+  scene.contact.resolution = resolution;
   return scene;
 }
 
@@ -31,8 +31,8 @@ HostScene phase_scene(const SceneDef& scene, const Bodies& field, int blocks, in
 class DevicePhases : public testing::TestWithParam<Choice> {};
 
 TEST_P(DevicePhases, GiveTheBitsOfTheCpuEngine) {
-  SceneDef scene = independent_scene(7);
-  std::tie(scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
+  SceneDef scene = test::busy_scene(7);
+  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
   MomentLog expected, log;
@@ -50,14 +50,17 @@ TEST_P(DevicePhases, GiveTheBitsOfTheCpuEngine) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Combinations, DevicePhases,
-                         testing::Combine(testing::Values(Manifold::chord_middle, Manifold::chord_ends),
+                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+                                          testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
                                           testing::Values(DragLaw::quadratic)));
 
-TEST(DevicePhase, BlocksAndThreadsChangeNothing) {
+class DevicePhase : public testing::TestWithParam<Resolution> {};
+
+TEST_P(DevicePhase, BlocksAndThreadsChangeNothing) {
   constexpr std::int64_t moments = 30;
-  const SceneDef scene = independent_scene(7);
+  const SceneDef scene = scene_of(GetParam());
   const auto cpu = test::busy_engine(scene, "cpu");
   MomentLog expected;
   cpu->advance(moments, expected);
@@ -74,8 +77,8 @@ TEST(DevicePhase, BlocksAndThreadsChangeNothing) {
   }
 }
 
-TEST(DevicePhase, TakesTurnsWithWholeMoments) {
-  const SceneDef scene = independent_scene(7);
+TEST_P(DevicePhase, TakesTurnsWithWholeMoments) {
+  const SceneDef scene = scene_of(GetParam());
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
   MomentLog expected, log;
@@ -100,8 +103,8 @@ TEST(DevicePhase, TakesTurnsWithWholeMoments) {
   EXPECT_GT(test::contacts_in(expected), 500);
 }
 
-TEST(DevicePhase, OfAListTooSmallGrowsItAndLosesNothing) {
-  const SceneDef scene = independent_scene(7);
+TEST_P(DevicePhase, OfAListTooSmallGrowsItAndLosesNothing) {
+  const SceneDef scene = scene_of(GetParam());
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp, 40);
   MomentLog expected, log;
@@ -112,8 +115,8 @@ TEST(DevicePhase, OfAListTooSmallGrowsItAndLosesNothing) {
   test::expect_same_log(log, expected);
 }
 
-TEST(DevicePhase, StopsAtAStateThatIsNoNumber) {
-  const SceneDef scene = independent_scene(7);
+TEST_P(DevicePhase, StopsAtAStateThatIsNoNumber) {
+  const SceneDef scene = scene_of(GetParam());
   Bodies field = test::busy_field(scene);
   field.position[20].x = 1e308;
   field.velocity[20].x = -1e308;
@@ -123,6 +126,11 @@ TEST(DevicePhase, StopsAtAStateThatIsNoNumber) {
   EXPECT_EQ(device.status().stop, DeviceStop::not_finite);
   EXPECT_LT(device.status().samples, 10);
 }
+
+INSTANTIATE_TEST_SUITE_P(Of, DevicePhase, testing::Values(Resolution::independent, Resolution::coupled),
+                         [](const testing::TestParamInfo<Resolution>& resolution) {
+                           return std::string(resolution.param == Resolution::coupled ? "coupled" : "independent");
+                         });
 
 }  // namespace
 }  // namespace gem

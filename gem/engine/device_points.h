@@ -59,6 +59,19 @@ GEM_DEVICE inline void remember(PairMemory& memory, const Contact& contact, std:
   if (contact.count < 2) memory.feature[1] = -1;
 }
 
+/// Takes the memory of a pair that touched in the last moment out of the list.
+template <class Crew>
+GEM_DEVICE inline void carry_pair(const DeviceScene& s, Crew& crew, const PairCell& pair, const PairMemory& memory) {
+  CarriedMemory& carried = s.carried[crew.add(&s.status->carried, 1)];
+  carried.a = pair.a;
+  carried.b = pair.b;
+  for (int j = 0; j < 2; ++j) {
+    carried.feature[j] = memory.feature[j];
+    // a contact of one point has no second impulse
+    carried.impulse[j] = carried.feature[j] < 0 ? PointImpulse<double>{} : memory.impulse[j];
+  }
+}
+
 /// Takes the memory of the last moment's contacts out of the list, before the list or the call ends.
 template <class Crew>
 GEM_DEVICE inline void carry_memory(const DeviceScene& s, Crew& crew, const Desk& desk) {
@@ -66,14 +79,7 @@ GEM_DEVICE inline void carry_memory(const DeviceScene& s, Crew& crew, const Desk
   crew.barrier();
   for (std::int32_t k = crew.thread(); k < crew.shared().touched; k += crew.threads()) {
     const std::int32_t p = s.touched[desk.pairs.begin + k];
-    CarriedMemory& carried = s.carried[crew.add(&s.status->carried, 1)];
-    carried.a = desk.pair[p].a;
-    carried.b = desk.pair[p].b;
-    for (int j = 0; j < 2; ++j) {
-      carried.feature[j] = s.memory[p].feature[j];
-      // a contact of one point has no second impulse
-      carried.impulse[j] = carried.feature[j] < 0 ? PointImpulse<double>{} : s.memory[p].impulse[j];
-    }
+    carry_pair(s, crew, desk.pair[p], s.memory[p]);
   }
 }
 

@@ -68,6 +68,11 @@ struct alignas(16) HeldPlace {
   PushRecord* record;  // null: a fixed body
 };
 
+/// What a point is made of while a round runs: columns of four numbers, the last two those of its places.
+constexpr int held_columns = 8;
+constexpr std::size_t held_bytes = held_columns * sizeof(FloatQuad);
+static_assert(sizeof(HeldPlace) == sizeof(FloatQuad));
+
 /// Velocities and shifts of a body under the base's impulses, in the order of PushBase.
 struct alignas(64) SolvedMotion {
   double part[8];

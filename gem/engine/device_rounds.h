@@ -6,15 +6,9 @@
 
 #include "gem/engine/device_held.h"
 #include "gem/engine/device_settle.h"
+#include "gem/engine/iteration_course.h"
 
 namespace gem {
-
-/// How far the iterations of a moment are.
-struct Progress {
-  IterationCourse course;
-  double residual = 0.0;
-  int turn = 0;  // of the two places for residuals
-};
 
 /// Bits of a number that is not negative: they have its order.
 GEM_DEVICE inline std::uint32_t ordered_bits(float x) {
@@ -28,48 +22,111 @@ GEM_DEVICE inline float from_ordered_bits(std::uint32_t bits) {
   return x;
 }
 
-/// The rounds of one moment. Its functions hold no state but the desk: a point is in the registers of its thread.
+/// The rounds of one moment.
 template <class Crew>
 class SolverRounds {
  public:
-  GEM_DEVICE static void iterate(const DeviceScene& s, Crew& crew, const SolverDesk& desk) {
-    const MomentConstants& c = s.constants;
-    SolverBase<Crew> base(s, crew, desk);
-    Progress progress{IterationCourse(c.residual_speed, c.iterations_maximum, c.tight_residual)};
-    for (bool done = false; !done;) {
-      done = run_round_by_law(s, crew, desk, progress);
-      crew.barrier();
-      base.settle();
-      crew.barrier();
-    }
-    if (rank_of(crew) == 0) {
-      crew.shared().iterations = static_cast<std::int32_t>(progress.course.iteration());
-      crew.shared().residual = progress.residual;
-    }
+  /// All rounds of a moment.
+  GEM_DEVICE static void iterate(const DeviceScene& s, Crew& crew) {
+    Progress progress = beginning(s);
+    each_point(crew, [&](std::int32_t i) { hold(s, crew, i, true); });
+    crew.lap(stage_frames);
+    const bool done = run_round(s, crew, progress, true);
+    crew.lap(stage_iterations);
+    finish(s, crew, progress, done);
+  }
+
+  /// The same in three launches, of as many blocks with as much fast memory. Before the first round: points at rest.
+  GEM_DEVICE static void prepare(const DeviceScene& s, Crew& crew) {
+    if (crew.thread() == 0) crew.shared().desk.fast.end = crew.shared().desk.fast.begin;
+    crew.block_barrier();
+    each_point(crew, [&](std::int32_t i) { hold(s, crew, i, true); });
+    SolverList<Crew>(s, crew, crew.shared().desk.moment, crew.room_bytes()).put_aside();
+    crew.lap(stage_frames);
+  }
+  /// The first round, mostly the only one.
+  GEM_DEVICE static void run_first(const DeviceScene& s, Crew& crew) {
+    SolverList<Crew>(s, crew, 0, crew.room_bytes()).take_up();
+    const HeldTable table(s, crew.shared().desk);
+    each_point(crew, [&](std::int32_t i) {
+      if (i < crew.shared().desk.fast.end) table[i].copy_numbers(table.at_rest(i));
+      const PointCell& point = s.taken_point[i];
+      table[i].set_places(place_a(s, crew, point), place_b(s, crew, point));
+    });
+    crew.barrier();  // no block's fast memory is made ready after another has written to it
+    Progress progress = beginning(s);
+    const bool done = run_round_by_law(s, crew, progress, true);
+    each_point(crew, [&](std::int32_t i) {
+      if (i < crew.shared().desk.fast.end) table.at_rest(i).copy_additions(table[i]);
+    });
+    if (rank_of(crew) == 0) *s.progress = {progress, done};
+    crew.lap(stage_iterations);
+  }
+  /// What is left.
+  GEM_DEVICE static void run_rest(const DeviceScene& s, Crew& crew) {
+    SolverList<Crew>(s, crew, 0, crew.room_bytes()).take_up();
+    if (crew.thread() == 0) crew.shared().desk.fast.end = crew.shared().desk.fast.begin;
+    crew.barrier();
+    Progress progress = s.progress->progress;
+    finish(s, crew, progress, s.progress->done);
   }
 
  private:
-  GEM_DEVICE static bool run_round_by_law(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
-                                          Progress& progress) {
-    switch (s.constants.point_friction) {
-      case PointFriction::none:
-        return run_round<PointFriction::none>(s, crew, desk, progress);
-      case PointFriction::coulomb:
-        return run_round<PointFriction::coulomb>(s, crew, desk, progress);
-      default:
-        return run_round<PointFriction::fixed_direction>(s, crew, desk, progress);
+  GEM_DEVICE static Progress beginning(const DeviceScene& s) {
+    const MomentConstants& c = s.constants;
+    return {IterationCourse(c.residual_speed, c.iterations_maximum, c.tight_residual, s.carried_ahead), 0.0F, 0};
+  }
+
+  /// The end of a round, and the rounds that follow where it was not the last.
+  GEM_DEVICE static void finish(const DeviceScene& s, Crew& crew, Progress& progress, bool done) {
+    SolverBase<Crew> base(s, crew);
+    for (;;) {
+      each_point(crew, [&](std::int32_t i) { let_go(s, crew, i); });
+      crew.barrier();
+      base.settle();
+      crew.barrier();
+      if (done) break;
+      each_point(crew, [&](std::int32_t i) { hold(s, crew, i, false); });
+      crew.barrier();
+      done = run_round(s, crew, progress, false);
+    }
+    if (rank_of(crew) == 0) {
+      crew.shared().iterations = static_cast<std::int32_t>(progress.course.iteration());
+      crew.shared().residual = static_cast<double>(progress.residual);
     }
   }
 
-  GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, Crew& crew, std::int32_t place, std::int32_t room) {
+  /// A function of its own: beside what its caller holds the rounds would not find place in registers.
+  GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Crew& crew, Progress& progress, bool fresh) {
+    return run_round_by_law(s, crew, progress, fresh);
+  }
+
+  GEM_DEVICE GEM_INLINE static bool run_round_by_law(const DeviceScene& s, Crew& crew, Progress& progress, bool fresh) {
+    switch (s.constants.point_friction) {
+      case PointFriction::none:
+        return run_round_of<PointFriction::none>(s, crew, progress, fresh);
+      case PointFriction::coulomb:
+        return run_round_of<PointFriction::coulomb>(s, crew, progress, fresh);
+      default:
+        return run_round_of<PointFriction::fixed_direction>(s, crew, progress, fresh);
+    }
+  }
+
+  GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, const Crew& crew, std::int32_t place,
+                                          std::int32_t room) {
     if (room >= 0) return reinterpret_cast<PushRecord*>(crew.room_of(room >> 16)) + (room & 0xffff);
     return place >= 0 ? s.push + place : nullptr;
   }
-
-  GEM_DEVICE static const AddedMotion* motion_at(const DeviceScene& s, Crew& crew, std::int32_t room,
+  GEM_DEVICE static const AddedMotion* motion_at(const DeviceScene& s, const Crew& crew, std::int32_t room,
                                                  std::int32_t body) {
     return room >= 0 ? reinterpret_cast<const AddedMotion*>(crew.room_of(room >> 16)) + (room & 0xffff)
                      : s.added + body;
+  }
+  GEM_DEVICE static HeldPlace place_a(const DeviceScene& s, const Crew& crew, const PointCell& point) {
+    return {motion_at(s, crew, point.motion_a, point.a), record_at(s, crew, point.place_a, point.room_a)};
+  }
+  GEM_DEVICE static HeldPlace place_b(const DeviceScene& s, const Crew& crew, const PointCell& point) {
+    return {motion_at(s, crew, point.motion_b, point.b), record_at(s, crew, point.place_b, point.room_b)};
   }
 
   GEM_DEVICE static Motion<double> solved_motion(const DeviceScene& s, std::int32_t body) {
@@ -78,24 +135,28 @@ class SolverRounds {
   }
 
   /// A point at the start of a round; `carried` is what the last one left, less what is in the base now.
-  GEM_DEVICE GEM_INLINE static void hold(const DeviceScene& s, Crew& crew, std::int32_t i, bool fresh,
-                                         HeldPoint& held) {
+  GEM_DEVICE GEM_INLINE static void hold(const DeviceScene& s, Crew& crew, std::int32_t i, bool fresh) {
+    const HeldCell cell = HeldTable(s, crew.shared().desk)[i];
+    HeldPoint held;
     if (fresh)
       held.carried = {0.0F, 0.0F, 0.0F};
     else
-      HeldTable(s).load_additions(i, held);
+      cell.load_additions(held);
     const PointCell point = s.taken_point[i];
-    held.a = {motion_at(s, crew, point.motion_a, point.a), record_at(s, crew, point.place_a, point.room_a)};
-    held.b = {motion_at(s, crew, point.motion_b, point.b), record_at(s, crew, point.place_b, point.room_b)};
+    held.a = place_a(s, crew, point);
+    held.b = place_b(s, crew, point);
     const PointGeometry<double> geometry = s.points.geometry(i);
     enter_geometry(held.frame, geometry);
     enter_base(held.frame, geometry, s.points.impulse(i), solved_motion(s, point.a), solved_motion(s, point.b));
     held.at = {0.0F, 0.0F, 0.0F};
+    cell.save(held);
     if (!fresh) push(held);
   }
 
   /// The additions of a round enter the base.
-  GEM_DEVICE GEM_INLINE static void let_go(const DeviceScene& s, std::int32_t i, HeldPoint& held) {
+  GEM_DEVICE GEM_INLINE static void let_go(const DeviceScene& s, Crew& crew, std::int32_t i) {
+    const HeldCell cell = HeldTable(s, crew.shared().desk)[i];
+    HeldPoint held = cell.load();
     const PointGeometry<double> g = s.points.geometry(i);
     write_base(s, i, g,
                with_additions(s.constants.point_friction, g, s.points.impulse(i), held.at, held.frame.least,
@@ -103,13 +164,17 @@ class SolverRounds {
     held.carried.normal -= held.at.normal;
     held.carried.tangential -= held.at.tangential;
     held.carried.repair -= held.at.repair;
-    HeldTable(s).save_additions(i, held);
+    cell.save_additions(held);
   }
 
+  GEM_DEVICE GEM_INLINE static void write(PushRecord* record, const FloatQuad& moves, float twist, float turn) {
+    if (record) *record = {{moves, {{twist, turn, 0.0F, 0.0F}}}};
+  }
   GEM_DEVICE GEM_INLINE static void push(const HeldPoint& held) {
     const PointPush<float> p = push_of(held.frame, held.carried);
-    if (held.a.record) *held.a.record = {{{{p.x, p.y, p.shift_x, p.shift_y}}, {{p.twist_a, p.turn_a, 0.0F, 0.0F}}}};
-    if (held.b.record) *held.b.record = {{{{p.x, p.y, p.shift_x, p.shift_y}}, {{p.twist_b, p.turn_b, 0.0F, 0.0F}}}};
+    const FloatQuad moves{{p.x, p.y, p.shift_x, p.shift_y}};
+    write(held.a.record, moves, p.twist_a, p.turn_a);
+    write(held.b.record, moves, p.twist_b, p.turn_b);
   }
 
   /// Motions by the additions of the round: as CoupledRounds::move(). The platform, first of all where it is among the
@@ -123,7 +188,7 @@ class SolverRounds {
   }
 
   /// A body has two threads, one for what moves it and one for what turns it; each fetches a few records together
-  /// before it adds them in their order.
+  /// before it adds them in their order. (A thread for each number took longer.)
   GEM_DEVICE GEM_INLINE static void move_floes(const DeviceScene& s, Crew& crew, const SolverDesk& desk, int threads) {
     constexpr int together = 4;
     const auto* const room = reinterpret_cast<const PushRecord*>(crew.room());
@@ -150,10 +215,13 @@ class SolverRounds {
     }
   }
 
+  GEM_DEVICE GEM_INLINE static void add(FloatQuad& sum, const FloatQuad& term) {
+    for (int c = 0; c < 4; ++c) sum.part[c] += term.part[c];
+  }
+
   /// A lane for each number of the platform's motion; its records are brought to the block's fast memory, if they do
   /// not stand there. It has the lowest id: no record is one of a body B.
   GEM_DEVICE GEM_INLINE static void move_platform(const DeviceScene& s, Crew& crew, const SolverDesk& desk) {
-    constexpr int parts = sizeof(PushRecord) / sizeof(float);
     const auto warp = crew.warp();
     const SolverEntry entry = desk.entry[desk.own.begin];
     const auto* record = reinterpret_cast<const float*>(s.push + entry.place);
@@ -166,16 +234,12 @@ class SolverRounds {
       record = room;
     }
     float* const motion = reinterpret_cast<float*>(desk.motion ? &desk.motion[desk.own.begin] : &s.added[entry.body]);
-    for (int part = warp.rank(); part < parts; part += Crew::Warp::size) {
+    for (int part = warp.rank(); part < used_parts; part += Crew::Warp::size) {
       float sum = 0.0F;
       for (std::int32_t k = 0; k < entry.count; ++k) sum += record[parts * k + part];
       motion[part] = (part < parts / 2 ? entry.inverse_mass : entry.inverse_inertia) * (0.0F - sum);
     }
     warp.sync();
-  }
-
-  GEM_DEVICE GEM_INLINE static void add(FloatQuad& sum, const FloatQuad& term) {
-    for (int c = 0; c < 4; ++c) sum.part[c] += term.part[c];
   }
 
   template <PointFriction law, bool judged>
@@ -195,19 +259,29 @@ class SolverRounds {
     return asked;
   }
 
+  /// Numbers of a record or a motion, and those that say something.
+  static constexpr int parts = sizeof(PushRecord) / sizeof(float), used_parts = 6;
+
+  /// Points of a thread that stay in its registers while a round runs.
+  static constexpr int kept = Crew::kept_points;
+  struct KeptPoints {
+    HeldPoint point[kept > 0 ? kept : 1];
+  };
+
   /// Visits the points of this thread; returns, where `judged`, the largest speed that one asked for.
   template <PointFriction law, bool judged>
-  GEM_DEVICE GEM_INLINE static float visit_all(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
-                                               HeldPoint& first, HeldPoint& second, float ahead) {
-    const std::int32_t size = crew.threads(), i0 = desk.points.begin + crew.thread(), end = desk.points.end;
-    const HeldTable table(s);
+  GEM_DEVICE GEM_INLINE static float visit_all(const DeviceScene& s, const Crew& crew, const SolverDesk& desk,
+                                               KeptPoints& own, float ahead) {
+    const HeldTable table(s, desk);
+    const std::int32_t size = crew.threads(), first = desk.points.begin + crew.thread(), end = desk.points.end;
     float most = 0.0F;
-    if (i0 < end) most = larger(visit<law, judged>(desk.pace, first, ahead), most);
-    if (i0 + size < end) most = larger(visit<law, judged>(desk.pace, second, ahead), most);
-    for (std::int32_t i = i0 + 2 * size; i < end; i += size) {
-      HeldPoint held = table.load(i);
+    for (int k = 0; k < kept; ++k)
+      if (first + k * size < end) most = larger(visit<law, judged>(desk.pace, own.point[k], ahead), most);
+    for (std::int32_t i = first + kept * size; i < end; i += size) {
+      const HeldCell cell = table[i];
+      HeldPoint held = cell.load();
       most = larger(visit<law, judged>(desk.pace, held, ahead), most);
-      table.save_additions(i, held);
+      cell.save_additions(held);
     }
     return most;
   }
@@ -218,53 +292,41 @@ class SolverRounds {
     if (warp.rank() == 0 && all != 0) crew.highest(asked, all);
   }
 
-  /// One round; returns whether it was the last. A function of its own: the points that a thread holds take most of its
-  /// registers.
+  /// Makes the iterations of one round, which no point has begun where `fresh`; returns whether it was the last.
   template <PointFriction law>
-  GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Crew& crew, const SolverDesk desk,
-                                                Progress& kept) {
-    Progress progress = kept;
+  GEM_DEVICE GEM_INLINE static bool run_round_of(const DeviceScene& s, Crew& outer, Progress& state, bool fresh) {
+    decltype(auto) crew = outer.at_hand();
+    Progress progress = state;
+    const SolverDesk& desk = crew.shared().desk;
     std::uint32_t* const asked = s.counters->asked;
-    const std::int32_t size = crew.threads(), i0 = desk.points.begin + crew.thread(), end = desk.points.end;
-    HeldPoint first, second;
-    bool fresh = progress.course.iteration() == 0;  // nothing is added yet
-    if (i0 < end) hold(s, crew, i0, fresh, first);
-    if (i0 + size < end) hold(s, crew, i0 + size, fresh, second);
-    for (std::int32_t i = i0 + 2 * size; i < end; i += size) {
-      HeldPoint held;
-      hold(s, crew, i, fresh, held);
-      HeldTable(s).save(i, held);
-    }
-    if (!fresh) crew.barrier();
-    crew.lap(stage_frames);
+    const std::int32_t size = crew.threads(), first = desk.points.begin + crew.thread(), end = desk.points.end;
+    KeptPoints own;
+    for (int k = 0; k < kept; ++k)
+      if (first + k * size < end) own.point[k] = HeldTable(s, desk)[first + k * size].load();
     auto next = IterationCourse::Next::iteration;
     for (; next == IterationCourse::Next::iteration; fresh = false) {
+      const float ahead = progress.course.ahead();
       if (!fresh) {
         move(s, crew, desk);
         crew.barrier();
       }
-      const float ahead = progress.course.ahead();
       if (progress.course.judged()) {
-        note_asked(crew, asked + progress.turn, visit_all<law, true>(s, crew, desk, first, second, ahead));
+        note_asked(crew, asked + progress.turn, visit_all<law, true>(s, crew, desk, own, ahead));
       } else {
-        visit_all<law, false>(s, crew, desk, first, second, ahead);
+        visit_all<law, false>(s, crew, desk, own, ahead);
       }
       crew.barrier();
       if (progress.course.judged()) {
-        progress.residual = static_cast<double>(from_ordered_bits(asked[progress.turn]));
+        progress.residual = from_ordered_bits(asked[progress.turn]);
         progress.turn = 1 - progress.turn;
         if (rank_of(crew) == 0) asked[progress.turn] = 0;
       }
       next = progress.course.after(progress.residual);
     }
-    crew.lap(stage_iterations);
-    if (i0 < end) let_go(s, i0, first);
-    if (i0 + size < end) let_go(s, i0 + size, second);
-    for (std::int32_t i = i0 + 2 * size; i < end; i += size) {
-      HeldPoint held = HeldTable(s).load(i);
-      let_go(s, i, held);
-    }
-    kept = progress;
+    for (int k = 0; k < kept; ++k)
+      if (first + k * size < end) HeldTable(s, desk)[first + k * size].save_additions(own.point[k]);
+    outer.came_back(crew);
+    state = progress;
     return next == IterationCourse::Next::end;
   }
 };

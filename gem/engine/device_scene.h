@@ -16,7 +16,9 @@
 
 #include "gem/engine/device_cells.h"
 #include "gem/engine/device_points_cells.h"
+#include "gem/engine/iteration_course.h"
 #include "gem/engine/overlap_count.h"
+#include "gem/engine/solver_desk.h"
 
 namespace gem {
 
@@ -33,6 +35,10 @@ constexpr int desk_vertices = 12;
 constexpr int phase_threads = 128, phase_lanes = 4;
 /// Blocks that build lists, on one multiprocessor; threads that plan, one for a scene.
 constexpr int list_blocks = 4, plan_threads = 512;
+/// Threads of a block that iterates a coupled scene, and the fast memory that it takes: most of a multiprocessor's
+/// [bytes].
+constexpr int solve_threads = 512;
+constexpr std::size_t solve_room = 200 * 1024;
 
 /// What the clock is read for: work, and in each phase the wait that ends it.
 enum DeviceStage {
@@ -76,6 +82,7 @@ struct DeviceStatus {
   // of a scene that is moved phase by phase
   std::int32_t wanted = 0;   // moments of the call
   std::int32_t touched = 0;  // contacts of the last moment whose work is not in the books
+  std::int64_t visits = 0;   // coupled: of points by iterations, since the call began
   // how far any two bodies can have gone, one relative to the other, since the list was built [m], up to which moment
   double clock = 0.0;
   std::int64_t clock_moment = -1;
@@ -116,14 +123,14 @@ struct DeviceScene {
   const double* area = nullptr;  // of each body [m2]
 
   // coupled
+  const float* carried_ahead = nullptr;  // see carried_ahead()
   RowPoints* row_points = nullptr;
   PairMemory* memory = nullptr;      // by pair
   CarriedMemory* carried = nullptr;  // contacts of the moment before a list or a call ended, in no order
   PointCell* point = nullptr;
   double* point_numbers = nullptr;
   PointTable points;                // over point_numbers
-  FloatQuad* held_quad = nullptr;   // points that find no place in a thread's registers: see HeldTable
-  HeldPlace* held_place = nullptr;  // the same
+  FloatQuad* held = nullptr;  // points that find no place in fast memory: see HeldTable
   PushRecord* push = nullptr;
   PushBase* push_base = nullptr;
   AddedMotion* added = nullptr;    // by body; fixed bodies keep zeros
@@ -133,6 +140,8 @@ struct DeviceScene {
   std::int32_t *spot = nullptr, *body_at = nullptr;                   // of a body, and back
   std::int32_t *spot_count = nullptr, *spot_begin = nullptr;          // of stretches along the field
   std::uint32_t *touched_bodies = nullptr, *touched_spots = nullptr;  // a bit for each moving body with points
+  SolverDesk* solver_desk = nullptr;                                  // of each block, from launch to launch
+  RoundsMade* progress = nullptr;                                     // the same
   SolverEntry* solver_entry = nullptr;                                // of those bodies, by spot
   std::int32_t *bodies_before = nullptr, *spots_before = nullptr;     // each block's own: bits before each word of them
   PointCell* taken_point = nullptr;      // as the blocks have taken them; the numbers of points stand in this order

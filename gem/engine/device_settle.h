@@ -26,14 +26,14 @@ GEM_DEVICE inline void write_base(const DeviceScene& s, std::int32_t i, const Po
 template <class Crew>
 class SolverBase {
  public:
-  GEM_DEVICE SolverBase(const DeviceScene& s, Crew& crew, const SolverDesk& desk) : s_(s), crew_(crew), desk_(desk) {}
+  GEM_DEVICE SolverBase(const DeviceScene& s, Crew& crew) : s_(s), crew_(crew) {}
 
   /// Velocities that the base's impulses give, and what they do to the energy.
   GEM_DEVICE void settle() {
     const auto lanes = crew_.lanes();
     constexpr int size = Crew::Lanes::size, each = 8 / size, together = 4;
-    for (std::int32_t e = desk_.own.begin + crew_.thread() / size; e < desk_.own.end; e += crew_.threads() / size) {
-      const SolverEntry& entry = desk_.entry[e];
+    for (std::int32_t e = desk().own.begin + crew_.thread() / size; e < desk().own.end; e += crew_.threads() / size) {
+      const SolverEntry& entry = desk().entry[e];
       const std::int32_t body = entry.body, as_b = entry.as_b, count = entry.count;
       const PushBase* const record = s_.push_base + entry.place;
       double sum[each] = {};
@@ -72,9 +72,9 @@ class SolverBase {
 
   /// As CoupledSolver::keep_best_share().
   GEM_DEVICE void keep_best_share(double limit) {
-    const double share = best_share(summed_work(s_.given, s_.answered, desk_.bodies));
+    const double share = best_share(summed_work(s_.given, s_.answered, desk().bodies));
     if (!(share < limit)) return;
-    each_point(crew_, desk_, [&](std::int32_t i) {
+    each_point(crew_, [&](std::int32_t i) {
       PointImpulse<double> impulse = s_.points.impulse(i);
       impulse.normal *= share;
       impulse.tangential *= share;
@@ -88,8 +88,8 @@ class SolverBase {
   /// Work of the contacts of each body, then of all: positive, where the events gave energy.
   GEM_DEVICE void add_work_created() {
     crew_.barrier();
-    for (std::int32_t e = desk_.own.begin + crew_.thread(); e < desk_.own.end; e += crew_.threads()) {
-      const SolverEntry& entry = desk_.entry[e];
+    for (std::int32_t e = desk().own.begin + crew_.thread(); e < desk().own.end; e += crew_.threads()) {
+      const SolverEntry& entry = desk().entry[e];
       double sum = 0.0;
       for (std::int32_t k = 0; k < entry.count; ++k) sum += s_.push_base[entry.place + k].part[solved_work];
       s_.work_created[entry.body] = sum;
@@ -101,6 +101,8 @@ class SolverBase {
   }
 
  private:
+  GEM_DEVICE const SolverDesk& desk() const { return crew_.shared().desk; }
+
   GEM_DEVICE static double sum_of_group(const double* terms, std::int32_t count) {
     double eight[8];
     for (int k = 0; k < 8; ++k) {
@@ -135,7 +137,6 @@ class SolverBase {
 
   const DeviceScene& s_;
   Crew& crew_;
-  const SolverDesk& desk_;
 };
 
 }  // namespace gem

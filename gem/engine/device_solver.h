@@ -24,27 +24,35 @@ class MomentSolver {
  public:
   /// `room`: bytes of fast memory of each block that the solver may use, from the start.
   GEM_DEVICE MomentSolver(const DeviceScene& s, Crew& crew, std::int32_t moment, std::size_t room)
-      : s_(s), crew_(crew), room_(room) {
-    desk_.moment = moment;
-    desk_.pace = {static_cast<float>(s.constants.dt), static_cast<float>(1.0 / s.constants.dt)};
-  }
+      : s_(s), crew_(crew), room_(room), moment_(moment) {}
 
   GEM_DEVICE void solve() {
-    SolverList<Crew>(s_, crew_, desk_.moment, room_).make(desk_);
-    SolverBase<Crew> base(s_, crew_, desk_);
+    begin();
+    SolverRounds<Crew>::iterate(s_, crew_);
+    end();
+  }
+
+  /// Before the iterations: the list, and a base of what the points carried a moment ago.
+  GEM_DEVICE void begin() {
+    SolverList<Crew>(s_, crew_, moment_, room_).make();
+    SolverBase<Crew> base(s_, crew_);
     crew_.barrier();
     crew_.lap(stage_rows);
-    each_point(crew_, desk_, [&](std::int32_t i) { begin_point(i); });
+    each_point(crew_, [&](std::int32_t i) { begin_point(i); });
     clear_marks();
     crew_.barrier();
     base.settle();
     crew_.barrier();
     base.keep_best_share(1.0);
     crew_.lap(stage_points);
-    SolverRounds<Crew>::iterate(s_, crew_, desk_);
+  }
+
+  /// After them.
+  GEM_DEVICE void end() {
+    SolverBase<Crew> base(s_, crew_);
     crew_.lap(stage_base);
     base.keep_best_share(0.5);
-    each_point(crew_, desk_, [&](std::int32_t i) { hand_back(i); });
+    each_point(crew_, [&](std::int32_t i) { hand_back(i); });
     if (s_.wants_samples) base.add_work_created();
     crew_.lap(stage_shares);
   }
@@ -59,7 +67,7 @@ class MomentSolver {
 
   GEM_DEVICE std::int32_t points_of(std::int32_t body) const {
     const BodyPoints points = s_.body_points[body];
-    return points.moment == desk_.moment ? points.count : 0;
+    return points.moment == moment_ ? points.count : 0;
   }
 
   GEM_DEVICE double cap_of(const Contact& contact, const BodyCell& a, const BodyCell& b, double last) const {
@@ -74,7 +82,7 @@ class MomentSolver {
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
     const BodyCell &a = s_.body[contact.a], &b = s_.body[contact.b];
-    PointImpulse<double> last = last_impulse(s_.memory[point.pair], slot.feature, desk_.moment);
+    PointImpulse<double> last = last_impulse(s_.memory[point.pair], slot.feature, moment_);
     const double cap = cap_of(contact, a, b, last.normal);
     const PointGeometry<double> geometry = point_geometry(
         s_.constants, contact, slot, shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(contact.a)),
@@ -97,7 +105,7 @@ class MomentSolver {
     slot.impulse.normal = p.normal;
     slot.impulse.tangential = p.tangential;
     slot.repair = p.repair;
-    remember(s_.memory[point.pair], contact, point.slot, p, desk_.moment);
+    remember(s_.memory[point.pair], contact, point.slot, p, moment_);
     if (s_.wants_samples) judge_point(point, contact, slot);
   }
 
@@ -123,24 +131,31 @@ class MomentSolver {
   const DeviceScene& s_;
   Crew& crew_;
   std::size_t room_;
-  SolverDesk desk_;
+  std::int32_t moment_;
 };
 
-/// Resolves a coupled moment. The iterations are left to the part of the crew that waits least for each other: few
-/// points to one block, more to one cluster of blocks, many to all.
+/// Iterates the points of a coupled moment. They are left to the part of the crew that waits least for each other: few
+/// to one block, more to one cluster of blocks, many to all. `room`: fast memory of each block that may be used, from
+/// the start [bytes].
 template <class Crew>
-GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
+GEM_DEVICE inline void solve_points(const DeviceScene& s, Crew& crew, std::int32_t moment, std::size_t room) {
   const std::int32_t points = s.counters->points;
-  if (points == 0) return;
   if (crew.blocks() > 1 && points <= crew.threads()) {
     OneBlock<Crew> alone(crew);
-    if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, desk.solver_bytes).solve();
+    if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, room).solve();
   } else {
     crew.solve(points, [&](auto& team) {
       using Team = std::remove_reference_t<decltype(team)>;
-      MomentSolver<Team>(s, team, moment, desk.solver_bytes).solve();
+      MomentSolver<Team>(s, team, moment, room).solve();
     });
   }
+}
+
+/// Resolves a coupled moment between the phases of a crew.
+template <class Crew>
+GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
+  if (s.counters->points == 0) return;
+  solve_points(s, crew, moment, desk.solver_bytes);
   crew.barrier();
   crew.lap(stage_solver_wait);
 }

@@ -6,27 +6,14 @@
 // stand there as far as it holds them.
 #pragma once
 
-#include "gem/engine/coupled_visit.h"
 #include "gem/engine/device_points.h"
 
 namespace gem {
 
-/// What a block has before it in a coupled moment.
-struct SolverDesk {
-  std::int32_t moment = 0;
-  MomentPace<float> pace;
-  Stretch points;                 // that the block iterates
-  std::int32_t bodies = 0;        // moving, with points
-  Stretch own;                    // the block's stretch of them, by spot
-  SolverEntry* entry = nullptr;   // by place among them
-  AddedMotion* motion = nullptr;  // the same, in the block's fast memory; null: they stand by body
-  bool platform = false;          // the first of them is the platform
-  std::size_t stage_bytes = 0;    // of fast memory, from the start, that nothing stands in
-};
-
 /// Calls work(point) for the points of this thread.
 template <class Crew, class Work>
-GEM_DEVICE GEM_INLINE void each_point(const Crew& crew, const SolverDesk& desk, Work&& work) {
+GEM_DEVICE GEM_INLINE void each_point(Crew& crew, Work&& work) {
+  const SolverDesk& desk = crew.shared().desk;
   for (std::int32_t i = desk.points.begin + crew.thread(); i < desk.points.end; i += crew.threads()) work(i);
 }
 
@@ -38,7 +25,10 @@ class SolverList {
       : s_(s), crew_(crew), moment_(moment), room_(room) {}
 
   /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
-  GEM_DEVICE void make(SolverDesk& desk) {
+  GEM_DEVICE void make() {
+    SolverDesk desk{};
+    desk.moment = moment_;
+    desk.pace = {static_cast<float>(s_.constants.dt), static_cast<float>(1.0 / s_.constants.dt)};
     const std::int32_t words = bit_words(s_);
     const std::int64_t own_words = static_cast<std::int64_t>(crew_.block()) * (words + 1);
     std::int32_t *const bodies = s_.bodies_before + own_words, *const spots = s_.spots_before + own_words;
@@ -72,11 +62,37 @@ class SolverList {
     if (crew_.thread() == 0) shared.first_taken = crew_.add(&s_.counters->taken_points, shared.taken);
     crew_.block_barrier();
     desk.points = {shared.first_taken, shared.first_taken + shared.taken};
+    desk.records = records_begin_ + shared.records;
+    place_points(desk);
+    if (crew_.thread() == 0) shared.desk = desk;
     for (std::int32_t e = own_.begin + crew_.thread(); e < own_.end; e += crew_.threads()) {
       const TakenPoints taken = s_.taken_of[e];
       for (std::int32_t k = 0; k < taken.count; ++k)
         s_.taken[shared.first_taken + taken.first + k] = s_.taken_in_row[desk.entry[e].place + k];
     }
+    crew_.block_barrier();
+  }
+
+  /// Leaves the list in the scene's memory for another launch of as many blocks with as much fast memory.
+  GEM_DEVICE void put_aside() {
+    const SolverDesk& desk = crew_.shared().desk;
+    if (crew_.thread() == 0) s_.solver_desk[crew_.block()] = desk;
+    if (desk.entry == s_.solver_entry) return;
+    for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads())
+      s_.solver_entry[e] = desk.entry[e];
+  }
+
+  /// Takes it up again; nothing has been added to any motion.
+  GEM_DEVICE void take_up() {
+    SolverDesk desk = s_.solver_desk[crew_.block()];
+    place_entries(desk);
+    place_points(desk);
+    if (crew_.thread() == 0) crew_.shared().desk = desk;
+    if (desk.entry != s_.solver_entry)
+      for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads()) {
+        desk.entry[e] = s_.solver_entry[e];
+        desk.motion[e] = {};
+      }
     crew_.block_barrier();
   }
 
@@ -94,17 +110,27 @@ class SolverList {
     if (warp.rank() == 0) before[words] = sum;
   }
 
+  /// Points stand in what the records have left of the fast memory.
+  GEM_DEVICE void place_points(SolverDesk& desk) const {
+    const std::size_t taken = static_cast<std::size_t>(desk.records) * sizeof(PushRecord);
+    desk.fast = {desk.points.begin, desk.points.begin};
+    if (!Crew::shares_rooms || taken >= room_) return;
+    const auto hold = static_cast<std::int32_t>((room_ - taken) / held_bytes);
+    desk.fast.end += desk.points.count() < hold ? desk.points.count() : hold;
+    desk.fast_held = reinterpret_cast<FloatQuad*>(crew_.room() + taken);
+  }
+
   /// The entries of the block's bodies stand in its fast memory where that holds them.
   GEM_DEVICE void place_entries(SolverDesk& desk) {
     static_assert(sizeof(SolverEntry) == sizeof(PushRecord) && sizeof(AddedMotion) == sizeof(PushRecord));
-    const std::int32_t count = own_.count();
+    const std::int32_t count = desk.own.count();
     desk.entry = s_.solver_entry;
     desk.motion = nullptr;
     desk.stage_bytes = Crew::shares_rooms ? 0 : room_;
     records_begin_ = 0;
     if (!Crew::shares_rooms || 2 * static_cast<std::size_t>(count) * sizeof(PushRecord) > room_) return;
-    desk.entry = reinterpret_cast<SolverEntry*>(crew_.room()) - own_.begin;
-    desk.motion = reinterpret_cast<AddedMotion*>(crew_.room()) + count - own_.begin;
+    desk.entry = reinterpret_cast<SolverEntry*>(crew_.room()) - desk.own.begin;
+    desk.motion = reinterpret_cast<AddedMotion*>(crew_.room()) + count - desk.own.begin;
     records_begin_ = 2 * count;
   }
 
@@ -217,7 +243,7 @@ class SolverList {
   Crew& crew_;
   std::int32_t moment_;
   std::size_t room_;
-  Stretch own_;
+  Stretch own_{};
   std::int32_t records_begin_ = 0;  // in the block's fast memory
 };
 

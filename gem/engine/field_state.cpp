@@ -1,5 +1,7 @@
 #include "gem/engine/field_state.h"
 
+#include "gem/engine/iteration_course.h"
+
 #include <utility>
 
 #include "gem/engine/solo_stages.h"
@@ -29,6 +31,7 @@ FieldState make_field_state(Bodies bodies, const MomentConstants& constants) {
   f.struck.assign(n, 0);
   f.repair_shift.assign(n, {});
   f.repair_turn.assign(n, 0.0);
+  if (constants.resolution == Resolution::coupled) f.carried_ahead = carried_ahead(constants.iterations_maximum);
   f.books.assign(n * static_cast<std::size_t>(Channel::count), {});
   return f;
 }

@@ -28,6 +28,8 @@ struct FieldState {
   std::vector<double> repair_turn;   // [rad]
   Vec2 platform_position;            // at the start of the moment [m]
 
+  std::vector<float> carried_ahead;  // coupled: see carried_ahead()
+
   std::vector<Quantity> books;  // by channel, then by body: a contact's entries stand with its body B, the
                                 // platform's own with body 0
   Quantity mooring_force;       // given by the mooring to the platform: no energy

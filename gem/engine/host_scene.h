@@ -110,30 +110,51 @@ class HostScene {
   }
 
   void run_phases(std::int32_t moments) {
-    bool lists = false;
-    std::uint32_t alarms = 0;
-    each_phase(moments, [&](DevicePhase phase) {
-      if (phase == DevicePhase::open) open_call(scene_, moments);
-      if (phase == DevicePhase::plan) lists = plan_moment(scene_, alarms);
-      if (phase == DevicePhase::list && lists)
-        run_team<TeamCrew>(sizes_.blocks, threads_, room_, [&](auto& crew) { renew_list(scene_, crew); });
-      run<DevicePhase::begin>(phase, alarms);
-      run<DevicePhase::choose>(phase, alarms);
-      run<DevicePhase::look>(phase, alarms);
-      run<DevicePhase::resolve>(phase, alarms);
-      run<DevicePhase::bodies>(phase, alarms);
-      run<DevicePhase::last_work>(phase, alarms);
-      run<DevicePhase::close>(phase, alarms);
-    });
+    alarms_ = 0;
+    const bool coupled = is_coupled(scene_);
+    const auto run = [&](DevicePhase phase) {
+      if (phase == DevicePhase::open)
+        open_call(scene_, moments);
+      else if (phase == DevicePhase::plan)
+        lists_ = plan_moment(scene_, alarms_);
+      else if (phase == DevicePhase::list)
+        renew_list_if_worn();
+      else if (coupled)
+        run_resolved<Resolution::coupled>(phase);
+      else if (!is_of_solver(phase))
+        run_resolved<Resolution::independent>(phase);
+    };
+    for (const DevicePhase phase : first_phases) run(phase);
+    for (std::int32_t k = 0; k < moments; ++k)
+      for (const DevicePhase phase : moment_phases) run(phase);
+    for (const DevicePhase phase : last_phases) run(phase);
+  }
+
+  void renew_list_if_worn() {
+    if (lists_) run_team<TeamCrew>(sizes_.blocks, threads_, room_, [&](auto& crew) { renew_list(scene_, crew); });
+  }
+
+  template <Resolution resolution>
+  void run_resolved(DevicePhase phase) {
+    run_if<DevicePhase::begin, resolution>(phase);
+    run_if<DevicePhase::choose, resolution>(phase);
+    run_if<DevicePhase::look, resolution>(phase);
+    run_if<DevicePhase::resolve, resolution>(phase);
+    run_if<DevicePhase::gather, resolution>(phase);
+    run_if<DevicePhase::iterate, resolution>(phase);
+    run_if<DevicePhase::settle, resolution>(phase);
+    run_if<DevicePhase::bodies, resolution>(phase);
+    run_if<DevicePhase::last_work, resolution>(phase);
+    run_if<DevicePhase::close, resolution>(phase);
   }
 
   /// One phase, if it is this one, by a team that ends with it; alarms stay.
-  template <DevicePhase phase>
-  void run(DevicePhase now, std::uint32_t& alarms) {
+  template <DevicePhase phase, Resolution resolution>
+  void run_if(DevicePhase now) {
     if (now == phase)
       run_team<PhaseTeam>(sizes_.blocks, threads_, room_, [&](PhaseTeam& crew) {
-        crew.raise_in(alarms);
-        run_phase<phase>(scene_, crew);
+        crew.raise_in(alarms_);
+        run_phase<phase, resolution>(scene_, crew);
       });
   }
 
@@ -150,6 +171,8 @@ class HostScene {
   int threads_;
   std::size_t room_;
   bool apart_, by_phases_ = false;
+  bool lists_ = false;        // by phases: the next moment needs a new list
+  std::uint32_t alarms_ = 0;  // by phases
   std::vector<std::byte> memory_[3];
   int growths_ = 0;
 };

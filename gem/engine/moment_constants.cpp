@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gem/engine/coupled_visit.h"
+#include "gem/engine/iteration_course.h"
 #include "gem/scene/scene_bounds.h"
 
 namespace gem {

@@ -7,6 +7,7 @@
 #include "gem/engine/books.h"
 #include "gem/engine/contact_outcome.h"
 #include "gem/engine/contact_stages.h"
+#include "gem/engine/iteration_course.h"
 #include "gem/engine/ordered_sum.h"
 #include "gem/engine/solo_stages.h"
 
@@ -178,7 +179,7 @@ void ReferenceEngine::begin_round(std::vector<Point>& points) const {
 
 void ReferenceEngine::iterate(std::vector<Point>& points, MomentQuality& quality) const {
   const MomentConstants& c = field_.constants;
-  IterationCourse course(c.residual_speed, c.iterations_maximum, c.tight_residual);
+  IterationCourse course(c.residual_speed, c.iterations_maximum, c.tight_residual, field_.carried_ahead.data());
   auto next = IterationCourse::Next::round;
   while (next != IterationCourse::Next::end) {
     begin_round(points);
@@ -188,7 +189,7 @@ void ReferenceEngine::iterate(std::vector<Point>& points, MomentQuality& quality
       float asked = 0.0F;
       for (Point& point : points) asked = larger(asked, visit(point, motion, ahead));
       if (course.judged()) quality.residual = asked;
-      next = course.after(quality.residual);
+      next = course.after(static_cast<float>(quality.residual));
     } while (next == IterationCourse::Next::iteration);
     for (Point& point : points)
       point.impulse = with_additions(c.point_friction, point.geometry, point.impulse, point.at, point.frame.least,

@@ -123,11 +123,12 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(s.point, 2 * pairs);
   placer.place(s.point_numbers, PointTable::columns * 2 * pairs);
   s.points = {s.point_numbers, static_cast<std::int32_t>(2 * pairs)};
-  placer.place(s.held_quad, held_columns * 2 * pairs);
-  placer.place(s.held_place, 2 * 2 * pairs);
+  placer.place(s.held, held_columns * 2 * pairs);
   placer.place(s.push, 2 * rows);
   placer.place(s.push_base, 2 * rows);
   placer.place(s.solver_entry, n);
+  placer.place(s.solver_desk, blocks);
+  placer.place(s.progress, 1);
   placer.place(s.spot, n);
   placer.place(s.body_at, n);
   placer.place(s.spot_count, spot_stretches);
@@ -158,6 +159,7 @@ SceneSizes scene_sizes(const FieldState& f) {
   sizes.platform_rows = 256;
   sizes.phase_blocks = (sizes.bodies + phase_threads - 1) / phase_threads;
   sizes.coupled = f.constants.resolution == Resolution::coupled;
+  sizes.carried_ahead = f.carried_ahead.size();
   return sizes;
 }
 
@@ -182,6 +184,7 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.body_points, n);
   placer.place(s.touched_bodies, (n + 31) / 32);
   placer.place(s.touched_spots, (n + 31) / 32);
+  placer.place(s.carried_ahead, sizes.carried_ahead);
   return placer.used();
 }
 
@@ -202,10 +205,8 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
   placer.place(s.touched, pairs);
   placer.place(s.touch, pairs);
   s.phase_blocks = sizes.phase_blocks;
-  if (!sizes.coupled) {
-    placer.place(s.look, pairs);
-    placer.place(s.wake, pairs);
-  }
+  placer.place(s.look, pairs);
+  placer.place(s.wake, pairs);
   placer.place(s.last_row, n);
   placer.place(s.last_other, rows);
   placer.place(s.last_pair, rows);
@@ -267,6 +268,7 @@ void write_field(const FieldState& f, std::int64_t moment, const DeviceScene& s)
     std::fill_n(s.body_points, f.bodies.count(), BodyPoints{});
     std::fill_n(s.touched_bodies, (f.bodies.count() + 31) / 32, 0U);
     std::fill_n(s.touched_spots, (f.bodies.count() + 31) / 32, 0U);
+    std::copy(f.carried_ahead.begin(), f.carried_ahead.end(), const_cast<float*>(s.carried_ahead));
   }
   std::copy(f.books.begin(), f.books.end(), s.books);
   std::copy(f.corner.begin(), f.corner.end(), s.corner);

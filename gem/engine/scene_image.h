@@ -20,6 +20,7 @@ struct SceneSizes {
   std::int32_t blocks = 1;         // that work on the scene
   std::int32_t phase_blocks = 1;   // that work on it where a launch makes one phase
   bool coupled = false;
+  std::size_t carried_ahead = 0;  // numbers
 };
 
 SceneSizes scene_sizes(const FieldState& f);

@@ -108,6 +108,7 @@ class TeamCrew {
   using Lanes = TeamLanes<team_lanes>;
   using Wide = Lanes;  // several of a warp
   using Warp = TeamLanes<team_warp>;
+  static constexpr int kept_points = 2;
 
   TeamCrew(TeamHall& hall, int block, int thread) : hall_(hall), block_(block), thread_(thread) {}
 
@@ -127,7 +128,7 @@ class TeamCrew {
   BlockCell& shared() { return hall_.cell[std::size_t(block_)]; }
   std::byte* room() { return hall_.room[std::size_t(block_)].data(); }
   std::size_t room_bytes() const { return hall_.room[std::size_t(block_)].size(); }
-  std::byte* room_of(int block) { return hall_.room[std::size_t(block)].data(); }
+  std::byte* room_of(int block) const { return hall_.room[std::size_t(block)].data(); }
   static constexpr bool shares_rooms = true;
   template <class Work>
   void solve(std::int32_t, Work&& work) {
@@ -137,6 +138,8 @@ class TeamCrew {
   void write_laps(std::int64_t*) const {}
   static int barriers() { return 0; }
   static int team_barriers() { return 0; }
+  TeamCrew& at_hand() { return *this; }
+  void came_back(const TeamCrew&) {}
   void raise(std::uint32_t alarms) {
     for (BlockCell& cell : hall_.cell) std::atomic_ref(cell.alarms).fetch_or(alarms);
   }
@@ -166,7 +169,7 @@ class TeamCrew {
 class ApartCrew : public TeamCrew {
  public:
   using TeamCrew::TeamCrew;
-  std::byte* room_of(int) { return room(); }
+  std::byte* room_of(int) const { return hall_.room[std::size_t(block())].data(); }
   static constexpr bool shares_rooms = false;
   template <class Work>
   void solve(std::int32_t, Work&& work) {
@@ -178,6 +181,11 @@ class ApartCrew : public TeamCrew {
 class PhaseTeam : public TeamCrew {
  public:
   using TeamCrew::TeamCrew;
+  static constexpr int kept_points = 1;
+  template <class Work>
+  void solve(std::int32_t, Work&& work) {
+    work(*this);
+  }
   void raise_in(std::uint32_t& alarms) { alarms_ = &alarms; }
   void raise(std::uint32_t alarms) { std::atomic_ref(*alarms_).fetch_or(alarms); }
 

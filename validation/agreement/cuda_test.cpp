@@ -102,7 +102,7 @@ TEST_P(CudaPhases, GiveTheBitsOfTheCpu) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Combinations, CudaPhases,
-                         testing::Combine(testing::Values(Resolution::independent),
+                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
@@ -175,7 +175,6 @@ TEST_P(CudaJam, AListTooSmallGrowsAndLosesNothing) {
 
 /// As many as let the scenes be shared out among several streams, with a ring that holds few moments.
 TEST_P(CudaJam, ManyScenesKeepTheirBitsPhaseByPhase) {
-  if (scene_.contact.resolution == Resolution::coupled) GTEST_SKIP() << "coupled moments are not made phase by phase";
   constexpr std::size_t count = 120;
   CudaBatch batch(copies(count), {.ring_moments = 23});
   for (std::size_t k = 0; k < count; ++k) batch.restore(k, start_);
@@ -195,7 +194,6 @@ TEST_P(CudaJam, ManyScenesKeepTheirBitsPhaseByPhase) {
 }
 
 TEST_P(CudaJam, WholeMomentsAndPhasesTakeTurns) {
-  if (scene_.contact.resolution == Resolution::coupled) GTEST_SKIP() << "coupled moments are not made phase by phase";
   constexpr std::size_t count = 90;
   CudaBatch batch(copies(count), {});
   for (std::size_t k = 0; k < count; ++k) batch.restore(k, start_);
@@ -340,7 +338,6 @@ class OneOfABatch : public OnGpu, public testing::WithParamInterface<Launches> {
 
 TEST_P(OneOfABatch, ThatFailsOnTheGpuStopsNoOther) {
   SceneDef scene = test::busy_scene(12);
-  if (GetParam() == Launches::phases) scene.contact.resolution = Resolution::independent;
   CudaBatch batch(std::vector<BatchScene>(4, {scene, test::busy_field(scene)}), {.launches = GetParam()});
   EngineState overflows = batch.save(0), no_number = overflows;
   overflows.bodies.position[20].x = 1e308;

@@ -1,0 +1,48 @@
+// What a block has before it while it iterates a coupled moment.
+#pragma once
+
+#include <cstddef>
+
+#include "gem/engine/coupled_visit.h"
+#include "gem/engine/device_points_cells.h"
+#include "gem/engine/iteration_course.h"
+
+namespace gem {
+
+/// How far the iterations of a moment are.
+struct Progress {
+  IterationCourse course;
+  float residual = 0.0F;
+  int turn = 0;  // of the two places for residuals
+};
+
+/// The same between two launches; `done`: the last round was made.
+struct RoundsMade {
+  Progress progress;
+  bool done;
+};
+
+/// A block's stretch of [0, count).
+struct Stretch {
+  std::int32_t begin, end;
+  GEM_DEVICE std::int32_t count() const { return end - begin; }
+};
+
+/// The same for all threads of the block, and kept in its fast memory: what a thread keeps for itself beyond its
+/// registers it has to fetch from afar again after every barrier.
+struct SolverDesk {
+  std::int32_t moment;
+  MomentPace<float> pace;
+  Stretch points;           // that the block iterates
+  Stretch fast;             // the first of them: those that stand in its fast memory
+  FloatQuad* fast_held;     // where they stand: see HeldTable
+  std::int32_t bodies;      // moving, with points
+  Stretch own;              // the block's stretch of them, by spot
+  SolverEntry* entry;       // by place among them
+  AddedMotion* motion;      // the same, in the block's fast memory; null: they stand by body
+  bool platform;            // the first of them is the platform
+  std::size_t stage_bytes;  // of fast memory, from the start, that nothing stands in
+  std::int32_t records;     // places of fast memory, from the start, that entries, motions and records take
+};
+
+}  // namespace gem

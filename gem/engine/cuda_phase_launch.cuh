@@ -41,8 +41,8 @@ class PhaseStream {
     add_blocks(block, scenes, std::max(1, all_ * streams / (pairs_blocks * multiprocessors_)));
     some_ = static_cast<int>(block.size()) - all_;
     work_.blocks = reinterpret_cast<const PhaseBlock*>(send(block_memory_, block));
-    work_.queue = reinterpret_cast<ListQueue*>(
-        room(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size()));
+    work_.queue =
+        reinterpret_cast<ListQueue*>(room(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size()));
   }
 
   void launch(DevicePhase phase) {
@@ -79,7 +79,8 @@ class PhaseStream {
   void allow_solver() const {
     for (const DevicePhase phase : {DevicePhase::gather, DevicePhase::iterate, DevicePhase::settle}) {
       const PhaseKernel kernel = kernel_of_phase(phase);
-      check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, int{solve_room}), "be set up");
+      check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, int{solve_room}),
+                 "be set up");
       check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
     }
   }
@@ -206,9 +207,8 @@ class PhaseStreams {
   }
 
   static int coupled_in(const std::vector<PhaseScene>& scenes) {
-    return static_cast<int>(std::count_if(scenes.begin(), scenes.end(), [](const PhaseScene& scene) {
-      return scene.resolution == Resolution::coupled;
-    }));
+    return static_cast<int>(std::count_if(
+        scenes.begin(), scenes.end(), [](const PhaseScene& scene) { return scene.resolution == Resolution::coupled; }));
   }
 
   /// Blocks that iterate a scene. Not all scenes iterate at a time.

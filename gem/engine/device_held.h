@@ -75,9 +75,7 @@ class HeldCell {
   }
 
  private:
-  GEM_DEVICE GEM_INLINE FloatQuad& quad(int column) const {
-    return quad_[static_cast<std::int64_t>(column) * apart_];
-  }
+  GEM_DEVICE GEM_INLINE FloatQuad& quad(int column) const { return quad_[static_cast<std::int64_t>(column) * apart_]; }
 
   GEM_DEVICE GEM_INLINE HeldPlace& place(int column) const { return reinterpret_cast<HeldPlace&>(quad(column)); }
 

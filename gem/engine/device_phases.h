@@ -25,13 +25,27 @@
 
 namespace gem {
 
-enum class DevicePhase { open, begin, plan, list, choose, look, resolve, gather, iterate, settle, bodies, last_work, close };
+enum class DevicePhase {
+  open,
+  begin,
+  plan,
+  list,
+  choose,
+  look,
+  resolve,
+  gather,
+  iterate,
+  settle,
+  bodies,
+  last_work,
+  close
+};
 
 /// The phases of a call, in their order: once, for every moment, once. Only coupled scenes gather, iterate and settle.
 constexpr DevicePhase first_phases[] = {DevicePhase::open, DevicePhase::begin};
-constexpr DevicePhase moment_phases[] = {DevicePhase::plan,    DevicePhase::list,   DevicePhase::choose,
+constexpr DevicePhase moment_phases[] = {DevicePhase::plan,    DevicePhase::list,    DevicePhase::choose,
                                          DevicePhase::look,    DevicePhase::resolve, DevicePhase::gather,
-                                         DevicePhase::iterate, DevicePhase::settle, DevicePhase::bodies};
+                                         DevicePhase::iterate, DevicePhase::settle,  DevicePhase::bodies};
 constexpr DevicePhase last_phases[] = {DevicePhase::plan, DevicePhase::last_work, DevicePhase::close};
 
 /// Nothing was found in this moment so far.

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <string>
 #include <tuple>
 
 #include "gem/engine/host_scene.h"
@@ -22,9 +24,10 @@ SceneDef scene_of(Resolution resolution) {
   return scene;
 }
 
-HostScene phase_scene(const SceneDef& scene, const Bodies& field, int blocks, int threads, std::int32_t rows = 0) {
+HostScene phase_scene(const SceneDef& scene, const Bodies& field, int blocks, int threads, std::int32_t rows = 0,
+                      std::size_t solver_room = 1 << 20) {
   HostScene device(scene, field, blocks, threads, rows, bodies_room);
-  device.by_phases();
+  device.by_phases(solver_room);
   return device;
 }
 
@@ -32,7 +35,8 @@ class DevicePhases : public testing::TestWithParam<Choice> {};
 
 TEST_P(DevicePhases, GiveTheBitsOfTheCpuEngine) {
   SceneDef scene = test::busy_scene(7);
-  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law, scene.water.drag_law) = GetParam();
+  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
+           scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
   MomentLog expected, log;
@@ -44,13 +48,27 @@ TEST_P(DevicePhases, GiveTheBitsOfTheCpuEngine) {
     if (HasFailure()) return;
   }
   test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  if (scene.contact.resolution == Resolution::coupled) {
+    EngineState state;
+    save_memory(device.memory(), state);
+    test::expect_same_memory(state, cpu->save());
+    test::expect_same_judgement(log, expected);
+    EXPECT_GT(state.impulse_key.size(), 20u);
+  }
   EXPECT_GT(test::contacts_in(expected), 1000);
   EXPECT_GT(device.status().builds, 2);
   EXPECT_GT(device.asleep(), 0) << "no pair ever slept";
 }
 
-INSTANTIATE_TEST_SUITE_P(Combinations, DevicePhases,
-                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+INSTANTIATE_TEST_SUITE_P(Coupled, DevicePhases,
+                         testing::Combine(testing::Values(Resolution::coupled),
+                                          testing::Values(Manifold::chord_middle, Manifold::chord_ends),
+                                          testing::Values(Yaw::free),
+                                          testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
+                                          testing::Values(DragLaw::quadratic)));
+
+INSTANTIATE_TEST_SUITE_P(Independent, DevicePhases,
+                         testing::Combine(testing::Values(Resolution::independent),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
@@ -65,8 +83,10 @@ TEST_P(DevicePhase, BlocksAndThreadsChangeNothing) {
   MomentLog expected;
   cpu->advance(moments, expected);
   EXPECT_GT(test::contacts_in(expected), 50);
-  for (const auto& [blocks, threads] : {std::pair{1, 8}, {2, 4}, {3, 8}}) {
-    HostScene device = phase_scene(scene, test::busy_field(scene), blocks, threads);
+  // for all that iterates; for some of it; for the entries, but not for all records
+  constexpr std::size_t much = 1 << 20, some = 10 * 1024, little = 4 * 1024;
+  for (const auto& [blocks, threads, room] : {std::tuple{1, 8, some}, {2, 4, much}, {3, 8, little}}) {
+    HostScene device = phase_scene(scene, test::busy_field(scene), blocks, threads, 0, room);
     MomentLog log;
     device.advance(moments, log);
     test::expect_same_bodies(device.bodies(), cpu->bodies());
@@ -83,7 +103,8 @@ TEST_P(DevicePhase, TakesTurnsWithWholeMoments) {
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
   MomentLog expected, log;
   int survived = 0;  // lists in which pairs slept when whole moments began, and that outlived these
-  for (int call = 0; call < 60; ++call) {
+  const int calls = GetParam() == Resolution::coupled ? 24 : 60;
+  for (int call = 0; call < calls; ++call) {
     const bool phases = call % 2 == 0;
     const std::int64_t moments = phases ? 2 : 8;  // time enough for those that slept to meet
     cpu->advance(moments, expected);
@@ -125,6 +146,23 @@ TEST_P(DevicePhase, StopsAtAStateThatIsNoNumber) {
   device.advance(10, log);
   EXPECT_EQ(device.status().stop, DeviceStop::not_finite);
   EXPECT_LT(device.status().samples, 10);
+}
+
+TEST(DevicePhaseRounds, OfATightResidualAreMadeToTheirEnd) {
+  SceneDef scene = scene_of(Resolution::coupled);
+  scene.numerics.residual_tolerance = 1e-9;
+  scene.numerics.iterations_maximum = 200;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
+  MomentLog expected, log;
+  cpu->advance(12, expected);
+  device.advance(12, log);
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  test::expect_same_judgement(log, expected);
+  const auto most = std::max_element(log.quality.begin(), log.quality.end(),
+                                     [](const auto& a, const auto& b) { return a.iterations < b.iterations; });
+  EXPECT_GT(most->iterations, 64) << "no moment took three rounds";
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, DevicePhase, testing::Values(Resolution::independent, Resolution::coupled),

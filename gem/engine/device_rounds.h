@@ -197,10 +197,10 @@ class SolverRounds {
       const SolverEntry entry = desk.entry[e];
       const PushRecord* const record = entry.room >= 0 ? room + entry.room : s.push + entry.place;
       FloatQuad to_b{}, to_a{};
-      for (std::int32_t first = 0; first < entry.count; first += together) {
+      const std::int32_t last = entry.count - 1;
+      for (std::int32_t first = 0; first <= last; first += together) {
         FloatQuad some[together];
-        for (int j = 0; j < together; ++j)
-          if (first + j < entry.count) some[j] = record[first + j].half[half];
+        for (int j = 0; j < together; ++j) some[j] = record[first + j < last ? first + j : last].half[half];
         for (int j = 0; j < together; ++j) {
           if (first + j < entry.as_b)
             add(to_b, some[j]);

@@ -129,7 +129,7 @@ struct DeviceScene {
   CarriedMemory* carried = nullptr;  // contacts of the moment before a list or a call ended, in no order
   PointCell* point = nullptr;
   double* point_numbers = nullptr;
-  PointTable points;                // over point_numbers
+  PointTable points;          // over point_numbers
   FloatQuad* held = nullptr;  // points that find no place in fast memory: see HeldTable
   PushRecord* push = nullptr;
   PushBase* push_base = nullptr;

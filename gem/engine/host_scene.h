@@ -36,8 +36,11 @@ class HostScene {
     write_field(field_, 0, scene_);
   }
 
-  /// From now on each phase is run by itself.
-  void by_phases() { by_phases_ = true; }
+  /// From now on each phase is run by itself; `solver_room`: fast memory of those of the iterations [bytes].
+  void by_phases(std::size_t solver_room = 1 << 20) {
+    by_phases_ = true;
+    solver_room_ = solver_room;
+  }
   void by_moments() { by_phases_ = false; }
 
   void advance(std::int64_t moments, MomentLog& log) {
@@ -152,7 +155,7 @@ class HostScene {
   template <DevicePhase phase, Resolution resolution>
   void run_if(DevicePhase now) {
     if (now == phase)
-      run_team<PhaseTeam>(sizes_.blocks, threads_, room_, [&](PhaseTeam& crew) {
+      run_team<PhaseTeam>(sizes_.blocks, threads_, is_of_solver(phase) ? solver_room_ : room_, [&](PhaseTeam& crew) {
         crew.raise_in(alarms_);
         run_phase<phase, resolution>(scene_, crew);
       });
@@ -169,7 +172,7 @@ class HostScene {
   SceneSizes sizes_;
   DeviceScene scene_;
   int threads_;
-  std::size_t room_;
+  std::size_t room_, solver_room_ = 0;
   bool apart_, by_phases_ = false;
   bool lists_ = false;        // by phases: the next moment needs a new list
   std::uint32_t alarms_ = 0;  // by phases

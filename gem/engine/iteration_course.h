@@ -44,7 +44,8 @@ class IterationCourse {
     if (looked) watch(asked);
     const bool met = looked && static_cast<double>(asked) <= residual_;
     if (iteration_ >= most_ || (met && (!tight_ || of_round_ == 1))) return Next::end;
-    if (of_round_ < longest_round && !(looked && tight_ && (met || static_cast<double>(asked) <= single_precision * static_cast<double>(first_))))
+    if (of_round_ < longest_round &&
+        !(looked && tight_ && (met || static_cast<double>(asked) <= single_precision * static_cast<double>(first_))))
       return Next::iteration;
     of_round_ = 0;
     return Next::round;

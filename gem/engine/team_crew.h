@@ -126,7 +126,7 @@ class TeamCrew {
   void barrier() { hall_.all.arrive_and_wait(); }
   void block_barrier() { hall_.block[std::size_t(block_)]->arrive_and_wait(); }
   BlockCell& shared() { return hall_.cell[std::size_t(block_)]; }
-  std::byte* room() { return hall_.room[std::size_t(block_)].data(); }
+  std::byte* room() { return own_room(); }
   std::size_t room_bytes() const { return hall_.room[std::size_t(block_)].size(); }
   std::byte* room_of(int block) const { return hall_.room[std::size_t(block)].data(); }
   static constexpr bool shares_rooms = true;
@@ -160,6 +160,9 @@ class TeamCrew {
   }
   static void set_bit(std::uint32_t* word, std::uint32_t bit) { std::atomic_ref(*word).fetch_or(bit); }
 
+ protected:
+  std::byte* own_room() const { return hall_.room[std::size_t(block_)].data(); }
+
  private:
   TeamHall& hall_;
   int block_, thread_;
@@ -169,7 +172,9 @@ class TeamCrew {
 class ApartCrew : public TeamCrew {
  public:
   using TeamCrew::TeamCrew;
-  std::byte* room_of(int) const { return hall_.room[std::size_t(block())].data(); }
+  std::byte* room_of(int) const { return own_room(); }
+  ApartCrew& at_hand() { return *this; }
+  void came_back(const ApartCrew&) {}
   static constexpr bool shares_rooms = false;
   template <class Work>
   void solve(std::int32_t, Work&& work) {
@@ -181,7 +186,9 @@ class ApartCrew : public TeamCrew {
 class PhaseTeam : public TeamCrew {
  public:
   using TeamCrew::TeamCrew;
-  static constexpr int kept_points = 1;
+  static constexpr int kept_points = 0;
+  PhaseTeam& at_hand() { return *this; }
+  void came_back(const PhaseTeam&) {}
   template <class Work>
   void solve(std::int32_t, Work&& work) {
     work(*this);

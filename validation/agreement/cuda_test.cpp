@@ -101,6 +101,27 @@ TEST_P(CudaPhases, GiveTheBitsOfTheCpu) {
   EXPECT_GT(expected.events.size(), 2u);
 }
 
+TEST_F(OnGpu, RoundsOfATightResidualAreMadeToTheirEnd) {
+  SceneDef scene = test::busy_scene(8);
+  scene.numerics.residual_tolerance = 1e-9;
+  scene.numerics.iterations_maximum = 200;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  MomentLog expected;
+  cpu->advance(40, expected);
+  for (const Launches launches : {Launches::moments, Launches::phases}) {
+    CudaBatch batch({{scene, test::busy_field(scene)}}, {.launches = launches});
+    std::vector<MomentLog> logs(1);
+    batch.advance(40, &logs);
+    EXPECT_EQ(batch.launches(), launches);
+    EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
+    test::expect_same_log(logs[0], expected);
+    test::expect_same_judgement(logs[0], expected);
+  }
+  int longest = 0;
+  for (const MomentQuality& quality : expected.quality) longest = std::max(longest, int(quality.iterations));
+  EXPECT_GT(longest, 64) << "no moment took three rounds";
+}
+
 INSTANTIATE_TEST_SUITE_P(Combinations, CudaPhases,
                          testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Time of each phase of independent moments on a GPU, from what Nsight Compute printed, as CSV: kernels one after the other.
+"""Time of each phase of moments on a GPU, from what Nsight Compute printed, as CSV: kernels one after the other.
 
 usage: ncu --metrics gpu__time_duration.sum --csv -k regex:phase_of --launch-skip 64 -c 192 \\
          build/gem_cuda_speed cases profile 264 independent strict plug | scripts/phase_times.py COMMIT DEVICE
@@ -9,7 +9,8 @@ import re
 import sys
 
 # DevicePhase in gem/engine/device_phases.h
-PHASES = ["open", "begin", "plan", "list", "choose", "look", "resolve", "bodies", "last_work", "close"]
+PHASES = ["open", "begin", "plan", "list", "choose", "look", "resolve", "gather", "iterate", "settle", "bodies",
+          "last_work", "close"]
 
 
 def phase_of(kernel):

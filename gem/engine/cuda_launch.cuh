@@ -10,8 +10,6 @@
 namespace gem {
 namespace {
 
-constexpr int largest_cluster = 16;
-
 /// The fast memory that a kernel takes is taken from the cache; more than this loses more there than it gains [bytes].
 constexpr std::size_t most_room = 160 * 1024;
 

@@ -52,14 +52,11 @@ class SolveCrew : public DeviceCrew {
     work(*this);
   }
 
-  /// As that of ClusterCrew.
   __device__ void barrier() const {
-    if (alone_) {
+    if (alone_)
       __syncthreads();
-      return;
-    }
-    __syncwarp();
-    asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
+    else
+      cluster_barrier();
   }
 
  private:

@@ -3,12 +3,13 @@
 
 #include <cuda_runtime.h>
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 #include <vector>
 
 #include "gem/engine/books.h"
-#include "gem/engine/cuda_engine.h"
+#include "gem/engine/cuda_kernel.h"
 #include "gem/engine/cuda_memory.cuh"
 #include "gem/engine/scene_image.h"
 

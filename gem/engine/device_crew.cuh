@@ -115,6 +115,12 @@ class DeviceCrew {
   BlockRoom room_;
 };
 
+/// All threads of a cluster meet. A warp that had parted comes together first: the barrier counts warps.
+__device__ inline void cluster_barrier() {
+  __syncwarp();
+  asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
+}
+
 /// All threads of a cluster of blocks.
 class ClusterCrew : public DeviceCrew {
  public:
@@ -134,15 +140,12 @@ class ClusterCrew : public DeviceCrew {
     work(*this);
   }
 
-  /// A warp that had parted comes together first: the barrier counts warps.
   __device__ void barrier() {
     ++barriers_;
-    if (blocks() == 1) {
+    if (blocks() == 1)
       __syncthreads();
-      return;
-    }
-    __syncwarp();
-    asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
+    else
+      cluster_barrier();
   }
 
   /// Every block has its own copy of the alarms, so that a look at them costs next to nothing.

@@ -1,5 +1,5 @@
 // Batches of scenes on a GPU. In one launch blocks that stay move each scene through many moments; or, where
-// independent scenes are many, a launch makes one phase of one moment of all of them.
+// scenes are many, a launch makes one phase of one moment of all of them.
 #include "gem/engine/cuda_engine.h"
 
 #include <algorithm>
@@ -41,8 +41,6 @@ class CudaBatch::Work {
   static constexpr std::int64_t fewest_moments = 16;
   /// On one multiprocessor: with fewer blocks whole moments are faster.
   static constexpr int phase_blocks_worth_it = 5;
-  /// That one cluster of blocks iterates in a reasonable time.
-  static constexpr int most_cluster_bodies = largest_cluster * solve_threads;
 
  public:
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
@@ -200,15 +198,16 @@ class CudaBatch::Work {
   }
 
   /// Whether these scenes are moved by a launch for each phase: they are more than all threads at work.
-  bool moves_by_phases(const std::vector<std::size_t>& active) const {
-    if (launches_ != Launches::chosen || chosen_blocks_ > 0) return launches_ == Launches::phases;
+  bool moves_by_phases(const std::vector<std::size_t>& active) {
+    if (launches_ == Launches::moments || chosen_blocks_ > 0) return false;
     std::int64_t blocks = 0;
     for (const std::size_t k : active) {
       const DeviceScene& scene = scenes_[k].device();
       blocks += scene.phase_blocks;
-      if (scene.constants.resolution == Resolution::coupled && scene.bodies > most_cluster_bodies) return false;
+      if (!scene.wake) return false;  // it has nothing that phases need
+      if (scene.constants.resolution == Resolution::coupled && !phases_.can_solve()) return false;
     }
-    return blocks >= phase_blocks_worth_it * device_.multiprocessors;
+    return launches_ == Launches::phases || blocks >= phase_blocks_worth_it * device_.multiprocessors;
   }
 
   /// All scenes come to their ends together: those with more ahead make more moments.
@@ -222,7 +221,7 @@ class CudaBatch::Work {
     std::vector<std::int64_t> moments;
     std::vector<PhaseScene> scenes;
     for (const std::size_t k : active) {
-      const std::int64_t share = (ahead[k].all * ring_moments_ + most - 1) / most;
+      const std::int64_t share = std::max<std::int64_t>(1, (ahead[k].all * ring_moments_ + most - 1) / most);
       moments.push_back(std::min({ahead[k].most, share, std::int64_t{ring_moments_}}));
       scenes.push_back({scenes_[k].field().constants.resolution, scenes_[k].device().phase_blocks,
                         static_cast<std::int32_t>(moments.back())});

@@ -34,8 +34,9 @@ enum class Arithmetic { strict, fast };
 constexpr int most_launch_moments = 256;
 
 /// What a launch does. moments: many moments of all scenes, by blocks that stay. phases: one phase of one moment of all
-/// scenes; for scenes that are many or have many bodies. chosen: what is faster. Scenes with coupled contacts, and
-/// those for which a number of blocks is given, are moved by moments in any case.
+/// scenes; for scenes that are many, and for independent ones of many bodies. chosen: what is faster. Batches with a
+/// coupled scene of more bodies than a cluster has threads, and those for which a number of blocks is given, are moved
+/// by moments in any case.
 enum class Launches { chosen, moments, phases };
 
 /// How the scenes of a batch are laid out on the GPU. With strict arithmetic no choice changes a result.

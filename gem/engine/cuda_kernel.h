@@ -15,8 +15,6 @@ struct alignas(128) CrewGate {
   unsigned arrived, alarms;
 };
 
-constexpr int largest_cluster = 16;  // blocks
-
 constexpr int most_threads = 256;  // leaves 255 registers for each, which keep what they work on; with half of them
                                    // twice the threads took longer
 

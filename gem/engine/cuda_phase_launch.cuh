@@ -12,12 +12,57 @@
 namespace gem {
 namespace {
 
+/// A launch by clusters, and the attribute that it points to.
+struct SolverConfig {
+  cudaLaunchConfig_t config{};
+  cudaLaunchAttribute cluster{};
+
+  SolverConfig(int scenes, int blocks, cudaStream_t stream) {
+    cluster.id = cudaLaunchAttributeClusterDimension;
+    cluster.val.clusterDim = {static_cast<unsigned>(blocks), 1, 1};
+    config.gridDim = dim3(static_cast<unsigned>(scenes * blocks));
+    config.blockDim = dim3(solve_threads);
+    config.dynamicSmemBytes = solve_room;
+    config.stream = stream;
+    config.attrs = &cluster;
+    config.numAttrs = 1;
+  }
+  SolverConfig(const SolverConfig&) = delete;
+  SolverConfig& operator=(const SolverConfig&) = delete;
+};
+
 /// A scene of a call, as its launches see it.
 struct PhaseScene {
   Resolution resolution = Resolution::independent;
   int blocks = 1;            // that move its bodies
   std::int32_t moments = 0;  // that are wanted
 };
+
+PhaseKernel kernel_of(Arithmetic arithmetic, DevicePhase phase, Resolution resolution) {
+  return arithmetic == Arithmetic::fast ? fast_phase(phase, resolution) : strict_phase(phase, resolution);
+}
+
+/// The largest cluster by which the device iterates, a power of two; 0: it cannot. Allows the kernels to take what they
+/// need.
+int largest_solver(Arithmetic arithmetic) {
+  int device = 0, most = 0, blocks = largest_cluster;
+  check_cuda(cudaGetDevice(&device), "be set up");
+  check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
+  for (const DevicePhase phase : {DevicePhase::gather, DevicePhase::iterate, DevicePhase::settle}) {
+    const PhaseKernel kernel = kernel_of(arithmetic, phase, Resolution::coupled);
+    cudaFuncAttributes attributes{};
+    check_cuda(cudaFuncGetAttributes(&attributes, kernel), "be set up");
+    if (solve_room + attributes.sharedSizeBytes > static_cast<std::size_t>(most)) return 0;
+    check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, int{solve_room}), "be set up");
+    check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
+    for (int clusters = 0; blocks > 0; blocks /= 2) {
+      const SolverConfig config(1, blocks, nullptr);
+      if (cudaOccupancyMaxActiveClusters(&clusters, kernel, &config.config) == cudaSuccess && clusters > 0) break;
+      cudaGetLastError();
+    }
+  }
+  return blocks;
+}
 
 /// Some scenes that go through the phases together, in a stream of their own beside those of others: what one waits
 /// for, another fills.
@@ -34,7 +79,6 @@ class PhaseStream {
     work_.scene_count = static_cast<int>(scenes.size());
     resolution_ = scenes.front().resolution;
     list_grid_ = std::max(1, list_room() / streams);
-    if (resolution_ == Resolution::coupled) allow_solver();
     std::vector<PhaseBlock> block;
     add_blocks(block, scenes, 1);
     all_ = static_cast<int>(block.size());
@@ -46,7 +90,10 @@ class PhaseStream {
   }
 
   void launch(DevicePhase phase) {
-    if (is_of_solver(phase) && resolution_ == Resolution::independent) return;
+    if (is_of_solver(phase)) {
+      if (resolution_ == Resolution::coupled) launch_solver(phase);
+      return;
+    }
     PhaseLaunch work = work_;
     int grid = all_, block = phase_threads;
     if (phase == DevicePhase::open || phase == DevicePhase::plan) grid = 1, block = plan_threads;
@@ -58,31 +105,12 @@ class PhaseStream {
     if (phase == DevicePhase::choose) work.room_bytes = choose_room;
     if (phase == DevicePhase::look) work.room_bytes = phase_threads / phase_lanes * sizeof(DeskOutlines);
     if (phase == DevicePhase::bodies) work.room_bytes = bodies_room;
-    if (is_of_solver(phase)) {
-      grid = work.scene_count * work.solve_blocks, block = solve_threads;
-      work.room_bytes = solve_room;
-    }
     cudaLaunchConfig_t config{};
-    cudaLaunchAttribute cluster;
-    cluster.id = cudaLaunchAttributeClusterDimension;
-    cluster.val.clusterDim = {static_cast<unsigned>(work.solve_blocks), 1, 1};
-    config.attrs = &cluster;
-    config.numAttrs = is_of_solver(phase) ? 1 : 0;
     config.gridDim = dim3(static_cast<unsigned>(grid));
     config.blockDim = dim3(static_cast<unsigned>(block));
     config.dynamicSmemBytes = work.room_bytes;
     config.stream = time_.stream();
     check_cuda(cudaLaunchKernelEx(&config, kernel_of_phase(phase), work), "start");
-  }
-
-  /// The kernels that iterate may take more fast memory, and larger clusters, than others.
-  void allow_solver() const {
-    for (const DevicePhase phase : {DevicePhase::gather, DevicePhase::iterate, DevicePhase::settle}) {
-      const PhaseKernel kernel = kernel_of_phase(phase);
-      check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, int{solve_room}),
-                 "be set up");
-      check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
-    }
   }
 
   void end(const Timeline& call) {
@@ -94,6 +122,13 @@ class PhaseStream {
   /// On one multiprocessor: more would only start and end.
   static constexpr int pairs_blocks = 16;
 
+  void launch_solver(DevicePhase phase) {
+    PhaseLaunch work = work_;
+    work.room_bytes = solve_room;
+    const SolverConfig solver(work.scene_count, work.solve_blocks, time_.stream());
+    check_cuda(cudaLaunchKernelEx(&solver.config, kernel_of_phase(phase), work), "start");
+  }
+
   /// Blocks that build lists and meet, of all streams: they have to be on the device at a time.
   int list_room() const {
     int together = 0;
@@ -103,9 +138,7 @@ class PhaseStream {
     return std::min(list_blocks, together) * multiprocessors_;
   }
 
-  PhaseKernel kernel_of_phase(DevicePhase phase) const {
-    return arithmetic_ == Arithmetic::fast ? fast_phase(phase, resolution_) : strict_phase(phase, resolution_);
-  }
+  PhaseKernel kernel_of_phase(DevicePhase phase) const { return kernel_of(arithmetic_, phase, resolution_); }
 
   /// The blocks of all scenes, for each as many as for its bodies over `share`.
   static void add_blocks(std::vector<PhaseBlock>& all, const std::vector<PhaseScene>& scenes, int share) {
@@ -141,6 +174,9 @@ class PhaseStreams {
  public:
   PhaseStreams(Arithmetic arithmetic, int multiprocessors)
       : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+
+  /// Whether the device has room for the clusters that iterate coupled scenes.
+  bool can_solve() { return largest_cluster_here() > 0; }
 
   /// Starts a call between `call`'s beginning and its end. `work` says where the scenes lie; those of one resolution
   /// stand together, those that go on for as long beside each other.
@@ -212,15 +248,22 @@ class PhaseStreams {
   }
 
   /// Blocks that iterate a scene. Not all scenes iterate at a time.
-  int solve_blocks_for(const std::vector<PhaseScene>& scenes) const {
+  int solve_blocks_for(const std::vector<PhaseScene>& scenes) {
     constexpr int waiting = 3;  // for one multiprocessor, at most
-    int blocks = largest_cluster;
+    if (coupled_in(scenes) == 0) return 1;
+    int blocks = largest_cluster_here();
     while (blocks > 1 && blocks * coupled_in(scenes) > waiting * multiprocessors_) blocks /= 2;
     return blocks;
   }
 
+  int largest_cluster_here() {
+    if (largest_cluster_ < 0) largest_cluster_ = largest_solver(arithmetic_);
+    return largest_cluster_;
+  }
+
   Arithmetic arithmetic_;
   int multiprocessors_;
+  int largest_cluster_ = -1;  // asked for when coupled scenes first go through phases
   std::vector<std::unique_ptr<PhaseStream>> stream_;
 };
 

@@ -47,11 +47,6 @@ class SolveCrew : public DeviceCrew {
   __device__ SolveCrew at_hand() const { return *this; }
   __device__ static void came_back(const SolveCrew&) {}
 
-  template <class Work>
-  __device__ void solve(std::int32_t, Work&& work) {
-    work(*this);
-  }
-
   __device__ void barrier() const {
     if (alone_)
       __syncthreads();

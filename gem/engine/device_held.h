@@ -35,14 +35,13 @@ class HeldCell {
     held.b = place(7);
     return held;
   }
-  GEM_DEVICE GEM_INLINE void save(const HeldPoint& held) const {
+  GEM_DEVICE GEM_INLINE void save_numbers(const HeldPoint& held) const {
     const PointFrame<float>& f = held.frame;
     save_additions(held);
     quad(2) = {{f.normal_x, f.normal_y, f.lever_a_n, f.lever_a_t}};
     quad(3) = {{f.lever_b_n, f.lever_b_t, f.inverse_nn, f.inverse_tt}};
     quad(4) = {{f.excess, f.slip, f.least, f.most}};
     quad(5) = {{f.room_left, f.room_right, f.repair_excess, f.repair_least}};
-    set_places(held.a, held.b);
   }
 
   GEM_DEVICE GEM_INLINE void load_additions(HeldPoint& held) const {

@@ -191,6 +191,7 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
     status.barriers = crew.barriers();
     status.team_barriers = crew.team_barriers();
     status.stop = stop;
+    status.visits = 0;  // counted by phases only
   }
 }
 

@@ -9,9 +9,10 @@
 // | choose           | a thread for a pair  | the work of the last moment's contacts; pairs that have to be seen    |
 // | look             | lanes for a look     | where these touch                                                     |
 // | resolve          | a thread for a touch | its event; coupled: its points                                        |
-// | gather           | a cluster of blocks  | coupled: who iterates which points, and where they begin              |
+// | gather           | a cluster of blocks, | coupled: who iterates which points, and where they begin              |
+// |                  | one for few points   |                                                                       |
 // | iterate          | the same             | coupled: the first round of iterations, mostly the only one           |
-// | settle           | the same             | coupled: what they come to                                            |
+// | settle           | the same             | coupled: what they come to, after further rounds if there are any     |
 // | bodies           | a thread for a body  | the bodies phase of device_bodies.h                                   |
 // | last_work, close | all                  | the books of the last moment, and the state for the host              |
 //

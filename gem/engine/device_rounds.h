@@ -40,8 +40,12 @@ class SolverRounds {
   GEM_DEVICE static void prepare(const DeviceScene& s, Crew& crew) {
     if (crew.thread() == 0) crew.shared().desk.fast.end = crew.shared().desk.fast.begin;
     crew.block_barrier();
-    each_point(crew, [&](std::int32_t i) { hold(s, crew, i, true); });
-    SolverList<Crew>(s, crew, crew.shared().desk.moment, crew.room_bytes()).put_aside();
+    each_point(crew, [&](std::int32_t i) {
+      HeldPoint held;
+      enter(s, i, true, HeldTable(s, crew.shared().desk)[i], held);
+      HeldTable(s, crew.shared().desk)[i].save_numbers(held);
+    });
+    SolverList<Crew>(s, crew, 0, crew.room_bytes()).put_aside();
     crew.lap(stage_frames);
   }
   /// The first round, mostly the only one.
@@ -62,7 +66,7 @@ class SolverRounds {
     if (rank_of(crew) == 0) *s.progress = {progress, done};
     crew.lap(stage_iterations);
   }
-  /// What is left.
+  /// What is left. Points stay in the scene's memory: another round is rare, the residual has to be asked for that.
   GEM_DEVICE static void run_rest(const DeviceScene& s, Crew& crew) {
     SolverList<Crew>(s, crew, 0, crew.room_bytes()).take_up();
     if (crew.thread() == 0) crew.shared().desk.fast.end = crew.shared().desk.fast.begin;
@@ -134,22 +138,30 @@ class SolverRounds {
     return {m.part[0], m.part[1], m.part[4], m.part[2], m.part[3], m.part[5]};
   }
 
-  /// A point at the start of a round; `carried` is what the last one left, less what is in the base now.
-  GEM_DEVICE GEM_INLINE static void hold(const DeviceScene& s, Crew& crew, std::int32_t i, bool fresh) {
-    const HeldCell cell = HeldTable(s, crew.shared().desk)[i];
-    HeldPoint held;
+  /// The numbers of a point at the start of a round; `carried` is what the last one left, less what is in the base now.
+  GEM_DEVICE GEM_INLINE static void enter(const DeviceScene& s, std::int32_t i, bool fresh, const HeldCell& cell,
+                                          HeldPoint& held) {
     if (fresh)
       held.carried = {0.0F, 0.0F, 0.0F};
     else
       cell.load_additions(held);
-    const PointCell point = s.taken_point[i];
-    held.a = place_a(s, crew, point);
-    held.b = place_b(s, crew, point);
+    const PointCell& point = s.taken_point[i];
     const PointGeometry<double> geometry = s.points.geometry(i);
     enter_geometry(held.frame, geometry);
     enter_base(held.frame, geometry, s.points.impulse(i), solved_motion(s, point.a), solved_motion(s, point.b));
     held.at = {0.0F, 0.0F, 0.0F};
-    cell.save(held);
+  }
+
+  /// A point at the start of a round.
+  GEM_DEVICE GEM_INLINE static void hold(const DeviceScene& s, Crew& crew, std::int32_t i, bool fresh) {
+    const HeldCell cell = HeldTable(s, crew.shared().desk)[i];
+    HeldPoint held;
+    enter(s, i, fresh, cell, held);
+    const PointCell& point = s.taken_point[i];
+    held.a = place_a(s, crew, point);
+    held.b = place_b(s, crew, point);
+    cell.save_numbers(held);
+    cell.set_places(held.a, held.b);
     if (!fresh) push(held);
   }
 

@@ -35,10 +35,12 @@ constexpr int desk_vertices = 12;
 constexpr int phase_threads = 128, phase_lanes = 4;
 /// Blocks that build lists, on one multiprocessor; threads that plan, one for a scene.
 constexpr int list_blocks = 4, plan_threads = 512;
-/// Threads of a block that iterates a coupled scene, and the fast memory that it takes: most of a multiprocessor's
-/// [bytes].
-constexpr int solve_threads = 512;
+/// By phases a coupled scene is iterated by one cluster, of this size or smaller. Threads of its blocks, and the fast
+/// memory that each takes: most of a multiprocessor's [bytes].
+constexpr int largest_cluster = 16, solve_threads = 512;
 constexpr std::size_t solve_room = 200 * 1024;
+/// As many as it has threads. Coupled scenes of more bodies are moved by whole moments, which all blocks iterate.
+constexpr std::int32_t most_cluster_bodies = largest_cluster * solve_threads;
 
 /// What the clock is read for: work, and in each phase the wait that ends it.
 enum DeviceStage {
@@ -130,7 +132,7 @@ struct DeviceScene {
   PointCell* point = nullptr;
   double* point_numbers = nullptr;
   PointTable points;          // over point_numbers
-  FloatQuad* held = nullptr;  // points that find no place in fast memory: see HeldTable
+  FloatQuad* held = nullptr;  // points between launches, and those that find no place in fast memory: see HeldTable
   PushRecord* push = nullptr;
   PushBase* push_base = nullptr;
   AddedMotion* added = nullptr;    // by body; fixed bodies keep zeros
@@ -141,7 +143,7 @@ struct DeviceScene {
   std::int32_t *spot_count = nullptr, *spot_begin = nullptr;          // of stretches along the field
   std::uint32_t *touched_bodies = nullptr, *touched_spots = nullptr;  // a bit for each moving body with points
   SolverDesk* solver_desk = nullptr;                                  // of each block, from launch to launch
-  RoundsMade* progress = nullptr;                                     // the same
+  RoundsMade* progress = nullptr;                                     // of the scene, from launch to launch
   SolverEntry* solver_entry = nullptr;                                // of those bodies, by spot
   std::int32_t *bodies_before = nullptr, *spots_before = nullptr;     // each block's own: bits before each word of them
   PointCell* taken_point = nullptr;      // as the blocks have taken them; the numbers of points stand in this order

@@ -134,28 +134,21 @@ class MomentSolver {
   std::int32_t moment_;
 };
 
-/// Iterates the points of a coupled moment. They are left to the part of the crew that waits least for each other: few
-/// to one block, more to one cluster of blocks, many to all. `room`: fast memory of each block that may be used, from
-/// the start [bytes].
+/// Resolves a coupled moment between the phases of a crew. The iterations are left to the part of it that waits least
+/// for each other: few points to one block, more to one cluster of blocks, many to all.
 template <class Crew>
-GEM_DEVICE inline void solve_points(const DeviceScene& s, Crew& crew, std::int32_t moment, std::size_t room) {
+GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
   const std::int32_t points = s.counters->points;
+  if (points == 0) return;
   if (crew.blocks() > 1 && points <= crew.threads()) {
     OneBlock<Crew> alone(crew);
-    if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, room).solve();
+    if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, desk.solver_bytes).solve();
   } else {
     crew.solve(points, [&](auto& team) {
       using Team = std::remove_reference_t<decltype(team)>;
-      MomentSolver<Team>(s, team, moment, room).solve();
+      MomentSolver<Team>(s, team, moment, desk.solver_bytes).solve();
     });
   }
-}
-
-/// Resolves a coupled moment between the phases of a crew.
-template <class Crew>
-GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
-  if (s.counters->points == 0) return;
-  solve_points(s, crew, moment, desk.solver_bytes);
   crew.barrier();
   crew.lap(stage_solver_wait);
 }

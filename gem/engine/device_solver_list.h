@@ -27,7 +27,6 @@ class SolverList {
   /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
   GEM_DEVICE void make() {
     SolverDesk desk{};
-    desk.moment = moment_;
     desk.pace = {static_cast<float>(s_.constants.dt), static_cast<float>(1.0 / s_.constants.dt)};
     const std::int32_t words = bit_words(s_);
     const std::int64_t own_words = static_cast<std::int64_t>(crew_.block()) * (words + 1);
@@ -82,7 +81,7 @@ class SolverList {
       s_.solver_entry[e] = desk.entry[e];
   }
 
-  /// Takes it up again; nothing has been added to any motion.
+  /// Takes it up again.
   GEM_DEVICE void take_up() {
     SolverDesk desk = s_.solver_desk[crew_.block()];
     place_entries(desk);
@@ -91,7 +90,7 @@ class SolverList {
     if (desk.entry != s_.solver_entry)
       for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads()) {
         desk.entry[e] = s_.solver_entry[e];
-        desk.motion[e] = {};
+        desk.motion[e] = {};  // nothing has been added to any
       }
     crew_.block_barrier();
   }
@@ -114,6 +113,7 @@ class SolverList {
   GEM_DEVICE void place_points(SolverDesk& desk) const {
     const std::size_t taken = static_cast<std::size_t>(desk.records) * sizeof(PushRecord);
     desk.fast = {desk.points.begin, desk.points.begin};
+    desk.fast_held = reinterpret_cast<FloatQuad*>(crew_.room());
     if (!Crew::shares_rooms || taken >= room_) return;
     const auto hold = static_cast<std::int32_t>((room_ - taken) / held_bytes);
     desk.fast.end += desk.points.count() < hold ? desk.points.count() : hold;
@@ -141,6 +141,7 @@ class SolverList {
     return static_cast<std::size_t>(at + count) * sizeof(PushRecord) <= room_ ? at : -1;
   }
 
+  static_assert(solve_room / sizeof(PushRecord) <= 0xffff);
   GEM_DEVICE static std::int32_t room_place(int block, std::int32_t at) { return block << 16 | at; }
 
   /// Whether the block of a body takes the points that it has with `other`: those with a large body, and of two floes

@@ -92,6 +92,8 @@ class HostScene {
       count += scene_.wake[p] > static_cast<float>(scene_.status->clock) ? 1 : 0;
     return count;
   }
+  /// What a block iterated in the last moment; of a coupled scene that was moved phase by phase.
+  const SolverDesk& solver_desk(int block) const { return scene_.solver_desk[block]; }
   std::int32_t longest_lower_row() const {
     std::int32_t longest = 0;
     for (std::int32_t i = 0; i < scene_.bodies; ++i) longest = std::max(longest, scene_.motion[i].lower_count);

@@ -160,6 +160,7 @@ SceneSizes scene_sizes(const FieldState& f) {
   sizes.phase_blocks = (sizes.bodies + phase_threads - 1) / phase_threads;
   sizes.coupled = f.constants.resolution == Resolution::coupled;
   sizes.carried_ahead = f.carried_ahead.size();
+  sizes.phases = !sizes.coupled || sizes.bodies <= most_cluster_bodies;
   return sizes;
 }
 
@@ -205,8 +206,10 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
   placer.place(s.touched, pairs);
   placer.place(s.touch, pairs);
   s.phase_blocks = sizes.phase_blocks;
-  placer.place(s.look, pairs);
-  placer.place(s.wake, pairs);
+  if (sizes.phases) {
+    placer.place(s.look, pairs);
+    placer.place(s.wake, pairs);
+  }
   placer.place(s.last_row, n);
   placer.place(s.last_other, rows);
   placer.place(s.last_pair, rows);

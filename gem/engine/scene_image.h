@@ -21,6 +21,7 @@ struct SceneSizes {
   std::int32_t phase_blocks = 1;   // that work on it where a launch makes one phase
   bool coupled = false;
   std::size_t carried_ahead = 0;  // numbers
+  bool phases = true;             // a launch may make one phase of it
 };
 
 SceneSizes scene_sizes(const FieldState& f);

@@ -31,7 +31,6 @@ struct Stretch {
 /// The same for all threads of the block, and kept in its fast memory: what a thread keeps for itself beyond its
 /// registers it has to fetch from afar again after every barrier.
 struct SolverDesk {
-  std::int32_t moment;
   MomentPace<float> pace;
   Stretch points;           // that the block iterates
   Stretch fast;             // the first of them: those that stand in its fast memory

@@ -189,10 +189,6 @@ class PhaseTeam : public TeamCrew {
   static constexpr int kept_points = 0;
   PhaseTeam& at_hand() { return *this; }
   void came_back(const PhaseTeam&) {}
-  template <class Work>
-  void solve(std::int32_t, Work&& work) {
-    work(*this);
-  }
   void raise_in(std::uint32_t& alarms) { alarms_ = &alarms; }
   void raise(std::uint32_t alarms) { std::atomic_ref(*alarms_).fetch_or(alarms); }
 

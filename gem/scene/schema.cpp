@@ -155,7 +155,7 @@ void add_numerics(SceneTable& t) {
   t.number("numerics.residual_tolerance", "", {0.0, 1.0, true},
            "coupled: iterations end when no event asks for more than this share of the current speed",
            GEM_FIELD(numerics.residual_tolerance));
-  t.integer("numerics.iterations_maximum", {1.0, 1e6}, "coupled: most iterations in one moment",
+  t.integer("numerics.iterations_maximum", {1.0, 1e5}, "coupled: most iterations in one moment",
             GEM_FIELD(numerics.iterations_maximum));
   t.number("numerics.list_margin_m", "m", {0.0, 1e3}, "pairs closer than this are kept in the list of neighbours",
            GEM_FIELD(numerics.list_margin_m));

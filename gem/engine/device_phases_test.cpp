@@ -49,11 +49,7 @@ TEST_P(DevicePhases, GiveTheBitsOfTheCpuEngine) {
   }
   test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
   if (scene.contact.resolution == Resolution::coupled) {
-    EngineState state;
-    save_memory(device.memory(), state);
-    test::expect_same_memory(state, cpu->save());
-    test::expect_same_judgement(log, expected);
-    EXPECT_GT(state.impulse_key.size(), 20u);
+    test::expect_same_coupled(device, log, *cpu, expected);
   }
   EXPECT_GT(test::contacts_in(expected), 1000);
   EXPECT_GT(device.status().builds, 2);

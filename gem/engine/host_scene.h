@@ -8,6 +8,7 @@
 
 #include "gem/engine/books.h"
 #include "gem/engine/device_phases.h"
+#include "gem/engine/same_bits.h"
 #include "gem/engine/scene_image.h"
 #include "gem/engine/team_crew.h"
 
@@ -181,5 +182,14 @@ class HostScene {
   std::vector<std::byte> memory_[3];
   int growths_ = 0;
 };
+
+/// What is asked of coupled moments beside what is asked of all: their memory and what they say of their events.
+inline void expect_same_coupled(const HostScene& device, const MomentLog& log, Engine& cpu, const MomentLog& expected) {
+  EngineState state;
+  save_memory(device.memory(), state);
+  expect_same_memory(state, cpu.save());
+  expect_same_judgement(log, expected);
+  EXPECT_GT(state.impulse_key.size(), 20u);
+}
 
 }  // namespace gem::test

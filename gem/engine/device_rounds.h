@@ -46,7 +46,6 @@ class SolverRounds {
       HeldTable(s, crew.shared().desk)[i].save_numbers(held);
     });
     SolverList<Crew>(s, crew, 0, crew.room_bytes()).put_aside();
-    crew.lap(stage_frames);
   }
   /// The first round, mostly the only one.
   GEM_DEVICE static void run_first(const DeviceScene& s, Crew& crew) {
@@ -64,7 +63,6 @@ class SolverRounds {
       if (i < crew.shared().desk.fast.end) table.at_rest(i).copy_additions(table[i]);
     });
     if (rank_of(crew) == 0) *s.progress = {progress, done};
-    crew.lap(stage_iterations);
   }
   /// What is left. Points stay in the scene's memory: another round is rare, the residual has to be asked for that.
   GEM_DEVICE static void run_rest(const DeviceScene& s, Crew& crew) {
@@ -100,7 +98,7 @@ class SolverRounds {
     }
   }
 
-  /// A function of its own: beside what its caller holds the rounds would not find place in registers.
+  /// For kernels that do more than iterate: a function of its own, which keeps their code small.
   GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Crew& crew, Progress& progress, bool fresh) {
     return run_round_by_law(s, crew, progress, fresh);
   }
@@ -200,7 +198,7 @@ class SolverRounds {
   }
 
   /// A body has two threads, one for what moves it and one for what turns it; each fetches a few records together
-  /// before it adds them in their order. (A thread for each number took longer.)
+  /// before it adds them in their order.
   GEM_DEVICE GEM_INLINE static void move_floes(const DeviceScene& s, Crew& crew, const SolverDesk& desk, int threads) {
     constexpr int together = 4;
     const auto* const room = reinterpret_cast<const PushRecord*>(crew.room());

@@ -28,8 +28,7 @@ struct Stretch {
   GEM_DEVICE std::int32_t count() const { return end - begin; }
 };
 
-/// The same for all threads of the block, and kept in its fast memory: what a thread keeps for itself beyond its
-/// registers it has to fetch from afar again after every barrier.
+/// The same for all threads of the block, and kept in its fast memory, so that no thread has to keep it for itself.
 struct SolverDesk {
   MomentPace<float> pace;
   Stretch points;           // that the block iterates

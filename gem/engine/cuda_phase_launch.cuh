@@ -17,12 +17,12 @@ struct SolverConfig {
   cudaLaunchConfig_t config{};
   cudaLaunchAttribute cluster{};
 
-  SolverConfig(int scenes, int blocks, cudaStream_t stream) {
+  SolverConfig(int scenes, int blocks, std::size_t room, cudaStream_t stream) {
     cluster.id = cudaLaunchAttributeClusterDimension;
     cluster.val.clusterDim = {static_cast<unsigned>(blocks), 1, 1};
     config.gridDim = dim3(static_cast<unsigned>(scenes * blocks));
     config.blockDim = dim3(solve_threads);
-    config.dynamicSmemBytes = solve_room;
+    config.dynamicSmemBytes = room;
     config.stream = stream;
     config.attrs = &cluster;
     config.numAttrs = 1;
@@ -42,6 +42,9 @@ PhaseKernel kernel_of(Arithmetic arithmetic, DevicePhase phase, Resolution resol
   return arithmetic == Arithmetic::fast ? fast_phase(phase, resolution) : strict_phase(phase, resolution);
 }
 
+/// Fast memory of a block in a phase of the iterations [bytes].
+constexpr std::size_t room_of_solver(DevicePhase phase) { return phase == DevicePhase::iterate ? solve_room : 0; }
+
 /// The largest cluster by which the device iterates, a power of two; 0: it cannot. Allows the kernels to take what they
 /// need.
 int largest_solver(Arithmetic arithmetic) {
@@ -50,13 +53,15 @@ int largest_solver(Arithmetic arithmetic) {
   check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
   for (const DevicePhase phase : {DevicePhase::gather, DevicePhase::iterate, DevicePhase::settle}) {
     const PhaseKernel kernel = kernel_of(arithmetic, phase, Resolution::coupled);
+    const std::size_t room = room_of_solver(phase);
     cudaFuncAttributes attributes{};
     check_cuda(cudaFuncGetAttributes(&attributes, kernel), "be set up");
-    if (solve_room + attributes.sharedSizeBytes > static_cast<std::size_t>(most)) return 0;
-    check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, int{solve_room}), "be set up");
+    if (room + attributes.sharedSizeBytes > static_cast<std::size_t>(most)) return 0;
+    check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(room)),
+               "be set up");
     check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
     for (int clusters = 0; blocks > 0; blocks /= 2) {
-      const SolverConfig config(1, blocks, nullptr);
+      const SolverConfig config(1, blocks, room, nullptr);
       if (cudaOccupancyMaxActiveClusters(&clusters, kernel, &config.config) == cudaSuccess && clusters > 0) break;
       cudaGetLastError();
     }
@@ -125,7 +130,7 @@ class PhaseStream {
   void launch_solver(DevicePhase phase) {
     PhaseLaunch work = work_;
     work.room_bytes = solve_room;
-    const SolverConfig solver(work.scene_count, work.solve_blocks, time_.stream());
+    const SolverConfig solver(work.scene_count, work.solve_blocks, room_of_solver(phase), time_.stream());
     check_cuda(cudaLaunchKernelEx(&solver.config, kernel_of_phase(phase), work), "start");
   }
 

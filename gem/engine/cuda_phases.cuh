@@ -1,6 +1,8 @@
 // The kernels that make one phase of many scenes; included by the two files that compile them.
 #pragma once
 
+#include <type_traits>
+
 #include "gem/engine/cuda_kernel.h"
 #include "gem/engine/device_crew.cuh"
 #include "gem/engine/device_phases.h"
@@ -61,6 +63,15 @@ class SolveCrew : public DeviceCrew {
   int block_;
 };
 
+/// The same blocks after the iterations: without fast memory.
+class SettleCrew : public SolveCrew {
+ public:
+  using SolveCrew::SolveCrew;
+  static constexpr bool shares_rooms = false;
+  __device__ SettleCrew at_hand() const { return *this; }
+  __device__ static void came_back(const SettleCrew&) {}
+};
+
 /// Whether a block has anything to do for a scene.
 template <DevicePhase phase>
 __device__ bool has_work(const DeviceScene& s, int block) {
@@ -85,9 +96,9 @@ __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const Phas
   run_phase<phase, resolution>(scene, crew);
 }
 
-/// A phase of the iterations of all scenes, each by a cluster of blocks.
-template <DevicePhase phase>
-__global__ void __launch_bounds__(solve_threads, 1) phase_of_solvers(const PhaseLaunch launch) {
+/// A phase of the iterations of all scenes, each by a cluster of blocks. Only those that iterate have fast memory.
+template <DevicePhase phase, int blocks>
+__global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
   __shared__ StageClock clock;
@@ -98,7 +109,9 @@ __global__ void __launch_bounds__(solve_threads, 1) phase_of_solvers(const Phase
   if (points == 0 || (alone && !first)) return;
   if (threadIdx.x == 0) cell = {};
   take_scene(scene, from);
-  SolveCrew crew(BlockRoom{cell, clock, room, launch.room_bytes, false}, alone || launch.solve_blocks == 1);
+  using Crew = std::conditional_t<phase == DevicePhase::settle, SettleCrew, SolveCrew>;
+  std::byte* const own = phase == DevicePhase::iterate ? room : nullptr;
+  Crew crew(BlockRoom{cell, clock, own, launch.room_bytes, false}, alone || launch.solve_blocks == 1);
   run_phase<phase, Resolution::coupled>(scene, crew);
 }
 
@@ -156,11 +169,11 @@ PhaseKernel phase_kernel_of(DevicePhase phase) {
     case DevicePhase::resolve:
       return phase_of_all<DevicePhase::resolve, resolution, 5>;
     case DevicePhase::gather:
-      return phase_of_solvers<DevicePhase::gather>;
+      return phase_of_solvers<DevicePhase::gather, 2>;
     case DevicePhase::iterate:
-      return phase_of_solvers<DevicePhase::iterate>;
+      return phase_of_solvers<DevicePhase::iterate, 1>;
     case DevicePhase::settle:
-      return phase_of_solvers<DevicePhase::settle>;
+      return phase_of_solvers<DevicePhase::settle, 2>;
     case DevicePhase::bodies:
       return phase_of_all<DevicePhase::bodies, resolution, 4>;
     case DevicePhase::last_work:

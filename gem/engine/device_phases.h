@@ -153,14 +153,15 @@ GEM_DEVICE inline void resolve_touches(const DeviceScene& s, Crew& crew) {
   add_quality(s, crew);
 }
 
-/// The points of a coupled moment are shared out, by blocks that reach each other's fast memory.
+/// The points of a coupled moment are shared out, and placed in the fast memory of the blocks that will iterate them:
+/// as many as these, each with as much in its crew.room_bytes().
 template <class Crew>
 GEM_DEVICE inline void gather_points(const DeviceScene& s, Crew& crew) {
-  MomentSolver<Crew>(s, crew, static_cast<std::int32_t>(s.status->moment), crew.room_bytes()).begin();
+  MomentSolver<Crew>(s, crew, static_cast<std::int32_t>(s.status->moment), crew.room_bytes()).begin_ahead();
   SolverRounds<Crew>::prepare(s, crew);
 }
 
-/// What the iterations of a coupled moment come to, by the same blocks.
+/// What the iterations of a coupled moment come to, by as many blocks, which do not reach each other's fast memory.
 template <class Crew>
 GEM_DEVICE inline void settle_points(const DeviceScene& s, Crew& crew) {
   BlockCell& shared = crew.shared();

@@ -36,16 +36,14 @@ class SolverRounds {
     finish(s, crew, progress, done);
   }
 
-  /// The same in three launches, of as many blocks with as much fast memory. Before the first round: points at rest.
+  /// The same in three launches. Before the first round: points at rest.
   GEM_DEVICE static void prepare(const DeviceScene& s, Crew& crew) {
-    if (crew.thread() == 0) crew.shared().desk.fast.end = crew.shared().desk.fast.begin;
-    crew.block_barrier();
+    const HeldTable table(s, crew.shared().desk);
     each_point(crew, [&](std::int32_t i) {
       HeldPoint held;
-      enter(s, i, true, HeldTable(s, crew.shared().desk)[i], held);
-      HeldTable(s, crew.shared().desk)[i].save_numbers(held);
+      enter(s, i, true, table[i], held);
+      table[i].save_numbers(held);
     });
-    SolverList<Crew>(s, crew, 0, crew.room_bytes()).put_aside();
   }
   /// The first round, mostly the only one.
   GEM_DEVICE static void run_first(const DeviceScene& s, Crew& crew) {
@@ -64,11 +62,10 @@ class SolverRounds {
     });
     if (rank_of(crew) == 0) *s.progress = {progress, done};
   }
-  /// What is left. Points stay in the scene's memory: another round is rare, the residual has to be asked for that.
+  /// What is left, by blocks that need no fast memory: another round is rare, the residual has to be asked for that.
   GEM_DEVICE static void run_rest(const DeviceScene& s, Crew& crew) {
+    static_assert(!Crew::shares_rooms);
     SolverList<Crew>(s, crew, 0, crew.room_bytes()).take_up();
-    if (crew.thread() == 0) crew.shared().desk.fast.end = crew.shared().desk.fast.begin;
-    crew.barrier();
     Progress progress = s.progress->progress;
     finish(s, crew, progress, s.progress->done);
   }
@@ -116,13 +113,14 @@ class SolverRounds {
 
   GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, const Crew& crew, std::int32_t place,
                                           std::int32_t room) {
-    if (room >= 0) return reinterpret_cast<PushRecord*>(crew.room_of(room >> 16)) + (room & 0xffff);
+    if (Crew::shares_rooms && room >= 0) return reinterpret_cast<PushRecord*>(crew.room_of(room >> 16)) + (room & 0xffff);
     return place >= 0 ? s.push + place : nullptr;
   }
   GEM_DEVICE static const AddedMotion* motion_at(const DeviceScene& s, const Crew& crew, std::int32_t room,
                                                  std::int32_t body) {
-    return room >= 0 ? reinterpret_cast<const AddedMotion*>(crew.room_of(room >> 16)) + (room & 0xffff)
-                     : s.added + body;
+    if (Crew::shares_rooms && room >= 0)
+      return reinterpret_cast<const AddedMotion*>(crew.room_of(room >> 16)) + (room & 0xffff);
+    return s.added + body;
   }
   GEM_DEVICE static HeldPlace place_a(const DeviceScene& s, const Crew& crew, const PointCell& point) {
     return {motion_at(s, crew, point.motion_a, point.a), record_at(s, crew, point.place_a, point.room_a)};
@@ -205,7 +203,7 @@ class SolverRounds {
     for (std::int32_t k = crew.thread() + (desk.platform ? 2 : 0); k < 2 * desk.own.count(); k += threads) {
       const std::int32_t e = desk.own.begin + k / 2, half = k % 2;
       const SolverEntry entry = desk.entry[e];
-      const PushRecord* const record = entry.room >= 0 ? room + entry.room : s.push + entry.place;
+      const PushRecord* const record = Crew::shares_rooms && entry.room >= 0 ? room + entry.room : s.push + entry.place;
       FloatQuad to_b{}, to_a{};
       const std::int32_t last = entry.count - 1;
       for (std::int32_t first = 0; first <= last; first += together) {
@@ -236,7 +234,7 @@ class SolverRounds {
     const SolverEntry entry = desk.entry[desk.own.begin];
     const auto* record = reinterpret_cast<const float*>(s.push + entry.place);
     auto* const room = reinterpret_cast<float*>(crew.room());
-    if (entry.room >= 0) {
+    if (Crew::shares_rooms && entry.room >= 0) {
       record = room + parts * entry.room;
     } else if (static_cast<std::size_t>(entry.count) * sizeof(PushRecord) <= desk.stage_bytes) {
       for (std::int32_t k = warp.rank(); k < parts * entry.count; k += Crew::Warp::size) room[k] = record[k];

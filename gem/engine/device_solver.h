@@ -35,6 +35,26 @@ class MomentSolver {
   /// Before the iterations: the list, and a base of what the points carried a moment ago.
   GEM_DEVICE void begin() {
     SolverList<Crew>(s_, crew_, moment_, room_).make();
+    begin_points();
+  }
+  /// The same for iterations in a launch that follows, by as many blocks with `room`.
+  GEM_DEVICE void begin_ahead() {
+    SolverList<Crew>(s_, crew_, moment_, room_).make_ahead();
+    begin_points();
+  }
+
+  /// After the iterations.
+  GEM_DEVICE void end() {
+    SolverBase<Crew> base(s_, crew_);
+    crew_.lap(stage_base);
+    base.keep_best_share(0.5);
+    each_point(crew_, [&](std::int32_t i) { hand_back(i); });
+    if (s_.wants_samples) base.add_work_created();
+    crew_.lap(stage_shares);
+  }
+
+ private:
+  GEM_DEVICE void begin_points() {
     SolverBase<Crew> base(s_, crew_);
     crew_.barrier();
     crew_.lap(stage_rows);
@@ -47,17 +67,6 @@ class MomentSolver {
     crew_.lap(stage_points);
   }
 
-  /// After them.
-  GEM_DEVICE void end() {
-    SolverBase<Crew> base(s_, crew_);
-    crew_.lap(stage_base);
-    base.keep_best_share(0.5);
-    each_point(crew_, [&](std::int32_t i) { hand_back(i); });
-    if (s_.wants_samples) base.add_work_created();
-    crew_.lap(stage_shares);
-  }
-
- private:
   GEM_DEVICE void clear_marks() {
     for (std::int32_t w = rank_of(crew_); w < bit_words(s_); w += size_of(crew_))
       s_.touched_bodies[w] = s_.touched_spots[w] = 0;

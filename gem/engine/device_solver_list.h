@@ -25,7 +25,29 @@ class SolverList {
       : s_(s), crew_(crew), moment_(moment), room_(room) {}
 
   /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
-  GEM_DEVICE void make() {
+  GEM_DEVICE void make() { make(false); }
+
+  /// The same for a launch that follows, of as many blocks with `room`: this one needs none.
+  GEM_DEVICE void make_ahead() {
+    make(true);
+    if (crew_.thread() == 0) s_.solver_desk[crew_.block()] = crew_.shared().desk;
+  }
+  /// Takes up a list that was made ahead.
+  GEM_DEVICE void take_up() {
+    SolverDesk desk = s_.solver_desk[crew_.block()];
+    place_entries(desk, false);
+    place_points(desk, false);
+    if (crew_.thread() == 0) crew_.shared().desk = desk;
+    if (desk.entry != s_.solver_entry)
+      for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads()) {
+        desk.entry[e] = s_.solver_entry[e];
+        desk.motion[e] = {};  // nothing has been added to any
+      }
+    crew_.block_barrier();
+  }
+
+ private:
+  GEM_DEVICE void make(bool ahead) {
     SolverDesk desk{};
     desk.pace = {static_cast<float>(s_.constants.dt), static_cast<float>(1.0 / s_.constants.dt)};
     const std::int32_t words = bit_words(s_);
@@ -46,7 +68,7 @@ class SolverList {
       if ((bits & bit) && at >= own_.begin && at < own_.end) s_.solver_entry[at].body = s_.body_at[spot];
     }
     crew_.block_barrier();
-    place_entries(desk);
+    place_entries(desk, ahead);
     // the platform, whose spot is the first, has a long row: the last warp is left to it
     const bool platform = desk.platform = own_.begin == 0 && own_.end > 0 && (s_.touched_spots[0] & 1U);
     const bool alone = crew_.threads() <= Crew::Warp::size;
@@ -62,7 +84,7 @@ class SolverList {
     crew_.block_barrier();
     desk.points = {shared.first_taken, shared.first_taken + shared.taken};
     desk.records = records_begin_ + shared.records;
-    place_points(desk);
+    place_points(desk, ahead);
     if (crew_.thread() == 0) shared.desk = desk;
     for (std::int32_t e = own_.begin + crew_.thread(); e < own_.end; e += crew_.threads()) {
       const TakenPoints taken = s_.taken_of[e];
@@ -72,30 +94,6 @@ class SolverList {
     crew_.block_barrier();
   }
 
-  /// Leaves the list in the scene's memory for another launch of as many blocks with as much fast memory.
-  GEM_DEVICE void put_aside() {
-    const SolverDesk& desk = crew_.shared().desk;
-    if (crew_.thread() == 0) s_.solver_desk[crew_.block()] = desk;
-    if (desk.entry == s_.solver_entry) return;
-    for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads())
-      s_.solver_entry[e] = desk.entry[e];
-  }
-
-  /// Takes it up again.
-  GEM_DEVICE void take_up() {
-    SolverDesk desk = s_.solver_desk[crew_.block()];
-    place_entries(desk);
-    place_points(desk);
-    if (crew_.thread() == 0) crew_.shared().desk = desk;
-    if (desk.entry != s_.solver_entry)
-      for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads()) {
-        desk.entry[e] = s_.solver_entry[e];
-        desk.motion[e] = {};  // nothing has been added to any
-      }
-    crew_.block_barrier();
-  }
-
- private:
   GEM_DEVICE void count_marks(const std::uint32_t* marks, std::int32_t* before, std::int32_t words) {
     const auto warp = crew_.warp();
     std::int32_t sum = 0;
@@ -110,28 +108,28 @@ class SolverList {
   }
 
   /// Points stand in what the records have left of the fast memory.
-  GEM_DEVICE void place_points(SolverDesk& desk) const {
+  GEM_DEVICE void place_points(SolverDesk& desk, bool ahead) const {
     const std::size_t taken = static_cast<std::size_t>(desk.records) * sizeof(PushRecord);
     desk.fast = {desk.points.begin, desk.points.begin};
     desk.fast_held = reinterpret_cast<FloatQuad*>(crew_.room());
-    if (!Crew::shares_rooms || taken >= room_) return;
+    if (!Crew::shares_rooms || ahead || taken >= room_) return;
     const auto hold = static_cast<std::int32_t>((room_ - taken) / held_bytes);
     desk.fast.end += desk.points.count() < hold ? desk.points.count() : hold;
     desk.fast_held = reinterpret_cast<FloatQuad*>(crew_.room() + taken);
   }
 
-  /// The entries of the block's bodies stand in its fast memory where that holds them.
-  GEM_DEVICE void place_entries(SolverDesk& desk) {
+  /// The entries of the block's bodies, and what moves these, stand in its fast memory where that holds them.
+  GEM_DEVICE void place_entries(SolverDesk& desk, bool ahead) {
     static_assert(sizeof(SolverEntry) == sizeof(PushRecord) && sizeof(AddedMotion) == sizeof(PushRecord));
     const std::int32_t count = desk.own.count();
     desk.entry = s_.solver_entry;
     desk.motion = nullptr;
     desk.stage_bytes = Crew::shares_rooms ? 0 : room_;
-    records_begin_ = 0;
-    if (!Crew::shares_rooms || 2 * static_cast<std::size_t>(count) * sizeof(PushRecord) > room_) return;
+    motions_fit_ = Crew::shares_rooms && 2 * static_cast<std::size_t>(count) * sizeof(PushRecord) <= room_;
+    records_begin_ = motions_fit_ ? 2 * count : 0;
+    if (!motions_fit_ || ahead) return;
     desk.entry = reinterpret_cast<SolverEntry*>(crew_.room()) - desk.own.begin;
     desk.motion = reinterpret_cast<AddedMotion*>(crew_.room()) + count - desk.own.begin;
-    records_begin_ = 2 * count;
   }
 
   /// Where the records of a body of `count` points stand in the block's fast memory; -1: they do not.
@@ -202,7 +200,7 @@ class SolverList {
     taken = lanes.sum(taken);
     std::int32_t room = lanes.rank() == 0 ? take_records(count) : 0;
     room = lanes.from(room, 0);
-    const std::int32_t moved_at = desk.motion ? room_place(crew_.block(), own_.count() + e - own_.begin) : -1;
+    const std::int32_t moved_at = motions_fit_ ? room_place(crew_.block(), own_.count() + e - own_.begin) : -1;
     std::int32_t before = 0, taken_before = 0;
     for (std::int32_t first = 0; first < places; first += stride) {
       if (places > stride) read = read_places(lanes, body, motion, first);
@@ -245,6 +243,7 @@ class SolverList {
   std::int32_t moment_;
   std::size_t room_;
   Stretch own_{};
+  bool motions_fit_ = false;        // in the block's fast memory
   std::int32_t records_begin_ = 0;  // in the block's fast memory
 };
 

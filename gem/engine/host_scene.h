@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 #include "gem/engine/books.h"
@@ -157,8 +158,9 @@ class HostScene {
   /// One phase, if it is this one, by a team that ends with it; alarms stay.
   template <DevicePhase phase, Resolution resolution>
   void run_if(DevicePhase now) {
+    using Team = std::conditional_t<phase == DevicePhase::settle, ApartPhaseTeam, PhaseTeam>;
     if (now == phase)
-      run_team<PhaseTeam>(sizes_.blocks, threads_, is_of_solver(phase) ? solver_room_ : room_, [&](PhaseTeam& crew) {
+      run_team<Team>(sizes_.blocks, threads_, is_of_solver(phase) ? solver_room_ : room_, [&](Team& crew) {
         crew.raise_in(alarms_);
         run_phase<phase, resolution>(scene_, crew);
       });

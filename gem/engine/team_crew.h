@@ -196,6 +196,15 @@ class PhaseTeam : public TeamCrew {
   std::uint32_t* alarms_ = nullptr;
 };
 
+/// The same where no block reaches another's fast memory.
+class ApartPhaseTeam : public PhaseTeam {
+ public:
+  using PhaseTeam::PhaseTeam;
+  ApartPhaseTeam& at_hand() { return *this; }
+  void came_back(const ApartPhaseTeam&) {}
+  static constexpr bool shares_rooms = false;
+};
+
 /// Runs work(crew) on every thread of a team; `threads` is a multiple of team_warp.
 template <class Crew>
 void run_team(int blocks, int threads, std::size_t room_bytes, const std::function<void(Crew&)>& work) {

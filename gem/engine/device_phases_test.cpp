@@ -164,7 +164,7 @@ TEST(DevicePhaseRoom, ForLittleThatIteratesChangesNothing) {
     const SolverDesk& desk = device.solver_desk(0);
     const std::size_t records = static_cast<std::size_t>(desk.records) * sizeof(PushRecord);
     const std::size_t points = static_cast<std::size_t>(desk.points.count()) * held_bytes;
-    const Holds seen = desk.motion == nullptr    ? Holds::nothing
+    const Holds seen = !desk.fits                ? Holds::nothing
                        : records > room          ? Holds::some_records
                        : records + points > room ? Holds::records
                                                  : Holds::all;

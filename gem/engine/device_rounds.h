@@ -113,7 +113,8 @@ class SolverRounds {
 
   GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, const Crew& crew, std::int32_t place,
                                           std::int32_t room) {
-    if (Crew::shares_rooms && room >= 0) return reinterpret_cast<PushRecord*>(crew.room_of(room >> 16)) + (room & 0xffff);
+    if (Crew::shares_rooms && room >= 0)
+      return reinterpret_cast<PushRecord*>(crew.room_of(room >> 16)) + (room & 0xffff);
     return place >= 0 ? s.push + place : nullptr;
   }
   GEM_DEVICE static const AddedMotion* motion_at(const DeviceScene& s, const Crew& crew, std::int32_t room,
@@ -201,7 +202,7 @@ class SolverRounds {
     constexpr int together = 4;
     const auto* const room = reinterpret_cast<const PushRecord*>(crew.room());
     for (std::int32_t k = crew.thread() + (desk.platform ? 2 : 0); k < 2 * desk.own.count(); k += threads) {
-      const std::int32_t e = desk.own.begin + k / 2, half = k % 2;
+      const std::int32_t e = desk.own.begin + (desk.order ? desk.order[k / 2] : k / 2), half = k % 2;
       const SolverEntry entry = desk.entry[e];
       const PushRecord* const record = Crew::shares_rooms && entry.room >= 0 ? room + entry.room : s.push + entry.place;
       FloatQuad to_b{}, to_a{};
@@ -210,10 +211,8 @@ class SolverRounds {
         FloatQuad some[together];
         for (int j = 0; j < together; ++j) some[j] = record[first + j < last ? first + j : last].half[half];
         for (int j = 0; j < together; ++j) {
-          if (first + j < entry.as_b)
-            add(to_b, some[j]);
-          else if (first + j < entry.count)
-            add(to_a, some[j]);
+          add_if(first + j < entry.as_b, to_b, some[j]);
+          add_if(first + j >= entry.as_b && first + j < entry.count, to_a, some[j]);
         }
       }
       const float answer = half == 0 ? entry.inverse_mass : entry.inverse_inertia;
@@ -223,8 +222,10 @@ class SolverRounds {
     }
   }
 
-  GEM_DEVICE GEM_INLINE static void add(FloatQuad& sum, const FloatQuad& term) {
-    for (int c = 0; c < 4; ++c) sum.part[c] += term.part[c];
+  /// By a choice, which does not part neighbouring threads. A sum that began with nothing is never -0, which +0 would
+  /// change.
+  GEM_DEVICE GEM_INLINE static void add_if(bool counts, FloatQuad& sum, const FloatQuad& term) {
+    for (int c = 0; c < 4; ++c) sum.part[c] += counts ? term.part[c] : 0.0F;
   }
 
   /// A lane for each number of the platform's motion; its records are brought to the block's fast memory, if they do

@@ -44,6 +44,7 @@ class SolverList {
         desk.motion[e] = {};  // nothing has been added to any
       }
     crew_.block_barrier();
+    if (desk.entry != s_.solver_entry) put_in_order(desk);
   }
 
  private:
@@ -125,11 +126,42 @@ class SolverList {
     desk.entry = s_.solver_entry;
     desk.motion = nullptr;
     desk.stage_bytes = Crew::shares_rooms ? 0 : room_;
-    motions_fit_ = Crew::shares_rooms && 2 * static_cast<std::size_t>(count) * sizeof(PushRecord) <= room_;
-    records_begin_ = motions_fit_ ? 2 * count : 0;
-    if (!motions_fit_ || ahead) return;
+    const std::int32_t places = 2 * count + (count + 15) / 16;
+    desk.fits = Crew::shares_rooms && static_cast<std::size_t>(places) * sizeof(PushRecord) <= room_;
+    records_begin_ = desk.fits ? places : 0;
+    if (!desk.fits || ahead) return;
     desk.entry = reinterpret_cast<SolverEntry*>(crew_.room()) - desk.own.begin;
     desk.motion = reinterpret_cast<AddedMotion*>(crew_.room()) + count - desk.own.begin;
+  }
+
+  static std::int32_t GEM_DEVICE length_of(const SolverEntry& entry) {
+    return row_lengths - 1 - (entry.count < row_lengths ? entry.count : row_lengths - 1);
+  }
+
+  /// Lists the bodies, longest rows first; the platform, which has threads of its own, is none of them.
+  GEM_DEVICE void put_in_order(const SolverDesk& desk) {
+    BlockCell& shared = crew_.shared();
+    auto* const order = reinterpret_cast<std::uint16_t*>(desk.motion + desk.own.end);
+    for (std::int32_t k = crew_.thread(); k < row_lengths; k += crew_.threads()) shared.of_length[k] = 0;
+    crew_.block_barrier();
+    const std::int32_t first = desk.own.begin + (desk.platform ? 1 : 0);
+    for (std::int32_t e = first + crew_.thread(); e < desk.own.end; e += crew_.threads())
+      crew_.add(&shared.of_length[length_of(desk.entry[e])], 1);
+    crew_.block_barrier();
+    if (crew_.thread() < Crew::Warp::size) {
+      const auto warp = crew_.warp();
+      std::int32_t sum = first - desk.own.begin;
+      for (std::int32_t k = warp.rank(); k < row_lengths; k += Crew::Warp::size) {
+        const std::int32_t mine = shared.of_length[k];
+        shared.of_length[k] = sum + warp.sum_below(mine);
+        sum += warp.sum(mine);
+      }
+    }
+    crew_.block_barrier();
+    for (std::int32_t e = first + crew_.thread(); e < desk.own.end; e += crew_.threads())
+      order[crew_.add(&shared.of_length[length_of(desk.entry[e])], 1)] = static_cast<std::uint16_t>(e - desk.own.begin);
+    if (crew_.thread() == 0) shared.desk.order = order;
+    crew_.block_barrier();
   }
 
   /// Where the records of a body of `count` points stand in the block's fast memory; -1: they do not.
@@ -200,7 +232,7 @@ class SolverList {
     taken = lanes.sum(taken);
     std::int32_t room = lanes.rank() == 0 ? take_records(count) : 0;
     room = lanes.from(room, 0);
-    const std::int32_t moved_at = motions_fit_ ? room_place(crew_.block(), own_.count() + e - own_.begin) : -1;
+    const std::int32_t moved_at = desk.fits ? room_place(crew_.block(), own_.count() + e - own_.begin) : -1;
     std::int32_t before = 0, taken_before = 0;
     for (std::int32_t first = 0; first < places; first += stride) {
       if (places > stride) read = read_places(lanes, body, motion, first);
@@ -243,7 +275,6 @@ class SolverList {
   std::int32_t moment_;
   std::size_t room_;
   Stretch own_{};
-  bool motions_fit_ = false;        // in the block's fast memory
   std::int32_t records_begin_ = 0;  // in the block's fast memory
 };
 

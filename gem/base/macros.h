@@ -7,11 +7,13 @@
 #define GEM_DEVICE __device__
 #define GEM_INLINE __forceinline__
 #define GEM_NOINLINE __noinline__
+#define GEM_NO_UNROLL _Pragma("unroll 1")
 #else
 #define GEM_HD
 #define GEM_DEVICE
 #define GEM_INLINE inline __attribute__((always_inline))
 #define GEM_NOINLINE __attribute__((noinline))
+#define GEM_NO_UNROLL
 // of a host function, also built for wider registers: the same bits, as no fused multiply-add is among them. What
 // chooses at the program's start runs before the thread sanitizer is ready
 #ifdef __SANITIZE_THREAD__

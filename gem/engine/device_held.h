@@ -82,20 +82,19 @@ class HeldCell {
   std::int32_t apart_;
 };
 
-/// All points of a block.
+/// All points of a block whose fast memory is `room`.
 class HeldTable {
  public:
-  GEM_DEVICE GEM_INLINE HeldTable(const DeviceScene& s, const SolverDesk& desk)
-      : fast_(desk.fast_held - desk.fast.begin),
+  GEM_DEVICE GEM_INLINE HeldTable(const DeviceScene& s, std::byte* room, const SolverDesk& desk)
+      : fast_(reinterpret_cast<FloatQuad*>(room + desk.fast_from) - desk.fast.begin),
         all_(s.held),
         fast_end_(desk.fast.end),
         fast_count_(desk.fast.count()),
         capacity_(s.points_capacity) {}
 
-  GEM_DEVICE GEM_INLINE HeldCell operator[](std::int32_t i) const {
-    const bool fast = i < fast_end_;
-    return {(fast ? fast_ : all_) + i, fast ? fast_count_ : capacity_};
-  }
+  GEM_DEVICE GEM_INLINE HeldCell operator[](std::int32_t i) const { return i < fast_end_ ? fast(i) : at_rest(i); }
+  /// Where one of the first points stands, those in fast memory.
+  GEM_DEVICE GEM_INLINE HeldCell fast(std::int32_t i) const { return {fast_ + i, fast_count_}; }
   /// Where point i stands when no round runs.
   GEM_DEVICE GEM_INLINE HeldCell at_rest(std::int32_t i) const { return {all_ + i, capacity_}; }
 

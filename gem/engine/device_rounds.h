@@ -38,7 +38,7 @@ class SolverRounds {
 
   /// The same in three launches. Before the first round: points at rest.
   GEM_DEVICE static void prepare(const DeviceScene& s, Crew& crew) {
-    const HeldTable table(s, crew.shared().desk);
+    const HeldTable table(s, crew.room(), crew.shared().desk);
     each_point(crew, [&](std::int32_t i) {
       HeldPoint held;
       enter(s, i, true, table[i], held);
@@ -48,7 +48,7 @@ class SolverRounds {
   /// The first round, mostly the only one.
   GEM_DEVICE static void run_first(const DeviceScene& s, Crew& crew) {
     SolverList<Crew>(s, crew, 0, crew.room_bytes()).take_up();
-    const HeldTable table(s, crew.shared().desk);
+    const HeldTable table(s, crew.room(), crew.shared().desk);
     each_point(crew, [&](std::int32_t i) {
       if (i < crew.shared().desk.fast.end) table[i].copy_numbers(table.at_rest(i));
       const PointCell& point = s.taken_point[i];
@@ -151,7 +151,7 @@ class SolverRounds {
 
   /// A point at the start of a round.
   GEM_DEVICE GEM_INLINE static void hold(const DeviceScene& s, Crew& crew, std::int32_t i, bool fresh) {
-    const HeldCell cell = HeldTable(s, crew.shared().desk)[i];
+    const HeldCell cell = HeldTable(s, crew.room(), crew.shared().desk)[i];
     HeldPoint held;
     enter(s, i, fresh, cell, held);
     const PointCell& point = s.taken_point[i];
@@ -164,7 +164,7 @@ class SolverRounds {
 
   /// The additions of a round enter the base.
   GEM_DEVICE GEM_INLINE static void let_go(const DeviceScene& s, Crew& crew, std::int32_t i) {
-    const HeldCell cell = HeldTable(s, crew.shared().desk)[i];
+    const HeldCell cell = HeldTable(s, crew.room(), crew.shared().desk)[i];
     HeldPoint held = cell.load();
     const PointGeometry<double> g = s.points.geometry(i);
     write_base(s, i, g,
@@ -196,36 +196,42 @@ class SolverRounds {
     if (crew.thread() < rest) move_floes(s, crew, desk, rest);
   }
 
-  /// A body has two threads, one for what moves it and one for what turns it; each fetches a few records together
-  /// before it adds them in their order.
+  /// A body has two threads, one for what moves it and one for what turns it.
   GEM_DEVICE GEM_INLINE static void move_floes(const DeviceScene& s, Crew& crew, const SolverDesk& desk, int threads) {
-    constexpr int together = 4;
     const auto* const room = reinterpret_cast<const PushRecord*>(crew.room());
     for (std::int32_t k = crew.thread() + (desk.platform ? 2 : 0); k < 2 * desk.own.count(); k += threads) {
       const std::int32_t e = desk.own.begin + (desk.order ? desk.order[k / 2] : k / 2), half = k % 2;
       const SolverEntry entry = desk.entry[e];
-      const PushRecord* const record = Crew::shares_rooms && entry.room >= 0 ? room + entry.room : s.push + entry.place;
-      FloatQuad to_b{}, to_a{};
-      const std::int32_t last = entry.count - 1;
-      for (std::int32_t first = 0; first <= last; first += together) {
-        FloatQuad some[together];
-        for (int j = 0; j < together; ++j) some[j] = record[first + j < last ? first + j : last].half[half];
-        for (int j = 0; j < together; ++j) {
-          add_if(first + j < entry.as_b, to_b, some[j]);
-          add_if(first + j >= entry.as_b && first + j < entry.count, to_a, some[j]);
-        }
-      }
+      const FloatQuad sum = Crew::shares_rooms && entry.room >= 0 ? sum_of(room + entry.room, entry, half)
+                                                                  : sum_of(s.push + entry.place, entry, half);
       const float answer = half == 0 ? entry.inverse_mass : entry.inverse_inertia;
-      (desk.motion ? desk.motion[e] : s.added[entry.body]).half[half] = {
-          {answer * (to_b.part[0] - to_a.part[0]), answer * (to_b.part[1] - to_a.part[1]),
-           answer * (to_b.part[2] - to_a.part[2]), answer * (to_b.part[3] - to_a.part[3])}};
+      FloatQuad& motion = (desk.motion ? desk.motion[e] : s.added[entry.body]).half[half];
+      for (int c = 0; c < 4; ++c) motion.part[c] = answer * sum.part[c];
     }
   }
 
-  /// By a choice, which does not part neighbouring threads. A sum that began with nothing is never -0, which +0 would
-  /// change.
-  GEM_DEVICE GEM_INLINE static void add_if(bool counts, FloatQuad& sum, const FloatQuad& term) {
-    for (int c = 0; c < 4; ++c) sum.part[c] += counts ? term.part[c] : 0.0F;
+  /// What the records of a body come to: those that it has as B, less those that it has as A.
+  GEM_DEVICE GEM_INLINE static FloatQuad sum_of(const PushRecord* record, const SolverEntry& entry, int half) {
+    FloatQuad to_b = sum_of(record, 0, entry.as_b, half);
+    const FloatQuad to_a = sum_of(record, entry.as_b, entry.count, half);
+    for (int c = 0; c < 4; ++c) to_b.part[c] -= to_a.part[c];
+    return to_b;
+  }
+
+  /// A few are fetched together before they are added in their order. Beyond the last there are zeros instead: no
+  /// thread waits for its neighbours, and a sum that began with +0 is not changed by them.
+  GEM_DEVICE GEM_INLINE static FloatQuad sum_of(const PushRecord* record, std::int32_t begin, std::int32_t end,
+                                                int half) {
+    constexpr int together = 4;
+    FloatQuad sum{};
+    GEM_NO_UNROLL
+    for (std::int32_t first = begin; first < end; first += together) {
+      FloatQuad some[together];
+      for (int j = 0; j < together; ++j) some[j] = first + j < end ? record[first + j].half[half] : FloatQuad{};
+      for (const FloatQuad& term : some)
+        for (int c = 0; c < 4; ++c) sum.part[c] += term.part[c];
+    }
+    return sum;
   }
 
   /// A lane for each number of the platform's motion; its records are brought to the block's fast memory, if they do
@@ -279,19 +285,24 @@ class SolverRounds {
 
   /// Visits the points of this thread; returns, where `judged`, the largest speed that one asked for.
   template <PointFriction law, bool judged>
-  GEM_DEVICE GEM_INLINE static float visit_all(const DeviceScene& s, const Crew& crew, const SolverDesk& desk,
+  GEM_DEVICE GEM_INLINE static float visit_all(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
                                                KeptPoints& own, float ahead) {
-    const HeldTable table(s, desk);
     const std::int32_t size = crew.threads(), first = desk.points.begin + crew.thread(), end = desk.points.end;
     float most = 0.0F;
-    for (int k = 0; k < kept; ++k)
-      if (first + k * size < end) most = larger(visit<law, judged>(desk.pace, own.point[k], ahead), most);
-    for (std::int32_t i = first + kept * size; i < end; i += size) {
-      const HeldCell cell = table[i];
+    const auto visit_held = [&](HeldPoint& held) { most = larger(visit<law, judged>(desk.pace, held, ahead), most); };
+    const auto visit_cell = [&](const HeldCell& cell) {
       HeldPoint held = cell.load();
-      most = larger(visit<law, judged>(desk.pace, held, ahead), most);
+      visit_held(held);
       cell.save_additions(held);
-    }
+    };
+    for (int k = 0; k < kept; ++k)
+      if (first + k * size < end) visit_held(own.point[k]);
+    // each kind of memory by itself: the compiler has faster instructions where it knows which it is
+    const HeldTable table(s, crew.room(), desk);
+    std::int32_t i = first + kept * size;
+    if constexpr (Crew::shares_rooms)
+      for (; i < desk.fast.end; i += size) visit_cell(table.fast(i));
+    for (; i < end; i += size) visit_cell(Crew::shares_rooms ? table.at_rest(i) : table[i]);
     return most;
   }
 
@@ -311,7 +322,7 @@ class SolverRounds {
     const std::int32_t size = crew.threads(), first = desk.points.begin + crew.thread(), end = desk.points.end;
     KeptPoints own;
     for (int k = 0; k < kept; ++k)
-      if (first + k * size < end) own.point[k] = HeldTable(s, desk)[first + k * size].load();
+      if (first + k * size < end) own.point[k] = HeldTable(s, crew.room(), desk)[first + k * size].load();
     auto next = IterationCourse::Next::iteration;
     for (; next == IterationCourse::Next::iteration; fresh = false) {
       const float ahead = progress.course.ahead();
@@ -333,7 +344,7 @@ class SolverRounds {
       next = progress.course.after(progress.residual);
     }
     for (int k = 0; k < kept; ++k)
-      if (first + k * size < end) HeldTable(s, desk)[first + k * size].save_additions(own.point[k]);
+      if (first + k * size < end) HeldTable(s, crew.room(), desk)[first + k * size].save_additions(own.point[k]);
     outer.came_back(crew);
     state = progress;
     return next == IterationCourse::Next::end;

@@ -112,11 +112,11 @@ class SolverList {
   GEM_DEVICE void place_points(SolverDesk& desk, bool ahead) const {
     const std::size_t taken = static_cast<std::size_t>(desk.records) * sizeof(PushRecord);
     desk.fast = {desk.points.begin, desk.points.begin};
-    desk.fast_held = reinterpret_cast<FloatQuad*>(crew_.room());
+    desk.fast_from = 0;
     if (!Crew::shares_rooms || ahead || taken >= room_) return;
     const auto hold = static_cast<std::int32_t>((room_ - taken) / held_bytes);
     desk.fast.end += desk.points.count() < hold ? desk.points.count() : hold;
-    desk.fast_held = reinterpret_cast<FloatQuad*>(crew_.room() + taken);
+    desk.fast_from = taken;
   }
 
   /// The entries of the block's bodies, and what moves these, stand in its fast memory where that holds them.

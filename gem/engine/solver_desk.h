@@ -36,7 +36,7 @@ struct SolverDesk {
   MomentPace<float> pace;
   Stretch points;              // that the block iterates
   Stretch fast;                // the first of them: those that stand in its fast memory
-  FloatQuad* fast_held;        // where they stand: see HeldTable
+  std::size_t fast_from;       // where they begin there: see HeldTable
   std::int32_t bodies;         // moving, with points
   Stretch own;                 // the block's stretch of them, by spot
   SolverEntry* entry;          // by place among them

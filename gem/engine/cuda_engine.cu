@@ -224,7 +224,7 @@ class CudaBatch::Work {
       const std::int64_t share = std::max<std::int64_t>(1, (ahead[k].all * ring_moments_ + most - 1) / most);
       moments.push_back(std::min({ahead[k].most, share, std::int64_t{ring_moments_}}));
       scenes.push_back({scenes_[k].field().constants.resolution, scenes_[k].device().phase_blocks,
-                        static_cast<std::int32_t>(moments.back())});
+                        static_cast<std::int32_t>(moments.back()), visits_[k]});
       share_[k] = 1;
     }
     send(active, moments);

@@ -49,6 +49,7 @@ struct PhaseLaunch {
   int scene_count;
   int solve_blocks;  // of a cluster that iterates a scene
   std::size_t room_bytes;
+  bool operator==(const PhaseLaunch&) const = default;
 };
 
 using AdvanceKernel = void (*)(const Launch);

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <vector>
 
+#include "gem/engine/cuda_graph.cuh"
 #include "gem/engine/cuda_kernel.h"
 #include "gem/engine/cuda_launch.cuh"
 #include "gem/engine/cuda_memory.cuh"
@@ -36,6 +38,7 @@ struct PhaseScene {
   Resolution resolution = Resolution::independent;
   int blocks = 1;            // that move its bodies
   std::int32_t moments = 0;  // that are wanted
+  double visits = 0.0;       // of its points a moment, as far as known; coupled
 };
 
 PhaseKernel kernel_of(Arithmetic arithmetic, DevicePhase phase, Resolution resolution) {
@@ -73,11 +76,11 @@ int largest_solver(Arithmetic arithmetic) {
 /// for, another fills.
 class PhaseStream {
  public:
-  PhaseStream(Arithmetic arithmetic, int multiprocessors)
-      : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+  PhaseStream(Arithmetic arithmetic, int multiprocessors, int priority)
+      : arithmetic_(arithmetic), multiprocessors_(multiprocessors), time_(priority) {}
 
-  /// The next call works on these scenes, all of one resolution; `work` says where they lie, `streams` how many such
-  /// streams share the device.
+  /// The next call works on these scenes, all of one resolution; `work` says where they lie and how many blocks iterate
+  /// each, `streams` how many such streams share the device.
   void begin(const PhaseLaunch& work, const std::vector<PhaseScene>& scenes, int streams, const Timeline& call) {
     time_.begin_after(call);
     work_ = work;
@@ -92,7 +95,35 @@ class PhaseStream {
     work_.blocks = reinterpret_cast<const PhaseBlock*>(send(block_memory_, block));
     work_.queue =
         reinterpret_cast<ListQueue*>(room(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size()));
+    const Moment moment{work_, resolution_, all_, some_, list_grid_};
+    if (moment == recorded_) return;
+    moment_.record(time_.stream(), [&] { launch(moment_phases); });
+    recorded_ = moment;
   }
+
+  void start_moment() { moment_.start(time_.stream()); }
+
+  template <class Phases>
+  void launch(const Phases& phases) {
+    for (const DevicePhase phase : phases) launch(phase);
+  }
+
+  void end(const Timeline& call) {
+    time_.end();
+    call.wait_for(time_);
+  }
+
+ private:
+  /// On one multiprocessor: more would only start and end.
+  static constexpr int pairs_blocks = 16;
+
+  /// What the launches of a moment depend on.
+  struct Moment {
+    PhaseLaunch work{};
+    Resolution resolution = Resolution::independent;
+    int all = 0, some = 0, list_grid = 0;
+    bool operator==(const Moment&) const = default;
+  };
 
   void launch(DevicePhase phase) {
     if (is_of_solver(phase)) {
@@ -117,15 +148,6 @@ class PhaseStream {
     config.stream = time_.stream();
     check_cuda(cudaLaunchKernelEx(&config, kernel_of_phase(phase), work), "start");
   }
-
-  void end(const Timeline& call) {
-    time_.end();
-    call.wait_for(time_);
-  }
-
- private:
-  /// On one multiprocessor: more would only start and end.
-  static constexpr int pairs_blocks = 16;
 
   void launch_solver(DevicePhase phase) {
     PhaseLaunch work = work_;
@@ -171,6 +193,8 @@ class PhaseStream {
   int all_ = 0, some_ = 0, list_grid_ = 1;  // blocks that move bodies, that work on pairs, that build lists
   PhaseLaunch work_{};
   Timeline time_;
+  RecordedLaunches moment_;
+  Moment recorded_;
   DeviceMemory block_memory_, queue_memory_;
 };
 
@@ -188,8 +212,9 @@ class PhaseStreams {
   void run(PhaseLaunch work, const std::vector<PhaseScene>& scenes, const Timeline& call) {
     const std::vector<std::size_t> bounds = shared_out(scenes);
     const std::size_t count = bounds.size() - 1;
-    while (stream_.size() < count) stream_.push_back(std::make_unique<PhaseStream>(arithmetic_, multiprocessors_));
-    work.solve_blocks = solve_blocks_for(scenes);
+    while (stream_.size() < count)
+      stream_.push_back(std::make_unique<PhaseStream>(arithmetic_, multiprocessors_, priority_of(stream_.size())));
+    const std::vector<int> solve_blocks = solve_blocks_of(scenes);
     std::vector<std::int64_t> moments(count);
     for (std::size_t k = 0; k < count; ++k) {
       const auto first = static_cast<std::ptrdiff_t>(bounds[k]), last = static_cast<std::ptrdiff_t>(bounds[k + 1]);
@@ -198,6 +223,7 @@ class PhaseStreams {
       part.moments += first;
       part.gates += first;
       part.team_gates += first;
+      part.solve_blocks = *std::max_element(solve_blocks.begin() + first, solve_blocks.begin() + last);
       const std::vector<PhaseScene> some(scenes.begin() + first, scenes.begin() + last);
       for (const PhaseScene& scene : some) moments[k] = std::max<std::int64_t>(moments[k], scene.moments);
       stream_[k]->begin(part, some, static_cast<int>(count), call);
@@ -207,22 +233,19 @@ class PhaseStreams {
   }
 
  private:
-  static constexpr std::size_t most_streams = 8, coupled_streams = 12;
+  static constexpr std::size_t most_streams = 8, coupled_streams = 40;
+
+  /// The first streams have the most to do: what waits for them waits longest.
+  static int priority_of(std::size_t stream) { return std::max(0, 5 - static_cast<int>(stream) / 4); }
 
   /// Streams that have fewer moments to make than others get theirs spread over the time of these.
   void launch_all(const std::vector<std::int64_t>& moments) {
     const std::int64_t most = *std::max_element(moments.begin(), moments.end());
-    for (const DevicePhase phase : first_phases) launch(phase, moments, [](std::int64_t) { return true; });
+    for (std::size_t k = 0; k < moments.size(); ++k) stream_[k]->launch(first_phases);
     for (std::int64_t m = 0; m < most; ++m)
-      for (const DevicePhase phase : moment_phases)
-        launch(phase, moments, [&](std::int64_t mine) { return (m + 1) * mine / most > m * mine / most; });
-    for (const DevicePhase phase : last_phases) launch(phase, moments, [](std::int64_t) { return true; });
-  }
-
-  template <class Takes>
-  void launch(DevicePhase phase, const std::vector<std::int64_t>& moments, Takes&& takes) {
-    for (std::size_t k = 0; k < moments.size(); ++k)
-      if (takes(moments[k])) stream_[k]->launch(phase);
+      for (std::size_t k = 0; k < moments.size(); ++k)
+        if ((m + 1) * moments[k] / most > m * moments[k] / most) stream_[k]->start_moment();
+    for (std::size_t k = 0; k < moments.size(); ++k) stream_[k]->launch(last_phases);
   }
 
   /// Where the scenes of each stream begin, and where the last ends.
@@ -244,20 +267,32 @@ class PhaseStreams {
     int blocks = 0;
     for (const PhaseScene& scene : scenes) blocks += scene.blocks;
     const auto useful = static_cast<std::size_t>(std::max(1, blocks / multiprocessors_));
-    return std::min(scenes.size(), coupled_in(scenes) > 0 ? coupled_streams : std::min(most_streams, useful));
+    return std::min(scenes.size(), any_coupled(scenes) ? coupled_streams : std::min(most_streams, useful));
   }
 
-  static int coupled_in(const std::vector<PhaseScene>& scenes) {
-    return static_cast<int>(std::count_if(
-        scenes.begin(), scenes.end(), [](const PhaseScene& scene) { return scene.resolution == Resolution::coupled; }));
+  static bool any_coupled(const std::vector<PhaseScene>& scenes) {
+    return std::any_of(scenes.begin(), scenes.end(),
+                       [](const PhaseScene& scene) { return scene.resolution == Resolution::coupled; });
   }
 
-  /// Blocks that iterate a scene. Not all scenes iterate at a time.
-  int solve_blocks_for(const std::vector<PhaseScene>& scenes) {
+  /// Blocks that iterate each scene, powers of two: as many as its points are worth, fewer where scenes are many. Not
+  /// all scenes iterate at a time.
+  std::vector<int> solve_blocks_of(const std::vector<PhaseScene>& scenes) {
     constexpr int waiting = 3;  // for one multiprocessor, at most
-    if (coupled_in(scenes) == 0) return 1;
+    std::vector<int> blocks(scenes.size(), 1);
+    if (!any_coupled(scenes)) return blocks;
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+      if (scenes[k].resolution == Resolution::coupled) blocks[k] = worthwhile_blocks(scenes[k].visits);
+    while (std::accumulate(blocks.begin(), blocks.end(), 0) > waiting * multiprocessors_ &&
+           *std::max_element(blocks.begin(), blocks.end()) > 1)
+      for (int& some : blocks) some = std::max(1, some / 2);
+    return blocks;
+  }
+
+  int worthwhile_blocks(double visits) {
+    constexpr double for_one = 32 * 700;  // visits of a block in a moment: mostly 32 iterations
     int blocks = largest_cluster_here();
-    while (blocks > 1 && blocks * coupled_in(scenes) > waiting * multiprocessors_) blocks /= 2;
+    while (visits > 0.0 && blocks > 1 && visits < for_one * blocks / 2) blocks /= 2;
     return blocks;
   }
 

@@ -290,7 +290,7 @@ class PhaseStreams {
   }
 
   int worthwhile_blocks(double visits) {
-    constexpr double for_one = 32 * 700;  // visits of a block in a moment: mostly 32 iterations
+    constexpr double for_one = 32 * 400;  // visits of a block in a moment: mostly 32 iterations
     int blocks = largest_cluster_here();
     while (visits > 0.0 && blocks > 1 && visits < for_one * blocks / 2) blocks /= 2;
     return blocks;

@@ -194,21 +194,21 @@ std::vector<BatchScene> seeds(const Subject& subject, std::size_t count) {
   return scenes;
 }
 
-/// Moves each scene of a batch on by the moments that the first has in `duration` and prints what it took; `recorded`:
-/// with the record of every moment.
-void time_batch(const Subject& subject, const char* measure, const std::vector<BatchScene>& scenes, double duration,
-                bool recorded) {
-  const std::int64_t moments = moments_in(scenes[0].scene, duration);
+/// Moves each scene of a batch on by its `moments` and prints what the longest took; `recorded`: with the record of
+/// every moment.
+void time_batch(const Subject& subject, const char* measure, const std::vector<BatchScene>& scenes,
+                const std::vector<std::int64_t>& moments, bool recorded) {
   double simulated = 0.0;
-  for (const BatchScene& scene : scenes) simulated += double(moments) * scene.scene.numerics.moment_s;
+  for (std::size_t k = 0; k < scenes.size(); ++k) simulated += double(moments[k]) * scenes[k].scene.numerics.moment_s;
+  const std::int64_t longest = *std::max_element(moments.begin(), moments.end());
   CudaBatch batch(scenes, {.samples = recorded, .arithmetic = subject.arithmetic});
   std::vector<MomentLog> logs(scenes.size());
   const auto begin = Clock::now();
   batch.advance(moments, recorded ? &logs : nullptr);
   const double wall = std::chrono::duration<double>(Clock::now() - begin).count(), device = batch.device_time();
   std::printf("%s,%s,%s,%s,%lld moments,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
-              subject.name().c_str(), measure, static_cast<long long>(moments), scenes.size(), batch.blocks(),
-              batch.threads(), 1e6 * device / double(moments), simulated / wall, wall / device,
+              subject.name().c_str(), measure, static_cast<long long>(longest), scenes.size(), batch.blocks(),
+              batch.threads(), 1e6 * device / double(longest), simulated / wall, wall / device,
               static_cast<unsigned long long>(batch.state_hash(0)));
   end_row(batch);
 }
@@ -219,19 +219,25 @@ void batches(const Subject& subject, std::size_t largest) {
   for (std::size_t count : {1, 8, 33, 66, 132, 264}) {
     if (count > largest) break;
     const std::vector<BatchScene> some(all.begin(), all.begin() + std::ptrdiff_t(count));
-    time_batch(subject, "batch", some, duration, false);
-    time_batch(subject, "batch_recorded", some, duration, true);
+    const std::vector<std::int64_t> moments(count, moments_in(some[0].scene, duration));
+    time_batch(subject, "batch", some, moments, false);
+    time_batch(subject, "batch_recorded", some, moments, true);
   }
 }
 
-/// All runs of Table 1 together, with the record of every moment; as many moments of each.
+/// All runs of Table 1 together, with the record of every moment: as many moments of each, and of each a twelfth of its
+/// own.
 void table(const Subject& subject) {
   std::vector<BatchScene> scenes;
   for (const SweepMember& member : expand_sweep(subject.cases + "/table1.toml")) {
     const SceneDef scene = scene_of(subject, member.name);
     scenes.push_back({scene, make_field(scene)});
   }
-  time_batch(subject, "table1_recorded", scenes, 1200.0, true);
+  std::vector<std::int64_t> twelfth;
+  for (const BatchScene& run : scenes) twelfth.push_back(moments_in(run.scene, run.scene.run.duration_s / 12));
+  time_batch(subject, "table1_recorded", scenes,
+             std::vector<std::int64_t>(scenes.size(), moments_in(scenes[0].scene, 1200.0)), true);
+  time_batch(subject, "table1_twelfth_recorded", scenes, twelfth, true);
 }
 
 /// One scene of many floes.

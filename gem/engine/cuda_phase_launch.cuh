@@ -80,8 +80,9 @@ class PhaseStream {
       : arithmetic_(arithmetic), multiprocessors_(multiprocessors), time_(priority) {}
 
   /// The next call works on these scenes, all of one resolution; `work` says where they lie and how many blocks iterate
-  /// each, `streams` how many such streams share the device.
-  void begin(const PhaseLaunch& work, const std::vector<PhaseScene>& scenes, int streams, const Timeline& call) {
+  /// each, `streams` how many such streams share the device. Returns how many starts their moments take.
+  std::int64_t begin(const PhaseLaunch& work, const std::vector<PhaseScene>& scenes, int streams,
+                     const Timeline& call) {
     time_.begin_after(call);
     work_ = work;
     work_.scene_count = static_cast<int>(scenes.size());
@@ -95,13 +96,14 @@ class PhaseStream {
     work_.blocks = reinterpret_cast<const PhaseBlock*>(send(block_memory_, block));
     work_.queue =
         reinterpret_cast<ListQueue*>(room(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size()));
-    const Moment moment{work_, resolution_, all_, some_, list_grid_};
-    if (moment == recorded_) return;
-    moment_.record(time_.stream(), [&] { launch(moment_phases); });
-    recorded_ = moment;
+    std::int32_t moments = 0;
+    for (const PhaseScene& scene : scenes) moments = std::max(moments, scene.moments);
+    record(std::min(moments, most_together));
+    return (moments + recorded_.moments - 1) / recorded_.moments;
   }
 
-  void start_moment() { moment_.start(time_.stream()); }
+  /// Makes some moments; those beyond what a scene wants are none for it.
+  void start_moments() { moments_.start(time_.stream()); }
 
   template <class Phases>
   void launch(const Phases& phases) {
@@ -117,13 +119,26 @@ class PhaseStream {
   /// On one multiprocessor: more would only start and end.
   static constexpr int pairs_blocks = 16;
 
-  /// What the launches of a moment depend on.
-  struct Moment {
+  /// Moments that are started together, at most.
+  static constexpr std::int32_t most_together = 8;
+
+  /// What the recorded launches depend on.
+  struct Recorded {
     PhaseLaunch work{};
     Resolution resolution = Resolution::independent;
     int all = 0, some = 0, list_grid = 0;
-    bool operator==(const Moment&) const = default;
+    std::int32_t moments = 0;
+    bool operator==(const Recorded&) const = default;
   };
+
+  void record(std::int32_t moments) {
+    const Recorded wanted{work_, resolution_, all_, some_, list_grid_, moments};
+    if (wanted == recorded_) return;
+    moments_.record(time_.stream(), [&] {
+      for (std::int32_t k = 0; k < moments; ++k) launch(moment_phases);
+    });
+    recorded_ = wanted;
+  }
 
   void launch(DevicePhase phase) {
     if (is_of_solver(phase)) {
@@ -193,8 +208,8 @@ class PhaseStream {
   int all_ = 0, some_ = 0, list_grid_ = 1;  // blocks that move bodies, that work on pairs, that build lists
   PhaseLaunch work_{};
   Timeline time_;
-  RecordedLaunches moment_;
-  Moment recorded_;
+  RecordedLaunches moments_;
+  Recorded recorded_;
   DeviceMemory block_memory_, queue_memory_;
 };
 
@@ -215,7 +230,7 @@ class PhaseStreams {
     while (stream_.size() < count)
       stream_.push_back(std::make_unique<PhaseStream>(arithmetic_, multiprocessors_, priority_of(stream_.size())));
     const std::vector<int> solve_blocks = solve_blocks_of(scenes);
-    std::vector<std::int64_t> moments(count);
+    std::vector<std::int64_t> starts(count);
     for (std::size_t k = 0; k < count; ++k) {
       const auto first = static_cast<std::ptrdiff_t>(bounds[k]), last = static_cast<std::ptrdiff_t>(bounds[k + 1]);
       PhaseLaunch part = work;
@@ -225,10 +240,9 @@ class PhaseStreams {
       part.team_gates += first;
       part.solve_blocks = *std::max_element(solve_blocks.begin() + first, solve_blocks.begin() + last);
       const std::vector<PhaseScene> some(scenes.begin() + first, scenes.begin() + last);
-      for (const PhaseScene& scene : some) moments[k] = std::max<std::int64_t>(moments[k], scene.moments);
-      stream_[k]->begin(part, some, static_cast<int>(count), call);
+      starts[k] = stream_[k]->begin(part, some, static_cast<int>(count), call);
     }
-    launch_all(moments);
+    launch_all(starts);
     for (std::size_t k = 0; k < count; ++k) stream_[k]->end(call);
   }
 
@@ -238,14 +252,14 @@ class PhaseStreams {
   /// The first streams have the most to do: what waits for them waits longest.
   static int priority_of(std::size_t stream) { return std::max(0, 5 - static_cast<int>(stream) / 4); }
 
-  /// Streams that have fewer moments to make than others get theirs spread over the time of these.
-  void launch_all(const std::vector<std::int64_t>& moments) {
-    const std::int64_t most = *std::max_element(moments.begin(), moments.end());
-    for (std::size_t k = 0; k < moments.size(); ++k) stream_[k]->launch(first_phases);
+  /// Streams that have fewer starts to make than others get theirs spread over the time of these.
+  void launch_all(const std::vector<std::int64_t>& starts) {
+    const std::int64_t most = *std::max_element(starts.begin(), starts.end());
+    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(first_phases);
     for (std::int64_t m = 0; m < most; ++m)
-      for (std::size_t k = 0; k < moments.size(); ++k)
-        if ((m + 1) * moments[k] / most > m * moments[k] / most) stream_[k]->start_moment();
-    for (std::size_t k = 0; k < moments.size(); ++k) stream_[k]->launch(last_phases);
+      for (std::size_t k = 0; k < starts.size(); ++k)
+        if ((m + 1) * starts[k] / most > m * starts[k] / most) stream_[k]->start_moments();
+    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(last_phases);
   }
 
   /// Where the scenes of each stream begin, and where the last ends.

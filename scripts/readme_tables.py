@@ -16,7 +16,7 @@ import re
 
 TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 RESULTS = os.path.join(TOP, "bench", "results")
-GPU_BATCHES = ("batch", "batch_recorded", "table1_recorded", "growth")
+GPU_BATCHES = ("batch", "batch_recorded", "table1_recorded", "table1_twelfth_recorded", "growth")
 ITERATING_BLOCKS = 16  # of a scene with more of them, those that iterate coupled moments
 NAMES = {1: "004_400_25", 2: "004_400_50", 27: "400_200_100"}
 

@@ -188,8 +188,10 @@ class CudaScene {
     check_cuda(cudaMemset(device_.entry, 0, sizeof(RowEntry) * sizes_.rows), "clear the list");
     check_cuda(cudaMemset(device_.work, 0, sizeof(RowWork) * sizes_.rows), "clear the list");
     check_cuda(cudaMemset(device_.row_event, 0, sizeof(EventRecord) * sizes_.platform_rows), "clear the list");
-    if (sizes_.coupled)
+    if (sizes_.coupled) {
       check_cuda(cudaMemset(device_.row_points, 0, sizeof(RowPoints) * sizes_.rows), "clear the list");
+      check_cuda(cudaMemset(device_.progress, 0, sizeof(RoundsMade)), "clear the list");  // gaps, as those of pairs
+    }
     const std::size_t bytes = place_rings(device_, sizes_, nullptr);
     if (bytes != ring_memory_.bytes()) {
       ring_memory_ = DeviceMemory(bytes);

@@ -111,7 +111,8 @@ __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const 
   take_scene(scene, from);
   using Crew = std::conditional_t<phase == DevicePhase::settle, SettleCrew, SolveCrew>;
   std::byte* const own = phase == DevicePhase::iterate ? room : nullptr;
-  Crew crew(BlockRoom{cell, clock, own, launch.room_bytes, false}, alone || launch.solve_blocks == 1);
+  const std::size_t bytes = phase == DevicePhase::settle ? 0 : launch.room_bytes;
+  Crew crew(BlockRoom{cell, clock, own, bytes, false}, alone || launch.solve_blocks == 1);
   run_phase<phase, Resolution::coupled>(scene, crew);
 }
 

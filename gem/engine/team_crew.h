@@ -196,10 +196,11 @@ class PhaseTeam : public TeamCrew {
   std::uint32_t* alarms_ = nullptr;
 };
 
-/// The same where no block reaches another's fast memory.
+/// The same without fast memory.
 class ApartPhaseTeam : public PhaseTeam {
  public:
   using PhaseTeam::PhaseTeam;
+  std::size_t room_bytes() const { return 0; }
   ApartPhaseTeam& at_hand() { return *this; }
   void came_back(const ApartPhaseTeam&) {}
   static constexpr bool shares_rooms = false;

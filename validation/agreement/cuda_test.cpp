@@ -101,6 +101,29 @@ TEST_P(CudaPhases, GiveTheBitsOfTheCpu) {
   EXPECT_GT(expected.events.size(), 2u);
 }
 
+using CudaPhaseRounds = OnGpu;
+
+/// The blocks that make further rounds have no fast memory.
+TEST_F(CudaPhaseRounds, OfATightResidualAreMadeToTheirEnd) {
+  SceneDef scene = test::busy_scene(8);
+  scene.contact.resolution = Resolution::coupled;
+  scene.numerics.residual_tolerance = 1e-9;
+  scene.numerics.iterations_maximum = 200;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  CudaBatch batch({{scene, test::busy_field(scene)}}, {.launches = Launches::phases});
+  MomentLog expected;
+  std::vector<MomentLog> logs(1);
+  cpu->advance(50, expected);
+  batch.advance(50, &logs);
+  EXPECT_EQ(batch.launches(), Launches::phases);
+  test::expect_same_log(logs[0], expected);
+  test::expect_same_judgement(logs[0], expected);
+  EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
+  const auto most = std::max_element(expected.quality.begin(), expected.quality.end(),
+                                     [](const auto& a, const auto& b) { return a.iterations < b.iterations; });
+  EXPECT_GT(most->iterations, 64) << "no moment took three rounds";
+}
+
 TEST_F(OnGpu, RoundsOfATightResidualAreMadeToTheirEnd) {
   SceneDef scene = test::busy_scene(8);
   scene.numerics.residual_tolerance = 1e-9;

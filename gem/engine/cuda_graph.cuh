@@ -22,7 +22,13 @@ class RecordedLaunches {
     forget();
     cudaGraph_t graph = nullptr;
     check_cuda(cudaStreamBeginCapture(stream, cudaStreamCaptureModeThreadLocal), "record launches");
-    launches();
+    try {
+      launches();
+    } catch (...) {
+      cudaStreamEndCapture(stream, &graph);
+      if (graph) cudaGraphDestroy(graph);
+      throw;
+    }
     check_cuda(cudaStreamEndCapture(stream, &graph), "record launches");
     const cudaError_t made = cudaGraphInstantiate(&recorded_, graph, 0);
     cudaGraphDestroy(graph);

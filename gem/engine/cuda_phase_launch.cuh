@@ -73,11 +73,12 @@ int largest_solver(Arithmetic arithmetic) {
 }
 
 /// Some scenes that go through the phases together, in a stream of their own beside those of others: what one waits
-/// for, another fills.
+/// for, another fills. No stream goes before others: blocks that build a list hold their places while they wait for
+/// each other, and what stepped in between them might wait for these places.
 class PhaseStream {
  public:
-  PhaseStream(Arithmetic arithmetic, int multiprocessors, int priority)
-      : arithmetic_(arithmetic), multiprocessors_(multiprocessors), time_(priority) {}
+  PhaseStream(Arithmetic arithmetic, int multiprocessors)
+      : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
 
   /// The next call works on these scenes, all of one resolution; `work` says where they lie and how many blocks iterate
   /// each, `streams` how many such streams share the device. Returns how many starts their moments take.
@@ -134,6 +135,7 @@ class PhaseStream {
   void record(std::int32_t moments) {
     const Recorded wanted{work_, resolution_, all_, some_, list_grid_, moments};
     if (wanted == recorded_) return;
+    recorded_ = {};
     moments_.record(time_.stream(), [&] {
       for (std::int32_t k = 0; k < moments; ++k) launch(moment_phases);
     });
@@ -227,8 +229,7 @@ class PhaseStreams {
   void run(PhaseLaunch work, const std::vector<PhaseScene>& scenes, const Timeline& call) {
     const std::vector<std::size_t> bounds = shared_out(scenes);
     const std::size_t count = bounds.size() - 1;
-    while (stream_.size() < count)
-      stream_.push_back(std::make_unique<PhaseStream>(arithmetic_, multiprocessors_, priority_of(stream_.size())));
+    while (stream_.size() < count) stream_.push_back(std::make_unique<PhaseStream>(arithmetic_, multiprocessors_));
     const std::vector<int> solve_blocks = solve_blocks_of(scenes);
     std::vector<std::int64_t> starts(count);
     for (std::size_t k = 0; k < count; ++k) {
@@ -248,9 +249,6 @@ class PhaseStreams {
 
  private:
   static constexpr std::size_t most_streams = 8, coupled_streams = 40;
-
-  /// The first streams have the most to do: what waits for them waits longest.
-  static int priority_of(std::size_t stream) { return std::max(0, 5 - static_cast<int>(stream) / 4); }
 
   /// Streams that have fewer starts to make than others get theirs spread over the time of these.
   void launch_all(const std::vector<std::int64_t>& starts) {

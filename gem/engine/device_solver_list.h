@@ -119,7 +119,8 @@ class SolverList {
     desk.fast_from = taken;
   }
 
-  /// The entries of the block's bodies, and what moves these, stand in its fast memory where that holds them.
+  /// The entries of the block's bodies, what moves these, and their order stand in its fast memory where that holds
+  /// them.
   GEM_DEVICE void place_entries(SolverDesk& desk, bool ahead) {
     static_assert(sizeof(SolverEntry) == sizeof(PushRecord) && sizeof(AddedMotion) == sizeof(PushRecord));
     const std::int32_t count = desk.own.count();

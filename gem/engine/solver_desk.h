@@ -45,7 +45,7 @@ struct SolverDesk {
   const std::uint16_t* order;  // longest rows first: neighbouring threads have as much to do; null: by spot
   bool platform;               // the first of them is the platform
   std::size_t stage_bytes;     // of fast memory, from the start, that nothing stands in
-  std::int32_t records;        // places of fast memory, from the start, that entries, motions and records take
+  std::int32_t records;        // places of fast memory, from the start, of entries, motions, their order and records
 };
 
 }  // namespace gem

@@ -1,8 +1,10 @@
 // Several runs of a sweep in one process, as batches on a GPU.
 #include <algorithm>
+#include <exception>
 
 #include "gem/command/command.h"
 #include "gem/command/sweep_worker.h"
+#include "gem/engine/thread_team.h"
 #include "gem/field/field.h"
 #include "gem/run_batch.h"
 
@@ -40,13 +42,12 @@ class SweepBatch {
           continue;
         }
         held.listed = with_floes_of_run_file(task.member->scene);
-        held.field = make_field(held.listed);
         group.push_back(std::move(held));
       } catch (...) {
         end(held, failure_now(held.row, *task.entry));
       }
     }
-    return group;
+    return with_fields(std::move(group));
   }
 
   void run(Group group) {
@@ -75,6 +76,36 @@ class SweepBatch {
   }
 
  private:
+  /// Makes the fields, several at a time; a run whose field cannot be made is over.
+  Group with_fields(Group group) {
+    std::vector<std::exception_ptr> faults(group.size());
+    ThreadTeam team(std::clamp(settings_.engine.threads, 1, std::max(1, static_cast<int>(group.size()))));
+    team.run([&](int rank) {
+      for (std::size_t k = static_cast<std::size_t>(rank); k < group.size(); k += static_cast<std::size_t>(team.size()))
+        try {
+          group[k].field = make_field(group[k].listed);
+        } catch (...) {
+          faults[k] = std::current_exception();
+        }
+    });
+    Group made;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      if (faults[k])
+        end(group[k], failure_of(faults[k], group[k]));
+      else
+        made.push_back(std::move(group[k]));
+    }
+    return made;
+  }
+
+  static Outcome failure_of(const std::exception_ptr& fault, Held& held) {
+    try {
+      std::rethrow_exception(fault);
+    } catch (...) {
+      return failure_now(held.row, *held.task.entry);
+    }
+  }
+
   EngineOptions gpu() const {
     EngineOptions options = settings_.engine;
     options.name = "cuda";

@@ -31,7 +31,7 @@ struct BlockCell {
   double residual, energy_created;
   std::uint64_t share, complementarity, cone_excess;  // bits of the largest, numbers >= 0
   SolverDesk desk;
-  std::int32_t of_length[row_lengths];  // bodies of the block by the length of their rows
+  std::int32_t of_kind[row_kinds];  // bodies of the block by the lengths of their rows
 };
 
 /// Bits that are set.

@@ -31,7 +31,7 @@ std::vector<CudaDevice> cuda_devices(std::string& reason);
 enum class Arithmetic { strict, fast };
 
 /// Moments that the quickest scene makes in one launch.
-constexpr int most_launch_moments = 256;
+constexpr int most_launch_moments = 512;
 
 /// What a launch does. moments: many moments of all scenes, by blocks that stay. phases: one phase of one moment of all
 /// scenes; for scenes that are many, and for independent ones of many bodies. chosen: what is faster. Batches with a

@@ -30,6 +30,7 @@ struct Launch {
 /// A block of a grid that makes one phase of many scenes: its scene, and which it is of the scene's blocks.
 struct PhaseBlock {
   std::int32_t scene, block, blocks;
+  bool operator==(const PhaseBlock&) const = default;
 };
 
 /// The scenes that need a new list in this moment, in no order.

@@ -94,7 +94,7 @@ class PhaseStream {
     all_ = static_cast<int>(block.size());
     add_blocks(block, scenes, std::max(1, all_ * streams / (pairs_blocks * multiprocessors_)));
     some_ = static_cast<int>(block.size()) - all_;
-    work_.blocks = reinterpret_cast<const PhaseBlock*>(send(block_memory_, block));
+    work_.blocks = send(std::move(block));
     work_.queue =
         reinterpret_cast<ListQueue*>(room(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size()));
     std::int32_t moments = 0;
@@ -121,7 +121,7 @@ class PhaseStream {
   static constexpr int pairs_blocks = 16;
 
   /// Moments that are started together, at most.
-  static constexpr std::int32_t most_together = 8;
+  static constexpr std::int32_t most_together = 4;
 
   /// What the recorded launches depend on.
   struct Recorded {
@@ -196,12 +196,16 @@ class PhaseStream {
     if (memory.bytes() < bytes) memory = {}, memory = DeviceMemory(bytes);
     return memory.data();
   }
-  std::byte* send(DeviceMemory& memory, const std::vector<PhaseBlock>& block) {
+  /// The blocks of the call, on the device; mostly they are those of the last one.
+  const PhaseBlock* send(std::vector<PhaseBlock> block) {
     const std::size_t bytes = sizeof(PhaseBlock) * block.size();
-    std::byte* const to = room(memory, bytes);
-    check_cuda(cudaMemcpyAsync(to, block.data(), bytes, cudaMemcpyHostToDevice, time_.stream()), "start");
-    check_cuda(cudaStreamSynchronize(time_.stream()), "start");
-    return to;
+    std::byte* const to = room(block_memory_, bytes);
+    if (block != sent_) {
+      sent_ = std::move(block);
+      check_cuda(cudaMemcpyAsync(to, sent_.data(), bytes, cudaMemcpyHostToDevice, time_.stream()), "start");
+      check_cuda(cudaStreamSynchronize(time_.stream()), "start");
+    }
+    return reinterpret_cast<const PhaseBlock*>(to);
   }
 
   Arithmetic arithmetic_;
@@ -212,6 +216,7 @@ class PhaseStream {
   Timeline time_;
   RecordedLaunches moments_;
   Recorded recorded_;
+  std::vector<PhaseBlock> sent_;
   DeviceMemory block_memory_, queue_memory_;
 };
 
@@ -287,25 +292,30 @@ class PhaseStreams {
                        [](const PhaseScene& scene) { return scene.resolution == Resolution::coupled; });
   }
 
-  /// Blocks that iterate each scene, powers of two: as many as its points are worth, fewer where scenes are many. Not
-  /// all scenes iterate at a time.
+  /// Blocks that iterate each scene: as many as its points are worth, and where these are more than the device has use
+  /// for, of those a share as large as the scene's part in all work that is left. Not all scenes iterate at a time.
   std::vector<int> solve_blocks_of(const std::vector<PhaseScene>& scenes) {
-    constexpr int waiting = 3;  // for one multiprocessor, at most
+    constexpr double for_one = 32 * 400;  // visits of a block in a moment: mostly 32 iterations
+    constexpr double waiting = 1.75;      // for one multiprocessor, at most
     std::vector<int> blocks(scenes.size(), 1);
     if (!any_coupled(scenes)) return blocks;
+    std::vector<double> work;
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      if (scenes[k].resolution == Resolution::coupled) blocks[k] = worthwhile_blocks(scenes[k].visits / for_one);
+      work.push_back(std::max(scenes[k].visits, for_one) * scenes[k].moments);
+    }
+    if (std::accumulate(blocks.begin(), blocks.end(), 0) <= waiting * multiprocessors_) return blocks;
+    const double all = std::accumulate(work.begin(), work.end(), 0.0);
     for (std::size_t k = 0; k < scenes.size(); ++k)
-      if (scenes[k].resolution == Resolution::coupled) blocks[k] = worthwhile_blocks(scenes[k].visits);
-    while (std::accumulate(blocks.begin(), blocks.end(), 0) > waiting * multiprocessors_ &&
-           *std::max_element(blocks.begin(), blocks.end()) > 1)
-      for (int& some : blocks) some = std::max(1, some / 2);
+      blocks[k] = std::clamp(static_cast<int>(waiting * multiprocessors_ * work[k] / all), 1, blocks[k]);
     return blocks;
   }
 
-  int worthwhile_blocks(double visits) {
-    constexpr double for_one = 32 * 400;  // visits of a block in a moment: mostly 32 iterations
-    int blocks = largest_cluster_here();
-    while (visits > 0.0 && blocks > 1 && visits < for_one * blocks / 2) blocks /= 2;
-    return blocks;
+  /// A power of two, half to once as large as `blocks`; the largest where nothing is known.
+  int worthwhile_blocks(double blocks) {
+    int some = largest_cluster_here();
+    while (blocks > 0.0 && some > 1 && 2.0 * blocks < some) some /= 2;
+    return some;
   }
 
   int largest_cluster_here() {

@@ -33,7 +33,7 @@ class PhaseCrew : public DeviceCrew {
 class SolveCrew : public DeviceCrew {
  public:
   using Lanes = LaneGroup<4>;
-  static constexpr int kept_points = 0;
+  static constexpr int kept_points = 1;
   static constexpr bool shares_rooms = true;
 
   __device__ SolveCrew(const BlockRoom& room, bool alone)
@@ -67,6 +67,7 @@ class SolveCrew : public DeviceCrew {
 class SettleCrew : public SolveCrew {
  public:
   using SolveCrew::SolveCrew;
+  static constexpr int kept_points = 0;
   static constexpr bool shares_rooms = false;
   __device__ SettleCrew at_hand() const { return *this; }
   __device__ static void came_back(const SettleCrew&) {}

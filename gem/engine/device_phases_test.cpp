@@ -162,7 +162,8 @@ TEST(DevicePhaseRoom, ForLittleThatIteratesChangesNothing) {
     test::expect_same_log(log, expected);
     test::expect_same_judgement(log, expected);
     const SolverDesk& desk = device.solver_desk(0);
-    const std::size_t records = static_cast<std::size_t>(desk.records) * sizeof(PushRecord);
+    const std::size_t records = static_cast<std::size_t>(desk.records) * sizeof(PushRecord) +
+                                static_cast<std::size_t>(desk.own.count()) * sizeof(SolverEntry);
     const std::size_t points = static_cast<std::size_t>(desk.points.count()) * held_bytes;
     const Holds seen = !desk.fits                ? Holds::nothing
                        : records > room          ? Holds::some_records

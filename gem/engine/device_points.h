@@ -24,7 +24,8 @@ GEM_DEVICE inline void open_points(const DeviceScene& s, Crew& crew, const PairC
     PointCell& point = s.point[first + k];
     point.pair = touch.pair;
     point.slot = k;
-    point.place_a = point.place_b = point.room_a = point.room_b = point.motion_a = point.motion_b = -1;
+    point.a = {pair.a, -1, -1, -1};
+    point.b = {pair.b, -1, -1, -1};
   }
   for (const std::int32_t row : {pair.row_a, pair.row_b}) {
     s.row_points[row].first = first;

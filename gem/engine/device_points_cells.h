@@ -28,13 +28,18 @@ struct CarriedMemory {
   PointImpulse<double> impulse[2] = {};
 };
 
+/// Coupled: where a contact point finds one of its bodies.
+struct alignas(16) PointSide {
+  std::int32_t body = 0;
+  std::int32_t place = -1;   // its place among the records of the body; -1: a fixed body has none
+  std::int32_t room = -1;    // the same in the fast memory of a block; -1: it does not stand there
+  std::int32_t motion = -1;  // and where the motion of the body stands there
+};
+
 /// Coupled: where a contact point belongs.
 struct alignas(16) PointCell {
+  PointSide a, b;
   std::int32_t pair = 0, slot = 0;
-  std::int32_t a = 0, b = 0;                  // bodies
-  std::int32_t place_a = -1, place_b = -1;    // its places among the records of its bodies; -1: a fixed body has none
-  std::int32_t room_a = -1, room_b = -1;      // the same in the fast memory of a block; -1: they do not stand there
-  std::int32_t motion_a = -1, motion_b = -1;  // and where the motions of its bodies stand there
 };
 
 /// Points that the block of a body takes from its row.
@@ -47,9 +52,15 @@ struct alignas(16) FloatQuad {
   float part[4];
 };
 
-/// What a point gives to one body in a round: x, y, shift x, y, then twist, turn.
-struct alignas(32) PushRecord {
-  FloatQuad half[2];
+/// The same; three of them side by side, as many neighbouring threads read, fall on different banks of fast memory.
+struct alignas(8) FloatPair {
+  float part[2];
+};
+constexpr int motion_pairs = 3;
+
+/// What a point gives to one body in a round: x, y; shift x, y; twist, turn.
+struct PushRecord {
+  FloatPair pair[motion_pairs];
 };
 
 /// The same by the base's impulses; part 7 as device_settle.h says.
@@ -57,9 +68,9 @@ struct alignas(64) PushBase {
   double part[8];
 };
 
-/// What the additions of a round move a body by: x, y, shift x, y, then spin, turn.
-struct alignas(32) AddedMotion {
-  FloatQuad half[2];
+/// What the additions of a round move a body by: x, y; shift x, y; spin, turn.
+struct AddedMotion {
+  FloatPair pair[motion_pairs];
 };
 
 /// Where a point finds one of its bodies in a round.
@@ -84,13 +95,13 @@ struct BodyPoints {
 };
 
 /// A moving body with points; its records stand in a row, those of the points that have it as B first.
-struct alignas(32) SolverEntry {
+struct alignas(16) SolverEntry {
   std::int32_t body = 0;
   std::int32_t place = 0;            // of its first record
   std::int32_t room = -1;            // the same in the block's fast memory; -1: it does not stand there
   std::int32_t as_b = 0, count = 0;  // records
   float inverse_mass = 0.0F, inverse_inertia = 0.0F;
-  std::int32_t rank = 0;  // among those bodies, by id
+  std::int32_t rank = 0;  // among those bodies, by id; of a list in the order of its rows: place in the block's stretch
 };
 
 /// Coupled: geometry of all points and what the base has of them, number by number so that neighbouring threads read

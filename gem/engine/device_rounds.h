@@ -52,7 +52,7 @@ class SolverRounds {
     each_point(crew, [&](std::int32_t i) {
       if (i < crew.shared().desk.fast.end) table[i].copy_numbers(table.at_rest(i));
       const PointCell& point = s.taken_point[i];
-      table[i].set_places(place_a(s, crew, point), place_b(s, crew, point));
+      table[i].set_places(place_of(s, crew, point.a), place_of(s, crew, point.b));
     });
     crew.barrier();  // no block's fast memory is made ready after another has written to it
     Progress progress = beginning(s);
@@ -123,11 +123,8 @@ class SolverRounds {
       return reinterpret_cast<const AddedMotion*>(crew.room_of(room >> 16)) + (room & 0xffff);
     return s.added + body;
   }
-  GEM_DEVICE static HeldPlace place_a(const DeviceScene& s, const Crew& crew, const PointCell& point) {
-    return {motion_at(s, crew, point.motion_a, point.a), record_at(s, crew, point.place_a, point.room_a)};
-  }
-  GEM_DEVICE static HeldPlace place_b(const DeviceScene& s, const Crew& crew, const PointCell& point) {
-    return {motion_at(s, crew, point.motion_b, point.b), record_at(s, crew, point.place_b, point.room_b)};
+  GEM_DEVICE static HeldPlace place_of(const DeviceScene& s, const Crew& crew, const PointSide& side) {
+    return {motion_at(s, crew, side.motion, side.body), record_at(s, crew, side.place, side.room)};
   }
 
   GEM_DEVICE static Motion<double> solved_motion(const DeviceScene& s, std::int32_t body) {
@@ -145,7 +142,8 @@ class SolverRounds {
     const PointCell& point = s.taken_point[i];
     const PointGeometry<double> geometry = s.points.geometry(i);
     enter_geometry(held.frame, geometry);
-    enter_base(held.frame, geometry, s.points.impulse(i), solved_motion(s, point.a), solved_motion(s, point.b));
+    enter_base(held.frame, geometry, s.points.impulse(i), solved_motion(s, point.a.body),
+               solved_motion(s, point.b.body));
     held.at = {0.0F, 0.0F, 0.0F};
   }
 
@@ -155,8 +153,8 @@ class SolverRounds {
     HeldPoint held;
     enter(s, i, fresh, cell, held);
     const PointCell& point = s.taken_point[i];
-    held.a = place_a(s, crew, point);
-    held.b = place_b(s, crew, point);
+    held.a = place_of(s, crew, point.a);
+    held.b = place_of(s, crew, point.b);
     cell.save_numbers(held);
     cell.set_places(held.a, held.b);
     if (!fresh) push(held);
@@ -167,7 +165,7 @@ class SolverRounds {
     const HeldCell cell = HeldTable(s, crew.room(), crew.shared().desk)[i];
     HeldPoint held = cell.load();
     const PointGeometry<double> g = s.points.geometry(i);
-    write_base(s, i, g,
+    write_base(s, i, s.taken_point[i], g,
                with_additions(s.constants.point_friction, g, s.points.impulse(i), held.at, held.frame.least,
                               held.frame.most, held.frame.repair_least));
     held.carried.normal -= held.at.normal;
@@ -176,14 +174,16 @@ class SolverRounds {
     cell.save_additions(held);
   }
 
-  GEM_DEVICE GEM_INLINE static void write(PushRecord* record, const FloatQuad& moves, float twist, float turn) {
-    if (record) *record = {{moves, {{twist, turn, 0.0F, 0.0F}}}};
+  GEM_DEVICE GEM_INLINE static void write(PushRecord* record, const PointPush<float>& p, float twist, float turn) {
+    if (!record) return;
+    record->pair[0] = {{p.x, p.y}};
+    record->pair[1] = {{p.shift_x, p.shift_y}};
+    record->pair[2] = {{twist, turn}};
   }
   GEM_DEVICE GEM_INLINE static void push(const HeldPoint& held) {
     const PointPush<float> p = push_of(held.frame, held.carried);
-    const FloatQuad moves{{p.x, p.y, p.shift_x, p.shift_y}};
-    write(held.a.record, moves, p.twist_a, p.turn_a);
-    write(held.b.record, moves, p.twist_b, p.turn_b);
+    write(held.a.record, p, p.twist_a, p.turn_a);
+    write(held.b.record, p, p.twist_b, p.turn_b);
   }
 
   /// Motions by the additions of the round: as CoupledRounds::move(). The platform, first of all where it is among the
@@ -196,40 +196,67 @@ class SolverRounds {
     if (crew.thread() < rest) move_floes(s, crew, desk, rest);
   }
 
-  /// A body has two threads, one for what moves it and one for what turns it.
+  /// A body has a thread for each pair of its numbers, where there are as many threads; otherwise one.
   GEM_DEVICE GEM_INLINE static void move_floes(const DeviceScene& s, Crew& crew, const SolverDesk& desk, int threads) {
+    const std::int32_t floes = desk.own.count() - (desk.platform ? 1 : 0);
+    if (motion_pairs * floes <= threads)
+      move_floes_by<1>(s, crew, desk, threads);
+    else
+      move_floes_by<motion_pairs>(s, crew, desk, threads);
+  }
+
+  template <int pairs>
+  GEM_DEVICE GEM_INLINE static void move_floes_by(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
+                                                  int threads) {
+    constexpr int of_body = motion_pairs / pairs;
     const auto* const room = reinterpret_cast<const PushRecord*>(crew.room());
-    for (std::int32_t k = crew.thread() + (desk.platform ? 2 : 0); k < 2 * desk.own.count(); k += threads) {
-      const std::int32_t e = desk.own.begin + (desk.order ? desk.order[k / 2] : k / 2), half = k % 2;
-      const SolverEntry entry = desk.entry[e];
-      const FloatQuad sum = Crew::shares_rooms && entry.room >= 0 ? sum_of(room + entry.room, entry, half)
-                                                                  : sum_of(s.push + entry.place, entry, half);
-      const float answer = half == 0 ? entry.inverse_mass : entry.inverse_inertia;
-      FloatQuad& motion = (desk.motion ? desk.motion[e] : s.added[entry.body]).half[half];
-      for (int c = 0; c < 4; ++c) motion.part[c] = answer * sum.part[c];
+    const std::int32_t first = of_body * (desk.own.begin + (desk.platform ? 1 : 0)), end = of_body * desk.own.end;
+    for (std::int32_t k = first + crew.thread(); k < end; k += threads) {
+      const int from = pairs * (k % of_body);
+      const SolverEntry entry = desk.entry[k / of_body];
+      const PairsOf<pairs> sum = Crew::shares_rooms && entry.room >= 0
+                                     ? sum_of<pairs>(room + entry.room, entry, from)
+                                     : sum_of<pairs>(s.push + entry.place, entry, from);
+      const std::int32_t e = desk.in_order ? entry.rank : k / of_body;
+      AddedMotion& motion = desk.motion ? desk.motion[e] : s.added[entry.body];
+      for (int j = 0; j < pairs; ++j) {
+        const float answer = from + j < motion_pairs - 1 ? entry.inverse_mass : entry.inverse_inertia;
+        motion.pair[from + j] = {{answer * sum.pair[j].part[0], answer * sum.pair[j].part[1]}};
+      }
     }
   }
 
+  template <int pairs>
+  struct PairsOf {
+    FloatPair pair[pairs];
+  };
+
   /// What the records of a body come to: those that it has as B, less those that it has as A.
-  GEM_DEVICE GEM_INLINE static FloatQuad sum_of(const PushRecord* record, const SolverEntry& entry, int half) {
-    FloatQuad to_b = sum_of(record, 0, entry.as_b, half);
-    const FloatQuad to_a = sum_of(record, entry.as_b, entry.count, half);
-    for (int c = 0; c < 4; ++c) to_b.part[c] -= to_a.part[c];
+  template <int pairs>
+  GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_of(const PushRecord* record, const SolverEntry& entry, int from) {
+    PairsOf<pairs> to_b = sum_of<pairs>(record, 0, entry.as_b, from);
+    const PairsOf<pairs> to_a = sum_of<pairs>(record, entry.as_b, entry.count, from);
+    for (int j = 0; j < pairs; ++j)
+      for (int c = 0; c < 2; ++c) to_b.pair[j].part[c] -= to_a.pair[j].part[c];
     return to_b;
   }
 
   /// A few are fetched together before they are added in their order. Beyond the last there are zeros instead: no
   /// thread waits for its neighbours, and a sum that began with +0 is not changed by them.
-  GEM_DEVICE GEM_INLINE static FloatQuad sum_of(const PushRecord* record, std::int32_t begin, std::int32_t end,
-                                                int half) {
+  template <int pairs>
+  GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_of(const PushRecord* record, std::int32_t begin, std::int32_t end,
+                                                     int from) {
     constexpr int together = 4;
-    FloatQuad sum{};
+    PairsOf<pairs> sum{};
     GEM_NO_UNROLL
     for (std::int32_t first = begin; first < end; first += together) {
-      FloatQuad some[together];
-      for (int j = 0; j < together; ++j) some[j] = first + j < end ? record[first + j].half[half] : FloatQuad{};
-      for (const FloatQuad& term : some)
-        for (int c = 0; c < 4; ++c) sum.part[c] += term.part[c];
+      PairsOf<pairs> some[together];
+      for (int k = 0; k < together; ++k)
+        for (int j = 0; j < pairs; ++j)
+          some[k].pair[j] = first + k < end ? record[first + k].pair[from + j] : FloatPair{};
+      for (const PairsOf<pairs>& term : some)
+        for (int j = 0; j < pairs; ++j)
+          for (int c = 0; c < 2; ++c) sum.pair[j].part[c] += term.pair[j].part[c];
     }
     return sum;
   }
@@ -248,23 +275,35 @@ class SolverRounds {
       warp.sync();
       record = room;
     }
-    float* const motion = reinterpret_cast<float*>(desk.motion ? &desk.motion[desk.own.begin] : &s.added[entry.body]);
-    for (int part = warp.rank(); part < used_parts; part += Crew::Warp::size) {
-      float sum = 0.0F;
-      for (std::int32_t k = 0; k < entry.count; ++k) sum += record[parts * k + part];
-      motion[part] = (part < parts / 2 ? entry.inverse_mass : entry.inverse_inertia) * (0.0F - sum);
-    }
+    auto* const motion = reinterpret_cast<float*>(desk.motion ? &desk.motion[desk.own.begin] : &s.added[entry.body]);
+    for (int part = warp.rank(); part < parts; part += Crew::Warp::size)
+      motion[part] = (part < parts - 2 ? entry.inverse_mass : entry.inverse_inertia) *
+                     (0.0F - sum_of_part(record + part, entry.count));
     warp.sync();
+  }
+
+  /// A long row: some numbers are fetched together before they are added in their order. Zeros beyond the last change
+  /// no sum that began with +0.
+  GEM_DEVICE GEM_INLINE static float sum_of_part(const float* record, std::int32_t count) {
+    constexpr int together = 8;
+    float sum = 0.0F;
+    GEM_NO_UNROLL
+    for (std::int32_t first = 0; first < count; first += together) {
+      float some[together];
+      for (int j = 0; j < together; ++j) some[j] = first + j < count ? record[parts * (first + j)] : 0.0F;
+      for (const float term : some) sum += term;
+    }
+    return sum;
   }
 
   template <PointFriction law, bool judged>
   GEM_DEVICE GEM_INLINE static float visit(MomentPace<float> pace, HeldPoint& held, float ahead) {
     const AddedMotion a = *held.a.motion, b = *held.b.motion;
-    const FloatQuad &go_a = a.half[0], &go_b = b.half[0], &turn_a = a.half[1], &turn_b = b.half[1];
-    const Approach<float> w{go_b.part[0] - go_a.part[0],
-                            go_b.part[1] - go_a.part[1],
-                            go_b.part[2] - go_a.part[2],
-                            go_b.part[3] - go_a.part[3],
+    const FloatPair &turn_a = a.pair[2], &turn_b = b.pair[2];
+    const Approach<float> w{b.pair[0].part[0] - a.pair[0].part[0],
+                            b.pair[0].part[1] - a.pair[0].part[1],
+                            b.pair[1].part[0] - a.pair[1].part[0],
+                            b.pair[1].part[1] - a.pair[1].part[1],
                             turn_a.part[0],
                             turn_a.part[1],
                             turn_b.part[0],
@@ -274,8 +313,8 @@ class SolverRounds {
     return asked;
   }
 
-  /// Numbers of a record or a motion, and those that say something.
-  static constexpr int parts = sizeof(PushRecord) / sizeof(float), used_parts = 6;
+  /// Numbers of a record or a motion.
+  static constexpr int parts = 2 * motion_pairs;
 
   /// Points of a thread that stay in its registers while a round runs.
   static constexpr int kept = Crew::kept_points;

@@ -10,17 +10,16 @@ namespace gem {
 constexpr int solved_work = 7;  // part of a PushBase: work of a contact that stands with this body, at the moment's end
 
 /// Enters the base's impulses of a point, and what they give to both bodies.
-GEM_DEVICE inline void write_base(const DeviceScene& s, std::int32_t i, const PointGeometry<double>& g,
-                                  const PointImpulse<double>& p) {
-  const PointCell point = s.taken_point[i];
+GEM_DEVICE inline void write_base(const DeviceScene& s, std::int32_t i, const PointCell& point,
+                                  const PointGeometry<double>& g, const PointImpulse<double>& p) {
   s.points.set(i, p);
   const auto write = [&](std::int32_t place, double lever_n, double lever_t) {
     if (place < 0) return;
     const Push<double> push = push_of(g, p, lever_n, lever_t);
     s.push_base[place] = {{push.x, push.y, push.shift_x, push.shift_y, push.twist, push.turn, 0.0, 0.0}};
   };
-  write(point.place_a, g.lever_a_n, g.lever_a_t);
-  write(point.place_b, g.lever_b_n, g.lever_b_t);
+  write(point.a.place, g.lever_a_n, g.lever_a_t);
+  write(point.b.place, g.lever_b_n, g.lever_b_t);
 }
 
 template <class Crew>
@@ -36,7 +35,13 @@ class SolverBase {
       const SolverEntry& entry = desk().entry[e];
       const std::int32_t body = entry.body, as_b = entry.as_b, count = entry.count;
       const PushBase* const record = s_.push_base + entry.place;
+      // asked for before the records are added up: each waits for memory
+      const BodyCell& cell = s_.body[body];
+      const double inverse_mass = cell.inverse_mass, inverse_inertia = cell.inverse_inertia, spin_before = cell.spin;
+      const Vec2 before = cell.velocity;
+      const double mass = s_.motion[body].mass, inertia = s_.motion[body].inertia;
       double sum[each] = {};
+      GEM_NO_UNROLL
       for (std::int32_t first = 0; first < count; first += together)
         for (int j = 0; j < each; ++j) {
           const int c = lanes.rank() + j * size;
@@ -48,23 +53,17 @@ class SolverBase {
             sum[j] += first + k < as_b ? some[k] : -some[k];
           }
         }
-      const BodyCell& cell = s_.body[body];
       for (int j = 0; j < each; ++j) {
         const int c = lanes.rank() + j * size;
-        const double answer = c < 4 ? cell.inverse_mass : cell.inverse_inertia;
-        const double moved = answer * sum[j];
-        sum[j] = c == 0   ? cell.velocity.x + moved
-                 : c == 1 ? cell.velocity.y + moved
-                 : c == 4 ? cell.spin + moved
-                          : moved;
+        const double moved = (c < 4 ? inverse_mass : inverse_inertia) * sum[j];
+        sum[j] = c == 0 ? before.x + moved : c == 1 ? before.y + moved : c == 4 ? spin_before + moved : moved;
         s_.solved[body].part[c] = sum[j];
       }
       const double x = lanes.from(sum[0], 0), y = lanes.from(sum[1 / size], 1 % size),
                    spin = lanes.from(sum[4 / size], 4 % size);
       if (lanes.rank() != 0) continue;
-      const BodyMotion& motion = s_.motion[body];
-      const ImpulseWork work = work_on_body({x, y, spin, 0.0, 0.0, 0.0}, cell.velocity.x, cell.velocity.y, cell.spin,
-                                            motion.mass, motion.inertia);
+      const ImpulseWork work =
+          work_on_body({x, y, spin, 0.0, 0.0, 0.0}, before.x, before.y, spin_before, mass, inertia);
       s_.given[entry.rank] = work.given;
       s_.answered[entry.rank] = work.answered;
     }
@@ -78,7 +77,7 @@ class SolverBase {
       PointImpulse<double> impulse = s_.points.impulse(i);
       impulse.normal *= share;
       impulse.tangential *= share;
-      write_base(s_, i, s_.points.geometry(i), impulse);
+      write_base(s_, i, s_.taken_point[i], s_.points.geometry(i), impulse);
     });
     crew_.barrier();
     settle();

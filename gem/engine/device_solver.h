@@ -87,22 +87,20 @@ class MomentSolver {
   }
 
   GEM_DEVICE void begin_point(std::int32_t i) {
-    PointCell point = s_.point[s_.taken[i]];
+    const PointCell point = s_.point[s_.taken[i]];
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
-    const BodyCell &a = s_.body[contact.a], &b = s_.body[contact.b];
+    const BodyCell &a = s_.body[point.a.body], &b = s_.body[point.b.body];
     PointImpulse<double> last = last_impulse(s_.memory[point.pair], slot.feature, moment_);
     const double cap = cap_of(contact, a, b, last.normal);
     const PointGeometry<double> geometry = point_geometry(
-        s_.constants, contact, slot, shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(contact.a)),
-        shared_mass({b.inverse_mass, b.inverse_inertia}, points_of(contact.b)), cap);
+        s_.constants, contact, slot, shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(point.a.body)),
+        shared_mass({b.inverse_mass, b.inverse_inertia}, points_of(point.b.body)), cap);
     last.repair = repair_to_go_on(s_.constants, last.repair, geometry.nn);
     slot.cap = cap;
     s_.points.set(i, geometry);
-    point.a = contact.a;
-    point.b = contact.b;
     s_.taken_point[i] = point;
-    write_base(s_, i, geometry, last);
+    write_base(s_, i, point, geometry, last);
   }
 
   /// Hands the impulses back to the contact.
@@ -120,8 +118,8 @@ class MomentSolver {
 
   GEM_DEVICE void judge_point(const PointCell& point, const Contact& contact, const ContactSlot& slot) {
     BlockCell& shared = crew_.shared();
-    const BodyCell &a = s_.body[contact.a], &b = s_.body[contact.b];
-    const SolvedMotion &of_a = s_.solved[contact.a], &of_b = s_.solved[contact.b];
+    const BodyCell &a = s_.body[point.a.body], &b = s_.body[point.b.body];
+    const SolvedMotion &of_a = s_.solved[point.a.body], &of_b = s_.solved[point.b.body];
     PairBodies after;
     after.velocity_a = {of_a.part[0], of_a.part[1]};
     after.velocity_b = {of_b.part[0], of_b.part[1]};
@@ -133,8 +131,8 @@ class MomentSolver {
     if (quality.complementarity > 0.0) crew_.highest(&shared.complementarity, strict::bits_of(quality.complementarity));
     if (quality.cone_excess > 0.0) crew_.highest(&shared.cone_excess, strict::bits_of(quality.cone_excess));
     const bool with_b = b.inverse_mass > 0.0;
-    if (point.place_b >= 0) s_.push_base[point.place_b].part[solved_work] = with_b ? quality.work : 0.0;
-    if (point.place_a >= 0) s_.push_base[point.place_a].part[solved_work] = with_b ? 0.0 : quality.work;
+    if (point.b.place >= 0) s_.push_base[point.b.place].part[solved_work] = with_b ? quality.work : 0.0;
+    if (point.a.place >= 0) s_.push_base[point.a.place].part[solved_work] = with_b ? 0.0 : quality.work;
   }
 
   const DeviceScene& s_;

@@ -38,13 +38,10 @@ class SolverList {
     place_entries(desk, false);
     place_points(desk, false);
     if (crew_.thread() == 0) crew_.shared().desk = desk;
-    if (desk.entry != s_.solver_entry)
-      for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads()) {
-        desk.entry[e] = s_.solver_entry[e];
-        desk.motion[e] = {};  // nothing has been added to any
-      }
-    crew_.block_barrier();
-    if (desk.entry != s_.solver_entry) put_in_order(desk);
+    if (!desk.motion) return crew_.block_barrier();
+    for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads())
+      desk.motion[e] = {};  // nothing has been added to any
+    list_in_order(desk);
   }
 
  private:
@@ -56,10 +53,10 @@ class SolverList {
     std::int32_t *const bodies = s_.bodies_before + own_words, *const spots = s_.spots_before + own_words;
     BlockCell& shared = crew_.shared();
     if (crew_.thread() == 0) shared.records = shared.taken = 0;
-    if (crew_.thread() < Crew::Warp::size) {
-      count_marks(s_.touched_bodies, bodies, words);
-      count_marks(s_.touched_spots, spots, words);
-    }
+    constexpr int warp = Crew::Warp::size;
+    const int warps = crew_.threads() / warp;
+    for (int k = crew_.thread() / warp; k < 2; k += warps)
+      count_marks(k == 0 ? s_.touched_bodies : s_.touched_spots, k == 0 ? bodies : spots, words);
     crew_.block_barrier();
     desk.bodies = spots[words];
     desk.own = own_ = stretch_of(crew_, desk.bodies);
@@ -89,6 +86,7 @@ class SolverList {
     if (crew_.thread() == 0) shared.desk = desk;
     for (std::int32_t e = own_.begin + crew_.thread(); e < own_.end; e += crew_.threads()) {
       const TakenPoints taken = s_.taken_of[e];
+      GEM_NO_UNROLL
       for (std::int32_t k = 0; k < taken.count; ++k)
         s_.taken[shared.first_taken + taken.first + k] = s_.taken_in_row[desk.entry[e].place + k];
     }
@@ -96,72 +94,88 @@ class SolverList {
   }
 
   GEM_DEVICE void count_marks(const std::uint32_t* marks, std::int32_t* before, std::int32_t words) {
+    constexpr int size = Crew::Warp::size, together = 4;
     const auto warp = crew_.warp();
     std::int32_t sum = 0;
-    for (std::int32_t first = 0; first < words; first += Crew::Warp::size) {
-      const std::int32_t w = first + warp.rank();
-      const int mine = w < words ? bits_in(marks[w]) : 0;
-      const int below = warp.sum_below(mine);
-      if (w < words) before[w] = sum + below;
-      sum += warp.sum(mine);
+    for (std::int32_t first = warp.rank(); first - warp.rank() < words; first += together * size) {
+      int mine[together];  // asked for together: each waits for memory
+      for (int k = 0; k < together; ++k) mine[k] = first + k * size < words ? bits_in(marks[first + k * size]) : 0;
+      for (int k = 0; k < together; ++k) {
+        const int below = warp.sum_below(mine[k]);
+        if (first + k * size < words) before[first + k * size] = sum + below;
+        sum += warp.sum(mine[k]);
+      }
     }
     if (warp.rank() == 0) before[words] = sum;
   }
 
+  /// Fast memory that motions, records and points may take [bytes].
+  GEM_DEVICE std::size_t room_before_entries(const SolverDesk& desk) const {
+    return desk.fits ? (room_ - desk.own.count() * sizeof(SolverEntry)) / alignof(SolverEntry) * alignof(SolverEntry)
+                     : room_;
+  }
+
   /// Points stand in what the records have left of the fast memory.
   GEM_DEVICE void place_points(SolverDesk& desk, bool ahead) const {
-    const std::size_t taken = static_cast<std::size_t>(desk.records) * sizeof(PushRecord);
+    const std::size_t taken = (desk.records * sizeof(PushRecord) + sizeof(FloatQuad) - 1) / sizeof(FloatQuad) *
+                              sizeof(FloatQuad),
+                      room = room_before_entries(desk);
     desk.fast = {desk.points.begin, desk.points.begin};
     desk.fast_from = 0;
-    if (!Crew::shares_rooms || ahead || taken >= room_) return;
-    const auto hold = static_cast<std::int32_t>((room_ - taken) / held_bytes);
+    if (!Crew::shares_rooms || ahead || taken >= room) return;
+    const auto hold = static_cast<std::int32_t>((room - taken) / held_bytes);
     desk.fast.end += desk.points.count() < hold ? desk.points.count() : hold;
     desk.fast_from = taken;
   }
 
-  /// The entries of the block's bodies, what moves these, and their order stand in its fast memory where that holds
-  /// them.
+  /// The entries of the block's bodies and what moves these stand in its fast memory where that holds them.
   GEM_DEVICE void place_entries(SolverDesk& desk, bool ahead) {
-    static_assert(sizeof(SolverEntry) == sizeof(PushRecord) && sizeof(AddedMotion) == sizeof(PushRecord));
+    static_assert(sizeof(AddedMotion) == sizeof(PushRecord));
     const std::int32_t count = desk.own.count();
     desk.entry = s_.solver_entry;
     desk.motion = nullptr;
+    desk.in_order = false;
     desk.stage_bytes = Crew::shares_rooms ? 0 : room_;
-    const std::int32_t places = 2 * count + (count + 15) / 16;
-    desk.fits = Crew::shares_rooms && static_cast<std::size_t>(places) * sizeof(PushRecord) <= room_;
-    records_begin_ = desk.fits ? places : 0;
+    desk.fits =
+        Crew::shares_rooms && count * (sizeof(SolverEntry) + sizeof(AddedMotion)) + alignof(SolverEntry) <= room_;
+    records_begin_ = desk.fits ? count : 0;
+    records_end_ = static_cast<std::int32_t>(room_before_entries(desk) / sizeof(PushRecord));
     if (!desk.fits || ahead) return;
-    desk.entry = reinterpret_cast<SolverEntry*>(crew_.room()) - desk.own.begin;
-    desk.motion = reinterpret_cast<AddedMotion*>(crew_.room()) + count - desk.own.begin;
+    desk.entry = reinterpret_cast<SolverEntry*>(crew_.room() + room_before_entries(desk)) - desk.own.begin;
+    desk.motion = reinterpret_cast<AddedMotion*>(crew_.room()) - desk.own.begin;
   }
 
-  static std::int32_t GEM_DEVICE length_of(const SolverEntry& entry) {
-    return row_lengths - 1 - (entry.count < row_lengths ? entry.count : row_lengths - 1);
+  /// Longest rows first.
+  static std::int32_t GEM_DEVICE kind_of(const SolverEntry& entry) {
+    const std::int32_t most = part_lengths - 1, as_a = entry.count - entry.as_b;
+    return part_lengths * (most - (entry.as_b < most ? entry.as_b : most)) + most - (as_a < most ? as_a : most);
   }
 
-  /// Lists the bodies, longest rows first; the platform, which has threads of its own, is none of them.
-  GEM_DEVICE void put_in_order(const SolverDesk& desk) {
+  /// Lists the bodies in the order of their rows' lengths; the platform, which has threads of its own, stays the first.
+  GEM_DEVICE void list_in_order(const SolverDesk& desk) {
     BlockCell& shared = crew_.shared();
-    auto* const order = reinterpret_cast<std::uint16_t*>(desk.motion + desk.own.end);
-    for (std::int32_t k = crew_.thread(); k < row_lengths; k += crew_.threads()) shared.of_length[k] = 0;
+    for (std::int32_t k = crew_.thread(); k < row_kinds; k += crew_.threads()) shared.of_kind[k] = 0;
     crew_.block_barrier();
     const std::int32_t first = desk.own.begin + (desk.platform ? 1 : 0);
     for (std::int32_t e = first + crew_.thread(); e < desk.own.end; e += crew_.threads())
-      crew_.add(&shared.of_length[length_of(desk.entry[e])], 1);
+      crew_.add(&shared.of_kind[kind_of(s_.solver_entry[e])], 1);
     crew_.block_barrier();
     if (crew_.thread() < Crew::Warp::size) {
       const auto warp = crew_.warp();
-      std::int32_t sum = first - desk.own.begin;
-      for (std::int32_t k = warp.rank(); k < row_lengths; k += Crew::Warp::size) {
-        const std::int32_t mine = shared.of_length[k];
-        shared.of_length[k] = sum + warp.sum_below(mine);
+      std::int32_t sum = first;
+      for (std::int32_t k = warp.rank(); k < row_kinds; k += Crew::Warp::size) {
+        const std::int32_t mine = shared.of_kind[k];
+        shared.of_kind[k] = sum + warp.sum_below(mine);
         sum += warp.sum(mine);
       }
     }
     crew_.block_barrier();
-    for (std::int32_t e = first + crew_.thread(); e < desk.own.end; e += crew_.threads())
-      order[crew_.add(&shared.of_length[length_of(desk.entry[e])], 1)] = static_cast<std::uint16_t>(e - desk.own.begin);
-    if (crew_.thread() == 0) shared.desk.order = order;
+    for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads()) {
+      SolverEntry entry = s_.solver_entry[e];
+      entry.rank = e;
+      desk.entry[e < first ? e : crew_.add(&shared.of_kind[kind_of(entry)], 1)] = entry;
+    }
+    if (crew_.thread() == 0) shared.desk.in_order = true;
     crew_.block_barrier();
   }
 
@@ -169,7 +183,7 @@ class SolverList {
   GEM_DEVICE std::int32_t take_records(std::int32_t count) {
     if (!Crew::shares_rooms) return -1;
     const std::int32_t at = records_begin_ + crew_.add(&crew_.shared().records, count);
-    return static_cast<std::size_t>(at + count) * sizeof(PushRecord) <= room_ ? at : -1;
+    return at + count <= records_end_ ? at : -1;
   }
 
   static_assert(solve_room / sizeof(PushRecord) <= 0xffff);
@@ -233,7 +247,7 @@ class SolverList {
     taken = lanes.sum(taken);
     std::int32_t room = lanes.rank() == 0 ? take_records(count) : 0;
     room = lanes.from(room, 0);
-    const std::int32_t moved_at = desk.fits ? room_place(crew_.block(), own_.count() + e - own_.begin) : -1;
+    const std::int32_t moved_at = desk.fits ? room_place(crew_.block(), e - own_.begin) : -1;
     std::int32_t before = 0, taken_before = 0;
     for (std::int32_t first = 0; first < places; first += stride) {
       if (places > stride) read = read_places(lanes, body, motion, first);
@@ -243,12 +257,11 @@ class SolverList {
         const RowPoints points = read.points[step];
         const std::int32_t mine = before + lanes.sum_below(points.count);
         const std::int32_t to = taken_before + lanes.sum_below(read.takes[step] ? points.count : 0);
+        GEM_NO_UNROLL
         for (std::int32_t k = 0; k < points.count; ++k) {
           PointCell& point = s_.point[points.first + k];
           const std::int32_t in_room = room < 0 ? -1 : room_place(crew_.block(), room + mine + k);
-          (is_b ? point.place_b : point.place_a) = 2 * begin + mine + k;
-          (is_b ? point.room_b : point.room_a) = in_room;
-          (is_b ? point.motion_b : point.motion_a) = moved_at;
+          (is_b ? point.b : point.a) = {body, 2 * begin + mine + k, in_room, moved_at};
           if (read.takes[step]) s_.taken_in_row[2 * begin + to + k] = points.first + k;
         }
         before += lanes.sum(points.count);
@@ -276,7 +289,7 @@ class SolverList {
   std::int32_t moment_;
   std::size_t room_;
   Stretch own_{};
-  std::int32_t records_begin_ = 0;  // in the block's fast memory
+  std::int32_t records_begin_ = 0, records_end_ = 0;  // in the block's fast memory
 };
 
 }  // namespace gem

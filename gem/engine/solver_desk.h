@@ -28,24 +28,25 @@ struct Stretch {
   GEM_DEVICE std::int32_t count() const { return end - begin; }
 };
 
-/// Lengths of rows that are told apart where bodies are put in order; longer ones count as the longest.
-constexpr std::int32_t row_lengths = 32;
+/// Lengths of a row's two parts, as B and as A, that are told apart where bodies are put in order; longer ones count as
+/// the longest.
+constexpr std::int32_t part_lengths = 8, row_kinds = part_lengths * part_lengths;
 
 /// The same for all threads of the block, and kept in its fast memory, so that no thread has to keep it for itself.
 struct SolverDesk {
   MomentPace<float> pace;
-  Stretch points;              // that the block iterates
-  Stretch fast;                // the first of them: those that stand in its fast memory
-  std::size_t fast_from;       // where they begin there: see HeldTable
-  std::int32_t bodies;         // moving, with points
-  Stretch own;                 // the block's stretch of them, by spot
-  SolverEntry* entry;          // by place among them
-  AddedMotion* motion;         // the same, in the block's fast memory; null: they stand by body
-  bool fits;                   // entries and motions stand there while the block iterates
-  const std::uint16_t* order;  // longest rows first: neighbouring threads have as much to do; null: by spot
-  bool platform;               // the first of them is the platform
-  std::size_t stage_bytes;     // of fast memory, from the start, that nothing stands in
-  std::int32_t records;        // places of fast memory, from the start, of entries, motions, their order and records
+  Stretch points;           // that the block iterates
+  Stretch fast;             // the first of them: those that stand in its fast memory
+  std::size_t fast_from;    // where they begin there: see HeldTable
+  std::int32_t bodies;      // moving, with points
+  Stretch own;              // the block's stretch of them, by spot
+  SolverEntry* entry;       // by place among them
+  AddedMotion* motion;      // the same, in the block's fast memory; null: they stand by body
+  bool fits;                // motions and, at its end, entries stand there while the block iterates
+  bool in_order;            // of their rows, so that neighbouring threads have as much to do: rank is the place
+  bool platform;            // the first of them is the platform
+  std::size_t stage_bytes;  // of fast memory, from the start, that nothing stands in
+  std::int32_t records;     // places of fast memory, from the start, of motions and records
 };
 
 }  // namespace gem

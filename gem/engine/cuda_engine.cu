@@ -39,8 +39,9 @@ int chosen_threads(int threads) {
 class CudaBatch::Work {
   /// Of the slowest scene in one launch: fewer would not be worth the start.
   static constexpr std::int64_t fewest_moments = 16;
-  /// On one multiprocessor: with fewer blocks whole moments are faster.
-  static constexpr int phase_blocks_worth_it = 5;
+  /// On one multiprocessor: with fewer blocks whole moments are faster. These have all of the GPU for one scene;
+  /// several share it out.
+  static constexpr double phase_blocks_of_one_worth_it = 5.0, phase_blocks_of_several_worth_it = 1.75;
 
  public:
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
@@ -207,7 +208,8 @@ class CudaBatch::Work {
       if (!scene.wake) return false;  // it has nothing that phases need
       if (scene.constants.resolution == Resolution::coupled && !phases_.can_solve()) return false;
     }
-    return launches_ == Launches::phases || blocks >= phase_blocks_worth_it * device_.multiprocessors;
+    const double worth_it = active.size() == 1 ? phase_blocks_of_one_worth_it : phase_blocks_of_several_worth_it;
+    return launches_ == Launches::phases || static_cast<double>(blocks) >= worth_it * device_.multiprocessors;
   }
 
   /// All scenes come to their ends together: those with more ahead make more moments.

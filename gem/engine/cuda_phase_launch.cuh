@@ -296,7 +296,7 @@ class PhaseStreams {
   /// for, of those a share as large as the scene's part in all work that is left. Not all scenes iterate at a time.
   std::vector<int> solve_blocks_of(const std::vector<PhaseScene>& scenes) {
     constexpr double for_one = 32 * 400;  // visits of a block in a moment: mostly 32 iterations
-    constexpr double waiting = 1.75;      // for one multiprocessor, at most
+    constexpr double waiting = 1.5;       // for one multiprocessor, at most
     std::vector<int> blocks(scenes.size(), 1);
     if (!any_coupled(scenes)) return blocks;
     std::vector<double> work;

@@ -82,6 +82,29 @@ __device__ bool has_work(const DeviceScene& s, int block) {
   return true;
 }
 
+/// Nothing is in the queue of lists, and nobody at their gates; by one block.
+__device__ inline void clear_lists(const PhaseLaunch& launch) {
+  if (threadIdx.x == 0) launch.queue->count = 0;
+  for (int k = static_cast<int>(threadIdx.x); k < launch.scene_count; k += static_cast<int>(blockDim.x))
+    launch.team_gates[k] = {};
+}
+
+/// Plans the next moment of a scene; one that needs a list is put into the queue.
+__device__ inline void plan(const PhaseLaunch& launch, const DeviceScene& scene, int k) {
+  if (plan_moment(scene, launch.gates[k].alarms)) launch.queue->scene[DeviceCrew::add(&launch.queue->count, 1)] = k;
+}
+
+/// The last block of a scene that comes here plans its next moment; the fences show it what the others did.
+__device__ inline void plan_by_last(const PhaseLaunch& launch, const DeviceScene& scene, const PhaseBlock& mine) {
+  __syncthreads();
+  if (threadIdx.x != 0 || !moves(scene)) return;
+  __threadfence();
+  if (DeviceCrew::add(&scene.counters->arrived, 1) + 1 < mine.blocks) return;
+  __threadfence();
+  scene.counters->arrived = 0;
+  plan(launch, scene, mine.scene);
+}
+
 /// A phase of all scenes, each by its own blocks.
 template <DevicePhase phase, Resolution resolution, int blocks>
 __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const PhaseLaunch launch) {
@@ -89,12 +112,15 @@ __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const Phas
   __shared__ BlockCell cell;
   __shared__ StageClock clock;
   extern __shared__ __align__(128) std::byte room[];
+  // lists are made, and none is planned before the bodies move
+  if (phase == DevicePhase::choose && blockIdx.x == 0) clear_lists(launch);
   const PhaseBlock mine = launch.blocks[blockIdx.x];
   if (!has_work<phase>(launch.scenes[mine.scene], mine.block)) return;
   take_scene(scene, launch.scenes + mine.scene);
   PhaseCrew crew(BlockRoom{cell, clock, room, launch.room_bytes, false}, mine.block, mine.blocks,
                  launch.gates + mine.scene);
   run_phase<phase, resolution>(scene, crew);
+  if (phase == DevicePhase::bodies) plan_by_last(launch, scene, mine);
 }
 
 /// A phase of the iterations of all scenes, each by a cluster of blocks. Only those that iterate have fast memory.
@@ -141,15 +167,14 @@ __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(con
 /// A phase with a thread for each scene, by one block.
 template <DevicePhase phase>
 __global__ void __launch_bounds__(plan_threads) phase_of_scenes(const PhaseLaunch launch) {
-  if (threadIdx.x == 0) launch.queue->count = 0;
+  clear_lists(launch);
   __syncthreads();
   for (int k = static_cast<int>(threadIdx.x); k < launch.scene_count; k += static_cast<int>(blockDim.x)) {
     const DeviceScene& scene = launch.scenes[k];
-    launch.team_gates[k] = {};
     if constexpr (phase == DevicePhase::open)
       open_call(scene, launch.moments[k]);
-    else if (plan_moment(scene, launch.gates[k].alarms))
-      launch.queue->scene[DeviceCrew::add(&launch.queue->count, 1)] = k;
+    else
+      plan(launch, scene, k);
   }
 }
 

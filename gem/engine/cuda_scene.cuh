@@ -191,6 +191,8 @@ class CudaScene {
     if (sizes_.coupled) {
       check_cuda(cudaMemset(device_.row_points, 0, sizeof(RowPoints) * sizes_.rows), "clear the list");
       check_cuda(cudaMemset(device_.progress, 0, sizeof(RoundsMade)), "clear the list");  // gaps, as those of pairs
+      // events copy contacts whole, with the second point that some have not
+      check_cuda(cudaMemset(device_.contact, 0, sizeof(Contact) * (sizes_.rows / 2 + 1)), "clear the list");
     }
     const std::size_t bytes = place_rings(device_, sizes_, nullptr);
     if (bytes != ring_memory_.bytes()) {

@@ -130,6 +130,7 @@ struct ListCounters {
   std::int32_t complete;              // 1: the list is all there
   std::int32_t points, taken_points;  // coupled: of this moment, and those that blocks have taken to iterate
   std::int32_t looks, touches;        // of this moment, of scenes that are moved phase by phase
+  std::int32_t arrived;               // the same: blocks that have moved their bodies
   std::uint32_t asked[2];             // coupled: bits of the residuals of two judged iterations in turn
 };
 

@@ -4,7 +4,7 @@
 // | phase            | who                  | what                                                                  |
 // | open             | a thread for a scene | the call begins                                                       |
 // | begin            | all                  | solo events up to the first pair events                               |
-// | plan             | a thread for a scene | ends the last moment, says what the next one does                     |
+// | plan             | a thread for a scene | says what the next moment does; ends the last one                     |
 // | list             | all, on a worn list  | books are brought up to date, a new list                              |
 // | choose           | a thread for a pair  | the work of the last moment's contacts; pairs that have to be seen    |
 // | look             | lanes for a look     | where these touch                                                     |
@@ -13,7 +13,7 @@
 // |                  | one for few points   |                                                                       |
 // | iterate          | the same             | coupled: the first round of iterations, mostly the only one           |
 // | settle           | the same             | coupled: what they come to, after further rounds if there are any     |
-// | bodies           | a thread for a body  | the bodies phase of device_bodies.h                                   |
+// | bodies           | a thread for a body  | the bodies phase of device_bodies.h; the last to come plans           |
 // | last_work, close | all                  | the books of the last moment, and the state for the host              |
 //
 // Between two phases nothing is kept but the scene's memory and its alarms. Blocks meet within none, but where they

@@ -23,10 +23,11 @@ enum class DevicePhase {
 };
 
 /// The phases of a call, in their order: once, for every moment, once. Only coupled scenes gather, iterate and settle.
-constexpr DevicePhase first_phases[] = {DevicePhase::open, DevicePhase::begin};
-constexpr DevicePhase moment_phases[] = {DevicePhase::plan,    DevicePhase::list,    DevicePhase::choose,
-                                         DevicePhase::look,    DevicePhase::resolve, DevicePhase::gather,
-                                         DevicePhase::iterate, DevicePhase::settle,  DevicePhase::bodies};
+/// Where the bodies have moved, the next moment is planned by the last who moved some.
+constexpr DevicePhase first_phases[] = {DevicePhase::open, DevicePhase::begin, DevicePhase::plan};
+constexpr DevicePhase moment_phases[] = {DevicePhase::list,    DevicePhase::choose, DevicePhase::look,
+                                         DevicePhase::resolve, DevicePhase::gather, DevicePhase::iterate,
+                                         DevicePhase::settle,  DevicePhase::bodies};
 constexpr DevicePhase last_phases[] = {DevicePhase::plan, DevicePhase::last_work, DevicePhase::close};
 
 /// Nothing was found in this moment so far.

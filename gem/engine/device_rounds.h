@@ -341,7 +341,7 @@ class SolverRounds {
     std::int32_t i = first + kept * size;
     if constexpr (Crew::shares_rooms)
       for (; i < desk.fast.end; i += size) visit_cell(table.fast(i));
-    for (; i < end; i += size) visit_cell(Crew::shares_rooms ? table.at_rest(i) : table[i]);
+    for (; i < end; i += size) visit_cell(table.at_rest(i));
     return most;
   }
 

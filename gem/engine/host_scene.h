@@ -126,6 +126,8 @@ class HostScene {
         lists_ = plan_moment(scene_, alarms_);
       else if (phase == DevicePhase::list)
         renew_list_if_worn();
+      else if (phase == DevicePhase::bodies)
+        move_and_plan();
       else if (coupled)
         run_resolved<Resolution::coupled>(phase);
       else if (!is_of_solver(phase))
@@ -135,6 +137,16 @@ class HostScene {
     for (std::int32_t k = 0; k < moments; ++k)
       for (const DevicePhase phase : moment_phases) run(phase);
     for (const DevicePhase phase : last_phases) run(phase);
+  }
+
+  void move_and_plan() {
+    lists_ = false;
+    if (!moves(scene_)) return;
+    if (is_coupled(scene_))
+      run_resolved<Resolution::coupled>(DevicePhase::bodies);
+    else
+      run_resolved<Resolution::independent>(DevicePhase::bodies);
+    lists_ = plan_moment(scene_, alarms_);
   }
 
   void renew_list_if_worn() {

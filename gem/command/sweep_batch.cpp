@@ -1,5 +1,6 @@
 // Several runs of a sweep in one process, as batches on a GPU.
 #include <algorithm>
+#include <atomic>
 #include <exception>
 
 #include "gem/command/command.h"
@@ -79,15 +80,21 @@ class SweepBatch {
   /// Makes the fields, several at a time; a run whose field cannot be made is over.
   Group with_fields(Group group) {
     std::vector<std::exception_ptr> faults(group.size());
-    ThreadTeam team(std::clamp(settings_.engine.threads, 1, std::max(1, static_cast<int>(group.size()))));
-    team.run([&](int rank) {
-      for (std::size_t k = static_cast<std::size_t>(rank); k < group.size(); k += static_cast<std::size_t>(team.size()))
+    std::atomic<std::size_t> next = 0;
+    const auto make = [&](int) {
+      for (std::size_t k = next++; k < group.size(); k = next++) {
         try {
           group[k].field = make_field(group[k].listed);
         } catch (...) {
           faults[k] = std::current_exception();
         }
-    });
+      }
+    };
+    try {
+      ThreadTeam(std::clamp(settings_.engine.threads, 1, std::max(1, static_cast<int>(group.size())))).run(make);
+    } catch (const Error&) {  // the system gives no threads
+      make(0);
+    }
     Group made;
     for (std::size_t k = 0; k < group.size(); ++k) {
       if (faults[k])

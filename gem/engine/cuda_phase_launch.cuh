@@ -35,7 +35,8 @@ class PhaseStreams {
       part.moments += first;
       part.gates += first;
       part.team_gates += first;
-      part.solve_blocks = *std::max_element(solve_blocks.begin() + first, solve_blocks.begin() + last);
+      part.solve_blocks =
+          stream_[k]->steady_blocks(*std::max_element(solve_blocks.begin() + first, solve_blocks.begin() + last));
       const std::vector<PhaseScene> some(scenes.begin() + first, scenes.begin() + last);
       starts[k] = stream_[k]->begin(part, some, static_cast<int>(count), call);
     }
@@ -87,22 +88,23 @@ class PhaseStreams {
   /// for, of those a share as large as the scene's part in all work that is left. Not all scenes iterate at a time.
   std::vector<int> solve_blocks_of(const std::vector<PhaseScene>& scenes) {
     constexpr double for_one = 32 * 400;  // visits of a block in a moment: mostly 32 iterations
-    constexpr double waiting = 1.5;       // for one multiprocessor, at most
+    constexpr double waiting = 1.5;       // for one multiprocessor, of scenes that have more than one block
     std::vector<int> blocks(scenes.size(), 1);
-    if (!any_coupled(scenes)) return blocks;
-    std::vector<double> work;
+    std::vector<double> work(scenes.size(), 0.0);
+    int worthwhile = 0;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
-      if (scenes[k].resolution == Resolution::coupled) blocks[k] = worthwhile_blocks(scenes[k].visits / for_one);
-      work.push_back(std::max(scenes[k].visits, for_one) * scenes[k].moments);
+      if (scenes[k].resolution != Resolution::coupled) continue;
+      worthwhile += blocks[k] = worthwhile_blocks(scenes[k].visits / for_one);
+      work[k] = std::max(scenes[k].visits, for_one) * scenes[k].moments;
     }
-    if (std::accumulate(blocks.begin(), blocks.end(), 0) <= waiting * multiprocessors_) return blocks;
+    if (worthwhile <= waiting * multiprocessors_) return blocks;
     const double all = std::accumulate(work.begin(), work.end(), 0.0);
     for (std::size_t k = 0; k < scenes.size(); ++k)
       blocks[k] = std::clamp(static_cast<int>(waiting * multiprocessors_ * work[k] / all), 1, blocks[k]);
     return blocks;
   }
 
-  /// A power of two, half to once as large as `blocks`; the largest where nothing is known.
+  /// A power of two, once to twice as large as `blocks`, not above the largest; the largest where nothing is known.
   int worthwhile_blocks(double blocks) {
     int some = largest_cluster_here();
     while (blocks > 0.0 && some > 1 && 2.0 * blocks < some) some /= 2;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,13 @@ class PhaseStream {
  public:
   PhaseStream(Arithmetic arithmetic, int multiprocessors)
       : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+
+  /// Blocks that iterate, where so many are wanted: those of the last call if they are about as many, as what has been
+  /// recorded can be started again then.
+  int steady_blocks(int wanted) const {
+    const int last = work_.solve_blocks;
+    return 5 * std::abs(wanted - last) <= std::max(wanted, last) ? last : wanted;
+  }
 
   /// The next call works on these scenes, all of one resolution; `work` says where they lie and how many blocks iterate
   /// each, `streams` how many such streams share the device. Returns how many starts their moments take.
@@ -197,14 +205,15 @@ class PhaseStream {
   }
   /// The blocks of the call, on the device; mostly they are those of the last one.
   const PhaseBlock* send(std::vector<PhaseBlock> block) {
-    const std::size_t bytes = sizeof(PhaseBlock) * block.size();
-    std::byte* const to = room(block_memory_, bytes);
     if (block != sent_) {
-      sent_ = std::move(block);
-      check_cuda(cudaMemcpyAsync(to, sent_.data(), bytes, cudaMemcpyHostToDevice, time_.stream()), "start");
+      sent_.clear();
+      const std::size_t bytes = sizeof(PhaseBlock) * block.size();
+      std::byte* const to = room(block_memory_, bytes);
+      check_cuda(cudaMemcpyAsync(to, block.data(), bytes, cudaMemcpyHostToDevice, time_.stream()), "start");
       check_cuda(cudaStreamSynchronize(time_.stream()), "start");
+      sent_ = std::move(block);
     }
-    return reinterpret_cast<const PhaseBlock*>(to);
+    return reinterpret_cast<const PhaseBlock*>(block_memory_.data());
   }
 
   Arithmetic arithmetic_;

@@ -88,19 +88,20 @@ class HeldTable {
   GEM_DEVICE GEM_INLINE HeldTable(const DeviceScene& s, std::byte* room, const SolverDesk& desk)
       : fast_(reinterpret_cast<FloatQuad*>(room + desk.fast_from) - desk.fast.begin),
         all_(s.held),
+        fast_begin_(desk.fast.begin),
         fast_end_(desk.fast.end),
-        fast_count_(desk.fast.count()),
         capacity_(s.points_capacity) {}
 
-  GEM_DEVICE GEM_INLINE HeldCell operator[](std::int32_t i) const { return i < fast_end_ ? fast(i) : at_rest(i); }
-  /// Where one of the first points stands, those in fast memory.
-  GEM_DEVICE GEM_INLINE HeldCell fast(std::int32_t i) const { return {fast_ + i, fast_count_}; }
+  GEM_DEVICE GEM_INLINE HeldCell operator[](std::int32_t i) const { return is_fast(i) ? fast(i) : at_rest(i); }
+  GEM_DEVICE GEM_INLINE bool is_fast(std::int32_t i) const { return i >= fast_begin_ && i < fast_end_; }
+  /// Where a point stands that is_fast().
+  GEM_DEVICE GEM_INLINE HeldCell fast(std::int32_t i) const { return {fast_ + i, fast_end_ - fast_begin_}; }
   /// Where point i stands when no round runs.
   GEM_DEVICE GEM_INLINE HeldCell at_rest(std::int32_t i) const { return {all_ + i, capacity_}; }
 
  private:
   FloatQuad *fast_, *all_;
-  std::int32_t fast_end_, fast_count_, capacity_;
+  std::int32_t fast_begin_, fast_end_, capacity_;
 };
 
 }  // namespace gem

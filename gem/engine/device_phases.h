@@ -4,7 +4,7 @@
 // | phase            | who                  | what                                                                  |
 // | open             | a thread for a scene | the call begins                                                       |
 // | begin            | all                  | solo events up to the first pair events                               |
-// | plan             | a thread for a scene | says what the next moment does; ends the last one                     |
+// | plan             | a thread for a scene | says what the first moment does; ends a call that found no list       |
 // | list             | all, on a worn list  | books are brought up to date, a new list                              |
 // | choose           | a thread for a pair  | the work of the last moment's contacts; pairs that have to be seen    |
 // | look             | lanes for a look     | where these touch                                                     |

@@ -28,6 +28,7 @@ constexpr DevicePhase first_phases[] = {DevicePhase::open, DevicePhase::begin, D
 constexpr DevicePhase moment_phases[] = {DevicePhase::list,    DevicePhase::choose, DevicePhase::look,
                                          DevicePhase::resolve, DevicePhase::gather, DevicePhase::iterate,
                                          DevicePhase::settle,  DevicePhase::bodies};
+/// When the last begin, all moments that are wanted have been started: only a scene whose list found no room is open.
 constexpr DevicePhase last_phases[] = {DevicePhase::plan, DevicePhase::last_work, DevicePhase::close};
 
 /// Nothing was found in this moment so far.

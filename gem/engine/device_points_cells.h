@@ -101,7 +101,7 @@ struct alignas(16) SolverEntry {
   std::int32_t room = -1;            // the same in the block's fast memory; -1: it does not stand there
   std::int32_t as_b = 0, count = 0;  // records
   float inverse_mass = 0.0F, inverse_inertia = 0.0F;
-  std::int32_t rank = 0;  // among those bodies, by id; of a list in the order of its rows: place in the block's stretch
+  std::int32_t rank = 0;  // among those bodies, by id; in a list in the order of its rows: place among them, by spot
 };
 
 /// Coupled: geometry of all points and what the base has of them, number by number so that neighbouring threads read

@@ -1,5 +1,5 @@
 // Rounds of iterations on a device: as CoupledRounds, each point by the thread that holds it, each floe
-// by two, the platform by a warp.
+// by one or three, the platform by a warp.
 #pragma once
 
 #include <cstring>
@@ -51,7 +51,7 @@ class SolverRounds {
     SolverList<Crew>(s, crew, 0, crew.room_bytes()).take_up();
     const HeldTable table(s, crew.room(), crew.shared().desk);
     each_point(crew, [&](std::int32_t i) {
-      if (i < crew.shared().desk.fast.end) table[i].copy_numbers(table.at_rest(i));
+      if (table.is_fast(i)) table[i].copy_numbers(table.at_rest(i));
       const PointCell& point = s.taken_point[i];
       table[i].set_places(place_of(s, crew, point.a), place_of(s, crew, point.b));
     });
@@ -59,7 +59,7 @@ class SolverRounds {
     Progress progress = beginning(s);
     const bool done = run_round_by_law(s, crew, progress, true);
     each_point(crew, [&](std::int32_t i) {
-      if (i < crew.shared().desk.fast.end) table.at_rest(i).copy_additions(table[i]);
+      if (table.is_fast(i)) table.at_rest(i).copy_additions(table[i]);
     });
     if (rank_of(crew) == 0) *s.progress = {progress, done};
   }

@@ -115,16 +115,18 @@ class SolverList {
                      : room_;
   }
 
-  /// Points stand in what the records have left of the fast memory.
+  /// Points that no thread keeps in registers stand in what the records have left of the fast memory.
   GEM_DEVICE void place_points(SolverDesk& desk, bool ahead) const {
     const std::size_t taken = (desk.records * sizeof(PushRecord) + sizeof(FloatQuad) - 1) / sizeof(FloatQuad) *
                               sizeof(FloatQuad),
                       room = room_before_entries(desk);
-    desk.fast = {desk.points.begin, desk.points.begin};
+    const std::int32_t kept = Crew::kept_points * crew_.threads(),
+                       first = desk.points.begin + (kept < desk.points.count() ? kept : desk.points.count());
+    desk.fast = {first, first};
     desk.fast_from = 0;
     if (!Crew::shares_rooms || ahead || taken >= room) return;
     const auto hold = static_cast<std::int32_t>((room - taken) / held_bytes);
-    desk.fast.end += desk.points.count() < hold ? desk.points.count() : hold;
+    desk.fast.end += desk.points.end - first < hold ? desk.points.end - first : hold;
     desk.fast_from = taken;
   }
 
@@ -152,6 +154,7 @@ class SolverList {
   }
 
   /// Lists the bodies in the order of their rows' lengths; the platform, which has threads of its own, stays the first.
+  /// For iterations alone: where the rank of a body is asked for, the list of the scene counts.
   GEM_DEVICE void list_in_order(const SolverDesk& desk) {
     BlockCell& shared = crew_.shared();
     for (std::int32_t k = crew_.thread(); k < row_kinds; k += crew_.threads()) shared.of_kind[k] = 0;

@@ -36,11 +36,11 @@ constexpr std::int32_t part_lengths = 8, row_kinds = part_lengths * part_lengths
 struct SolverDesk {
   MomentPace<float> pace;
   Stretch points;           // that the block iterates
-  Stretch fast;             // the first of them: those that stand in its fast memory
+  Stretch fast;             // those of them that stand in its fast memory, after those in registers
   std::size_t fast_from;    // where they begin there: see HeldTable
   std::int32_t bodies;      // moving, with points
   Stretch own;              // the block's stretch of them, by spot
-  SolverEntry* entry;       // by place among them
+  SolverEntry* entry;       // by place among them; or in order, see in_order
   AddedMotion* motion;      // the same, in the block's fast memory; null: they stand by body
   bool fits;                // motions and, at its end, entries stand there while the block iterates
   bool in_order;            // of their rows, so that neighbouring threads have as much to do: rank is the place

@@ -186,7 +186,7 @@ class ApartCrew : public TeamCrew {
 class PhaseTeam : public TeamCrew {
  public:
   using TeamCrew::TeamCrew;
-  static constexpr int kept_points = 0;
+  static constexpr int kept_points = 1;
   PhaseTeam& at_hand() { return *this; }
   void came_back(const PhaseTeam&) {}
   void raise_in(std::uint32_t& alarms) { alarms_ = &alarms; }
@@ -200,6 +200,7 @@ class PhaseTeam : public TeamCrew {
 class ApartPhaseTeam : public PhaseTeam {
  public:
   using PhaseTeam::PhaseTeam;
+  static constexpr int kept_points = 0;
   std::size_t room_bytes() const { return 0; }
   ApartPhaseTeam& at_hand() { return *this; }
   void came_back(const ApartPhaseTeam&) {}

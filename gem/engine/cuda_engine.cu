@@ -40,8 +40,8 @@ class CudaBatch::Work {
   /// Of the slowest scene in one launch: fewer would not be worth the start.
   static constexpr std::int64_t fewest_moments = 16;
   /// On one multiprocessor: with fewer blocks whole moments are faster. These have all of the GPU for one scene;
-  /// several share it out.
-  static constexpr double phase_blocks_of_one_worth_it = 5.0, phase_blocks_of_several_worth_it = 1.75;
+  /// several share it out, and those that iterate wait for it longest.
+  static constexpr double phase_blocks_of_one = 5.0, phase_blocks_of_several = 3.5, phase_blocks_that_iterate = 1.75;
 
  public:
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
@@ -202,13 +202,15 @@ class CudaBatch::Work {
   bool moves_by_phases(const std::vector<std::size_t>& active) {
     if (launches_ == Launches::moments || chosen_blocks_ > 0) return false;
     std::int64_t blocks = 0;
+    double worth_it = active.size() == 1 ? phase_blocks_of_one : phase_blocks_of_several;
     for (const std::size_t k : active) {
       const DeviceScene& scene = scenes_[k].device();
       blocks += scene.phase_blocks;
       if (!scene.wake) return false;  // it has nothing that phases need
-      if (scene.constants.resolution == Resolution::coupled && !phases_.can_solve()) return false;
+      if (scene.constants.resolution != Resolution::coupled) continue;
+      if (!phases_.can_solve()) return false;
+      if (active.size() > 1) worth_it = phase_blocks_that_iterate;
     }
-    const double worth_it = active.size() == 1 ? phase_blocks_of_one_worth_it : phase_blocks_of_several_worth_it;
     return launches_ == Launches::phases || static_cast<double>(blocks) >= worth_it * device_.multiprocessors;
   }
 

@@ -85,10 +85,11 @@ class PhaseStreams {
   }
 
   /// Blocks that iterate each scene: as many as its points are worth, and where these are more than the device has use
-  /// for, of those a share as large as the scene's part in all work that is left. Not all scenes iterate at a time.
+  /// for, of those a share as large as the scene's part in all work that is left, but enough that their fast memory
+  /// holds most of its points. Not all scenes iterate at a time.
   std::vector<int> solve_blocks_of(const std::vector<PhaseScene>& scenes) {
-    constexpr double for_one = 32 * 400;  // visits of a block in a moment: mostly 32 iterations
-    constexpr double waiting = 1.5;       // for one multiprocessor, of scenes that have more than one block
+    constexpr double for_one = 32 * 400, for_full = 32 * 1250;  // visits of a block in a moment: mostly 32 iterations
+    constexpr double waiting = 1.5;  // for one multiprocessor, of scenes that have more than one block
     std::vector<int> blocks(scenes.size(), 1);
     std::vector<double> work(scenes.size(), 0.0);
     int worthwhile = 0;
@@ -99,8 +100,10 @@ class PhaseStreams {
     }
     if (worthwhile <= waiting * multiprocessors_) return blocks;
     const double all = std::accumulate(work.begin(), work.end(), 0.0);
-    for (std::size_t k = 0; k < scenes.size(); ++k)
-      blocks[k] = std::clamp(static_cast<int>(waiting * multiprocessors_ * work[k] / all), 1, blocks[k]);
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      const int least = std::clamp(static_cast<int>(scenes[k].visits / for_full + 0.5), 1, blocks[k]);
+      blocks[k] = std::clamp(static_cast<int>(waiting * multiprocessors_ * work[k] / all), least, blocks[k]);
+    }
     return blocks;
   }
 

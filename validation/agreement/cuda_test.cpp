@@ -225,7 +225,7 @@ TEST_P(CudaJam, ManyScenesKeepTheirBitsPhaseByPhase) {
   for (std::size_t k = 0; k < count; ++k) batch.restore(k, start_);
   std::vector<MomentLog> logs(count);
   std::vector<std::int64_t> some(count, moments);
-  for (std::size_t k = 0; k < count; k += 3) some[k] = 7;
+  for (std::size_t k = 0; k < count; k += 15) some[k] = 7;
   batch.advance(some, &logs);
   EXPECT_EQ(batch.launches(), Launches::phases);
   for (std::int64_t& more : some) more = moments - more;

@@ -44,6 +44,13 @@ Error cannot_create(const std::string& path, const std::string& why) {
   return {ExitCode::file_system, "cannot create " + shown(path) + " (" + why + ") check that no other run writes it"};
 }
 
+/// What the file says of its start: the writer's own, for the engine moves its bodies meanwhile.
+struct Start {
+  SceneDef scene;
+  Bodies bodies;
+  Provenance provenance;
+};
+
 }  // namespace
 
 std::string build_text() { return "gem " GEM_VERSION " " GEM_COMMIT " " GEM_BUILD_TYPE " " GEM_COMPILER; }
@@ -56,19 +63,17 @@ std::string hash_text(std::uint64_t hash) {
 
 class RunWriter::Thread {
  public:
-  Thread(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
-         const Provenance& provenance)
-      : path_(path) {
+  Thread(const std::string& path, bool overwrite, Start start) : path_(path) {
     const std::lock_guard library(hdf5::library_mutex());
     prepare_library();
     const bool existed = access(path.c_str(), F_OK) == 0;
     try {
-      layout_ = std::make_unique<RunLayout>(path, overwrite, scene, bodies, provenance);
+      layout_ = std::make_unique<RunLayout>(path, overwrite, start.scene, start.bodies);
     } catch (const hdf5::Failure& failure) {
       if (!existed) unlink(path.c_str());
       throw cannot_create(path, failure.text);
     }
-    thread_ = std::thread([this] { work(); });
+    thread_ = std::thread([this, start = std::move(start)]() mutable { work(std::move(start)); });
   }
 
   ~Thread() {
@@ -110,11 +115,8 @@ class RunWriter::Thread {
   }
 
  private:
-  void work() {
-    {
-      const std::lock_guard library(hdf5::library_mutex());
-      hdf5::quiet_errors();
-    }
+  void work(Start start) {
+    begin(std::move(start));
     for (;;) {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [this] { return !queue_.empty() || stopping_; });
@@ -125,6 +127,18 @@ class RunWriter::Thread {
       lock.lock();
       queue_.pop_front();
       changed_.notify_all();
+    }
+  }
+
+  /// What is known at the start takes tens of milliseconds to write, which the simulation need not wait for.
+  void begin(const Start start) {
+    const std::lock_guard library(hdf5::library_mutex());
+    hdf5::quiet_errors();
+    try {
+      layout_->begin(start.scene, start.bodies, start.provenance);
+    } catch (const hdf5::Failure& fault) {
+      broken_ = true;
+      remember(fault.text);
     }
   }
 
@@ -215,7 +229,7 @@ class RunWriter::Thread {
 RunWriter::RunWriter(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
                      const Provenance& provenance) {
   check_output_path(path, overwrite);
-  thread_ = std::make_unique<Thread>(path, overwrite, scene, bodies, provenance);
+  thread_ = std::make_unique<Thread>(path, overwrite, Start{scene, bodies, provenance});
 }
 
 RunWriter::~RunWriter() = default;

@@ -9,10 +9,12 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 
 #include "gem/base/error.h"
 #include "gem/base/scratch_folder.h"
 #include "gem/record/fake_engine.h"
+#include "gem/record/hdf5_handle.h"
 #include "gem/record/output_path.h"
 #include "gem/record/recorder.h"
 #include "gem/report/load_run.h"
@@ -38,6 +40,14 @@ class RunFileTest : public testing::Test {
     return run_scene(scene_, engine, options_);
   }
   std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(folder_), {})); }
+
+  /// Waits until a writer's thread has made the file, and is through with what it writes: it has the library to itself
+  /// from before it begins until after.
+  void wait_for_writer() const {
+    for (int n = 0; n < 1000 && !fs::exists(options_.output); ++n) usleep(10000);
+    ASSERT_TRUE(fs::exists(options_.output));
+    const std::lock_guard library(hdf5::library_mutex());
+  }
 
   /// Runs `body`, which must throw Error with this code and this text in its message.
   template <class Body>
@@ -176,9 +186,21 @@ TEST_F(RunFileTest, NothingStaysBehindWithoutAMoment) {
   {
     FakeEngine engine(scene_, fake_field(3));
     const RunWriter writer(options_.output, false, scene_, engine.bodies(), {});
-    EXPECT_EQ(files(), 1U);
+    wait_for_writer();
   }
   EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(RunFileTest, AFileThatAnotherRunWritesIsLeftToIt) {
+  RunWriter first(options_.output, false, scene_, fake_field(2), {});
+  wait_for_writer();
+  RunWriter second(options_.output, true, scene_, fake_field(2), {});
+  expect_error(ExitCode::file_system, "check that no other run writes it", [&] { second.finish("complete", 0); });
+  Slab slab;
+  slab.platform.resize(7);
+  first.write(slab);
+  first.finish("complete", 0);
+  EXPECT_EQ(RunFile(options_.output).column("platform/x").size(), 7U);
 }
 
 TEST_F(RunFileTest, FullDiskIsOneClearErrorAndLeavesAReadableFile) {
@@ -200,6 +222,7 @@ TEST_F(RunFileTest, FullDiskIsOneClearErrorAndLeavesAReadableFile) {
 
 TEST_F(RunFileTest, AFailedWriteIsReportedWithTheReasonOfTheSystem) {
   RunWriter writer(options_.output, false, scene_, fake_field(2), {});
+  wait_for_writer();
   const auto empty_size = fs::file_size(options_.output);
   Slab slab;
   slab.time = 5.0;
@@ -213,7 +236,7 @@ TEST_F(RunFileTest, AFailedWriteIsReportedWithTheReasonOfTheSystem) {
   usleep(2100000);  // longer than the writer's pause between two flushes
   writer.write(slab);
   for (int n = 0; n < 500 && fs::file_size(options_.output) < empty_size + 100000; ++n) usleep(10000);
-  usleep(200000);
+  wait_for_writer();
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   signal(SIGXFSZ, SIG_IGN);

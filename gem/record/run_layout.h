@@ -13,10 +13,8 @@ namespace gem {
 /// An open run file. Every failed call throws hdf5::Failure.
 class RunLayout {
  public:
-  /// Creates the file, with nothing in it yet.
-  RunLayout(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies);
-  /// Writes all that is known at the start; once, before any other call. `bodies` as at construction.
-  void begin(const SceneDef& scene, const Bodies& bodies, const Provenance& provenance);
+  RunLayout(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
+            const Provenance& provenance);
   /// Takes a slab over and writes the chunks that are full. A chunk is written once and never again: its room in the
   /// file is never given to another chunk, so a killed run leaves every chunk readable that a flush has seen.
   void append(Slab slab);

@@ -63,18 +63,11 @@ std::string hash_text(std::uint64_t hash) {
 
 class RunWriter::Thread {
  public:
-  Thread(const std::string& path, bool overwrite, Start start) : path_(path) {
-    const std::lock_guard library(hdf5::library_mutex());
-    prepare_library();
-    const bool existed = access(path.c_str(), F_OK) == 0;
-    try {
-      layout_ = std::make_unique<RunLayout>(path, overwrite, start.scene, start.bodies);
-    } catch (const hdf5::Failure& failure) {
-      if (!existed) unlink(path.c_str());
-      throw cannot_create(path, failure.text);
-    }
-    thread_ = std::thread([this, start = std::move(start)]() mutable { work(std::move(start)); });
-  }
+  Thread(const std::string& path, bool overwrite, Start start)
+      : path_(path), thread_([this, overwrite, start = std::move(start)]() mutable {
+          begin(overwrite, std::move(start));
+          work();
+        }) {}
 
   ~Thread() {
     stop();
@@ -97,6 +90,7 @@ class RunWriter::Thread {
 
   void finish(const std::string& status, std::uint64_t state_hash) {
     stop();
+    if (layout_ == nullptr) throw failure();
     try {
       const std::lock_guard library(hdf5::library_mutex());
       if (!layout_->waiting().empty() && !has_room_for({}) && !failed_) remember("no room left on the disk");
@@ -115,8 +109,21 @@ class RunWriter::Thread {
   }
 
  private:
-  void work(Start start) {
-    begin(std::move(start));
+  /// The file and what is known at the start: tens of milliseconds, which the simulation need not wait for.
+  void begin(bool overwrite, const Start start) {
+    const std::lock_guard library(hdf5::library_mutex());
+    prepare_library();
+    const bool existed = access(path_.c_str(), F_OK) == 0;
+    try {
+      layout_ = std::make_unique<RunLayout>(path_, overwrite, start.scene, start.bodies, start.provenance);
+      created_ = true;
+    } catch (const hdf5::Failure& fault) {
+      if (!existed) unlink(path_.c_str());
+      remember(fault.text);
+    }
+  }
+
+  void work() {
     for (;;) {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [this] { return !queue_.empty() || stopping_; });
@@ -127,18 +134,6 @@ class RunWriter::Thread {
       lock.lock();
       queue_.pop_front();
       changed_.notify_all();
-    }
-  }
-
-  /// What is known at the start takes tens of milliseconds to write, which the simulation need not wait for.
-  void begin(const Start start) {
-    const std::lock_guard library(hdf5::library_mutex());
-    hdf5::quiet_errors();
-    try {
-      layout_->begin(start.scene, start.bodies, start.provenance);
-    } catch (const hdf5::Failure& fault) {
-      broken_ = true;
-      remember(fault.text);
     }
   }
 
@@ -204,6 +199,7 @@ class RunWriter::Thread {
   }
 
   Error failure() const {
+    if (!created_) return cannot_create(path_, why_);
     const std::string saved = any_written_ ? "saved up to " + number_text(saved_time_) + " s" : "nothing was saved";
     return {ExitCode::file_system,
             "cannot write " + shown(path_) + " (" + why_ + "; " + saved + ") make room and run again"};
@@ -220,10 +216,11 @@ class RunWriter::Thread {
   std::atomic<double> saved_time_ = 0.0;
   std::atomic<bool> any_written_ = false;
   std::uint64_t unflushed_ = 0;
+  bool created_ = false;
   bool finished_ = false;
   bool broken_ = false;
   bool stopping_ = false;
-  std::thread thread_;
+  std::thread thread_;  // last: it uses all of the others
 };
 
 RunWriter::RunWriter(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,

@@ -33,10 +33,12 @@ struct Provenance {
   std::string device = "";            // that the engine ran on besides the processor; empty: none
 };
 
-/// A run file. The file exists from construction on; it is removed again if nothing was written when this is destroyed.
+/// A run file. It is made while the simulation goes on, and removed again if nothing was written when this is
+/// destroyed.
 class RunWriter {
  public:
-  /// Throws Error(file_system) if the file exists (and not overwrite) or cannot be made.
+  /// Throws Error(file_system) if the file exists (and not overwrite) or its folder takes no files. What fails later,
+  /// as where another run writes the same file, is thrown by the next call. `scene` and `bodies` are copied.
   RunWriter(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
             const Provenance& provenance);
   ~RunWriter();

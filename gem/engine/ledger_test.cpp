@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -51,6 +52,10 @@ TEST_P(LedgerTest, ClosesOverTwoThousandMoments) {
     EXPECT_NE(ledger[Channel::elastic].energy, 0.0);
   else
     EXPECT_NE(ledger[Channel::repair].energy, 0.0);
+  // shifted bodies take their velocities along: reduced mass x shift x relative speed a contact, of either sign
+  const double repaired = std::abs(ledger[Channel::repair].angular_momentum);
+  EXPECT_LT(repaired, 1e-4 * ledger.angular_scale);
+  EXPECT_EQ(repaired > 0.0, scene.contact.resolution == Resolution::coupled);
 }
 
 INSTANTIATE_TEST_SUITE_P(Combinations, LedgerTest,

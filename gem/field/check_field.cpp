@@ -22,28 +22,32 @@ std::string body_name(const Bodies& bodies, std::size_t i) {
   return (bodies.kind[i] == BodyKind::fixed ? "fixed body " : "floe ") + number;
 }
 
+std::string place_text(const Bodies& bodies, std::size_t i) {
+  return "(" + number_text(bodies.position[i].x, 6) + ", " + number_text(bodies.position[i].y, 6) + ")";
+}
+
 void check_overlaps(const Bodies& bodies) {
-  std::string listed;
+  std::string listed, place;
   std::size_t count = 0;
   for (const NearPair& pair : near_pairs(bodies, 0.0)) {
     if (pair.separation > -overlap_tolerance) continue;
     if (count++ >= listed_maximum) continue;
+    if (place.empty()) place = body_name(bodies, pair.b) + " is at " + place_text(bodies, pair.b);
     listed += (listed.empty() ? "" : ", ") + body_name(bodies, pair.a) + " and " + body_name(bodies, pair.b) + " by " +
               number_text(-pair.separation, 4) + " m";
   }
   if (count == 0) return;
   const std::string more = count > listed_maximum ? ", and " + std::to_string(count - listed_maximum) + " more" : "";
   throw Error(ExitCode::scene_rejected, "field: " + std::to_string(count) + (count == 1 ? " pair" : " pairs") +
-                                            " of bodies overlap at the start (" + listed + more + ") move them apart");
+                                            " of bodies overlap at the start (" + listed + more + "; " + place +
+                                            ") move them apart");
 }
 
 void check_channel(const SceneDef& scene, const Bodies& bodies) {
   for (std::size_t i = 0; i < bodies.count(); ++i) {
     if (bodies.kind[i] != BodyKind::floe || inside_channel(scene.boundary, world_outline(bodies, i))) continue;
-    throw Error(ExitCode::scene_rejected, "field: " + body_name(bodies, i) + " at (" +
-                                              number_text(bodies.position[i].x, 6) + ", " +
-                                              number_text(bodies.position[i].y, 6) +
-                                              ") m lies outside the channel (upstream of the inlet or beyond a side) " +
+    throw Error(ExitCode::scene_rejected, "field: " + body_name(bodies, i) + " at " + place_text(bodies, i) +
+                                              " m lies outside the channel (upstream of the inlet or beyond a side) " +
                                               "move it inside or set boundary.present = false");
   }
 }

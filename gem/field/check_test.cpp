@@ -95,7 +95,7 @@ TEST(CheckField, RefusesOverlapsAndPlacesOutside) {
     std::vector<FloeDef> floes;
     std::vector<std::string> parts;
   } rows[] = {
-      {{square_at(-500, 0), square_at(-490.5, 2)}, {"1 pair", "floe 0 and floe 1 by 0.5 m"}},
+      {{square_at(-500, 0), square_at(-490.5, 2)}, {"1 pair", "floe 0 and floe 1 by 0.5 m; floe 1 is at (-490"}},
       {{square_at(0, 0)}, {"platform and floe 0"}},
       {{square_at(-500, 198)}, {"floe 0", "outside the channel"}},
       {{square_at(-500, 300)}, {"floe 0", "outside the channel"}},

@@ -1,0 +1,33 @@
+// A test that needs a GPU.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "gem/base/error.h"
+#include "gem/engine/cuda_engine.h"
+
+namespace gem {
+
+/// Skips the test, with the reason, where no GPU answers.
+class OnGpu : public testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      usable_cuda_device();
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+};
+
+using Way = std::tuple<Resolution, Manifold>;
+
+inline SceneDef resolved(SceneDef scene, Resolution resolution, Manifold manifold) {
+  scene.contact.resolution = resolution;
+  scene.contact.manifold = manifold;
+  return scene;
+}
+
+}  // namespace gem

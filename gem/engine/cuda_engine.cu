@@ -8,11 +8,10 @@
 #include <map>
 #include <tuple>
 
-#include "gem/engine/block_share.h"
-#include "gem/engine/cuda_launch.cuh"
 #include "gem/engine/cuda_phase_launch.cuh"
 #include "gem/engine/cuda_recorders.h"
 #include "gem/engine/cuda_scene.cuh"
+#include "gem/engine/cuda_shares.cuh"
 
 namespace gem {
 namespace {
@@ -37,8 +36,6 @@ int chosen_threads(int threads) {
 }  // namespace
 
 class CudaBatch::Work {
-  /// Of the slowest scene in one launch: fewer would not be worth the start.
-  static constexpr std::int64_t fewest_moments = 16;
   /// On one multiprocessor: with fewer blocks whole moments are faster. These have all of the GPU for one scene;
   /// several share it out, and those that iterate wait for it longest.
   static constexpr double phase_blocks_of_one = 5.0, phase_blocks_of_several = 3.5, phase_blocks_that_iterate = 1.75;
@@ -48,9 +45,10 @@ class CudaBatch::Work {
       : device_(on_device(options)),
         arithmetic_(options.arithmetic),
         threads_(chosen_threads(options.threads)),
-        chosen_blocks_(options.blocks),
         ring_moments_(options.ring_moments),
         launches_(options.launches),
+        shares_(options.arithmetic, threads_, options.blocks, device_.multiprocessors, scenes),
+        visits_(scenes.size(), 0.0),
         status_memory_(sizeof(DeviceStatus) * scenes.size()),
         scene_memory_(sizeof(DeviceScene) * scenes.size()),
         wanted_memory_(sizeof(std::int32_t) * scenes.size()),
@@ -61,15 +59,7 @@ class CudaBatch::Work {
         recorders_(scenes.size()) {
     scenes_.reserve(scenes.size());
     auto* status = reinterpret_cast<DeviceStatus*>(status_memory_.data());
-    work_.assign(scenes.size(), 0.0);
-    visits_.assign(scenes.size(), 0.0);
-    share_.assign(scenes.size(), 0);
-    for (const BatchScene& scene : scenes) {
-      const std::size_t bodies = scene.bodies.count();
-      useful_.push_back(chosen_blocks_ > 0 ? std::min(chosen_blocks_, static_cast<int>(bodies))
-                                           : useful_blocks(bodies));
-    }
-    const int most = blocks_for(1);
+    const int most = shares_.blocks_for(1);
     for (BatchScene& scene : scenes) scenes_.emplace_back(std::move(scene), options, most, status++);
   }
 
@@ -96,7 +86,7 @@ class CudaBatch::Work {
   std::size_t size() const { return scenes_.size(); }
   const CudaDevice& device() const { return device_; }
   Launches launches() const { return by_phases_ > by_moments_ ? Launches::phases : Launches::moments; }
-  int blocks() const { return launches() == Launches::phases ? scenes_.front().device().phase_blocks : share_.front(); }
+  int blocks() const { return launches() == Launches::phases ? scenes_.front().device().phase_blocks : shares_.of(0); }
   int threads() const { return launches() == Launches::phases ? phase_threads : threads_; }
   double device_time() const { return device_time_; }
   const std::vector<double>& stage_clocks() const { return stage_clocks_; }
@@ -138,39 +128,7 @@ class CudaBatch::Work {
     }
   }
 
-  /// Blocks of each scene where so many share the GPU.
-  int blocks_for(std::size_t scenes) {
-    if (chosen_blocks_ > 0) return chosen_blocks_;
-    int& blocks = blocks_of_count_[scenes];
-    const int useful = *std::max_element(useful_.begin(), useful_.end());
-    if (blocks == 0)
-      blocks = most_blocks(arithmetic_, static_cast<int>(scenes), threads_, device_.multiprocessors, useful);
-    return blocks;
-  }
-
   void use() const { check_cuda(cudaSetDevice(device_.index), "be chosen"); }
-
-  /// Shares the GPU out among some scenes: as many blocks each where that fills it better than clusters can, or where
-  /// more would not help.
-  void share_out(const std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
-    const int equal = blocks_for(active.size());
-    std::vector<double> work;
-    std::vector<int> useful;
-    for (const std::size_t k : active) {
-      work.push_back(work_[k] * static_cast<double>(ahead[k].all));
-      useful.push_back(useful_[k]);
-    }
-    const bool even =
-        chosen_blocks_ > 0 || equal > largest_share || equal >= *std::max_element(useful.begin(), useful.end());
-    const std::vector<int> blocks =
-        even ? std::vector<int>(active.size(), equal) : share_blocks(work, useful, cluster_room(), equal);
-    for (std::size_t at = 0; at < active.size(); ++at) share_[active[at]] = std::min(blocks[at], useful_[active[at]]);
-  }
-
-  const ClusterRoom& cluster_room() {
-    if (cluster_room_[0] == 0) cluster_room_ = room_for_clusters(arithmetic_, threads_);
-    return cluster_room_;
-  }
 
   /// Moves each scene that has moments ahead on by some of them, all for about as long, and takes off `ahead` what was
   /// done.
@@ -190,17 +148,19 @@ class CudaBatch::Work {
 
   /// By blocks that stay: a launch takes the scenes in the order of their blocks, most first.
   void move_by_moments(std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
-    guess_work(active);
-    share_out(active, ahead);
-    std::stable_sort(active.begin(), active.end(), [this](std::size_t i, std::size_t j) {
-      return share_[i] != share_[j] ? share_[i] > share_[j] : work_[i] > work_[j];
-    });
-    move(active, ahead);
+    shares_.share_out(active, ahead);
+    send(active, shares_.moments_of(active, ahead, ring_moments_));
+    time_.begin();
+    for (std::size_t first = 0, end = 0; first < active.size(); first = end) {
+      while (end < active.size() && shares_.of(active[end]) == shares_.of(active[first])) ++end;
+      launch_part(first, end - first, shares_.of(active[first]));
+    }
+    finish();
   }
 
   /// Whether these scenes are moved by a launch for each phase: they are more than all threads at work.
   bool moves_by_phases(const std::vector<std::size_t>& active) {
-    if (launches_ == Launches::moments || chosen_blocks_ > 0) return false;
+    if (launches_ == Launches::moments || shares_.are_chosen()) return false;
     std::int64_t blocks = 0;
     double worth_it = active.size() == 1 ? phase_blocks_of_one : phase_blocks_of_several;
     for (const std::size_t k : active) {
@@ -229,7 +189,7 @@ class CudaBatch::Work {
       moments.push_back(std::min({ahead[k].most, share, std::int64_t{ring_moments_}}));
       scenes.push_back({scenes_[k].field().constants.resolution, scenes_[k].device().phase_blocks,
                         static_cast<std::int32_t>(moments.back()), visits_[k]});
-      share_[k] = 1;
+      shares_.set(k, 1);
     }
     send(active, moments);
     PhaseLaunch work{};
@@ -239,33 +199,6 @@ class CudaBatch::Work {
     work.team_gates = work.gates + scenes_.size();
     time_.begin();
     phases_.run(work, scenes, time_);
-    finish();
-  }
-
-  /// A scene that has made no moment yet is taken for one like the others.
-  void guess_work(const std::vector<std::size_t>& active) {
-    double sum = 0.0, known = 0.0;
-    for (const std::size_t k : active) {
-      sum += work_[k];
-      known += work_[k] > 0.0 ? 1.0 : 0.0;
-    }
-    for (const std::size_t k : active)
-      if (work_[k] == 0.0) work_[k] = known > 0.0 ? sum / known : 1.0;
-  }
-
-  /// The launches of scenes in this order.
-  void move(const std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
-    std::vector<double> time;
-    for (const std::size_t k : active) time.push_back(work_[k] / share_[k]);
-    const std::vector<std::int64_t> moments = share_moments(time, fewest_moments, ring_moments_);
-    std::vector<std::int64_t> wanted;
-    for (std::size_t at = 0; at < active.size(); ++at) wanted.push_back(std::min(ahead[active[at]].most, moments[at]));
-    send(active, wanted);
-    time_.begin();
-    for (std::size_t first = 0, end = 0; first < active.size(); first = end) {
-      while (end < active.size() && share_[active[end]] == share_[active[first]]) ++end;
-      launch_part(first, end - first, share_[active[first]]);
-    }
     finish();
   }
 
@@ -327,13 +260,13 @@ class CudaBatch::Work {
 
   /// Fetches and appends the rings of all scenes.
   void record(const std::vector<std::size_t>& active, std::vector<MomentsAhead>& ahead, std::vector<MomentLog>& logs) {
-    for (const std::size_t k : active) scenes_[k].fetch(status_of(k), share_[k], time_.stream());
+    for (const std::size_t k : active) scenes_[k].fetch(status_of(k), shares_.of(k), time_.stream());
     check_cuda(cudaStreamSynchronize(time_.stream()), "fetch the record");
     recorders_.record(active, [&](std::size_t k) {
       DeviceStatus status = status_of(k);
       // the moment that failed is not logged
       if (status.stop == DeviceStop::not_finite && status.samples > 0) --status.samples;
-      guarded(k, ahead[k], [&] { scenes_[k].append(status, share_[k], logs[k]); });
+      guarded(k, ahead[k], [&] { scenes_[k].append(status, shares_.of(k), logs[k]); });
     });
   }
 
@@ -352,7 +285,7 @@ class CudaBatch::Work {
     }
     if (status.samples > 0 && status.visits > 0)
       visits_[k] = static_cast<double>(status.visits) / static_cast<double>(status.samples);
-    if (status.samples > 0 && clocks > 0.0) work_[k] = clocks * share_[k] / status.samples;
+    shares_.note(k, clocks, status.samples);
   }
 
   /// Removes what stopped a scene, where that can be done.
@@ -366,15 +299,11 @@ class CudaBatch::Work {
 
   CudaDevice device_;
   Arithmetic arithmetic_;
-  int threads_, chosen_blocks_, ring_moments_;
+  int threads_, ring_moments_;
   Launches launches_;
   std::int64_t by_moments_ = 0, by_phases_ = 0;  // moments of all scenes in the last call, by what launches did
-  std::map<std::size_t, int> blocks_of_count_;
-  std::vector<int> useful_;       // most blocks of each scene
-  ClusterRoom cluster_room_{};    // asked for when scenes first share the GPU
-  std::vector<double> work_;      // of each scene: clocks of its blocks a moment, in the last launch; 0: unknown
+  SceneShares shares_;
   std::vector<double> visits_;    // of the points of each a moment, when last moved by phases
-  std::vector<int> share_;        // blocks of each in the last launch
   std::map<int, Timeline> part_;  // of a launch, by the blocks of a scene
   Timeline time_;
   PhaseStreams phases_{arithmetic_, device_.multiprocessors};

@@ -41,11 +41,11 @@ class RunFileTest : public testing::Test {
   }
   std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(folder_), {})); }
 
-  /// Waits until a writer's thread has made the file, and is through with what it writes: it has the library to itself
-  /// from before it begins until after.
+  /// Waits until a writer's thread is through with what it has begun, as the size of the file shows: it has the library
+  /// to itself meanwhile.
   void wait_for_writer() const {
-    for (int n = 0; n < 1000 && !fs::exists(options_.output); ++n) usleep(10000);
-    ASSERT_TRUE(fs::exists(options_.output));
+    for (int n = 0; n < 1000 && fs::file_size(options_.output) == 0; ++n) usleep(10000);
+    ASSERT_GT(fs::file_size(options_.output), 0U);
     const std::lock_guard library(hdf5::library_mutex());
   }
 
@@ -186,16 +186,22 @@ TEST_F(RunFileTest, NothingStaysBehindWithoutAMoment) {
   {
     FakeEngine engine(scene_, fake_field(3));
     const RunWriter writer(options_.output, false, scene_, engine.bodies(), {});
-    wait_for_writer();
+    EXPECT_EQ(files(), 1U);
   }
   EXPECT_EQ(files(), 0U);
 }
 
 TEST_F(RunFileTest, AFileThatAnotherRunWritesIsLeftToIt) {
+  const auto refused = [&](bool overwrite, const std::string& why) {
+    expect_error(ExitCode::file_system, why, [&] { RunWriter(options_.output, overwrite, scene_, fake_field(2), {}); });
+  };
   RunWriter first(options_.output, false, scene_, fake_field(2), {});
-  wait_for_writer();
-  RunWriter second(options_.output, true, scene_, fake_field(2), {});
-  expect_error(ExitCode::file_system, "check that no other run writes it", [&] { second.finish("complete", 0); });
+  refused(true, "another process writes or reads it");
+  ASSERT_NO_FATAL_FAILURE(wait_for_writer());
+  const auto size = fs::file_size(options_.output);
+  refused(true, "another process writes or reads it");
+  refused(false, "the file exists");
+  EXPECT_EQ(fs::file_size(options_.output), size);
   Slab slab;
   slab.platform.resize(7);
   first.write(slab);
@@ -222,7 +228,7 @@ TEST_F(RunFileTest, FullDiskIsOneClearErrorAndLeavesAReadableFile) {
 
 TEST_F(RunFileTest, AFailedWriteIsReportedWithTheReasonOfTheSystem) {
   RunWriter writer(options_.output, false, scene_, fake_field(2), {});
-  wait_for_writer();
+  ASSERT_NO_FATAL_FAILURE(wait_for_writer());
   const auto empty_size = fs::file_size(options_.output);
   Slab slab;
   slab.time = 5.0;
@@ -236,13 +242,15 @@ TEST_F(RunFileTest, AFailedWriteIsReportedWithTheReasonOfTheSystem) {
   usleep(2100000);  // longer than the writer's pause between two flushes
   writer.write(slab);
   for (int n = 0; n < 500 && fs::file_size(options_.output) < empty_size + 100000; ++n) usleep(10000);
-  wait_for_writer();
+  ASSERT_NO_FATAL_FAILURE(wait_for_writer());  // it writes already
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   signal(SIGXFSZ, SIG_IGN);
   const rlimit small{16, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
+  testing::internal::CaptureStderr();
   expect_error(ExitCode::file_system, "File too large; saved up to 5 s", [&] { writer.finish("complete", 0); });
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "HDF5 told its own story";
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_EQ(RunFile(options_.output, true).column("platform/x")[7], std::sin(7.0));
 }

@@ -56,8 +56,7 @@ hsize_t ChunkShape::rows_of(const std::string& group) const {
   return group == "floes" || group == "stats" ? frames : rows;
 }
 
-ColumnFile::ColumnFile(const std::string& path, bool overwrite, const std::map<std::string, hsize_t>& size,
-                       const ChunkShape& chunk)
+ColumnFile::ColumnFile(const std::string& path, const std::map<std::string, hsize_t>& size, const ChunkShape& chunk)
     : size_(size), chunk_(chunk) {
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
   check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "file format");
@@ -72,8 +71,7 @@ ColumnFile::ColumnFile(const std::string& path, bool overwrite, const std::map<s
   cache.decr_mode = H5C_decr__off;
   check(H5Pset_mdc_config(access, &cache), "index cache");
   const Handle creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "file creation");
-  file_ = checked(H5Fcreate(path.c_str(), overwrite ? H5F_ACC_TRUNC : H5F_ACC_EXCL, creation, access), H5Fclose,
-                  "cannot create");
+  file_ = checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "cannot create");
 }
 
 Handle ColumnFile::add_group(const std::string& group) {

@@ -24,9 +24,8 @@ ChunkShape chunk_shape(std::size_t floes);
 /// Every failed call throws hdf5::Failure.
 class ColumnFile {
  public:
-  /// Creates the file. `size` holds the dimensions that do not grow.
-  ColumnFile(const std::string& path, bool overwrite, const std::map<std::string, hsize_t>& size,
-             const ChunkShape& chunk);
+  /// Creates the file, or empties the one that is there. `size` holds the dimensions that do not grow.
+  ColumnFile(const std::string& path, const std::map<std::string, hsize_t>& size, const ChunkShape& chunk);
 
   hid_t id() const { return file_; }
   hdf5::Handle add_group(const std::string& group);

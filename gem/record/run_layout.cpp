@@ -44,9 +44,8 @@ std::map<std::string, hsize_t> sizes_of(const SceneDef& scene, const Bodies& bod
 
 }  // namespace
 
-RunLayout::RunLayout(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
-                     const Provenance& provenance)
-    : size_(sizes_of(scene, bodies)), chunk_(chunk_shape(size_["floe"])), file_(path, overwrite, size_, chunk_) {
+RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodies& bodies, const Provenance& provenance)
+    : size_(sizes_of(scene, bodies)), chunk_(chunk_shape(size_["floe"])), file_(path, size_, chunk_) {
   write_header(scene, bodies, provenance);
   for (const char* name : {"floe", "vertex", "xy", "overlap_class"})
     file_.add_dimension(file_.id(), name, size_[name], false);

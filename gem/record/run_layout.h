@@ -13,8 +13,8 @@ namespace gem {
 /// An open run file. Every failed call throws hdf5::Failure.
 class RunLayout {
  public:
-  RunLayout(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
-            const Provenance& provenance);
+  /// Creates the file, or empties the one that is there.
+  RunLayout(const std::string& path, const SceneDef& scene, const Bodies& bodies, const Provenance& provenance);
   /// Takes a slab over and writes the chunks that are full. A chunk is written once and never again: its room in the
   /// file is never given to another chunk, so a killed run leaves every chunk readable that a flush has seen.
   void append(Slab slab);

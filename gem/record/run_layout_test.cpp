@@ -28,7 +28,7 @@ std::size_t frames_waiting(int floes) {
   SceneDef scene;
   scene.output.floes_interval_s = scene.numerics.moment_s;
   FakeEngine engine(scene, fake_field(floes));
-  RunLayout layout((folder.path() / "run.h5").string(), false, scene, engine.bodies(), {});
+  RunLayout layout((folder.path() / "run.h5").string(), scene, engine.bodies(), {});
   Recorder recorder(scene, engine);
   for (int frame = 1; frame < 7; ++frame) {
     MomentLog log;

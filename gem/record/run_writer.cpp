@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <new>
 #include <thread>
 
 #include "gem/base/error.h"
@@ -33,15 +34,12 @@ std::uint64_t bytes(const Slab& slab) {
          slab.floes.x.size() * floe_columns().size() * 4;
 }
 
-/// The library must not try to close a file at exit that a full disk did not let it close.
+/// The library must not try to close a file at exit that a full disk did not let it close. It prints errors unless told
+/// otherwise by each thread.
 void prepare_library() {
   static const bool once = [] { return H5dont_atexit() >= 0; }();
   static_cast<void>(once);
   hdf5::quiet_errors();
-}
-
-Error cannot_create(const std::string& path, const std::string& why) {
-  return {ExitCode::file_system, "cannot create " + shown(path) + " (" + why + ") check that no other run writes it"};
 }
 
 /// What the file says of its start: the writer's own, for the engine moves its bodies meanwhile.
@@ -64,8 +62,8 @@ std::string hash_text(std::uint64_t hash) {
 class RunWriter::Thread {
  public:
   Thread(const std::string& path, bool overwrite, Start start)
-      : path_(path), thread_([this, overwrite, start = std::move(start)]() mutable {
-          begin(overwrite, std::move(start));
+      : path_(path), claim_(path, overwrite), thread_([this, start = std::move(start)]() mutable {
+          begin(std::move(start));
           work();
         }) {}
 
@@ -91,17 +89,13 @@ class RunWriter::Thread {
   void finish(const std::string& status, std::uint64_t state_hash) {
     stop();
     if (layout_ == nullptr) throw failure();
-    try {
-      const std::lock_guard library(hdf5::library_mutex());
+    guarded([&] {
       if (!layout_->waiting().empty() && !has_room_for({}) && !failed_) remember("no room left on the disk");
       if (!failed_) layout_->append_rest();
       layout_->set_text("gem_state_hash", hash_text(state_hash));
       layout_->set_text("gem_status", failed_ ? "stopped:" + why_ : status);
       flush();
-    } catch (const hdf5::Failure& fault) {
-      broken_ = true;
-      remember(fault.text);
-    }
+    });
     close();
     finished_ = !failed_;
     if (!finished_ && !any_written_) unlink(path_.c_str());
@@ -109,18 +103,29 @@ class RunWriter::Thread {
   }
 
  private:
-  /// The file and what is known at the start: tens of milliseconds, which the simulation need not wait for.
-  void begin(bool overwrite, const Start start) {
+  /// Does something with the library. What fails is remembered: nothing more is written then.
+  template <class Action>
+  void guarded(Action action) {
     const std::lock_guard library(hdf5::library_mutex());
     prepare_library();
-    const bool existed = access(path_.c_str(), F_OK) == 0;
     try {
-      layout_ = std::make_unique<RunLayout>(path_, overwrite, start.scene, start.bodies, start.provenance);
-      created_ = true;
+      action();
     } catch (const hdf5::Failure& fault) {
-      if (!existed) unlink(path_.c_str());
+      broken_ = true;
       remember(fault.text);
+    } catch (const std::bad_alloc&) {
+      broken_ = out_of_memory_ = true;
+      remember("out of memory");
     }
+  }
+
+  /// The file and what is known at the start: tens of milliseconds, which the simulation need not wait for.
+  void begin(const Start start) {
+    guarded([&] {
+      claim_.let_go();
+      layout_ = std::make_unique<RunLayout>(path_, start.scene, start.bodies, start.provenance);
+    });
+    if (layout_ == nullptr && claim_.made()) unlink(path_.c_str());
   }
 
   void work() {
@@ -139,8 +144,7 @@ class RunWriter::Thread {
 
   /// A slab goes in only if it surely fits: what is on disk then stays readable when the disk is full.
   void write(Slab slab) {
-    const std::lock_guard library(hdf5::library_mutex());
-    try {
+    guarded([&] {
       if (!has_room_for(slab)) {
         flush();
         return remember("no room left on the disk");
@@ -148,10 +152,7 @@ class RunWriter::Thread {
       unflushed_ += bytes(slab);
       layout_->append(std::move(slab));
       if (Clock::now() - flushed_ >= flush_pause) flush();
-    } catch (const hdf5::Failure& fault) {
-      broken_ = true;
-      remember(fault.text);
-    }
+    });
   }
 
   /// Rows that wait or are not flushed yet need their room too.
@@ -185,6 +186,7 @@ class RunWriter::Thread {
 
   void close() {
     const std::lock_guard library(hdf5::library_mutex());
+    prepare_library();
     try {
       if (broken_) {
         layout_->abandon();
@@ -199,13 +201,16 @@ class RunWriter::Thread {
   }
 
   Error failure() const {
-    if (!created_) return cannot_create(path_, why_);
     const std::string saved = any_written_ ? "saved up to " + number_text(saved_time_) + " s" : "nothing was saved";
+    if (out_of_memory_)
+      return {ExitCode::resource_limit, "out of memory (while " + shown(path_) + " was written; " + saved +
+                                            ") use fewer floes or a machine with more"};
     return {ExitCode::file_system,
             "cannot write " + shown(path_) + " (" + why_ + "; " + saved + ") make room and run again"};
   }
 
   std::string path_;
+  OutputClaim claim_;
   std::unique_ptr<RunLayout> layout_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
@@ -216,7 +221,7 @@ class RunWriter::Thread {
   std::atomic<double> saved_time_ = 0.0;
   std::atomic<bool> any_written_ = false;
   std::uint64_t unflushed_ = 0;
-  bool created_ = false;
+  std::atomic<bool> out_of_memory_ = false;
   bool finished_ = false;
   bool broken_ = false;
   bool stopping_ = false;

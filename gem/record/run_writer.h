@@ -33,21 +33,21 @@ struct Provenance {
   std::string device = "";            // that the engine ran on besides the processor; empty: none
 };
 
-/// A run file. It is made while the simulation goes on, and removed again if nothing was written when this is
-/// destroyed.
+/// A run file. The file exists from construction on; it is removed again if nothing was written when this is destroyed.
 class RunWriter {
  public:
-  /// Throws Error(file_system) if the file exists (and not overwrite) or its folder takes no files. What fails later,
-  /// as where another run writes the same file, is thrown by the next call. `scene` and `bodies` are copied.
+  /// Throws Error(file_system) if the file exists (and not overwrite), another process writes it, or its folder takes
+  /// no files. `scene` and `bodies` are copied: what the file says of them is written meanwhile.
   RunWriter(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
             const Provenance& provenance);
   ~RunWriter();
   RunWriter(const RunWriter&) = delete;
   RunWriter& operator=(const RunWriter&) = delete;
 
-  /// Hands over a slab. Throws Error(file_system) if an earlier one could not be written.
+  /// Hands over a slab. Throws Error(file_system), or Error(resource_limit) where memory was too small, if an earlier
+  /// one could not be written.
   void write(Slab slab);
-  /// Throws the writer's Error(file_system), if any; cheap.
+  /// Throws the writer's Error, if any; cheap.
   void check() const;
   /// Waits for the queue, sets the status ("complete" or "stopped:<reason>") and the state hash, and closes.
   /// After a failed write the status is set as well as the file allows, and the failure is thrown.

@@ -35,7 +35,7 @@ struct RunOptions {
 /// What a run came to.
 struct RunSummary {
   std::string status;   // complete | stopped:<reason>
-  int stop_signal = 0;  // SIGINT, SIGTERM or 0
+  int stop_signal = 0;  // SIGINT, SIGTERM, SIGHUP or 0
   std::string file;
   std::string engine;
   double time = 0.0;       // simulated [s]

@@ -123,6 +123,7 @@ RunSummary RunSteps::finish(int stop_signal) {
   summary_.stop_signal = stop_signal;
   summary_.status = summary_.stop_signal == SIGINT          ? "stopped:SIGINT"
                     : summary_.stop_signal == SIGTERM       ? "stopped:SIGTERM"
+                    : summary_.stop_signal == SIGHUP        ? "stopped:SIGHUP"
                     : engine_.moment() < moments_of(scene_) ? "stopped:moment limit"
                                                             : "complete";
   summary_.state_hash = engine_.state_hash();

@@ -15,8 +15,6 @@ enum class ExitCode : int {
   numerical_stop = 6,
   resource_limit = 7,
   some_failed = 8,  // of several runs; each has its own reason
-  interrupted = 130,
-  terminated = 143,
 };
 
 /// A fault that a user can act on. `what()` is one line: problem (why) suggestion.

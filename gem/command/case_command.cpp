@@ -25,10 +25,25 @@ std::string check_json(const SceneDef& scene, const FieldSummary& field, const s
                                    {"cover", field.cover},
                                    {"smallest_gap_m", nullptr},
                                    {"ice_mass_kg", field.ice_mass},
+                                   {"thickness_minimum_m", field.thickness_minimum},
+                                   {"thickness_maximum_m", field.thickness_maximum},
                                    {"sides", field.sides},
                                    {"warnings", warnings}};
   if (std::isfinite(field.smallest_gap)) object["smallest_gap_m"] = field.smallest_gap;
   return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+/// The period without damping and added mass, to compare with what is known of the platform.
+std::string mooring_text(const SceneDef& scene) {
+  const double stiffness = scene.mooring.stiffness_N_per_m;
+  if (stiffness == 0.0) return "not moored";
+  return "natural period " + number_text(2.0 * M_PI * std::sqrt(scene.platform.mass_kg / stiffness), 4) + " s";
+}
+
+std::string thickness_text(const FieldSummary& field) {
+  const std::string thinnest = number_text(field.thickness_minimum, 4),
+                    thickest = number_text(field.thickness_maximum, 4);
+  return thinnest == thickest ? thickest + " m" : thinnest + " to " + thickest + " m";
 }
 
 std::string check_text(const SceneDef& scene, const FieldSummary& field, const std::vector<std::string>& warnings) {
@@ -37,6 +52,10 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
     text += "  " + name + std::string(18 - name.size(), ' ') + value + "\n";
   };
   line("case", scene_hash(scene));
+  line("run", number_text(scene.run.duration_s) + " s, " + fixed_text(estimate(scene).moments, 0) + " moments of " +
+                  number_text(scene.numerics.moment_s) + " s");
+  if (scene.platform.present)
+    line("platform", "mass " + number_text(scene.platform.mass_kg) + " kg, " + mooring_text(scene));
   line("floes", std::to_string(field.floe_count));
   if (field.floe_count > 0) {
     line("size sqrt(area)", "mean " + fixed_text(field.size_mean, 3) + " m, sd " + fixed_text(field.size_deviation, 3) +
@@ -44,7 +63,8 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
                                 fixed_text(field.size_maximum, 2) + " m");
     if (scene.floes.source != FloeSource::listed) line("cover", fixed_text(field.cover, 4));
     line("smallest gap", number_text(field.smallest_gap, 4) + " m");
-    line("ice mass", number_text(field.ice_mass, 6) + " kg");
+    line("ice", number_text(field.ice_mass, 6) + " kg, " + thickness_text(field) + " thick, crushes at " +
+                    number_text(1e-6 * scene.ice.crushing_pressure_Pa, 4) + " MPa on 1 m2");
     std::string sides;
     for (std::size_t n = 0; n < field.sides.size(); ++n) {
       if (field.sides[n] > 0)

@@ -107,6 +107,7 @@ TEST_F(CommandTest, FaultsHaveTheirExitCodeOneLineAndNoFile) {
       {"gem run swing.toml --index 1", 2, "single case"},
       {"gem run --index 1", 2, "--index"},
       {"gem run swing.toml --set run.duration=1", 3, "run.duration"},
+      {"gem run swing.toml --until 10min", 2, "--until 10min is no number"},
       {"gem run swing.toml --until nan", 3, "duration_s"},
       {"gem run swing.toml --until -1", 3, "--until -1: run.duration_s: out of range"},
       {"gem run swing.toml --until 1e12", 3, "duration_s"},
@@ -269,6 +270,13 @@ TEST_F(CommandTest, TerminateEndsInOrder) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 143);
   EXPECT_EQ(RunFile(path("swing.h5"), true).status(), "stopped:SIGTERM");
+}
+
+TEST_F(CommandTest, HangUpEndsInOrder) {
+  const int status = signalled(SIGHUP, 700);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 129);
+  EXPECT_EQ(RunFile(path("swing.h5"), true).status(), "stopped:SIGHUP");
 }
 
 // How far a run gets before it is killed depends on the machine's load, and a kill may fall into the few milliseconds

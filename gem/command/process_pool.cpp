@@ -27,6 +27,7 @@ void ProcessPool::start(std::size_t job, const std::function<void()>& work) {
   sigemptyset(&stops);
   sigaddset(&stops, SIGINT);
   sigaddset(&stops, SIGTERM);
+  sigaddset(&stops, SIGHUP);
   sigprocmask(SIG_BLOCK, &stops, &former);  // before the fork: no moment in which the new process obeys them
   const pid_t parent = getpid();
   const pid_t process = fork();

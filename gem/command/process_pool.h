@@ -10,8 +10,8 @@
 
 namespace gem {
 
-/// Processes that die with this one, however it ends. They get no SIGINT and no SIGTERM: whoever starts them tells them
-/// to stop in another way. For a program without threads.
+/// Processes that die with this one, however it ends. They get no SIGINT, SIGTERM and SIGHUP: whoever starts them tells
+/// them to stop in another way. For a program without threads.
 class ProcessPool {
  public:
   ProcessPool() = default;

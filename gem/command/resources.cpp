@@ -50,8 +50,10 @@ Estimate estimate(const SceneDef& scene) {
   need.moments = double(moments_of(scene));
   need.memory =
       base_memory + floe_count(scene) * bytes_per_floe + slabs_in_memory * std::min(frames, 64.0) * frame_bytes;
-  need.disk = compression * (frames * frame_bytes + samples * 8.0 * double(platform_columns().size()) +
-                             frames * 8.0 * double(stats_columns().size()) + floe_count(scene) * 160.0) +
+  const double platform_bytes = samples * 8.0 * double(platform_columns().size());
+  need.platform_disk = compression * platform_bytes;
+  need.disk = compression * (frames * frame_bytes + platform_bytes + frames * 8.0 * double(stats_columns().size()) +
+                             floe_count(scene) * 160.0) +
               1e6;
   return need;
 }
@@ -64,8 +66,9 @@ void check_resources(const Estimate& need, const std::string& output) {
   const double room = double(room_at(output));
   if (need.disk > room) {
     throw Error(ExitCode::resource_limit, "the run file needs about " + size_text(need.disk) + " (" + size_text(room) +
-                                              " are free at " + shown(output) +
-                                              ") raise output.floes_interval_s, choose another --out, or use --force");
+                                              " are free at " + shown(output) + ") raise output." +
+                                              (need.platform_disk > 0.5 * need.disk ? "platform" : "floes") +
+                                              "_interval_s, choose another --out, or use --force");
   }
 }
 

@@ -1,5 +1,6 @@
 // gem run: one case to one run file.
 #include <algorithm>
+#include <charconv>
 #include <csignal>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "gem/command/command.h"
 #include "gem/field/field.h"
 #include "gem/record/output_path.h"
+#include "gem/run_signals.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/document.h"
 #include "gem/scene/scene_file.h"
@@ -53,6 +55,11 @@ void check_engine_options(const RunChoice& choice) {
 /// --until stands for run.duration_s, which must not be given twice.
 void set_end(RunChoice& choice) {
   if (choice.until.empty()) return;
+  double seconds = 0.0;
+  const char* const end = choice.until.data() + choice.until.size();
+  if (const auto read = std::from_chars(choice.until.data(), end, seconds); read.ec != std::errc{} || read.ptr != end)
+    throw Error(ExitCode::usage,
+                "--until " + shown(choice.until) + " is no number (it takes seconds) give --until 600");
   for (const std::string& text : choice.chosen_case.overrides)
     if (find_path(parse_override(text), "run.duration_s") != nullptr)
       throw Error(ExitCode::usage, "--until " + choice.until + " and --set " + text +
@@ -118,8 +125,7 @@ int run(RunChoice choice) {
   if (!engine->method().empty()) choice.options.books = reported_only;
   const RunSummary summary = run_scene(scene, *engine, choice.options);
   if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));
-  if (summary.stop_signal == SIGINT) return static_cast<int>(ExitCode::interrupted);
-  return summary.stop_signal == SIGTERM ? static_cast<int>(ExitCode::terminated) : 0;
+  return exit_code_of_signal(summary.stop_signal);
 }
 
 }  // namespace

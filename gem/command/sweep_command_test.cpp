@@ -223,6 +223,17 @@ TEST_F(SweepCommandTest, SeveralProcessesShareOneFolder) {
   for (const Json& row : manifest.at("runs")) EXPECT_EQ(row.at("status"), "done");
 }
 
+TEST_F(SweepCommandTest, ASweepOfOtherCasesIsRefusedWhileOneRuns) {
+  const pid_t child = start_sweep("d", slow_, "first");
+  wait_for_first("d");
+  EXPECT_EQ(sweep("d", {"--set", "run.duration_s=1.0", "--index", "5-6"}), 4);
+  EXPECT_NE(text_of("err_").find("another sweep runs in"), std::string::npos) << text_of("err_");
+  kill(child, SIGHUP);
+  EXPECT_EQ(ended(child), 129);
+  EXPECT_GE(count("d", "stopped"), 1u);
+  EXPECT_EQ(sweep("d", {"--set", "run.duration_s=1.0", "--index", "5-6"}), 0) << text_of("err_");
+}
+
 TEST_F(SweepCommandTest, WhatIsNotThisSweepsIsKept) {
   ASSERT_EQ(sweep("d", {"--index", "1"}), 0);
   const std::string former = status("d", "state_hash").at("slow_4000000");

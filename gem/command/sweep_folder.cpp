@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -31,10 +32,13 @@ std::string system_reason(int code) { return std::generic_category().message(cod
 std::string manifest_path(const std::string& folder) { return folder + "/manifest.json"; }
 
 /// Byte 0 is the manifest's; two names that share a byte would only wait for each other.
+// bytes of the file of locks
+constexpr std::int64_t manifest_place = 0, folder_place = 1, first_run_place = 2;
+
 std::int64_t place_of(const std::string& run_name) {
   Hash hash;
   for (const char c : run_name) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
-  return 1 + static_cast<std::int64_t>(hash.value() >> 2);
+  return first_run_place + static_cast<std::int64_t>(hash.value() >> 2);
 }
 
 Json json_of(const SweepRow& row) {
@@ -120,10 +124,11 @@ int open_locks(const std::string& folder) {
               "cannot open " + shown(path) + " (" + system_reason(errno) + ") choose a folder that can be written");
 }
 
-/// Locks one byte (F_OFD_SETLK, F_OFD_SETLKW) or says who has it (F_OFD_GETLK); false: another process has it.
-bool lock_byte(int file, int command, std::int64_t place, const std::string& folder) {
+/// Locks one byte (F_OFD_SETLK, F_OFD_SETLKW) or says who has it (F_OFD_GETLK), `kind` F_WRLCK for oneself or F_RDLCK
+/// with others; false: another process has it.
+bool lock_byte(int file, int command, std::int64_t place, const std::string& folder, short kind = F_WRLCK) {
   struct flock range {};
-  range.l_type = F_WRLCK;
+  range.l_type = kind;
   range.l_whence = SEEK_SET;
   range.l_start = place;
   range.l_len = 1;
@@ -165,9 +170,15 @@ bool SweepLock::is_held(const std::string& folder, const std::string& run_name) 
   return !lock_byte(file.file_, F_OFD_GETLK, place_of(run_name), folder);
 }
 
+std::optional<SweepLock> SweepLock::try_folder(const std::string& folder, bool alone) {
+  SweepLock held(open_locks(folder));
+  if (!lock_byte(held.file_, F_OFD_SETLK, folder_place, folder, alone ? F_WRLCK : F_RDLCK)) return std::nullopt;
+  return held;
+}
+
 SweepLock SweepLock::wait_manifest(const std::string& folder) {
   SweepLock held(open_locks(folder));
-  lock_byte(held.file_, F_OFD_SETLKW, 0, folder);
+  lock_byte(held.file_, F_OFD_SETLKW, manifest_place, folder);
   return held;
 }
 
@@ -208,14 +219,25 @@ void update_manifest(const std::string& folder, const std::vector<SweepRow>& row
   write_manifest(folder, laid_over(read_manifest(folder), rows));
 }
 
-void complete_manifest(const std::string& folder, const std::vector<SweepRow>& rows) {
+SweepLock enter_folder(const std::string& folder, const std::vector<SweepRow>& rows) {
   const SweepLock held = SweepLock::wait_manifest(folder);
   const std::vector<SweepRow> all = read_manifest(folder);
+  std::map<std::string, std::string> case_of;
+  for (const SweepRow& row : rows) case_of[row.name] = row.case_sha256;
   std::set<std::pair<std::string, std::string>> known;
   for (const SweepRow& row : all) known.insert({row.name, row.case_sha256});
+  const auto other = std::find_if(all.begin(), all.end(), [&](const SweepRow& row) {
+    const auto found = case_of.find(row.name);
+    return found != case_of.end() && found->second != row.case_sha256;
+  });
+  if (other != all.end() && !SweepLock::try_folder(folder, true))
+    throw Error(ExitCode::file_system, "another sweep runs in " + shown(folder) + " (its " + shown(other->name) +
+                                           " is another case than the one asked for) choose another --out");
+  auto share = SweepLock::try_folder(folder, false);
   std::vector<SweepRow> added = rows;
   std::erase_if(added, [&known](const SweepRow& row) { return known.count({row.name, row.case_sha256}) > 0; });
   if (!added.empty()) write_manifest(folder, laid_over(all, added));
+  return std::move(*share);
 }
 
 std::string rows_json(const std::vector<SweepRow>& rows) {

@@ -31,6 +31,8 @@ class SweepLock {
   static std::optional<SweepLock> try_run(const std::string& folder, const std::string& run_name);
   /// Whether a process holds it now.
   static bool is_held(const std::string& folder, const std::string& run_name);
+  /// The share of a sweep in its folder, for as long as it runs; nothing if `alone` and other sweeps run there.
+  static std::optional<SweepLock> try_folder(const std::string& folder, bool alone);
   /// The manifest's lock, waited for.
   static SweepLock wait_manifest(const std::string& folder);
   ~SweepLock();
@@ -51,8 +53,10 @@ std::vector<SweepRow> read_manifest(const std::string& folder);
 /// so that any number of processes may do it. Throws Error(file_system).
 void update_manifest(const std::string& folder, const std::vector<SweepRow>& rows);
 
-/// The same, but a row that the manifest has of the same name and case stays as it is.
-void complete_manifest(const std::string& folder, const std::vector<SweepRow>& rows);
+/// The same at a sweep's start, but a row that the manifest has of the same name and case stays as it is. Returns the
+/// sweep's share in the folder, to be kept while it runs. Throws Error(file_system) if another sweep that runs there
+/// has other cases under these names.
+SweepLock enter_folder(const std::string& folder, const std::vector<SweepRow>& rows);
 
 /// The rows as JSON objects in a list.
 std::string rows_json(const std::vector<SweepRow>& rows);

@@ -64,6 +64,7 @@ Estimate need_of(const SweepPlan& plan) {
     const Estimate one = estimate(plan.members[plan.chosen[i]].scene);
     need.moments += one.moments;
     need.disk += one.disk;
+    need.platform_disk += one.platform_disk;
     memory.push_back(one.memory);
   }
   std::sort(memory.rbegin(), memory.rend());

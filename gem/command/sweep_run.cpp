@@ -87,8 +87,7 @@ class SweepRun {
   double wall_time() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
   int exit_code() const {
-    if (signal_ == SIGINT) return static_cast<int>(ExitCode::interrupted);
-    if (signal_ == SIGTERM) return static_cast<int>(ExitCode::terminated);
+    if (signal_ != 0) return exit_code_of_signal(signal_);
     if (count().failed == 0) return 0;
     return plan_.rows.size() == 1 ? board_[0].exit_code.load() : static_cast<int>(ExitCode::some_failed);
   }
@@ -219,7 +218,7 @@ int run_sweep(const SweepRunChoice& choice) {
   if (!choice.force) check_resources(plan.need, choice.folder + "/manifest.json");
   std::vector<SweepRow> all;
   for (const SweepMember& member : plan.members) all.push_back(row_of(member));
-  complete_manifest(choice.folder, all);
+  const SweepLock share = enter_folder(choice.folder, all);
   for (const std::size_t i : plan.to_do)
     if (const SweepRow& row = plan.rows[i]; row.status == "stopped" || row.status == "failed")
       log.message("info", shown(row.name) + " is run again: " + row.error);

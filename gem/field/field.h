@@ -22,11 +22,12 @@ struct FieldSummary {
   double size_deviation = 0.0;  // [m]
   double size_minimum = 0.0;
   double size_maximum = 0.0;
-  double cover = 0.0;                   // floe area over the area of the field rectangle [-]
-  double smallest_gap = 0.0;            // between any two bodies [m]; infinity with fewer than two bodies
-  double ice_mass = 0.0;                // [kg]
-  std::vector<std::int64_t> sides;      // sides[n]: floes with n sides
-  std::vector<double> class_share;      // share of the floe area in each ice class [-]
+  double cover = 0.0;         // floe area over the area of the field rectangle [-]
+  double smallest_gap = 0.0;  // between any two bodies [m]; infinity with fewer than two bodies
+  double ice_mass = 0.0;      // [kg]
+  double thickness_minimum = 0.0, thickness_maximum = 0.0;  // of the ice [m]
+  std::vector<std::int64_t> sides;                          // sides[n]: floes with n sides
+  std::vector<double> class_share;                          // share of the floe area in each ice class [-]
   std::int64_t clockwise_outlines = 0;  // listed or read floes that were given clockwise and turned round
   double asked_cover = 0.0;             // sum of the classes' tenths / 10, to compare with cover [-]
 };

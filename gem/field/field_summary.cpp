@@ -32,6 +32,9 @@ void add_floe(FieldSummary& summary, const Bodies& bodies, std::size_t i) {
   summary.size_maximum = std::max(summary.size_maximum, size);
   summary.cover += bodies.area[i];
   summary.ice_mass += bodies.mass[i];
+  summary.thickness_minimum =
+      summary.floe_count == 1 ? bodies.thickness[i] : std::min(summary.thickness_minimum, bodies.thickness[i]);
+  summary.thickness_maximum = std::max(summary.thickness_maximum, bodies.thickness[i]);
   if (summary.sides.size() <= sides) summary.sides.resize(sides + 1, 0);
   ++summary.sides[sides];
   if (summary.class_share.size() <= bodies.ice_class[i]) summary.class_share.resize(bodies.ice_class[i] + 1U, 0.0);

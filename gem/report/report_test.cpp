@@ -82,7 +82,8 @@ RunData swinging_platform() {
 }
 
 TEST(RunFindings, DescribeASwingingPlatform) {
-  const RunFindings findings = run_findings(swinging_platform());
+  const RunData run = swinging_platform();
+  const RunFindings findings = run_findings(run);
   EXPECT_NEAR(findings.x.deviation, 0.1 / std::sqrt(2.0), 1e-4);
   EXPECT_NEAR(findings.x.excursion, 0.3, 1e-6);
   EXPECT_NEAR(findings.radial_excursion, std::hypot(0.3, 0.05), 1e-6);
@@ -95,6 +96,11 @@ TEST(RunFindings, DescribeASwingingPlatform) {
   EXPECT_DOUBLE_EQ(findings.loads.event_impulse_largest, 6e3);
   EXPECT_DOUBLE_EQ(findings.loads.sample_impulse_largest, 1e4);
   EXPECT_DOUBLE_EQ(findings.loads.ice_window_largest, 1e4);
+  const PlatformRecord& p = run.platform;
+  const auto at =
+      std::size_t(std::find(p.time.begin(), p.time.end(), findings.loads.ice_window_end_s) - p.time.begin());
+  ASSERT_LT(at, p.time.size());
+  EXPECT_DOUBLE_EQ(std::hypot(p.ice_force_mean_x[at], p.ice_force_mean_y[at]), 1e4);
   EXPECT_DOUBLE_EQ(findings.loads.crushing_largest, 9e4);
   EXPECT_DOUBLE_EQ(findings.loads.crushing_of_any, 1.2e5);
   EXPECT_NEAR(findings.loads.mooring_largest, 1.5e5, 1.0);

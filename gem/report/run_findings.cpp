@@ -55,7 +55,9 @@ PlatformLoads loads(const RunData& run) {
   const PlatformRecord& p = run.platform;
   PlatformLoads result;
   result.contact_fraction = intermittency(p.contacts);
-  result.ice_window_largest = largest_length(p.ice_force_mean_x, p.ice_force_mean_y);
+  const Excursion window = maximum_radial_excursion(p.ice_force_mean_x, p.ice_force_mean_y);
+  result.ice_window_largest = window.value;
+  if (!p.time.empty()) result.ice_window_end_s = p.time[window.sample];
   result.mooring_largest = largest_length(p.mooring_force_x, p.mooring_force_y);
   if (p.time.size() >= kSamplesForStatistics) {
     result.sample_s = sample_interval(p.time);

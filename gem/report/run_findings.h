@@ -27,6 +27,7 @@ struct PlatformLoads {
   double sample_impulse_largest = 0.0;        // net ice impulse of one sample [N s]
   double event_impulse_largest = 0.0;         // normal impulse of one event [N s]
   double ice_window_largest = 0.0;            // of the window average [N]
+  double ice_window_end_s = 0.0;              // when the window of that ended [s]
   double ice_mean_x = 0.0, ice_mean_y = 0.0;  // over the run [N]
   double crushing_largest = 0.0;              // closed-form peak among the events that open a touch [N]
   double crushing_median = 0.0;

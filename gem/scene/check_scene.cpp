@@ -241,6 +241,11 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
                          ", the floes cover " + number(std::round(10.0 * cover) / 10.0) +
                          " tenths) the classes only set the shares");
   }
+  const std::vector<IceClassDef>& classes = f.classes;
+  const IceClassDef usual;
+  if (f.source == FloeSource::listed &&
+      (classes.size() != 1 || classes[0].thickness_m != usual.thickness_m || classes[0].tenths != usual.tenths))
+    warnings.push_back("ice.class: not used (floes that are listed have their own thickness_m) remove it");
   const double moment = scene.numerics.moment_s;
   const auto whole = [moment](double time) { return std::abs(std::remainder(time, moment)) <= 1e-9 * time; };
   const double ends = moment * std::round(scene.run.duration_s / moment);

@@ -145,12 +145,13 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
   // a run that was killed loses its last events, and with few of them all
   const bool cut = run.identity.status == "running";
   const auto of_events = [cut](const std::string& text) { return cut ? "not known: the run was cut off" : text; };
+  const std::string when =
+      l.ice_window_largest > 0.0 ? " in the " + window + " up to " + number_text(l.ice_window_end_s, 6) + " s" : "";
   std::string rows =
       row("event impulse, largest of one event", {of_events(impulse_text(l.event_impulse_largest))}) +
       row("net impulse of one sample (" + number_text(l.sample_s, 6) + " s), largest",
           {impulse_text(l.sample_impulse_largest)}) +
-      row("ice force averaged over " + window + ", largest", {force_text(l.ice_window_largest) + " in the " + window +
-                                                              " up to " + number_text(l.ice_window_end_s, 6) + " s"}) +
+      row("ice force averaged over " + window + ", largest", {force_text(l.ice_window_largest) + when}) +
       row("ice force averaged over the run, x", {mean_text(finding_of(analysis, "ice_force_x_mean_N"), mean_unit)}) +
       row("ice force averaged over the run, y", {mean_text(finding_of(analysis, "ice_force_y_mean_N"), mean_unit)}) +
       row("crushing peak (closed form) of the event that opens an impact, largest",

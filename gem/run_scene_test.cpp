@@ -196,7 +196,6 @@ TEST_F(RunFileTest, AFileThatAnotherRunWritesIsLeftToIt) {
     expect_error(ExitCode::file_system, why, [&] { RunWriter(options_.output, overwrite, scene_, fake_field(2), {}); });
   };
   RunWriter first(options_.output, false, scene_, fake_field(2), {});
-  refused(true, "another process writes or reads it");
   ASSERT_NO_FATAL_FAILURE(wait_for_writer());
   const auto size = fs::file_size(options_.output);
   refused(true, "another process writes or reads it");

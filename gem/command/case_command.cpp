@@ -5,6 +5,7 @@
 
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
+#include "gem/events/mooring.h"
 #include "gem/field/field.h"
 #include "gem/scene/case_text.h"
 #include "gem/scene/check_scene.h"
@@ -35,9 +36,8 @@ std::string check_json(const SceneDef& scene, const FieldSummary& field, const s
 
 /// The period without damping and added mass, to compare with what is known of the platform.
 std::string mooring_text(const SceneDef& scene) {
-  const double stiffness = scene.mooring.stiffness_N_per_m;
-  if (stiffness == 0.0) return "not moored";
-  return "natural period " + number_text(2.0 * M_PI * std::sqrt(scene.platform.mass_kg / stiffness), 4) + " s";
+  const double period = natural_period(scene.mooring.stiffness_N_per_m, scene.platform.mass_kg);
+  return period > 0.0 ? "natural period " + number_text(period, 4) + " s" : "not moored";
 }
 
 std::string thickness_text(const FieldSummary& field) {

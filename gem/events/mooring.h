@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "gem/base/vec2.h"
 
@@ -18,6 +19,11 @@ namespace gem {
 struct MooringFlow {
   double xx = 1.0, xv = 0.0, vx = 0.0, vv = 1.0;
 };
+
+/// 2 pi sqrt(M / k) [s], without damping and added mass; 0 without mooring. Host only.
+inline double natural_period(double stiffness, double mass) {
+  return stiffness > 0.0 ? 2.0 * std::numbers::pi * std::sqrt(mass / stiffness) : 0.0;
+}
 
 /// Coefficients for a stretch of `duration` [s]; host only, once per run.
 inline MooringFlow mooring_flow(double stiffness, double mass, double damping_ratio, double duration) {

@@ -33,7 +33,7 @@ TEST(Mooring, TwoHalvesAreOneStretch) {
 }
 
 TEST(Mooring, PeriodAndEnergyOfTheFreePlatform) {
-  const double period = 2.0 * M_PI * std::sqrt(mass / stiffness);
+  const double period = natural_period(stiffness, mass);
   EXPECT_NEAR(period, 88.8577, 1e-4);
   const MooringFlow flow = mooring_flow(stiffness, mass, 0.0, period / 4096.0);
   Vec2 x{0.5, 0.0}, v{};

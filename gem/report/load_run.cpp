@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "gem/events/mooring.h"
 #include "gem/record/run_file.h"
 #include "gem/scene/scene_file.h"
 
@@ -104,8 +104,7 @@ RunData load_run(const std::string& run_file, bool allow_incomplete) {
   run.current_speed = length(scene.current.velocity_m_per_s);
   run.force_window_s = scene.output.force_window_s;
   run.rest = scene.platform.anchor_m;
-  if (scene.mooring.stiffness_N_per_m > 0.0)
-    run.natural_period_s = 2.0 * std::numbers::pi * std::sqrt(scene.platform.mass_kg / scene.mooring.stiffness_N_per_m);
+  run.natural_period_s = natural_period(scene.mooring.stiffness_N_per_m, scene.platform.mass_kg);
   run.platform = platform_record(file);
   run.events = event_record(file);
   run.stats = stats_record(file);

@@ -24,9 +24,10 @@ struct BlockCell {
   std::uint64_t overlap;
   std::uint32_t alarms;
   // coupled
-  std::int32_t points, first_point;  // found by the block, and its first among all
-  std::int32_t records;              // places taken in the block's fast memory
-  std::int32_t taken, first_taken;   // points that the block iterates, and the first of them
+  std::int32_t points, first_point;    // found by the block, and its first among all
+  std::int32_t records;                // places taken in the block's fast memory
+  std::int32_t taken, first_taken;     // points that the block iterates, and the first of them
+  std::int32_t halo, platform_points;  // bodies of other blocks that they meet, and how many meet the platform
   std::int32_t iterations;
   double residual, energy_created;
   std::uint64_t share, complementarity, cone_excess;  // bits of the largest, numbers >= 0
@@ -88,7 +89,8 @@ class SoloCrew {
   /// Fast memory of another block, where the crew's blocks can reach it.
   std::byte* room_of(int) const { return const_cast<std::byte*>(room_.data()); }
   static constexpr bool shares_rooms = true;
-  static constexpr int kept_points = 2;  // that a thread keeps in registers while it iterates
+  static constexpr bool has_halos = false;  // its blocks move for themselves what their points meet
+  static constexpr int kept_points = 2;     // that a thread keeps in registers while it iterates
   /// Calls work(team) with the part of the crew that iterates so many points of a coupled moment.
   template <class Work>
   void solve(std::int32_t, Work&& work) {
@@ -130,6 +132,7 @@ class OneBlock {
   using Lanes = typename Crew::Lanes;
   using Warp = typename Crew::Warp;
   static constexpr bool shares_rooms = true;
+  static constexpr bool has_halos = false;
   static constexpr int kept_points = Crew::kept_points;
 
   GEM_DEVICE explicit OneBlock(Crew& crew) : crew_(crew) {}

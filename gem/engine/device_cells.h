@@ -131,7 +131,8 @@ struct ListCounters {
   std::int32_t points, taken_points;  // coupled: of this moment, and those that blocks have taken to iterate
   std::int32_t looks, touches;        // of this moment, of scenes that are moved phase by phase
   std::int32_t arrived;               // the same: blocks that have moved their bodies
-  std::uint32_t asked[2];             // coupled: bits of the residuals of two judged iterations in turn
+  std::uint32_t asked[3];             // coupled: bits of the residuals of three judged iterations in turn
+  std::uint32_t crowded;              // coupled: 1: a block has no room for its halo
 };
 
 /// What the platform felt of one contact point, ready to be added in order.

@@ -80,6 +80,7 @@ class DeviceCrew {
   using Warp = LaneGroup<32>;
   using Wide = LaneGroup<8>;  // about the edges of an outline
   static constexpr int kept_points = 2;
+  static constexpr bool has_halos = false;
 
   __device__ explicit DeviceCrew(const BlockRoom& room) : room_(room) {}
 
@@ -191,16 +192,17 @@ class GateCrew : public DeviceCrew {
     if (block() < team.blocks()) work(team);
     team_barriers_ += team.barriers();
   }
-  /// Other blocks do not reach a block's fast memory.
+  /// Other blocks do not reach a block's fast memory, and meeting them takes longer than moving some of their bodies.
   static constexpr bool shares_rooms = false;
+  static constexpr bool has_halos = true;
   __device__ std::byte* room_of(int) const { return room_.room; }
 
   __device__ void barrier() {
     __syncthreads();
     passed_ += static_cast<unsigned>(blocks_);
     if (threadIdx.x == 0) {
-      __threadfence();
-      atomicAdd(&gate_->arrived, 1U);
+      // what the whole block wrote comes before
+      asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&gate_->arrived) : "memory");
       Seen seen = look_at(gate_);
       while (seen.arrived < passed_) seen = look_at(gate_);
       room_.shared.alarms |= seen.alarms;

@@ -55,7 +55,10 @@ GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Crew& crew, const Desk
     shared.overlap = shared.share = shared.complementarity = shared.cone_excess = 0;
     shared.contacts = shared.touches = shared.points = shared.iterations = 0;
     shared.residual = shared.energy_created = 0.0;
-    if (crew.block() == 0) s.counters->points = s.counters->taken_points = 0;
+    if (crew.block() == 0) {
+      s.counters->points = s.counters->taken_points = 0;
+      s.counters->crowded = 0;
+    }
   }
   move_bodies<resolution>(s, crew, desk, step);
   crew.lap(stage_bodies);

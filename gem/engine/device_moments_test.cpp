@@ -89,6 +89,30 @@ TEST_P(DeviceResolutions, BlocksAndThreadsChangeNothing) {
   }
 }
 
+TEST(DeviceHalo, SparesABarrierAnIterationInMomentsThatHaveRoomAndChangesNothing) {
+  constexpr std::int64_t moments = 8;
+  SceneDef scene = test::busy_scene(9);
+  scene.contact.resolution = Resolution::coupled;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  MomentLog expected;
+  cpu->advance(moments, expected);
+  std::int64_t spared = 0;
+  for (const MomentQuality& quality : expected.quality) spared += quality.iterations - 1;
+  EXPECT_GT(spared, 100);
+  int barriers[2];
+  const std::size_t scarce = desk_minimum(4, test::team_lanes), all = 1 << 20;
+  for (const bool roomy : {false, true}) {
+    HostScene device(scene, test::busy_field(scene), 2, 4, 0, roomy ? all : scarce, true);
+    MomentLog log;
+    device.advance(moments, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_coupled(device, log, *cpu, expected);
+    barriers[roomy] = device.status().barriers;
+  }
+  EXPECT_GT(barriers[false] - barriers[true], 0) << "some moments had no room";
+  EXPECT_LT(barriers[false] - barriers[true], spared) << "and some had";
+}
+
 /// Floes at the platform and rows of more places than one stretch of a row or the first near bodies take.
 TEST_P(DeviceResolutions, LongRowsAndThePlatformByManyThreadsChangeNothing) {
   constexpr std::int64_t moments = 6;

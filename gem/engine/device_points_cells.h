@@ -33,7 +33,7 @@ struct alignas(16) PointSide {
   std::int32_t body = 0;
   std::int32_t place = -1;   // its place among the records of the body; -1: a fixed body has none
   std::int32_t room = -1;    // the same in the fast memory of a block; -1: it does not stand there
-  std::int32_t motion = -1;  // and where the motion of the body stands there
+  std::int32_t motion = -1;  // and where the motion of the body stands there; or its entry, see device_halo.h
 };
 
 /// Coupled: where a contact point belongs.

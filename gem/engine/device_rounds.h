@@ -118,14 +118,26 @@ class SolverRounds {
       return reinterpret_cast<PushRecord*>(crew.room_of(room >> 16)) + (room & 0xffff);
     return place >= 0 ? s.push + place : nullptr;
   }
-  GEM_DEVICE static const AddedMotion* motion_at(const DeviceScene& s, const Crew& crew, std::int32_t room,
-                                                 std::int32_t body) {
-    if (Crew::shares_rooms && room >= 0)
-      return reinterpret_cast<const AddedMotion*>(crew.room_of(room >> 16)) + (room & 0xffff);
-    return s.added + body;
+  GEM_DEVICE static const AddedMotion* motion_at(const DeviceScene& s, Crew& crew, const PointSide& side) {
+    if (Crew::shares_rooms && side.motion >= 0)
+      return reinterpret_cast<const AddedMotion*>(crew.room_of(side.motion >> 16)) + (side.motion & 0xffff);
+    if (Crew::has_halos && crew.shared().desk.has_halo && side.place >= 0)
+      return crew.shared().desk.motion + side.motion;
+    return s.added + side.body;
   }
-  GEM_DEVICE static HeldPlace place_of(const DeviceScene& s, const Crew& crew, const PointSide& side) {
-    return {motion_at(s, crew, side.motion, side.body), record_at(s, crew, side.place, side.room)};
+  GEM_DEVICE static HeldPlace place_of(const DeviceScene& s, Crew& crew, const PointSide& side) {
+    return {motion_at(s, crew, side), record_at(s, crew, side.place, side.room)};
+  }
+
+  /// Blocks with halos read the records of one iteration while others write those of the next: these stand in turn
+  /// where they always do, and where the base has its own, which nobody reads while a round runs. [bytes from the
+  /// former]
+  GEM_DEVICE GEM_INLINE static std::ptrdiff_t other_records(const DeviceScene& s) {
+    static_assert(sizeof(PushRecord) <= sizeof(PushBase));
+    return reinterpret_cast<std::byte*>(s.push_base) - reinterpret_cast<std::byte*>(s.push);
+  }
+  GEM_DEVICE GEM_INLINE static PushRecord* away_by(PushRecord* record, std::ptrdiff_t bytes) {
+    return reinterpret_cast<PushRecord*>(reinterpret_cast<std::byte*>(record) + bytes);
   }
 
   GEM_DEVICE static Motion<double> solved_motion(const DeviceScene& s, std::int32_t body) {
@@ -158,7 +170,7 @@ class SolverRounds {
     held.b = place_of(s, crew, point.b);
     cell.save_numbers(held);
     cell.set_places(held.a, held.b);
-    if (!fresh) push(held);
+    if (!fresh) push(held, 0);
   }
 
   /// The additions of a round enter the base.
@@ -176,19 +188,19 @@ class SolverRounds {
   }
 
   GEM_DEVICE GEM_INLINE static void write(PushRecord* record, const PointPush<float>& p, float twist, float turn) {
-    if (!record) return;
     record->pair[0] = {{p.x, p.y}};
     record->pair[1] = {{p.shift_x, p.shift_y}};
     record->pair[2] = {{twist, turn}};
   }
-  GEM_DEVICE GEM_INLINE static void push(const HeldPoint& held) {
+  /// `away`: from where the records mostly stand [bytes].
+  GEM_DEVICE GEM_INLINE static void push(const HeldPoint& held, std::ptrdiff_t away) {
     const PointPush<float> p = push_of(held.frame, held.carried);
-    write(held.a.record, p, p.twist_a, p.turn_a);
-    write(held.b.record, p, p.twist_b, p.turn_b);
+    if (held.a.record) write(away_by(held.a.record, away), p, p.twist_a, p.turn_a);
+    if (held.b.record) write(away_by(held.b.record, away), p, p.twist_b, p.turn_b);
   }
 
   template <PointFriction law, bool judged>
-  GEM_DEVICE GEM_INLINE static float visit(MomentPace<float> pace, HeldPoint& held, float ahead) {
+  GEM_DEVICE GEM_INLINE static float visit(MomentPace<float> pace, HeldPoint& held, float ahead, std::ptrdiff_t away) {
     const AddedMotion a = *held.a.motion, b = *held.b.motion;
     const FloatPair &turn_a = a.pair[2], &turn_b = b.pair[2];
     const Approach<float> w{b.pair[0].part[0] - a.pair[0].part[0],
@@ -200,7 +212,7 @@ class SolverRounds {
                             turn_b.part[0],
                             turn_b.part[1]};
     const float asked = visit_point<law, judged>(held.frame, w, pace, ahead, held.at, held.carried);
-    push(held);
+    push(held, away);
     return asked;
   }
 
@@ -213,10 +225,12 @@ class SolverRounds {
   /// Visits the points of this thread; returns, where `judged`, the largest speed that one asked for.
   template <PointFriction law, bool judged>
   GEM_DEVICE GEM_INLINE static float visit_all(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
-                                               KeptPoints& own, float ahead) {
+                                               KeptPoints& own, float ahead, std::ptrdiff_t away) {
     const std::int32_t size = crew.threads(), first = desk.points.begin + crew.thread(), end = desk.points.end;
     float most = 0.0F;
-    const auto visit_held = [&](HeldPoint& held) { most = larger(visit<law, judged>(desk.pace, held, ahead), most); };
+    const auto visit_held = [&](HeldPoint& held) {
+      most = larger(visit<law, judged>(desk.pace, held, ahead, away), most);
+    };
     const auto visit_cell = [&](const HeldCell& cell) {
       HeldPoint held = cell.load();
       visit_held(held);
@@ -250,23 +264,31 @@ class SolverRounds {
     KeptPoints own;
     for (int k = 0; k < kept; ++k)
       if (first + k * size < end) own.point[k] = HeldTable(s, crew.room(), desk)[first + k * size].load();
+    const bool alone = Crew::has_halos && desk.has_halo;
+    const std::ptrdiff_t other = alone ? other_records(s) : 0;
+    std::ptrdiff_t away = 0;
     auto next = IterationCourse::Next::iteration;
     for (; next == IterationCourse::Next::iteration; fresh = false) {
       const float ahead = progress.course.ahead();
       if (!fresh) {
-        SolverMoves<Crew>::move(s, crew, desk);
-        crew.barrier();
+        SolverMoves<Crew>::move(s, crew, desk, away_by(s.push, away));
+        if (alone)
+          crew.block_barrier();
+        else
+          crew.barrier();
       }
+      away = other - away;
       if (progress.course.judged()) {
-        note_asked(crew, asked + progress.turn, visit_all<law, true>(s, crew, desk, own, ahead));
+        note_asked(crew, asked + progress.turn, visit_all<law, true>(s, crew, desk, own, ahead, away));
       } else {
-        visit_all<law, false>(s, crew, desk, own, ahead);
+        visit_all<law, false>(s, crew, desk, own, ahead, away);
       }
       crew.barrier();
       if (progress.course.judged()) {
         progress.residual = from_ordered_bits(asked[progress.turn]);
-        progress.turn = 1 - progress.turn;
-        if (rank_of(crew) == 0) asked[progress.turn] = 0;
+        // the place after the next: others may write to the next one already
+        if (rank_of(crew) == 0) asked[(progress.turn + 2) % 3] = 0;
+        progress.turn = (progress.turn + 1) % 3;
       }
       next = progress.course.after(progress.residual);
     }

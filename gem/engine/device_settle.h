@@ -71,7 +71,8 @@ class SolverBase {
 
   /// As CoupledSolver::keep_best_share().
   GEM_DEVICE void keep_best_share(double limit) {
-    const double share = best_share(summed_work(s_.given, s_.answered, desk().bodies));
+    const Sums work = ordered_sums<2>(s_.given, s_.answered, desk().bodies);
+    const double share = best_share({work.first, work.second});
     if (!(share < limit)) return;
     each_point(crew_, [&](std::int32_t i) {
       PointImpulse<double> impulse = s_.points.impulse(i);
@@ -89,49 +90,91 @@ class SolverBase {
     crew_.barrier();
     for (std::int32_t e = desk().own.begin + crew_.thread(); e < desk().own.end; e += crew_.threads()) {
       const SolverEntry& entry = desk().entry[e];
+      constexpr int some_records = 4;
       double sum = 0.0;
-      for (std::int32_t k = 0; k < entry.count; ++k) sum += s_.push_base[entry.place + k].part[solved_work];
+      GEM_NO_UNROLL
+      for (std::int32_t first = 0; first < entry.count; first += some_records) {
+        double some[some_records];
+        for (int k = 0; k < some_records; ++k)
+          some[k] = first + k < entry.count ? s_.push_base[entry.place + first + k].part[solved_work] : 0.0;
+        for (const double term : some) sum += term;  // zeros beyond the last change no sum that began with +0
+      }
       s_.work_created[entry.body] = sum;
     }
     crew_.barrier();
     if (crew_.block() != 0) return;
-    const double sum = summed_work(s_.work_created, s_.work_created, s_.bodies).given;
+    const double sum = ordered_sums<1>(s_.work_created, s_.work_created, s_.bodies).first;
     if (crew_.thread() == 0) crew_.shared().energy_created = larger(sum, 0.0);
   }
 
  private:
   GEM_DEVICE const SolverDesk& desk() const { return crew_.shared().desk; }
 
-  GEM_DEVICE static double sum_of_group(const double* terms, std::int32_t count) {
-    double eight[8];
-    for (int k = 0; k < 8; ++k) {
-      double four[4];
-      for (int j = 0; j < 4; ++j) four[j] = 4 * k + j < count ? terms[4 * k + j] : 0.0;
-      eight[k] = sum_of_four(four);
-    }
-    return sum_of_eight(eight);
+  /// Groups of terms that the same lanes add: asked for together, as each waits for memory.
+  static constexpr int groups_together = Crew::kept_points > 1 ? 4 : 1;  // as many as there are registers for
+  static constexpr int lane_count = Crew::Lanes::size, fours = sum_width / 4 / lane_count;
+
+  /// Fours of neighbouring terms that a lane adds first.
+  struct LaneTerms {
+    double four[fours][4];
+  };
+  GEM_DEVICE LaneTerms lane_terms(const double* group, std::int32_t count) const {
+    LaneTerms terms;
+    for (int j = 0; j < fours; ++j)
+      for (int c = 0; c < 4; ++c) {
+        const int at = 4 * (crew_.lanes().rank() + j * lane_count) + c;
+        terms.four[j][c] = at < count ? group[at] : 0.0;
+      }
+    return terms;
+  }
+  /// As sum_of_eight(): the sums of four have distances 4, 2 and 1.
+  GEM_DEVICE double sum_by_lanes(const LaneTerms& terms) const {
+    double sum[fours];
+    for (int j = 0; j < fours; ++j) sum[j] = sum_of_four(terms.four[j]);
+    for (int distance = 4; distance > 0; distance /= 2)
+      if (distance < lane_count)
+        sum[0] += crew_.lanes().partner(sum[0], distance);
+      else
+        for (int j = 0; j < distance / lane_count; ++j) sum[j] += sum[j + distance / lane_count];
+    return sum[0];
   }
 
-  /// ordered_sum() of the energies of all bodies; every block works it out for itself.
-  GEM_DEVICE ImpulseWork summed_work(const double* given, const double* answered, std::int32_t count) {
+  /// ordered_sum() of `kinds` lists of `count` terms each, one or two; every block works it out for itself.
+  struct Sums {
+    double first, second;
+  };
+  template <int kinds>
+  GEM_DEVICE Sums ordered_sums(const double* terms, const double* others, std::int32_t count) {
+    static_assert(kinds == 1 || kinds == 2);
+    if (count == 0) return {0.0, 0.0};
     const std::int32_t most = (s_.bodies + sum_width - 1) / sum_width;
     double* to = s_.partial_sum + static_cast<std::int64_t>(crew_.block()) * 4 * (most + 1);
-    if (count == 0) return {0.0, 0.0};
+    const std::int32_t group = crew_.thread() / lane_count, step = crew_.threads() / lane_count;
     do {
       const std::int32_t made = (count + sum_width - 1) / sum_width;
-      for (std::int32_t k = crew_.thread(); k < 2 * made; k += crew_.threads()) {
-        const std::int32_t first = sum_width * (k < made ? k : k - made);
-        to[k] = sum_of_group((k < made ? given : answered) + first, count - first);
+      for (std::int32_t k = group; k < kinds * made; k += groups_together * step) {
+        LaneTerms some[groups_together] = {};
+        for (int j = 0; j < groups_together; ++j) {
+          const std::int32_t at = k + j * step;
+          if (at >= kinds * made) break;
+          const bool other = kinds == 2 && at >= made;
+          const std::int32_t begin = sum_width * (other ? at - made : at);
+          some[j] = lane_terms((other ? others : terms) + begin, count - begin);
+        }
+        for (int j = 0; j < groups_together; ++j) {
+          const double sum = sum_by_lanes(some[j]);
+          if (k + j * step < kinds * made && crew_.lanes().rank() == 0) to[k + j * step] = sum;
+        }
       }
       crew_.block_barrier();
-      given = to;
-      answered = to + made;
-      to += 2 * made;
+      terms = to;
+      others = kinds == 2 ? to + made : to;
+      to += kinds * made;
       count = made;
     } while (count > 1);
-    const ImpulseWork work{given[0], answered[0]};
+    const Sums sums{*terms, *others};
     crew_.block_barrier();  // before the memory is used again
-    return work;
+    return sums;
   }
 
   const DeviceScene& s_;

@@ -10,11 +10,13 @@
 // | end of a round             | additions into the base, pushes of the base   |                                 |
 //
 // The list is made by device_solver_list.h, the base kept by device_settle.h, the rounds are those of device_rounds.h.
+// Blocks with halos (device_halo.h) have no barrier after a move.
 #pragma once
 
 #include <type_traits>
 
 #include "gem/engine/contact_quality.h"
+#include "gem/engine/device_halo.h"
 #include "gem/engine/device_rounds.h"
 
 namespace gem {
@@ -28,6 +30,7 @@ class MomentSolver {
 
   GEM_DEVICE void solve() {
     begin();
+    if constexpr (Crew::has_halos) SolverHalo<Crew>(s_, crew_, room_).take_up();
     SolverRounds<Crew>::iterate(s_, crew_);
     end();
   }
@@ -35,6 +38,7 @@ class MomentSolver {
   /// Before the iterations: the list, and a base of what the points carried a moment ago.
   GEM_DEVICE void begin() {
     SolverList<Crew>(s_, crew_, moment_, room_).make();
+    if constexpr (Crew::has_halos) SolverHalo<Crew>(s_, crew_, room_).ask_for_room();
     begin_points();
   }
   /// The same for iterations in a launch that follows, by as many blocks with `room`.
@@ -71,7 +75,7 @@ class MomentSolver {
     for (std::int32_t w = rank_of(crew_); w < bit_words(s_); w += size_of(crew_))
       s_.touched_bodies[w] = s_.touched_spots[w] = 0;
     for (std::int32_t i = rank_of(crew_); i < s_.bodies; i += size_of(crew_)) s_.work_created[i] = 0.0;
-    if (rank_of(crew_) == 0) s_.counters->asked[0] = s_.counters->asked[1] = 0;
+    if (rank_of(crew_) == 0) s_.counters->asked[0] = s_.counters->asked[1] = s_.counters->asked[2] = 0;
   }
 
   GEM_DEVICE std::int32_t points_of(std::int32_t body) const {

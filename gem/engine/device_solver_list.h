@@ -52,14 +52,14 @@ class SolverList {
     const std::int64_t own_words = static_cast<std::int64_t>(crew_.block()) * (words + 1);
     std::int32_t *const bodies = s_.bodies_before + own_words, *const spots = s_.spots_before + own_words;
     BlockCell& shared = crew_.shared();
-    if (crew_.thread() == 0) shared.records = shared.taken = 0;
+    if (crew_.thread() == 0) shared.records = shared.taken = shared.halo = shared.platform_points = 0;
     constexpr int warp = Crew::Warp::size;
     const int warps = crew_.threads() / warp;
     for (int k = crew_.thread() / warp; k < 2; k += warps)
       count_marks(k == 0 ? s_.touched_bodies : s_.touched_spots, k == 0 ? bodies : spots, words);
     crew_.block_barrier();
     desk.bodies = spots[words];
-    desk.own = own_ = stretch_of(crew_, desk.bodies);
+    desk.own = desk.moved = own_ = stretch_of(crew_, desk.bodies);
     for (std::int32_t spot = crew_.thread(); spot < s_.bodies; spot += crew_.threads()) {
       const std::uint32_t bits = s_.touched_spots[spot / 32], bit = 1U << (spot % 32);
       const std::int32_t at = spots[spot / 32] + bits_in(bits & (bit - 1U));
@@ -134,7 +134,7 @@ class SolverList {
   GEM_DEVICE void place_entries(SolverDesk& desk, bool ahead) {
     static_assert(sizeof(AddedMotion) == sizeof(PushRecord));
     const std::int32_t count = desk.own.count();
-    desk.entry = s_.solver_entry;
+    desk.entry = desk.moved_entry = s_.solver_entry;
     desk.motion = nullptr;
     desk.in_order = false;
     desk.stage_bytes = Crew::shares_rooms ? 0 : room_;
@@ -143,7 +143,8 @@ class SolverList {
     records_begin_ = desk.fits ? count : 0;
     records_end_ = static_cast<std::int32_t>(room_before_entries(desk) / sizeof(PushRecord));
     if (!desk.fits || ahead) return;
-    desk.entry = reinterpret_cast<SolverEntry*>(crew_.room() + room_before_entries(desk)) - desk.own.begin;
+    desk.entry = desk.moved_entry =
+        reinterpret_cast<SolverEntry*>(crew_.room() + room_before_entries(desk)) - desk.own.begin;
     desk.motion = reinterpret_cast<AddedMotion*>(crew_.room()) - desk.own.begin;
   }
 
@@ -250,7 +251,7 @@ class SolverList {
     taken = lanes.sum(taken);
     std::int32_t room = lanes.rank() == 0 ? take_records(count) : 0;
     room = lanes.from(room, 0);
-    const std::int32_t moved_at = desk.fits ? room_place(crew_.block(), e - own_.begin) : -1;
+    const std::int32_t moved_at = Crew::has_halos ? e : desk.fits ? room_place(crew_.block(), e - own_.begin) : -1;
     std::int32_t before = 0, taken_before = 0;
     for (std::int32_t first = 0; first < places; first += stride) {
       if (places > stride) read = read_places(lanes, body, motion, first);

@@ -9,7 +9,8 @@
 namespace gem {
 
 /// How far the impulses are carried ahead along their last change (Nesterov 1983), iteration by iteration: `most`
-/// numbers from the beginning of a moment, then `most` from nothing. Listed, as each takes a root and two divisions.
+/// numbers from the beginning of a moment, then `most` from nothing, and one that is read and not used. Listed, as each
+/// takes a root and two divisions.
 std::vector<float> carried_ahead(std::int64_t most);
 
 /// The course of a moment's iterations: how far each carries ahead, when the base is looked at again and when to stop.
@@ -21,7 +22,11 @@ class IterationCourse {
   /// below what a round in single precision can tell, so only the first visit of a round counts.
   /// `carried_ahead`: what carried_ahead() makes of `most`.
   GEM_HD IterationCourse(double residual, std::int64_t most, bool tight, const float* carried_ahead)
-      : residual_(residual), most_(static_cast<std::int32_t>(most)), tight_(tight), ahead_(carried_ahead) {}
+      : residual_(residual),
+        most_(static_cast<std::int32_t>(most)),
+        tight_(tight),
+        ahead_(carried_ahead),
+        next_ahead_(carried_ahead[0]) {}
 
   GEM_HD std::int64_t iteration() const { return iteration_; }
 
@@ -29,7 +34,9 @@ class IterationCourse {
   GEM_HD float ahead() {
     ++iteration_;
     ++of_round_;
-    return ahead_[place_++];
+    const float now = next_ahead_;
+    next_ahead_ = ahead_[++place_];  // asked for an iteration ahead: on a device it waits for memory
+    return now;
   }
 
   /// Whether the residual of this iteration is looked at; a look costs two divisions a point.
@@ -61,7 +68,10 @@ class IterationCourse {
   GEM_HD void watch(float asked) {
     constexpr float well_beyond = 2.0F;
     const bool overshot = lowest_ > 0.0F && asked > well_beyond * lowest_;
-    if (overshot) place_ = most_;
+    if (overshot) {
+      place_ = most_;
+      next_ahead_ = ahead_[place_];
+    }
     if (overshot || lowest_ == 0.0F || asked < lowest_) lowest_ = asked;
   }
 
@@ -69,6 +79,7 @@ class IterationCourse {
   std::int32_t most_;
   bool tight_;
   const float* ahead_;
+  float next_ahead_;
   std::int32_t place_ = 0;  // in that list
   std::int32_t iteration_ = 0, of_round_ = 0;
   float first_ = 0.0F;   // residual at the beginning of the round

@@ -13,7 +13,7 @@ namespace gem {
 struct Progress {
   IterationCourse course;
   float residual = 0.0F;
-  int turn = 0;  // of the two places for residuals
+  int turn = 0;  // of the three places for residuals
 };
 
 /// The same between two launches; `done`: the last round was made.
@@ -35,18 +35,21 @@ constexpr std::int32_t part_lengths = 8, row_kinds = part_lengths * part_lengths
 /// The same for all threads of the block, and kept in its fast memory, so that no thread has to keep it for itself.
 struct SolverDesk {
   MomentPace<float> pace;
-  Stretch points;           // that the block iterates
-  Stretch fast;             // those of them that stand in its fast memory, after those in registers
-  std::size_t fast_from;    // where they begin there: see HeldTable
-  std::int32_t bodies;      // moving, with points
-  Stretch own;              // the block's stretch of them, by spot
-  SolverEntry* entry;       // by place among them; or in order, see in_order
-  AddedMotion* motion;      // the same, in the block's fast memory; null: they stand by body
-  bool fits;                // motions and, at its end, entries stand there while the block iterates
-  bool in_order;            // of their rows, so that neighbouring threads have as much to do: rank is the place
-  bool platform;            // the first of them is the platform
-  std::size_t stage_bytes;  // of fast memory, from the start, that nothing stands in
-  std::int32_t records;     // places of fast memory, from the start, of motions and records
+  Stretch points;            // that the block iterates
+  Stretch fast;              // those of them that stand in its fast memory, after those in registers
+  std::size_t fast_from;     // where they begin there: see HeldTable
+  std::int32_t bodies;       // moving, with points
+  Stretch own;               // the block's stretch of them, by spot
+  Stretch moved;             // that it moves in an iteration: these, or those of its points, see device_halo.h
+  SolverEntry* entry;        // by place among them; or in order, see in_order
+  SolverEntry* moved_entry;  // of those that it moves, by place among them: the same list, or another
+  AddedMotion* motion;       // the same, in the block's fast memory; null: they stand by body
+  bool fits;                 // motions and, at its end, entries stand there while the block iterates
+  bool in_order;             // of their rows, so that neighbouring threads have as much to do: rank is the place
+  bool platform;             // the first that it moves is the platform
+  bool has_halo;             // it moves bodies of other blocks for itself
+  std::size_t stage_bytes;   // of fast memory, from the start, that nothing stands in
+  std::int32_t records;      // places of fast memory, from the start, of motions and records
 };
 
 }  // namespace gem

@@ -109,6 +109,7 @@ class TeamCrew {
   using Wide = Lanes;  // several of a warp
   using Warp = TeamLanes<team_warp>;
   static constexpr int kept_points = 2;
+  static constexpr bool has_halos = false;
 
   TeamCrew(TeamHall& hall, int block, int thread) : hall_(hall), block_(block), thread_(thread) {}
 
@@ -173,13 +174,22 @@ class ApartCrew : public TeamCrew {
  public:
   using TeamCrew::TeamCrew;
   std::byte* room_of(int) const { return own_room(); }
+  void barrier() {
+    ++barriers_;
+    TeamCrew::barrier();
+  }
+  int barriers() const { return barriers_; }
   ApartCrew& at_hand() { return *this; }
   void came_back(const ApartCrew&) {}
   static constexpr bool shares_rooms = false;
+  static constexpr bool has_halos = true;
   template <class Work>
   void solve(std::int32_t, Work&& work) {
     work(*this);
   }
+
+ private:
+  int barriers_ = 0;
 };
 
 /// A team that makes one phase: its alarms outlive it.

@@ -88,7 +88,9 @@ TEST_F(CudaPhasesBriefly, GiveTheBitsOfTheCpu) {
     for (const std::size_t k : {0, 1}) {
       MomentLog before;
       cpu->advance(80, before);
-      batch.restore(k, cpu->save());
+      const EngineState start = cpu->save();
+      batch.restore(k, start);
+      cpu->restore(start);  // so that both go on with the same sums of the books
       cpu->advance(3, expected[k]);
       hash.push_back(cpu->state_hash());
       books.push_back(cpu->ledger());

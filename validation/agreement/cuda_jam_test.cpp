@@ -63,6 +63,22 @@ TEST_P(CudaJam, NoLayoutOnTheGpuMatters) {
     }
 }
 
+/// Few enough moments for compute-sanitizer: blocks that meet at a gate, with halos where contacts are coupled.
+TEST_P(CudaJam, ManyBlocksBrieflyGiveTheBitsOfTheCpu) {
+  constexpr std::int64_t few = 3;
+  const auto cpu = make_engine(scene_, field_, agreement::on("cpu"));
+  cpu->restore(start_);
+  MomentLog expected;
+  cpu->advance(few, expected);
+  CudaBatch batch(copies(1), {.blocks = 36, .threads = 64});
+  batch.restore(0, start_);
+  std::vector<MomentLog> logs(1);
+  batch.advance(few, &logs);
+  EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
+  test::expect_same_log(logs[0], expected);
+  test::expect_same_books(batch.ledger(0), cpu->ledger());
+}
+
 TEST_P(CudaJam, ThreadsThatNoBlockCanHaveAreRefused) {
   for (const int threads : {-32, 16, 48, 512})
     EXPECT_THROW(CudaBatch(copies(1), {.threads = threads}), Error) << threads << " threads";

@@ -121,7 +121,7 @@ void ColumnFile::add_column(const Column& column, const std::vector<double>* val
   if (chunked) {
     check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), path.c_str());
     check(H5Pset_shuffle(creation), path.c_str());
-    check(H5Pset_deflate(creation, 4), path.c_str());
+    check(H5Pset_deflate(creation, 1), path.c_str());
     // a block of frames stays in the cache until it is full, so that no chunk is inflated again to be filled
     const hsize_t block = chunk_.frames * (size.back() + chunk_.floes) * sizeof(float) + 1048576;
     check(H5Pset_chunk_cache(access, 12421, block, 1.0), path.c_str());

@@ -1,6 +1,7 @@
 // The command line: parses, runs the chosen command, and turns every fault into one line and an exit code.
 #include <iostream>
 #include <new>
+#include <nlohmann/json.hpp>
 
 #include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
@@ -11,8 +12,15 @@
 
 namespace {
 
-int fault(const std::string& message, gem::ExitCode code) {
-  std::cerr << "gem: error: " << message << '\n';
+/// One line, in the form of the command's other messages.
+int fault(const gem::Chosen& chosen, const std::string& message, gem::ExitCode code) {
+  if (chosen.json_messages) {
+    const nlohmann::ordered_json object = {
+        {"level", "error"}, {"message", message}, {"exit_code", static_cast<int>(code)}};
+    std::cerr << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  } else {
+    std::cerr << "gem: error: " << message << '\n';
+  }
   return static_cast<int>(code);
 }
 
@@ -48,10 +56,12 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(gem::ExitCode::usage);
   } catch (const gem::Error& error) {
-    return fault(error.what(), error.code());
+    return fault(chosen, error.what(), error.code());
   } catch (const std::bad_alloc&) {
-    return fault("out of memory (an allocation failed) use fewer floes or free memory", gem::ExitCode::resource_limit);
+    return fault(chosen, "out of memory (an allocation failed) use fewer floes or free memory",
+                 gem::ExitCode::resource_limit);
   } catch (const std::exception& error) {
-    return fault(std::string("unexpected (") + error.what() + ") please report this", gem::ExitCode::resource_limit);
+    return fault(chosen, std::string("unexpected (") + error.what() + ") please report this",
+                 gem::ExitCode::resource_limit);
   }
 }

@@ -6,6 +6,7 @@
 #include "gem/engine/contact_outcome.h"
 #include "gem/engine/contact_stages.h"
 #include "gem/engine/coupled_solver.h"
+#include "gem/engine/iteration_course.h"
 #include "gem/engine/solo_stages.h"
 
 namespace gem::bench {
@@ -75,6 +76,7 @@ Stepper production(std::int64_t iterations) {
   return {"gem " + std::to_string(iterations), [=](MovingField& field) {
             FieldState& f = field.f;
             f.constants.iterations_maximum = iterations;
+            f.carried_ahead = carried_ahead(iterations);
             const Contacts contacts = field.find();
             if (field.score.moments == 1) {
               std::vector<std::uint64_t> keys;

@@ -42,6 +42,10 @@ struct Run {
 Run analysed(const std::string& path, const Options& options) {
   const RunData data = load_run(path, options.allow_incomplete);
   const std::vector<double>& time = data.platform.time;
+  if (time.empty())
+    throw Error(ExitCode::usage,
+                shown(path) + ": nothing to analyse (it has no samples of a platform: the case has " +
+                    "none, or the run ended before the first) see gem info, and gem report for the ice");
   const std::size_t first = sample_from(data, options.from_s);
   if (time.size() < first + kSamplesForStatistics)
     throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " +

@@ -16,6 +16,7 @@ namespace gem {
 /// What the user chose: the action returns the exit code.
 struct Chosen {
   std::string command_line;
+  bool json_messages = false;  // on standard error, the last one of a fault too
   std::function<int()> action;
 };
 

@@ -184,6 +184,11 @@ TEST_F(CommandTest, QuietAndJsonLogs) {
   }
   EXPECT_GE(count, 7);
   EXPECT_EQ(text_of("out").front(), '{');
+  EXPECT_EQ(shell("gem run swing.toml --log-format json --progress none"), 4) << "the file exists";
+  const auto fault = nlohmann::json::parse(text_of("err").substr(text_of("err").rfind('{')));
+  EXPECT_EQ(fault.at("level"), "error");
+  EXPECT_EQ(fault.at("exit_code"), 4);
+  EXPECT_NE(fault.at("message").get<std::string>().find("--overwrite"), std::string::npos) << text_of("err");
 }
 
 TEST_F(CommandTest, AnalyseSaysPeriodsThreeWays) {
@@ -325,6 +330,8 @@ TEST_F(CommandTest, ARunFileIsAFieldForAnotherRun) {
                                          "[[floe]]\noutline_m = [[-5, -5], [5, -5], [5, 5], [-5, 5]]\n"
                                          "position_m = [-22, 3]\n";
   ASSERT_EQ(shell("gem run one.toml -q"), 0) << text_of("err");
+  EXPECT_EQ(shell("gem analyse one.h5"), 2);
+  EXPECT_NE(text_of("err").find("no samples of a platform"), std::string::npos) << text_of("err");
   const std::string as_file = " --set 'floes.source=\"file\"' --set 'floe=[]' --set 'floes.path=";
   ASSERT_EQ(shell("gem run one.toml -q --out two.h5" + as_file + "\"one.h5\"'"), 0) << text_of("err");
   EXPECT_EQ(RunFile(path("two.h5")).column("floes/x"), RunFile(path("one.h5")).column("floes/x"));

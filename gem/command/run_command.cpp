@@ -174,6 +174,7 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   command->add_flag("--json", choice->json, "summary as JSON");
   command->callback([choice, &chosen] {
     choice->options.command_line = chosen.command_line;
+    chosen.json_messages = choice->log_format == "json";
     chosen.action = [choice] { return run(*choice); };
   });
 }

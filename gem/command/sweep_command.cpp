@@ -76,6 +76,7 @@ void add_run(CLI::App& group, Chosen& chosen) {
       "Exit code 8: some runs failed (the others were run); for a single chosen run its own code.");
   run->callback([choice, &chosen] {
     choice->command_line = chosen.command_line;
+    chosen.json_messages = choice->log_format == "json";
     chosen.action = [choice] { return run_sweep(*choice); };
   });
 }

@@ -27,7 +27,7 @@ struct BlockCell {
   std::int32_t points, first_point;    // found by the block, and its first among all
   std::int32_t records;                // places taken in the block's fast memory
   std::int32_t taken, first_taken;     // points that the block iterates, and the first of them
-  std::int32_t halo, platform_points;  // bodies of other blocks that they meet, and how many meet the platform
+  std::int32_t halo, platform_points;  // copies of bodies of other blocks for them, and how many meet the platform
   std::int32_t iterations;
   double residual, energy_created;
   std::uint64_t share, complementarity, cone_excess;  // bits of the largest, numbers >= 0

@@ -201,7 +201,7 @@ class GateCrew : public DeviceCrew {
     __syncthreads();
     passed_ += static_cast<unsigned>(blocks_);
     if (threadIdx.x == 0) {
-      // what the whole block wrote comes before
+      // after the barrier of the block, so what all of it wrote comes before
       asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&gate_->arrived) : "memory");
       Seen seen = look_at(gate_);
       while (seen.arrived < passed_) seen = look_at(gate_);

@@ -1,6 +1,7 @@
 // The bodies that the points of a block meet, and that it moves itself in every iteration: its own ones, and copies of
-// those of other blocks, its halo. Blocks that reach each other by the memory of all alone then meet once in an
-// iteration, where they would wait twice: for the motions, and for what the points push.
+// those of other blocks, its halo, one for each point that meets such a body. Blocks that reach each other by the
+// memory of all alone then meet once in an iteration, where they would wait twice: for the motions, and for what the
+// points push.
 #pragma once
 
 #include "gem/engine/device_solver_list.h"

@@ -62,12 +62,15 @@ class SolverMoves {
   /// What the records of a body come to: those that it has as B, less those that it has as A.
   template <int pairs>
   GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_of(const PushRecord* record, const SolverEntry& entry, int from) {
-    if constexpr (Crew::has_halos) return sum_at_once<pairs>(record, entry, from);
-    PairsOf<pairs> to_b = sum_of<pairs>(record, 0, entry.as_b, from);
-    const PairsOf<pairs> to_a = sum_of<pairs>(record, entry.as_b, entry.count, from);
-    for (int j = 0; j < pairs; ++j)
-      for (int c = 0; c < 2; ++c) to_b.pair[j].part[c] -= to_a.pair[j].part[c];
-    return to_b;
+    if constexpr (Crew::has_halos) {
+      return sum_at_once<pairs>(record, entry, from);
+    } else {
+      PairsOf<pairs> to_b = sum_of<pairs>(record, 0, entry.as_b, from);
+      const PairsOf<pairs> to_a = sum_of<pairs>(record, entry.as_b, entry.count, from);
+      for (int j = 0; j < pairs; ++j)
+        for (int c = 0; c < 2; ++c) to_b.pair[j].part[c] -= to_a.pair[j].part[c];
+      return to_b;
+    }
   }
 
   /// Both parts in one go over the row: in the memory of all a look takes longer than the additions of a short row.

@@ -192,7 +192,7 @@ class SolverRounds {
     record->pair[1] = {{p.shift_x, p.shift_y}};
     record->pair[2] = {{twist, turn}};
   }
-  /// `away`: from where the records mostly stand [bytes].
+  /// `away`: from s.push [bytes].
   GEM_DEVICE GEM_INLINE static void push(const HeldPoint& held, std::ptrdiff_t away) {
     const PointPush<float> p = push_of(held.frame, held.carried);
     if (held.a.record) write(away_by(held.a.record, away), p, p.twist_a, p.turn_a);
@@ -264,15 +264,15 @@ class SolverRounds {
     KeptPoints own;
     for (int k = 0; k < kept; ++k)
       if (first + k * size < end) own.point[k] = HeldTable(s, crew.room(), desk)[first + k * size].load();
-    const bool alone = Crew::has_halos && desk.has_halo;
-    const std::ptrdiff_t other = alone ? other_records(s) : 0;
+    const bool with_halo = Crew::has_halos && desk.has_halo;
+    const std::ptrdiff_t other = with_halo ? other_records(s) : 0;
     std::ptrdiff_t away = 0;
     auto next = IterationCourse::Next::iteration;
     for (; next == IterationCourse::Next::iteration; fresh = false) {
       const float ahead = progress.course.ahead();
       if (!fresh) {
         SolverMoves<Crew>::move(s, crew, desk, away_by(s.push, away));
-        if (alone)
+        if (with_halo)
           crew.block_barrier();
         else
           crew.barrier();

@@ -134,7 +134,7 @@ struct DeviceScene {
   PointTable points;          // over point_numbers
   FloatQuad* held = nullptr;  // points between launches, and those that find no place in fast memory: see HeldTable
   PushRecord* push = nullptr;
-  PushBase* push_base = nullptr;
+  PushBase* push_base = nullptr;   // as many; in a round with halos also the other buffer of records
   AddedMotion* added = nullptr;    // by body; fixed bodies keep zeros
   SolvedMotion* solved = nullptr;  // the same
   BodyPoints* body_points = nullptr;

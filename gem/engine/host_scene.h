@@ -44,6 +44,8 @@ class HostScene {
     solver_room_ = solver_room;
   }
   void by_moments() { by_phases_ = false; }
+  /// Fast memory of each block from the next call on [bytes].
+  void give_room(std::size_t bytes) { room_ = bytes; }
 
   void advance(std::int64_t moments, MomentLog& log) {
     while (moments > 0) {

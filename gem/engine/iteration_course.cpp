@@ -15,7 +15,6 @@ std::vector<float> carried_ahead(std::int64_t most) {
       ahead.push_back(static_cast<float>((theta - 1.0) / next));
       theta = next;
     }
-  ahead.push_back(0.0F);
   return ahead;
 }
 

@@ -9,8 +9,7 @@
 namespace gem {
 
 /// How far the impulses are carried ahead along their last change (Nesterov 1983), iteration by iteration: `most`
-/// numbers from the beginning of a moment, then `most` from nothing, and one that is read and not used. Listed, as each
-/// takes a root and two divisions.
+/// numbers from the beginning of a moment, then `most` from nothing. Listed, as each takes a root and two divisions.
 std::vector<float> carried_ahead(std::int64_t most);
 
 /// The course of a moment's iterations: how far each carries ahead, when the base is looked at again and when to stop.
@@ -35,7 +34,9 @@ class IterationCourse {
     ++iteration_;
     ++of_round_;
     const float now = next_ahead_;
-    next_ahead_ = ahead_[++place_];  // asked for an iteration ahead: on a device it waits for memory
+    // asked for an iteration ahead: on a device it waits for memory; the list ends later, as no course begins again
+    // before its second iteration
+    next_ahead_ = ahead_[++place_];
     return now;
   }
 

@@ -77,6 +77,10 @@ TEST_P(CudaJam, ManyBlocksBrieflyGiveTheBitsOfTheCpu) {
   EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
   test::expect_same_log(logs[0], expected);
   test::expect_same_books(batch.ledger(0), cpu->ledger());
+  if (scene_.contact.resolution != Resolution::coupled) return;
+  double iterations = 0.0;
+  for (const MomentQuality& quality : expected.quality) iterations += static_cast<double>(quality.iterations) / few;
+  EXPECT_LT(batch.barriers().first, 1.5 * iterations + 16.0) << "without halos there are two in an iteration";
 }
 
 TEST_P(CudaJam, ThreadsThatNoBlockCanHaveAreRefused) {

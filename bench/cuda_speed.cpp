@@ -65,8 +65,7 @@ std::int64_t moments_in(const SceneDef& scene, double time) { return std::llroun
 /// Ends a row with the barriers of a moment and the share of each stage in the first thread's time.
 void end_row(const CudaBatch& batch) {
   std::printf(",%s", batch.launches() == Launches::phases ? "phases" : "moments");
-  const auto [barriers, of_team] = batch.barriers();
-  std::printf(",%.2f,%.2f", barriers, of_team);
+  std::printf(",%.2f", batch.barriers());
   const std::vector<double> clocks = batch.stage_clocks();
   double all = 0.0;
   for (const double clock : clocks) all += clock;
@@ -82,7 +81,7 @@ void end_row(const CudaBatch& batch) {
 void header() {
   std::printf(
       "commit,device,resolution,arithmetic,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,"
-      "x_real_time,contacts,wall_over_device,state_hash,launches,barriers,team_barriers");
+      "x_real_time,contacts,wall_over_device,state_hash,launches,barriers");
   for (const std::string& stage : cuda_stage_names()) std::printf(",%s", stage.c_str());
   std::printf("\n");
 }
@@ -122,7 +121,7 @@ void single(const Subject& subject) {
     const SceneDef scene = scene_of(subject, phase.run);
     const Bodies field = make_field(scene);
     const EngineState start = start_of(phase, scene, field);
-    for (const int blocks : {4, 16, 64, 112})
+    for (const int blocks : {4, 16, 64, 112, 132})
       for (const int threads : {128, 256}) {
         if (blocks < 64 && threads < 256) continue;
         CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads, .arithmetic = subject.arithmetic});

@@ -17,7 +17,6 @@ import re
 TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 RESULTS = os.path.join(TOP, "bench", "results")
 GPU_BATCHES = ("batch", "batch_recorded", "table1_recorded", "table1_twelfth_recorded", "growth")
-ITERATING_BLOCKS = 16  # of a scene with more of them, those that iterate coupled moments
 NAMES = {1: "004_400_25", 2: "004_400_50", 27: "400_200_100"}
 
 
@@ -79,9 +78,7 @@ def waiting(r, costs):
     """What the barriers of a moment of one scene cost with nothing between them [us]; empty for batches, whose blocks change."""
     if r["measure"] != "moment":
         return ""
-    threads = int(r["threads"])
-    cost = float(r["barriers"]) * costs[int(r["blocks"]), threads]
-    return f"{cost + float(r['team_barriers']) * costs[ITERATING_BLOCKS, threads]:.1f}"
+    return f"{float(r['barriers']) * costs[int(r['blocks']), int(r['threads'])]:.1f}"
 
 
 def gpu_table():

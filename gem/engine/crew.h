@@ -24,10 +24,9 @@ struct BlockCell {
   std::uint64_t overlap;
   std::uint32_t alarms;
   // coupled
-  std::int32_t points, first_point;    // found by the block, and its first among all
-  std::int32_t records;                // places taken in the block's fast memory
-  std::int32_t taken, first_taken;     // points that the block iterates, and the first of them
-  std::int32_t halo, platform_points;  // copies of bodies of other blocks for them, and how many meet the platform
+  std::int32_t points, first_point;  // found by the block, and its first among all
+  std::int32_t records;              // places taken in the block's fast memory
+  std::int32_t taken, first_taken;   // points that the block iterates, and the first of them
   std::int32_t iterations;
   double residual, energy_created;
   std::uint64_t share, complementarity, cone_excess;  // bits of the largest, numbers >= 0
@@ -91,16 +90,10 @@ class SoloCrew {
   static constexpr bool shares_rooms = true;
   static constexpr bool has_halos = false;  // its blocks move for themselves what their points meet
   static constexpr int kept_points = 2;     // that a thread keeps in registers while it iterates
-  /// Calls work(team) with the part of the crew that iterates so many points of a coupled moment.
-  template <class Work>
-  void solve(std::int32_t, Work&& work) {
-    work(*this);
-  }
   /// Reads the clock at the end of a stage.
   void lap(int) const {}
   void write_laps(std::int64_t*) const {}
   static int barriers() { return 0; }
-  static int team_barriers() { return 0; }
   /// The crew, or a copy that a thread has for itself in its registers; and what that has counted goes back.
   SoloCrew& at_hand() { return *this; }
   void came_back(const SoloCrew&) {}

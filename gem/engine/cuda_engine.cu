@@ -90,10 +90,7 @@ class CudaBatch::Work {
   int threads() const { return launches() == Launches::phases ? phase_threads : threads_; }
   double device_time() const { return device_time_; }
   const std::vector<double>& stage_clocks() const { return stage_clocks_; }
-  std::pair<double, double> barriers() const {
-    const double moments = std::max(1.0, counted_moments_);
-    return {barriers_ / moments, team_barriers_ / moments};
-  }
+  double barriers() const { return barriers_ / std::max(1.0, counted_moments_); }
 
  private:
   static CudaDevice on_device(const CudaOptions& options) {
@@ -280,7 +277,6 @@ class CudaBatch::Work {
     }
     if (k == 0) {
       barriers_ += status.barriers;
-      team_barriers_ += status.team_barriers;
       if (status.barriers > 0) counted_moments_ += status.samples;
     }
     if (status.samples > 0 && status.visits > 0)
@@ -310,7 +306,7 @@ class CudaBatch::Work {
   DeviceMemory status_memory_, scene_memory_, wanted_memory_, gate_memory_;
   PinnedMemory status_, scene_, wanted_;
   std::vector<CudaScene> scenes_;
-  double device_time_ = 0.0, barriers_ = 0.0, team_barriers_ = 0.0, counted_moments_ = 0.0;
+  double device_time_ = 0.0, barriers_ = 0.0, counted_moments_ = 0.0;
   std::vector<double> stage_clocks_ = std::vector<double>(stage_count);
   Recorders recorders_;
   std::vector<std::exception_ptr> faults_;  // of each scene, since the last call
@@ -343,7 +339,7 @@ int CudaBatch::threads() const { return work_->threads(); }
 Launches CudaBatch::launches() const { return work_->launches(); }
 double CudaBatch::device_time() const { return work_->device_time(); }
 std::vector<double> CudaBatch::stage_clocks() const { return work_->stage_clocks(); }
-std::pair<double, double> CudaBatch::barriers() const { return work_->barriers(); }
+double CudaBatch::barriers() const { return work_->barriers(); }
 
 std::vector<std::string> cuda_stage_names() {
   return {"choose",     "look", "resolve", "pairs_wait",  "rows",   "points",      "frames",

@@ -5,7 +5,6 @@
 #include <exception>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "gem/engine/engine.h"
@@ -100,9 +99,9 @@ class CudaBatch {
   double device_time() const;
   /// Clocks of the first scene's first thread since construction, by stage; see cuda_stage_names.
   std::vector<double> stage_clocks() const;
-  /// Barriers between blocks that the first scene passed in one moment, mean since construction: of all its blocks, and
-  /// of those that iterate where these are fewer. What one block waits for by itself is not counted.
-  std::pair<double, double> barriers() const;
+  /// Barriers between blocks that the first scene passed in one moment, mean since construction. What one block waits
+  /// for by itself is not counted.
+  double barriers() const;
 
  private:
   class Work;

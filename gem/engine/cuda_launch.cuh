@@ -18,12 +18,7 @@ struct Spread {
   Arithmetic arithmetic = Arithmetic::strict;
   int scenes = 1, blocks = 1, threads = most_threads;
   bool gated() const { return blocks > largest_cluster; }
-  /// Gated blocks stand in clusters too, for the first of them; where their number does not divide, in smaller ones.
-  int cluster() const {
-    int size = largest_cluster;
-    while (gated() && blocks % size != 0) size /= 2;
-    return gated() ? size : blocks;
-  }
+  int cluster() const { return gated() ? 1 : blocks; }
   AdvanceKernel kernel() const {
     return arithmetic == Arithmetic::fast ? fast_kernel(gated()) : strict_kernel(gated());
   }
@@ -78,11 +73,9 @@ struct LaunchConfig {
 
 /// The most blocks for each scene with which all scenes run at the same time; no more than `useful`.
 int most_blocks(Arithmetic arithmetic, int scenes, int threads, int multiprocessors, int useful) {
-  const int share = std::min(multiprocessors / scenes, useful) / largest_cluster * largest_cluster;
-  for (int blocks = share; blocks > largest_cluster; blocks -= largest_cluster) {
+  for (int blocks = std::min(multiprocessors / scenes, useful); blocks > largest_cluster; --blocks) {
     const Spread spread{arithmetic, scenes, blocks, threads};
-    if (LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes * blocks / largest_cluster)
-      return blocks;
+    if (LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes * blocks) return blocks;
   }
   for (int blocks = largest_cluster; blocks > 1; --blocks) {
     const Spread spread{arithmetic, scenes, blocks, threads};

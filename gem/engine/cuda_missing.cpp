@@ -38,7 +38,7 @@ int CudaBatch::threads() const { return 0; }
 Launches CudaBatch::launches() const { return Launches::chosen; }
 double CudaBatch::device_time() const { return 0.0; }
 std::vector<double> CudaBatch::stage_clocks() const { return {}; }
-std::pair<double, double> CudaBatch::barriers() const { return {}; }
+double CudaBatch::barriers() const { return 0.0; }
 std::vector<std::string> cuda_stage_names() { return {}; }
 
 }  // namespace gem

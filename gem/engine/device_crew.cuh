@@ -136,11 +136,6 @@ class ClusterCrew : public DeviceCrew {
   __device__ std::byte* room_of(int block) const { return cluster().map_shared_rank(room_.room, block); }
   static constexpr bool shares_rooms = true;
 
-  template <class Work>
-  __device__ void solve(std::int32_t, Work&& work) {
-    work(*this);
-  }
-
   __device__ void barrier() {
     ++barriers_;
     if (blocks() == 1)
@@ -158,7 +153,6 @@ class ClusterCrew : public DeviceCrew {
   }
 
   __device__ int barriers() const { return barriers_; }
-  __device__ static int team_barriers() { return 0; }
   __device__ ClusterCrew at_hand() const { return *this; }
   __device__ void came_back(const ClusterCrew& copy) { barriers_ = copy.barriers_; }
 
@@ -181,28 +175,48 @@ class GateCrew : public DeviceCrew {
   __device__ int block() const { return static_cast<int>(blockIdx.x) % blocks_; }
   __device__ int blocks() const { return blocks_; }
 
-  /// Few points leave the other blocks of the crew nothing to do that is worth their slower barrier.
-  template <class Work>
-  __device__ void solve(std::int32_t points, Work&& work) {
-    ClusterCrew team(room_, 0, nullptr);
-    if (points > team.blocks() * threads()) {
-      work(*this);
-      return;
-    }
-    if (block() < team.blocks()) work(team);
-    team_barriers_ += team.barriers();
-  }
   /// Other blocks do not reach a block's fast memory, and meeting them takes longer than moving some of their bodies.
   static constexpr bool shares_rooms = false;
   static constexpr bool has_halos = true;
   __device__ std::byte* room_of(int) const { return room_.room; }
 
+  /// Sixteen bytes in one go, past the caches that blocks do not share: no reader sees a part of them.
+  __device__ static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
+    std::uint64_t low, high;
+    memcpy(&low, &value, sizeof low);
+    memcpy(&high, value.part + 2, sizeof high);
+    asm volatile(
+        "{\n\t.reg .b128 whole;\n\tmov.b128 whole, {%1, %2};\n\tst.relaxed.gpu.global.b128 [%0], whole;\n\t}" ::"l"(to),
+        "l"(low), "l"(high)
+        : "memory");
+  }
+  __device__ static NumberedHalf read_whole(const NumberedHalf* from) {
+    std::uint64_t low, high;
+    asm volatile("{\n\t.reg .b128 whole;\n\tld.relaxed.gpu.global.b128 whole, [%2];\n\tmov.b128 {%0, %1}, whole;\n\t}"
+                 : "=l"(low), "=l"(high)
+                 : "l"(from)
+                 : "memory");
+    NumberedHalf value;
+    memcpy(&value, &low, sizeof low);
+    memcpy(value.part + 2, &high, sizeof high);
+    return value;
+  }
+  /// Between two looks at what another block has yet to write.
+  __device__ static void pause() {}
+
   __device__ void barrier() {
+    arrive();
+    wait();
+  }
+  /// The barrier in two halves, with work between them that waits for no other block's second half.
+  __device__ void arrive() {
     __syncthreads();
     passed_ += static_cast<unsigned>(blocks_);
+    // after the barrier of the block, so what all of it wrote comes before
+    if (threadIdx.x == 0) asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&gate_->arrived) : "memory");
+  }
+  __device__ void wait() {
     if (threadIdx.x == 0) {
-      // after the barrier of the block, so what all of it wrote comes before
-      asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&gate_->arrived) : "memory");
       Seen seen = look_at(gate_);
       while (seen.arrived < passed_) seen = look_at(gate_);
       room_.shared.alarms |= seen.alarms;
@@ -221,7 +235,6 @@ class GateCrew : public DeviceCrew {
 
   /// That all blocks passed, and that those passed which iterate.
   __device__ int barriers() const { return static_cast<int>(passed_) / blocks_; }
-  __device__ int team_barriers() const { return team_barriers_; }
   __device__ GateCrew at_hand() const { return *this; }
   __device__ void came_back(const GateCrew& copy) { passed_ = copy.passed_; }
 
@@ -242,7 +255,6 @@ class GateCrew : public DeviceCrew {
   int blocks_;
   CrewGate* gate_;
   unsigned passed_ = 0;  // arrivals of all barriers so far
-  int team_barriers_ = 0;
 };
 
 }  // namespace gem

@@ -1,74 +1,133 @@
-// The bodies that the points of a block meet, and that it moves itself in every iteration: its own ones, and copies of
-// those of other blocks, its halo, one for each point that meets such a body. Blocks that reach each other by the
-// memory of all alone then meet once in an iteration, where they would wait twice: for the motions, and for what the
-// points push.
+// What a block copies into its fast memory of a round: the bodies that its points meet, its halo, and the rows of their
+// records. It moves these bodies itself, whoever else does so too: where blocks reach each other by the memory of all
+// alone, it then waits in an iteration for the records that it needs, not twice for all blocks.
 #pragma once
 
 #include "gem/engine/device_solver_list.h"
 
 namespace gem {
 
+/// Takes a block's fast memory from its end on.
+class RoomEnd {
+ public:
+  GEM_DEVICE RoomEnd(std::byte* room, std::size_t bytes) : room_(room), left_(bytes) {}
+
+  /// Whether `bytes` are left.
+  GEM_DEVICE bool holds(std::size_t bytes) const { return bytes <= left_; }
+  /// Some of them, where they are left.
+  template <class T>
+  GEM_DEVICE T* take(std::int32_t count) {
+    const std::size_t bytes = count * sizeof(T);
+    left_ = bytes <= left_ ? (left_ - bytes) / alignment * alignment : 0;
+    return reinterpret_cast<T*>(room_ + left_);
+  }
+  /// Bytes for so many, at most.
+  template <class T>
+  GEM_DEVICE static std::size_t bytes_of(std::int32_t count) {
+    return count * sizeof(T) + alignment;
+  }
+
+ private:
+  static constexpr std::size_t alignment = 16;
+  std::byte* room_;
+  std::size_t left_;
+};
+
 template <class Crew>
 class SolverHalo {
  public:
-  GEM_DEVICE SolverHalo(const DeviceScene& s, Crew& crew, std::size_t room) : s_(s), crew_(crew), room_(room) {}
+  GEM_DEVICE SolverHalo(const DeviceScene& s, Crew& crew, std::size_t room)
+      : s_(s), crew_(crew), end_(crew.room(), room) {}
 
-  /// Says so where the block's fast memory might not hold them all: then no block of the crew has a halo.
-  GEM_DEVICE void ask_for_room() {
-    if (crew_.thread() == 0 && bytes_for(most_of(crew_.shared().desk)) > room_)
-      crew_.set_bit(&s_.counters->crowded, 1U);
+  /// Finds the bodies and their records, once all blocks have listed theirs and this one its points; says so where the
+  /// fast memory does not hold them: then no block of the crew has a halo.
+  GEM_DEVICE void make() {
+    if (!find() && crew_.thread() == 0) crew_.set_bit(&s_.counters->crowded, 1U);
   }
 
-  /// Takes the bodies up, if all blocks have room; after a barrier of all. Place 0 is the platform's.
+  /// What was found is what the block moves, if all blocks have room; after a barrier of all.
   GEM_DEVICE void take_up() {
     if (s_.counters->crowded != 0) return;
-    BlockCell& shared = crew_.shared();
-    SolverDesk desk = shared.desk;
-    desk.stage_bytes = room_ - bytes_for(most_of(desk));
-    desk.motion = reinterpret_cast<AddedMotion*>(crew_.room() + desk.stage_bytes);
-    desk.moved_entry = reinterpret_cast<SolverEntry*>(desk.motion + 2 * ((most_of(desk) + 1) / 2));
-    const std::int32_t first = desk.own.begin + (desk.platform ? 1 : 0), own_end = 1 + desk.own.end - first;
-    const auto take = [&](std::int32_t place, std::int32_t entry) {
-      desk.moved_entry[place] = s_.solver_entry[entry];
-      desk.motion[place] = {};  // nothing has been added to it
-      return place;
-    };
-    const auto take_for_point = [&](PointSide& side) {
-      if (side.place < 0) return;  // a fixed body
-      const std::int32_t entry = side.motion;
-      if (side.body == 0)
-        side.motion = crew_.add(&shared.platform_points, 1) == 0 ? take(0, entry) : 0;
-      else if (entry >= desk.own.begin && entry < desk.own.end)
-        side.motion = 1 + entry - first;
-      else
-        side.motion = take(own_end + crew_.add(&shared.halo, 1), entry);
-    };
-    for (std::int32_t e = first + crew_.thread(); e < desk.own.end; e += crew_.threads()) take(1 + e - first, e);
-    each_point(crew_, [&](std::int32_t i) {
-      take_for_point(s_.taken_point[i].a);
-      take_for_point(s_.taken_point[i].b);
-    });
-    crew_.block_barrier();
     if (crew_.thread() == 0) {
+      SolverDesk& desk = crew_.shared().desk;
       desk.has_halo = true;
-      desk.platform = shared.platform_points > 0;
-      desk.moved = {desk.platform ? 0 : 1, own_end + shared.halo};
-      shared.desk = desk;
+      desk.moved = {0, desk.halo.bodies};
+      desk.moved_entry = desk.halo.entry;
+      desk.motion = desk.halo.motion;
+      desk.platform = desk.halo.bodies > 0 && desk.halo.entry[0].body == 0;
     }
     crew_.block_barrier();
   }
 
  private:
-  /// One body of a point is the block's own. An even number keeps entries aligned.
-  GEM_DEVICE static std::int32_t most_of(const SolverDesk& desk) { return 1 + desk.own.count() + desk.points.count(); }
-  GEM_DEVICE static std::size_t bytes_for(std::int32_t bodies) {
-    const auto some = static_cast<std::size_t>((bodies + 1) / 2 * 2);
-    return some * (sizeof(AddedMotion) + sizeof(SolverEntry));
+  /// Calls work(side) for the moving bodies of the thread's points.
+  template <class Work>
+  GEM_DEVICE void each_side(Work&& work) {
+    each_point(crew_, [&](std::int32_t i) {
+      if (s_.taken_point[i].a.place >= 0) work(s_.taken_point[i].a);
+      if (s_.taken_point[i].b.place >= 0) work(s_.taken_point[i].b);
+    });
+  }
+
+  /// Marks the entries that the points meet, so that each has one place, in their order: the platform is the first.
+  GEM_DEVICE bool find() {
+    const std::int32_t words = (crew_.shared().desk.bodies + 31) / 32;
+    if (!end_.holds(end_.bytes_of<std::uint32_t>(2 * words + 2))) return false;
+    auto* const met = end_.template take<std::uint32_t>(words);
+    auto* const before = end_.template take<std::int32_t>(words + 1);
+    for (std::int32_t w = crew_.thread(); w < words; w += crew_.threads()) met[w] = 0;
+    if (crew_.thread() == 0) crew_.shared().records = 0;
+    crew_.block_barrier();
+    each_side([&](const PointSide& side) { crew_.set_bit(&met[side.motion / 32], 1U << (side.motion % 32)); });
+    crew_.block_barrier();
+    if (crew_.thread() < Crew::Warp::size) count_marks(crew_.warp(), met, before, words);
+    crew_.block_barrier();
+    return copy(met, before, before[words]);
+  }
+
+  /// Copies the bodies, whose rows follow each other from the start of the fast memory on, and lists where their
+  /// records come from.
+  GEM_DEVICE bool copy(const std::uint32_t* met, const std::int32_t* before, std::int32_t bodies) {
+    if (!end_.holds(end_.bytes_of<SolverEntry>(bodies) + end_.bytes_of<AddedMotion>(bodies) +
+                    end_.bytes_of<std::uint32_t>(bodies)))
+      return false;
+    HaloDesk halo{};
+    halo.bodies = bodies;
+    halo.entry = end_.template take<SolverEntry>(bodies);
+    halo.motion = end_.template take<AddedMotion>(bodies);
+    auto* const entry_of = end_.template take<std::uint32_t>(bodies);
+    for (std::int32_t k = crew_.thread(); k < bodies; k += crew_.threads()) entry_of[k] = 0;
+    crew_.block_barrier();
+    each_side([&](PointSide& side) {
+      const auto entry = static_cast<std::uint32_t>(side.motion);
+      side.motion = before[entry / 32] + bits_in(met[entry / 32] & ((1U << (entry % 32)) - 1U));
+      crew_.highest(&entry_of[side.motion], entry);  // the same for all points that meet it
+    });
+    crew_.block_barrier();
+    for (std::int32_t k = crew_.thread(); k < bodies; k += crew_.threads()) {
+      SolverEntry entry = s_.solver_entry[entry_of[k]];
+      entry.room = crew_.add(&crew_.shared().records, entry.count);
+      halo.entry[k] = entry;
+      halo.motion[k] = {};  // nothing has been added to it
+    }
+    crew_.block_barrier();
+    halo.records = crew_.shared().records;
+    if (!end_.holds(end_.bytes_of<std::int32_t>(halo.records) + end_.bytes_of<PushRecord>(halo.records))) return false;
+    halo.source = end_.template take<std::int32_t>(halo.records);
+    const auto lanes = crew_.lanes();
+    for (std::int32_t k = crew_.thread() / lanes.size; k < bodies; k += crew_.threads() / lanes.size) {
+      const SolverEntry& entry = halo.entry[k];
+      for (std::int32_t j = lanes.rank(); j < entry.count; j += lanes.size)
+        halo.source[entry.room + j] = entry.place + j;
+    }
+    if (crew_.thread() == 0) crew_.shared().desk.halo = halo;
+    crew_.block_barrier();
+    return true;
   }
 
   const DeviceScene& s_;
   Crew& crew_;
-  std::size_t room_;
+  RoomEnd end_;
 };
 
 }  // namespace gem

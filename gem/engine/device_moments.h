@@ -192,7 +192,6 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
     status.half_way = done < moments;
     crew.write_laps(status.stage_clocks);
     status.barriers = crew.barriers();
-    status.team_barriers = crew.team_barriers();
     status.stop = stop;
     status.visits = 0;  // counted by phases only
   }

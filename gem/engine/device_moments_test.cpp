@@ -103,7 +103,7 @@ struct ApartScene {
 constexpr std::size_t roomy = 1 << 20;
 const std::size_t scarce = desk_minimum(4, test::team_lanes);
 
-TEST(DeviceHalo, SparesABarrierAnIterationInMomentsThatHaveRoomAndChangesNothing) {
+TEST(DeviceHalo, SparesTheBarriersOfIterationsInMomentsThatHaveRoomAndChangesNothing) {
   constexpr int moments = 16;
   SceneDef scene = test::busy_scene(9);
   scene.contact.resolution = Resolution::coupled;
@@ -116,7 +116,10 @@ TEST(DeviceHalo, SparesABarrierAnIterationInMomentsThatHaveRoomAndChangesNothing
     const int iterations = expected.quality[std::size_t(m)].iterations;
     at_times.device.give_room(m % 2 == 0 ? scarce : roomy);
     const int spared = at_times.advance() - with.advance();
-    EXPECT_TRUE(spared == 0 || spared == iterations - 1) << spared << " of " << iterations << " in moment " << m;
+    // two in an iteration but the first, which moves nothing; with halos one in those that are judged and one at the
+    // end
+    const int judged = iterations / 4 + std::min(iterations, 2), without = 2 * iterations - 1, halos = judged + 1;
+    EXPECT_TRUE(spared == 0 || spared == without - halos) << spared << " of " << iterations << " in moment " << m;
     if (spared > 0) ++crowded;
     if (spared == 0 && crowded > 0 && iterations > 1) ++had_room_again;
   }

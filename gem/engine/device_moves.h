@@ -8,43 +8,64 @@ namespace gem {
 template <class Crew>
 class SolverMoves {
  public:
-  /// Motions by the additions of the round, whose `records` these are: as CoupledRounds::move(). The platform, first of
-  /// all where it is among the block's bodies, has a long row: the last warp is left to it.
-  GEM_DEVICE GEM_INLINE static void move(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
-                                         const PushRecord* records) {
+  /// Motions by the additions of the round: as CoupledRounds::move(). The platform, first of all where it is among the
+  /// block's bodies, has a long row: the last warp is left to it.
+  GEM_DEVICE GEM_INLINE static void move(const DeviceScene& s, Crew& crew, const SolverDesk& desk) {
     constexpr int warp = Crew::Warp::size;
     const bool alone = crew.threads() <= warp;
     const int rest = desk.platform && !alone ? crew.threads() - warp : crew.threads();
-    if (desk.platform && (alone || crew.thread() >= rest)) move_platform(s, crew, desk, records);
-    if (crew.thread() < rest) move_floes(s, crew, desk, records, rest);
+    if (desk.platform && (alone || crew.thread() >= rest)) move_platform(s, crew, desk);
+    if (crew.thread() < rest) move_floes(s, crew, desk, rest);
+  }
+
+  /// A lane for each number of the platform's motion; its records are brought to the block's fast memory, if they do
+  /// not stand there. It has the lowest id: no record is one of a body B.
+  GEM_DEVICE GEM_INLINE static void move_platform(const DeviceScene& s, Crew& crew, const SolverDesk& desk) {
+    const auto warp = crew.warp();
+    const SolverEntry entry = desk.moved_entry[desk.moved.begin];
+    const auto* record = reinterpret_cast<const float*>(s.push + entry.place);
+    auto* const room = reinterpret_cast<float*>(crew.room());
+    if (has_rooms && entry.room >= 0) {
+      record = room + parts * entry.room;
+    } else if (!Crew::shares_rooms && static_cast<std::size_t>(entry.count) * sizeof(PushRecord) <= desk.stage_bytes) {
+      bring(warp, reinterpret_cast<FloatPair*>(room), s.push + entry.place, entry.count);
+      warp.sync();
+      record = room;
+    }
+    auto* const motion = reinterpret_cast<float*>(desk.motion ? &desk.motion[desk.moved.begin] : &s.added[entry.body]);
+    for (int part = warp.rank(); part < parts; part += Crew::Warp::size)
+      motion[part] = (part < parts - 2 ? entry.inverse_mass : entry.inverse_inertia) *
+                     (0.0F - sum_of_part(record + part, entry.count));
+    warp.sync();
   }
 
  private:
+  /// Rows may stand in fast memory.
+  static constexpr bool has_rooms = Crew::shares_rooms || Crew::has_halos;
+
   /// Numbers of a record or a motion.
   static constexpr int parts = 2 * motion_pairs;
 
   /// A body has a thread for each pair of its numbers, where there are as many threads; otherwise one.
-  GEM_DEVICE GEM_INLINE static void move_floes(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
-                                               const PushRecord* records, int threads) {
+  GEM_DEVICE GEM_INLINE static void move_floes(const DeviceScene& s, Crew& crew, const SolverDesk& desk, int threads) {
     const std::int32_t floes = desk.moved.count() - (desk.platform ? 1 : 0);
     if (motion_pairs * floes <= threads)
-      move_floes_by<1>(s, crew, desk, records, threads);
+      move_floes_by<1>(s, crew, desk, threads);
     else
-      move_floes_by<motion_pairs>(s, crew, desk, records, threads);
+      move_floes_by<motion_pairs>(s, crew, desk, threads);
   }
 
   template <int pairs>
   GEM_DEVICE GEM_INLINE static void move_floes_by(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
-                                                  const PushRecord* records, int threads) {
+                                                  int threads) {
     constexpr int of_body = motion_pairs / pairs;
     const auto* const room = reinterpret_cast<const PushRecord*>(crew.room());
     const std::int32_t first = of_body * (desk.moved.begin + (desk.platform ? 1 : 0)), end = of_body * desk.moved.end;
     for (std::int32_t k = first + crew.thread(); k < end; k += threads) {
       const int from = pairs * (k % of_body);
       const SolverEntry entry = desk.moved_entry[k / of_body];
-      const PairsOf<pairs> sum = Crew::shares_rooms && entry.room >= 0
-                                     ? sum_of<pairs>(room + entry.room, entry, from)
-                                     : sum_of<pairs>(records + entry.place, entry, from);
+      const PairsOf<pairs> sum = has_rooms && entry.room >= 0 ? sum_of<pairs>(room + entry.room, entry, from)
+                                                              : sum_of<pairs>(s.push + entry.place, entry, from);
       const std::int32_t e = desk.in_order ? entry.rank : k / of_body;
       AddedMotion& motion = desk.motion ? desk.motion[e] : s.added[entry.body];
       for (int j = 0; j < pairs; ++j) {
@@ -118,28 +139,6 @@ class SolverMoves {
           for (int c = 0; c < 2; ++c) sum.pair[j].part[c] += term.pair[j].part[c];
     }
     return sum;
-  }
-
-  /// A lane for each number of the platform's motion; its records are brought to the block's fast memory, if they do
-  /// not stand there. It has the lowest id: no record is one of a body B.
-  GEM_DEVICE GEM_INLINE static void move_platform(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
-                                                  const PushRecord* records) {
-    const auto warp = crew.warp();
-    const SolverEntry entry = desk.moved_entry[desk.moved.begin];
-    const auto* record = reinterpret_cast<const float*>(records + entry.place);
-    auto* const room = reinterpret_cast<float*>(crew.room());
-    if constexpr (Crew::shares_rooms) {
-      if (entry.room >= 0) record = room + parts * entry.room;
-    } else if (static_cast<std::size_t>(entry.count) * sizeof(PushRecord) <= desk.stage_bytes) {
-      bring(warp, reinterpret_cast<FloatPair*>(room), records + entry.place, entry.count);
-      warp.sync();
-      record = room;
-    }
-    auto* const motion = reinterpret_cast<float*>(desk.motion ? &desk.motion[desk.moved.begin] : &s.added[entry.body]);
-    for (int part = warp.rank(); part < parts; part += Crew::Warp::size)
-      motion[part] = (part < parts - 2 ? entry.inverse_mass : entry.inverse_inertia) *
-                     (0.0F - sum_of_part(record + part, entry.count));
-    warp.sync();
   }
 
   /// Brings a row to the fast memory.

@@ -45,7 +45,7 @@ GEM_DEVICE inline void open_call(const DeviceScene& s, std::int32_t moments) {
   status.stop = DeviceStop::done;
   status.step = moments > 0 ? PhaseStep::begins : PhaseStep::ended;
   for (std::int64_t& clocks : status.stage_clocks) clocks = 0;
-  status.barriers = status.team_barriers = 0;
+  status.barriers = 0;
   status.visits = 0;
   forget_counts(s);
   // after moments that were made otherwise no pair sleeps until the next list

@@ -63,10 +63,22 @@ struct PushRecord {
   FloatPair pair[motion_pairs];
 };
 
+/// Half of such a record with the number of the iteration that wrote it: blocks that do not wait for each other read it
+/// until the number is that of theirs. It is written and read whole.
+struct alignas(16) NumberedHalf {
+  float part[3];
+  std::uint32_t number;
+};
+struct NumberedPush {
+  NumberedHalf half[2];  // x, y, shift x; shift y, twist, turn
+};
+
 /// The same by the base's impulses; part 7 as device_settle.h says.
 struct alignas(64) PushBase {
   double part[8];
 };
+
+static_assert(2 * sizeof(NumberedPush) == sizeof(PushBase));
 
 /// What the additions of a round move a body by: x, y; shift x, y; spin, turn.
 struct AddedMotion {

@@ -4,8 +4,8 @@
 
 #include <cstring>
 
+#include "gem/engine/device_halo_round.h"
 #include "gem/engine/device_held.h"
-#include "gem/engine/device_moves.h"
 #include "gem/engine/device_settle.h"
 #include "gem/engine/iteration_course.h"
 
@@ -112,11 +112,12 @@ class SolverRounds {
     }
   }
 
-  GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, const Crew& crew, std::int32_t place,
-                                          std::int32_t room) {
+  GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, Crew& crew, std::int32_t place, std::int32_t room) {
     if (Crew::shares_rooms && room >= 0)
       return reinterpret_cast<PushRecord*>(crew.room_of(room >> 16)) + (room & 0xffff);
-    return place >= 0 ? s.push + place : nullptr;
+    if (place < 0) return nullptr;
+    if (Crew::has_halos && crew.shared().desk.has_halo) return reinterpret_cast<PushRecord*>(s.push_base + place);
+    return s.push + place;
   }
   GEM_DEVICE static const AddedMotion* motion_at(const DeviceScene& s, Crew& crew, const PointSide& side) {
     if (Crew::shares_rooms && side.motion >= 0)
@@ -127,17 +128,6 @@ class SolverRounds {
   }
   GEM_DEVICE static HeldPlace place_of(const DeviceScene& s, Crew& crew, const PointSide& side) {
     return {motion_at(s, crew, side), record_at(s, crew, side.place, side.room)};
-  }
-
-  /// Blocks with halos read the records of one iteration while others write those of the next: these stand in turn
-  /// where they always do, and where the base has its own, which nobody reads while a round runs. [bytes from the
-  /// former]
-  GEM_DEVICE GEM_INLINE static std::ptrdiff_t other_records(const DeviceScene& s) {
-    static_assert(sizeof(PushRecord) <= sizeof(PushBase));
-    return reinterpret_cast<std::byte*>(s.push_base) - reinterpret_cast<std::byte*>(s.push);
-  }
-  GEM_DEVICE GEM_INLINE static PushRecord* away_by(PushRecord* record, std::ptrdiff_t bytes) {
-    return reinterpret_cast<PushRecord*>(reinterpret_cast<std::byte*>(record) + bytes);
   }
 
   GEM_DEVICE static Motion<double> solved_motion(const DeviceScene& s, std::int32_t body) {
@@ -170,7 +160,14 @@ class SolverRounds {
     held.b = place_of(s, crew, point.b);
     cell.save_numbers(held);
     cell.set_places(held.a, held.b);
-    if (!fresh) push(held, 0);
+    if constexpr (Crew::has_halos)
+      if (crew.shared().desk.has_halo) {
+        clear_numbers(held.a.record);
+        clear_numbers(held.b.record);
+        if (!fresh) push(held, first_number);
+        return;
+      }
+    if (!fresh) push(held, plain);
   }
 
   /// The additions of a round enter the base.
@@ -187,20 +184,37 @@ class SolverRounds {
     cell.save_additions(held);
   }
 
-  GEM_DEVICE GEM_INLINE static void write(PushRecord* record, const PointPush<float>& p, float twist, float turn) {
+  GEM_DEVICE GEM_INLINE static void write(PushRecord* record, const PointPush<float>& p, float twist, float turn,
+                                          std::uint32_t number) {
+    if (!record) return;  // a fixed body
+    if constexpr (Crew::has_halos)
+      if (number != plain) {
+        NumberedPush* const to = reinterpret_cast<NumberedPush*>(record) + number % 2;
+        Crew::write_whole(&to->half[0], {{p.x, p.y, p.shift_x}, number});
+        Crew::write_whole(&to->half[1], {{p.shift_y, twist, turn}, number});
+        return;
+      }
     record->pair[0] = {{p.x, p.y}};
     record->pair[1] = {{p.shift_x, p.shift_y}};
     record->pair[2] = {{twist, turn}};
   }
-  /// `away`: from s.push [bytes].
-  GEM_DEVICE GEM_INLINE static void push(const HeldPoint& held, std::ptrdiff_t away) {
+  /// `number`: of the iteration, where there are halos; or plain.
+  GEM_DEVICE GEM_INLINE static void push(const HeldPoint& held, std::uint32_t number) {
     const PointPush<float> p = push_of(held.frame, held.carried);
-    if (held.a.record) write(away_by(held.a.record, away), p, p.twist_a, p.turn_a);
-    if (held.b.record) write(away_by(held.b.record, away), p, p.twist_b, p.turn_b);
+    write(held.a.record, p, p.twist_a, p.turn_a, number);
+    write(held.b.record, p, p.twist_b, p.turn_b, number);
+  }
+  static constexpr std::uint32_t plain = 0, first_number = 1;
+
+  /// Records of the base stood where those of the round will: until all blocks have met they must not be taken for
+  /// them.
+  GEM_DEVICE static void clear_numbers(PushRecord* record) {
+    if (record)
+      for (int k = 0; k < 4; ++k) Crew::write_whole(&reinterpret_cast<NumberedHalf*>(record)[k], {});
   }
 
   template <PointFriction law, bool judged>
-  GEM_DEVICE GEM_INLINE static float visit(MomentPace<float> pace, HeldPoint& held, float ahead, std::ptrdiff_t away) {
+  GEM_DEVICE GEM_INLINE static float visit(MomentPace<float> pace, HeldPoint& held, float ahead, std::uint32_t number) {
     const AddedMotion a = *held.a.motion, b = *held.b.motion;
     const FloatPair &turn_a = a.pair[2], &turn_b = b.pair[2];
     const Approach<float> w{b.pair[0].part[0] - a.pair[0].part[0],
@@ -212,7 +226,7 @@ class SolverRounds {
                             turn_b.part[0],
                             turn_b.part[1]};
     const float asked = visit_point<law, judged>(held.frame, w, pace, ahead, held.at, held.carried);
-    push(held, away);
+    push(held, number);
     return asked;
   }
 
@@ -220,27 +234,31 @@ class SolverRounds {
   static constexpr int kept = Crew::kept_points;
   struct KeptPoints {
     HeldPoint point[kept > 0 ? kept : 1];
+    std::int32_t count = 0;
+    bool more = false;  // the block has points that no thread keeps
   };
 
   /// Visits the points of this thread; returns, where `judged`, the largest speed that one asked for.
   template <PointFriction law, bool judged>
   GEM_DEVICE GEM_INLINE static float visit_all(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
-                                               KeptPoints& own, float ahead, std::ptrdiff_t away) {
-    const std::int32_t size = crew.threads(), first = desk.points.begin + crew.thread(), end = desk.points.end;
+                                               KeptPoints& own, float ahead, std::uint32_t number) {
     float most = 0.0F;
+    const MomentPace<float> pace = desk.pace;
     const auto visit_held = [&](HeldPoint& held) {
-      most = larger(visit<law, judged>(desk.pace, held, ahead, away), most);
+      most = larger(visit<law, judged>(pace, held, ahead, number), most);
     };
+    for (int k = 0; k < kept; ++k)
+      if (k < own.count) visit_held(own.point[k]);
+    if (!own.more) return most;
     const auto visit_cell = [&](const HeldCell& cell) {
       HeldPoint held = cell.load();
       visit_held(held);
       cell.save_additions(held);
     };
-    for (int k = 0; k < kept; ++k)
-      if (first + k * size < end) visit_held(own.point[k]);
     // each kind of memory by itself: the compiler has faster instructions where it knows which it is
     const HeldTable table(s, crew.room(), desk);
-    std::int32_t i = first + kept * size;
+    const std::int32_t size = crew.threads(), end = desk.points.end;
+    std::int32_t i = desk.points.begin + crew.thread() + kept * size;
     if constexpr (Crew::shares_rooms)
       for (; i < desk.fast.end; i += size) visit_cell(table.fast(i));
     for (; i < end; i += size) visit_cell(table.at_rest(i));
@@ -253,47 +271,105 @@ class SolverRounds {
     if (warp.rank() == 0 && all != 0) crew.highest(asked, all);
   }
 
+  GEM_DEVICE GEM_INLINE static void take_asked(const Crew& crew, std::uint32_t* asked, Progress& progress) {
+    progress.residual = from_ordered_bits(asked[progress.turn]);
+    // the place after the next: others may write to the next one already
+    if (rank_of(crew) == 0) asked[(progress.turn + 2) % 3] = 0;
+    progress.turn = (progress.turn + 1) % 3;
+  }
+
+  GEM_DEVICE GEM_INLINE static void load(const DeviceScene& s, Crew& crew, const SolverDesk& desk, KeptPoints& own) {
+    const std::int32_t size = crew.threads(), first = desk.points.begin + crew.thread(), end = desk.points.end;
+    own.more = desk.points.count() > kept * size;
+    for (int k = 0; k < kept; ++k)
+      if (first + k * size < end) {
+        own.point[k] = HeldTable(s, crew.room(), desk)[first + k * size].load();
+        own.count = k + 1;
+      }
+  }
+  GEM_DEVICE GEM_INLINE static void save(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
+                                         const KeptPoints& own) {
+    const std::int32_t size = crew.threads(), first = desk.points.begin + crew.thread(), end = desk.points.end;
+    for (int k = 0; k < kept; ++k)
+      if (first + k * size < end) HeldTable(s, crew.room(), desk)[first + k * size].save_additions(own.point[k]);
+  }
+
   /// Makes the iterations of one round, which no point has begun where `fresh`; returns whether it was the last.
   template <PointFriction law>
   GEM_DEVICE GEM_INLINE static bool run_round_of(const DeviceScene& s, Crew& outer, Progress& state, bool fresh) {
+    if constexpr (Crew::has_halos)
+      if (outer.shared().desk.has_halo) return run_halo_round_of<law>(s, outer, state, fresh);
     decltype(auto) crew = outer.at_hand();
     Progress progress = state;
     const SolverDesk& desk = crew.shared().desk;
     std::uint32_t* const asked = s.counters->asked;
-    const std::int32_t size = crew.threads(), first = desk.points.begin + crew.thread(), end = desk.points.end;
     KeptPoints own;
-    for (int k = 0; k < kept; ++k)
-      if (first + k * size < end) own.point[k] = HeldTable(s, crew.room(), desk)[first + k * size].load();
-    const bool with_halo = Crew::has_halos && desk.has_halo;
-    const std::ptrdiff_t other = with_halo ? other_records(s) : 0;
-    std::ptrdiff_t away = 0;
+    load(s, crew, desk, own);
     auto next = IterationCourse::Next::iteration;
     for (; next == IterationCourse::Next::iteration; fresh = false) {
       const float ahead = progress.course.ahead();
       if (!fresh) {
-        SolverMoves<Crew>::move(s, crew, desk, away_by(s.push, away));
-        if (with_halo)
-          crew.block_barrier();
-        else
-          crew.barrier();
+        SolverMoves<Crew>::move(s, crew, desk);
+        crew.barrier();
       }
-      away = other - away;
       if (progress.course.judged()) {
-        note_asked(crew, asked + progress.turn, visit_all<law, true>(s, crew, desk, own, ahead, away));
+        note_asked(crew, asked + progress.turn, visit_all<law, true>(s, crew, desk, own, ahead, plain));
       } else {
-        visit_all<law, false>(s, crew, desk, own, ahead, away);
+        visit_all<law, false>(s, crew, desk, own, ahead, plain);
       }
       crew.barrier();
-      if (progress.course.judged()) {
-        progress.residual = from_ordered_bits(asked[progress.turn]);
-        // the place after the next: others may write to the next one already
-        if (rank_of(crew) == 0) asked[(progress.turn + 2) % 3] = 0;
-        progress.turn = (progress.turn + 1) % 3;
-      }
+      if (progress.course.judged()) take_asked(crew, asked, progress);
       next = progress.course.after(progress.residual);
     }
-    for (int k = 0; k < kept; ++k)
-      if (first + k * size < end) HeldTable(s, crew.room(), desk)[first + k * size].save_additions(own.point[k]);
+    save(s, crew, desk, own);
+    outer.came_back(crew);
+    state = progress;
+    return next == IterationCourse::Next::end;
+  }
+
+  /// The same by blocks with halos. They meet at the beginning, at the end and where all have to know what the points
+  /// ask for; else each waits only for the records that it needs. Meanwhile none of these is written over: who writes
+  /// the next but one has read the next of all that read this one.
+  template <PointFriction law>
+  GEM_DEVICE GEM_INLINE static bool run_halo_round_of(const DeviceScene& s, Crew& outer, Progress& state, bool fresh) {
+    decltype(auto) crew = outer.at_hand();
+    Progress progress = state;
+    const SolverDesk& desk = crew.shared().desk;
+    const HaloRecords<Crew> records(s, crew, desk);
+    const HaloMoves<Crew> moves(s, crew, desk);
+    std::uint32_t* const asked = s.counters->asked;
+    KeptPoints own;
+    load(s, crew, desk, own);
+    std::uint32_t number = first_number;
+    if (!fresh) {
+      records.bring(number);
+      crew.block_barrier();
+      moves.move();
+      crew.block_barrier();
+    }
+    auto next = IterationCourse::Next::iteration;
+    for (; next == IterationCourse::Next::iteration; fresh = false) {
+      const float ahead = progress.course.ahead();
+      const bool judged = progress.course.judged();
+      ++number;
+      if (judged) {
+        note_asked(crew, asked + progress.turn, visit_all<law, true>(s, crew, desk, own, ahead, number));
+        crew.arrive();
+        if (fresh) crew.wait();  // until all blocks have cleared the numbers
+        records.bring(number);
+        if (!fresh) crew.wait();
+      } else {
+        visit_all<law, false>(s, crew, desk, own, ahead, number);
+        records.bring(number);
+      }
+      crew.block_barrier();
+      moves.move();
+      crew.block_barrier();
+      if (judged) take_asked(crew, asked, progress);
+      next = progress.course.after(progress.residual);
+    }
+    crew.barrier();  // no block reads records of this round any more
+    save(s, crew, desk, own);
     outer.came_back(crew);
     state = progress;
     return next == IterationCourse::Next::end;

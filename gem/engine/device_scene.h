@@ -78,7 +78,7 @@ struct DeviceStatus {
   std::int32_t events = 0;                            // the same
   std::int32_t carried = 0;                           // contacts in DeviceScene::carried
   std::int64_t stage_clocks[stage_count] = {};        // of the first thread, by DeviceStage
-  std::int32_t barriers = 0, team_barriers = 0;       // between blocks, in the call: of all, of those that iterate
+  std::int32_t barriers = 0;                          // between blocks, in the call
   std::int32_t rows_needed = 0, platform_needed = 0;  // places in all rows, in the platform's
   DeviceStop stop = DeviceStop::done;
   // of a scene that is moved phase by phase
@@ -134,7 +134,7 @@ struct DeviceScene {
   PointTable points;          // over point_numbers
   FloatQuad* held = nullptr;  // points between launches, and those that find no place in fast memory: see HeldTable
   PushRecord* push = nullptr;
-  PushBase* push_base = nullptr;   // as many; in a round with halos also the other buffer of records
+  PushBase* push_base = nullptr;   // as many; in a round with halos two NumberedPush in place of each
   AddedMotion* added = nullptr;    // by body; fixed bodies keep zeros
   SolvedMotion* solved = nullptr;  // the same
   BodyPoints* body_points = nullptr;

@@ -13,8 +13,6 @@
 // Blocks with halos (device_halo.h) have no barrier after a move.
 #pragma once
 
-#include <type_traits>
-
 #include "gem/engine/contact_quality.h"
 #include "gem/engine/device_halo.h"
 #include "gem/engine/device_rounds.h"
@@ -38,7 +36,6 @@ class MomentSolver {
   /// Before the iterations: the list, and a base of what the points carried a moment ago.
   GEM_DEVICE void begin() {
     SolverList<Crew>(s_, crew_, moment_, room_).make();
-    if constexpr (Crew::has_halos) SolverHalo<Crew>(s_, crew_, room_).ask_for_room();
     begin_points();
   }
   /// The same for iterations in a launch that follows, by as many blocks with `room`.
@@ -64,6 +61,7 @@ class MomentSolver {
     crew_.lap(stage_rows);
     each_point(crew_, [&](std::int32_t i) { begin_point(i); });
     clear_marks();
+    if constexpr (Crew::has_halos) SolverHalo<Crew>(s_, crew_, room_).make();
     crew_.barrier();
     base.settle();
     crew_.barrier();
@@ -145,8 +143,8 @@ class MomentSolver {
   std::int32_t moment_;
 };
 
-/// Resolves a coupled moment between the phases of a crew. The iterations are left to the part of it that waits least
-/// for each other: few points to one block, more to one cluster of blocks, many to all.
+/// Resolves a coupled moment between the phases of a crew. Few points are left to one block, whose threads wait least
+/// for each other.
 template <class Crew>
 GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
   const std::int32_t points = s.counters->points;
@@ -155,10 +153,7 @@ GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const D
     OneBlock<Crew> alone(crew);
     if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, desk.solver_bytes).solve();
   } else {
-    crew.solve(points, [&](auto& team) {
-      using Team = std::remove_reference_t<decltype(team)>;
-      MomentSolver<Team>(s, team, moment, desk.solver_bytes).solve();
-    });
+    MomentSolver<Crew>(s, crew, moment, desk.solver_bytes).solve();
   }
   crew.barrier();
   crew.lap(stage_solver_wait);

@@ -17,6 +17,24 @@ GEM_DEVICE GEM_INLINE void each_point(Crew& crew, Work&& work) {
   for (std::int32_t i = desk.points.begin + crew.thread(); i < desk.points.end; i += crew.threads()) work(i);
 }
 
+/// Counts the bits before each of some words, and in all, by a warp.
+template <class Warp>
+GEM_DEVICE inline void count_marks(const Warp& warp, const std::uint32_t* marks, std::int32_t* before,
+                                   std::int32_t words) {
+  constexpr int size = Warp::size, together = 4;
+  std::int32_t sum = 0;
+  for (std::int32_t first = warp.rank(); first - warp.rank() < words; first += together * size) {
+    int mine[together];  // asked for together: each waits for memory
+    for (int k = 0; k < together; ++k) mine[k] = first + k * size < words ? bits_in(marks[first + k * size]) : 0;
+    for (int k = 0; k < together; ++k) {
+      const int below = warp.sum_below(mine[k]);
+      if (first + k * size < words) before[first + k * size] = sum + below;
+      sum += warp.sum(mine[k]);
+    }
+  }
+  if (warp.rank() == 0) before[words] = sum;
+}
+
 template <class Crew>
 class SolverList {
  public:
@@ -52,11 +70,11 @@ class SolverList {
     const std::int64_t own_words = static_cast<std::int64_t>(crew_.block()) * (words + 1);
     std::int32_t *const bodies = s_.bodies_before + own_words, *const spots = s_.spots_before + own_words;
     BlockCell& shared = crew_.shared();
-    if (crew_.thread() == 0) shared.records = shared.taken = shared.halo = shared.platform_points = 0;
+    if (crew_.thread() == 0) shared.records = shared.taken = 0;
     constexpr int warp = Crew::Warp::size;
     const int warps = crew_.threads() / warp;
     for (int k = crew_.thread() / warp; k < 2; k += warps)
-      count_marks(k == 0 ? s_.touched_bodies : s_.touched_spots, k == 0 ? bodies : spots, words);
+      count_marks(crew_.warp(), k == 0 ? s_.touched_bodies : s_.touched_spots, k == 0 ? bodies : spots, words);
     crew_.block_barrier();
     desk.bodies = spots[words];
     desk.own = desk.moved = own_ = stretch_of(crew_, desk.bodies);
@@ -91,22 +109,6 @@ class SolverList {
         s_.taken[shared.first_taken + taken.first + k] = s_.taken_in_row[desk.entry[e].place + k];
     }
     crew_.block_barrier();
-  }
-
-  GEM_DEVICE void count_marks(const std::uint32_t* marks, std::int32_t* before, std::int32_t words) {
-    constexpr int size = Crew::Warp::size, together = 4;
-    const auto warp = crew_.warp();
-    std::int32_t sum = 0;
-    for (std::int32_t first = warp.rank(); first - warp.rank() < words; first += together * size) {
-      int mine[together];  // asked for together: each waits for memory
-      for (int k = 0; k < together; ++k) mine[k] = first + k * size < words ? bits_in(marks[first + k * size]) : 0;
-      for (int k = 0; k < together; ++k) {
-        const int below = warp.sum_below(mine[k]);
-        if (first + k * size < words) before[first + k * size] = sum + below;
-        sum += warp.sum(mine[k]);
-      }
-    }
-    if (warp.rank() == 0) before[words] = sum;
   }
 
   /// Fast memory that motions, records and points may take [bytes].

@@ -33,6 +33,7 @@ class IterationCourse {
   GEM_HD float ahead() {
     ++iteration_;
     ++of_round_;
+    judged_ = iteration_ % 4 == 0 || iteration_ <= 2 || iteration_ == most_ || (tight_ && of_round_ == 1);
     const float now = next_ahead_;
     // asked for an iteration ahead: on a device it waits for memory; the list ends later, as no course begins again
     // before its second iteration
@@ -41,19 +42,16 @@ class IterationCourse {
   }
 
   /// Whether the residual of this iteration is looked at; a look costs two divisions a point.
-  GEM_HD bool judged() const {
-    return iteration_ % 4 == 0 || iteration_ <= 2 || iteration_ == most_ || (tight_ && of_round_ == 1);
-  }
+  GEM_HD bool judged() const { return judged_; }
 
   /// What follows an iteration that left `asked`, if it was judged [m/s].
   GEM_HD Next after(float asked) {
-    const bool looked = judged();
     if (of_round_ == 1) first_ = asked;
-    if (looked) watch(asked);
-    const bool met = looked && static_cast<double>(asked) <= residual_;
+    if (judged_) watch(asked);
+    const bool met = judged_ && static_cast<double>(asked) <= residual_;
     if (iteration_ >= most_ || (met && (!tight_ || of_round_ == 1))) return Next::end;
     if (of_round_ < longest_round &&
-        !(looked && tight_ && (met || static_cast<double>(asked) <= single_precision * static_cast<double>(first_))))
+        !(judged_ && tight_ && (met || static_cast<double>(asked) <= single_precision * static_cast<double>(first_))))
       return Next::iteration;
     of_round_ = 0;
     return Next::round;
@@ -78,7 +76,7 @@ class IterationCourse {
 
   double residual_;
   std::int32_t most_;
-  bool tight_;
+  bool tight_, judged_ = false;
   const float* ahead_;
   float next_ahead_;
   std::int32_t place_ = 0;  // in that list

@@ -32,6 +32,15 @@ struct Stretch {
 /// the longest.
 constexpr std::int32_t part_lengths = 8, row_kinds = part_lengths * part_lengths;
 
+/// What a block copies of the bodies that its points meet, see device_halo.h; all in its fast memory.
+struct HaloDesk {
+  std::int32_t bodies;
+  SolverEntry* entry;
+  AddedMotion* motion;
+  std::int32_t records;  // of the bodies; they stand from the start on
+  std::int32_t* source;  // of each record: its place among those of the scene
+};
+
 /// The same for all threads of the block, and kept in its fast memory, so that no thread has to keep it for itself.
 struct SolverDesk {
   MomentPace<float> pace;
@@ -48,8 +57,9 @@ struct SolverDesk {
   bool in_order;             // of their rows, so that neighbouring threads have as much to do: rank is the place
   bool platform;             // the first that it moves is the platform
   bool has_halo;             // it moves bodies of other blocks for itself
-  std::size_t stage_bytes;   // of fast memory, from the start, that nothing stands in
-  std::int32_t records;      // places of fast memory, from the start, of motions and records
+  HaloDesk halo;
+  std::size_t stage_bytes;  // of fast memory, from the start, that nothing stands in
+  std::int32_t records;     // places of fast memory, from the start, of motions and records
 };
 
 }  // namespace gem

@@ -9,10 +9,13 @@
 #include <cstring>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "gem/engine/crew.h"
+#include "gem/engine/device_points_cells.h"
 
 namespace gem::test {
 
@@ -131,14 +134,9 @@ class TeamCrew {
   std::size_t room_bytes() const { return hall_.room[std::size_t(block_)].size(); }
   std::byte* room_of(int block) const { return hall_.room[std::size_t(block)].data(); }
   static constexpr bool shares_rooms = true;
-  template <class Work>
-  void solve(std::int32_t, Work&& work) {
-    work(*this);
-  }
   void lap(int) const {}
   void write_laps(std::int64_t*) const {}
   static int barriers() { return 0; }
-  static int team_barriers() { return 0; }
   TeamCrew& at_hand() { return *this; }
   void came_back(const TeamCrew&) {}
   void raise(std::uint32_t alarms) {
@@ -162,6 +160,7 @@ class TeamCrew {
   static void set_bit(std::uint32_t* word, std::uint32_t bit) { std::atomic_ref(*word).fetch_or(bit); }
 
  protected:
+  TeamHall& hall() const { return hall_; }
   std::byte* own_room() const { return hall_.room[std::size_t(block_)].data(); }
 
  private:
@@ -175,21 +174,39 @@ class ApartCrew : public TeamCrew {
   using TeamCrew::TeamCrew;
   std::byte* room_of(int) const { return own_room(); }
   void barrier() {
+    arrive();
+    wait();
+  }
+  void arrive() {
     ++barriers_;
-    TeamCrew::barrier();
+    arrived_.emplace(hall().all.arrive());
+  }
+  void wait() {
+    hall().all.wait(std::move(*arrived_));
+    arrived_.reset();
   }
   int barriers() const { return barriers_; }
   ApartCrew& at_hand() { return *this; }
   void came_back(const ApartCrew&) {}
   static constexpr bool shares_rooms = false;
   static constexpr bool has_halos = true;
-  template <class Work>
-  void solve(std::int32_t, Work&& work) {
-    work(*this);
+  /// The number last and first: who reads it has what belongs to it.
+  static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
+    for (int c = 0; c < 3; ++c) std::atomic_ref(to->part[c]).store(value.part[c], std::memory_order_relaxed);
+    std::atomic_ref(to->number).store(value.number, std::memory_order_release);
   }
+  static NumberedHalf read_whole(const NumberedHalf* from) {
+    auto* const half = const_cast<NumberedHalf*>(from);
+    NumberedHalf value;
+    value.number = std::atomic_ref(half->number).load(std::memory_order_acquire);
+    for (int c = 0; c < 3; ++c) value.part[c] = std::atomic_ref(half->part[c]).load(std::memory_order_relaxed);
+    return value;
+  }
+  static void pause() { std::this_thread::yield(); }
 
  private:
   int barriers_ = 0;
+  std::optional<std::barrier<>::arrival_token> arrived_;
 };
 
 /// A team that makes one phase: its alarms outlive it.

@@ -1,4 +1,4 @@
-// The crew of a CUDA kernel: the threads of one cluster of blocks.
+// The crews of a CUDA kernel: the threads of one cluster of blocks, or of more blocks that meet at a gate.
 #pragma once
 
 #include <cooperative_groups.h>
@@ -162,8 +162,7 @@ class ClusterCrew : public DeviceCrew {
   int barriers_ = 0;
 };
 
-/// More blocks than a cluster holds, all on the device at the same time; they meet at a gate in its memory. The first
-/// cluster iterates coupled moments of few points: its blocks meet faster.
+/// More blocks than a cluster holds, all on the device at the same time; they meet at a gate in its memory.
 class GateCrew : public DeviceCrew {
  public:
   using Lanes = LaneGroup<8>;

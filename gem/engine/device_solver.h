@@ -10,7 +10,8 @@
 // | end of a round             | additions into the base, pushes of the base   |                                 |
 //
 // The list is made by device_solver_list.h, the base kept by device_settle.h, the rounds are those of device_rounds.h.
-// Blocks with halos (device_halo.h) have no barrier after a move.
+// Blocks with halos (device_halo.h) have no barrier after a move, and after a visit only where the residual is looked
+// at.
 #pragma once
 
 #include "gem/engine/contact_quality.h"

@@ -44,9 +44,11 @@ void rows() {
   const CudaDevice device = usable_cuda_device();
   std::printf("commit,device,blocks,threads,microseconds\n");
   for (const int blocks : {1, 2, 4, 8, 16, 32, 64, 112, 132})
-    for (const int threads : {128, 256})
+    for (const int threads : {128, 256}) {
+      if (blocks > device.multiprocessors) continue;
       std::printf("%s,%s,%d,%d,%.4f\n", GEM_COMMIT, device.name.c_str(), blocks, threads,
                   1e6 * time_of({Arithmetic::strict, 1, blocks, threads}));
+    }
 }
 
 }  // namespace

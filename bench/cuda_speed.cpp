@@ -123,7 +123,7 @@ void single(const Subject& subject) {
     const EngineState start = start_of(phase, scene, field);
     for (const int blocks : {4, 16, 64, 112, 132})
       for (const int threads : {128, 256}) {
-        if (blocks < 64 && threads < 256) continue;
+        if ((blocks < 64 && threads < 256) || blocks > usable_cuda_device().multiprocessors) continue;
         CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads, .arithmetic = subject.arithmetic});
         std::vector<MomentLog> logs(1);
         const Timing time = time_moments(timed, start, &logs, 7);

@@ -184,6 +184,7 @@ class ApartCrew : public TeamCrew {
   void wait() {
     hall().all.wait(std::move(*arrived_));
     arrived_.reset();
+    block_barrier();  // what each thread has done between the halves comes before, too
   }
   int barriers() const { return barriers_; }
   ApartCrew& at_hand() { return *this; }
@@ -192,6 +193,8 @@ class ApartCrew : public TeamCrew {
   static constexpr bool has_halos = true;
   /// The number last and first: who reads it has what belongs to it.
   static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
+    thread_local unsigned written = 0;
+    if (++written % 13 == 0) std::this_thread::yield();  // some threads fall behind
     for (int c = 0; c < 3; ++c) std::atomic_ref(to->part[c]).store(value.part[c], std::memory_order_relaxed);
     std::atomic_ref(to->number).store(value.number, std::memory_order_release);
   }

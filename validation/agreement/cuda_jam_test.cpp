@@ -49,8 +49,10 @@ class CudaJam : public OnGpu, public testing::WithParamInterface<Way> {
 };
 
 TEST_P(CudaJam, NoLayoutOnTheGpuMatters) {
+  const int most = CudaBatch(copies(1), {}).device().multiprocessors;
   for (const int blocks : {1, 2, 8, 16, 17, 36, 80, 112, 132})
     for (const int threads : {32, 128, 256}) {
+      if (blocks > most) continue;
       CudaBatch batch(copies(1), {.blocks = blocks, .threads = threads, .ring_moments = 23});
       batch.restore(0, start_);
       std::vector<MomentLog> logs(1);

@@ -88,8 +88,10 @@ class SoloCrew {
   /// Fast memory of another block, where the crew's blocks can reach it.
   std::byte* room_of(int) const { return const_cast<std::byte*>(room_.data()); }
   static constexpr bool shares_rooms = true;
-  static constexpr bool has_halos = false;  // its blocks move for themselves what their points meet
-  static constexpr int kept_points = 2;     // that a thread keeps in registers while it iterates
+  // whether its blocks move for themselves what their points meet; then it has write_whole(), read_whole(), pause(),
+  // and its barrier in two halves, arrive() and wait()
+  static constexpr bool has_halos = false;
+  static constexpr int kept_points = 2;  // that a thread keeps in registers while it iterates
   /// Reads the clock at the end of a stage.
   void lap(int) const {}
   void write_laps(std::int64_t*) const {}

@@ -40,9 +40,9 @@ enum class Launches { chosen, moments, phases };
 
 /// How the scenes of a batch are laid out on the GPU. With strict arithmetic no choice changes a result.
 struct CudaOptions {
-  int device = -1;                         // -1: the first that can be used
-  int blocks = 0;                          // that work on one scene: up to 16, or a multiple of that; 0: as help most
-  int threads = 0;                         // of a block: 32 to 256, a multiple of 32; 0: chosen
+  int device = -1;  // -1: the first that can be used
+  int blocks = 0;   // that work on one scene, no more than the device runs at a time; 0: as help most
+  int threads = 0;  // of a block: 32 to 256, a multiple of 32; 0: chosen
   int ring_moments = most_launch_moments;  // of one launch, at most
   int list_rows = 0;    // places of the list of near bodies to begin with; it grows on demand; 0: chosen
   bool samples = true;  // keep what the platform felt

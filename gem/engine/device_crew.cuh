@@ -207,7 +207,8 @@ class GateCrew : public DeviceCrew {
     arrive();
     wait();
   }
-  /// The barrier in two halves, with work between them that waits for no other block's second half.
+  /// The barrier in two halves, with work between them that waits for no other block's second half. What the block does
+  /// there is known to all of it after wait(), but to no other block.
   __device__ void arrive() {
     __syncthreads();
     passed_ += static_cast<unsigned>(blocks_);
@@ -232,7 +233,7 @@ class GateCrew : public DeviceCrew {
     if (block() == 0) atomicExch(&gate_->alarms, 0U);
   }
 
-  /// That all blocks passed, and that those passed which iterate.
+  /// Passed so far.
   __device__ int barriers() const { return static_cast<int>(passed_) / blocks_; }
   __device__ GateCrew at_hand() const { return *this; }
   __device__ void came_back(const GateCrew& copy) { passed_ = copy.passed_; }

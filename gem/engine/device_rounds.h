@@ -206,8 +206,8 @@ class SolverRounds {
   }
   static constexpr std::uint32_t plain = 0, first_number = 1;
 
-  /// Records of the base stood where those of the round will: until all blocks have met they must not be taken for
-  /// them.
+  /// The base's records stood where those of the round will: no part of them must be taken for a number, once all
+  /// blocks have met and wait for records.
   GEM_DEVICE static void clear_numbers(PushRecord* record) {
     if (record)
       for (int k = 0; k < 4; ++k) Crew::write_whole(&reinterpret_cast<NumberedHalf*>(record)[k], {});

@@ -58,7 +58,7 @@ struct SolverDesk {
   bool platform;             // the first that it moves is the platform
   bool has_halo;             // it moves bodies of other blocks for itself
   HaloDesk halo;
-  std::size_t stage_bytes;  // of fast memory, from the start, that nothing stands in
+  std::size_t stage_bytes;  // of fast memory, from the start, that nothing stands in where there is no halo
   std::int32_t records;     // places of fast memory, from the start, of motions and records
 };
 

@@ -115,9 +115,9 @@ GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end
     const Approach<FloatPack> approach = next;
     if (i + 1 < end) next = approach_of(block_[i + 1]);
     BlockAddition& addition = addition_[i];
-    const FloatPack asked =
-        visit_point<law, judged>(frame_of(block_[i]), approach, pace, ahead, addition.at, addition.carried);
-    if constexpr (judged) most = larger(asked, most);
+    const PointFrame<FloatPack> frame = frame_of(block_[i]);
+    const PointImpulse<FloatPack> step = visit_point<law>(frame, approach, pace, ahead, addition.at, addition.carried);
+    if constexpr (judged) most = larger(speed_asked<law>(frame, step, pace), most);
     if (i > begin) write_push(i - 1);
   }
   write_push(end - 1);

@@ -79,11 +79,11 @@ GEM_HD GEM_INLINE auto opposed(Real p, Real q) {
 }
 
 /// One visit: from the carried-ahead additions and the velocities that all of them give, the point's next additions,
-/// and those carried ahead by `ahead` times their change. Returns, where `judged`, the largest speed that the point
-/// still asked for [m/s].
-template <PointFriction law, bool judged, class Real, class Scalar>
-GEM_HD GEM_INLINE Real visit_point(const PointFrame<Real>& f, const Approach<Real>& w, MomentPace<Scalar> pace,
-                                   Scalar ahead, PointImpulse<Real>& at, PointImpulse<Real>& carried) {
+/// and those carried ahead by `ahead` times their change. Returns the steps from what was carried ahead.
+template <PointFriction law, class Real, class Scalar>
+GEM_HD GEM_INLINE PointImpulse<Real> visit_point(const PointFrame<Real>& f, const Approach<Real>& w,
+                                                 MomentPace<Scalar> pace, Scalar ahead, PointImpulse<Real>& at,
+                                                 PointImpulse<Real>& carried) {
   const Real zero{};
   const Real excess = w.x * f.normal_x + w.y * f.normal_y + w.spin_b * f.lever_b_n - w.spin_a * f.lever_a_n + f.excess;
   const Real normal = smaller(larger(carried.normal - excess * f.inverse_nn, f.least), f.most);
@@ -115,10 +115,16 @@ GEM_HD GEM_INLINE Real visit_point(const PointFrame<Real>& f, const Approach<Rea
   const Real along_r = pick(opposed(step_r, change_r), zero, along);
   at = {normal, tangential, repair};
   carried = {normal + along * change_n, tangential + along * change_t, repair + along_r * change_r};
-  if constexpr (!judged) return zero;
-  const Real of_normal = larger(magnitude(step_n), magnitude(step_r) * pace.per_moment) / f.inverse_nn;
+  return {step_n, step_t, step_r};
+}
+
+/// The largest speed that a point still asked for by the steps of a visit [m/s]. Two divisions, so not asked of every
+/// visit.
+template <PointFriction law, class Real, class Scalar>
+GEM_HD GEM_INLINE Real speed_asked(const PointFrame<Real>& f, const PointImpulse<Real>& step, MomentPace<Scalar> pace) {
+  const Real of_normal = larger(magnitude(step.normal), magnitude(step.repair) * pace.per_moment) / f.inverse_nn;
   if constexpr (law == PointFriction::none) return of_normal;
-  return larger(of_normal, magnitude(step_t) / f.inverse_tt);
+  return larger(of_normal, magnitude(step.tangential) / f.inverse_tt);
 }
 
 /// Enters what a point keeps for the whole moment.

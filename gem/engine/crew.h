@@ -27,6 +27,8 @@ struct BlockCell {
   std::int32_t points, first_point;  // found by the block, and its first among all
   std::int32_t records;              // places taken in the block's fast memory
   std::int32_t taken, first_taken;   // points that the block iterates, and the first of them
+  std::uint32_t asked,
+      asked_by_all;  // bits of the largest speed that its points ask for, and of all blocks' with halos
   std::int32_t iterations;
   double residual, energy_created;
   std::uint64_t share, complementarity, cone_excess;  // bits of the largest, numbers >= 0

@@ -211,16 +211,24 @@ class GateCrew : public DeviceCrew {
   /// there is known to all of it after wait(), but to no other block.
   __device__ void arrive() {
     __syncthreads();
-    passed_ += static_cast<unsigned>(blocks_);
-    // after the barrier of the block, so what all of it wrote comes before
-    if (threadIdx.x == 0) asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&gate_->arrived) : "memory");
+    count_arrival();
   }
   __device__ void wait() {
+    wait_at_gate();
+    __syncthreads();
+  }
+  /// The same; what the points of all blocks ask for comes together on the way: one of a block's threads hands it on.
+  __device__ void arrive_asking(std::uint32_t* asked) {
+    __syncthreads();
     if (threadIdx.x == 0) {
-      Seen seen = look_at(gate_);
-      while (seen.arrived < passed_) seen = look_at(gate_);
-      room_.shared.alarms |= seen.alarms;
+      highest(asked, room_.shared.asked);
+      room_.shared.asked = 0;
     }
+    count_arrival();
+  }
+  __device__ void wait_for_asked(const std::uint32_t* asked) {
+    wait_at_gate();
+    if (threadIdx.x == 0) room_.shared.asked_by_all = *static_cast<const volatile std::uint32_t*>(asked);
     __syncthreads();
   }
 
@@ -250,6 +258,18 @@ class GateCrew : public DeviceCrew {
     seen.arrived = static_cast<unsigned>(both);
     seen.alarms = static_cast<unsigned>(both >> 32);
     return seen;
+  }
+
+  /// After a barrier of the block, so what all of it wrote comes before.
+  __device__ void count_arrival() {
+    passed_ += static_cast<unsigned>(blocks_);
+    if (threadIdx.x == 0) asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&gate_->arrived) : "memory");
+  }
+  __device__ void wait_at_gate() {
+    if (threadIdx.x != 0) return;
+    Seen seen = look_at(gate_);
+    while (seen.arrived < passed_) seen = look_at(gate_);
+    room_.shared.alarms |= seen.alarms;
   }
 
   int blocks_;

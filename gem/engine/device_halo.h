@@ -7,20 +7,18 @@
 
 namespace gem {
 
-/// Takes a block's fast memory from its end on.
+/// Shares out a block's fast memory: what lasts from its end on, the rest is free.
 class RoomEnd {
  public:
   GEM_DEVICE RoomEnd(std::byte* room, std::size_t bytes) : room_(room), left_(bytes) {}
 
-  /// Whether `bytes` are left.
-  GEM_DEVICE bool holds(std::size_t bytes) const { return bytes <= left_; }
-  /// Some of them, where they are left.
+  /// Some that last, where holds() says that they are left.
   template <class T>
   GEM_DEVICE T* take(std::int32_t count) {
-    const std::size_t bytes = count * sizeof(T);
-    left_ = bytes <= left_ ? (left_ - bytes) / alignment * alignment : 0;
+    left_ = (left_ - count * sizeof(T)) / alignment * alignment;
     return reinterpret_cast<T*>(room_ + left_);
   }
+  GEM_DEVICE bool holds(std::size_t bytes) const { return bytes <= left_; }
   /// Bytes for so many, at most.
   template <class T>
   GEM_DEVICE static std::size_t bytes_of(std::int32_t count) {
@@ -69,12 +67,14 @@ class SolverHalo {
     });
   }
 
-  /// Marks the entries that the points meet, so that each has one place, in their order: the platform is the first.
+  /// Marks the entries that the points meet, so that each has one place, in their order: the platform is the first. The
+  /// marks stand where the records will.
   GEM_DEVICE bool find() {
     const std::int32_t words = (crew_.shared().desk.bodies + 31) / 32;
-    if (!end_.holds(end_.bytes_of<std::uint32_t>(2 * words + 2))) return false;
-    auto* const met = end_.template take<std::uint32_t>(words);
-    auto* const before = end_.template take<std::int32_t>(words + 1);
+    const std::size_t marks = (2 * words + 1) * sizeof(std::uint32_t);
+    if (!end_.holds(marks)) return false;
+    auto* const met = reinterpret_cast<std::uint32_t*>(crew_.room());
+    auto* const before = reinterpret_cast<std::int32_t*>(met + words);
     for (std::int32_t w = crew_.thread(); w < words; w += crew_.threads()) met[w] = 0;
     if (crew_.thread() == 0) crew_.shared().records = 0;
     crew_.block_barrier();
@@ -82,43 +82,44 @@ class SolverHalo {
     crew_.block_barrier();
     if (crew_.thread() < Crew::Warp::size) count_marks(crew_.warp(), met, before, words);
     crew_.block_barrier();
-    return copy(met, before, before[words]);
+    HaloDesk halo{};
+    halo.bodies = before[words];
+    if (!end_.holds(marks + end_.template bytes_of<SolverEntry>(halo.bodies) +
+                    end_.template bytes_of<AddedMotion>(halo.bodies)))
+      return false;
+    halo.entry = end_.template take<SolverEntry>(halo.bodies);
+    halo.motion = end_.template take<AddedMotion>(halo.bodies);
+    each_side([&](PointSide& side) {
+      side.motion = before[side.motion / 32] + bits_in(met[side.motion / 32] & ((1U << (side.motion % 32)) - 1U));
+    });
+    for (std::int32_t w = crew_.thread(); w < words; w += crew_.threads()) {
+      std::int32_t k = before[w];
+      for (std::uint32_t bits = met[w]; bits != 0; bits &= bits - 1U)
+        halo.entry[k++].rank = 32 * w + bits_in(~bits & (bits - 1U));
+    }
+    crew_.block_barrier();
+    return copy(halo);
   }
 
-  /// Copies the bodies, whose rows follow each other from the start of the fast memory on, and lists where their
-  /// records come from.
-  GEM_DEVICE bool copy(const std::uint32_t* met, const std::int32_t* before, std::int32_t bodies) {
-    if (!end_.holds(end_.bytes_of<SolverEntry>(bodies) + end_.bytes_of<AddedMotion>(bodies) +
-                    end_.bytes_of<std::uint32_t>(bodies)))
-      return false;
-    HaloDesk halo{};
-    halo.bodies = bodies;
-    halo.entry = end_.template take<SolverEntry>(bodies);
-    halo.motion = end_.template take<AddedMotion>(bodies);
-    auto* const entry_of = end_.template take<std::uint32_t>(bodies);
-    for (std::int32_t k = crew_.thread(); k < bodies; k += crew_.threads()) entry_of[k] = 0;
-    crew_.block_barrier();
-    each_side([&](PointSide& side) {
-      const auto entry = static_cast<std::uint32_t>(side.motion);
-      side.motion = before[entry / 32] + bits_in(met[entry / 32] & ((1U << (entry % 32)) - 1U));
-      crew_.highest(&entry_of[side.motion], entry);  // the same for all points that meet it
-    });
-    crew_.block_barrier();
-    for (std::int32_t k = crew_.thread(); k < bodies; k += crew_.threads()) {
-      SolverEntry entry = s_.solver_entry[entry_of[k]];
+  /// Copies the bodies, each from the entry whose number stands in its place, and lists where their records come from;
+  /// their rows follow each other from the start of the fast memory on.
+  GEM_DEVICE bool copy(HaloDesk halo) {
+    for (std::int32_t k = crew_.thread(); k < halo.bodies; k += crew_.threads()) {
+      SolverEntry entry = s_.solver_entry[halo.entry[k].rank];
       entry.room = crew_.add(&crew_.shared().records, entry.count);
       halo.entry[k] = entry;
       halo.motion[k] = {};  // nothing has been added to it
     }
     crew_.block_barrier();
     halo.records = crew_.shared().records;
-    if (!end_.holds(end_.bytes_of<std::int32_t>(halo.records) + end_.bytes_of<PushRecord>(halo.records))) return false;
+    if (!end_.holds(end_.template bytes_of<std::int32_t>(halo.records) + halo.records * sizeof(PushRecord)))
+      return false;
     halo.source = end_.template take<std::int32_t>(halo.records);
     const auto lanes = crew_.lanes();
-    for (std::int32_t k = crew_.thread() / lanes.size; k < bodies; k += crew_.threads() / lanes.size) {
+    constexpr int size = Crew::Lanes::size;
+    for (std::int32_t k = crew_.thread() / size; k < halo.bodies; k += crew_.threads() / size) {
       const SolverEntry& entry = halo.entry[k];
-      for (std::int32_t j = lanes.rank(); j < entry.count; j += lanes.size)
-        halo.source[entry.room + j] = entry.place + j;
+      for (std::int32_t j = lanes.rank(); j < entry.count; j += size) halo.source[entry.room + j] = entry.place + j;
     }
     if (crew_.thread() == 0) crew_.shared().desk.halo = halo;
     crew_.block_barrier();

@@ -46,7 +46,8 @@ class HaloRecords {
     return apart * source_[k / 2] + k % 2;
   }
 
-  /// All are asked for together, and again as long as one is not there.
+  /// All are asked for together, and again as long as one is not there: a record that no point of the round writes
+  /// would be waited for without end.
   template <int together>
   GEM_DEVICE GEM_INLINE void bring_some(std::uint32_t number, const std::int32_t* from, std::int32_t first) const {
     const NumberedHalf* const all = all_ + turn * (number % 2);
@@ -110,24 +111,10 @@ class HaloMoves {
             pair < motion_pairs - 1 ? entry.inverse_mass : entry.inverse_inertia};
   }
 
-  /// Zeros in place of the terms of the other part, and beyond the last, change no sum that began with +0.
   GEM_DEVICE GEM_INLINE static void sum(const Row& row) {
-    constexpr int together = 4;
-    FloatPair to_b{}, to_a{};
-    GEM_NO_UNROLL
-    for (std::int32_t first = 0; first < row.count; first += together) {
-      FloatPair some[together];
-      for (int k = 0; k < together; ++k)
-        some[k] = first + k < row.count ? row.record[first + k].pair[row.pair] : FloatPair{};
-      for (int k = 0; k < together; ++k) {
-        const bool as_b = first + k < row.as_b;
-        for (int c = 0; c < 2; ++c) {
-          to_b.part[c] += as_b ? some[k].part[c] : 0.0F;
-          to_a.part[c] += as_b ? 0.0F : some[k].part[c];
-        }
-      }
-    }
-    *row.motion = {{row.answer * (to_b.part[0] - to_a.part[0]), row.answer * (to_b.part[1] - to_a.part[1])}};
+    const auto moved = SolverMoves<Crew>::template sum_at_once<1, 4>(row.record, row.as_b, row.count, row.pair);
+    const FloatPair& by = moved.pair[0];
+    *row.motion = {{row.answer * by.part[0], row.answer * by.part[1]}};
   }
 
   const DeviceScene& s_;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -154,6 +155,29 @@ TEST(DeviceHalo, RoundsThatFollowChangeNothing) {
   }
   EXPECT_GT(most, 40) << "of more than one round";
   EXPECT_LT(barriers, all) << "without halos two in an iteration";
+  test::expect_same_bodies(device.device.bodies(), cpu->bodies());
+  test::expect_same_coupled(device.device, device.log, *cpu, expected);
+}
+
+TEST(DeviceHalo, IsNoneWhereverTheRoomEndsAndChangesNothing) {
+  constexpr int first = 12, rungs = 20, moments = first + 2 * rungs;  // before the first there are few points
+  SceneDef scene = test::busy_scene(9);
+  scene.contact.resolution = Resolution::coupled;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  MomentLog expected;
+  cpu->advance(moments, expected);
+  ApartScene device(scene, roomy);
+  int crowded = 0, roomed = 0;
+  for (int m = 0; m < moments; ++m) {
+    device.device.give_room(scarce + std::size_t(m % rungs) * 512);
+    const int twice = 2 * expected.quality[std::size_t(m)].iterations - 1;  // barriers of iterations without halos
+    if (m < first)
+      device.advance();
+    else
+      ++(device.advance() >= twice ? crowded : roomed);
+  }
+  EXPECT_GT(crowded, rungs / 4);
+  EXPECT_GT(roomed, rungs / 4);
   test::expect_same_bodies(device.device.bodies(), cpu->bodies());
   test::expect_same_coupled(device.device, device.log, *cpu, expected);
 }

@@ -18,6 +18,37 @@ class SolverMoves {
     if (crew.thread() < rest) move_floes(s, crew, desk, rest);
   }
 
+  template <int pairs>
+  struct PairsOf {
+    FloatPair pair[pairs];
+  };
+
+  /// Both parts in one go over the row: in the memory of all a look takes longer than the additions of a short row.
+  template <int pairs, int together>
+  GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_at_once(const PushRecord* record, std::int32_t as_b_count,
+                                                          std::int32_t count, int from) {
+    PairsOf<pairs> to_b{}, to_a{};
+    GEM_NO_UNROLL
+    for (std::int32_t first = 0; first < count; first += together) {
+      PairsOf<pairs> some[together];
+      for (int k = 0; k < together; ++k)
+        for (int j = 0; j < pairs; ++j)
+          some[k].pair[j] = first + k < count ? record[first + k].pair[from + j] : FloatPair{};
+      for (int k = 0; k < together; ++k) {
+        const bool as_b = first + k < as_b_count;
+        for (int j = 0; j < pairs; ++j)
+          for (int c = 0; c < 2; ++c) {
+            const float term = some[k].pair[j].part[c];
+            to_b.pair[j].part[c] += as_b ? term : 0.0F;
+            to_a.pair[j].part[c] += as_b ? 0.0F : term;
+          }
+      }
+    }
+    for (int j = 0; j < pairs; ++j)
+      for (int c = 0; c < 2; ++c) to_b.pair[j].part[c] -= to_a.pair[j].part[c];
+    return to_b;
+  }
+
   /// A lane for each number of the platform's motion; its records are brought to the block's fast memory, if they do
   /// not stand there. It has the lowest id: no record is one of a body B.
   GEM_DEVICE GEM_INLINE static void move_platform(const DeviceScene& s, Crew& crew, const SolverDesk& desk) {
@@ -25,7 +56,7 @@ class SolverMoves {
     const SolverEntry entry = desk.moved_entry[desk.moved.begin];
     const auto* record = reinterpret_cast<const float*>(s.push + entry.place);
     auto* const room = reinterpret_cast<float*>(crew.room());
-    if (has_rooms && entry.room >= 0) {
+    if ((Crew::shares_rooms || Crew::has_halos) && entry.room >= 0) {
       record = room + parts * entry.room;
     } else if (!Crew::shares_rooms && static_cast<std::size_t>(entry.count) * sizeof(PushRecord) <= desk.stage_bytes) {
       bring(warp, reinterpret_cast<FloatPair*>(room), s.push + entry.place, entry.count);
@@ -40,9 +71,6 @@ class SolverMoves {
   }
 
  private:
-  /// Rows may stand in fast memory.
-  static constexpr bool has_rooms = Crew::shares_rooms || Crew::has_halos;
-
   /// Numbers of a record or a motion.
   static constexpr int parts = 2 * motion_pairs;
 
@@ -64,8 +92,9 @@ class SolverMoves {
     for (std::int32_t k = first + crew.thread(); k < end; k += threads) {
       const int from = pairs * (k % of_body);
       const SolverEntry entry = desk.moved_entry[k / of_body];
-      const PairsOf<pairs> sum = has_rooms && entry.room >= 0 ? sum_of<pairs>(room + entry.room, entry, from)
-                                                              : sum_of<pairs>(s.push + entry.place, entry, from);
+      const PairsOf<pairs> sum = Crew::shares_rooms && entry.room >= 0
+                                     ? sum_of<pairs>(room + entry.room, entry, from)
+                                     : sum_of<pairs>(s.push + entry.place, entry, from);
       const std::int32_t e = desk.in_order ? entry.rank : k / of_body;
       AddedMotion& motion = desk.motion ? desk.motion[e] : s.added[entry.body];
       for (int j = 0; j < pairs; ++j) {
@@ -75,16 +104,11 @@ class SolverMoves {
     }
   }
 
-  template <int pairs>
-  struct PairsOf {
-    FloatPair pair[pairs];
-  };
-
   /// What the records of a body come to: those that it has as B, less those that it has as A.
   template <int pairs>
   GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_of(const PushRecord* record, const SolverEntry& entry, int from) {
     if constexpr (Crew::has_halos) {
-      return sum_at_once<pairs>(record, entry, from);
+      return sum_at_once<pairs, 8>(record, entry.as_b, entry.count, from);
     } else {
       PairsOf<pairs> to_b = sum_of<pairs>(record, 0, entry.as_b, from);
       const PairsOf<pairs> to_a = sum_of<pairs>(record, entry.as_b, entry.count, from);
@@ -92,33 +116,6 @@ class SolverMoves {
         for (int c = 0; c < 2; ++c) to_b.pair[j].part[c] -= to_a.pair[j].part[c];
       return to_b;
     }
-  }
-
-  /// Both parts in one go over the row: in the memory of all a look takes longer than the additions of a short row.
-  template <int pairs>
-  GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_at_once(const PushRecord* record, const SolverEntry& entry,
-                                                          int from) {
-    constexpr int together = 8;
-    PairsOf<pairs> to_b{}, to_a{};
-    GEM_NO_UNROLL
-    for (std::int32_t first = 0; first < entry.count; first += together) {
-      PairsOf<pairs> some[together];
-      for (int k = 0; k < together; ++k)
-        for (int j = 0; j < pairs; ++j)
-          some[k].pair[j] = first + k < entry.count ? record[first + k].pair[from + j] : FloatPair{};
-      for (int k = 0; k < together; ++k) {
-        const bool as_b = first + k < entry.as_b;
-        for (int j = 0; j < pairs; ++j)
-          for (int c = 0; c < 2; ++c) {
-            const float term = some[k].pair[j].part[c];
-            to_b.pair[j].part[c] += as_b ? term : 0.0F;
-            to_a.pair[j].part[c] += as_b ? 0.0F : term;
-          }
-      }
-    }
-    for (int j = 0; j < pairs; ++j)
-      for (int c = 0; c < 2; ++c) to_b.pair[j].part[c] -= to_a.pair[j].part[c];
-    return to_b;
   }
 
   /// A few are fetched together before they are added in their order. Beyond the last there are zeros instead: no

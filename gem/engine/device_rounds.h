@@ -225,9 +225,9 @@ class SolverRounds {
                             turn_a.part[1],
                             turn_b.part[0],
                             turn_b.part[1]};
-    const float asked = visit_point<law, judged>(held.frame, w, pace, ahead, held.at, held.carried);
-    push(held, number);
-    return asked;
+    const PointImpulse<float> step = visit_point<law>(held.frame, w, pace, ahead, held.at, held.carried);
+    push(held, number);  // first of all: others wait for it
+    return judged ? speed_asked<law>(held.frame, step, pace) : 0.0F;
   }
 
   /// Points of a thread that stay in its registers while a round runs.
@@ -271,8 +271,9 @@ class SolverRounds {
     if (warp.rank() == 0 && all != 0) crew.highest(asked, all);
   }
 
-  GEM_DEVICE GEM_INLINE static void take_asked(const Crew& crew, std::uint32_t* asked, Progress& progress) {
-    progress.residual = from_ordered_bits(asked[progress.turn]);
+  GEM_DEVICE GEM_INLINE static void take_asked(const Crew& crew, std::uint32_t* asked, std::uint32_t most,
+                                               Progress& progress) {
+    progress.residual = from_ordered_bits(most);
     // the place after the next: others may write to the next one already
     if (rank_of(crew) == 0) asked[(progress.turn + 2) % 3] = 0;
     progress.turn = (progress.turn + 1) % 3;
@@ -318,7 +319,7 @@ class SolverRounds {
         visit_all<law, false>(s, crew, desk, own, ahead, plain);
       }
       crew.barrier();
-      if (progress.course.judged()) take_asked(crew, asked, progress);
+      if (progress.course.judged()) take_asked(crew, asked, asked[progress.turn], progress);
       next = progress.course.after(progress.residual);
     }
     save(s, crew, desk, own);
@@ -350,22 +351,23 @@ class SolverRounds {
     auto next = IterationCourse::Next::iteration;
     for (; next == IterationCourse::Next::iteration; fresh = false) {
       const float ahead = progress.course.ahead();
-      const bool judged = progress.course.judged();
+      const bool judged = progress.course.judged();  // as is the first of all
       ++number;
       if (judged) {
-        note_asked(crew, asked + progress.turn, visit_all<law, true>(s, crew, desk, own, ahead, number));
-        crew.arrive();
-        if (fresh) crew.wait();  // until all blocks have cleared the numbers
-        records.bring(number);
-        if (!fresh) crew.wait();
+        note_asked(crew, &crew.shared().asked, visit_all<law, true>(s, crew, desk, own, ahead, number));
+        crew.arrive_asking(asked + progress.turn);
+        if (fresh) crew.wait_for_asked(asked + progress.turn);  // until all blocks have cleared the numbers
       } else {
         visit_all<law, false>(s, crew, desk, own, ahead, number);
-        records.bring(number);
       }
+      records.bring(number);
       crew.block_barrier();
-      moves.move();
-      crew.block_barrier();
-      if (judged) take_asked(crew, asked, progress);
+      moves.move();  // whatever all ask for: after the last iteration nobody looks at it
+      if (judged && !fresh)
+        crew.wait_for_asked(asked + progress.turn);
+      else
+        crew.block_barrier();
+      if (judged) take_asked(crew, asked, crew.shared().asked_by_all, progress);
       next = progress.course.after(progress.residual);
     }
     crew.barrier();  // no block reads records of this round any more

@@ -102,6 +102,12 @@ std::vector<Motion<float>> ReferenceEngine::added_motions(const std::vector<Poin
   return motion;
 }
 
+template <PointFriction law>
+float ReferenceEngine::visit(Point& point, const Approach<float>& w, MomentPace<float> pace, float ahead) {
+  const PointImpulse<float> step = visit_point<law>(point.frame, w, pace, ahead, point.at, point.carried);
+  return speed_asked<law>(point.frame, step, pace);
+}
+
 float ReferenceEngine::visit(Point& point, const std::vector<Motion<float>>& motion, float ahead) const {
   const MomentConstants& c = field_.constants;
   const MomentPace<float> pace{static_cast<float>(c.dt), static_cast<float>(1.0 / c.dt)};
@@ -110,11 +116,11 @@ float ReferenceEngine::visit(Point& point, const std::vector<Motion<float>>& mot
                           b.spin,    b.turn};
   switch (c.point_friction) {
     case PointFriction::none:
-      return visit_point<PointFriction::none, true>(point.frame, w, pace, ahead, point.at, point.carried);
+      return visit<PointFriction::none>(point, w, pace, ahead);
     case PointFriction::coulomb:
-      return visit_point<PointFriction::coulomb, true>(point.frame, w, pace, ahead, point.at, point.carried);
+      return visit<PointFriction::coulomb>(point, w, pace, ahead);
     default:
-      return visit_point<PointFriction::fixed_direction, true>(point.frame, w, pace, ahead, point.at, point.carried);
+      return visit<PointFriction::fixed_direction>(point, w, pace, ahead);
   }
 }
 

@@ -41,6 +41,8 @@ class ReferenceEngine : public Engine {
   void keep_best_share(std::vector<Point>& points, double limit) const;
   void begin_round(std::vector<Point>& points) const;
   void iterate(std::vector<Point>& points, MomentQuality& quality) const;
+  template <PointFriction law>
+  static float visit(Point& point, const Approach<float>& w, MomentPace<float> pace, float ahead);
   float visit(Point& point, const std::vector<Motion<float>>& motion, float ahead) const;
 
   FieldState field_;

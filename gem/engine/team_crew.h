@@ -186,6 +186,20 @@ class ApartCrew : public TeamCrew {
     arrived_.reset();
     block_barrier();  // what each thread has done between the halves comes before, too
   }
+  void arrive_asking(std::uint32_t* asked) {
+    block_barrier();
+    if (thread() == 0) {
+      highest(asked, shared().asked);
+      shared().asked = 0;
+    }
+    arrive();
+  }
+  void wait_for_asked(const std::uint32_t* asked) {
+    hall().all.wait(std::move(*arrived_));
+    arrived_.reset();
+    if (thread() == 0) shared().asked_by_all = *asked;
+    block_barrier();
+  }
   int barriers() const { return barriers_; }
   ApartCrew& at_hand() { return *this; }
   void came_back(const ApartCrew&) {}

@@ -14,6 +14,7 @@ class HaloRecords {
       : all_(reinterpret_cast<const NumberedHalf*>(s.push_base)),
         room_(reinterpret_cast<float*>(crew.room())),
         source_(desk.halo.source),
+        turn_(2 * static_cast<std::int64_t>(s.push_capacity)),
         halves_(2 * desk.halo.records),
         thread_(crew.thread()),
         threads_(crew.threads()) {
@@ -38,19 +39,19 @@ class HaloRecords {
  private:
   /// Halves of a thread whose places stay in its registers.
   static constexpr int kept = 4;
-  static constexpr int parts = 3, apart = sizeof(PushBase) / sizeof(NumberedHalf), turn = 2;
+  static constexpr int parts = 3;
 
   /// Where a half stands; that of the thread's first in place of one beyond the last.
   GEM_DEVICE GEM_INLINE std::int32_t from(std::int32_t half) const {
     const std::int32_t k = half < halves_ ? half : thread_;
-    return apart * source_[k / 2] + k % 2;
+    return 2 * source_[k / 2] + k % 2;
   }
 
   /// All are asked for together, and again as long as one is not there: a record that no point of the round writes
   /// would be waited for without end.
   template <int together>
   GEM_DEVICE GEM_INLINE void bring_some(std::uint32_t number, const std::int32_t* from, std::int32_t first) const {
-    const NumberedHalf* const all = all_ + turn * (number % 2);
+    const NumberedHalf* const all = all_ + turn_ * (number % 2);
     NumberedHalf some[together];
     for (;;) {
       for (int k = 0; k < together; ++k) some[k] = Crew::read_whole(all + from[k]);
@@ -67,6 +68,7 @@ class HaloRecords {
   const NumberedHalf* all_;
   float* room_;
   const std::int32_t* source_;
+  std::int64_t turn_;  // halves from the records of one iteration to those of the next
   std::int32_t halves_, thread_, threads_;
   std::int32_t from_[kept];
 };

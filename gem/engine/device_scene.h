@@ -134,7 +134,7 @@ struct DeviceScene {
   PointTable points;          // over point_numbers
   FloatQuad* held = nullptr;  // points between launches, and those that find no place in fast memory: see HeldTable
   PushRecord* push = nullptr;
-  PushBase* push_base = nullptr;   // as many; in a round with halos two NumberedPush in place of each
+  PushBase* push_base = nullptr;   // as many; in a round with halos twice as many NumberedPush stand there
   AddedMotion* added = nullptr;    // by body; fixed bodies keep zeros
   SolvedMotion* solved = nullptr;  // the same
   BodyPoints* body_points = nullptr;
@@ -151,6 +151,7 @@ struct DeviceScene {
   std::int32_t* taken_in_row = nullptr;  // the same by row, a body's from the place of its records on
   TakenPoints* taken_of = nullptr;       // by place among the moving bodies with points
   std::int32_t points_capacity = 0;
+  std::int32_t push_capacity = 0;                // records of points
   double *given = nullptr, *answered = nullptr;  // by place among those bodies [J]
   double* work_created = nullptr;                // by body: of its contacts as B, or as A with a fixed B [J]
   double* partial_sum = nullptr;                 // each block's own

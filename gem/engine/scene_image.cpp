@@ -136,6 +136,7 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(s.bodies_before, blocks * ((n + 31) / 32 + 1));
   placer.place(s.spots_before, blocks * ((n + 31) / 32 + 1));
   s.points_capacity = static_cast<std::int32_t>(2 * pairs);
+  s.push_capacity = static_cast<std::int32_t>(2 * rows);
   placer.place(s.taken_point, 2 * pairs);
   placer.place(s.taken, 2 * pairs);
   placer.place(s.taken_in_row, 2 * rows);

@@ -27,8 +27,8 @@ struct BlockCell {
   std::int32_t points, first_point;  // found by the block, and its first among all
   std::int32_t records;              // places taken in the block's fast memory
   std::int32_t taken, first_taken;   // points that the block iterates, and the first of them
-  std::uint32_t asked,
-      asked_by_all;  // bits of the largest speed that its points ask for, and of all blocks' with halos
+  std::uint32_t asked;               // with halos: bits of the largest speed that the block's points ask for
+  std::uint32_t asked_by_all;        // the same of all blocks
   std::int32_t iterations;
   double residual, energy_created;
   std::uint64_t share, complementarity, cone_excess;  // bits of the largest, numbers >= 0
@@ -91,7 +91,7 @@ class SoloCrew {
   std::byte* room_of(int) const { return const_cast<std::byte*>(room_.data()); }
   static constexpr bool shares_rooms = true;
   // whether its blocks move for themselves what their points meet; then it has write_whole(), read_whole(), pause(),
-  // and its barrier in two halves, arrive() and wait()
+  // and a barrier in two halves, arrive_asking() and wait_for_asked()
   static constexpr bool has_halos = false;
   static constexpr int kept_points = 2;  // that a thread keeps in registers while it iterates
   /// Reads the clock at the end of a stage.

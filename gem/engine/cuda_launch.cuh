@@ -16,6 +16,7 @@ constexpr std::size_t most_room = 160 * 1024;
 /// Blocks of a scene that meet at a gate, at least: up to three scenes on 132 multiprocessors. Between these and the
 /// largest cluster, whose blocks meet faster, nothing was timed.
 constexpr int fewest_gated = 40;
+static_assert(fewest_gated > largest_cluster);
 
 /// How a batch is spread over the device.
 struct Spread {

@@ -204,23 +204,17 @@ class GateCrew : public DeviceCrew {
   __device__ static void pause() {}
 
   __device__ void barrier() {
-    arrive();
-    wait();
-  }
-  /// The barrier in two halves, with work between them that waits for no other block's second half. What the block does
-  /// there is known to all of it after wait(), but to no other block.
-  __device__ void arrive() {
     __syncthreads();
     count_arrival();
-  }
-  __device__ void wait() {
     wait_at_gate();
     __syncthreads();
   }
-  /// The same; what the points of all blocks ask for comes together on the way: one of a block's threads hands it on.
+  /// A barrier in two halves, with work between them that waits for no other block's second half. What the block does
+  /// there is known to all of it after the second, but to no other block. On the way what the points of all blocks ask
+  /// for comes together: one thread of each hands it on.
   __device__ void arrive_asking(std::uint32_t* asked) {
     __syncthreads();
-    if (threadIdx.x == 0) {
+    if (threadIdx.x == 0 && room_.shared.asked != 0) {
       highest(asked, room_.shared.asked);
       room_.shared.asked = 0;
     }

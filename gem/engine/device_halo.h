@@ -84,11 +84,10 @@ class SolverHalo {
     crew_.block_barrier();
     HaloDesk halo{};
     halo.bodies = before[words];
-    if (!end_.holds(marks + end_.template bytes_of<SolverEntry>(halo.bodies) +
-                    end_.template bytes_of<AddedMotion>(halo.bodies)))
+    if (!end_.holds(marks + end_.bytes_of<SolverEntry>(halo.bodies) + end_.bytes_of<AddedMotion>(halo.bodies)))
       return false;
-    halo.entry = end_.template take<SolverEntry>(halo.bodies);
-    halo.motion = end_.template take<AddedMotion>(halo.bodies);
+    halo.entry = end_.take<SolverEntry>(halo.bodies);
+    halo.motion = end_.take<AddedMotion>(halo.bodies);
     each_side([&](PointSide& side) {
       side.motion = before[side.motion / 32] + bits_in(met[side.motion / 32] & ((1U << (side.motion % 32)) - 1U));
     });
@@ -112,9 +111,8 @@ class SolverHalo {
     }
     crew_.block_barrier();
     halo.records = crew_.shared().records;
-    if (!end_.holds(end_.template bytes_of<std::int32_t>(halo.records) + halo.records * sizeof(PushRecord)))
-      return false;
-    halo.source = end_.template take<std::int32_t>(halo.records);
+    if (!end_.holds(end_.bytes_of<std::int32_t>(halo.records) + halo.records * sizeof(PushRecord))) return false;
+    halo.source = end_.take<std::int32_t>(halo.records);
     const auto lanes = crew_.lanes();
     constexpr int size = Crew::Lanes::size;
     for (std::int32_t k = crew_.thread() / size; k < halo.bodies; k += crew_.threads() / size) {

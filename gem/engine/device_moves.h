@@ -23,7 +23,9 @@ class SolverMoves {
     FloatPair pair[pairs];
   };
 
-  /// Both parts in one go over the row: in the memory of all a look takes longer than the additions of a short row.
+  /// What some pairs of numbers of a row come to, both parts in one go: a look at memory takes longer than the
+  /// additions of a short row. Zeros in place of the terms of the other part, and beyond the last, change no sum that
+  /// began with +0.
   template <int pairs, int together>
   GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_at_once(const PushRecord* record, std::int32_t as_b_count,
                                                           std::int32_t count, int from) {

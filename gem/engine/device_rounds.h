@@ -184,7 +184,8 @@ class SolverRounds {
     auto next = IterationCourse::Next::iteration;
     for (; next == IterationCourse::Next::iteration; fresh = false) {
       const float ahead = progress.course.ahead();
-      const bool judged = progress.course.judged();  // as is the first of all
+      // so is the first of all, in which all blocks have to meet
+      const bool judged = progress.course.judged();
       ++number;
       if (judged) {
         note_asked(crew, &crew.shared().asked,

@@ -2,7 +2,6 @@
 // where each writes what it pushes its bodies by.
 #pragma once
 
-#include "gem/engine/device_halo.h"
 #include "gem/engine/device_held.h"
 #include "gem/engine/device_settle.h"
 
@@ -161,8 +160,8 @@ class SolverVisits {
     write(s, held.a.record, p, p.twist_a, p.turn_a, number);
     write(s, held.b.record, p, p.twist_b, p.turn_b, number);
   }
-  /// The base's records stood where those of the round will: no part of them must be taken for a number, once all
-  /// blocks have met and wait for records.
+  /// Where the records of the round will be stands the base, or what an earlier round left, whose numbers come again:
+  /// nothing of it must be taken for a record, once all blocks have met and wait.
   GEM_DEVICE static void clear_numbers(const DeviceScene& s, PushRecord* record) {
     if (!record) return;
     for (std::uint32_t turn = 0; turn < 2; ++turn)

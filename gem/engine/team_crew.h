@@ -174,17 +174,8 @@ class ApartCrew : public TeamCrew {
   using TeamCrew::TeamCrew;
   std::byte* room_of(int) const { return own_room(); }
   void barrier() {
-    arrive();
-    wait();
-  }
-  void arrive() {
     ++barriers_;
-    arrived_.emplace(hall().all.arrive());
-  }
-  void wait() {
-    hall().all.wait(std::move(*arrived_));
-    arrived_.reset();
-    block_barrier();  // what each thread has done between the halves comes before, too
+    hall().all.arrive_and_wait();
   }
   void arrive_asking(std::uint32_t* asked) {
     block_barrier();
@@ -192,13 +183,14 @@ class ApartCrew : public TeamCrew {
       highest(asked, shared().asked);
       shared().asked = 0;
     }
-    arrive();
+    ++barriers_;
+    arrived_.emplace(hall().all.arrive());
   }
   void wait_for_asked(const std::uint32_t* asked) {
     hall().all.wait(std::move(*arrived_));
     arrived_.reset();
     if (thread() == 0) shared().asked_by_all = *asked;
-    block_barrier();
+    block_barrier();  // what each thread has done between the halves comes before, too
   }
   int barriers() const { return barriers_; }
   ApartCrew& at_hand() { return *this; }

@@ -214,7 +214,7 @@ class GateCrew : public DeviceCrew {
   /// for comes together: one thread of each hands it on.
   __device__ void arrive_asking(std::uint32_t* asked) {
     __syncthreads();
-    if (threadIdx.x == 0 && room_.shared.asked != 0) {
+    if (threadIdx.x == 0) {
       highest(asked, room_.shared.asked);
       room_.shared.asked = 0;
     }

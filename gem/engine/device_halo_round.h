@@ -14,7 +14,7 @@ class HaloRecords {
       : all_(reinterpret_cast<const NumberedHalf*>(s.push_base)),
         room_(reinterpret_cast<float*>(crew.room())),
         source_(desk.halo.source),
-        turn_(2 * static_cast<std::int64_t>(s.push_capacity)),
+        turn_(2 * s.push_capacity),
         halves_(2 * desk.halo.records),
         thread_(crew.thread()),
         threads_(crew.threads()) {
@@ -51,7 +51,7 @@ class HaloRecords {
   /// would be waited for without end.
   template <int together>
   GEM_DEVICE GEM_INLINE void bring_some(std::uint32_t number, const std::int32_t* from, std::int32_t first) const {
-    const NumberedHalf* const all = all_ + turn_ * (number % 2);
+    const NumberedHalf* const all = all_ + turn_ * static_cast<std::int32_t>(number % 2);
     NumberedHalf some[together];
     for (;;) {
       for (int k = 0; k < together; ++k) some[k] = Crew::read_whole(all + from[k]);
@@ -68,7 +68,7 @@ class HaloRecords {
   const NumberedHalf* all_;
   float* room_;
   const std::int32_t* source_;
-  std::int64_t turn_;  // halves from the records of one iteration to those of the next
+  std::int32_t turn_;  // halves from the records of one iteration to those of the next
   std::int32_t halves_, thread_, threads_;
   std::int32_t from_[kept];
 };

@@ -194,8 +194,9 @@ class SolverRounds {
         if (fresh) crew.wait_for_asked(asked + progress.turn);  // until all blocks have cleared the numbers
       } else {
         Visits::template visit_all<law, false>(s, crew, desk, own, ahead, number);
-        crew.block_barrier();  // looks of threads without points would be in the way of what the others write
       }
+      // as in arriving: looks of threads without points would be in the way of what the others write
+      if (!judged) crew.block_barrier();
       records.bring(number);
       crew.block_barrier();
       moves.move();  // whatever all ask for: after the last iteration nobody looks at it

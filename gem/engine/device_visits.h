@@ -169,7 +169,7 @@ class SolverVisits {
   }
   /// Where an iteration's record stands: by turns, so that those of a row follow each other.
   GEM_DEVICE GEM_INLINE static NumberedPush* numbered(const DeviceScene& s, PushRecord* record, std::uint32_t number) {
-    return reinterpret_cast<NumberedPush*>(record) + static_cast<std::int64_t>(number % 2) * s.push_capacity;
+    return reinterpret_cast<NumberedPush*>(record) + static_cast<std::int32_t>(number % 2) * s.push_capacity;
   }
 
   template <PointFriction law, bool judged>

@@ -13,8 +13,8 @@
 #include "baseline_box2d/platform_record.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/engine/books.h"
-#include "gem/engine/solo_stages.h"
+#include "gem/engine/step/books.h"
+#include "gem/engine/step/solo_stages.h"
 
 namespace gem::baseline {
 namespace {

@@ -12,7 +12,7 @@
 #include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
 #include "gem/base/scratch_folder.h"
-#include "gem/engine/test_scenes.h"
+#include "gem/engine/testing/test_scenes.h"
 #include "gem/field/field.h"
 
 namespace gem::baseline {

@@ -7,7 +7,7 @@
 #include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
 #include "gem/engine/engine.h"
-#include "gem/engine/test_scenes.h"
+#include "gem/engine/testing/test_scenes.h"
 
 namespace gem::baseline {
 namespace {

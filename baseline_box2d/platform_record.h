@@ -5,7 +5,7 @@
 
 #include "baseline_box2d/touches.h"
 #include "gem/engine/engine.h"
-#include "gem/engine/field_state.h"
+#include "gem/engine/step/field_state.h"
 
 namespace gem::baseline {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "gem/engine/engine.h"
-#include "gem/engine/field_state.h"
+#include "gem/engine/step/field_state.h"
 
 namespace gem::baseline {
 

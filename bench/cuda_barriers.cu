@@ -2,8 +2,8 @@
 // usage: gem_cuda_barriers
 #include <cstdio>
 
-#include "gem/engine/cuda_launch.cuh"
-#include "gem/engine/device_crew.cuh"
+#include "gem/engine/cuda/crews.cuh"
+#include "gem/engine/cuda/cuda_launch.cuh"
 #include "gem_version.h"
 
 namespace gem {

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "gem/base/error.h"
-#include "gem/engine/cuda_engine.h"
+#include "gem/engine/cuda/cuda_engine.h"
 #include "gem/field/field.h"
-#include "gem/scene/scene_file.h"
-#include "gem/scene/sweep.h"
+#include "gem/scene/sweep/sweep.h"
+#include "gem/scene/toml/scene_file.h"
 #include "gem_version.h"
 #include "growth_field.h"
 

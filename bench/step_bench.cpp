@@ -10,15 +10,15 @@
 #include <string>
 #include <utility>
 
-#include "gem/engine/books.h"
-#include "gem/engine/contact_outcome.h"
-#include "gem/engine/contact_stages.h"
-#include "gem/engine/coupled_solver.h"
+#include "gem/engine/cpu/pair_list.h"
 #include "gem/engine/engine.h"
-#include "gem/engine/pair_list.h"
-#include "gem/engine/solo_stages.h"
+#include "gem/engine/solver/coupled_solver.h"
+#include "gem/engine/step/books.h"
+#include "gem/engine/step/contact_outcome.h"
+#include "gem/engine/step/contact_stages.h"
+#include "gem/engine/step/solo_stages.h"
 #include "gem/field/field.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/scene_file.h"
 #include "gem_version.h"
 
 namespace gem {

@@ -8,7 +8,7 @@
 #include "gem/command/command.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_writer.h"
-#include "gem/run_signals.h"
+#include "gem/run/run_signals.h"
 
 namespace {
 

@@ -1,10 +1,10 @@
 # The rules behind check_includes.sh. Comments and string literals are removed before anything is looked for.
 
 BEGIN {
-  # A layer sees itself and the layers before it; command and run_scene are one rank.
+  # A layer sees itself and the layers before it; run and command are one rank.
   split("base geometry events scene field engine record analysis report command", order, " ")
   for (i in order) rank[order[i]] = i + 0
-  rank["run_scene"] = rank["command"]
+  rank["run"] = rank["command"]
   rank["main"] = rank["command"] + 1
 
   # Headers of a third party and the only places that may include them.
@@ -45,13 +45,13 @@ function report(rule, word, text) {
   faults++
 }
 
-# The layer of a path under gem/: its folder, or for a file directly in gem/ its name, where run_*.h are parts of run_scene.
+# The layer of a path under gem/: its folder, or for a file directly in gem/ its name.
 function layer_of(path, parts, n) {
   n = split(path, parts, "/")
   if (n > 2) return parts[2]
   sub(/_test$/, "", parts[2])
   sub(/[.].*$/, "", parts[2])
-  return parts[2] ~ /^run_/ ? "run_scene" : parts[2]
+  return parts[2]
 }
 
 # Line without comments and without the content of literals. `in_comment` and `raw_end` live from line to line.

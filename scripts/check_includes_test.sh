@@ -58,7 +58,7 @@ plant gem/events/impact_test.cpp <<'END'
 double expected() { return std::cos(0.5); }
 void comma() { setlocale(LC_NUMERIC, "de_DE.UTF-8"); }
 END
-plant gem/scene/scene_file.cpp <<'END'
+plant gem/scene/toml/scene_file.cpp <<'END'
 #include <toml++/toml.h>
 #include "gem/field/bodies.h"  // PLANT layer
 #include <hdf5.h>  // PLANT hdf5
@@ -79,7 +79,7 @@ void lines(const std::string& text) {
 double read(std::istream& file) { double x; file >> x; return x; }  // PLANT locale
 double turn(double angle) { return std::cos(angle); }
 END
-plant gem/engine/cpu_engine.cpp <<'END'
+plant gem/engine/cpu/cpu_engine.cpp <<'END'
 #include "gem/field/bodies.h"
 #include "gem/record/recorder.h"  // PLANT layer
 #include <gsl/gsl_fft.h>  // PLANT gsl
@@ -92,24 +92,24 @@ std::atomic<int> count;
 double decay(double x) { return std::exp(-x); }  // PLANT bits
 void wait() { cudaDeviceSynchronize(); }  // PLANT cuda
 END
-plant gem/engine/cuda_engine.cu <<'END'
+plant gem/engine/cuda/cuda_engine.cu <<'END'
 #include <cub/cub.cuh>
 __global__ void kernel(double* sum) { atomicAdd(sum, 1.0); }  // PLANT order
 END
 plant gem/record/recorder.cpp <<'END'
 #include <H5DSpublic.h>
 #include <hdf5.h>
-#include "gem/analysis/spectrum.h"  // PLANT layer
+#include "gem/analysis/spectra/spectrum.h"  // PLANT layer
 END
 plant gem/record/run_writer.cpp <<'END'
 std::atomic<double> saved_time;
 END
-plant gem/run_log.cpp <<'END'
-#include "gem/run_scene.h"
+plant gem/run/run_log.cpp <<'END'
+#include "gem/run/run_scene.h"
 #include "gem/record/recorder.h"
 #include "gem/main.h"  // PLANT layer
 END
-plant gem/analysis/spectrum.cpp <<'END'
+plant gem/analysis/spectra/spectrum.cpp <<'END'
 #include <gsl/gsl_fft.h>
 #include <Eigen/Dense>
 #include "gem/record/reader.h"
@@ -117,13 +117,13 @@ plant gem/analysis/spectrum.cpp <<'END'
 #include <hdf5_hl.h>  // PLANT hdf5
 END
 plant gem/report/page.cpp <<'END'
-#include "gem/analysis/spectrum.h"
-#include "gem/run_scene.h"  // PLANT layer
+#include "gem/analysis/spectra/spectrum.h"
+#include "gem/run/run_scene.h"  // PLANT layer
 #include <CLI/CLI.hpp>  // PLANT cli11
 END
 plant gem/command/run.cpp <<'END'
 #include <CLI/CLI.hpp>
-#include "gem/run_scene.h"
+#include "gem/run/run_scene.h"
 #include "gem/report/page.h"
 #include "gem/main.h"  // PLANT layer
 END

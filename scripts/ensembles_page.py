@@ -175,7 +175,7 @@ def main():
     shutil.copy(ROWS / "ensembles.csv", FOLDER / "ensembles.csv")
     lines = ["", "Settings, cases, judged times and margins were written down before the runs that are judged: `ensembles.txt`.",
              "Every setting runs the same seeds, each another field. \"The same\" means equivalent within the margin at 5 %: two one-sided",
-             "Welch tests (`gem/analysis/equivalence.h`) over runs, adjusted by Holm for all quantities of a case and setting;",
+             "Welch tests (`gem/analysis/statistics/equivalence.h`) over runs, adjusted by Holm for all quantities of a case and setting;",
              "\"no\": the whole 90 % interval lies outside the margin. Samples of one run are never tested: they are correlated.",
              "Intervals of means are bootstraps over runs.", "", provenance("ensembles"), ""]
     lines += agreement(rows)

@@ -8,7 +8,7 @@ import csv
 import re
 import sys
 
-# DevicePhase in gem/engine/device_phases.h
+# DevicePhase in gem/engine/device/phases.h
 PHASES = ["open", "begin", "plan", "list", "choose", "look", "resolve", "gather", "iterate", "settle", "bodies",
           "last_work", "close"]
 

@@ -11,9 +11,9 @@
 #include "bench/solver_study/scenes.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/engine/contact_stages.h"
-#include "gem/engine/pair_list.h"
-#include "gem/engine/solo_stages.h"
+#include "gem/engine/cpu/pair_list.h"
+#include "gem/engine/step/contact_stages.h"
+#include "gem/engine/step/solo_stages.h"
 #include "gem/field/field.h"
 #include "gem_version.h"
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "gem/engine/books.h"
-#include "gem/engine/contact_outcome.h"
-#include "gem/engine/contact_stages.h"
-#include "gem/engine/coupled_solver.h"
-#include "gem/engine/iteration_course.h"
-#include "gem/engine/solo_stages.h"
+#include "gem/engine/solver/coupled_solver.h"
+#include "gem/engine/solver/iteration_course.h"
+#include "gem/engine/step/books.h"
+#include "gem/engine/step/contact_outcome.h"
+#include "gem/engine/step/contact_stages.h"
+#include "gem/engine/step/solo_stages.h"
 
 namespace gem::bench {
 

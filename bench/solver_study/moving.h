@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "bench/solver_study/method.h"
+#include "gem/engine/cpu/pair_list.h"
 #include "gem/engine/engine.h"
-#include "gem/engine/overlap_count.h"
-#include "gem/engine/pair_list.h"
+#include "gem/engine/step/overlap_count.h"
 
 namespace gem::bench {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gem/engine/contact_stages.h"
+#include "gem/engine/step/contact_stages.h"
 
 namespace gem::bench {
 

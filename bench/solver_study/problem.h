@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bench/solver_study/studied_point.h"
-#include "gem/engine/contact.h"
-#include "gem/engine/field_state.h"
+#include "gem/engine/step/contact.h"
+#include "gem/engine/step/field_state.h"
 
 namespace gem::bench {
 

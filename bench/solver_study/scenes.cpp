@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "gem/base/error.h"
-#include "gem/scene/scene_file.h"
-#include "gem/scene/sweep.h"
+#include "gem/scene/sweep/sweep.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem::bench {
 

@@ -1,8 +1,8 @@
 // A contact point as the candidates see it: the engine's law in double precision, from impulses of zero.
 #pragma once
 
-#include "gem/engine/coupled_visit.h"
-#include "gem/engine/pair_event.h"
+#include "gem/engine/solver/coupled_visit.h"
+#include "gem/engine/step/pair_event.h"
 
 namespace gem::bench {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bench/solver_study/moving.h"
-#include "gem/engine/contact_stages.h"
+#include "gem/engine/step/contact_stages.h"
 
 namespace gem::bench {
 namespace {

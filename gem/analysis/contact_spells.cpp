@@ -5,8 +5,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "gem/analysis/moments.h"
-#include "gem/analysis/proportion.h"
+#include "gem/analysis/statistics/moments.h"
+#include "gem/analysis/statistics/proportion.h"
 
 namespace gem {
 namespace {

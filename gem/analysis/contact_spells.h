@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "gem/analysis/bootstrap.h"
-#include "gem/analysis/interval_estimate.h"
+#include "gem/analysis/statistics/bootstrap.h"
+#include "gem/analysis/statistics/interval_estimate.h"
 
 namespace gem {
 

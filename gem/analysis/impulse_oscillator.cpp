@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "gem/analysis/random_streams.h"
+#include "gem/analysis/statistics/random_streams.h"
 
 namespace gem {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gem/analysis/moments.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/analysis/test_signals.h"
 
 namespace gem {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gem/analysis/moments.h"
+#include "gem/analysis/statistics/moments.h"
 
 namespace gem {
 

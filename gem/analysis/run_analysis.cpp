@@ -7,13 +7,13 @@
 #include <stdexcept>
 
 #include "gem/analysis/contact_spells.h"
-#include "gem/analysis/correlation.h"
-#include "gem/analysis/exceedance.h"
-#include "gem/analysis/hilbert.h"
-#include "gem/analysis/moments.h"
+#include "gem/analysis/extremes/exceedance.h"
 #include "gem/analysis/orbit.h"
-#include "gem/analysis/period.h"
-#include "gem/analysis/spectral_line.h"
+#include "gem/analysis/spectra/hilbert.h"
+#include "gem/analysis/spectra/period.h"
+#include "gem/analysis/spectra/spectral_line.h"
+#include "gem/analysis/statistics/correlation.h"
+#include "gem/analysis/statistics/moments.h"
 
 namespace gem {
 namespace {

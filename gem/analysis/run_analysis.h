@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/analysis/interval_estimate.h"
+#include "gem/analysis/statistics/interval_estimate.h"
 
 namespace gem {
 

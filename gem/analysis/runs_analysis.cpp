@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "gem/analysis/moments.h"
+#include "gem/analysis/statistics/moments.h"
 
 namespace gem {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "gem/analysis/bootstrap.h"
-#include "gem/analysis/gumbel.h"
+#include "gem/analysis/extremes/gumbel.h"
 #include "gem/analysis/run_analysis.h"
+#include "gem/analysis/statistics/bootstrap.h"
 
 namespace gem {
 

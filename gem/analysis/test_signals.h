@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "gem/analysis/random_streams.h"
+#include "gem/analysis/statistics/random_streams.h"
 
 namespace gem {
 

@@ -16,8 +16,8 @@
 #include "gem/report/load_run.h"
 #include "gem/report/platform_series.h"
 #include "gem/report/run_findings.h"
-#include "gem/scene/document.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/document.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 namespace {

@@ -9,8 +9,8 @@
 #include "gem/command/command.h"
 #include "gem/record/run_file.h"
 #include "gem/scene/check_scene.h"
-#include "gem/scene/scene_file.h"
-#include "gem/scene/sweep.h"
+#include "gem/scene/sweep/sweep.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 

@@ -7,9 +7,9 @@
 #include "gem/command/command.h"
 #include "gem/events/mooring.h"
 #include "gem/field/field.h"
-#include "gem/scene/case_text.h"
 #include "gem/scene/check_scene.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/case_text.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/run_scene.h"
+#include "gem/run/run_scene.h"
 #include "gem/scene/scene_def.h"
 
 namespace gem {

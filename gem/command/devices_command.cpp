@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "gem/command/command.h"
-#include "gem/engine/cuda_engine.h"
+#include "gem/engine/cuda/cuda_engine.h"
 
 namespace gem {
 

@@ -10,10 +10,10 @@
 #include "gem/command/command.h"
 #include "gem/field/field.h"
 #include "gem/record/output_path.h"
-#include "gem/run_signals.h"
+#include "gem/run/run_signals.h"
 #include "gem/scene/check_scene.h"
-#include "gem/scene/document.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/document.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
-#include "gem/engine/coupled_point.h"
-#include "gem/engine/ledger.h"
-#include "gem/engine/overlap_count.h"
+#include "gem/engine/solver/coupled_point.h"
+#include "gem/engine/step/ledger.h"
+#include "gem/engine/step/overlap_count.h"
 #include "gem/field/bodies.h"
 #include "gem/scene/scene_def.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/engine/cuda_engine.h"
+#include "gem/engine/cuda/cuda_engine.h"
 #include "gem/engine/engine.h"
 
 namespace gem {

@@ -5,10 +5,10 @@
 
 #include "gem/base/error.h"
 #include "gem/base/hash.h"
-#include "gem/engine/cpu_engine.h"
-#include "gem/engine/cuda_engine.h"
+#include "gem/engine/cpu/cpu_engine.h"
+#include "gem/engine/cuda/cuda_engine.h"
 #include "gem/engine/engine.h"
-#include "gem/engine/reference_engine.h"
+#include "gem/engine/reference/reference_engine.h"
 
 namespace gem {
 

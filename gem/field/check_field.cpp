@@ -7,7 +7,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/field/channel.h"
-#include "gem/field/outline_grid.h"
+#include "gem/field/generator/outline_grid.h"
 #include "gem/geometry/polygon.h"
 
 namespace gem {

@@ -11,8 +11,8 @@
 #include "gem/field/check_outline.h"
 #include "gem/field/drag_coefficients.h"
 #include "gem/field/floe_file.h"
-#include "gem/field/floe_set.h"
-#include "gem/field/generator.h"
+#include "gem/field/generator/floe_set.h"
+#include "gem/field/generator/generator.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_scene.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "gem/engine/overlap_count.h"
+#include "gem/engine/step/overlap_count.h"
 
 namespace gem {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/engine/overlap_count.h"
+#include "gem/engine/step/overlap_count.h"
 #include "gem/scene/scene_def.h"
 
 namespace gem {

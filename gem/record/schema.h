@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gem/engine/engine.h"
-#include "gem/engine/ledger.h"
+#include "gem/engine/step/ledger.h"
 #include "gem/field/bodies.h"
 #include "gem/scene/scene_def.h"
 

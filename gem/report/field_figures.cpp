@@ -4,7 +4,7 @@
 #include <limits>
 #include <sstream>
 
-#include "gem/analysis/moments.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/base/number_text.h"
 #include "gem/report/display.h"
 #include "gem/report/figures.h"

@@ -7,7 +7,7 @@
 
 #include "gem/events/mooring.h"
 #include "gem/record/run_file.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 namespace {

@@ -21,7 +21,7 @@
 #include "gem/report/page_tables.h"
 #include "gem/report/run_findings.h"
 #include "gem/report/run_program.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 namespace {

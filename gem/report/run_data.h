@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
-#include "gem/engine/overlap_count.h"
+#include "gem/engine/step/overlap_count.h"
 
 namespace gem {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "gem/analysis/spectrum.h"
+#include "gem/analysis/spectra/spectrum.h"
 #include "gem/base/error.h"
 #include "gem/report/platform_series.h"
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "gem/analysis/moments.h"
-#include "gem/analysis/period.h"
 #include "gem/analysis/run_analysis.h"
+#include "gem/analysis/spectra/period.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/report/run_data.h"
 
 namespace gem {

@@ -6,8 +6,8 @@
 #include <ostream>
 
 #include "gem/base/error.h"
-#include "gem/scene/document.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/document.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 namespace {

@@ -10,8 +10,8 @@
 #include "gem/base/number_text.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/scene_bounds.h"
-#include "gem/scene/schema.h"
-#include "gem/scene/toml_text.h"
+#include "gem/scene/schema/schema.h"
+#include "gem/scene/toml/toml_text.h"
 
 namespace gem {
 namespace {

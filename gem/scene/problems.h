@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/scene/toml_tree.h"
+#include "gem/scene/toml/toml_tree.h"
 
 namespace gem {
 

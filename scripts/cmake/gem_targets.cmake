@@ -40,7 +40,7 @@ add_custom_target(gem_version
 gem_sources(simulator_sources gem/base gem/geometry gem/events gem/scene gem/field gem/engine gem/record)
 if(GEM_HAS_CUDA)
   list(FILTER simulator_sources EXCLUDE REGEX "cuda_missing\\.cpp$")
-  file(GLOB cuda_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/engine/*.cu)
+  file(GLOB cuda_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/engine/cuda/*.cu)
   list(APPEND simulator_sources ${cuda_sources})
   # As on the host: a*b+c is never contracted, but in the fast kernel.
   foreach(source IN LISTS cuda_sources)
@@ -56,14 +56,14 @@ else()
   if(GEM_CUDA STREQUAL OFF)
     set(no_cuda_because "it was configured with GEM_CUDA=OFF")
   endif()
-  set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/cuda_missing.cpp PROPERTIES COMPILE_DEFINITIONS
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/cuda/cuda_missing.cpp PROPERTIES COMPILE_DEFINITIONS
     "GEM_NO_CUDA_BECAUSE=\"${no_cuda_because}\"")
 endif()
 # The compiler tells how packs of numbers are passed although every function on them is inlined; the header's pragma does
 # not reach what is told at the end of the file.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/coupled_rounds.cpp PROPERTIES COMPILE_OPTIONS -Wno-psabi)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/solver/coupled_rounds.cpp PROPERTIES COMPILE_OPTIONS -Wno-psabi)
 # A false alarm of g++ 12, hundreds of lines: each use stands behind the condition under which it was filled.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/device_moments_test.cpp PROPERTIES COMPILE_OPTIONS
+set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/device/moments_test.cpp PROPERTIES COMPILE_OPTIONS
   -Wno-uninitialized)
 add_library(gem_simulator STATIC ${simulator_sources})
 add_dependencies(gem_simulator gem_version)
@@ -76,10 +76,8 @@ gem_sources(analysis_sources gem/analysis gem/report)
 add_library(gem_analysis STATIC ${analysis_sources})
 target_link_libraries(gem_analysis PUBLIC gem_simulator PRIVATE GSL::gsl GSL::gslcblas Eigen3::Eigen nlohmann_json::nlohmann_json)
 
-gem_sources(command_sources gem/command)
-file(GLOB run_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/run_*.cpp)
-list(FILTER run_sources EXCLUDE REGEX "_test\\.cpp$")
-add_library(gem_command STATIC ${run_sources} ${command_sources})
+gem_sources(command_sources gem/command gem/run)
+add_library(gem_command STATIC ${command_sources})
 target_link_libraries(gem_command PUBLIC gem_simulator gem_analysis PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
 
 # The same scenes in Box2D; without it the program knows one engine less.

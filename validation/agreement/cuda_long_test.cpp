@@ -5,9 +5,9 @@
 #include <string>
 #include <tuple>
 
-#include "gem/engine/same_bits.h"
-#include "gem/engine/test_scenes.h"
-#include "gem/scene/sweep.h"
+#include "gem/engine/testing/same_bits.h"
+#include "gem/engine/testing/test_scenes.h"
+#include "gem/scene/sweep/sweep.h"
 #include "validation/agreement/jam.h"
 #include "validation/agreement/on_gpu.h"
 

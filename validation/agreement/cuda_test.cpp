@@ -7,8 +7,8 @@
 #include <tuple>
 #include <vector>
 
-#include "gem/engine/same_bits.h"
-#include "gem/engine/test_scenes.h"
+#include "gem/engine/testing/same_bits.h"
+#include "gem/engine/testing/test_scenes.h"
 #include "validation/agreement/on_gpu.h"
 
 namespace gem {

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "gem/base/error.h"
-#include "gem/engine/cuda_engine.h"
+#include "gem/engine/cuda/cuda_engine.h"
 
 namespace gem {
 

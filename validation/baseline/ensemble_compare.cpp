@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "gem/analysis/bootstrap.h"
-#include "gem/analysis/equivalence.h"
+#include "gem/analysis/statistics/bootstrap.h"
+#include "gem/analysis/statistics/equivalence.h"
 
 namespace gem::baseline {
 namespace {

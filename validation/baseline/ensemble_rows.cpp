@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gem/analysis/moments.h"
-#include "gem/analysis/period.h"
+#include "gem/analysis/spectra/period.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/record/run_file.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/scene_file.h"
 #include "validation/baseline/platform_events.h"
 
 namespace gem::baseline {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/analysis/equivalence.h"
+#include "gem/analysis/statistics/equivalence.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"

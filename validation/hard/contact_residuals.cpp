@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "gem/engine/contact_stages.h"
-#include "gem/engine/moment_constants.h"
+#include "gem/engine/step/contact_stages.h"
+#include "gem/engine/step/moment_constants.h"
 
 namespace gem::hard {
 namespace {

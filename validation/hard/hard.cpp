@@ -11,8 +11,8 @@
 #include "gem/base/error.h"
 #include "gem/field/check_field.h"
 #include "gem/field/field.h"
-#include "gem/scene/scene_file.h"
-#include "gem/scene/sweep.h"
+#include "gem/scene/sweep/sweep.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem::hard {
 namespace {

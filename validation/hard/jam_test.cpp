@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "gem/base/random.h"
-#include "gem/engine/same_bits.h"
+#include "gem/engine/testing/same_bits.h"
 #include "gem/field/field.h"
 #include "gem/scene/check_scene.h"
 #include "validation/agreement/jam.h"

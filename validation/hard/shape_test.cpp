@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "gem/base/error.h"
-#include "gem/engine/same_bits.h"
+#include "gem/engine/testing/same_bits.h"
 #include "gem/field/check_outline.h"
 #include "gem/field/field.h"
 #include "validation/hard/hard.h"

@@ -17,7 +17,7 @@
 #include "gem/engine/engine.h"
 #include "gem/field/field.h"
 #include "gem/record/schema.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/scene_file.h"
 #include "gem_version.h"
 #include "validation/paper/study_program.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gem/engine/contact_stages.h"
+#include "gem/engine/step/contact_stages.h"
 
 namespace gem::repeats {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "gem/base/random.h"
-#include "gem/engine/cpu_engine.h"
-#include "gem/engine/pair_event.h"
+#include "gem/engine/cpu/cpu_engine.h"
+#include "gem/engine/step/pair_event.h"
 
 namespace gem::repeats {
 

@@ -9,8 +9,8 @@
 #include <map>
 #include <tuple>
 
-#include "gem/engine/same_bits.h"
-#include "gem/engine/test_scenes.h"
+#include "gem/engine/testing/same_bits.h"
+#include "gem/engine/testing/test_scenes.h"
 
 namespace gem::repeats {
 namespace {

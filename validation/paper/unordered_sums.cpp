@@ -14,11 +14,11 @@
 #include <thread>
 #include <vector>
 
-#include "gem/analysis/moments.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/field/field.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/scene_file.h"
 #include "gem_version.h"
 #include "validation/paper/study_program.h"
 #include "validation/paper/unordered_engine.h"

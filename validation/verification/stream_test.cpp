@@ -5,7 +5,7 @@
 #include "gem/base/strict_math.h"
 #include "gem/events/events.h"
 #include "gem/field/field.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/scene_file.h"
 #include "validation/verification/expected.h"
 #include "validation/verification/scenes.h"
 

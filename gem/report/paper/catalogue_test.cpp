@@ -7,7 +7,7 @@
 
 #include "gem/base/error.h"
 #include "gem/report/paper/settings_check.h"
-#include "gem/scene/sweep.h"
+#include "gem/scene/sweep/sweep.h"
 
 namespace gem {
 namespace {

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "gem/analysis/correlation.h"
-#include "gem/analysis/hilbert.h"
-#include "gem/analysis/moments.h"
-#include "gem/analysis/nonlinearity.h"
-#include "gem/analysis/surrogates.h"
-#include "gem/analysis/zero_one.h"
+#include "gem/analysis/chaos/nonlinearity.h"
+#include "gem/analysis/chaos/surrogates.h"
+#include "gem/analysis/chaos/zero_one.h"
+#include "gem/analysis/spectra/hilbert.h"
+#include "gem/analysis/statistics/correlation.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/report/paper/null_model.h"
 #include "gem/report/paper/paper_run.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "gem/analysis/bootstrap.h"
+#include "gem/analysis/statistics/bootstrap.h"
 
 namespace gem {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "gem/analysis/moments.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/base/number_text.h"
 #include "gem/report/paper/settings_check.h"
 

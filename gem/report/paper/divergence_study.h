@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/analysis/divergence.h"
+#include "gem/analysis/chaos/divergence.h"
 #include "gem/report/paper/folder_numbers.h"
 #include "gem/report/paper/paper_run.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "gem/analysis/exceedance.h"
-#include "gem/analysis/hilbert.h"
+#include "gem/analysis/extremes/exceedance.h"
+#include "gem/analysis/spectra/hilbert.h"
 #include "gem/base/number_text.h"
 #include "gem/report/display.h"
 #include "gem/report/load_run.h"

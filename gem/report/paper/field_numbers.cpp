@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gem/analysis/concentration.h"
-#include "gem/analysis/moments.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/geometry/polygon.h"
 
 namespace gem {

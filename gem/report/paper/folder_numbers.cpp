@@ -7,11 +7,11 @@
 #include <numeric>
 #include <set>
 
-#include "gem/analysis/bootstrap.h"
-#include "gem/analysis/linear_model.h"
-#include "gem/analysis/moments.h"
-#include "gem/analysis/peaks_over_threshold.h"
-#include "gem/analysis/proportion.h"
+#include "gem/analysis/extremes/peaks_over_threshold.h"
+#include "gem/analysis/statistics/bootstrap.h"
+#include "gem/analysis/statistics/linear_model.h"
+#include "gem/analysis/statistics/moments.h"
+#include "gem/analysis/statistics/proportion.h"
 #include "gem/report/paper/settings_check.h"
 
 namespace gem {

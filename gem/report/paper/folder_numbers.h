@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/analysis/interval_estimate.h"
+#include "gem/analysis/statistics/interval_estimate.h"
 #include "gem/report/paper/catalogue.h"
 #include "gem/report/paper/judgement.h"
 #include "gem/report/paper/paper_run.h"

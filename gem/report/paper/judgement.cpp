@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "gem/analysis/bootstrap.h"
-#include "gem/analysis/equivalence.h"
-#include "gem/analysis/proportion.h"
+#include "gem/analysis/statistics/bootstrap.h"
+#include "gem/analysis/statistics/equivalence.h"
+#include "gem/analysis/statistics/proportion.h"
 #include "gem/base/number_text.h"
 
 namespace gem {

@@ -1,7 +1,7 @@
 // Loads against each other, and what the ice does to the energy of the motion.
 #include <cmath>
 
-#include "gem/analysis/moments.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/report/paper/paper_run.h"
 
 namespace gem {

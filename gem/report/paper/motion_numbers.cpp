@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gem/analysis/free_decay.h"
-#include "gem/analysis/hilbert.h"
-#include "gem/analysis/moments.h"
 #include "gem/analysis/orbit.h"
-#include "gem/analysis/period.h"
+#include "gem/analysis/spectra/free_decay.h"
+#include "gem/analysis/spectra/hilbert.h"
+#include "gem/analysis/spectra/period.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/report/paper/paper_run.h"
 
 namespace gem {

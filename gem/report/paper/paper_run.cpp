@@ -1,12 +1,12 @@
 // A run file to a condition and numbers.
 #include "gem/report/paper/paper_run.h"
 
-#include "gem/analysis/moments.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/report/load_run.h"
 #include "gem/report/paper/field_numbers.h"
 #include "gem/report/platform_series.h"
 #include "gem/report/run_findings.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 namespace {

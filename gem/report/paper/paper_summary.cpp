@@ -10,7 +10,7 @@
 
 #include "gem/base/error.h"
 #include "gem/record/output_path.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "gem/analysis/equivalence.h"
+#include "gem/analysis/statistics/equivalence.h"
 
 namespace gem {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gem/record/run_file.h"
-#include "gem/scene/scene_file.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 namespace {

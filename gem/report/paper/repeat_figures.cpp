@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gem/analysis/moments.h"
+#include "gem/analysis/statistics/moments.h"
 #include "gem/base/number_text.h"
 #include "gem/report/display.h"
 #include "gem/report/paper/paper_figures.h"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "gem/analysis/acer.h"
-#include "gem/analysis/bootstrap.h"
-#include "gem/analysis/gumbel.h"
-#include "gem/analysis/moments.h"
+#include "gem/analysis/extremes/acer.h"
+#include "gem/analysis/extremes/gumbel.h"
+#include "gem/analysis/statistics/bootstrap.h"
+#include "gem/analysis/statistics/moments.h"
 
 namespace gem {
 namespace {

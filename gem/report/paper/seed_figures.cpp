@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include "gem/analysis/bootstrap.h"
+#include "gem/analysis/statistics/bootstrap.h"
 #include "gem/report/paper/paper_figures.h"
 #include "gem/report/paper/seed_extremes.h"
 #include "gem/report/paper/stationarity.h"

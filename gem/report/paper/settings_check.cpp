@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "gem/scene/schema.h"
+#include "gem/scene/schema/schema.h"
 
 namespace gem {
 namespace {

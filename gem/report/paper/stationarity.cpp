@@ -5,8 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include "gem/analysis/bootstrap.h"
-#include "gem/analysis/moments.h"
+#include "gem/analysis/statistics/bootstrap.h"
+#include "gem/analysis/statistics/moments.h"
 
 namespace gem {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/analysis/interval_estimate.h"
+#include "gem/analysis/statistics/interval_estimate.h"
 #include "gem/report/paper/paper_run.h"
 
 namespace gem {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/analysis/divergence.h"
+#include "gem/analysis/chaos/divergence.h"
 #include "gem/report/paper/folder_numbers.h"
 
 namespace gem {

@@ -1,0 +1,127 @@
+// gem sweep: the runs of a sweep file.
+#include <memory>
+
+#include "gem/base/error.h"
+#include "gem/command/command.h"
+#include "gem/command/sweep/sweep_collect.h"
+#include "gem/command/sweep/sweep_run.h"
+#include "gem/command/sweep/sweep_status.h"
+#include "gem/scene/sweep/sweep.h"
+#include "gem/scene/toml/case_text.h"
+
+namespace gem {
+namespace {
+
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+  command.add_option("--set", overrides, "override an option: key.path=value, repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_list(CLI::App& group, Chosen& chosen) {
+  struct Options {
+    std::string path;
+    std::vector<std::string> overrides;
+    bool json = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* list = group.add_subcommand("list", "list the runs of a sweep file");
+  list->add_option("file", options->path, "sweep file (TOML)")->required();
+  add_overrides(*list, options->overrides);
+  list->add_flag("--json", options->json, "as JSON");
+  list->callback([options, &chosen] {
+    chosen.action = [options] {
+      const std::vector<SweepMember> members = expand_sweep(options->path, options->overrides);
+      print(options->json ? sweep_list_json(members) : sweep_list_text(members));
+      return 0;
+    };
+  });
+}
+
+void add_run(CLI::App& group, Chosen& chosen) {
+  const auto choice = std::make_shared<SweepRunChoice>();
+  CLI::App* run = group.add_subcommand(
+      "run", "run what is not done yet, each run into DIR/NAME.h5; call it again to go on after any interruption");
+  run->add_option("file", choice->path, "sweep file (TOML)")->required();
+  run->add_option("-o,--out", choice->folder, "folder of the run files and of manifest.json; made if missing")
+      ->type_name("DIR")
+      ->required();
+  add_overrides(*run, choice->overrides);
+  run->add_option("--index", choice->index, "only these runs, counted from 1: 3 or 1-4,7; see `gem sweep list`")
+      ->type_name("LIST");
+  run->add_option("--engine", choice->engine, "engine; auto: cuda where a GPU can take a run, else cpu")
+      ->check(CLI::IsMember(engine_choices()))
+      ->capture_default_str();
+  run->add_option(
+         "-j,--jobs", choice->jobs,
+         "processes at a time, each with one run, or with a batch of runs on a GPU; one per GPU, without GPUs one per "
+         "processor, if left out")
+      ->type_name("J");
+  run->add_option("--threads", choice->threads,
+                  "threads of each run, of a batch on a GPU those that record; the processors over --jobs if left out")
+      ->type_name("T");
+  run->add_flag("--overwrite", choice->overwrite, "run the done ones again and replace files of other cases");
+  run->add_flag("--dry-run", choice->dry_run, "say what would be run and what it needs; compute and write nothing");
+  run->add_flag("--force", choice->force, "run even if memory or disk look too small");
+  run->add_option("--progress", choice->progress, "progress on standard error")
+      ->check(CLI::IsMember({"auto", "none", "line", "json"}))
+      ->capture_default_str();
+  run->add_flag("-q,--quiet", choice->quiet, "errors only");
+  run->add_option("--log-format", choice->log_format, "messages on standard error")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  run->add_flag("--json", choice->json, "what it came to as JSON");
+  run->footer(
+      "Several calls may share one DIR, on one machine or many: each takes runs that no other is at.\n"
+      "Exit code 8: some runs failed (the others were run); for a single chosen run its own code.");
+  run->callback([choice, &chosen] {
+    choice->command_line = chosen.command_line;
+    chosen.json_messages = choice->log_format == "json";
+    chosen.action = [choice] { return run_sweep(*choice); };
+  });
+}
+
+void add_status(CLI::App& group, Chosen& chosen) {
+  const auto choice = std::make_shared<SweepStatusChoice>();
+  CLI::App* status = group.add_subcommand("status", "say which runs are done, running, stopped, failed or missing");
+  status->add_option("path", choice->path, "folder of a sweep, or a sweep file together with --out")->required();
+  status->add_option("-o,--out", choice->folder, "folder of the sweep file's runs")->type_name("DIR");
+  add_overrides(*status, choice->overrides);
+  status->add_flag("--json", choice->json, "as JSON");
+  status->callback([choice, &chosen] { chosen.action = [choice] { return sweep_status(*choice); }; });
+}
+
+void add_collect(CLI::App& group, Chosen& chosen) {
+  const auto choice = std::make_shared<SweepCollectChoice>();
+  CLI::App* collect = group.add_subcommand(
+      "collect", "settings, findings and displacement of all runs as one HDF5 file that xarray opens");
+  collect->add_option("folder", choice->folder, "folder of a sweep")->type_name("DIR")->required();
+  collect->add_option("-o,--out", choice->output, "summary file, one row per run")->type_name("FILE")->required();
+  collect->add_option("--from", choice->from_s, "leave the time before this out of the findings [s]");
+  collect->add_option("--index", choice->index, "only these runs, counted from 1: 3 or 1-4,7")->type_name("LIST");
+  collect->add_option("--series", choice->interval_s, "interval of the displacement [s]; 0: none")
+      ->capture_default_str();
+  collect->add_flag("--exact", choice->exact,
+                    "displacement and velocity in double precision: runs that part can be compared");
+  collect->add_flag("!--no-null-model", choice->null_model,
+                    "leave out the tests against a linear oscillator hit at random, which take most of the time");
+  collect->add_flag("--partial", choice->partial, "collect what is done even if runs are missing");
+  collect->add_flag("--overwrite", choice->overwrite, "replace an existing summary");
+  collect->callback([choice, &chosen] {
+    choice->command_line = chosen.command_line;
+    chosen.action = [choice] { return collect_sweep(*choice); };
+  });
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& app, Chosen& chosen) {
+  CLI::App* group = app.add_subcommand("sweep", "sweep files: one file, many runs");
+  group->require_subcommand(1);
+  add_list(*group, chosen);
+  add_run(*group, chosen);
+  add_status(*group, chosen);
+  add_collect(*group, chosen);
+}
+
+}  // namespace gem

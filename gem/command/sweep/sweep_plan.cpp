@@ -1,0 +1,219 @@
+// Which runs are to do, how many at a time, and what that takes.
+#include "gem/command/sweep/sweep_plan.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <set>
+#include <thread>
+
+#include "gem/base/error.h"
+#include "gem/base/number_text.h"
+#include "gem/command/index_list.h"
+#include "gem/command/sweep/process_pool.h"
+#include "gem/engine/cuda/cuda_engine.h"
+#include "gem/record/output_path.h"
+#include "gem/scene/check_scene.h"
+
+namespace gem {
+namespace {
+
+void check_files(const std::vector<SweepMember>& members) {
+  std::map<std::string, std::string> owner;
+  for (const SweepMember& member : members) {
+    const auto [entry, is_new] = owner.insert({run_file_name(member.name), member.name});
+    if (!is_new)
+      throw Error(ExitCode::usage, "two runs would write one file (" + shown(entry->second) + " and " +
+                                       shown(member.name) + " to " + shown(entry->first) + ") change a name");
+  }
+}
+
+int choose_jobs(const std::string& asked) {
+  int jobs = 0;
+  const auto [end, fault] = std::from_chars(asked.data(), asked.data() + asked.size(), jobs);
+  if (fault != std::errc{} || end != asked.data() + asked.size() || jobs < 1 || jobs > 4096)
+    throw Error(ExitCode::usage, "--jobs " + asked + " is no count of processes at a time (1 to 4096) give one");
+  return jobs;
+}
+
+/// The processors are shared out: first among processes, which scale best, then among the threads of each.
+void share_processors(const SweepRunChoice& choice, SweepPlan& plan, RunLog& log) {
+  const int machine = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const std::size_t at_once = plan.devices.empty() ? plan.batches.size() : plan.devices.size();
+  const int to_do = static_cast<int>(std::max<std::size_t>(1, std::min(plan.batches.size(), at_once)));
+  int& threads = plan.settings.engine.threads;
+  if (!choice.jobs.empty()) plan.jobs = std::min(choose_jobs(choice.jobs), to_do);
+  const bool given = !choice.threads.empty() || std::getenv("OMP_NUM_THREADS") != nullptr;
+  if (given) {
+    std::string message;
+    threads = choose_threads(choice.threads, message);
+    if (!message.empty()) log.message("warning", message);
+  }
+  if (choice.jobs.empty()) plan.jobs = open_jobs(to_do, !plan.devices.empty(), machine, given ? threads : 0);
+  if (!given) threads = std::max(1, machine / plan.jobs);
+}
+
+Estimate need_of(const SweepPlan& plan) {
+  std::vector<double> memory;
+  Estimate need;
+  for (const std::size_t i : plan.to_do) {
+    const Estimate one = estimate(plan.members[plan.chosen[i]].scene);
+    need.moments += one.moments;
+    need.disk += one.disk;
+    need.platform_disk += one.platform_disk;
+    memory.push_back(one.memory);
+  }
+  std::sort(memory.rbegin(), memory.rend());
+  std::size_t largest = 1;
+  for (const auto& batch : plan.batches) largest = std::max(largest, batch.size());
+  const std::size_t at_once = largest * static_cast<std::size_t>(plan.jobs);
+  memory.resize(std::min(memory.size(), at_once));
+  for (const double one : memory) need.memory += one;
+  return need;
+}
+
+void say_warnings(const SweepPlan& plan, RunLog& log) {
+  std::map<std::string, std::vector<std::string>> runs;
+  for (const std::size_t i : plan.to_do) {
+    const SweepMember& member = plan.members[plan.chosen[i]];
+    for (const std::string& warning : scene_warnings(member.scene)) runs[warning].push_back(member.name);
+  }
+  for (const auto& [warning, names] : runs) {
+    const std::string more = names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : "";
+    log.message("warning", shown(names.front()) + more + ": " + warning);
+  }
+}
+
+void choose_what_to_do(const SweepRunChoice& choice, SweepPlan& plan) {
+  for (std::size_t i = 0; i < plan.rows.size(); ++i) {
+    const SweepRow& row = plan.rows[i];
+    if (row.status == "other" && !choice.overwrite)
+      throw Error(ExitCode::file_system, shown(run_path(choice.folder, row.name)) + " is not this sweep's (" +
+                                             row.error + ") use --overwrite or another --out");
+    if (row.status != "done" || choice.overwrite) plan.to_do.push_back(i);
+  }
+}
+
+}  // namespace
+
+namespace {
+
+constexpr int most_devices = 64;
+
+/// Indices of the GPUs that can be used.
+std::vector<int> gpus_that_answer() {
+  SweepBoard answer(most_devices);
+  ProcessPool probe;  // a process that has used a GPU cannot start others that do
+  probe.start(0, [&answer] {
+    std::string reason;
+    for (const CudaDevice& device : cuda_devices(reason))
+      if (device.fault.empty() && device.index < most_devices) answer[device.index].outcome = Outcome::done;
+  });
+  while (probe.running() > 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    probe.reap([](std::size_t, int) {});
+  }
+  std::vector<int> devices;
+  for (int index = 0; index < most_devices; ++index)
+    if (answer[index].outcome == Outcome::done) devices.push_back(index);
+  return devices;
+}
+
+void group(SweepPlan& plan) {
+  const std::string& engine = plan.settings.engine.name;
+  if (engine == "cuda" || engine == "auto") plan.devices = gpus_that_answer();
+  std::vector<std::int64_t> moments;
+  for (const std::size_t place : plan.to_do) moments.push_back(moments_of(plan.members[plan.chosen[place]].scene));
+  plan.batches = share_runs(moments, plan.devices.size());
+}
+
+}  // namespace
+
+int open_jobs(int side_by_side, bool on_gpus, int processors, int threads) {
+  if (on_gpus) return side_by_side;
+  return std::clamp(processors / std::max(1, threads), 1, side_by_side);
+}
+
+std::vector<std::vector<std::size_t>> share_runs(const std::vector<std::int64_t>& moments, std::size_t devices) {
+  constexpr std::size_t largest_batch = 66;  // runs; more find no room side by side on a large GPU
+  const std::size_t runs = moments.size();
+  std::size_t count = runs;  // without a GPU each is made by itself
+  if (devices > 0) count = std::min(runs, std::max(devices, (runs + largest_batch - 1) / largest_batch));
+  std::vector<std::size_t> longest_first(runs);
+  std::iota(longest_first.begin(), longest_first.end(), std::size_t{0});
+  if (devices > 0)
+    std::stable_sort(longest_first.begin(), longest_first.end(),
+                     [&](std::size_t i, std::size_t j) { return moments[i] > moments[j]; });
+  std::vector<std::vector<std::size_t>> batches(count);
+  for (std::size_t k = 0; k < runs; ++k) batches[k % count].push_back(longest_first[k]);
+  for (auto& batch : batches) std::sort(batch.begin(), batch.end());
+  return batches;
+}
+
+std::vector<SweepRow> known_rows(const std::string& folder, const std::vector<SweepMember>& members) {
+  std::map<std::string, SweepRow> known;
+  for (const SweepRow& row : read_manifest(folder)) known[row.name] = row;
+  std::vector<SweepRow> rows;
+  for (const SweepMember& member : members) {
+    SweepRow row = row_of(member);
+    const auto found = known.find(member.name);
+    const bool same = found != known.end() && found->second.case_sha256 == row.case_sha256;
+    rows.push_back(same ? found->second : row);
+    rows.back().index = member.index;
+  }
+  return rows;
+}
+
+SweepPlan plan_sweep(const SweepRunChoice& choice, RunLog& log) {
+  SweepPlan plan;
+  plan.members = expand_sweep(choice.path, choice.overrides);
+  check_files(plan.members);
+  plan.chosen = parse_index_list(choice.index, plan.members.size());
+  plan.settings.folder = choice.folder;
+  plan.settings.overwrite = choice.overwrite;
+  plan.settings.command_line = choice.command_line;
+  plan.settings.engine.name = choice.engine;
+  const std::vector<SweepRow> known = known_rows(choice.folder, plan.members);
+  for (const std::size_t place : plan.chosen)
+    plan.rows.push_back(look_at_run(choice.folder, known[place], choice.engine));
+  choose_what_to_do(choice, plan);
+  group(plan);
+  share_processors(choice, plan, log);
+  plan.need = need_of(plan);
+  say_warnings(plan, log);
+  return plan;
+}
+
+std::string plan_text(const SweepPlan& plan) {
+  std::string text;
+  for (std::size_t i = 0; i < plan.rows.size(); ++i) {
+    const SweepRow& row = plan.rows[i];
+    const bool to_do = std::find(plan.to_do.begin(), plan.to_do.end(), i) != plan.to_do.end();
+    text += std::to_string(row.index) + "  " + shown(row.name) + "  " + row.status + (to_do ? ", to do" : "") +
+            (row.error.empty() ? "" : " (" + row.error + ")") + "\n";
+  }
+  return text + "# dry run: nothing was computed\n# to do   " + std::to_string(plan.to_do.size()) + " of " +
+         std::to_string(plan.rows.size()) + " runs, " + fixed_text(plan.need.moments, 0) + " moments\n# at once " +
+         std::to_string(plan.jobs) + " processes of " + std::to_string(plan.settings.engine.threads) + " threads, " +
+         std::to_string(plan.devices.size()) + " GPUs, engine " + plan.settings.engine.name + "\n# memory  about " +
+         size_text(plan.need.memory) + "\n# disk    about " + size_text(plan.need.disk) + " in " +
+         shown(plan.settings.folder) + "\n";
+}
+
+std::string plan_json(const SweepPlan& plan) {
+  const nlohmann::ordered_json object = {{"to_do", plan.to_do.size()},
+                                         {"jobs", plan.jobs},
+                                         {"threads", plan.settings.engine.threads},
+                                         {"engine", plan.settings.engine.name},
+                                         {"moments", plan.need.moments},
+                                         {"memory_bytes", plan.need.memory},
+                                         {"disk_bytes", plan.need.disk},
+                                         {"runs", nlohmann::ordered_json::parse(rows_json(plan.rows))}};
+  return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace gem

@@ -1,0 +1,56 @@
+// The CPU engine: near-pair lists and a team of threads; the same bits for any number of threads.
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "gem/engine/cpu/pair_list.h"
+#include "gem/engine/cpu/team_choice.h"
+#include "gem/engine/cpu/thread_team.h"
+#include "gem/engine/engine.h"
+#include "gem/engine/solver/coupled_solver.h"
+#include "gem/engine/step/books.h"
+#include "gem/engine/step/contact_outcome.h"
+#include "gem/engine/step/field_state.h"
+
+namespace gem {
+
+class CpuEngine : public Engine {
+ public:
+  CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread);
+
+  std::string name() const override { return "cpu"; }
+  void advance(std::int64_t moments, MomentLog& log) override;
+  std::int64_t moment() const override { return moment_; }
+  const Bodies& bodies() override { return field_.bodies; }
+  Ledger ledger() override;
+  EngineState save() override;
+  void restore(const EngineState& state) override;
+
+ protected:
+  /// Inside a team's run: the pair events of the moment. A study may look at what they did and do it otherwise.
+  virtual void resolve(ThreadTeam& team, int rank);
+  FieldState& field() { return field_; }
+  /// Of this moment, with their impulses once they are resolved.
+  Contacts contacts() const { return pairs_.contacts(); }
+
+ private:
+  void one_moment(ThreadTeam& team, int rank, MomentLog& log);
+  void resolve_independent(ThreadTeam& team, int rank);
+
+  FieldState field_;
+  double event_speed_;
+  ThreadTeam all_threads_;
+  ThreadTeam one_thread_{1};
+  TeamChoice choice_;
+  Ledger ledger_;  // start and scales; the sums are with the bodies
+  std::int64_t moment_ = 0;
+  PairList pairs_;
+  CoupledSolver coupled_;
+  std::vector<ContactOutcome> outcomes_;  // of this moment's contacts
+  std::atomic<bool> lost_{false};         // a floe's state became no number
+  MomentQuality quality_;
+  PlatformImpulses before_;  // at the start of the moment
+};
+
+}  // namespace gem

@@ -1,0 +1,65 @@
+// One floe's drag is a long chain of operations that wait for each other. Taken apart, the part that floes have in
+// common becomes a loop without branches, several at a time.
+#include "gem/engine/cpu/kick_floes.h"
+
+#include <algorithm>
+
+#include "gem/base/choose.h"
+#include "gem/base/macros.h"
+#include "gem/engine/step/solo_stages.h"
+
+namespace gem {
+namespace {
+
+constexpr int block_size = 64;
+
+/// The shares of the quadratic law for the slips, or the spins, of a block of floes.
+struct BlockShares {
+  double reach[block_size];
+  DragShares shares[block_size];
+
+  void work_out(int count, double dt) {
+    for (int j = 0; j < count; ++j) shares[j] = drag_shares(reach[j], strict::log1p_short(reach[j]), dt);
+  }
+  /// Whether they hold: a moment that is not short, or nothing to slow down, is left to the law itself.
+  bool hold(int j) const { return reach[j] > 0.0 && reach[j] < strict::short_argument; }
+};
+
+GEM_CLONES void kick_block(FieldState& f, std::int64_t begin, int count) {
+  const MomentConstants& c = f.constants;
+  const Bodies& b = f.bodies;
+  BlockShares slips, spins;
+  for (int j = 0; j < count; ++j) {
+    const std::int64_t i = begin + j;
+    slips.reach[j] = drag_reach(b.drag[i], length(c.current - b.velocity[i]), c.dt);
+    spins.reach[j] = drag_reach(b.spin_drag[i], magnitude(b.spin[i]), c.dt);
+  }
+  slips.work_out(count, c.dt);
+  spins.work_out(count, c.dt);
+  for (int j = 0; j < count; ++j) {
+    const std::int64_t i = begin + j;
+    if (b.kind[i] != BodyKind::floe || !b.active[i]) continue;
+    const Vec2 slip = c.current - b.velocity[i];
+    const DragSolution solved =
+        slips.hold(j) ? shared_out(slips.shares[j], slip) : drag_quadratic(b.drag[i], slip, length(slip), c.dt);
+    const SpinDragSolution turn =
+        spins.hold(j) ? shared_out(spins.shares[j], b.spin[i]) : spin_drag_quadratic(b.spin_drag[i], b.spin[i], c.dt);
+    enter_kick(f, i, kick_of(c, solved, turn));
+  }
+}
+
+}  // namespace
+
+void kick_floes(FieldState& f, std::int64_t begin, std::int64_t end) {
+  // the platform comes first and may be on its own way meanwhile
+  while (begin < end && f.bodies.kind[begin] != BodyKind::floe) ++begin;
+  if (f.constants.drag_law == DragLaw::quadratic) {
+    for (std::int64_t i = begin; i < end; i += block_size)
+      kick_block(f, i, static_cast<int>(std::min<std::int64_t>(block_size, end - i)));
+    return;
+  }
+  for (std::int64_t i = begin; i < end; ++i)
+    if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
+}
+
+}  // namespace gem

@@ -1,0 +1,129 @@
+// Starting, waiting and giving up together.
+#include "gem/engine/cpu/thread_team.h"
+
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "gem/base/error.h"
+
+namespace gem {
+namespace {
+
+/// About 20 microseconds of waiting before the processor is given away.
+constexpr int spins = 2000;
+
+/// Tells the processor that this is a waiting loop.
+inline void relax() {
+#ifdef __x86_64__
+  __builtin_ia32_pause();
+#endif
+}
+
+}  // namespace
+
+ThreadTeam::ThreadTeam(int threads) : size_(threads) {
+  threads_.reserve(static_cast<std::size_t>(size_ - 1));
+  try {
+    for (int rank = 1; rank < size_; ++rank) threads_.emplace_back([this, rank] { serve(rank); });
+  } catch (const std::system_error& error) {
+    close();
+    throw Error(ExitCode::resource_limit, "cannot start " + std::to_string(size_) + " threads (" + error.what() +
+                                              ") ask for fewer with --threads, or run fewer programs at once");
+  }
+}
+
+ThreadTeam::~ThreadTeam() { close(); }
+
+void ThreadTeam::close() {
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+  }
+  wake_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+void ThreadTeam::serve(int rank) {
+  std::uint64_t served = 0;
+  for (;;) {
+    const std::function<void(int)>* task = nullptr;
+    {
+      std::unique_lock lock(mutex_);
+      wake_.wait(lock, [&] { return closing_ || calls_ != served; });
+      if (closing_) return;
+      served = calls_;
+      task = task_;
+    }
+    carry_out(*task, rank);
+  }
+}
+
+void ThreadTeam::carry_out(const std::function<void(int)>& task, int rank) {
+  try {
+    task(rank);
+    barrier();
+  } catch (const CalledOff&) {
+    gone_.fetch_add(1, std::memory_order_release);
+  } catch (...) {
+    note_left(std::current_exception());
+    gone_.fetch_add(1, std::memory_order_release);
+  }
+}
+
+/// The barrier that this thread does not come to keeps all others, so that each of them learns of it there.
+void ThreadTeam::note_left(std::exception_ptr why) {
+  const std::lock_guard lock(mutex_);
+  if (!left_by_) left_by_ = std::move(why);
+  called_off_.store(true, std::memory_order_release);
+}
+
+void ThreadTeam::gather_again() {
+  while (gone_.load(std::memory_order_acquire) < size_) std::this_thread::yield();
+  gone_.store(0, std::memory_order_relaxed);
+  arrived_.store(0, std::memory_order_relaxed);
+  handed_out_.store(0, std::memory_order_relaxed);
+  called_off_.store(false, std::memory_order_relaxed);
+  const std::lock_guard lock(mutex_);
+  // what a thread met after a fault in single() may come of that fault
+  const std::exception_ptr why = fault_ ? fault_ : left_by_;
+  left_by_ = nullptr;
+  std::rethrow_exception(why);
+}
+
+void ThreadTeam::run(const std::function<void(int)>& task) {
+  fault_ = nullptr;
+  if (size_ > 1) {
+    {
+      const std::lock_guard lock(mutex_);
+      task_ = &task;
+      ++calls_;
+    }
+    wake_.notify_all();
+  }
+  carry_out(task, 0);
+  if (called_off_.load(std::memory_order_acquire)) gather_again();
+  if (fault_) std::rethrow_exception(fault_);
+}
+
+void ThreadTeam::barrier() {
+  const std::uint32_t phase = phase_.load(std::memory_order_acquire);
+  if (size_ == 1 || arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
+    arrived_.store(0, std::memory_order_relaxed);
+    handed_out_.store(0, std::memory_order_relaxed);
+    phase_.store(phase + 1, std::memory_order_release);
+    return;
+  }
+  for (int spin = 0; phase_.load(std::memory_order_acquire) == phase; ++spin) {
+    // the next run may be called off while this thread has not yet seen that the others came: it looks once more
+    if (called_off_.load(std::memory_order_acquire) && phase_.load(std::memory_order_acquire) == phase)
+      throw CalledOff{};
+    if (spin < spins) {
+      relax();
+    } else {
+      std::this_thread::yield();
+    }
+  }
+}
+
+}  // namespace gem

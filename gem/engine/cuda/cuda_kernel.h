@@ -1,0 +1,67 @@
+// The kernel that moves scenes on, compiled twice: strict, with the bits of the cpu engine, and fast, where the
+// compiler may contract a*b+c to one rounding.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gem/engine/cuda/cuda_engine.h"
+#include "gem/engine/device/phases.h"
+
+namespace gem {
+
+/// Where the blocks of a scene meet that are more than a cluster; zero before a launch. Both words are read as one.
+struct alignas(128) CrewGate {
+  unsigned arrived, alarms;
+};
+
+constexpr int most_threads = 256;  // leaves 255 registers for each, which keep what they work on; with half of them
+                                   // twice the threads took longer
+
+/// What a launch works on: scene k with `blocks` blocks, moved on by moments[k] moments.
+struct Launch {
+  const DeviceScene* scenes;
+  const std::int32_t* moments;
+  CrewGate* gates;
+  int blocks;
+  std::size_t room_bytes;
+};
+
+/// A block of a grid that makes one phase of many scenes: its scene, and which it is of the scene's blocks.
+struct PhaseBlock {
+  std::int32_t scene, block, blocks;
+  bool operator==(const PhaseBlock&) const = default;
+};
+
+/// The scenes that need a new list in this moment, in no order.
+struct ListQueue {
+  std::int32_t count;
+  std::int32_t scene[1];  // as many as there are scenes
+};
+
+/// What the launch of a phase works on.
+struct PhaseLaunch {
+  const DeviceScene* scenes;
+  const std::int32_t* moments;
+  CrewGate* gates;       // of each scene: its alarms
+  CrewGate* team_gates;  // as many, for the blocks that build a list together
+  const PhaseBlock* blocks;
+  ListQueue* queue;
+  int scene_count;
+  int solve_blocks;  // of a cluster that iterates a scene
+  std::size_t room_bytes;
+  bool operator==(const PhaseLaunch&) const = default;
+};
+
+using AdvanceKernel = void (*)(const Launch);
+
+/// `gated`: for scenes of more blocks than a cluster holds.
+AdvanceKernel strict_kernel(bool gated);
+AdvanceKernel fast_kernel(bool gated);
+
+using PhaseKernel = void (*)(const PhaseLaunch);
+
+PhaseKernel strict_phase(DevicePhase phase, Resolution resolution);
+PhaseKernel fast_phase(DevicePhase phase, Resolution resolution);
+
+}  // namespace gem

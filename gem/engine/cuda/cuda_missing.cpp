@@ -1,0 +1,44 @@
+// Stands in for the CUDA engine in a build without it: every use says so, and why it is not there.
+#include "gem/base/error.h"
+#include "gem/engine/cuda/cuda_engine.h"
+
+namespace gem {
+namespace {
+
+const char* const missing = "this build has no GPU engine (" GEM_NO_CUDA_BECAUSE ")";
+
+}  // namespace
+
+class CudaBatch::Work {};
+
+std::vector<CudaDevice> cuda_devices(std::string& reason) {
+  reason = missing;
+  return {};
+}
+
+CudaDevice usable_cuda_device() { throw Error(ExitCode::device, std::string(missing) + " use --engine cpu"); }
+
+CudaBatch::CudaBatch(std::vector<BatchScene>, const CudaOptions&) { usable_cuda_device(); }
+CudaBatch::~CudaBatch() = default;
+std::size_t CudaBatch::size() const { return 0; }
+void CudaBatch::advance(const std::vector<std::int64_t>&, std::vector<MomentLog>*) {}
+void CudaBatch::advance(std::int64_t, std::vector<MomentLog>*) {}
+std::vector<std::exception_ptr> CudaBatch::advance_some(const std::vector<MomentsAhead>&, std::vector<MomentLog>&) {
+  return {};
+}
+std::int64_t CudaBatch::moment(std::size_t) const { return 0; }
+const Bodies& CudaBatch::bodies(std::size_t) { throw Error(ExitCode::device, missing); }
+Ledger CudaBatch::ledger(std::size_t) { return {}; }
+EngineState CudaBatch::save(std::size_t) { return {}; }
+void CudaBatch::restore(std::size_t, const EngineState&) {}
+std::uint64_t CudaBatch::state_hash(std::size_t) { return 0; }
+const CudaDevice& CudaBatch::device() const { throw Error(ExitCode::device, missing); }
+int CudaBatch::blocks() const { return 0; }
+int CudaBatch::threads() const { return 0; }
+Launches CudaBatch::launches() const { return Launches::chosen; }
+double CudaBatch::device_time() const { return 0.0; }
+std::vector<double> CudaBatch::stage_clocks() const { return {}; }
+double CudaBatch::barriers() const { return 0.0; }
+std::vector<std::string> cuda_stage_names() { return {}; }
+
+}  // namespace gem

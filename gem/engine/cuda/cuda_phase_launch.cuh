@@ -1,0 +1,129 @@
+// The launches of a call that moves scenes phase by phase.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include "gem/engine/cuda/cuda_phase_stream.cuh"
+
+namespace gem {
+namespace {
+
+/// All scenes of a call, shared out among some streams.
+class PhaseStreams {
+ public:
+  PhaseStreams(Arithmetic arithmetic, int multiprocessors)
+      : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+
+  /// Whether the device has room for the clusters that iterate coupled scenes.
+  bool can_solve() { return largest_cluster_here() > 0; }
+
+  /// Starts a call between `call`'s beginning and its end. `work` says where the scenes lie; those of one resolution
+  /// stand together, those that go on for as long beside each other.
+  void run(PhaseLaunch work, const std::vector<PhaseScene>& scenes, const Timeline& call) {
+    const std::vector<std::size_t> bounds = shared_out(scenes);
+    const std::size_t count = bounds.size() - 1;
+    while (stream_.size() < count) stream_.push_back(std::make_unique<PhaseStream>(arithmetic_, multiprocessors_));
+    const std::vector<int> solve_blocks = solve_blocks_of(scenes);
+    std::vector<std::int64_t> starts(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto first = static_cast<std::ptrdiff_t>(bounds[k]), last = static_cast<std::ptrdiff_t>(bounds[k + 1]);
+      PhaseLaunch part = work;
+      part.scenes += first;
+      part.moments += first;
+      part.gates += first;
+      part.team_gates += first;
+      part.solve_blocks =
+          stream_[k]->steady_blocks(*std::max_element(solve_blocks.begin() + first, solve_blocks.begin() + last));
+      const std::vector<PhaseScene> some(scenes.begin() + first, scenes.begin() + last);
+      starts[k] = stream_[k]->begin(part, some, static_cast<int>(count), call);
+    }
+    launch_all(starts);
+    for (std::size_t k = 0; k < count; ++k) stream_[k]->end(call);
+  }
+
+ private:
+  static constexpr std::size_t most_streams = 8, coupled_streams = 40;
+
+  /// Streams that have fewer starts to make than others get theirs spread over the time of these.
+  void launch_all(const std::vector<std::int64_t>& starts) {
+    const std::int64_t most = *std::max_element(starts.begin(), starts.end());
+    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(first_phases);
+    for (std::int64_t m = 0; m < most; ++m)
+      for (std::size_t k = 0; k < starts.size(); ++k)
+        if ((m + 1) * starts[k] / most > m * starts[k] / most) stream_[k]->start_moments();
+    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(last_phases);
+  }
+
+  /// Where the scenes of each stream begin, and where the last ends.
+  std::vector<std::size_t> shared_out(const std::vector<PhaseScene>& scenes) const {
+    std::vector<std::size_t> bounds;
+    const std::size_t streams = streams_for(scenes);
+    for (std::size_t k = 0; k < streams; ++k) bounds.push_back(scenes.size() * k / streams);
+    for (std::size_t k = 1; k < scenes.size(); ++k)
+      if (scenes[k].resolution != scenes[k - 1].resolution) bounds.push_back(k);
+    bounds.push_back(scenes.size());
+    std::sort(bounds.begin(), bounds.end());
+    bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
+    return bounds;
+  }
+
+  /// More streams than the blocks fill the device would each have too little to do; scenes that iterate wait for each
+  /// other in a stream, so they get more.
+  std::size_t streams_for(const std::vector<PhaseScene>& scenes) const {
+    int blocks = 0;
+    for (const PhaseScene& scene : scenes) blocks += scene.blocks;
+    const auto useful = static_cast<std::size_t>(std::max(1, blocks / multiprocessors_));
+    return std::min(scenes.size(), any_coupled(scenes) ? coupled_streams : std::min(most_streams, useful));
+  }
+
+  static bool any_coupled(const std::vector<PhaseScene>& scenes) {
+    return std::any_of(scenes.begin(), scenes.end(),
+                       [](const PhaseScene& scene) { return scene.resolution == Resolution::coupled; });
+  }
+
+  /// Blocks that iterate each scene: as many as its points are worth, and where these are more than the device has use
+  /// for, of those a share as large as the scene's part in all work that is left, but enough that their fast memory
+  /// holds most of its points. Not all scenes iterate at a time.
+  std::vector<int> solve_blocks_of(const std::vector<PhaseScene>& scenes) {
+    constexpr double for_one = 32 * 400, for_full = 32 * 1250;  // visits of a block in a moment: mostly 32 iterations
+    constexpr double waiting = 1.5;  // for one multiprocessor, of scenes that have more than one block
+    std::vector<int> blocks(scenes.size(), 1);
+    std::vector<double> work(scenes.size(), 0.0);
+    int worthwhile = 0;
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      if (scenes[k].resolution != Resolution::coupled) continue;
+      worthwhile += blocks[k] = worthwhile_blocks(scenes[k].visits / for_one);
+      work[k] = std::max(scenes[k].visits, for_one) * scenes[k].moments;
+    }
+    if (worthwhile <= waiting * multiprocessors_) return blocks;
+    const double all = std::accumulate(work.begin(), work.end(), 0.0);
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      const int least = std::clamp(static_cast<int>(scenes[k].visits / for_full + 0.5), 1, blocks[k]);
+      blocks[k] = std::clamp(static_cast<int>(waiting * multiprocessors_ * work[k] / all), least, blocks[k]);
+    }
+    return blocks;
+  }
+
+  /// A power of two, once to twice as large as `blocks`, not above the largest; the largest where nothing is known.
+  int worthwhile_blocks(double blocks) {
+    int some = largest_cluster_here();
+    while (blocks > 0.0 && some > 1 && 2.0 * blocks < some) some /= 2;
+    return some;
+  }
+
+  int largest_cluster_here() {
+    if (largest_cluster_ < 0) largest_cluster_ = largest_solver(arithmetic_);
+    return largest_cluster_;
+  }
+
+  Arithmetic arithmetic_;
+  int multiprocessors_;
+  int largest_cluster_ = -1;  // asked for when coupled scenes first go through phases
+  std::vector<std::unique_ptr<PhaseStream>> stream_;
+};
+
+}  // namespace
+}  // namespace gem

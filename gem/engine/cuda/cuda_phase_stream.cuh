@@ -1,0 +1,232 @@
+// The launches of some scenes that are moved phase by phase, in a stream of their own.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "gem/engine/cuda/cuda_graph.cuh"
+#include "gem/engine/cuda/cuda_kernel.h"
+#include "gem/engine/cuda/cuda_launch.cuh"
+#include "gem/engine/cuda/cuda_memory.cuh"
+
+namespace gem {
+namespace {
+
+/// A launch by clusters, and the attribute that it points to.
+struct SolverConfig {
+  cudaLaunchConfig_t config{};
+  cudaLaunchAttribute cluster{};
+
+  SolverConfig(int scenes, int blocks, std::size_t room, cudaStream_t stream) {
+    cluster.id = cudaLaunchAttributeClusterDimension;
+    cluster.val.clusterDim = {static_cast<unsigned>(blocks), 1, 1};
+    config.gridDim = dim3(static_cast<unsigned>(scenes * blocks));
+    config.blockDim = dim3(solve_threads);
+    config.dynamicSmemBytes = room;
+    config.stream = stream;
+    config.attrs = &cluster;
+    config.numAttrs = 1;
+  }
+  SolverConfig(const SolverConfig&) = delete;
+  SolverConfig& operator=(const SolverConfig&) = delete;
+};
+
+/// A scene of a call, as its launches see it.
+struct PhaseScene {
+  Resolution resolution = Resolution::independent;
+  int blocks = 1;            // that move its bodies
+  std::int32_t moments = 0;  // that are wanted
+  double visits = 0.0;       // of its points a moment, as far as known; coupled
+};
+
+PhaseKernel kernel_of(Arithmetic arithmetic, DevicePhase phase, Resolution resolution) {
+  return arithmetic == Arithmetic::fast ? fast_phase(phase, resolution) : strict_phase(phase, resolution);
+}
+
+/// Fast memory of a block in a phase of the iterations [bytes].
+constexpr std::size_t room_of_solver(DevicePhase phase) { return phase == DevicePhase::iterate ? solve_room : 0; }
+
+/// The largest cluster by which the device iterates, a power of two; 0: it cannot. Allows the kernels to take what they
+/// need.
+int largest_solver(Arithmetic arithmetic) {
+  int device = 0, most = 0, blocks = largest_cluster;
+  check_cuda(cudaGetDevice(&device), "be set up");
+  check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
+  for (const DevicePhase phase : {DevicePhase::gather, DevicePhase::iterate, DevicePhase::settle}) {
+    const PhaseKernel kernel = kernel_of(arithmetic, phase, Resolution::coupled);
+    const std::size_t room = room_of_solver(phase);
+    cudaFuncAttributes attributes{};
+    check_cuda(cudaFuncGetAttributes(&attributes, kernel), "be set up");
+    if (room + attributes.sharedSizeBytes > static_cast<std::size_t>(most)) return 0;
+    check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(room)),
+               "be set up");
+    check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
+    for (int clusters = 0; blocks > 0; blocks /= 2) {
+      const SolverConfig config(1, blocks, room, nullptr);
+      if (cudaOccupancyMaxActiveClusters(&clusters, kernel, &config.config) == cudaSuccess && clusters > 0) break;
+      cudaGetLastError();
+    }
+  }
+  return blocks;
+}
+
+/// Some scenes that go through the phases together, in a stream of their own beside those of others: what one waits
+/// for, another fills. No stream goes before others: blocks that build a list hold their places while they wait for
+/// each other, and what stepped in between them might wait for these places.
+class PhaseStream {
+ public:
+  PhaseStream(Arithmetic arithmetic, int multiprocessors)
+      : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+
+  /// Blocks that iterate, where so many are wanted: those of the last call if they are about as many, as what has been
+  /// recorded can be started again then.
+  int steady_blocks(int wanted) const {
+    const int last = work_.solve_blocks;
+    return 5 * std::abs(wanted - last) <= std::max(wanted, last) ? last : wanted;
+  }
+
+  /// The next call works on these scenes, all of one resolution; `work` says where they lie and how many blocks iterate
+  /// each, `streams` how many such streams share the device. Returns how many starts their moments take.
+  std::int64_t begin(const PhaseLaunch& work, const std::vector<PhaseScene>& scenes, int streams,
+                     const Timeline& call) {
+    time_.begin_after(call);
+    work_ = work;
+    work_.scene_count = static_cast<int>(scenes.size());
+    resolution_ = scenes.front().resolution;
+    list_grid_ = std::max(1, list_room() / streams);
+    std::vector<PhaseBlock> block;
+    add_blocks(block, scenes, 1);
+    all_ = static_cast<int>(block.size());
+    add_blocks(block, scenes, std::max(1, all_ * streams / (pairs_blocks * multiprocessors_)));
+    some_ = static_cast<int>(block.size()) - all_;
+    work_.blocks = send(std::move(block));
+    work_.queue =
+        reinterpret_cast<ListQueue*>(room(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size()));
+    std::int32_t moments = 0;
+    for (const PhaseScene& scene : scenes) moments = std::max(moments, scene.moments);
+    record(std::min(moments, most_together));
+    return (moments + recorded_.moments - 1) / recorded_.moments;
+  }
+
+  /// Makes some moments; those beyond what a scene wants are none for it.
+  void start_moments() { moments_.start(time_.stream()); }
+
+  template <class Phases>
+  void launch(const Phases& phases) {
+    for (const DevicePhase phase : phases) launch(phase);
+  }
+
+  void end(const Timeline& call) {
+    time_.end();
+    call.wait_for(time_);
+  }
+
+ private:
+  /// On one multiprocessor: more would only start and end.
+  static constexpr int pairs_blocks = 16;
+
+  /// Moments that are started together, at most.
+  static constexpr std::int32_t most_together = 4;
+
+  /// What the recorded launches depend on.
+  struct Recorded {
+    PhaseLaunch work{};
+    Resolution resolution = Resolution::independent;
+    int all = 0, some = 0, list_grid = 0;
+    std::int32_t moments = 0;
+    bool operator==(const Recorded&) const = default;
+  };
+
+  void record(std::int32_t moments) {
+    const Recorded wanted{work_, resolution_, all_, some_, list_grid_, moments};
+    if (wanted == recorded_) return;
+    recorded_ = {};
+    moments_.record(time_.stream(), [&] {
+      for (std::int32_t k = 0; k < moments; ++k) launch(moment_phases);
+    });
+    recorded_ = wanted;
+  }
+
+  void launch(DevicePhase phase) {
+    if (is_of_solver(phase)) {
+      if (resolution_ == Resolution::coupled) launch_solver(phase);
+      return;
+    }
+    PhaseLaunch work = work_;
+    int grid = all_, block = phase_threads;
+    if (phase == DevicePhase::open || phase == DevicePhase::plan) grid = 1, block = plan_threads;
+    if (phase == DevicePhase::list) grid = list_grid_;
+    if (phase == DevicePhase::choose || phase == DevicePhase::look || phase == DevicePhase::resolve) {
+      grid = some_;
+      work.blocks += all_;
+    }
+    if (phase == DevicePhase::choose) work.room_bytes = choose_room;
+    if (phase == DevicePhase::look) work.room_bytes = phase_threads / phase_lanes * sizeof(DeskOutlines);
+    if (phase == DevicePhase::bodies) work.room_bytes = bodies_room;
+    cudaLaunchConfig_t config{};
+    config.gridDim = dim3(static_cast<unsigned>(grid));
+    config.blockDim = dim3(static_cast<unsigned>(block));
+    config.dynamicSmemBytes = work.room_bytes;
+    config.stream = time_.stream();
+    check_cuda(cudaLaunchKernelEx(&config, kernel_of_phase(phase), work), "start");
+  }
+
+  void launch_solver(DevicePhase phase) {
+    PhaseLaunch work = work_;
+    work.room_bytes = solve_room;
+    const SolverConfig solver(work.scene_count, work.solve_blocks, room_of_solver(phase), time_.stream());
+    check_cuda(cudaLaunchKernelEx(&solver.config, kernel_of_phase(phase), work), "start");
+  }
+
+  /// Blocks that build lists and meet, of all streams: they have to be on the device at a time.
+  int list_room() const {
+    int together = 0;
+    check_cuda(
+        cudaOccupancyMaxActiveBlocksPerMultiprocessor(&together, kernel_of_phase(DevicePhase::list), phase_threads, 0),
+        "be set up");
+    return std::min(list_blocks, together) * multiprocessors_;
+  }
+
+  PhaseKernel kernel_of_phase(DevicePhase phase) const { return kernel_of(arithmetic_, phase, resolution_); }
+
+  /// The blocks of all scenes, for each as many as for its bodies over `share`.
+  static void add_blocks(std::vector<PhaseBlock>& all, const std::vector<PhaseScene>& scenes, int share) {
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      const int blocks = (scenes[k].blocks + share - 1) / share;
+      for (int b = 0; b < blocks; ++b) all.push_back({static_cast<std::int32_t>(k), b, blocks});
+    }
+  }
+
+  static std::byte* room(DeviceMemory& memory, std::size_t bytes) {
+    if (memory.bytes() < bytes) memory = {}, memory = DeviceMemory(bytes);
+    return memory.data();
+  }
+  /// The blocks of the call, on the device; mostly they are those of the last one.
+  const PhaseBlock* send(std::vector<PhaseBlock> block) {
+    if (block != sent_) {
+      sent_.clear();
+      const std::size_t bytes = sizeof(PhaseBlock) * block.size();
+      std::byte* const to = room(block_memory_, bytes);
+      check_cuda(cudaMemcpyAsync(to, block.data(), bytes, cudaMemcpyHostToDevice, time_.stream()), "start");
+      check_cuda(cudaStreamSynchronize(time_.stream()), "start");
+      sent_ = std::move(block);
+    }
+    return reinterpret_cast<const PhaseBlock*>(block_memory_.data());
+  }
+
+  Arithmetic arithmetic_;
+  Resolution resolution_ = Resolution::independent;
+  int multiprocessors_;
+  int all_ = 0, some_ = 0, list_grid_ = 1;  // blocks that move bodies, that work on pairs, that build lists
+  PhaseLaunch work_{};
+  Timeline time_;
+  RecordedLaunches moments_;
+  Recorded recorded_;
+  std::vector<PhaseBlock> sent_;
+  DeviceMemory block_memory_, queue_memory_;
+};
+
+}  // namespace
+}  // namespace gem

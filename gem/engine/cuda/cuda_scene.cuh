@@ -1,0 +1,225 @@
+// One scene on the device: its memory, and the host's copy of its field.
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "gem/engine/cuda/cuda_kernel.h"
+#include "gem/engine/cuda/cuda_memory.cuh"
+#include "gem/engine/device/scene_image.h"
+#include "gem/engine/step/books.h"
+
+namespace gem {
+
+class CudaScene {
+ public:
+  /// `status` is its place among the statuses of the batch, on the device.
+  /// `blocks`: the most that ever work on it.
+  CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status) : status_(status) {
+    const MomentConstants constants = moment_constants(scene.scene, scene.bodies);
+    field_ = make_field_state(std::move(scene.bodies), constants);
+    ledger_.start = total(field_);
+    device_ = scene_constants(field_, scene.scene.output.event_speed_m_per_s);
+    sizes_ = scene_sizes(field_);
+    sizes_.samples = options.ring_moments;
+    sizes_.blocks = std::max(blocks, largest_cluster);
+    if (options.list_rows > 0) sizes_.rows = options.list_rows;
+    device_.wants_samples = options.samples;
+    field_memory_ = DeviceMemory(place_field(device_, sizes_, nullptr));
+    place_field(device_, sizes_, field_memory_.data());
+    device_.status = status_;
+    make_list();
+    upload();
+  }
+
+  const DeviceScene& device() const { return device_; }
+  const FieldState& field() const { return field_; }
+  std::int64_t moment() const { return moment_; }
+
+  void want_events(bool wanted) { device_.wants_events = wanted; }
+
+  /// The check that every engine makes before it goes on from a state that it was given.
+  void check_start() {
+    if (fresh_) check_finite(field_, moment_);
+    fresh_ = false;
+  }
+
+  /// After a call: what it left on the device.
+  void note(const DeviceStatus& status) {
+    moment_ = status.moment;
+    carried_ = status.carried;
+    state_here_ = books_here_ = false;
+  }
+
+  /// Begins to fetch what the last call, by so many blocks, has left in the rings.
+  void fetch(const DeviceStatus& status, int blocks, cudaStream_t stream) {
+    if (status.samples == 0) return;
+    const auto moments = static_cast<std::size_t>(status.samples) * static_cast<std::size_t>(blocks);
+    fetch(device_.overlap_count, device_.quality + moments, stream);  // the samples stand between these
+    fetch(device_.event, device_.event + status.events, stream);
+  }
+
+  /// Appends the rings, once they have come.
+  void append(const DeviceStatus& status, int blocks, MomentLog& log) const {
+    if (status.samples == 0) return;
+    DeviceScene rings;
+    place_rings(rings, sizes_, ring_here_.data());
+    append_log(field_, rings, status, blocks, log);
+  }
+
+  /// Makes room for a longer list.
+  void grow(const DeviceStatus& status) {
+    const auto enough = [](std::int32_t now, std::int32_t needed) { return needed > now ? needed + needed / 4 : now; };
+    sizes_.rows = enough(sizes_.rows, status.rows_needed);
+    sizes_.platform_rows = enough(sizes_.platform_rows, status.platform_needed);
+    const std::vector<CarriedMemory> memory = carried();
+    make_list();
+    send(memory);
+  }
+
+  const Bodies& bodies() {
+    if (!state_here_) {
+      check_cuda(cudaMemcpy(state_copy_.data(), device_.state, sizeof(BodyState) * field_.bodies.count(),
+                            cudaMemcpyDeviceToHost),
+                 "fetch the state");
+      read_state(reinterpret_cast<const BodyState*>(state_copy_.data()), field_);
+      state_here_ = true;
+    }
+    return field_.bodies;
+  }
+
+  Ledger ledger() {
+    bodies();
+    if (!books_here_) {
+      PlatformCell platform;
+      check_cuda(cudaMemcpy(field_.books.data(), device_.books, sizeof(Quantity) * field_.books.size(),
+                            cudaMemcpyDeviceToHost),
+                 "fetch the books");
+      check_cuda(cudaMemcpy(&platform, device_.platform, sizeof platform, cudaMemcpyDeviceToHost), "fetch the books");
+      field_.mooring_force = platform.mooring_force;
+      books_here_ = true;
+    }
+    return closed_books(field_, ledger_);
+  }
+
+  EngineState save() {
+    bodies();
+    EngineState state{moment_, field_.bodies, ledger(), {}, {}};
+    save_memory(carried(), state);
+    return state;
+  }
+
+  void restore(const EngineState& state) {
+    field_ = make_field_state(state.bodies, field_.constants);
+    open_books(field_, state.ledger);
+    ledger_ = state.ledger;
+    moment_ = state.moment;
+    const std::vector<CarriedMemory> memory = carried_memory(state);
+    if (2 * memory.size() > static_cast<std::size_t>(sizes_.rows)) {
+      sizes_.rows = static_cast<std::int32_t>(2 * memory.size());
+      make_list();
+    }
+    carried_ = static_cast<std::int32_t>(memory.size());
+    upload();
+    send(memory);
+  }
+
+ private:
+  /// A stretch of the rings.
+  void fetch(const void* begin, const void* end, cudaStream_t stream) {
+    const auto* const from = static_cast<const std::byte*>(begin);
+    const std::size_t at = from - ring_memory_.data(), bytes = static_cast<const std::byte*>(end) - from;
+    if (bytes == 0) return;
+    check_cuda(cudaMemcpyAsync(ring_here_.data() + at, from, bytes, cudaMemcpyDeviceToHost, stream),
+               "fetch the record");
+  }
+
+  void upload() {
+    DeviceScene here = device_;
+    DeviceStatus status;
+    std::vector<std::byte> image(field_memory_.bytes());
+    place_field(here, sizes_, image.data());
+    write_field(field_, moment_, here);
+    status = *here.status;
+    status.carried = carried_;
+    check_cuda(cudaMemcpy(field_memory_.data(), image.data(), image.size(), cudaMemcpyHostToDevice), "take the field");
+    check_cuda(cudaMemcpy(status_, &status, sizeof status, cudaMemcpyHostToDevice), "take the field");
+    forget_list();
+    settle();
+    if (state_copy_.bytes() == 0) state_copy_ = PinnedMemory(sizeof(BodyState) * field_.bodies.count());
+    fresh_ = state_here_ = books_here_ = true;
+  }
+
+  /// What the points of the last moment carried; a coupled scene keeps it on the device.
+  std::vector<CarriedMemory> carried() const {
+    std::vector<CarriedMemory> memory(carried_);
+    if (carried_ > 0)
+      check_cuda(
+          cudaMemcpy(memory.data(), device_.carried, sizeof(CarriedMemory) * memory.size(), cudaMemcpyDeviceToHost),
+          "fetch the impulses");
+    return memory;
+  }
+  void send(const std::vector<CarriedMemory>& memory) {
+    if (!sizes_.coupled || memory.empty()) return;
+    check_cuda(
+        cudaMemcpy(device_.carried, memory.data(), sizeof(CarriedMemory) * memory.size(), cudaMemcpyHostToDevice),
+        "take the impulses");
+    settle();
+  }
+
+  /// No stamp of an earlier list may look like one of a moment to come.
+  void forget_list() {
+    const std::size_t stamps = reinterpret_cast<std::byte*>(device_.row_other) - list_memory_.data();
+    check_cuda(cudaMemset(list_memory_.data(), 0xff, stamps), "clear the list");
+    check_cuda(cudaMemset(device_.counters, 0, sizeof(ListCounters)), "clear the list");
+  }
+
+  void make_list() {
+    list_memory_ = {};  // the old one goes first
+    list_memory_ = DeviceMemory(place_list(device_, sizes_, nullptr));
+    place_list(device_, sizes_, list_memory_.data());
+    // pairs are copied whole, with the gaps between their members: these are not to look like something forgotten
+    check_cuda(cudaMemset(device_.pair, 0, sizeof(PairCell) * (sizes_.rows / 2 + 1)), "clear the list");
+    // read whole, with what a contact of one point leaves out; the last also beside the stamps that say what counts
+    check_cuda(cudaMemset(device_.entry, 0, sizeof(RowEntry) * sizes_.rows), "clear the list");
+    check_cuda(cudaMemset(device_.work, 0, sizeof(RowWork) * sizes_.rows), "clear the list");
+    check_cuda(cudaMemset(device_.row_event, 0, sizeof(EventRecord) * sizes_.platform_rows), "clear the list");
+    if (sizes_.coupled) {
+      check_cuda(cudaMemset(device_.row_points, 0, sizeof(RowPoints) * sizes_.rows), "clear the list");
+      check_cuda(cudaMemset(device_.progress, 0, sizeof(RoundsMade)), "clear the list");  // gaps, as those of pairs
+      // events copy contacts whole, with the second point that some have not
+      check_cuda(cudaMemset(device_.contact, 0, sizeof(Contact) * (sizes_.rows / 2 + 1)), "clear the list");
+    }
+    const std::size_t bytes = place_rings(device_, sizes_, nullptr);
+    if (bytes != ring_memory_.bytes()) {
+      ring_memory_ = DeviceMemory(bytes);
+      // fetched whole, with what a call has left empty
+      check_cuda(cudaMemset(ring_memory_.data(), 0, bytes), "clear the record");
+      ring_here_ = PinnedMemory(bytes);
+    }
+    place_rings(device_, sizes_, ring_memory_.data());
+    forget_list();
+    settle();
+  }
+
+  /// The kernels run in a stream of their own: what was written so far has to be there before they start.
+  static void settle() { check_cuda(cudaDeviceSynchronize(), "take the field"); }
+
+  FieldState field_;
+  Ledger ledger_;  // start and scales
+  std::int64_t moment_ = 0;
+  SceneSizes sizes_;
+  DeviceScene device_;
+  DeviceStatus* status_;
+  std::int32_t carried_ = 0;  // contacts in device_.carried
+  DeviceMemory field_memory_, list_memory_, ring_memory_;
+  PinnedMemory ring_here_, state_copy_;
+  bool fresh_ = true;  // not yet moved on from the state that was given
+  bool state_here_ = true, books_here_ = true;
+};
+
+}  // namespace gem

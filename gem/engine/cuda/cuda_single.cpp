@@ -1,0 +1,51 @@
+// The cuda engine of one scene: a batch of one.
+#include <utility>
+
+#include "gem/engine/cuda/cuda_engine.h"
+
+namespace gem {
+
+namespace {
+
+/// A batch of one as an engine.
+class CudaEngine : public Engine {
+ public:
+  CudaEngine(const SceneDef& scene, Bodies bodies, const CudaOptions& options)
+      : batch_(one(scene, std::move(bodies)), options), logs_(1) {}
+
+  std::string name() const override { return "cuda"; }
+  std::string device() const override { return batch_.device().name + ", " + batch_.device().driver; }
+  void advance(std::int64_t moments, MomentLog& log) override {
+    std::swap(logs_[0], log);
+    try {
+      batch_.advance(moments, &logs_);
+    } catch (...) {
+      std::swap(logs_[0], log);
+      throw;
+    }
+    std::swap(logs_[0], log);
+  }
+  std::int64_t moment() const override { return batch_.moment(0); }
+  const Bodies& bodies() override { return batch_.bodies(0); }
+  Ledger ledger() override { return batch_.ledger(0); }
+  EngineState save() override { return batch_.save(0); }
+  void restore(const EngineState& state) override { batch_.restore(0, state); }
+
+ private:
+  static std::vector<BatchScene> one(const SceneDef& scene, Bodies bodies) {
+    std::vector<BatchScene> scenes;
+    scenes.push_back({scene, std::move(bodies)});
+    return scenes;
+  }
+
+  CudaBatch batch_;
+  std::vector<MomentLog> logs_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_cuda_engine(const SceneDef& scene, Bodies bodies, const CudaOptions& options) {
+  return std::make_unique<CudaEngine>(scene, std::move(bodies), options);
+}
+
+}  // namespace gem

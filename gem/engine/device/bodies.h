@@ -1,0 +1,168 @@
+// The bodies phase of a moment: each body adds what its contacts did, moves, and takes the drag of the next moment.
+#pragma once
+
+#include "gem/engine/device/gather.h"
+#include "gem/engine/step/body_repair.h"
+#include "gem/engine/step/solo_event.h"
+
+namespace gem {
+
+/// One moment as its phases see it.
+struct MomentStep {
+  std::int32_t moment = 0;
+  std::int32_t sample = 0;  // its place in the rings
+  double elapsed = 0.0;     // from the building of the list to the moment's end [s]
+  bool kick_next = true;    // the solo events of the next moment follow
+};
+
+GEM_DEVICE inline bool is_number(double x) { return x - x == 0.0; }
+
+/// A body that moves: what changes in one moment, kept in registers until the moment is over.
+struct Mover {
+  Vec2 position;
+  Rotation rotation;
+  double turn_travel = 0.0;
+  Vec2 velocity;
+  double spin = 0.0;
+};
+
+GEM_DEVICE inline Mover mover_of(const BodyCell& cell) {
+  return {cell.position, cell.rotation, cell.turn_travel, cell.velocity, cell.spin};
+}
+
+/// Field by field: the compiler copies whole cells byte by byte.
+GEM_DEVICE inline void write_mover(BodyCell& cell, const Mover& mover) {
+  cell.position = mover.position;
+  cell.rotation = mover.rotation;
+  cell.turn_travel = mover.turn_travel;
+  cell.velocity = mover.velocity;
+  cell.spin = mover.spin;
+}
+
+/// Turns a body by `angle`; whether it turned at all.
+GEM_DEVICE inline bool turn(Mover& mover, double angle) {
+  if (angle == 0.0) return false;
+  mover.rotation = turned(mover.rotation, angle);
+  mover.turn_travel += angle < 0.0 ? -angle : angle;
+  return true;
+}
+
+/// Corners first, first + step, ... of an outline follow the body's rotation.
+GEM_DEVICE inline void turn_outline(const DeviceScene& s, std::int32_t begin, int count, Rotation q, int first,
+                                    int step) {
+  for (int v = first; v < count; v += step) {
+    const Vec2 corner = s.vertex[begin + v], normal = s.body_normal[begin + v];
+    s.corner[begin + v] = rotate(q, corner);
+    s.normal[begin + v] = rotate(q, normal);
+  }
+}
+
+/// Whether a body left the course that the list relies on; `elapsed` is the time since the list was built [s].
+GEM_DEVICE inline bool left_course(const DeviceScene& s, const Mover& mover, double radius, const BodyMotion& motion,
+                                   double elapsed) {
+  const Vec2 off = mover.position - motion.course_position - elapsed * motion.course_velocity;
+  const double left = 0.5 * s.constants.list_margin - radius * (mover.turn_travel - motion.course_turned);
+  return !(left > 0.0 && dot(off, off) < left * left);
+}
+
+/// The drag of the next moment on a floe that moves as `after` says.
+GEM_DEVICE inline void kick_body(const DeviceScene& s, Mover& mover, BodyMotion& motion, const BodyAfter& after,
+                                 Quantity& drag_book) {
+  mover.velocity = after.velocity;
+  mover.spin = after.spin;
+  if (s.constants.drag_law == DragLaw::none) return;
+  const Kick kicked = kick(s.constants, motion.drag, motion.spin_drag, after.velocity, after.spin);
+  book_kick(drag_book, motion.mass, motion.inertia, mover.position, after.velocity, after.spin, kicked);
+  mover.velocity = kicked.velocity;
+  mover.spin = kicked.spin;
+  motion.path_correction = kicked.path_correction;
+  motion.angle_correction = kicked.angle_correction;
+}
+
+/// Takes over what the iterations of a coupled moment found for body i; returns whether it has points within reach.
+GEM_DEVICE inline bool take_solved(const DeviceScene& s, std::int32_t i, std::int32_t moment, BodyAfter& after,
+                                   BodyRepair& repair) {
+  if (s.body_points[i].moment != moment) return false;
+  const SolvedMotion& solved = s.solved[i];
+  after.velocity = {solved.part[0], solved.part[1]};
+  after.spin = solved.part[4];
+  repair = within_reach({{solved.part[2], solved.part[3]}, solved.part[5]}, s.body[i].radius, s.constants.repair_reach);
+  return true;
+}
+
+/// Moves a floe with its velocity after the events; whether it turned.
+GEM_DEVICE inline bool drift(const DeviceScene& s, Mover& mover, const BodyMotion& motion, const BodyAfter& after,
+                             bool struck, const BodyRepair& repair, Quantity& drag_book) {
+  const double dt = s.constants.dt;
+  double angle = dt * after.spin;
+  if (struck) {
+    mover.position += dt * after.velocity + repair.shift;
+    angle += repair.turn;
+  } else {
+    const Vec2 path_correction = motion.path_correction;
+    mover.position += dt * after.velocity + path_correction;
+    angle += motion.angle_correction;
+    drag_book.angular_momentum += motion.mass * cross(path_correction, after.velocity);
+  }
+  return turn(mover, angle);
+}
+
+/// Enters what a floe takes along that passed the retire line.
+GEM_DEVICE inline void book_retired(const DeviceScene& s, std::int32_t i, const Mover& mover, const BodyMotion& motion,
+                                    const BodyAfter& after) {
+  const Quantity gone = quantity_of(motion.mass, motion.inertia, mover.position, after.velocity, after.spin);
+  Quantity& book = s.book(Channel::retired, i);
+  book.momentum -= gone.momentum;
+  book.angular_momentum -= gone.angular_momentum;
+  book.energy -= gone.energy;
+}
+
+GEM_DEVICE inline bool is_finite(const Mover& mover, Vec2 velocity, double spin) {
+  return is_number(mover.position.x + mover.position.y + velocity.x + velocity.y + spin + mover.rotation.cosine +
+                   mover.rotation.sine);
+}
+
+/// One floe or fixed body through the bodies phase.
+template <Resolution resolution, class Crew>
+GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t i,
+                                 const MomentStep& step) {
+  if (i == 0) return;  // the platform's warp moves it at the same time
+  BodyCell& cell = desk.body[i];
+  BodyMotion& motion = desk.motion[i];
+  Quantity drag_book = s.book(Channel::drag, i);
+  Mover mover = mover_of(cell);
+  BodyAfter after{mover.velocity, mover.spin};
+  BodyRepair repair;
+  bool struck = gather<resolution>(s, i, cell, motion, step.moment, after);
+  if (cell.kind != BodyKind::floe || !cell.active) return;
+  if constexpr (resolution == Resolution::coupled) {
+    struck = take_solved(s, i, step.moment, after, repair);
+    if (struck) s.book(Channel::repair, i).angular_momentum += motion.mass * cross(repair.shift, after.velocity);
+  }
+  const bool turned = drift(s, mover, motion, after, struck, repair, drag_book);
+  const bool finite = is_finite(mover, after.velocity, after.spin);
+  const bool retires = finite && mover.position.x > s.constants.retire_x;
+  if (!finite) crew.raise(alarm_not_finite);
+  if (retires)
+    book_retired(s, i, mover, motion, after);
+  else if (left_course(s, mover, cell.radius, motion, step.elapsed))
+    crew.raise(alarm_strayed);
+  if (step.kick_next && !retires) kick_body(s, mover, motion, after, drag_book);
+  if (step.kick_next && retires) {
+    mover.velocity = after.velocity;
+    mover.spin = after.spin;
+  }
+  write_mover(cell, mover);
+  if (retires) s.body[i].active = cell.active = 0;
+  if (desk.shows) write_mover(s.body[i], mover);
+  s.after[i].velocity = after.velocity;
+  s.after[i].spin = after.spin;
+  Quantity& book = s.book(Channel::drag, i);
+  book.momentum = drag_book.momentum;
+  book.angular_momentum = drag_book.angular_momentum;
+  book.energy = drag_book.energy;
+  if (turned && cell.vertex_count > desk_vertices)
+    turn_outline(s, cell.vertex_begin, cell.vertex_count, mover.rotation, 0, 1);
+}
+
+}  // namespace gem

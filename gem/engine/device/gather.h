@@ -1,0 +1,162 @@
+// What the contacts of a moment did to a body, read from its row: velocities, energy and momentum for the books.
+#pragma once
+
+#include "gem/engine/device/desk.h"
+#include "gem/engine/step/pair_event.h"
+
+namespace gem {
+
+/// Momentum that a fixed body gave in the contact at place `row` of body B.
+GEM_DEVICE inline void book_fixed_contact(const DeviceScene& s, std::int32_t i, const BodyCell& cell,
+                                          std::int32_t row) {
+  const bool fixed_b = cell.kind == BodyKind::fixed;
+  if (!fixed_b && s.body[s.row_other[row]].kind != BodyKind::fixed) return;
+  const Contact& contact = s.contact[s.row_pair[row]];
+  const ContactBooks books{s.book(Channel::impact, i), s.book(Channel::elastic, i), s.book(Channel::friction, i)};
+  for (int k = 0; k < contact.count; ++k)
+    if (acted(contact.slot[k])) book_fixed(books, contact, contact.slot[k], cell.position, fixed_b);
+}
+
+/// What a stretch of a body's row has for it in this moment: a bit for each place.
+struct RowNews {
+  static constexpr int stretch = 32;
+  std::uint32_t entries = 0, works = 0;
+};
+
+/// Places that are asked for together, as each waits for memory.
+constexpr int asked_together = 2;
+
+GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::int32_t places, std::int32_t moment) {
+  constexpr int together = 8;
+  RowNews news;
+  for (int first = 0; first < RowNews::stretch && first < places; first += together) {
+    RowStamp stamp[together];
+    for (int k = 0; k < together; ++k) stamp[k] = first + k < places ? s.stamp[row + first + k] : RowStamp{};
+    for (int k = 0; k < together; ++k) {
+      news.entries |= stamp[k].entry == moment ? 1U << (first + k) : 0U;
+      news.works |= stamp[k].work == moment ? 1U << (first + k) : 0U;
+    }
+  }
+  return news;
+}
+
+/// The lowest places of some bits, which are taken out; -1 where there is none left.
+struct LowestPlaces {
+  std::int32_t at[asked_together];
+  GEM_DEVICE explicit LowestPlaces(std::uint32_t& bits) {
+    for (std::int32_t& place : at) {
+      place = bits != 0 ? bits_in(~bits & (bits - 1U)) : -1;
+      bits &= bits - 1U;
+    }
+  }
+};
+
+/// Field by field: the compiler copies whole records byte by byte.
+GEM_DEVICE inline RowWork read_work(const RowWork& from) {
+  RowWork work;
+  for (int k = 0; k < 2; ++k) {
+    work.slot[k].impact = from.slot[k].impact;
+    work.slot[k].elastic = from.slot[k].elastic;
+    work.slot[k].friction = from.slot[k].friction;
+  }
+  work.count = from.count;
+  return work;
+}
+
+/// The same.
+GEM_DEVICE inline RowEntry read_entry(const RowEntry& from) {
+  RowEntry entry;
+  for (int k = 0; k < 2; ++k) {
+    entry.velocity[k].x = from.velocity[k].x;
+    entry.velocity[k].y = from.velocity[k].y;
+    entry.spin[k] = from.spin[k];
+  }
+  entry.count = from.count;
+  entry.acted = from.acted;
+  return entry;
+}
+
+/// Energy of the last moment's contacts at some places of the row of their body B, into its books.
+GEM_DEVICE inline void book_works(const DeviceScene& s, std::int32_t i, std::int32_t row, std::uint32_t places) {
+  if (places == 0) return;
+  double &impact = s.book(Channel::impact, i).energy, &elastic = s.book(Channel::elastic, i).energy,
+         &friction = s.book(Channel::friction, i).energy;
+  SlotWork sum{impact, elastic, friction};
+  const auto add = [&sum](const SlotWork& took) {
+    sum.impact += took.impact;
+    sum.elastic += took.elastic;
+    sum.friction += took.friction;
+  };
+  while (places != 0) {
+    const LowestPlaces next(places);
+    RowWork some[asked_together];
+    for (int k = 0; k < asked_together; ++k)
+      if (next.at[k] >= 0) some[k] = read_work(s.work[row + next.at[k]]);
+    for (int k = 0; k < asked_together; ++k) {
+      if (next.at[k] < 0) continue;
+      if (some[k].count > 0) add(some[k].slot[0]);
+      if (some[k].count > 1) add(some[k].slot[1]);
+    }
+  }
+  impact = sum.impact;
+  elastic = sum.elastic;
+  friction = sum.friction;
+}
+
+/// Books the work of the last moment's contacts; `stamp` says which entries count.
+GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const BodyMotion& motion, std::int32_t stamp) {
+  for (std::int32_t first = 0; first < motion.lower_count; first += RowNews::stretch) {
+    const std::int32_t row = motion.row_begin + first;
+    const std::uint32_t works = row_news(s, row, motion.lower_count - first, stamp).works;
+    book_works(s, i, row, works);
+    for (int k = 0; k < RowNews::stretch && works >> k != 0; ++k)
+      if (works >> k & 1U) s.stamp[row + k].work = -1;  // the books may be closed once more before the next moment
+  }
+}
+
+/// Adds what a contact does to a body; returns whether it acted.
+GEM_DEVICE inline bool add_entry(const RowEntry& entry, BodyAfter& after) {
+  for (int k = 0; k < 2; ++k) {
+    if (k >= entry.count) break;
+    after.velocity += entry.velocity[k];
+    after.spin += entry.spin[k];
+  }
+  return entry.acted != 0;
+}
+
+/// Adds the contacts at some places of a row in their order; returns whether any acted.
+GEM_DEVICE inline bool add_entries(const DeviceScene& s, std::int32_t row, std::uint32_t places, BodyAfter& after) {
+  bool struck = false;
+  while (places != 0) {
+    const LowestPlaces next(places);
+    RowEntry some[asked_together];
+    for (int k = 0; k < asked_together; ++k)
+      if (next.at[k] >= 0) some[k] = read_entry(s.entry[row + next.at[k]]);
+    for (int k = 0; k < asked_together; ++k)
+      if (next.at[k] >= 0) struck = add_entry(some[k], after) || struck;
+  }
+  return struck;
+}
+
+/// Adds the contacts of the moment in ascending order of the other body; returns whether any acted. Those of a coupled
+/// moment are added up already.
+template <Resolution resolution>
+GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
+                              std::int32_t moment, BodyAfter& after) {
+  const bool moves = resolution == Resolution::independent && cell.kind == BodyKind::floe;
+  const std::int32_t begin = motion.row_begin, lower = motion.lower_count;
+  const std::int32_t places = moves ? motion.row_count : lower;
+  bool struck = false;
+  for (std::int32_t first = 0; first < places; first += RowNews::stretch) {
+    const std::int32_t row = begin + first;
+    const RowNews news = row_news(s, row, places - first, moment);
+    book_works(s, i, row, news.works);
+    if (moves) struck = add_entries(s, row, news.entries, after) || struck;
+    // large bodies, and the fixed ones among them, come first in a row
+    for (std::int32_t k = 0; first + k < lower && first + k < s.large_bodies && k < RowNews::stretch; ++k)
+      if ((news.entries >> k & 1U) && s.row_other[row + k] < s.large_bodies) book_fixed_contact(s, i, cell, row + k);
+  }
+  return struck;
+}
+
+}  // namespace gem

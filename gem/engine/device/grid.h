@@ -1,0 +1,264 @@
+// Where the bodies of a device scene stand when a list is built: courses, boxes, the grid of floes, and the order along
+// the field. Steps 1 to 4 of device_list.h, and the search in the grid.
+#pragma once
+
+#include "gem/engine/device/desk.h"
+
+namespace gem {
+
+/// Whole numbers in the order of the numbers, all above 0: extremes are then taken without regard to order.
+GEM_DEVICE inline std::uint64_t ordered(double x) {
+  const std::uint64_t bits = strict::bits_of(x);
+  return bits >> 63 ? ~bits : bits | 0x8000000000000000U;
+}
+GEM_DEVICE inline double unordered(std::uint64_t key) {
+  return strict::double_of(key >> 63 ? key & 0x7fffffffffffffffU : ~key);
+}
+
+/// The grid on which near floes are looked for. Its cells stand row by row, and behind each row one that is empty.
+struct ListGrid {
+  Vec2 low;
+  double cell = 1.0;
+  std::int32_t columns = 0, rows = 0;
+  double ahead = 0.0;  // time for which the list is built [s]
+};
+
+GEM_DEVICE inline bool is_large(const DeviceScene& s, std::int32_t i) { return i < s.large_bodies; }
+
+template <class Crew>
+GEM_DEVICE inline std::int32_t rank_of(const Crew& crew) {
+  return crew.block() * crew.threads() + crew.thread();
+}
+template <class Crew>
+GEM_DEVICE inline std::int32_t size_of(const Crew& crew) {
+  return crew.blocks() * crew.threads();
+}
+
+GEM_DEVICE inline ListBox box_of(const DeviceScene& s, const BodyCell& cell) {
+  ListBox box{{1e300, 1e300}, {-1e300, -1e300}};
+  for (std::int32_t v = cell.vertex_begin; v < cell.vertex_begin + cell.vertex_count; ++v) {
+    const Vec2 p = cell.position + rotate(cell.rotation, s.vertex[v]);
+    if (p.x < box.low.x) box.low.x = p.x;
+    if (p.y < box.low.y) box.low.y = p.y;
+    if (p.x > box.high.x) box.high.x = p.x;
+    if (p.y > box.high.y) box.high.y = p.y;
+  }
+  return box;
+}
+
+/// Extremes over some floes; low ones as the highest of the opposite, in the order of ListCounters.
+struct Extremes {
+  static constexpr int count = 9;
+  double most[count];
+  std::int32_t floes = 0;
+
+  GEM_DEVICE Extremes() {
+    for (double& one : most) one = -1e300;
+  }
+  GEM_DEVICE void widen(Vec2 position, Vec2 velocity, double radius) {
+    const double value[count] = {-position.x, -position.y, position.x, position.y, -velocity.x,
+                                 -velocity.y, velocity.x,  velocity.y, radius};
+    for (int k = 0; k < count; ++k) most[k] = larger(most[k], value[k]);
+    ++floes;
+  }
+};
+
+/// Enters what the threads of a warp have found.
+template <class Crew>
+GEM_DEVICE inline void note_extremes(const DeviceScene& s, Crew& crew, Extremes found) {
+  const auto warp = crew.warp();
+  const int floes = warp.sum(found.floes);
+  for (int k = 0; k < Extremes::count; ++k)
+    for (int step = 1; step < Crew::Warp::size; step *= 2)
+      found.most[k] = larger(found.most[k], warp.partner(found.most[k], step));
+  if (floes == 0 || warp.rank() != 0) return;
+  for (int k = 0; k < Extremes::count; ++k) crew.highest(&s.counters->extreme[k], ordered(found.most[k]));
+  crew.add(&s.counters->floes, floes);
+}
+
+GEM_DEVICE inline std::int32_t bit_words(const DeviceScene& s) { return (s.bodies + 31) / 32; }
+
+/// Step 1. The course of a body is the velocity that it has now; fixed bodies stay.
+template <class Crew>
+GEM_DEVICE inline void note_courses(const DeviceScene& s, Crew& crew) {
+  const std::int32_t first = rank_of(crew), step = size_of(crew);
+  Extremes found;
+  for (std::int32_t i = first; i < s.bodies; i += step) {
+    BodyCell& cell = s.body[i];
+    BodyMotion& motion = s.motion[i];
+    const Vec2 velocity = cell.kind == BodyKind::fixed ? Vec2{} : cell.velocity;
+    motion.course_position = cell.position;
+    motion.course_velocity = velocity;
+    motion.course_turned = cell.turn_travel;
+    s.box[i] = box_of(s, cell);
+    if (!is_large(s, i) && cell.active) found.widen(cell.position, velocity, cell.radius);
+  }
+  note_extremes(s, crew, found);
+  for (std::int32_t w = first; w < s.large_bodies * bit_words(s); w += step) s.near_large[w] = 0;
+  for (std::int32_t c = first; c < s.grid_capacity; c += step) s.grid_count[c] = 0;
+  for (std::int32_t k = first; s.spot && k < spot_stretches; k += step) s.spot_count[k] = 0;
+}
+
+/// Stretch of the field in which a floe stands.
+GEM_DEVICE inline std::int32_t stretch_at(const DeviceScene& s, double x) {
+  const ListCounters& all = *s.counters;
+  if (all.floes == 0) return 0;
+  const double low = -unordered(all.extreme[0]), extent = unordered(all.extreme[2]) - low;
+  const double at = spot_stretches * ((x - low) / extent);
+  return at > 0.0 ? at < spot_stretches - 1 ? static_cast<std::int32_t>(at) : spot_stretches - 1 : 0;
+}
+
+/// Where each stretch begins, by the first warp.
+template <class Crew>
+GEM_DEVICE inline void begin_stretches(const DeviceScene& s, Crew& crew) {
+  if (!s.spot || rank_of(crew) >= Crew::Warp::size) return;
+  const auto warp = crew.warp();
+  std::int32_t sum = s.large_bodies;
+  for (std::int32_t first = 0; first < spot_stretches; first += Crew::Warp::size) {
+    const std::int32_t k = first + warp.rank();
+    const int mine = s.spot_count[k];
+    s.spot_begin[k] = sum + warp.sum_below(mine);
+    sum += warp.sum(mine);
+  }
+}
+
+/// Puts a body in its place along the field; large bodies come first.
+template <class Crew>
+GEM_DEVICE inline void take_spot(const DeviceScene& s, Crew& crew, std::int32_t i) {
+  if (!s.spot) return;
+  std::int32_t spot = i;
+  if (!is_large(s, i)) {
+    const std::int32_t stretch = stretch_at(s, s.body[i].position.x);
+    spot = s.spot_begin[stretch] + crew.add(&s.spot_count[stretch], -1) - 1;
+  }
+  s.spot[i] = spot;
+  s.body_at[spot] = i;
+}
+
+/// Two floes that may come near within `ahead` [s] stand in the same or in neighbouring cells.
+GEM_DEVICE inline ListGrid list_grid(const DeviceScene& s, double ahead) {
+  const ListCounters& all = *s.counters;
+  ListGrid grid;
+  grid.ahead = ahead;
+  if (all.floes == 0) return grid;
+  const auto extreme = [&](int k) { return unordered(all.extreme[k]); };
+  const Vec2 low{-extreme(0), -extreme(1)}, extent = Vec2{extreme(2), extreme(3)} - low;
+  const Vec2 speeds{extreme(6) + extreme(4), extreme(7) + extreme(5)};
+  grid.low = low;
+  grid.cell = 2.0 * extreme(8) + s.constants.list_margin + s.constants.contact_margin + length(speeds) * ahead;
+  // no finer than the floes are many, so that a scattered field costs no more memory than a dense one
+  const double widest = extent.x > extent.y ? extent.x : extent.y;
+  const double finest = widest / (4.0 * std::sqrt(static_cast<double>(all.floes)));
+  if (finest > grid.cell) grid.cell = finest;
+  grid.columns = static_cast<std::int32_t>(extent.x / grid.cell) + 1;
+  grid.rows = static_cast<std::int32_t>(extent.y / grid.cell) + 1;
+  return grid;
+}
+
+/// The middle of all velocities when the list was built, and of bodies that stand [m/s].
+GEM_DEVICE inline Vec2 list_drift(const DeviceScene& s) {
+  const ListCounters& all = *s.counters;
+  if (all.floes == 0) return {};
+  const auto middle = [&](int lowest, int highest) {
+    return 0.5 * (smaller(-unordered(all.extreme[lowest]), 0.0) + larger(unordered(all.extreme[highest]), 0.0));
+  };
+  return {middle(4, 6), middle(5, 7)};
+}
+
+/// Place of a cell in the arrays of cells.
+GEM_DEVICE inline std::int32_t cell_at(const ListGrid& grid, std::int32_t row, std::int32_t column) {
+  return row * (grid.columns + 1) + column;
+}
+
+/// Step 3: where the floes of each cell begin, a row of cells by each warp: those of a row stand together.
+template <class Crew>
+GEM_DEVICE inline void begin_cells(const DeviceScene& s, Crew& crew, const ListGrid& grid) {
+  const auto warp = crew.warp();
+  const std::int32_t stride = grid.columns + 1;
+  for (std::int32_t r = rank_of(crew) / Crew::Warp::size; r < grid.rows; r += size_of(crew) / Crew::Warp::size) {
+    const std::int32_t* const count = s.grid_count + r * stride;
+    std::int32_t* const begin = s.grid_begin + r * stride;
+    std::int32_t all = 0;
+    for (std::int32_t c = warp.rank(); c < grid.columns; c += Crew::Warp::size) all += count[c];
+    all = warp.sum(all);
+    std::int32_t at = warp.rank() == 0 ? crew.add(&s.counters->placed, all) : 0;
+    at = warp.from(at, 0);
+    for (std::int32_t first = 0; first < stride; first += Crew::Warp::size) {
+      const std::int32_t c = first + warp.rank();
+      const std::int32_t mine = c < grid.columns ? count[c] : 0;
+      const std::int32_t below = warp.sum_below(mine);
+      if (c < stride) begin[c] = at + below;
+      at += warp.sum(mine);
+    }
+  }
+}
+
+/// Step 2.
+template <class Crew>
+GEM_DEVICE inline void count_floes(const DeviceScene& s, Crew& crew, const ListGrid& grid) {
+  const std::int32_t step = size_of(crew);
+  for (std::int32_t i = s.large_bodies + rank_of(crew); i < s.bodies; i += step) {
+    const BodyCell& cell = s.body[i];
+    const Vec2 p = cell.position - grid.low;
+    const std::int32_t at = cell.active ? cell_at(grid, static_cast<std::int32_t>(p.y / grid.cell),
+                                                  static_cast<std::int32_t>(p.x / grid.cell))
+                                        : -1;
+    s.grid_cell[i] = at;
+    if (s.spot) crew.add(&s.spot_count[stretch_at(s, cell.position.x)], 1);
+    if (at >= 0) crew.add(&s.grid_count[at], 1);
+  }
+}
+
+/// Step 4.
+template <class Crew>
+GEM_DEVICE inline void place_floes(const DeviceScene& s, Crew& crew) {
+  const std::int32_t first = rank_of(crew), step = size_of(crew);
+  for (std::int32_t i = first; i < s.bodies; i += step) take_spot(s, crew, i);
+  for (std::int32_t i = s.large_bodies + first; i < s.bodies; i += step) {
+    const std::int32_t at = s.grid_cell[i];
+    if (at < 0) continue;
+    GridFloe& floe = s.grid_floe[s.grid_begin[at] + crew.add(&s.grid_count[at], -1) - 1];
+    floe.box = s.box[i];
+    floe.velocity = s.motion[i].course_velocity;
+    floe.body = i;
+  }
+}
+
+/// Whether two bodies may come near within `ahead` [s].
+GEM_DEVICE inline bool near(const DeviceScene& s, double ahead, const ListBox& a, Vec2 velocity_a, const ListBox& b,
+                            Vec2 velocity_b) {
+  const double reach = s.constants.list_margin + s.constants.contact_margin + ahead * length(velocity_b - velocity_a);
+  return a.low.x < b.high.x + reach && b.low.x < a.high.x + reach && a.low.y < b.high.y + reach &&
+         b.low.y < a.high.y + reach;
+}
+
+/// Calls visit(j, is_near) for the lower large bodies and then, in no order, the floes around body i, shared out among
+/// the lanes of a group; every lane makes as many calls, with is_near false where it has no body left.
+template <class Lanes, class Visit>
+GEM_DEVICE inline void each_near(const DeviceScene& s, const Lanes& lanes, const ListGrid& grid, std::int32_t i,
+                                 Visit&& visit) {
+  const BodyCell& cell = s.body[i];
+  if (!cell.active) return;
+  const ListBox box = s.box[i];
+  const Vec2 velocity = s.motion[i].course_velocity;
+  const std::int32_t lower_large = is_large(s, i) ? i : s.large_bodies;
+  for (std::int32_t first = 0; first < lower_large; first += Lanes::size) {
+    const std::int32_t j = first + lanes.rank();
+    const bool meets = j < lower_large && s.body[j].active && (cell.inverse_mass > 0.0 || s.body[j].inverse_mass > 0.0);
+    visit(j, meets && near(s, grid.ahead, s.box[j], s.motion[j].course_velocity, box, velocity));
+  }
+  if (is_large(s, i)) return;
+  const std::int32_t row = s.grid_cell[i] / (grid.columns + 1), column = s.grid_cell[i] % (grid.columns + 1);
+  for (std::int32_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < grid.rows; ++r) {
+    const std::int32_t begin = s.grid_begin[cell_at(grid, r, column > 0 ? column - 1 : 0)],
+                       end = s.grid_begin[cell_at(grid, r, column + 2 < grid.columns ? column + 2 : grid.columns)];
+    for (std::int32_t first = begin; first < end; first += Lanes::size) {
+      const std::int32_t at = first + lanes.rank();
+      const GridFloe* const floe = s.grid_floe + at;
+      const bool other = at < end && floe->body != i;
+      visit(other ? floe->body : -1, other && near(s, grid.ahead, box, velocity, floe->box, floe->velocity));
+    }
+  }
+}
+
+}  // namespace gem

@@ -1,0 +1,255 @@
+// Builds the list of near pairs and the rows of all bodies. Rows are sorted; which memory a row or pair gets may differ
+// from run to run, and nothing that is computed depends on it.
+//
+// Algorithm, a barrier after each step:
+//   0. the looks at the pairs of the list before are put aside
+//   1. course and box of every body; extremes of the floes' positions, velocities and radii
+//   2. floes counted by cell of a grid
+//   3. each row of cells takes a stretch of the list of floes
+//   4. floes placed in the stretch of their cell
+//   5. each body: its lower large neighbours, and for a floe the near ones in three stretches of cells, in its own row
+//   6. each large body: the row of the higher bodies near it
+//   7. a pair for each near body with a higher id, with its look where it was in the list before
+#pragma once
+
+#include "gem/engine/device/grid.h"
+
+namespace gem {
+
+/// Takes `count` places for the row of body i; false if the memory does not hold them.
+template <class Crew>
+GEM_DEVICE inline bool take_row(const DeviceScene& s, Crew& crew, std::int32_t i, std::int32_t count,
+                                std::int32_t lower) {
+  const std::int32_t begin = crew.add(&s.counters->rows, count);
+  const bool fits = begin + count <= s.rows_capacity && (i > 0 || count <= s.platform_capacity);
+  if (!fits) crew.raise(alarm_list_full);
+  s.motion[i].row_begin = fits ? begin : 0;
+  if (i == 0) s.platform->row_begin = s.motion[i].row_begin;
+  s.motion[i].row_count = fits ? count : 0;
+  s.motion[i].lower_count = fits ? lower : 0;
+  return fits;
+}
+
+/// Sorts a short row by one thread.
+GEM_DEVICE inline void sort_row(std::int32_t* row, std::int32_t count) {
+  for (std::int32_t k = 1; k < count; ++k) {
+    const std::int32_t one = row[k];
+    std::int32_t at = k;
+    for (; at > 0 && row[at - 1] > one; --at) row[at] = row[at - 1];
+    row[at] = one;
+  }
+}
+
+/// Writes `count` bodies in no order to a row, each lane some, to the place that as many lower ones leave it.
+template <class Lanes>
+GEM_DEVICE inline void write_sorted(const Lanes& lanes, std::int32_t* row, const std::int32_t* near,
+                                    std::int32_t count) {
+  for (std::int32_t k = lanes.rank(); k < count; k += Lanes::size) {
+    const std::int32_t one = near[k];
+    std::int32_t below = 0;
+    for (std::int32_t j = 0; j < count; ++j) below += near[j] < one ? 1 : 0;
+    row[below] = one;
+  }
+}
+
+/// Step 5: a group of lanes for each body.
+template <class Crew>
+GEM_DEVICE inline void find_near(const DeviceScene& s, Crew& crew, const ListGrid& grid) {
+  const auto lanes = crew.lanes();
+  const std::int32_t groups = size_of(crew) / Crew::Lanes::size;
+  for (std::int32_t i = rank_of(crew) / Crew::Lanes::size; i < s.bodies; i += groups) {
+    std::int32_t count = 0, lower = 0;
+    std::int32_t* const kept = s.near_first + i * kept_near;
+    each_near(s, lanes, grid, i, [&](std::int32_t j, bool is_near) {
+      const unsigned found = lanes.ballot(is_near), below = lanes.ballot(is_near && j < i);
+      const std::int32_t at = count + lanes.count_below(found);
+      if (is_near && at < kept_near) kept[at] = j;
+      if (is_near && is_large(s, j)) crew.set_bit(&s.near_large[j * bit_words(s) + i / 32], 1U << (i % 32));
+      count += lanes.count(found);
+      lower += lanes.count(below);
+    });
+    if (is_large(s, i)) {
+      if (lanes.rank() == 0) s.motion[i].lower_count = count;  // step 6 takes the row
+      continue;
+    }
+    std::int32_t begin = 0;
+    if (lanes.rank() == 0) begin = take_row(s, crew, i, count, lower) ? s.motion[i].row_begin : -1;
+    begin = lanes.from(begin, 0);
+    if (begin < 0) continue;
+    lanes.sync();  // what each has kept is there for all
+    std::int32_t* const row = s.row_other + begin;
+    if (count <= kept_near) {
+      write_sorted(lanes, row, kept, count);
+      continue;
+    }
+    std::int32_t placed = 0;
+    each_near(s, lanes, grid, i, [&](std::int32_t j, bool is_near) {
+      const unsigned found = lanes.ballot(is_near);
+      if (is_near) row[placed + lanes.count_below(found)] = j;
+      placed += lanes.count(found);
+    });
+    lanes.sync();
+    if (lanes.rank() == 0) sort_row(row, count);
+  }
+}
+
+/// Step 6: a warp for each large body, a word of 32 bodies for each lane.
+template <class Crew>
+GEM_DEVICE inline void rows_of_large_bodies(const DeviceScene& s, Crew& crew) {
+  const auto warp = crew.warp();
+  const std::int32_t words = bit_words(s);
+  for (std::int32_t i = rank_of(crew) / Crew::Warp::size; i < s.large_bodies; i += size_of(crew) / Crew::Warp::size) {
+    const std::uint32_t* bits = s.near_large + i * words;
+    const std::int32_t lower = s.motion[i].lower_count;
+    std::int32_t count = 0;
+    for (std::int32_t w = warp.rank(); w < words; w += Crew::Warp::size) count += warp.count(bits[w]);
+    count = lower + warp.sum(count);
+    if (warp.rank() == 0) {
+      if (i == 0) s.status->platform_needed = count;
+      take_row(s, crew, i, count, lower);
+    }
+    warp.sync();
+    if (s.motion[i].row_count == 0) continue;
+    std::int32_t* row = s.row_other + s.motion[i].row_begin;
+    std::int32_t placed = 0;
+    for (std::int32_t j = 0; j < i && warp.rank() == 0; ++j)
+      if (s.near_large[j * words + i / 32] >> (i % 32) & 1U) row[placed++] = j;
+    placed = lower;
+    for (std::int32_t first = 0; first < words; first += Crew::Warp::size) {
+      const std::int32_t w = first + warp.rank();
+      const std::uint32_t mine = w < words ? bits[w] : 0;
+      std::int32_t at = placed + warp.sum_below(warp.count(mine));
+      for (std::int32_t k = 0; k < 32 && mine >> k != 0; ++k)
+        if (mine >> k & 1U) row[at++] = 32 * w + k;
+      placed += warp.sum(warp.count(mine));
+    }
+  }
+}
+
+/// Place of body `other` in the sorted row of a body.
+GEM_DEVICE inline std::int32_t place_in_row(const DeviceScene& s, std::int32_t body, std::int32_t other) {
+  std::int32_t low = s.motion[body].row_begin, high = low + s.motion[body].row_count;
+  while (high - low > 1) {
+    const std::int32_t middle = low + (high - low) / 2;
+    if (s.row_other[middle] > other)
+      high = middle;
+    else
+      low = middle;
+  }
+  return low;
+}
+
+/// Step 0: what pairs have been seen to do is not lost with their list.
+template <class Crew>
+GEM_DEVICE inline void put_looks_aside(const DeviceScene& s, Crew& crew) {
+  const std::int32_t first = rank_of(crew), step = size_of(crew);
+  const bool complete = s.counters->complete == 1;
+  for (std::int32_t i = first; i < s.bodies; i += step)
+    s.last_row[i] = {s.motion[i].row_begin, complete ? s.motion[i].row_count : 0};
+  if (!complete) return;
+  for (std::int32_t k = first; k < s.counters->rows; k += step) {
+    s.last_other[k] = s.row_other[k];
+    s.last_pair[k] = s.row_pair[k];
+  }
+  for (std::int32_t p = first; p < s.counters->pairs; p += step) {
+    const PairCell& pair = s.pair[p];
+    PairLook& look = s.last_look[p];
+    look.axes = pair.axes;
+    look.offset = pair.offset;
+    look.turned_a = pair.turned_a;
+    look.turned_b = pair.turned_b;
+  }
+}
+
+/// The last look at the pair of two bodies; null where it was not in the list before.
+GEM_DEVICE inline const PairLook* last_look(const DeviceScene& s, std::int32_t body, std::int32_t other) {
+  const RowPlace row = s.last_row[body];
+  std::int32_t low = 0, high = row.count;
+  while (low < high) {
+    const std::int32_t middle = low + (high - low) / 2;
+    if (s.last_other[row.begin + middle] < other)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  const bool found = low < row.count && s.last_other[row.begin + low] == other;
+  return found ? s.last_look + s.last_pair[row.begin + low] : nullptr;
+}
+
+/// A pair for the place `row` of body i.
+GEM_DEVICE inline void make_pair(const DeviceScene& s, std::int32_t p, std::int32_t i, std::int32_t row) {
+  const std::int32_t other = s.row_other[row], row_b = place_in_row(s, other, i);
+  PairCell& pair = s.pair[p];
+  pair.a = i;
+  pair.b = other;
+  pair.row_a = row;
+  pair.row_b = row_b;
+  const PairLook* const look = last_look(s, i, other);
+  pair.axes = look ? look->axes : SeparatingAxes{};
+  pair.offset = look ? look->offset : Vec2{};
+  pair.turned_a = look ? look->turned_a : 0.0;
+  pair.turned_b = look ? look->turned_b : 0.0;
+  if (s.wake) s.wake[p] = 0.0F;
+  s.row_pair[row] = s.row_pair[row_b] = p;
+  if (s.memory) s.memory[p].moment = PairMemory::never;
+}
+
+/// Step 7: a group of lanes for each floe; the long rows of large bodies are shared out place by place.
+template <class Crew>
+GEM_DEVICE inline void make_pairs(const DeviceScene& s, Crew& crew) {
+  const auto lanes = crew.lanes();
+  const std::int32_t groups = size_of(crew) / Crew::Lanes::size;
+  for (std::int32_t i = s.large_bodies + rank_of(crew) / Crew::Lanes::size; i < s.bodies; i += groups) {
+    const BodyMotion& motion = s.motion[i];
+    const std::int32_t begin = motion.row_begin, lower = motion.lower_count, higher = motion.row_count - lower;
+    if (higher == 0) continue;
+    std::int32_t p = lanes.rank() == 0 ? crew.add(&s.counters->pairs, higher) : 0;
+    p = lanes.from(p, 0);
+    for (std::int32_t k = lanes.rank(); k < higher; k += Crew::Lanes::size) make_pair(s, p + k, i, begin + lower + k);
+  }
+  for (std::int32_t i = 0; i < s.large_bodies; ++i) {
+    const BodyMotion& motion = s.motion[i];
+    for (std::int32_t at = motion.lower_count + rank_of(crew); at < motion.row_count; at += size_of(crew))
+      make_pair(s, crew.add(&s.counters->pairs, 1), i, motion.row_begin + at);
+  }
+}
+
+/// Builds the list at the positions of the moment's start, for a life of `horizon` moments. Raises alarm_list_full
+/// where the memory is too small; the status then says how much is needed.
+template <class Crew>
+GEM_DEVICE GEM_NOINLINE inline void build_list(const DeviceScene& s, Crew& crew, std::int64_t moment,
+                                               std::int64_t horizon) {
+  const bool one = rank_of(crew) == 0;
+  crew.barrier();
+  put_looks_aside(s, crew);
+  crew.barrier();
+  if (one) *s.counters = {};
+  crew.lower_alarms();
+  crew.barrier();
+  note_courses(s, crew);
+  crew.barrier();
+  const ListGrid grid = list_grid(s, static_cast<double>(horizon) * s.constants.dt);
+  count_floes(s, crew, grid);
+  crew.barrier();
+  begin_cells(s, crew, grid);
+  begin_stretches(s, crew);
+  crew.barrier();
+  place_floes(s, crew);
+  crew.barrier();
+  find_near(s, crew, grid);
+  crew.barrier();
+  rows_of_large_bodies(s, crew);
+  crew.barrier();
+  if (one) s.status->rows_needed = s.counters->rows;
+  if (crew.alarms() & alarm_list_full) return;
+  make_pairs(s, crew);
+  if (one) {
+    s.counters->complete = 1;
+    s.status->list_moment = moment;
+    s.status->list_valid = 1;
+    ++s.status->builds;
+  }
+  crew.barrier();
+}
+
+}  // namespace gem

@@ -1,0 +1,274 @@
+// The device's recipe, run by one host thread, gives the bits, the books and the log of the cpu engine.
+#include "gem/engine/device/moments.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <tuple>
+
+#include "gem/engine/testing/host_scene.h"
+#include "gem/engine/testing/same_bits.h"
+#include "gem/engine/testing/test_scenes.h"
+
+namespace gem {
+namespace {
+
+using test::HostScene;
+
+using Choice = std::tuple<Resolution, Manifold, Yaw, FrictionLaw, DragLaw>;
+
+class DeviceMomentsTest : public testing::TestWithParam<Choice> {};
+
+TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
+  SceneDef scene = test::busy_scene(8);
+  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
+           scene.water.drag_law) = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device(scene, test::busy_field(scene));
+  MomentLog expected, log;
+  for (int block = 0; block < 8; ++block) {
+    cpu->advance(50, expected);
+    device.advance(50, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    if (HasFailure()) return;
+  }
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  if (scene.contact.resolution == Resolution::coupled) {
+    test::expect_same_coupled(device, log, *cpu, expected);
+  } else {
+    MomentQuality worst;
+    for (const MomentQuality& quality : log.quality) worst.worsen(quality);
+    // not measured is no zero
+    EXPECT_TRUE(std::isnan(worst.complementarity) && std::isnan(worst.cone_excess) && std::isnan(worst.energy_created));
+    EXPECT_GT(worst.maximum_overlap, 0.0);
+  }
+  EXPECT_GT(test::contacts_in(expected), 5000);
+  EXPECT_GT(expected.events.size(), 2u);
+  EXPECT_GT(device.status().builds, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Combinations, DeviceMomentsTest,
+                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+                                          testing::Values(Manifold::chord_middle, Manifold::chord_ends),
+                                          testing::Values(Yaw::free, Yaw::locked),
+                                          testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
+                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
+
+class DeviceResolutions : public testing::TestWithParam<Resolution> {};
+
+TEST(PairMemory, OfAPairThatIsNewHoldsNothingInAnyMoment) {
+  PairMemory memory;
+  memory.feature[0] = 3;  // what an earlier list left there
+  memory.impulse[0] = {1.0, 2.0, 3.0};
+  for (const std::int32_t moment : {0, 1, 1000}) EXPECT_EQ(last_impulse(memory, 3, moment).normal, 0.0) << moment;
+  memory.moment = 999;
+  EXPECT_EQ(last_impulse(memory, 3, 1000).normal, 1.0);
+}
+
+TEST_P(DeviceResolutions, BlocksAndThreadsChangeNothing) {
+  constexpr std::int64_t moments = 12;  // threads that outnumber the processors wait long at every barrier
+  SceneDef scene = test::busy_scene(7);
+  scene.contact.resolution = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  MomentLog expected;
+  cpu->advance(moments, expected);
+  EXPECT_GT(test::contacts_in(expected), 50);
+  const std::size_t none = desk_minimum(8, test::team_lanes), bodies = none + 160 * 256, all = 1 << 20;
+  for (const auto& [blocks, threads, room, apart] : {std::tuple{1, 8, none, false},
+                                                     {2, 4, bodies, false},
+                                                     {3, 4, all, false},
+                                                     {2, 8, all, true},
+                                                     {5, 4, all, true}}) {
+    HostScene device(scene, test::busy_field(scene), blocks, threads, 0, room, apart);
+    MomentLog log;
+    device.advance(moments, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+    EXPECT_GT(device.status().builds, 0);
+  }
+}
+
+/// A coupled scene by two blocks that do not reach each other's fast memory.
+struct ApartScene {
+  HostScene device;
+  MomentLog log;
+  ApartScene(const SceneDef& scene, std::size_t room) : device(scene, test::busy_field(scene), 2, 4, 0, room, true) {}
+  /// Makes a moment; returns its barriers.
+  int advance() {
+    device.advance(1, log);
+    return device.status().barriers;
+  }
+};
+constexpr std::size_t roomy = 1 << 20;
+const std::size_t scarce = desk_minimum(4, test::team_lanes);
+
+/// Barriers: without halos two in an iteration but the first, which moves nothing; with halos one in those that are
+/// judged and one at the end.
+int spared_by_halos(const MomentLog& log, int moment) {
+  const int iterations = log.quality[std::size_t(moment)].iterations;
+  const int judged = iterations / 4 + std::min(iterations, 2), without = 2 * iterations - 1, halos = judged + 1;
+  return without - halos;
+}
+
+TEST(DeviceHalo, SparesTheBarriersOfIterationsInMomentsThatHaveRoomAndChangesNothing) {
+  constexpr int moments = 16;
+  SceneDef scene = test::busy_scene(9);
+  scene.contact.resolution = Resolution::coupled;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  MomentLog expected;
+  cpu->advance(moments, expected);
+  ApartScene with(scene, roomy), at_times(scene, roomy);
+  int crowded = 0;
+  ASSERT_EQ(scene.numerics.iterations_maximum % 4, 0) << "the last is judged as a fourth one";
+  for (int m = 0; m < moments; ++m) {
+    at_times.device.give_room(m % 2 == 0 ? scarce : roomy);
+    const int spared = at_times.advance() - with.advance();
+    if (m % 2 == 1)
+      EXPECT_EQ(spared, 0) << "room again in moment " << m;
+    else
+      EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in moment " << m;
+    if (spared > 0) ++crowded;
+  }
+  EXPECT_GT(crowded, 0);
+  for (const ApartScene* one : {&with, &at_times}) {
+    test::expect_same_bodies(one->device.bodies(), cpu->bodies());
+    test::expect_same_coupled(one->device, one->log, *cpu, expected);
+  }
+}
+
+TEST(DeviceHalo, RoundsThatFollowChangeNothing) {
+  constexpr int moments = 8;
+  SceneDef scene = test::busy_scene(9);
+  scene.contact.resolution = Resolution::coupled;
+  scene.numerics.residual_tolerance = 1e-9;
+  scene.numerics.iterations_maximum = 200;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  MomentLog expected;
+  cpu->advance(moments, expected);
+  ApartScene device(scene, roomy);
+  int most = 0, all = 0, barriers = 0;
+  for (int m = 0; m < moments; ++m) barriers += device.advance();
+  for (const MomentQuality& quality : expected.quality) {
+    most = std::max(most, int(quality.iterations));
+    all += int(quality.iterations);
+  }
+  EXPECT_GT(most, 40) << "of more than one round";
+  EXPECT_LT(barriers, all) << "without halos two in an iteration";
+  test::expect_same_bodies(device.device.bodies(), cpu->bodies());
+  test::expect_same_coupled(device.device, device.log, *cpu, expected);
+}
+
+TEST(DeviceHalo, IsNoneWhereverTheRoomEndsAndChangesNothing) {
+  constexpr int first = 12, rungs = 48, moments = first + rungs;  // before the first there are few points
+  constexpr std::size_t line = 128;                               // what room is counted in
+  SceneDef scene = test::busy_scene(9);
+  scene.contact.resolution = Resolution::coupled;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  MomentLog expected;
+  cpu->advance(moments, expected);
+  ApartScene device(scene, roomy), with(scene, roomy);
+  int crowded = 0, roomed = 0;
+  for (int m = 0; m < moments; ++m) {
+    if (m >= first) device.device.give_room(scarce + std::size_t(m - first) * line);
+    const int spared = device.advance() - with.advance();
+    if (m < first) continue;
+    EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in moment " << m;
+    ++(spared > 0 ? crowded : roomed);
+  }
+  EXPECT_GT(crowded, rungs / 4);
+  EXPECT_GT(roomed, rungs / 4);
+  test::expect_same_bodies(device.device.bodies(), cpu->bodies());
+  test::expect_same_coupled(device.device, device.log, *cpu, expected);
+}
+
+/// Floes at the platform and rows of more places than one stretch of a row or the first near bodies take.
+TEST_P(DeviceResolutions, LongRowsAndThePlatformByManyThreadsChangeNothing) {
+  constexpr std::int64_t moments = 6;
+  SceneDef scene = test::busy_scene(8);
+  scene.contact.resolution = GetParam();
+  scene.numerics.list_margin_m = 60.0;
+  const auto before = test::busy_engine(scene, "cpu");
+  const auto at_platform = [](const MomentLog& log) {
+    std::int64_t floes = 0;
+    for (const PlatformMoment& sample : log.platform) floes += sample.contacts;
+    return floes;
+  };
+  for (MomentLog skipped; at_platform(skipped) < 5 && before->moment() < 3000;) {
+    skipped.clear();
+    before->advance(5, skipped);
+  }
+  const Bodies field = before->bodies();
+  const auto cpu = make_engine(scene, field, {"cpu", 1});
+  MomentLog expected;
+  cpu->advance(moments, expected);
+  EXPECT_GT(at_platform(expected), 5);
+  const std::size_t all = 1 << 20;
+  for (const auto& [blocks, threads, apart] : {std::tuple{2, 8, false}, {2, 8, true}}) {
+    HostScene device(scene, field, blocks, threads, 0, all, apart);
+    MomentLog log;
+    device.advance(moments, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+    EXPECT_GT(device.longest_lower_row(), RowNews::stretch);
+  }
+}
+
+TEST_P(DeviceResolutions, AHorizonFollowsTheLifeOfListsInShortCallsToo) {
+  SceneDef scene = test::busy_scene(6);
+  scene.contact.resolution = GetParam();
+  HostScene device(scene, test::busy_field(scene));
+  const std::int64_t longest = device.status().horizon;
+  MomentLog log;
+  std::int64_t least = longest;
+  for (int call = 0; call < 400; ++call) {
+    device.advance(1, log);
+    least = std::min(least, device.status().horizon);
+  }
+  EXPECT_GE(least, 4);
+  EXPECT_LT(least, longest);
+}
+
+TEST_P(DeviceResolutions, AListTooSmallGrowsAndLosesNothing) {
+  SceneDef scene = test::busy_scene(6);
+  scene.contact.resolution = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device(scene, test::busy_field(scene), 1, 1, 64);
+  MomentLog expected, log;
+  cpu->advance(200, expected);
+  device.advance(200, log);
+  EXPECT_GT(device.growths(), 0);
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  EXPECT_GT(test::contacts_in(expected), 2000);
+}
+
+TEST_P(DeviceResolutions, WaitingForOtherScenesChangesNothing) {
+  SceneDef scene = test::busy_scene(6);
+  scene.contact.resolution = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device(scene, test::busy_field(scene));
+  MomentLog expected, log;
+  for (int block = 0; block < 4; ++block) {
+    cpu->advance(40, expected);
+    device.advance(40, log);
+    device.wait();
+  }
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  EXPECT_GT(test::contacts_in(expected), 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, DeviceResolutions, testing::Values(Resolution::independent, Resolution::coupled),
+                         [](const auto& resolution) {
+                           return resolution.param == Resolution::coupled ? std::string("coupled")
+                                                                          : std::string("independent");
+                         });
+
+}  // namespace
+}  // namespace gem

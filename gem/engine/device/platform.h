@@ -1,0 +1,224 @@
+// The platform's part of the bodies phase, by one warp: its contacts are prepared side by side and added in order.
+#pragma once
+
+#include "gem/engine/device/bodies.h"
+
+namespace gem {
+
+/// Sums of PlatformTerm::part, in contact order.
+struct PlatformSums {
+  Vec2 velocity;
+  double spin = 0.0;
+  Vec2 ice_impulse;
+  double ice_yaw = 0.0, twist = 0.0;
+};
+
+/// The platform's cell and the books of its own motion, in registers for one thread.
+struct PlatformHeld {
+  PlatformCell cell;
+  Quantity drag_book, mooring_book;
+};
+
+GEM_DEVICE inline PlatformHeld hold_platform(const DeviceScene& s) {
+  const PlatformCell& p = *s.platform;
+  PlatformHeld held;
+  held.cell.moved = p.moved;
+  held.cell.velocity = p.velocity;
+  held.cell.mooring_force = p.mooring_force;
+  held.cell.mooring_before = p.mooring_before;
+  held.cell.drag_before = p.drag_before;
+  held.drag_book = s.book(Channel::platform_drag, 0);
+  held.mooring_book = s.book(Channel::mooring, 0);
+  return held;
+}
+
+GEM_DEVICE inline void let_go(const DeviceScene& s, const PlatformHeld& held) {
+  PlatformCell& p = *s.platform;
+  p.moved = held.cell.moved;
+  p.velocity = held.cell.velocity;
+  p.mooring_force = held.cell.mooring_force;
+  p.mooring_before = held.cell.mooring_before;
+  p.drag_before = held.cell.drag_before;
+  s.book(Channel::platform_drag, 0) = held.drag_book;
+  s.book(Channel::mooring, 0) = held.mooring_book;
+}
+
+GEM_DEVICE inline PlatformMotion platform_motion(double mass, PlatformHeld& held) {
+  return {mass, held.cell.moved, held.cell.velocity, held.drag_book, held.mooring_book, held.cell.mooring_force};
+}
+
+/// The platform's own motion up to the instant of the events of the next moment; `spin` is the one it has.
+GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformHeld& held, Mover& mover, double mass,
+                                           double spin) {
+  PlatformCell& p = held.cell;
+  p.mooring_before = p.mooring_force.momentum;
+  p.drag_before = held.drag_book.momentum;
+  p.moved = mover.position;
+  if (s.constants.moored_or_free) platform_half(s.constants, platform_motion(mass, held), true);
+  mover.velocity = p.velocity;
+  mover.spin = spin;
+}
+
+/// Where the terms of a moment stand: in the fast memory of the looks, which nobody takes now, if it holds them all.
+GEM_DEVICE inline PlatformTerm* term_room(const DeviceScene& s, const Desk& desk, std::int32_t places) {
+  const std::size_t bytes = 2 * static_cast<std::size_t>(places) * sizeof(PlatformTerm);
+  return bytes <= desk.minimum_bytes ? reinterpret_cast<PlatformTerm*>(desk.look) : s.term;
+}
+
+/// What one contact point does to the platform; the velocities after a coupled moment are known already.
+template <Resolution resolution>
+GEM_DEVICE inline PlatformTerm platform_term(const BodyCell& cell, const Contact& contact, const ContactSlot& slot,
+                                             bool ice) {
+  const Vec2 impulse = world_impulse(contact, slot.impulse);
+  const double twist = cross(slot.arm_a, impulse);
+  MotionStep step;
+  if constexpr (resolution == Resolution::independent)
+    step = motion_step({cell.inverse_mass, cell.inverse_inertia}, slot.arm_a, impulse);
+  PlatformTerm term{{step.velocity.x, step.velocity.y, step.spin, 0.0, 0.0, 0.0, twist}};
+  if (ice) {
+    term.part[3] = impulse.x;
+    term.part[4] = impulse.y;
+    term.part[5] = twist;
+  }
+  return term;
+}
+
+/// Lines up the terms of all contact points of the moment in order. Returns their number; `pressed` counts the floes
+/// that push, and events go to the ring.
+template <Resolution resolution, class Warp>
+GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& warp, const BodyCell& cell,
+                                             const BodyMotion& motion, std::int32_t moment, PlatformTerm* term,
+                                             std::int32_t& pressed) {
+  DeviceStatus& status = *s.status;
+  constexpr bool coupled = resolution == Resolution::coupled;
+  const std::int32_t places = motion.row_count;
+  std::int32_t terms = 0, events = status.events;
+  for (std::int32_t first = 0; first < places; first += Warp::size) {
+    const std::int32_t at = first + warp.rank(), row = motion.row_begin + (at < places ? at : 0);
+    // asked for together: each waits for memory
+    const std::int32_t stamp = s.stamp[row].entry, pair = s.row_pair[row], other = s.row_other[row];
+    const bool touched = at < places && stamp == moment;
+    const Contact* const contact = &s.contact[pair];
+    const int points = touched ? contact->count : 0;
+    const bool ice = touched && s.body[other].kind == BodyKind::floe;
+    const unsigned one = warp.ballot(points > 0), two = warp.ballot(points > 1);
+    const std::int32_t to = terms + warp.count_below(one) + warp.count_below(two);
+    bool presses = false;
+    for (int k = 0; k < 2; ++k) {
+      if (k >= points) break;
+      const ContactSlot& slot = contact->slot[k];
+      term[to + k] = platform_term<resolution>(cell, *contact, slot, ice);
+      presses = presses || (ice && slot.impulse.normal > 0.0);
+    }
+    const bool event = touched && s.wants_events && s.row_event_moment[at] == moment &&
+                       (!coupled || is_event(*contact, s.event_speed));
+    const unsigned pressing = warp.ballot(presses), recorded = warp.ballot(event);
+    if (event) {
+      EventRecord& record = s.event[events + warp.count_below(recorded)];
+      record = s.row_event[at];
+      if (coupled) record.contact = *contact;
+    }
+    terms += warp.count(one) + warp.count(two);
+    events += warp.count(recorded);
+    pressed += warp.count(pressing);
+  }
+  warp.sync();
+  if (warp.rank() == 0) status.events = events;
+  return terms;
+}
+
+/// Adds the terms in order, each lane one of the parts.
+template <class Warp>
+GEM_DEVICE inline PlatformSums add_terms(const Warp& warp, const PlatformSums& start, const PlatformTerm* term,
+                                         std::int32_t terms) {
+  constexpr int parts = 7;
+  double sum[parts] = {start.velocity.x,    start.velocity.y, start.spin, start.ice_impulse.x,
+                       start.ice_impulse.y, start.ice_yaw,    start.twist};
+  for (int first = 0; first < parts; first += Warp::size) {
+    const int part = first + warp.rank() < parts ? first + warp.rank() : parts - 1;
+    const double sign = part == parts - 1 ? 1.0 : -1.0;
+    double mine = sum[part];
+    for (std::int32_t k = 0; k < terms; ++k) mine += sign * term[k].part[part];
+    for (int lane = 0; lane < Warp::size && first + lane < parts; ++lane) sum[first + lane] = warp.from(mine, lane);
+  }
+  return {{sum[0], sum[1]}, sum[2], {sum[3], sum[4]}, sum[5], sum[6]};
+}
+
+/// Writes the moment's sample to the ring.
+GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformHeld& held, const Mover& mover,
+                                    const PlatformSums& sums, std::int32_t pressed, std::int32_t at) {
+  const PlatformCell& p = held.cell;
+  PlatformMoment& sample = s.sample[at];
+  sample.position = mover.position;
+  sample.rotation = mover.rotation;
+  sample.velocity = p.velocity;
+  sample.spin = sums.spin;
+  sample.ice_impulse = sums.ice_impulse;
+  sample.ice_yaw_impulse = sums.ice_yaw;
+  sample.mooring_impulse = p.mooring_force.momentum - p.mooring_before;
+  sample.drag_impulse = held.drag_book.momentum - p.drag_before;
+  sample.contacts = pressed;
+}
+
+/// Enters what shifting the platform does to the mooring's energy and to the angular momentum.
+GEM_DEVICE inline void book_platform_repair(const DeviceScene& s, double mass, const PlatformCell& p, Vec2 shift) {
+  const Vec2 offset = p.moved - s.constants.anchor;
+  Quantity& book = s.book(Channel::repair, 0);
+  book.angular_momentum += mass * cross(shift, p.velocity);
+  book.energy += s.constants.stiffness * (dot(offset, shift) + 0.5 * dot(shift, shift));
+}
+
+/// What one thread does for the platform, once the contacts are summed.
+template <Resolution resolution, class Crew>
+GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, const Desk& desk, const PlatformSums& sums,
+                                          const BodyRepair& repair, std::int32_t pressed, const MomentStep& step) {
+  BodyCell& cell = desk.body[0];
+  const BodyMotion& motion = desk.motion[0];
+  PlatformHeld held = hold_platform(s);
+  PlatformCell& p = held.cell;
+  Mover mover = mover_of(cell);
+  p.velocity = sums.velocity;
+  if (cell.inverse_inertia == 0.0) p.mooring_force.angular_momentum = sums.twist;
+  if (s.constants.moored_or_free) {
+    platform_half(s.constants, platform_motion(motion.mass, held), false);
+    mover.position = p.moved + repair.shift;
+    if constexpr (resolution == Resolution::coupled) book_platform_repair(s, motion.mass, p, repair.shift);
+    turn(mover, s.constants.dt * sums.spin + repair.turn);
+  }
+  if (cell.active && !is_finite(mover, p.velocity, sums.spin)) crew.raise(alarm_not_finite);
+  if (s.wants_samples) write_sample(s, held, mover, sums, pressed, step.sample);
+  if (cell.active && left_course(s, mover, cell.radius, motion, step.elapsed)) crew.raise(alarm_strayed);
+  if (s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) crew.raise(alarm_ring_full);
+  if (step.kick_next) platform_first_half(s, held, mover, motion.mass, sums.spin);
+  let_go(s, held);
+  s.after[0].velocity = sums.velocity;
+  s.after[0].spin = sums.spin;
+  write_mover(cell, mover);
+  if (desk.shows) write_mover(s.body[0], mover);
+}
+
+/// The platform through the bodies phase.
+template <Resolution resolution, class Crew>
+GEM_DEVICE inline void move_platform(const DeviceScene& s, Crew& crew, const Desk& desk, const MomentStep& step) {
+  const auto warp = crew.warp();
+  const BodyCell& cell = desk.body[0];
+  std::int32_t pressed = 0;
+  PlatformTerm* const term = term_room(s, desk, desk.motion[0].row_count);
+  const std::int32_t terms = line_up_terms<resolution>(s, warp, cell, desk.motion[0], step.moment, term, pressed);
+  PlatformSums start;
+  BodyAfter after{cell.velocity, cell.spin};
+  BodyRepair repair;
+  if constexpr (resolution == Resolution::coupled) take_solved(s, 0, step.moment, after, repair);
+  start.velocity = after.velocity;
+  start.spin = after.spin;
+  start.twist = s.platform->mooring_force.angular_momentum;
+  const double travel = cell.turn_travel;
+  const PlatformSums sums = add_terms(warp, start, term, terms);
+  warp.sync();
+  if (warp.rank() == 0) move_platform_body<resolution>(s, crew, desk, sums, repair, pressed, step);
+  warp.sync();
+  if (cell.vertex_count > desk_vertices && cell.turn_travel != travel)
+    turn_outline(s, cell.vertex_begin, cell.vertex_count, cell.rotation, warp.rank(), Crew::Warp::size);
+}
+
+}  // namespace gem

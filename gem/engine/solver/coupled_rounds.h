@@ -1,0 +1,80 @@
+// The iterations of a coupled moment on the host: eight points at a time in single precision.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gem/base/pack.h"
+#include "gem/engine/solver/coupled_layout.h"
+#include "gem/engine/solver/coupled_visit.h"
+
+namespace gem {
+
+/// Additions to a base, with what points and bodies need to find them. Points are worked on in blocks of eight.
+class CoupledRounds {
+ public:
+  void resize(const CoupledLayout& layout);
+
+  /// What of a point stays for the moment.
+  void set_geometry(std::int32_t point, const PointGeometry<double>& g, std::int32_t entry_a, std::int32_t entry_b);
+  /// Entries of a point's bodies.
+  std::int32_t entry_a(std::int32_t point) const {
+    return block_[point / float_lanes].a[point % float_lanes] / float_lanes;
+  }
+  std::int32_t entry_b(std::int32_t point) const {
+    return block_[point / float_lanes].b[point % float_lanes] / float_lanes;
+  }
+  /// A round begins from this base: what was added so far is in it.
+  void set_base(std::int32_t point, const PointGeometry<double>& g, const PointImpulse<double>& base,
+                const Motion<double>& a, const Motion<double>& b);
+  /// Inverse mass and inertia of a moving body, to which nothing has been added yet.
+  void set_body(std::int32_t entry, double inverse_mass, double inverse_inertia);
+  /// The base after what was added.
+  PointImpulse<double> with_additions(PointFriction law, std::int32_t point, const PointGeometry<double>& g,
+                                      const PointImpulse<double>& base) const;
+
+  /// Visits the points of some blocks; returns, where `judged`, the largest speed that one asked for, else 0 [m/s].
+  float visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace,
+              float ahead);
+  /// Pushes of the carried-ahead additions as they stand.
+  void push(std::int32_t begin, std::int32_t end);
+  /// Moves some bodies by what their points push, in the order of the points.
+  void move(const CoupledLayout& layout, std::int32_t begin, std::int32_t end);
+
+ private:
+  struct alignas(32) Row {
+    FloatPack lanes;
+  };
+  struct alignas(64) Block {
+    FloatPack normal_x, normal_y, lever_a_n, lever_a_t, lever_b_n, lever_b_t, inverse_nn, inverse_tt, nt, friction;
+    FloatPack excess, slip, least, most, room_left, room_right, repair_excess, repair_least;
+    std::int32_t a[float_lanes], b[float_lanes];  // where the motions of the bodies begin, in floats
+  };
+  struct alignas(32) BlockAddition {
+    PointImpulse<FloatPack> at, carried;
+  };
+
+  void move_body(std::int32_t entry, const FloatPack& to_b, const FloatPack& to_a);
+  void move_any(const CoupledLayout& layout, std::int32_t begin, std::int32_t end);
+  template <int as_b, int as_a>
+  void move_alike(const CoupledLayout& layout, std::int32_t begin, std::int32_t end);
+  template <int as_b>
+  void move_alike(const CoupledLayout& layout, std::int32_t begin, std::int32_t end, std::int32_t as_a);
+
+  static PointFrame<FloatPack> frame_of(const Block& b);
+  Approach<FloatPack> approach_of(const Block& b) const;
+  void write_push(std::int32_t block);
+  template <PointFriction law, bool judged>
+  float visit_range(std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead);
+  float visit_frictionless(bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead);
+  float visit_coulomb(bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead);
+  float visit_fixed_direction(bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead);
+
+  std::vector<Block> block_;
+  std::vector<BlockAddition> addition_;
+  std::vector<Row> push_;    // per point: x, y, shift x, y to both; twist and turn to A, to B
+  std::vector<Row> motion_;  // per entry: x, y, shift x, y, spin, turn, spin, turn
+  std::vector<Row> answer_;  // per entry: inverse masses and inertias, as motion_
+};
+
+}  // namespace gem

@@ -1,0 +1,244 @@
+// Algorithm of one moment:
+//   base: the impulses that the same contact points carried a moment ago, and the velocities that they give
+//   a round, from the base, in single precision:
+//     visit all points, eight at a time, from the same velocities; each writes what it pushes
+//     add up what each body was pushed, in the order of its points: the velocities for the next visits
+//   the additions of the round enter the base
+//   until no point asks for more than the stated residual, or the bound on iterations is reached
+// Two waits an iteration, no order among the points, no colours: the same bits for any number of threads.
+#include "gem/engine/solver/coupled_solver.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "gem/engine/solver/iteration_course.h"
+#include "gem/engine/step/contact_stages.h"
+#include "gem/engine/step/ordered_sum.h"
+
+namespace gem {
+
+void CoupledSolver::restore(std::vector<std::uint64_t> keys, std::vector<PointImpulse<double>> impulses) {
+  keys_ = std::move(keys);
+  impulses_ = std::move(impulses);
+}
+
+void CoupledSolver::lay_out(const FieldState& f, Contacts contacts, int threads) {
+  asked_.assign(threads, {});
+  iterations_ = 0;
+  residual_ = 0.0;
+  layout_.lay_out(f, contacts, threads);
+  make_room();
+}
+
+void CoupledSolver::make_room() {
+  point_.resize(layout_.points());
+  next_keys_.resize(layout_.points());
+  next_impulses_.resize(layout_.points());
+  motion_.resize(1 + layout_.bodies());
+  motion_[CoupledLayout::at_rest] = {};
+  given_.resize(layout_.bodies() + sum_width);
+  answered_.resize(layout_.bodies() + sum_width);
+  rounds_.resize(layout_);
+}
+
+/// First of the last moment's keys from `at` on that is not below `key`.
+std::size_t CoupledSolver::last_key_from(std::size_t at, std::uint64_t key) const {
+  while (at < keys_.size() && keys_[at] < key) ++at;
+  return at;
+}
+
+/// `at`: where the last moment's keys of this pair begin, if it has any.
+PointImpulse<double> CoupledSolver::last_impulse(std::uint64_t key, std::size_t at) const {
+  while (at < keys_.size() && keys_[at] != key && keys_[at] >> feature_bits == key >> feature_bits) ++at;
+  if (at == keys_.size() || keys_[at] != key) return {};
+  return impulses_[at];
+}
+
+/// Makes the points of some contacts ready.
+void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::int64_t begin, std::int64_t end) {
+  if (begin == end) return;
+  const std::uint64_t first = contact_key(contacts[begin]->a, contacts[begin]->b, 0);
+  std::size_t at = std::lower_bound(keys_.begin(), keys_.end(), first) - keys_.begin();
+  for (std::int64_t c = begin; c < end; ++c) {
+    Contact& contact = *contacts[c];
+    foresee_events(f, contacts[std::min(c + 8, end - 1)]->b);
+    at = last_key_from(at, contact_key(contact.a, contact.b, 0));
+    prepare_contact(f, contact);
+    for (int k = 0; k < contact.count; ++k) {
+      ContactSlot& slot = contact.slot[k];
+      const std::int32_t i = layout_.first_point(c) + k;
+      Point& point = point_[i];
+      point.impulse = last_impulse(contact_key(contact.a, contact.b, slot.feature), at);
+      point.geometry = point_of_contact(f, contact, slot, layout_.points_of(contact.a), layout_.points_of(contact.b),
+                                        point.impulse.normal);
+      point.impulse.repair = repair_to_go_on(f.constants, point.impulse.repair, point.geometry.nn);
+      slot.cap = point.geometry.cap;
+      rounds_.set_geometry(i, point.geometry, layout_.entry_of(contact.a), layout_.entry_of(contact.b));
+    }
+  }
+}
+
+CoupledSolver::Stretch CoupledSolver::stretch_of(const ThreadTeam& team, int rank) const {
+  if (team.size() == 1) return {0, layout_.blocks(), 0, layout_.points(), 1, 1 + layout_.bodies()};
+  const std::int32_t first_block = layout_.first_block_of(rank), last_block = layout_.first_block_of(rank + 1);
+  return {first_block,
+          last_block,
+          std::min(float_lanes * first_block, layout_.points()),
+          std::min(float_lanes * last_block, layout_.points()),
+          layout_.first_entry_of(rank),
+          layout_.first_entry_of(rank + 1)};
+}
+
+/// Velocities that the base's impulses give.
+void CoupledSolver::settle(const FieldState& f, const Stretch& s) {
+  const std::uint32_t* const as_b = layout_.points_as_b();
+  for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
+    Push<double> sum{};
+    for (std::int32_t at = layout_.begin_as_b(k); at < layout_.begin_as_b(k + 1); ++at) {
+      const Point& ahead = point_[as_b[at + CoupledLayout::looked_ahead]];
+      __builtin_prefetch(&ahead);
+      __builtin_prefetch(&ahead.geometry.target);
+      const Point& p = point_[as_b[at]];
+      add(sum, 1.0, push_of(p.geometry, p.impulse, p.geometry.lever_b_n, p.geometry.lever_b_t));
+    }
+    for (std::int32_t at = layout_.first_as_a(k); at < layout_.end_as_a(k); ++at) {
+      const Point& p = point_[at];
+      add(sum, -1.0, push_of(p.geometry, p.impulse, p.geometry.lever_a_n, p.geometry.lever_a_t));
+    }
+    const Bodies& b = f.bodies;
+    const std::int32_t i = layout_.body(k);
+    motion_[k] = moved_by(sum, b.velocity[i].x, b.velocity[i].y, b.spin[i], b.inverse_mass[i], b.inverse_inertia[i]);
+  }
+}
+
+/// Scales the base's impulses to the share that leaves the least energy, if that is below `limit`.
+void CoupledSolver::keep_best_share(const FieldState& f, ThreadTeam& team, int rank, const Stretch& s, double limit) {
+  const Bodies& b = f.bodies;
+  for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
+    const std::int32_t i = layout_.body(k);
+    const ImpulseWork work =
+        work_on_body(motion_[k], b.velocity[i].x, b.velocity[i].y, b.spin[i], b.mass[i], b.inertia[i]);
+    given_[layout_.rank(k)] = work.given;
+    answered_[layout_.rank(k)] = work.answered;
+  }
+  team.barrier();
+  if (rank == 0)
+    share_ =
+        best_share({ordered_sum(given_.data(), layout_.bodies()), ordered_sum(answered_.data(), layout_.bodies())});
+  team.barrier();
+  if (!(share_ < limit)) return;
+  for (std::int32_t i = s.first_point; i < s.last_point; ++i) {
+    point_[i].impulse.normal *= share_;
+    point_[i].impulse.tangential *= share_;
+  }
+  team.barrier();
+  settle(f, s);
+  team.barrier();
+}
+
+void CoupledSolver::begin_round(const FieldState& f, ThreadTeam& team, const Stretch& s, bool first) {
+  for (std::int32_t i = s.first_point; i < s.last_point; ++i) {
+    const Point& p = point_[i];
+    rounds_.set_base(i, p.geometry, p.impulse, motion_[rounds_.entry_a(i)], motion_[rounds_.entry_b(i)]);
+  }
+  if (first) {
+    for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
+      const std::int32_t i = layout_.body(k);
+      rounds_.set_body(k, f.bodies.inverse_mass[i], f.bodies.inverse_inertia[i]);
+    }
+  } else {
+    rounds_.push(s.first_block, s.last_block);
+    team.barrier();
+    rounds_.move(layout_, s.first_entry, s.last_entry);
+  }
+  team.barrier();
+}
+
+void CoupledSolver::end_round(const FieldState& f, const Stretch& s) {
+  for (std::int32_t i = s.first_point; i < s.last_point; ++i) {
+    Point& p = point_[i];
+    p.impulse = rounds_.with_additions(f.constants.point_friction, i, p.geometry, p.impulse);
+  }
+}
+
+void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
+  const MomentConstants& c = f.constants;
+  const MomentPace<float> pace{static_cast<float>(c.dt), static_cast<float>(1.0 / c.dt)};
+  const Stretch s = stretch_of(team, rank);
+  settle(f, s);
+  team.barrier();
+  keep_best_share(f, team, rank, s, 1.0);
+  IterationCourse course(c.residual_speed, c.iterations_maximum, c.tight_residual, f.carried_ahead.data());
+  double residual = 0.0;
+  auto next = IterationCourse::Next::round;
+  while (next != IterationCourse::Next::end) {
+    begin_round(f, team, s, course.iteration() == 0);
+    for (next = IterationCourse::Next::iteration; next == IterationCourse::Next::iteration;) {
+      const float ahead = course.ahead();
+      asked_[rank].speed = rounds_.visit(c.point_friction, course.judged(), s.first_block, s.last_block, pace, ahead);
+      team.barrier();
+      if (course.judged()) {
+        residual = 0.0;
+        for (const Asked& asked : asked_) residual = larger(residual, static_cast<double>(asked.speed));
+      }
+      next = course.after(static_cast<float>(residual));
+      if (next != IterationCourse::Next::iteration) break;
+      rounds_.move(layout_, s.first_entry, s.last_entry);
+      team.barrier();
+    }
+    end_round(f, s);
+    team.barrier();
+    settle(f, s);
+    team.barrier();
+  }
+  if (rank == 0) {
+    iterations_ = static_cast<std::int32_t>(course.iteration());
+    residual_ = residual;
+  }
+  keep_best_share(f, team, rank, s, 0.5);
+}
+
+void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
+  const auto count = static_cast<std::int64_t>(contacts.size());
+  for (std::int64_t c = team.begin_of(rank, count); c < team.begin_of(rank + 1, count); ++c) {
+    Contact& contact = *contacts[c];
+    for (int k = 0; k < contact.count; ++k) {
+      const std::int32_t i = layout_.first_point(c) + k;
+      const PointImpulse<double>& p = point_[i].impulse;
+      contact.slot[k].impulse = {p.normal, p.tangential};
+      contact.slot[k].repair = p.repair;
+      next_keys_[i] = contact_key(contact.a, contact.b, contact.slot[k].feature);
+      next_impulses_[i] = p;
+    }
+  }
+  team.for_each(rank, layout_.bodies(), [&](std::int64_t k) {
+    const std::int32_t entry = static_cast<std::int32_t>(k) + 1, i = layout_.body(entry);
+    const Motion<double>& m = motion_[entry];
+    f.bodies.velocity[i] = {m.x, m.y};
+    f.bodies.spin[i] = m.spin;
+    take_repair(f, i, {{m.shift_x, m.shift_y}, m.turn});
+  });
+}
+
+void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality) {
+  if (team.failed()) return;
+  if (!contacts.empty()) {
+    const auto count = static_cast<std::int64_t>(contacts.size());
+    begin_points(f, contacts, team.begin_of(rank, count), team.begin_of(rank + 1, count));
+    team.barrier();
+    if (contacts.size() < contacts_worth_a_thread_ * team.size()) {
+      team.single(rank, [&] { iterate(f, alone_, 0); });
+    } else {
+      iterate(f, team, rank);
+    }
+    hand_back(f, contacts, team, rank);
+  }
+  team.single(rank, [&] {
+    quality.iterations = iterations_;
+    quality.residual = residual_;
+    keys_.swap(next_keys_);
+    impulses_.swap(next_impulses_);
+  });
+}
+
+}  // namespace gem

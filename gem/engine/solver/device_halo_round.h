@@ -1,0 +1,131 @@
+// A round of a block with a halo: the records that it waits for, and the motions that they come to. What a thread has
+// to do is the same in every iteration, so where that stands stays in its registers.
+#pragma once
+
+#include "gem/engine/solver/device_moves.h"
+
+namespace gem {
+
+/// The records of the rows that a block copies, half by half, each always by the same thread.
+template <class Crew>
+class HaloRecords {
+ public:
+  GEM_DEVICE HaloRecords(const DeviceScene& s, Crew& crew, const SolverDesk& desk)
+      : all_(reinterpret_cast<const NumberedHalf*>(s.push_base)),
+        room_(reinterpret_cast<float*>(crew.room())),
+        source_(desk.halo.source),
+        turn_(2 * s.push_capacity),
+        halves_(2 * desk.halo.records),
+        thread_(crew.thread()),
+        threads_(crew.threads()) {
+    for (int k = 0; k < kept; ++k) from_[k] = thread_ < halves_ ? from(thread_ + k * threads_) : 0;
+  }
+
+  /// Brings those with this number, as soon as they are there.
+  GEM_DEVICE GEM_INLINE void bring(std::uint32_t number) const {
+    if (thread_ >= halves_) return;
+    if (halves_ <= 2 * threads_)
+      bring_some<2>(number, from_, thread_);
+    else
+      bring_some<kept>(number, from_, thread_);
+    GEM_NO_UNROLL
+    for (std::int32_t first = thread_ + kept * threads_; first < halves_; first += kept * threads_) {
+      std::int32_t more[kept];
+      for (int k = 0; k < kept; ++k) more[k] = from(first + k * threads_);
+      bring_some<kept>(number, more, first);
+    }
+  }
+
+ private:
+  /// Halves of a thread whose places stay in its registers.
+  static constexpr int kept = 4;
+  static constexpr int parts = 3;
+
+  /// Where a half stands; that of the thread's first in place of one beyond the last.
+  GEM_DEVICE GEM_INLINE std::int32_t from(std::int32_t half) const {
+    const std::int32_t k = half < halves_ ? half : thread_;
+    return 2 * source_[k / 2] + k % 2;
+  }
+
+  /// All are asked for together, and again as long as one is not there: a record that no point of the round writes
+  /// would be waited for without end.
+  template <int together>
+  GEM_DEVICE GEM_INLINE void bring_some(std::uint32_t number, const std::int32_t* from, std::int32_t first) const {
+    const NumberedHalf* const all = all_ + turn_ * static_cast<std::int32_t>(number % 2);
+    NumberedHalf some[together];
+    for (;;) {
+      for (int k = 0; k < together; ++k) some[k] = Crew::read_whole(all + from[k]);
+      bool there = true;
+      for (int k = 0; k < together; ++k) there &= some[k].number == number;
+      if (there) break;
+      Crew::pause();
+    }
+    for (int k = 0; k < together; ++k)
+      if (const std::int32_t half = first + k * threads_; half < halves_)
+        for (int c = 0; c < parts; ++c) room_[parts * half + c] = some[k].part[c];
+  }
+
+  const NumberedHalf* all_;
+  float* room_;
+  const std::int32_t* source_;
+  std::int32_t turn_;  // halves from the records of one iteration to those of the next
+  std::int32_t halves_, thread_, threads_;
+  std::int32_t from_[kept];
+};
+
+/// As SolverMoves, by rows that stand in the fast memory: a thread for each pair of a body's numbers.
+template <class Crew>
+class HaloMoves {
+ public:
+  GEM_DEVICE HaloMoves(const DeviceScene& s, Crew& crew, const SolverDesk& desk)
+      : s_(s), crew_(crew), desk_(desk), end_(motion_pairs * desk.moved.end) {
+    constexpr int warp = Crew::Warp::size;
+    const bool alone = crew.threads() <= warp;
+    threads_ = desk.platform && !alone ? crew.threads() - warp : crew.threads();
+    moves_platform_ = desk.platform && (alone || crew.thread() >= threads_);
+    first_ = crew.thread() < threads_ ? crew.thread() + (desk.platform ? motion_pairs : 0) : end_;
+    if (first_ < end_) own_ = row_of(first_);
+  }
+
+  GEM_DEVICE GEM_INLINE void move() const {
+    if (moves_platform_) SolverMoves<Crew>::move_platform(s_, crew_, desk_);
+    if (first_ < end_) sum(own_);
+    GEM_NO_UNROLL
+    for (std::int32_t k = first_ + threads_; k < end_; k += threads_) sum(row_of(k));
+  }
+
+ private:
+  /// A pair of numbers of the records of a body, and where that of its motion stands.
+  struct Row {
+    const PushRecord* record;
+    FloatPair* motion;
+    std::int32_t pair, as_b, count;
+    float answer;
+  };
+  GEM_DEVICE GEM_INLINE Row row_of(std::int32_t k) const {
+    const int pair = k % motion_pairs;
+    const SolverEntry& entry = desk_.moved_entry[k / motion_pairs];
+    return {reinterpret_cast<const PushRecord*>(crew_.room()) + entry.room,
+            &desk_.motion[k / motion_pairs].pair[pair],
+            pair,
+            entry.as_b,
+            entry.count,
+            pair < motion_pairs - 1 ? entry.inverse_mass : entry.inverse_inertia};
+  }
+
+  GEM_DEVICE GEM_INLINE static void sum(const Row& row) {
+    const auto moved = SolverMoves<Crew>::template sum_at_once<1, 4>(row.record, row.as_b, row.count, row.pair);
+    const FloatPair& by = moved.pair[0];
+    *row.motion = {{row.answer * by.part[0], row.answer * by.part[1]}};
+  }
+
+  const DeviceScene& s_;
+  Crew& crew_;
+  const SolverDesk& desk_;
+  std::int32_t end_, first_ = 0;
+  int threads_ = 0;
+  bool moves_platform_ = false;
+  Row own_{};
+};
+
+}  // namespace gem

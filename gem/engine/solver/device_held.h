@@ -1,0 +1,107 @@
+// The points of a round: some in the registers of each thread, the others in the block's fast memory as far as it holds
+// them, the rest in the scene's; four numbers at a time so that neighbouring threads read neighbouring memory.
+#pragma once
+
+#include "gem/engine/solver/coupled_visit.h"
+#include "gem/engine/solver/device_solver_list.h"
+
+namespace gem {
+
+/// A point while a round runs.
+struct HeldPoint {
+  PointFrame<float> frame;
+  PointImpulse<float> at, carried;
+  HeldPlace a, b;
+};
+
+/// A point in memory. What a visit changes stands in the first two columns.
+class HeldCell {
+ public:
+  GEM_DEVICE GEM_INLINE HeldCell(FloatQuad* quads, std::int32_t columns_apart) : quad_(quads), apart_(columns_apart) {}
+
+  GEM_DEVICE GEM_INLINE HeldPoint load() const {
+    const FloatQuad d = quad(2), e = quad(3), f = quad(4), g = quad(5);
+    HeldPoint held;
+    load_additions(held);
+    held.frame.normal_x = d.part[0], held.frame.normal_y = d.part[1];
+    held.frame.lever_a_n = d.part[2], held.frame.lever_a_t = d.part[3];
+    held.frame.lever_b_n = e.part[0], held.frame.lever_b_t = e.part[1];
+    held.frame.inverse_nn = e.part[2], held.frame.inverse_tt = e.part[3];
+    held.frame.excess = f.part[0], held.frame.slip = f.part[1];
+    held.frame.least = f.part[2], held.frame.most = f.part[3];
+    held.frame.room_left = g.part[0], held.frame.room_right = g.part[1];
+    held.frame.repair_excess = g.part[2], held.frame.repair_least = g.part[3];
+    held.a = place(6);
+    held.b = place(7);
+    return held;
+  }
+  GEM_DEVICE GEM_INLINE void save_numbers(const HeldPoint& held) const {
+    const PointFrame<float>& f = held.frame;
+    save_additions(held);
+    quad(2) = {{f.normal_x, f.normal_y, f.lever_a_n, f.lever_a_t}};
+    quad(3) = {{f.lever_b_n, f.lever_b_t, f.inverse_nn, f.inverse_tt}};
+    quad(4) = {{f.excess, f.slip, f.least, f.most}};
+    quad(5) = {{f.room_left, f.room_right, f.repair_excess, f.repair_least}};
+  }
+
+  GEM_DEVICE GEM_INLINE void load_additions(HeldPoint& held) const {
+    const FloatQuad b = quad(0), c = quad(1);
+    held.at = {b.part[0], b.part[1], b.part[2]};
+    held.carried = {b.part[3], c.part[0], c.part[1]};
+    held.frame.nt = c.part[2];
+    held.frame.friction = c.part[3];
+  }
+  GEM_DEVICE GEM_INLINE void save_additions(const HeldPoint& held) const {
+    quad(0) = {{held.at.normal, held.at.tangential, held.at.repair, held.carried.normal}};
+    quad(1) = {{held.carried.tangential, held.carried.repair, held.frame.nt, held.frame.friction}};
+  }
+
+  GEM_DEVICE GEM_INLINE void set_places(const HeldPlace& a, const HeldPlace& b) const {
+    place(6) = a;
+    place(7) = b;
+  }
+  /// Takes over all of another cell but its places.
+  GEM_DEVICE GEM_INLINE void copy_numbers(const HeldCell& from) const {
+    constexpr int columns = held_columns - 2;
+    FloatQuad some[columns];
+    for (int column = 0; column < columns; ++column) some[column] = from.quad(column);
+    for (int column = 0; column < columns; ++column) quad(column) = some[column];
+  }
+  /// Takes over what a visit changes.
+  GEM_DEVICE GEM_INLINE void copy_additions(const HeldCell& from) const {
+    quad(0) = from.quad(0);
+    quad(1) = from.quad(1);
+  }
+
+ private:
+  GEM_DEVICE GEM_INLINE FloatQuad& quad(int column) const { return quad_[static_cast<std::int64_t>(column) * apart_]; }
+
+  GEM_DEVICE GEM_INLINE HeldPlace& place(int column) const { return reinterpret_cast<HeldPlace&>(quad(column)); }
+
+  FloatQuad* quad_;
+  std::int32_t apart_;
+};
+
+/// All points of a block whose fast memory is `room`.
+class HeldTable {
+ public:
+  GEM_DEVICE GEM_INLINE HeldTable(const DeviceScene& s, std::byte* room, const SolverDesk& desk)
+      : fast_(reinterpret_cast<FloatQuad*>(room + desk.fast_from) - desk.fast.begin),
+        all_(s.held),
+        fast_begin_(desk.fast.begin),
+        fast_end_(desk.fast.end),
+        capacity_(s.points_capacity) {}
+
+  GEM_DEVICE GEM_INLINE HeldCell operator[](std::int32_t i) const { return is_fast(i) ? fast(i) : at_rest(i); }
+  GEM_DEVICE GEM_INLINE bool is_fast(std::int32_t i) const { return i >= fast_begin_ && i < fast_end_; }
+  /// Where a point stands that is_fast().
+  GEM_DEVICE GEM_INLINE HeldCell fast(std::int32_t i) const { return {fast_ + i, fast_end_ - fast_begin_}; }
+  /// Where point i stands when no round runs.
+  GEM_DEVICE GEM_INLINE HeldCell at_rest(std::int32_t i) const { return {all_ + i, capacity_}; }
+
+ private:
+  FloatQuad *fast_, *all_;
+  std::int32_t fast_begin_, fast_end_, capacity_;
+};
+
+}  // namespace gem

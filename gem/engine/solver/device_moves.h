@@ -1,0 +1,174 @@
+// What the additions of a round move bodies by: each adds the records of its row, in their order.
+#pragma once
+
+#include "gem/engine/solver/device_solver_list.h"
+
+namespace gem {
+
+template <class Crew>
+class SolverMoves {
+ public:
+  /// Motions by the additions of the round: as CoupledRounds::move(). The platform, first of all where it is among the
+  /// block's bodies, has a long row: the last warp is left to it.
+  GEM_DEVICE GEM_INLINE static void move(const DeviceScene& s, Crew& crew, const SolverDesk& desk) {
+    constexpr int warp = Crew::Warp::size;
+    const bool alone = crew.threads() <= warp;
+    const int rest = desk.platform && !alone ? crew.threads() - warp : crew.threads();
+    if (desk.platform && (alone || crew.thread() >= rest)) move_platform(s, crew, desk);
+    if (crew.thread() < rest) move_floes(s, crew, desk, rest);
+  }
+
+  template <int pairs>
+  struct PairsOf {
+    FloatPair pair[pairs];
+  };
+
+  /// What some pairs of numbers of a row come to, both parts in one go: a look at memory takes longer than the
+  /// additions of a short row. Zeros in place of the terms of the other part, and beyond the last, change no sum that
+  /// began with +0.
+  template <int pairs, int together>
+  GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_at_once(const PushRecord* record, std::int32_t as_b_count,
+                                                          std::int32_t count, int from) {
+    PairsOf<pairs> to_b{}, to_a{};
+    GEM_NO_UNROLL
+    for (std::int32_t first = 0; first < count; first += together) {
+      PairsOf<pairs> some[together];
+      for (int k = 0; k < together; ++k)
+        for (int j = 0; j < pairs; ++j)
+          some[k].pair[j] = first + k < count ? record[first + k].pair[from + j] : FloatPair{};
+      for (int k = 0; k < together; ++k) {
+        const bool as_b = first + k < as_b_count;
+        for (int j = 0; j < pairs; ++j)
+          for (int c = 0; c < 2; ++c) {
+            const float term = some[k].pair[j].part[c];
+            to_b.pair[j].part[c] += as_b ? term : 0.0F;
+            to_a.pair[j].part[c] += as_b ? 0.0F : term;
+          }
+      }
+    }
+    for (int j = 0; j < pairs; ++j)
+      for (int c = 0; c < 2; ++c) to_b.pair[j].part[c] -= to_a.pair[j].part[c];
+    return to_b;
+  }
+
+  /// A lane for each number of the platform's motion; its records are brought to the block's fast memory, if they do
+  /// not stand there. It has the lowest id: no record is one of a body B.
+  GEM_DEVICE GEM_INLINE static void move_platform(const DeviceScene& s, Crew& crew, const SolverDesk& desk) {
+    const auto warp = crew.warp();
+    const SolverEntry entry = desk.moved_entry[desk.moved.begin];
+    const auto* record = reinterpret_cast<const float*>(s.push + entry.place);
+    auto* const room = reinterpret_cast<float*>(crew.room());
+    if ((Crew::shares_rooms || Crew::has_halos) && entry.room >= 0) {
+      record = room + parts * entry.room;
+    } else if (!Crew::shares_rooms && static_cast<std::size_t>(entry.count) * sizeof(PushRecord) <= desk.stage_bytes) {
+      bring(warp, reinterpret_cast<FloatPair*>(room), s.push + entry.place, entry.count);
+      warp.sync();
+      record = room;
+    }
+    auto* const motion = reinterpret_cast<float*>(desk.motion ? &desk.motion[desk.moved.begin] : &s.added[entry.body]);
+    for (int part = warp.rank(); part < parts; part += Crew::Warp::size)
+      motion[part] = (part < parts - 2 ? entry.inverse_mass : entry.inverse_inertia) *
+                     (0.0F - sum_of_part(record + part, entry.count));
+    warp.sync();
+  }
+
+ private:
+  /// Numbers of a record or a motion.
+  static constexpr int parts = 2 * motion_pairs;
+
+  /// A body has a thread for each pair of its numbers, where there are as many threads; otherwise one.
+  GEM_DEVICE GEM_INLINE static void move_floes(const DeviceScene& s, Crew& crew, const SolverDesk& desk, int threads) {
+    const std::int32_t floes = desk.moved.count() - (desk.platform ? 1 : 0);
+    if (motion_pairs * floes <= threads)
+      move_floes_by<1>(s, crew, desk, threads);
+    else
+      move_floes_by<motion_pairs>(s, crew, desk, threads);
+  }
+
+  template <int pairs>
+  GEM_DEVICE GEM_INLINE static void move_floes_by(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
+                                                  int threads) {
+    constexpr int of_body = motion_pairs / pairs;
+    const auto* const room = reinterpret_cast<const PushRecord*>(crew.room());
+    const std::int32_t first = of_body * (desk.moved.begin + (desk.platform ? 1 : 0)), end = of_body * desk.moved.end;
+    for (std::int32_t k = first + crew.thread(); k < end; k += threads) {
+      const int from = pairs * (k % of_body);
+      const SolverEntry entry = desk.moved_entry[k / of_body];
+      const PairsOf<pairs> sum = Crew::shares_rooms && entry.room >= 0
+                                     ? sum_of<pairs>(room + entry.room, entry, from)
+                                     : sum_of<pairs>(s.push + entry.place, entry, from);
+      const std::int32_t e = desk.in_order ? entry.rank : k / of_body;
+      AddedMotion& motion = desk.motion ? desk.motion[e] : s.added[entry.body];
+      for (int j = 0; j < pairs; ++j) {
+        const float answer = from + j < motion_pairs - 1 ? entry.inverse_mass : entry.inverse_inertia;
+        motion.pair[from + j] = {{answer * sum.pair[j].part[0], answer * sum.pair[j].part[1]}};
+      }
+    }
+  }
+
+  /// What the records of a body come to: those that it has as B, less those that it has as A.
+  template <int pairs>
+  GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_of(const PushRecord* record, const SolverEntry& entry, int from) {
+    if constexpr (Crew::has_halos) {
+      return sum_at_once<pairs, 8>(record, entry.as_b, entry.count, from);
+    } else {
+      PairsOf<pairs> to_b = sum_of<pairs>(record, 0, entry.as_b, from);
+      const PairsOf<pairs> to_a = sum_of<pairs>(record, entry.as_b, entry.count, from);
+      for (int j = 0; j < pairs; ++j)
+        for (int c = 0; c < 2; ++c) to_b.pair[j].part[c] -= to_a.pair[j].part[c];
+      return to_b;
+    }
+  }
+
+  /// A few are fetched together before they are added in their order. Beyond the last there are zeros instead: no
+  /// thread waits for its neighbours, and a sum that began with +0 is not changed by them.
+  template <int pairs>
+  GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_of(const PushRecord* record, std::int32_t begin, std::int32_t end,
+                                                     int from) {
+    constexpr int together = 4;
+    PairsOf<pairs> sum{};
+    GEM_NO_UNROLL
+    for (std::int32_t first = begin; first < end; first += together) {
+      PairsOf<pairs> some[together];
+      for (int k = 0; k < together; ++k)
+        for (int j = 0; j < pairs; ++j)
+          some[k].pair[j] = first + k < end ? record[first + k].pair[from + j] : FloatPair{};
+      for (const PairsOf<pairs>& term : some)
+        for (int j = 0; j < pairs; ++j)
+          for (int c = 0; c < 2; ++c) sum.pair[j].part[c] += term.pair[j].part[c];
+    }
+    return sum;
+  }
+
+  /// Brings a row to the fast memory.
+  template <class Warp>
+  GEM_DEVICE GEM_INLINE static void bring(const Warp& warp, FloatPair* to, const PushRecord* row,
+                                          std::int32_t records) {
+    constexpr int together = 16;
+    const auto* const from = reinterpret_cast<const FloatPair*>(row);
+    const std::int32_t pairs = motion_pairs * records;
+    for (std::int32_t first = warp.rank(); first < pairs; first += together * Warp::size) {
+      FloatPair some[together];
+      for (int k = 0; k < together; ++k)
+        if (first + k * Warp::size < pairs) some[k] = from[first + k * Warp::size];
+      for (int k = 0; k < together; ++k)
+        if (first + k * Warp::size < pairs) to[first + k * Warp::size] = some[k];
+    }
+  }
+
+  /// A long row: some numbers are fetched together before they are added in their order. Zeros beyond the last change
+  /// no sum that began with +0.
+  GEM_DEVICE GEM_INLINE static float sum_of_part(const float* record, std::int32_t count) {
+    constexpr int together = 8;
+    float sum = 0.0F;
+    GEM_NO_UNROLL
+    for (std::int32_t first = 0; first < count; first += together) {
+      float some[together];
+      for (int j = 0; j < together; ++j) some[j] = first + j < count ? record[parts * (first + j)] : 0.0F;
+      for (const float term : some) sum += term;
+    }
+    return sum;
+  }
+};
+
+}  // namespace gem

@@ -1,0 +1,163 @@
+// The iterations of a coupled moment on a device: the algorithm of coupled_solver.cpp, by one crew.
+//
+// | step, a barrier after each | by points                                     | by bodies                       |
+// | list                       |                                               | entry, rows, places of points   |
+// | begin                      | geometry, last impulses, pushes of the base   |                                 |
+// | settle                     |                                               | velocities under the base       |
+// | round                      | frame at the base, pushes                     |                                 |
+// | move                       |                                               | motion by the additions         |
+// | visit                      | next additions, pushes, residual              |                                 |
+// | end of a round             | additions into the base, pushes of the base   |                                 |
+//
+// The list is made by device_solver_list.h, the base kept by device_settle.h, the rounds are those of device_rounds.h.
+// Blocks with halos (device_halo.h) have no barrier after a move, and after a visit only where the residual is looked
+// at.
+#pragma once
+
+#include "gem/engine/solver/device_halo.h"
+#include "gem/engine/solver/device_rounds.h"
+#include "gem/engine/step/contact_quality.h"
+
+namespace gem {
+
+template <class Crew>
+class MomentSolver {
+ public:
+  /// `room`: bytes of fast memory of each block that the solver may use, from the start.
+  GEM_DEVICE MomentSolver(const DeviceScene& s, Crew& crew, std::int32_t moment, std::size_t room)
+      : s_(s), crew_(crew), room_(room), moment_(moment) {}
+
+  GEM_DEVICE void solve() {
+    begin();
+    if constexpr (Crew::has_halos) SolverHalo<Crew>(s_, crew_, room_).take_up();
+    SolverRounds<Crew>::iterate(s_, crew_);
+    end();
+  }
+
+  /// Before the iterations: the list, and a base of what the points carried a moment ago.
+  GEM_DEVICE void begin() {
+    SolverList<Crew>(s_, crew_, moment_, room_).make();
+    begin_points();
+  }
+  /// The same for iterations in a launch that follows, by as many blocks with `room`.
+  GEM_DEVICE void begin_ahead() {
+    SolverList<Crew>(s_, crew_, moment_, room_).make_ahead();
+    begin_points();
+  }
+
+  /// After the iterations.
+  GEM_DEVICE void end() {
+    SolverBase<Crew> base(s_, crew_);
+    crew_.lap(stage_base);
+    base.keep_best_share(0.5);
+    each_point(crew_, [&](std::int32_t i) { hand_back(i); });
+    if (s_.wants_samples) base.add_work_created();
+    crew_.lap(stage_shares);
+  }
+
+ private:
+  GEM_DEVICE void begin_points() {
+    SolverBase<Crew> base(s_, crew_);
+    crew_.barrier();
+    crew_.lap(stage_rows);
+    each_point(crew_, [&](std::int32_t i) { begin_point(i); });
+    clear_marks();
+    if constexpr (Crew::has_halos) SolverHalo<Crew>(s_, crew_, room_).make();
+    crew_.barrier();
+    base.settle();
+    crew_.barrier();
+    base.keep_best_share(1.0);
+    crew_.lap(stage_points);
+  }
+
+  GEM_DEVICE void clear_marks() {
+    for (std::int32_t w = rank_of(crew_); w < bit_words(s_); w += size_of(crew_))
+      s_.touched_bodies[w] = s_.touched_spots[w] = 0;
+    for (std::int32_t i = rank_of(crew_); i < s_.bodies; i += size_of(crew_)) s_.work_created[i] = 0.0;
+    if (rank_of(crew_) == 0) s_.counters->asked[0] = s_.counters->asked[1] = s_.counters->asked[2] = 0;
+  }
+
+  GEM_DEVICE std::int32_t points_of(std::int32_t body) const {
+    const BodyPoints points = s_.body_points[body];
+    return points.moment == moment_ ? points.count : 0;
+  }
+
+  GEM_DEVICE double cap_of(const Contact& contact, const BodyCell& a, const BodyCell& b, double last) const {
+    const MomentConstants& c = s_.constants;
+    if (!c.crushing_limit || (a.kind != BodyKind::floe && b.kind != BodyKind::floe)) return no_cap;
+    const CrushingIce ice{c.ice.pressure, c.ice.exponent, crushed_thickness(a.kind, a.thickness, b.thickness)};
+    return impulse_cap(c, ice, s_.area[contact.a], s_.area[contact.b], contact.count, last);
+  }
+
+  GEM_DEVICE void begin_point(std::int32_t i) {
+    const PointCell point = s_.point[s_.taken[i]];
+    Contact& contact = s_.contact[point.pair];
+    ContactSlot& slot = contact.slot[point.slot];
+    const BodyCell &a = s_.body[point.a.body], &b = s_.body[point.b.body];
+    PointImpulse<double> last = last_impulse(s_.memory[point.pair], slot.feature, moment_);
+    const double cap = cap_of(contact, a, b, last.normal);
+    const PointGeometry<double> geometry = point_geometry(
+        s_.constants, contact, slot, shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(point.a.body)),
+        shared_mass({b.inverse_mass, b.inverse_inertia}, points_of(point.b.body)), cap);
+    last.repair = repair_to_go_on(s_.constants, last.repair, geometry.nn);
+    slot.cap = cap;
+    s_.points.set(i, geometry);
+    s_.taken_point[i] = point;
+    write_base(s_, i, point, geometry, last);
+  }
+
+  /// Hands the impulses back to the contact.
+  GEM_DEVICE void hand_back(std::int32_t i) {
+    const PointCell point = s_.taken_point[i];
+    Contact& contact = s_.contact[point.pair];
+    ContactSlot& slot = contact.slot[point.slot];
+    const PointImpulse<double> p = s_.points.impulse(i);
+    slot.impulse.normal = p.normal;
+    slot.impulse.tangential = p.tangential;
+    slot.repair = p.repair;
+    remember(s_.memory[point.pair], contact, point.slot, p, moment_);
+    if (s_.wants_samples) judge_point(point, contact, slot);
+  }
+
+  GEM_DEVICE void judge_point(const PointCell& point, const Contact& contact, const ContactSlot& slot) {
+    BlockCell& shared = crew_.shared();
+    const BodyCell &a = s_.body[point.a.body], &b = s_.body[point.b.body];
+    const SolvedMotion &of_a = s_.solved[point.a.body], &of_b = s_.solved[point.b.body];
+    PairBodies after;
+    after.velocity_a = {of_a.part[0], of_a.part[1]};
+    after.velocity_b = {of_b.part[0], of_b.part[1]};
+    after.spin_a = of_a.part[4];
+    after.spin_b = of_b.part[4];
+    const PointQuality quality = point_quality(contact, slot, {a.inverse_mass, a.inverse_inertia},
+                                               {b.inverse_mass, b.inverse_inertia}, relative_velocity(after, slot));
+    if (slot.separation <= 0.0 || slot.impulse.normal > 0.0) crew_.add(&shared.contacts, 1);
+    if (quality.complementarity > 0.0) crew_.highest(&shared.complementarity, strict::bits_of(quality.complementarity));
+    if (quality.cone_excess > 0.0) crew_.highest(&shared.cone_excess, strict::bits_of(quality.cone_excess));
+    const bool with_b = b.inverse_mass > 0.0;
+    if (point.b.place >= 0) s_.push_base[point.b.place].part[solved_work] = with_b ? quality.work : 0.0;
+    if (point.a.place >= 0) s_.push_base[point.a.place].part[solved_work] = with_b ? 0.0 : quality.work;
+  }
+
+  const DeviceScene& s_;
+  Crew& crew_;
+  std::size_t room_;
+  std::int32_t moment_;
+};
+
+/// Resolves a coupled moment between the phases of a crew. Few points are left to one block, whose threads wait least
+/// for each other.
+template <class Crew>
+GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
+  const std::int32_t points = s.counters->points;
+  if (points == 0) return;
+  if (crew.blocks() > 1 && points <= crew.threads()) {
+    OneBlock<Crew> alone(crew);
+    if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, desk.solver_bytes).solve();
+  } else {
+    MomentSolver<Crew>(s, crew, moment, desk.solver_bytes).solve();
+  }
+  crew.barrier();
+  crew.lap(stage_solver_wait);
+}
+
+}  // namespace gem

@@ -1,0 +1,81 @@
+// Each law of contact, kept and broken at one point by a known amount; and over whole moments of a crowd.
+#include "gem/engine/step/contact_quality.h"
+
+#include <gtest/gtest.h>
+
+#include "gem/engine/engine.h"
+#include "gem/engine/testing/test_scenes.h"
+
+namespace gem {
+namespace {
+
+/// Two bodies of 2 kg, central contact along x: compliance 1 / kg.
+constexpr CollisionMass mass{0.5, 0.0};
+
+Contact touching(ContactImpulse impulse, double before_n, double before_t) {
+  Contact contact;
+  contact.count = 1;
+  contact.normal = {1.0, 0.0};
+  contact.friction = 0.5;
+  contact.slot[0].impulse = impulse;
+  contact.slot[0].normal_before = before_n;
+  contact.slot[0].tangential_before = before_t;
+  return contact;
+}
+
+PointQuality quality_of(const Contact& contact, Vec2 after) {
+  return point_quality(contact, contact.slot[0], mass, mass, after);
+}
+
+TEST(ContactQuality, PlasticImpactMissesNothing) {
+  const PointQuality q = quality_of(touching({0.3, 0.1}, -0.3, -0.1), {0.0, 0.0});
+  EXPECT_EQ(q.complementarity, 0.0);
+  EXPECT_EQ(q.cone_excess, 0.0);
+  EXPECT_DOUBLE_EQ(q.work, -0.5 * (0.3 * 0.3 + 0.1 * 0.1));
+}
+
+TEST(ContactQuality, ComplementarityIsTheSpeedStillAskedFor) {
+  EXPECT_DOUBLE_EQ(quality_of(touching({0.3, 0.0}, -0.4, 0.0), {-0.1, 0.0}).complementarity, 0.1);  // still closes
+  EXPECT_DOUBLE_EQ(quality_of(touching({0.0, 0.0}, -0.1, 0.0), {-0.1, 0.0}).complementarity, 0.1);
+  EXPECT_EQ(quality_of(touching({0.0, 0.0}, 0.1, 0.0), {0.1, 0.0}).complementarity, 0.0);         // parts freely
+  EXPECT_DOUBLE_EQ(quality_of(touching({0.3, 0.0}, 0.0, 0.0), {0.2, 0.0}).complementarity, 0.2);  // pushed apart
+  EXPECT_DOUBLE_EQ(quality_of(touching({0.3, 0.0}, 0.1, 0.0), {0.4, 0.0}).complementarity, 0.3);  // ... all of P_n
+}
+
+TEST(ContactQuality, CrushingMayCloseAndAGapMayCloseSoFar) {
+  Contact crushed = touching({0.3, 0.0}, -0.4, 0.0);
+  crushed.slot[0].cap = 0.3;
+  EXPECT_EQ(quality_of(crushed, {-0.1, 0.0}).complementarity, 0.0);
+  crushed.slot[0].cap = 0.35;
+  EXPECT_NEAR(quality_of(crushed, {-0.1, 0.0}).complementarity, 0.05, 1e-15);
+  Contact apart = touching({0.0, 0.0}, -0.1, 0.0);
+  apart.slot[0].target = -0.1;
+  EXPECT_EQ(quality_of(apart, {-0.1, 0.0}).complementarity, 0.0);
+}
+
+TEST(ContactQuality, ConeExcessAndWorkOfAWrongImpulse) {
+  const PointQuality q = quality_of(touching({0.2, -0.15}, 0.1, 0.0), {0.3, -0.15});
+  EXPECT_DOUBLE_EQ(q.cone_excess, 0.15 - 0.5 * 0.2);
+  EXPECT_GT(q.work, 0.0);
+}
+
+TEST(ContactQuality, ACrowdIsResolvedToItsToleranceWithoutCreatingEnergy) {
+  SceneDef scene = test::busy_scene(4);
+  scene.numerics.iterations_maximum = 5000;
+  const double asked = scene.numerics.residual_tolerance;
+  for (const char* name : {"reference", "cpu"}) {
+    const auto engine = test::busy_engine(scene, name);
+    MomentLog log;
+    engine->advance(200, log);
+    MomentQuality worst;
+    for (const MomentQuality& quality : log.quality) worst.worsen(quality);
+    ASSERT_GT(worst.contacts, 20);
+    EXPECT_LT(worst.complementarity, 1e3 * asked);
+    EXPECT_GT(worst.complementarity, 0.0);
+    EXPECT_LT(worst.cone_excess, 1e-6);
+    EXPECT_EQ(worst.energy_created, 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace gem

@@ -1,0 +1,146 @@
+// Stages that act on one pair: find where it touches, see how heavy it feels, resolve its event.
+//
+// | stage              | reads                                   | writes                                  |
+// | find_contact       | positions, outlines of a and b          | the contact's geometry                  |
+// | prepare_contact    | velocities, masses, platform shift      | arms, velocities before, targets        |
+// | resolve_alone      | the contact                             | its impulses                            |
+// | apply_impulses     | the contact's impulses                  | velocities of a and b                   |
+// | point_of_contact   | the contact, masses                     | nothing: returns what iterations need   |
+#pragma once
+
+#include "gem/engine/solver/coupled_point.h"
+#include "gem/engine/step/body_repair.h"
+#include "gem/engine/step/contact.h"
+#include "gem/engine/step/field_state.h"
+#include "gem/engine/step/pair_event.h"
+#include "gem/events/events.h"
+
+namespace gem {
+
+/// Slack for rounding where a bound on motion spares a look [m].
+constexpr double rounding = 1e-9;
+
+inline CollisionMass collision_mass(const Bodies& b, std::int32_t i) {
+  return {b.inverse_mass[i], b.inverse_inertia[i]};
+}
+
+/// Asks the cache for what the search for contacts reads of a body. Where floes are not numbered along the channel the
+/// bodies of a list's pairs lie anywhere in memory.
+inline void foresee_search(const FieldState& f, std::int32_t i) {
+  __builtin_prefetch(&f.bodies.position[i]);
+  __builtin_prefetch(&f.bodies.radius[i]);
+  __builtin_prefetch(&f.turn_travel[i]);
+  __builtin_prefetch(&f.bodies.vertex_begin[i]);
+}
+
+/// The same for its outline.
+inline void foresee_outline(const FieldState& f, std::int32_t i) {
+  const std::int32_t first = f.bodies.vertex_begin[i];
+  constexpr std::int32_t line = 4;  // corners
+  __builtin_prefetch(&f.corner[first]);
+  __builtin_prefetch(&f.corner[first] + line);
+  __builtin_prefetch(&f.normal[first]);
+  __builtin_prefetch(&f.normal[first] + line);
+}
+
+/// The same for what the events read of a body.
+inline void foresee_events(const FieldState& f, std::int32_t i) {
+  __builtin_prefetch(&f.bodies.velocity[i]);
+  __builtin_prefetch(&f.bodies.spin[i]);
+  __builtin_prefetch(&f.bodies.inverse_mass[i]);
+  __builtin_prefetch(&f.bodies.inverse_inertia[i]);
+  __builtin_prefetch(&f.bodies.thickness[i]);
+  __builtin_prefetch(&f.bodies.area[i]);
+}
+
+/// What the events of a pair read of its bodies.
+inline PairBodies pair_bodies(const Bodies& b, std::int32_t i, std::int32_t j) {
+  return {collision_mass(b, i),
+          collision_mass(b, j),
+          b.velocity[i],
+          b.velocity[j],
+          b.spin[i],
+          b.spin[j],
+          crushed_thickness(b.kind[i], b.thickness[i], b.thickness[j])};
+}
+
+/// Looks whether a pair touches (or, coupled, is closer than the contact margin). `axes` are those of an earlier look,
+/// since which the bodies moved by at most `moved`; they are brought up to date. Everything of the contact that later
+/// stages only add to is set to zero.
+inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, SeparatingAxes& axes, double moved,
+                         Contact& contact) {
+  const double limit = f.constants.contact_margin;
+  const Outline outline_a = f.outline(a), outline_b = f.outline(b);
+  const Vec2 offset = f.bodies.position[b] - f.bodies.position[a];
+  follow_axes(axes, outline_a, outline_b, offset, moved + rounding, limit);
+  if (!(axes.first.distance < limit)) return false;
+  const ContactGeometry geometry = f.constants.manifold == Manifold::chord_middle
+                                       ? chord_contact(outline_a, outline_b, offset, axes.first)
+                                       : face_contact(outline_a, outline_b, offset, axes.first, limit);
+  if (geometry.count == 0) return false;
+  open_contact(contact, a, b, geometry, offset);
+  return true;
+}
+
+/// Velocity of B against A at a contact point [m/s].
+inline Vec2 relative_velocity(const Bodies& b, const Contact& contact, const ContactSlot& slot) {
+  return b.velocity[contact.b] + cross(b.spin[contact.b], slot.arm_b) - b.velocity[contact.a] -
+         cross(b.spin[contact.a], slot.arm_a);
+}
+
+/// Crushing properties of a contact: the thinner ice crushes.
+inline CrushingIce crushing_ice(const FieldState& f, const Contact& contact) {
+  CrushingIce ice = f.constants.ice;
+  ice.thickness =
+      crushed_thickness(f.bodies.kind[contact.a], f.bodies.thickness[contact.a], f.bodies.thickness[contact.b]);
+  return ice;
+}
+
+/// Friction, arms and relative velocity at the instant of the events; a coupled moment lets gaps close and no more.
+inline void prepare_contact(const FieldState& f, Contact& contact) {
+  const Bodies& b = f.bodies;
+  const std::int32_t i = contact.a, j = contact.b;
+  Vec2 shift;
+  if (i == 0) shift = b.position[0] - f.platform_position;
+  prepare(f.constants, pair_bodies(b, i, j), shift, contact);
+}
+
+/// A contact point as the iterations of a coupled moment see it. `points_of_...`: points among which a body's mass is
+/// shared out; `last_impulse`: normal impulse of the same point a moment ago [N s].
+inline PointGeometry<double> point_of_contact(const FieldState& f, const Contact& contact, const ContactSlot& slot,
+                                              std::int32_t points_of_a, std::int32_t points_of_b, double last_impulse) {
+  const Bodies& b = f.bodies;
+  const std::int32_t i = contact.a, j = contact.b;
+  double cap = no_cap;
+  if (f.constants.crushing_limit && (b.kind[i] == BodyKind::floe || b.kind[j] == BodyKind::floe))
+    cap = impulse_cap(f.constants, crushing_ice(f, contact), b.area[i], b.area[j], contact.count, last_impulse);
+  return point_geometry(f.constants, contact, slot, shared_mass(collision_mass(b, i), points_of_a),
+                        shared_mass(collision_mass(b, j), points_of_b), cap);
+}
+
+inline void resolve_alone(const FieldState& f, Contact& contact) {
+  resolve_alone(f.constants, collision_mass(f.bodies, contact.a), collision_mass(f.bodies, contact.b), contact);
+}
+
+/// Takes over what of body i's position repair is done in this moment.
+inline void take_repair(FieldState& f, std::size_t i, const BodyRepair& repair) {
+  const BodyRepair done = within_reach(repair, f.bodies.radius[i], f.constants.repair_reach);
+  f.repair_shift[i] = done.shift;
+  f.repair_turn[i] = done.turn;
+}
+
+/// Adds an impulse on B, and its opposite on A.
+inline void apply_impulse(Bodies& b, const Contact& contact, const ContactSlot& slot, ContactImpulse p) {
+  const Vec2 impulse = p.normal * contact.normal + p.tangential * turned_left(contact.normal);
+  b.velocity[contact.b] += b.inverse_mass[contact.b] * impulse;
+  b.spin[contact.b] += b.inverse_inertia[contact.b] * cross(slot.arm_b, impulse);
+  b.velocity[contact.a] -= b.inverse_mass[contact.a] * impulse;
+  b.spin[contact.a] -= b.inverse_inertia[contact.a] * cross(slot.arm_a, impulse);
+}
+
+/// All impulses of a contact at once.
+inline void apply_impulses(Bodies& b, const Contact& contact) {
+  for (int k = 0; k < contact.count; ++k) apply_impulse(b, contact, contact.slot[k], contact.slot[k].impulse);
+}
+
+}  // namespace gem

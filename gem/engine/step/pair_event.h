@@ -1,0 +1,252 @@
+// The event of one touching pair as pure functions of values: the same code on host and device.
+//
+// | function      | from                                   | to                                    |
+// | open_contact  | geometry of the touch                  | contact without impulses              |
+// | prepare       | contact, its bodies                    | arms, compliance, velocities before   |
+// | resolve_alone | contact, its bodies                    | its impulses                          |
+// | slot_work     | contact, its bodies after the events   | energy that each kind of impulse took |
+// | book_fixed    | contact                                | momentum that a fixed body gave       |
+#pragma once
+
+#include "gem/engine/solver/coupled_point.h"
+#include "gem/engine/step/contact.h"
+#include "gem/engine/step/ledger.h"
+#include "gem/engine/step/moment_constants.h"
+#include "gem/events/events.h"
+#include "gem/geometry/convex_contact.h"
+
+namespace gem {
+
+/// The two bodies of a contact at one instant.
+struct PairBodies {
+  CollisionMass mass_a, mass_b;
+  Vec2 velocity_a, velocity_b;  // [m/s]
+  double spin_a = 0.0, spin_b = 0.0;
+  double thickness = 0.0;  // of the ice that crushes [m]
+};
+
+/// Thickness of the ice that crushes: the thinner floe's; a platform or fixed body A does not crush [m].
+GEM_HD inline double crushed_thickness(BodyKind kind_a, double thickness_a, double thickness_b) {
+  return kind_a == BodyKind::floe && thickness_a < thickness_b ? thickness_a : thickness_b;
+}
+
+/// Velocity of B against A at a contact point [m/s].
+GEM_HD inline Vec2 relative_velocity(const PairBodies& p, const ContactSlot& slot) {
+  return p.velocity_b + cross(p.spin_b, slot.arm_b) - p.velocity_a - cross(p.spin_a, slot.arm_a);
+}
+
+/// Enters where the pair touches. Everything that later stages only add to is set to zero.
+GEM_HD inline void open_contact(Contact& contact, std::int32_t a, std::int32_t b, const ContactGeometry& geometry,
+                                Vec2 offset) {
+  contact.a = a;
+  contact.b = b;
+  contact.count = geometry.count;
+  contact.normal = geometry.normal;
+  contact.width = geometry.width;
+  contact.growth = geometry.growth;
+  for (int k = 0; k < 2 && k < geometry.count; ++k) {
+    contact.slot[k].arm_a = geometry.point[k].position;
+    contact.slot[k].arm_b = geometry.point[k].position - offset;
+    contact.slot[k].separation = geometry.point[k].separation;
+    contact.slot[k].feature = geometry.point[k].feature;
+    contact.slot[k].target = 0.0;
+    contact.slot[k].cap = no_cap;
+    contact.slot[k].impulse = {};
+    contact.slot[k].elastic = 0.0;
+    contact.slot[k].repair = 0.0;
+  }
+}
+
+/// Separating speed that the elastic stress of one point may ask for [m/s]; at most what crushing allows.
+GEM_HD inline double elastic_target(const MomentConstants& c, const ContactSlot& slot, double width, double thickness) {
+  const double asked = elastic_separating_speed(c.elastic_stiffness, -slot.separation, 1.0 / slot.compliance.nn, c.dt);
+  const CrushingIce ice{c.ice.pressure, c.ice.exponent, thickness};
+  if (asked < crushing_force_at_least(ice, width) * c.dt * slot.compliance.nn) return asked;
+  const double cap = crushing_force(ice, width) * c.dt * slot.compliance.nn;
+  return asked < cap ? asked : cap;
+}
+
+/// Velocity and compliance at the instant of the events. `shift` is how far A moved since the geometry was found.
+GEM_HD inline void prepare(const MomentConstants& c, const PairBodies& p, Vec2 shift, Contact& contact) {
+  contact.friction = contact.a == 0 ? c.friction_structure : c.friction_ice;
+  const Vec2 tangent = turned_left(contact.normal);
+  for (int k = 0; k < 2 && k < contact.count; ++k) {
+    ContactSlot& slot = contact.slot[k];
+    slot.arm_a -= shift;
+    const Vec2 velocity = relative_velocity(p, slot);
+    slot.normal_before = dot(velocity, contact.normal);
+    slot.tangential_before = dot(velocity, tangent);
+    if (c.resolution == Resolution::coupled) {
+      slot.target = slot.separation > 0.0 ? -slot.separation / c.dt : 0.0;
+      continue;
+    }
+    slot.compliance = contact_compliance(p.mass_a, slot.arm_a, p.mass_b, slot.arm_b, contact.normal);
+    if (c.elastic_stiffness > 0.0 && slot.separation < 0.0)
+      slot.target = elastic_target(c, slot, contact.width, p.thickness);
+  }
+}
+
+/// Impulse of one contact point from the velocity that it would have without its own impulse.
+GEM_HD inline ContactImpulse resolve_slot(const MomentConstants& c, const ContactSlot& slot, double friction,
+                                          double u_n, double u_t, double target) {
+  if (!(friction > 0.0)) return {impact_frictionless(slot.compliance.nn, u_n, target), 0.0};
+  if (c.friction_law == FrictionLaw::fixed_direction)
+    return impact_fixed_direction(slot.compliance, u_n, u_t, target, friction);
+  return impact_one_step(slot.compliance, u_n, u_t, target, friction);
+}
+
+/// A point's impulse in world axes [N s].
+GEM_HD inline Vec2 world_impulse(const Contact& contact, ContactImpulse p) {
+  return p.normal * contact.normal + p.tangential * turned_left(contact.normal);
+}
+
+/// Response of point k to the impulses of point j of the same pair [m/s].
+GEM_HD inline Vec2 cross_response(const Contact& contact, CollisionMass a, CollisionMass b, int k, int j) {
+  const ContactSlot& at = contact.slot[k];
+  const ContactSlot& from = contact.slot[j];
+  const Vec2 impulse = world_impulse(contact, from.impulse);
+  return (a.inverse_mass + b.inverse_mass) * impulse + cross(a.inverse_inertia * cross(from.arm_a, impulse), at.arm_a) +
+         cross(b.inverse_inertia * cross(from.arm_b, impulse), at.arm_b);
+}
+
+/// Resolves a pair's event from the start-of-moment state, whatever its neighbours do. Two points of one pair are one
+/// event: they are iterated to their common answer.
+GEM_HD inline void resolve_alone(const MomentConstants& c, CollisionMass a, CollisionMass b, Contact& contact) {
+  constexpr int sweeps = 24;  // the error of two points falls by 1/25 a sweep for a face (V14)
+  const Vec2 tangent = turned_left(contact.normal);
+  for (int sweep = 0; sweep < (contact.count == 1 ? 1 : sweeps); ++sweep) {
+    for (int k = 0; k < 2 && k < contact.count; ++k) {
+      ContactSlot& slot = contact.slot[k];
+      Vec2 other;
+      if (contact.count == 2) other = cross_response(contact, a, b, k, 1 - k);
+      slot.impulse = resolve_slot(c, slot, contact.friction, slot.normal_before + dot(other, contact.normal),
+                                  slot.tangential_before + dot(other, tangent), slot.target);
+    }
+  }
+  for (int k = 0; k < 2 && k < contact.count; ++k) {
+    ContactSlot& slot = contact.slot[k];
+    const double closing = slot.normal_before < 0.0 ? -slot.normal_before : 0.0;
+    const double asked = slot.target + closing;
+    slot.elastic = asked > 0.0 && slot.target > 0.0 ? slot.impulse.normal * (slot.target / asked) : 0.0;
+  }
+}
+
+/// Largest impulse that one of `points` points of a contact can carry in a moment: it crushes the smaller body across
+/// its whole size [N s]. The power of the law is only worked out for a point that carried an impulse of its order a
+/// moment ago; a bound from below does for all others.
+GEM_HD inline double impulse_cap(const MomentConstants& c, const CrushingIce& ice, double area_a, double area_b,
+                                 int points, double last_impulse) {
+  const double width = std::sqrt(smaller(area_a, area_b));
+  const double share = c.dt / points;
+  const double least = share * crushing_force_at_least(ice, width);
+  return last_impulse < 0.5 * least ? least : share * crushing_force(ice, width);
+}
+
+/// The mass of a body shared out among its contact points.
+GEM_HD inline CollisionMass shared_mass(CollisionMass mass, std::int32_t points) {
+  const double share = points;
+  return {share * mass.inverse_mass, share * mass.inverse_inertia};
+}
+
+/// A contact point as the iterations of a coupled moment see it, with shared masses.
+GEM_HD inline PointGeometry<double> point_geometry(const MomentConstants& c, const Contact& contact,
+                                                   const ContactSlot& slot, CollisionMass a, CollisionMass b,
+                                                   double cap) {
+  const Vec2 normal = contact.normal, tangent = turned_left(normal);
+  PointGeometry<double> g{};
+  g.normal_x = normal.x;
+  g.normal_y = normal.y;
+  g.lever_a_n = cross(slot.arm_a, normal);
+  g.lever_a_t = cross(slot.arm_a, tangent);
+  g.lever_b_n = cross(slot.arm_b, normal);
+  g.lever_b_t = cross(slot.arm_b, tangent);
+  enter_compliance(g, a.inverse_mass + b.inverse_mass, a.inverse_inertia, b.inverse_inertia);
+  g.friction = contact.friction;
+  if (c.point_friction == PointFriction::fixed_direction) {
+    const double slip = slot.tangential_before;
+    g.friction = slip > 0.0 ? -contact.friction : slip < 0.0 ? contact.friction : 0.0;
+    const double sliding = g.nn + g.friction * g.nt;
+    if (sliding > 0.0)
+      g.nn = sliding;
+    else
+      g.friction = 0.0;
+  }
+  g.target = slot.target;
+  g.cap = cap;
+  if (slot.separation < 0.0) g.repair_target = smaller(-c.repair_share * slot.separation, c.repair_speed * c.dt);
+  return g;
+}
+
+/// Share of the last moment's repair that a moment starts from: less than all of it, so that a repair that is done does
+/// not go on to open gaps.
+constexpr double repair_memory = 0.9;
+
+/// Repair that a point starts from; `last` is that of the last moment [kg m]. What would hardly shift anything is done.
+GEM_HD inline double repair_to_go_on(const MomentConstants& c, double last, double nn) {
+  constexpr double negligible = 1e-9;
+  const double repair = repair_memory * last;
+  return repair * nn > negligible * c.repair_speed * c.dt ? repair : 0.0;
+}
+
+/// What an impulse changes on a body at `arm`; the other body of the pair takes the opposite.
+struct MotionStep {
+  Vec2 velocity;      // [m/s]
+  double spin = 0.0;  // [rad/s]
+};
+
+GEM_HD inline MotionStep motion_step(CollisionMass mass, Vec2 arm, Vec2 impulse) {
+  return {mass.inverse_mass * impulse, mass.inverse_inertia * cross(arm, impulse)};
+}
+
+/// Whether a point gave anything at all.
+GEM_HD inline bool acted(const ContactSlot& slot) {
+  return slot.impulse.normal != 0.0 || slot.impulse.tangential != 0.0 || slot.repair != 0.0;
+}
+
+/// Whether a resolved contact is worth an entry in the platform's list of events: the points that carry its impulse
+/// were closing faster than `event_speed`.
+GEM_HD inline bool is_event(const Contact& contact, double event_speed) {
+  double carried = 0.0, pressed = 0.0;
+  for (int k = 0; k < 2 && k < contact.count; ++k) {
+    pressed += contact.slot[k].impulse.normal;
+    carried -= contact.slot[k].impulse.normal * contact.slot[k].normal_before;
+  }
+  return pressed > 0.0 && carried > event_speed * pressed;
+}
+
+/// Energy that the impulses of one point took, by kind; <= 0 is lost [J].
+struct SlotWork {
+  double impact = 0.0, elastic = 0.0, friction = 0.0;
+};
+
+/// `velocity` is that of B against A at the point after the events.
+GEM_HD inline SlotWork slot_work(const Contact& contact, const ContactSlot& slot, Vec2 velocity) {
+  const double after_n = dot(velocity, contact.normal), after_t = dot(velocity, turned_left(contact.normal));
+  return {impulse_work(slot.impulse.normal - slot.elastic, slot.normal_before, after_n),
+          impulse_work(slot.elastic, slot.normal_before, after_n),
+          impulse_work(slot.impulse.tangential, slot.tangential_before, after_t)};
+}
+
+/// The books of contact events that one body keeps.
+struct ContactBooks {
+  Quantity& impact;
+  Quantity& elastic;
+  Quantity& friction;
+};
+
+/// Enters what a fixed body gives at one point: A acts on B with +impulse, B on A with -impulse. `position_b` is B's at
+/// the instant of the geometry.
+GEM_HD inline void book_fixed(const ContactBooks& books, const Contact& contact, const ContactSlot& slot,
+                              Vec2 position_b, bool b_is_fixed) {
+  const double given = b_is_fixed ? -1.0 : 1.0;
+  const Vec2 point = position_b + slot.arm_b;
+  const auto enter = [&](Quantity& book, Vec2 impulse) {
+    book.momentum += given * impulse;
+    book.angular_momentum += given * cross(point, impulse);
+  };
+  enter(books.impact, (slot.impulse.normal - slot.elastic) * contact.normal);
+  enter(books.elastic, slot.elastic * contact.normal);
+  enter(books.friction, slot.impulse.tangential * turned_left(contact.normal));
+}
+
+}  // namespace gem

@@ -1,0 +1,131 @@
+// Stages that act on one body: the laws' solo events applied to index i, with their entries in the books.
+//
+// | stage               | reads                      | writes                                                |
+// | kick_floe           | velocity, spin             | velocity, spin, path and angle correction, drag book  |
+// | platform_first_half | platform position, velocity| the same, half a moment on; start position            |
+// | drift_floe          | velocity, struck, repair   | position, rotation, outline, travel, struck = 0       |
+// | platform_second_half| platform position, velocity| the same, outline                                     |
+// | retire_floe         | position                   | active, book of what left                             |
+#pragma once
+
+#include <cmath>
+
+#include "gem/engine/step/field_state.h"
+#include "gem/engine/step/solo_event.h"
+
+namespace gem {
+
+/// Gives floe i the velocity that the drag of the current leaves it, and enters it in the books.
+inline void enter_kick(FieldState& f, std::size_t i, const Kick& kicked) {
+  Bodies& b = f.bodies;
+  book_kick(f.book(Channel::drag, i), b.mass[i], b.inertia[i], b.position[i], b.velocity[i], b.spin[i], kicked);
+  b.velocity[i] = kicked.velocity;
+  b.spin[i] = kicked.spin;
+  f.path_correction[i] = kicked.path_correction;
+  f.angle_correction[i] = kicked.angle_correction;
+}
+
+/// Drag of the current on floe i over the moment: its velocity at the end, before any event.
+inline void kick_floe(FieldState& f, std::size_t i) {
+  const Bodies& b = f.bodies;
+  if (f.constants.drag_law == DragLaw::none || !b.active[i]) return;
+  enter_kick(f, i, kick(f.constants, b.drag[i], b.spin_drag[i], b.velocity[i], b.spin[i]));
+}
+
+/// Turns the outline of body i into world axes.
+inline void turn_outline(FieldState& f, std::size_t i) {
+  const Rotation q = f.bodies.rotation[i];
+  for (std::int32_t v = f.bodies.vertex_begin[i]; v < f.bodies.vertex_begin[i + 1]; ++v) {
+    f.corner[v] = rotate(q, f.bodies.vertex[v]);
+    f.normal[v] = rotate(q, f.body_normal[v]);
+  }
+}
+
+/// Takes over where a turn of body i by `angle` has led it, and follows with its outline.
+inline void take_turn(FieldState& f, std::size_t i, double angle, Rotation rotation) {
+  f.bodies.rotation[i] = rotation;
+  f.turn_travel[i] += angle < 0.0 ? -angle : angle;
+  turn_outline(f, i);
+}
+
+/// Turns body i by `angle`.
+inline void turn_body(FieldState& f, std::size_t i, double angle) {
+  if (angle != 0.0) take_turn(f, i, angle, turned(f.bodies.rotation[i], angle));
+}
+
+/// Moves floe i over the moment with its velocity after the events, but for its turn, which it returns [rad]. A floe
+/// that nothing struck follows the exact path of its drag.
+inline double shift_floe(FieldState& f, std::size_t i) {
+  Bodies& b = f.bodies;
+  const double dt = f.constants.dt;
+  double angle = dt * b.spin[i];
+  if (f.struck[i]) {
+    b.position[i] += dt * b.velocity[i] + f.repair_shift[i];
+    angle += f.repair_turn[i];
+    f.book(Channel::repair, i).angular_momentum += b.mass[i] * cross(f.repair_shift[i], b.velocity[i]);
+    f.struck[i] = 0;
+  } else {
+    b.position[i] += dt * b.velocity[i] + f.path_correction[i];
+    angle += f.angle_correction[i];
+    f.book(Channel::drag, i).angular_momentum += b.mass[i] * cross(f.path_correction[i], b.velocity[i]);
+  }
+  f.repair_shift[i] = {};
+  f.repair_turn[i] = 0.0;
+  return angle;
+}
+
+/// Moves floe i over the moment.
+inline void drift_floe(FieldState& f, std::size_t i) {
+  if (f.bodies.active[i]) turn_body(f, i, shift_floe(f, i));
+}
+
+/// Whether the state of body i is made of numbers; that of a retired floe does not matter.
+inline bool finite_or_inactive(const Bodies& b, std::size_t i) {
+  return !b.active[i] || std::isfinite(b.position[i].x + b.position[i].y + b.velocity[i].x + b.velocity[i].y +
+                                       b.spin[i] + b.rotation[i].cosine + b.rotation[i].sine);
+}
+
+/// Retires floe i if it is past the retire line, and enters what it takes along.
+inline void retire_floe(FieldState& f, std::size_t i) {
+  Bodies& b = f.bodies;
+  if (!b.active[i] || !(b.position[i].x > f.constants.retire_x)) return;
+  const Quantity gone = quantity_of(b.mass[i], b.inertia[i], b.position[i], b.velocity[i], b.spin[i]);
+  Quantity& book = f.book(Channel::retired, i);
+  book.momentum -= gone.momentum;
+  book.angular_momentum -= gone.angular_momentum;
+  book.energy -= gone.energy;
+  b.active[i] = 0;
+}
+
+inline PlatformMotion platform_motion(FieldState& f) {
+  return {f.bodies.mass[0],
+          f.bodies.position[0],
+          f.bodies.velocity[0],
+          f.book(Channel::platform_drag, 0),
+          f.book(Channel::mooring, 0),
+          f.mooring_force};
+}
+
+/// The platform's own motion up to the instant of the events.
+inline void platform_first_half(FieldState& f) {
+  f.platform_position = f.bodies.position[0];
+  if (f.constants.moored_or_free) platform_half(f.constants, platform_motion(f), true);
+}
+
+/// The platform's own motion after the events.
+inline void platform_second_half(FieldState& f) {
+  if (!f.constants.moored_or_free) return;
+  platform_half(f.constants, platform_motion(f), false);
+  f.struck[0] = 0;
+  const Vec2 shift = f.repair_shift[0];
+  const Vec2 offset = f.bodies.position[0] - f.constants.anchor;
+  Quantity& repair = f.book(Channel::repair, 0);
+  f.bodies.position[0] += shift;
+  repair.angular_momentum += f.bodies.mass[0] * cross(shift, f.bodies.velocity[0]);
+  repair.energy += f.constants.stiffness * (dot(offset, shift) + 0.5 * dot(shift, shift));
+  f.repair_shift[0] = {};
+  turn_body(f, 0, f.constants.dt * f.bodies.spin[0] + f.repair_turn[0]);
+  f.repair_turn[0] = 0.0;
+}
+
+}  // namespace gem

@@ -1,0 +1,211 @@
+// For tests: a device scene in the memory of the host, moved by crews of its threads.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+#include "gem/engine/device/phases.h"
+#include "gem/engine/device/scene_image.h"
+#include "gem/engine/step/books.h"
+#include "gem/engine/testing/same_bits.h"
+#include "gem/engine/testing/team_crew.h"
+
+namespace gem::test {
+
+/// A device scene in the memory of the host.
+class HostScene {
+ public:
+  HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0,
+            std::size_t room = 1 << 20, bool apart = false)
+      : field_(make_field_state(bodies, moment_constants(scene, bodies))),
+        sizes_(scene_sizes(field_)),
+        scene_(scene_constants(field_, scene.output.event_speed_m_per_s)),
+        threads_(threads),
+        room_(room),
+        apart_(apart) {
+    sizes_.blocks = blocks;
+    if (rows > 0) sizes_.rows = rows;
+    sizes_.samples = 32;
+    scene_.wants_events = scene_.wants_samples = 1;
+    memory_[0].resize(place_field(scene_, sizes_, nullptr));
+    place_field(scene_, sizes_, memory_[0].data());
+    memory_[2].resize(place_rings(scene_, sizes_, nullptr));
+    place_rings(scene_, sizes_, memory_[2].data());
+    grow();
+    write_field(field_, 0, scene_);
+  }
+
+  /// From now on each phase is run by itself; `solver_room`: fast memory of those of the iterations [bytes].
+  void by_phases(std::size_t solver_room = 1 << 20) {
+    by_phases_ = true;
+    solver_room_ = solver_room;
+  }
+  void by_moments() { by_phases_ = false; }
+  /// Fast memory of each block from the next call on [bytes].
+  void give_room(std::size_t bytes) { room_ = bytes; }
+
+  void advance(std::int64_t moments, MomentLog& log) {
+    while (moments > 0) {
+      const std::int32_t some = static_cast<std::int32_t>(std::min<std::int64_t>(moments, sizes_.samples));
+      if (by_phases_)
+        run_phases(some);
+      else
+        run_moments(some);
+      const DeviceStatus& status = *scene_.status;
+      append_log(field_, scene_, status, by_phases_ ? 1 : sizes_.blocks, log);
+      moments -= status.samples;
+      if (status.stop == DeviceStop::list_full) {
+        sizes_.rows = std::max(sizes_.rows, status.rows_needed);
+        sizes_.platform_rows = std::max(sizes_.platform_rows, status.platform_needed);
+        const std::vector<CarriedMemory> carried = memory();
+        grow();
+        std::copy(carried.begin(), carried.end(), scene_.carried);
+        ++growths_;
+      }
+      if (status.stop == DeviceStop::not_finite) break;
+    }
+    read_state(scene_.state, field_);
+  }
+
+  /// What a batch does with a scene that is done while others are not.
+  void wait() {
+    SoloCrew crew;
+    advance_scene(scene_, crew, 0);
+  }
+
+  Ledger ledger(const Ledger& start) {
+    Ledger running;
+    running.start = start.start;
+    field_.books.assign(scene_.books, scene_.books + field_.books.size());
+    field_.mooring_force = scene_.platform->mooring_force;
+    return closed_books(field_, running);
+  }
+
+  std::vector<CarriedMemory> memory() const { return {scene_.carried, scene_.carried + scene_.status->carried}; }
+
+  const Bodies& bodies() const { return field_.bodies; }
+  const DeviceStatus& status() const { return *scene_.status; }
+  int growths() const { return growths_; }
+  /// Pairs that sleep now; of a scene that was moved phase by phase.
+  std::int32_t asleep() const {
+    std::int32_t count = 0;
+    for (std::int32_t p = 0; p < scene_.counters->pairs; ++p)
+      count += scene_.wake[p] > static_cast<float>(scene_.status->clock) ? 1 : 0;
+    return count;
+  }
+  /// What a block iterated in the last moment; of a coupled scene that was moved phase by phase.
+  const SolverDesk& solver_desk(int block) const { return scene_.solver_desk[block]; }
+  std::int32_t longest_lower_row() const {
+    std::int32_t longest = 0;
+    for (std::int32_t i = 0; i < scene_.bodies; ++i) longest = std::max(longest, scene_.motion[i].lower_count);
+    return longest;
+  }
+
+ private:
+  void run_moments(std::int32_t moments) {
+    if (sizes_.blocks == 1 && threads_ == 1) {
+      SoloCrew crew;
+      advance_scene(scene_, crew, moments);
+      return;
+    }
+    const auto move = [&](auto& crew) { advance_scene(scene_, crew, moments); };
+    if (apart_)
+      run_team<ApartCrew>(sizes_.blocks, threads_, room_, move);
+    else
+      run_team<TeamCrew>(sizes_.blocks, threads_, room_, move);
+  }
+
+  void run_phases(std::int32_t moments) {
+    alarms_ = 0;
+    const bool coupled = is_coupled(scene_);
+    const auto run = [&](DevicePhase phase) {
+      if (phase == DevicePhase::open)
+        open_call(scene_, moments);
+      else if (phase == DevicePhase::plan)
+        lists_ = plan_moment(scene_, alarms_);
+      else if (phase == DevicePhase::list)
+        renew_list_if_worn();
+      else if (phase == DevicePhase::bodies)
+        move_and_plan();
+      else if (coupled)
+        run_resolved<Resolution::coupled>(phase);
+      else if (!is_of_solver(phase))
+        run_resolved<Resolution::independent>(phase);
+    };
+    for (const DevicePhase phase : first_phases) run(phase);
+    for (std::int32_t k = 0; k < moments; ++k)
+      for (const DevicePhase phase : moment_phases) run(phase);
+    for (const DevicePhase phase : last_phases) run(phase);
+  }
+
+  void move_and_plan() {
+    lists_ = false;
+    if (!moves(scene_)) return;
+    if (is_coupled(scene_))
+      run_resolved<Resolution::coupled>(DevicePhase::bodies);
+    else
+      run_resolved<Resolution::independent>(DevicePhase::bodies);
+    lists_ = plan_moment(scene_, alarms_);
+  }
+
+  void renew_list_if_worn() {
+    if (lists_) run_team<TeamCrew>(sizes_.blocks, threads_, room_, [&](auto& crew) { renew_list(scene_, crew); });
+  }
+
+  template <Resolution resolution>
+  void run_resolved(DevicePhase phase) {
+    run_if<DevicePhase::begin, resolution>(phase);
+    run_if<DevicePhase::choose, resolution>(phase);
+    run_if<DevicePhase::look, resolution>(phase);
+    run_if<DevicePhase::resolve, resolution>(phase);
+    run_if<DevicePhase::gather, resolution>(phase);
+    run_if<DevicePhase::iterate, resolution>(phase);
+    run_if<DevicePhase::settle, resolution>(phase);
+    run_if<DevicePhase::bodies, resolution>(phase);
+    run_if<DevicePhase::last_work, resolution>(phase);
+    run_if<DevicePhase::close, resolution>(phase);
+  }
+
+  /// One phase, if it is this one, by a team that ends with it; alarms stay.
+  template <DevicePhase phase, Resolution resolution>
+  void run_if(DevicePhase now) {
+    using Team = std::conditional_t<phase == DevicePhase::settle, ApartPhaseTeam, PhaseTeam>;
+    if (now == phase)
+      run_team<Team>(sizes_.blocks, threads_, is_of_solver(phase) ? solver_room_ : room_, [&](Team& crew) {
+        crew.raise_in(alarms_);
+        run_phase<phase, resolution>(scene_, crew);
+      });
+  }
+
+  void grow() {
+    memory_[1].resize(place_list(scene_, sizes_, nullptr));
+    std::memset(memory_[1].data(), 0xff, memory_[1].size());
+    place_list(scene_, sizes_, memory_[1].data());
+    *scene_.counters = {};
+  }
+
+  FieldState field_;
+  SceneSizes sizes_;
+  DeviceScene scene_;
+  int threads_;
+  std::size_t room_, solver_room_ = 0;
+  bool apart_, by_phases_ = false;
+  bool lists_ = false;        // by phases: the next moment needs a new list
+  std::uint32_t alarms_ = 0;  // by phases
+  std::vector<std::byte> memory_[3];
+  int growths_ = 0;
+};
+
+/// What is asked of coupled moments beside what is asked of all: their memory and what they say of their events.
+inline void expect_same_coupled(const HostScene& device, const MomentLog& log, Engine& cpu, const MomentLog& expected) {
+  EngineState state;
+  save_memory(device.memory(), state);
+  expect_same_memory(state, cpu.save());
+  expect_same_judgement(log, expected);
+  EXPECT_GT(state.impulse_key.size(), 20u);
+}
+
+}  // namespace gem::test

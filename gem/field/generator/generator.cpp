@@ -1,0 +1,109 @@
+// The generated pack-ice fields.
+#include "gem/field/generator/generator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "gem/base/error.h"
+#include "gem/base/number_text.h"
+#include "gem/field/channel.h"
+#include "gem/field/generator/floe_set.h"
+#include "gem/field/generator/placement.h"
+
+namespace gem {
+namespace {
+
+[[noreturn]] void refuse(const std::string& text) { throw Error(ExitCode::scene_rejected, "floes: " + text); }
+
+void check(const SceneDef& scene) {
+  const FloesDef& f = scene.floes;
+  if (f.count < 0) refuse("count " + std::to_string(f.count) + " is negative (nothing to place) give 0 or more");
+  if (!(f.gap_m > 0.0))
+    refuse("gap_m " + number_text(f.gap_m) + " is not positive (no contact is allowed at the start) give e.g. 0.05");
+  if (!(f.length_m > 0.0 && f.width_m > 0.0)) refuse("length_m and width_m must be positive (the field is empty)");
+  if (f.source == FloeSource::copied && f.shape_count < 1) refuse("shape_count must be at least 1 (nothing to copy)");
+  if (!scene.boundary.present) return;
+  if (f.start_x_m < scene.boundary.inlet_x_m)
+    refuse("start_x_m " + number_text(f.start_x_m) + " lies upstream of boundary.inlet_x_m " +
+           number_text(scene.boundary.inlet_x_m) + " (floes would start outside the channel) move one of them");
+}
+
+Box field_region(const SceneDef& scene) {
+  const FloesDef& f = scene.floes;
+  double half_width = 0.5 * f.width_m;
+  if (scene.boundary.present) {
+    const double at_start = channel_half_width(scene.boundary, f.start_x_m);
+    const double at_end = channel_half_width(scene.boundary, f.start_x_m + f.length_m);
+    half_width = std::min(half_width, std::max(at_start, at_end));
+  }
+  return {{f.start_x_m, -half_width}, {f.start_x_m + f.length_m, half_width}};
+}
+
+PlacementTask task_for(const SceneDef& scene, std::int64_t count, const std::vector<std::vector<Vec2>>& obstacles) {
+  PlacementTask task;
+  task.outlines = make_floe_set(scene, count);
+  task.region = field_region(scene);
+  task.obstacles = obstacles;
+  task.gap = scene.floes.gap_m;
+  task.seed = scene.run.seed;
+  return task;
+}
+
+FloeDef floe_at(const std::vector<Vec2>& outline, const Pose& pose, Vec2 shift) {
+  FloeDef floe;
+  for (const Vec2 p : outline) floe.outline_m.push_back(rotate(pose.rotation, p));
+  floe.position_m = pose.position + shift;
+  floe.thickness_m = 0.0;
+  return floe;
+}
+
+std::vector<FloeDef> tiled_floes(const SceneDef& scene, const std::vector<std::vector<Vec2>>& obstacles) {
+  const FloesDef& f = scene.floes;
+  const double end_x = f.start_x_m + f.length_m;
+  if (scene.boundary.present &&
+      channel_half_width(scene.boundary, f.start_x_m) != channel_half_width(scene.boundary, end_x))
+    refuse("a tiled field needs a straight channel (the repeated block would not fit further down) " +
+           std::string("set boundary.taper_start_x_m to the field's end or use placement = \"random\""));
+  if (!(f.tile_length_m > 0.0)) refuse("tile_length_m must be positive (the block would be empty)");
+  const auto blocks = std::max<std::int64_t>(1, std::llround(f.length_m / f.tile_length_m));
+  const double block_length = f.length_m / static_cast<double>(blocks);
+  const std::int64_t per_block = (f.count + blocks - 1) / blocks;
+  PlacementTask task = task_for(scene, per_block, obstacles);
+  // Half a gap at both ends, so that a block clears the next one.
+  task.region.low.x += 0.5 * f.gap_m;
+  task.region.high.x = f.start_x_m + block_length - 0.5 * f.gap_m;
+  const std::vector<Pose> poses = place(task);
+  std::vector<FloeDef> floes;
+  for (std::int64_t block = 0; block < blocks; ++block) {
+    // The last blocks leave out one floe each where count does not divide.
+    const bool short_block = block >= blocks - (per_block * blocks - f.count);
+    const auto floes_here = static_cast<std::size_t>(per_block - (short_block ? 1 : 0));
+    const Vec2 shift = {block_length * static_cast<double>(block), 0.0};
+    for (std::size_t i = 0; i < floes_here; ++i) floes.push_back(floe_at(task.outlines[i], poses[i], shift));
+  }
+  return floes;
+}
+
+std::vector<FloeDef> scattered_floes(const SceneDef& scene, const std::vector<std::vector<Vec2>>& obstacles) {
+  const PlacementTask task = task_for(scene, scene.floes.count, obstacles);
+  const std::vector<Pose> poses = place(task);
+  std::vector<FloeDef> floes;
+  for (std::size_t i = 0; i < poses.size(); ++i) floes.push_back(floe_at(task.outlines[i], poses[i], {}));
+  return floes;
+}
+
+}  // namespace
+
+std::vector<FloeDef> generate_floes(const SceneDef& scene, const std::vector<std::vector<Vec2>>& obstacles) {
+  if (scene.floes.count == 0) return {};
+  check(scene);
+  const bool tiled = scene.floes.source == FloeSource::copied && scene.floes.placement == Placement::tiled;
+  std::vector<FloeDef> floes = tiled ? tiled_floes(scene, obstacles) : scattered_floes(scene, obstacles);
+  // Engines go through floes by number and stay in the cache where neighbours have near numbers.
+  std::stable_sort(floes.begin(), floes.end(),
+                   [](const FloeDef& a, const FloeDef& b) { return a.position_m.x < b.position_m.x; });
+  return floes;
+}
+
+}  // namespace gem

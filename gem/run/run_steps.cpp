@@ -1,0 +1,156 @@
+// Blocks of moments up to the next frame or flush, and the end of a run.
+#include "gem/run/run_steps.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+
+#include "gem/base/error.h"
+#include "gem/base/number_text.h"
+#include "gem/scene/toml/scene_file.h"
+
+namespace gem {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t slab_frames = 64;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * double(usage.ru_maxrss);
+}
+
+Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunOptions& options) {
+  const std::string asked = scene.contact.resolution == Resolution::coupled ? "coupled" : "independent";
+  return {scene.run.name,    resolved_toml(scene),
+          scene_hash(scene), options.command_line,
+          engine.name(),     engine.method().empty() ? asked : engine.method(),
+          options.threads,   engine.method().empty() ? "strict" : "its own",
+          engine.device()};
+}
+
+void check_book(const char* what, double residual, double limit, double time) {
+  if (residual <= limit) return;
+  throw Error(ExitCode::numerical_stop, std::string("the ") + what + " books do not close at " + number_text(time) +
+                                            " s (residual " + number_text(residual, 3) + ", limit " +
+                                            number_text(limit) + ") choose a smaller numerics.moment_s");
+}
+
+}  // namespace
+
+RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& options)
+    : scene_(scene), engine_(engine), options_(options), log_(options.log), recorder_(scene, engine) {
+  last_moment_ = moments_of(scene);
+  if (options.moment_limit > 0) last_moment_ = std::min(last_moment_, options.moment_limit);
+  summary_.frames = 1;
+  summary_.file = options.output;
+  summary_.engine = engine.name();
+  summary_.residual = residual(engine.ledger());
+  if (!options.output.empty()) {
+    writer_.emplace(options.output, options.overwrite, scene, engine.bodies(), provenance_of(scene, engine, options));
+  }
+}
+
+void RunSteps::begin() { start_ = flushed_ = Clock::now(); }
+
+std::int64_t RunSteps::moments_ahead(std::int64_t most) const {
+  const std::int64_t now = engine_.moment();
+  return std::min({now + most, recorder_.next_frame(), last_moment_}) - now;
+}
+
+void RunSteps::prepare(MomentLog& log) const {
+  log.clear();
+  log.wants_events = scene_.output.platform_events;
+}
+
+void RunSteps::last_frame() {
+  if (engine_.moment() > frame_moment_) frame();
+}
+
+void RunSteps::take(const MomentLog& log) {
+  recorder_.add(log, last_moment_);
+  const bool coupled = scene_.contact.resolution == Resolution::coupled;
+  for (const MomentQuality& quality : log.quality) {
+    summary_.worst.worsen(quality);
+    summary_.at_limit += coupled && quality.iterations >= scene_.numerics.iterations_maximum;
+  }
+  summary_.overlap += log.overlap;
+  summary_.overlap_share += log.overlap_share;
+  if (engine_.moment() == recorder_.next_frame() || engine_.moment() == last_moment_) frame();
+  if (recorder_.frames_waiting() >= slab_frames || seconds_since(flushed_) >= options_.flush_interval_s) flush();
+  if (writer_) writer_->check();
+  if (options_.on_block) options_.on_block(time());
+  progress(log);
+}
+
+void RunSteps::frame() {
+  const StatsRow row = recorder_.add_frame(engine_, seconds_since(start_));
+  frame_moment_ = engine_.moment();
+  ++summary_.frames;
+  LedgerResidual& worst = summary_.residual;
+  worst.momentum = std::max(worst.momentum, row.residual.momentum);
+  worst.angular_momentum = std::max(worst.angular_momentum, row.residual.angular_momentum);
+  worst.energy = std::max(worst.energy, row.residual.energy);
+  // equal terms a moment, as of a floe at rest, may all be rounded the same way
+  const double rounded = 0x1p-53 * double(engine_.moment());
+  check_book("momentum", row.residual.momentum, std::max(rounded, options_.books.momentum), row.time);
+  check_book("angular momentum", row.residual.angular_momentum, std::max(rounded, options_.books.angular_momentum),
+             row.time);
+  check_book("energy", row.residual.energy, options_.books.energy, row.time);
+}
+
+void RunSteps::flush() {
+  Slab slab = recorder_.take();
+  if (writer_ && !slab.empty()) writer_->write(std::move(slab));
+  flushed_ = Clock::now();
+}
+
+void RunSteps::progress(const MomentLog& log) {
+  if (!log_.wants(time(), scene_.run.duration_s)) return;
+  const int contacts = log.quality.empty() ? 0 : log.quality.back().contacts;
+  log_.show({time(), scene_.run.duration_s, seconds_since(start_), contacts, summary_.residual.energy});
+}
+
+RunSummary RunSteps::finish(int stop_signal) {
+  summary_.stop_signal = stop_signal;
+  summary_.status = summary_.stop_signal == SIGINT          ? "stopped:SIGINT"
+                    : summary_.stop_signal == SIGTERM       ? "stopped:SIGTERM"
+                    : summary_.stop_signal == SIGHUP        ? "stopped:SIGHUP"
+                    : engine_.moment() < moments_of(scene_) ? "stopped:moment limit"
+                                                            : "complete";
+  summary_.state_hash = engine_.state_hash();
+  flush();
+  if (writer_) writer_->finish(summary_.status, summary_.state_hash);
+  summary_.time = time();
+  summary_.wall_time = seconds_since(start_);
+  summary_.sim_rate = summary_.wall_time > 0.0 ? summary_.time / summary_.wall_time : 0.0;
+  summary_.moments = engine_.moment();
+  summary_.events = recorder_.events_seen();
+  const Bodies& b = engine_.bodies();
+  summary_.active_floes = double(std::count(b.active.begin() + std::ptrdiff_t(first_floe(b)), b.active.end(), 1));
+  summary_.peak_memory = peak_memory();
+  return summary_;
+}
+
+void RunSteps::fail(const std::exception& error) {
+  if (!writer_) return;
+  const auto* fault = dynamic_cast<const Error*>(&error);
+  const std::string reason = fault && fault->code() == ExitCode::numerical_stop ? "numerical" : "failure";
+  try {
+    flush();
+    writer_->finish("stopped:" + reason + ": " + error.what(), engine_.state_hash());
+  } catch (const Error&) {
+  }
+}
+
+std::int64_t moments_of(const SceneDef& scene) { return std::llround(scene.run.duration_s / scene.numerics.moment_s); }
+
+}  // namespace gem

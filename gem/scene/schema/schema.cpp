@@ -1,0 +1,280 @@
+// The table of options, section by section. Ranges catch absurd values and slips of unit; check_scene.cpp compares
+// options with one another.
+#include "gem/scene/schema/schema.h"
+
+#include "gem/scene/schema/schema_builder.h"
+#include "gem/scene/toml/toml_text.h"
+
+// The accessor of one member, for const and mutable scenes alike.
+#define GEM_FIELD(member) \
+  [](auto& s) -> auto& { return s.member; }
+
+namespace gem {
+namespace {
+
+using SceneTable = OptionTable<SceneDef>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range place_range = {-1e6, 1e6};
+constexpr Range speed_range = {-10.0, 10.0};
+constexpr Range density_range = {1.0, 1e4};
+constexpr Range extent_range = {0.0, 1e6, true};
+
+void add_run(SceneTable& t) {
+  t.text("run.name", "name of the run: of its output file and in reports", GEM_FIELD(run.name));
+  t.number("run.duration_s", "s", {0.0, 1e8}, "simulated time", GEM_FIELD(run.duration_s));
+  t.integer("run.seed", {0.0, 9007199254740992.0}, "seed of every random number of the field", GEM_FIELD(run.seed));
+}
+
+void add_water(SceneTable& t) {
+  t.pair("current.velocity_m_per_s", "m/s", speed_range, "velocity of the water, the same everywhere",
+         GEM_FIELD(current.velocity_m_per_s));
+  t.number("water.density_kg_per_m3", "kg/m3", density_range, "density of the water",
+           GEM_FIELD(water.density_kg_per_m3));
+  t.choice("water.drag_law", {"none", "quadratic", "linear"}, "how the water drags the floes",
+           GEM_FIELD(water.drag_law));
+  t.number("water.form_coefficient", "", {0.0, 100.0}, "form drag C_f, on sqrt(area) x draft (quadratic law)",
+           GEM_FIELD(water.form_coefficient));
+  t.number("water.skin_coefficient", "", {0.0, 10.0}, "skin drag C_s, on the area (quadratic law)",
+           GEM_FIELD(water.skin_coefficient));
+  t.number("water.linear_time_s", "s", {0.0, 1e9, true}, "time constant of the linear law",
+           GEM_FIELD(water.linear_time_s));
+  t.flag("water.spin_drag", "whether the water also slows the spin of the floes", GEM_FIELD(water.spin_drag));
+}
+
+void add_ice(SceneTable& t) {
+  t.number("ice.density_kg_per_m3", "kg/m3", density_range, "density of the ice", GEM_FIELD(ice.density_kg_per_m3));
+  t.number("ice.crushing_pressure_Pa", "Pa", {1e3, 1e9}, "crushing pressure P0 on 1 m2",
+           GEM_FIELD(ice.crushing_pressure_Pa));
+  t.number("ice.pressure_area_exponent", "", {-0.9, 0.5}, "exponent of pressure on contact area",
+           GEM_FIELD(ice.pressure_area_exponent));
+  const std::string why = "no ice has more, and rigid corners that slide may then have no answer (Painleve)";
+  t.number("ice.friction_ice", "", {0.0, 1.5}, "friction of floe on floe and floe on boundary",
+           GEM_FIELD(ice.friction_ice), why);
+  t.number("ice.friction_structure", "", {0.0, 1.5}, "friction of floe on platform", GEM_FIELD(ice.friction_structure),
+           why);
+}
+
+void add_floe_source(SceneTable& t) {
+  t.choice("floes.source", {"generated", "copied", "file", "listed"},
+           "where the floes come from: a generated field, copies of a few shapes, a file, or [[floe]]",
+           GEM_FIELD(floes.source));
+  t.text("floes.path",
+         "floe file for source = \"file\": .csv, .geojson or a run file (its start), relative to the case file",
+         GEM_FIELD(floes.path));
+  t.integer("floes.count", {0.0, 1e7}, "number of floes", GEM_FIELD(floes.count));
+  t.number("floes.length_m", "m", extent_range, "length of the field along the current", GEM_FIELD(floes.length_m));
+  t.number("floes.width_m", "m", extent_range, "width of the field", GEM_FIELD(floes.width_m));
+  t.number("floes.start_x_m", "m", place_range, "x of the upstream end of the field", GEM_FIELD(floes.start_x_m));
+}
+
+void add_floe_sizes(SceneTable& t) {
+  t.choice("floes.size_law", {"lognormal", "gamma"}, "distribution of sqrt(area), truncated to the limits",
+           GEM_FIELD(floes.size_law));
+  t.number("floes.size_minimum_m", "m", floe_size_range, "smallest sqrt(area)", GEM_FIELD(floes.size_minimum_m));
+  t.number("floes.size_maximum_m", "m", floe_size_range, "largest sqrt(area)", GEM_FIELD(floes.size_maximum_m));
+  t.number("floes.size_mean_m", "m", floe_size_range, "mean of sqrt(area)", GEM_FIELD(floes.size_mean_m));
+  t.number("floes.size_deviation_m", "m", {0.0, 1000.0, true}, "standard deviation of sqrt(area)",
+           GEM_FIELD(floes.size_deviation_m));
+  t.number("floes.gap_m", "m", {0.0, 100.0, true}, "smallest distance between floes at the start",
+           GEM_FIELD(floes.gap_m));
+  t.choice("floes.placement", {"random", "tiled"}, "how copies are laid out (source = \"copied\")",
+           GEM_FIELD(floes.placement));
+  t.integer("floes.shape_count", {1.0, 1e5}, "number of shapes that are copied (source = \"copied\")",
+            GEM_FIELD(floes.shape_count));
+  t.number("floes.tile_length_m", "m", extent_range, "about how long the repeated block is (placement = \"tiled\")",
+           GEM_FIELD(floes.tile_length_m));
+  t.integer("floes.moved_floe", {-1.0, 1e7},
+            "the floe that floes.moved_by_m moves: 0 is the nearest to platform.anchor_m, 1 the next; -1 is none",
+            GEM_FIELD(floes.moved_floe));
+  t.pair("floes.moved_by_m", "m", {-1.0, 1.0}, "disturbance of one floe's start, to see how fast it grows",
+         GEM_FIELD(floes.moved_by_m));
+}
+
+void add_boundary(SceneTable& t) {
+  t.flag("boundary.present", "whether two fixed bodies bound the channel", GEM_FIELD(boundary.present));
+  t.number("boundary.inlet_x_m", "m", {-1e6, 0.0, false, true}, "x of the upstream end of the boundary",
+           GEM_FIELD(boundary.inlet_x_m));
+  t.number("boundary.inlet_width_m", "m", extent_range, "width of the channel upstream",
+           GEM_FIELD(boundary.inlet_width_m));
+  t.number("boundary.taper_start_x_m", "m", place_range,
+           "x where the channel begins to narrow; at or upstream of the inlet: over its whole length",
+           GEM_FIELD(boundary.taper_start_x_m));
+  t.number("boundary.gap_m", "m", extent_range, "width of the channel from x = 0 on", GEM_FIELD(boundary.gap_m));
+  t.number("boundary.outlet_x_m", "m", {0.0, 1e6, true}, "x of the downstream end of the boundary",
+           GEM_FIELD(boundary.outlet_x_m));
+}
+
+void add_platform(SceneTable& t) {
+  t.flag("platform.present", "whether there is a platform", GEM_FIELD(platform.present));
+  t.integer("platform.sides", {3.0, 256.0}, "sides of the regular polygon", GEM_FIELD(platform.sides));
+  t.number("platform.diameter_m", "m", {0.1, 1e4}, "diameter of the circle through the corners",
+           GEM_FIELD(platform.diameter_m));
+  t.number("platform.mass_kg", "kg", {1.0, 1e15}, "total inertia", GEM_FIELD(platform.mass_kg));
+  t.pair("platform.anchor_m", "m", place_range, "where the mooring holds the platform at rest",
+         GEM_FIELD(platform.anchor_m));
+  t.pair("platform.start_offset_m", "m", {-1e3, 1e3}, "offset from the anchor at the start",
+         GEM_FIELD(platform.start_offset_m));
+  t.pair("platform.start_velocity_m_per_s", "m/s", speed_range, "velocity at the start",
+         GEM_FIELD(platform.start_velocity_m_per_s));
+  t.choice("platform.yaw", {"free", "locked"}, "whether the platform may turn", GEM_FIELD(platform.yaw));
+}
+
+void add_mooring(SceneTable& t) {
+  t.number("mooring.stiffness_N_per_m", "N/m", {0.0, 1e15}, "stiffness in x and in y; 0 is unmoored",
+           GEM_FIELD(mooring.stiffness_N_per_m));
+  t.number("mooring.damping_ratio", "", {0.0, 1.0, false, true}, "fraction of critical damping",
+           GEM_FIELD(mooring.damping_ratio));
+  t.flag("platform_drag.present", "whether the water drags the platform", GEM_FIELD(platform_drag.present));
+  t.number("platform_drag.coefficient", "", {0.0, 100.0}, "drag coefficient on diameter x draft",
+           GEM_FIELD(platform_drag.coefficient));
+  t.number("platform_drag.draft_m", "m", {0.0, 1e3, true}, "draft of the platform", GEM_FIELD(platform_drag.draft_m));
+  t.choice("platform_drag.water", {"still", "current"}, "the water against which the platform is dragged",
+           GEM_FIELD(platform_drag.water));
+}
+
+void add_contact(SceneTable& t) {
+  t.choice("contact.resolution", {"independent", "coupled"},
+           "independent: every event of a moment once, as the paper does; coupled: all together",
+           GEM_FIELD(contact.resolution));
+  t.choice("contact.manifold", {"chord_middle", "chord_ends"}, "points where a contact acts",
+           GEM_FIELD(contact.manifold));
+  t.choice("contact.friction_law", {"one_step", "fixed_direction"},
+           "one_step: Coulomb's law on the velocity after; fixed_direction: on the direction before, as the paper does",
+           GEM_FIELD(contact.friction_law));
+  t.flag("contact.crushing_limit",
+         "coupled: whether the crushing force of the smaller body bounds what an event carries",
+         GEM_FIELD(contact.crushing_limit));
+  t.number("contact.elastic_stiffness_N_per_m", "N/m", {0.0, 1e12},
+           "stiffness of the static event (independent); 0 leaves it out",
+           GEM_FIELD(contact.elastic_stiffness_N_per_m));
+}
+
+void add_numerics(SceneTable& t) {
+  t.number("numerics.moment_s", "s", {1e-6, 100.0}, "time step dt", GEM_FIELD(numerics.moment_s));
+  t.number("numerics.residual_tolerance", "", {0.0, 1.0, true},
+           "coupled: iterations end when no event asks for more than this share of the current speed",
+           GEM_FIELD(numerics.residual_tolerance));
+  t.integer("numerics.iterations_maximum", {1.0, 1e5}, "coupled: most iterations in one moment",
+            GEM_FIELD(numerics.iterations_maximum));
+  t.number("numerics.list_margin_m", "m", {0.0, 1e3}, "pairs closer than this are kept in the list of neighbours",
+           GEM_FIELD(numerics.list_margin_m));
+  t.number("numerics.contact_reach", "moments", {0.0, 100.0},
+           "coupled: faces that the current could close in so many moments are held apart, and their floes move by "
+           "their velocity after the events, not along the exact path of their drag",
+           GEM_FIELD(numerics.contact_reach));
+  t.number("numerics.repair_share", "", {0.0, 1.0}, "coupled: share of an overlap that is taken back in one moment",
+           GEM_FIELD(numerics.repair_share));
+  t.number("numerics.repair_speed_m_per_s", "m/s", {0.0, 1e3}, "coupled: overlaps are taken back no faster than this",
+           GEM_FIELD(numerics.repair_speed_m_per_s));
+}
+
+void add_output(SceneTable& t) {
+  t.number("output.platform_interval_s", "s", {0.0, 1e6, true}, "interval of the platform record",
+           GEM_FIELD(output.platform_interval_s));
+  t.number("output.floes_interval_s", "s", {0.0, 1e8, true}, "interval of the floe frames",
+           GEM_FIELD(output.floes_interval_s));
+  t.number("output.force_window_s", "s", {0.0, 1e6, true}, "window of the average ice force",
+           GEM_FIELD(output.force_window_s));
+  t.flag("output.platform_events", "whether every event on the platform is recorded",
+         GEM_FIELD(output.platform_events));
+  t.number("output.event_speed_m_per_s", "m/s", {0.0, 10.0},
+           "slower closing is static stress: in the force channels, not in the events",
+           GEM_FIELD(output.event_speed_m_per_s));
+  t.number("output.retire_x_m", "m", place_range, "a floe whose centre passes this x is retired",
+           GEM_FIELD(output.retire_x_m));
+}
+
+std::vector<Option<SceneDef>> make_scene_options() {
+  SceneTable t;
+  for (const auto section : {add_run, add_water, add_ice, add_floe_source, add_floe_sizes, add_boundary, add_platform,
+                             add_mooring, add_contact, add_numerics, add_output})
+    section(t);
+  return t.options;
+}
+
+std::vector<Option<IceClassDef>> make_ice_class_options() {
+  OptionTable<IceClassDef> t;
+  t.text("name", "name of the class", GEM_FIELD(name));
+  t.number("thickness_m", "m", thickness_range, "thickness of its floes", GEM_FIELD(thickness_m));
+  t.number("tenths", "", {0.0, 10.0}, "its share of the sea surface in tenths", GEM_FIELD(tenths));
+  return t.options;
+}
+
+std::vector<Option<FloeDef>> make_floe_options() {
+  OptionTable<FloeDef> t;
+  t.outline("outline_m", {-1e3, 1e3}, "corners in body coordinates, any origin, either direction",
+            GEM_FIELD(outline_m));
+  t.pair("position_m", "m", place_range, "where the outline's origin stands", GEM_FIELD(position_m));
+  t.number("angle_rad", "rad", {-100.0, 100.0}, "rotation about the outline's origin", GEM_FIELD(angle_rad));
+  t.pair("velocity_m_per_s", "m/s", speed_range, "velocity at the start", GEM_FIELD(velocity_m_per_s));
+  t.number("spin_rad_per_s", "rad/s", {-10.0, 10.0}, "spin at the start", GEM_FIELD(spin_rad_per_s));
+  t.number("thickness_m", "m", thickness_range, "thickness", GEM_FIELD(thickness_m));
+  return t.options;
+}
+
+std::vector<Option<FixedDef>> make_fixed_options() {
+  OptionTable<FixedDef> t;
+  t.outline("outline_m", place_range, "corners in world coordinates, either direction", GEM_FIELD(outline_m));
+  return t.options;
+}
+
+}  // namespace
+
+const std::vector<Option<SceneDef>>& scene_options() {
+  static const auto options = make_scene_options();
+  return options;
+}
+
+const std::vector<Option<IceClassDef>>& ice_class_options() {
+  static const auto options = make_ice_class_options();
+  return options;
+}
+
+const std::vector<Option<FloeDef>>& floe_options() {
+  static const auto options = make_floe_options();
+  return options;
+}
+
+const std::vector<Option<FixedDef>>& fixed_options() {
+  static const auto options = make_fixed_options();
+  return options;
+}
+
+std::string range_text(const Range& range, const std::string& unit) {
+  std::string text = range.low_open || range.low == -infinity ? "(" : "[";
+  text += plain_number_text(range.low) + ", " + plain_number_text(range.high);
+  text += range.high_open || range.high == infinity ? ")" : "]";
+  return unit.empty() ? text : text + " " + unit;
+}
+
+std::string value_text(const OptionValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return toml_number_text(*number);
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
+  if (const auto* text = std::get_if<std::string>(&value)) return quoted_text(*text);
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* pair = std::get_if<Vec2>(&value)) return pair_text(*pair);
+  return outline_text(std::get<std::vector<Vec2>>(value));
+}
+
+std::string type_name(OptionType type) {
+  switch (type) {
+    case OptionType::number:
+      return "number";
+    case OptionType::integer:
+      return "integer";
+    case OptionType::text:
+      return "text";
+    case OptionType::choice:
+      return "choice";
+    case OptionType::flag:
+      return "flag";
+    case OptionType::pair:
+      return "pair";
+    case OptionType::outline:
+      return "outline";
+  }
+  return "";
+}
+
+}  // namespace gem

@@ -1,0 +1,89 @@
+// Each draft of the sweep is laid over the rest of the file and read as a scene of its own.
+#include "gem/scene/sweep/sweep.h"
+
+#include <algorithm>
+#include <set>
+
+#include "gem/base/error.h"
+#include "gem/scene/sweep/sweep_draft.h"
+#include "gem/scene/toml/document.h"
+#include "gem/scene/toml/scene_tree.h"
+#include "gem/scene/toml/toml_text.h"
+
+namespace gem {
+namespace {
+
+[[noreturn]] void reject(const TomlPlace& place, const std::string& problem) {
+  throw Error(ExitCode::scene_rejected, to_string(place) + ": sweep: " + problem);
+}
+
+std::string classes_text(const SceneDef& scene) {
+  std::string text = "[";
+  for (const IceClassDef& entry : scene.floes.classes) {
+    text += text.size() > 1 ? ", {" : "{";
+    for (const auto& option : ice_class_options())
+      text += (text.back() == '{' ? "" : ", ") + option.path + " = " + value_text(option.get(entry));
+    text += "}";
+  }
+  return text + "]";
+}
+
+std::vector<std::string> differences(const SceneDef& base, const SceneDef& scene) {
+  std::vector<std::string> out;
+  for (const auto& option : scene_options()) {
+    const std::string value = value_text(option.get(scene));
+    if (option.path != "run.name" && value != value_text(option.get(base))) out.push_back(option.path + "=" + value);
+  }
+  if (classes_text(scene) != classes_text(base)) out.push_back("ice.class=" + classes_text(scene));
+  return out;
+}
+
+TomlNode without_sweep(TomlNode document) {
+  std::erase_if(document.entries, [](const auto& entry) { return entry.first == "sweep"; });
+  return document;
+}
+
+std::vector<SweepMember> expand(TomlNode document, const std::vector<std::string>& overrides) {
+  apply_overrides(document, overrides);
+  const TomlNode* sweep = document.find("sweep");
+  if (sweep == nullptr) reject(document.place, "missing; the file is a single case, not a sweep");
+  const TomlNode base = without_sweep(document);
+  Problems problems;
+  const SceneDef base_scene = scene_from_tree(base, problems);
+  problems.throw_if_any();
+
+  std::vector<SweepMember> members;
+  std::set<std::string> names;
+  for (const SweepDraft& draft : make_sweep_drafts(*sweep)) {
+    TomlNode tree = base;
+    merge_toml(tree, draft.settings);
+    for (const std::string& text : overrides) merge_toml(tree, without_sweep(parse_override(text)));
+    SweepMember member{static_cast<std::int64_t>(members.size()) + 1, draft.name, {}, {}};
+    if (!names.insert(member.name).second)
+      reject(sweep->key_place, "two runs have the name " + quoted_text(member.name));
+    TomlNode name;
+    name.kind = TomlKind::text;
+    name.text = member.name;
+    name.place = name.key_place = sweep->place;
+    merge_toml(tree, nested_toml("run.name", name));
+    member.scene = checked_scene(tree);
+    member.differences = differences(base_scene, member.scene);
+    members.push_back(std::move(member));
+  }
+  return members;
+}
+
+}  // namespace
+
+bool is_sweep(const std::string& path) { return load_document(path).find("sweep") != nullptr; }
+
+std::vector<SweepMember> expand_sweep(const std::string& path, const std::vector<std::string>& overrides) {
+  return expand(load_document(path), overrides);
+}
+
+std::vector<SweepMember> expand_sweep_text(const std::string& text, const std::string& origin,
+                                           const std::vector<std::string>& overrides) {
+  return expand(load_text(text, origin), overrides);
+}
+
+}  // namespace gem

@@ -1,0 +1,141 @@
+// Includes are followed depth first, each file parsed once per place where it is named.
+#include "gem/scene/toml/document.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "gem/base/error.h"
+#include "gem/scene/toml/toml_text.h"
+
+namespace gem {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t include_depth_maximum = 16;
+
+std::string read_text(const std::string& path) {
+  std::error_code code;
+  if (fs::is_directory(path, code))
+    throw Error(ExitCode::file_system, "cannot read " + quoted_text(path) + " (it is a directory) name a case file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw Error(ExitCode::file_system,
+                "cannot read " + quoted_text(path) + " (" + std::strerror(errno) + ") check the path");
+  // One byte more than allowed is enough to refuse the file, however large it is.
+  std::string text(toml_bytes_maximum + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) throw Error(ExitCode::file_system, "cannot read " + quoted_text(path) + " (input error)");
+  return text;
+}
+
+/// Makes every floes.path in the document relative to where the document lies.
+void anchor_paths(TomlNode& node, const fs::path& folder) {
+  for (auto& [key, value] : node.entries) {
+    anchor_paths(value, folder);
+    TomlNode* path = key == "floes" ? value.find("path") : nullptr;
+    if (path != nullptr && path->kind == TomlKind::text && !path->text.empty())
+      path->text = (folder / path->text).lexically_normal().string();
+  }
+  for (TomlNode& item : node.items) anchor_paths(item, folder);
+}
+
+TomlNode with_includes(TomlNode document, const fs::path& folder, std::vector<fs::path>& open);
+
+TomlNode load_file(const fs::path& path, std::vector<fs::path>& open) {
+  open.push_back(fs::weakly_canonical(path));
+  TomlNode document = parse_toml(read_text(path.string()), path.string());
+  anchor_paths(document, path.parent_path());
+  document = with_includes(std::move(document), path.parent_path(), open);
+  open.pop_back();
+  return document;
+}
+
+[[noreturn]] void reject_include(const TomlNode& node, const std::string& problem) {
+  throw Error(ExitCode::scene_rejected, to_string(node.place) + ": include: " + problem);
+}
+
+TomlNode with_includes(TomlNode document, const fs::path& folder, std::vector<fs::path>& open) {
+  const TomlNode* include = document.find("include");
+  if (include == nullptr) return document;
+  if (include->kind != TomlKind::list)
+    reject_include(*include, "expected a list of file names, got " + describe(*include));
+  TomlNode merged;
+  merged.place = document.place;
+  for (const TomlNode& item : include->items) {
+    if (item.kind != TomlKind::text) reject_include(item, "expected a file name, got " + describe(item));
+    const fs::path path = folder / item.text;
+    if (std::find(open.begin(), open.end(), fs::weakly_canonical(path)) != open.end())
+      reject_include(item, "the file includes itself (value " + describe(item) + ")");
+    if (open.size() >= include_depth_maximum)
+      reject_include(item, "includes are nested too deep (allowed " + std::to_string(include_depth_maximum) + ")");
+    merge_toml(merged, load_file(path, open));
+  }
+  merge_toml(merged, document);
+  std::erase_if(merged.entries, [](const auto& entry) { return entry.first == "include"; });
+  return merged;
+}
+
+}  // namespace
+
+TomlNode load_document(const std::string& path) {
+  std::vector<fs::path> open;
+  return load_file(path, open);
+}
+
+TomlNode load_text(const std::string& text, const std::string& origin) {
+  std::vector<fs::path> open;
+  return with_includes(parse_toml(text, origin), {}, open);
+}
+
+namespace {
+
+/// An override is one line that the user has before him: its option says enough.
+void forget_lines(TomlNode& node) {
+  node.place.line = node.key_place.line = 0;
+  for (auto& entry : node.entries) forget_lines(entry.second);
+  for (TomlNode& item : node.items) forget_lines(item);
+}
+
+/// `key=word` with the quotes that a shell takes away: a word is text unless TOML knows it.
+std::string with_quotes(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals + 1 == assignment.size()) return assignment;
+  const std::string value = assignment.substr(equals + 1);
+  const auto in_word = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  if (!std::isalpha(static_cast<unsigned char>(value[0])) || !std::all_of(value.begin(), value.end(), in_word))
+    return assignment;
+  for (const char* known : {"true", "false", "inf", "nan"})
+    if (value == known) return assignment;
+  return assignment.substr(0, equals + 1) + '"' + value + '"';
+}
+
+}  // namespace
+
+TomlNode parse_override(const std::string& text) {
+  const std::size_t space = text.starts_with("--") ? text.find(' ') : std::string::npos;
+  const std::string assignment = space == std::string::npos ? text : text.substr(space + 1);
+  const std::string given = space == std::string::npos
+                                ? "--set " + text
+                                : text.substr(0, space + 1) + assignment.substr(assignment.find('=') + 1);
+  try {
+    TomlNode tree = parse_toml(with_quotes(assignment), given);
+    forget_lines(tree);
+    return tree;
+  } catch (const Error& error) {
+    throw Error(error.code(), std::string(error.what()) +
+                                  " (--set takes key=value in TOML syntax; text that is not one word needs quotes)");
+  }
+}
+
+void apply_overrides(TomlNode& document, const std::vector<std::string>& overrides) {
+  for (const std::string& text : overrides) merge_toml(document, parse_override(text));
+}
+
+}  // namespace gem

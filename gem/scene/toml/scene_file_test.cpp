@@ -1,0 +1,190 @@
+// Reading and writing agree: the resolved text comes back as itself, in any locale, and defaults have one source.
+#include "gem/scene/toml/scene_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <clocale>
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <random>
+
+#include "gem/base/error.h"
+#include "gem/scene/check_scene.h"
+#include "gem/scene/problems.h"
+#include "gem/scene/schema/schema.h"
+#include "gem/scene/toml/toml_text.h"
+
+namespace gem {
+namespace {
+
+TEST(SceneFile, EmptyTextIsTheDefaultScene) {
+  EXPECT_EQ(resolved_toml(parse_scene("", "empty.toml")), resolved_toml(SceneDef{}));
+  EXPECT_TRUE(check_scene(SceneDef{}).empty());
+  EXPECT_TRUE(scene_warnings(SceneDef{}).empty());
+}
+
+TEST(SceneFile, ScenesWithNothingInThemAreValid) {
+  const SceneDef scene = parse_scene(
+      "run.duration_s = 0\nplatform.present = false\nboundary.present = false\nfloes.source = \"listed\"\nice.class = "
+      "[]\n",
+      "nothing.toml");
+  EXPECT_TRUE(scene.floe.empty());
+  EXPECT_TRUE(scene.floes.classes.empty());
+  EXPECT_EQ(resolved_toml(parse_scene(resolved_toml(scene), "again.toml")), resolved_toml(scene));
+}
+
+TEST(SceneFile, EveryOptionIsReadBackFromItsOwnText) {
+  // Sets each option to a value that differs from its default and looks for it in the scene that is read.
+  for (const auto& option : scene_options()) {
+    SceneDef scene;
+    OptionValue value = option.get(scene);
+    if (auto* number = std::get_if<double>(&value))
+      *number = option.range.high > 0.25 && option.range.high <= 1.0 ? 0.25 : *number + 0.5;
+    if (auto* integer = std::get_if<std::int64_t>(&value)) *integer += 1;
+    if (auto* text = std::get_if<std::string>(&value))
+      *text = option.type == OptionType::choice ? *std::find_if(option.choices.begin(), option.choices.end(),
+                                                                [&](const auto& c) { return c != *text; })
+                                                : "other \"name\"";
+    if (auto* flag = std::get_if<bool>(&value)) *flag = !*flag;
+    if (auto* pair = std::get_if<Vec2>(&value)) *pair = {pair->x + 0.125, pair->y - 0.3};
+    option.set(scene, value);
+    EXPECT_EQ(value_text(option.get(scene)), value_text(value)) << option.path;
+    EXPECT_NE(resolved_toml(scene), resolved_toml(SceneDef{})) << option.path;
+    EXPECT_NE(scene_hash(scene), scene_hash(SceneDef{})) << option.path;
+    if (!check_scene(scene).empty()) continue;
+    const SceneDef again = parse_scene(resolved_toml(scene), "resolved.toml");
+    EXPECT_EQ(value_text(option.get(again)), value_text(value)) << option.path;
+  }
+}
+
+/// A random double whose digits are as awkward as they come, inside the range.
+double awkward(const Range& range, std::mt19937_64& random) {
+  const double low = std::max(range.low, -1e3);
+  const double high = std::min(range.high, 1e3);
+  return std::clamp(low + (high - low) * std::generate_canonical<double, 53>(random), std::nextafter(low, high),
+                    std::nextafter(high, low));
+}
+
+TEST(SceneFile, ResolvedTextComesBackAsItself) {
+  std::mt19937_64 random(7);
+  int accepted = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    SceneDef scene;
+    scene.floes.source = FloeSource::listed;
+    scene.run.name = "n\\\"\xc3\xa9" + std::to_string(trial);
+    for (const auto& option : scene_options())
+      if (option.type == OptionType::number && option.path.starts_with("ice."))
+        option.set(scene, awkward(option.range, random));
+    FloeDef floe;
+    for (int i = 0; i < 5; ++i)
+      floe.outline_m.push_back({awkward({-900.0, 900.0}, random), awkward({-900.0, 900.0}, random)});
+    floe.angle_rad = awkward({-3.0, 3.0}, random);
+    scene.floe.assign(2, floe);
+    scene.fixed.push_back({floe.outline_m});
+    if (!check_scene(scene).empty()) continue;
+    ++accepted;
+    const std::string text = resolved_toml(scene);
+    EXPECT_EQ(resolved_toml(parse_scene(text, "resolved.toml")), text);
+  }
+  EXPECT_GT(accepted, 30);
+}
+
+TEST(SceneFile, DamagedTextIsRefusedOrStillAScene) {
+  // Truncations, and random bytes put anywhere: an Error or a scene that comes back as itself, nothing else.
+  const std::string whole = resolved_toml(SceneDef{});
+  std::mt19937_64 random(11);
+  int refused = 0;
+  for (std::size_t trial = 0; trial < 2 * whole.size(); trial += 7) {
+    std::string text = whole.substr(0, trial < whole.size() ? trial : whole.size());
+    if (trial >= whole.size()) text[random() % text.size()] = "\"'[]{}=.,#\n\\-e9nx\xff"[random() % 18];
+    try {
+      const std::string resolved = resolved_toml(parse_scene(text, "damaged.toml"));
+      EXPECT_EQ(resolved_toml(parse_scene(resolved, "resolved.toml")), resolved) << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::scene_rejected);
+      EXPECT_TRUE(std::string(error.what()).starts_with("damaged.toml")) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 200);
+}
+
+TEST(SceneFile, HashIsThatOfTheResolvedValuesOnly) {
+  const SceneDef a = parse_scene("# comment\n[platform]\nmass_kg = 100000000\n", "a.toml");
+  const SceneDef b =
+      parse_scene("platform = { mass_kg = 1e8 }\n[current]\nvelocity_m_per_s = [0.25, -0.0]\n", "b.toml");
+  EXPECT_EQ(scene_hash(a), scene_hash(b));
+  EXPECT_EQ(scene_hash(a).size(), 64u);
+}
+
+void expect_numbers_unchanged() {
+  const SceneDef scene =
+      parse_scene("[platform]\nmass_kg = 1234567.875\n[ice]\nfriction_ice = 1.5e-1\n", "locale.toml");
+  EXPECT_EQ(scene.platform.mass_kg, 1234567.875);
+  EXPECT_EQ(scene.ice.friction_ice, 0.15);
+  EXPECT_NE(resolved_toml(scene).find("mass_kg = 1234567.875\n"), std::string::npos);
+  EXPECT_NE(resolved_toml(scene).find("friction_ice = 0.15\n"), std::string::npos);
+}
+
+struct CommaNumbers : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(SceneLocale, StreamsWithDecimalCommaChangeNothing) {
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaNumbers));
+  expect_numbers_unchanged();
+  std::locale::global(before);
+}
+
+TEST(SceneLocale, ProcessWithDecimalCommaChangesNothing) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) GTEST_SKIP() << "the locale de_DE.UTF-8 is not installed";
+  expect_numbers_unchanged();
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(SceneWarnings, HighFrictionIsAcceptedWithAWarning) {
+  const SceneDef scene = parse_scene("[ice]\nfriction_ice = 1.5\n", "friction.toml");
+  ASSERT_EQ(scene_warnings(scene).size(), 1u);
+  EXPECT_NE(scene_warnings(scene)[0].find("ice.friction_ice: above the Painleve bound"), std::string::npos);
+}
+
+TEST(SceneWarnings, UnlikelyMassAndCoverAreNamed) {
+  EXPECT_NE(scene_warnings(parse_scene("[platform]\nmass_kg = 1e5\n", "t.toml")).at(0).find("platform.mass_kg"),
+            std::string::npos);
+  EXPECT_NE(scene_warnings(parse_scene("[floes]\ncount = 1000\n", "t.toml")).at(0).find("cover 1 tenths"),
+            std::string::npos);
+}
+
+TEST(SceneWarnings, TimesThatAreNoWholeMomentsAreNamed) {
+  const auto warned = [](const std::string& text) { return scene_warnings(parse_scene(text, "t.toml")); };
+  EXPECT_NE(warned("[output]\nplatform_interval_s = 0.12\n").at(0).find("output.platform_interval_s"),
+            std::string::npos);
+  EXPECT_NE(warned("[run]\nduration_s = 0.32\n").at(0).find("the run ends at 0.3 s"), std::string::npos);
+  EXPECT_TRUE(warned("[run]\nduration_s = 15200.0\n[numerics]\nmoment_s = 0.1\n").empty());
+}
+
+TEST(NearestName, FindsSlipsAndRefusesNonsense) {
+  const std::vector<std::string> names = {"platform.mass_kg", "platform.yaw", "mooring.stiffness_N_per_m"};
+  EXPECT_EQ(nearest_name("platform.mas", names), "platform.mass_kg");
+  EXPECT_EQ(nearest_name("platform.mass_t", names), "platform.mass_kg");
+  EXPECT_EQ(nearest_name("mooring.stifness", names), "mooring.stiffness_N_per_m");
+  EXPECT_EQ(nearest_name("mass_kg", names), "platform.mass_kg");
+  EXPECT_EQ(nearest_name("zzzzzzzz", names), "");
+}
+
+TEST(NumberText, IsTheShortestThatReadsBack) {
+  EXPECT_EQ(toml_number_text(0.1), "0.1");
+  EXPECT_EQ(toml_number_text(2.0), "2.0");
+  EXPECT_EQ(toml_number_text(1e8), "1e+08");
+  EXPECT_EQ(toml_number_text(std::numeric_limits<double>::denorm_min()), "5e-324");
+  EXPECT_EQ(plain_number_text(400.0), "400");
+  EXPECT_EQ(quoted_text("a\"\\\n"), "\"a\\\"\\\\\\u000A\"");
+}
+
+}  // namespace
+}  // namespace gem

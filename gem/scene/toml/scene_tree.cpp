@@ -1,0 +1,125 @@
+// Walks a document beside the option table.
+#include "gem/scene/toml/scene_tree.h"
+
+#include <algorithm>
+#include <set>
+
+#include "gem/scene/check_scene.h"
+
+namespace gem {
+namespace {
+
+const std::string class_path = "ice.class";
+
+std::set<std::string> section_names() {
+  std::set<std::string> names;
+  for (const auto& option : scene_options()) names.insert(option.path.substr(0, option.path.find('.')));
+  return names;
+}
+
+template <class T>
+std::vector<std::string> paths_of(const std::vector<Option<T>>& options, const std::string& prefix) {
+  std::vector<std::string> paths;
+  for (const auto& option : options) paths.push_back(prefix + option.path);
+  return paths;
+}
+
+template <class T>
+const Option<T>* find_option(const std::vector<Option<T>>& options, const std::string& path) {
+  const auto found = std::find_if(options.begin(), options.end(), [&](const auto& o) { return o.path == path; });
+  return found == options.end() ? nullptr : &*found;
+}
+
+/// One [[list]] entry. `key` is "floe[0]" and the like.
+template <class T>
+T read_entry(const TomlNode& node, const std::string& key, const std::vector<Option<T>>& options, Problems& problems) {
+  T out;
+  if (node.kind != TomlKind::table) {
+    problems.add(node.place, key, "wrong type (value " + describe(node) + ", expected a table)");
+    return out;
+  }
+  for (const auto& [name, value] : node.entries) {
+    const Option<T>* option = find_option(options, name);
+    if (option == nullptr)
+      problems.add(value.key_place, key + "." + name, "unknown key;" + suggestion_or_list(name, paths_of(options, "")));
+    else if (const auto read = read_value(*option, key + "." + name, value, problems))
+      option->set(out, *read);
+  }
+  for (const auto& option : options)
+    if (option.type == OptionType::outline && node.find(option.path) == nullptr)
+      problems.add(node.place, key + "." + option.path, "missing; give the corners [[x, y], ...] in m");
+  return out;
+}
+
+template <class T>
+void read_list(const TomlNode& node, const std::string& key, const std::vector<Option<T>>& options,
+               std::vector<T>& target, Problems& problems) {
+  if (node.kind != TomlKind::list) {
+    problems.add(node.place, key, "wrong type (value " + describe(node) + ", expected [[" + key + "]])");
+    return;
+  }
+  target.clear();
+  for (std::size_t i = 0; i < node.items.size(); ++i)
+    target.push_back(read_entry(node.items[i], key + "[" + std::to_string(i) + "]", options, problems));
+}
+
+void read_section(const std::string& section, const TomlNode& node, SceneDef& scene, Problems& problems) {
+  for (const auto& [name, value] : node.entries) {
+    const std::string path = section + "." + name;
+    if (path == class_path) {
+      read_list(value, path, ice_class_options(), scene.floes.classes, problems);
+    } else if (const auto* option = find_option(scene_options(), path)) {
+      if (const auto read = read_value(*option, path, value, problems)) option->set(scene, *read);
+    } else {
+      problems.add(value.key_place, path, "unknown key;" + suggestion_or_list(path, known_keys()));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> known_keys() {
+  std::vector<std::string> keys = paths_of(scene_options(), "");
+  keys.insert(keys.end(), {class_path, "floe", "fixed", "include"});
+  return keys;
+}
+
+SceneDef scene_from_tree(const TomlNode& document, Problems& problems) {
+  SceneDef scene;
+  const std::set<std::string> sections = section_names();
+  for (const auto& [name, value] : document.entries) {
+    if (name == "floe") {
+      read_list(value, name, floe_options(), scene.floe, problems);
+    } else if (name == "fixed") {
+      read_list(value, name, fixed_options(), scene.fixed, problems);
+    } else if (name == "sweep") {
+      problems.add(value.key_place, name, "the file is a sweep of several runs; choose one of them by its index");
+    } else if (!sections.contains(name)) {
+      const bool table = value.kind == TomlKind::table;
+      std::vector<std::string> candidates = known_keys();
+      if (table) candidates.assign(sections.begin(), sections.end());
+      problems.add(value.key_place, name,
+                   (table ? "unknown section;" : "unknown key;") + suggestion_or_list(name, candidates));
+    } else if (value.kind != TomlKind::table) {
+      problems.add(value.place, name, "wrong type (value " + describe(value) + ", expected [" + name + "])");
+    } else {
+      read_section(name, value, scene, problems);
+    }
+  }
+  return scene;
+}
+
+SceneDef checked_scene(const TomlNode& document) {
+  Problems problems;
+  SceneDef scene = scene_from_tree(document, problems);
+  // Comparisons of values that were not read would only repeat the same fault in other words.
+  problems.throw_if_any();
+  for (const SceneProblem& problem : check_scene(scene)) {
+    const TomlNode* node = find_path(document, problem.key);
+    problems.add(node != nullptr ? node->place : document.place, problem.key, problem.text);
+  }
+  problems.throw_if_any();
+  return scene;
+}
+
+}  // namespace gem

@@ -171,4 +171,7 @@ void register_baseline(const std::string& name, BaselineMaker make);
 /// Names of the registered baselines, which engine_names() leaves out: they share no bits with gem's engines.
 std::vector<std::string> baseline_names();
 
+/// Whether `engine` is one of baseline_names().
+bool is_baseline(const std::string& engine);
+
 }  // namespace gem

@@ -110,7 +110,7 @@ gem_cold(gem_report gem/report)
 
 gem_sources(analysis_sources gem/analysis)
 add_library(gem_analysis STATIC ${analysis_sources} $<TARGET_OBJECTS:gem_report>)
-target_link_libraries(gem_analysis PUBLIC gem_simulator PRIVATE GSL::gsl GSL::gslcblas Eigen3::Eigen nlohmann_json::nlohmann_json)
+target_link_libraries(gem_analysis PUBLIC gem_simulator PRIVATE GSL::gsl GSL::gslcblas nlohmann_json::nlohmann_json)
 gem_together(gem_analysis gem/analysis)
 
 gem_sources(command_sources gem/command gem/run)

@@ -54,6 +54,9 @@ foreach(pair IN ITEMS verification:verify agreement:agree hard:hard regression:r
   endif()
 endforeach()
 
+# The runs of the regression table are tests by name: a changed list is listed anew.
+set_target_properties(gem_regression_tests PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/validation/regression/runs.txt)
+
 # Tables beside a baseline: programs that print rows and judge nothing.
 file(GLOB verification_parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/verification/*.cpp)
 list(FILTER verification_parts EXCLUDE REGEX "_test\\.cpp$")

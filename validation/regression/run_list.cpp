@@ -2,7 +2,7 @@
 #include "validation/regression/run_list.h"
 
 #include <algorithm>
-#include <fstream>
+#include <cctype>
 #include <sstream>
 #include <stdexcept>
 

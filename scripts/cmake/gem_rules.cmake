@@ -9,3 +9,11 @@ if(GEM_STATIC)
   add_test(NAME rules.portable COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_portable.sh $<TARGET_FILE:gem>)
   set_tests_properties(rules.portable PROPERTIES LABELS unit)
 endif()
+# The doc comments of the public headers, by the settings of the target `manual` (gem_manual.cmake).
+if(DOXYGEN_FOUND)
+  add_test(NAME rules.api_pages COMMAND Doxygen::doxygen ${PROJECT_BINARY_DIR}/Doxyfile.manual
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+else()
+  add_test(NAME rules.api_pages COMMAND ${CMAKE_COMMAND} -E echo "skipped: doxygen is not installed (package doxygen)")
+endif()
+set_tests_properties(rules.api_pages PROPERTIES LABELS unit SKIP_REGULAR_EXPRESSION "^skipped:")

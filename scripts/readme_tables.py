@@ -85,12 +85,13 @@ def waiting(r, costs):
 
 
 def gpu_table():
-    rows = ["| contacts | arithmetic | what | scenes | a launch makes | blocks x threads | µs a time step | barriers alone, µs | "
+    rows = ["| contacts | arithmetic | what | scenes | route | blocks x threads | µs a time step | barriers alone, µs | "
             "x real time, all scenes | wall / device | state hash | device | commit |", "|" + "---|" * 13]
     costs = barrier_costs()
     for r in gpu_rows():
         what = r["phase"] if r["measure"] == "moment" else f"{r['measure'].replace('_', ', ')}, {r['phase']}"
-        rows.append(f"| {r['resolution']} | {r['arithmetic']} | {what} | {r['scenes']} | {r['launches']} | {r['blocks']} x {r['threads']} | "
+        route = {"moments": "resident"}.get(r["launches"], r["launches"])
+        rows.append(f"| {r['resolution']} | {r['arithmetic']} | {what.replace('moments', 'time steps')} | {r['scenes']} | {route} | {r['blocks']} x {r['threads']} | "
                     f"{float(r['microseconds_per_moment']):.0f} | {waiting(r, costs)} | {float(r['x_real_time']):.0f} | "
                     f"{r['wall_over_device']} | `{r['state_hash']}` | {r['device']} | {r['commit'][:7]}{'-dirty' if 'dirty' in r['commit'] else ''} |")
     return rows

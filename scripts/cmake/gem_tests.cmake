@@ -64,6 +64,10 @@ add_executable(gem_sustained_survey ${PROJECT_SOURCE_DIR}/validation/baseline/su
 target_link_libraries(gem_sustained_survey PRIVATE gem_command gem_baseline GTest::gtest)
 target_compile_definitions(gem_sustained_survey PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
+# The manual's key reference is the program's own text.
+add_test(NAME rules.keys COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_keys.sh $<TARGET_FILE:gem>)
+set_tests_properties(rules.keys PROPERTIES LABELS unit)
+
 # A run file read the way its users read it; without python3 and h5py this is skipped with its reason.
 add_test(NAME run_file_readers COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_run_file.sh $<TARGET_FILE:gem>
   ${PROJECT_SOURCE_DIR}/cases/analytic/V10_floe_on_moored_platform.toml)

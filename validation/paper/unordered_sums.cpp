@@ -59,7 +59,8 @@ std::vector<Planned> plan() {
   return runs;
 }
 
-/// What the paper states, or where it is silent what `independent` needs: README, "paper.h5".
+/// What the paper states, or where it is silent what `independent` needs: gem/manual/user_guide.md, "the paper's
+/// method".
 SceneDef scene_of(const Planned& run, const std::string& file) {
   std::vector<std::string> settings = {"ice.friction_ice=0.1", "contact.resolution=\"" + run.contacts + "\""};
   if (run.contacts == "independent") settings.push_back("contact.manifold=\"chord_middle\"");

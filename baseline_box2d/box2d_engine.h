@@ -13,7 +13,7 @@
 
 namespace gem::baseline {
 
-/// One moment is one Box2D step between the two halves of gem's own events. Places and turns are Box2D's floats;
+/// One time step is one Box2D step between the two halves of gem's own events. Places and turns are Box2D's floats;
 /// velocities are kept in double, so that drag and mooring lose nothing, and are given to Box2D rounded.
 class Box2dEngine : public Engine {
  public:
@@ -21,8 +21,8 @@ class Box2dEngine : public Engine {
 
   std::string name() const override { return "box2d"; }
   std::string method() const override;
-  void advance(std::int64_t moments, MomentLog& log) override;
-  std::int64_t moment() const override { return moment_; }
+  void advance(std::int64_t steps, StepLog& log) override;
+  std::int64_t step() const override { return step_; }
   const Bodies& bodies() override { return field_.bodies; }
   Ledger ledger() override;
   EngineState save() override;
@@ -33,13 +33,13 @@ class Box2dEngine : public Engine {
  private:
   std::string experiments() const;
   void make_world();
-  void one_moment(MomentLog& log);
+  void one_step(StepLog& log);
   void give_velocities();
   void take_floe(std::size_t i);
   void take_platform();
   void book_fixed_bodies();
   void refresh_outline(std::int32_t i);
-  MomentQuality quality();
+  StepQuality quality();
   double closing_speed_left() const;
   void disable_retired();
 
@@ -47,9 +47,9 @@ class Box2dEngine : public Engine {
   double event_speed_;
   FieldState field_;
   Ledger ledger_;
-  std::int64_t moment_ = 0;
+  std::int64_t step_ = 0;
   double platform_angle_ = 0.0;             // [rad]
-  std::vector<std::int64_t> outline_made_;  // moment for which a body's outline was last turned
+  std::vector<std::int64_t> outline_made_;  // time step for which a body's outline was last turned
   std::vector<Vec2> place_;                 // of every body before it moved [m]
   Touches touches_;
   std::unique_ptr<b2World> world_;  // after the listener that it calls

@@ -33,10 +33,10 @@ Outcome outcome(const std::string& experiment) {
   scene.ice.friction_structure = 0.1;  // mixed: 0.2
   scene.platform_drag.present = false;
   const auto engine = make_engine(scene, test::busy_field(scene), with(experiment));
-  MomentLog log;
+  StepLog log;
   engine->advance(400, log);
   std::int64_t hits = 0;
-  for (const PlatformMoment& moment : log.platform) hits += moment.contacts;
+  for (const PlatformStep& step : log.platform) hits += step.contacts;
   EXPECT_LT(residual(engine->ledger()).momentum, 400.0 * 0x1p-24) << experiment;
   return {engine->state_hash(), hits, engine->method()};
 }

@@ -97,8 +97,8 @@ void log_events(const FieldState& f, const std::vector<Touch>& touches, double t
   }
 }
 
-PlatformMoment ice_row(const FieldState& f, const std::vector<Touch>& touches) {
-  PlatformMoment row;
+PlatformStep ice_row(const FieldState& f, const std::vector<Touch>& touches) {
+  PlatformStep row;
   PlatformImpulse ice;
   std::int32_t last = -1;
   for (const Touch& touch : touches) {

@@ -2,8 +2,8 @@
 // usage: gem_cuda_barriers
 #include <cstdio>
 
-#include "gem/engine/cuda/crews.cuh"
 #include "gem/engine/cuda/cuda_launch.cuh"
+#include "gem/engine/cuda/thread_groups.cuh"
 #include "gem_version.h"
 
 namespace gem {

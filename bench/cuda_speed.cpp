@@ -25,7 +25,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t timed_moments = 256;
+constexpr std::int64_t timed_steps = 256;
 
 struct Phase {
   const char* name;
@@ -39,11 +39,11 @@ constexpr Phase phases[] = {
 /// What is timed.
 struct Subject {
   std::string cases = "cases";
-  Resolution resolution = Resolution::coupled;
+  ContactSolver solver = ContactSolver::coupled;
   Arithmetic arithmetic = Arithmetic::strict;
   std::string phase = {};  // empty: all
   std::string name() const {
-    return std::string(resolution == Resolution::coupled ? "coupled" : "independent") +
+    return std::string(solver == ContactSolver::coupled ? "coupled" : "independent") +
            (arithmetic == Arithmetic::fast ? ",fast" : ",strict");
   }
 };
@@ -53,16 +53,16 @@ SceneDef scene_of(const Subject& subject, const std::string& run) {
   for (const SweepMember& member : expand_sweep(subject.cases + "/table1.toml"))
     if (member.name == run) {
       SceneDef scene = member.scene;
-      scene.contact.resolution = subject.resolution;
-      if (subject.resolution == Resolution::independent) scene.contact.manifold = Manifold::chord_middle;
+      scene.contact.solver = subject.solver;
+      if (subject.solver == ContactSolver::independent) scene.contact.manifold = Manifold::chord_middle;
       return scene;
     }
   throw Error(ExitCode::usage, "no run " + run + " in " + subject.cases);
 }
 
-std::int64_t moments_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.moment_s); }
+std::int64_t steps_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.time_step_s); }
 
-/// Ends a row with the barriers of a moment and the share of each stage in the first thread's time.
+/// Ends a row with the barriers of a time step and the share of each stage in the first thread's time.
 void end_row(const CudaBatch& batch) {
   std::printf(",%s", batch.launches() == Launches::phases ? "phases" : "moments");
   std::printf(",%.2f", batch.barriers());
@@ -92,27 +92,27 @@ struct Timing {
 
 /// The state in which a phase begins.
 EngineState start_of(const Phase& phase, const SceneDef& scene, const Bodies& field) {
-  CudaBatch batch({{scene, field}}, {.ring_moments = 4096, .samples = false});
-  batch.advance(moments_in(scene, phase.time), nullptr);
+  CudaBatch batch({{scene, field}}, {.ring_steps = 4096, .samples = false});
+  batch.advance(steps_in(scene, phase.time), nullptr);
   return batch.save(0);
 }
 
-Timing time_moments(CudaBatch& batch, const EngineState& start, std::vector<MomentLog>* logs, int repetitions) {
+Timing time_steps(CudaBatch& batch, const EngineState& start, std::vector<StepLog>* logs, int repetitions) {
   std::vector<double> seconds;
   double wall = 0.0;
   for (int k = 0; k < repetitions + 1; ++k) {
     for (std::size_t s = 0; s < batch.size(); ++s) batch.restore(s, start);
     batch.advance(2, nullptr);  // builds the list
     if (logs)
-      for (MomentLog& log : *logs) log.clear();
+      for (StepLog& log : *logs) log.clear();
     const auto begin = Clock::now();
-    batch.advance(timed_moments, logs);
+    batch.advance(timed_steps, logs);
     if (k == 0) continue;  // warm-up
     wall += std::chrono::duration<double>(Clock::now() - begin).count() / repetitions;
-    seconds.push_back(batch.device_time() / double(timed_moments));
+    seconds.push_back(batch.device_time() / double(timed_steps));
   }
   std::sort(seconds.begin(), seconds.end());
-  return {seconds[seconds.size() / 2], seconds.back() - seconds.front(), wall / double(timed_moments)};
+  return {seconds[seconds.size() / 2], seconds.back() - seconds.front(), wall / double(timed_steps)};
 }
 
 void single(const Subject& subject) {
@@ -125,13 +125,13 @@ void single(const Subject& subject) {
       for (const int threads : {128, 256}) {
         if ((blocks < 64 && threads < 256) || blocks > usable_cuda_device().multiprocessors) continue;
         CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads, .arithmetic = subject.arithmetic});
-        std::vector<MomentLog> logs(1);
-        const Timing time = time_moments(timed, start, &logs, 7);
+        std::vector<StepLog> logs(1);
+        const Timing time = time_steps(timed, start, &logs, 7);
         double contacts = 0.0;
-        for (const MomentQuality& quality : logs[0].quality) contacts += quality.contacts / double(timed_moments);
+        for (const StepQuality& quality : logs[0].quality) contacts += quality.contacts / double(timed_steps);
         std::printf("%s,%s,%s,moment,%s,1,%d,%d,%.3f,%.3f,%.0f,%.0f,%.2f,%016llx", GEM_COMMIT,
                     timed.device().name.c_str(), subject.name().c_str(), phase.name, blocks, threads, 1e6 * time.median,
-                    1e6 * time.spread, scene.numerics.moment_s / time.median, contacts, time.wall / time.median,
+                    1e6 * time.spread, scene.numerics.time_step_s / time.median, contacts, time.wall / time.median,
                     static_cast<unsigned long long>(timed.state_hash(0)));
         end_row(timed);
       }
@@ -149,17 +149,17 @@ void copies(const Subject& subject, std::size_t largest) {
       if (count > largest) break;
       CudaBatch timed(std::vector<BatchScene>(count, {scene, field}),
                       {.samples = false, .arithmetic = subject.arithmetic});
-      const Timing time = time_moments(timed, start, nullptr, 3);
+      const Timing time = time_steps(timed, start, nullptr, 3);
       std::printf("%s,%s,%s,copies,%s,%zu,%d,%d,%.3f,%.3f,%.0f,,%.2f,%016llx", GEM_COMMIT, timed.device().name.c_str(),
                   subject.name().c_str(), phase.name, count, timed.blocks(), timed.threads(), 1e6 * time.median,
-                  1e6 * time.spread, double(count) * scene.numerics.moment_s / time.median, time.wall / time.median,
+                  1e6 * time.spread, double(count) * scene.numerics.time_step_s / time.median, time.wall / time.median,
                   static_cast<unsigned long long>(timed.state_hash(count - 1)));
       end_row(timed);
     }
   }
 }
 
-/// For a profiler: as many copies of a phase, their lists built, then a launch of 16 moments.
+/// For a profiler: as many copies of a phase, their lists built, then a launch of 16 time steps.
 void one_launch(const Subject& subject, std::size_t count) {
   for (const Phase& phase : phases) {
     if (!subject.phase.empty() && subject.phase != phase.name) continue;
@@ -193,17 +193,17 @@ std::vector<BatchScene> seeds(const Subject& subject, std::size_t count) {
   return scenes;
 }
 
-/// Moves each scene of a batch on by its `moments` and prints what the longest took; `recorded`: with the record of
-/// every moment.
+/// Moves each scene of a batch on by its `steps` and prints what the longest took; `recorded`: with the record of
+/// every time step.
 void time_batch(const Subject& subject, const char* measure, const std::vector<BatchScene>& scenes,
-                const std::vector<std::int64_t>& moments, bool recorded) {
+                const std::vector<std::int64_t>& steps, bool recorded) {
   double simulated = 0.0;
-  for (std::size_t k = 0; k < scenes.size(); ++k) simulated += double(moments[k]) * scenes[k].scene.numerics.moment_s;
-  const std::int64_t longest = *std::max_element(moments.begin(), moments.end());
+  for (std::size_t k = 0; k < scenes.size(); ++k) simulated += double(steps[k]) * scenes[k].scene.numerics.time_step_s;
+  const std::int64_t longest = *std::max_element(steps.begin(), steps.end());
   CudaBatch batch(scenes, {.samples = recorded, .arithmetic = subject.arithmetic});
-  std::vector<MomentLog> logs(scenes.size());
+  std::vector<StepLog> logs(scenes.size());
   const auto begin = Clock::now();
-  batch.advance(moments, recorded ? &logs : nullptr);
+  batch.advance(steps, recorded ? &logs : nullptr);
   const double wall = std::chrono::duration<double>(Clock::now() - begin).count(), device = batch.device_time();
   std::printf("%s,%s,%s,%s,%lld moments,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
               subject.name().c_str(), measure, static_cast<long long>(longest), scenes.size(), batch.blocks(),
@@ -218,14 +218,14 @@ void batches(const Subject& subject, std::size_t largest) {
   for (std::size_t count : {1, 8, 33, 66, 132, 264}) {
     if (count > largest) break;
     const std::vector<BatchScene> some(all.begin(), all.begin() + std::ptrdiff_t(count));
-    const std::vector<std::int64_t> moments(count, moments_in(some[0].scene, duration));
-    time_batch(subject, "batch", some, moments, false);
-    time_batch(subject, "batch_recorded", some, moments, true);
+    const std::vector<std::int64_t> steps(count, steps_in(some[0].scene, duration));
+    time_batch(subject, "batch", some, steps, false);
+    time_batch(subject, "batch_recorded", some, steps, true);
   }
 }
 
-/// All runs of Table 1 together, with the record of every moment: as many moments of each, and of each a twelfth of its
-/// own.
+/// All runs of Table 1 together, with the record of every time step: as many time steps of each, and of each a twelfth
+/// of its own.
 void table(const Subject& subject) {
   std::vector<BatchScene> scenes;
   for (const SweepMember& member : expand_sweep(subject.cases + "/table1.toml")) {
@@ -233,9 +233,9 @@ void table(const Subject& subject) {
     scenes.push_back({scene, make_field(scene)});
   }
   std::vector<std::int64_t> twelfth;
-  for (const BatchScene& run : scenes) twelfth.push_back(moments_in(run.scene, run.scene.run.duration_s / 12));
+  for (const BatchScene& run : scenes) twelfth.push_back(steps_in(run.scene, run.scene.run.duration_s / 12));
   time_batch(subject, "table1_recorded", scenes,
-             std::vector<std::int64_t>(scenes.size(), moments_in(scenes[0].scene, 1200.0)), true);
+             std::vector<std::int64_t>(scenes.size(), steps_in(scenes[0].scene, 1200.0)), true);
   time_batch(subject, "table1_twelfth_recorded", scenes, twelfth, true);
 }
 
@@ -243,15 +243,15 @@ void table(const Subject& subject) {
 void growth(const Subject& subject) {
   for (const std::int64_t count : {1000, 10000, 100000, 1000000, 4000000}) {
     auto [scene, bodies] = growth_field(count);
-    scene.contact.resolution = subject.resolution;
-    if (subject.resolution == Resolution::independent) scene.contact.manifold = Manifold::chord_middle;
+    scene.contact.solver = subject.solver;
+    if (subject.solver == ContactSolver::independent) scene.contact.manifold = Manifold::chord_middle;
     CudaBatch batch({{scene, bodies}}, {.samples = false, .arithmetic = subject.arithmetic});
     batch.advance(100, nullptr);
     const EngineState start = batch.save(0);
-    const Timing time = time_moments(batch, start, nullptr, 3);
+    const Timing time = time_steps(batch, start, nullptr, 3);
     std::printf("%s,%s,%s,growth,%lld floes,1,%d,%d,%.3f,%.3f,%.0f,,%.2f,%016llx", GEM_COMMIT,
                 batch.device().name.c_str(), subject.name().c_str(), static_cast<long long>(count), batch.blocks(),
-                batch.threads(), 1e6 * time.median, 1e6 * time.spread, scene.numerics.moment_s / time.median,
+                batch.threads(), 1e6 * time.median, 1e6 * time.spread, scene.numerics.time_step_s / time.median,
                 time.wall / time.median, static_cast<unsigned long long>(batch.state_hash(0)));
     end_row(batch);
   }
@@ -277,16 +277,16 @@ void check_word(const std::string& word, const std::vector<std::string>& known) 
 
 int main(int count, char** argument) {
   try {
-    const std::string what = count > 2 ? argument[2] : "all", resolution = count > 4 ? argument[4] : "coupled",
+    const std::string what = count > 2 ? argument[2] : "all", solver = count > 4 ? argument[4] : "coupled",
                       arithmetic = count > 5 ? argument[5] : "strict";
     gem::Subject subject;
     if (count > 1) subject.cases = argument[1];
     if (count > 6) subject.phase = argument[6];
     if (!subject.phase.empty()) gem::check_word(subject.phase, {"drift", "plug", "jam"});
-    if (resolution == "independent") subject.resolution = gem::Resolution::independent;
+    if (solver == "independent") subject.solver = gem::ContactSolver::independent;
     const std::size_t largest = count > 3 ? gem::scenes_of(argument[3]) : 264;
     gem::check_word(what, {"single", "copies", "batch", "table", "growth", "profile", "all"});
-    gem::check_word(resolution, {"coupled", "independent"});
+    gem::check_word(solver, {"coupled", "independent"});
     gem::check_word(arithmetic, {"strict", "fast"});
     if (arithmetic == "fast") subject.arithmetic = gem::Arithmetic::fast;
     gem::header();

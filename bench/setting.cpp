@@ -40,9 +40,9 @@ void set_option(EngineSetting& setting, const std::string& option) {
     options.baseline.position_iterations = static_cast<int>(value);
   } else if (key == "warm") {
     setting.warm = value != 0.0;
-  } else if (key == "moment_factor") {
+  } else if (key == "step_factor") {
     if (!(value > 0.0)) throw Error(ExitCode::usage, option + " is no factor (it must be above 0) correct it");
-    setting.moment_factor = value;
+    setting.step_factor = value;
   } else if (key == "skin") {
     options.baseline.skin_m = value;
   } else {
@@ -50,7 +50,7 @@ void set_option(EngineSetting& setting, const std::string& option) {
   }
 }
 
-/// The impulses of a moment of another length: the same forces. The repair is left to begin anew.
+/// The impulses of a time step of another length: the same forces. The repair is left to begin anew.
 void scale_impulses(EngineState& state, double ratio) {
   for (PointImpulse<double>& impulse : state.impulse_value)
     impulse = {ratio * impulse.normal, ratio * impulse.tangential, 0.0};
@@ -94,7 +94,7 @@ std::vector<EngineSetting> read_settings(const std::string& path, const CaseChoi
     setting.overrides = words(overrides);
     choice.overrides.insert(choice.overrides.end(), setting.overrides.begin(), setting.overrides.end());
     setting.scene = with_floes_of_run_file(read_case(choice));
-    setting.scene.numerics.moment_s *= setting.moment_factor;
+    setting.scene.numerics.time_step_s *= setting.step_factor;
     settings.push_back(setting);
   }
   return settings;
@@ -103,20 +103,20 @@ std::vector<EngineSetting> read_settings(const std::string& path, const CaseChoi
 std::unique_ptr<Engine> engine_at(const EngineSetting& setting, const Start& start) {
   EngineState state = start.state;
   if (setting.warm) {
-    scale_impulses(state, setting.scene.numerics.moment_s / start.moment_s);
+    scale_impulses(state, setting.scene.numerics.time_step_s / start.time_step_s);
   } else {
     state.impulse_key.clear();
     state.impulse_value.clear();
   }
   const double time = start.time;
   auto engine = make_engine(setting.scene, state.bodies, setting.engine);
-  state.moment = std::llround(time / setting.scene.numerics.moment_s);
+  state.step = std::llround(time / setting.scene.numerics.time_step_s);
   engine->restore(state);
   return engine;
 }
 
-std::int64_t moments_in(const EngineSetting& setting, double seconds) {
-  return std::llround(seconds / setting.scene.numerics.moment_s);
+std::int64_t steps_in(const EngineSetting& setting, double seconds) {
+  return std::llround(seconds / setting.scene.numerics.time_step_s);
 }
 
 Spent spent_so_far() {

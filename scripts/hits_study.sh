@@ -24,13 +24,13 @@ cd "$(dirname "$0")/.."
 settings() {
   cat <<END
 gem|1 2 3|--engine cpu
-gem, a quarter of the moment|1|--engine cpu --set numerics.moment_s=0.025
+gem, a quarter of the moment|1|--engine cpu --set numerics.time_step_s=0.025
 gem, 4 iterations|1|--engine cpu --set numerics.iterations_maximum=4
 gem, 400 iterations|1|--engine cpu --set numerics.iterations_maximum=400
 Box2D 8/3|1 2 3|--engine box2d
 Box2D, skin 2.5 mm|1|--engine box2d --skin 0.0025
 Box2D, nothing pushed apart|1|--engine box2d --position-iterations 0
-Box2D, half the moment|1|--engine box2d --set numerics.moment_s=0.05
+Box2D, half the moment|1|--engine box2d --set numerics.time_step_s=0.05
 Box2D, 4 substeps|1|--engine box2d --experiment substeps=4
 Box2D, continuous|1|--engine box2d --experiment continuous=1
 Box2D, cold starts|1|--engine box2d --experiment warm_starting=0

@@ -73,7 +73,7 @@ quick_settings() {
   [ "$1" != day ] || duration=3600
   for setting in "run.duration_s=$duration.0" floes.count=30 floes.length_m=30.0 floes.width_m=200.0 floes.start_x_m=-85.0 \
     'floes.placement="random"' boundary.inlet_x_m=-130.0 boundary.taper_start_x_m=-130.0 boundary.inlet_width_m=200.0 \
-    numerics.moment_s=0.2 output.platform_interval_s=0.8; do
+    numerics.time_step_s=0.2 output.platform_interval_s=0.8; do
     echo "--set=$setting"
   done
   [ "$1" != divergence ] || echo --set=floes.moved_floe=5

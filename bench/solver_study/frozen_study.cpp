@@ -1,5 +1,5 @@
-// Candidates on frozen moments: a run is stopped, its next contact problem taken out, and every method iterates on it
-// from nothing and from the last moment's impulses. Prints CSV.
+// Candidates on frozen time steps: a run is stopped, its next contact problem taken out, and every method iterates on
+// it from nothing and from the last time step's impulses. Prints CSV.
 //
 // Usage: frozen_study LABEL CASE T1,T2,...     (CASE: FILE, or FILE#NAME of a sweep; times in s, ascending)
 #include <iostream>
@@ -22,14 +22,14 @@ namespace {
 
 const std::set<int> looked_at = {0, 1, 2, 5, 12, 24, 48, 96, 192};
 
-/// The moment after a state, up to its events.
+/// The time step after a state, up to its events.
 struct Frozen {
   FieldState field;
   PairList pairs;
   ThreadTeam team{1};
 
   Frozen(const SceneDef& scene, const EngineState& state)
-      : field(make_field_state(state.bodies, moment_constants(scene, state.bodies))) {
+      : field(make_field_state(state.bodies, step_constants(scene, state.bodies))) {
     team.run([&](int rank) { pairs.find(field, team, rank); });
     for (std::size_t i = 0; i < field.bodies.count(); ++i)
       if (field.bodies.kind[i] == BodyKind::floe) kick_floe(field, i);
@@ -84,7 +84,7 @@ int run(const std::vector<std::string>& arguments) {
   for (std::string word; std::getline(times, word, ',');) {
     const auto time = parse_number(word);
     if (!time) throw Error(ExitCode::usage, "'" + word + "' is no time (a number is needed) give one");
-    study(arguments[0], scene, state_at(*leader, scene.numerics.moment_s, *time), *time);
+    study(arguments[0], scene, state_at(*leader, scene.numerics.time_step_s, *time), *time);
   }
   return 0;
 }

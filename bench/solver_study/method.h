@@ -1,4 +1,4 @@
-// The candidates: iterative methods for one moment's contact problem, all asked in the same way.
+// The candidates: iterative methods for one time step's contact problem, all asked in the same way.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct Candidate {
 struct GatherOptions {
   double share = 1.0;       // of the points beyond the first among which a mass is shared out
   double begin = 4.0;       // theta of the acceleration; 0: none (Jacobi)
-  bool anticipates = true;  // the repair also takes back what this moment's velocities leave
+  bool anticipates = true;  // the repair also takes back what this time step's velocities leave
 };
 
 /// All points at once from the same velocities with shared masses: Jacobi, or accelerated.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "gem/engine/solver/coupled_solver.h"
-#include "gem/engine/solver/iteration_course.h"
+#include "gem/engine/solver/iteration_control.h"
 #include "gem/engine/step/books.h"
 #include "gem/engine/step/contact_outcome.h"
 #include "gem/engine/step/contact_stages.h"
@@ -12,7 +12,7 @@
 namespace gem::bench {
 
 MovingField::MovingField(const SceneDef& scene, const EngineState& state)
-    : f(make_field_state(state.bodies, moment_constants(scene, state.bodies))),
+    : f(make_field_state(state.bodies, step_constants(scene, state.bodies))),
       start_velocity_(state.bodies.velocity[0]) {
   for (std::size_t i = 0; i < state.impulse_key.size(); ++i) last[state.impulse_key[i]] = state.impulse_value[i];
 }
@@ -27,7 +27,7 @@ Contacts MovingField::find() {
       score.depth.add(depth);
       ++score.points;
     }
-  ++score.moments;
+  ++score.steps;
   return pairs_.contacts();
 }
 
@@ -78,7 +78,7 @@ Stepper production(std::int64_t iterations) {
             f.constants.iterations_maximum = iterations;
             f.carried_ahead = carried_ahead(iterations);
             const Contacts contacts = field.find();
-            if (field.score.moments == 1) {
+            if (field.score.steps == 1) {
               std::vector<std::uint64_t> keys;
               Impulses impulses;
               for (const auto& [key, impulse] : field.last) {
@@ -90,7 +90,7 @@ Stepper production(std::int64_t iterations) {
             field.kick();
             const auto velocity = f.bodies.velocity;
             const auto spin = f.bodies.spin;
-            MomentQuality quality;
+            StepQuality quality;
             solver->lay_out(f, contacts, field.team.size());
             field.team.run([&](int rank) { solver->resolve(f, contacts, field.team, rank, quality); });
             field.note_change(velocity, spin);

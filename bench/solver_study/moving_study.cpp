@@ -1,5 +1,5 @@
 // Moving fields: a state of a case is moved on for some seconds with each way of resolving contacts, at equal numbers
-// of passes over the points in a moment, and judged by overlap, force, energy and rebound. Prints CSV.
+// of passes over the points in a time step, and judged by overlap, force, energy and rebound. Prints CSV.
 //
 // Usage: moving_study LABEL CASE START_S DURATION_S     (CASE: FILE, or FILE#NAME of a sweep)
 #include <sys/resource.h>
@@ -57,19 +57,19 @@ double user_seconds() {
 void move(const std::string& label, const SceneDef& scene, const EngineState& state, double duration,
           const Stepper& stepper) {
   MovingField field(scene, state);
-  const double before = user_seconds(), dt = scene.numerics.moment_s;
-  const std::int64_t moments = std::llround(duration / dt);
+  const double before = user_seconds(), dt = scene.numerics.time_step_s;
+  const std::int64_t steps = std::llround(duration / dt);
   bool finite = true;
-  for (std::int64_t i = 0; i < moments && finite; ++i) {
-    stepper.moment(field);
+  for (std::int64_t i = 0; i < steps && finite; ++i) {
+    stepper.step(field);
     for (const Vec2 velocity : field.f.bodies.velocity) finite = finite && length(velocity) < 1e3;
   }
   const MovingScore& s = field.score;
-  const double time = static_cast<double>(s.moments) * dt,
+  const double time = static_cast<double>(s.steps) * dt,
                points = static_cast<double>(std::max<std::int64_t>(1, s.points));
-  std::string row = label + "," + stepper.name + "," + std::to_string(s.moments) + "," + (finite ? "yes" : "no");
+  std::string row = label + "," + stepper.name + "," + std::to_string(s.steps) + "," + (finite ? "yes" : "no");
   for (const double value :
-       {points / static_cast<double>(s.moments), s.deepest, s.depth.quantile(0.999), s.depth.quantile(0.99),
+       {points / static_cast<double>(s.steps), s.deepest, s.depth.quantile(0.999), s.depth.quantile(0.99),
         s.depth_sum / points, s.platform_impulse.x / time, s.fixed_impulse.x / time, s.created, s.lost, s.fastest_back,
         field.f.bodies.velocity[0].x, user_seconds() - before})
     row += "," + number_text(value, 6);
@@ -83,7 +83,7 @@ int run(const std::vector<std::string>& arguments) {
   const auto start = parse_number(arguments[2]), duration = parse_number(arguments[3]);
   if (!start || !duration) throw Error(ExitCode::usage, "start and duration are no numbers (seconds) give both");
   const auto leader = make_engine(scene, make_field(scene), {.name = "cpu", .threads = 1});
-  const EngineState state = state_at(*leader, scene.numerics.moment_s, *start);
+  const EngineState state = state_at(*leader, scene.numerics.time_step_s, *start);
   std::cout << "scene,method,moments,finite,points,overlap_maximum_m,overlap_999_m,overlap_99_m,overlap_mean_m,"
                "platform_force_x_N,fixed_force_x_N,created_J,lost_J,platform_back_m_per_s,platform_end_m_per_s,user_s,"
                "commit\n";

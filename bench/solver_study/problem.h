@@ -1,4 +1,4 @@
-// One moment's contact problem taken out of an engine, and the measure by which all solvers are judged.
+// One time step's contact problem taken out of an engine, and the measure by which all solvers are judged.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ struct Problem {
 /// Of contacts that prepare_contact() has seen; `start` gives the last impulses for the crushing limit's bound.
 Problem make_problem(const FieldState& f, Contacts contacts, const Impulses& start);
 
-/// What a moment starts from, by the contact points' names.
+/// What a time step starts from, by the contact points' names.
 using WarmStart = std::map<std::uint64_t, PointImpulse<double>>;
 /// `repair_share`: how much of the last repair is taken over.
 Impulses warm_impulses(Contacts contacts, const WarmStart& last, double repair_share);

@@ -18,13 +18,13 @@ SceneDef scene_named(const std::string& text) {
   throw Error(ExitCode::usage, path + " has no run '" + name + "' (see gem sweep list) name one of them");
 }
 
-EngineState state_at(Engine& leader, double moment_s, double time) {
-  MomentLog log;
+EngineState state_at(Engine& leader, double time_step_s, double time) {
+  StepLog log;
   log.wants_events = false;
-  const std::int64_t last = std::llround(time / moment_s);
-  while (leader.moment() < last) {
+  const std::int64_t last = std::llround(time / time_step_s);
+  while (leader.step() < last) {
     log.clear();
-    leader.advance(std::min<std::int64_t>(100, last - leader.moment()), log);
+    leader.advance(std::min<std::int64_t>(100, last - leader.step()), log);
   }
   return leader.save();
 }

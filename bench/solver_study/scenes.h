@@ -11,7 +11,7 @@ namespace gem::bench {
 /// A case file, or one run of a sweep: FILE#NAME. Throws gem::Error.
 SceneDef scene_named(const std::string& text);
 
-/// State at `time` as the default resolution leaves it; `leader` is moved on and must not be past it.
-EngineState state_at(Engine& leader, double moment_s, double time);
+/// State at `time` as the default solver leaves it; `leader` is moved on and must not be past it.
+EngineState state_at(Engine& leader, double time_step_s, double time);
 
 }  // namespace gem::bench

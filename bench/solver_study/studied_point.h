@@ -23,8 +23,7 @@ struct StudiedResidual {
 /// One visit; the whole point is carried ahead by `ahead` times its change.
 template <PointFriction law>
 StudiedResidual visit_studied(const StudiedPoint& g, const Motion<double>& a, const Motion<double>& b, double dt,
-                              double per_moment, double ahead, PointImpulse<double>& at,
-                              PointImpulse<double>& carried) {
+                              double per_step, double ahead, PointImpulse<double>& at, PointImpulse<double>& carried) {
   PointFrame<double> f{};
   f.normal_x = g.normal_x, f.normal_y = g.normal_y;
   f.lever_a_n = g.lever_a_n, f.lever_a_t = g.lever_a_t, f.lever_b_n = g.lever_b_n, f.lever_b_t = g.lever_b_t;
@@ -36,7 +35,7 @@ StudiedResidual visit_studied(const StudiedPoint& g, const Motion<double>& a, co
                            b.spin,    b.turn};
   const PointImpulse<double> before = at, from = carried;
   StudiedResidual residual;
-  residual.speed = visit_point<law, true>(f, w, MomentPace<double>{dt, per_moment}, 0.0, at, carried);
+  residual.speed = visit_point<law, true>(f, w, StepLength<double>{dt, per_step}, 0.0, at, carried);
   const double change_n = at.normal - before.normal, change_t = at.tangential - before.tangential;
   residual.climb = -((at.normal - from.normal) * change_n * g.nn + (at.tangential - from.tangential) * change_t * g.tt);
   carried = {at.normal + ahead * change_n, at.tangential + ahead * change_t,

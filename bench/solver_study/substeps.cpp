@@ -1,4 +1,4 @@
-// Moments cut into short ones: the contacts are found once, their gaps followed by the motion of their bodies.
+// Time steps cut into short ones: the contacts are found once, their gaps followed by the motion of their bodies.
 #include <algorithm>
 #include <cmath>
 
@@ -15,14 +15,14 @@ struct Softness {
   double bias_rate, mass_share, impulse_share;
 };
 
-/// Contacts as damped springs, never stiffer than a quarter of the rate of the short moments.
+/// Contacts as damped springs, never stiffer than a quarter of the rate of the short time steps.
 Softness softness(double h) {
   const double omega = 2.0 * M_PI * std::min(soft_hertz, 0.25 / h);
   const double damped = 2.0 * soft_damping + h * omega, stiff = h * omega * damped;
   return {omega / damped, stiff / (1.0 + stiff), 1.0 / (1.0 + stiff)};
 }
 
-/// The contacts of one moment while its short moments pass.
+/// The contacts of one time step while its short time steps pass.
 struct Followed {
   Problem problem;
   Impulses impulses;
@@ -44,7 +44,7 @@ Followed follow(MovingField& field, Contacts contacts) {
 
 /// Velocities before, and what each point asks for, at the gaps as they are.
 void renew(const MovingField& field, Followed& now) {
-  const MomentConstants& c = field.f.constants;
+  const StepConstants& c = field.f.constants;
   now.problem.velocity = field.f.bodies.velocity;
   now.problem.spin = field.f.bodies.spin;
   for (std::size_t k = 0; k < now.separation.size(); ++k) {
@@ -99,13 +99,13 @@ void sweep(Followed& now, Motions& motions, const Softness* soft, bool repairs) 
   }
 }
 
-/// Runs `one_step` through the short moments with their own constants.
+/// Runs `one_step` through the short time steps with their own constants.
 template <class OneStep>
-void through_steps(MovingField& field, const MomentConstants& small, int steps, OneStep&& one_step) {
-  const MomentConstants whole = field.f.constants;
+void through_steps(MovingField& field, const StepConstants& small, int steps, OneStep&& one_step) {
+  const StepConstants whole = field.f.constants;
   const Contacts contacts = field.find();
   field.f.constants = small;
-  if (field.score.moments == 1)  // the leader's impulses are those of a whole moment
+  if (field.score.steps == 1)  // the leader's impulses are those of a whole time step
     for (auto& [key, impulse] : field.last) impulse = {impulse.normal / steps, impulse.tangential / steps, 0.0};
   field.kick();
   Followed now = follow(field, contacts);
@@ -118,17 +118,17 @@ void through_steps(MovingField& field, const MomentConstants& small, int steps, 
   field.f.constants = whole;
 }
 
-MomentConstants constants_of_step(const SceneDef& scene, const FieldState& f, int steps) {
+StepConstants constants_of_step(const SceneDef& scene, const FieldState& f, int steps) {
   SceneDef small = scene;
-  small.numerics.moment_s /= steps;
-  return moment_constants(small, f.bodies);
+  small.numerics.time_step_s /= steps;
+  return step_constants(small, f.bodies);
 }
 
 }  // namespace
 
 Stepper small_steps(const SceneDef& scene, int steps) {
   return {"small steps " + std::to_string(steps), [=](MovingField& field) {
-            const MomentConstants small = constants_of_step(scene, field.f, steps);
+            const StepConstants small = constants_of_step(scene, field.f, steps);
             through_steps(field, small, steps, [&](Followed& now) {
               for (PointImpulse<double>& impulse : now.impulses) impulse.repair = 0.0;
               keep_best_share(now.problem, now.impulses, 1.0);
@@ -143,7 +143,7 @@ Stepper small_steps(const SceneDef& scene, int steps) {
 
 Stepper soft_steps(const SceneDef& scene, int steps) {
   return {"soft steps " + std::to_string(steps), [=](MovingField& field) {
-            const MomentConstants small = constants_of_step(scene, field.f, steps);
+            const StepConstants small = constants_of_step(scene, field.f, steps);
             const Softness soft = softness(small.dt);
             through_steps(field, small, steps, [&](Followed& now) {
               for (PointImpulse<double>& impulse : now.impulses) impulse.repair = 0.0;

@@ -52,8 +52,8 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
     text += "  " + name + std::string(18 - name.size(), ' ') + value + "\n";
   };
   line("case", scene_hash(scene));
-  line("run", number_text(scene.run.duration_s) + " s, " + fixed_text(estimate(scene).moments, 0) + " moments of " +
-                  number_text(scene.numerics.moment_s) + " s");
+  line("run", number_text(scene.run.duration_s) + " s, " + fixed_text(estimate(scene).steps, 0) + " time steps of " +
+                  number_text(scene.numerics.time_step_s) + " s");
   if (scene.platform.present)
     line("platform", "mass " + number_text(scene.platform.mass_kg) + " kg, " + mooring_text(scene));
   line("floes", std::to_string(field.floe_count));

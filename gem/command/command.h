@@ -71,7 +71,7 @@ std::string run_file_name(const std::string& run_name);
 
 /// What a run needs, estimated before anything is allocated.
 struct Estimate {
-  double moments = 0.0;
+  double steps = 0.0;
   double memory = 0.0;         // [bytes]
   double disk = 0.0;           // [bytes], without the events
   double platform_disk = 0.0;  // of that what the platform's samples take

@@ -77,14 +77,14 @@ std::string dry_run_text(const SceneDef& scene, const Bodies& field, const Estim
                                            {"engine", choice.engine.name},
                                            {"threads", choice.engine.threads},
                                            {"floes", floes},
-                                           {"moments", need.moments},
+                                           {"steps", need.steps},
                                            {"memory_bytes", need.memory},
                                            {"disk_bytes", need.disk},
                                            {"file", choice.options.output}};
     return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   }
   return resolved_toml(scene) + "\n# dry run: nothing was computed\n# case    " + scene_hash(scene) + "\n# floes   " +
-         std::to_string(floes) + "\n# moments " + fixed_text(need.moments, 0) + "\n# engine  " + choice.engine.name +
+         std::to_string(floes) + "\n# time steps " + fixed_text(need.steps, 0) + "\n# engine  " + choice.engine.name +
          ", " + place + "\n# memory  about " + size_text(need.memory) + "\n# disk    about " + size_text(need.disk) +
          " in " + shown(choice.options.output) + "\n";
 }

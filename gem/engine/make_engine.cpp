@@ -58,11 +58,11 @@ std::vector<std::string> baseline_names() {
   return names;
 }
 
-std::uint64_t Engine::state_hash() { return hash_of(moment(), bodies()); }
+std::uint64_t Engine::state_hash() { return hash_of(step(), bodies()); }
 
-std::uint64_t hash_of(std::int64_t moment, const Bodies& b) {
+std::uint64_t hash_of(std::int64_t step, const Bodies& b) {
   Hash hash;
-  hash.add(static_cast<std::uint64_t>(moment));
+  hash.add(static_cast<std::uint64_t>(step));
   for (std::size_t i = 0; i < b.count(); ++i) {
     for (const double value : {b.position[i].x, b.position[i].y, b.rotation[i].cosine, b.rotation[i].sine,
                                b.velocity[i].x, b.velocity[i].y, b.spin[i]})

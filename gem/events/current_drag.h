@@ -1,4 +1,4 @@
-// Water drag on a floe in a current, exact over a moment of any length.
+// Water drag on a floe in a current, exact over a time step of any length.
 //
 //   quadratic   dw/dt = -k |w| w     w' = w / (1 + z),   z = k |w| dt,   path of w = (w / |w|) ln(1 + z) / k
 //   linear      dw/dt = -w / tau     w' = w e^(-dt/tau),                 path of w = tau (w - w')
@@ -14,10 +14,10 @@
 
 namespace gem {
 
-/// Slip after a moment, and how much shorter its path is than (slip after) x dt would say.
+/// Slip after a time step, and how much shorter its path is than (slip after) x dt would say.
 struct DragSolution {
-  Vec2 slip;             // after the moment [m/s]
-  Vec2 path_correction;  // integral of the slip over the moment minus slip x dt [m]
+  Vec2 slip;             // after the time step [m/s]
+  Vec2 path_correction;  // integral of the slip over the time step minus slip x dt [m]
 };
 
 struct SpinDragSolution {
@@ -30,7 +30,7 @@ GEM_HD inline double drag_reach(double k, double speed, double dt) { return k * 
 
 /// What the quadratic law makes of a slip, both in proportion to it.
 struct DragShares {
-  double left;             // after the moment
+  double left;             // after the time step
   double path_correction;  // [s]
 };
 
@@ -61,7 +61,7 @@ GEM_HD inline SpinDragSolution spin_drag_quadratic(double k, double spin, double
   return shared_out(drag_shares(z, strict::log1p(z), dt), spin);
 }
 
-/// Linear law with rate = 1/tau [1/s]; `decay` is e^(-rate dt), the same for all floes and moments.
+/// Linear law with rate = 1/tau [1/s]; `decay` is e^(-rate dt), the same for all floes and time steps.
 GEM_HD inline DragSolution drag_linear(double rate, Vec2 slip, double decay, double dt) {
   return {decay * slip, ((1.0 - decay) / rate - decay * dt) * slip};
 }

@@ -1,4 +1,4 @@
-// Separating axes that are followed from moment to moment are those of a fresh look.
+// Separating axes that are followed from step to step are those of a fresh look.
 #include <gtest/gtest.h>
 
 #include "gem/geometry/test_shapes.h"

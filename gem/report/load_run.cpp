@@ -25,7 +25,7 @@ RunIdentity identity(const RunFile& file, const SceneDef& scene) {
   id.resolution = file.attribute("gem_resolution");
   id.build = file.attribute("gem_build");
   id.threads = file.attribute("gem_threads");
-  id.moment_s = scene.numerics.moment_s;
+  id.time_step_s = scene.numerics.time_step_s;
   return id;
 }
 

@@ -23,7 +23,7 @@ struct RunIdentity {
   std::string engine;
   std::string resolution;
   std::string threads;
-  double moment_s = 0.0;
+  double time_step_s = 0.0;
 };
 
 /// Forces act on the platform [N]; `ice_force` is the mean over one sample, `ice_force_mean` over force_window_s.

@@ -10,10 +10,10 @@
 
 namespace gem {
 
-/// How the events of one moment are resolved.
-enum class Resolution {
-  independent,  ///< the paper: every pair event once, from the same start-of-moment state
-  coupled       ///< all events of the moment together, to a stated residual
+/// How the events of one time step are resolved.
+enum class ContactSolver {
+  independent,  ///< the paper: every pair event once, from the same start-of-step state
+  coupled       ///< all events of the time step together, to a stated residual
 };
 
 /// Where the impulses of one contact act.
@@ -124,7 +124,7 @@ struct PlatformDragDef {
 };
 
 struct ContactDef {
-  Resolution resolution = Resolution::coupled;
+  ContactSolver solver = ContactSolver::coupled;
   Manifold manifold = Manifold::chord_ends;
   FrictionLaw friction_law = FrictionLaw::one_step;
   bool crushing_limit = true;              ///< coupled: no event carries more than what crushes the smaller body
@@ -132,11 +132,11 @@ struct ContactDef {
 };
 
 struct NumericsDef {
-  double moment_s = 0.05;            ///< dt
+  double time_step_s = 0.05;         ///< dt
   double residual_tolerance = 1e-5;  ///< coupled: speed that events may still ask for, over the current speed
   std::int64_t iterations_maximum = 32;
-  double contact_reach = 1.5;         ///< coupled: faces that the current could close in so many moments are held apart
-  double repair_share = 0.6;          ///< coupled: share of an overlap that is taken back in one moment
+  double contact_reach = 1.5;  ///< coupled: faces that the current could close in so many time steps are held apart
+  double repair_share = 0.6;   ///< coupled: share of an overlap that is taken back in one time step
   double repair_speed_m_per_s = 0.1;  ///< coupled: ... at most at this speed
   double list_margin_m = 2.5;         ///< pairs closer than this are kept in the list
 };

@@ -63,7 +63,7 @@ endif()
 # not reach what is told at the end of the file.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/solver/coupled_rounds.cpp PROPERTIES COMPILE_OPTIONS -Wno-psabi)
 # A false alarm of g++ 12, hundreds of lines: each use stands behind the condition under which it was filled.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/device/moments_test.cpp PROPERTIES COMPILE_OPTIONS
+set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/device/resident_steps_test.cpp PROPERTIES COMPILE_OPTIONS
   -Wno-uninitialized)
 add_library(gem_simulator STATIC ${simulator_sources})
 add_dependencies(gem_simulator gem_version)

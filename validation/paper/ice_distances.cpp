@@ -37,7 +37,7 @@ struct Planned {
 using Distances = std::vector<std::vector<double>>;  // of each copy, one per sample [m]
 
 SceneDef scene_of(const Planned& plan, const std::string& moved, const std::string& file) {
-  std::vector<std::string> settings = {"contact.resolution=\"" + plan.contacts + "\"",
+  std::vector<std::string> settings = {"contact.solver=\"" + plan.contacts + "\"",
                                        "run.seed=" + std::to_string(plan.seed)};
   if (plan.contacts == "independent")
     settings.insert(settings.end(), {"contact.manifold=\"chord_middle\"", "contact.friction_law=\"fixed_direction\""});
@@ -68,7 +68,7 @@ Distances carried_out(const Planned& plan, const std::string& file, double secon
     engines.push_back(make_engine(other, make_field(other), options));
   }
   Distances distances(kMoves.size());
-  const std::int64_t step = std::llround(kInterval / scene.numerics.moment_s);
+  const std::int64_t step = std::llround(kInterval / scene.numerics.time_step_s);
   const auto note = [&] {
     for (std::size_t k = 0; k < kMoves.size(); ++k)
       distances[k].push_back(distance(engines[0]->bodies(), engines[k + 1]->bodies()));
@@ -76,7 +76,7 @@ Distances carried_out(const Planned& plan, const std::string& file, double secon
   note();
   for (double time = 0.0; time < seconds; time += kInterval) {
     for (const auto& engine : engines) {
-      MomentLog log;
+      StepLog log;
       log.wants_events = false;
       engine->advance(step, log);
     }

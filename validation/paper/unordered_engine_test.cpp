@@ -17,11 +17,11 @@ namespace {
 
 constexpr double kUnit = 0x1p-24;  // half a unit in the last place of 1 in single precision
 
-class UnorderedSums : public testing::TestWithParam<std::tuple<Resolution, SumStart>> {
+class UnorderedSums : public testing::TestWithParam<std::tuple<ContactSolver, SumStart>> {
  protected:
   SceneDef scene() const {
     SceneDef scene = test::busy_scene(3);
-    scene.contact.resolution = std::get<0>(GetParam());
+    scene.contact.solver = std::get<0>(GetParam());
     return scene;
   }
   UnorderedEngine repeat(std::uint64_t seed) const {
@@ -55,7 +55,7 @@ TEST(SumOfPushes, EveryOrderComesAsOften) {
 
 TEST_P(UnorderedSums, TheSameRepeatHasTheSameBits) {
   UnorderedEngine first = repeat(1), again = repeat(1);
-  MomentLog first_log, again_log;
+  StepLog first_log, again_log;
   first.advance(300, first_log);
   again.advance(300, again_log);
   ASSERT_GT(first.statistics().changed, 0);
@@ -65,22 +65,22 @@ TEST_P(UnorderedSums, TheSameRepeatHasTheSameBits) {
 
 TEST_P(UnorderedSums, TwoRepeatsPartOnceOrderMatters) {
   UnorderedEngine first = repeat(1), second = repeat(2);
-  MomentLog log;
-  while (first.statistics().changed == 0 && first.moment() < 300) {
-    ASSERT_EQ(first.state_hash(), second.state_hash()) << "moment " << first.moment();
+  StepLog log;
+  while (first.statistics().changed == 0 && first.step() < 300) {
+    ASSERT_EQ(first.state_hash(), second.state_hash()) << "moment " << first.step();
     first.advance(1, log);
     second.advance(1, log);
     if (second.statistics().changed > 0) break;
   }
-  first.advance(300 - first.moment(), log);
-  second.advance(300 - second.moment(), log);
+  first.advance(300 - first.step(), log);
+  second.advance(300 - second.step(), log);
   EXPECT_NE(first.state_hash(), second.state_hash());
 }
 
 TEST_P(UnorderedSums, AMomentIsTheOrderedOneButForRounding) {
   const SceneDef made = scene();
   CpuEngine ordered(made, test::busy_field(made), 1, EngineOptions{}.contacts_worth_a_thread);
-  MomentLog log;
+  StepLog log;
   ordered.advance(50, log);
   UnorderedEngine unordered = repeat(1);
   double largest = 0.0;
@@ -103,13 +103,13 @@ TEST_P(UnorderedSums, AMomentIsTheOrderedOneButForRounding) {
   EXPECT_LT(largest, 2.0 * terms * kUnit * 10.0);
 }
 
-std::string name_of(const testing::TestParamInfo<std::tuple<Resolution, SumStart>>& info) {
-  return std::string(std::get<0>(info.param) == Resolution::coupled ? "coupled" : "independent") +
+std::string name_of(const testing::TestParamInfo<std::tuple<ContactSolver, SumStart>>& info) {
+  return std::string(std::get<0>(info.param) == ContactSolver::coupled ? "coupled" : "independent") +
          (std::get<1>(info.param) == SumStart::zero ? "_from_zero" : "_from_velocity");
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, UnorderedSums,
-                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+                         testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
                                           testing::Values(SumStart::zero, SumStart::velocity)),
                          name_of);
 

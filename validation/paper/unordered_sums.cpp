@@ -62,7 +62,7 @@ std::vector<Planned> plan() {
 /// What the paper states, or where it is silent what `independent` needs: gem/manual/user_guide.md, "the paper's
 /// method".
 SceneDef scene_of(const Planned& run, const std::string& file) {
-  std::vector<std::string> settings = {"ice.friction_ice=0.1", "contact.resolution=\"" + run.contacts + "\""};
+  std::vector<std::string> settings = {"ice.friction_ice=0.1", "contact.solver=\"" + run.contacts + "\""};
   if (run.contacts == "independent") settings.push_back("contact.manifold=\"chord_middle\"");
   if (moved(run)) {
     settings.push_back("floes.moved_floe=" + std::to_string(run.run));
@@ -92,9 +92,9 @@ Done carried_out(const Planned& run, const std::string& file, double seconds) {
     done.path.velocity.push_back((1.0 / frequency) * velocity);
   };
   note(engine->bodies().position[0], engine->bodies().velocity[0]);
-  const std::int64_t step = std::llround(kInterval / scene.numerics.moment_s);
+  const std::int64_t step = std::llround(kInterval / scene.numerics.time_step_s);
   for (double time = 0.0; time < seconds; time += kInterval) {
-    MomentLog log;
+    StepLog log;
     log.wants_events = false;
     engine->advance(step, log);
     note(log.platform.back().position, log.platform.back().velocity);

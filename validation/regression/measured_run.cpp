@@ -32,18 +32,18 @@ struct Totals {
 constexpr std::int64_t block_steps = 64;
 
 std::int64_t window_steps(const SceneDef& scene) {
-  return std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / scene.numerics.moment_s));
+  return std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / scene.numerics.time_step_s));
 }
 
-void add(Totals& totals, const SceneDef& scene, std::int64_t first_step, const MomentLog& log) {
+void add(Totals& totals, const SceneDef& scene, std::int64_t first_step, const StepLog& log) {
   totals.events += static_cast<std::int64_t>(log.events.size());
-  for (const MomentQuality& quality : log.quality) {
+  for (const StepQuality& quality : log.quality) {
     totals.contacts += quality.contacts;
     totals.iterations += quality.iterations;
     totals.deepest_overlap = std::max(totals.deepest_overlap, quality.maximum_overlap);
   }
   std::int64_t step = first_step;
-  for (const PlatformMoment& platform : log.platform) {
+  for (const PlatformStep& platform : log.platform) {
     totals.platform_contacts += platform.contacts;
     totals.impulse += platform.ice_impulse;
     totals.yaw_impulse += platform.ice_yaw_impulse;
@@ -81,9 +81,9 @@ class Cells {
 };
 
 void add_platform(Cells& cells, const SceneDef& scene, const Totals& totals, Engine& engine) {
-  const double steps = static_cast<double>(engine.moment());
-  const double window = static_cast<double>(window_steps(scene)) * scene.numerics.moment_s;
-  cells.number("mean_force_x_N", totals.impulse.x / (steps * scene.numerics.moment_s));
+  const double steps = static_cast<double>(engine.step());
+  const double window = static_cast<double>(window_steps(scene)) * scene.numerics.time_step_s;
+  cells.number("mean_force_x_N", totals.impulse.x / (steps * scene.numerics.time_step_s));
   cells.number("largest_window_force_N", totals.largest_impulse / window);
   cells.number("impulse_x_N_s", totals.impulse.x);
   cells.number("impulse_y_N_s", totals.impulse.y);
@@ -110,11 +110,11 @@ MeasuredRun measured(const ListedRun& run, const EngineOptions& options) {
   const SceneDef scene = scene_of(run);
   const auto engine = make_engine(scene, make_field(scene), options);
   Totals totals;
-  MomentLog log;
-  const std::int64_t steps = moments_of(scene);
-  while (engine->moment() < steps) {
+  StepLog log;
+  const std::int64_t steps = steps_of(scene);
+  while (engine->step() < steps) {
     log.clear();
-    const std::int64_t first_step = engine->moment();
+    const std::int64_t first_step = engine->step();
     engine->advance(std::min(block_steps, steps - first_step), log);
     add(totals, scene, first_step, log);
     engine->ledger();
@@ -122,7 +122,7 @@ MeasuredRun measured(const ListedRun& run, const EngineOptions& options) {
   Cells cells;
   cells.text("state_hash", hash_text(engine->state_hash()));
   cells.count("steps", steps);
-  cells.number("simulated_s", static_cast<double>(steps) * scene.numerics.moment_s);
+  cells.number("simulated_s", static_cast<double>(steps) * scene.numerics.time_step_s);
   cells.count("contacts", totals.contacts);
   cells.count("platform_contacts", totals.platform_contacts);
   cells.count("iterations", totals.iterations);

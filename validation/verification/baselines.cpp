@@ -38,7 +38,7 @@ std::vector<Setting> surveyed_baselines() {
     return true;
   }();
   std::vector<Setting> settings;
-  for (const auto& variant : variants) settings.push_back({variant.name, Resolution::coupled});
+  for (const auto& variant : variants) settings.push_back({variant.name, ContactSolver::coupled});
   return settings;
 }
 

@@ -39,7 +39,7 @@ mass_kg = 4e6
 platform_interval_s = 0.02
 floes_interval_s = 0.5
 [numerics]
-moment_s = 0.01
+time_step_s = 0.01
 [sweep]
 mode = "product"
 name = "{speed}_{mass}"
@@ -124,7 +124,7 @@ class SweepCommandTest : public testing::Test {
   ScratchFolder scratch_{"gem sweep"};
   const fs::path& folder_ = scratch_.path();
   /// Makes each run last long enough to be interrupted.
-  const Words slow_ = {"--set", "numerics.moment_s=2e-5", "--set", "output.platform_interval_s=0.02"};
+  const Words slow_ = {"--set", "numerics.time_step_s=2e-5", "--set", "output.platform_interval_s=0.02"};
 };
 
 TEST_F(SweepCommandTest, EveryRunHasTheBitsThatItHasAlone) {

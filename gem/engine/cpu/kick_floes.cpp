@@ -21,12 +21,12 @@ struct BlockShares {
   void work_out(int count, double dt) {
     for (int j = 0; j < count; ++j) shares[j] = drag_shares(reach[j], strict::log1p_short(reach[j]), dt);
   }
-  /// Whether they hold: a moment that is not short, or nothing to slow down, is left to the law itself.
-  bool hold(int j) const { return reach[j] > 0.0 && reach[j] < strict::short_argument; }
+  /// Whether they hold: a time step that is not short, or nothing to slow down, is left to the law itself.
+  bool load(int j) const { return reach[j] > 0.0 && reach[j] < strict::short_argument; }
 };
 
 GEM_CLONES void kick_block(FieldState& f, std::int64_t begin, int count) {
-  const MomentConstants& c = f.constants;
+  const StepConstants& c = f.constants;
   const Bodies& b = f.bodies;
   BlockShares slips, spins;
   for (int j = 0; j < count; ++j) {
@@ -41,9 +41,9 @@ GEM_CLONES void kick_block(FieldState& f, std::int64_t begin, int count) {
     if (b.kind[i] != BodyKind::floe || !b.active[i]) continue;
     const Vec2 slip = c.current - b.velocity[i];
     const DragSolution solved =
-        slips.hold(j) ? shared_out(slips.shares[j], slip) : drag_quadratic(b.drag[i], slip, length(slip), c.dt);
+        slips.load(j) ? shared_out(slips.shares[j], slip) : drag_quadratic(b.drag[i], slip, length(slip), c.dt);
     const SpinDragSolution turn =
-        spins.hold(j) ? shared_out(spins.shares[j], b.spin[i]) : spin_drag_quadratic(b.spin_drag[i], b.spin[i], c.dt);
+        spins.load(j) ? shared_out(spins.shares[j], b.spin[i]) : spin_drag_quadratic(b.spin_drag[i], b.spin[i], c.dt);
     enter_kick(f, i, kick_of(c, solved, turn));
   }
 }

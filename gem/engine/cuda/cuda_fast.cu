@@ -4,7 +4,7 @@
 
 namespace gem {
 
-AdvanceKernel fast_kernel(bool gated) { return kernel_of(gated); }
-PhaseKernel fast_phase(DevicePhase phase, Resolution resolution) { return phase_kernel_of(phase, resolution); }
+AdvanceKernel fast_kernel(bool uses_grid_barrier) { return kernel_of(uses_grid_barrier); }
+PhaseKernel fast_phase(DevicePhase phase, ContactSolver solver) { return phase_kernel_of(phase, solver); }
 
 }  // namespace gem

@@ -10,35 +10,36 @@
 namespace gem {
 namespace {
 
-/// The fast memory that a kernel takes is taken from the cache; more than this loses more there than it gains [bytes].
-constexpr std::size_t most_room = 160 * 1024;
+/// The shared memory that a kernel takes is taken from the cache; more than this loses more there than it gains
+/// [bytes].
+constexpr std::size_t most_shared_bytes = 160 * 1024;
 
-/// Blocks of a scene that meet at a gate, at least: up to three scenes on 132 multiprocessors. Between these and the
-/// largest cluster, whose blocks meet faster, nothing was timed.
-constexpr int fewest_gated = 40;
-static_assert(fewest_gated > largest_cluster);
+/// Blocks of a scene that meet at a grid barrier, at least: up to three scenes on 132 multiprocessors. Between these
+/// and the largest cluster, whose blocks meet faster, nothing was timed.
+constexpr int fewest_blocks_at_barrier = 40;
+static_assert(fewest_blocks_at_barrier > largest_cluster);
 
 /// How a batch is spread over the device.
 struct Spread {
   Arithmetic arithmetic = Arithmetic::strict;
   int scenes = 1, blocks = 1, threads = most_threads;
-  bool gated() const { return blocks > largest_cluster; }
-  int cluster() const { return gated() ? 1 : blocks; }
+  bool uses_grid_barrier() const { return blocks > largest_cluster; }
+  int cluster() const { return uses_grid_barrier() ? 1 : blocks; }
   AdvanceKernel kernel() const {
-    return arithmetic == Arithmetic::fast ? fast_kernel(gated()) : strict_kernel(gated());
+    return arithmetic == Arithmetic::fast ? fast_kernel(uses_grid_barrier()) : strict_kernel(uses_grid_barrier());
   }
 };
 
-/// The fast memory that a block may have besides what the kernel takes itself; the kernel is allowed to take it
+/// The shared memory that a block may have besides what the kernel takes itself; the kernel is allowed to take it
 /// [bytes].
-std::size_t room_of_block(const Spread& spread) {
+std::size_t shared_bytes_of_block(const Spread& spread) {
   int device = 0, most = 0;
   cudaFuncAttributes attributes{};
   check_cuda(cudaGetDevice(&device), "be set up");
   check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
   check_cuda(cudaFuncGetAttributes(&attributes, spread.kernel()), "be set up");
   const std::size_t left =
-      std::min(most_room, (static_cast<std::size_t>(most) - attributes.sharedSizeBytes) / 128 * 128);
+      std::min(most_shared_bytes, (static_cast<std::size_t>(most) - attributes.sharedSizeBytes) / 128 * 128);
   check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(left)),
              "be set up");
   check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
@@ -50,17 +51,17 @@ struct LaunchConfig {
   cudaLaunchConfig_t config{};
   cudaLaunchAttribute attribute[2];
 
-  LaunchConfig(const Spread& spread, std::size_t room, cudaStream_t stream) {
+  LaunchConfig(const Spread& spread, std::size_t shared_memory, cudaStream_t stream) {
     attribute[0].id = cudaLaunchAttributeClusterDimension;
     attribute[0].val.clusterDim = {static_cast<unsigned>(spread.cluster()), 1, 1};
     attribute[1].id = cudaLaunchAttributeCooperative;
     attribute[1].val.cooperative = 1;
     config.gridDim = dim3(static_cast<unsigned>(spread.scenes * spread.blocks));
     config.blockDim = dim3(static_cast<unsigned>(spread.threads));
-    config.dynamicSmemBytes = room;
+    config.dynamicSmemBytes = shared_memory;
     config.stream = stream;
     config.attrs = attribute;
-    config.numAttrs = spread.gated() ? 2 : 1;
+    config.numAttrs = spread.uses_grid_barrier() ? 2 : 1;
   }
   LaunchConfig(const LaunchConfig&) = delete;
   LaunchConfig& operator=(const LaunchConfig&) = delete;
@@ -71,7 +72,7 @@ struct LaunchConfig {
     config.numAttrs = 1;
     if (cudaOccupancyMaxActiveClusters(&most, spread.kernel(), &config) != cudaSuccess) most = 0;
     cudaGetLastError();
-    config.numAttrs = spread.gated() ? 2 : 1;
+    config.numAttrs = spread.uses_grid_barrier() ? 2 : 1;
     return most;
   }
 };
@@ -79,26 +80,26 @@ struct LaunchConfig {
 /// Blocks for each scene with which all scenes run at the same time: as many as there are for few scenes, a cluster for
 /// each of more; no more than `useful`.
 int most_blocks(Arithmetic arithmetic, int scenes, int threads, int multiprocessors, int useful) {
-  for (int blocks = std::min(multiprocessors / scenes, useful); blocks >= fewest_gated; --blocks) {
+  for (int blocks = std::min(multiprocessors / scenes, useful); blocks >= fewest_blocks_at_barrier; --blocks) {
     const Spread spread{arithmetic, scenes, blocks, threads};
-    if (LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes * blocks) return blocks;
+    if (LaunchConfig(spread, shared_bytes_of_block(spread), nullptr).clusters(spread) >= scenes * blocks) return blocks;
   }
   for (int blocks = largest_cluster; blocks > 1; --blocks) {
     const Spread spread{arithmetic, scenes, blocks, threads};
-    if (blocks <= useful && LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes)
+    if (blocks <= useful && LaunchConfig(spread, shared_bytes_of_block(spread), nullptr).clusters(spread) >= scenes)
       return blocks;
   }
   return 1;
 }
 
 /// How many clusters of each size that scenes may have run at the same time.
-ClusterRoom room_for_clusters(Arithmetic arithmetic, int threads) {
-  ClusterRoom room;
-  for (std::size_t size = 0; size < room.size(); ++size) {
+ClusterPlaces places_for_clusters(Arithmetic arithmetic, int threads) {
+  ClusterPlaces shared_memory;
+  for (std::size_t size = 0; size < shared_memory.size(); ++size) {
     const Spread spread{arithmetic, 1, share_sizes[size], threads};
-    room[size] = LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread);
+    shared_memory[size] = LaunchConfig(spread, shared_bytes_of_block(spread), nullptr).clusters(spread);
   }
-  return room;
+  return shared_memory;
 }
 
 /// A stream and two marks in its time. Others may begin with it and end before it.

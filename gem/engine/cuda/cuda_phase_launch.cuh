@@ -20,7 +20,7 @@ class PhaseStreams {
   /// Whether the device has room for the clusters that iterate coupled scenes.
   bool can_solve() { return largest_cluster_here() > 0; }
 
-  /// Starts a call between `call`'s beginning and its end. `work` says where the scenes lie; those of one resolution
+  /// Starts a call between `call`'s beginning and its end. `work` says where the scenes lie; those of one solver
   /// stand together, those that go on for as long beside each other.
   void run(PhaseLaunch work, const std::vector<PhaseScene>& scenes, const Timeline& call) {
     const std::vector<std::size_t> bounds = shared_out(scenes);
@@ -32,9 +32,9 @@ class PhaseStreams {
       const auto first = static_cast<std::ptrdiff_t>(bounds[k]), last = static_cast<std::ptrdiff_t>(bounds[k + 1]);
       PhaseLaunch part = work;
       part.scenes += first;
-      part.moments += first;
-      part.gates += first;
-      part.team_gates += first;
+      part.steps += first;
+      part.grid_barriers += first;
+      part.list_barriers += first;
       part.solve_blocks =
           stream_[k]->steady_blocks(*std::max_element(solve_blocks.begin() + first, solve_blocks.begin() + last));
       const std::vector<PhaseScene> some(scenes.begin() + first, scenes.begin() + last);
@@ -53,7 +53,7 @@ class PhaseStreams {
     for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(first_phases);
     for (std::int64_t m = 0; m < most; ++m)
       for (std::size_t k = 0; k < starts.size(); ++k)
-        if ((m + 1) * starts[k] / most > m * starts[k] / most) stream_[k]->start_moments();
+        if ((m + 1) * starts[k] / most > m * starts[k] / most) stream_[k]->start_steps();
     for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(last_phases);
   }
 
@@ -63,7 +63,7 @@ class PhaseStreams {
     const std::size_t streams = streams_for(scenes);
     for (std::size_t k = 0; k < streams; ++k) bounds.push_back(scenes.size() * k / streams);
     for (std::size_t k = 1; k < scenes.size(); ++k)
-      if (scenes[k].resolution != scenes[k - 1].resolution) bounds.push_back(k);
+      if (scenes[k].solver != scenes[k - 1].solver) bounds.push_back(k);
     bounds.push_back(scenes.size());
     std::sort(bounds.begin(), bounds.end());
     bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
@@ -81,22 +81,23 @@ class PhaseStreams {
 
   static bool any_coupled(const std::vector<PhaseScene>& scenes) {
     return std::any_of(scenes.begin(), scenes.end(),
-                       [](const PhaseScene& scene) { return scene.resolution == Resolution::coupled; });
+                       [](const PhaseScene& scene) { return scene.solver == ContactSolver::coupled; });
   }
 
   /// Blocks that iterate each scene: as many as its points are worth, and where these are more than the device has use
-  /// for, of those a share as large as the scene's part in all work that is left, but enough that their fast memory
+  /// for, of those a share as large as the scene's part in all work that is left, but enough that their shared memory
   /// holds most of its points. Not all scenes iterate at a time.
   std::vector<int> solve_blocks_of(const std::vector<PhaseScene>& scenes) {
-    constexpr double for_one = 32 * 400, for_full = 32 * 1250;  // visits of a block in a moment: mostly 32 iterations
-    constexpr double waiting = 1.5;  // for one multiprocessor, of scenes that have more than one block
+    constexpr double for_one = 32 * 400,
+                     for_full = 32 * 1250;  // visits of a block in a time step: mostly 32 iterations
+    constexpr double waiting = 1.5;         // for one multiprocessor, of scenes that have more than one block
     std::vector<int> blocks(scenes.size(), 1);
     std::vector<double> work(scenes.size(), 0.0);
     int worthwhile = 0;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
-      if (scenes[k].resolution != Resolution::coupled) continue;
+      if (scenes[k].solver != ContactSolver::coupled) continue;
       worthwhile += blocks[k] = worthwhile_blocks(scenes[k].visits / for_one);
-      work[k] = std::max(scenes[k].visits, for_one) * scenes[k].moments;
+      work[k] = std::max(scenes[k].visits, for_one) * scenes[k].steps;
     }
     if (worthwhile <= waiting * multiprocessors_) return blocks;
     const double all = std::accumulate(work.begin(), work.end(), 0.0);

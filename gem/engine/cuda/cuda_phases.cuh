@@ -3,51 +3,52 @@
 
 #include <type_traits>
 
-#include "gem/engine/cuda/crews.cuh"
 #include "gem/engine/cuda/cuda_kernel.h"
+#include "gem/engine/cuda/thread_groups.cuh"
 #include "gem/engine/device/phases.h"
 
 namespace gem {
 namespace {
 
 /// The blocks of a scene in one phase. They meet nowhere.
-class PhaseCrew : public DeviceCrew {
+class PhaseGroup : public DeviceGroup {
  public:
   using Lanes = LaneGroup<phase_lanes>;
 
-  __device__ PhaseCrew(const BlockRoom& room, int block, int blocks, CrewGate* gate)
-      : DeviceCrew(room), block_(block), blocks_(blocks), gate_(gate) {}
+  __device__ PhaseGroup(const BlockMemory& shared_memory, int block, int blocks, GridBarrier* grid_barrier)
+      : DeviceGroup(shared_memory), block_(block), blocks_(blocks), grid_barrier_(grid_barrier) {}
 
   __device__ Lanes lanes() const { return {}; }
   __device__ int block() const { return block_; }
   __device__ int blocks() const { return blocks_; }
-  __device__ void raise(std::uint32_t alarms) { atomicOr(&gate_->alarms, alarms); }
+  __device__ void raise(std::uint32_t alarms) { atomicOr(&grid_barrier_->alarms, alarms); }
 
  private:
   int block_, blocks_;
-  CrewGate* gate_;
+  GridBarrier* grid_barrier_;
 };
 
 /// The blocks of a scene that iterate, a cluster or the first of its blocks alone: they meet, and reach each other's
-/// fast memory.
-class SolveCrew : public DeviceCrew {
+/// shared memory.
+class SolveGroup : public DeviceGroup {
  public:
   using Lanes = LaneGroup<4>;
   static constexpr int kept_points = 1;
-  static constexpr bool shares_rooms = true;
+  static constexpr bool reads_other_blocks = true;
 
-  __device__ SolveCrew(const BlockRoom& room, bool alone)
-      : DeviceCrew(room), alone_(alone), block_(alone ? 0 : static_cast<int>(cluster().block_rank())) {}
+  __device__ SolveGroup(const BlockMemory& shared_memory, bool alone)
+      : DeviceGroup(shared_memory), alone_(alone), block_(alone ? 0 : static_cast<int>(cluster().block_rank())) {}
 
   __device__ Lanes lanes() const { return {}; }
   __device__ int block() const { return block_; }
   __device__ int blocks() const { return alone_ ? 1 : static_cast<int>(cluster().num_blocks()); }
   /// The own one directly: most bodies and points of a block are its own.
-  __device__ std::byte* room_of(int block) const {
-    return block == block_ ? room_.room : cluster().map_shared_rank(room_.room, block);
+  __device__ std::byte* shared_memory_of(int block) const {
+    return block == block_ ? shared_memory_.shared_memory
+                           : cluster().map_shared_rank(shared_memory_.shared_memory, block);
   }
-  __device__ SolveCrew at_hand() const { return *this; }
-  __device__ static void came_back(const SolveCrew&) {}
+  __device__ SolveGroup in_registers() const { return *this; }
+  __device__ static void returned(const SolveGroup&) {}
 
   __device__ void barrier() const {
     if (alone_)
@@ -63,89 +64,90 @@ class SolveCrew : public DeviceCrew {
   int block_;
 };
 
-/// The same blocks after the iterations: without fast memory.
-class SettleCrew : public SolveCrew {
+/// The same blocks after the iterations: without shared memory.
+class SettleGroup : public SolveGroup {
  public:
-  using SolveCrew::SolveCrew;
+  using SolveGroup::SolveGroup;
   static constexpr int kept_points = 0;
-  static constexpr bool shares_rooms = false;
-  __device__ SettleCrew at_hand() const { return *this; }
-  __device__ static void came_back(const SettleCrew&) {}
+  static constexpr bool reads_other_blocks = false;
+  __device__ SettleGroup in_registers() const { return *this; }
+  __device__ static void returned(const SettleGroup&) {}
 };
 
 /// Whether a block has anything to do for a scene.
 template <DevicePhase phase>
 __device__ bool has_work(const DeviceScene& s, int block) {
   const int first = block * phase_threads;
-  if (phase == DevicePhase::look) return first < s.counters->looks * phase_lanes;
-  if (phase == DevicePhase::resolve) return first < s.counters->touches;
+  if (phase == DevicePhase::candidate) return first < s.counters->candidates * phase_lanes;
+  if (phase == DevicePhase::resolve) return first < s.counters->touching_count;
   return true;
 }
 
-/// Nothing is in the queue of lists, and nobody at their gates; by one block.
+/// Nothing is in the queue of lists, and nobody at their grid barriers; by one block.
 __device__ inline void clear_lists(const PhaseLaunch& launch) {
   if (threadIdx.x == 0) launch.queue->count = 0;
   for (int k = static_cast<int>(threadIdx.x); k < launch.scene_count; k += static_cast<int>(blockDim.x))
-    launch.team_gates[k] = {};
+    launch.list_barriers[k] = {};
 }
 
-/// Plans the next moment of a scene; one that needs a list is put into the queue.
+/// Plans the next time step of a scene; one that needs a list is put into the queue.
 __device__ inline void plan(const PhaseLaunch& launch, const DeviceScene& scene, int k) {
-  if (plan_moment(scene, launch.gates[k].alarms)) launch.queue->scene[DeviceCrew::add(&launch.queue->count, 1)] = k;
+  if (plan_step(scene, launch.grid_barriers[k].alarms))
+    launch.queue->scene[DeviceGroup::add(&launch.queue->count, 1)] = k;
 }
 
-/// The last block of a scene that comes here plans its next moment; the fences show it what the others did.
+/// The last block of a scene that comes here plans its next time step; the fences show it what the others did.
 __device__ inline void plan_by_last(const PhaseLaunch& launch, const DeviceScene& scene, const PhaseBlock& mine) {
   __syncthreads();
   if (threadIdx.x != 0 || !moves(scene)) return;
   __threadfence();
-  if (DeviceCrew::add(&scene.counters->arrived, 1) + 1 < mine.blocks) return;
+  if (DeviceGroup::add(&scene.counters->arrived, 1) + 1 < mine.blocks) return;
   __threadfence();
   scene.counters->arrived = 0;
   plan(launch, scene, mine.scene);
 }
 
 /// A phase of all scenes, each by its own blocks.
-template <DevicePhase phase, Resolution resolution, int blocks>
+template <DevicePhase phase, ContactSolver solver, int blocks>
 __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
   __shared__ StageClock clock;
-  extern __shared__ __align__(128) std::byte room[];
+  extern __shared__ __align__(128) std::byte shared_memory[];
   // lists are made, and none is planned before the bodies move
   if (phase == DevicePhase::choose && blockIdx.x == 0) clear_lists(launch);
   const PhaseBlock mine = launch.blocks[blockIdx.x];
   if (!has_work<phase>(launch.scenes[mine.scene], mine.block)) return;
-  take_scene(scene, launch.scenes + mine.scene);
-  PhaseCrew crew(BlockRoom{cell, clock, room, launch.room_bytes, false}, mine.block, mine.blocks,
-                 launch.gates + mine.scene);
-  run_phase<phase, resolution>(scene, crew);
+  load_scene(scene, launch.scenes + mine.scene);
+  PhaseGroup group(BlockMemory{cell, clock, shared_memory, launch.shared_bytes, false}, mine.block, mine.blocks,
+                   launch.grid_barriers + mine.scene);
+  run_phase<phase, solver>(scene, group);
   if (phase == DevicePhase::bodies) plan_by_last(launch, scene, mine);
 }
 
-/// A phase of the iterations of all scenes, each by a cluster of blocks. Only those that iterate have fast memory.
+/// A phase of the iterations of all scenes, each by a cluster of blocks. Only those that iterate have shared memory.
 template <DevicePhase phase, int blocks>
 __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
   __shared__ StageClock clock;
-  extern __shared__ __align__(128) std::byte room[];
+  extern __shared__ __align__(128) std::byte shared_memory[];
   const DeviceScene* const from = launch.scenes + blockIdx.x / launch.solve_blocks;
   const int points = from->counters->points;
   const bool first = blockIdx.x % launch.solve_blocks == 0, alone = points <= solve_threads;
   if (points == 0 || (alone && !first)) return;
   if (threadIdx.x == 0) cell = {};
-  take_scene(scene, from);
-  using Crew = std::conditional_t<phase == DevicePhase::settle, SettleCrew, SolveCrew>;
-  std::byte* const own = phase == DevicePhase::iterate ? room : nullptr;
-  const std::size_t bytes = phase == DevicePhase::settle ? 0 : launch.room_bytes;
-  Crew crew(BlockRoom{cell, clock, own, bytes, false}, alone || launch.solve_blocks == 1);
-  run_phase<phase, Resolution::coupled>(scene, crew);
+  load_scene(scene, from);
+  using Group = std::conditional_t<phase == DevicePhase::settle, SettleGroup, SolveGroup>;
+  std::byte* const own = phase == DevicePhase::iterate ? shared_memory : nullptr;
+  const std::size_t bytes = phase == DevicePhase::settle ? 0 : launch.shared_bytes;
+  Group group(BlockMemory{cell, clock, own, bytes, false}, alone || launch.solve_blocks == 1);
+  run_phase<phase, ContactSolver::coupled>(scene, group);
 }
 
 /// New lists for the scenes that need one, by as many blocks for each as there are. They meet, so all have to be on the
 /// device at a time: it has room for those of all streams, and what stands in their way ends by itself as long as no
-/// other batch makes moments on the same device.
+/// other batch makes time steps on the same device.
 __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
@@ -156,11 +158,11 @@ __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(con
   const int team = static_cast<int>(blockIdx.x) / share;
   if (team >= teams) return;
   if (threadIdx.x == 0) cell = {};
-  GateCrew crew(BlockRoom{cell, clock, nullptr, 0, false}, share, launch.team_gates + team);
+  GridGroup group(BlockMemory{cell, clock, nullptr, 0, false}, share, launch.list_barriers + team);
   for (int at = team; at < count; at += teams) {
     __syncthreads();  // before the scene is another one
-    take_scene(scene, launch.scenes + launch.queue->scene[at]);
-    renew_list(scene, crew);
+    load_scene(scene, launch.scenes + launch.queue->scene[at]);
+    renew_list(scene, group);
   }
 }
 
@@ -172,29 +174,29 @@ __global__ void __launch_bounds__(plan_threads) phase_of_scenes(const PhaseLaunc
   for (int k = static_cast<int>(threadIdx.x); k < launch.scene_count; k += static_cast<int>(blockDim.x)) {
     const DeviceScene& scene = launch.scenes[k];
     if constexpr (phase == DevicePhase::open)
-      open_call(scene, launch.moments[k]);
+      open_call(scene, launch.steps[k]);
     else
       plan(launch, scene, k);
   }
 }
 
-template <Resolution resolution>
+template <ContactSolver solver>
 PhaseKernel phase_kernel_of(DevicePhase phase) {
   switch (phase) {
     case DevicePhase::open:
       return phase_of_scenes<DevicePhase::open>;
     case DevicePhase::begin:
-      return phase_of_all<DevicePhase::begin, resolution, 4>;
+      return phase_of_all<DevicePhase::begin, solver, 4>;
     case DevicePhase::plan:
       return phase_of_scenes<DevicePhase::plan>;
     case DevicePhase::list:
       return phase_of_lists;
     case DevicePhase::choose:
-      return phase_of_all<DevicePhase::choose, resolution, 8>;
-    case DevicePhase::look:
-      return phase_of_all<DevicePhase::look, resolution, 5>;
+      return phase_of_all<DevicePhase::choose, solver, 8>;
+    case DevicePhase::candidate:
+      return phase_of_all<DevicePhase::candidate, solver, 5>;
     case DevicePhase::resolve:
-      return phase_of_all<DevicePhase::resolve, resolution, 5>;
+      return phase_of_all<DevicePhase::resolve, solver, 5>;
     case DevicePhase::gather:
       return phase_of_solvers<DevicePhase::gather, 2>;
     case DevicePhase::iterate:
@@ -202,18 +204,18 @@ PhaseKernel phase_kernel_of(DevicePhase phase) {
     case DevicePhase::settle:
       return phase_of_solvers<DevicePhase::settle, 2>;
     case DevicePhase::bodies:
-      return phase_of_all<DevicePhase::bodies, resolution, 4>;
+      return phase_of_all<DevicePhase::bodies, solver, 4>;
     case DevicePhase::last_work:
-      return phase_of_all<DevicePhase::last_work, resolution, 4>;
+      return phase_of_all<DevicePhase::last_work, solver, 4>;
     case DevicePhase::close:
-      return phase_of_all<DevicePhase::close, resolution, 4>;
+      return phase_of_all<DevicePhase::close, solver, 4>;
   }
   return nullptr;
 }
 
-PhaseKernel phase_kernel_of(DevicePhase phase, Resolution resolution) {
-  return resolution == Resolution::coupled ? phase_kernel_of<Resolution::coupled>(phase)
-                                           : phase_kernel_of<Resolution::independent>(phase);
+PhaseKernel phase_kernel_of(DevicePhase phase, ContactSolver solver) {
+  return solver == ContactSolver::coupled ? phase_kernel_of<ContactSolver::coupled>(phase)
+                                          : phase_kernel_of<ContactSolver::independent>(phase);
 }
 
 }  // namespace

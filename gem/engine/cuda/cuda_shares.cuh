@@ -1,5 +1,5 @@
 // How the scenes of a batch share a GPU where blocks stay with them: how many blocks each has, and for how many
-// moments.
+// time steps.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace gem {
 
 class SceneShares {
   /// Of the slowest scene in one launch: fewer would not be worth the start.
-  static constexpr std::int64_t fewest_moments = 16;
+  static constexpr std::int64_t fewest_steps = 16;
 
  public:
   /// `chosen_blocks` of each scene; 0: as help most.
@@ -45,13 +45,13 @@ class SceneShares {
   /// Blocks of scene k in the last launch.
   int of(std::size_t k) const { return share_[k]; }
   void set(std::size_t k, int blocks) { share_[k] = blocks; }
-  /// That so many moments took scene k so many clocks of one block.
-  void note(std::size_t k, double clocks, std::int64_t moments) {
-    if (moments > 0 && clocks > 0.0) work_[k] = clocks * share_[k] / static_cast<double>(moments);
+  /// That so many time steps took scene k so many clocks of one block.
+  void note(std::size_t k, double clocks, std::int64_t steps) {
+    if (steps > 0 && clocks > 0.0) work_[k] = clocks * share_[k] / static_cast<double>(steps);
   }
 
   /// Shares the GPU out among some scenes, and lists these in the order of their blocks, most first.
-  void share_out(std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
+  void share_out(std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
     guess_work(active);
     give_blocks(active, ahead);
     std::stable_sort(active.begin(), active.end(), [this](std::size_t i, std::size_t j) {
@@ -59,18 +59,18 @@ class SceneShares {
     });
   }
 
-  /// Moments of each for which all take about as long, `most` at most.
-  std::vector<std::int64_t> moments_of(const std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead,
-                                       int most) const {
+  /// Time steps of each for which all take about as long, `most` at most.
+  std::vector<std::int64_t> steps_of(const std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead,
+                                     int most) const {
     std::vector<double> time;
     for (const std::size_t k : active) time.push_back(work_[k] / share_[k]);
-    std::vector<std::int64_t> moments = share_moments(time, fewest_moments, most);
-    for (std::size_t at = 0; at < active.size(); ++at) moments[at] = std::min(ahead[active[at]].most, moments[at]);
-    return moments;
+    std::vector<std::int64_t> steps = share_steps(time, fewest_steps, most);
+    for (std::size_t at = 0; at < active.size(); ++at) steps[at] = std::min(ahead[active[at]].most, steps[at]);
+    return steps;
   }
 
  private:
-  /// A scene that has made no moment yet is taken for one like the others.
+  /// A scene that has made no time step yet is taken for one like the others.
   void guess_work(const std::vector<std::size_t>& active) {
     double sum = 0.0, known = 0.0;
     for (const std::size_t k : active) {
@@ -82,7 +82,7 @@ class SceneShares {
   }
 
   /// As many blocks each where that fills the GPU better than clusters can, or where more would not help.
-  void give_blocks(const std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
+  void give_blocks(const std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
     const int equal = blocks_for(active.size());
     std::vector<double> work;
     std::vector<int> useful;
@@ -93,22 +93,22 @@ class SceneShares {
     const bool even =
         chosen_blocks_ > 0 || equal > largest_share || equal >= *std::max_element(useful.begin(), useful.end());
     const std::vector<int> blocks =
-        even ? std::vector<int>(active.size(), equal) : share_blocks(work, useful, cluster_room(), equal);
+        even ? std::vector<int>(active.size(), equal) : share_blocks(work, useful, cluster_places(), equal);
     for (std::size_t at = 0; at < active.size(); ++at) share_[active[at]] = std::min(blocks[at], useful_[active[at]]);
   }
 
-  const ClusterRoom& cluster_room() {
-    if (cluster_room_[0] == 0) cluster_room_ = room_for_clusters(arithmetic_, threads_);
-    return cluster_room_;
+  const ClusterPlaces& cluster_places() {
+    if (cluster_places_[0] == 0) cluster_places_ = places_for_clusters(arithmetic_, threads_);
+    return cluster_places_;
   }
 
   Arithmetic arithmetic_;
   int threads_, chosen_blocks_, multiprocessors_;
   std::map<std::size_t, int> blocks_of_count_;
-  std::vector<int> useful_;     // most blocks of each scene
-  ClusterRoom cluster_room_{};  // asked for when scenes first share the GPU
-  std::vector<double> work_;    // of each scene: clocks of its blocks a moment, in the last launch; 0: unknown
-  std::vector<int> share_;      // blocks of each in the last launch
+  std::vector<int> useful_;         // most blocks of each scene
+  ClusterPlaces cluster_places_{};  // asked for when scenes first share the GPU
+  std::vector<double> work_;        // of each scene: clocks of its blocks a time step, in the last launch; 0: unknown
+  std::vector<int> share_;          // blocks of each in the last launch
 };
 
 }  // namespace gem

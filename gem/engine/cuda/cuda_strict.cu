@@ -4,7 +4,7 @@
 
 namespace gem {
 
-AdvanceKernel strict_kernel(bool gated) { return kernel_of(gated); }
-PhaseKernel strict_phase(DevicePhase phase, Resolution resolution) { return phase_kernel_of(phase, resolution); }
+AdvanceKernel strict_kernel(bool uses_grid_barrier) { return kernel_of(uses_grid_barrier); }
+PhaseKernel strict_phase(DevicePhase phase, ContactSolver solver) { return phase_kernel_of(phase, solver); }
 
 }  // namespace gem

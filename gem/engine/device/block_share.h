@@ -23,15 +23,15 @@ constexpr std::array<int, 5> share_sizes = {1, 2, 4, 8, 16};
 /// More are worth it only where each scene can have them.
 constexpr int largest_share = share_sizes.back();
 /// How many clusters of each size the device runs at the same time where there are no others.
-using ClusterRoom = std::array<int, share_sizes.size()>;
+using ClusterPlaces = std::array<int, share_sizes.size()>;
 
 /// Whether as many clusters of each size run at the same time.
-inline bool fit_together(const ClusterRoom& clusters, const ClusterRoom& room) {
+inline bool fit_together(const ClusterPlaces& clusters, const ClusterPlaces& shared_memory) {
   for (std::size_t size = 0; size < share_sizes.size(); ++size) {
     int taken = 0;
     for (std::size_t larger = size; larger < share_sizes.size(); ++larger)
       taken += clusters[larger] * (share_sizes[larger] / share_sizes[size]);
-    if (taken > room[size]) return false;
+    if (taken > shared_memory[size]) return false;
   }
   return true;
 }
@@ -40,10 +40,10 @@ inline bool fit_together(const ClusterRoom& clusters, const ClusterRoom& room) {
 /// Scenes that take longest get more, until the device is full; where there are too many scenes for that, all have as
 /// many. No scene gets more than is useful for it.
 inline std::vector<int> share_blocks(const std::vector<double>& work, const std::vector<int>& useful,
-                                     const ClusterRoom& room, int equal) {
-  ClusterRoom clusters{};
+                                     const ClusterPlaces& shared_memory, int equal) {
+  ClusterPlaces clusters{};
   clusters[0] = static_cast<int>(work.size());
-  if (!fit_together(clusters, room)) return std::vector<int>(work.size(), equal);
+  if (!fit_together(clusters, shared_memory)) return std::vector<int>(work.size(), equal);
   std::vector<std::size_t> size(work.size(), 0);
   std::vector<bool> grows(work.size(), true);
   const auto time = [&](std::size_t k) { return work[k] / share_sizes[size[k]]; };
@@ -53,9 +53,9 @@ inline std::vector<int> share_blocks(const std::vector<double>& work, const std:
       if (grows[k] && (longest == work.size() || time(k) > time(longest))) longest = k;
     if (longest == work.size()) break;
     const std::size_t next = size[longest] + 1;
-    ClusterRoom grown = clusters;
+    ClusterPlaces grown = clusters;
     if (next < share_sizes.size()) --grown[next - 1], ++grown[next];
-    if (next == share_sizes.size() || share_sizes[next] > useful[longest] || !fit_together(grown, room)) {
+    if (next == share_sizes.size() || share_sizes[next] > useful[longest] || !fit_together(grown, shared_memory)) {
       grows[longest] = false;
       continue;
     }
@@ -67,20 +67,19 @@ inline std::vector<int> share_blocks(const std::vector<double>& work, const std:
   return blocks;
 }
 
-/// Moments of each scene in one launch, so that all end at about the same time: the quickest makes `most`, a slower one
-/// fewer, none fewer than `fewest`. `time` is that of a moment of each, in any unit.
-inline std::vector<std::int64_t> share_moments(const std::vector<double>& time, std::int64_t fewest,
-                                               std::int64_t most) {
+/// Time steps of each scene in one launch, so that all end at about the same time: the quickest makes `most`, a slower
+/// one fewer, none fewer than `fewest`. `time` is that of a time step of each, in any unit.
+inline std::vector<std::int64_t> share_steps(const std::vector<double>& time, std::int64_t fewest, std::int64_t most) {
   double quickest = std::numeric_limits<double>::infinity(), slowest = 0.0;
   for (const double one : time) {
     quickest = std::min(quickest, one);
     slowest = std::max(slowest, one);
   }
   const double all = std::max(static_cast<double>(most) * quickest, static_cast<double>(fewest) * slowest);
-  std::vector<std::int64_t> moments;
+  std::vector<std::int64_t> steps;
   for (const double one : time)
-    moments.push_back(static_cast<std::int64_t>(std::min(static_cast<double>(most), all / one)));
-  return moments;
+    steps.push_back(static_cast<std::int64_t>(std::min(static_cast<double>(most), all / one)));
+  return steps;
 }
 
 }  // namespace gem

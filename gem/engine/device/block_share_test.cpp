@@ -9,7 +9,7 @@ namespace gem {
 namespace {
 
 // 132 multiprocessors in groups of 14 to 18
-constexpr ClusterRoom device = {132, 66, 32, 16, 7};
+constexpr ClusterPlaces device = {132, 66, 32, 16, 7};
 
 int sum(const std::vector<int>& blocks) { return std::accumulate(blocks.begin(), blocks.end(), 0); }
 
@@ -37,7 +37,7 @@ TEST(BlockShare, HeavyScenesGetMoreAndAllFit) {
   const std::vector<int> blocks = shares(work, 3);
   EXPECT_GT(sum(blocks), 126);
   EXPECT_LE(sum(blocks), 132);
-  ClusterRoom clusters{};
+  ClusterPlaces clusters{};
   for (std::size_t k = 0; k < 36; ++k) {
     EXPECT_TRUE(k % 3 == 0 ? blocks[k] == 8 : blocks[k] <= 2) << k;
     for (std::size_t size = 0; size < share_sizes.size(); ++size) clusters[size] += blocks[k] == share_sizes[size];
@@ -62,10 +62,10 @@ TEST(BlockShare, TooManyScenesHaveAsManyEach) {
   EXPECT_EQ(shares(std::vector<double>(264, 1.0), 1), std::vector<int>(264, 1));
 }
 
-TEST(MomentShare, SlowScenesMakeFewerMomentsInTheSameTime) {
-  EXPECT_EQ(share_moments({1.0, 1.0}, 16, 256), (std::vector<std::int64_t>{256, 256}));
-  EXPECT_EQ(share_moments({1.0, 2.0, 4.0}, 16, 256), (std::vector<std::int64_t>{256, 128, 64}));
-  EXPECT_EQ(share_moments({1.0, 100.0}, 16, 256), (std::vector<std::int64_t>{256, 16}));
+TEST(StepShare, SlowScenesMakeFewerTimeStepsInTheSameTime) {
+  EXPECT_EQ(share_steps({1.0, 1.0}, 16, 256), (std::vector<std::int64_t>{256, 256}));
+  EXPECT_EQ(share_steps({1.0, 2.0, 4.0}, 16, 256), (std::vector<std::int64_t>{256, 128, 64}));
+  EXPECT_EQ(share_steps({1.0, 100.0}, 16, 256), (std::vector<std::int64_t>{256, 16}));
 }
 
 }  // namespace

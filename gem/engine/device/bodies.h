@@ -1,4 +1,5 @@
-// The bodies phase of a moment: each body adds what its contacts did, moves, and takes the drag of the next moment.
+// The bodies phase of a time step: each body adds what its contacts did, moves, and takes the drag of the next time
+// step.
 #pragma once
 
 #include "gem/engine/device/gather.h"
@@ -7,17 +8,17 @@
 
 namespace gem {
 
-/// One moment as its phases see it.
-struct MomentStep {
-  std::int32_t moment = 0;
+/// One time step as its phases see it.
+struct StepIndex {
+  std::int32_t step = 0;
   std::int32_t sample = 0;  // its place in the rings
-  double elapsed = 0.0;     // from the building of the list to the moment's end [s]
-  bool kick_next = true;    // the solo events of the next moment follow
+  double elapsed = 0.0;     // from the building of the list to the time step's end [s]
+  bool kick_next = true;    // the solo events of the next time step follow
 };
 
 GEM_DEVICE inline bool is_number(double x) { return x - x == 0.0; }
 
-/// A body that moves: what changes in one moment, kept in registers until the moment is over.
+/// A body that moves: what changes in one time step, kept in registers until the time step is over.
 struct Mover {
   Vec2 position;
   Rotation rotation;
@@ -58,14 +59,14 @@ GEM_DEVICE inline void turn_outline(const DeviceScene& s, std::int32_t begin, in
 }
 
 /// Whether a body left the course that the list relies on; `elapsed` is the time since the list was built [s].
-GEM_DEVICE inline bool left_course(const DeviceScene& s, const Mover& mover, double radius, const BodyMotion& motion,
-                                   double elapsed) {
-  const Vec2 off = mover.position - motion.course_position - elapsed * motion.course_velocity;
-  const double left = 0.5 * s.constants.list_margin - radius * (mover.turn_travel - motion.course_turned);
+GEM_DEVICE inline bool left_trajectory(const DeviceScene& s, const Mover& mover, double radius,
+                                       const BodyMotion& motion, double elapsed) {
+  const Vec2 off = mover.position - motion.trajectory_position - elapsed * motion.trajectory_velocity;
+  const double left = 0.5 * s.constants.list_margin - radius * (mover.turn_travel - motion.trajectory_turned);
   return !(left > 0.0 && dot(off, off) < left * left);
 }
 
-/// The drag of the next moment on a floe that moves as `after` says.
+/// The drag of the next time step on a floe that moves as `after` says.
 GEM_DEVICE inline void kick_body(const DeviceScene& s, Mover& mover, BodyMotion& motion, const BodyAfter& after,
                                  Quantity& drag_book) {
   mover.velocity = after.velocity;
@@ -79,10 +80,10 @@ GEM_DEVICE inline void kick_body(const DeviceScene& s, Mover& mover, BodyMotion&
   motion.angle_correction = kicked.angle_correction;
 }
 
-/// Takes over what the iterations of a coupled moment found for body i; returns whether it has points within reach.
-GEM_DEVICE inline bool take_solved(const DeviceScene& s, std::int32_t i, std::int32_t moment, BodyAfter& after,
+/// Takes over what the iterations of a coupled time step found for body i; returns whether it has points within reach.
+GEM_DEVICE inline bool load_solved(const DeviceScene& s, std::int32_t i, std::int32_t step, BodyAfter& after,
                                    BodyRepair& repair) {
-  if (s.body_points[i].moment != moment) return false;
+  if (s.body_points[i].step != step) return false;
   const SolvedMotion& solved = s.solved[i];
   after.velocity = {solved.part[0], solved.part[1]};
   after.spin = solved.part[4];
@@ -123,30 +124,30 @@ GEM_DEVICE inline bool is_finite(const Mover& mover, Vec2 velocity, double spin)
 }
 
 /// One floe or fixed body through the bodies phase.
-template <Resolution resolution, class Crew>
-GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t i,
-                                 const MomentStep& step) {
+template <ContactSolver solver, class Group>
+GEM_DEVICE inline void move_body(const DeviceScene& s, Group& group, const Workspace& workspace, std::int32_t i,
+                                 const StepIndex& step) {
   if (i == 0) return;  // the platform's warp moves it at the same time
-  BodyCell& cell = desk.body[i];
-  BodyMotion& motion = desk.motion[i];
+  BodyCell& cell = workspace.body[i];
+  BodyMotion& motion = workspace.motion[i];
   Quantity drag_book = s.book(Channel::drag, i);
   Mover mover = mover_of(cell);
   BodyAfter after{mover.velocity, mover.spin};
   BodyRepair repair;
-  bool struck = gather<resolution>(s, i, cell, motion, step.moment, after);
+  bool struck = gather<solver>(s, i, cell, motion, step.step, after);
   if (cell.kind != BodyKind::floe || !cell.active) return;
-  if constexpr (resolution == Resolution::coupled) {
-    struck = take_solved(s, i, step.moment, after, repair);
+  if constexpr (solver == ContactSolver::coupled) {
+    struck = load_solved(s, i, step.step, after, repair);
     if (struck) s.book(Channel::repair, i).angular_momentum += motion.mass * cross(repair.shift, after.velocity);
   }
   const bool turned = drift(s, mover, motion, after, struck, repair, drag_book);
   const bool finite = is_finite(mover, after.velocity, after.spin);
   const bool retires = finite && mover.position.x > s.constants.retire_x;
-  if (!finite) crew.raise(alarm_not_finite);
+  if (!finite) group.raise(alarm_not_finite);
   if (retires)
     book_retired(s, i, mover, motion, after);
-  else if (left_course(s, mover, cell.radius, motion, step.elapsed))
-    crew.raise(alarm_strayed);
+  else if (left_trajectory(s, mover, cell.radius, motion, step.elapsed))
+    group.raise(alarm_strayed);
   if (step.kick_next && !retires) kick_body(s, mover, motion, after, drag_book);
   if (step.kick_next && retires) {
     mover.velocity = after.velocity;
@@ -154,14 +155,14 @@ GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& d
   }
   write_mover(cell, mover);
   if (retires) s.body[i].active = cell.active = 0;
-  if (desk.shows) write_mover(s.body[i], mover);
+  if (workspace.shows) write_mover(s.body[i], mover);
   s.after[i].velocity = after.velocity;
   s.after[i].spin = after.spin;
   Quantity& book = s.book(Channel::drag, i);
   book.momentum = drag_book.momentum;
   book.angular_momentum = drag_book.angular_momentum;
   book.energy = drag_book.energy;
-  if (turned && cell.vertex_count > desk_vertices)
+  if (turned && cell.vertex_count > workspace_vertices)
     turn_outline(s, cell.vertex_begin, cell.vertex_count, mover.rotation, 0, 1);
 }
 

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "gem/engine/solver/iteration_course.h"
+#include "gem/engine/solver/iteration_control.h"
 #include "gem/engine/step/books.h"
 #include "gem/engine/step/contact_outcome.h"
 #include "gem/engine/step/contact_stages.h"
@@ -15,7 +15,7 @@ namespace gem {
 
 ReferenceEngine::ReferenceEngine(const SceneDef& scene, Bodies bodies)
     : event_speed_(scene.output.event_speed_m_per_s) {
-  const MomentConstants constants = moment_constants(scene, bodies);
+  const StepConstants constants = step_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   ledger_.start = total(field_);
 }
@@ -33,10 +33,10 @@ std::vector<Contact> ReferenceEngine::all_contacts() const {
   return contacts;
 }
 
-void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
+void ReferenceEngine::advance(std::int64_t steps, StepLog& log) {
   FieldState& f = field_;
-  check_finite(f, moment_);
-  for (std::int64_t m = 0; m < moments; ++m) {
+  check_finite(f, step_);
+  for (std::int64_t m = 0; m < steps; ++m) {
     const PlatformImpulses before = platform_impulses(f);
     std::vector<Contact> contacts = all_contacts();
     std::vector<Contact*> view;
@@ -44,8 +44,8 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
     for (std::size_t i = 0; i < f.bodies.count(); ++i)
       if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
     platform_first_half(f);
-    MomentQuality quality;
-    if (f.constants.resolution == Resolution::coupled) {
+    StepQuality quality;
+    if (f.constants.solver == ContactSolver::coupled) {
       resolve_coupled(contacts, quality);
     } else {
       for (Contact& contact : contacts) prepare_contact(f, contact);
@@ -58,14 +58,14 @@ void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
       book_contact(f, contacts[c], outcomes[c]);
     }
     note_outcomes(f, outcomes, quality, log);
-    log_events(f, view, moment_, event_speed_, log);
+    log_events(f, view, step_, event_speed_, log);
     for (std::size_t i = 0; i < f.bodies.count(); ++i)
       if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
     platform_second_half(f);
-    ++moment_;
-    check_finite(f, moment_);
+    ++step_;
+    check_finite(f, step_);
     retire(f);
-    log_moment(f, view, before, quality, log);
+    log_step(f, view, before, quality, log);
   }
 }
 
@@ -103,24 +103,26 @@ std::vector<Motion<float>> ReferenceEngine::added_motions(const std::vector<Poin
 }
 
 template <PointFriction law>
-float ReferenceEngine::visit(Point& point, const Approach<float>& w, MomentPace<float> pace, float ahead) {
-  const PointImpulse<float> step = visit_point<law>(point.frame, w, pace, ahead, point.at, point.carried);
+float ReferenceEngine::visit(Point& point, const Approach<float>& w, StepLength<float> pace,
+                             float momentum_coefficient) {
+  const PointImpulse<float> step =
+      visit_point<law>(point.frame, w, pace, momentum_coefficient, point.at, point.carried);
   return speed_asked<law>(point.frame, step, pace);
 }
 
-float ReferenceEngine::visit(Point& point, const std::vector<Motion<float>>& motion, float ahead) const {
-  const MomentConstants& c = field_.constants;
-  const MomentPace<float> pace{static_cast<float>(c.dt), static_cast<float>(1.0 / c.dt)};
+float ReferenceEngine::visit(Point& point, const std::vector<Motion<float>>& motion, float momentum_coefficient) const {
+  const StepConstants& c = field_.constants;
+  const StepLength<float> pace{static_cast<float>(c.dt), static_cast<float>(1.0 / c.dt)};
   const Motion<float>&a = motion[point.contact->a], &b = motion[point.contact->b];
   const Approach<float> w{b.x - a.x, b.y - a.y, b.shift_x - a.shift_x, b.shift_y - a.shift_y, a.spin, a.turn,
                           b.spin,    b.turn};
   switch (c.point_friction) {
     case PointFriction::none:
-      return visit<PointFriction::none>(point, w, pace, ahead);
+      return visit<PointFriction::none>(point, w, pace, momentum_coefficient);
     case PointFriction::coulomb:
-      return visit<PointFriction::coulomb>(point, w, pace, ahead);
+      return visit<PointFriction::coulomb>(point, w, pace, momentum_coefficient);
     default:
-      return visit<PointFriction::fixed_direction>(point, w, pace, ahead);
+      return visit<PointFriction::fixed_direction>(point, w, pace, momentum_coefficient);
   }
 }
 
@@ -183,28 +185,29 @@ void ReferenceEngine::begin_round(std::vector<Point>& points) const {
   }
 }
 
-void ReferenceEngine::iterate(std::vector<Point>& points, MomentQuality& quality) const {
-  const MomentConstants& c = field_.constants;
-  IterationCourse course(c.residual_speed, c.iterations_maximum, c.tight_residual, field_.carried_ahead.data());
-  auto next = IterationCourse::Next::round;
-  while (next != IterationCourse::Next::end) {
+void ReferenceEngine::iterate(std::vector<Point>& points, StepQuality& quality) const {
+  const StepConstants& c = field_.constants;
+  IterationControl control(c.residual_speed, c.iterations_maximum, c.tight_residual,
+                           field_.momentum_coefficients.data());
+  auto next = IterationControl::Next::round;
+  while (next != IterationControl::Next::end) {
     begin_round(points);
     do {
       const std::vector<Motion<float>> motion = added_motions(points);
-      const float ahead = course.ahead();
+      const float momentum_coefficient = control.momentum_coefficient();
       float asked = 0.0F;
-      for (Point& point : points) asked = larger(asked, visit(point, motion, ahead));
-      if (course.judged()) quality.residual = asked;
-      next = course.after(static_cast<float>(quality.residual));
-    } while (next == IterationCourse::Next::iteration);
+      for (Point& point : points) asked = larger(asked, visit(point, motion, momentum_coefficient));
+      if (control.judged()) quality.residual = asked;
+      next = control.after(static_cast<float>(quality.residual));
+    } while (next == IterationControl::Next::iteration);
     for (Point& point : points)
       point.impulse = with_additions(c.point_friction, point.geometry, point.impulse, point.at, point.frame.least,
                                      point.frame.most, point.frame.repair_least);
   }
-  quality.iterations = static_cast<std::int32_t>(course.iteration());
+  quality.iterations = static_cast<std::int32_t>(control.iteration());
 }
 
-void ReferenceEngine::resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality) {
+void ReferenceEngine::resolve_coupled(std::vector<Contact>& contacts, StepQuality& quality) {
   FieldState& f = field_;
   std::vector<Point> points = points_of(contacts);
   last_.clear();
@@ -217,7 +220,7 @@ void ReferenceEngine::resolve_coupled(std::vector<Contact>& contacts, MomentQual
     if (!(f.bodies.inverse_mass[i] > 0.0)) continue;
     f.bodies.velocity[i] = {motion[i].x, motion[i].y};
     f.bodies.spin[i] = motion[i].spin;
-    take_repair(f, i, {{motion[i].shift_x, motion[i].shift_y}, motion[i].turn});
+    apply_repair(f, i, {{motion[i].shift_x, motion[i].shift_y}, motion[i].turn});
   }
   for (const Point& point : points) {
     point.slot->impulse = {point.impulse.normal, point.impulse.tangential};
@@ -229,7 +232,7 @@ void ReferenceEngine::resolve_coupled(std::vector<Contact>& contacts, MomentQual
 Ledger ReferenceEngine::ledger() { return closed_books(field_, ledger_); }
 
 EngineState ReferenceEngine::save() {
-  EngineState state{moment_, field_.bodies, closed_books(field_, ledger_), {}, {}};
+  EngineState state{step_, field_.bodies, closed_books(field_, ledger_), {}, {}};
   for (const auto& [key, impulse] : last_) {
     state.impulse_key.push_back(key);
     state.impulse_value.push_back(impulse);
@@ -241,7 +244,7 @@ void ReferenceEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);
   open_books(field_, state.ledger);
   ledger_ = state.ledger;
-  moment_ = state.moment;
+  step_ = state.step;
   last_.clear();
   for (std::size_t i = 0; i < state.impulse_key.size(); ++i) last_[state.impulse_key[i]] = state.impulse_value[i];
 }

@@ -1,4 +1,4 @@
-// The reference engine: all pairs, one thread, no list, no memory of the last moment but its impulses. The oracle.
+// The reference engine: all pairs, one thread, no list, no memory of the last time step but its impulses. The oracle.
 #pragma once
 
 #include <map>
@@ -16,8 +16,8 @@ class ReferenceEngine : public Engine {
   ReferenceEngine(const SceneDef& scene, Bodies bodies);
 
   std::string name() const override { return "reference"; }
-  void advance(std::int64_t moments, MomentLog& log) override;
-  std::int64_t moment() const override { return moment_; }
+  void advance(std::int64_t steps, StepLog& log) override;
+  std::int64_t step() const override { return step_; }
   const Bodies& bodies() override { return field_.bodies; }
   Ledger ledger() override;
   EngineState save() override;
@@ -34,21 +34,21 @@ class ReferenceEngine : public Engine {
     PointImpulse<float> at, carried;  // added to `impulse` in a round
   };
 
-  void resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality);
+  void resolve_coupled(std::vector<Contact>& contacts, StepQuality& quality);
   std::vector<Point> points_of(std::vector<Contact>& contacts);
   std::vector<Motion<double>> motions(const std::vector<Point>& points) const;
   std::vector<Motion<float>> added_motions(const std::vector<Point>& points) const;
   void keep_best_share(std::vector<Point>& points, double limit) const;
   void begin_round(std::vector<Point>& points) const;
-  void iterate(std::vector<Point>& points, MomentQuality& quality) const;
+  void iterate(std::vector<Point>& points, StepQuality& quality) const;
   template <PointFriction law>
-  static float visit(Point& point, const Approach<float>& w, MomentPace<float> pace, float ahead);
-  float visit(Point& point, const std::vector<Motion<float>>& motion, float ahead) const;
+  static float visit(Point& point, const Approach<float>& w, StepLength<float> pace, float momentum_coefficient);
+  float visit(Point& point, const std::vector<Motion<float>>& motion, float momentum_coefficient) const;
 
   FieldState field_;
   double event_speed_;
   Ledger ledger_;  // start and scales; the sums are with the bodies
-  std::int64_t moment_ = 0;
+  std::int64_t step_ = 0;
   std::map<std::uint64_t, PointImpulse<double>> last_;  // by contact key
 };
 

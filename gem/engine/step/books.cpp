@@ -126,13 +126,13 @@ Ledger closed_books(const FieldState& f, Ledger& running) {
   return ledger;
 }
 
-void check_finite(const FieldState& f, std::int64_t moment) {
+void check_finite(const FieldState& f, std::int64_t step) {
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
     if (!finite_or_inactive(f.bodies, i))
       throw Error(ExitCode::numerical_stop,
-                  "body " + std::to_string(i) + " has a state that is no number after moment " +
-                      std::to_string(moment) + " (t = " + number_text(static_cast<double>(moment) * f.constants.dt, 9) +
-                      " s); try a smaller numerics.moment_s");
+                  "body " + std::to_string(i) + " has a state that is no number after time step " +
+                      std::to_string(step) + " (t = " + number_text(static_cast<double>(step) * f.constants.dt, 9) +
+                      " s); try a smaller numerics.time_step_s");
 }
 
 void retire(FieldState& f) {
@@ -140,9 +140,9 @@ void retire(FieldState& f) {
     if (f.bodies.kind[i] == BodyKind::floe) retire_floe(f, i);
 }
 
-void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, double event_speed, MomentLog& log) {
+void log_events(const FieldState& f, Contacts contacts, std::int64_t step, double event_speed, StepLog& log) {
   if (!log.wants_events) return;
-  const double time = static_cast<double>(moment) * f.constants.dt;
+  const double time = static_cast<double>(step) * f.constants.dt;
   for (const Contact* at : contacts) {
     const Contact& contact = *at;
     if (contact.a != 0) break;
@@ -155,9 +155,9 @@ PlatformImpulses platform_impulses(const FieldState& f) {
   return {f.mooring_force.momentum, f.book(Channel::platform_drag, 0).momentum};
 }
 
-void log_moment(const FieldState& f, Contacts contacts, const PlatformImpulses& before, const MomentQuality& quality,
-                MomentLog& log) {
-  PlatformMoment p;
+void log_step(const FieldState& f, Contacts contacts, const PlatformImpulses& before, const StepQuality& quality,
+              StepLog& log) {
+  PlatformStep p;
   p.position = f.bodies.position[0];
   p.rotation = f.bodies.rotation[0];
   p.velocity = f.bodies.velocity[0];

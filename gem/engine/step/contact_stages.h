@@ -96,7 +96,7 @@ inline CrushingIce crushing_ice(const FieldState& f, const Contact& contact) {
   return ice;
 }
 
-/// Friction, arms and relative velocity at the instant of the events; a coupled moment lets gaps close and no more.
+/// Friction, arms and relative velocity at the instant of the events; a coupled time step lets gaps close and no more.
 inline void prepare_contact(const FieldState& f, Contact& contact) {
   const Bodies& b = f.bodies;
   const std::int32_t i = contact.a, j = contact.b;
@@ -105,8 +105,8 @@ inline void prepare_contact(const FieldState& f, Contact& contact) {
   prepare(f.constants, pair_bodies(b, i, j), shift, contact);
 }
 
-/// A contact point as the iterations of a coupled moment see it. `points_of_...`: points among which a body's mass is
-/// shared out; `last_impulse`: normal impulse of the same point a moment ago [N s].
+/// A contact point as the iterations of a coupled time step see it. `points_of_...`: points among which a body's mass
+/// is shared out; `last_impulse`: normal impulse of the same point one time step ago [N s].
 inline PointGeometry<double> point_of_contact(const FieldState& f, const Contact& contact, const ContactSlot& slot,
                                               std::int32_t points_of_a, std::int32_t points_of_b, double last_impulse) {
   const Bodies& b = f.bodies;
@@ -122,8 +122,8 @@ inline void resolve_alone(const FieldState& f, Contact& contact) {
   resolve_alone(f.constants, collision_mass(f.bodies, contact.a), collision_mass(f.bodies, contact.b), contact);
 }
 
-/// Takes over what of body i's position repair is done in this moment.
-inline void take_repair(FieldState& f, std::size_t i, const BodyRepair& repair) {
+/// Takes over what of body i's position repair is done in this time step.
+inline void apply_repair(FieldState& f, std::size_t i, const BodyRepair& repair) {
   const BodyRepair done = within_reach(repair, f.bodies.radius[i], f.constants.repair_reach);
   f.repair_shift[i] = done.shift;
   f.repair_turn[i] = done.turn;

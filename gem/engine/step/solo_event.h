@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gem/engine/step/ledger.h"
-#include "gem/engine/step/moment_constants.h"
+#include "gem/engine/step/step_constants.h"
 #include "gem/events/events.h"
 
 namespace gem {
@@ -18,7 +18,7 @@ GEM_HD inline Quantity quantity_of(double mass, double inertia, Vec2 position, V
   return {momentum, cross(position, momentum) + inertia * spin, kinetic_energy(mass, inertia, velocity, spin)};
 }
 
-/// A floe after the drag of one moment.
+/// A floe after the drag of one time step.
 struct Kick {
   Vec2 velocity;                  // [m/s]
   double spin = 0.0;              // [rad/s]
@@ -26,12 +26,12 @@ struct Kick {
   double angle_correction = 0.0;  // [rad]
 };
 
-GEM_HD inline Kick kick_of(const MomentConstants& c, const DragSolution& solved, SpinDragSolution turn) {
+GEM_HD inline Kick kick_of(const StepConstants& c, const DragSolution& solved, SpinDragSolution turn) {
   return {c.current - solved.slip, turn.spin, -solved.path_correction, turn.angle_correction};
 }
 
-/// Drag of the current over one moment; `drag` and `spin_drag` are the floe's coefficients.
-GEM_HD inline Kick kick(const MomentConstants& c, double drag, double spin_drag, Vec2 velocity, double spin) {
+/// Drag of the current over one time step; `drag` and `spin_drag` are the floe's coefficients.
+GEM_HD inline Kick kick(const StepConstants& c, double drag, double spin_drag, Vec2 velocity, double spin) {
   const Vec2 slip = c.current - velocity;
   DragSolution solved;
   SpinDragSolution turn{spin, 0.0};
@@ -65,7 +65,7 @@ struct PlatformMotion {
   Quantity& mooring_force;
 };
 
-GEM_HD inline void platform_in_water(const MomentConstants& c, const PlatformMotion& p) {
+GEM_HD inline void platform_in_water(const StepConstants& c, const PlatformMotion& p) {
   if (!(c.platform_drag_rate > 0.0)) return;
   const Vec2 before = p.velocity;
   p.velocity = platform_drag(c.platform_drag_rate, before, c.platform_water, 0.5 * c.dt);
@@ -76,7 +76,7 @@ GEM_HD inline void platform_in_water(const MomentConstants& c, const PlatformMot
 }
 
 /// One half of the platform's own motion; `toward_events` says which half: drag first, then mooring, or the reverse.
-GEM_HD inline void platform_half(const MomentConstants& c, const PlatformMotion& p, bool toward_events) {
+GEM_HD inline void platform_half(const StepConstants& c, const PlatformMotion& p, bool toward_events) {
   if (toward_events) platform_in_water(c, p);
   const Vec2 velocity = p.velocity;
   const double moment_of_momentum = cross(p.position, velocity);

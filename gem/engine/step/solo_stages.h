@@ -2,7 +2,7 @@
 //
 // | stage               | reads                      | writes                                                |
 // | kick_floe           | velocity, spin             | velocity, spin, path and angle correction, drag book  |
-// | platform_first_half | platform position, velocity| the same, half a moment on; start position            |
+// | platform_first_half | platform position, velocity| the same, half a time step on; start position            |
 // | drift_floe          | velocity, struck, repair   | position, rotation, outline, travel, struck = 0       |
 // | platform_second_half| platform position, velocity| the same, outline                                     |
 // | retire_floe         | position                   | active, book of what left                             |
@@ -25,7 +25,7 @@ inline void enter_kick(FieldState& f, std::size_t i, const Kick& kicked) {
   f.angle_correction[i] = kicked.angle_correction;
 }
 
-/// Drag of the current on floe i over the moment: its velocity at the end, before any event.
+/// Drag of the current on floe i over the time step: its velocity at the end, before any event.
 inline void kick_floe(FieldState& f, std::size_t i) {
   const Bodies& b = f.bodies;
   if (f.constants.drag_law == DragLaw::none || !b.active[i]) return;
@@ -42,7 +42,7 @@ inline void turn_outline(FieldState& f, std::size_t i) {
 }
 
 /// Takes over where a turn of body i by `angle` has led it, and follows with its outline.
-inline void take_turn(FieldState& f, std::size_t i, double angle, Rotation rotation) {
+inline void apply_turn(FieldState& f, std::size_t i, double angle, Rotation rotation) {
   f.bodies.rotation[i] = rotation;
   f.turn_travel[i] += angle < 0.0 ? -angle : angle;
   turn_outline(f, i);
@@ -50,10 +50,10 @@ inline void take_turn(FieldState& f, std::size_t i, double angle, Rotation rotat
 
 /// Turns body i by `angle`.
 inline void turn_body(FieldState& f, std::size_t i, double angle) {
-  if (angle != 0.0) take_turn(f, i, angle, turned(f.bodies.rotation[i], angle));
+  if (angle != 0.0) apply_turn(f, i, angle, turned(f.bodies.rotation[i], angle));
 }
 
-/// Moves floe i over the moment with its velocity after the events, but for its turn, which it returns [rad]. A floe
+/// Moves floe i over the time step with its velocity after the events, but for its turn, which it returns [rad]. A floe
 /// that nothing struck follows the exact path of its drag.
 inline double shift_floe(FieldState& f, std::size_t i) {
   Bodies& b = f.bodies;
@@ -74,7 +74,7 @@ inline double shift_floe(FieldState& f, std::size_t i) {
   return angle;
 }
 
-/// Moves floe i over the moment.
+/// Moves floe i over the time step.
 inline void drift_floe(FieldState& f, std::size_t i) {
   if (f.bodies.active[i]) turn_body(f, i, shift_floe(f, i));
 }

@@ -13,7 +13,7 @@ namespace {
 const std::set<std::string>& varied_by_tables() {
   static const std::set<std::string> options = {
       "boundary.gap_m",        "current.velocity_m_per_s", "mooring.stiffness_N_per_m",
-      "platform_drag.present", "numerics.moment_s",        "run.duration_s"};
+      "platform_drag.present", "numerics.time_step_s",     "run.duration_s"};
   return options;
 }
 

@@ -34,7 +34,7 @@ std::vector<PaperFigure> draw_run(const PaperRun& run, const std::string& field_
 }  // namespace
 
 std::string conditions_text(const PaperRun& run) {
-  return run.scene.run.name + ": " + run.resolution + ", dt " + number_text(run.scene.numerics.moment_s, 3) +
+  return run.scene.run.name + ": " + run.resolution + ", dt " + number_text(run.scene.numerics.time_step_s, 3) +
          " s, seed " + std::to_string(run.seed) + "  " + run.source;
 }
 

@@ -1,4 +1,5 @@
-// For tests: a crew of host threads in several blocks, so that what blocks and threads share is tried without a GPU.
+// For tests: a thread group of host threads in several blocks, so that what blocks and threads share is tried without a
+// GPU.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "gem/engine/device/crew.h"
+#include "gem/engine/device/thread_group.h"
 #include "gem/engine/solver/device_points_cells.h"
 
 namespace gem::test {
@@ -85,28 +86,28 @@ class TeamLanes {
 
 /// What the threads of a team meet at.
 struct TeamHall {
-  TeamHall(int block_count, int thread_count, std::size_t room_bytes)
+  TeamHall(int block_count, int thread_count, std::size_t shared_bytes)
       : blocks(block_count),
         threads(thread_count),
         all(block_count * thread_count),
         cell(block_count),
-        room(block_count, std::vector<std::byte>(room_bytes)) {
+        shared_memory(block_count, std::vector<std::byte>(shared_bytes)) {
     for (int k = 0; k < block_count; ++k) block.push_back(std::make_unique<std::barrier<>>(thread_count));
     const int all_threads = block_count * thread_count;
-    for (int k = 0; k < all_threads / team_lanes; ++k) group.push_back(std::make_unique<GroupHall<team_lanes>>());
+    for (int k = 0; k < all_threads / team_lanes; ++k) lane_group.push_back(std::make_unique<GroupHall<team_lanes>>());
     for (int k = 0; k < all_threads / team_warp; ++k) warp.push_back(std::make_unique<GroupHall<team_warp>>());
   }
 
   int blocks, threads;
   std::barrier<> all;
   std::vector<std::unique_ptr<std::barrier<>>> block;
-  std::vector<std::unique_ptr<GroupHall<team_lanes>>> group;
+  std::vector<std::unique_ptr<GroupHall<team_lanes>>> lane_group;
   std::vector<std::unique_ptr<GroupHall<team_warp>>> warp;
   std::vector<BlockCell> cell;
-  std::vector<std::vector<std::byte>> room;
+  std::vector<std::vector<std::byte>> shared_memory;
 };
 
-class TeamCrew {
+class HostGroup {
  public:
   using Lanes = TeamLanes<team_lanes>;
   using Wide = Lanes;  // several of a warp
@@ -114,14 +115,14 @@ class TeamCrew {
   static constexpr int kept_points = 2;
   static constexpr bool has_halos = false;
 
-  TeamCrew(TeamHall& hall, int block, int thread) : hall_(hall), block_(block), thread_(thread) {}
+  HostGroup(TeamHall& hall, int block, int thread) : hall_(hall), block_(block), thread_(thread) {}
 
   int block() const { return block_; }
   int blocks() const { return hall_.blocks; }
   int thread() const { return thread_; }
   int threads() const { return hall_.threads; }
   Lanes lanes() const {
-    return {*hall_.group[std::size_t(block_ * threads() + thread_) / team_lanes], thread_ % team_lanes};
+    return {*hall_.lane_group[std::size_t(block_ * threads() + thread_) / team_lanes], thread_ % team_lanes};
   }
   Wide wide() const { return lanes(); }
   Warp warp() const {
@@ -130,15 +131,15 @@ class TeamCrew {
   void barrier() { hall_.all.arrive_and_wait(); }
   void block_barrier() { hall_.block[std::size_t(block_)]->arrive_and_wait(); }
   BlockCell& shared() { return hall_.cell[std::size_t(block_)]; }
-  std::byte* room() { return own_room(); }
-  std::size_t room_bytes() const { return hall_.room[std::size_t(block_)].size(); }
-  std::byte* room_of(int block) const { return hall_.room[std::size_t(block)].data(); }
-  static constexpr bool shares_rooms = true;
+  std::byte* shared_memory() { return own_shared_memory(); }
+  std::size_t shared_bytes() const { return hall_.shared_memory[std::size_t(block_)].size(); }
+  std::byte* shared_memory_of(int block) const { return hall_.shared_memory[std::size_t(block)].data(); }
+  static constexpr bool reads_other_blocks = true;
   void lap(int) const {}
   void write_laps(std::int64_t*) const {}
   static int barriers() { return 0; }
-  TeamCrew& at_hand() { return *this; }
-  void came_back(const TeamCrew&) {}
+  HostGroup& in_registers() { return *this; }
+  void returned(const HostGroup&) {}
   void raise(std::uint32_t alarms) {
     for (BlockCell& cell : hall_.cell) std::atomic_ref(cell.alarms).fetch_or(alarms);
   }
@@ -161,18 +162,18 @@ class TeamCrew {
 
  protected:
   TeamHall& hall() const { return hall_; }
-  std::byte* own_room() const { return hall_.room[std::size_t(block_)].data(); }
+  std::byte* own_shared_memory() const { return hall_.shared_memory[std::size_t(block_)].data(); }
 
  private:
   TeamHall& hall_;
   int block_, thread_;
 };
 
-/// The same where no block reaches another's fast memory.
-class ApartCrew : public TeamCrew {
+/// The same where no block reaches another's shared memory.
+class ApartGroup : public HostGroup {
  public:
-  using TeamCrew::TeamCrew;
-  std::byte* room_of(int) const { return own_room(); }
+  using HostGroup::HostGroup;
+  std::byte* shared_memory_of(int) const { return own_shared_memory(); }
   void barrier() {
     ++barriers_;
     hall().all.arrive_and_wait();
@@ -193,9 +194,9 @@ class ApartCrew : public TeamCrew {
     block_barrier();  // what each thread has done between the halves comes before, too
   }
   int barriers() const { return barriers_; }
-  ApartCrew& at_hand() { return *this; }
-  void came_back(const ApartCrew&) {}
-  static constexpr bool shares_rooms = false;
+  ApartGroup& in_registers() { return *this; }
+  void returned(const ApartGroup&) {}
+  static constexpr bool reads_other_blocks = false;
   static constexpr bool has_halos = true;
   /// The number last and first: who reads it has what belongs to it.
   static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
@@ -219,12 +220,12 @@ class ApartCrew : public TeamCrew {
 };
 
 /// A team that makes one phase: its alarms outlive it.
-class PhaseTeam : public TeamCrew {
+class PhaseTeam : public HostGroup {
  public:
-  using TeamCrew::TeamCrew;
+  using HostGroup::HostGroup;
   static constexpr int kept_points = 1;
-  PhaseTeam& at_hand() { return *this; }
-  void came_back(const PhaseTeam&) {}
+  PhaseTeam& in_registers() { return *this; }
+  void returned(const PhaseTeam&) {}
   void raise_in(std::uint32_t& alarms) { alarms_ = &alarms; }
   void raise(std::uint32_t alarms) { std::atomic_ref(*alarms_).fetch_or(alarms); }
 
@@ -232,27 +233,27 @@ class PhaseTeam : public TeamCrew {
   std::uint32_t* alarms_ = nullptr;
 };
 
-/// The same without fast memory.
+/// The same without shared memory.
 class ApartPhaseTeam : public PhaseTeam {
  public:
   using PhaseTeam::PhaseTeam;
   static constexpr int kept_points = 0;
-  std::size_t room_bytes() const { return 0; }
-  ApartPhaseTeam& at_hand() { return *this; }
-  void came_back(const ApartPhaseTeam&) {}
-  static constexpr bool shares_rooms = false;
+  std::size_t shared_bytes() const { return 0; }
+  ApartPhaseTeam& in_registers() { return *this; }
+  void returned(const ApartPhaseTeam&) {}
+  static constexpr bool reads_other_blocks = false;
 };
 
-/// Runs work(crew) on every thread of a team; `threads` is a multiple of team_warp.
-template <class Crew>
-void run_team(int blocks, int threads, std::size_t room_bytes, const std::function<void(Crew&)>& work) {
-  TeamHall hall(blocks, threads, room_bytes);
+/// Runs work(thread group) on every thread of a team; `threads` is a multiple of team_warp.
+template <class Group>
+void run_team(int blocks, int threads, std::size_t shared_bytes, const std::function<void(Group&)>& work) {
+  TeamHall hall(blocks, threads, shared_bytes);
   std::vector<std::thread> team;
   for (int b = 0; b < blocks; ++b)
     for (int t = 0; t < threads; ++t)
       team.emplace_back([&, b, t] {
-        Crew crew(hall, b, t);
-        work(crew);
+        Group group(hall, b, t);
+        work(group);
       });
   for (std::thread& thread : team) thread.join();
 }

@@ -1,9 +1,9 @@
-#include "gem/engine/step/moment_constants.h"
+#include "gem/engine/step/step_constants.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gem/engine/solver/iteration_course.h"
+#include "gem/engine/solver/iteration_control.h"
 #include "gem/scene/scene_bounds.h"
 
 namespace gem {
@@ -21,9 +21,9 @@ double fastest_of(const SceneDef& scene) {
 
 }  // namespace
 
-MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
-  MomentConstants c;
-  c.dt = scene.numerics.moment_s;
+StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
+  StepConstants c;
+  c.dt = scene.numerics.time_step_s;
   c.current = scene.current.velocity_m_per_s;
   c.drag_law = scene.water.drag_law;
   c.linear_decay = std::exp(-c.dt / scene.water.linear_time_s);
@@ -42,7 +42,7 @@ MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
     }
   }
 
-  c.resolution = scene.contact.resolution;
+  c.solver = scene.contact.solver;
   c.manifold = scene.contact.manifold;
   c.friction_law = scene.contact.friction_law;
   c.friction_ice = scene.ice.friction_ice;
@@ -51,11 +51,11 @@ MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
   c.elastic_stiffness = scene.contact.elastic_stiffness_N_per_m;
   c.ice = {scene.ice.crushing_pressure_Pa, scene.ice.pressure_area_exponent, 0.0};
 
-  const bool coupled = c.resolution == Resolution::coupled;
+  const bool coupled = c.solver == ContactSolver::coupled;
   const double fastest = fastest_of(scene);
   if (coupled && c.manifold == Manifold::chord_ends) c.contact_margin = scene.numerics.contact_reach * fastest * c.dt;
   c.residual_speed = scene.numerics.residual_tolerance * fastest;
-  c.tight_residual = scene.numerics.residual_tolerance < IterationCourse::single_precision;
+  c.tight_residual = scene.numerics.residual_tolerance < IterationControl::single_precision;
   c.iterations_maximum = scene.numerics.iterations_maximum;
   const bool rough = c.friction_ice > 0.0 || c.friction_structure > 0.0;
   c.point_friction = !rough                                    ? PointFriction::none
@@ -63,7 +63,7 @@ MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies) {
                                                                : PointFriction::fixed_direction;
   c.repair_share = scene.numerics.repair_share;
   c.repair_speed = scene.numerics.repair_speed_m_per_s;
-  // what a contact reaches beyond one moment of drift
+  // what a contact reaches beyond one time step of drift
   c.repair_reach = std::max((scene.numerics.contact_reach - 1.0) * fastest, c.repair_speed) * c.dt;
   c.list_margin = scene.numerics.list_margin_m;
   c.retire_x = scene.output.retire_x_m;

@@ -1,5 +1,5 @@
 // The device's recipe, run by one host thread, gives the bits, the books and the log of the cpu engine.
-#include "gem/engine/device/moments.h"
+#include "gem/engine/device/resident_steps.h"
 
 #include <gtest/gtest.h>
 
@@ -17,17 +17,17 @@ namespace {
 
 using test::HostScene;
 
-using Choice = std::tuple<Resolution, Manifold, Yaw, FrictionLaw, DragLaw>;
+using Choice = std::tuple<ContactSolver, Manifold, Yaw, FrictionLaw, DragLaw>;
 
-class DeviceMomentsTest : public testing::TestWithParam<Choice> {};
+class DeviceTimeStepsTest : public testing::TestWithParam<Choice> {};
 
-TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
+TEST_P(DeviceTimeStepsTest, GivesTheBitsOfTheCpuEngine) {
   SceneDef scene = test::busy_scene(8);
-  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
+  std::tie(scene.contact.solver, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
            scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device(scene, test::busy_field(scene));
-  MomentLog expected, log;
+  StepLog expected, log;
   for (int block = 0; block < 8; ++block) {
     cpu->advance(50, expected);
     device.advance(50, log);
@@ -36,11 +36,11 @@ TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
     if (HasFailure()) return;
   }
   test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
-  if (scene.contact.resolution == Resolution::coupled) {
+  if (scene.contact.solver == ContactSolver::coupled) {
     test::expect_same_coupled(device, log, *cpu, expected);
   } else {
-    MomentQuality worst;
-    for (const MomentQuality& quality : log.quality) worst.worsen(quality);
+    StepQuality worst;
+    for (const StepQuality& quality : log.quality) worst.worsen(quality);
     // not measured is no zero
     EXPECT_TRUE(std::isnan(worst.complementarity) && std::isnan(worst.cone_excess) && std::isnan(worst.energy_created));
     EXPECT_GT(worst.maximum_overlap, 0.0);
@@ -50,41 +50,41 @@ TEST_P(DeviceMomentsTest, GivesTheBitsOfTheCpuEngine) {
   EXPECT_GT(device.status().builds, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Combinations, DeviceMomentsTest,
-                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+INSTANTIATE_TEST_SUITE_P(Combinations, DeviceTimeStepsTest,
+                         testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
                                           testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
 
-class DeviceResolutions : public testing::TestWithParam<Resolution> {};
+class DeviceSolvers : public testing::TestWithParam<ContactSolver> {};
 
-TEST(PairMemory, OfAPairThatIsNewHoldsNothingInAnyMoment) {
+TEST(PairMemory, OfAPairThatIsNewHoldsNothingInAnyTimeStep) {
   PairMemory memory;
   memory.feature[0] = 3;  // what an earlier list left there
   memory.impulse[0] = {1.0, 2.0, 3.0};
-  for (const std::int32_t moment : {0, 1, 1000}) EXPECT_EQ(last_impulse(memory, 3, moment).normal, 0.0) << moment;
-  memory.moment = 999;
+  for (const std::int32_t step : {0, 1, 1000}) EXPECT_EQ(last_impulse(memory, 3, step).normal, 0.0) << step;
+  memory.step = 999;
   EXPECT_EQ(last_impulse(memory, 3, 1000).normal, 1.0);
 }
 
-TEST_P(DeviceResolutions, BlocksAndThreadsChangeNothing) {
-  constexpr std::int64_t moments = 12;  // threads that outnumber the processors wait long at every barrier
+TEST_P(DeviceSolvers, BlocksAndThreadsChangeNothing) {
+  constexpr std::int64_t steps = 12;  // threads that outnumber the processors wait long at every barrier
   SceneDef scene = test::busy_scene(7);
-  scene.contact.resolution = GetParam();
+  scene.contact.solver = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
-  MomentLog expected;
-  cpu->advance(moments, expected);
+  StepLog expected;
+  cpu->advance(steps, expected);
   EXPECT_GT(test::contacts_in(expected), 50);
-  const std::size_t none = desk_minimum(8, test::team_lanes), bodies = none + 160 * 256, all = 1 << 20;
-  for (const auto& [blocks, threads, room, apart] : {std::tuple{1, 8, none, false},
-                                                     {2, 4, bodies, false},
-                                                     {3, 4, all, false},
-                                                     {2, 8, all, true},
-                                                     {5, 4, all, true}}) {
-    HostScene device(scene, test::busy_field(scene), blocks, threads, 0, room, apart);
-    MomentLog log;
-    device.advance(moments, log);
+  const std::size_t none = workspace_minimum(8, test::team_lanes), bodies = none + 160 * 256, all = 1 << 20;
+  for (const auto& [blocks, threads, shared_memory, apart] : {std::tuple{1, 8, none, false},
+                                                              {2, 4, bodies, false},
+                                                              {3, 4, all, false},
+                                                              {2, 8, all, true},
+                                                              {5, 4, all, true}}) {
+    HostScene device(scene, test::busy_field(scene), blocks, threads, 0, shared_memory, apart);
+    StepLog log;
+    device.advance(steps, log);
     test::expect_same_bodies(device.bodies(), cpu->bodies());
     test::expect_same_log(log, expected);
     test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
@@ -92,45 +92,46 @@ TEST_P(DeviceResolutions, BlocksAndThreadsChangeNothing) {
   }
 }
 
-/// A coupled scene by two blocks that do not reach each other's fast memory.
+/// A coupled scene by two blocks that do not reach each other's shared memory.
 struct ApartScene {
   HostScene device;
-  MomentLog log;
-  ApartScene(const SceneDef& scene, std::size_t room) : device(scene, test::busy_field(scene), 2, 4, 0, room, true) {}
-  /// Makes a moment; returns its barriers.
+  StepLog log;
+  ApartScene(const SceneDef& scene, std::size_t shared_memory)
+      : device(scene, test::busy_field(scene), 2, 4, 0, shared_memory, true) {}
+  /// Makes a time step; returns its barriers.
   int advance() {
     device.advance(1, log);
     return device.status().barriers;
   }
 };
-constexpr std::size_t roomy = 1 << 20;
-const std::size_t scarce = desk_minimum(4, test::team_lanes);
+constexpr std::size_t fits_shared_memory = 1 << 20;
+const std::size_t scarce = workspace_minimum(4, test::team_lanes);
 
 /// Barriers: without halos two in an iteration but the first, which moves nothing; with halos one in those that are
 /// judged and one at the end.
-int spared_by_halos(const MomentLog& log, int moment) {
-  const int iterations = log.quality[std::size_t(moment)].iterations;
+int spared_by_halos(const StepLog& log, int step) {
+  const int iterations = log.quality[std::size_t(step)].iterations;
   const int judged = iterations / 4 + std::min(iterations, 2), without = 2 * iterations - 1, halos = judged + 1;
   return without - halos;
 }
 
-TEST(DeviceHalo, SparesTheBarriersOfIterationsInMomentsThatHaveRoomAndChangesNothing) {
-  constexpr int moments = 16;
+TEST(DeviceHalo, SparesTheBarriersOfIterationsInTimeStepsThatHaveRoomAndChangesNothing) {
+  constexpr int steps = 16;
   SceneDef scene = test::busy_scene(9);
-  scene.contact.resolution = Resolution::coupled;
+  scene.contact.solver = ContactSolver::coupled;
   const auto cpu = test::busy_engine(scene, "cpu");
-  MomentLog expected;
-  cpu->advance(moments, expected);
-  ApartScene with(scene, roomy), at_times(scene, roomy);
+  StepLog expected;
+  cpu->advance(steps, expected);
+  ApartScene with(scene, fits_shared_memory), at_times(scene, fits_shared_memory);
   int crowded = 0;
   ASSERT_EQ(scene.numerics.iterations_maximum % 4, 0) << "the last is judged as a fourth one";
-  for (int m = 0; m < moments; ++m) {
-    at_times.device.give_room(m % 2 == 0 ? scarce : roomy);
+  for (int m = 0; m < steps; ++m) {
+    at_times.device.give_space(m % 2 == 0 ? scarce : fits_shared_memory);
     const int spared = at_times.advance() - with.advance();
     if (m % 2 == 1)
-      EXPECT_EQ(spared, 0) << "room again in moment " << m;
+      EXPECT_EQ(spared, 0) << "room again in time step " << m;
     else
-      EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in moment " << m;
+      EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in time step " << m;
     if (spared > 0) ++crowded;
   }
   EXPECT_GT(crowded, 0);
@@ -141,18 +142,18 @@ TEST(DeviceHalo, SparesTheBarriersOfIterationsInMomentsThatHaveRoomAndChangesNot
 }
 
 TEST(DeviceHalo, RoundsThatFollowChangeNothing) {
-  constexpr int moments = 8;
+  constexpr int steps = 8;
   SceneDef scene = test::busy_scene(9);
-  scene.contact.resolution = Resolution::coupled;
+  scene.contact.solver = ContactSolver::coupled;
   scene.numerics.residual_tolerance = 1e-9;
   scene.numerics.iterations_maximum = 200;
   const auto cpu = test::busy_engine(scene, "cpu");
-  MomentLog expected;
-  cpu->advance(moments, expected);
-  ApartScene device(scene, roomy);
+  StepLog expected;
+  cpu->advance(steps, expected);
+  ApartScene device(scene, fits_shared_memory);
   int most = 0, all = 0, barriers = 0;
-  for (int m = 0; m < moments; ++m) barriers += device.advance();
-  for (const MomentQuality& quality : expected.quality) {
+  for (int m = 0; m < steps; ++m) barriers += device.advance();
+  for (const StepQuality& quality : expected.quality) {
     most = std::max(most, int(quality.iterations));
     all += int(quality.iterations);
   }
@@ -163,54 +164,54 @@ TEST(DeviceHalo, RoundsThatFollowChangeNothing) {
 }
 
 TEST(DeviceHalo, IsNoneWhereverTheRoomEndsAndChangesNothing) {
-  constexpr int first = 12, rungs = 48, moments = first + rungs;  // before the first there are few points
-  constexpr std::size_t line = 128;                               // what room is counted in
+  constexpr int first = 12, rungs = 48, steps = first + rungs;  // before the first there are few points
+  constexpr std::size_t line = 128;                             // what room is counted in
   SceneDef scene = test::busy_scene(9);
-  scene.contact.resolution = Resolution::coupled;
+  scene.contact.solver = ContactSolver::coupled;
   const auto cpu = test::busy_engine(scene, "cpu");
-  MomentLog expected;
-  cpu->advance(moments, expected);
-  ApartScene device(scene, roomy), with(scene, roomy);
-  int crowded = 0, roomed = 0;
-  for (int m = 0; m < moments; ++m) {
-    if (m >= first) device.device.give_room(scarce + std::size_t(m - first) * line);
+  StepLog expected;
+  cpu->advance(steps, expected);
+  ApartScene device(scene, fits_shared_memory), with(scene, fits_shared_memory);
+  int crowded = 0, in_shared_memory = 0;
+  for (int m = 0; m < steps; ++m) {
+    if (m >= first) device.device.give_space(scarce + std::size_t(m - first) * line);
     const int spared = device.advance() - with.advance();
     if (m < first) continue;
-    EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in moment " << m;
-    ++(spared > 0 ? crowded : roomed);
+    EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in time step " << m;
+    ++(spared > 0 ? crowded : in_shared_memory);
   }
   EXPECT_GT(crowded, rungs / 4);
-  EXPECT_GT(roomed, rungs / 4);
+  EXPECT_GT(in_shared_memory, rungs / 4);
   test::expect_same_bodies(device.device.bodies(), cpu->bodies());
   test::expect_same_coupled(device.device, device.log, *cpu, expected);
 }
 
 /// Floes at the platform and rows of more places than one stretch of a row or the first near bodies take.
-TEST_P(DeviceResolutions, LongRowsAndThePlatformByManyThreadsChangeNothing) {
-  constexpr std::int64_t moments = 6;
+TEST_P(DeviceSolvers, LongRowsAndThePlatformByManyThreadsChangeNothing) {
+  constexpr std::int64_t steps = 6;
   SceneDef scene = test::busy_scene(8);
-  scene.contact.resolution = GetParam();
+  scene.contact.solver = GetParam();
   scene.numerics.list_margin_m = 60.0;
   const auto before = test::busy_engine(scene, "cpu");
-  const auto at_platform = [](const MomentLog& log) {
+  const auto at_platform = [](const StepLog& log) {
     std::int64_t floes = 0;
-    for (const PlatformMoment& sample : log.platform) floes += sample.contacts;
+    for (const PlatformStep& sample : log.platform) floes += sample.contacts;
     return floes;
   };
-  for (MomentLog skipped; at_platform(skipped) < 5 && before->moment() < 3000;) {
+  for (StepLog skipped; at_platform(skipped) < 5 && before->step() < 3000;) {
     skipped.clear();
     before->advance(5, skipped);
   }
   const Bodies field = before->bodies();
   const auto cpu = make_engine(scene, field, {"cpu", 1});
-  MomentLog expected;
-  cpu->advance(moments, expected);
+  StepLog expected;
+  cpu->advance(steps, expected);
   EXPECT_GT(at_platform(expected), 5);
   const std::size_t all = 1 << 20;
   for (const auto& [blocks, threads, apart] : {std::tuple{2, 8, false}, {2, 8, true}}) {
     HostScene device(scene, field, blocks, threads, 0, all, apart);
-    MomentLog log;
-    device.advance(moments, log);
+    StepLog log;
+    device.advance(steps, log);
     test::expect_same_bodies(device.bodies(), cpu->bodies());
     test::expect_same_log(log, expected);
     test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
@@ -218,12 +219,12 @@ TEST_P(DeviceResolutions, LongRowsAndThePlatformByManyThreadsChangeNothing) {
   }
 }
 
-TEST_P(DeviceResolutions, AHorizonFollowsTheLifeOfListsInShortCallsToo) {
+TEST_P(DeviceSolvers, AHorizonFollowsTheLifeOfListsInShortCallsToo) {
   SceneDef scene = test::busy_scene(6);
-  scene.contact.resolution = GetParam();
+  scene.contact.solver = GetParam();
   HostScene device(scene, test::busy_field(scene));
   const std::int64_t longest = device.status().horizon;
-  MomentLog log;
+  StepLog log;
   std::int64_t least = longest;
   for (int call = 0; call < 400; ++call) {
     device.advance(1, log);
@@ -233,12 +234,12 @@ TEST_P(DeviceResolutions, AHorizonFollowsTheLifeOfListsInShortCallsToo) {
   EXPECT_LT(least, longest);
 }
 
-TEST_P(DeviceResolutions, AListTooSmallGrowsAndLosesNothing) {
+TEST_P(DeviceSolvers, AListTooSmallGrowsAndLosesNothing) {
   SceneDef scene = test::busy_scene(6);
-  scene.contact.resolution = GetParam();
+  scene.contact.solver = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device(scene, test::busy_field(scene), 1, 1, 64);
-  MomentLog expected, log;
+  StepLog expected, log;
   cpu->advance(200, expected);
   device.advance(200, log);
   EXPECT_GT(device.growths(), 0);
@@ -247,12 +248,12 @@ TEST_P(DeviceResolutions, AListTooSmallGrowsAndLosesNothing) {
   EXPECT_GT(test::contacts_in(expected), 2000);
 }
 
-TEST_P(DeviceResolutions, WaitingForOtherScenesChangesNothing) {
+TEST_P(DeviceSolvers, WaitingForOtherScenesChangesNothing) {
   SceneDef scene = test::busy_scene(6);
-  scene.contact.resolution = GetParam();
+  scene.contact.solver = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device(scene, test::busy_field(scene));
-  MomentLog expected, log;
+  StepLog expected, log;
   for (int block = 0; block < 4; ++block) {
     cpu->advance(40, expected);
     device.advance(40, log);
@@ -264,10 +265,10 @@ TEST_P(DeviceResolutions, WaitingForOtherScenesChangesNothing) {
   EXPECT_GT(test::contacts_in(expected), 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, DeviceResolutions, testing::Values(Resolution::independent, Resolution::coupled),
-                         [](const auto& resolution) {
-                           return resolution.param == Resolution::coupled ? std::string("coupled")
-                                                                          : std::string("independent");
+INSTANTIATE_TEST_SUITE_P(Both, DeviceSolvers, testing::Values(ContactSolver::independent, ContactSolver::coupled),
+                         [](const auto& solver) {
+                           return solver.param == ContactSolver::coupled ? std::string("coupled")
+                                                                         : std::string("independent");
                          });
 
 }  // namespace

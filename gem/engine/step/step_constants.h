@@ -1,4 +1,4 @@
-// What stays the same from moment to moment, worked out once per run from the scene.
+// What stays the same from step to step, worked out once per run from the scene.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace gem {
 
 /// Constants of every stage. Plain values: copied to wherever the stages run.
-struct MomentConstants {
+struct StepConstants {
   double dt = 0.0;  // [s]
   Vec2 current;     // [m/s]
   DragLaw drag_law = DragLaw::none;
@@ -26,7 +26,7 @@ struct MomentConstants {
   double platform_drag_rate = 0.0;  // [1/m]; 0: none
   Vec2 platform_water;              // [m/s]
 
-  Resolution resolution = Resolution::coupled;
+  ContactSolver solver = ContactSolver::coupled;
   Manifold manifold = Manifold::chord_ends;
   FrictionLaw friction_law = FrictionLaw::one_step;
   double friction_ice = 0.0;
@@ -40,13 +40,13 @@ struct MomentConstants {
   bool tight_residual = false;  // below what single precision can tell of it
   std::int64_t iterations_maximum = 0;
   bool crushing_limit = true;  // coupled
-  double repair_share = 0.0;   // share of an overlap taken back in one moment [-]
+  double repair_share = 0.0;   // share of an overlap taken back in one time step [-]
   double repair_speed = 0.0;   // ... at most at this speed [m/s]
-  double repair_reach = 0.0;   // coupled: farthest that the repair takes a point of a body in one moment [m]
+  double repair_reach = 0.0;   // coupled: farthest that the repair takes a point of a body in one time step [m]
   double list_margin = 0.0;    // [m]
   double retire_x = 0.0;       // [m]
 };
 
-MomentConstants moment_constants(const SceneDef& scene, const Bodies& bodies);
+StepConstants step_constants(const SceneDef& scene, const Bodies& bodies);
 
 }  // namespace gem

@@ -1,17 +1,17 @@
-// What a block has before it while it iterates a coupled moment.
+// What a block has before it while it iterates a coupled time step.
 #pragma once
 
 #include <cstddef>
 
 #include "gem/engine/solver/coupled_visit.h"
 #include "gem/engine/solver/device_points_cells.h"
-#include "gem/engine/solver/iteration_course.h"
+#include "gem/engine/solver/iteration_control.h"
 
 namespace gem {
 
-/// How far the iterations of a moment are.
+/// How far the iterations of a time step are.
 struct Progress {
-  IterationCourse course;
+  IterationControl control;
   float residual = 0.0F;
   int turn = 0;  // of the three places for residuals
 };
@@ -32,8 +32,8 @@ struct Stretch {
 /// the longest.
 constexpr std::int32_t part_lengths = 8, row_kinds = part_lengths * part_lengths;
 
-/// What a block copies of the bodies that its points meet, see device_halo.h; all in its fast memory.
-struct HaloDesk {
+/// What a block copies of the bodies that its points meet, see device_halo.h; all in its shared memory.
+struct HaloWorkspace {
   std::int32_t bodies;
   SolverEntry* entry;
   AddedMotion* motion;
@@ -41,25 +41,25 @@ struct HaloDesk {
   std::int32_t* source;  // of each record: its place among those of the scene
 };
 
-/// The same for all threads of the block, and kept in its fast memory, so that no thread has to keep it for itself.
-struct SolverDesk {
-  MomentPace<float> pace;
+/// The same for all threads of the block, and kept in its shared memory, so that no thread has to keep it for itself.
+struct SolverWorkspace {
+  StepLength<float> pace;
   Stretch points;            // that the block iterates
-  Stretch fast;              // those of them that stand in its fast memory, after those in registers
+  Stretch fast;              // those of them that stand in its shared memory, after those in registers
   std::size_t fast_from;     // where they begin there: see HeldTable
   std::int32_t bodies;       // moving, with points
-  Stretch own;               // the block's stretch of them, by spot
+  Stretch own;               // the block's stretch of them, by sorted place
   Stretch moved;             // that it moves in an iteration: these, or those of its points, see device_halo.h
   SolverEntry* entry;        // by place among them; or in order, see in_order
   SolverEntry* moved_entry;  // of those that it moves, by place among them: the same list, or another
-  AddedMotion* motion;       // the same, in the block's fast memory; null: they stand by body
+  AddedMotion* motion;       // the same, in the block's shared memory; null: they stand by body
   bool fits;                 // motions and, at its end, entries stand there while the block iterates
   bool in_order;             // of their rows, so that neighbouring threads have as much to do: rank is the place
   bool platform;             // the first that it moves is the platform
   bool has_halo;             // it moves bodies of other blocks for itself
-  HaloDesk halo;
-  std::size_t stage_bytes;  // of fast memory, from the start, that nothing stands in where there is no halo
-  std::int32_t records;     // places of fast memory, from the start, of motions and records
+  HaloWorkspace halo;
+  std::size_t stage_bytes;  // of shared memory, from the start, that nothing stands in where there is no halo
+  std::int32_t records;     // places of shared memory, from the start, of motions and records
 };
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// How the iterations of a coupled moment go on: how far each carries ahead, and when they end.
+// How the iterations of a coupled time step go on: how far each extrapolates, and when they end.
 #pragma once
 
 #include <cstdint>
@@ -8,36 +8,37 @@
 
 namespace gem {
 
-/// How far the impulses are carried ahead along their last change (Nesterov 1983), iteration by iteration: `most`
-/// numbers from the beginning of a moment, then `most` from nothing. Listed, as each takes a root and two divisions.
-std::vector<float> carried_ahead(std::int64_t most);
+/// How far the impulses are extrapolated along their last change (Nesterov 1983), iteration by iteration: `most`
+/// numbers from the beginning of a time step, then `most` from nothing. Listed, as each takes a root and two divisions.
+std::vector<float> momentum_coefficients(std::int64_t most);
 
-/// The course of a moment's iterations: how far each carries ahead, when the base is looked at again and when to stop.
-class IterationCourse {
+/// The course of a time step's iterations: how far each extrapolates, when the base is looked at again and when to
+/// stop.
+class IterationControl {
  public:
   enum class Next { iteration, round, end };
 
   /// `residual`: speed that no point may still ask for [m/s]; `most`: bound on the iterations; `tight`: the residual is
   /// below what a round in single precision can tell, so only the first visit of a round counts.
-  /// `carried_ahead`: what carried_ahead() makes of `most`.
-  GEM_HD IterationCourse(double residual, std::int64_t most, bool tight, const float* carried_ahead)
+  /// `momentum_coefficients`: what carried_ahead() makes of `most`.
+  GEM_HD IterationControl(double residual, std::int64_t most, bool tight, const float* momentum_coefficients)
       : residual_(residual),
         most_(static_cast<std::int32_t>(most)),
         tight_(tight),
-        ahead_(carried_ahead),
-        next_ahead_(carried_ahead[0]) {}
+        momentum_coefficients_(momentum_coefficients),
+        next_coefficient_(momentum_coefficients[0]) {}
 
   GEM_HD std::int64_t iteration() const { return iteration_; }
 
-  /// Begins an iteration: how far the impulses are carried ahead along their last change.
-  GEM_HD float ahead() {
+  /// Begins an iteration: how far the impulses are extrapolated along their last change.
+  GEM_HD float momentum_coefficient() {
     ++iteration_;
     ++of_round_;
     judged_ = iteration_ % 4 == 0 || iteration_ <= 2 || iteration_ == most_ || (tight_ && of_round_ == 1);
-    const float now = next_ahead_;
+    const float now = next_coefficient_;
     // asked for an iteration ahead: on a device it waits for memory; the list ends later, as no course begins again
     // before its second iteration
-    next_ahead_ = ahead_[++place_];
+    next_coefficient_ = momentum_coefficients_[++place_];
     return now;
   }
 
@@ -69,7 +70,7 @@ class IterationCourse {
     const bool overshot = lowest_ > 0.0F && asked > well_beyond * lowest_;
     if (overshot) {
       place_ = most_;
-      next_ahead_ = ahead_[place_];
+      next_coefficient_ = momentum_coefficients_[place_];
     }
     if (overshot || lowest_ == 0.0F || asked < lowest_) lowest_ = asked;
   }
@@ -77,12 +78,12 @@ class IterationCourse {
   double residual_;
   std::int32_t most_;
   bool tight_, judged_ = false;
-  const float* ahead_;
-  float next_ahead_;
+  const float* momentum_coefficients_;
+  float next_coefficient_;
   std::int32_t place_ = 0;  // in that list
   std::int32_t iteration_ = 0, of_round_ = 0;
   float first_ = 0.0F;   // residual at the beginning of the round
-  float lowest_ = 0.0F;  // since the last time that nothing was carried ahead
+  float lowest_ = 0.0F;  // since the last time that nothing was extrapolated
 };
 
 }  // namespace gem

@@ -1,8 +1,8 @@
-// Who works on a device scene: the interface of a crew of threads, and the crew of one that runs the same code on the
-// host.
+// Who works on a device scene: the interface of a thread group of threads, and the thread group of one that runs the
+// same code on the host.
 //
-// A crew is made of blocks; a block of threads that share a BlockCell; a block's threads stand in groups of `lanes`
-// that look at one pair together. Between two barriers every array element has one writer.
+// A thread group is made of blocks; a block of threads that share a BlockCell; a block's threads stand in groups of
+// `lanes` that look at one pair together. Between two barriers every array element has one writer.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gem/base/macros.h"
-#include "gem/engine/solver/solver_desk.h"
+#include "gem/engine/solver/solver_workspace.h"
 
 namespace gem {
 
@@ -19,20 +19,20 @@ enum Alarm : std::uint32_t { alarm_strayed = 1, alarm_not_finite = 2, alarm_list
 
 /// What the threads of one block share.
 struct BlockCell {
-  std::int32_t looks, touches, touched;
+  std::int32_t candidates, touching_count, touched;
   std::int32_t contacts;
   std::uint64_t overlap;
   std::uint32_t alarms;
   // coupled
   std::int32_t points, first_point;  // found by the block, and its first among all
-  std::int32_t records;              // places taken in the block's fast memory
+  std::int32_t records;              // places taken in the block's shared memory
   std::int32_t taken, first_taken;   // points that the block iterates, and the first of them
   std::uint32_t asked;               // with halos: bits of the largest speed that the block's points ask for
   std::uint32_t asked_by_all;        // the same of all blocks
   std::int32_t iterations;
   double residual, energy_created;
   std::uint64_t share, complementarity, cone_excess;  // bits of the largest, numbers >= 0
-  SolverDesk desk;
+  SolverWorkspace workspace;
   std::int32_t of_kind[row_kinds];  // bodies of the block by the lengths of their rows
 };
 
@@ -67,8 +67,8 @@ struct OneLane {
   GEM_HD std::uint32_t highest(std::uint32_t mine) const { return mine; }
 };
 
-/// The host's crew of one.
-class SoloCrew {
+/// The host's thread group of one.
+class OneThreadGroup {
  public:
   using Lanes = OneLane;
   using Wide = OneLane;  // as many lanes as an outline has edges, or as `Lanes`
@@ -85,11 +85,11 @@ class SoloCrew {
   void block_barrier() {}
   BlockCell& shared() { return shared_; }
   /// Fast memory of the block.
-  std::byte* room() { return room_.data(); }
-  std::size_t room_bytes() const { return room_.size(); }
-  /// Fast memory of another block, where the crew's blocks can reach it.
-  std::byte* room_of(int) const { return const_cast<std::byte*>(room_.data()); }
-  static constexpr bool shares_rooms = true;
+  std::byte* shared_memory() { return shared_memory_.data(); }
+  std::size_t shared_bytes() const { return shared_memory_.size(); }
+  /// Fast memory of another block, where the thread group's blocks can reach it.
+  std::byte* shared_memory_of(int) const { return const_cast<std::byte*>(shared_memory_.data()); }
+  static constexpr bool reads_other_blocks = true;
   // whether its blocks move for themselves what their points meet; then it has write_whole(), read_whole(), pause(),
   // and a barrier in two halves, arrive_asking() and wait_for_asked()
   static constexpr bool has_halos = false;
@@ -98,9 +98,9 @@ class SoloCrew {
   void lap(int) const {}
   void write_laps(std::int64_t*) const {}
   static int barriers() { return 0; }
-  /// The crew, or a copy that a thread has for itself in its registers; and what that has counted goes back.
-  SoloCrew& at_hand() { return *this; }
-  void came_back(const SoloCrew&) {}
+  /// The thread group, or a copy that a thread has for itself in its registers; and what that has counted goes back.
+  OneThreadGroup& in_registers() { return *this; }
+  void returned(const OneThreadGroup&) {}
   void raise(std::uint32_t alarms) { shared_.alarms |= alarms; }
   std::uint32_t alarms() const { return shared_.alarms; }
   void lower_alarms() { shared_.alarms = 0; }
@@ -119,46 +119,46 @@ class SoloCrew {
 
  private:
   BlockCell shared_{};
-  std::vector<std::byte> room_ = std::vector<std::byte>(1 << 20);
+  std::vector<std::byte> shared_memory_ = std::vector<std::byte>(1 << 20);
 };
 
-/// One block of a crew as a crew of its own: its barriers keep nobody else.
-template <class Crew>
+/// One block of a thread group as a thread group of its own: its barriers keep nobody else.
+template <class Group>
 class OneBlock {
  public:
-  using Lanes = typename Crew::Lanes;
-  using Warp = typename Crew::Warp;
-  static constexpr bool shares_rooms = true;
+  using Lanes = typename Group::Lanes;
+  using Warp = typename Group::Warp;
+  static constexpr bool reads_other_blocks = true;
   static constexpr bool has_halos = false;
-  static constexpr int kept_points = Crew::kept_points;
+  static constexpr int kept_points = Group::kept_points;
 
-  GEM_DEVICE explicit OneBlock(Crew& crew) : crew_(crew) {}
+  GEM_DEVICE explicit OneBlock(Group& group) : group_(group) {}
 
   GEM_DEVICE int block() const { return 0; }
   GEM_DEVICE int blocks() const { return 1; }
-  GEM_DEVICE int thread() const { return crew_.thread(); }
-  GEM_DEVICE int threads() const { return crew_.threads(); }
-  GEM_DEVICE Lanes lanes() const { return crew_.lanes(); }
-  GEM_DEVICE Warp warp() const { return crew_.warp(); }
-  GEM_DEVICE void barrier() { crew_.block_barrier(); }
-  GEM_DEVICE void block_barrier() { crew_.block_barrier(); }
-  GEM_DEVICE BlockCell& shared() { return crew_.shared(); }
-  GEM_DEVICE std::byte* room() { return crew_.room(); }
-  GEM_DEVICE std::byte* room_of(int) const { return crew_.room(); }
-  GEM_DEVICE void lap(int stage) { crew_.lap(stage); }
-  GEM_DEVICE OneBlock at_hand() const { return *this; }
-  GEM_DEVICE void came_back(const OneBlock&) {}
+  GEM_DEVICE int thread() const { return group_.thread(); }
+  GEM_DEVICE int threads() const { return group_.threads(); }
+  GEM_DEVICE Lanes lanes() const { return group_.lanes(); }
+  GEM_DEVICE Warp warp() const { return group_.warp(); }
+  GEM_DEVICE void barrier() { group_.block_barrier(); }
+  GEM_DEVICE void block_barrier() { group_.block_barrier(); }
+  GEM_DEVICE BlockCell& shared() { return group_.shared(); }
+  GEM_DEVICE std::byte* shared_memory() { return group_.shared_memory(); }
+  GEM_DEVICE std::byte* shared_memory_of(int) const { return group_.shared_memory(); }
+  GEM_DEVICE void lap(int stage) { group_.lap(stage); }
+  GEM_DEVICE OneBlock in_registers() const { return *this; }
+  GEM_DEVICE void returned(const OneBlock&) {}
   template <class T>
   GEM_DEVICE static T add(T* sum, T value) {
-    return Crew::add(sum, value);
+    return Group::add(sum, value);
   }
   template <class T>
   GEM_DEVICE static void highest(T* value, T other) {
-    Crew::highest(value, other);
+    Group::highest(value, other);
   }
 
  private:
-  Crew& crew_;
+  Group& group_;
 };
 
 }  // namespace gem

@@ -1,11 +1,12 @@
-// The crews of a CUDA kernel: the threads of one cluster of blocks, or of more blocks that meet at a gate.
+// The thread groups of a CUDA kernel: the threads of one cluster of blocks, or of more blocks that meet at a grid
+// barrier.
 #pragma once
 
 #include <cooperative_groups.h>
 
 #include "gem/engine/cuda/cuda_kernel.h"
-#include "gem/engine/device/crew.h"
 #include "gem/engine/device/scene.h"
+#include "gem/engine/device/thread_group.h"
 
 namespace gem {
 
@@ -53,7 +54,7 @@ class LaneGroup {
 };
 
 /// The scene's constants and addresses, close at hand for all threads of a block.
-__device__ inline void take_scene(DeviceScene& scene, const DeviceScene* from) {
+__device__ inline void load_scene(DeviceScene& scene, const DeviceScene* from) {
   auto* to = reinterpret_cast<std::uint64_t*>(&scene);
   for (unsigned w = threadIdx.x; w < sizeof(DeviceScene) / sizeof(std::uint64_t); w += blockDim.x)
     to[w] = reinterpret_cast<const std::uint64_t*>(from)[w];
@@ -65,43 +66,45 @@ struct StageClock {
   long long last, sum[stage_count];
 };
 
-/// The fast memory of one block.
-struct BlockRoom {
+/// The shared memory of one block.
+struct BlockMemory {
   BlockCell& shared;
   StageClock& clock;
-  std::byte* room;
+  std::byte* shared_memory;
   std::size_t bytes;
-  bool keeps_time;  // the first block of its crew
+  bool keeps_time;  // the first block of its thread group
 };
 
-/// What crews of one or of many blocks have in common.
-class DeviceCrew {
+/// What thread groups of one or of many blocks have in common.
+class DeviceGroup {
  public:
   using Warp = LaneGroup<32>;
   using Wide = LaneGroup<8>;  // about the edges of an outline
   static constexpr int kept_points = 2;
   static constexpr bool has_halos = false;
 
-  __device__ explicit DeviceCrew(const BlockRoom& room) : room_(room) {}
+  __device__ explicit DeviceGroup(const BlockMemory& shared_memory) : shared_memory_(shared_memory) {}
 
   __device__ int thread() const { return static_cast<int>(threadIdx.x); }
   __device__ int threads() const { return static_cast<int>(blockDim.x); }
   __device__ Warp warp() const { return {}; }
   __device__ Wide wide() const { return {}; }
   __device__ void block_barrier() { __syncthreads(); }
-  __device__ BlockCell& shared() { return room_.shared; }
-  __device__ std::byte* room() const { return room_.room; }
-  __device__ std::size_t room_bytes() const { return room_.bytes; }
-  __device__ std::uint32_t alarms() const { return *static_cast<const volatile std::uint32_t*>(&room_.shared.alarms); }
+  __device__ BlockCell& shared() { return shared_memory_.shared; }
+  __device__ std::byte* shared_memory() const { return shared_memory_.shared_memory; }
+  __device__ std::size_t shared_bytes() const { return shared_memory_.bytes; }
+  __device__ std::uint32_t alarms() const {
+    return *static_cast<const volatile std::uint32_t*>(&shared_memory_.shared.alarms);
+  }
 
   __device__ void lap(int stage) {
-    if (threadIdx.x != 0 || !room_.keeps_time) return;
+    if (threadIdx.x != 0 || !shared_memory_.keeps_time) return;
     const long long now = clock64();
-    room_.clock.sum[stage] += now - room_.clock.last;
-    room_.clock.last = now;
+    shared_memory_.clock.sum[stage] += now - shared_memory_.clock.last;
+    shared_memory_.clock.last = now;
   }
   __device__ void write_laps(std::int64_t* clocks) const {
-    for (int k = 0; k < stage_count; ++k) clocks[k] = room_.clock.sum[k];
+    for (int k = 0; k < stage_count; ++k) clocks[k] = shared_memory_.clock.sum[k];
   }
 
   __device__ static std::int32_t add(std::int32_t* sum, std::int32_t value) { return atomicAdd(sum, value); }
@@ -113,7 +116,7 @@ class DeviceCrew {
   __device__ static void set_bit(std::uint32_t* word, std::uint32_t bit) { atomicOr(word, bit); }
 
  protected:
-  BlockRoom room_;
+  BlockMemory shared_memory_;
 };
 
 /// All threads of a cluster meet. A warp that had parted comes together first: the barrier counts warps.
@@ -123,18 +126,20 @@ __device__ inline void cluster_barrier() {
 }
 
 /// All threads of a cluster of blocks.
-class ClusterCrew : public DeviceCrew {
+class ClusterGroup : public DeviceGroup {
  public:
   using Lanes = LaneGroup<4>;  // few blocks have many looks before them
 
-  __device__ ClusterCrew(const BlockRoom& room, int, CrewGate*) : DeviceCrew(room) {}
+  __device__ ClusterGroup(const BlockMemory& shared_memory, int, GridBarrier*) : DeviceGroup(shared_memory) {}
 
   __device__ Lanes lanes() const { return {}; }
   __device__ int block() const { return static_cast<int>(cluster().block_rank()); }
   __device__ int blocks() const { return static_cast<int>(cluster().num_blocks()); }
 
-  __device__ std::byte* room_of(int block) const { return cluster().map_shared_rank(room_.room, block); }
-  static constexpr bool shares_rooms = true;
+  __device__ std::byte* shared_memory_of(int block) const {
+    return cluster().map_shared_rank(shared_memory_.shared_memory, block);
+  }
+  static constexpr bool reads_other_blocks = true;
 
   __device__ void barrier() {
     ++barriers_;
@@ -146,15 +151,15 @@ class ClusterCrew : public DeviceCrew {
 
   /// Every block has its own copy of the alarms, so that a look at them costs next to nothing.
   __device__ void raise(std::uint32_t alarms) {
-    for (int k = 0; k < blocks(); ++k) atomicOr(cluster().map_shared_rank(&room_.shared.alarms, k), alarms);
+    for (int k = 0; k < blocks(); ++k) atomicOr(cluster().map_shared_rank(&shared_memory_.shared.alarms, k), alarms);
   }
   __device__ void lower_alarms() {
-    if (threadIdx.x == 0) room_.shared.alarms = 0;
+    if (threadIdx.x == 0) shared_memory_.shared.alarms = 0;
   }
 
   __device__ int barriers() const { return barriers_; }
-  __device__ ClusterCrew at_hand() const { return *this; }
-  __device__ void came_back(const ClusterCrew& copy) { barriers_ = copy.barriers_; }
+  __device__ ClusterGroup in_registers() const { return *this; }
+  __device__ void returned(const ClusterGroup& copy) { barriers_ = copy.barriers_; }
 
  private:
   __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
@@ -162,22 +167,22 @@ class ClusterCrew : public DeviceCrew {
   int barriers_ = 0;
 };
 
-/// More blocks than a cluster holds, all on the device at the same time; they meet at a gate in its memory.
-class GateCrew : public DeviceCrew {
+/// More blocks than a cluster holds, all on the device at the same time; they meet at a grid barrier in its memory.
+class GridGroup : public DeviceGroup {
  public:
   using Lanes = LaneGroup<8>;
 
-  __device__ GateCrew(const BlockRoom& room, int blocks, CrewGate* gate)
-      : DeviceCrew(room), blocks_(blocks), gate_(gate) {}
+  __device__ GridGroup(const BlockMemory& shared_memory, int blocks, GridBarrier* grid_barrier)
+      : DeviceGroup(shared_memory), blocks_(blocks), grid_barrier_(grid_barrier) {}
 
   __device__ Lanes lanes() const { return {}; }
   __device__ int block() const { return static_cast<int>(blockIdx.x) % blocks_; }
   __device__ int blocks() const { return blocks_; }
 
-  /// Other blocks do not reach a block's fast memory, and meeting them takes longer than moving some of their bodies.
-  static constexpr bool shares_rooms = false;
+  /// Other blocks do not reach a block's shared memory, and meeting them takes longer than moving some of their bodies.
+  static constexpr bool reads_other_blocks = false;
   static constexpr bool has_halos = true;
-  __device__ std::byte* room_of(int) const { return room_.room; }
+  __device__ std::byte* shared_memory_of(int) const { return shared_memory_.shared_memory; }
 
   /// Sixteen bytes in one go, past the caches that blocks do not share: no reader sees a part of them.
   __device__ static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
@@ -206,7 +211,7 @@ class GateCrew : public DeviceCrew {
   __device__ void barrier() {
     __syncthreads();
     count_arrival();
-    wait_at_gate();
+    wait_at_grid_barrier();
     __syncthreads();
   }
   /// A barrier in two halves, with work between them that waits for no other block's second half. What the block does
@@ -215,40 +220,40 @@ class GateCrew : public DeviceCrew {
   __device__ void arrive_asking(std::uint32_t* asked) {
     __syncthreads();
     if (threadIdx.x == 0) {
-      highest(asked, room_.shared.asked);
-      room_.shared.asked = 0;
+      highest(asked, shared_memory_.shared.asked);
+      shared_memory_.shared.asked = 0;
     }
     count_arrival();
   }
   __device__ void wait_for_asked(const std::uint32_t* asked) {
-    wait_at_gate();
-    if (threadIdx.x == 0) room_.shared.asked_by_all = *static_cast<const volatile std::uint32_t*>(asked);
+    wait_at_grid_barrier();
+    if (threadIdx.x == 0) shared_memory_.shared.asked_by_all = *static_cast<const volatile std::uint32_t*>(asked);
     __syncthreads();
   }
 
   /// Seen by a block when it passes the next barrier. Between two barriers with a decision on alarms there is a third,
   /// so that no block can see an alarm that another has yet to raise for a later decision.
-  __device__ void raise(std::uint32_t alarms) { atomicOr(&gate_->alarms, alarms); }
+  __device__ void raise(std::uint32_t alarms) { atomicOr(&grid_barrier_->alarms, alarms); }
   __device__ void lower_alarms() {
     if (threadIdx.x != 0) return;
-    room_.shared.alarms = 0;
-    if (block() == 0) atomicExch(&gate_->alarms, 0U);
+    shared_memory_.shared.alarms = 0;
+    if (block() == 0) atomicExch(&grid_barrier_->alarms, 0U);
   }
 
   /// Passed so far.
   __device__ int barriers() const { return static_cast<int>(passed_) / blocks_; }
-  __device__ GateCrew at_hand() const { return *this; }
-  __device__ void came_back(const GateCrew& copy) { passed_ = copy.passed_; }
+  __device__ GridGroup in_registers() const { return *this; }
+  __device__ void returned(const GridGroup& copy) { passed_ = copy.passed_; }
 
  private:
   struct Seen {
     unsigned arrived, alarms;
   };
   /// Both words at once: each look takes the way to the memory of all.
-  __device__ static Seen look_at(const CrewGate* gate) {
+  __device__ static Seen look_at(const GridBarrier* grid_barrier) {
     Seen seen;
     unsigned long long both;
-    asm volatile("ld.acquire.gpu.global.u64 %0, [%1];" : "=l"(both) : "l"(&gate->arrived) : "memory");
+    asm volatile("ld.acquire.gpu.global.u64 %0, [%1];" : "=l"(both) : "l"(&grid_barrier->arrived) : "memory");
     seen.arrived = static_cast<unsigned>(both);
     seen.alarms = static_cast<unsigned>(both >> 32);
     return seen;
@@ -257,17 +262,18 @@ class GateCrew : public DeviceCrew {
   /// After a barrier of the block, so what all of it wrote comes before.
   __device__ void count_arrival() {
     passed_ += static_cast<unsigned>(blocks_);
-    if (threadIdx.x == 0) asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&gate_->arrived) : "memory");
+    if (threadIdx.x == 0)
+      asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&grid_barrier_->arrived) : "memory");
   }
-  __device__ void wait_at_gate() {
+  __device__ void wait_at_grid_barrier() {
     if (threadIdx.x != 0) return;
-    Seen seen = look_at(gate_);
-    while (seen.arrived < passed_) seen = look_at(gate_);
-    room_.shared.alarms |= seen.alarms;
+    Seen seen = look_at(grid_barrier_);
+    while (seen.arrived < passed_) seen = look_at(grid_barrier_);
+    shared_memory_.shared.alarms |= seen.alarms;
   }
 
   int blocks_;
-  CrewGate* gate_;
+  GridBarrier* grid_barrier_;
   unsigned passed_ = 0;  // arrivals of all barriers so far
 };
 

@@ -56,9 +56,9 @@ def gpu_rows():
     for path in sorted(glob.glob(os.path.join(RESULTS, "cuda_*.csv"))):
         with open(path, newline="", encoding="utf-8") as file:
             for r in csv.DictReader(file):
-                key = r["resolution"], r["arithmetic"], r["phase"]
+                key = r["resolution"], r["phase"]
                 if r["measure"] != "moment":
-                    kind = r["resolution"], r["arithmetic"], r["measure"]
+                    kind = r["resolution"], r["measure"]
                     size = int(r["scenes"]) * (int(r["phase"].split()[0]) if r["measure"] == "growth" else 1)
                     if r["measure"] in GPU_BATCHES and size >= largest.get(kind, (0, None))[0]:
                         largest[kind] = size, r
@@ -82,12 +82,12 @@ def waiting(r, costs):
 
 
 def gpu_table():
-    rows = ["| contacts | arithmetic | what | scenes | a launch makes | blocks x threads | µs a moment | barriers alone, µs | "
-            "x real time, all scenes | wall / device | state hash | device | commit |", "|" + "---|" * 13]
+    rows = ["| contacts | what | scenes | a launch makes | blocks x threads | µs a moment | barriers alone, µs | "
+            "x real time, all scenes | wall / device | state hash | device | commit |", "|" + "---|" * 12]
     costs = barrier_costs()
     for r in gpu_rows():
         what = r["phase"] if r["measure"] == "moment" else f"{r['measure'].replace('_', ', ')}, {r['phase']}"
-        rows.append(f"| {r['resolution']} | {r['arithmetic']} | {what} | {r['scenes']} | {r['launches']} | {r['blocks']} x {r['threads']} | "
+        rows.append(f"| {r['resolution']} | {what} | {r['scenes']} | {r['launches']} | {r['blocks']} x {r['threads']} | "
                     f"{float(r['microseconds_per_moment']):.0f} | {waiting(r, costs)} | {float(r['x_real_time']):.0f} | "
                     f"{r['wall_over_device']} | `{r['state_hash']}` | {r['device']} | {r['commit'][:7]}{'-dirty' if 'dirty' in r['commit'] else ''} |")
     return rows

@@ -212,34 +212,6 @@ TEST_P(CudaJam, ScenesThatShareTheDeviceUnequallyKeepTheirBits) {
   }
 }
 
-/// Contraction changes bits. After one moment that is rounding, and with coupled contacts what rounding does to when
-/// the iterations begin again; after sixty it is chaos (a strict run whose floes begin 1e-13 m elsewhere is 3 cm off),
-/// so there only repetition, books and contacts are asked for.
-TEST_P(CudaJam, FastKernelsAreCloseAndRepeatThemselves) {
-  const bool coupled = scene_.contact.resolution == Resolution::coupled;
-  const auto strict = make_engine(scene_, field_, agreement::on("cpu"));
-  strict->restore(start_);
-  MomentLog ignored;
-  strict->advance(1, ignored);
-  std::uint64_t hash = 0;
-  for (int repetition = 0; repetition < 2; ++repetition) {
-    CudaBatch batch(copies(2), {.arithmetic = Arithmetic::fast});
-    for (const std::size_t k : {0, 1}) batch.restore(k, start_);
-    std::vector<MomentLog> logs(2);
-    batch.advance(1, &logs);
-    EXPECT_LT(test::farthest_apart(batch.bodies(0), strict->bodies()), coupled ? 1e-6 : 1e-11);
-    batch.advance(moments - 1, &logs);
-    EXPECT_EQ(batch.state_hash(0), batch.state_hash(1));
-    EXPECT_NE(batch.state_hash(0), hash_) << "nothing was contracted";
-    if (repetition == 0) hash = batch.state_hash(0);
-    EXPECT_EQ(batch.state_hash(0), hash);
-    for (const MomentQuality& quality : logs[0].quality) EXPECT_GT(quality.contacts, agreement::contacts_wanted);
-    const LedgerResidual left = residual(batch.ledger(0));
-    EXPECT_LT(left.momentum, 1e-12);
-    EXPECT_LT(left.energy, 1e-12);
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(Ways, CudaJam,
                          testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends)),

@@ -43,11 +43,10 @@ class CudaBatch::Work {
  public:
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
       : device_(on_device(options)),
-        arithmetic_(options.arithmetic),
         threads_(chosen_threads(options.threads)),
         ring_moments_(options.ring_moments),
         launches_(options.launches),
-        shares_(options.arithmetic, threads_, options.blocks, device_.multiprocessors, scenes),
+        shares_(threads_, options.blocks, device_.multiprocessors, scenes),
         visits_(scenes.size(), 0.0),
         status_memory_(sizeof(DeviceStatus) * scenes.size()),
         scene_memory_(sizeof(DeviceScene) * scenes.size()),
@@ -228,7 +227,7 @@ class CudaBatch::Work {
   /// their places first: the order of the streams' starts says nothing, their priority does.
   void launch_part(std::size_t first, std::size_t count, int blocks) {
     Timeline& part = part_.try_emplace(blocks, std::bit_width(static_cast<unsigned>(blocks))).first->second;
-    const Spread spread{arithmetic_, static_cast<int>(count), blocks, threads_};
+    const Spread spread{static_cast<int>(count), blocks, threads_};
     const std::size_t room = room_of_block(spread);
     const LaunchConfig config(spread, room, part.stream());
     const Launch work{reinterpret_cast<const DeviceScene*>(scene_memory_.data()) + first,
@@ -294,7 +293,6 @@ class CudaBatch::Work {
   }
 
   CudaDevice device_;
-  Arithmetic arithmetic_;
   int threads_, ring_moments_;
   Launches launches_;
   std::int64_t by_moments_ = 0, by_phases_ = 0;  // moments of all scenes in the last call, by what launches did
@@ -302,7 +300,7 @@ class CudaBatch::Work {
   std::vector<double> visits_;    // of the points of each a moment, when last moved by phases
   std::map<int, Timeline> part_;  // of a launch, by the blocks of a scene
   Timeline time_;
-  PhaseStreams phases_{arithmetic_, device_.multiprocessors};
+  PhaseStreams phases_{device_.multiprocessors};
   DeviceMemory status_memory_, scene_memory_, wanted_memory_, gate_memory_;
   PinnedMemory status_, scene_, wanted_;
   std::vector<CudaScene> scenes_;

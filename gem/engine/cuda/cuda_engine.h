@@ -24,11 +24,6 @@ struct CudaDevice {
 /// All GPUs; where there is none, `reason` says why.
 std::vector<CudaDevice> cuda_devices(std::string& reason);
 
-/// How the kernels round. strict: the bits of the cpu engine. fast: the compiler may contract a*b+c to one rounding;
-/// the bits are others and may change with the number of blocks of a scene. No run uses it: it gains nothing
-/// (bench/results/cuda_*.csv) and is kept to show that.
-enum class Arithmetic { strict, fast };
-
 /// Moments that the quickest scene makes in one launch.
 constexpr int most_launch_moments = 512;
 
@@ -38,7 +33,7 @@ constexpr int most_launch_moments = 512;
 /// by moments in any case.
 enum class Launches { chosen, moments, phases };
 
-/// How the scenes of a batch are laid out on the GPU. With strict arithmetic no choice changes a result.
+/// How the scenes of a batch are laid out on the GPU. No choice changes a result.
 struct CudaOptions {
   int device = -1;  // -1: the first that can be used
   int blocks = 0;   // that work on one scene, no more than the device runs at a time; 0: as help most
@@ -46,7 +41,6 @@ struct CudaOptions {
   int ring_moments = most_launch_moments;  // of one launch, at most
   int list_rows = 0;    // places of the list of near bodies to begin with; it grows on demand; 0: chosen
   bool samples = true;  // keep what the platform felt
-  Arithmetic arithmetic = Arithmetic::strict;
   Launches launches = Launches::chosen;
 };
 
@@ -63,7 +57,7 @@ struct MomentsAhead {
 };
 
 /// Many scenes on one GPU, moved on together; no other batch of the process moves scenes on the same GPU meanwhile.
-/// With strict arithmetic each has the bits that it has alone. Throws Error(device) where no GPU answers or a call
+/// Each has the bits that it has alone. Throws Error(device) where no GPU answers or a call
 /// fails, Error(resource_limit) where its memory is too small.
 class CudaBatch {
  public:

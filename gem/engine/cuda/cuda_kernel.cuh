@@ -1,4 +1,4 @@
-// The kernel itself; included by the two files that compile it.
+// The kernel that moves scenes by blocks that stay with them.
 #pragma once
 
 #include "gem/engine/cuda/crews.cuh"

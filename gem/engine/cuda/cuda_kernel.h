@@ -1,5 +1,4 @@
-// The kernel that moves scenes on, compiled twice: strict, with the bits of the cpu engine, and fast, where the
-// compiler may contract a*b+c to one rounding.
+// The kernels that move scenes on, with the bits of the cpu engine, and what their launches work on.
 #pragma once
 
 #include <cstddef>
@@ -56,12 +55,10 @@ struct PhaseLaunch {
 using AdvanceKernel = void (*)(const Launch);
 
 /// `gated`: for scenes of more blocks than a cluster holds.
-AdvanceKernel strict_kernel(bool gated);
-AdvanceKernel fast_kernel(bool gated);
+AdvanceKernel advance_kernel(bool gated);
 
 using PhaseKernel = void (*)(const PhaseLaunch);
 
-PhaseKernel strict_phase(DevicePhase phase, Resolution resolution);
-PhaseKernel fast_phase(DevicePhase phase, Resolution resolution);
+PhaseKernel phase_kernel(DevicePhase phase, Resolution resolution);
 
 }  // namespace gem

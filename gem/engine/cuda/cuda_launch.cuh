@@ -20,13 +20,10 @@ static_assert(fewest_gated > largest_cluster);
 
 /// How a batch is spread over the device.
 struct Spread {
-  Arithmetic arithmetic = Arithmetic::strict;
   int scenes = 1, blocks = 1, threads = most_threads;
   bool gated() const { return blocks > largest_cluster; }
   int cluster() const { return gated() ? 1 : blocks; }
-  AdvanceKernel kernel() const {
-    return arithmetic == Arithmetic::fast ? fast_kernel(gated()) : strict_kernel(gated());
-  }
+  AdvanceKernel kernel() const { return advance_kernel(gated()); }
 };
 
 /// The fast memory that a block may have besides what the kernel takes itself; the kernel is allowed to take it
@@ -78,13 +75,13 @@ struct LaunchConfig {
 
 /// Blocks for each scene with which all scenes run at the same time: as many as there are for few scenes, a cluster for
 /// each of more; no more than `useful`.
-int most_blocks(Arithmetic arithmetic, int scenes, int threads, int multiprocessors, int useful) {
+int most_blocks(int scenes, int threads, int multiprocessors, int useful) {
   for (int blocks = std::min(multiprocessors / scenes, useful); blocks >= fewest_gated; --blocks) {
-    const Spread spread{arithmetic, scenes, blocks, threads};
+    const Spread spread{scenes, blocks, threads};
     if (LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes * blocks) return blocks;
   }
   for (int blocks = largest_cluster; blocks > 1; --blocks) {
-    const Spread spread{arithmetic, scenes, blocks, threads};
+    const Spread spread{scenes, blocks, threads};
     if (blocks <= useful && LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes)
       return blocks;
   }
@@ -92,10 +89,10 @@ int most_blocks(Arithmetic arithmetic, int scenes, int threads, int multiprocess
 }
 
 /// How many clusters of each size that scenes may have run at the same time.
-ClusterRoom room_for_clusters(Arithmetic arithmetic, int threads) {
+ClusterRoom room_for_clusters(int threads) {
   ClusterRoom room;
   for (std::size_t size = 0; size < room.size(); ++size) {
-    const Spread spread{arithmetic, 1, share_sizes[size], threads};
+    const Spread spread{1, share_sizes[size], threads};
     room[size] = LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread);
   }
   return room;

@@ -41,21 +41,17 @@ struct PhaseScene {
   double visits = 0.0;       // of its points a moment, as far as known; coupled
 };
 
-PhaseKernel kernel_of(Arithmetic arithmetic, DevicePhase phase, Resolution resolution) {
-  return arithmetic == Arithmetic::fast ? fast_phase(phase, resolution) : strict_phase(phase, resolution);
-}
-
 /// Fast memory of a block in a phase of the iterations [bytes].
 constexpr std::size_t room_of_solver(DevicePhase phase) { return phase == DevicePhase::iterate ? solve_room : 0; }
 
 /// The largest cluster by which the device iterates, a power of two; 0: it cannot. Allows the kernels to take what they
 /// need.
-int largest_solver(Arithmetic arithmetic) {
+int largest_solver() {
   int device = 0, most = 0, blocks = largest_cluster;
   check_cuda(cudaGetDevice(&device), "be set up");
   check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
   for (const DevicePhase phase : {DevicePhase::gather, DevicePhase::iterate, DevicePhase::settle}) {
-    const PhaseKernel kernel = kernel_of(arithmetic, phase, Resolution::coupled);
+    const PhaseKernel kernel = phase_kernel(phase, Resolution::coupled);
     const std::size_t room = room_of_solver(phase);
     cudaFuncAttributes attributes{};
     check_cuda(cudaFuncGetAttributes(&attributes, kernel), "be set up");
@@ -77,8 +73,7 @@ int largest_solver(Arithmetic arithmetic) {
 /// each other, and what stepped in between them might wait for these places.
 class PhaseStream {
  public:
-  PhaseStream(Arithmetic arithmetic, int multiprocessors)
-      : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+  explicit PhaseStream(int multiprocessors) : multiprocessors_(multiprocessors) {}
 
   /// Blocks that iterate, where so many are wanted: those of the last call if they are about as many, as what has been
   /// recorded can be started again then.
@@ -189,7 +184,7 @@ class PhaseStream {
     return std::min(list_blocks, together) * multiprocessors_;
   }
 
-  PhaseKernel kernel_of_phase(DevicePhase phase) const { return kernel_of(arithmetic_, phase, resolution_); }
+  PhaseKernel kernel_of_phase(DevicePhase phase) const { return phase_kernel(phase, resolution_); }
 
   /// The blocks of all scenes, for each as many as for its bodies over `share`.
   static void add_blocks(std::vector<PhaseBlock>& all, const std::vector<PhaseScene>& scenes, int share) {
@@ -216,7 +211,6 @@ class PhaseStream {
     return reinterpret_cast<const PhaseBlock*>(block_memory_.data());
   }
 
-  Arithmetic arithmetic_;
   Resolution resolution_ = Resolution::independent;
   int multiprocessors_;
   int all_ = 0, some_ = 0, list_grid_ = 1;  // blocks that move bodies, that work on pairs, that build lists

@@ -1,4 +1,4 @@
-// The kernels that make one phase of many scenes; included by the two files that compile them.
+// The kernels that make one phase of many scenes.
 #pragma once
 
 #include <type_traits>

@@ -18,10 +18,9 @@ class SceneShares {
 
  public:
   /// `chosen_blocks` of each scene; 0: as help most.
-  SceneShares(Arithmetic arithmetic, int threads, int chosen_blocks, int multiprocessors,
+  SceneShares(int threads, int chosen_blocks, int multiprocessors,
               const std::vector<BatchScene>& scenes)
-      : arithmetic_(arithmetic),
-        threads_(threads),
+      : threads_(threads),
         chosen_blocks_(chosen_blocks),
         multiprocessors_(multiprocessors),
         work_(scenes.size(), 0.0),
@@ -37,7 +36,7 @@ class SceneShares {
     if (chosen_blocks_ > 0) return chosen_blocks_;
     int& blocks = blocks_of_count_[scenes];
     const int useful = *std::max_element(useful_.begin(), useful_.end());
-    if (blocks == 0) blocks = most_blocks(arithmetic_, static_cast<int>(scenes), threads_, multiprocessors_, useful);
+    if (blocks == 0) blocks = most_blocks(static_cast<int>(scenes), threads_, multiprocessors_, useful);
     return blocks;
   }
 
@@ -98,11 +97,10 @@ class SceneShares {
   }
 
   const ClusterRoom& cluster_room() {
-    if (cluster_room_[0] == 0) cluster_room_ = room_for_clusters(arithmetic_, threads_);
+    if (cluster_room_[0] == 0) cluster_room_ = room_for_clusters(threads_);
     return cluster_room_;
   }
 
-  Arithmetic arithmetic_;
   int threads_, chosen_blocks_, multiprocessors_;
   std::map<std::size_t, int> blocks_of_count_;
   std::vector<int> useful_;     // most blocks of each scene

@@ -58,28 +58,16 @@ SceneDef scene_of(const Subject& subject, const std::string& run) {
 
 std::int64_t moments_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.moment_s); }
 
-/// Ends a row with the barriers of a moment and the share of each stage in the first thread's time.
+/// Ends a row with the route and the barriers of a time step.
 void end_row(const CudaBatch& batch) {
-  std::printf(",%s", batch.launches() == Launches::phases ? "phases" : "moments");
-  std::printf(",%.2f", batch.barriers());
-  const std::vector<double> clocks = batch.stage_clocks();
-  double all = 0.0;
-  for (const double clock : clocks) all += clock;
-  for (const double clock : clocks)
-    if (all > 0.0)
-      std::printf(",%.3f", clock / all);
-    else
-      std::printf(",");  // by phases no block stays to read its clock
-  std::printf("\n");
+  std::printf(",%s,%.2f\n", batch.launches() == Launches::phases ? "phases" : "moments", batch.barriers());
   std::fflush(stdout);
 }
 
 void header() {
   std::printf(
       "commit,device,resolution,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,"
-      "x_real_time,contacts,wall_over_device,state_hash,launches,barriers");
-  for (const std::string& stage : cuda_stage_names()) std::printf(",%s", stage.c_str());
-  std::printf("\n");
+      "x_real_time,contacts,wall_over_device,state_hash,launches,barriers\n");
 }
 
 struct Timing {
@@ -117,7 +105,7 @@ void single(const Subject& subject) {
     const SceneDef scene = scene_of(subject, phase.run);
     const Bodies field = make_field(scene);
     const EngineState start = start_of(phase, scene, field);
-    for (const int blocks : {4, 16, 64, 112, 132})
+    for (const int blocks : {1, 4, 16, 64, 112, 132})
       for (const int threads : {128, 256}) {
         if ((blocks < 64 && threads < 256) || blocks > usable_cuda_device().multiprocessors) continue;
         CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads});
@@ -143,8 +131,7 @@ void copies(const Subject& subject, std::size_t largest) {
     const EngineState start = start_of(phase, scene, field);
     for (const std::size_t count : {36, 66}) {
       if (count > largest) break;
-      CudaBatch timed(std::vector<BatchScene>(count, {scene, field}),
-                      {.samples = false});
+      CudaBatch timed(std::vector<BatchScene>(count, {scene, field}), {.samples = false});
       const Timing time = time_moments(timed, start, nullptr, 3);
       std::printf("%s,%s,%s,copies,%s,%zu,%d,%d,%.3f,%.3f,%.0f,,%.2f,%016llx", GEM_COMMIT, timed.device().name.c_str(),
                   subject.name(), phase.name, count, timed.blocks(), timed.threads(), 1e6 * time.median,
@@ -162,8 +149,7 @@ void one_launch(const Subject& subject, std::size_t count) {
     const SceneDef scene = scene_of(subject, phase.run);
     const Bodies field = make_field(scene);
     const EngineState start = start_of(phase, scene, field);
-    CudaBatch batch(std::vector<BatchScene>(count, {scene, field}),
-                    {.blocks = count == 1 ? 16 : 0});
+    CudaBatch batch(std::vector<BatchScene>(count, {scene, field}), {});
     for (std::size_t k = 0; k < count; ++k) batch.restore(k, start);
     batch.advance(2, nullptr);
     batch.advance(2, nullptr);
@@ -202,8 +188,8 @@ void time_batch(const Subject& subject, const char* measure, const std::vector<B
   batch.advance(moments, recorded ? &logs : nullptr);
   const double wall = std::chrono::duration<double>(Clock::now() - begin).count(), device = batch.device_time();
   std::printf("%s,%s,%s,%s,%lld moments,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
-              subject.name(), measure, static_cast<long long>(longest), scenes.size(), batch.blocks(),
-              batch.threads(), 1e6 * device / double(longest), simulated / wall, wall / device,
+              subject.name(), measure, static_cast<long long>(longest), scenes.size(), batch.blocks(), batch.threads(),
+              1e6 * device / double(longest), simulated / wall, wall / device,
               static_cast<unsigned long long>(batch.state_hash(0)));
   end_row(batch);
 }

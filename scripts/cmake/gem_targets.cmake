@@ -91,6 +91,4 @@ target_link_libraries(gem PRIVATE gem_command gem_baseline CLI11::CLI11 nlohmann
 if(GEM_HAS_CUDA)
   add_executable(gem_cuda_speed bench/cuda_speed.cpp)
   target_link_libraries(gem_cuda_speed PRIVATE gem_simulator)
-  add_executable(gem_cuda_barriers bench/cuda_barriers.cu)
-  target_link_libraries(gem_cuda_barriers PRIVATE gem_simulator)
 endif()

@@ -91,14 +91,14 @@ class PhaseStream {
     work_.scene_count = static_cast<int>(scenes.size());
     resolution_ = scenes.front().resolution;
     list_grid_ = std::max(1, list_room() / streams);
-    std::vector<PhaseBlock> block;
+    std::vector<SceneBlock> block;
     add_blocks(block, scenes, 1);
     all_ = static_cast<int>(block.size());
     add_blocks(block, scenes, std::max(1, all_ * streams / (pairs_blocks * multiprocessors_)));
     some_ = static_cast<int>(block.size()) - all_;
-    work_.blocks = send(std::move(block));
-    work_.queue =
-        reinterpret_cast<ListQueue*>(room(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size()));
+    work_.blocks = table_.send(std::move(block), time_.stream());
+    queue_memory_.hold(sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size());
+    work_.queue = reinterpret_cast<ListQueue*>(queue_memory_.data());
     std::int32_t moments = 0;
     for (const PhaseScene& scene : scenes) moments = std::max(moments, scene.moments);
     record(std::min(moments, most_together));
@@ -187,28 +187,8 @@ class PhaseStream {
   PhaseKernel kernel_of_phase(DevicePhase phase) const { return phase_kernel(phase, resolution_); }
 
   /// The blocks of all scenes, for each as many as for its bodies over `share`.
-  static void add_blocks(std::vector<PhaseBlock>& all, const std::vector<PhaseScene>& scenes, int share) {
-    for (std::size_t k = 0; k < scenes.size(); ++k) {
-      const int blocks = (scenes[k].blocks + share - 1) / share;
-      for (int b = 0; b < blocks; ++b) all.push_back({static_cast<std::int32_t>(k), b, blocks});
-    }
-  }
-
-  static std::byte* room(DeviceMemory& memory, std::size_t bytes) {
-    if (memory.bytes() < bytes) memory = {}, memory = DeviceMemory(bytes);
-    return memory.data();
-  }
-  /// The blocks of the call, on the device; mostly they are those of the last one.
-  const PhaseBlock* send(std::vector<PhaseBlock> block) {
-    if (block != sent_) {
-      sent_.clear();
-      const std::size_t bytes = sizeof(PhaseBlock) * block.size();
-      std::byte* const to = room(block_memory_, bytes);
-      check_cuda(cudaMemcpyAsync(to, block.data(), bytes, cudaMemcpyHostToDevice, time_.stream()), "start");
-      check_cuda(cudaStreamSynchronize(time_.stream()), "start");
-      sent_ = std::move(block);
-    }
-    return reinterpret_cast<const PhaseBlock*>(block_memory_.data());
+  static void add_blocks(std::vector<SceneBlock>& all, const std::vector<PhaseScene>& scenes, int share) {
+    for (std::size_t k = 0; k < scenes.size(); ++k) BlockTable::add(all, k, (scenes[k].blocks + share - 1) / share);
   }
 
   Resolution resolution_ = Resolution::independent;
@@ -218,8 +198,8 @@ class PhaseStream {
   Timeline time_;
   RecordedLaunches moments_;
   Recorded recorded_;
-  std::vector<PhaseBlock> sent_;
-  DeviceMemory block_memory_, queue_memory_;
+  BlockTable table_;
+  DeviceMemory queue_memory_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@ usage: scripts/readme_tables.py
 clean_root_run.txt, clean_root_test.txt   what scripts/run.sh and scripts/test.sh printed in a bare Debian 12 root
 real_time_factor*.csv                     what bench/real_time_factor.py wrote
 cuda_*.csv                                what gem_cuda_speed printed
-barriers_h200.csv                         what gem_cuda_barriers printed
+barriers_h200.csv                         what barriers cost with nothing between them; older than the rows of cuda_*.csv
 scenes.csv                                what bench/scene_bench.py wrote
 """
 import csv

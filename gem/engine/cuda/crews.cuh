@@ -1,7 +1,7 @@
 // The crews of CUDA kernels: what they have in common, and the blocks of a scene that meet at a gate.
 #pragma once
 
-#include <cooperative_groups.h>
+#include <cuda_runtime.h>
 
 #include "gem/engine/cuda/cuda_kernel.h"
 #include "gem/engine/device/crew.h"

@@ -1,4 +1,6 @@
 // The kernels that make one phase of many scenes.
+#include <cooperative_groups.h>
+
 #include <type_traits>
 
 #include "gem/engine/cuda/crews.cuh"

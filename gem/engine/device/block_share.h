@@ -29,8 +29,8 @@ inline std::vector<int> share_blocks(const std::vector<double>& work, const std:
   double left = std::accumulate(work.begin(), work.end(), 0.0);
   int rest = std::max(0, room - static_cast<int>(work.size()));
   for (const std::size_t k : order) {
-    const double share = left > 0.0 ? std::min(1.0, work[k] / left) : 0.0;
-    const int more = std::min(useful[k] - 1, static_cast<int>(rest * share));
+    const double share = left > 0.0 ? std::min<double>(rest, rest * work[k] / left) : 0.0;
+    const int more = std::min(useful[k] - 1, static_cast<int>(share));
     blocks[k] += more;
     rest -= more;
     left -= work[k];

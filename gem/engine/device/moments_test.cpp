@@ -77,8 +77,7 @@ TEST_P(DeviceResolutions, BlocksAndThreadsChangeNothing) {
   cpu->advance(moments, expected);
   EXPECT_GT(test::contacts_in(expected), 50);
   const std::size_t none = desk_minimum(8, test::team_lanes), bodies = none + 160 * 256, all = 1 << 20;
-  for (const auto& [blocks, threads, room] :
-       {std::tuple{1, 8, none}, {2, 4, bodies}, {3, 4, all}, {5, 4, all}}) {
+  for (const auto& [blocks, threads, room] : {std::tuple{1, 8, none}, {2, 4, bodies}, {3, 4, all}, {5, 4, all}}) {
     HostScene device(scene, test::busy_field(scene), blocks, threads, 0, room);
     MomentLog log;
     device.advance(moments, log);

@@ -1,7 +1,7 @@
-// The crews of a CUDA kernel: the threads of one cluster of blocks, or of more blocks that meet at a gate.
+// The crews of CUDA kernels: what they have in common, and the blocks of a scene that meet at a gate.
 #pragma once
 
-#include <cooperative_groups.h>
+#include <cuda_runtime.h>
 
 #include "gem/engine/cuda/cuda_kernel.h"
 #include "gem/engine/device/crew.h"
@@ -60,18 +60,11 @@ __device__ inline void take_scene(DeviceScene& scene, const DeviceScene* from) {
   __syncthreads();
 }
 
-/// Where the time of the first thread goes.
-struct StageClock {
-  long long last, sum[stage_count];
-};
-
 /// The fast memory of one block.
 struct BlockRoom {
   BlockCell& shared;
-  StageClock& clock;
   std::byte* room;
   std::size_t bytes;
-  bool keeps_time;  // the first block of its crew
 };
 
 /// What crews of one or of many blocks have in common.
@@ -94,16 +87,6 @@ class DeviceCrew {
   __device__ std::size_t room_bytes() const { return room_.bytes; }
   __device__ std::uint32_t alarms() const { return *static_cast<const volatile std::uint32_t*>(&room_.shared.alarms); }
 
-  __device__ void lap(int stage) {
-    if (threadIdx.x != 0 || !room_.keeps_time) return;
-    const long long now = clock64();
-    room_.clock.sum[stage] += now - room_.clock.last;
-    room_.clock.last = now;
-  }
-  __device__ void write_laps(std::int64_t* clocks) const {
-    for (int k = 0; k < stage_count; ++k) clocks[k] = room_.clock.sum[k];
-  }
-
   __device__ static std::int32_t add(std::int32_t* sum, std::int32_t value) { return atomicAdd(sum, value); }
   __device__ static void highest(std::uint64_t* value, std::uint64_t other) {
     static_assert(sizeof(std::uint64_t) == sizeof(unsigned long long));
@@ -116,68 +99,22 @@ class DeviceCrew {
   BlockRoom room_;
 };
 
-/// All threads of a cluster meet. A warp that had parted comes together first: the barrier counts warps.
-__device__ inline void cluster_barrier() {
-  __syncwarp();
-  asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
-}
-
-/// All threads of a cluster of blocks.
-class ClusterCrew : public DeviceCrew {
- public:
-  using Lanes = LaneGroup<4>;  // few blocks have many looks before them
-
-  __device__ ClusterCrew(const BlockRoom& room, int, CrewGate*) : DeviceCrew(room) {}
-
-  __device__ Lanes lanes() const { return {}; }
-  __device__ int block() const { return static_cast<int>(cluster().block_rank()); }
-  __device__ int blocks() const { return static_cast<int>(cluster().num_blocks()); }
-
-  __device__ std::byte* room_of(int block) const { return cluster().map_shared_rank(room_.room, block); }
-  static constexpr bool shares_rooms = true;
-
-  __device__ void barrier() {
-    ++barriers_;
-    if (blocks() == 1)
-      __syncthreads();
-    else
-      cluster_barrier();
-  }
-
-  /// Every block has its own copy of the alarms, so that a look at them costs next to nothing.
-  __device__ void raise(std::uint32_t alarms) {
-    for (int k = 0; k < blocks(); ++k) atomicOr(cluster().map_shared_rank(&room_.shared.alarms, k), alarms);
-  }
-  __device__ void lower_alarms() {
-    if (threadIdx.x == 0) room_.shared.alarms = 0;
-  }
-
-  __device__ int barriers() const { return barriers_; }
-  __device__ ClusterCrew at_hand() const { return *this; }
-  __device__ void came_back(const ClusterCrew& copy) { barriers_ = copy.barriers_; }
-
- private:
-  __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
-
-  int barriers_ = 0;
-};
-
-/// More blocks than a cluster holds, all on the device at the same time; they meet at a gate in its memory.
+/// The blocks of a scene, all on the device at the same time; they meet at a gate in its memory. A block alone meets
+/// nobody.
 class GateCrew : public DeviceCrew {
  public:
   using Lanes = LaneGroup<8>;
 
-  __device__ GateCrew(const BlockRoom& room, int blocks, CrewGate* gate)
-      : DeviceCrew(room), blocks_(blocks), gate_(gate) {}
+  __device__ GateCrew(const BlockRoom& room, int block, int blocks, CrewGate* gate)
+      : DeviceCrew(room), block_(block), blocks_(blocks), gate_(gate) {}
 
   __device__ Lanes lanes() const { return {}; }
-  __device__ int block() const { return static_cast<int>(blockIdx.x) % blocks_; }
+  __device__ int block() const { return block_; }
   __device__ int blocks() const { return blocks_; }
 
   /// Other blocks do not reach a block's fast memory, and meeting them takes longer than moving some of their bodies.
   static constexpr bool shares_rooms = false;
   static constexpr bool has_halos = true;
-  __device__ std::byte* room_of(int) const { return room_.room; }
 
   /// Sixteen bytes in one go, past the caches that blocks do not share: no reader sees a part of them.
   __device__ static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
@@ -228,17 +165,15 @@ class GateCrew : public DeviceCrew {
 
   /// Seen by a block when it passes the next barrier. Between two barriers with a decision on alarms there is a third,
   /// so that no block can see an alarm that another has yet to raise for a later decision.
-  __device__ void raise(std::uint32_t alarms) { atomicOr(&gate_->alarms, alarms); }
+  __device__ void raise(std::uint32_t alarms) { atomicOr(alone() ? &room_.shared.alarms : &gate_->alarms, alarms); }
   __device__ void lower_alarms() {
     if (threadIdx.x != 0) return;
     room_.shared.alarms = 0;
     if (block() == 0) atomicExch(&gate_->alarms, 0U);
   }
 
-  /// Passed so far.
-  __device__ int barriers() const { return static_cast<int>(passed_) / blocks_; }
-  __device__ GateCrew at_hand() const { return *this; }
-  __device__ void came_back(const GateCrew& copy) { passed_ = copy.passed_; }
+  /// Passed so far; asked by the first thread.
+  __device__ int barriers() const { return static_cast<int>(room_.shared.arrivals) / blocks_; }
 
  private:
   struct Seen {
@@ -254,21 +189,24 @@ class GateCrew : public DeviceCrew {
     return seen;
   }
 
+  __device__ bool alone() const { return blocks_ == 1; }
+
   /// After a barrier of the block, so what all of it wrote comes before.
   __device__ void count_arrival() {
-    passed_ += static_cast<unsigned>(blocks_);
-    if (threadIdx.x == 0) asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&gate_->arrived) : "memory");
+    if (threadIdx.x != 0) return;
+    room_.shared.arrivals += static_cast<unsigned>(blocks_);
+    if (!alone()) asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&gate_->arrived) : "memory");
   }
   __device__ void wait_at_gate() {
-    if (threadIdx.x != 0) return;
+    if (threadIdx.x != 0 || alone()) return;
+    const unsigned all = room_.shared.arrivals;
     Seen seen = look_at(gate_);
-    while (seen.arrived < passed_) seen = look_at(gate_);
+    while (seen.arrived < all) seen = look_at(gate_);
     room_.shared.alarms |= seen.alarms;
   }
 
-  int blocks_;
+  int block_, blocks_;
   CrewGate* gate_;
-  unsigned passed_ = 0;  // arrivals of all barriers so far
 };
 
 }  // namespace gem

@@ -61,7 +61,6 @@ GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Crew& crew, const Desk
     }
   }
   move_bodies<resolution>(s, crew, desk, step);
-  crew.lap(stage_bodies);
 }
 
 /// Brings the books of contact work up to date; no contact is left waiting.
@@ -154,7 +153,6 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
       take_bodies(s, crew, desk);
       take_pairs(s, crew, desk);
       crew.block_barrier();
-      crew.lap(stage_list);
       list.valid = !(crew.alarms() & alarm_list_full);
       list.begin = moment;
       if (!list.valid) {
@@ -165,13 +163,11 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
     }
     pairs_phase<resolution>(s, crew, desk, moment);
     crew.barrier();
-    crew.lap(stage_pairs_wait);
     if constexpr (coupled) resolve_coupled(s, crew, desk, moment);
     carried = false;
     const double elapsed = static_cast<double>(moment + 1 - list.begin) * s.constants.dt;
     bodies_phase<resolution>(s, crew, desk, {moment, done, elapsed, done + 1 < moments});
     crew.barrier();
-    crew.lap(stage_bodies_wait);
   }
   if (stop == DeviceStop::done && (crew.alarms() & alarm_not_finite)) stop = DeviceStop::not_finite;
   if (crew.alarms() & alarm_strayed) list.end(s, start + done);
@@ -190,7 +186,6 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Crew& crew, std::i
     status.list_valid = list.valid;
     status.horizon = list.horizon;
     status.half_way = done < moments;
-    crew.write_laps(status.stage_clocks);
     status.barriers = crew.barriers();
     status.stop = stop;
     status.visits = 0;  // counted by phases only

@@ -77,12 +77,8 @@ TEST_P(DeviceResolutions, BlocksAndThreadsChangeNothing) {
   cpu->advance(moments, expected);
   EXPECT_GT(test::contacts_in(expected), 50);
   const std::size_t none = desk_minimum(8, test::team_lanes), bodies = none + 160 * 256, all = 1 << 20;
-  for (const auto& [blocks, threads, room, apart] : {std::tuple{1, 8, none, false},
-                                                     {2, 4, bodies, false},
-                                                     {3, 4, all, false},
-                                                     {2, 8, all, true},
-                                                     {5, 4, all, true}}) {
-    HostScene device(scene, test::busy_field(scene), blocks, threads, 0, room, apart);
+  for (const auto& [blocks, threads, room] : {std::tuple{1, 8, none}, {2, 4, bodies}, {3, 4, all}, {5, 4, all}}) {
+    HostScene device(scene, test::busy_field(scene), blocks, threads, 0, room);
     MomentLog log;
     device.advance(moments, log);
     test::expect_same_bodies(device.bodies(), cpu->bodies());
@@ -92,11 +88,11 @@ TEST_P(DeviceResolutions, BlocksAndThreadsChangeNothing) {
   }
 }
 
-/// A coupled scene by two blocks that do not reach each other's fast memory.
-struct ApartScene {
+/// A coupled scene by two blocks.
+struct TwoBlocks {
   HostScene device;
   MomentLog log;
-  ApartScene(const SceneDef& scene, std::size_t room) : device(scene, test::busy_field(scene), 2, 4, 0, room, true) {}
+  TwoBlocks(const SceneDef& scene, std::size_t room) : device(scene, test::busy_field(scene), 2, 4, 0, room) {}
   /// Makes a moment; returns its barriers.
   int advance() {
     device.advance(1, log);
@@ -121,7 +117,7 @@ TEST(DeviceHalo, SparesTheBarriersOfIterationsInMomentsThatHaveRoomAndChangesNot
   const auto cpu = test::busy_engine(scene, "cpu");
   MomentLog expected;
   cpu->advance(moments, expected);
-  ApartScene with(scene, roomy), at_times(scene, roomy);
+  TwoBlocks with(scene, roomy), at_times(scene, roomy);
   int crowded = 0;
   ASSERT_EQ(scene.numerics.iterations_maximum % 4, 0) << "the last is judged as a fourth one";
   for (int m = 0; m < moments; ++m) {
@@ -134,7 +130,7 @@ TEST(DeviceHalo, SparesTheBarriersOfIterationsInMomentsThatHaveRoomAndChangesNot
     if (spared > 0) ++crowded;
   }
   EXPECT_GT(crowded, 0);
-  for (const ApartScene* one : {&with, &at_times}) {
+  for (const TwoBlocks* one : {&with, &at_times}) {
     test::expect_same_bodies(one->device.bodies(), cpu->bodies());
     test::expect_same_coupled(one->device, one->log, *cpu, expected);
   }
@@ -149,7 +145,7 @@ TEST(DeviceHalo, RoundsThatFollowChangeNothing) {
   const auto cpu = test::busy_engine(scene, "cpu");
   MomentLog expected;
   cpu->advance(moments, expected);
-  ApartScene device(scene, roomy);
+  TwoBlocks device(scene, roomy);
   int most = 0, all = 0, barriers = 0;
   for (int m = 0; m < moments; ++m) barriers += device.advance();
   for (const MomentQuality& quality : expected.quality) {
@@ -170,7 +166,7 @@ TEST(DeviceHalo, IsNoneWhereverTheRoomEndsAndChangesNothing) {
   const auto cpu = test::busy_engine(scene, "cpu");
   MomentLog expected;
   cpu->advance(moments, expected);
-  ApartScene device(scene, roomy), with(scene, roomy);
+  TwoBlocks device(scene, roomy), with(scene, roomy);
   int crowded = 0, roomed = 0;
   for (int m = 0; m < moments; ++m) {
     if (m >= first) device.device.give_room(scarce + std::size_t(m - first) * line);
@@ -207,15 +203,13 @@ TEST_P(DeviceResolutions, LongRowsAndThePlatformByManyThreadsChangeNothing) {
   cpu->advance(moments, expected);
   EXPECT_GT(at_platform(expected), 5);
   const std::size_t all = 1 << 20;
-  for (const auto& [blocks, threads, apart] : {std::tuple{2, 8, false}, {2, 8, true}}) {
-    HostScene device(scene, field, blocks, threads, 0, all, apart);
-    MomentLog log;
-    device.advance(moments, log);
-    test::expect_same_bodies(device.bodies(), cpu->bodies());
-    test::expect_same_log(log, expected);
-    test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
-    EXPECT_GT(device.longest_lower_row(), RowNews::stretch);
-  }
+  HostScene device(scene, field, 2, 8, 0, all);
+  MomentLog log;
+  device.advance(moments, log);
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  EXPECT_GT(device.longest_lower_row(), RowNews::stretch);
 }
 
 TEST_P(DeviceResolutions, AHorizonFollowsTheLifeOfListsInShortCallsToo) {

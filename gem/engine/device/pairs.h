@@ -183,7 +183,6 @@ GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Crew& crew, const Desk&
     const auto next_look = [&]() -> LookItem& { return desk.look[crew.add(&shared.looks, 1)]; };
     if (p < desk.pairs.end) choose_look(s, desk.pair[p], p, next_look);
     crew.block_barrier();
-    crew.lap(stage_choose);
     const std::int32_t looks = shared.looks;
     const auto next_touch = [&](int points) {
       return TouchPlace{desk.pairs.begin + crew.add(&shared.touches, 1), crew.add(&shared.points, points)};
@@ -191,7 +190,6 @@ GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Crew& crew, const Desk&
     look_at_items(s, crew, desk.pair, desk.outlines, desk.look, crew.thread() / Crew::Lanes::size, looks, groups,
                   next_touch);
     crew.block_barrier();
-    crew.lap(stage_look);
     if (crew.thread() == 0) shared.looks = 0;
     if (first + crew.threads() < desk.pairs.end) crew.block_barrier();
   }
@@ -209,7 +207,6 @@ GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Crew& crew, const Desk&
     else
       resolve(s, crew, desk.pair[touch.pair], touch, moment);
   }
-  crew.lap(stage_resolve);
 }
 
 }  // namespace gem

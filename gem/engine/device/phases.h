@@ -109,13 +109,12 @@ GEM_DEVICE inline void choose_pairs(const DeviceScene& s, Crew& crew) {
   }
 }
 
-template <Resolution resolution, class Crew>
+template <class Crew>
 GEM_DEVICE inline void look_at_pairs(const DeviceScene& s, Crew& crew) {
   const std::int32_t groups = crew.threads() / Crew::Lanes::size,
                      first = crew.block() * groups + crew.thread() / Crew::Lanes::size;
   const auto next_touch = [&](int points) {
-    return TouchPlace{crew.add(&s.counters->touches, 1),
-                      resolution == Resolution::coupled ? crew.add(&s.counters->points, points) : 0};
+    return TouchPlace{crew.add(&s.counters->touches, 1), is_coupled(s) ? crew.add(&s.counters->points, points) : 0};
   };
   look_at_items(s, crew, s.pair, reinterpret_cast<DeskOutlines*>(crew.room()), s.look, first, s.counters->looks,
                 crew.blocks() * groups, next_touch);
@@ -260,20 +259,19 @@ GEM_DEVICE inline bool is_idle(const DeviceScene& s) {
   return !moves(s);
 }
 
-/// What a block does for a scene in one phase.
+/// What a block does for a scene in one phase; the resolution counts where touches are resolved and bodies move.
 template <DevicePhase phase, Resolution resolution, class Crew>
 GEM_DEVICE inline void run_phase(const DeviceScene& s, Crew& crew) {
   if (is_idle<phase>(s)) return;
   if constexpr (phase == DevicePhase::begin) begin_call(s, crew);
   if constexpr (phase == DevicePhase::choose) choose_pairs(s, crew);
-  if constexpr (phase == DevicePhase::look) look_at_pairs<resolution>(s, crew);
+  if constexpr (phase == DevicePhase::look) look_at_pairs(s, crew);
   if constexpr (phase == DevicePhase::resolve) resolve_touches<resolution>(s, crew);
   if constexpr (phase == DevicePhase::gather) gather_points(s, crew);
   if constexpr (phase == DevicePhase::iterate) SolverRounds<Crew>::run_first(s, crew);
   if constexpr (phase == DevicePhase::settle) settle_points(s, crew);
   if constexpr (phase == DevicePhase::bodies) move_by_blocks<resolution>(s, crew);
-  if constexpr (phase == DevicePhase::last_work)
-    close_contacts(s, crew, closing_stamp(s), resolution == Resolution::coupled);
+  if constexpr (phase == DevicePhase::last_work) close_contacts(s, crew, closing_stamp(s), is_coupled(s));
   if constexpr (phase == DevicePhase::close) {
     close_bodies(s, crew);
     write_state(s, crew);

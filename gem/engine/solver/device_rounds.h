@@ -26,13 +26,12 @@ GEM_DEVICE inline float from_ordered_bits(std::uint32_t bits) {
 template <class Crew>
 class SolverRounds {
  public:
-  /// All rounds of a moment.
+  /// All rounds of a moment, by blocks with halos.
   GEM_DEVICE static void iterate(const DeviceScene& s, Crew& crew) {
+    static_assert(Crew::has_halos);
     Progress progress = beginning(s);
     each_point(crew, [&](std::int32_t i) { Visits::hold(s, crew, i, true); });
-    crew.lap(stage_frames);
     const bool done = run_round(s, crew, progress, true);
-    crew.lap(stage_iterations);
     finish(s, crew, progress, done);
   }
 
@@ -132,7 +131,7 @@ class SolverRounds {
   GEM_DEVICE GEM_INLINE static bool run_round_of(const DeviceScene& s, Crew& outer, Progress& state, bool fresh) {
     if constexpr (Crew::has_halos)
       if (outer.shared().desk.has_halo) return run_halo_round_of<law>(s, outer, state, fresh);
-    decltype(auto) crew = outer.at_hand();
+    Crew crew = outer;  // for each thread in its registers
     Progress progress = state;
     const SolverDesk& desk = crew.shared().desk;
     std::uint32_t* const asked = s.counters->asked;
@@ -156,7 +155,6 @@ class SolverRounds {
       next = progress.course.after(progress.residual);
     }
     Visits::save(s, crew, desk, own);
-    outer.came_back(crew);
     state = progress;
     return next == IterationCourse::Next::end;
   }
@@ -166,7 +164,7 @@ class SolverRounds {
   /// the next but one has read the next of all that read this one.
   template <PointFriction law>
   GEM_DEVICE GEM_INLINE static bool run_halo_round_of(const DeviceScene& s, Crew& outer, Progress& state, bool fresh) {
-    decltype(auto) crew = outer.at_hand();
+    Crew crew = outer;  // for each thread in its registers
     Progress progress = state;
     const SolverDesk& desk = crew.shared().desk;
     const HaloRecords<Crew> records(s, crew, desk);
@@ -209,7 +207,6 @@ class SolverRounds {
     }
     crew.barrier();  // no block reads records of this round any more
     Visits::save(s, crew, desk, own);
-    outer.came_back(crew);
     state = progress;
     return next == IterationCourse::Next::end;
   }

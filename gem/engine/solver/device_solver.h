@@ -27,19 +27,16 @@ class MomentSolver {
   GEM_DEVICE MomentSolver(const DeviceScene& s, Crew& crew, std::int32_t moment, std::size_t room)
       : s_(s), crew_(crew), room_(room), moment_(moment) {}
 
+  /// All of it, by blocks with halos.
   GEM_DEVICE void solve() {
-    begin();
-    if constexpr (Crew::has_halos) SolverHalo<Crew>(s_, crew_, room_).take_up();
+    SolverList<Crew>(s_, crew_, moment_, room_).make();
+    begin_points();
+    SolverHalo<Crew>(s_, crew_, room_).take_up();
     SolverRounds<Crew>::iterate(s_, crew_);
     end();
   }
 
-  /// Before the iterations: the list, and a base of what the points carried a moment ago.
-  GEM_DEVICE void begin() {
-    SolverList<Crew>(s_, crew_, moment_, room_).make();
-    begin_points();
-  }
-  /// The same for iterations in a launch that follows, by as many blocks with `room`.
+  /// Before the iterations in a launch that follows, by as many blocks with `room`.
   GEM_DEVICE void begin_ahead() {
     SolverList<Crew>(s_, crew_, moment_, room_).make_ahead();
     begin_points();
@@ -48,18 +45,16 @@ class MomentSolver {
   /// After the iterations.
   GEM_DEVICE void end() {
     SolverBase<Crew> base(s_, crew_);
-    crew_.lap(stage_base);
     base.keep_best_share(0.5);
     each_point(crew_, [&](std::int32_t i) { hand_back(i); });
     if (s_.wants_samples) base.add_work_created();
-    crew_.lap(stage_shares);
   }
 
  private:
+  /// A base of what the points carried a time step ago.
   GEM_DEVICE void begin_points() {
     SolverBase<Crew> base(s_, crew_);
     crew_.barrier();
-    crew_.lap(stage_rows);
     each_point(crew_, [&](std::int32_t i) { begin_point(i); });
     clear_marks();
     if constexpr (Crew::has_halos) SolverHalo<Crew>(s_, crew_, room_).make();
@@ -67,7 +62,6 @@ class MomentSolver {
     base.settle();
     crew_.barrier();
     base.keep_best_share(1.0);
-    crew_.lap(stage_points);
   }
 
   GEM_DEVICE void clear_marks() {
@@ -144,20 +138,12 @@ class MomentSolver {
   std::int32_t moment_;
 };
 
-/// Resolves a coupled moment between the phases of a crew. Few points are left to one block, whose threads wait least
-/// for each other.
+/// Resolves a coupled moment between the phases of a crew.
 template <class Crew>
 GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
-  const std::int32_t points = s.counters->points;
-  if (points == 0) return;
-  if (crew.blocks() > 1 && points <= crew.threads()) {
-    OneBlock<Crew> alone(crew);
-    if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, desk.solver_bytes).solve();
-  } else {
-    MomentSolver<Crew>(s, crew, moment, desk.solver_bytes).solve();
-  }
+  if (s.counters->points == 0) return;
+  MomentSolver<Crew>(s, crew, moment, desk.solver_bytes).solve();
   crew.barrier();
-  crew.lap(stage_solver_wait);
 }
 
 }  // namespace gem

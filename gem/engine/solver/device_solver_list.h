@@ -42,19 +42,17 @@ class SolverList {
   GEM_DEVICE SolverList(const DeviceScene& s, Crew& crew, std::int32_t moment, std::size_t room)
       : s_(s), crew_(crew), moment_(moment), room_(room) {}
 
-  /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
-  GEM_DEVICE void make() { make(false); }
-
-  /// The same for a launch that follows, of as many blocks with `room`: this one needs none.
+  /// A list for a launch that follows, of as many blocks with `room`: this one needs none.
   GEM_DEVICE void make_ahead() {
-    make(true);
+    make();
     if (crew_.thread() == 0) s_.solver_desk[crew_.block()] = crew_.shared().desk;
   }
   /// Takes up a list that was made ahead.
   GEM_DEVICE void take_up() {
     SolverDesk desk = s_.solver_desk[crew_.block()];
-    place_entries(desk, false);
-    place_points(desk, false);
+    place_entries(desk);
+    place_points(desk);
+    use_room(desk);
     if (crew_.thread() == 0) crew_.shared().desk = desk;
     if (!desk.motion) return crew_.block_barrier();
     for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads())
@@ -62,8 +60,8 @@ class SolverList {
     list_in_order(desk);
   }
 
- private:
-  GEM_DEVICE void make(bool ahead) {
+  /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
+  GEM_DEVICE void make() {
     SolverDesk desk{};
     desk.pace = {static_cast<float>(s_.constants.dt), static_cast<float>(1.0 / s_.constants.dt)};
     const std::int32_t words = bit_words(s_);
@@ -84,7 +82,7 @@ class SolverList {
       if ((bits & bit) && at >= own_.begin && at < own_.end) s_.solver_entry[at].body = s_.body_at[spot];
     }
     crew_.block_barrier();
-    place_entries(desk, ahead);
+    place_entries(desk);
     // the platform, whose spot is the first, has a long row: the last warp is left to it
     const bool platform = desk.platform = own_.begin == 0 && own_.end > 0 && (s_.touched_spots[0] & 1U);
     const bool alone = crew_.threads() <= Crew::Warp::size;
@@ -100,7 +98,7 @@ class SolverList {
     crew_.block_barrier();
     desk.points = {shared.first_taken, shared.first_taken + shared.taken};
     desk.records = records_begin_ + shared.records;
-    place_points(desk, ahead);
+    place_points(desk);
     if (crew_.thread() == 0) shared.desk = desk;
     for (std::int32_t e = own_.begin + crew_.thread(); e < own_.end; e += crew_.threads()) {
       const TakenPoints taken = s_.taken_of[e];
@@ -111,29 +109,23 @@ class SolverList {
     crew_.block_barrier();
   }
 
+ private:
   /// Fast memory that motions, records and points may take [bytes].
   GEM_DEVICE std::size_t room_before_entries(const SolverDesk& desk) const {
     return desk.fits ? (room_ - desk.own.count() * sizeof(SolverEntry)) / alignof(SolverEntry) * alignof(SolverEntry)
                      : room_;
   }
 
-  /// Points that no thread keeps in registers stand in what the records have left of the fast memory.
-  GEM_DEVICE void place_points(SolverDesk& desk, bool ahead) const {
-    const std::size_t taken = (desk.records * sizeof(PushRecord) + sizeof(FloatQuad) - 1) / sizeof(FloatQuad) *
-                              sizeof(FloatQuad),
-                      room = room_before_entries(desk);
+  /// Points that no thread keeps in registers stand in the scene's memory.
+  GEM_DEVICE void place_points(SolverDesk& desk) const {
     const std::int32_t kept = Crew::kept_points * crew_.threads(),
                        first = desk.points.begin + (kept < desk.points.count() ? kept : desk.points.count());
     desk.fast = {first, first};
     desk.fast_from = 0;
-    if (!Crew::shares_rooms || ahead || taken >= room) return;
-    const auto hold = static_cast<std::int32_t>((room - taken) / held_bytes);
-    desk.fast.end += desk.points.end - first < hold ? desk.points.end - first : hold;
-    desk.fast_from = taken;
   }
 
-  /// The entries of the block's bodies and what moves these stand in its fast memory where that holds them.
-  GEM_DEVICE void place_entries(SolverDesk& desk, bool ahead) {
+  /// Entries and motions stand in the scene's memory; `fits`: the fast memory of those that iterate holds the block's.
+  GEM_DEVICE void place_entries(SolverDesk& desk) {
     static_assert(sizeof(AddedMotion) == sizeof(PushRecord));
     const std::int32_t count = desk.own.count();
     desk.entry = desk.moved_entry = s_.solver_entry;
@@ -144,10 +136,23 @@ class SolverList {
         Crew::shares_rooms && count * (sizeof(SolverEntry) + sizeof(AddedMotion)) + alignof(SolverEntry) <= room_;
     records_begin_ = desk.fits ? count : 0;
     records_end_ = static_cast<std::int32_t>(room_before_entries(desk) / sizeof(PushRecord));
-    if (!desk.fits || ahead) return;
-    desk.entry = desk.moved_entry =
-        reinterpret_cast<SolverEntry*>(crew_.room() + room_before_entries(desk)) - desk.own.begin;
-    desk.motion = reinterpret_cast<AddedMotion*>(crew_.room()) - desk.own.begin;
+  }
+
+  /// What fits stands in the block's fast memory; what the records leave of it holds points.
+  GEM_DEVICE void use_room(SolverDesk& desk) const {
+    if (!Crew::shares_rooms) return;
+    const std::size_t room = room_before_entries(desk),
+                      taken = (desk.records * sizeof(PushRecord) + sizeof(FloatQuad) - 1) / sizeof(FloatQuad) *
+                              sizeof(FloatQuad);
+    if (desk.fits) {
+      desk.entry = desk.moved_entry = reinterpret_cast<SolverEntry*>(crew_.room() + room) - desk.own.begin;
+      desk.motion = reinterpret_cast<AddedMotion*>(crew_.room()) - desk.own.begin;
+    }
+    if (taken >= room) return;
+    const std::int32_t left = desk.points.end - desk.fast.begin;
+    const auto hold = static_cast<std::int32_t>((room - taken) / held_bytes);
+    desk.fast.end += left < hold ? left : hold;
+    desk.fast_from = taken;
   }
 
   /// Longest rows first.
@@ -287,7 +292,7 @@ class SolverList {
                      bodies_before[body / 32] + bits_in(below)};
     s_.body_points[body] = {moment_, count};
     s_.taken_of[e] = {taken > 0 ? crew_.add(&crew_.shared().taken, taken) : 0, taken};
-    (desk.motion ? desk.motion[e] : s_.added[body]) = {};
+    s_.added[body] = {};
   }
 
   const DeviceScene& s_;

@@ -121,16 +121,17 @@ class SolverVisits {
 
  private:
   GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, Crew& crew, std::int32_t place, std::int32_t room) {
-    if (Crew::shares_rooms && room >= 0)
-      return reinterpret_cast<PushRecord*>(crew.room_of(room >> 16)) + (room & 0xffff);
+    if constexpr (Crew::shares_rooms)
+      if (room >= 0) return reinterpret_cast<PushRecord*>(crew.room_of(room >> 16)) + (room & 0xffff);
     if (place < 0) return nullptr;
     if (Crew::has_halos && crew.shared().desk.has_halo)
       return reinterpret_cast<PushRecord*>(reinterpret_cast<NumberedPush*>(s.push_base) + place);
     return s.push + place;
   }
   GEM_DEVICE static const AddedMotion* motion_at(const DeviceScene& s, Crew& crew, const PointSide& side) {
-    if (Crew::shares_rooms && side.motion >= 0)
-      return reinterpret_cast<const AddedMotion*>(crew.room_of(side.motion >> 16)) + (side.motion & 0xffff);
+    if constexpr (Crew::shares_rooms)
+      if (side.motion >= 0)
+        return reinterpret_cast<const AddedMotion*>(crew.room_of(side.motion >> 16)) + (side.motion & 0xffff);
     if (Crew::has_halos && crew.shared().desk.has_halo && side.place >= 0)
       return crew.shared().desk.motion + side.motion;
     return s.added + side.body;

@@ -11,6 +11,7 @@
 #include "gem/engine/device/scene_image.h"
 #include "gem/engine/step/books.h"
 #include "gem/engine/testing/same_bits.h"
+#include "gem/engine/testing/solo_crew.h"
 #include "gem/engine/testing/team_crew.h"
 
 namespace gem::test {
@@ -19,13 +20,12 @@ namespace gem::test {
 class HostScene {
  public:
   HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0,
-            std::size_t room = 1 << 20, bool apart = false)
+            std::size_t room = 1 << 20)
       : field_(make_field_state(bodies, moment_constants(scene, bodies))),
         sizes_(scene_sizes(field_)),
         scene_(scene_constants(field_, scene.output.event_speed_m_per_s)),
         threads_(threads),
-        room_(room),
-        apart_(apart) {
+        room_(room) {
     sizes_.blocks = blocks;
     if (rows > 0) sizes_.rows = rows;
     sizes_.samples = 32;
@@ -111,16 +111,11 @@ class HostScene {
       advance_scene(scene_, crew, moments);
       return;
     }
-    const auto move = [&](auto& crew) { advance_scene(scene_, crew, moments); };
-    if (apart_)
-      run_team<ApartCrew>(sizes_.blocks, threads_, room_, move);
-    else
-      run_team<TeamCrew>(sizes_.blocks, threads_, room_, move);
+    run_team<TeamCrew>(sizes_.blocks, threads_, room_, [&](auto& crew) { advance_scene(scene_, crew, moments); });
   }
 
   void run_phases(std::int32_t moments) {
     alarms_ = 0;
-    const bool coupled = is_coupled(scene_);
     const auto run = [&](DevicePhase phase) {
       if (phase == DevicePhase::open)
         open_call(scene_, moments);
@@ -130,10 +125,8 @@ class HostScene {
         renew_list_if_worn();
       else if (phase == DevicePhase::bodies)
         move_and_plan();
-      else if (coupled)
-        run_resolved<Resolution::coupled>(phase);
-      else if (!is_of_solver(phase))
-        run_resolved<Resolution::independent>(phase);
+      else if (is_coupled(scene_) || !is_of_solver(phase))
+        run_phase_now(phase);
     };
     for (const DevicePhase phase : first_phases) run(phase);
     for (std::int32_t k = 0; k < moments; ++k)
@@ -144,10 +137,7 @@ class HostScene {
   void move_and_plan() {
     lists_ = false;
     if (!moves(scene_)) return;
-    if (is_coupled(scene_))
-      run_resolved<Resolution::coupled>(DevicePhase::bodies);
-    else
-      run_resolved<Resolution::independent>(DevicePhase::bodies);
+    run_phase_now(DevicePhase::bodies);
     lists_ = plan_moment(scene_, alarms_);
   }
 
@@ -155,24 +145,30 @@ class HostScene {
     if (lists_) run_team<TeamCrew>(sizes_.blocks, threads_, room_, [&](auto& crew) { renew_list(scene_, crew); });
   }
 
-  template <Resolution resolution>
-  void run_resolved(DevicePhase phase) {
-    run_if<DevicePhase::begin, resolution>(phase);
-    run_if<DevicePhase::choose, resolution>(phase);
-    run_if<DevicePhase::look, resolution>(phase);
-    run_if<DevicePhase::resolve, resolution>(phase);
-    run_if<DevicePhase::gather, resolution>(phase);
-    run_if<DevicePhase::iterate, resolution>(phase);
-    run_if<DevicePhase::settle, resolution>(phase);
-    run_if<DevicePhase::bodies, resolution>(phase);
-    run_if<DevicePhase::last_work, resolution>(phase);
-    run_if<DevicePhase::close, resolution>(phase);
+  void run_phase_now(DevicePhase phase) {
+    run_if<DevicePhase::begin>(phase);
+    run_if<DevicePhase::choose>(phase);
+    run_if<DevicePhase::look>(phase);
+    run_by_resolution<DevicePhase::resolve>(phase);
+    run_if<DevicePhase::gather>(phase);
+    run_if<DevicePhase::iterate>(phase);
+    run_if<DevicePhase::settle>(phase);
+    run_by_resolution<DevicePhase::bodies>(phase);
+    run_if<DevicePhase::last_work>(phase);
+    run_if<DevicePhase::close>(phase);
+  }
+  template <DevicePhase phase>
+  void run_by_resolution(DevicePhase now) {
+    if (is_coupled(scene_))
+      run_if<phase, Resolution::coupled>(now);
+    else
+      run_if<phase>(now);
   }
 
   /// One phase, if it is this one, by a team that ends with it; alarms stay.
-  template <DevicePhase phase, Resolution resolution>
+  template <DevicePhase phase, Resolution resolution = Resolution::independent>
   void run_if(DevicePhase now) {
-    using Team = std::conditional_t<phase == DevicePhase::settle, ApartPhaseTeam, PhaseTeam>;
+    using Team = std::conditional_t<phase == DevicePhase::settle, SettleTeam, PhaseTeam>;
     if (now == phase)
       run_team<Team>(sizes_.blocks, threads_, is_of_solver(phase) ? solver_room_ : room_, [&](Team& crew) {
         crew.raise_in(alarms_);
@@ -192,7 +188,7 @@ class HostScene {
   DeviceScene scene_;
   int threads_;
   std::size_t room_, solver_room_ = 0;
-  bool apart_, by_phases_ = false;
+  bool by_phases_ = false;
   bool lists_ = false;        // by phases: the next moment needs a new list
   std::uint32_t alarms_ = 0;  // by phases
   std::vector<std::byte> memory_[3];

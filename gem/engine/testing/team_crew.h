@@ -93,6 +93,7 @@ struct TeamHall {
         room(block_count, std::vector<std::byte>(room_bytes)) {
     for (int k = 0; k < block_count; ++k) block.push_back(std::make_unique<std::barrier<>>(thread_count));
     const int all_threads = block_count * thread_count;
+    part.resize(std::size_t(all_threads));
     for (int k = 0; k < all_threads / team_lanes; ++k) group.push_back(std::make_unique<GroupHall<team_lanes>>());
     for (int k = 0; k < all_threads / team_warp; ++k) warp.push_back(std::make_unique<GroupHall<team_warp>>());
   }
@@ -104,15 +105,23 @@ struct TeamHall {
   std::vector<std::unique_ptr<GroupHall<team_warp>>> warp;
   std::vector<BlockCell> cell;
   std::vector<std::vector<std::byte>> room;
+  /// What a thread has of the barrier of all.
+  struct Part {
+    int barriers = 0;
+    std::optional<std::barrier<>::arrival_token> arrived;
+  };
+  std::vector<Part> part;
 };
 
+/// The blocks of a scene that stay with it.
 class TeamCrew {
  public:
   using Lanes = TeamLanes<team_lanes>;
   using Wide = Lanes;  // several of a warp
   using Warp = TeamLanes<team_warp>;
   static constexpr int kept_points = 2;
-  static constexpr bool has_halos = false;
+  static constexpr bool shares_rooms = false;
+  static constexpr bool has_halos = true;
 
   TeamCrew(TeamHall& hall, int block, int thread) : hall_(hall), block_(block), thread_(thread) {}
 
@@ -127,18 +136,30 @@ class TeamCrew {
   Warp warp() const {
     return {*hall_.warp[std::size_t(block_ * threads() + thread_) / team_warp], thread_ % team_warp};
   }
-  void barrier() { hall_.all.arrive_and_wait(); }
+  void barrier() {
+    ++part().barriers;
+    hall_.all.arrive_and_wait();
+  }
+  void arrive_asking(std::uint32_t* asked) {
+    block_barrier();
+    if (thread() == 0) {
+      highest(asked, shared().asked);
+      shared().asked = 0;
+    }
+    ++part().barriers;
+    part().arrived.emplace(hall_.all.arrive());
+  }
+  void wait_for_asked(const std::uint32_t* asked) {
+    hall_.all.wait(std::move(*part().arrived));
+    part().arrived.reset();
+    if (thread() == 0) shared().asked_by_all = *asked;
+    block_barrier();  // what each thread has done between the halves comes before, too
+  }
+  int barriers() const { return part().barriers; }
   void block_barrier() { hall_.block[std::size_t(block_)]->arrive_and_wait(); }
   BlockCell& shared() { return hall_.cell[std::size_t(block_)]; }
-  std::byte* room() { return own_room(); }
+  std::byte* room() { return hall_.room[std::size_t(block_)].data(); }
   std::size_t room_bytes() const { return hall_.room[std::size_t(block_)].size(); }
-  std::byte* room_of(int block) const { return hall_.room[std::size_t(block)].data(); }
-  static constexpr bool shares_rooms = true;
-  void lap(int) const {}
-  void write_laps(std::int64_t*) const {}
-  static int barriers() { return 0; }
-  TeamCrew& at_hand() { return *this; }
-  void came_back(const TeamCrew&) {}
   void raise(std::uint32_t alarms) {
     for (BlockCell& cell : hall_.cell) std::atomic_ref(cell.alarms).fetch_or(alarms);
   }
@@ -147,56 +168,6 @@ class TeamCrew {
     if (thread_ == 0) std::atomic_ref(shared().alarms).store(0);
   }
 
-  template <class T>
-  static T add(T* sum, T value) {
-    return std::atomic_ref(*sum).fetch_add(value);
-  }
-  template <class T>
-  static void highest(T* value, T other) {
-    std::atomic_ref<T> now(*value);
-    for (T seen = now.load(); other > seen && !now.compare_exchange_weak(seen, other);) {
-    }
-  }
-  static void set_bit(std::uint32_t* word, std::uint32_t bit) { std::atomic_ref(*word).fetch_or(bit); }
-
- protected:
-  TeamHall& hall() const { return hall_; }
-  std::byte* own_room() const { return hall_.room[std::size_t(block_)].data(); }
-
- private:
-  TeamHall& hall_;
-  int block_, thread_;
-};
-
-/// The same where no block reaches another's fast memory.
-class ApartCrew : public TeamCrew {
- public:
-  using TeamCrew::TeamCrew;
-  std::byte* room_of(int) const { return own_room(); }
-  void barrier() {
-    ++barriers_;
-    hall().all.arrive_and_wait();
-  }
-  void arrive_asking(std::uint32_t* asked) {
-    block_barrier();
-    if (thread() == 0) {
-      highest(asked, shared().asked);
-      shared().asked = 0;
-    }
-    ++barriers_;
-    arrived_.emplace(hall().all.arrive());
-  }
-  void wait_for_asked(const std::uint32_t* asked) {
-    hall().all.wait(std::move(*arrived_));
-    arrived_.reset();
-    if (thread() == 0) shared().asked_by_all = *asked;
-    block_barrier();  // what each thread has done between the halves comes before, too
-  }
-  int barriers() const { return barriers_; }
-  ApartCrew& at_hand() { return *this; }
-  void came_back(const ApartCrew&) {}
-  static constexpr bool shares_rooms = false;
-  static constexpr bool has_halos = true;
   /// The number last and first: who reads it has what belongs to it.
   static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
     thread_local unsigned written = 0;
@@ -213,18 +184,35 @@ class ApartCrew : public TeamCrew {
   }
   static void pause() { std::this_thread::yield(); }
 
+  template <class T>
+  static T add(T* sum, T value) {
+    return std::atomic_ref(*sum).fetch_add(value);
+  }
+  template <class T>
+  static void highest(T* value, T other) {
+    std::atomic_ref<T> now(*value);
+    for (T seen = now.load(); other > seen && !now.compare_exchange_weak(seen, other);) {
+    }
+  }
+  static void set_bit(std::uint32_t* word, std::uint32_t bit) { std::atomic_ref(*word).fetch_or(bit); }
+
+ protected:
+  TeamHall& hall() const { return hall_; }
+
  private:
-  int barriers_ = 0;
-  std::optional<std::barrier<>::arrival_token> arrived_;
+  TeamHall::Part& part() const { return hall_.part[std::size_t(block_ * threads() + thread_)]; }
+
+  TeamHall& hall_;
+  int block_, thread_;
 };
 
-/// A team that makes one phase: its alarms outlive it.
+/// A team that makes one phase: its alarms outlive it. Its blocks reach each other's fast memory.
 class PhaseTeam : public TeamCrew {
  public:
   using TeamCrew::TeamCrew;
   static constexpr int kept_points = 1;
-  PhaseTeam& at_hand() { return *this; }
-  void came_back(const PhaseTeam&) {}
+  static constexpr bool shares_rooms = true, has_halos = false;
+  std::byte* room_of(int block) const { return hall().room[std::size_t(block)].data(); }
   void raise_in(std::uint32_t& alarms) { alarms_ = &alarms; }
   void raise(std::uint32_t alarms) { std::atomic_ref(*alarms_).fetch_or(alarms); }
 
@@ -233,14 +221,12 @@ class PhaseTeam : public TeamCrew {
 };
 
 /// The same without fast memory.
-class ApartPhaseTeam : public PhaseTeam {
+class SettleTeam : public PhaseTeam {
  public:
   using PhaseTeam::PhaseTeam;
   static constexpr int kept_points = 0;
-  std::size_t room_bytes() const { return 0; }
-  ApartPhaseTeam& at_hand() { return *this; }
-  void came_back(const ApartPhaseTeam&) {}
   static constexpr bool shares_rooms = false;
+  std::size_t room_bytes() const { return 0; }
 };
 
 /// Runs work(crew) on every thread of a team; `threads` is a multiple of team_warp.

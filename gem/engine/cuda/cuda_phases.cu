@@ -1,5 +1,5 @@
-// The kernels that make one phase of many scenes; included by the two files that compile them.
-#pragma once
+// The kernels that make one phase of many scenes.
+#include <cooperative_groups.h>
 
 #include <type_traits>
 
@@ -28,6 +28,12 @@ class PhaseCrew : public DeviceCrew {
   CrewGate* gate_;
 };
 
+/// All threads of a cluster meet. A warp that had parted comes together first: the barrier counts warps.
+__device__ inline void cluster_barrier() {
+  __syncwarp();
+  asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
+}
+
 /// The blocks of a scene that iterate, a cluster or the first of its blocks alone: they meet, and reach each other's
 /// fast memory.
 class SolveCrew : public DeviceCrew {
@@ -46,8 +52,6 @@ class SolveCrew : public DeviceCrew {
   __device__ std::byte* room_of(int block) const {
     return block == block_ ? room_.room : cluster().map_shared_rank(room_.room, block);
   }
-  __device__ SolveCrew at_hand() const { return *this; }
-  __device__ static void came_back(const SolveCrew&) {}
 
   __device__ void barrier() const {
     if (alone_)
@@ -69,8 +73,6 @@ class SettleCrew : public SolveCrew {
   using SolveCrew::SolveCrew;
   static constexpr int kept_points = 0;
   static constexpr bool shares_rooms = false;
-  __device__ SettleCrew at_hand() const { return *this; }
-  __device__ static void came_back(const SettleCrew&) {}
 };
 
 /// Whether a block has anything to do for a scene.
@@ -95,7 +97,7 @@ __device__ inline void plan(const PhaseLaunch& launch, const DeviceScene& scene,
 }
 
 /// The last block of a scene that comes here plans its next moment; the fences show it what the others did.
-__device__ inline void plan_by_last(const PhaseLaunch& launch, const DeviceScene& scene, const PhaseBlock& mine) {
+__device__ inline void plan_by_last(const PhaseLaunch& launch, const DeviceScene& scene, const SceneBlock& mine) {
   __syncthreads();
   if (threadIdx.x != 0 || !moves(scene)) return;
   __threadfence();
@@ -105,20 +107,18 @@ __device__ inline void plan_by_last(const PhaseLaunch& launch, const DeviceScene
   plan(launch, scene, mine.scene);
 }
 
-/// A phase of all scenes, each by its own blocks.
-template <DevicePhase phase, Resolution resolution, int blocks>
+/// A phase of all scenes, each by its own blocks. Few phases have a kernel for each resolution.
+template <DevicePhase phase, int blocks, Resolution resolution = Resolution::independent>
 __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
-  __shared__ StageClock clock;
   extern __shared__ __align__(128) std::byte room[];
   // lists are made, and none is planned before the bodies move
   if (phase == DevicePhase::choose && blockIdx.x == 0) clear_lists(launch);
-  const PhaseBlock mine = launch.blocks[blockIdx.x];
+  const SceneBlock mine = launch.blocks[blockIdx.x];
   if (!has_work<phase>(launch.scenes[mine.scene], mine.block)) return;
   take_scene(scene, launch.scenes + mine.scene);
-  PhaseCrew crew(BlockRoom{cell, clock, room, launch.room_bytes, false}, mine.block, mine.blocks,
-                 launch.gates + mine.scene);
+  PhaseCrew crew(BlockRoom{cell, room, launch.room_bytes}, mine.block, mine.blocks, launch.gates + mine.scene);
   run_phase<phase, resolution>(scene, crew);
   if (phase == DevicePhase::bodies) plan_by_last(launch, scene, mine);
 }
@@ -128,7 +128,6 @@ template <DevicePhase phase, int blocks>
 __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
-  __shared__ StageClock clock;
   extern __shared__ __align__(128) std::byte room[];
   const DeviceScene* const from = launch.scenes + blockIdx.x / launch.solve_blocks;
   const int points = from->counters->points;
@@ -139,7 +138,7 @@ __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const 
   using Crew = std::conditional_t<phase == DevicePhase::settle, SettleCrew, SolveCrew>;
   std::byte* const own = phase == DevicePhase::iterate ? room : nullptr;
   const std::size_t bytes = phase == DevicePhase::settle ? 0 : launch.room_bytes;
-  Crew crew(BlockRoom{cell, clock, own, bytes, false}, alone || launch.solve_blocks == 1);
+  Crew crew(BlockRoom{cell, own, bytes}, alone || launch.solve_blocks == 1);
   run_phase<phase, Resolution::coupled>(scene, crew);
 }
 
@@ -149,14 +148,13 @@ __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const 
 __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
-  __shared__ StageClock clock;
   const int count = launch.queue->count, blocks = static_cast<int>(gridDim.x);
   if (count == 0) return;
   const int share = blocks / min(count, blocks), teams = blocks / share;
   const int team = static_cast<int>(blockIdx.x) / share;
   if (team >= teams) return;
   if (threadIdx.x == 0) cell = {};
-  GateCrew crew(BlockRoom{cell, clock, nullptr, 0, false}, share, launch.team_gates + team);
+  GateCrew crew(BlockRoom{cell, nullptr, 0}, static_cast<int>(blockIdx.x) % share, share, launch.team_gates + team);
   for (int at = team; at < count; at += teams) {
     __syncthreads();  // before the scene is another one
     take_scene(scene, launch.scenes + launch.queue->scene[at]);
@@ -178,23 +176,30 @@ __global__ void __launch_bounds__(plan_threads) phase_of_scenes(const PhaseLaunc
   }
 }
 
-template <Resolution resolution>
-PhaseKernel phase_kernel_of(DevicePhase phase) {
+template <DevicePhase phase, int blocks>
+PhaseKernel by_resolution(Resolution resolution) {
+  return resolution == Resolution::coupled ? phase_of_all<phase, blocks, Resolution::coupled>
+                                           : phase_of_all<phase, blocks, Resolution::independent>;
+}
+
+}  // namespace
+
+PhaseKernel phase_kernel(DevicePhase phase, Resolution resolution) {
   switch (phase) {
     case DevicePhase::open:
       return phase_of_scenes<DevicePhase::open>;
     case DevicePhase::begin:
-      return phase_of_all<DevicePhase::begin, resolution, 4>;
+      return phase_of_all<DevicePhase::begin, 4>;
     case DevicePhase::plan:
       return phase_of_scenes<DevicePhase::plan>;
     case DevicePhase::list:
       return phase_of_lists;
     case DevicePhase::choose:
-      return phase_of_all<DevicePhase::choose, resolution, 8>;
+      return phase_of_all<DevicePhase::choose, 8>;
     case DevicePhase::look:
-      return phase_of_all<DevicePhase::look, resolution, 5>;
+      return phase_of_all<DevicePhase::look, 5>;
     case DevicePhase::resolve:
-      return phase_of_all<DevicePhase::resolve, resolution, 5>;
+      return by_resolution<DevicePhase::resolve, 5>(resolution);
     case DevicePhase::gather:
       return phase_of_solvers<DevicePhase::gather, 2>;
     case DevicePhase::iterate:
@@ -202,19 +207,13 @@ PhaseKernel phase_kernel_of(DevicePhase phase) {
     case DevicePhase::settle:
       return phase_of_solvers<DevicePhase::settle, 2>;
     case DevicePhase::bodies:
-      return phase_of_all<DevicePhase::bodies, resolution, 4>;
+      return by_resolution<DevicePhase::bodies, 4>(resolution);
     case DevicePhase::last_work:
-      return phase_of_all<DevicePhase::last_work, resolution, 4>;
+      return phase_of_all<DevicePhase::last_work, 4>;
     case DevicePhase::close:
-      return phase_of_all<DevicePhase::close, resolution, 4>;
+      return phase_of_all<DevicePhase::close, 4>;
   }
   return nullptr;
 }
 
-PhaseKernel phase_kernel_of(DevicePhase phase, Resolution resolution) {
-  return resolution == Resolution::coupled ? phase_kernel_of<Resolution::coupled>(phase)
-                                           : phase_kernel_of<Resolution::independent>(phase);
-}
-
-}  // namespace
 }  // namespace gem

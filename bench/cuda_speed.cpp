@@ -1,7 +1,7 @@
 // Speed of the cuda engine by device events, as CSV: one scene in three phases and several layouts, and batches.
 //
 // usage: gem_cuda_speed CASES_FOLDER [single|copies|batch|table|growth|profile|all] [largest batch]
-// [coupled|independent] [strict|fast] [phase]
+// [coupled|independent] [phase]
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -40,12 +40,8 @@ constexpr Phase phases[] = {
 struct Subject {
   std::string cases = "cases";
   ContactSolver solver = ContactSolver::coupled;
-  Arithmetic arithmetic = Arithmetic::strict;
   std::string phase = {};  // empty: all
-  std::string name() const {
-    return std::string(solver == ContactSolver::coupled ? "coupled" : "independent") +
-           (arithmetic == Arithmetic::fast ? ",fast" : ",strict");
-  }
+  const char* name() const { return solver == ContactSolver::coupled ? "coupled" : "independent"; }
 };
 
 /// A run of the paper with the default settings, or with independent contacts as their own tables have them.
@@ -62,28 +58,16 @@ SceneDef scene_of(const Subject& subject, const std::string& run) {
 
 std::int64_t steps_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.time_step_s); }
 
-/// Ends a row with the barriers of a time step and the share of each stage in the first thread's time.
+/// Ends a row with the route and the barriers of a time step.
 void end_row(const CudaBatch& batch) {
-  std::printf(",%s", batch.launches() == Launches::phases ? "phases" : "moments");
-  std::printf(",%.2f", batch.barriers());
-  const std::vector<double> clocks = batch.stage_clocks();
-  double all = 0.0;
-  for (const double clock : clocks) all += clock;
-  for (const double clock : clocks)
-    if (all > 0.0)
-      std::printf(",%.3f", clock / all);
-    else
-      std::printf(",");  // by phases no block stays to read its clock
-  std::printf("\n");
+  std::printf(",%s,%.2f\n", batch.launches() == Launches::phases ? "phases" : "moments", batch.barriers());
   std::fflush(stdout);
 }
 
 void header() {
   std::printf(
-      "commit,device,resolution,arithmetic,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,"
-      "x_real_time,contacts,wall_over_device,state_hash,launches,barriers");
-  for (const std::string& stage : cuda_stage_names()) std::printf(",%s", stage.c_str());
-  std::printf("\n");
+      "commit,device,resolution,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,"
+      "x_real_time,contacts,wall_over_device,state_hash,launches,barriers\n");
 }
 
 struct Timing {
@@ -121,16 +105,16 @@ void single(const Subject& subject) {
     const SceneDef scene = scene_of(subject, phase.run);
     const Bodies field = make_field(scene);
     const EngineState start = start_of(phase, scene, field);
-    for (const int blocks : {4, 16, 64, 112, 132})
+    for (const int blocks : {1, 4, 16, 64, 112, 132})
       for (const int threads : {128, 256}) {
         if ((blocks < 64 && threads < 256) || blocks > usable_cuda_device().multiprocessors) continue;
-        CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads, .arithmetic = subject.arithmetic});
+        CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads});
         std::vector<StepLog> logs(1);
         const Timing time = time_steps(timed, start, &logs, 7);
         double contacts = 0.0;
         for (const StepQuality& quality : logs[0].quality) contacts += quality.contacts / double(timed_steps);
         std::printf("%s,%s,%s,moment,%s,1,%d,%d,%.3f,%.3f,%.0f,%.0f,%.2f,%016llx", GEM_COMMIT,
-                    timed.device().name.c_str(), subject.name().c_str(), phase.name, blocks, threads, 1e6 * time.median,
+                    timed.device().name.c_str(), subject.name(), phase.name, blocks, threads, 1e6 * time.median,
                     1e6 * time.spread, scene.numerics.time_step_s / time.median, contacts, time.wall / time.median,
                     static_cast<unsigned long long>(timed.state_hash(0)));
         end_row(timed);
@@ -147,11 +131,10 @@ void copies(const Subject& subject, std::size_t largest) {
     const EngineState start = start_of(phase, scene, field);
     for (const std::size_t count : {36, 66}) {
       if (count > largest) break;
-      CudaBatch timed(std::vector<BatchScene>(count, {scene, field}),
-                      {.samples = false, .arithmetic = subject.arithmetic});
+      CudaBatch timed(std::vector<BatchScene>(count, {scene, field}), {.samples = false});
       const Timing time = time_steps(timed, start, nullptr, 3);
       std::printf("%s,%s,%s,copies,%s,%zu,%d,%d,%.3f,%.3f,%.0f,,%.2f,%016llx", GEM_COMMIT, timed.device().name.c_str(),
-                  subject.name().c_str(), phase.name, count, timed.blocks(), timed.threads(), 1e6 * time.median,
+                  subject.name(), phase.name, count, timed.blocks(), timed.threads(), 1e6 * time.median,
                   1e6 * time.spread, double(count) * scene.numerics.time_step_s / time.median, time.wall / time.median,
                   static_cast<unsigned long long>(timed.state_hash(count - 1)));
       end_row(timed);
@@ -166,8 +149,7 @@ void one_launch(const Subject& subject, std::size_t count) {
     const SceneDef scene = scene_of(subject, phase.run);
     const Bodies field = make_field(scene);
     const EngineState start = start_of(phase, scene, field);
-    CudaBatch batch(std::vector<BatchScene>(count, {scene, field}),
-                    {.blocks = count == 1 ? 16 : 0, .arithmetic = subject.arithmetic});
+    CudaBatch batch(std::vector<BatchScene>(count, {scene, field}), {});
     for (std::size_t k = 0; k < count; ++k) batch.restore(k, start);
     batch.advance(2, nullptr);
     batch.advance(2, nullptr);
@@ -200,14 +182,14 @@ void time_batch(const Subject& subject, const char* measure, const std::vector<B
   double simulated = 0.0;
   for (std::size_t k = 0; k < scenes.size(); ++k) simulated += double(steps[k]) * scenes[k].scene.numerics.time_step_s;
   const std::int64_t longest = *std::max_element(steps.begin(), steps.end());
-  CudaBatch batch(scenes, {.samples = recorded, .arithmetic = subject.arithmetic});
+  CudaBatch batch(scenes, {.samples = recorded});
   std::vector<StepLog> logs(scenes.size());
   const auto begin = Clock::now();
   batch.advance(steps, recorded ? &logs : nullptr);
   const double wall = std::chrono::duration<double>(Clock::now() - begin).count(), device = batch.device_time();
   std::printf("%s,%s,%s,%s,%lld moments,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
-              subject.name().c_str(), measure, static_cast<long long>(longest), scenes.size(), batch.blocks(),
-              batch.threads(), 1e6 * device / double(longest), simulated / wall, wall / device,
+              subject.name(), measure, static_cast<long long>(longest), scenes.size(), batch.blocks(), batch.threads(),
+              1e6 * device / double(longest), simulated / wall, wall / device,
               static_cast<unsigned long long>(batch.state_hash(0)));
   end_row(batch);
 }
@@ -245,12 +227,12 @@ void growth(const Subject& subject) {
     auto [scene, bodies] = growth_field(count);
     scene.contact.solver = subject.solver;
     if (subject.solver == ContactSolver::independent) scene.contact.manifold = Manifold::chord_middle;
-    CudaBatch batch({{scene, bodies}}, {.samples = false, .arithmetic = subject.arithmetic});
+    CudaBatch batch({{scene, bodies}}, {.samples = false});
     batch.advance(100, nullptr);
     const EngineState start = batch.save(0);
     const Timing time = time_steps(batch, start, nullptr, 3);
     std::printf("%s,%s,%s,growth,%lld floes,1,%d,%d,%.3f,%.3f,%.0f,,%.2f,%016llx", GEM_COMMIT,
-                batch.device().name.c_str(), subject.name().c_str(), static_cast<long long>(count), batch.blocks(),
+                batch.device().name.c_str(), subject.name(), static_cast<long long>(count), batch.blocks(),
                 batch.threads(), 1e6 * time.median, 1e6 * time.spread, scene.numerics.time_step_s / time.median,
                 time.wall / time.median, static_cast<unsigned long long>(batch.state_hash(0)));
     end_row(batch);
@@ -277,18 +259,15 @@ void check_word(const std::string& word, const std::vector<std::string>& known) 
 
 int main(int count, char** argument) {
   try {
-    const std::string what = count > 2 ? argument[2] : "all", solver = count > 4 ? argument[4] : "coupled",
-                      arithmetic = count > 5 ? argument[5] : "strict";
+    const std::string what = count > 2 ? argument[2] : "all", solver = count > 4 ? argument[4] : "coupled";
     gem::Subject subject;
     if (count > 1) subject.cases = argument[1];
-    if (count > 6) subject.phase = argument[6];
+    if (count > 5) subject.phase = argument[5];
     if (!subject.phase.empty()) gem::check_word(subject.phase, {"drift", "plug", "jam"});
     if (solver == "independent") subject.solver = gem::ContactSolver::independent;
     const std::size_t largest = count > 3 ? gem::scenes_of(argument[3]) : 264;
     gem::check_word(what, {"single", "copies", "batch", "table", "growth", "profile", "all"});
     gem::check_word(solver, {"coupled", "independent"});
-    gem::check_word(arithmetic, {"strict", "fast"});
-    if (arithmetic == "fast") subject.arithmetic = gem::Arithmetic::fast;
     gem::header();
     if (what == "profile") gem::one_launch(subject, largest);
     if (what == "single" || what == "all") gem::single(subject);

@@ -6,7 +6,7 @@ usage: scripts/readme_tables.py
 clean_root_run.txt, clean_root_test.txt   what scripts/run.sh and scripts/test.sh printed in a bare Debian 12 root
 real_time_factor*.csv                     what bench/real_time_factor.py wrote
 cuda_*.csv                                what gem_cuda_speed printed
-barriers_h200.csv                         what gem_cuda_barriers printed
+barriers_h200.csv                         what barriers cost with nothing between them; older than the rows of cuda_*.csv
 scenes.csv                                what bench/scene_bench.py wrote
 speed_against_error/windows.csv           what scripts/measure.sh measured
 """
@@ -59,9 +59,9 @@ def gpu_rows():
     for path in sorted(glob.glob(os.path.join(RESULTS, "cuda_*.csv"))):
         with open(path, newline="", encoding="utf-8") as file:
             for r in csv.DictReader(file):
-                key = r["resolution"], r["arithmetic"], r["phase"]
+                key = r["resolution"], r["phase"]
                 if r["measure"] != "moment":
-                    kind = r["resolution"], r["arithmetic"], r["measure"]
+                    kind = r["resolution"], r["measure"]
                     size = int(r["scenes"]) * (int(r["phase"].split()[0]) if r["measure"] == "growth" else 1)
                     if r["measure"] in GPU_BATCHES and size >= largest.get(kind, (0, None))[0]:
                         largest[kind] = size, r
@@ -85,13 +85,13 @@ def waiting(r, costs):
 
 
 def gpu_table():
-    rows = ["| contacts | arithmetic | what | scenes | route | blocks x threads | µs a time step | barriers alone, µs | "
-            "x real time, all scenes | wall / device | state hash | device | commit |", "|" + "---|" * 13]
+    rows = ["| contacts | what | scenes | route | blocks x threads | µs a time step | barriers alone, µs | "
+            "x real time, all scenes | wall / device | state hash | device | commit |", "|" + "---|" * 12]
     costs = barrier_costs()
     for r in gpu_rows():
         what = r["phase"] if r["measure"] == "moment" else f"{r['measure'].replace('_', ', ')}, {r['phase']}"
         route = {"moments": "resident"}.get(r["launches"], r["launches"])
-        rows.append(f"| {r['resolution']} | {r['arithmetic']} | {what.replace('moments', 'time steps')} | {r['scenes']} | {route} | {r['blocks']} x {r['threads']} | "
+        rows.append(f"| {r['resolution']} | {what.replace('moments', 'time steps')} | {r['scenes']} | {route} | {r['blocks']} x {r['threads']} | "
                     f"{float(r['microseconds_per_moment']):.0f} | {waiting(r, costs)} | {float(r['x_real_time']):.0f} | "
                     f"{r['wall_over_device']} | `{r['state_hash']}` | {r['device']} | {r['commit'][:7]}{'-dirty' if 'dirty' in r['commit'] else ''} |")
     return rows

@@ -42,15 +42,9 @@ if(GEM_HAS_CUDA)
   list(FILTER simulator_sources EXCLUDE REGEX "cuda_missing\\.cpp$")
   file(GLOB cuda_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/engine/cuda/*.cu)
   list(APPEND simulator_sources ${cuda_sources})
-  # As on the host: a*b+c is never contracted, but in the fast kernel.
-  foreach(source IN LISTS cuda_sources)
-    set(contracts false)
-    if(source MATCHES "/cuda_fast\\.cu$")
-      set(contracts true)
-    endif()
-    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS
-      "--fmad=${contracts};-lineinfo;-Xcompiler=-ffp-contract=off")
-  endforeach()
+  # As on the host: a*b+c is never contracted.
+  set_source_files_properties(${cuda_sources} PROPERTIES COMPILE_OPTIONS
+    "--fmad=false;-lineinfo;-Xcompiler=-ffp-contract=off")
 else()
   set(no_cuda_because "no CUDA compiler was found when it was configured")
   if(GEM_CUDA STREQUAL OFF)
@@ -97,6 +91,4 @@ target_link_libraries(gem PRIVATE gem_command gem_baseline CLI11::CLI11 nlohmann
 if(GEM_HAS_CUDA)
   add_executable(gem_cuda_speed bench/cuda_speed.cpp)
   target_link_libraries(gem_cuda_speed PRIVATE gem_simulator)
-  add_executable(gem_cuda_barriers bench/cuda_barriers.cu)
-  target_link_libraries(gem_cuda_barriers PRIVATE gem_simulator)
 endif()

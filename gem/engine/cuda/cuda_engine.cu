@@ -1,17 +1,16 @@
-// Batches of scenes on a GPU. In one launch blocks that stay move each scene through many time steps; or, where
-// scenes are many, a launch makes one phase of one time step of all of them.
+// Batches of scenes on a GPU, by one of two routes: blocks that stay with their scenes through many time steps and meet
+// at a grid barrier; or, where there is more to do than these can, a kernel for each phase of a time step of all
+// scenes.
 #include "gem/engine/cuda/cuda_engine.h"
 
 #include <algorithm>
-#include <bit>
 #include <exception>
-#include <map>
 #include <tuple>
 
 #include "gem/engine/cuda/cuda_phase_launch.cuh"
 #include "gem/engine/cuda/cuda_recorders.h"
 #include "gem/engine/cuda/cuda_scene.cuh"
-#include "gem/engine/cuda/cuda_shares.cuh"
+#include "gem/engine/device/block_share.h"
 
 namespace gem {
 namespace {
@@ -43,11 +42,11 @@ class CudaBatch::Work {
  public:
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
       : device_(on_device(options)),
-        arithmetic_(options.arithmetic),
-        threads_(chosen_threads(options.threads)),
         ring_steps_(options.ring_steps),
+        chosen_blocks_(options.blocks),
         launches_(options.launches),
-        shares_(options.arithmetic, threads_, options.blocks, device_.multiprocessors, scenes),
+        resident_(chosen_threads(options.threads), device_.multiprocessors),
+        blocks_(scenes.size(), 1),
         visits_(scenes.size(), 0.0),
         status_memory_(sizeof(DeviceStatus) * scenes.size()),
         scene_memory_(sizeof(DeviceScene) * scenes.size()),
@@ -59,8 +58,10 @@ class CudaBatch::Work {
         recorders_(scenes.size()) {
     scenes_.reserve(scenes.size());
     auto* status = reinterpret_cast<DeviceStatus*>(status_memory_.data());
-    const int most = shares_.blocks_for(1);
-    for (BatchScene& scene : scenes) scenes_.emplace_back(std::move(scene), options, most, status++);
+    for (BatchScene& scene : scenes) {
+      const int most = std::min(useful(scene.bodies.count()), resident_.blocks());
+      scenes_.emplace_back(std::move(scene), options, most, status++);
+    }
   }
 
   void advance(const std::vector<std::int64_t>& steps, std::vector<StepLog>* logs) {
@@ -86,10 +87,9 @@ class CudaBatch::Work {
   std::size_t size() const { return scenes_.size(); }
   const CudaDevice& device() const { return device_; }
   Launches launches() const { return by_phases_ > by_steps_ ? Launches::phases : Launches::steps; }
-  int blocks() const { return launches() == Launches::phases ? scenes_.front().device().phase_blocks : shares_.of(0); }
-  int threads() const { return launches() == Launches::phases ? phase_threads : threads_; }
+  int blocks() const { return launches() == Launches::phases ? scenes_.front().device().phase_blocks : blocks_[0]; }
+  int threads() const { return launches() == Launches::phases ? phase_threads : resident_.threads(); }
   double device_time() const { return device_time_; }
-  const std::vector<double>& stage_clocks() const { return stage_clocks_; }
   double barriers() const { return barriers_ / std::max(1.0, counted_steps_); }
 
  private:
@@ -143,21 +143,42 @@ class CudaBatch::Work {
     collect(active, ahead, logs);
   }
 
-  /// By blocks that stay: a launch takes the scenes in the order of their blocks, most first.
-  void move_by_steps(std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
-    shares_.share_out(active, ahead);
-    send(active, shares_.steps_of(active, ahead, ring_steps_));
-    time_.begin();
-    for (std::size_t first = 0, end = 0; first < active.size(); first = end) {
-      while (end < active.size() && shares_.of(active[end]) == shares_.of(active[first])) ++end;
-      launch_part(first, end - first, shares_.of(active[first]));
+  /// The most blocks that help a scene, or as many as are asked for.
+  int useful(std::size_t bodies) const {
+    return chosen_blocks_ > 0 ? std::min(chosen_blocks_, static_cast<int>(bodies)) : useful_blocks(bodies);
+  }
+
+  /// By blocks that stay with their scenes.
+  void move_by_steps(const std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
+    std::vector<double> work;
+    std::vector<int> most;
+    for (const std::size_t k : active) {
+      const std::size_t bodies = scenes_[k].field().bodies.count();
+      work.push_back(static_cast<double>(bodies) * static_cast<double>(ahead[k].all));
+      most.push_back(useful(bodies));
     }
+    const std::vector<int> blocks = share_blocks(work, most, resident_.blocks());
+    for (std::size_t at = 0; at < active.size(); ++at) blocks_[active[at]] = blocks[at];
+    send(active, steps_of(active, ahead));
+    time_.begin();
+    resident_.start({scenes_here(), wanted_here(), gates_here(), nullptr, 0}, blocks, time_.stream());
     finish();
+  }
+
+  /// Time steps that each scene makes in one call.
+  std::vector<std::int64_t> steps_of(const std::vector<std::size_t>& active,
+                                     const std::vector<StepsAhead>& ahead) const {
+    std::vector<std::int64_t> all, next;
+    for (const std::size_t k : active) {
+      all.push_back(ahead[k].all);
+      next.push_back(ahead[k].most);
+    }
+    return share_steps(all, next, ring_steps_);
   }
 
   /// Whether these scenes are moved by a launch for each phase: they are more than all threads at work.
   bool moves_by_phases(const std::vector<std::size_t>& active) {
-    if (launches_ == Launches::steps || shares_.are_chosen()) return false;
+    if (launches_ == Launches::steps || chosen_blocks_ > 0) return false;
     std::int64_t blocks = 0;
     double worth_it = active.size() == 1 ? phase_blocks_of_one : phase_blocks_of_several;
     for (const std::size_t k : active) {
@@ -171,33 +192,34 @@ class CudaBatch::Work {
     return launches_ == Launches::phases || static_cast<double>(blocks) >= worth_it * device_.multiprocessors;
   }
 
-  /// All scenes come to their ends together: those with more ahead make more time steps.
+  /// Scenes of one solver stand together, those that go on for as long beside each other.
   void move_by_phases(std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
     const auto order = [&](std::size_t k) {
       return std::make_tuple(scenes_[k].field().constants.solver, -ahead[k].all, -visits_[k]);
     };
     std::stable_sort(active.begin(), active.end(), [&](std::size_t i, std::size_t j) { return order(i) < order(j); });
-    std::int64_t most = 1;
-    for (const std::size_t k : active) most = std::max(most, ahead[k].all);
-    std::vector<std::int64_t> steps;
+    const std::vector<std::int64_t> steps = steps_of(active, ahead);
     std::vector<PhaseScene> scenes;
-    for (const std::size_t k : active) {
-      const std::int64_t share = std::max<std::int64_t>(1, (ahead[k].all * ring_steps_ + most - 1) / most);
-      steps.push_back(std::min({ahead[k].most, share, std::int64_t{ring_steps_}}));
+    for (std::size_t at = 0; at < active.size(); ++at) {
+      const std::size_t k = active[at];
       scenes.push_back({scenes_[k].field().constants.solver, scenes_[k].device().phase_blocks,
-                        static_cast<std::int32_t>(steps.back()), visits_[k]});
-      shares_.set(k, 1);
+                        static_cast<std::int32_t>(steps[at]), visits_[k]});
+      blocks_[k] = 1;
     }
     send(active, steps);
     PhaseLaunch work{};
-    work.scenes = reinterpret_cast<const DeviceScene*>(scene_memory_.data());
-    work.steps = reinterpret_cast<const std::int32_t*>(wanted_memory_.data());
-    work.grid_barriers = reinterpret_cast<GridBarrier*>(barrier_memory_.data());
+    work.scenes = scenes_here();
+    work.steps = wanted_here();
+    work.grid_barriers = gates_here();
     work.list_barriers = work.grid_barriers + scenes_.size();
     time_.begin();
     phases_.run(work, scenes, time_);
     finish();
   }
+
+  const DeviceScene* scenes_here() const { return reinterpret_cast<const DeviceScene*>(scene_memory_.data()); }
+  const std::int32_t* wanted_here() const { return reinterpret_cast<const std::int32_t*>(wanted_memory_.data()); }
+  GridBarrier* gates_here() const { return reinterpret_cast<GridBarrier*>(barrier_memory_.data()); }
 
   /// What the launches of a call work on: scenes in this order, and the time steps that are wanted of each.
   void send(const std::vector<std::size_t>& active, const std::vector<std::int64_t>& steps) {
@@ -224,22 +246,6 @@ class CudaBatch::Work {
     device_time_ += time_.seconds();
   }
 
-  /// Starts those scenes of a launch that have the same number of blocks, beside the others. Larger clusters take
-  /// their places first: the order of the streams' starts says nothing, their priority does.
-  void launch_part(std::size_t first, std::size_t count, int blocks) {
-    Timeline& part = part_.try_emplace(blocks, std::bit_width(static_cast<unsigned>(blocks))).first->second;
-    const Spread spread{arithmetic_, static_cast<int>(count), blocks, threads_};
-    const std::size_t shared_memory = shared_bytes_of_block(spread);
-    const LaunchConfig config(spread, shared_memory, part.stream());
-    const Launch work{reinterpret_cast<const DeviceScene*>(scene_memory_.data()) + first,
-                      reinterpret_cast<const std::int32_t*>(wanted_memory_.data()) + first,
-                      reinterpret_cast<GridBarrier*>(barrier_memory_.data()) + first, blocks, shared_memory};
-    part.begin_after(time_);
-    check_cuda(cudaLaunchKernelEx(&config.config, spread.kernel(), work), "start");
-    part.end();
-    time_.wait_for(part);
-  }
-
   /// Takes what a call left of each scene and removes what stopped it.
   void collect(const std::vector<std::size_t>& active, std::vector<StepsAhead>& ahead, std::vector<StepLog>* logs) {
     for (const std::size_t k : active) {
@@ -257,31 +263,25 @@ class CudaBatch::Work {
 
   /// Fetches and appends the rings of all scenes.
   void record(const std::vector<std::size_t>& active, std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs) {
-    for (const std::size_t k : active) scenes_[k].fetch(status_of(k), shares_.of(k), time_.stream());
+    for (const std::size_t k : active) scenes_[k].fetch(status_of(k), blocks_[k], time_.stream());
     check_cuda(cudaStreamSynchronize(time_.stream()), "fetch the record");
     recorders_.record(active, [&](std::size_t k) {
       DeviceStatus status = status_of(k);
       // the time step that failed is not logged
       if (status.stop == DeviceStop::not_finite && status.samples > 0) --status.samples;
-      guarded(k, ahead[k], [&] { scenes_[k].append(status, shares_.of(k), logs[k]); });
+      guarded(k, ahead[k], [&] { scenes_[k].append(status, blocks_[k], logs[k]); });
     });
   }
 
-  /// How the scene got on: what a time step of it costs.
+  /// How the scene got on.
   void note(std::size_t k, const DeviceStatus& status) {
     scenes_[k].note(status);
-    double clocks = 0.0;
-    for (std::size_t stage = 0; stage < stage_clocks_.size(); ++stage) {
-      clocks += static_cast<double>(status.stage_clocks[stage]);
-      if (k == 0) stage_clocks_[stage] += static_cast<double>(status.stage_clocks[stage]);
-    }
-    if (k == 0) {
+    if (k == 0 && status.barriers > 0) {
       barriers_ += status.barriers;
-      if (status.barriers > 0) counted_steps_ += status.samples;
+      counted_steps_ += status.samples;
     }
     if (status.samples > 0 && status.visits > 0)
       visits_[k] = static_cast<double>(status.visits) / static_cast<double>(status.samples);
-    shares_.note(k, clocks, status.samples);
   }
 
   /// Removes what stopped a scene, where that can be done.
@@ -294,20 +294,18 @@ class CudaBatch::Work {
   }
 
   CudaDevice device_;
-  Arithmetic arithmetic_;
-  int threads_, ring_steps_;
+  int ring_steps_, chosen_blocks_;
   Launches launches_;
   std::int64_t by_steps_ = 0, by_phases_ = 0;  // time steps of all scenes in the last call, by what launches did
-  SceneShares shares_;
-  std::vector<double> visits_;    // of the points of each a time step, when last moved by phases
-  std::map<int, Timeline> part_;  // of a launch, by the blocks of a scene
+  ResidentLaunch resident_;
+  std::vector<int> blocks_;     // of each scene in its last launch, by phases 1: as many as tell of its quality
+  std::vector<double> visits_;  // of the points of each a time step, when last moved by phases
   Timeline time_;
-  PhaseStreams phases_{arithmetic_, device_.multiprocessors};
+  PhaseStreams phases_{device_.multiprocessors};
   DeviceMemory status_memory_, scene_memory_, wanted_memory_, barrier_memory_;
   PinnedMemory status_, scene_, wanted_;
   std::vector<CudaScene> scenes_;
   double device_time_ = 0.0, barriers_ = 0.0, counted_steps_ = 0.0;
-  std::vector<double> stage_clocks_ = std::vector<double>(stage_count);
   Recorders recorders_;
   std::vector<std::exception_ptr> faults_;  // of each scene, since the last call
 };
@@ -338,12 +336,6 @@ int CudaBatch::blocks() const { return work_->blocks(); }
 int CudaBatch::threads() const { return work_->threads(); }
 Launches CudaBatch::launches() const { return work_->launches(); }
 double CudaBatch::device_time() const { return work_->device_time(); }
-std::vector<double> CudaBatch::stage_clocks() const { return work_->stage_clocks(); }
 double CudaBatch::barriers() const { return work_->barriers(); }
-
-std::vector<std::string> cuda_stage_names() {
-  return {"choose",     "look", "resolve", "pairs_wait",  "rows",   "points",      "frames",
-          "iterations", "base", "shares",  "solver_wait", "bodies", "bodies_wait", "list"};
-}
 
 }  // namespace gem

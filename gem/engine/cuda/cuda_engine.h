@@ -24,29 +24,23 @@ struct CudaDevice {
 /// All GPUs; where there is none, `reason` says why.
 std::vector<CudaDevice> cuda_devices(std::string& reason);
 
-/// How the kernels round. strict: the bits of the cpu engine. fast: the compiler may contract a*b+c to one rounding;
-/// the bits are others and may change with the number of blocks of a scene. No run uses it: it gains nothing
-/// (bench/results/cuda_*.csv) and is kept to show that.
-enum class Arithmetic { strict, fast };
-
-/// Time steps that the quickest scene makes in one launch.
+/// Time steps that a scene makes in one launch, at most.
 constexpr int most_launch_steps = 512;
 
-/// What a launch does. time steps: many time steps of all scenes, by blocks that stay. phases: one phase of one time
-/// step of all scenes; for scenes that are many, and for independent ones of many bodies. chosen: what is faster.
-/// Batches with a coupled scene of more bodies than a cluster has threads, and those for which a number of blocks is
-/// given, are moved by time steps in any case.
+/// What a launch does. time steps: many time steps of all scenes, by blocks that stay with them; for few scenes.
+/// phases: one phase of a time step of all scenes; for scenes that are many, and for independent ones of many bodies.
+/// chosen: what is faster. Batches with a coupled scene of more bodies than a cluster has threads, and those for which
+/// a number of blocks is given, are moved by time steps in any case.
 enum class Launches { chosen, steps, phases };
 
-/// How the scenes of a batch are laid out on the GPU. With strict arithmetic no choice changes a result.
+/// How the scenes of a batch are laid out on the GPU. No choice changes a result.
 struct CudaOptions {
-  int device = -1;  // -1: the first that can be used
-  int blocks = 0;   // that work on one scene, no more than the device runs at a time; 0: as help most
-  int threads = 0;  // of a block: 32 to 256, a multiple of 32; 0: chosen
+  int device = -1;                     // -1: the first that can be used
+  int blocks = 0;                      // that stay with each scene, at most: all run at a time; 0: as help most
+  int threads = 0;                     // of a block: 32 to 256, a multiple of 32; 0: chosen
   int ring_steps = most_launch_steps;  // of one launch, at most
   int list_rows = 0;                   // places of the list of near bodies to begin with; it grows on demand; 0: chosen
   bool samples = true;                 // keep what the platform felt
-  Arithmetic arithmetic = Arithmetic::strict;
   Launches launches = Launches::chosen;
 };
 
@@ -63,7 +57,7 @@ struct StepsAhead {
 };
 
 /// Many scenes on one GPU, moved on together; no other batch of the process moves scenes on the same GPU meanwhile.
-/// With strict arithmetic each has the bits that it has alone. Throws Error(device) where no GPU answers or a call
+/// Each has the bits that it has alone. Throws Error(device) where no GPU answers or a call
 /// fails, Error(resource_limit) where its memory is too small.
 class CudaBatch {
  public:
@@ -78,8 +72,8 @@ class CudaBatch {
   void advance(const std::vector<std::int64_t>& steps, std::vector<StepLog>* logs);
   /// Moves all scenes on by `steps`.
   void advance(std::int64_t steps, std::vector<StepLog>* logs);
-  /// Moves scene k on by no more than ahead[k].most, all scenes for about as long, so that the GPU is busy to the end
-  /// of the call, and appends to logs[k]. Returns what stopped each scene, null for most: Error(numerical_stop) where
+  /// Moves scene k on by no more than ahead[k].most, one that has more ahead by more, so that the GPU is busy to the
+  /// end of all, and appends to logs[k]. Returns what stopped each scene, null for most: Error(numerical_stop) where
   /// its state is no number.
   std::vector<std::exception_ptr> advance_some(const std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs);
   std::int64_t step(std::size_t scene) const;
@@ -97,8 +91,6 @@ class CudaBatch {
   Launches launches() const;
   /// Time that the GPU spent in the kernels of the last advance [s].
   double device_time() const;
-  /// Clocks of the first scene's first thread since construction, by stage; see cuda_stage_names.
-  std::vector<double> stage_clocks() const;
   /// Barriers between blocks that the first scene passed in one time step, mean since construction. What one block
   /// waits for by itself is not counted.
   double barriers() const;
@@ -107,9 +99,6 @@ class CudaBatch {
   class Work;
   std::unique_ptr<Work> work_;
 };
-
-/// Names of the stages of a time step: work, and the wait that ends each phase.
-std::vector<std::string> cuda_stage_names();
 
 /// The engine of one scene.
 std::unique_ptr<Engine> make_cuda_engine(const SceneDef& scene, Bodies bodies, const CudaOptions& options = {});

@@ -1,5 +1,4 @@
-// The kernel that moves scenes on, compiled twice: strict, with the bits of the cpu engine, and fast, where the
-// compiler may contract a*b+c to one rounding.
+// The kernels that move scenes on, with the bits of the cpu engine, and what their launches work on.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +9,7 @@
 
 namespace gem {
 
-/// Where the blocks of a scene meet that are more than a cluster; zero before a launch. Both words are read as one.
+/// Where the blocks of a scene meet; zero before a launch. Both words are read as one.
 struct alignas(128) GridBarrier {
   unsigned arrived, alarms;
 };
@@ -18,19 +17,19 @@ struct alignas(128) GridBarrier {
 constexpr int most_threads = 256;  // leaves 255 registers for each, which keep what they work on; with half of them
                                    // twice the threads took longer
 
-/// What a launch works on: scene k with `blocks` blocks, moved on by time steps[k] time steps.
+/// A block of a grid that works on many scenes: its scene, and which it is of the scene's blocks.
+struct SceneBlock {
+  std::int32_t scene, block, blocks;
+  bool operator==(const SceneBlock&) const = default;
+};
+
+/// What the launch of blocks that stay works on: scene k is moved on by time steps[k] time steps.
 struct Launch {
   const DeviceScene* scenes;
   const std::int32_t* steps;
   GridBarrier* grid_barriers;
-  int blocks;
+  const SceneBlock* blocks;
   std::size_t shared_bytes;
-};
-
-/// A block of a grid that makes one phase of many scenes: its scene, and which it is of the scene's blocks.
-struct PhaseBlock {
-  std::int32_t scene, block, blocks;
-  bool operator==(const PhaseBlock&) const = default;
 };
 
 /// The scenes that need a new list in this time step, in no order.
@@ -45,7 +44,7 @@ struct PhaseLaunch {
   const std::int32_t* steps;
   GridBarrier* grid_barriers;  // of each scene: its alarms
   GridBarrier* list_barriers;  // as many, for the blocks that build a list together
-  const PhaseBlock* blocks;
+  const SceneBlock* blocks;
   ListQueue* queue;
   int scene_count;
   int solve_blocks;  // of a cluster that iterates a scene
@@ -55,13 +54,10 @@ struct PhaseLaunch {
 
 using AdvanceKernel = void (*)(const Launch);
 
-/// `uses_grid_barrier`: for scenes of more blocks than a cluster holds.
-AdvanceKernel strict_kernel(bool uses_grid_barrier);
-AdvanceKernel fast_kernel(bool uses_grid_barrier);
+AdvanceKernel advance_kernel();
 
 using PhaseKernel = void (*)(const PhaseLaunch);
 
-PhaseKernel strict_phase(DevicePhase phase, ContactSolver solver);
-PhaseKernel fast_phase(DevicePhase phase, ContactSolver solver);
+PhaseKernel phase_kernel(DevicePhase phase, ContactSolver solver);
 
 }  // namespace gem

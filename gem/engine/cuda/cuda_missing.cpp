@@ -37,8 +37,6 @@ int CudaBatch::blocks() const { return 0; }
 int CudaBatch::threads() const { return 0; }
 Launches CudaBatch::launches() const { return Launches::chosen; }
 double CudaBatch::device_time() const { return 0.0; }
-std::vector<double> CudaBatch::stage_clocks() const { return {}; }
 double CudaBatch::barriers() const { return 0.0; }
-std::vector<std::string> cuda_stage_names() { return {}; }
 
 }  // namespace gem

@@ -14,8 +14,7 @@ namespace {
 /// All scenes of a call, shared out among some streams.
 class PhaseStreams {
  public:
-  PhaseStreams(Arithmetic arithmetic, int multiprocessors)
-      : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+  explicit PhaseStreams(int multiprocessors) : multiprocessors_(multiprocessors) {}
 
   /// Whether the device has room for the clusters that iterate coupled scenes.
   bool can_solve() { return largest_cluster_here() > 0; }
@@ -25,7 +24,7 @@ class PhaseStreams {
   void run(PhaseLaunch work, const std::vector<PhaseScene>& scenes, const Timeline& call) {
     const std::vector<std::size_t> bounds = shared_out(scenes);
     const std::size_t count = bounds.size() - 1;
-    while (stream_.size() < count) stream_.push_back(std::make_unique<PhaseStream>(arithmetic_, multiprocessors_));
+    while (stream_.size() < count) stream_.push_back(std::make_unique<PhaseStream>(multiprocessors_));
     const std::vector<int> solve_blocks = solve_blocks_of(scenes);
     std::vector<std::int64_t> starts(count);
     for (std::size_t k = 0; k < count; ++k) {
@@ -116,11 +115,10 @@ class PhaseStreams {
   }
 
   int largest_cluster_here() {
-    if (largest_cluster_ < 0) largest_cluster_ = largest_solver(arithmetic_);
+    if (largest_cluster_ < 0) largest_cluster_ = largest_solver();
     return largest_cluster_;
   }
 
-  Arithmetic arithmetic_;
   int multiprocessors_;
   int largest_cluster_ = -1;  // asked for when coupled scenes first go through phases
   std::vector<std::unique_ptr<PhaseStream>> stream_;

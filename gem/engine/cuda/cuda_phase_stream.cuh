@@ -41,10 +41,6 @@ struct PhaseScene {
   double visits = 0.0;     // of its points a time step, as far as known; coupled
 };
 
-PhaseKernel kernel_of(Arithmetic arithmetic, DevicePhase phase, ContactSolver solver) {
-  return arithmetic == Arithmetic::fast ? fast_phase(phase, solver) : strict_phase(phase, solver);
-}
-
 /// Fast memory of a block in a phase of the iterations [bytes].
 constexpr std::size_t shared_bytes_of_solver(DevicePhase phase) {
   return phase == DevicePhase::iterate ? solve_shared_bytes : 0;
@@ -52,12 +48,12 @@ constexpr std::size_t shared_bytes_of_solver(DevicePhase phase) {
 
 /// The largest cluster by which the device iterates, a power of two; 0: it cannot. Allows the kernels to take what they
 /// need.
-int largest_solver(Arithmetic arithmetic) {
+int largest_solver() {
   int device = 0, most = 0, blocks = largest_cluster;
   check_cuda(cudaGetDevice(&device), "be set up");
   check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
   for (const DevicePhase phase : {DevicePhase::gather, DevicePhase::iterate, DevicePhase::settle}) {
-    const PhaseKernel kernel = kernel_of(arithmetic, phase, ContactSolver::coupled);
+    const PhaseKernel kernel = phase_kernel(phase, ContactSolver::coupled);
     const std::size_t shared_memory = shared_bytes_of_solver(phase);
     cudaFuncAttributes attributes{};
     check_cuda(cudaFuncGetAttributes(&attributes, kernel), "be set up");
@@ -80,8 +76,7 @@ int largest_solver(Arithmetic arithmetic) {
 /// each other, and what stepped in between them might wait for these places.
 class PhaseStream {
  public:
-  PhaseStream(Arithmetic arithmetic, int multiprocessors)
-      : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+  explicit PhaseStream(int multiprocessors) : multiprocessors_(multiprocessors) {}
 
   /// Blocks that iterate, where so many are wanted: those of the last call if they are about as many, as what has been
   /// recorded can be started again then.
@@ -99,14 +94,14 @@ class PhaseStream {
     work_.scene_count = static_cast<int>(scenes.size());
     solver_ = scenes.front().solver;
     list_grid_ = std::max(1, list_blocks_together() / streams);
-    std::vector<PhaseBlock> block;
+    std::vector<SceneBlock> block;
     add_blocks(block, scenes, 1);
     all_ = static_cast<int>(block.size());
     add_blocks(block, scenes, std::max(1, all_ * streams / (pairs_blocks * multiprocessors_)));
     some_ = static_cast<int>(block.size()) - all_;
-    work_.blocks = send(std::move(block));
-    work_.queue = reinterpret_cast<ListQueue*>(
-        shared_memory(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size()));
+    work_.blocks = table_.send(std::move(block), time_.stream());
+    queue_memory_.load(sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size());
+    work_.queue = reinterpret_cast<ListQueue*>(queue_memory_.data());
     std::int32_t steps = 0;
     for (const PhaseScene& scene : scenes) steps = std::max(steps, scene.steps);
     record(std::min(steps, most_together));
@@ -192,34 +187,13 @@ class PhaseStream {
     return std::min(list_blocks, together) * multiprocessors_;
   }
 
-  PhaseKernel kernel_of_phase(DevicePhase phase) const { return kernel_of(arithmetic_, phase, solver_); }
+  PhaseKernel kernel_of_phase(DevicePhase phase) const { return phase_kernel(phase, solver_); }
 
   /// The blocks of all scenes, for each as many as for its bodies over `share`.
-  static void add_blocks(std::vector<PhaseBlock>& all, const std::vector<PhaseScene>& scenes, int share) {
-    for (std::size_t k = 0; k < scenes.size(); ++k) {
-      const int blocks = (scenes[k].blocks + share - 1) / share;
-      for (int b = 0; b < blocks; ++b) all.push_back({static_cast<std::int32_t>(k), b, blocks});
-    }
+  static void add_blocks(std::vector<SceneBlock>& all, const std::vector<PhaseScene>& scenes, int share) {
+    for (std::size_t k = 0; k < scenes.size(); ++k) BlockTable::add(all, k, (scenes[k].blocks + share - 1) / share);
   }
 
-  static std::byte* shared_memory(DeviceMemory& memory, std::size_t bytes) {
-    if (memory.bytes() < bytes) memory = {}, memory = DeviceMemory(bytes);
-    return memory.data();
-  }
-  /// The blocks of the call, on the device; mostly they are those of the last one.
-  const PhaseBlock* send(std::vector<PhaseBlock> block) {
-    if (block != sent_) {
-      sent_.clear();
-      const std::size_t bytes = sizeof(PhaseBlock) * block.size();
-      std::byte* const to = shared_memory(block_memory_, bytes);
-      check_cuda(cudaMemcpyAsync(to, block.data(), bytes, cudaMemcpyHostToDevice, time_.stream()), "start");
-      check_cuda(cudaStreamSynchronize(time_.stream()), "start");
-      sent_ = std::move(block);
-    }
-    return reinterpret_cast<const PhaseBlock*>(block_memory_.data());
-  }
-
-  Arithmetic arithmetic_;
   ContactSolver solver_ = ContactSolver::independent;
   int multiprocessors_;
   int all_ = 0, some_ = 0, list_grid_ = 1;  // blocks that move bodies, that work on pairs, that build lists
@@ -227,8 +201,8 @@ class PhaseStream {
   Timeline time_;
   RecordedLaunches steps_;
   Recorded recorded_;
-  std::vector<PhaseBlock> sent_;
-  DeviceMemory block_memory_, queue_memory_;
+  BlockTable table_;
+  DeviceMemory queue_memory_;
 };
 
 }  // namespace

@@ -1,8 +1,7 @@
-// The thread groups of a CUDA kernel: the threads of one cluster of blocks, or of more blocks that meet at a grid
-// barrier.
+// The thread groups of CUDA kernels: what they have in common, and the blocks of a scene that meet at a grid barrier.
 #pragma once
 
-#include <cooperative_groups.h>
+#include <cuda_runtime.h>
 
 #include "gem/engine/cuda/cuda_kernel.h"
 #include "gem/engine/device/scene.h"
@@ -61,18 +60,11 @@ __device__ inline void load_scene(DeviceScene& scene, const DeviceScene* from) {
   __syncthreads();
 }
 
-/// Where the time of the first thread goes.
-struct StageClock {
-  long long last, sum[stage_count];
-};
-
 /// The shared memory of one block.
 struct BlockMemory {
   BlockCell& shared;
-  StageClock& clock;
   std::byte* shared_memory;
   std::size_t bytes;
-  bool keeps_time;  // the first block of its thread group
 };
 
 /// What thread groups of one or of many blocks have in common.
@@ -97,16 +89,6 @@ class DeviceGroup {
     return *static_cast<const volatile std::uint32_t*>(&shared_memory_.shared.alarms);
   }
 
-  __device__ void lap(int stage) {
-    if (threadIdx.x != 0 || !shared_memory_.keeps_time) return;
-    const long long now = clock64();
-    shared_memory_.clock.sum[stage] += now - shared_memory_.clock.last;
-    shared_memory_.clock.last = now;
-  }
-  __device__ void write_laps(std::int64_t* clocks) const {
-    for (int k = 0; k < stage_count; ++k) clocks[k] = shared_memory_.clock.sum[k];
-  }
-
   __device__ static std::int32_t add(std::int32_t* sum, std::int32_t value) { return atomicAdd(sum, value); }
   __device__ static void highest(std::uint64_t* value, std::uint64_t other) {
     static_assert(sizeof(std::uint64_t) == sizeof(unsigned long long));
@@ -119,70 +101,22 @@ class DeviceGroup {
   BlockMemory shared_memory_;
 };
 
-/// All threads of a cluster meet. A warp that had parted comes together first: the barrier counts warps.
-__device__ inline void cluster_barrier() {
-  __syncwarp();
-  asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
-}
-
-/// All threads of a cluster of blocks.
-class ClusterGroup : public DeviceGroup {
- public:
-  using Lanes = LaneGroup<4>;  // few blocks have many looks before them
-
-  __device__ ClusterGroup(const BlockMemory& shared_memory, int, GridBarrier*) : DeviceGroup(shared_memory) {}
-
-  __device__ Lanes lanes() const { return {}; }
-  __device__ int block() const { return static_cast<int>(cluster().block_rank()); }
-  __device__ int blocks() const { return static_cast<int>(cluster().num_blocks()); }
-
-  __device__ std::byte* shared_memory_of(int block) const {
-    return cluster().map_shared_rank(shared_memory_.shared_memory, block);
-  }
-  static constexpr bool reads_other_blocks = true;
-
-  __device__ void barrier() {
-    ++barriers_;
-    if (blocks() == 1)
-      __syncthreads();
-    else
-      cluster_barrier();
-  }
-
-  /// Every block has its own copy of the alarms, so that a look at them costs next to nothing.
-  __device__ void raise(std::uint32_t alarms) {
-    for (int k = 0; k < blocks(); ++k) atomicOr(cluster().map_shared_rank(&shared_memory_.shared.alarms, k), alarms);
-  }
-  __device__ void lower_alarms() {
-    if (threadIdx.x == 0) shared_memory_.shared.alarms = 0;
-  }
-
-  __device__ int barriers() const { return barriers_; }
-  __device__ ClusterGroup in_registers() const { return *this; }
-  __device__ void returned(const ClusterGroup& copy) { barriers_ = copy.barriers_; }
-
- private:
-  __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
-
-  int barriers_ = 0;
-};
-
-/// More blocks than a cluster holds, all on the device at the same time; they meet at a grid barrier in its memory.
+/// The blocks of a scene, all on the device at the same time; they meet at a grid barrier in its memory. A block alone
+/// meets nobody.
 class GridGroup : public DeviceGroup {
  public:
   using Lanes = LaneGroup<8>;
 
-  __device__ GridGroup(const BlockMemory& shared_memory, int blocks, GridBarrier* grid_barrier)
-      : DeviceGroup(shared_memory), blocks_(blocks), grid_barrier_(grid_barrier) {}
+  __device__ GridGroup(const BlockMemory& shared_memory, int block, int blocks, GridBarrier* grid_barrier)
+      : DeviceGroup(shared_memory), block_(block), blocks_(blocks), grid_barrier_(grid_barrier) {}
 
   __device__ Lanes lanes() const { return {}; }
-  __device__ int block() const { return static_cast<int>(blockIdx.x) % blocks_; }
+  __device__ int block() const { return block_; }
   __device__ int blocks() const { return blocks_; }
 
   /// Other blocks do not reach a block's shared memory, and meeting them takes longer than moving some of their bodies.
   static constexpr bool reads_other_blocks = false;
   static constexpr bool has_halos = true;
-  __device__ std::byte* shared_memory_of(int) const { return shared_memory_.shared_memory; }
 
   /// Sixteen bytes in one go, past the caches that blocks do not share: no reader sees a part of them.
   __device__ static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
@@ -233,17 +167,17 @@ class GridGroup : public DeviceGroup {
 
   /// Seen by a block when it passes the next barrier. Between two barriers with a decision on alarms there is a third,
   /// so that no block can see an alarm that another has yet to raise for a later decision.
-  __device__ void raise(std::uint32_t alarms) { atomicOr(&grid_barrier_->alarms, alarms); }
+  __device__ void raise(std::uint32_t alarms) {
+    atomicOr(alone() ? &shared_memory_.shared.alarms : &grid_barrier_->alarms, alarms);
+  }
   __device__ void lower_alarms() {
     if (threadIdx.x != 0) return;
     shared_memory_.shared.alarms = 0;
     if (block() == 0) atomicExch(&grid_barrier_->alarms, 0U);
   }
 
-  /// Passed so far.
-  __device__ int barriers() const { return static_cast<int>(passed_) / blocks_; }
-  __device__ GridGroup in_registers() const { return *this; }
-  __device__ void returned(const GridGroup& copy) { passed_ = copy.passed_; }
+  /// Passed so far; asked by the first thread.
+  __device__ int barriers() const { return static_cast<int>(shared_memory_.shared.arrivals) / blocks_; }
 
  private:
   struct Seen {
@@ -259,22 +193,24 @@ class GridGroup : public DeviceGroup {
     return seen;
   }
 
+  __device__ bool alone() const { return blocks_ == 1; }
+
   /// After a barrier of the block, so what all of it wrote comes before.
   __device__ void count_arrival() {
-    passed_ += static_cast<unsigned>(blocks_);
-    if (threadIdx.x == 0)
-      asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&grid_barrier_->arrived) : "memory");
+    if (threadIdx.x != 0) return;
+    shared_memory_.shared.arrivals += static_cast<unsigned>(blocks_);
+    if (!alone()) asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&grid_barrier_->arrived) : "memory");
   }
   __device__ void wait_at_grid_barrier() {
-    if (threadIdx.x != 0) return;
+    if (threadIdx.x != 0 || alone()) return;
+    const unsigned all = shared_memory_.shared.arrivals;
     Seen seen = look_at(grid_barrier_);
-    while (seen.arrived < passed_) seen = look_at(grid_barrier_);
+    while (seen.arrived < all) seen = look_at(grid_barrier_);
     shared_memory_.shared.alarms |= seen.alarms;
   }
 
-  int blocks_;
+  int block_, blocks_;
   GridBarrier* grid_barrier_;
-  unsigned passed_ = 0;  // arrivals of all barriers so far
 };
 
 }  // namespace gem

@@ -186,7 +186,6 @@ GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Group& group, const Wor
     };
     if (p < workspace.pairs.end) choose_candidate(s, workspace.pair[p], p, next_candidate);
     group.block_barrier();
-    group.lap(stage_choose);
     const std::int32_t candidates = shared.candidates;
     const auto next_touching = [&](int points) {
       return TouchingPlace{workspace.pairs.begin + group.add(&shared.touching_count, 1),
@@ -195,7 +194,6 @@ GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Group& group, const Wor
     narrow_phase_of(s, group, workspace.pair, workspace.outlines, workspace.candidate,
                     group.thread() / Group::Lanes::size, candidates, lane_groups, next_touching);
     group.block_barrier();
-    group.lap(stage_narrow_phase);
     if (group.thread() == 0) shared.candidates = 0;
     if (first + group.threads() < workspace.pairs.end) group.block_barrier();
   }
@@ -213,7 +211,6 @@ GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Group& group, const Wor
     else
       resolve(s, group, workspace.pair[touching.pair], touching, step);
   }
-  group.lap(stage_resolve);
 }
 
 }  // namespace gem

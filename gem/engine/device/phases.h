@@ -110,13 +110,13 @@ GEM_DEVICE inline void choose_pairs(const DeviceScene& s, Group& group) {
   }
 }
 
-template <ContactSolver solver, class Group>
+template <class Group>
 GEM_DEVICE inline void narrow_phase(const DeviceScene& s, Group& group) {
   const std::int32_t lane_groups = group.threads() / Group::Lanes::size,
                      first = group.block() * lane_groups + group.thread() / Group::Lanes::size;
   const auto next_touching = [&](int points) {
     return TouchingPlace{group.add(&s.counters->touching_count, 1),
-                         solver == ContactSolver::coupled ? group.add(&s.counters->points, points) : 0};
+                         is_coupled(s) ? group.add(&s.counters->points, points) : 0};
   };
   narrow_phase_of(s, group, s.pair, reinterpret_cast<WorkspaceOutlines*>(group.shared_memory()), s.candidate, first,
                   s.counters->candidates, group.blocks() * lane_groups, next_touching);
@@ -263,20 +263,19 @@ GEM_DEVICE inline bool is_idle(const DeviceScene& s) {
   return !moves(s);
 }
 
-/// What a block does for a scene in one phase.
+/// What a block does for a scene in one phase; the solver counts where touches are resolved and bodies move.
 template <DevicePhase phase, ContactSolver solver, class Group>
 GEM_DEVICE inline void run_phase(const DeviceScene& s, Group& group) {
   if (is_idle<phase>(s)) return;
   if constexpr (phase == DevicePhase::begin) begin_call(s, group);
   if constexpr (phase == DevicePhase::choose) choose_pairs(s, group);
-  if constexpr (phase == DevicePhase::candidate) narrow_phase<solver>(s, group);
+  if constexpr (phase == DevicePhase::candidate) narrow_phase(s, group);
   if constexpr (phase == DevicePhase::resolve) resolve_touching<solver>(s, group);
   if constexpr (phase == DevicePhase::gather) gather_points(s, group);
   if constexpr (phase == DevicePhase::iterate) SolverRounds<Group>::run_first(s, group);
   if constexpr (phase == DevicePhase::settle) settle_points(s, group);
   if constexpr (phase == DevicePhase::bodies) move_by_blocks<solver>(s, group);
-  if constexpr (phase == DevicePhase::last_work)
-    close_contacts(s, group, closing_stamp(s), solver == ContactSolver::coupled);
+  if constexpr (phase == DevicePhase::last_work) close_contacts(s, group, closing_stamp(s), is_coupled(s));
   if constexpr (phase == DevicePhase::close) {
     close_bodies(s, group);
     write_state(s, group);

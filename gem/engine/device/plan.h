@@ -45,7 +45,6 @@ GEM_DEVICE inline void open_call(const DeviceScene& s, std::int32_t steps) {
   status.samples = status.events = status.touched = 0;
   status.stop = DeviceStop::done;
   status.phase_step = steps > 0 ? PhaseStep::begins : PhaseStep::ended;
-  for (std::int64_t& clocks : status.stage_clocks) clocks = 0;
   status.barriers = 0;
   status.visits = 0;
   forget_counts(s);

@@ -63,7 +63,6 @@ GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Group& group, const Wo
     }
   }
   move_bodies<solver>(s, group, workspace, step);
-  group.lap(stage_bodies);
 }
 
 /// Brings the books of contact work up to date; no contact is left waiting.
@@ -156,7 +155,6 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Group& group, std:
       load_bodies(s, group, workspace);
       load_pairs(s, group, workspace);
       group.block_barrier();
-      group.lap(stage_list);
       list.valid = !(group.alarms() & alarm_list_full);
       list.begin = step;
       if (!list.valid) {
@@ -167,13 +165,11 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Group& group, std:
     }
     pairs_phase<solver>(s, group, workspace, step);
     group.barrier();
-    group.lap(stage_pairs_wait);
     if constexpr (coupled) resolve_coupled(s, group, workspace, step);
     carried = false;
     const double elapsed = static_cast<double>(step + 1 - list.begin) * s.constants.dt;
     bodies_phase<solver>(s, group, workspace, {step, done, elapsed, done + 1 < steps});
     group.barrier();
-    group.lap(stage_bodies_wait);
   }
   if (stop == DeviceStop::done && (group.alarms() & alarm_not_finite)) stop = DeviceStop::not_finite;
   if (group.alarms() & alarm_strayed) list.end(s, start + done);
@@ -192,7 +188,6 @@ GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Group& group, std:
     status.list_valid = list.valid;
     status.horizon = list.horizon;
     status.half_way = done < steps;
-    group.write_laps(status.stage_clocks);
     status.barriers = group.barriers();
     status.stop = stop;
     status.visits = 0;  // counted by phases only

@@ -77,12 +77,9 @@ TEST_P(DeviceSolvers, BlocksAndThreadsChangeNothing) {
   cpu->advance(steps, expected);
   EXPECT_GT(test::contacts_in(expected), 50);
   const std::size_t none = workspace_minimum(8, test::team_lanes), bodies = none + 160 * 256, all = 1 << 20;
-  for (const auto& [blocks, threads, shared_memory, apart] : {std::tuple{1, 8, none, false},
-                                                              {2, 4, bodies, false},
-                                                              {3, 4, all, false},
-                                                              {2, 8, all, true},
-                                                              {5, 4, all, true}}) {
-    HostScene device(scene, test::busy_field(scene), blocks, threads, 0, shared_memory, apart);
+  for (const auto& [blocks, threads, shared_memory] :
+       {std::tuple{1, 8, none}, {2, 4, bodies}, {3, 4, all}, {5, 4, all}}) {
+    HostScene device(scene, test::busy_field(scene), blocks, threads, 0, shared_memory);
     StepLog log;
     device.advance(steps, log);
     test::expect_same_bodies(device.bodies(), cpu->bodies());
@@ -92,12 +89,12 @@ TEST_P(DeviceSolvers, BlocksAndThreadsChangeNothing) {
   }
 }
 
-/// A coupled scene by two blocks that do not reach each other's shared memory.
-struct ApartScene {
+/// A coupled scene by two blocks.
+struct TwoBlocks {
   HostScene device;
   StepLog log;
-  ApartScene(const SceneDef& scene, std::size_t shared_memory)
-      : device(scene, test::busy_field(scene), 2, 4, 0, shared_memory, true) {}
+  TwoBlocks(const SceneDef& scene, std::size_t shared_memory)
+      : device(scene, test::busy_field(scene), 2, 4, 0, shared_memory) {}
   /// Makes a time step; returns its barriers.
   int advance() {
     device.advance(1, log);
@@ -122,7 +119,7 @@ TEST(DeviceHalo, SparesTheBarriersOfIterationsInTimeStepsThatHaveRoomAndChangesN
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(steps, expected);
-  ApartScene with(scene, fits_shared_memory), at_times(scene, fits_shared_memory);
+  TwoBlocks with(scene, fits_shared_memory), at_times(scene, fits_shared_memory);
   int crowded = 0;
   ASSERT_EQ(scene.numerics.iterations_maximum % 4, 0) << "the last is judged as a fourth one";
   for (int m = 0; m < steps; ++m) {
@@ -135,7 +132,7 @@ TEST(DeviceHalo, SparesTheBarriersOfIterationsInTimeStepsThatHaveRoomAndChangesN
     if (spared > 0) ++crowded;
   }
   EXPECT_GT(crowded, 0);
-  for (const ApartScene* one : {&with, &at_times}) {
+  for (const TwoBlocks* one : {&with, &at_times}) {
     test::expect_same_bodies(one->device.bodies(), cpu->bodies());
     test::expect_same_coupled(one->device, one->log, *cpu, expected);
   }
@@ -150,7 +147,7 @@ TEST(DeviceHalo, RoundsThatFollowChangeNothing) {
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(steps, expected);
-  ApartScene device(scene, fits_shared_memory);
+  TwoBlocks device(scene, fits_shared_memory);
   int most = 0, all = 0, barriers = 0;
   for (int m = 0; m < steps; ++m) barriers += device.advance();
   for (const StepQuality& quality : expected.quality) {
@@ -171,7 +168,7 @@ TEST(DeviceHalo, IsNoneWhereverTheRoomEndsAndChangesNothing) {
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(steps, expected);
-  ApartScene device(scene, fits_shared_memory), with(scene, fits_shared_memory);
+  TwoBlocks device(scene, fits_shared_memory), with(scene, fits_shared_memory);
   int crowded = 0, in_shared_memory = 0;
   for (int m = 0; m < steps; ++m) {
     if (m >= first) device.device.give_space(scarce + std::size_t(m - first) * line);
@@ -208,15 +205,13 @@ TEST_P(DeviceSolvers, LongRowsAndThePlatformByManyThreadsChangeNothing) {
   cpu->advance(steps, expected);
   EXPECT_GT(at_platform(expected), 5);
   const std::size_t all = 1 << 20;
-  for (const auto& [blocks, threads, apart] : {std::tuple{2, 8, false}, {2, 8, true}}) {
-    HostScene device(scene, field, blocks, threads, 0, all, apart);
-    StepLog log;
-    device.advance(steps, log);
-    test::expect_same_bodies(device.bodies(), cpu->bodies());
-    test::expect_same_log(log, expected);
-    test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
-    EXPECT_GT(device.longest_lower_row(), RowNews::stretch);
-  }
+  HostScene device(scene, field, 2, 8, 0, all);
+  StepLog log;
+  device.advance(steps, log);
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  EXPECT_GT(device.longest_lower_row(), RowNews::stretch);
 }
 
 TEST_P(DeviceSolvers, AHorizonFollowsTheLifeOfListsInShortCallsToo) {

@@ -42,25 +42,6 @@ constexpr std::size_t solve_shared_bytes = 200 * 1024;
 /// As many as it has threads. Coupled scenes of more bodies are moved by whole time steps, which all blocks iterate.
 constexpr std::int32_t most_cluster_bodies = largest_cluster * solve_threads;
 
-/// What the clock is read for: work, and in each phase the wait that ends it.
-enum DeviceStage {
-  stage_choose,
-  stage_narrow_phase,
-  stage_resolve,
-  stage_pairs_wait,
-  stage_rows,
-  stage_points,
-  stage_frames,
-  stage_iterations,
-  stage_base,
-  stage_shares,
-  stage_solver_wait,
-  stage_bodies,
-  stage_bodies_wait,
-  stage_list,
-  stage_count
-};
-
 /// What a scene that is moved phase by phase does in the time step that is planned; see device_phases.h.
 enum class PhaseStep : std::int32_t { ended, begins, moves, moves_on_new_list };
 
@@ -77,7 +58,6 @@ struct DeviceStatus {
   std::int32_t samples = 0;                           // in the ring since the call began
   std::int32_t events = 0;                            // the same
   std::int32_t carried = 0;                           // contacts in DeviceScene::carried
-  std::int64_t stage_clocks[stage_count] = {};        // of the first thread, by DeviceStage
   std::int32_t barriers = 0;                          // between blocks, in the call
   std::int32_t rows_needed = 0, platform_needed = 0;  // places in all rows, in the platform's
   DeviceStop stop = DeviceStop::done;

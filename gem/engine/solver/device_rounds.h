@@ -26,13 +26,12 @@ GEM_DEVICE inline float from_ordered_bits(std::uint32_t bits) {
 template <class Group>
 class SolverRounds {
  public:
-  /// All rounds of a time step.
+  /// All rounds of a time step, by blocks with halos.
   GEM_DEVICE static void iterate(const DeviceScene& s, Group& group) {
+    static_assert(Group::has_halos);
     Progress progress = beginning(s);
     each_point(group, [&](std::int32_t i) { Visits::load(s, group, i, true); });
-    group.lap(stage_frames);
     const bool done = run_round(s, group, progress, true);
-    group.lap(stage_iterations);
     finish(s, group, progress, done);
   }
 
@@ -134,7 +133,7 @@ class SolverRounds {
   GEM_DEVICE GEM_INLINE static bool run_round_of(const DeviceScene& s, Group& outer, Progress& state, bool fresh) {
     if constexpr (Group::has_halos)
       if (outer.shared().workspace.has_halo) return run_halo_round_of<law>(s, outer, state, fresh);
-    decltype(auto) group = outer.in_registers();
+    Group group = outer;  // for each thread in its registers
     Progress progress = state;
     const SolverWorkspace& workspace = group.shared().workspace;
     std::uint32_t* const asked = s.counters->asked;
@@ -159,7 +158,6 @@ class SolverRounds {
       next = progress.control.after(progress.residual);
     }
     Visits::save(s, group, workspace, own);
-    outer.returned(group);
     state = progress;
     return next == IterationControl::Next::end;
   }
@@ -169,7 +167,7 @@ class SolverRounds {
   /// the next but one has read the next of all that read this one.
   template <PointFriction law>
   GEM_DEVICE GEM_INLINE static bool run_halo_round_of(const DeviceScene& s, Group& outer, Progress& state, bool fresh) {
-    decltype(auto) group = outer.in_registers();
+    Group group = outer;  // for each thread in its registers
     Progress progress = state;
     const SolverWorkspace& workspace = group.shared().workspace;
     const HaloRecords<Group> records(s, group, workspace);
@@ -212,7 +210,6 @@ class SolverRounds {
     }
     group.barrier();  // no block reads records of this round any more
     Visits::save(s, group, workspace, own);
-    outer.returned(group);
     state = progress;
     return next == IterationControl::Next::end;
   }

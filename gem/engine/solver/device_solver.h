@@ -27,19 +27,16 @@ class StepSolver {
   GEM_DEVICE StepSolver(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_memory)
       : s_(s), group_(group), shared_memory_(shared_memory), step_(step) {}
 
+  /// All of it, by blocks with halos.
   GEM_DEVICE void solve() {
-    begin();
-    if constexpr (Group::has_halos) SolverHalo<Group>(s_, group_, shared_memory_).take_up();
+    SolverList<Group>(s_, group_, step_, shared_memory_).make();
+    begin_points();
+    SolverHalo<Group>(s_, group_, shared_memory_).take_up();
     SolverRounds<Group>::iterate(s_, group_);
     end();
   }
 
-  /// Before the iterations: the list, and a base of what the points carried one time step ago.
-  GEM_DEVICE void begin() {
-    SolverList<Group>(s_, group_, step_, shared_memory_).make();
-    begin_points();
-  }
-  /// The same for iterations in a launch that follows, by as many blocks with `shared_memory`.
+  /// Before the iterations in a launch that follows, by as many blocks with `shared_memory`.
   GEM_DEVICE void begin_coefficients() {
     SolverList<Group>(s_, group_, step_, shared_memory_).make_coefficients();
     begin_points();
@@ -48,18 +45,16 @@ class StepSolver {
   /// After the iterations.
   GEM_DEVICE void end() {
     SolverBase<Group> base(s_, group_);
-    group_.lap(stage_base);
     base.keep_best_share(0.5);
     each_point(group_, [&](std::int32_t i) { hand_back(i); });
     if (s_.wants_samples) base.add_work_created();
-    group_.lap(stage_shares);
   }
 
  private:
+  /// A base of what the points carried a time step ago.
   GEM_DEVICE void begin_points() {
     SolverBase<Group> base(s_, group_);
     group_.barrier();
-    group_.lap(stage_rows);
     each_point(group_, [&](std::int32_t i) { begin_point(i); });
     clear_marks();
     if constexpr (Group::has_halos) SolverHalo<Group>(s_, group_, shared_memory_).make();
@@ -67,7 +62,6 @@ class StepSolver {
     base.settle();
     group_.barrier();
     base.keep_best_share(1.0);
-    group_.lap(stage_points);
   }
 
   GEM_DEVICE void clear_marks() {
@@ -145,21 +139,13 @@ class StepSolver {
   std::int32_t step_;
 };
 
-/// Resolves a coupled time step between the phases of a thread group. Few points are left to one block, whose threads
-/// wait least for each other.
+/// Resolves a coupled time step between the phases of a thread group.
 template <class Group>
 GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Group& group, const Workspace& workspace,
                                        std::int32_t step) {
-  const std::int32_t points = s.counters->points;
-  if (points == 0) return;
-  if (group.blocks() > 1 && points <= group.threads()) {
-    OneBlock<Group> alone(group);
-    if (group.block() == 0) StepSolver<OneBlock<Group>>(s, alone, step, workspace.solver_bytes).solve();
-  } else {
-    StepSolver<Group>(s, group, step, workspace.solver_bytes).solve();
-  }
+  if (s.counters->points == 0) return;
+  StepSolver<Group>(s, group, step, workspace.solver_bytes).solve();
   group.barrier();
-  group.lap(stage_solver_wait);
 }
 
 }  // namespace gem

@@ -43,19 +43,17 @@ class SolverList {
   GEM_DEVICE SolverList(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_memory)
       : s_(s), group_(group), step_(step), shared_memory_(shared_memory) {}
 
-  /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
-  GEM_DEVICE void make() { make(false); }
-
-  /// The same for a launch that follows, of as many blocks with `shared_memory`: this one needs none.
+  /// A list for a launch that follows, of as many blocks with `shared_memory`: this one needs none.
   GEM_DEVICE void make_coefficients() {
-    make(true);
+    make();
     if (group_.thread() == 0) s_.solver_workspace[group_.block()] = group_.shared().workspace;
   }
   /// Takes up a list that was made ahead.
   GEM_DEVICE void take_up() {
     SolverWorkspace workspace = s_.solver_workspace[group_.block()];
-    place_entries(workspace, false);
-    place_points(workspace, false);
+    place_entries(workspace);
+    place_points(workspace);
+    use_room(workspace);
     if (group_.thread() == 0) group_.shared().workspace = workspace;
     if (!workspace.motion) return group_.block_barrier();
     for (std::int32_t e = workspace.own.begin + group_.thread(); e < workspace.own.end; e += group_.threads())
@@ -63,8 +61,8 @@ class SolverList {
     list_in_order(workspace);
   }
 
- private:
-  GEM_DEVICE void make(bool momentum_coefficient) {
+  /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
+  GEM_DEVICE void make() {
     SolverWorkspace workspace{};
     workspace.pace = {static_cast<float>(s_.constants.dt), static_cast<float>(1.0 / s_.constants.dt)};
     const std::int32_t words = bit_words(s_);
@@ -86,7 +84,7 @@ class SolverList {
       if ((bits & bit) && at >= own_.begin && at < own_.end) s_.solver_entry[at].body = s_.body_at[sorted_place];
     }
     group_.block_barrier();
-    place_entries(workspace, momentum_coefficient);
+    place_entries(workspace);
     // the platform, whose sorted place is the first, has a long row: the last warp is left to it
     const bool platform = workspace.platform = own_.begin == 0 && own_.end > 0 && (s_.touched_sorted[0] & 1U);
     const bool alone = group_.threads() <= Group::Warp::size;
@@ -102,7 +100,7 @@ class SolverList {
     group_.block_barrier();
     workspace.points = {shared.first_taken, shared.first_taken + shared.taken};
     workspace.records = records_begin_ + shared.records;
-    place_points(workspace, momentum_coefficient);
+    place_points(workspace);
     if (group_.thread() == 0) shared.workspace = workspace;
     for (std::int32_t e = own_.begin + group_.thread(); e < own_.end; e += group_.threads()) {
       const TakenPoints taken = s_.taken_of[e];
@@ -113,6 +111,7 @@ class SolverList {
     group_.block_barrier();
   }
 
+ private:
   /// Fast memory that motions, records and points may take [bytes].
   GEM_DEVICE std::size_t bytes_before_entries(const SolverWorkspace& workspace) const {
     return workspace.fits ? (shared_memory_ - workspace.own.count() * sizeof(SolverEntry)) / alignof(SolverEntry) *
@@ -120,24 +119,18 @@ class SolverList {
                           : shared_memory_;
   }
 
-  /// Points that no thread keeps in registers stand in what the records have left of the shared memory.
-  GEM_DEVICE void place_points(SolverWorkspace& workspace, bool momentum_coefficient) const {
-    const std::size_t taken = (workspace.records * sizeof(PushRecord) + sizeof(FloatQuad) - 1) / sizeof(FloatQuad) *
-                              sizeof(FloatQuad),
-                      shared_memory = bytes_before_entries(workspace);
+  /// Points that no thread keeps in registers stand in the scene's memory.
+  GEM_DEVICE void place_points(SolverWorkspace& workspace) const {
     const std::int32_t kept = Group::kept_points * group_.threads(),
                        first =
                            workspace.points.begin + (kept < workspace.points.count() ? kept : workspace.points.count());
     workspace.fast = {first, first};
     workspace.fast_from = 0;
-    if (!Group::reads_other_blocks || momentum_coefficient || taken >= shared_memory) return;
-    const auto load = static_cast<std::int32_t>((shared_memory - taken) / loaded_bytes);
-    workspace.fast.end += workspace.points.end - first < load ? workspace.points.end - first : load;
-    workspace.fast_from = taken;
   }
 
-  /// The entries of the block's bodies and what moves these stand in its shared memory where that holds them.
-  GEM_DEVICE void place_entries(SolverWorkspace& workspace, bool momentum_coefficient) {
+  /// Entries and motions stand in the scene's memory; `fits`: the shared memory of those that iterate holds the
+  /// block's.
+  GEM_DEVICE void place_entries(SolverWorkspace& workspace) {
     static_assert(sizeof(AddedMotion) == sizeof(PushRecord));
     const std::int32_t count = workspace.own.count();
     workspace.entry = workspace.moved_entry = s_.solver_entry;
@@ -148,10 +141,24 @@ class SolverList {
                      count * (sizeof(SolverEntry) + sizeof(AddedMotion)) + alignof(SolverEntry) <= shared_memory_;
     records_begin_ = workspace.fits ? count : 0;
     records_end_ = static_cast<std::int32_t>(bytes_before_entries(workspace) / sizeof(PushRecord));
-    if (!workspace.fits || momentum_coefficient) return;
-    workspace.entry = workspace.moved_entry =
-        reinterpret_cast<SolverEntry*>(group_.shared_memory() + bytes_before_entries(workspace)) - workspace.own.begin;
-    workspace.motion = reinterpret_cast<AddedMotion*>(group_.shared_memory()) - workspace.own.begin;
+  }
+
+  /// What fits stands in the block's shared memory; what the records leave of it holds points.
+  GEM_DEVICE void use_room(SolverWorkspace& workspace) const {
+    if (!Group::reads_other_blocks) return;
+    const std::size_t shared_memory = bytes_before_entries(workspace),
+                      taken = (workspace.records * sizeof(PushRecord) + sizeof(FloatQuad) - 1) / sizeof(FloatQuad) *
+                              sizeof(FloatQuad);
+    if (workspace.fits) {
+      workspace.entry = workspace.moved_entry =
+          reinterpret_cast<SolverEntry*>(group_.shared_memory() + shared_memory) - workspace.own.begin;
+      workspace.motion = reinterpret_cast<AddedMotion*>(group_.shared_memory()) - workspace.own.begin;
+    }
+    if (taken >= shared_memory) return;
+    const std::int32_t left = workspace.points.end - workspace.fast.begin;
+    const auto load = static_cast<std::int32_t>((shared_memory - taken) / loaded_bytes);
+    workspace.fast.end += left < load ? left : load;
+    workspace.fast_from = taken;
   }
 
   /// Longest rows first.
@@ -294,7 +301,7 @@ class SolverList {
                           bodies_before[body / 32] + bits_in(below)};
     s_.body_points[body] = {step_, count};
     s_.taken_of[e] = {taken > 0 ? group_.add(&group_.shared().taken, taken) : 0, taken};
-    (workspace.motion ? workspace.motion[e] : s_.added[body]) = {};
+    s_.added[body] = {};
   }
 
   const DeviceScene& s_;

@@ -126,16 +126,18 @@ class SolverVisits {
  private:
   GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, Group& group, std::int32_t place,
                                           std::int32_t shared_memory) {
-    if (Group::reads_other_blocks && shared_memory >= 0)
-      return reinterpret_cast<PushRecord*>(group.shared_memory_of(shared_memory >> 16)) + (shared_memory & 0xffff);
+    if constexpr (Group::reads_other_blocks)
+      if (shared_memory >= 0)
+        return reinterpret_cast<PushRecord*>(group.shared_memory_of(shared_memory >> 16)) + (shared_memory & 0xffff);
     if (place < 0) return nullptr;
     if (Group::has_halos && group.shared().workspace.has_halo)
       return reinterpret_cast<PushRecord*>(reinterpret_cast<NumberedPush*>(s.push_base) + place);
     return s.push + place;
   }
   GEM_DEVICE static const AddedMotion* motion_at(const DeviceScene& s, Group& group, const PointSide& side) {
-    if (Group::reads_other_blocks && side.motion >= 0)
-      return reinterpret_cast<const AddedMotion*>(group.shared_memory_of(side.motion >> 16)) + (side.motion & 0xffff);
+    if constexpr (Group::reads_other_blocks)
+      if (side.motion >= 0)
+        return reinterpret_cast<const AddedMotion*>(group.shared_memory_of(side.motion >> 16)) + (side.motion & 0xffff);
     if (Group::has_halos && group.shared().workspace.has_halo && side.place >= 0)
       return group.shared().workspace.motion + side.motion;
     return s.added + side.body;

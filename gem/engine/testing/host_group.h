@@ -94,6 +94,7 @@ struct TeamHall {
         shared_memory(block_count, std::vector<std::byte>(shared_bytes)) {
     for (int k = 0; k < block_count; ++k) block.push_back(std::make_unique<std::barrier<>>(thread_count));
     const int all_threads = block_count * thread_count;
+    part.resize(std::size_t(all_threads));
     for (int k = 0; k < all_threads / team_lanes; ++k) lane_group.push_back(std::make_unique<GroupHall<team_lanes>>());
     for (int k = 0; k < all_threads / team_warp; ++k) warp.push_back(std::make_unique<GroupHall<team_warp>>());
   }
@@ -105,15 +106,23 @@ struct TeamHall {
   std::vector<std::unique_ptr<GroupHall<team_warp>>> warp;
   std::vector<BlockCell> cell;
   std::vector<std::vector<std::byte>> shared_memory;
+  /// What a thread has of the barrier of all.
+  struct Part {
+    int barriers = 0;
+    std::optional<std::barrier<>::arrival_token> arrived;
+  };
+  std::vector<Part> part;
 };
 
+/// The blocks of a scene that stay with it.
 class HostGroup {
  public:
   using Lanes = TeamLanes<team_lanes>;
   using Wide = Lanes;  // several of a warp
   using Warp = TeamLanes<team_warp>;
   static constexpr int kept_points = 2;
-  static constexpr bool has_halos = false;
+  static constexpr bool reads_other_blocks = false;
+  static constexpr bool has_halos = true;
 
   HostGroup(TeamHall& hall, int block, int thread) : hall_(hall), block_(block), thread_(thread) {}
 
@@ -128,18 +137,30 @@ class HostGroup {
   Warp warp() const {
     return {*hall_.warp[std::size_t(block_ * threads() + thread_) / team_warp], thread_ % team_warp};
   }
-  void barrier() { hall_.all.arrive_and_wait(); }
+  void barrier() {
+    ++part().barriers;
+    hall_.all.arrive_and_wait();
+  }
+  void arrive_asking(std::uint32_t* asked) {
+    block_barrier();
+    if (thread() == 0) {
+      highest(asked, shared().asked);
+      shared().asked = 0;
+    }
+    ++part().barriers;
+    part().arrived.emplace(hall_.all.arrive());
+  }
+  void wait_for_asked(const std::uint32_t* asked) {
+    hall_.all.wait(std::move(*part().arrived));
+    part().arrived.reset();
+    if (thread() == 0) shared().asked_by_all = *asked;
+    block_barrier();  // what each thread has done between the halves comes before, too
+  }
+  int barriers() const { return part().barriers; }
   void block_barrier() { hall_.block[std::size_t(block_)]->arrive_and_wait(); }
   BlockCell& shared() { return hall_.cell[std::size_t(block_)]; }
-  std::byte* shared_memory() { return own_shared_memory(); }
+  std::byte* shared_memory() { return hall_.shared_memory[std::size_t(block_)].data(); }
   std::size_t shared_bytes() const { return hall_.shared_memory[std::size_t(block_)].size(); }
-  std::byte* shared_memory_of(int block) const { return hall_.shared_memory[std::size_t(block)].data(); }
-  static constexpr bool reads_other_blocks = true;
-  void lap(int) const {}
-  void write_laps(std::int64_t*) const {}
-  static int barriers() { return 0; }
-  HostGroup& in_registers() { return *this; }
-  void returned(const HostGroup&) {}
   void raise(std::uint32_t alarms) {
     for (BlockCell& cell : hall_.cell) std::atomic_ref(cell.alarms).fetch_or(alarms);
   }
@@ -148,56 +169,6 @@ class HostGroup {
     if (thread_ == 0) std::atomic_ref(shared().alarms).store(0);
   }
 
-  template <class T>
-  static T add(T* sum, T value) {
-    return std::atomic_ref(*sum).fetch_add(value);
-  }
-  template <class T>
-  static void highest(T* value, T other) {
-    std::atomic_ref<T> now(*value);
-    for (T seen = now.load(); other > seen && !now.compare_exchange_weak(seen, other);) {
-    }
-  }
-  static void set_bit(std::uint32_t* word, std::uint32_t bit) { std::atomic_ref(*word).fetch_or(bit); }
-
- protected:
-  TeamHall& hall() const { return hall_; }
-  std::byte* own_shared_memory() const { return hall_.shared_memory[std::size_t(block_)].data(); }
-
- private:
-  TeamHall& hall_;
-  int block_, thread_;
-};
-
-/// The same where no block reaches another's shared memory.
-class ApartGroup : public HostGroup {
- public:
-  using HostGroup::HostGroup;
-  std::byte* shared_memory_of(int) const { return own_shared_memory(); }
-  void barrier() {
-    ++barriers_;
-    hall().all.arrive_and_wait();
-  }
-  void arrive_asking(std::uint32_t* asked) {
-    block_barrier();
-    if (thread() == 0) {
-      highest(asked, shared().asked);
-      shared().asked = 0;
-    }
-    ++barriers_;
-    arrived_.emplace(hall().all.arrive());
-  }
-  void wait_for_asked(const std::uint32_t* asked) {
-    hall().all.wait(std::move(*arrived_));
-    arrived_.reset();
-    if (thread() == 0) shared().asked_by_all = *asked;
-    block_barrier();  // what each thread has done between the halves comes before, too
-  }
-  int barriers() const { return barriers_; }
-  ApartGroup& in_registers() { return *this; }
-  void returned(const ApartGroup&) {}
-  static constexpr bool reads_other_blocks = false;
-  static constexpr bool has_halos = true;
   /// The number last and first: who reads it has what belongs to it.
   static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
     thread_local unsigned written = 0;
@@ -214,18 +185,35 @@ class ApartGroup : public HostGroup {
   }
   static void pause() { std::this_thread::yield(); }
 
+  template <class T>
+  static T add(T* sum, T value) {
+    return std::atomic_ref(*sum).fetch_add(value);
+  }
+  template <class T>
+  static void highest(T* value, T other) {
+    std::atomic_ref<T> now(*value);
+    for (T seen = now.load(); other > seen && !now.compare_exchange_weak(seen, other);) {
+    }
+  }
+  static void set_bit(std::uint32_t* word, std::uint32_t bit) { std::atomic_ref(*word).fetch_or(bit); }
+
+ protected:
+  TeamHall& hall() const { return hall_; }
+
  private:
-  int barriers_ = 0;
-  std::optional<std::barrier<>::arrival_token> arrived_;
+  TeamHall::Part& part() const { return hall_.part[std::size_t(block_ * threads() + thread_)]; }
+
+  TeamHall& hall_;
+  int block_, thread_;
 };
 
-/// A team that makes one phase: its alarms outlive it.
+/// A team that makes one phase: its alarms outlive it. Its blocks reach each other's shared memory.
 class PhaseTeam : public HostGroup {
  public:
   using HostGroup::HostGroup;
   static constexpr int kept_points = 1;
-  PhaseTeam& in_registers() { return *this; }
-  void returned(const PhaseTeam&) {}
+  static constexpr bool reads_other_blocks = true, has_halos = false;
+  std::byte* shared_memory_of(int block) const { return hall().shared_memory[std::size_t(block)].data(); }
   void raise_in(std::uint32_t& alarms) { alarms_ = &alarms; }
   void raise(std::uint32_t alarms) { std::atomic_ref(*alarms_).fetch_or(alarms); }
 
@@ -234,14 +222,12 @@ class PhaseTeam : public HostGroup {
 };
 
 /// The same without shared memory.
-class ApartPhaseTeam : public PhaseTeam {
+class SettleTeam : public PhaseTeam {
  public:
   using PhaseTeam::PhaseTeam;
   static constexpr int kept_points = 0;
-  std::size_t shared_bytes() const { return 0; }
-  ApartPhaseTeam& in_registers() { return *this; }
-  void returned(const ApartPhaseTeam&) {}
   static constexpr bool reads_other_blocks = false;
+  std::size_t shared_bytes() const { return 0; }
 };
 
 /// Runs work(thread group) on every thread of a team; `threads` is a multiple of team_warp.

@@ -12,6 +12,7 @@
 #include "gem/engine/step/books.h"
 #include "gem/engine/testing/host_group.h"
 #include "gem/engine/testing/same_bits.h"
+#include "gem/engine/testing/solo_crew.h"
 
 namespace gem::test {
 
@@ -19,13 +20,12 @@ namespace gem::test {
 class HostScene {
  public:
   HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0,
-            std::size_t shared_memory = 1 << 20, bool apart = false)
+            std::size_t shared_memory = 1 << 20)
       : field_(make_field_state(bodies, step_constants(scene, bodies))),
         sizes_(scene_sizes(field_)),
         scene_(scene_constants(field_, scene.output.event_speed_m_per_s)),
         threads_(threads),
-        shared_memory_(shared_memory),
-        apart_(apart) {
+        shared_memory_(shared_memory) {
     sizes_.blocks = blocks;
     if (rows > 0) sizes_.rows = rows;
     sizes_.samples = 32;
@@ -111,16 +111,12 @@ class HostScene {
       advance_scene(scene_, group, steps);
       return;
     }
-    const auto move = [&](auto& group) { advance_scene(scene_, group, steps); };
-    if (apart_)
-      run_team<ApartGroup>(sizes_.blocks, threads_, shared_memory_, move);
-    else
-      run_team<HostGroup>(sizes_.blocks, threads_, shared_memory_, move);
+    run_team<HostGroup>(sizes_.blocks, threads_, shared_memory_,
+                        [&](auto& group) { advance_scene(scene_, group, steps); });
   }
 
   void run_phases(std::int32_t steps) {
     alarms_ = 0;
-    const bool coupled = is_coupled(scene_);
     const auto run = [&](DevicePhase phase) {
       if (phase == DevicePhase::open)
         open_call(scene_, steps);
@@ -130,10 +126,8 @@ class HostScene {
         renew_list_if_worn();
       else if (phase == DevicePhase::bodies)
         move_and_plan();
-      else if (coupled)
-        run_resolved<ContactSolver::coupled>(phase);
-      else if (!is_of_solver(phase))
-        run_resolved<ContactSolver::independent>(phase);
+      else if (is_coupled(scene_) || !is_of_solver(phase))
+        run_phase_now(phase);
     };
     for (const DevicePhase phase : first_phases) run(phase);
     for (std::int32_t k = 0; k < steps; ++k)
@@ -144,10 +138,7 @@ class HostScene {
   void move_and_plan() {
     lists_ = false;
     if (!moves(scene_)) return;
-    if (is_coupled(scene_))
-      run_resolved<ContactSolver::coupled>(DevicePhase::bodies);
-    else
-      run_resolved<ContactSolver::independent>(DevicePhase::bodies);
+    run_phase_now(DevicePhase::bodies);
     lists_ = plan_step(scene_, alarms_);
   }
 
@@ -156,24 +147,30 @@ class HostScene {
       run_team<HostGroup>(sizes_.blocks, threads_, shared_memory_, [&](auto& group) { renew_list(scene_, group); });
   }
 
-  template <ContactSolver solver>
-  void run_resolved(DevicePhase phase) {
-    run_if<DevicePhase::begin, solver>(phase);
-    run_if<DevicePhase::choose, solver>(phase);
-    run_if<DevicePhase::candidate, solver>(phase);
-    run_if<DevicePhase::resolve, solver>(phase);
-    run_if<DevicePhase::gather, solver>(phase);
-    run_if<DevicePhase::iterate, solver>(phase);
-    run_if<DevicePhase::settle, solver>(phase);
-    run_if<DevicePhase::bodies, solver>(phase);
-    run_if<DevicePhase::last_work, solver>(phase);
-    run_if<DevicePhase::close, solver>(phase);
+  void run_phase_now(DevicePhase phase) {
+    run_if<DevicePhase::begin>(phase);
+    run_if<DevicePhase::choose>(phase);
+    run_if<DevicePhase::candidate>(phase);
+    run_by_resolution<DevicePhase::resolve>(phase);
+    run_if<DevicePhase::gather>(phase);
+    run_if<DevicePhase::iterate>(phase);
+    run_if<DevicePhase::settle>(phase);
+    run_by_resolution<DevicePhase::bodies>(phase);
+    run_if<DevicePhase::last_work>(phase);
+    run_if<DevicePhase::close>(phase);
+  }
+  template <DevicePhase phase>
+  void run_by_resolution(DevicePhase now) {
+    if (is_coupled(scene_))
+      run_if<phase, ContactSolver::coupled>(now);
+    else
+      run_if<phase>(now);
   }
 
   /// One phase, if it is this one, by a team that ends with it; alarms stay.
-  template <DevicePhase phase, ContactSolver solver>
+  template <DevicePhase phase, ContactSolver solver = ContactSolver::independent>
   void run_if(DevicePhase now) {
-    using Team = std::conditional_t<phase == DevicePhase::settle, ApartPhaseTeam, PhaseTeam>;
+    using Team = std::conditional_t<phase == DevicePhase::settle, SettleTeam, PhaseTeam>;
     if (now == phase)
       run_team<Team>(sizes_.blocks, threads_, is_of_solver(phase) ? solver_shared_memory_ : shared_memory_,
                      [&](Team& group) {
@@ -194,7 +191,7 @@ class HostScene {
   DeviceScene scene_;
   int threads_;
   std::size_t shared_memory_, solver_shared_memory_ = 0;
-  bool apart_, by_phases_ = false;
+  bool by_phases_ = false;
   bool lists_ = false;        // by phases: the next time step needs a new list
   std::uint32_t alarms_ = 0;  // by phases
   std::vector<std::byte> memory_[3];

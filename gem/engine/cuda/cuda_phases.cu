@@ -1,5 +1,5 @@
-// The kernels that make one phase of many scenes; included by the two files that compile them.
-#pragma once
+// The kernels that make one phase of many scenes.
+#include <cooperative_groups.h>
 
 #include <type_traits>
 
@@ -28,6 +28,12 @@ class PhaseGroup : public DeviceGroup {
   GridBarrier* grid_barrier_;
 };
 
+/// All threads of a cluster meet. A warp that had parted comes together first: the barrier counts warps.
+__device__ inline void cluster_barrier() {
+  __syncwarp();
+  asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
+}
+
 /// The blocks of a scene that iterate, a cluster or the first of its blocks alone: they meet, and reach each other's
 /// shared memory.
 class SolveGroup : public DeviceGroup {
@@ -47,8 +53,6 @@ class SolveGroup : public DeviceGroup {
     return block == block_ ? shared_memory_.shared_memory
                            : cluster().map_shared_rank(shared_memory_.shared_memory, block);
   }
-  __device__ SolveGroup in_registers() const { return *this; }
-  __device__ static void returned(const SolveGroup&) {}
 
   __device__ void barrier() const {
     if (alone_)
@@ -70,8 +74,6 @@ class SettleGroup : public SolveGroup {
   using SolveGroup::SolveGroup;
   static constexpr int kept_points = 0;
   static constexpr bool reads_other_blocks = false;
-  __device__ SettleGroup in_registers() const { return *this; }
-  __device__ static void returned(const SettleGroup&) {}
 };
 
 /// Whether a block has anything to do for a scene.
@@ -97,7 +99,7 @@ __device__ inline void plan(const PhaseLaunch& launch, const DeviceScene& scene,
 }
 
 /// The last block of a scene that comes here plans its next time step; the fences show it what the others did.
-__device__ inline void plan_by_last(const PhaseLaunch& launch, const DeviceScene& scene, const PhaseBlock& mine) {
+__device__ inline void plan_by_last(const PhaseLaunch& launch, const DeviceScene& scene, const SceneBlock& mine) {
   __syncthreads();
   if (threadIdx.x != 0 || !moves(scene)) return;
   __threadfence();
@@ -107,19 +109,18 @@ __device__ inline void plan_by_last(const PhaseLaunch& launch, const DeviceScene
   plan(launch, scene, mine.scene);
 }
 
-/// A phase of all scenes, each by its own blocks.
-template <DevicePhase phase, ContactSolver solver, int blocks>
+/// A phase of all scenes, each by its own blocks. Few phases have a kernel for each solver.
+template <DevicePhase phase, int blocks, ContactSolver solver = ContactSolver::independent>
 __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
-  __shared__ StageClock clock;
   extern __shared__ __align__(128) std::byte shared_memory[];
   // lists are made, and none is planned before the bodies move
   if (phase == DevicePhase::choose && blockIdx.x == 0) clear_lists(launch);
-  const PhaseBlock mine = launch.blocks[blockIdx.x];
+  const SceneBlock mine = launch.blocks[blockIdx.x];
   if (!has_work<phase>(launch.scenes[mine.scene], mine.block)) return;
   load_scene(scene, launch.scenes + mine.scene);
-  PhaseGroup group(BlockMemory{cell, clock, shared_memory, launch.shared_bytes, false}, mine.block, mine.blocks,
+  PhaseGroup group(BlockMemory{cell, shared_memory, launch.shared_bytes}, mine.block, mine.blocks,
                    launch.grid_barriers + mine.scene);
   run_phase<phase, solver>(scene, group);
   if (phase == DevicePhase::bodies) plan_by_last(launch, scene, mine);
@@ -130,7 +131,6 @@ template <DevicePhase phase, int blocks>
 __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
-  __shared__ StageClock clock;
   extern __shared__ __align__(128) std::byte shared_memory[];
   const DeviceScene* const from = launch.scenes + blockIdx.x / launch.solve_blocks;
   const int points = from->counters->points;
@@ -141,7 +141,7 @@ __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const 
   using Group = std::conditional_t<phase == DevicePhase::settle, SettleGroup, SolveGroup>;
   std::byte* const own = phase == DevicePhase::iterate ? shared_memory : nullptr;
   const std::size_t bytes = phase == DevicePhase::settle ? 0 : launch.shared_bytes;
-  Group group(BlockMemory{cell, clock, own, bytes, false}, alone || launch.solve_blocks == 1);
+  Group group(BlockMemory{cell, own, bytes}, alone || launch.solve_blocks == 1);
   run_phase<phase, ContactSolver::coupled>(scene, group);
 }
 
@@ -151,14 +151,14 @@ __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const 
 __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
-  __shared__ StageClock clock;
   const int count = launch.queue->count, blocks = static_cast<int>(gridDim.x);
   if (count == 0) return;
   const int share = blocks / min(count, blocks), teams = blocks / share;
   const int team = static_cast<int>(blockIdx.x) / share;
   if (team >= teams) return;
   if (threadIdx.x == 0) cell = {};
-  GridGroup group(BlockMemory{cell, clock, nullptr, 0, false}, share, launch.list_barriers + team);
+  GridGroup group(BlockMemory{cell, nullptr, 0}, static_cast<int>(blockIdx.x) % share, share,
+                  launch.list_barriers + team);
   for (int at = team; at < count; at += teams) {
     __syncthreads();  // before the scene is another one
     load_scene(scene, launch.scenes + launch.queue->scene[at]);
@@ -180,23 +180,30 @@ __global__ void __launch_bounds__(plan_threads) phase_of_scenes(const PhaseLaunc
   }
 }
 
-template <ContactSolver solver>
-PhaseKernel phase_kernel_of(DevicePhase phase) {
+template <DevicePhase phase, int blocks>
+PhaseKernel by_resolution(ContactSolver solver) {
+  return solver == ContactSolver::coupled ? phase_of_all<phase, blocks, ContactSolver::coupled>
+                                          : phase_of_all<phase, blocks, ContactSolver::independent>;
+}
+
+}  // namespace
+
+PhaseKernel phase_kernel(DevicePhase phase, ContactSolver solver) {
   switch (phase) {
     case DevicePhase::open:
       return phase_of_scenes<DevicePhase::open>;
     case DevicePhase::begin:
-      return phase_of_all<DevicePhase::begin, solver, 4>;
+      return phase_of_all<DevicePhase::begin, 4>;
     case DevicePhase::plan:
       return phase_of_scenes<DevicePhase::plan>;
     case DevicePhase::list:
       return phase_of_lists;
     case DevicePhase::choose:
-      return phase_of_all<DevicePhase::choose, solver, 8>;
+      return phase_of_all<DevicePhase::choose, 8>;
     case DevicePhase::candidate:
-      return phase_of_all<DevicePhase::candidate, solver, 5>;
+      return phase_of_all<DevicePhase::candidate, 5>;
     case DevicePhase::resolve:
-      return phase_of_all<DevicePhase::resolve, solver, 5>;
+      return by_resolution<DevicePhase::resolve, 5>(solver);
     case DevicePhase::gather:
       return phase_of_solvers<DevicePhase::gather, 2>;
     case DevicePhase::iterate:
@@ -204,19 +211,13 @@ PhaseKernel phase_kernel_of(DevicePhase phase) {
     case DevicePhase::settle:
       return phase_of_solvers<DevicePhase::settle, 2>;
     case DevicePhase::bodies:
-      return phase_of_all<DevicePhase::bodies, solver, 4>;
+      return by_resolution<DevicePhase::bodies, 4>(solver);
     case DevicePhase::last_work:
-      return phase_of_all<DevicePhase::last_work, solver, 4>;
+      return phase_of_all<DevicePhase::last_work, 4>;
     case DevicePhase::close:
-      return phase_of_all<DevicePhase::close, solver, 4>;
+      return phase_of_all<DevicePhase::close, 4>;
   }
   return nullptr;
 }
 
-PhaseKernel phase_kernel_of(DevicePhase phase, ContactSolver solver) {
-  return solver == ContactSolver::coupled ? phase_kernel_of<ContactSolver::coupled>(phase)
-                                          : phase_kernel_of<ContactSolver::independent>(phase);
-}
-
-}  // namespace
 }  // namespace gem

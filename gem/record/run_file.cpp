@@ -123,6 +123,11 @@ const std::string& RunFile::path() const { return inside_->path; }
 
 std::string RunFile::status() const { return attribute("gem_status"); }
 
+std::string RunFile::solver() const {
+  const std::string solver = attribute("gem_solver");
+  return solver.empty() ? attribute("gem_resolution") : solver;
+}
+
 std::string RunFile::attribute(const std::string& name) const {
   return reading(path(), [&] {
     if (name == "gem_case_toml" && has(name)) {

@@ -119,7 +119,7 @@ TEST_F(Report, SaysWhatWasNotMeasured) {
   write_report(run, out(), false);
   const std::string html = page();
   EXPECT_NE(html.find("complementarity missed by</th><td>not measured</td>"), std::string::npos);
-  EXPECT_NE(html.find("energy given by the contacts of one moment</th><td>3.0e+00 J</td>"), std::string::npos);
+  EXPECT_NE(html.find("energy given by the contacts of one time step</th><td>3.0e+00 J</td>"), std::string::npos);
 }
 
 TEST_F(Report, SaysWhatTheAnalysisSays) {

@@ -47,7 +47,7 @@ struct RunQuality {
   double maximum_share = 0.0, most_share = 0.0;      // the same over the size of the smaller body
   double complementarity = 0.0;                      // [m/s]
   double cone_excess = 0.0;                          // [N s]
-  double energy_created = 0.0;                       // in one moment [J]
+  double energy_created = 0.0;                       // in one time step [J]
   double speed = 0.0;                                // simulated over wall time
 };
 
@@ -63,7 +63,7 @@ struct RunFindings {
 /// Platform records shorter than this have no spectrum and no interval of the mean.
 inline constexpr std::size_t kSamplesForStatistics = 64;
 
-/// A floe that rests against the platform has an event in every moment; only the first one is an impact.
+/// A floe that rests against the platform has an event in every time step; only the first one is an impact.
 inline constexpr double kTouchGap = 1.0;  // [s]
 std::vector<std::size_t> opening_events(const EventRecord& events);
 

@@ -219,7 +219,7 @@ SceneDef with_listed_floes(const SceneDef& scene, std::vector<FloeDef> floes) {
 }
 
 std::vector<std::string> scene_warnings(const SceneDef& scene) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = scene.notes;
   const auto friction = [&](const char* key, double value) {
     if (value >= jamming_friction)
       warnings.push_back(std::string(key) + ": above the Painleve bound of compact floes (value " + number(value) +

@@ -177,8 +177,9 @@ struct SceneDef {
   ContactDef contact;
   NumericsDef numerics;
   OutputDef output;
-  std::vector<FloeDef> floe;    ///< for source = listed
-  std::vector<FixedDef> fixed;  ///< obstacles besides the boundary
+  std::vector<FloeDef> floe;       ///< for source = listed
+  std::vector<FixedDef> fixed;     ///< obstacles besides the boundary
+  std::vector<std::string> notes;  ///< what its file should say otherwise by now; no part of the scene
 };
 
 }  // namespace gem

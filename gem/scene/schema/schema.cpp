@@ -248,6 +248,12 @@ std::string range_text(const Range& range, const std::string& unit) {
   return unit.empty() ? text : text + " " + unit;
 }
 
+const std::vector<RenamedKey>& renamed_keys() {
+  static const std::vector<RenamedKey> keys = {{"numerics", "moment_s", "time_step_s"},
+                                               {"contact", "resolution", "solver"}};
+  return keys;
+}
+
 std::string value_text(const OptionValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return toml_number_text(*number);
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);

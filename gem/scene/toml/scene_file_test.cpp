@@ -168,6 +168,24 @@ TEST(SceneWarnings, TimesThatAreNoWholeTimeStepsAreNamed) {
   EXPECT_TRUE(warned("[run]\nduration_s = 15200.0\n[numerics]\ntime_step_s = 0.1\n").empty());
 }
 
+TEST(OlderKeys, AreReadAndNamedInOneLineEach) {
+  const SceneDef scene =
+      parse_scene("[contact]\nresolution = \"independent\"\n", "old.toml", {"numerics.moment_s=0.1"});
+  EXPECT_EQ(scene.contact.solver, ContactSolver::independent);
+  EXPECT_EQ(scene.numerics.time_step_s, 0.1);
+  EXPECT_EQ(scene_warnings(scene), (std::vector<std::string>{
+                                       "contact.resolution is called contact.solver now; both are read",
+                                       "numerics.moment_s is called numerics.time_step_s now; both are read",
+                                   }));
+}
+
+TEST(OlderKeys, AreLaidOverThoseOfToday) {
+  EXPECT_EQ(parse_scene("[numerics]\nmoment_s = 0.1\n", "old.toml", {"numerics.time_step_s=0.02"}).numerics.time_step_s,
+            0.02);
+  EXPECT_EQ(parse_scene("[numerics]\ntime_step_s = 0.1\n", "new.toml", {"numerics.moment_s=0.02"}).numerics.time_step_s,
+            0.02);
+}
+
 TEST(NearestName, FindsSlipsAndRefusesNonsense) {
   const std::vector<std::string> names = {"platform.mass_kg", "platform.yaw", "mooring.stiffness_N_per_m"};
   EXPECT_EQ(nearest_name("platform.mas", names), "platform.mass_kg");

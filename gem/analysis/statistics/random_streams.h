@@ -10,8 +10,7 @@ namespace gem {
 enum class AnalysisStream : std::uint32_t {
   bootstrap = 1000,
   moving_blocks,
-  permutation,
-  surrogate,
+  surrogate = 1003,
   impulse_times,
   impulse_sizes,
   zero_one,

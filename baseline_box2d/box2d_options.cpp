@@ -9,13 +9,13 @@
 namespace gem::baseline {
 namespace {
 
-constexpr double kMostIterations = 1e6;
-constexpr double kMostSubsteps = 1000.0;
+constexpr int kMostIterations = 1000000;
+constexpr int kMostSubsteps = 1000;
 
 Error fault(const std::string& text, const std::string& reason) {
   std::string keys;
   for (const BaselineSetting& setting : box2d_settings()) keys += (keys.empty() ? "" : ", ") + setting.key;
-  return Error(ExitCode::usage, "box2d has no setting '" + text + "' (" + reason + ") give KEY=VALUE with one of " +
+  return Error(ExitCode::usage, "cannot set '" + text + "' of box2d (" + reason + ") give KEY=VALUE with one of " +
                                     keys + "; switches are 0 or 1");
 }
 
@@ -31,9 +31,9 @@ class Setting {
     value_ = *value;
   }
   const std::string& key() const { return key_; }
-  int count(double least, double most) const {
+  int count(int least, int most) const {
     if (!(value_ >= least && value_ <= most && value_ == std::floor(value_)))
-      throw fault(text_, "no whole number from " + number_text(least) + " to " + number_text(most));
+      throw fault(text_, "no whole number from " + std::to_string(least) + " to " + std::to_string(most));
     return static_cast<int>(value_);
   }
   bool on() const {
@@ -54,15 +54,15 @@ void set(Box2dOptions& options, const std::string& text) {
   const Setting setting(text);
   const std::string& key = setting.key();
   if (key == "velocity_iterations") {
-    options.velocity_iterations = setting.count(1.0, kMostIterations);
+    options.velocity_iterations = setting.count(1, kMostIterations);
   } else if (key == "position_iterations") {
-    options.position_iterations = setting.count(0.0, kMostIterations);
+    options.position_iterations = setting.count(0, kMostIterations);
   } else if (key == "skin_m") {
     options.skin_m = setting.not_negative();
   } else if (key == "measures_quality") {
     options.measures_quality = setting.on();
   } else if (key == "substeps") {
-    options.substeps = setting.count(1.0, kMostSubsteps);
+    options.substeps = setting.count(1, kMostSubsteps);
   } else if (key == "warm_starting") {
     options.warm_starting = setting.on();
   } else if (key == "continuous") {

@@ -7,7 +7,7 @@
 #include "gem/analysis/statistics/correlation.h"
 #include "gem/analysis/statistics/moments.h"
 #include "validation/paper/analysis/chaos/nonlinearity.h"
-#include "validation/paper/analysis/chaos/surrogates.h"
+#include "validation/paper/analysis/chaos/null_test.h"
 #include "validation/paper/analysis/chaos/zero_one.h"
 #include "validation/paper/runs/null_model.h"
 #include "validation/paper/runs/paper_run.h"
@@ -60,13 +60,13 @@ double predictability(std::span<const double> signal) { return prediction_error(
 void add_axis(const std::string& axis, const std::vector<double>& signal, double step, const SignalGenerator& records,
               Numbers& numbers) {
   const auto k = [](std::span<const double> s) { return zero_one_test(s).k; };
-  const SurrogateTest zero_one = test_against(signal, k, records, kRecords);
+  const NullTest zero_one = test_against(signal, k, records, kRecords);
   numbers.add(axis + "_zero_one_k", zero_one.observed);
-  numbers.add(axis + "_zero_one_k_null_median", percentile(zero_one.surrogates, 0.5));
+  numbers.add(axis + "_zero_one_k_null_median", percentile(zero_one.of_null, 0.5));
   numbers.add(axis + "_zero_one_p", zero_one.two_sided());
-  const SurrogateTest prediction = test_against(signal, predictability, records, kRecords);
+  const NullTest prediction = test_against(signal, predictability, records, kRecords);
   numbers.add(axis + "_prediction_error", prediction.observed);
-  numbers.add(axis + "_prediction_error_null_median", percentile(prediction.surrogates, 0.5));
+  numbers.add(axis + "_prediction_error_null_median", percentile(prediction.of_null, 0.5));
   numbers.add(axis + "_prediction_p", prediction.two_sided());
   const auto asymmetry = [](std::span<const double> s) { return time_reversal_asymmetry(s, 1); };
   numbers.add(axis + "_asymmetry_p", test_against(signal, asymmetry, records, kRecords).two_sided());

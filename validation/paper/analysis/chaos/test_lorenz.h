@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <vector>
 
 namespace gem {
 
@@ -14,7 +13,6 @@ class Lorenz {
   /// A state on the attractor; different `start` give different ones.
   explicit Lorenz(double start) : state_{1.0 + start, 1.0, 20.0} { advance(20.0); }
 
-  double x() const { return state_[0]; }
   void disturb(double size) { state_[0] += size; }
   double distance(const Lorenz& other) const {
     return std::hypot(state_[0] - other.state_[0], state_[1] - other.state_[1], state_[2] - other.state_[2]);
@@ -23,14 +21,6 @@ class Lorenz {
   void advance(double time) {
     const auto steps = static_cast<int>(std::lround(time / 0.005));
     for (int i = 0; i < steps; ++i) step(time / steps);
-  }
-  std::vector<double> record(std::size_t count, double interval) {
-    std::vector<double> values(count);
-    for (double& value : values) {
-      advance(interval);
-      value = x();
-    }
-    return values;
   }
 
  private:

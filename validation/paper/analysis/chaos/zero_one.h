@@ -1,7 +1,7 @@
 // The 0-1 test for chaos, correlation version (Gottwald and Melbourne 2009): 0 for regular motion, 1 for chaos.
 //
-// It cannot tell chaos from noise: pair it with surrogates. A record sampled finely looks regular: thin it out to about
-// one sample in a quarter of a period first, and have some thousand samples left.
+// It cannot tell chaos from noise: pair it with records of a null model. A record sampled finely looks regular: thin it
+// out to about one sample in a quarter of a period first, and have some thousand samples left.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Declustering, one law for all runs, and its scatter over runs.
+// One law for all runs, and its scatter over runs.
 #include "validation/paper/analysis/extremes/peaks_over_threshold.h"
 
 #include <algorithm>
@@ -33,22 +33,6 @@ std::size_t count_above(std::span<const RunPeaks> runs, double threshold) {
 }
 
 }  // namespace
-
-std::vector<double> cluster_peaks(std::span<const double> signal, double interval_s, double threshold,
-                                  double separation_s) {
-  std::vector<double> peaks;
-  double last = 0.0;
-  for (std::size_t i = 0; i < signal.size(); ++i) {
-    if (!(signal[i] > threshold)) continue;
-    const double time = static_cast<double>(i) * interval_s;
-    if (peaks.empty() || time - last >= separation_s)
-      peaks.push_back(signal[i]);
-    else
-      peaks.back() = std::max(peaks.back(), signal[i]);
-    last = time;
-  }
-  return peaks;
-}
 
 double ThresholdModel::quantile(double p, double duration) const {
   // Peaks come as a Poisson process: P(none above x) = exp(-rate duration P(peak above x)).

@@ -1,4 +1,4 @@
-// Extremes by peaks over a threshold: clusters, the Pareto law of their peaks, and return values with intervals.
+// Extremes by peaks over a threshold: the Pareto law of the peaks, and return values with intervals.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,7 @@
 
 namespace gem {
 
-/// Largest value of each cluster above the threshold. Exceedances closer than `separation_s` belong to one cluster;
-/// take at least one natural period, so that the peaks are independent.
-std::vector<double> cluster_peaks(std::span<const double> signal, double interval_s, double threshold,
-                                  double separation_s);
-
-/// The cluster peaks of one run and how long it lasted.
+/// The peaks of one run, far enough apart to be independent, and how long it lasted.
 struct RunPeaks {
   std::vector<double> peaks;
   double duration = 0.0;  // [s]

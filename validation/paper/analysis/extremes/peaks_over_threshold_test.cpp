@@ -1,4 +1,4 @@
-// Clusters by hand, and return values of processes whose extremes are known.
+// Return values of processes whose extremes are known.
 #include "validation/paper/analysis/extremes/peaks_over_threshold.h"
 
 #include <gtest/gtest.h>
@@ -10,15 +10,6 @@
 
 namespace gem {
 namespace {
-
-TEST(ClusterPeaks, ByHand) {
-  const std::vector<double> signal = {0, 3, 0, 4, 0, 0, 0, 5, 2, 0, 0, 0, 1, 0};
-  // At 0.5 s a sample: 3 and 4 are 1 s apart, 4 and 5 are 2 s, 2 and the end too low.
-  EXPECT_EQ(cluster_peaks(signal, 0.5, 1.0, 1.5), (std::vector<double>{4.0, 5.0}));
-  EXPECT_EQ(cluster_peaks(signal, 0.5, 1.0, 0.6), (std::vector<double>{3.0, 4.0, 5.0}));
-  EXPECT_EQ(cluster_peaks(signal, 0.5, 1.0, 2.5), (std::vector<double>{5.0}));
-  EXPECT_TRUE(cluster_peaks(signal, 0.5, 9.0, 1.0).empty());
-}
 
 /// Runs with independent peaks every 100 s: `offset` plus a Pareto excess.
 std::vector<RunPeaks> pareto_runs(const Pareto& law, std::size_t runs, std::uint64_t seed) {

@@ -7,7 +7,7 @@
 #include "gem/analysis/statistics/correlation.h"
 #include "gem/analysis/statistics/moments.h"
 #include "validation/paper/analysis/chaos/nonlinearity.h"
-#include "validation/paper/analysis/chaos/null_test.h"
+#include "validation/paper/analysis/chaos/null_hypothesis.h"
 #include "validation/paper/analysis/chaos/zero_one.h"
 #include "validation/paper/runs/null_model.h"
 #include "validation/paper/runs/paper_run.h"

@@ -1,5 +1,5 @@
 // Counting ranks.
-#include "validation/paper/analysis/chaos/null_test.h"
+#include "validation/paper/analysis/chaos/null_hypothesis.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // The test rejects chaos and passes records of its own hypothesis as often as it says.
-#include "validation/paper/analysis/chaos/null_test.h"
+#include "validation/paper/analysis/chaos/null_hypothesis.h"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@ BEGIN {
   confined["hdf5"] = "^(hdf5|H5)"
   home["hdf5"] = "^gem/record/"
   confined["gsl"] = "^gsl/"
-  home["gsl"] = "^gem/analysis/"
+  home["gsl"] = "^(gem|validation/paper)/analysis/"
   confined["eigen"] = "^(Eigen|eigen3)/"
   home["eigen"] = "^gem/analysis/"
   confined["box2d"] = "^box2d/"

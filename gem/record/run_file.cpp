@@ -108,7 +108,7 @@ RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::
   const std::string version = attribute("gem_schema");
   if (version.empty())
     refuse(path, "no gem_schema attribute: not a run file",
-           "name a file that `gem run` wrote (a summary of `gem sweep collect` is for xarray and `gem paper`)");
+           "name a file that `gem run` wrote (a summary of `gem sweep collect` is for xarray)");
   if (version != schema_version)
     refuse(path, "schema " + version + ", this program reads " + schema_version, "use a matching gem");
   if (!allow_incomplete && status() != "complete") {

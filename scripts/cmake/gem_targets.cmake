@@ -79,13 +79,22 @@ gem_sources(baseline_sources baseline_box2d)
 if(TARGET box2d::box2d)
   list(FILTER baseline_sources EXCLUDE REGEX "/without_box2d\\.cpp$")
 else()
-  list(FILTER baseline_sources INCLUDE REGEX "/without_box2d\\.cpp$")
+  list(FILTER baseline_sources INCLUDE REGEX "/(without_box2d|box2d_options)\\.cpp$")
 endif()
 add_library(gem_baseline STATIC ${baseline_sources})
 target_link_libraries(gem_baseline PUBLIC gem_simulator $<TARGET_NAME_IF_EXISTS:box2d::box2d>)
 
 add_executable(gem gem/main.cpp)
-target_link_libraries(gem PRIVATE gem_command gem_baseline CLI11::CLI11 nlohmann_json::nlohmann_json)
+target_link_libraries(gem PRIVATE gem_command gem_baseline CLI11::CLI11)
+
+# The judge of the reference paper, a program of its own; experiments/ has the programs that make its rows.
+gem_sources(paper_sources validation/paper)
+list(FILTER paper_sources EXCLUDE REGEX "/validation/paper/(experiments/.*|gem_paper)\\.cpp$")
+add_library(gem_paper_judge STATIC ${paper_sources})
+target_link_libraries(gem_paper_judge PUBLIC gem_analysis
+  PRIVATE GSL::gsl GSL::gslcblas nlohmann_json::nlohmann_json)
+add_executable(gem_paper validation/paper/gem_paper.cpp)
+target_link_libraries(gem_paper PRIVATE gem_paper_judge gem_command CLI11::CLI11)
 
 # Needs no benchmark library: it is carried to the machine that has the GPU.
 if(GEM_HAS_CUDA)

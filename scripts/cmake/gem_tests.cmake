@@ -24,8 +24,13 @@ if(TARGET box2d::box2d)
   gem_test_program(gem_baseline_tests unit ${baseline_tests})
 endif()
 
-set(repeats ${PROJECT_SOURCE_DIR}/validation/paper/unordered_engine)
-gem_test_program(gem_repeats_tests unit ${repeats}_test.cpp ${repeats}.cpp)
+# The judge of the paper, and the engine of the repeats whose rows it reads.
+file(GLOB_RECURSE paper_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/paper/*_test.cpp)
+gem_test_program(gem_paper_tests unit ${paper_tests}
+  ${PROJECT_SOURCE_DIR}/validation/paper/experiments/unordered_engine.cpp)
+target_link_libraries(gem_paper_tests PRIVATE gem_paper_judge)
+target_compile_definitions(gem_paper_tests PRIVATE GEM_PAPER_PROGRAM="$<TARGET_FILE:gem_paper>")
+add_dependencies(gem_paper_tests gem_paper)
 
 # Clipper judges the overlap of outlines; without it that test is skipped with its reason.
 find_path(POLYCLIPPING_INCLUDE_DIR polyclipping/clipper.hpp)

@@ -18,7 +18,7 @@
 namespace gem::baseline {
 namespace {
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool box2d_registered = [] {
   if (baseline_names().empty()) register_box2d();
   return true;
 }();

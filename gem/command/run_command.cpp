@@ -35,11 +35,6 @@ struct RunChoice {
 
 std::string threads_text(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
 
-bool is_baseline(const std::string& engine) {
-  const std::vector<std::string> names = baseline_names();
-  return std::find(names.begin(), names.end(), engine) != names.end();
-}
-
 /// What the chosen engine would not look at is refused, not ignored.
 void check_engine_options(const RunChoice& choice) {
   const std::string& engine = choice.engine.name;

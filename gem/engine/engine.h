@@ -162,4 +162,7 @@ std::vector<std::string> baseline_names();
 /// The settings of all registered baselines.
 std::vector<BaselineSetting> baseline_settings();
 
+/// Whether `engine` is one of baseline_names().
+bool is_baseline(const std::string& engine);
+
 }  // namespace gem

@@ -68,6 +68,12 @@ std::vector<BaselineSetting> baseline_settings() {
   return settings;
 }
 
+bool is_baseline(const std::string& engine) {
+  for (const Baseline& baseline : baselines())
+    if (baseline.name == engine) return true;
+  return false;
+}
+
 std::uint64_t Engine::state_hash() { return hash_of(moment(), bodies()); }
 
 std::uint64_t hash_of(std::int64_t moment, const Bodies& b) {

@@ -29,12 +29,6 @@ target_link_libraries(unordered_sums PRIVATE gem_analysis)
 add_executable(ice_distances ${PROJECT_SOURCE_DIR}/validation/paper/experiments/ice_distances.cpp)
 target_link_libraries(ice_distances PRIVATE gem_simulator)
 
-# The study behind the choice of the coupled resolution: validation/solver_study.md.
-file(GLOB study_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/solver_study/*.cpp)
-list(FILTER study_sources EXCLUDE REGEX "_study\\.cpp$")
-add_library(gem_solver_study STATIC EXCLUDE_FROM_ALL ${study_sources})
-target_link_libraries(gem_solver_study PUBLIC gem_simulator)
-foreach(study IN ITEMS frozen_study moving_study law_study)
-  add_executable(${study} EXCLUDE_FROM_ALL bench/solver_study/${study}.cpp)
-  target_link_libraries(${study} PRIVATE gem_solver_study)
-endforeach()
+# The error in time of each law: validation/moment_study.md.
+add_executable(law_study EXCLUDE_FROM_ALL bench/law_study.cpp)
+target_link_libraries(law_study PRIVATE gem_simulator)

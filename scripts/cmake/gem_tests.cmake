@@ -3,9 +3,21 @@ find_package(GTest REQUIRED)
 include(GoogleTest)
 include(gem_rules)
 
-# gem_test_program(NAME LABEL SOURCES...): one executable; tests whose name starts with Long carry the label `long` instead.
+# gem_test_program(NAME LABEL SOURCES...): one executable; the files of a folder compile together as in gem_cold. Tests whose name
+# starts with Long carry the label `long` instead.
 function(gem_test_program name label)
   add_executable(${name} ${ARGN})
+  set(folders)
+  foreach(source IN LISTS ARGN)
+    cmake_path(GET source PARENT_PATH folder)
+    file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
+    if(NOT folder MATCHES "^gem/engine/")
+      string(REGEX REPLACE "^(gem/[^/]+)/.*" "\\1" folder ${folder})
+    endif()
+    list(APPEND folders ${folder})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  gem_cold(${name} ${folders})
   target_link_libraries(${name} PRIVATE gem_command gem_baseline GTest::gtest_main nlohmann_json::nlohmann_json)
   target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     GEM_PROGRAM="$<TARGET_FILE:gem>")
@@ -13,6 +25,11 @@ function(gem_test_program name label)
   gtest_discover_tests(${name} TEST_FILTER "-Long*:*/Long*" PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
   gtest_discover_tests(${name} TEST_FILTER "Long*:*/Long*" PROPERTIES LABELS long TIMEOUT 14400 DISCOVERY_TIMEOUT 60)
 endfunction()
+
+# Names without linkage of these files are also those of others in their folder.
+foreach(file IN ITEMS verification/platform_test verification/crushing_test verification/row_test hard/contact_residuals)
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/validation/${file}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endforeach()
 
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
 gem_test_program(gem_unit_tests unit ${unit_tests})

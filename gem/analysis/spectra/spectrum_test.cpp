@@ -21,7 +21,7 @@ double dot_product(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-std::vector<double> white_noise(std::size_t count, double deviation, unsigned seed) {
+std::vector<double> normal_noise(std::size_t count, double deviation, unsigned seed) {
   std::mt19937_64 bits(seed);
   std::normal_distribution<double> normal(0.0, deviation);
   std::vector<double> noise(count);
@@ -65,7 +65,7 @@ TEST(SlepianTapers, SolveTheConcentrationProblem) {
 
 // Parseval: with unit-energy windows the density integrates to the energy of the windowed signal, exactly.
 TEST(Multitaper, IntegratesToTheWindowedEnergy) {
-  const std::vector<double> noise = white_noise(1000, 1.0, 7);
+  const std::vector<double> noise = normal_noise(1000, 1.0, 7);
   const double mean = std::accumulate(noise.begin(), noise.end(), 0.0) / 1000.0;
   const auto tapers = slepian_tapers(1000, 2.5, 4);
   double energy = 0.0;
@@ -78,7 +78,7 @@ TEST(Multitaper, IntegratesToTheWindowedEnergy) {
 
 TEST(Multitaper, GivesTheLevelOfWhiteNoise) {
   const double interval = 0.5;
-  const Spectrum spectrum = mean_spectrum(eigenspectra(white_noise(16384, 3.0, 11), interval));
+  const Spectrum spectrum = mean_spectrum(eigenspectra(normal_noise(16384, 3.0, 11), interval));
   // One-sided level 2 sigma^2 dt; the mean over 16384 / 2 independent bins has a relative deviation of about 1 %.
   double level = 0.0;
   for (const double value : spectrum.density) level += value / static_cast<double>(spectrum.density.size());
@@ -88,7 +88,7 @@ TEST(Multitaper, GivesTheLevelOfWhiteNoise) {
 TEST(SpectralPeriod, FindsALineInNoise) {
   // 2 h at 1 Hz as strong as the noise: the period of a 1e5 t platform on 500 kN/m.
   const double period = 88.8577;
-  std::vector<double> signal = white_noise(7200, 1.0, 5);
+  std::vector<double> signal = normal_noise(7200, 1.0, 5);
   for (std::size_t i = 0; i < signal.size(); ++i) signal[i] += std::sin(kTurn * static_cast<double>(i) / period + 0.3);
   const auto estimate = spectral_period(eigenspectra(signal, 1.0));
   ASSERT_TRUE(estimate.has_value());

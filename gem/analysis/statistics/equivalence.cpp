@@ -18,7 +18,7 @@ double squared_error(std::span<const double> values, const Moments& about) {
   return about.deviation * about.deviation / (static_cast<double>(values.size()) - 1.0);
 }
 
-std::vector<std::size_t> ascending(std::span<const double> p) {
+std::vector<std::size_t> ascending_p(std::span<const double> p) {
   std::vector<std::size_t> order(p.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
@@ -51,7 +51,7 @@ std::vector<double> holm(std::span<const double> p) {
   std::vector<double> adjusted(p.size());
   double largest = 0.0;
   std::size_t rank = 0;
-  for (const std::size_t i : ascending(p)) {
+  for (const std::size_t i : ascending_p(p)) {
     largest = std::max(largest, std::min(1.0, p[i] * static_cast<double>(p.size() - rank++)));
     adjusted[i] = largest;
   }

@@ -13,7 +13,7 @@ namespace gem {
 namespace {
 
 // Quiet axes, a light grid, viridis; ls 1-4 are the colours of lines on white.
-constexpr const char* kStyle = R"(set encoding utf8
+constexpr const char* kPlotStyle = R"(set encoding utf8
 set datafile separator ','
 set datafile columnheaders
 set key noautotitle
@@ -121,7 +121,7 @@ Figure PlotFolder::draw(Figure figure, PlotSize size, const std::string& command
          << "set terminal svg size " << size.width << ',' << size.height
          << " dynamic noenhanced font 'sans-serif,14' background '#ffffff'\n"
          << "set output " << quoted(figure.name + ".svg") << '\n'
-         << kStyle << "set label 99 " << quoted(stamp_)
+         << kPlotStyle << "set label 99 " << quoted(stamp_)
          << " at screen 0.995, graph 1.0 right offset 0,0.9 font ',9' textcolor rgb '#9aa0a8' noenhanced front\n"
          << commands;
   write(figure.name + ".gp", script.str());

@@ -1,8 +1,9 @@
 // Run 1 beside itself with one floe moved by a hair: how far the ice of the two is apart, over time.
 //
 // Usage: ice_distances CASE SECONDS THREADS DISTANCES.csv
-//   DISTANCES  one row per 2 s, one column per pair "contacts:moved:seed": root mean square over the floes that are
-//   left in
+//   The rows in validation/paper: cases/004_400_25.toml 1800 2 validation/paper/ice_distances.csv;
+//   scripts/paper_report.sh reads them. DISTANCES  one row per 2 s, one column per pair "contacts:moved:seed": root
+//   mean square over the floes that are left in
 //              both of the distance between their places [m]; the last row names the commit
 #include <atomic>
 #include <cmath>
@@ -103,8 +104,7 @@ std::string distances_text(const std::vector<Planned>& plans, const std::vector<
 
 int run(const std::vector<std::string>& arguments) {
   if (arguments.size() != 4)
-    throw Error(ExitCode::usage,
-                "wrong arguments (not CASE SECONDS THREADS DISTANCES.csv) see scripts/ice_distances.sh");
+    throw Error(ExitCode::usage, "wrong arguments (not CASE SECONDS THREADS DISTANCES.csv) give these four");
   const double seconds = study::positive(arguments[1]), threads = study::positive(arguments[2]);
   std::vector<Planned> plans;
   for (const char* contacts : {"coupled", "independent"})

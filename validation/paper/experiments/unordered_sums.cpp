@@ -2,6 +2,8 @@
 // floe moved by a hair: how far their platforms are apart, and how large what parts them is in a moment.
 //
 // Usage: unordered_sums CASE SECONDS THREADS RUNS.csv DISTANCES.csv
+//   The rows in validation/paper: cases/004_400_25.toml 7200 2 and unordered_runs.csv, unordered_distances.csv there;
+//   took 26 minutes on two cores busy with other work. scripts/paper_report.sh reads them.
 //   RUNS       one row per run: settings, state hash, swing, what its sums in single precision missed (SumStatistics)
 //   DISTANCES  one row per 2 s, one column per pair "contacts:sums:run-run" (run 0: sums in double precision, in
 //              order): distance of the platforms in place and in velocity over the natural frequency [m]
@@ -166,9 +168,7 @@ std::string distances_text(const std::vector<Planned>& runs, const std::vector<D
 
 int run(const std::vector<std::string>& arguments) {
   if (arguments.size() != 5)
-    throw Error(ExitCode::usage,
-                "wrong arguments (not CASE SECONDS THREADS RUNS.csv DISTANCES.csv) see "
-                "scripts/unordered_sums.sh");
+    throw Error(ExitCode::usage, "wrong arguments (not CASE SECONDS THREADS RUNS.csv DISTANCES.csv) give these five");
   const double seconds = study::positive(arguments[1]), threads = study::positive(arguments[2]);
   const std::vector<Planned> runs = plan();
   for (const Planned& one : runs) scene_of(one, arguments[0]);  // a fault in the case shows here, not on a thread

@@ -156,7 +156,7 @@ std::string divergence_text(const Reproduction& result) {
 
 std::string ice_text(const IceStudy& study) {
   std::string text = "## How fast the ice parts\n\n";
-  if (study.of_contacts.empty()) return text + "Needs the rows of `scripts/ice_distances.sh`.\n\n";
+  if (study.of_contacts.empty()) return text + "Needs the rows of `build/ice_distances`.\n\n";
   text +=
       "The same question asked of the ice: root mean square over all floes of the distance between their places in two "
       "runs that differ by the place of one floe; parted where it is " +

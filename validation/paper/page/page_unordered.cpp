@@ -98,7 +98,7 @@ std::string sums_table(const UnorderedStudy& study) {
 
 std::string unordered_text(const UnorderedStudy& study) {
   std::string text = "## What sums in no fixed order do\n\n";
-  if (study.runs.empty()) return text + "Needs the rows of `scripts/unordered_sums.sh`.\n\n";
+  if (study.runs.empty()) return text + "Needs the rows of `build/unordered_sums`.\n\n";
   text +=
       "Run 1 repeated with a variant of the `cpu` engine in which what the contacts push a body is added up in single "
       "precision in an order drawn anew for every body and moment, as by atomic additions; laws, stages and all else "

@@ -11,7 +11,7 @@ struct PaperReportSummary {
 };
 
 /// Reads every run file and summary of `runs` (folders or files), judges the statements of `statements`
-/// (validation/paper/paper.json), beside which the rows of scripts/unordered_sums.sh and scripts/ice_distances.sh may
+/// (validation/paper/paper.json), beside which the rows of build/unordered_sums and build/ice_distances may
 /// lie, and writes OUT/README.md, OUT/rows.csv and OUT/figures, whose pictures, scripts and numbers of an earlier
 /// report it removes. Any subset of the runs will do; the page says what is missing. Throws Error(file_system) if not
 /// one run could be read, before anything is removed, if something else cannot be read or written, or gnuplot is

@@ -26,7 +26,7 @@ IceStudy read_ice_study(const std::filesystem::path& folder) {
   IceStudy study;
   const auto path = folder / "ice_distances.csv";
   if (!std::filesystem::exists(path)) return study;
-  RowFile rows(path, "scripts/ice_distances.sh");
+  RowFile rows(path, "build/ice_distances");
   std::vector<std::string> f;
   rows.next(f);
   std::vector<Column> columns;

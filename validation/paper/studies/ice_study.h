@@ -1,4 +1,4 @@
-// How fast the ice of two runs parts that differ by the place of one floe (scripts/ice_distances.sh).
+// How fast the ice of two runs parts that differ by the place of one floe (build/ice_distances).
 #pragma once
 
 #include <filesystem>

@@ -8,7 +8,7 @@ namespace gem {
 namespace {
 
 constexpr std::size_t kRunFields = 15;
-constexpr const char* kMaker = "scripts/unordered_sums.sh";
+constexpr const char* kMaker = "build/unordered_sums";
 
 std::vector<UnorderedRun> read_runs(const std::filesystem::path& path) {
   RowFile rows(path, kMaker);

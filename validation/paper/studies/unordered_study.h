@@ -1,4 +1,4 @@
-// Repeats of run 1 whose sums are taken in single precision in no fixed order (scripts/unordered_sums.sh): when they
+// Repeats of run 1 whose sums are taken in single precision in no fixed order (build/unordered_sums): when they
 // part, how fast, and how large what parts them is in a moment.
 #pragma once
 

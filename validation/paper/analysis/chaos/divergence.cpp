@@ -12,7 +12,7 @@
 namespace gem {
 namespace {
 
-constexpr std::size_t kFewestSamples = 6;
+constexpr std::size_t kFewestStretchSamples = 6;
 
 using Logs = std::vector<std::vector<double>>;
 
@@ -67,7 +67,7 @@ std::vector<double> mean_log_distance(const std::vector<std::vector<double>>& pa
 std::optional<GrowthRate> growth_rate(const std::vector<std::vector<double>>& pairs, double interval_s, double low,
                                       double high, const Resampling& resampling) {
   const Stretch stretch = growing_stretch(mean_log_distance(pairs), low, high);
-  if (stretch.end < stretch.begin + kFewestSamples) return std::nullopt;
+  if (stretch.end < stretch.begin + kFewestStretchSamples) return std::nullopt;
   const std::size_t middle = (stretch.begin + stretch.end) / 2;
   const Logs logs = logs_of(pairs);
   const std::vector<IntervalEstimate> slopes = bootstrap_together(

@@ -72,18 +72,18 @@ Fitted fit_for(const TailPoints& points, double b, double c) {
 }
 
 /// The search runs over the gap between b and the lowest level, in units of the range of levels, and over c.
-struct Search {
+struct RateSearch {
   const TailPoints& points;
   double lowest, range;
 
   Fitted at(double log_gap, double c) const { return fit_for(points, lowest - range * std::exp(log_gap), c); }
   static double misfit(const gsl_vector* at, void* search) {
-    const double value = static_cast<Search*>(search)->at(gsl_vector_get(at, 0), gsl_vector_get(at, 1)).misfit;
+    const double value = static_cast<RateSearch*>(search)->at(gsl_vector_get(at, 0), gsl_vector_get(at, 1)).misfit;
     return std::isfinite(value) ? value : 1e30;
   }
 };
 
-Fitted search_from(Search& search, double log_gap, double c) {
+Fitted search_from(RateSearch& search, double log_gap, double c) {
   struct Free {
     void operator()(gsl_multimin_fminimizer* minimizer) const { gsl_multimin_fminimizer_free(minimizer); }
   };
@@ -93,7 +93,7 @@ Fitted search_from(Search& search, double log_gap, double c) {
   const gsl_vector_view by = gsl_vector_view_array(step.data(), 2);
   const std::unique_ptr<gsl_multimin_fminimizer, Free> minimizer(
       gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, 2));
-  gsl_multimin_function function = {&Search::misfit, 2, &search};
+  gsl_multimin_function function = {&RateSearch::misfit, 2, &search};
   gsl_multimin_fminimizer_set(minimizer.get(), &function, &from.vector, &by.vector);
   for (int pass = 0; pass < 200; ++pass)
     if (gsl_multimin_fminimizer_iterate(minimizer.get()) != 0 || gsl_multimin_fminimizer_size(minimizer.get()) < 1e-4)
@@ -154,7 +154,7 @@ double AcerTail::quantile(double p, double peaks) const {
 std::optional<AcerTail> fit_acer_tail(const AcerCurve& curve, double tail_start) {
   const TailPoints points = tail_points(curve, tail_start);
   if (points.level.size() < 4) return std::nullopt;
-  Search search{points, points.level.front(), points.level.back() - points.level.front()};
+  RateSearch search{points, points.level.front(), points.level.back() - points.level.front()};
   // Several starts: the misfit is a narrow curved valley in b and c.
   Fitted best;
   for (const double c : {1.0, 2.0, 3.0}) {

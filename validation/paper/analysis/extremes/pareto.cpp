@@ -30,12 +30,12 @@ double likelihood(std::span<const double> excesses, double ratio, double mean) {
   return -std::log(shape / ratio) - shape - 1.0;
 }
 
-struct Search {
+struct RatioSearch {
   std::span<const double> excesses;
   double mean;
 
   static double misfit(double ratio, void* search) {
-    const auto* self = static_cast<Search*>(search);
+    const auto* self = static_cast<RatioSearch*>(search);
     // The minimiser wants finite numbers.
     return std::min(1e30, -likelihood(self->excesses, ratio, self->mean));
   }
@@ -43,17 +43,17 @@ struct Search {
 
 /// The ratio of the largest likelihood between low and high, by Brent's method from `middle`, or the best of the three
 /// if the largest is not between them.
-double most_likely_ratio(Search& search, double low, double middle, double high) {
-  const double at_low = Search::misfit(low, &search);
-  const double at_middle = Search::misfit(middle, &search);
-  const double at_high = Search::misfit(high, &search);
+double most_likely_ratio(RatioSearch& search, double low, double middle, double high) {
+  const double at_low = RatioSearch::misfit(low, &search);
+  const double at_middle = RatioSearch::misfit(middle, &search);
+  const double at_high = RatioSearch::misfit(high, &search);
   if (!(at_middle < at_low)) return at_low < at_high ? low : high;
   if (!(at_middle < at_high)) return high;
   struct Free {
     void operator()(gsl_min_fminimizer* minimizer) const { gsl_min_fminimizer_free(minimizer); }
   };
   const std::unique_ptr<gsl_min_fminimizer, Free> minimizer(gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent));
-  gsl_function function = {&Search::misfit, &search};
+  gsl_function function = {&RatioSearch::misfit, &search};
   gsl_min_fminimizer_set_with_values(minimizer.get(), &function, middle, at_middle, low, at_low, high, at_high);
   for (int pass = 0; pass < 100; ++pass) {
     if (gsl_min_fminimizer_iterate(minimizer.get()) != 0) break;
@@ -90,12 +90,12 @@ Pareto fit_pareto(std::span<const double> excesses) {
     throw std::invalid_argument("a Pareto law needs ten positive excesses");
   const double largest = *std::max_element(excesses.begin(), excesses.end());
   const double mean = std::accumulate(excesses.begin(), excesses.end(), 0.0) / static_cast<double>(excesses.size());
-  Search search{excesses, mean};
+  RatioSearch search{excesses, mean};
   // A coarse search first, because the likelihood may have several humps.
   const std::vector<double> ratios = coarse_ratios(largest, mean);
   std::size_t best = 1;
   for (std::size_t i = 1; i + 1 < ratios.size(); ++i)
-    if (Search::misfit(ratios[i], &search) < Search::misfit(ratios[best], &search)) best = i;
+    if (RatioSearch::misfit(ratios[i], &search) < RatioSearch::misfit(ratios[best], &search)) best = i;
   const double ratio = most_likely_ratio(search, ratios[best - 1], ratios[best], ratios[best + 1]);
   if (std::abs(ratio) * mean < 1e-9) return {0.0, mean};
   const double shape = shape_for(excesses, ratio);

@@ -12,7 +12,7 @@
 namespace gem {
 namespace {
 
-std::vector<double> sample(const Pareto& law, std::size_t count, std::uint64_t seed) {
+std::vector<double> pareto_sample(const Pareto& law, std::size_t count, std::uint64_t seed) {
   RandomSequence random = test_random(seed);
   std::vector<double> excesses(count);
   for (double& excess : excesses) excess = law.excess_at(random.uniform());
@@ -30,7 +30,7 @@ TEST(Pareto, QuantilesInvertTheLaw) {
 // Large samples: var(shape) = (1 + shape)^2 / n, var(scale) = 2 scale^2 (1 + shape) / n. Four deviations at n = 4000.
 TEST(Pareto, FitFindsTheParameters) {
   for (const double shape : {-0.3, 0.0, 0.3}) {
-    const Pareto fit = fit_pareto(sample({shape, 2.0}, 4000, 7));
+    const Pareto fit = fit_pareto(pareto_sample({shape, 2.0}, 4000, 7));
     EXPECT_NEAR(fit.shape, shape, 4.0 * (1.0 + shape) / std::sqrt(4000.0));
     EXPECT_NEAR(fit.scale, 2.0, 4.0 * 2.0 * std::sqrt(2.0 * (1.0 + shape) / 4000.0));
   }
@@ -38,7 +38,7 @@ TEST(Pareto, FitFindsTheParameters) {
 
 // At the largest likelihood its slope is zero in both parameters: compare with neighbours.
 TEST(Pareto, FitIsTheMostLikely) {
-  const std::vector<double> excesses = sample({0.2, 1.5}, 200, 3);
+  const std::vector<double> excesses = pareto_sample({0.2, 1.5}, 200, 3);
   const auto log_likelihood = [&](double shape, double scale) {
     double sum = 0.0;
     for (const double y : excesses) sum -= std::log(scale) + (1.0 + 1.0 / shape) * std::log1p(shape * y / scale);
@@ -54,7 +54,7 @@ TEST(Pareto, FitIsTheMostLikely) {
 
 // Uniform values have shape -1, where the likelihood has no largest value: the fit stays at the edge of its range.
 TEST(Pareto, FitOfABoundedSampleEndsAboveItsLargest) {
-  const std::vector<double> excesses = sample({-1.0, 2.0}, 100, 5);
+  const std::vector<double> excesses = pareto_sample({-1.0, 2.0}, 100, 5);
   const Pareto fit = fit_pareto(excesses);
   EXPECT_LT(fit.shape, -0.7);
   EXPECT_GE(fit.shape, -1.0);

@@ -1,7 +1,6 @@
-#!/usr/bin/env python3
 """Speed of whole runs, with what it costs in accuracy: runs cases with `gem run --json` and writes one CSV row per run.
 
-usage: bench/real_time_factor.py PROGRAM OUTPUT.csv [--seconds S] [--threads 1,2] [--index 1,2,...]
+usage: python3 scripts/studies real_time_factor PROGRAM OUTPUT.csv [--seconds S] [--threads 1,2] [--index 1,2,...]
 
 The member of Table 1 of each --index runs for S seconds of simulated time at 0.25 m/s, and in proportion less at higher
 speed; S = 0 runs it to its end. Repeated three times in turn; the row holds the median wall time and the spread.
@@ -15,7 +14,7 @@ import statistics
 import subprocess
 import tempfile
 
-CASES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "cases", "table1.toml")
+CASES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "cases", "table1.toml")
 KEPT = ("engine", "time_s", "moments", "contacts", "maximum_overlap_m", "residual_momentum", "residual_energy",
         "peak_memory_bytes", "state_hash")
 
@@ -72,6 +71,3 @@ def main():
             writer.writerow(row)
             print(*row)
 
-
-if __name__ == "__main__":
-    main()

@@ -1,15 +1,13 @@
-#!/usr/bin/python3
 """Runs bench/speed_against_error over the windows of the moment study and keeps its rows in bench/results/moment.
 
-Every length of the moment is given as the drift in it, U dt, so that a speed only changes the clock.
-Usage: scripts/moment_windows.py [NAME...]      (without names all; a window that was run is run again)"""
+Every length of the moment is given as the drift in it, U dt, so that a speed only changes the clock."""
 import argparse
-import pathlib
 import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from pages import ROOT
+
 OUT = ROOT / "bench" / "results" / "moment"
 FINEST = 0.025 / 16.0  # U dt [m]
 REFERENCE = 2.0 * FINEST
@@ -55,11 +53,8 @@ def run(name):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(WINDOWS))
+    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(WINDOWS) + "; all without a name; one that was run is run again")
     for name in parser.parse_args().names or WINDOWS:
         print(name, file=sys.stderr)
         run(name)
 
-
-if __name__ == "__main__":
-    main()

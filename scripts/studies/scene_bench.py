@@ -1,7 +1,6 @@
-#!/usr/bin/env python3
 """Step time with and without each feature, and over the number of floes: runs gem_bench and writes one CSV row per scene.
 
-usage: bench/scene_bench.py GEM_BENCH OUTPUT.csv [--filter REGEX]
+usage: python3 scripts/studies scene_bench GEM_BENCH OUTPUT.csv [--filter REGEX]
 
 `least_us` is the fastest of the repetitions, which start from the same state. Ends with the law least_us = c floes^p
 fitted to the growth rows.
@@ -62,6 +61,3 @@ def main():
         slope, factor = exponent(grown)
         print(f"least_us = {factor:.3g} floes^{slope:.3f}")
 
-
-if __name__ == "__main__":
-    main()

@@ -1,11 +1,11 @@
 """What scripts/measure.sh made: its tables, the conditions that it noted, and small tools for pages that are made from them."""
 import csv
 import math
-import pathlib
 import statistics
 import textwrap
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from pages import ROOT, table_of
+
 ROWS = ROOT / "bench" / "results" / "speed_against_error"
 FOLDER = ROOT / "validation" / "baseline"
 FIGURES = FOLDER / "figures"
@@ -43,8 +43,8 @@ def rms(values):
 
 
 def table(head, rows):
-    return ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)] + [
-        "| " + " | ".join(row) + " |" for row in rows] + [""]
+    """With numbers: to the right."""
+    return table_of(head, rows, "---:") + [""]
 
 
 def figure(name, text):

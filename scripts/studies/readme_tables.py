@@ -1,14 +1,13 @@
-#!/usr/bin/env python3
 """Rewrites the tables of README.md and gem/manual/performance.md from the files under bench/results: no number is typed.
 
-usage: scripts/readme_tables.py
+usage: python3 scripts/studies readme_tables
 
 clean_root_run.txt, clean_root_test.txt   what scripts/run.sh and scripts/test.sh printed in a bare Debian 12 root
-real_time_factor*.csv                     what bench/real_time_factor.py wrote
+real_time_factor*.csv                     what scripts/studies real_time_factor wrote
 cuda_*.csv                                what gem_cuda_speed printed
 barriers_h200.csv                         what barriers cost with nothing between them; older than the rows of cuda_*.csv
-scenes.csv                                what bench/scene_bench.py wrote
-speed_against_error/windows.csv           what scripts/measure.sh measured
+scenes.csv                                what scripts/studies scene_bench wrote
+speed_against_error/windows.csv           what scripts/studies measured (bench/measure.sh)
 """
 import csv
 import glob
@@ -17,7 +16,7 @@ import os
 import re
 import statistics
 
-TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
+TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 RESULTS = os.path.join(TOP, "bench", "results")
 GPU_BATCHES = ("batch", "batch_recorded", "table1_recorded", "table1_twelfth_recorded", "growth")
 NAMES = {1: "004_400_25", 2: "004_400_50", 27: "400_200_100"}

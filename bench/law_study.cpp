@@ -7,10 +7,10 @@
 #include <functional>
 #include <iostream>
 
-#include "bench/solver_study/scenes.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/field/field.h"
+#include "gem/scene/toml/scene_file.h"
 #include "gem_version.h"
 
 namespace gem::bench {
@@ -67,7 +67,7 @@ Vec2 drifted(double time) {
 std::vector<Law> laws(const std::string& cases) {
   std::vector<Law> all;
   all.push_back({"drag (V22)", drifting(), 1.6, 60, [](std::size_t, double time) { return drifted(time); }});
-  const SceneDef swing = scene_named(cases + "/analytic/V39_free_swing.toml");
+  const SceneDef swing = read_scene(cases + "/analytic/V39_free_swing.toml");
   const double omega = std::sqrt(swing.mooring.stiffness_N_per_m / swing.platform.mass_kg);
   all.push_back({"mooring (V39)", swing, 1.6, 60, [omega](std::size_t, double time) {
                    return Vec2{std::cos(omega * time), -omega * std::sin(omega * time)};
@@ -85,13 +85,12 @@ std::vector<Law> laws(const std::string& cases) {
                    const Vec2 free = drifted(time);
                    return free.x < 4.0 ? free : Vec2{4.0, 0.0};
                  }});
+  all.push_back({"moored impact (V10)", read_scene(cases + "/analytic/V10_floe_on_moored_platform.toml"), 0.7, 80, {}});
   all.push_back(
-      {"moored impact (V10)", scene_named(cases + "/analytic/V10_floe_on_moored_platform.toml"), 0.7, 80, {}});
-  all.push_back(
-      {"column (V33)", scene_named(cases + "/analytic/V33_column_on_wall.toml"), 0.7, 30, [](std::size_t n, double) {
+      {"column (V33)", read_scene(cases + "/analytic/V33_column_on_wall.toml"), 0.7, 30, [](std::size_t n, double) {
          return Vec2{5.0 + 10.0 * static_cast<double>(n), 0.0};
        }});
-  all.push_back({"jamming row (V38)", scene_named(cases + "/analytic/V38_one_dimensional_jam.toml"), 0.7, 900,
+  all.push_back({"jamming row (V38)", read_scene(cases + "/analytic/V38_one_dimensional_jam.toml"), 0.7, 900,
                  [](std::size_t n, double time) {
                    const double stop = 60.0 * static_cast<double>(n + 1), start = -20.0 - 25.0 * static_cast<double>(n);
                    return time < stop ? Vec2{start + 0.25 * time, 0.25} : Vec2{start + 0.25 * stop, 0.0};

@@ -1,13 +1,21 @@
-#!/usr/bin/env python3
-"""Writes validation/baseline/speed_against_error.md and its figures from the tables in bench/results/speed_against_error.
-
-scripts/measure.sh makes the tables; rows of other engines lie beside them in other/ and are told by their header."""
+"""Data, figures and pages of speed against error: validation/baseline/speed_against_error.md and the ensembles' part of
+validation/baseline/README.md, from the tables in bench/results/speed_against_error. scripts/measure.sh makes the tables;
+rows of other engines lie beside them in other/ and are told by their header."""
+import argparse
 import math
+import os
+import pathlib
+import shutil
 import statistics
+import subprocess
+import sys
+import tarfile
+import tempfile
 
 import chart
+import ensembles_page
 from bars_page import bars
-from measured import FIGURES, FOLDER, ROOT, commit_of, conditions, figure, grouped, provenance, read, stamp, table
+from measured import FIGURES, FOLDER, ROOT, ROWS, commit_of, conditions, figure, grouped, provenance, read, stamp, table
 from windows_page import part_b
 
 # As bench/closed_form_errors.cpp says.
@@ -171,16 +179,56 @@ def stated_conditions():
                                                        "```"] + (text or ["(nothing measured)"]) + ["```", ""]
 
 
-def main():
+KEPT = ("conditions.txt", "closed_form_errors.csv", "windows.csv", "paths.csv", "speed.csv", "ensemble_rows.csv", "ensembles.csv",
+        "map_means.csv")
+
+
+def keep(folder):
+    """Its tables are those of the pages from now on."""
+    ROWS.mkdir(parents=True, exist_ok=True)
+    for name in KEPT:
+        if (folder / name).exists():
+            shutil.copy(folder / name, ROWS / name)
+
+
+def measure(jobs, *parts):
+    if not (ROOT / "build" / "window_errors").exists():
+        sys.exit("no build/window_errors (not built) run: cmake --build build --target gem_measurements")
+    out = ROOT / "runs" / "measurement"
+    subprocess.run([ROOT / "scripts" / "measure.sh", ROOT / "build", out, jobs, *parts], check=True)
+    keep(out / "results")
+
+
+def take(archive):
+    with tempfile.TemporaryDirectory() as folder, tarfile.open(archive) as tar:
+        tar.extractall(folder, [m for m in tar.getmembers() if m.isfile() and pathlib.Path(m.name).parent == pathlib.Path("results")])
+        keep(pathlib.Path(folder) / "results")
+
+
+def write_page():
     FIGURES.mkdir(exist_ok=True)
     page = ["# Speed against error", "",
             "gem and Box2D 2.4.1 on the same scenes: what a second of simulated time costs and how wrong it is. Made by",
-            "`scripts/speed_against_error.sh` from measurements of `scripts/measure.sh`; nothing here is typed.", ""]
+            "`scripts/studies speed_against_error` from measurements of `scripts/measure.sh`; nothing here is typed.", ""]
     for part in (bars, part_a, part_b, part_c, part_paths, part_speed, stated_conditions):
         page += part()
     (FOLDER / "speed_against_error.md").write_text("\n".join(page).rstrip() + "\n", encoding="utf-8")
     print(f"{(FOLDER / 'speed_against_error.md').relative_to(ROOT)} is up to date")
 
 
-if __name__ == "__main__":
-    main()
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, epilog="Without an option the pages are made again.")
+    chosen = parser.add_mutually_exclusive_group()
+    chosen.add_argument("--measure", nargs="*", metavar=("JOBS", "PART"), help="measure here first, by scripts/measure.sh")
+    chosen.add_argument("--take", metavar="RESULTS.tar.gz", help="take a measurement made elsewhere first")
+    chosen.add_argument("--with", dest="other", metavar="FILE.csv", help="add another engine's rows of any of the tables")
+    options = parser.parse_args()
+    if options.measure is not None:
+        measure(*(options.measure or [str(os.cpu_count())]))
+    elif options.take:
+        take(options.take)
+    elif options.other:
+        (ROWS / "other").mkdir(parents=True, exist_ok=True)
+        shutil.copy(options.other, ROWS / "other")
+    write_page()
+    ensembles_page.main()

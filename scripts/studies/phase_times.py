@@ -1,8 +1,7 @@
-#!/usr/bin/env python3
 """Time of each phase of moments on a GPU, from what Nsight Compute printed, as CSV: kernels one after the other.
 
 usage: ncu --metrics gpu__time_duration.sum --csv -k regex:phase_of --launch-skip 64 -c 192 \\
-         build/gem_cuda_speed cases profile 264 independent plug | scripts/phase_times.py COMMIT DEVICE
+         build/gem_cuda_speed cases profile 264 independent plug | python3 scripts/studies phase_times COMMIT DEVICE
 """
 import csv
 import re
@@ -31,6 +30,3 @@ def main():
         blocks = re.search(r"\d+", grid)[0]
         print(f"{commit},{device},{phase},{blocks},{len(some)},{sum(some) / len(some):.2f}")
 
-
-if __name__ == "__main__":
-    main()

@@ -17,7 +17,7 @@ BEGIN {
   confined["gsl"] = "^gsl/"
   home["gsl"] = "^gem/analysis/"
   confined["eigen"] = "^(Eigen|eigen3)/"
-  home["eigen"] = "^gem/analysis/"
+  home["eigen"] = "^gem/(analysis|engine/reference)/"
   confined["box2d"] = "^box2d/"
   home["box2d"] = "^baseline_box2d/"
   confined["cli11"] = "^CLI/"

@@ -1,22 +1,25 @@
-// Algorithm:
-//   sweep      projected Gauss-Seidel: each unknown in turn takes what makes its own w zero, within its bounds; a few
-//              dozen sweeps find which unknowns end at a bound
-//   finish     with those at their bounds, the others are the answer of linear equations, solved by factorisation
-//              (semi-smooth Newton: Alart and Curnier 1991; after sweeps: Silcowitz et al. 2010)
-//   in turns until what is left is rounding. A finish that leaves more than there was is dropped.
+// Algorithm, in turns until what is left is rounding:
+//   approach   operator splitting: the equations w = 0 with a spring to the last impulses within bounds, then the
+//   bounds
+//              (Stellato et al. 2020; with friction: Tasora et al. 2021); finds which unknowns end at a bound
+//   finish     with those at their bounds, the others are the answer of linear equations (semi-smooth Newton: Alart and
+//              Curnier 1991); impulses that hold each other need not be unique, so a little is added to the diagonal,
+//              as much as serves best
 #include "gem/engine/reference/bounded_problem.h"
 
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "gem/base/error.h"
 
 namespace gem {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
+using Factors = Eigen::SparseLU<Matrix>;
 
 struct Bounds {
   double lower, upper;
@@ -30,42 +33,41 @@ Bounds bounds_of(const BoundedProblem& p, const Vector& x, int i) {
 
 double within(double value, Bounds bounds) { return std::min(std::max(value, bounds.lower), bounds.upper); }
 
-/// How an unknown answers to itself. One that answers to nothing keeps its value.
-double own_response(const BoundedProblem& p, int i) { return p.response.coeff(i, i); }
-
 class Solver {
  public:
-  explicit Solver(const BoundedProblem& problem) : p_(problem), x_(Vector::Zero(problem.start.size())) {
-    own_.resize(size());
-    for (int i = 0; i < size(); ++i) own_[i] = own_response(p_, i);
+  explicit Solver(const BoundedProblem& problem)
+      : p_(problem), own_(problem.response.diagonal()), bounded_(Vector::Zero(problem.start.size())), pull_(bounded_) {
+    take(bounded_);
   }
 
   BoundedSolution solve();
 
  private:
   int size() const { return static_cast<int>(p_.start.size()); }
-  void sweep();
-  void finish();
-  bool step_to_equations();
+  Vector left_over(const Vector& x) const { return p_.response * x + p_.start; }
   double residual(const Vector& x) const;
-  /// The largest sum of the sizes of the terms of w: rounding is a share of it.
   double scale() const;
+  bool solved() const { return left_ <= bounded_tolerance * scale(); }
+
+  void take(const Vector& x);
+  void keep_better(const Vector& x);
+  void approach(double spring, int steps);
+  void finish();
+  void run_of_steps(double little);
+  Vector newton_step(const Vector& from, double little) const;
 
   const BoundedProblem& p_;
-  Vector x_, own_;
-  double left_ = 0.0;
+  const Vector own_;  // how each unknown answers to itself
+  Vector bounded_;    // where the approach is
+  Vector pull_;       // and what its springs pull with, as a stretch
+  double spring_ = 1.0;
+  Vector x_;     // what a finish has made of it
+  double left_;  // its residual
 };
 
-void Solver::sweep() {
-  for (int i = 0; i < size(); ++i) {
-    double w = p_.start[i];
-    for (Matrix::InnerIterator k(p_.response, i); k; ++k) w += k.value() * x_[k.col()];
-    x_[i] = within(x_[i] - w / own_[i], bounds_of(p_, x_, i));
-  }
-}
-
+/// Largest change of w that an unknown asks for and its bounds allow [m/s].
 double Solver::residual(const Vector& x) const {
-  const Vector w = p_.response * x + p_.start;
+  const Vector w = left_over(x);
   double largest = 0.0;
   for (int i = 0; i < size(); ++i) {
     const double change = x[i] - within(x[i] - w[i] / own_[i], bounds_of(p_, x, i));
@@ -74,86 +76,114 @@ double Solver::residual(const Vector& x) const {
   return largest;
 }
 
+/// The largest sum of the sizes of the terms of w: rounding is a share of it [m/s].
 double Solver::scale() const {
-  double largest = 0.0;
-  for (int i = 0; i < size(); ++i) {
-    double sum = std::fabs(p_.start[i]);
-    for (Matrix::InnerIterator k(p_.response, i); k; ++k) sum += std::fabs(k.value() * x_[k.col()]);
-    largest = std::max(largest, sum);
-  }
-  return largest;
+  const Vector sums = p_.response.cwiseAbs() * x_.cwiseAbs() + p_.start.cwiseAbs();
+  return sums.maxCoeff();
 }
 
-/// One step of Newton: unknowns that would pass a bound are set to it, the rest make their w zero. False, and nothing
-/// changed, if that leaves more than there was.
-bool Solver::step_to_equations() {
-  const Vector w = p_.response * x_ + p_.start;
-  Vector x = x_;
-  std::vector<int> column(size(), -1);                    // of a free unknown among the free ones
-  std::vector<Eigen::Triplet<double>> pick, spread;       // free unknowns of all; all that follow a free one
+void Solver::take(const Vector& x) {
+  x_ = x;
+  left_ = residual(x);
+}
+
+void Solver::keep_better(const Vector& x) {
+  if (residual(x) < left_) take(x);
+}
+
+void Solver::approach(double spring, int steps) {
+  pull_ *= spring_ / spring;
+  spring_ = spring;
+  Matrix equations = p_.response;
+  equations.diagonal() += spring * own_;
+  equations.makeCompressed();
+  const Factors factors(equations);
+  if (factors.info() != Eigen::Success) return;
+  const Vector stiffness = spring * own_;
+  for (int step = 0; step < steps; ++step) {
+    constexpr double beyond = 1.6;  // over-relaxation as in the literature
+    const Vector free = factors.solve(Vector(stiffness.cwiseProduct(bounded_ - pull_) - p_.start));
+    const Vector ahead = beyond * free + (1.0 - beyond) * bounded_;
+    for (int i = 0; i < size(); ++i) bounded_[i] = within(ahead[i] + pull_[i], bounds_of(p_, bounded_, i));
+    pull_ += ahead - bounded_;
+  }
+  take(bounded_);
+}
+
+/// Unknowns that would pass a bound are set to it, the rest make their w zero, held back by `little` of their own
+/// response. Empty if there is no answer.
+Vector Solver::newton_step(const Vector& from, double little) const {
+  const Vector w = left_over(from);
+  Vector x = from;
+  std::vector<int> column(size(), -1);               // of a free unknown among the free ones
+  std::vector<Eigen::Triplet<double>> pick, follow;  // the free unknowns; all that change with one
   for (int i = 0; i < size(); ++i) {
-    const double wanted = x_[i] - w[i] / own_[i];
-    const Bounds bounds = bounds_of(p_, x_, i);
-    const bool free = wanted > bounds.lower && wanted < bounds.upper;
+    const double wanted = from[i] - w[i] / own_[i];
+    const Bounds bounds = bounds_of(p_, from, i);
     const int normal = p_.normal[i];
-    if (free) {
+    if (wanted > bounds.lower && wanted < bounds.upper) {
       column[i] = static_cast<int>(pick.size());
       pick.emplace_back(column[i], i, 1.0);
-      spread.emplace_back(i, column[i], 1.0);
+      follow.emplace_back(i, column[i], 1.0);
     } else if (normal == BoundedProblem::none) {
       x[i] = within(wanted, bounds);
     } else {
       const double share = wanted > 0.0 ? p_.limit[i] : -p_.limit[i];
       x[i] = share * x[normal];
-      if (column[normal] >= 0) spread.emplace_back(i, column[normal], share);
+      if (column[normal] >= 0) follow.emplace_back(i, column[normal], share);
     }
   }
   const int count = static_cast<int>(pick.size());
   if (count > 0) {
-    Eigen::SparseMatrix<double> picked(count, size()), follows(size(), count);
-    picked.setFromTriplets(pick.begin(), pick.end());
-    follows.setFromTriplets(spread.begin(), spread.end());
-    Eigen::SparseMatrix<double> equations = picked * p_.response * follows;
-    // impulses that hold each other need not be unique: a little on the diagonal picks some, and the next step takes
-    // away what it costs
-    constexpr double little = 1e-10;
-    const Vector own = picked * own_;
-    for (int i = 0; i < count; ++i) equations.coeffRef(i, i) += little * own[i];
+    Matrix picks(count, size()), follows(size(), count);
+    picks.setFromTriplets(pick.begin(), pick.end());
+    follows.setFromTriplets(follow.begin(), follow.end());
+    Matrix equations = picks * p_.response * follows;
+    equations.diagonal() += little * (picks * own_);
     equations.makeCompressed();
-    Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(equations);
-    if (factors.info() != Eigen::Success) return false;
-    const Vector missing = picked * Vector(p_.response * x + p_.start);
-    x -= follows * Vector(factors.solve(missing));
+    const Factors factors(equations);
+    if (factors.info() != Eigen::Success) return {};
+    x -= follows * Vector(factors.solve(Vector(picks * left_over(x))));
   }
   for (int i = 0; i < size(); ++i) x[i] = within(x[i], bounds_of(p_, x, i));
-  const double left = residual(x);
-  if (!(left < left_)) return false;
-  x_ = x;
-  left_ = left;
-  return true;
+  return x;
+}
+
+/// Steps from the best so far. A step may leave more than there was on the way to less.
+void Solver::run_of_steps(double little) {
+  constexpr int most = 8;
+  Vector x = x_;
+  for (int step = 0; step < most && !solved(); ++step) {
+    x = newton_step(x, little);
+    if (x.size() == 0) return;
+    keep_better(x);
+  }
 }
 
 void Solver::finish() {
-  constexpr int most = 30;
-  for (int step = 0; step < most && left_ > 0.0; ++step)
-    if (!step_to_equations()) return;
+  constexpr double worth_it = 0.9;
+  double before = 2.0 * left_;
+  while (!solved() && left_ < worth_it * before) {
+    before = left_;
+    for (const double little : {1e-10, 1e-13, 1e-8, 1e-6, 1e-4, 1e-2}) run_of_steps(little);
+  }
 }
 
 BoundedSolution Solver::solve() {
-  constexpr int most_sweeps = 200000;
-  int sweeps = 0;
-  for (int block = 20; sweeps < most_sweeps; block += block / 2) {
-    for (int s = 0; s < block; ++s) sweep();
-    sweeps += block;
-    left_ = residual(x_);
-    if (!std::isfinite(left_)) break;
+  constexpr int most_rounds = 400;
+  int steps = 0;
+  for (int round = 0; round < most_rounds; ++round) {
     finish();
-    if (left_ <= bounded_tolerance * scale()) return {x_, left_, sweeps};
+    if (solved()) return {x_, left_, steps};
+    const int more = round < 2 ? 20 : round < 6 ? 100 : 300;
+    const double springs[] = {0.1, 0.03, 0.01, 0.003, 0.001};
+    approach(round < 6 ? 0.1 : springs[round % 5], more);
+    steps += more;
   }
   throw Error(ExitCode::numerical_stop,
               "the reference engine found no impulses for " + std::to_string(size()) +
-                  " unknowns of touching bodies within " + std::to_string(sweeps) +
-                  " sweeps (friction may leave none); try the engine cpu or a smaller numerics.moment_s");
+                  " unknowns of touching bodies within " + std::to_string(steps) +
+                  " steps (with friction there may be none); try the engine cpu or a smaller numerics.moment_s");
 }
 
 }  // namespace

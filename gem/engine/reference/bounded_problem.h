@@ -1,4 +1,4 @@
-// A linear complementarity problem whose bounds may follow other unknowns, and its solver: plain, dense in no memory of
+// A linear complementarity problem whose bounds may follow other unknowns, and its solver: plain, without memory of
 // earlier problems, solved until it is solved.
 //
 //   w = K x + b        lower <= x <= upper
@@ -26,7 +26,7 @@ struct BoundedProblem {
 struct BoundedSolution {
   Eigen::VectorXd x;
   double residual = 0.0;  // largest |w| that is left, past what the bounds allow [m/s]
-  int sweeps = 0;
+  int steps = 0;          // of the approach
 };
 
 /// What is left of w, as a share of the largest sum of the sizes of its terms, is below this at the end.

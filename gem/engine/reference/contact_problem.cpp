@@ -158,7 +158,7 @@ ContactSolution solve_contacts(const std::vector<ProblemPoint>& points, const st
     const BoundedSolution solution = solve(group.problem());
     group.read(solution.x, all.impulse);
     all.residual = std::max(all.residual, solution.residual);
-    all.sweeps = std::max(all.sweeps, solution.sweeps);
+    all.steps = std::max(all.steps, solution.steps);
   }
   return all;
 }

@@ -39,7 +39,7 @@ struct ProblemBody {
 struct ContactSolution {
   std::vector<ContactImpulse> impulse;  // of each point
   double residual = 0.0;                // largest normal or tangential velocity that is left to change [m/s]
-  int sweeps = 0;                       // of the group of points that took the most
+  int steps = 0;                        // of the group of points that took the most
 };
 
 /// Solves the problem. Points are independent of each other where no moving body joins them. Throws

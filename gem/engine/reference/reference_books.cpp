@@ -106,8 +106,8 @@ void close_ledger(const ReferenceRules& rules, ReferenceState& s) {
   }
   ledger.momentum_scale = std::max({ledger.momentum_scale, momentum, length(ledger.mooring_force.momentum)});
   // twists that cancel are known no better than the momentum at the farthest place
-  ledger.angular_scale = std::max({ledger.angular_scale, angular, std::fabs(ledger.mooring_force.angular_momentum),
-                                   reach * ledger.momentum_scale});
+  ledger.angular_scale = std::max(
+      {ledger.angular_scale, angular, std::fabs(ledger.mooring_force.angular_momentum), reach * ledger.momentum_scale});
   ledger.energy_scale = std::max(ledger.energy_scale, sum_of_energies(ledger));
 }
 
@@ -117,8 +117,7 @@ double crushed_thickness(const Bodies& b, const Touch& touch) {
 }
 
 Vec2 relative_velocity(const Bodies& b, const Touch& touch, const TouchPoint& p) {
-  return b.velocity[touch.b] + cross(b.spin[touch.b], p.arm_b) - b.velocity[touch.a] -
-         cross(b.spin[touch.a], p.arm_a);
+  return b.velocity[touch.b] + cross(b.spin[touch.b], p.arm_b) - b.velocity[touch.a] - cross(b.spin[touch.a], p.arm_a);
 }
 
 Vec2 world_impulse(const Touch& touch, const TouchPoint& p) {

@@ -164,7 +164,7 @@ void resolve_together(const ReferenceRules& rules, ReferenceState& s, std::vecto
   const ContactSolution solution =
       solve_contacts(problem_points(touches), problem_bodies(s.bodies), rules.scene.contact.friction_law);
   quality.residual = solution.residual;
-  quality.iterations = solution.sweeps;
+  quality.iterations = solution.steps;
   std::size_t at = 0;
   for (Touch& touch : touches)
     for (TouchPoint& p : touch.points) p.impulse = solution.impulse[at++];

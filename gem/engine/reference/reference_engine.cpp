@@ -58,14 +58,13 @@ void ReferenceEngine::one_step(MomentLog& log) {
 void ReferenceEngine::check_finite() const {
   const Bodies& b = state_.bodies;
   for (std::size_t i = 0; i < b.count(); ++i) {
-    const double sum = b.position[i].x + b.position[i].y + b.rotation[i].cosine + b.rotation[i].sine +
-                       b.velocity[i].x + b.velocity[i].y + b.spin[i];
+    const double sum = b.position[i].x + b.position[i].y + b.rotation[i].cosine + b.rotation[i].sine + b.velocity[i].x +
+                       b.velocity[i].y + b.spin[i];
     if (!b.active[i] || std::isfinite(sum)) continue;
-    throw Error(ExitCode::numerical_stop,
-                "body " + std::to_string(i) + " has a state that is no number after moment " +
-                    std::to_string(state_.steps) +
-                    " (t = " + number_text(static_cast<double>(state_.steps) * rules_.dt, 9) +
-                    " s); try a smaller numerics.moment_s");
+    throw Error(ExitCode::numerical_stop, "body " + std::to_string(i) + " has a state that is no number after moment " +
+                                              std::to_string(state_.steps) +
+                                              " (t = " + number_text(static_cast<double>(state_.steps) * rules_.dt, 9) +
+                                              " s); try a smaller numerics.moment_s");
   }
 }
 

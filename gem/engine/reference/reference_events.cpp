@@ -49,8 +49,7 @@ ContactEvent event_of(const ReferenceRules& rules, const ReferenceState& s, cons
   const TurnedOutline a_turned = turned_outline(b, touch.a), b_turned = turned_outline(b, touch.b);
   const Outline outline_a = a_turned.view(), outline_b = b_turned.view();
   e.growth = growth_of(touch, outline_a, outline_b);
-  const double longest =
-      longest_chord(touch, e.growth, outline_a, outline_b, b.position[touch.b] - s.platform_start);
+  const double longest = longest_chord(touch, e.growth, outline_a, outline_b, b.position[touch.b] - s.platform_start);
   const CrushingIce ice{rules.scene.ice.crushing_pressure_Pa, rules.scene.ice.pressure_area_exponent,
                         crushed_thickness(b, touch)};
   const double energy = 0.5 * e.effective_mass * e.closing_speed * e.closing_speed;

@@ -12,12 +12,12 @@ namespace gem {
 /// Follows from the scene, once.
 struct ReferenceRules {
   SceneDef scene;
-  double dt = 0.0;              // [s]
-  double contact_margin = 0.0;  // coupled: faces closer than this are held apart [m]
-  double repair_reach = 0.0;    // coupled: farthest that the repair takes a point of a body in one time step [m]
-  double linear_decay = 1.0;    // e^(-dt / tau)
-  MooringFlow half_mooring;     // over dt / 2
-  double stiffness = 0.0;       // of the mooring; 0 without platform [N/m]
+  double dt = 0.0;                  // [s]
+  double contact_margin = 0.0;      // coupled: faces closer than this are held apart [m]
+  double repair_reach = 0.0;        // coupled: farthest that the repair takes a point of a body in one time step [m]
+  double linear_decay = 1.0;        // e^(-dt / tau)
+  MooringFlow half_mooring;         // over dt / 2
+  double stiffness = 0.0;           // of the mooring; 0 without platform [N/m]
   double platform_drag_rate = 0.0;  // [1/m]; 0: none
   Vec2 platform_water;              // [m/s]
 

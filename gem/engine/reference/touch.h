@@ -15,12 +15,12 @@ namespace gem {
 
 /// One point of a touch. Tangential is along the normal turned left. Impulses act on B, the opposite on A.
 struct TouchPoint {
-  Vec2 arm_a, arm_b;               // from the centroids [m]
-  double separation = 0.0;         // < 0: depth [m]
-  int feature = 0;                 // the touching corner, see contact_geometry.h
-  double normal_before = 0.0;      // velocity of B against A before the events [m/s]
-  double tangential_before = 0.0;  // [m/s]
-  double target = 0.0;             // smallest normal velocity after the events [m/s]
+  Vec2 arm_a, arm_b;                                     // from the centroids [m]
+  double separation = 0.0;                               // < 0: depth [m]
+  int feature = 0;                                       // the touching corner, see contact_geometry.h
+  double normal_before = 0.0;                            // velocity of B against A before the events [m/s]
+  double tangential_before = 0.0;                        // [m/s]
+  double target = 0.0;                                   // smallest normal velocity after the events [m/s]
   double cap = std::numeric_limits<double>::infinity();  // largest normal impulse [N s]
   ContactImpulse impulse;                                // [N s]
   double elastic = 0.0;                                  // part of the normal impulse that is elastic stress [N s]

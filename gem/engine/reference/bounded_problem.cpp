@@ -14,7 +14,7 @@
 
 #include "gem/base/error.h"
 
-namespace gem {
+namespace gem::reference {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
@@ -47,7 +47,9 @@ class Solver {
   Vector left_over(const Vector& x) const { return p_.response * x + p_.start; }
   double residual(const Vector& x) const;
   double scale() const;
-  bool solved() const { return left_ <= bounded_tolerance * scale(); }
+  bool solved() const {
+    return left_ <= bounded_tolerance * scale() && left_ <= bounded_share * p_.start.cwiseAbs().maxCoeff();
+  }
 
   void take(const Vector& x);
   void keep_better(const Vector& x);
@@ -88,7 +90,7 @@ void Solver::take(const Vector& x) {
 }
 
 void Solver::keep_better(const Vector& x) {
-  if (residual(x) < left_) take(x);
+  if (x.size() > 0 && residual(x) < left_) take(x);
 }
 
 void Solver::approach(double spring, int steps) {
@@ -174,7 +176,10 @@ BoundedSolution Solver::solve() {
   int steps = 0;
   for (int round = 0; round < most_rounds; ++round) {
     finish();
-    if (solved()) return {x_, left_, steps};
+    if (solved()) {
+      for (int more = 0; more < 2; ++more) keep_better(newton_step(x_, 1e-10));  // costs little, gains digits
+      return {x_, left_, steps};
+    }
     const int more = round < 2 ? 20 : round < 6 ? 100 : 300;
     const double springs[] = {0.1, 0.03, 0.01, 0.003, 0.001};
     approach(round < 6 ? 0.1 : springs[round % 5], more);
@@ -190,4 +195,4 @@ BoundedSolution Solver::solve() {
 
 BoundedSolution solve(const BoundedProblem& problem) { return Solver(problem).solve(); }
 
-}  // namespace gem
+}  // namespace gem::reference

@@ -13,7 +13,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-namespace gem {
+namespace gem::reference {
 
 struct BoundedProblem {
   static constexpr int none = -1;
@@ -29,10 +29,13 @@ struct BoundedSolution {
   int steps = 0;          // of the approach
 };
 
-/// What is left of w, as a share of the largest sum of the sizes of its terms, is below this at the end.
+/// What is left of w at the end is below this share of the largest sum of the sizes of its terms, which is what
+/// rounding is a share of ...
 constexpr double bounded_tolerance = 1e-13;
+/// ... and below this share of the largest |b|: impulses without end that cancel are no answer.
+constexpr double bounded_share = 1e-10;
 
 /// Solves the problem. Throws Error(numerical_stop) if it cannot.
 BoundedSolution solve(const BoundedProblem& problem);
 
-}  // namespace gem
+}  // namespace gem::reference

@@ -1,8 +1,9 @@
 // Algorithm:
 //   points that moving bodies join make a group
-//   of a group: J has a row for each unknown impulse and three columns (x, y, spin) for each body: what the impulse of
-//   size 1 gives to the momenta, and what the velocities make of u; W has the inverse masses
-//   K = J W H^T,  b = J v - target      H is J but for fixed_direction, whose impulse has its friction with it
+//   of a group: every two unknowns that share a body answer to each other,
+//   K_ij = sum over shared bodies of  d_i . g_j / m + (arm_i x d_i) (arm_j x g_j) / I,      b_i = d_i . u before -
+//   target d is the direction along which u is measured, g that of the impulse: the same but for fixed_direction, whose
+//   impulse has its friction with it
 #include "gem/engine/reference/contact_problem.h"
 
 #include <algorithm>
@@ -11,10 +12,9 @@
 
 #include "gem/engine/reference/bounded_problem.h"
 
-namespace gem {
+namespace gem::reference {
 namespace {
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
 using Indices = std::vector<std::size_t>;
 
 bool moves(const ProblemBody& body) { return body.mass.inverse_mass > 0.0 || body.mass.inverse_inertia > 0.0; }
@@ -54,12 +54,19 @@ double fixed_ratio(const ProblemPoint& p, const std::vector<ProblemBody>& bodies
   return k.nn + ratio * k.nt > 0.0 ? ratio : 0.0;
 }
 
-/// The unknowns of one group and their matrices.
+/// What an unknown is to one of its bodies.
+struct Side {
+  int unknown;
+  Vec2 measured, given;  // u is along `measured`, an impulse of 1 is along `given`; on A both with the opposite sign
+  double measured_lever, given_lever;  // arm x direction [m]
+};
+
+/// The unknowns of one group and their problem.
 class Group {
  public:
   Group(const Indices& members, const std::vector<ProblemPoint>& points, const std::vector<ProblemBody>& bodies,
         FrictionLaw law)
-      : members_(members), points_(points), bodies_(bodies) {
+      : members_(members), bodies_(bodies) {
     for (const std::size_t i : members) add_point(points[i], law);
   }
 
@@ -68,42 +75,24 @@ class Group {
   void read(const Eigen::VectorXd& x, std::vector<ContactImpulse>& impulse) const;
 
  private:
-  int unknowns() const { return static_cast<int>(target_.size()); }
+  int unknowns() const { return static_cast<int>(start_.size()); }
   void add_point(const ProblemPoint& p, FrictionLaw law);
-  /// One more unknown: u along `measured`, an impulse along `given`.
   void add_unknown(const ProblemPoint& p, Vec2 measured, Vec2 given, double target, double limit, int normal);
-  void add_row(Triplets& rows, const ProblemPoint& p, Vec2 direction);
-  int column_of(std::int32_t body);
 
   const Indices& members_;
-  const std::vector<ProblemPoint>& points_;
   const std::vector<ProblemBody>& bodies_;
-  std::map<std::int32_t, int> column_;  // first of a body's three
-  Triplets measured_, given_;           // J, H
-  std::vector<double> target_, limit_;
-  std::vector<int> normal_;      // see BoundedProblem
+  std::map<std::int32_t, std::vector<Side>> sides_;  // by body
+  std::vector<double> start_, limit_;                // see BoundedProblem
+  std::vector<int> normal_;
   std::vector<int> unknown_of_;  // of each member: the unknown of its normal impulse
   std::vector<double> ratio_;    // of each member: P_t / P_n where the law fixes it
 };
 
-int Group::column_of(std::int32_t body) {
-  return column_.try_emplace(body, 3 * static_cast<int>(column_.size())).first->second;
-}
-
-void Group::add_row(Triplets& rows, const ProblemPoint& p, Vec2 direction) {
-  const int row = unknowns(), a = column_of(p.a), b = column_of(p.b);
-  rows.emplace_back(row, b, direction.x);
-  rows.emplace_back(row, b + 1, direction.y);
-  rows.emplace_back(row, b + 2, cross(p.arm_b, direction));
-  rows.emplace_back(row, a, -direction.x);
-  rows.emplace_back(row, a + 1, -direction.y);
-  rows.emplace_back(row, a + 2, -cross(p.arm_a, direction));
-}
-
 void Group::add_unknown(const ProblemPoint& p, Vec2 measured, Vec2 given, double target, double limit, int normal) {
-  add_row(measured_, p, measured);
-  add_row(given_, p, given);
-  target_.push_back(target);
+  const int unknown = unknowns();
+  sides_[p.b].push_back({unknown, measured, given, cross(p.arm_b, measured), cross(p.arm_b, given)});
+  sides_[p.a].push_back({unknown, -measured, -given, cross(p.arm_a, -measured), cross(p.arm_a, -given)});
+  start_.push_back(dot(velocity_before(p, bodies_), measured) - target);
   limit_.push_back(limit);
   normal_.push_back(normal);
 }
@@ -120,21 +109,21 @@ void Group::add_point(const ProblemPoint& p, FrictionLaw law) {
 }
 
 BoundedProblem Group::problem() const {
-  const int columns = 3 * static_cast<int>(column_.size());
-  Eigen::SparseMatrix<double, Eigen::RowMajor> j(unknowns(), columns), h(unknowns(), columns);
-  j.setFromTriplets(measured_.begin(), measured_.end());
-  h.setFromTriplets(given_.begin(), given_.end());
-  Eigen::VectorXd inverse_mass(columns), velocity(columns);
-  for (const auto& [body, column] : column_) {
-    const ProblemBody& b = bodies_[body];
-    inverse_mass.segment<3>(column) << b.mass.inverse_mass, b.mass.inverse_mass, b.mass.inverse_inertia;
-    velocity.segment<3>(column) << b.velocity.x, b.velocity.y, b.spin;
+  std::vector<Eigen::Triplet<double>> entries;  // two for the unknowns of one pair: they share both bodies
+  for (const auto& [body, sides] : sides_) {
+    const CollisionMass mass = bodies_[body].mass;
+    for (const Side& at : sides)
+      for (const Side& from : sides)
+        entries.emplace_back(at.unknown, from.unknown,
+                             mass.inverse_mass * dot(at.measured, from.given) +
+                                 mass.inverse_inertia * (at.measured_lever * from.given_lever));
   }
-  const Eigen::Map<const Eigen::VectorXd> target(target_.data(), unknowns()), limit(limit_.data(), unknowns());
   BoundedProblem problem;
-  problem.response = j * inverse_mass.asDiagonal() * h.transpose();
-  problem.start = j * velocity - target;
-  problem.limit = limit;
+  problem.response.resize(unknowns(), unknowns());
+  problem.response.setFromTriplets(entries.begin(), entries.end());
+  problem.response.prune([](int, int, double value) { return value != 0.0; });
+  problem.start = Eigen::Map<const Eigen::VectorXd>(start_.data(), unknowns());
+  problem.limit = Eigen::Map<const Eigen::VectorXd>(limit_.data(), unknowns());
   problem.normal = normal_;
   return problem;
 }
@@ -163,4 +152,4 @@ ContactSolution solve_contacts(const std::vector<ProblemPoint>& points, const st
   return all;
 }
 
-}  // namespace gem
+}  // namespace gem::reference

@@ -18,7 +18,7 @@
 #include "gem/events/impact.h"
 #include "gem/scene/scene_def.h"
 
-namespace gem {
+namespace gem::reference {
 
 struct ProblemPoint {
   std::int32_t a = 0, b = 0;
@@ -47,4 +47,4 @@ struct ContactSolution {
 ContactSolution solve_contacts(const std::vector<ProblemPoint>& points, const std::vector<ProblemBody>& bodies,
                                FrictionLaw law);
 
-}  // namespace gem
+}  // namespace gem::reference

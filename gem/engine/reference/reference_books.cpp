@@ -5,7 +5,7 @@
 
 #include "gem/events/mass_reduction.h"
 
-namespace gem {
+namespace gem::reference {
 namespace {
 
 CollisionMass mass_of(const Bodies& b, std::int32_t i) { return {b.inverse_mass[i], b.inverse_inertia[i]}; }
@@ -17,7 +17,7 @@ void enter(Quantity& book, Vec2 point, Vec2 impulse) {
 }
 
 /// What the fixed body of a pair gave to the other one.
-void book_fixed(ReferenceState& s, const Touch& touch, const TouchPoint& p) {
+void book_fixed(State& s, const Touch& touch, const TouchPoint& p) {
   const Bodies& b = s.bodies;
   const bool a_fixed = b.kind[touch.a] == BodyKind::fixed, b_fixed = b.kind[touch.b] == BodyKind::fixed;
   if (!a_fixed && !b_fixed) return;
@@ -28,7 +28,7 @@ void book_fixed(ReferenceState& s, const Touch& touch, const TouchPoint& p) {
   enter(s.ledger[Channel::friction], point, sign * p.impulse.tangential * turned_left(touch.normal));
 }
 
-void book_point(ReferenceState& s, const Touch& touch, const TouchPoint& p) {
+void book_point(State& s, const Touch& touch, const TouchPoint& p) {
   const Vec2 after = relative_velocity(s.bodies, touch, p);
   const double after_n = dot(after, touch.normal), after_t = dot(after, turned_left(touch.normal));
   s.ledger[Channel::impact].energy += impulse_work(p.impulse.normal - p.elastic, p.normal_before, after_n);
@@ -75,7 +75,7 @@ Quantity quantity_of(const Bodies& b, std::size_t i) {
           0.5 * b.mass[i] * dot(b.velocity[i], b.velocity[i]) + 0.5 * b.inertia[i] * b.spin[i] * b.spin[i]};
 }
 
-Quantity total_of(const ReferenceRules& rules, const Bodies& b) {
+Quantity total_of(const Rules& rules, const Bodies& b) {
   Quantity sum;
   for (std::size_t i = 0; i < b.count(); ++i) {
     if (!b.active[i]) continue;
@@ -89,7 +89,7 @@ Quantity total_of(const ReferenceRules& rules, const Bodies& b) {
   return sum;
 }
 
-void close_ledger(const ReferenceRules& rules, ReferenceState& s) {
+void close_ledger(const Rules& rules, State& s) {
   const Bodies& b = s.bodies;
   Ledger& ledger = s.ledger;
   double momentum = 0.0, angular = 0.0, reach = 0.0;
@@ -124,7 +124,7 @@ Vec2 world_impulse(const Touch& touch, const TouchPoint& p) {
   return p.impulse.normal * touch.normal + p.impulse.tangential * turned_left(touch.normal);
 }
 
-void book_touches(ReferenceState& s, const std::vector<Touch>& touches) {
+void book_touches(State& s, const std::vector<Touch>& touches) {
   for (const Touch& touch : touches)
     for (const TouchPoint& point : touch.points)
       if (point.acted()) book_point(s, touch, point);
@@ -150,7 +150,7 @@ void judge_touches(const Bodies& b, const std::vector<Touch>& touches, MomentQua
   quality.energy_created = std::max(0.0, work);
 }
 
-PlatformMoment platform_sample(const ReferenceState& s, const std::vector<Touch>& touches) {
+PlatformMoment platform_sample(const State& s, const std::vector<Touch>& touches) {
   const Bodies& b = s.bodies;
   PlatformMoment sample;
   sample.position = b.position[0];
@@ -172,4 +172,4 @@ PlatformMoment platform_sample(const ReferenceState& s, const std::vector<Touch>
   return sample;
 }
 
-}  // namespace gem
+}  // namespace gem::reference

@@ -10,7 +10,7 @@
 #include "gem/events/elastic_contact.h"
 #include "gem/events/mass_reduction.h"
 
-namespace gem {
+namespace gem::reference {
 namespace {
 
 CollisionMass mass_of(const Bodies& b, std::int32_t i) { return {b.inverse_mass[i], b.inverse_inertia[i]}; }
@@ -19,12 +19,12 @@ ContactCompliance compliance_of(const Bodies& b, const Touch& touch, const Touch
   return contact_compliance(mass_of(b, touch.a), p.arm_a, mass_of(b, touch.b), p.arm_b, touch.normal);
 }
 
-CrushingIce ice_of(const ReferenceRules& rules, const Bodies& b, const Touch& touch) {
+CrushingIce ice_of(const Rules& rules, const Bodies& b, const Touch& touch) {
   return {rules.scene.ice.crushing_pressure_Pa, rules.scene.ice.pressure_area_exponent, crushed_thickness(b, touch)};
 }
 
 /// Independent: separating speed that the elastic stress asks for, at most what crushing allows [m/s].
-double elastic_target(const ReferenceRules& rules, const Bodies& b, const Touch& touch, const TouchPoint& p) {
+double elastic_target(const Rules& rules, const Bodies& b, const Touch& touch, const TouchPoint& p) {
   const double stiffness = rules.scene.contact.elastic_stiffness_N_per_m;
   if (!(stiffness > 0.0 && p.separation < 0.0)) return 0.0;
   const double k = compliance_of(b, touch, p).nn;
@@ -33,7 +33,7 @@ double elastic_target(const ReferenceRules& rules, const Bodies& b, const Touch&
 }
 
 /// Coupled: normal impulse of one point that crushes the smaller body across its whole size [N s].
-double crushing_cap(const ReferenceRules& rules, const Bodies& b, const Touch& touch) {
+double crushing_cap(const Rules& rules, const Bodies& b, const Touch& touch) {
   const bool ice = b.kind[touch.a] == BodyKind::floe || b.kind[touch.b] == BodyKind::floe;
   if (!rules.scene.contact.crushing_limit || !ice) return std::numeric_limits<double>::infinity();
   const double width = std::sqrt(std::min(b.area[touch.a], b.area[touch.b]));
@@ -41,7 +41,7 @@ double crushing_cap(const ReferenceRules& rules, const Bodies& b, const Touch& t
 }
 
 /// Coupled: shift along the normal that takes back a share of the overlap [m].
-double repair_target(const ReferenceRules& rules, const TouchPoint& p) {
+double repair_target(const Rules& rules, const TouchPoint& p) {
   const NumericsDef& n = rules.scene.numerics;
   if (!(p.separation < 0.0)) return 0.0;
   return std::min(-n.repair_share * p.separation, n.repair_speed_m_per_s * rules.dt);
@@ -63,7 +63,7 @@ std::vector<ProblemBody> problem_bodies(const Bodies& b) {
 }
 
 /// The law itself for one point.
-ContactImpulse impulse_of(const ReferenceRules& rules, const Bodies& b, const Touch& touch, const TouchPoint& p) {
+ContactImpulse impulse_of(const Rules& rules, const Bodies& b, const Touch& touch, const TouchPoint& p) {
   const ContactCompliance k = compliance_of(b, touch, p);
   const double u_n = p.normal_before, u_t = p.tangential_before;
   if (!(touch.friction > 0.0)) return {impact_frictionless(k.nn, u_n, p.target), 0.0};
@@ -73,7 +73,7 @@ ContactImpulse impulse_of(const ReferenceRules& rules, const Bodies& b, const To
 }
 
 /// Two points of one pair are one event.
-void resolve_two_points(const ReferenceRules& rules, const std::vector<ProblemBody>& bodies, Touch& touch) {
+void resolve_two_points(const Rules& rules, const std::vector<ProblemBody>& bodies, Touch& touch) {
   std::vector<ProblemPoint> points = problem_points({touch});
   // the pair is the whole world: bodies 0 and 1
   const std::vector<ProblemBody> pair{bodies[touch.a], bodies[touch.b]};
@@ -87,7 +87,7 @@ void resolve_two_points(const ReferenceRules& rules, const std::vector<ProblemBo
 
 /// Coupled: the smallest shifts that take back a share of every overlap and close no gap. Crushed ice is given back
 /// too: how far it is crushed does not matter to its place.
-void find_repair(const ReferenceRules& rules, ReferenceState& s, std::vector<Touch>& touches) {
+void find_repair(const Rules& rules, State& s, std::vector<Touch>& touches) {
   std::vector<ProblemPoint> points = problem_points(touches);
   std::size_t at = 0;
   for (const Touch& touch : touches)
@@ -112,7 +112,7 @@ void find_repair(const ReferenceRules& rules, ReferenceState& s, std::vector<Tou
 }
 
 /// No point of a body goes farther than the repair's reach in one time step; the rest waits.
-void bound_repair(const ReferenceRules& rules, ReferenceState& s) {
+void bound_repair(const Rules& rules, State& s) {
   for (std::size_t i = 0; i < s.bodies.count(); ++i) {
     const double farthest = length(s.repair_shift[i]) + s.bodies.radius[i] * std::fabs(s.repair_turn[i]);
     if (!(farthest > rules.repair_reach)) continue;
@@ -124,7 +124,7 @@ void bound_repair(const ReferenceRules& rules, ReferenceState& s) {
 
 }  // namespace
 
-void prepare_touches(const ReferenceRules& rules, const ReferenceState& s, std::vector<Touch>& touches) {
+void prepare_touches(const Rules& rules, const State& s, std::vector<Touch>& touches) {
   const Bodies& b = s.bodies;
   const Vec2 platform_shift = b.position[0] - s.platform_start;
   for (Touch& touch : touches) {
@@ -145,7 +145,7 @@ void prepare_touches(const ReferenceRules& rules, const ReferenceState& s, std::
   }
 }
 
-void resolve_alone(const ReferenceRules& rules, const ReferenceState& s, std::vector<Touch>& touches) {
+void resolve_alone(const Rules& rules, const State& s, std::vector<Touch>& touches) {
   const std::vector<ProblemBody> bodies = problem_bodies(s.bodies);
   for (Touch& touch : touches) {
     if (touch.points.size() == 1)
@@ -159,8 +159,7 @@ void resolve_alone(const ReferenceRules& rules, const ReferenceState& s, std::ve
   }
 }
 
-void resolve_together(const ReferenceRules& rules, ReferenceState& s, std::vector<Touch>& touches,
-                      MomentQuality& quality) {
+void resolve_together(const Rules& rules, State& s, std::vector<Touch>& touches, MomentQuality& quality) {
   const ContactSolution solution =
       solve_contacts(problem_points(touches), problem_bodies(s.bodies), rules.scene.contact.friction_law);
   quality.residual = solution.residual;
@@ -172,7 +171,7 @@ void resolve_together(const ReferenceRules& rules, ReferenceState& s, std::vecto
   bound_repair(rules, s);
 }
 
-void apply_impulses(const ReferenceRules& rules, ReferenceState& s, const std::vector<Touch>& touches) {
+void apply_impulses(const Rules& rules, State& s, const std::vector<Touch>& touches) {
   Bodies& b = s.bodies;
   for (const Touch& touch : touches)
     for (const TouchPoint& p : touch.points) {
@@ -186,4 +185,4 @@ void apply_impulses(const ReferenceRules& rules, ReferenceState& s, const std::v
     }
 }
 
-}  // namespace gem
+}  // namespace gem::reference

@@ -14,11 +14,10 @@
 #include "gem/engine/reference/reference_books.h"
 #include "gem/engine/reference/reference_contacts.h"
 #include "gem/engine/reference/reference_motion.h"
-#include "gem/engine/reference/touch.h"
 
 namespace gem {
 
-ReferenceEngine::ReferenceEngine(const SceneDef& scene, Bodies bodies) : rules_(reference_rules(scene, bodies)) {
+ReferenceEngine::ReferenceEngine(const SceneDef& scene, Bodies bodies) : rules_(reference::rules_of(scene, bodies)) {
   state_.bodies = std::move(bodies);
   state_.ledger.start = total_of(rules_, state_.bodies);
 }
@@ -30,16 +29,19 @@ void ReferenceEngine::advance(std::int64_t steps, MomentLog& log) {
 
 void ReferenceEngine::one_step(MomentLog& log) {
   state_.begin_step();
-  std::vector<Touch> touches = all_touches(state_.bodies, rules_.scene.contact.manifold, rules_.contact_margin);
+  std::vector<reference::Touch> touches =
+      reference::all_touches(state_.bodies, rules_.scene.contact.manifold, rules_.contact_margin);
   drag_floes(rules_, state_);
   move_platform_before(rules_, state_);
 
   MomentQuality quality;
   prepare_touches(rules_, state_, touches);
-  if (rules_.coupled())
+  if (rules_.coupled()) {
     resolve_together(rules_, state_, touches, quality);
-  else
+    keep_impulses(touches);
+  } else {
     resolve_alone(rules_, state_, touches);
+  }
   apply_impulses(rules_, state_, touches);
 
   book_touches(state_, touches);
@@ -53,6 +55,18 @@ void ReferenceEngine::one_step(MomentLog& log) {
   retire_floes(rules_, state_);
   log.platform.push_back(platform_sample(state_, touches));
   log.quality.push_back(quality);
+}
+
+void ReferenceEngine::keep_impulses(const std::vector<reference::Touch>& touches) {
+  impulse_key_.clear();
+  impulse_value_.clear();
+  for (const reference::Touch& touch : touches)
+    for (const reference::TouchPoint& p : touch.points) {
+      // as EngineState names a contact point: 26 bits for each body, 12 for the feature
+      const auto a = static_cast<std::uint64_t>(touch.a), b = static_cast<std::uint64_t>(touch.b);
+      impulse_key_.push_back(a << 38 | b << 12 | static_cast<std::uint64_t>(p.feature));
+      impulse_value_.push_back({p.impulse.normal, p.impulse.tangential, p.repair});
+    }
 }
 
 void ReferenceEngine::check_finite() const {
@@ -73,12 +87,14 @@ Ledger ReferenceEngine::ledger() {
   return state_.ledger;
 }
 
-EngineState ReferenceEngine::save() { return {state_.steps, state_.bodies, ledger(), {}, {}}; }
+EngineState ReferenceEngine::save() { return {state_.steps, state_.bodies, ledger(), impulse_key_, impulse_value_}; }
 
 void ReferenceEngine::restore(const EngineState& state) {
   state_.bodies = state.bodies;
   state_.ledger = state.ledger;
   state_.steps = state.moment;
+  impulse_key_ = state.impulse_key;
+  impulse_value_ = state.impulse_value;
 }
 
 }  // namespace gem

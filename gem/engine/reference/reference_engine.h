@@ -1,15 +1,18 @@
 // The reference engine judges the other engines. It shares the laws of events and what a contact of two outlines is
 // (gem/events, gem/geometry), and nothing of how they are carried out: all pairs, one thread, double precision, a
-// solver of its own, no memory of the last time step. Slow, and short enough to be checked by hand.
+// solver of its own, which starts every time step from nothing. Slow, and short enough to be checked by hand.
 //
 // It has its own bits. Another engine agrees with it to a tolerance that the test derives, on scenes whose contacts
 // have one answer: without friction always, with it where few enough contacts hold each floe.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "gem/engine/engine.h"
 #include "gem/engine/reference/reference_state.h"
+#include "gem/engine/reference/touch.h"
 
 namespace gem {
 
@@ -28,10 +31,13 @@ class ReferenceEngine : public Engine {
 
  private:
   void one_step(MomentLog& log);
+  void keep_impulses(const std::vector<reference::Touch>& touches);
   void check_finite() const;
 
-  ReferenceRules rules_;
-  ReferenceState state_;
+  reference::Rules rules_;
+  reference::State state_;
+  std::vector<std::uint64_t> impulse_key_;  // of the last coupled time step: for who reads a saved state
+  std::vector<PointImpulse<double>> impulse_value_;
 };
 
 }  // namespace gem

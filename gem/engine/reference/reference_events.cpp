@@ -6,7 +6,7 @@
 #include "gem/events/mass_reduction.h"
 #include "gem/geometry/tilted_faces.h"
 
-namespace gem {
+namespace gem::reference {
 namespace {
 
 /// How fast the chord of a touch grows with depth [-].
@@ -23,7 +23,7 @@ double longest_chord(const Touch& touch, double growth, const Outline& a, const 
 }
 
 /// Event of a touch whose points carry the normal impulse `pressed` [N s].
-ContactEvent event_of(const ReferenceRules& rules, const ReferenceState& s, const Touch& touch, double pressed) {
+ContactEvent event_of(const Rules& rules, const State& s, const Touch& touch, double pressed) {
   const Bodies& b = s.bodies;
   ContactEvent e;
   e.time = static_cast<double>(s.steps) * rules.dt;
@@ -59,8 +59,7 @@ ContactEvent event_of(const ReferenceRules& rules, const ReferenceState& s, cons
 
 }  // namespace
 
-void log_platform_events(const ReferenceRules& rules, const ReferenceState& s, const std::vector<Touch>& touches,
-                         MomentLog& log) {
+void log_platform_events(const Rules& rules, const State& s, const std::vector<Touch>& touches, MomentLog& log) {
   if (!log.wants_events) return;
   for (const Touch& touch : touches) {
     if (touch.a != 0 || s.bodies.kind[touch.b] != BodyKind::floe) continue;
@@ -75,4 +74,4 @@ void log_platform_events(const ReferenceRules& rules, const ReferenceState& s, c
   }
 }
 
-}  // namespace gem
+}  // namespace gem::reference

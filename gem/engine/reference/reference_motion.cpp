@@ -5,7 +5,7 @@
 #include "gem/events/motion.h"
 #include "gem/events/platform_drag.h"
 
-namespace gem {
+namespace gem::reference {
 namespace {
 
 bool is_floe(const Bodies& b, std::size_t i) { return b.kind[i] == BodyKind::floe && b.active[i]; }
@@ -16,7 +16,7 @@ struct Dragged {
   SpinDragSolution spin;
 };
 
-Dragged dragged(const ReferenceRules& rules, const Bodies& b, std::size_t i) {
+Dragged dragged(const Rules& rules, const Bodies& b, std::size_t i) {
   const Vec2 slip = rules.scene.current.velocity_m_per_s - b.velocity[i];
   const double spin = b.spin[i], dt = rules.dt;
   const bool turns_free = !(b.spin_drag[i] > 0.0);
@@ -27,7 +27,7 @@ Dragged dragged(const ReferenceRules& rules, const Bodies& b, std::size_t i) {
           turns_free ? SpinDragSolution{spin, 0.0} : spin_drag_linear(b.spin_drag[i], spin, rules.linear_decay, dt)};
 }
 
-void drag_platform(const ReferenceRules& rules, ReferenceState& s) {
+void drag_platform(const Rules& rules, State& s) {
   if (!(rules.platform_drag_rate > 0.0)) return;
   Bodies& b = s.bodies;
   const Vec2 before = b.velocity[0];
@@ -41,12 +41,12 @@ void drag_platform(const ReferenceRules& rules, ReferenceState& s) {
 }
 
 /// Kinetic energy of the platform's drift and energy of its mooring [J].
-double swing_energy(const ReferenceRules& rules, const Bodies& b) {
+double swing_energy(const Rules& rules, const Bodies& b) {
   const Vec2 offset = b.position[0] - rules.scene.platform.anchor_m;
   return 0.5 * b.mass[0] * dot(b.velocity[0], b.velocity[0]) + 0.5 * rules.stiffness * dot(offset, offset);
 }
 
-void swing_platform(const ReferenceRules& rules, ReferenceState& s) {
+void swing_platform(const Rules& rules, State& s) {
   Bodies& b = s.bodies;
   const Vec2 anchor = rules.scene.platform.anchor_m, position = b.position[0], velocity = b.velocity[0];
   const double energy = swing_energy(rules, b);
@@ -67,7 +67,7 @@ void turn(Bodies& b, std::size_t i, double angle) {
 }
 
 /// The position repair of the platform stretches its mooring.
-void repair_platform(const ReferenceRules& rules, ReferenceState& s) {
+void repair_platform(const Rules& rules, State& s) {
   Bodies& b = s.bodies;
   const Vec2 shift = s.repair_shift[0], offset = b.position[0] - rules.scene.platform.anchor_m;
   b.position[0] += shift;
@@ -77,7 +77,7 @@ void repair_platform(const ReferenceRules& rules, ReferenceState& s) {
   turn(b, 0, rules.dt * b.spin[0] + s.repair_turn[0]);
 }
 
-void move_floe(const ReferenceRules& rules, ReferenceState& s, std::size_t i) {
+void move_floe(const Rules& rules, State& s, std::size_t i) {
   Bodies& b = s.bodies;
   // a floe that nothing struck follows the exact path of its drag
   const Vec2 beside = s.struck[i] ? s.repair_shift[i] : s.path_correction[i];
@@ -90,7 +90,7 @@ void move_floe(const ReferenceRules& rules, ReferenceState& s, std::size_t i) {
 
 }  // namespace
 
-void drag_floes(const ReferenceRules& rules, ReferenceState& s) {
+void drag_floes(const Rules& rules, State& s) {
   if (rules.scene.water.drag_law == DragLaw::none) return;
   Bodies& b = s.bodies;
   for (std::size_t i = 0; i < b.count(); ++i) {
@@ -111,25 +111,25 @@ void drag_floes(const ReferenceRules& rules, ReferenceState& s) {
   }
 }
 
-void move_platform_before(const ReferenceRules& rules, ReferenceState& s) {
+void move_platform_before(const Rules& rules, State& s) {
   if (!rules.scene.platform.present) return;
   drag_platform(rules, s);
   swing_platform(rules, s);
 }
 
-void move_platform_after(const ReferenceRules& rules, ReferenceState& s) {
+void move_platform_after(const Rules& rules, State& s) {
   if (!rules.scene.platform.present) return;
   swing_platform(rules, s);
   drag_platform(rules, s);
   repair_platform(rules, s);
 }
 
-void move_floes(const ReferenceRules& rules, ReferenceState& s) {
+void move_floes(const Rules& rules, State& s) {
   for (std::size_t i = 0; i < s.bodies.count(); ++i)
     if (is_floe(s.bodies, i)) move_floe(rules, s, i);
 }
 
-void retire_floes(const ReferenceRules& rules, ReferenceState& s) {
+void retire_floes(const Rules& rules, State& s) {
   Bodies& b = s.bodies;
   for (std::size_t i = 0; i < b.count(); ++i) {
     if (!is_floe(b, i) || !(b.position[i].x > rules.scene.output.retire_x_m)) continue;
@@ -142,4 +142,4 @@ void retire_floes(const ReferenceRules& rules, ReferenceState& s) {
   }
 }
 
-}  // namespace gem
+}  // namespace gem::reference

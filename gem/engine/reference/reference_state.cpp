@@ -6,7 +6,7 @@
 #include "gem/events/platform_drag.h"
 #include "gem/scene/scene_bounds.h"
 
-namespace gem {
+namespace gem::reference {
 namespace {
 
 /// Largest speed of any point that the scene starts with or drives towards [m/s].
@@ -18,8 +18,8 @@ double fastest_of(const SceneDef& scene) {
 
 }  // namespace
 
-ReferenceRules reference_rules(const SceneDef& scene, const Bodies& bodies) {
-  ReferenceRules rules;
+Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
+  Rules rules;
   rules.scene = scene;
   rules.dt = scene.numerics.moment_s;
   const double reach = scene.numerics.contact_reach, fastest = fastest_of(scene);
@@ -38,7 +38,7 @@ ReferenceRules reference_rules(const SceneDef& scene, const Bodies& bodies) {
   return rules;
 }
 
-void ReferenceState::begin_step() {
+void State::begin_step() {
   const std::size_t count = bodies.count();
   path_correction.assign(count, {});
   angle_correction.assign(count, 0.0);
@@ -49,4 +49,4 @@ void ReferenceState::begin_step() {
   mooring_impulse = drag_impulse = {};
 }
 
-}  // namespace gem
+}  // namespace gem::reference

@@ -7,10 +7,10 @@
 #include "gem/engine/engine.h"
 #include "gem/events/mooring.h"
 
-namespace gem {
+namespace gem::reference {
 
 /// Follows from the scene, once.
-struct ReferenceRules {
+struct Rules {
   SceneDef scene;
   double dt = 0.0;                  // [s]
   double contact_margin = 0.0;      // coupled: faces closer than this are held apart [m]
@@ -24,10 +24,10 @@ struct ReferenceRules {
   bool coupled() const { return scene.contact.resolution == Resolution::coupled; }
 };
 
-ReferenceRules reference_rules(const SceneDef& scene, const Bodies& bodies);
+Rules rules_of(const SceneDef& scene, const Bodies& bodies);
 
 /// Arrays: one entry for each body.
-struct ReferenceState {
+struct State {
   Bodies bodies;
   Ledger ledger;  // `now` and the scales are brought up to date when asked for
   std::int64_t steps = 0;
@@ -45,4 +45,4 @@ struct ReferenceState {
   void begin_step();
 };
 
-}  // namespace gem
+}  // namespace gem::reference

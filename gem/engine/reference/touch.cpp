@@ -2,7 +2,7 @@
 // of the laws: gem/geometry says it once for all engines, and is judged by closed forms and by Clipper.
 #include "gem/engine/reference/touch.h"
 
-namespace gem {
+namespace gem::reference {
 namespace {
 
 /// How far all corners of `other` stand outside edge `edge` [m]. `to_other` leads from centroid to centroid.
@@ -88,4 +88,4 @@ std::vector<Touch> all_touches(const Bodies& bodies, Manifold manifold, double m
   return touches;
 }
 
-}  // namespace gem
+}  // namespace gem::reference

@@ -11,7 +11,7 @@
 #include "gem/geometry/convex_contact.h"
 #include "gem/scene/scene_def.h"
 
-namespace gem {
+namespace gem::reference {
 
 /// One point of a touch. Tangential is along the normal turned left. Impulses act on B, the opposite on A.
 struct TouchPoint {
@@ -52,4 +52,4 @@ TurnedOutline turned_outline(const Bodies& bodies, std::size_t i);
 /// All pairs that are closer than `margin` [m], ascending in (a, b). Two fixed bodies never touch.
 std::vector<Touch> all_touches(const Bodies& bodies, Manifold manifold, double margin);
 
-}  // namespace gem
+}  // namespace gem::reference

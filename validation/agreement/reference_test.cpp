@@ -35,7 +35,8 @@ struct Comparison {
   bool anew = false;    // every time step starts from the cpu engine's state, so that differences do not grow
   int contacts = 1;     // at least so many points over all time steps
   bool thrown = false;  // every floe with a velocity of its own
-  Vec2 push = {};       // of the last floe, into its neighbour before the start [m]
+  const EngineState* start = nullptr;                      // otherwise the scene's
+  Vec2 push = {};                                          // of the last floe, into its neighbour before the start [m]
   std::function<bool(const MomentLog&)> begins = nullptr;  // comparing, after a time step of the cpu engine
   std::function<void(const MomentLog&)> also = nullptr;    // what else each time step of the reference has to show
 };
@@ -177,6 +178,10 @@ void compare(const Comparison& c) {
   const auto cpu = make_engine(c.scene, field, agreement::on("cpu"));
   const auto reference = make_engine(c.scene, field, agreement::on("reference"));
   const bool coupled = c.scene.contact.resolution == Resolution::coupled;
+  if (c.start != nullptr) {
+    cpu->restore(*c.start);
+    reference->restore(*c.start);
+  }
   std::int64_t contacts = 0;
   if (c.begins) {
     MomentLog log;
@@ -409,6 +414,21 @@ TEST(ReferenceJudgesAPack, Independent) {
              .anew = true,
              .contacts = 1000,
              .thrown = true});
+}
+
+/// 1,234 floes with more than a thousand touching points. No push goes through more than the 60 floes that fit between
+/// the upstream end and the platform.
+TEST(ReferenceJudgesAJam, WithoutFriction) {
+  for (const Resolution resolution : {Resolution::independent, Resolution::coupled}) {
+    SceneDef scene = agreement::jam_scene(resolution);
+    scene.ice.friction_ice = scene.ice.friction_structure = 0.0;
+    scene.contact.manifold = Manifold::chord_middle;
+    scene.contact.crushing_limit = false;
+    const EngineState start = agreement::jam(scene, agreement::drifting_field(scene));
+    scene.numerics.residual_tolerance = 1e-11;
+    scene.numerics.iterations_maximum = 200000;
+    compare({.scene = scene, .steps = 4, .row = 60, .anew = true, .contacts = 4000, .start = &start});
+  }
 }
 
 TEST(ReferenceJudgesMotion, EachDragLaw) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -31,10 +32,12 @@ constexpr double dt = 0.05, points_of_a_body = 8.0;
 struct Comparison {
   SceneDef scene;
   int steps = 100;
-  int row = 1;          // most contacts in a row
-  bool anew = false;    // every time step starts from the cpu engine's state, so that differences do not grow
-  int contacts = 1;     // at least so many points over all time steps
-  bool thrown = false;  // every floe with a velocity of its own
+  int row = 1;                 // most contacts in a row
+  int contacts_of_a_body = 2;  // at most
+  double slack = 0.0;          // what the cpu engine's way adds to the differences of velocities in a time step [m/s]
+  bool anew = false;           // every time step starts from the cpu engine's state, so that differences do not grow
+  int contacts = 1;            // at least so many points over all time steps
+  bool thrown = false;         // every floe with a velocity of its own
   const EngineState* start = nullptr;                      // otherwise the scene's
   Vec2 push = {};                                          // of the last floe, into its neighbour before the start [m]
   std::function<bool(const MomentLog&)> begins = nullptr;  // comparing, after a time step of the cpu engine
@@ -161,15 +164,22 @@ Allowed allowed_in(const Comparison& c, const Bodies& bodies, int steps) {
   for (std::size_t i = 0; i < bodies.count(); ++i)
     if (bodies.kind[i] != BodyKind::fixed)
       allowed.reach = std::max(allowed.reach, length(bodies.position[i]) + bodies.radius[i]);
-  // a hundred roundings of the largest speed, ten of the farthest place, in a time step
+  // in a time step a hundred roundings of the largest speed for each contact, ten of the farthest place
   const double rounding = 1.1e-16 * steps;
-  allowed.velocity = 200.0 * rounding * allowed.speed;
+  allowed.velocity = 100.0 * c.contacts_of_a_body * rounding * allowed.speed + c.slack;
   if (c.scene.contact.resolution == Resolution::coupled) {
     const double n = 2.0 * c.row / 3.14, residual = c.scene.numerics.residual_tolerance * allowed.speed;
     allowed.velocity += steps * points_of_a_body * n * n * residual;
   }
   allowed.position = 10.0 * rounding * allowed.reach + steps * dt * allowed.velocity;
   return allowed;
+}
+
+/// Overlaps beyond rounding.
+std::int64_t overlaps(const OverlapCount& counted) {
+  constexpr double beyond_rounding = 1e-12;  // [m]
+  return std::accumulate(counted.count.begin() + 1 + OverlapCount::class_of(beyond_rounding), counted.count.end(),
+                         std::int64_t{0});
 }
 
 void compare(const Comparison& c) {
@@ -201,7 +211,7 @@ void compare(const Comparison& c) {
     expect_books(cpu->ledger(), reference->ledger(), allowed, c.scene.ice.friction_ice > 0.0);
     expect_events(log, expected, allowed);
     EXPECT_NEAR(log.quality[0].maximum_overlap, expected.quality[0].maximum_overlap, allowed.position);
-    EXPECT_EQ(log.overlap.total(), expected.overlap.total());
+    EXPECT_EQ(overlaps(log.overlap), overlaps(expected.overlap));
     if (!coupled) {
       EXPECT_EQ(log.quality[0].contacts, expected.quality[0].contacts);
     }
@@ -336,34 +346,42 @@ const auto way_name = [](const auto& way) { return name_of(way.param); };
 INSTANTIATE_TEST_SUITE_P(Ways, ReferenceJudges, testing::ValuesIn(all_ways()), way_name);
 INSTANTIATE_TEST_SUITE_P(Ways, ReferenceJudgesFaces, testing::ValuesIn(ways_with_faces()), way_name);
 
-/// A fast floe crushes on the platform over several time steps. The cpu engine caps a contact that did not press in the
-/// last time step by a bound below the law, so the comparison begins once the cap was reached.
+/// A fast floe crushes on the platform over several time steps. The cpu engine caps a point that did not press in the
+/// last time step by a bound below the law (crushing_force_at_least). Where it keeps its points, the comparison begins
+/// once the cap was reached; where they change, the exponent is 0: the bound is 1e-9 below the law.
+void compare_crushing(Manifold manifold, double exponent, double friction) {
+  constexpr double area = 12.0 * 9.0, mass = 900.0 * 0.5 * area;
+  SceneDef s = still_scene();
+  s.contact.manifold = manifold;
+  s.contact.crushing_limit = true;
+  s.ice.crushing_pressure_Pa = 2e4;
+  s.ice.pressure_area_exponent = exponent;
+  s.ice.friction_structure = friction;
+  s.platform.present = true;
+  s.platform.diameter_m = 20.0;
+  s.platform.mass_kg = 2e6;
+  s.floe = {floe(12.0, 9.0, {-17.0, 1.0}, {2.0, 0.0}, 0.2)};
+  const double cap = crushing_force({2e4, exponent, 0.5}, std::sqrt(area)) * dt;
+  const auto pressed = [](const MomentLog& log) { return log.events.empty() ? 0.0 : log.events.back().impulse_normal; };
+  int at_cap = 0;
+  Comparison c{.scene = s, .steps = 30, .anew = true};
+  // an off-centre impulse turns as much as it moves
+  c.slack = exponent == 0.0 ? 2.0 * 1e-9 * cap / mass : 0.0;
+  c.begins = [&](const MomentLog& log) { return pressed(log) > 0.8 * cap; };
+  c.also = [&](const MomentLog& log) {
+    if (pressed(log) > (1.0 - 1e-9) * cap) ++at_cap;
+    EXPECT_LE(pressed(log), (1.0 + 1e-9) * cap);
+  };
+  compare(c);
+  EXPECT_GE(at_cap, 5);
+}
+
 TEST(ReferenceJudgesCrushing, TheCapHolds) {
-  for (const Manifold manifold : {Manifold::chord_middle, Manifold::chord_ends})
-    for (const double friction : {0.0, 0.3}) {
-      SceneDef s = still_scene();
-      s.contact.manifold = manifold;
-      s.contact.crushing_limit = true;
-      s.ice.crushing_pressure_Pa = 2e4;
-      s.ice.friction_structure = friction;
-      s.platform.present = true;
-      s.platform.diameter_m = 20.0;
-      s.platform.mass_kg = 2e6;
-      s.floe = {floe(12.0, 9.0, {-17.0, 1.0}, {2.0, 0.0}, 0.2)};
-      const double cap = crushing_force({2e4, s.ice.pressure_area_exponent, 0.5}, std::sqrt(12.0 * 9.0)) * dt;
-      Comparison c{.scene = s, .steps = 30, .row = 1, .anew = true};
-      const auto pressed = [](const MomentLog& log) {
-        return log.events.empty() ? 0.0 : log.events.back().impulse_normal;
-      };
-      c.begins = [&](const MomentLog& log) { return pressed(log) > 0.8 * cap; };
-      int at_cap = 0;
-      c.also = [&](const MomentLog& log) {
-        if (pressed(log) > (1.0 - 1e-9) * cap) ++at_cap;
-        EXPECT_LE(pressed(log), (1.0 + 1e-9) * cap);
-      };
-      compare(c);
-      EXPECT_GE(at_cap, 3);
-    }
+  for (const double friction : {0.0, 0.3}) {
+    compare_crushing(Manifold::chord_middle, -0.1, friction);
+    compare_crushing(Manifold::chord_middle, 0.0, friction);
+    compare_crushing(Manifold::chord_ends, 0.0, friction);
+  }
 }
 
 /// Forty floes in a channel that narrows to a moored platform, thrown about: every time step anew from the same state.
@@ -372,7 +390,7 @@ SceneDef pack_scene(Resolution resolution, Manifold manifold, double friction) {
   scene.floes.count = 40;
   scene.floes.length_m = 70.0;
   scene.floes.width_m = 50.0;
-  scene.floes.start_x_m = -85.0;
+  scene.floes.start_x_m = -81.0;
   scene.boundary.inlet_x_m = scene.boundary.taper_start_x_m = -100.0;
   scene.boundary.inlet_width_m = 60.0;
   scene.boundary.gap_m = 30.0;
@@ -386,34 +404,30 @@ SceneDef pack_scene(Resolution resolution, Manifold manifold, double friction) {
   return scene;
 }
 
+void compare_pack(Resolution resolution, Manifold manifold, double friction) {
+  Comparison c{.scene = pack_scene(resolution, manifold, friction), .steps = 400, .row = 8};
+  c.contacts_of_a_body = 10;
+  c.anew = c.thrown = true;
+  c.contacts = 1000;
+  int on_platform = 0;
+  c.also = [&](const MomentLog& log) { on_platform += log.platform[0].contacts; };
+  compare(c);
+  EXPECT_GT(on_platform, 20);
+}
+
 TEST(ReferenceJudgesAPack, CoupledWithoutFriction) {
   for (const Manifold manifold : {Manifold::chord_middle, Manifold::chord_ends})
-    compare({.scene = pack_scene(Resolution::coupled, manifold, 0.0),
-             .steps = 400,
-             .row = 8,
-             .anew = true,
-             .contacts = 1000,
-             .thrown = true});
+    compare_pack(Resolution::coupled, manifold, 0.0);
 }
 
 /// Friction this low cannot hold a floe between two others by itself, so there is one answer.
 TEST(ReferenceJudgesAPack, CoupledWithLowFriction) {
   for (const Manifold manifold : {Manifold::chord_middle, Manifold::chord_ends})
-    compare({.scene = pack_scene(Resolution::coupled, manifold, 0.1),
-             .steps = 400,
-             .row = 8,
-             .anew = true,
-             .contacts = 1000,
-             .thrown = true});
+    compare_pack(Resolution::coupled, manifold, 0.1);
 }
 
 TEST(ReferenceJudgesAPack, Independent) {
-  for (const double friction : {0.0, 0.35})
-    compare({.scene = pack_scene(Resolution::independent, Manifold::chord_middle, friction),
-             .steps = 400,
-             .anew = true,
-             .contacts = 1000,
-             .thrown = true});
+  for (const double friction : {0.0, 0.35}) compare_pack(Resolution::independent, Manifold::chord_middle, friction);
 }
 
 /// 1,234 floes with more than a thousand touching points. No push goes through more than the 60 floes that fit between
@@ -427,7 +441,13 @@ TEST(ReferenceJudgesAJam, WithoutFriction) {
     const EngineState start = agreement::jam(scene, agreement::drifting_field(scene));
     scene.numerics.residual_tolerance = 1e-11;
     scene.numerics.iterations_maximum = 200000;
-    compare({.scene = scene, .steps = 4, .row = 60, .anew = true, .contacts = 4000, .start = &start});
+    compare({.scene = scene,
+             .steps = 4,
+             .row = 60,
+             .contacts_of_a_body = 10,
+             .anew = true,
+             .contacts = 3000,
+             .start = &start});
   }
 }
 
@@ -458,30 +478,30 @@ TEST(ReferenceJudgesMotion, ThePlatformSwings) {
   }
 }
 
-/// 100 time steps of a pack by the reference alone, in blocks of `block`, with or without events.
+/// 300 time steps of a pack by the reference alone, in blocks of `block`, with or without events.
 std::uint64_t hash_of_pack(const SceneDef& scene, int block, bool events, bool restarts) {
   auto engine = make_engine(scene, test::busy_field(scene), agreement::on("reference"));
   MomentLog log;
   log.wants_events = events;
-  for (int done = 0; done < 100; done += block) {
+  for (int done = 0; done < 300; done += block) {
     engine->advance(block, log);
     if (!restarts) continue;
     const EngineState state = engine->save();
     engine = make_engine(scene, test::busy_field(scene), agreement::on("reference"));
     engine->restore(state);
   }
-  EXPECT_GT(test::contacts_in(log), 500);
-  EXPECT_EQ(log.events.empty(), !events);
+  EXPECT_GT(test::contacts_in(log), 1000);
+  EXPECT_EQ(log.events.empty(), !events) << "on the platform";
   return engine->state_hash();
 }
 
 TEST(ReferenceRepeats, ItsBitsWhateverTheBlocksTheLogAndRestarts) {
   for (const Resolution resolution : {Resolution::independent, Resolution::coupled}) {
     const SceneDef scene = pack_scene(resolution, Manifold::chord_ends, 0.35);
-    const std::uint64_t whole = hash_of_pack(scene, 100, true, false);
-    EXPECT_EQ(hash_of_pack(scene, 100, false, false), whole) << "events not logged";
+    const std::uint64_t whole = hash_of_pack(scene, 300, true, false);
+    EXPECT_EQ(hash_of_pack(scene, 300, false, false), whole) << "events not logged";
     EXPECT_EQ(hash_of_pack(scene, 10, true, false), whole) << "in blocks";
-    EXPECT_EQ(hash_of_pack(scene, 20, true, true), whole) << "restarted";
+    EXPECT_EQ(hash_of_pack(scene, 60, true, true), whole) << "restarted";
   }
 }
 

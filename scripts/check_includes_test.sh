@@ -96,7 +96,15 @@ plant gem/engine/cuda/cuda_engine.cu <<'END'
 #include <cub/cub.cuh>
 __global__ void kernel(double* sum) { atomicAdd(sum, 1.0); }  // PLANT order
 END
+plant gem/engine/reference/reference_engine.cpp <<'END'
+#include <Eigen/SparseCore>
+#include "gem/engine/engine.h"
+#include "gem/engine/reference/touch.h"
+#include "gem/engine/step/contact.h"  // PLANT oracle
+#include "gem/events/impact.h"
+END
 plant gem/record/recorder.cpp <<'END'
+#include <Eigen/SparseCore>  // PLANT eigen
 #include <H5DSpublic.h>
 #include <hdf5.h>
 #include "gem/analysis/spectra/spectrum.h"  // PLANT layer

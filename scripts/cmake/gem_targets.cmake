@@ -93,7 +93,7 @@ add_dependencies(gem_simulator gem_version)
 target_include_directories(gem_simulator PUBLIC ${PROJECT_BINARY_DIR}/generated)
 target_include_directories(gem_simulator SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR})
 target_link_libraries(gem_simulator PUBLIC gem_flags Threads::Threads
-  PRIVATE nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
+  PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
 gem_together(gem_simulator gem/field)
 
 gem_sources(report_sources gem/report)

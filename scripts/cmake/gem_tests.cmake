@@ -33,7 +33,8 @@ endforeach()
 
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
 gem_test_program(gem_unit_tests unit ${unit_tests})
-target_link_libraries(gem_unit_tests PRIVATE hdf5::hdf5 hdf5::hdf5_hl)  # the tests of gem/record read what was written
+target_link_libraries(gem_unit_tests PRIVATE hdf5::hdf5 hdf5::hdf5_hl  # the tests of gem/record read what was written
+  Eigen3::Eigen)  # and those of the reference engine's solver set up its problems
 
 if(TARGET box2d::box2d)
   file(GLOB baseline_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/baseline_box2d/*_test.cpp)

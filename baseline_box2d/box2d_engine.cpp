@@ -26,13 +26,8 @@ double work_on(const Bodies& b, std::size_t i, Vec2 velocity, double spin) {
 
 }  // namespace
 
-Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const BaselineOptions& options)
+Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options)
     : options_(options), event_speed_(scene.output.event_speed_m_per_s), touches_(field_, options_) {
-  if (options.velocity_iterations < 1 || options.position_iterations < 0 || !(options.skin_m >= 0.0) ||
-      options.substeps < 1 || !(options.restitution_threshold_m_per_s >= 0.0))
-    throw Error(ExitCode::usage,
-                "box2d: at least 1 velocity iteration, 0 position iterations, a skin of 0 m, 1 substep and a threshold "
-                "of 0 m/s are needed (fewer have no meaning) change the options");
   const StepConstants constants = step_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   make_world();

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "baseline_box2d/box2d_options.h"
 #include "baseline_box2d/touches.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/step/field_state.h"
@@ -17,7 +18,7 @@ namespace gem::baseline {
 /// velocities are kept in double, so that drag and mooring lose nothing, and are given to Box2D rounded.
 class Box2dEngine : public Engine {
  public:
-  Box2dEngine(const SceneDef& scene, Bodies bodies, const BaselineOptions& options);
+  Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options);
 
   std::string name() const override { return "box2d"; }
   std::string method() const override;
@@ -43,7 +44,7 @@ class Box2dEngine : public Engine {
   double closing_speed_left() const;
   void disable_retired();
 
-  BaselineOptions options_;
+  Box2dOptions options_;
   double event_speed_;
   FieldState field_;
   Ledger ledger_;

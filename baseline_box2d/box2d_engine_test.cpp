@@ -60,12 +60,11 @@ TEST(Box2dEngine, BadOptionsAreRefused) {
   SceneDef scene = still_scene();
   scene.floe = {square(10.0, {}, {})};
   const Bodies field = make_field(scene);
-  EngineOptions options = on("box2d");
-  options.baseline.velocity_iterations = 0;
-  EXPECT_THROW(make_engine(scene, field, options), Error);
-  options = on("box2d");
-  options.baseline.skin_m = std::nan("");
-  EXPECT_THROW(make_engine(scene, field, options), Error);
+  for (const char* setting : {"velocity_iterations=0", "position_iterations=-1", "skin_m=nan", "gravity=1"}) {
+    EngineOptions options = on("box2d");
+    options.baseline_settings = {setting};
+    EXPECT_THROW(make_engine(scene, field, options), Error) << setting;
+  }
 }
 
 TEST(Box2dEngine, V04_flatOnAWall) {
@@ -268,7 +267,7 @@ TEST(Box2dEngine, WithoutMeasuringTheMotionIsTheSame) {
   const SceneDef scene = test::busy_scene(15);
   const auto measured = make_engine(scene, test::busy_field(scene), on("box2d"));
   EngineOptions options = on("box2d");
-  options.baseline.measures_quality = false;
+  options.baseline_settings = {"measures_quality=0"};
   const auto bare = make_engine(scene, test::busy_field(scene), options);
   StepLog log;
   measured->advance(200, log);

@@ -8,7 +8,9 @@
 #include <string>
 
 #include "baseline_box2d/body_of.h"
+#include "baseline_box2d/box2d_options.h"
 #include "baseline_box2d/register_box2d.h"
+#include "gem/base/number_text.h"
 #include "gem/engine/engine.h"
 #include "gem/field/field.h"
 #include "gem/geometry/polygon.h"
@@ -16,7 +18,7 @@
 namespace gem::baseline {
 namespace {
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool box2d_registered = [] {
   if (baseline_names().empty()) register_box2d();
   return true;
 }();
@@ -37,10 +39,10 @@ FloeDef square(Vec2 position, Vec2 velocity, double side = 10.0) {
   return {{{-h, -h}, {h, -h}, {h, h}, {-h, h}}, position, 0.0, velocity, 0.0, 0.5};
 }
 
-std::unique_ptr<Engine> box2d(const SceneDef& scene, double skin = BaselineOptions{}.skin_m) {
+std::unique_ptr<Engine> box2d(const SceneDef& scene, double skin = Box2dOptions{}.skin_m) {
   EngineOptions options;
   options.name = "box2d";
-  options.baseline.skin_m = skin;
+  options.baseline_settings = {"skin_m=" + number_text(skin)};
   return make_engine(scene, make_field(scene), options);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "baseline_box2d/box2d_options.h"
 #include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
 #include "gem/engine/engine.h"
@@ -15,7 +16,7 @@ namespace {
 EngineOptions with(const std::string& experiment) {
   register_box2d();
   EngineOptions options{"box2d", 1};
-  if (!experiment.empty()) set_experiment(options.baseline, experiment);
+  if (!experiment.empty()) options.baseline_settings = {experiment};
   return options;
 }
 
@@ -57,9 +58,8 @@ TEST(Experiments, TheThresholdOfReboundMeansNothingWithoutRestitution) {
 }
 
 TEST(Experiments, OthersAreRefused) {
-  BaselineOptions options;
   for (const char* text : {"", "substeps", "substeps=0", "substeps=1.5", "continuous=2", "gravity=1", "substeps=nan"})
-    EXPECT_THROW(set_experiment(options, text), Error) << text;
+    EXPECT_THROW(box2d_options({text}), Error) << text;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "baseline_box2d/box2d_options.h"
 #include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
@@ -31,22 +32,18 @@ std::string trimmed(const std::string& text) {
 void set_option(EngineSetting& setting, const std::string& option) {
   EngineOptions& options = setting.engine;
   const std::string key = option.substr(0, option.find('='));
-  const double value = number_of(option.substr(option.find('=') + 1), key);
+  const std::string text = option.substr(option.find('=') + 1);
+  const double value = number_of(text, key);
   if (key == "threads") {
     options.threads = static_cast<int>(value);
-  } else if (key == "velocity_iterations") {
-    options.baseline.velocity_iterations = static_cast<int>(value);
-  } else if (key == "position_iterations") {
-    options.baseline.position_iterations = static_cast<int>(value);
   } else if (key == "warm") {
     setting.warm = value != 0.0;
   } else if (key == "step_factor") {
     if (!(value > 0.0)) throw Error(ExitCode::usage, option + " is no factor (it must be above 0) correct it");
     setting.step_factor = value;
-  } else if (key == "skin") {
-    options.baseline.skin_m = value;
   } else {
-    set_experiment(options.baseline, option);  // refuses what it does not know either
+    options.baseline_settings.push_back(key == "skin" ? "skin_m=" + text : option);
+    baseline::box2d_options(options.baseline_settings);  // refuses what it does not know either
   }
 }
 
@@ -88,7 +85,7 @@ std::vector<EngineSetting> read_settings(const std::string& path, const CaseChoi
     setting.label = trimmed(label);
     setting.engine.name = trimmed(engine);
     setting.engine.threads = 1;
-    setting.engine.baseline.measures_quality = false;  // judged outside
+    setting.engine.baseline_settings = {"measures_quality=0"};  // judged outside
     for (const std::string& option : words(options)) set_option(setting, option);
     CaseChoice choice = chosen_case;
     setting.overrides = words(overrides);

@@ -13,6 +13,6 @@ trap 'rm -rf "$folder"' EXIT
 "$1" sweep status "$folder/runs" --json >"$folder/status.json"
 "$1" analyse --json "$folder/runs/middle_4000000.h5" >"$folder/analyse.json"
 "$1" sweep collect "$folder/runs" --out "$folder/summary.nc.h5"
-"$1" sweep collect "$folder/runs" --out "$folder/exact.nc.h5" --index 2-3 --series 0.5 --exact --no-null-model
+"$1" sweep collect "$folder/runs" --out "$folder/exact.nc.h5" --index 2-3 --series 0.5 --exact
 "$1" sweep collect "$folder/runs" --out "$folder/lean.nc.h5" --series 0
 "$python" "$(dirname "${BASH_SOURCE[0]}")/check_summary.py" "$folder"

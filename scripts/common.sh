@@ -84,11 +84,20 @@ install_missing() {
   phase "install packages" apt_install "${missing[@]}"
 }
 
-# build_targets [TARGET...]: default preset in build/; all targets when none is named.
+# program_only: options for a first configuration that looks for no packages of set `test`; nothing where tests are built.
+program_only() {
+  grep -qs '^GEM_TESTS:BOOL=ON' "$root/build/CMakeCache.txt" || printf "%s\n" -DGEM_TESTS=OFF -DGEM_BENCHMARKS=OFF
+}
+
+# build_targets [-DOPTION...] [TARGET...]: default preset in build/; all targets when none is named.
 build_targets() {
-  local targets=()
+  local options=() targets=()
+  while [[ ${1:-} == -D* ]]; do
+    options+=("$1")
+    shift
+  done
   [ "$#" -eq 0 ] || targets=(--target "$@")
   cd "$root" || fail "cannot enter $root"
-  phase "configure" cmake --preset default --log-level=WARNING
+  phase "configure" cmake --preset default --log-level=WARNING "${options[@]}"
   phase "build" cmake --build --preset default --parallel "$(nproc)" "${targets[@]}"
 }

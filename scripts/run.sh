@@ -8,8 +8,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 run_file=runs/004_400_25.h5
 report_folder=runs/004_400_25_report
 
-install_missing build
-build_targets gem
+install_missing run
+mapfile -t options < <(program_only)
+build_targets "${options[@]}" gem
 mkdir -p runs
 # The run file is this script's own, so a second call may replace it.
 phase "run cases/004_400_25.toml" build/gem run cases/004_400_25.toml --out "$run_file" --overwrite "$@"

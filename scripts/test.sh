@@ -5,7 +5,7 @@ set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-install_missing build
+install_missing run test
 build_targets
 tests=(ctest --preset default --parallel "$(nproc)" "$@")
 if [ -n "${CI:-}" ]; then

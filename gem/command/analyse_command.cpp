@@ -13,9 +13,9 @@
 #include "gem/command/command.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
-#include "gem/report/load_run.h"
-#include "gem/report/platform_series.h"
-#include "gem/report/run_findings.h"
+#include "gem/report/run/load_run.h"
+#include "gem/report/run/platform_series.h"
+#include "gem/report/run/run_findings.h"
 #include "gem/scene/toml/document.h"
 #include "gem/scene/toml/scene_file.h"
 
@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct AnalyseOptions {
   std::vector<std::string> paths;
   double from_s = 0.0;
   bool allow_incomplete = false;
@@ -39,7 +39,7 @@ struct Run {
   std::vector<Finding> findings;
 };
 
-Run analysed(const std::string& path, const Options& options) {
+Run analysed(const std::string& path, const AnalyseOptions& options) {
   const RunData data = load_run(path, options.allow_incomplete);
   const std::vector<double>& time = data.platform.time;
   if (time.empty())
@@ -215,7 +215,7 @@ std::string text_of(const std::vector<Run>& runs, const Combined& all) {
   return text;
 }
 
-int analyse(const Options& options) {
+int analyse(const AnalyseOptions& options) {
   if (!(options.from_s >= 0.0))
     throw Error(ExitCode::usage,
                 "--from " + number_text(options.from_s) + " is no time of a run (it must be 0 s or more) give one");
@@ -238,7 +238,7 @@ int analyse(const Options& options) {
 }  // namespace
 
 void add_analyse_command(CLI::App& app, Chosen& chosen) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AnalyseOptions>();
   CLI::App* command =
       app.add_subcommand("analyse", "periods, offset, orbit, contact and extremes of one or several run files");
   command->add_option("files", options->paths, "run files; several are taken as independent runs of one condition")

@@ -125,35 +125,15 @@ class Engine {
   std::uint64_t state_hash();
 };
 
-/// Settings of an engine that resolves contacts in its own way.
-struct BaselineOptions {
-  int velocity_iterations = 8;
-  int position_iterations = 3;
-  double skin_m = 0.01;          // radius round every outline within which two bodies are held apart [m]
-  bool measures_quality = true;  // false: overlap and residual of MomentQuality are NaN, and cost nothing
-
-  // experiments: what explains a difference from gem, one at a time
-  int substeps = 1;             // steps in one time step; drag and mooring act once
-  bool warm_starting = true;    // from the impulses of the last step
-  bool continuous = false;      // floes are bullets: stopped at the first touch within a step
-  bool mixes_friction = false;  // the root of the product of the two bodies' coefficients, not the pair's
-  double restitution_threshold_m_per_s = 0.0;  // slower hits do not rebound; nothing does, as restitution is 0
-};
-
-/// Sets one of the experiments from KEY=VALUE. Throws Error(usage) for another key or a value out of range.
-void set_experiment(BaselineOptions& options, const std::string& text);
-/// Their names, for messages.
-std::string experiment_keys();
-
 /// Hash of a moving state: same bits, same hash.
 std::uint64_t hash_of(std::int64_t step, const Bodies& bodies);
 
 struct EngineOptions {
-  std::string name = "cpu";                   // reference | cpu | cuda
-  int threads = 0;                            // 0: all that the machine offers
-  std::size_t contacts_worth_a_thread = 256;  // coupled: fewer for each thread are iterated by one
-  int device = -1;                            // cuda: index of the GPU; -1: the first that can be used
-  BaselineOptions baseline = {};
+  std::string name = "cpu";                         // reference | cpu | cuda
+  int threads = 0;                                  // 0: all that the machine offers
+  std::size_t contacts_worth_a_thread = 256;        // coupled: fewer for each thread are iterated by one
+  int device = -1;                                  // cuda: index of the GPU; -1: the first that can be used
+  std::vector<std::string> baseline_settings = {};  // KEY=VALUE, for a registered baseline to read
 };
 
 /// Makes the named engine for a scene and its field.
@@ -165,10 +145,24 @@ std::vector<std::string> engine_names();
 /// Makes one engine that is built outside gem/engine.
 using BaselineMaker = std::function<std::unique_ptr<Engine>(const SceneDef&, Bodies, const EngineOptions&)>;
 
+/// A setting of a baseline that the command line offers.
+struct BaselineSetting {
+  std::string key;      // as in baseline_settings
+  std::string flag;     // its option of the command line; empty: --experiment KEY=VALUE
+  std::string preset;   // the value if nothing is said
+  std::string meaning;  // one line for --help
+};
+
 /// Makes a baseline known to make_engine: another program's physics, judged by its own rows. Not for several threads.
-void register_baseline(const std::string& name, BaselineMaker make);
+void register_baseline(const std::string& name, BaselineMaker make, std::vector<BaselineSetting> settings = {});
 
 /// Names of the registered baselines, which engine_names() leaves out: they share no bits with gem's engines.
 std::vector<std::string> baseline_names();
+
+/// The settings of all registered baselines.
+std::vector<BaselineSetting> baseline_settings();
+
+/// Whether `engine` is one of baseline_names().
+bool is_baseline(const std::string& engine);
 
 }  // namespace gem

@@ -17,6 +17,7 @@ namespace {
 struct Baseline {
   std::string name;
   BaselineMaker make;
+  std::vector<BaselineSetting> settings;
 };
 
 std::vector<Baseline>& baselines() {
@@ -50,12 +51,27 @@ std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const 
   throw Error(ExitCode::usage, "unknown engine '" + options.name + "' (" + joined(known) + ")");
 }
 
-void register_baseline(const std::string& name, BaselineMaker make) { baselines().push_back({name, std::move(make)}); }
+void register_baseline(const std::string& name, BaselineMaker make, std::vector<BaselineSetting> settings) {
+  baselines().push_back({name, std::move(make), std::move(settings)});
+}
 
 std::vector<std::string> baseline_names() {
   std::vector<std::string> names;
   for (const Baseline& baseline : baselines()) names.push_back(baseline.name);
   return names;
+}
+
+std::vector<BaselineSetting> baseline_settings() {
+  std::vector<BaselineSetting> settings;
+  for (const Baseline& baseline : baselines())
+    settings.insert(settings.end(), baseline.settings.begin(), baseline.settings.end());
+  return settings;
+}
+
+bool is_baseline(const std::string& engine) {
+  for (const Baseline& baseline : baselines())
+    if (baseline.name == engine) return true;
+  return false;
 }
 
 std::uint64_t Engine::state_hash() { return hash_of(step(), bodies()); }

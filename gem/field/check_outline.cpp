@@ -11,20 +11,20 @@
 namespace gem {
 namespace {
 
-[[noreturn]] void refuse(const std::string& name, const std::string& text) {
+[[noreturn]] void refuse_outline(const std::string& name, const std::string& text) {
   throw Error(ExitCode::scene_rejected, name + ": " + text);
 }
 
 [[noreturn]] void refuse_vertex(const std::string& name, std::size_t vertex, const std::string& text) {
-  refuse(name, "vertex " + std::to_string(vertex) + " " + text);
+  refuse_outline(name, "vertex " + std::to_string(vertex) + " " + text);
 }
 
 void check_count(const std::vector<Vec2>& outline, const std::string& name) {
   const std::string count = std::to_string(outline.size());
-  if (outline.size() < 3) refuse(name, count + " vertices (an outline needs at least 3) add corners");
+  if (outline.size() < 3) refuse_outline(name, count + " vertices (an outline needs at least 3) add corners");
   if (outline.size() > outline_vertices_maximum)
-    refuse(name,
-           count + " vertices (at most " + std::to_string(outline_vertices_maximum) + " are allowed) simplify it");
+    refuse_outline(
+        name, count + " vertices (at most " + std::to_string(outline_vertices_maximum) + " are allowed) simplify it");
 }
 
 void check_points(const std::vector<Vec2>& outline, const std::string& name) {
@@ -60,7 +60,7 @@ std::vector<double> turns_of(const std::vector<Vec2>& outline) {
 
 void check_turns(const std::vector<double>& turns, double area, const std::string& name) {
   if (std::all_of(turns.begin(), turns.end(), [](double t) { return t == 0.0; }))
-    refuse(name, "zero area (all vertices lie on one line) correct the outline");
+    refuse_outline(name, "zero area (all vertices lie on one line) correct the outline");
   for (std::size_t i = 0; i < turns.size(); ++i)
     if (turns[i] == 0.0) refuse_vertex(name, i, "lies on the line of its neighbours (corners must turn) remove it");
   for (std::size_t i = 0; i < turns.size(); ++i)

@@ -23,7 +23,7 @@ using hdf5::Handle;
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why, const std::string& hint) {
+[[noreturn]] void refuse_run_file(const std::string& path, const std::string& why, const std::string& hint) {
   throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + why + ") " + hint);
 }
 
@@ -34,8 +34,8 @@ auto reading(const std::string& path, Body body) {
     return body();
   } catch (const hdf5::Failure& failure) {
     if (failure.text.find(std::strerror(EAGAIN)) != std::string::npos)
-      refuse(path, "a run is writing it", "wait for its end, or read a copy of the file");
-    refuse(path, failure.text, "the file may be damaged or made by another program");
+      refuse_run_file(path, "a run is writing it", "wait for its end, or read a copy of the file");
+    refuse_run_file(path, failure.text, "the file may be damaged or made by another program");
   }
 }
 
@@ -94,11 +94,11 @@ RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::
   inside_->path = path;
   std::error_code fault;
   const auto kind = std::filesystem::status(path, fault).type();
-  if (kind == std::filesystem::file_type::not_found) refuse(path, "no such file", "check the name");
-  if (kind == std::filesystem::file_type::directory) refuse(path, "it is a directory", "name a run file");
-  if (fault) refuse(path, fault.message(), "check the path");
-  if (!std::ifstream(path)) refuse(path, "no permission", "check the permissions");
-  if (!is_run_file(path)) refuse(path, "not an HDF5 file", "name a file that `gem run` wrote");
+  if (kind == std::filesystem::file_type::not_found) refuse_run_file(path, "no such file", "check the name");
+  if (kind == std::filesystem::file_type::directory) refuse_run_file(path, "it is a directory", "name a run file");
+  if (fault) refuse_run_file(path, fault.message(), "check the path");
+  if (!std::ifstream(path)) refuse_run_file(path, "no permission", "check the permissions");
+  if (!is_run_file(path)) refuse_run_file(path, "not an HDF5 file", "name a file that `gem run` wrote");
   reading(path, [&] {
     const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
     check(H5Pset_file_locking(access, true, true), "file locking");
@@ -107,12 +107,13 @@ RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::
   });
   const std::string version = attribute("gem_schema");
   if (version.empty())
-    refuse(path, "no gem_schema attribute: not a run file",
-           "name a file that `gem run` wrote (a summary of `gem sweep collect` is for xarray and `gem paper`)");
+    refuse_run_file(path, "no gem_schema attribute: not a run file",
+                    "name a file that `gem run` wrote (a summary of `gem sweep collect` is for xarray)");
   if (version != schema_version)
-    refuse(path, "schema " + version + ", this program reads " + schema_version, "use a matching gem");
+    refuse_run_file(path, "schema " + version + ", this program reads " + schema_version, "use a matching gem");
   if (!allow_incomplete && status() != "complete") {
-    refuse(path, "its status is '" + status() + "', not 'complete'", "use --allow-incomplete to read what is there");
+    refuse_run_file(path, "its status is '" + status() + "', not 'complete'",
+                    "use --allow-incomplete to read what is there");
   }
 }
 
@@ -198,8 +199,8 @@ std::size_t RunFile::frame_count() const { return shape("floes/time").at(0); }
 
 FrameView RunFile::frame(std::size_t index) const {
   if (index >= frame_count()) {
-    refuse(path(), "no frame " + std::to_string(index) + " of " + std::to_string(frame_count()),
-           "ask for an earlier one");
+    refuse_run_file(path(), "no frame " + std::to_string(index) + " of " + std::to_string(frame_count()),
+                    "ask for an earlier one");
   }
   return reading(path(), [&] {
     FrameView view;
@@ -252,7 +253,7 @@ std::vector<FloeDef> floes_of_run_file(const std::string& path) {
   const auto theta = file.column("shape/start_theta");
   const auto thickness = file.column("shape/thickness");
   if (file.frame_count() == 0 && !outlines.empty()) {
-    refuse(path, "it holds no frame", "run it again for at least one floe frame");
+    refuse_run_file(path, "it holds no frame", "run it again for at least one floe frame");
   }
   const FrameView first = outlines.empty() ? FrameView{} : file.frame(0);
   std::vector<FloeDef> floes(outlines.size());

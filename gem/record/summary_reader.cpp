@@ -113,7 +113,7 @@ class Dataset {
   Handle id_, type_;
 };
 
-std::set<std::string> words(const std::string& text) {
+std::set<std::string> word_set(const std::string& text) {
   std::istringstream stream(text);
   std::set<std::string> all;
   for (std::string word; stream >> word;) all.insert(word);
@@ -123,7 +123,7 @@ std::set<std::string> words(const std::string& text) {
 void read_dataset(const Dataset& data, const std::string& name, SummaryTable& table, std::set<std::string>& settings) {
   const std::string units = data.text("units");
   const std::string meaning = data.text("long_name");
-  settings.merge(words(data.text("coordinates")));
+  settings.merge(word_set(data.text("coordinates")));
   if (name == "run" && !data.is_text()) throw hdf5::Failure{"its runs have no names"};
   if (name == "run")
     table.runs = data.texts();

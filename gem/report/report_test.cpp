@@ -18,9 +18,9 @@
 #include "gem/base/scratch_folder.h"
 #include "gem/record/run_writer.h"
 #include "gem/report/display.h"
+#include "gem/report/figures/run_program.h"
 #include "gem/report/page_tables.h"
-#include "gem/report/run_findings.h"
-#include "gem/report/run_program.h"
+#include "gem/report/run/run_findings.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {

@@ -17,7 +17,7 @@
 #include "gem/record/hdf5_handle.h"
 #include "gem/record/output_path.h"
 #include "gem/record/recorder.h"
-#include "gem/report/load_run.h"
+#include "gem/report/run/load_run.h"
 #include "gem/run/run_scene.h"
 
 namespace gem {

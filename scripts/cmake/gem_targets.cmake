@@ -29,6 +29,26 @@ function(gem_sources out)
   set(${out} ${found} PARENT_SCOPE)
 endfunction()
 
+# gem_cold(TARGET FOLDER...): what runs once per run or per output: light optimisation (the numbers do not hang on it), and
+# the files of each folder as one translation unit, so that the heavy headers (command line, JSON, TOML) are read once per
+# folder. Names without linkage must therefore differ within a folder; GEM_UNITY=OFF compiles file by file.
+function(gem_cold target)
+  target_compile_options(${target} PRIVATE $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release>>:-O1>)
+  gem_together(${target} ${ARGN})
+endfunction()
+
+# gem_together(TARGET FOLDER...): only the latter.
+function(gem_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GEM_UNITY} UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  foreach(folder IN LISTS ARGN)
+    set(files ${sources})
+    list(FILTER files INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${folder}/")
+    string(REPLACE "/" "_" group ${folder})
+    set_source_files_properties(${files} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+endfunction()
+
 # The build's identity is read at build time, so that a file never names an older commit.
 add_custom_target(gem_version
   COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DOUTPUT=${PROJECT_BINARY_DIR}/generated/gem_version.h
@@ -37,7 +57,7 @@ add_custom_target(gem_version
     -P ${PROJECT_SOURCE_DIR}/scripts/cmake/gem_version.cmake
   BYPRODUCTS ${PROJECT_BINARY_DIR}/generated/gem_version.h COMMENT "Reading the version of the tree" VERBATIM)
 
-gem_sources(simulator_sources gem/base gem/geometry gem/events gem/scene gem/field gem/engine gem/record)
+gem_sources(simulator_sources gem/base gem/geometry gem/events gem/field gem/engine)
 if(GEM_HAS_CUDA)
   list(FILTER simulator_sources EXCLUDE REGEX "cuda_missing\\.cpp$")
   file(GLOB cuda_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/engine/cuda/*.cu)
@@ -59,33 +79,60 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/solver/coupled_roun
 # A false alarm of g++ 12, hundreds of lines: each use stands behind the condition under which it was filled.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/device/resident_steps_test.cpp PROPERTIES COMPILE_OPTIONS
   -Wno-uninitialized)
-add_library(gem_simulator STATIC ${simulator_sources})
+# Scenes and records are parts of the simulator with flags of their own.
+gem_sources(scene_and_record_sources gem/scene gem/record)
+add_library(gem_scene_and_record OBJECT ${scene_and_record_sources})
+add_dependencies(gem_scene_and_record gem_version)
+target_include_directories(gem_scene_and_record PRIVATE ${PROJECT_BINARY_DIR}/generated)
+target_include_directories(gem_scene_and_record SYSTEM PRIVATE ${TOMLPLUSPLUS_INCLUDE_DIR})
+target_link_libraries(gem_scene_and_record PRIVATE gem_flags nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
+gem_cold(gem_scene_and_record gem/scene gem/record)
+
+add_library(gem_simulator STATIC ${simulator_sources} $<TARGET_OBJECTS:gem_scene_and_record>)
 add_dependencies(gem_simulator gem_version)
 target_include_directories(gem_simulator PUBLIC ${PROJECT_BINARY_DIR}/generated)
-target_include_directories(gem_simulator SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR} PRIVATE ${TOMLPLUSPLUS_INCLUDE_DIR})
+target_include_directories(gem_simulator SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR})
 target_link_libraries(gem_simulator PUBLIC gem_flags Threads::Threads
-  PRIVATE nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
+  PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
+gem_together(gem_simulator gem/field)
 
-gem_sources(analysis_sources gem/analysis gem/report)
-add_library(gem_analysis STATIC ${analysis_sources})
-target_link_libraries(gem_analysis PUBLIC gem_simulator PRIVATE GSL::gsl GSL::gslcblas Eigen3::Eigen nlohmann_json::nlohmann_json)
+gem_sources(report_sources gem/report)
+add_library(gem_report OBJECT ${report_sources})
+target_link_libraries(gem_report PRIVATE gem_simulator nlohmann_json::nlohmann_json GSL::gsl)
+gem_cold(gem_report gem/report)
+
+gem_sources(analysis_sources gem/analysis)
+add_library(gem_analysis STATIC ${analysis_sources} $<TARGET_OBJECTS:gem_report>)
+target_link_libraries(gem_analysis PUBLIC gem_simulator PRIVATE GSL::gsl GSL::gslcblas nlohmann_json::nlohmann_json)
+gem_together(gem_analysis gem/analysis)
 
 gem_sources(command_sources gem/command gem/run)
 add_library(gem_command STATIC ${command_sources})
 target_link_libraries(gem_command PUBLIC gem_simulator gem_analysis PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
+gem_cold(gem_command gem/run gem/command)
 
 # The same scenes in Box2D; without it the program knows one engine less.
 gem_sources(baseline_sources baseline_box2d)
 if(TARGET box2d::box2d)
   list(FILTER baseline_sources EXCLUDE REGEX "/without_box2d\\.cpp$")
 else()
-  list(FILTER baseline_sources INCLUDE REGEX "/without_box2d\\.cpp$")
+  list(FILTER baseline_sources INCLUDE REGEX "/(without_box2d|box2d_options)\\.cpp$")
 endif()
 add_library(gem_baseline STATIC ${baseline_sources})
 target_link_libraries(gem_baseline PUBLIC gem_simulator $<TARGET_NAME_IF_EXISTS:box2d::box2d>)
 
 add_executable(gem gem/main.cpp)
-target_link_libraries(gem PRIVATE gem_command gem_baseline CLI11::CLI11 nlohmann_json::nlohmann_json)
+target_link_libraries(gem PRIVATE gem_command gem_baseline CLI11::CLI11)
+gem_cold(gem)
+
+# The judge of the reference paper, a program of its own; experiments/ has the programs that make its rows.
+gem_sources(paper_sources validation/paper)
+list(FILTER paper_sources EXCLUDE REGEX "/validation/paper/(experiments/.*|gem_paper)\\.cpp$")
+add_library(gem_paper_judge STATIC ${paper_sources})
+target_link_libraries(gem_paper_judge PUBLIC gem_analysis
+  PRIVATE GSL::gsl GSL::gslcblas nlohmann_json::nlohmann_json)
+add_executable(gem_paper validation/paper/gem_paper.cpp)
+target_link_libraries(gem_paper PRIVATE gem_paper_judge gem_command CLI11::CLI11)
 
 # Needs no benchmark library: it is carried to the machine that has the GPU.
 if(GEM_HAS_CUDA)

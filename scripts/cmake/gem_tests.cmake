@@ -3,9 +3,21 @@ find_package(GTest REQUIRED)
 include(GoogleTest)
 include(gem_rules)
 
-# gem_test_program(NAME LABEL SOURCES...): one executable; tests whose name starts with Long carry the label `long` instead.
+# gem_test_program(NAME LABEL SOURCES...): one executable; the files of a folder compile together as in gem_cold. Tests whose name
+# starts with Long carry the label `long` instead.
 function(gem_test_program name label)
   add_executable(${name} ${ARGN})
+  set(folders)
+  foreach(source IN LISTS ARGN)
+    cmake_path(GET source PARENT_PATH folder)
+    file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
+    if(NOT folder MATCHES "^gem/engine/")
+      string(REGEX REPLACE "^(gem/[^/]+)/.*" "\\1" folder ${folder})
+    endif()
+    list(APPEND folders ${folder})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  gem_cold(${name} ${folders})
   target_link_libraries(${name} PRIVATE gem_command gem_baseline GTest::gtest_main nlohmann_json::nlohmann_json)
   target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     GEM_PROGRAM="$<TARGET_FILE:gem>")
@@ -14,9 +26,15 @@ function(gem_test_program name label)
   gtest_discover_tests(${name} TEST_FILTER "Long*:*/Long*" PROPERTIES LABELS long TIMEOUT 14400 DISCOVERY_TIMEOUT 60)
 endfunction()
 
+# Names without linkage of these files are also those of others in their folder.
+foreach(file IN ITEMS verification/platform_test verification/crushing_test verification/row_test hard/contact_residuals)
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/validation/${file}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endforeach()
+
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
 gem_test_program(gem_unit_tests unit ${unit_tests})
-target_link_libraries(gem_unit_tests PRIVATE hdf5::hdf5 hdf5::hdf5_hl)  # the tests of gem/record read what was written
+target_link_libraries(gem_unit_tests PRIVATE hdf5::hdf5 hdf5::hdf5_hl  # the tests of gem/record read what was written
+  Eigen3::Eigen)  # and those of the reference engine's solver set up its problems
 
 if(TARGET box2d::box2d)
   file(GLOB baseline_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/baseline_box2d/*_test.cpp)
@@ -24,8 +42,13 @@ if(TARGET box2d::box2d)
   gem_test_program(gem_baseline_tests unit ${baseline_tests})
 endif()
 
-set(repeats ${PROJECT_SOURCE_DIR}/validation/paper/unordered_engine)
-gem_test_program(gem_repeats_tests unit ${repeats}_test.cpp ${repeats}.cpp)
+# The judge of the paper, and the engine of the repeats whose rows it reads.
+file(GLOB_RECURSE paper_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/paper/*_test.cpp)
+gem_test_program(gem_paper_tests unit ${paper_tests}
+  ${PROJECT_SOURCE_DIR}/validation/paper/experiments/unordered_engine.cpp)
+target_link_libraries(gem_paper_tests PRIVATE gem_paper_judge)
+target_compile_definitions(gem_paper_tests PRIVATE GEM_PAPER_PROGRAM="$<TARGET_FILE:gem_paper>")
+add_dependencies(gem_paper_tests gem_paper)
 
 # Clipper judges the overlap of outlines; without it that test is skipped with its reason.
 find_path(POLYCLIPPING_INCLUDE_DIR polyclipping/clipper.hpp)

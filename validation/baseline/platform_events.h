@@ -16,7 +16,7 @@ struct PlatformEvents {
 };
 
 /// A floe has landed if it had not touched the platform for so long. Its weight on the platform comes and goes for up
-/// to two seconds while it lies there (scripts/hits_study.sh), and it needs longer to come back.
+/// to two seconds while it lies there (validation/baseline/README.md), and it needs longer to come back.
 constexpr double landing_gap_s = 3.0;
 
 PlatformEvents platform_events(const RunFile& file);

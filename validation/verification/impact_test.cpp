@@ -216,6 +216,7 @@ TEST_P(Iterations, V13_common_velocity_of_a_row) {
 }
 
 TEST_P(Iterations, V13_iterations_grow_with_the_length_of_a_row) {
+  if (setting().engine == "reference") GTEST_SKIP() << "its equations are factored: no news from contact to contact";
   // Gauss and Seidel's need the square of the length: 84 times as many for 99 floes as for 10 (V13.sweeps_GS)
   const int few = row_impact(10, 1e-6, setting()).quality.iterations;
   const int many = row_impact(99, 1e-6, setting()).quality.iterations;

@@ -1,11 +1,11 @@
 // Slepian tapers from a commuting tridiagonal matrix.
 #include "gem/analysis/spectra/tapers.h"
 
-#include <Eigen/Dense>
-#include <Eigen/Sparse>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 namespace gem {
 namespace {
@@ -15,20 +15,20 @@ namespace {
 //   1. bisection with Sturm counts finds each eigenvalue;
 //   2. inverse iteration from a sine of the same number of sign changes finds its vector.
 struct Tridiagonal {
-  Eigen::VectorXd diagonal;
-  Eigen::VectorXd beside;  // beside[i] couples i and i + 1
+  std::vector<double> diagonal;
+  std::vector<double> beside;  // beside[i] couples i and i + 1
 };
 
 Tridiagonal slepian_matrix(std::size_t length, double time_bandwidth) {
-  const auto n = static_cast<Eigen::Index>(length);
   const double half_band = time_bandwidth / static_cast<double>(length);
   const double cosine = std::cos(2.0 * std::numbers::pi * half_band);
-  Tridiagonal matrix{Eigen::VectorXd(n), Eigen::VectorXd(n - 1)};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double from_middle = 0.5 * static_cast<double>(n - 1 - 2 * i);
+  Tridiagonal matrix{std::vector<double>(length), std::vector<double>(length - 1)};
+  for (std::size_t i = 0; i < length; ++i) {
+    const double from_middle = 0.5 * static_cast<double>(length - 1) - static_cast<double>(i);
     matrix.diagonal[i] = from_middle * from_middle * cosine;
   }
-  for (Eigen::Index i = 1; i < n; ++i) matrix.beside[i - 1] = 0.5 * static_cast<double>(i) * static_cast<double>(n - i);
+  for (std::size_t i = 1; i < length; ++i)
+    matrix.beside[i - 1] = 0.5 * static_cast<double>(i) * static_cast<double>(length - i);
   return matrix;
 }
 
@@ -36,7 +36,7 @@ Tridiagonal slepian_matrix(std::size_t length, double time_bandwidth) {
 std::size_t count_above(const Tridiagonal& matrix, double value) {
   std::size_t above = 0;
   double pivot = 1.0;
-  for (Eigen::Index i = 0; i < matrix.diagonal.size(); ++i) {
+  for (std::size_t i = 0; i < matrix.diagonal.size(); ++i) {
     const double coupling = i == 0 ? 0.0 : matrix.beside[i - 1] * matrix.beside[i - 1] / pivot;
     pivot = matrix.diagonal[i] - value - coupling;
     if (pivot == 0.0) pivot = -1e-300;
@@ -46,9 +46,11 @@ std::size_t count_above(const Tridiagonal& matrix, double value) {
 }
 
 double eigenvalue_from_top(const Tridiagonal& matrix, std::size_t order) {
-  const double bound = matrix.diagonal.cwiseAbs().maxCoeff() + 2.0 * matrix.beside.maxCoeff();
-  double low = -bound;
-  double high = bound;
+  double bound = 0.0;
+  for (const double value : matrix.diagonal) bound = std::max(bound, std::abs(value));
+  for (const double value : matrix.beside) bound = std::max(bound, 2.0 * value);
+  double low = -2.0 * bound;
+  double high = 2.0 * bound;
   while (true) {
     const double middle = low + 0.5 * (high - low);
     if (middle <= low || middle >= high) return high;
@@ -56,42 +58,71 @@ double eigenvalue_from_top(const Tridiagonal& matrix, std::size_t order) {
   }
 }
 
-Eigen::SparseMatrix<double> shifted(const Tridiagonal& matrix, double shift) {
-  const Eigen::Index n = matrix.diagonal.size();
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const int row = static_cast<int>(i);
-    entries.emplace_back(row, row, matrix.diagonal[i] - shift);
-    if (i + 1 == n) continue;
-    entries.emplace_back(row, row + 1, matrix.beside[i]);
-    entries.emplace_back(row + 1, row, matrix.beside[i]);
+/// Solves (matrix - shift) x = right, which becomes x: Gaussian elimination with exchange of neighbouring rows, which
+/// fills one more diagonal. The matrix is all but singular, and it may be: only the direction of x counts.
+void solve_shifted(const Tridiagonal& matrix, double shift, std::vector<double>& right) {
+  struct Row {
+    double at = 0.0, next = 0.0, after = 0.0;  // the entries on the diagonal and right of it
+  };
+  const std::size_t n = matrix.diagonal.size();
+  const auto beside = [&](std::size_t i) { return i + 1 < n ? matrix.beside[i] : 0.0; };
+  std::vector<Row> upper(n);
+  upper[0] = {matrix.diagonal[0] - shift, beside(0), 0.0};
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    double below = matrix.beside[i];
+    Row following = {matrix.diagonal[i + 1] - shift, beside(i + 1), 0.0};
+    if (std::abs(below) > std::abs(upper[i].at)) {
+      const Row pivot = {below, following.at, following.next};
+      below = upper[i].at;
+      following = {upper[i].next, upper[i].after, 0.0};
+      upper[i] = pivot;
+      std::swap(right[i], right[i + 1]);
+    }
+    const double factor = below / upper[i].at;
+    upper[i + 1] = {following.at - factor * upper[i].next, following.next - factor * upper[i].after, 0.0};
+    right[i + 1] -= factor * right[i];
   }
-  Eigen::SparseMatrix<double> sparse(n, n);
-  sparse.setFromTriplets(entries.begin(), entries.end());
-  return sparse;
+  if (upper[n - 1].at == 0.0) upper[n - 1].at = 1e-300;
+  for (std::size_t i = n; i-- > 0;) {
+    double sum = right[i];
+    if (i + 1 < n) sum -= upper[i].next * right[i + 1];
+    if (i + 2 < n) sum -= upper[i].after * right[i + 2];
+    right[i] = sum / upper[i].at;
+  }
 }
 
-Eigen::VectorXd sine_guess(Eigen::Index n, std::size_t order) {
-  Eigen::VectorXd guess(n);
+void normalise(std::vector<double>& vector) {
+  double greatest = 0.0;  // the length is taken of numbers of order one: squares of the solution may overflow
+  for (const double value : vector) greatest = std::max(greatest, std::abs(value));
+  for (double& value : vector) value /= greatest;
+  const double length = std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
+  for (double& value : vector) value /= length;
+}
+
+std::vector<double> sine_guess(std::size_t n, std::size_t order) {
+  std::vector<double> guess(n);
   const double turn = std::numbers::pi * static_cast<double>(order + 1) / static_cast<double>(n + 1);
-  for (Eigen::Index i = 0; i < n; ++i) guess[i] = std::sin(turn * static_cast<double>(i + 1));
-  return guess.normalized();
+  for (std::size_t i = 0; i < n; ++i) guess[i] = std::sin(turn * static_cast<double>(i + 1));
+  return guess;
 }
 
-Eigen::VectorXd eigenvector(const Tridiagonal& matrix, std::size_t order) {
+std::vector<double> eigenvector(const Tridiagonal& matrix, std::size_t order) {
   const double value = eigenvalue_from_top(matrix, order);
-  // Just off the eigenvalue, so that the factorisation exists.
+  // Just off the eigenvalue, so that the elimination finds pivots.
   const double shift = value + 1e-13 * std::max(1.0, std::abs(value));
-  Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::NaturalOrdering<int>> factor(shifted(matrix, shift));
-  Eigen::VectorXd vector = sine_guess(matrix.diagonal.size(), order);
-  for (int pass = 0; pass < 4; ++pass) vector = factor.solve(vector).eval().normalized();
+  std::vector<double> vector = sine_guess(matrix.diagonal.size(), order);
+  normalise(vector);
+  for (int pass = 0; pass < 4; ++pass) {
+    solve_shifted(matrix, shift, vector);
+    normalise(vector);
+  }
   return vector;
 }
 
 /// The usual signs: symmetric tapers sum to a positive number, antisymmetric ones begin positive.
-bool wrong_sign(const Eigen::VectorXd& taper, std::size_t order) {
-  if (order % 2 == 0) return taper.sum() < 0.0;
-  return taper.head(taper.size() / 2).sum() < 0.0;
+bool wrong_sign(const std::vector<double>& taper, std::size_t order) {
+  const auto end = order % 2 == 0 ? taper.end() : taper.begin() + static_cast<std::ptrdiff_t>(taper.size() / 2);
+  return std::accumulate(taper.begin(), end, 0.0) < 0.0;
 }
 
 }  // namespace
@@ -100,9 +131,9 @@ std::vector<std::vector<double>> slepian_tapers(std::size_t length, double time_
   const Tridiagonal matrix = slepian_matrix(length, time_bandwidth);
   std::vector<std::vector<double>> tapers;
   for (std::size_t order = 0; order < count; ++order) {
-    Eigen::VectorXd taper = eigenvector(matrix, order);
-    if (wrong_sign(taper, order)) taper = -taper;
-    tapers.emplace_back(taper.begin(), taper.end());
+    tapers.push_back(eigenvector(matrix, order));
+    if (wrong_sign(tapers.back(), order))
+      for (double& value : tapers.back()) value = -value;
   }
   return tapers;
 }

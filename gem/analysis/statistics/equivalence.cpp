@@ -18,7 +18,7 @@ double squared_error(std::span<const double> values, const Moments& about) {
   return about.deviation * about.deviation / (static_cast<double>(values.size()) - 1.0);
 }
 
-std::vector<std::size_t> ascending(std::span<const double> p) {
+std::vector<std::size_t> ascending_p(std::span<const double> p) {
   std::vector<std::size_t> order(p.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
@@ -51,21 +51,9 @@ std::vector<double> holm(std::span<const double> p) {
   std::vector<double> adjusted(p.size());
   double largest = 0.0;
   std::size_t rank = 0;
-  for (const std::size_t i : ascending(p)) {
+  for (const std::size_t i : ascending_p(p)) {
     largest = std::max(largest, std::min(1.0, p[i] * static_cast<double>(p.size() - rank++)));
     adjusted[i] = largest;
-  }
-  return adjusted;
-}
-
-std::vector<double> benjamini_hochberg(std::span<const double> p) {
-  std::vector<double> adjusted(p.size());
-  std::vector<std::size_t> order = ascending(p);
-  double smallest = 1.0;
-  for (std::size_t rank = order.size(); rank > 0; --rank) {
-    const std::size_t i = order[rank - 1];
-    smallest = std::min(smallest, p[i] * static_cast<double>(p.size()) / static_cast<double>(rank));
-    adjusted[i] = smallest;
   }
   return adjusted;
 }

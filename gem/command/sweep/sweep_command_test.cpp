@@ -264,7 +264,7 @@ TEST_F(SweepCommandTest, CollectAsksForAllRuns) {
 TEST_F(SweepCommandTest, CollectKeepsNoMoreThanWasRecorded) {
   ASSERT_EQ(sweep("d", {"--index", "1"}), 0);
   const auto collect = [&](const Words& more) {
-    Words words = {"sweep", "collect", "d", "--out", "s.h5", "--partial", "--overwrite", "--no-null-model"};
+    Words words = {"sweep", "collect", "d", "--out", "s.h5", "--partial", "--overwrite"};
     words.insert(words.end(), more.begin(), more.end());
     return gem(words);
   };

@@ -86,11 +86,6 @@ double last_of(const RunFile& file, const std::string& dataset) {
   return values.empty() ? 0.0 : values.back();
 }
 
-bool is_baseline(const std::string& engine) {
-  const std::vector<std::string> names = baseline_names();
-  return std::find(names.begin(), names.end(), engine) != names.end();
-}
-
 /// All of gem's own engines give the same bits.
 bool same_physics(const std::string& asked, const std::string& found) {
   return asked.empty() || asked == found || (!is_baseline(asked) && !is_baseline(found));

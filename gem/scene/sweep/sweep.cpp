@@ -13,7 +13,7 @@
 namespace gem {
 namespace {
 
-[[noreturn]] void reject(const TomlPlace& place, const std::string& problem) {
+[[noreturn]] void reject_sweep(const TomlPlace& place, const std::string& problem) {
   throw Error(ExitCode::scene_rejected, to_string(place) + ": sweep: " + problem);
 }
 
@@ -46,7 +46,7 @@ TomlNode without_sweep(TomlNode document) {
 std::vector<SweepMember> expand(TomlNode document, const std::vector<std::string>& overrides) {
   apply_overrides(document, overrides);
   const TomlNode* sweep = document.find("sweep");
-  if (sweep == nullptr) reject(document.place, "missing; the file is a single case, not a sweep");
+  if (sweep == nullptr) reject_sweep(document.place, "missing; the file is a single case, not a sweep");
   const TomlNode base = without_sweep(document);
   Problems problems;
   const SceneDef base_scene = scene_from_tree(base, problems);
@@ -60,7 +60,7 @@ std::vector<SweepMember> expand(TomlNode document, const std::vector<std::string
     for (const std::string& text : overrides) merge_toml(tree, without_sweep(parse_override(text)));
     SweepMember member{static_cast<std::int64_t>(members.size()) + 1, draft.name, {}, {}};
     if (!names.insert(member.name).second)
-      reject(sweep->key_place, "two runs have the name " + quoted_text(member.name));
+      reject_sweep(sweep->key_place, "two runs have the name " + quoted_text(member.name));
     TomlNode name;
     name.kind = TomlKind::text;
     name.text = member.name;

@@ -1,0 +1,22 @@
+// The reproduction report of the paper from run files and summaries.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gem {
+
+struct PaperReportSummary {
+  std::size_t runs = 0, refused = 0, reproduced = 0, not_reproduced = 0, undecidable = 0;
+};
+
+/// Reads every run file and summary of `runs` (folders or files), judges the statements of `statements`
+/// (validation/paper/paper.json), beside which the rows of build/unordered_sums and build/ice_distances may
+/// lie, and writes OUT/README.md, OUT/rows.csv and OUT/figures, whose pictures, scripts and numbers of an earlier
+/// report it removes. Any subset of the runs will do; the page says what is missing. Throws Error(file_system) if not
+/// one run could be read, before anything is removed, if something else cannot be read or written, or gnuplot is
+/// missing.
+PaperReportSummary write_paper_report(const std::vector<std::string>& runs, const std::string& out,
+                                      const std::string& statements);
+
+}  // namespace gem

@@ -33,10 +33,10 @@ void shuffle(std::vector<SingleMotion>& pushes, RandomSequence& random) {
 UnorderedEngine::UnorderedEngine(const SceneDef& scene, Bodies bodies, SumStart start, std::uint64_t repeat)
     : CpuEngine(scene, std::move(bodies), 1, EngineOptions{}.contacts_worth_a_thread), start_(start), repeat_(repeat) {}
 
-/// On one thread, as the constructor asks.
-void UnorderedEngine::resolve(ThreadTeam& team, int rank) {
-  keep_motions();
-  CpuEngine::resolve(team, rank);
+// On one thread, as the constructor asks.
+void UnorderedEngine::before_contact_events() { keep_motions(); }
+
+void UnorderedEngine::after_contact_events() {
   gather_pushes();
   sum_again();
 }
@@ -54,14 +54,14 @@ void UnorderedEngine::gather_pushes() {
       const ContactSlot& slot = contact->slot[k];
       if (slot.impulse.normal == 0.0 && slot.impulse.tangential == 0.0) continue;
       const Vec2 impulse = world_impulse(*contact, slot.impulse);
-      entry_.push_back({contact->a, motion_step(collision_mass(b, contact->a), slot.arm_a, -impulse)});
-      entry_.push_back({contact->b, motion_step(collision_mass(b, contact->b), slot.arm_b, impulse)});
+      entry_.push_back({contact->a, velocity_change(collision_mass(b, contact->a), slot.arm_a, -impulse)});
+      entry_.push_back({contact->b, velocity_change(collision_mass(b, contact->b), slot.arm_b, impulse)});
     }
   std::stable_sort(entry_.begin(), entry_.end(), [](const Entry& p, const Entry& q) { return p.body < q.body; });
 }
 
 void UnorderedEngine::sum_again() {
-  RandomSequence random(Random(repeat_, kOrderStream, static_cast<std::uint32_t>(moment())));
+  RandomSequence random(Random(repeat_, kOrderStream, static_cast<std::uint32_t>(step())));
   const Entry* const end = entry_.data() + entry_.size();
   for (const Entry* first = entry_.data(); first != end;) {
     const Entry* last = first;

@@ -1,5 +1,5 @@
 // The CPU engine with sums like those of atomic additions in single precision: what contacts push a body is added up in
-// an order that changes from moment to moment. For the study of repeated runs; no run is made with it otherwise.
+// an order that changes from step to step. For the study of repeated runs; no run is made with it otherwise.
 #pragma once
 
 #include <cstdint>
@@ -30,10 +30,10 @@ SingleMotion sum_of(SingleMotion start, const std::vector<SingleMotion>& pushes)
 /// Puts the pushes into an order that is one of all orders with equal chance.
 void shuffle(std::vector<SingleMotion>& pushes, RandomSequence& random);
 
-/// How far sums in single precision lay apart over all moments so far. Differences are of velocity, relative to the sum
+/// How far sums in single precision lay apart over all time steps so far. Differences are of velocity, relative to the sum
 /// of the lengths of what was added.
 struct SumStatistics {
-  std::int64_t sums = 0;       // of bodies that were pushed, one a moment
+  std::int64_t sums = 0;       // of bodies that were pushed, one a time step
   std::int64_t several = 0;    // of them with enough terms for their order to matter
   std::int64_t changed = 0;    // of them with other bits than in the order of the contacts
   double order_squares = 0.0;  // against that order, over `several`
@@ -53,12 +53,13 @@ class UnorderedEngine : public CpuEngine {
   const SumStatistics& statistics() const { return statistics_; }
 
  protected:
-  void resolve(ThreadTeam& team, int rank) override;
+  void before_contact_events() override;
+  void after_contact_events() override;
 
  private:
   struct Entry {
     std::int32_t body;
-    MotionStep push;
+    VelocityChange push;
   };
   void keep_motions();
   void gather_pushes();

@@ -1,4 +1,4 @@
-// Sums in no fixed order: the order counts in single precision, a repeat can be made again, and one moment of sums is
+// Sums in no fixed order: the order counts in single precision, a repeat can be made again, and one time step of sums is
 // the ordered one but for rounding.
 #include "validation/paper/unordered_engine.h"
 
@@ -67,7 +67,7 @@ TEST_P(UnorderedSums, TwoRepeatsPartOnceOrderMatters) {
   UnorderedEngine first = repeat(1), second = repeat(2);
   StepLog log;
   while (first.statistics().changed == 0 && first.step() < 300) {
-    ASSERT_EQ(first.state_hash(), second.state_hash()) << "moment " << first.step();
+    ASSERT_EQ(first.state_hash(), second.state_hash()) << "step " << first.step();
     first.advance(1, log);
     second.advance(1, log);
     if (second.statistics().changed > 0) break;
@@ -84,7 +84,7 @@ TEST_P(UnorderedSums, AMomentIsTheOrderedOneButForRounding) {
   ordered.advance(50, log);
   UnorderedEngine unordered = repeat(1);
   double largest = 0.0;
-  for (int moment = 0; moment < 20; ++moment) {
+  for (int step = 0; step < 20; ++step) {
     unordered.restore(ordered.save());
     ordered.advance(1, log);
     unordered.advance(1, log);

@@ -14,6 +14,23 @@
 
 namespace gem {
 
+enum class DragLaw { none, quadratic, linear };
+
+/// The water moves with this velocity everywhere.
+struct CurrentDef {
+  Vec2 velocity_m_per_s = {0.25, 0.0};
+};
+
+/// What the water does to floes.
+struct WaterDef {
+  double density_kg_per_m3 = 1025.0;
+  DragLaw drag_law = DragLaw::quadratic;
+  double form_coefficient = 1.0;   ///< C_f, on sqrt(area) x draft
+  double skin_coefficient = 5e-3;  ///< C_s, on the area
+  double linear_time_s = 100.0;    ///< tau of the linear law
+  bool spin_drag = true;           ///< the same terms slow the spin
+};
+
 /// Slip after a time step, and how much shorter its path is than (slip after) x dt would say.
 struct DragSolution {
   Vec2 slip;             // after the time step [m/s]

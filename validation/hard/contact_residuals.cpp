@@ -36,7 +36,7 @@ ContactResiduals residuals_of(const FieldState& field, const Bodies& after, cons
   const double target = slot.separation > 0.0 ? -slot.separation / c.dt : 0.0;
   const Vec2 velocity = relative_velocity(after, contact, slot);
   const double u_n = dot(velocity, contact.normal) - target, u_t = dot(velocity, turned_left(contact.normal));
-  const double friction = contact.a == 0 ? c.friction_structure : c.friction_ice;
+  const double friction = friction_of_pair(c.events, contact.a == 0);
   const double push = compliance.nn * impulse.normal, rub = compliance.tt * impulse.tangential;
   const double bound = compliance.tt * friction * std::max(0.0, impulse.normal);
 

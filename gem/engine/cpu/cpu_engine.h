@@ -12,6 +12,7 @@
 #include "gem/engine/step/books.h"
 #include "gem/engine/step/contact_outcome.h"
 #include "gem/engine/step/field_state.h"
+#include "gem/engine/step/stages.h"
 
 namespace gem {
 
@@ -28,15 +29,21 @@ class CpuEngine : public Engine {
   void restore(const EngineState& state) override;
 
  protected:
-  /// Inside a team's run: the pair events of the time step. A study may look at what they did and do it otherwise.
-  virtual void resolve(ThreadTeam& team, int rank);
+  /// Inside a team's run, before and after the pair events of a time step: a study may look at what they did.
+  virtual void before_contact_events() {}
+  virtual void after_contact_events() {}
   FieldState& field() { return field_; }
   /// Of this time step, with their impulses once they are resolved.
   Contacts contacts() const { return pairs_.contacts(); }
 
  private:
   void one_step(ThreadTeam& team, int rank, StepLog& log);
+  template <Stage stage>
+  void run(ThreadTeam& team, int rank, StepLog& log);
+  void solo_events(ThreadTeam& team, int rank);
   void resolve_independent(ThreadTeam& team, int rank);
+  void enter_books(ThreadTeam& team, int rank, StepLog& log);
+  void move(ThreadTeam& team, int rank, StepLog& log);
 
   FieldState field_;
   double event_speed_;

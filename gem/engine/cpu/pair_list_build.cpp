@@ -124,12 +124,10 @@ void PairList::pairs_of_floe(std::size_t i, Part& part) const {
 }
 
 void PairList::note_trajectory(const FieldState& f) {
-  trajectory_ = sorted_place_;
+  trajectory_ = place_;
   velocity_ = f.bodies.velocity;
   for (std::size_t i = 1; i < f.bodies.count() && large(f, i); ++i) velocity_[i] = {};
-  const double speed = length(f.constants.current) + 1e-3;
-  horizon_ =
-      std::clamp<std::int64_t>(static_cast<std::int64_t>(f.constants.list_margin / (speed * f.constants.dt)), 1, 400);
+  horizon_ = f.constants.list_horizon;
   ahead_ = static_cast<double>(horizon_) * f.constants.dt;
   margin_ = f.constants.list_margin + f.constants.contact_margin;
   age_ = 0;
@@ -138,14 +136,14 @@ void PairList::note_trajectory(const FieldState& f) {
 
 /// A pair that was listed before goes on from its last look. Both lists ascend in (a, b).
 void PairList::keep_axes() {
-  candidate_.assign(pairs_.size(), {});
+  axes_.assign(pairs_.size(), {});
   std::size_t at = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& pair = pairs_[i];
     while (at < last_pairs_.size() && std::pair(last_pairs_[at].a, last_pairs_[at].b) < std::pair(pair.a, pair.b)) ++at;
     if (at == last_pairs_.size() || last_pairs_[at].a != pair.a || last_pairs_[at].b != pair.b) continue;
     pairs_[i] = last_pairs_[at];
-    candidate_[i] = last_axes_[at];
+    axes_[i] = last_axes_[at];
   }
 }
 
@@ -155,7 +153,7 @@ void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
   team.for_each(rank, n, [&](std::int64_t i) { box_[i] = box_of(f, i); });
   team.single(rank, [&] {
     last_pairs_.swap(pairs_);
-    last_axes_.swap(candidate_);
+    last_axes_.swap(axes_);
     pairs_.clear();
     fill_grid(f);
     pairs_of_large_bodies(f);

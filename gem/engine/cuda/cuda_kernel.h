@@ -58,6 +58,6 @@ AdvanceKernel advance_kernel();
 
 using PhaseKernel = void (*)(const PhaseLaunch);
 
-PhaseKernel phase_kernel(DevicePhase phase, ContactSolver solver);
+PhaseKernel stage_kernel(Stage stage, ContactSolver solver);
 
 }  // namespace gem

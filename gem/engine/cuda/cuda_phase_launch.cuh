@@ -49,11 +49,11 @@ class PhaseStreams {
   /// Streams that have fewer starts to make than others get theirs spread over the time of these.
   void launch_all(const std::vector<std::int64_t>& starts) {
     const std::int64_t most = *std::max_element(starts.begin(), starts.end());
-    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(first_phases);
+    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(call_begins);
     for (std::int64_t m = 0; m < most; ++m)
       for (std::size_t k = 0; k < starts.size(); ++k)
         if ((m + 1) * starts[k] / most > m * starts[k] / most) stream_[k]->start_steps();
-    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(last_phases);
+    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(call_ends);
   }
 
   /// Where the scenes of each stream begin, and where the last ends.

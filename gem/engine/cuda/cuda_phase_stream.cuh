@@ -42,9 +42,7 @@ struct PhaseScene {
 };
 
 /// Fast memory of a block in a phase of the iterations [bytes].
-constexpr std::size_t shared_bytes_of_solver(DevicePhase phase) {
-  return phase == DevicePhase::iterate ? solve_shared_bytes : 0;
-}
+constexpr std::size_t shared_bytes_of_solver(Stage stage) { return stage == Stage::iterate ? solve_shared_bytes : 0; }
 
 /// The largest cluster by which the device iterates, a power of two; 0: it cannot. Allows the kernels to take what they
 /// need.
@@ -52,9 +50,9 @@ int largest_solver() {
   int device = 0, most = 0, blocks = largest_cluster;
   check_cuda(cudaGetDevice(&device), "be set up");
   check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
-  for (const DevicePhase phase : {DevicePhase::gather, DevicePhase::iterate, DevicePhase::settle}) {
-    const PhaseKernel kernel = phase_kernel(phase, ContactSolver::coupled);
-    const std::size_t shared_memory = shared_bytes_of_solver(phase);
+  for (const Stage stage : {Stage::gather, Stage::iterate, Stage::settle}) {
+    const PhaseKernel kernel = stage_kernel(stage, ContactSolver::coupled);
+    const std::size_t shared_memory = shared_bytes_of_solver(stage);
     cudaFuncAttributes attributes{};
     check_cuda(cudaFuncGetAttributes(&attributes, kernel), "be set up");
     if (shared_memory + attributes.sharedSizeBytes > static_cast<std::size_t>(most)) return 0;
@@ -113,7 +111,7 @@ class PhaseStream {
 
   template <class Phases>
   void launch(const Phases& phases) {
-    for (const DevicePhase phase : phases) launch(phase);
+    for (const Stage stage : phases) launch(stage);
   }
 
   void end(const Timeline& call) {
@@ -142,52 +140,52 @@ class PhaseStream {
     if (wanted == recorded_) return;
     recorded_ = {};
     steps_.record(time_.stream(), [&] {
-      for (std::int32_t k = 0; k < steps; ++k) launch(step_phases);
+      for (std::int32_t k = 0; k < steps; ++k) launch(time_step_stages);
     });
     recorded_ = wanted;
   }
 
-  void launch(DevicePhase phase) {
-    if (is_of_solver(phase)) {
-      if (solver_ == ContactSolver::coupled) launch_solver(phase);
+  void launch(Stage stage) {
+    if (goes_with_move(stage)) return;
+    if (is_of_solver(stage)) {
+      if (solver_ == ContactSolver::coupled) launch_solver(stage);
       return;
     }
     PhaseLaunch work = work_;
     int grid = all_, block = phase_threads;
-    if (phase == DevicePhase::open || phase == DevicePhase::plan) grid = 1, block = plan_threads;
-    if (phase == DevicePhase::list) grid = list_grid_;
-    if (phase == DevicePhase::choose || phase == DevicePhase::candidate || phase == DevicePhase::resolve) {
+    if (stage == Stage::open_call || stage == Stage::plan) grid = 1, block = plan_threads;
+    if (stage == Stage::list) grid = list_grid_;
+    if (stage == Stage::candidates || stage == Stage::narrow_phase || stage == Stage::contact_events) {
       grid = some_;
       work.blocks += all_;
     }
-    if (phase == DevicePhase::choose) work.shared_bytes = candidate_shared_bytes;
-    if (phase == DevicePhase::candidate) work.shared_bytes = phase_threads / phase_lanes * sizeof(WorkspaceOutlines);
-    if (phase == DevicePhase::bodies) work.shared_bytes = bodies_shared_bytes;
+    if (stage == Stage::candidates) work.shared_bytes = candidate_shared_bytes;
+    if (stage == Stage::narrow_phase) work.shared_bytes = phase_threads / phase_lanes * sizeof(WorkspaceOutlines);
+    if (stage == Stage::move) work.shared_bytes = bodies_shared_bytes;
     cudaLaunchConfig_t config{};
     config.gridDim = dim3(static_cast<unsigned>(grid));
     config.blockDim = dim3(static_cast<unsigned>(block));
     config.dynamicSmemBytes = work.shared_bytes;
     config.stream = time_.stream();
-    check_cuda(cudaLaunchKernelEx(&config, kernel_of_phase(phase), work), "start");
+    check_cuda(cudaLaunchKernelEx(&config, kernel_of_stage(stage), work), "start");
   }
 
-  void launch_solver(DevicePhase phase) {
+  void launch_solver(Stage stage) {
     PhaseLaunch work = work_;
     work.shared_bytes = solve_shared_bytes;
-    const SolverConfig solver(work.scene_count, work.solve_blocks, shared_bytes_of_solver(phase), time_.stream());
-    check_cuda(cudaLaunchKernelEx(&solver.config, kernel_of_phase(phase), work), "start");
+    const SolverConfig solver(work.scene_count, work.solve_blocks, shared_bytes_of_solver(stage), time_.stream());
+    check_cuda(cudaLaunchKernelEx(&solver.config, kernel_of_stage(stage), work), "start");
   }
 
   /// Blocks that build lists and meet, of all streams: they have to be on the device at a time.
   int list_blocks_together() const {
     int together = 0;
-    check_cuda(
-        cudaOccupancyMaxActiveBlocksPerMultiprocessor(&together, kernel_of_phase(DevicePhase::list), phase_threads, 0),
-        "be set up");
+    check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&together, kernel_of_stage(Stage::list), phase_threads, 0),
+               "be set up");
     return std::min(list_blocks, together) * multiprocessors_;
   }
 
-  PhaseKernel kernel_of_phase(DevicePhase phase) const { return phase_kernel(phase, solver_); }
+  PhaseKernel kernel_of_stage(Stage stage) const { return stage_kernel(stage, solver_); }
 
   /// The blocks of all scenes, for each as many as for its bodies over `share`.
   static void add_blocks(std::vector<SceneBlock>& all, const std::vector<PhaseScene>& scenes, int share) {

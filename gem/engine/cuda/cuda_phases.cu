@@ -77,11 +77,11 @@ class SettleGroup : public SolveGroup {
 };
 
 /// Whether a block has anything to do for a scene.
-template <DevicePhase phase>
+template <Stage stage>
 __device__ bool has_work(const DeviceScene& s, int block) {
   const int first = block * phase_threads;
-  if (phase == DevicePhase::candidate) return first < s.counters->candidates * phase_lanes;
-  if (phase == DevicePhase::resolve) return first < s.counters->touching_count;
+  if (stage == Stage::narrow_phase) return first < s.counters->candidates * phase_lanes;
+  if (stage == Stage::contact_events) return first < s.counters->touching_count;
   return true;
 }
 
@@ -110,24 +110,24 @@ __device__ inline void plan_by_last(const PhaseLaunch& launch, const DeviceScene
 }
 
 /// A phase of all scenes, each by its own blocks. Few phases have a kernel for each solver.
-template <DevicePhase phase, int blocks, ContactSolver solver = ContactSolver::independent>
+template <Stage stage, int blocks, ContactSolver solver = ContactSolver::independent>
 __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
   extern __shared__ __align__(128) std::byte shared_memory[];
   // lists are made, and none is planned before the bodies move
-  if (phase == DevicePhase::choose && blockIdx.x == 0) clear_lists(launch);
+  if (stage == Stage::candidates && blockIdx.x == 0) clear_lists(launch);
   const SceneBlock mine = launch.blocks[blockIdx.x];
-  if (!has_work<phase>(launch.scenes[mine.scene], mine.block)) return;
+  if (!has_work<stage>(launch.scenes[mine.scene], mine.block)) return;
   load_scene(scene, launch.scenes + mine.scene);
   PhaseGroup group(BlockMemory{cell, shared_memory, launch.shared_bytes}, mine.block, mine.blocks,
                    launch.grid_barriers + mine.scene);
-  run_phase<phase, solver>(scene, group);
-  if (phase == DevicePhase::bodies) plan_by_last(launch, scene, mine);
+  run_stage<stage, solver>(scene, group);
+  if (stage == Stage::move) plan_by_last(launch, scene, mine);
 }
 
 /// A phase of the iterations of all scenes, each by a cluster of blocks. Only those that iterate have shared memory.
-template <DevicePhase phase, int blocks>
+template <Stage stage, int blocks>
 __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
@@ -138,11 +138,11 @@ __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const 
   if (points == 0 || (alone && !first)) return;
   if (threadIdx.x == 0) cell = {};
   load_scene(scene, from);
-  using Group = std::conditional_t<phase == DevicePhase::settle, SettleGroup, SolveGroup>;
-  std::byte* const own = phase == DevicePhase::iterate ? shared_memory : nullptr;
-  const std::size_t bytes = phase == DevicePhase::settle ? 0 : launch.shared_bytes;
+  using Group = std::conditional_t<stage == Stage::settle, SettleGroup, SolveGroup>;
+  std::byte* const own = stage == Stage::iterate ? shared_memory : nullptr;
+  const std::size_t bytes = stage == Stage::settle ? 0 : launch.shared_bytes;
   Group group(BlockMemory{cell, own, bytes}, alone || launch.solve_blocks == 1);
-  run_phase<phase, ContactSolver::coupled>(scene, group);
+  run_stage<stage, ContactSolver::coupled>(scene, group);
 }
 
 /// New lists for the scenes that need one, by as many blocks for each as there are. They meet, so all have to be on the
@@ -167,55 +167,58 @@ __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(con
 }
 
 /// A phase with a thread for each scene, by one block.
-template <DevicePhase phase>
+template <Stage stage>
 __global__ void __launch_bounds__(plan_threads) phase_of_scenes(const PhaseLaunch launch) {
   clear_lists(launch);
   __syncthreads();
   for (int k = static_cast<int>(threadIdx.x); k < launch.scene_count; k += static_cast<int>(blockDim.x)) {
     const DeviceScene& scene = launch.scenes[k];
-    if constexpr (phase == DevicePhase::open)
+    if constexpr (stage == Stage::open_call)
       open_call(scene, launch.steps[k]);
     else
       plan(launch, scene, k);
   }
 }
 
-template <DevicePhase phase, int blocks>
-PhaseKernel by_resolution(ContactSolver solver) {
-  return solver == ContactSolver::coupled ? phase_of_all<phase, blocks, ContactSolver::coupled>
-                                          : phase_of_all<phase, blocks, ContactSolver::independent>;
+template <Stage stage, int blocks>
+PhaseKernel by_solver(ContactSolver solver) {
+  return solver == ContactSolver::coupled ? phase_of_all<stage, blocks, ContactSolver::coupled>
+                                          : phase_of_all<stage, blocks, ContactSolver::independent>;
 }
 
 }  // namespace
 
-PhaseKernel phase_kernel(DevicePhase phase, ContactSolver solver) {
-  switch (phase) {
-    case DevicePhase::open:
-      return phase_of_scenes<DevicePhase::open>;
-    case DevicePhase::begin:
-      return phase_of_all<DevicePhase::begin, 4>;
-    case DevicePhase::plan:
-      return phase_of_scenes<DevicePhase::plan>;
-    case DevicePhase::list:
+PhaseKernel stage_kernel(Stage stage, ContactSolver solver) {
+  switch (stage) {
+    case Stage::open_call:
+      return phase_of_scenes<Stage::open_call>;
+    case Stage::first_solo_events:
+      return phase_of_all<Stage::first_solo_events, 4>;
+    case Stage::plan:
+      return phase_of_scenes<Stage::plan>;
+    case Stage::list:
       return phase_of_lists;
-    case DevicePhase::choose:
-      return phase_of_all<DevicePhase::choose, 8>;
-    case DevicePhase::candidate:
-      return phase_of_all<DevicePhase::candidate, 5>;
-    case DevicePhase::resolve:
-      return by_resolution<DevicePhase::resolve, 5>(solver);
-    case DevicePhase::gather:
-      return phase_of_solvers<DevicePhase::gather, 2>;
-    case DevicePhase::iterate:
-      return phase_of_solvers<DevicePhase::iterate, 1>;
-    case DevicePhase::settle:
-      return phase_of_solvers<DevicePhase::settle, 2>;
-    case DevicePhase::bodies:
-      return by_resolution<DevicePhase::bodies, 4>(solver);
-    case DevicePhase::last_work:
-      return phase_of_all<DevicePhase::last_work, 4>;
-    case DevicePhase::close:
-      return phase_of_all<DevicePhase::close, 4>;
+    case Stage::candidates:
+      return phase_of_all<Stage::candidates, 8>;
+    case Stage::narrow_phase:
+      return phase_of_all<Stage::narrow_phase, 5>;
+    case Stage::contact_events:
+      return by_solver<Stage::contact_events, 5>(solver);
+    case Stage::gather:
+      return phase_of_solvers<Stage::gather, 2>;
+    case Stage::iterate:
+      return phase_of_solvers<Stage::iterate, 1>;
+    case Stage::settle:
+      return phase_of_solvers<Stage::settle, 2>;
+    case Stage::move:
+      return by_solver<Stage::move, 4>(solver);
+    case Stage::last_books:
+      return phase_of_all<Stage::last_books, 4>;
+    case Stage::close_call:
+      return phase_of_all<Stage::close_call, 4>;
+    case Stage::solo_events:
+    case Stage::books:
+      break;  // goes_with_move()
   }
   return nullptr;
 }

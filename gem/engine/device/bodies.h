@@ -4,7 +4,6 @@
 
 #include "gem/engine/device/gather.h"
 #include "gem/engine/step/body_repair.h"
-#include "gem/engine/step/solo_event.h"
 
 namespace gem {
 
@@ -66,18 +65,21 @@ GEM_DEVICE inline bool left_trajectory(const DeviceScene& s, const Mover& mover,
   return !(left > 0.0 && dot(off, off) < left * left);
 }
 
-/// The drag of the next time step on a floe that moves as `after` says.
-GEM_DEVICE inline void kick_body(const DeviceScene& s, Mover& mover, BodyMotion& motion, const BodyAfter& after,
-                                 Quantity& drag_book) {
+/// The solo events of the next time step on a floe that moves as `after` says.
+GEM_DEVICE inline void kick_body(const DeviceScene& s, std::int32_t i, const BodyCell& cell, Mover& mover,
+                                 BodyMotion& motion, const BodyAfter& after, Quantity& drag_book) {
   mover.velocity = after.velocity;
   mover.spin = after.spin;
-  if (s.constants.drag_law == DragLaw::none) return;
-  const Kick kicked = kick(s.constants, motion.drag, motion.spin_drag, after.velocity, after.spin);
-  book_kick(drag_book, motion.mass, motion.inertia, mover.position, after.velocity, after.spin, kicked);
-  mover.velocity = kicked.velocity;
-  mover.spin = kicked.spin;
-  motion.path_correction = kicked.path_correction;
-  motion.angle_correction = kicked.angle_correction;
+  const Events& e = s.constants.events;
+  if (!acts_on_floes(e)) return;
+  const FloeInEvents floe{motion.mass,      motion.inertia, s.area[i],      cell.thickness, motion.drag,
+                          motion.spin_drag, mover.position, after.velocity, after.spin};
+  const FloeKick kick = floe_events(e, floe, floe_drag(e, floe));
+  book_kick(drag_book, floe, kick);
+  mover.velocity = kick.velocity;
+  mover.spin = kick.spin;
+  motion.path_correction = kick.path_correction;
+  motion.angle_correction = kick.angle_correction;
 }
 
 /// Takes over what the iterations of a coupled time step found for body i; returns whether it has points within reach.
@@ -108,16 +110,6 @@ GEM_DEVICE inline bool drift(const DeviceScene& s, Mover& mover, const BodyMotio
   return turn(mover, angle);
 }
 
-/// Enters what a floe takes along that passed the retire line.
-GEM_DEVICE inline void book_retired(const DeviceScene& s, std::int32_t i, const Mover& mover, const BodyMotion& motion,
-                                    const BodyAfter& after) {
-  const Quantity gone = quantity_of(motion.mass, motion.inertia, mover.position, after.velocity, after.spin);
-  Quantity& book = s.book(Channel::retired, i);
-  book.momentum -= gone.momentum;
-  book.angular_momentum -= gone.angular_momentum;
-  book.energy -= gone.energy;
-}
-
 GEM_DEVICE inline bool is_finite(const Mover& mover, Vec2 velocity, double spin) {
   return is_number(mover.position.x + mover.position.y + velocity.x + velocity.y + spin + mover.rotation.cosine +
                    mover.rotation.sine);
@@ -145,10 +137,11 @@ GEM_DEVICE inline void move_body(const DeviceScene& s, Group& group, const Works
   const bool retires = finite && mover.position.x > s.constants.retire_x;
   if (!finite) group.raise(alarm_not_finite);
   if (retires)
-    book_retired(s, i, mover, motion, after);
+    book_gone(s.book(Channel::retired, i),
+              quantity_of(motion.mass, motion.inertia, mover.position, after.velocity, after.spin));
   else if (left_trajectory(s, mover, cell.radius, motion, step.elapsed))
     group.raise(alarm_strayed);
-  if (step.kick_next && !retires) kick_body(s, mover, motion, after, drag_book);
+  if (step.kick_next && !retires) kick_body(s, i, cell, mover, motion, after, drag_book);
   if (step.kick_next && retires) {
     mover.velocity = after.velocity;
     mover.spin = after.spin;

@@ -1,22 +1,23 @@
-// The time steps of scenes phase by phase: a launch makes one phase of all scenes, and takes no more registers than
-// that needs, so that many threads hide what each waits for. Pays where there is more to do than threads at work.
+// The time steps of scenes stage by stage (gem/engine/step/stages.h): a launch makes one stage of all scenes. A kernel
+// takes no more registers than its stage needs, so many threads hide what each waits for. This pays where there is more
+// to do than there are threads at work.
 //
-// | phase            | who                  | what                                                                  |
-// | open             | a thread for a scene | the call begins                                                       |
-// | begin            | all                  | solo events up to the first pair events                               |
-// | plan             | a thread for a scene | says what the first time step does; ends a call that found no list | |
-// list             | all, on a worn list  | books are brought up to date, a new list                              | |
-// choose           | a thread for a pair  | the work of the last time step's contacts; pairs that have to be seen    |
-// | look             | lanes for a look     | where these touch                                                     |
-// | resolve          | a thread for a touch | its event; coupled: its points                                        |
-// | gather           | a cluster of blocks, | coupled: who iterates which points, and where they begin              |
-// |                  | one for few points   |                                                                       |
-// | iterate          | the same             | coupled: the first round of iterations, mostly the only one           |
-// | settle           | the same             | coupled: what they come to, after further rounds if there are any     |
-// | bodies           | a thread for a body  | the bodies phase of device_bodies.h; the last to come plans           |
-// | last_work, close | all                  | the books of the last time step, and the state for the host |
+// | stage             | who                  | what                                                            |
+// | open_call         | a thread for a scene | the call begins                                                 |
+// | first_solo_events | all                  | solo events up to the first pair events                         |
+// | plan              | a thread for a scene | says what the first time step does; ends a call without a list  |
+// | list              | all, on a worn list  | the books are brought up to date, a new list                    |
+// | candidates        | a thread for a pair  | the work of the last step's contacts; pairs that may touch      |
+// | narrow_phase      | lanes for a pair     | where these touch                                               |
+// | contact_events    | a thread for a pair  | its event; coupled: its points                                  |
+// | gather            | a cluster of blocks, | coupled: who iterates which points, and where they begin        |
+// |                   | one for few points   |                                                                 |
+// | iterate           | the same             | coupled: the first round of iterations, mostly the only one     |
+// | settle            | the same             | coupled: what they come to, after further rounds if any         |
+// | move              | a thread for a body  | books, motion, next solo events (bodies.h); the last one plans  |
+// | last_books, close | all                  | the books of the last time step, and the state for the host     |
 //
-// Between two phases nothing is kept but the scene's memory and its alarms. Blocks meet within none, but where they
+// Between two stages nothing is kept but the scene's memory and its alarms. Blocks meet within none, but where they
 // build a list or iterate.
 #pragma once
 
@@ -250,33 +251,29 @@ GEM_DEVICE inline void move_by_blocks(const DeviceScene& s, Group& group) {
 /// Fast memory of a block that moves bodies: their copies, and room for the terms of a usual platform [bytes].
 constexpr std::size_t bodies_shared_bytes = phase_threads * (sizeof(BodyCell) + sizeof(BodyMotion)) + 8 * 1024;
 
-GEM_HD constexpr bool is_of_solver(DevicePhase phase) {
-  return phase == DevicePhase::gather || phase == DevicePhase::iterate || phase == DevicePhase::settle;
-}
-
 /// Whether the scene has no part in a phase.
-template <DevicePhase phase>
+template <Stage stage>
 GEM_DEVICE inline bool is_idle(const DeviceScene& s) {
-  if (is_of_solver(phase)) return s.counters->points == 0;
-  if (phase == DevicePhase::begin) return s.status->phase_step == PhaseStep::ended;
-  if (phase == DevicePhase::last_work || phase == DevicePhase::close) return s.status->wanted == 0;
+  if (is_of_solver(stage)) return s.counters->points == 0;
+  if (stage == Stage::first_solo_events) return s.status->phase_step == PhaseStep::ended;
+  if (stage == Stage::last_books || stage == Stage::close_call) return s.status->wanted == 0;
   return !moves(s);
 }
 
 /// What a block does for a scene in one phase; the solver counts where touches are resolved and bodies move.
-template <DevicePhase phase, ContactSolver solver, class Group>
-GEM_DEVICE inline void run_phase(const DeviceScene& s, Group& group) {
-  if (is_idle<phase>(s)) return;
-  if constexpr (phase == DevicePhase::begin) begin_call(s, group);
-  if constexpr (phase == DevicePhase::choose) choose_pairs(s, group);
-  if constexpr (phase == DevicePhase::candidate) narrow_phase(s, group);
-  if constexpr (phase == DevicePhase::resolve) resolve_touching<solver>(s, group);
-  if constexpr (phase == DevicePhase::gather) gather_points(s, group);
-  if constexpr (phase == DevicePhase::iterate) SolverRounds<Group>::run_first(s, group);
-  if constexpr (phase == DevicePhase::settle) settle_points(s, group);
-  if constexpr (phase == DevicePhase::bodies) move_by_blocks<solver>(s, group);
-  if constexpr (phase == DevicePhase::last_work) close_contacts(s, group, closing_stamp(s), is_coupled(s));
-  if constexpr (phase == DevicePhase::close) {
+template <Stage stage, ContactSolver solver, class Group>
+GEM_DEVICE inline void run_stage(const DeviceScene& s, Group& group) {
+  if (is_idle<stage>(s)) return;
+  if constexpr (stage == Stage::first_solo_events) begin_call(s, group);
+  if constexpr (stage == Stage::candidates) choose_pairs(s, group);
+  if constexpr (stage == Stage::narrow_phase) narrow_phase(s, group);
+  if constexpr (stage == Stage::contact_events) resolve_touching<solver>(s, group);
+  if constexpr (stage == Stage::gather) gather_points(s, group);
+  if constexpr (stage == Stage::iterate) SolverRounds<Group>::run_first(s, group);
+  if constexpr (stage == Stage::settle) settle_points(s, group);
+  if constexpr (stage == Stage::move) move_by_blocks<solver>(s, group);
+  if constexpr (stage == Stage::last_books) close_contacts(s, group, closing_stamp(s), is_coupled(s));
+  if constexpr (stage == Stage::close_call) {
     close_bodies(s, group);
     write_state(s, group);
   }

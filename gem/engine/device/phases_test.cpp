@@ -70,9 +70,9 @@ INSTANTIATE_TEST_SUITE_P(Independent, DevicePhases,
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
                                           testing::Values(DragLaw::quadratic)));
 
-class DevicePhase : public testing::TestWithParam<ContactSolver> {};
+class DeviceStages : public testing::TestWithParam<ContactSolver> {};
 
-TEST_P(DevicePhase, BlocksAndThreadsChangeNothing) {
+TEST_P(DeviceStages, BlocksAndThreadsChangeNothing) {
   constexpr std::int64_t steps = 30;
   const SceneDef scene = scene_of(GetParam());
   const auto cpu = test::busy_engine(scene, "cpu");
@@ -91,7 +91,7 @@ TEST_P(DevicePhase, BlocksAndThreadsChangeNothing) {
   }
 }
 
-TEST_P(DevicePhase, TakesTurnsWithWholeTimeSteps) {
+TEST_P(DeviceStages, TakesTurnsWithWholeTimeSteps) {
   const SceneDef scene = scene_of(GetParam());
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
@@ -118,7 +118,7 @@ TEST_P(DevicePhase, TakesTurnsWithWholeTimeSteps) {
   EXPECT_GT(test::contacts_in(expected), 500);
 }
 
-TEST_P(DevicePhase, OfAListTooSmallGrowsItAndLosesNothing) {
+TEST_P(DeviceStages, OfAListTooSmallGrowsItAndLosesNothing) {
   const SceneDef scene = scene_of(GetParam());
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp, 40);
@@ -130,7 +130,7 @@ TEST_P(DevicePhase, OfAListTooSmallGrowsItAndLosesNothing) {
   test::expect_same_log(log, expected);
 }
 
-TEST_P(DevicePhase, StopsAtAStateThatIsNoNumber) {
+TEST_P(DeviceStages, StopsAtAStateThatIsNoNumber) {
   const SceneDef scene = scene_of(GetParam());
   Bodies field = test::busy_field(scene);
   field.position[20].x = 1e308;
@@ -190,7 +190,7 @@ TEST(DevicePhaseRounds, OfATightResidualAreMadeToTheirEnd) {
   EXPECT_GT(most->iterations, 64) << "no time step took three rounds";
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, DevicePhase, testing::Values(ContactSolver::independent, ContactSolver::coupled),
+INSTANTIATE_TEST_SUITE_P(Of, DeviceStages, testing::Values(ContactSolver::independent, ContactSolver::coupled),
                          [](const testing::TestParamInfo<ContactSolver>& solver) {
                            return std::string(solver.param == ContactSolver::coupled ? "coupled" : "independent");
                          });

@@ -1,36 +1,20 @@
-// The phases of a call that moves scenes phase by phase, and what one thread for a scene does between its time steps:
-// see device_phases.h.
+// What one thread for a scene does between the time steps of a call that moves scenes stage by stage (phases.h).
 #pragma once
 
 #include "gem/engine/device/resident_steps.h"
+#include "gem/engine/step/stages.h"
 
 namespace gem {
 
-enum class DevicePhase {
-  open,
-  begin,
-  plan,
-  list,
-  choose,
-  candidate,
-  resolve,
-  gather,
-  iterate,
-  settle,
-  bodies,
-  last_work,
-  close
-};
+/// What a call does before its time steps and after them; where bodies have moved, the last block that moved some plans
+/// the next time step. When the last stages begin, all time steps that are wanted have been started: only a scene whose
+/// list found no room is still open.
+constexpr Stage call_begins[] = {Stage::open_call, Stage::first_solo_events, Stage::plan};
+constexpr Stage call_ends[] = {Stage::plan, Stage::last_books, Stage::close_call};
 
-/// The phases of a call, in their order: once, for every time step, once. Only coupled scenes gather, iterate and
-/// settle. Where the bodies have moved, the next time step is planned by the last who moved some.
-constexpr DevicePhase first_phases[] = {DevicePhase::open, DevicePhase::begin, DevicePhase::plan};
-constexpr DevicePhase step_phases[] = {DevicePhase::list,    DevicePhase::choose, DevicePhase::candidate,
-                                       DevicePhase::resolve, DevicePhase::gather, DevicePhase::iterate,
-                                       DevicePhase::settle,  DevicePhase::bodies};
-/// When the last begin, all time steps that are wanted have been started: only a scene whose list found no room is
-/// open.
-constexpr DevicePhase last_phases[] = {DevicePhase::plan, DevicePhase::last_work, DevicePhase::close};
+/// Stages of a time step that a device makes together with `move`: the books of its contacts stand in the rows of the
+/// bodies, and the solo events of the next time step follow at once.
+constexpr bool goes_with_move(Stage stage) { return stage == Stage::solo_events || stage == Stage::books; }
 
 /// Nothing was found in this time step so far.
 GEM_DEVICE inline void forget_counts(const DeviceScene& s) {

@@ -55,7 +55,7 @@ GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded&
   p.mooring_before = p.mooring_force.momentum;
   p.drag_before = loaded.drag_book.momentum;
   p.moved = mover.position;
-  if (s.constants.moored_or_free) platform_half(s.constants, platform_motion(mass, loaded), true);
+  platform_events_before(s.constants.events, platform_motion(mass, loaded));
   mover.velocity = p.velocity;
   mover.spin = spin;
 }
@@ -162,14 +162,6 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformLoaded& 
   sample.contacts = pressed;
 }
 
-/// Enters what shifting the platform does to the mooring's energy and to the angular momentum.
-GEM_DEVICE inline void book_platform_repair(const DeviceScene& s, double mass, const PlatformCell& p, Vec2 shift) {
-  const Vec2 offset = p.moved - s.constants.anchor;
-  Quantity& book = s.book(Channel::repair, 0);
-  book.angular_momentum += mass * cross(shift, p.velocity);
-  book.energy += s.constants.stiffness * (dot(offset, shift) + 0.5 * dot(shift, shift));
-}
-
 /// What one thread does for the platform, once the contacts are summed.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, const Workspace& workspace,
@@ -182,10 +174,12 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   Mover mover = mover_of(cell);
   p.velocity = sums.velocity;
   if (cell.inverse_inertia == 0.0) p.mooring_force.angular_momentum = sums.twist;
-  if (s.constants.moored_or_free) {
-    platform_half(s.constants, platform_motion(motion.mass, loaded), false);
+  const Events& e = s.constants.events;
+  if (e.platform_present) {
+    platform_events_after(e, platform_motion(motion.mass, loaded));
     mover.position = p.moved + repair.shift;
-    if constexpr (solver == ContactSolver::coupled) book_platform_repair(s, motion.mass, p, repair.shift);
+    if constexpr (solver == ContactSolver::coupled)
+      book_platform_shift(e, motion.mass, p.moved, p.velocity, repair.shift, s.book(Channel::repair, 0));
     turn(mover, s.constants.dt * sums.spin + repair.turn);
   }
   if (cell.active && !is_finite(mover, p.velocity, sums.spin)) group.raise(alarm_not_finite);

@@ -1,11 +1,10 @@
-// The time steps of a device scene: the order of the phases and what is done between them.
+// The time steps of a device scene by blocks that stay with it: how the stages of gem/engine/step/stages.h go on there.
 //
-//   solo events of the first time step
-//   repeat:  the list of near pairs, where it has worn out
-//            pairs phase                               | barrier
-//            coupled: the iterations                   | barrier
-//            bodies phase, with the solo events of the next time step | barrier
-//   the books of the last time step
+// | stages                                   | made as                                                               |
+// | list                                     | the list of near pairs, when it has worn out                          |
+// | candidates, narrow_phase, contact_events | the pairs phase, a workspace of pairs at a time; then a barrier       |
+// | gather, iterate, settle                  | the iterations, with barriers of their own                            |
+// | books, move, solo_events of the next     | the bodies phase, each body's together; then a barrier                |
 #pragma once
 
 #include "gem/engine/device/bodies.h"
@@ -13,6 +12,7 @@
 #include "gem/engine/device/pairs.h"
 #include "gem/engine/device/platform.h"
 #include "gem/engine/solver/device_solver.h"
+#include "gem/engine/step/stages.h"
 
 namespace gem {
 
@@ -22,7 +22,7 @@ GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Group& grou
   for (std::int32_t i = workspace.first_body; i < workspace.bodies.end; i += workspace.body_step) {
     if (i == 0 || workspace.body[i].kind != BodyKind::floe || !workspace.body[i].active) continue;
     Mover mover = mover_of(workspace.body[i]);
-    kick_body(s, mover, workspace.motion[i], s.after[i], s.book(Channel::drag, i));
+    kick_body(s, i, workspace.body[i], mover, workspace.motion[i], s.after[i], s.book(Channel::drag, i));
     write_mover(workspace.body[i], mover);
     write_mover(s.body[i], mover);
   }
@@ -111,88 +111,127 @@ struct ListLife {
 
 /// advance_scene() of one solver: what the other needs would only take registers.
 template <ContactSolver solver, class Group>
-GEM_DEVICE inline void advance_resolved(const DeviceScene& s, Group& group, std::int32_t steps) {
-  DeviceStatus& status = *s.status;
-  const bool one = rank_of(group) == 0;
-  const std::int64_t start = status.step;
-  ListLife list(status);
-  constexpr bool coupled = solver == ContactSolver::coupled;
-  bool carried = true;  // the memory of the last time step stands apart from the list
-  if (group.thread() == 0) group.shared() = {};
-  group.block_barrier();
-  Workspace workspace = make_workspace(s, group);
-  load_bodies(s, group, workspace);
-  load_pairs(s, group, workspace);
-  group.block_barrier();
-  if (!status.half_way) first_solo_events(s, group, workspace);
-  group.barrier();
-  if (one) {
-    status.half_way = 1;
-    status.events = 0;
-  }
-  for (std::int32_t k = rank_of(group); k < 2 * OverlapCount::classes; k += size_of(group)) s.overlap_count[k] = 0;
-  group.barrier();
+class ResidentSteps {
+ public:
+  GEM_DEVICE ResidentSteps(const DeviceScene& s, Group& group, std::int32_t steps)
+      : s_(s), group_(group), steps_(steps), start_(s.status->step), list_(*s.status) {}
 
-  DeviceStop stop = DeviceStop::done;
-  std::int32_t done = 0;
-  for (; done < steps; ++done) {
-    const std::int32_t step = static_cast<std::int32_t>(start) + done;
-    const std::uint32_t alarms = group.alarms();
-    if (alarms & (alarm_not_finite | alarm_ring_full)) {
-      stop = alarms & alarm_not_finite ? DeviceStop::not_finite : DeviceStop::ring_full;
-      break;
+  GEM_DEVICE void advance() {
+    begin();
+    for (; done_ < steps_ && goes_on(); ++done_) {
+      for_each_stage([&](auto stage) {
+        if (stop_ == DeviceStop::done) run<stage.value>();
+      });
+      if (stop_ != DeviceStop::done) break;
     }
-    if (list.is_over(step, alarms)) {
-      list.end(s, step);
-      if constexpr (coupled)
-        if (!carried) carry_memory(s, group, workspace);
-      carried = true;
-      close_work(s, group, workspace, step);
-      group.block_barrier();
-      store_bodies(s, group, workspace);
-      store_pairs(s, group, workspace);
-      build_list(s, group, step, list.horizon);
-      load_bodies(s, group, workspace);
-      load_pairs(s, group, workspace);
-      group.block_barrier();
-      list.valid = !(group.alarms() & alarm_list_full);
-      list.begin = step;
-      if (!list.valid) {
-        stop = DeviceStop::list_full;
-        break;
-      }
-      if constexpr (coupled) hand_out_memory(s, group, step);
-    }
-    pairs_phase<solver>(s, group, workspace, step);
-    group.barrier();
-    if constexpr (coupled) resolve_coupled(s, group, workspace, step);
-    carried = false;
-    const double elapsed = static_cast<double>(step + 1 - list.begin) * s.constants.dt;
-    bodies_phase<solver>(s, group, workspace, {step, done, elapsed, done + 1 < steps});
-    group.barrier();
+    end();
   }
-  if (stop == DeviceStop::done && (group.alarms() & alarm_not_finite)) stop = DeviceStop::not_finite;
-  if (group.alarms() & alarm_strayed) list.end(s, start + done);
 
-  if constexpr (coupled)
-    if (!carried) carry_memory(s, group, workspace);
-  close_work(s, group, workspace, static_cast<std::int32_t>(start) + done);
-  group.block_barrier();
-  store_bodies(s, group, workspace);
-  store_pairs(s, group, workspace);
-  write_state(s, group);
-  group.barrier();
-  if (one) {
-    status.step = start + done;
-    status.samples = done;
-    status.list_valid = list.valid;
-    status.horizon = list.horizon;
-    status.half_way = done < steps;
-    status.barriers = group.barriers();
-    status.stop = stop;
+ private:
+  static constexpr bool coupled = solver == ContactSolver::coupled;
+
+  GEM_DEVICE std::int32_t step() const { return static_cast<std::int32_t>(start_) + done_; }
+
+  template <Stage stage>
+  GEM_DEVICE void run() {
+    if constexpr (stage == Stage::list) {
+      if (list_.is_over(step(), group_.alarms())) renew_list();
+    }
+    if constexpr (stage == Stage::candidates) {  // with narrow_phase and contact_events
+      pairs_phase<solver>(s_, group_, workspace_, step());
+      group_.barrier();
+    }
+    if constexpr (stage == Stage::gather && coupled)  // with iterate and settle
+      resolve_coupled(s_, group_, workspace_, step());
+    if constexpr (stage == Stage::move) {  // with books, and solo_events of the next time step
+      carried_ = false;
+      const double elapsed = static_cast<double>(step() + 1 - list_.begin) * s_.constants.dt;
+      bodies_phase<solver>(s_, group_, workspace_, {step(), done_, elapsed, done_ + 1 < steps_});
+      group_.barrier();
+    }
+  }
+
+  GEM_DEVICE void begin() {
+    if (group_.thread() == 0) group_.shared() = {};
+    group_.block_barrier();
+    workspace_ = make_workspace(s_, group_);
+    load_bodies(s_, group_, workspace_);
+    load_pairs(s_, group_, workspace_);
+    group_.block_barrier();
+    if (!s_.status->half_way) first_solo_events(s_, group_, workspace_);
+    group_.barrier();
+    if (rank_of(group_) == 0) {
+      s_.status->half_way = 1;
+      s_.status->events = 0;
+    }
+    for (std::int32_t k = rank_of(group_); k < 2 * OverlapCount::classes; k += size_of(group_)) s_.overlap_count[k] = 0;
+    group_.barrier();
+  }
+
+  /// Whether nothing that happened so far asks for the host.
+  GEM_DEVICE bool goes_on() {
+    const std::uint32_t alarms = group_.alarms();
+    if (alarms & alarm_not_finite)
+      stop_ = DeviceStop::not_finite;
+    else if (alarms & alarm_ring_full)
+      stop_ = DeviceStop::ring_full;
+    return stop_ == DeviceStop::done;
+  }
+
+  GEM_DEVICE void renew_list() {
+    list_.end(s_, step());
+    store();
+    build_list(s_, group_, step(), list_.horizon);
+    load_bodies(s_, group_, workspace_);
+    load_pairs(s_, group_, workspace_);
+    group_.block_barrier();
+    list_.valid = !(group_.alarms() & alarm_list_full);
+    list_.begin = step();
+    if (!list_.valid)
+      stop_ = DeviceStop::list_full;
+    else if constexpr (coupled)
+      hand_out_memory(s_, group_, step());
+  }
+
+  /// Brings the scene's own memory up to date.
+  GEM_DEVICE void store() {
+    if constexpr (coupled)
+      if (!carried_) carry_memory(s_, group_, workspace_);
+    carried_ = true;
+    close_work(s_, group_, workspace_, step());
+    group_.block_barrier();
+    store_bodies(s_, group_, workspace_);
+    store_pairs(s_, group_, workspace_);
+  }
+
+  GEM_DEVICE void end() {
+    if (stop_ == DeviceStop::done && (group_.alarms() & alarm_not_finite)) stop_ = DeviceStop::not_finite;
+    if (group_.alarms() & alarm_strayed) list_.end(s_, step());
+    store();
+    write_state(s_, group_);
+    group_.barrier();
+    if (rank_of(group_) != 0) return;
+    DeviceStatus& status = *s_.status;
+    status.step = start_ + done_;
+    status.samples = done_;
+    status.list_valid = list_.valid;
+    status.horizon = list_.horizon;
+    status.half_way = done_ < steps_;
+    status.barriers = group_.barriers();
+    status.stop = stop_;
     status.visits = 0;  // counted by phases only
   }
-}
+
+  const DeviceScene& s_;
+  Group& group_;
+  std::int32_t steps_;
+  std::int64_t start_;
+  ListLife list_;
+  Workspace workspace_;
+  bool carried_ = true;  // the memory of the last time step stands apart from the list
+  DeviceStop stop_ = DeviceStop::done;
+  std::int32_t done_ = 0;
+};
 
 /// Moves the scene on by `steps` time steps, or less where something has to be done by the host first: the status says.
 template <class Group>
@@ -200,9 +239,9 @@ GEM_DEVICE inline void advance_scene(const DeviceScene& s, Group& group, std::in
   // a scene that waits for others of its batch: its next time step has not begun
   if (steps == 0) return;
   if (s.constants.solver == ContactSolver::coupled)
-    advance_resolved<ContactSolver::coupled>(s, group, steps);
+    ResidentSteps<ContactSolver::coupled, Group>(s, group, steps).advance();
   else
-    advance_resolved<ContactSolver::independent>(s, group, steps);
+    ResidentSteps<ContactSolver::independent, Group>(s, group, steps).advance();
 }
 
 }  // namespace gem

@@ -75,9 +75,9 @@ class EventReader {
     bodies.offset = record.position_b - record.platform_position;
     bodies.outline_a = turned(contact.a, record.rotation_a, 0);
     bodies.outline_b = turned(contact.b, record.rotation_b, 1);
-    bodies.ice = f_.constants.ice;
-    bodies.ice.thickness =
-        crushed_thickness(f_.bodies.kind[contact.a], f_.bodies.thickness[contact.a], f_.bodies.thickness[contact.b]);
+    bodies.ice = crushing_ice(
+        f_.constants.events,
+        crushed_thickness(f_.bodies.kind[contact.a], f_.bodies.thickness[contact.a], f_.bodies.thickness[contact.b]));
     return event_of(contact, bodies, static_cast<double>(record.step) * f_.constants.dt);
   }
 
@@ -245,9 +245,7 @@ DeviceScene scene_constants(const FieldState& f, double event_speed) {
   const SceneSizes sizes = scene_sizes(f);
   s.constants = f.constants;
   s.event_speed = event_speed;
-  const double speed = length(f.constants.current) + 1e-3;
-  s.horizon =
-      std::clamp<std::int64_t>(static_cast<std::int64_t>(f.constants.list_margin / (speed * f.constants.dt)), 1, 400);
+  s.horizon = f.constants.list_horizon;
   s.bodies = sizes.bodies;
   s.large_bodies = sizes.large_bodies;
   return s;

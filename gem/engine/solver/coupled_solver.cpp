@@ -90,14 +90,14 @@ CoupledSolver::Stretch CoupledSolver::stretch_of(const ThreadTeam& team, int ran
 }
 
 /// Velocities that the base's impulses give.
-void CoupledSolver::settle(const FieldState& f, const Stretch& s) {
+void CoupledSolver::move_by_base(const FieldState& f, const Stretch& s) {
   const std::uint32_t* const as_b = layout_.points_as_b();
   for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
     Push<double> sum{};
     for (std::int32_t at = layout_.begin_as_b(k); at < layout_.begin_as_b(k + 1); ++at) {
-      const Point& momentum_coefficient = point_[as_b[at + CoupledLayout::foreseen]];
-      __builtin_prefetch(&momentum_coefficient);
-      __builtin_prefetch(&momentum_coefficient.geometry.target);
+      const Point& soon = point_[as_b[at + CoupledLayout::foreseen]];
+      __builtin_prefetch(&soon);
+      __builtin_prefetch(&soon.geometry.target);
       const Point& p = point_[as_b[at]];
       add(sum, 1.0, push_of(p.geometry, p.impulse, p.geometry.lever_b_n, p.geometry.lever_b_t));
     }
@@ -132,7 +132,7 @@ void CoupledSolver::keep_best_share(const FieldState& f, ThreadTeam& team, int r
     point_[i].impulse.tangential *= share_;
   }
   team.barrier();
-  settle(f, s);
+  move_by_base(f, s);
   team.barrier();
 }
 
@@ -165,7 +165,7 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
   const StepConstants& c = f.constants;
   const StepLength<float> pace{static_cast<float>(c.dt), static_cast<float>(1.0 / c.dt)};
   const Stretch s = stretch_of(team, rank);
-  settle(f, s);
+  move_by_base(f, s);
   team.barrier();
   keep_best_share(f, team, rank, s, 1.0);
   IterationControl control(c.residual_speed, c.iterations_maximum, c.tight_residual, f.momentum_coefficients.data());
@@ -189,7 +189,7 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
     }
     end_round(f, s);
     team.barrier();
-    settle(f, s);
+    move_by_base(f, s);
     team.barrier();
   }
   if (rank == 0) {
@@ -221,25 +221,35 @@ void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team
   });
 }
 
-void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality) {
-  if (team.failed()) return;
-  if (!contacts.empty()) {
-    const auto count = static_cast<std::int64_t>(contacts.size());
-    begin_points(f, contacts, team.begin_of(rank, count), team.begin_of(rank + 1, count));
-    team.barrier();
-    if (contacts.size() < contacts_worth_a_thread_ * team.size()) {
-      team.single(rank, [&] { iterate(f, alone_, 0); });
-    } else {
-      iterate(f, team, rank);
-    }
-    hand_back(f, contacts, team, rank);
-  }
+void CoupledSolver::gather(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
+  if (contacts.empty()) return;
+  const auto count = static_cast<std::int64_t>(contacts.size());
+  begin_points(f, contacts, team.begin_of(rank, count), team.begin_of(rank + 1, count));
+  team.barrier();
+}
+
+void CoupledSolver::iterate(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
+  if (contacts.empty()) return;
+  if (contacts.size() < contacts_worth_a_thread_ * team.size())
+    team.single(rank, [&] { iterate(f, alone_, 0); });
+  else
+    iterate(f, team, rank);
+}
+
+void CoupledSolver::settle(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality) {
+  if (!contacts.empty()) hand_back(f, contacts, team, rank);
   team.single(rank, [&] {
     quality.iterations = iterations_;
     quality.residual = residual_;
     keys_.swap(next_keys_);
     impulses_.swap(next_impulses_);
   });
+}
+
+void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality) {
+  gather(f, contacts, team, rank);
+  iterate(f, contacts, team, rank);
+  settle(f, contacts, team, rank, quality);
 }
 
 }  // namespace gem

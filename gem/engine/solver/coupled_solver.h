@@ -25,7 +25,14 @@ class CoupledSolver {
 
   /// Makes room for the contacts (ascending in a, b) that `threads` will resolve; asks for no velocity and no position.
   void lay_out(const FieldState& f, Contacts contacts, int threads);
-  /// Inside a team's run: resolves the contacts laid out; changes velocities, impulses and repair shifts.
+  // inside a team's run: the stages of the contacts laid out
+  /// Their points, as the last time step left them.
+  void gather(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
+  /// Iterates to the stated residual, or to the most iterations.
+  void iterate(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
+  /// Hands back impulses, velocities and repair shifts.
+  void settle(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality);
+  /// All three.
   void resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality);
 
   const std::vector<std::uint64_t>& keys() const { return keys_; }
@@ -48,7 +55,7 @@ class CoupledSolver {
   PointImpulse<double> last_impulse(std::uint64_t key, std::size_t at) const;
   void begin_points(const FieldState& f, Contacts contacts, std::int64_t begin, std::int64_t end);
   Stretch stretch_of(const ThreadTeam& team, int rank) const;
-  void settle(const FieldState& f, const Stretch& s);
+  void move_by_base(const FieldState& f, const Stretch& s);
   void keep_best_share(const FieldState& f, ThreadTeam& team, int rank, const Stretch& s, double limit);
   void begin_round(const FieldState& f, ThreadTeam& team, const Stretch& s, bool first);
   void end_round(const FieldState& f, const Stretch& s);

@@ -77,10 +77,9 @@ class StepSolver {
   }
 
   GEM_DEVICE double cap_of(const Contact& contact, const BodyCell& a, const BodyCell& b, double last) const {
-    const StepConstants& c = s_.constants;
-    if (!c.crushing_limit || (a.kind != BodyKind::floe && b.kind != BodyKind::floe)) return no_cap;
-    const CrushingIce ice{c.ice.pressure, c.ice.exponent, crushed_thickness(a.kind, a.thickness, b.thickness)};
-    return impulse_cap(c, ice, s_.area[contact.a], s_.area[contact.b], contact.count, last);
+    const bool ice = a.kind == BodyKind::floe || b.kind == BodyKind::floe;
+    return largest_impulse(s_.constants.events, ice, crushed_thickness(a.kind, a.thickness, b.thickness),
+                           smaller(s_.area[contact.a], s_.area[contact.b]), contact.count, last);
   }
 
   GEM_DEVICE void begin_point(std::int32_t i) {

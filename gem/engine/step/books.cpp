@@ -26,10 +26,13 @@ Quantity of_body(const Bodies& b, std::size_t i) {
 
 EventBodies event_bodies(const FieldState& f, const Contact& contact) {
   const Bodies& b = f.bodies;
-  return {collision_mass(b, contact.a), collision_mass(b, contact.b),
-          b.position[contact.b],        b.position[contact.b] - f.platform_position,
-          f.outline(contact.a),         f.outline(contact.b),
-          crushing_ice(f, contact)};
+  return {collision_mass(b, contact.a),
+          collision_mass(b, contact.b),
+          b.position[contact.b],
+          b.position[contact.b] - f.platform_position,
+          f.outline(contact.a),
+          f.outline(contact.b),
+          crushing_ice(f.constants.events, crushed_thickness(f, contact))};
 }
 
 ContactPoint point_of(const ContactSlot& slot) { return {{}, slot.separation, slot.feature}; }
@@ -82,9 +85,10 @@ Quantity total(const FieldState& f) {
   Quantity sum;
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
     if (f.bodies.active[i]) sum += of_body(f.bodies, i);
-  if (f.constants.moored_or_free) {
-    const Vec2 offset = f.bodies.position[0] - f.constants.anchor;
-    sum.energy += 0.5 * f.constants.stiffness * dot(offset, offset);
+  const Events& e = f.constants.events;
+  if (e.platform_present) {
+    const Vec2 offset = f.bodies.position[0] - e.anchor;
+    sum.energy += 0.5 * e.mooring.stiffness_N_per_m * dot(offset, offset);
   }
   return sum;
 }
@@ -181,12 +185,6 @@ void log_step(const FieldState& f, Contacts contacts, const PlatformImpulses& be
   }
   log.platform.push_back(p);
   log.quality.push_back(quality);
-}
-
-const char* channel_name(Channel channel) {
-  static const char* const names[] = {"impact", "friction", "elastic",       "repair",
-                                      "drag",   "mooring",  "platform_drag", "retired"};
-  return names[static_cast<std::size_t>(channel)];
 }
 
 LedgerResidual residual(const Ledger& ledger) {

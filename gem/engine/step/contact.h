@@ -5,13 +5,9 @@
 #include <span>
 
 #include "gem/base/vec2.h"
-#include "gem/events/impact.h"
-#include "gem/events/mass_reduction.h"
+#include "gem/events/events.h"
 
 namespace gem {
-
-/// Cap of a point that nothing limits [N s].
-constexpr double no_cap = 1e300;
 
 /// One point of a contact. Tangential is along the normal turned left; impulses act on B, the opposite on A.
 struct ContactSlot {

@@ -88,12 +88,9 @@ inline Vec2 relative_velocity(const Bodies& b, const Contact& contact, const Con
          cross(b.spin[contact.a], slot.arm_a);
 }
 
-/// Crushing properties of a contact: the thinner ice crushes.
-inline CrushingIce crushing_ice(const FieldState& f, const Contact& contact) {
-  CrushingIce ice = f.constants.ice;
-  ice.thickness =
-      crushed_thickness(f.bodies.kind[contact.a], f.bodies.thickness[contact.a], f.bodies.thickness[contact.b]);
-  return ice;
+/// Thickness of the ice that crushes in a contact: the thinner [m].
+inline double crushed_thickness(const FieldState& f, const Contact& contact) {
+  return crushed_thickness(f.bodies.kind[contact.a], f.bodies.thickness[contact.a], f.bodies.thickness[contact.b]);
 }
 
 /// Friction, arms and relative velocity at the instant of the events; a coupled time step lets gaps close and no more.
@@ -111,9 +108,9 @@ inline PointGeometry<double> point_of_contact(const FieldState& f, const Contact
                                               std::int32_t points_of_a, std::int32_t points_of_b, double last_impulse) {
   const Bodies& b = f.bodies;
   const std::int32_t i = contact.a, j = contact.b;
-  double cap = no_cap;
-  if (f.constants.crushing_limit && (b.kind[i] == BodyKind::floe || b.kind[j] == BodyKind::floe))
-    cap = impulse_cap(f.constants, crushing_ice(f, contact), b.area[i], b.area[j], contact.count, last_impulse);
+  const bool ice = b.kind[i] == BodyKind::floe || b.kind[j] == BodyKind::floe;
+  const double cap = largest_impulse(f.constants.events, ice, crushed_thickness(f, contact),
+                                     smaller(b.area[i], b.area[j]), contact.count, last_impulse);
   return point_geometry(f.constants, contact, slot, shared_mass(collision_mass(b, i), points_of_a),
                         shared_mass(collision_mass(b, j), points_of_b), cap);
 }

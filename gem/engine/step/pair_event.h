@@ -57,18 +57,9 @@ GEM_HD inline void open_contact(Contact& contact, std::int32_t a, std::int32_t b
   }
 }
 
-/// Separating speed that the elastic stress of one point may ask for [m/s]; at most what crushing allows.
-GEM_HD inline double elastic_target(const StepConstants& c, const ContactSlot& slot, double width, double thickness) {
-  const double asked = elastic_separating_speed(c.elastic_stiffness, -slot.separation, 1.0 / slot.compliance.nn, c.dt);
-  const CrushingIce ice{c.ice.pressure, c.ice.exponent, thickness};
-  if (asked < crushing_force_at_least(ice, width) * c.dt * slot.compliance.nn) return asked;
-  const double cap = crushing_force(ice, width) * c.dt * slot.compliance.nn;
-  return asked < cap ? asked : cap;
-}
-
 /// Velocity and compliance at the instant of the events. `shift` is how far A moved since the geometry was found.
 GEM_HD inline void prepare(const StepConstants& c, const PairBodies& p, Vec2 shift, Contact& contact) {
-  contact.friction = contact.a == 0 ? c.friction_structure : c.friction_ice;
+  contact.friction = friction_of_pair(c.events, contact.a == 0);
   const Vec2 tangent = turned_left(contact.normal);
   for (int k = 0; k < 2 && k < contact.count; ++k) {
     ContactSlot& slot = contact.slot[k];
@@ -81,18 +72,9 @@ GEM_HD inline void prepare(const StepConstants& c, const PairBodies& p, Vec2 shi
       continue;
     }
     slot.compliance = contact_compliance(p.mass_a, slot.arm_a, p.mass_b, slot.arm_b, contact.normal);
-    if (c.elastic_stiffness > 0.0 && slot.separation < 0.0)
-      slot.target = elastic_target(c, slot, contact.width, p.thickness);
+    if (c.events.contact.elastic_stiffness_N_per_m > 0.0 && slot.separation < 0.0)
+      slot.target = static_stress_speed(c.events, -slot.separation, slot.compliance.nn, contact.width, p.thickness);
   }
-}
-
-/// Impulse of one contact point from the velocity that it would have without its own impulse.
-GEM_HD inline ContactImpulse resolve_slot(const StepConstants& c, const ContactSlot& slot, double friction, double u_n,
-                                          double u_t, double target) {
-  if (!(friction > 0.0)) return {impact_frictionless(slot.compliance.nn, u_n, target), 0.0};
-  if (c.friction_law == FrictionLaw::fixed_direction)
-    return impact_fixed_direction(slot.compliance, u_n, u_t, target, friction);
-  return impact_one_step(slot.compliance, u_n, u_t, target, friction);
 }
 
 /// A point's impulse in world axes [N s].
@@ -119,8 +101,9 @@ GEM_HD inline void resolve_alone(const StepConstants& c, CollisionMass a, Collis
       ContactSlot& slot = contact.slot[k];
       Vec2 other;
       if (contact.count == 2) other = cross_response(contact, a, b, k, 1 - k);
-      slot.impulse = resolve_slot(c, slot, contact.friction, slot.normal_before + dot(other, contact.normal),
-                                  slot.tangential_before + dot(other, tangent), slot.target);
+      slot.impulse =
+          pair_impulse(c.events, slot.compliance, contact.friction, slot.normal_before + dot(other, contact.normal),
+                       slot.tangential_before + dot(other, tangent), slot.target);
     }
   }
   for (int k = 0; k < 2 && k < contact.count; ++k) {
@@ -129,17 +112,6 @@ GEM_HD inline void resolve_alone(const StepConstants& c, CollisionMass a, Collis
     const double asked = slot.target + closing;
     slot.elastic = asked > 0.0 && slot.target > 0.0 ? slot.impulse.normal * (slot.target / asked) : 0.0;
   }
-}
-
-/// Largest impulse that one of `points` points of a contact can carry in a time step: it crushes the smaller body
-/// across its whole size [N s]. The power of the law is only worked out for a point that carried an impulse of its
-/// order a time step ago; a bound from below does for all others.
-GEM_HD inline double impulse_cap(const StepConstants& c, const CrushingIce& ice, double area_a, double area_b,
-                                 int points, double last_impulse) {
-  const double width = std::sqrt(smaller(area_a, area_b));
-  const double share = c.dt / points;
-  const double least = share * crushing_force_at_least(ice, width);
-  return last_impulse < 0.5 * least ? least : share * crushing_force(ice, width);
 }
 
 /// The mass of a body shared out among its contact points.

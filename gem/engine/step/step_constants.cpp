@@ -24,32 +24,12 @@ double fastest_of(const SceneDef& scene) {
 StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
   StepConstants c;
   c.dt = scene.numerics.time_step_s;
-  c.current = scene.current.velocity_m_per_s;
-  c.drag_law = scene.water.drag_law;
-  c.linear_decay = std::exp(-c.dt / scene.water.linear_time_s);
-
-  c.moored_or_free = scene.platform.present;
-  c.anchor = scene.platform.anchor_m;
-  if (c.moored_or_free) {
-    const double mass = bodies.mass[0];
-    c.stiffness = scene.mooring.stiffness_N_per_m;
-    c.mooring_damped = c.stiffness > 0.0 && scene.mooring.damping_ratio > 0.0;
-    c.half_mooring = mooring_flow(c.stiffness, mass, scene.mooring.damping_ratio, 0.5 * c.dt);
-    if (scene.platform_drag.present) {
-      c.platform_drag_rate = platform_drag_rate(scene.water.density_kg_per_m3, scene.platform_drag.coefficient,
-                                                scene.platform.diameter_m, scene.platform_drag.draft_m, mass);
-      if (scene.platform_drag.water == DampingWater::current) c.platform_water = c.current;
-    }
-  }
+  const PlatformDef& p = scene.platform;
+  const PlatformInEvents platform{p.anchor_m, p.present ? bodies.mass[0] : 0.0, p.diameter_m};
+  c.events = make_events(scene, p.present ? &platform : nullptr, c.dt);
 
   c.solver = scene.contact.solver;
   c.manifold = scene.contact.manifold;
-  c.friction_law = scene.contact.friction_law;
-  c.friction_ice = scene.ice.friction_ice;
-  c.friction_structure = scene.ice.friction_structure;
-  c.crushing_limit = scene.contact.crushing_limit;
-  c.elastic_stiffness = scene.contact.elastic_stiffness_N_per_m;
-  c.ice = {scene.ice.crushing_pressure_Pa, scene.ice.pressure_area_exponent, 0.0};
 
   const bool coupled = c.solver == ContactSolver::coupled;
   const double fastest = fastest_of(scene);
@@ -57,15 +37,17 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
   c.residual_speed = scene.numerics.residual_tolerance * fastest;
   c.tight_residual = scene.numerics.residual_tolerance < IterationControl::single_precision;
   c.iterations_maximum = scene.numerics.iterations_maximum;
-  const bool rough = c.friction_ice > 0.0 || c.friction_structure > 0.0;
-  c.point_friction = !rough                                    ? PointFriction::none
-                     : c.friction_law == FrictionLaw::one_step ? PointFriction::coulomb
-                                                               : PointFriction::fixed_direction;
+  const bool rough = scene.ice.friction_ice > 0.0 || scene.ice.friction_structure > 0.0;
+  c.point_friction = !rough                                                ? PointFriction::none
+                     : scene.contact.friction_law == FrictionLaw::one_step ? PointFriction::coulomb
+                                                                           : PointFriction::fixed_direction;
   c.repair_share = scene.numerics.repair_share;
   c.repair_speed = scene.numerics.repair_speed_m_per_s;
   // what a contact reaches beyond one time step of drift
   c.repair_reach = std::max((scene.numerics.contact_reach - 1.0) * fastest, c.repair_speed) * c.dt;
   c.list_margin = scene.numerics.list_margin_m;
+  const double drift_speed = length(scene.current.velocity_m_per_s) + 1e-3;
+  c.list_horizon = std::clamp<std::int64_t>(static_cast<std::int64_t>(c.list_margin / (drift_speed * c.dt)), 1, 400);
   c.retire_x = scene.output.retire_x_m;
   return c;
 }

@@ -117,28 +117,28 @@ class HostScene {
 
   void run_phases(std::int32_t steps) {
     alarms_ = 0;
-    const auto run = [&](DevicePhase phase) {
-      if (phase == DevicePhase::open)
+    const auto run = [&](Stage stage) {
+      if (stage == Stage::open_call)
         open_call(scene_, steps);
-      else if (phase == DevicePhase::plan)
+      else if (stage == Stage::plan)
         lists_ = plan_step(scene_, alarms_);
-      else if (phase == DevicePhase::list)
+      else if (stage == Stage::list)
         renew_list_if_worn();
-      else if (phase == DevicePhase::bodies)
+      else if (stage == Stage::move)
         move_and_plan();
-      else if (is_coupled(scene_) || !is_of_solver(phase))
-        run_phase_now(phase);
+      else if (is_coupled(scene_) || !is_of_solver(stage))
+        run_stage_now(stage);
     };
-    for (const DevicePhase phase : first_phases) run(phase);
+    for (const Stage stage : call_begins) run(stage);
     for (std::int32_t k = 0; k < steps; ++k)
-      for (const DevicePhase phase : step_phases) run(phase);
-    for (const DevicePhase phase : last_phases) run(phase);
+      for (const Stage stage : time_step_stages) run(stage);
+    for (const Stage stage : call_ends) run(stage);
   }
 
   void move_and_plan() {
     lists_ = false;
     if (!moves(scene_)) return;
-    run_phase_now(DevicePhase::bodies);
+    run_stage_now(Stage::move);
     lists_ = plan_step(scene_, alarms_);
   }
 
@@ -147,35 +147,35 @@ class HostScene {
       run_team<HostGroup>(sizes_.blocks, threads_, shared_memory_, [&](auto& group) { renew_list(scene_, group); });
   }
 
-  void run_phase_now(DevicePhase phase) {
-    run_if<DevicePhase::begin>(phase);
-    run_if<DevicePhase::choose>(phase);
-    run_if<DevicePhase::candidate>(phase);
-    run_by_resolution<DevicePhase::resolve>(phase);
-    run_if<DevicePhase::gather>(phase);
-    run_if<DevicePhase::iterate>(phase);
-    run_if<DevicePhase::settle>(phase);
-    run_by_resolution<DevicePhase::bodies>(phase);
-    run_if<DevicePhase::last_work>(phase);
-    run_if<DevicePhase::close>(phase);
+  void run_stage_now(Stage stage) {
+    run_if<Stage::first_solo_events>(stage);
+    run_if<Stage::candidates>(stage);
+    run_if<Stage::narrow_phase>(stage);
+    run_by_solver<Stage::contact_events>(stage);
+    run_if<Stage::gather>(stage);
+    run_if<Stage::iterate>(stage);
+    run_if<Stage::settle>(stage);
+    run_by_solver<Stage::move>(stage);
+    run_if<Stage::last_books>(stage);
+    run_if<Stage::close_call>(stage);
   }
-  template <DevicePhase phase>
-  void run_by_resolution(DevicePhase now) {
+  template <Stage stage>
+  void run_by_solver(Stage now) {
     if (is_coupled(scene_))
-      run_if<phase, ContactSolver::coupled>(now);
+      run_if<stage, ContactSolver::coupled>(now);
     else
-      run_if<phase>(now);
+      run_if<stage>(now);
   }
 
   /// One phase, if it is this one, by a team that ends with it; alarms stay.
-  template <DevicePhase phase, ContactSolver solver = ContactSolver::independent>
-  void run_if(DevicePhase now) {
-    using Team = std::conditional_t<phase == DevicePhase::settle, SettleTeam, PhaseTeam>;
-    if (now == phase)
-      run_team<Team>(sizes_.blocks, threads_, is_of_solver(phase) ? solver_shared_memory_ : shared_memory_,
+  template <Stage stage, ContactSolver solver = ContactSolver::independent>
+  void run_if(Stage now) {
+    using Team = std::conditional_t<stage == Stage::settle, SettleTeam, PhaseTeam>;
+    if (now == stage)
+      run_team<Team>(sizes_.blocks, threads_, is_of_solver(stage) ? solver_shared_memory_ : shared_memory_,
                      [&](Team& group) {
                        group.raise_in(alarms_);
-                       run_phase<phase, solver>(scene_, group);
+                       run_stage<stage, solver>(scene_, group);
                      });
   }
 

@@ -33,10 +33,10 @@ void shuffle(std::vector<SingleMotion>& pushes, RandomSequence& random) {
 UnorderedEngine::UnorderedEngine(const SceneDef& scene, Bodies bodies, SumStart start, std::uint64_t repeat)
     : CpuEngine(scene, std::move(bodies), 1, EngineOptions{}.contacts_worth_a_thread), start_(start), repeat_(repeat) {}
 
-/// On one thread, as the constructor asks.
-void UnorderedEngine::resolve(ThreadTeam& team, int rank) {
-  keep_motions();
-  CpuEngine::resolve(team, rank);
+// On one thread, as the constructor asks.
+void UnorderedEngine::before_contact_events() { keep_motions(); }
+
+void UnorderedEngine::after_contact_events() {
   gather_pushes();
   sum_again();
 }

@@ -53,7 +53,8 @@ class UnorderedEngine : public CpuEngine {
   const SumStatistics& statistics() const { return statistics_; }
 
  protected:
-  void resolve(ThreadTeam& team, int rank) override;
+  void before_contact_events() override;
+  void after_contact_events() override;
 
  private:
   struct Entry {

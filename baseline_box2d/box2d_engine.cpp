@@ -1,4 +1,4 @@
-// One moment:
+// One time step:
 //   solo events        gem's: current drag on every floe, first half of the platform's own motion
 //   contacts, motion   Box2D's step with the velocities so far: finds contacts, solves them, moves, pushes overlaps out
 //   books              energy as the change over the step, momentum of fixed bodies from the contact impulses
@@ -26,14 +26,9 @@ double work_on(const Bodies& b, std::size_t i, Vec2 velocity, double spin) {
 
 }  // namespace
 
-Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const BaselineOptions& options)
+Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options)
     : options_(options), event_speed_(scene.output.event_speed_m_per_s), touches_(field_, options_) {
-  if (options.velocity_iterations < 1 || options.position_iterations < 0 || !(options.skin_m >= 0.0) ||
-      options.substeps < 1 || !(options.restitution_threshold_m_per_s >= 0.0))
-    throw Error(ExitCode::usage,
-                "box2d: at least 1 velocity iteration, 0 position iterations, a skin of 0 m, 1 substep and a threshold "
-                "of 0 m/s are needed (fewer have no meaning) change the options");
-  const MomentConstants constants = moment_constants(scene, bodies);
+  const StepConstants constants = step_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   make_world();
   ledger_.start = total(field_);
@@ -73,15 +68,15 @@ void Box2dEngine::make_world() {
   for (std::size_t i = 0; i < b.count(); ++i)
     if (body_[i] != nullptr && b.kind[i] == BodyKind::floe) b.position[i] = from_box2d(body_[i]->GetWorldCenter());
   platform_angle_ = std::atan2(b.rotation[0].sine, b.rotation[0].cosine);
-  outline_made_.assign(b.count(), moment_);
+  outline_made_.assign(b.count(), step_);
 }
 
-void Box2dEngine::advance(std::int64_t moments, MomentLog& log) {
-  check_finite(field_, moment_);
-  for (std::int64_t m = 0; m < moments; ++m) one_moment(log);
+void Box2dEngine::advance(std::int64_t steps, StepLog& log) {
+  check_finite(field_, step_);
+  for (std::int64_t m = 0; m < steps; ++m) one_step(log);
 }
 
-void Box2dEngine::one_moment(MomentLog& log) {
+void Box2dEngine::one_step(StepLog& log) {
   FieldState& f = field_;
   const PlatformImpulses before = platform_impulses(f);
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
@@ -97,10 +92,10 @@ void Box2dEngine::one_moment(MomentLog& log) {
   }
   touches_.sort();
 
-  MomentQuality quality = this->quality();
-  PlatformMoment row = ice_row(f, touches_.touches());
+  StepQuality quality = this->quality();
+  PlatformStep row = ice_row(f, touches_.touches());
   if (log.wants_events)
-    log_events(f, touches_.touches(), static_cast<double>(moment_) * f.constants.dt, event_speed_, log.events);
+    log_events(f, touches_.touches(), static_cast<double>(step_) * f.constants.dt, event_speed_, log.events);
   book_fixed_bodies();
   place_ = f.bodies.position;
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
@@ -108,8 +103,8 @@ void Box2dEngine::one_moment(MomentLog& log) {
   take_platform();
   if (options_.measures_quality) quality.residual = closing_speed_left();
   platform_second_half(f);
-  ++moment_;
-  check_finite(f, moment_);
+  ++step_;
+  check_finite(f, step_);
   retire(f);
   disable_retired();
 
@@ -136,13 +131,13 @@ void Box2dEngine::give_velocities() {
 }
 
 void Box2dEngine::refresh_outline(std::int32_t i) {
-  if (outline_made_[i] == moment_) return;
+  if (outline_made_[i] == step_) return;
   turn_outline(field_, i);
-  outline_made_[i] = moment_;
+  outline_made_[i] = step_;
 }
 
-MomentQuality Box2dEngine::quality() {
-  MomentQuality quality;
+StepQuality Box2dEngine::quality() {
+  StepQuality quality;
   quality.contacts = touches_.points();
   quality.iterations = options_.velocity_iterations;
   quality.residual = quality.maximum_overlap = std::nan("");
@@ -244,13 +239,13 @@ void Box2dEngine::disable_retired() {
 
 Ledger Box2dEngine::ledger() { return closed_books(field_, ledger_); }
 
-EngineState Box2dEngine::save() { return {moment_, field_.bodies, closed_books(field_, ledger_), {}, {}}; }
+EngineState Box2dEngine::save() { return {step_, field_.bodies, closed_books(field_, ledger_), {}, {}}; }
 
 void Box2dEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);
   open_books(field_, state.ledger);
   ledger_ = state.ledger;
-  moment_ = state.moment;
+  step_ = state.step;
   make_world();
 }
 

@@ -7,22 +7,23 @@
 #include <memory>
 #include <vector>
 
+#include "baseline_box2d/box2d_options.h"
 #include "baseline_box2d/touches.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/step/field_state.h"
 
 namespace gem::baseline {
 
-/// One moment is one Box2D step between the two halves of gem's own events. Places and turns are Box2D's floats;
+/// One time step is one Box2D step between the two halves of gem's own events. Places and turns are Box2D's floats;
 /// velocities are kept in double, so that drag and mooring lose nothing, and are given to Box2D rounded.
 class Box2dEngine : public Engine {
  public:
-  Box2dEngine(const SceneDef& scene, Bodies bodies, const BaselineOptions& options);
+  Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options);
 
   std::string name() const override { return "box2d"; }
   std::string method() const override;
-  void advance(std::int64_t moments, MomentLog& log) override;
-  std::int64_t moment() const override { return moment_; }
+  void advance(std::int64_t steps, StepLog& log) override;
+  std::int64_t step() const override { return step_; }
   const Bodies& bodies() override { return field_.bodies; }
   Ledger ledger() override;
   EngineState save() override;
@@ -33,23 +34,23 @@ class Box2dEngine : public Engine {
  private:
   std::string experiments() const;
   void make_world();
-  void one_moment(MomentLog& log);
+  void one_step(StepLog& log);
   void give_velocities();
   void take_floe(std::size_t i);
   void take_platform();
   void book_fixed_bodies();
   void refresh_outline(std::int32_t i);
-  MomentQuality quality();
+  StepQuality quality();
   double closing_speed_left() const;
   void disable_retired();
 
-  BaselineOptions options_;
+  Box2dOptions options_;
   double event_speed_;
   FieldState field_;
   Ledger ledger_;
-  std::int64_t moment_ = 0;
+  std::int64_t step_ = 0;
   double platform_angle_ = 0.0;             // [rad]
-  std::vector<std::int64_t> outline_made_;  // moment for which a body's outline was last turned
+  std::vector<std::int64_t> outline_made_;  // time step for which a body's outline was last turned
   std::vector<Vec2> place_;                 // of every body before it moved [m]
   Touches touches_;
   std::unique_ptr<b2World> world_;  // after the listener that it calls

@@ -47,7 +47,7 @@ FloeDef square(double side, Vec2 position, Vec2 velocity) {
   return {{{-h, -h}, {h, -h}, {h, h}, {-h, h}}, position, 0.0, velocity, 0.0, 0.5};
 }
 
-std::int64_t contacts_of(const MomentLog& log) { return test::contacts_in(log); }
+std::int64_t contacts_of(const StepLog& log) { return test::contacts_in(log); }
 
 TEST(Box2dEngine, IsABaselineAndNoGemEngine) {
   const auto names = engine_names(), baselines = baseline_names();
@@ -60,12 +60,11 @@ TEST(Box2dEngine, BadOptionsAreRefused) {
   SceneDef scene = still_scene();
   scene.floe = {square(10.0, {}, {})};
   const Bodies field = make_field(scene);
-  EngineOptions options = on("box2d");
-  options.baseline.velocity_iterations = 0;
-  EXPECT_THROW(make_engine(scene, field, options), Error);
-  options = on("box2d");
-  options.baseline.skin_m = std::nan("");
-  EXPECT_THROW(make_engine(scene, field, options), Error);
+  for (const char* setting : {"velocity_iterations=0", "position_iterations=-1", "skin_m=nan", "gravity=1"}) {
+    EngineOptions options = on("box2d");
+    options.baseline_settings = {setting};
+    EXPECT_THROW(make_engine(scene, field, options), Error) << setting;
+  }
 }
 
 TEST(Box2dEngine, V04_flatOnAWall) {
@@ -73,7 +72,7 @@ TEST(Box2dEngine, V04_flatOnAWall) {
   scene.fixed = {{{{-64.0, -16.0}, {64.0, -16.0}, {64.0, 0.0}, {-64.0, 0.0}}}};
   scene.floe = {square(10.0, {0.0, 5.0}, {0.0, -0.5})};
   const auto engine = make_engine(scene, make_field(scene), on("box2d"));
-  MomentLog log;
+  StepLog log;
   engine->advance(1, log);
   ASSERT_GT(contacts_of(log), 0);
   const Bodies& b = engine->bodies();
@@ -89,7 +88,7 @@ TEST(Box2dEngine, V05_twoFloesHeadOn) {
   SceneDef scene = still_scene();
   scene.floe = {square(10.0, {0.0, 0.0}, {0.6, 0.0}), square(6.0, {8.0, 0.0}, {-0.2, 0.0})};
   const auto engine = make_engine(scene, make_field(scene), on("box2d"));
-  MomentLog log;
+  StepLog log;
   engine->advance(1, log);
   ASSERT_GT(contacts_of(log), 0);
   const double together = 0.388235294118, loss = 3811.76470588;
@@ -114,7 +113,7 @@ TEST(Box2dEngine, FrictionIsThatOfThePair) {
     }
     const auto engine = make_engine(scene, make_field(scene), on("box2d"));
     const Bodies before = engine->bodies();
-    MomentLog log;
+    StepLog log;
     engine->advance(1, log);
     ASSERT_GT(contacts_of(log), 0) << on_platform;
     const std::size_t floe = before.count() - 1;
@@ -143,7 +142,7 @@ TEST(Box2dEngine, DragOfFreeFloesIsGemsToTheBit) {
   scene.floe[1].spin_rad_per_s = 0.02;
   const auto gems = make_engine(scene, make_field(scene), on("reference"));
   const auto box2d = make_engine(scene, make_field(scene), on("box2d"));
-  MomentLog log;
+  StepLog log;
   for (int k = 0; k < 10; ++k) {
     gems->advance(100, log);
     box2d->advance(100, log);
@@ -154,7 +153,7 @@ TEST(Box2dEngine, DragOfFreeFloesIsGemsToTheBit) {
     }
   }
   EXPECT_EQ(contacts_of(log), 0);
-  // places are floats and lag by half a moment's speeding up: 2e-6 m a moment of rounding at 32 m, 0.5 U dt
+  // places are floats and lag by half a time step's speeding up: 2e-6 m a time step of rounding at 32 m, 0.5 U dt
   const Vec2 off = box2d->bodies().position[1] - gems->bodies().position[1];
   EXPECT_LT(length(off), 1000 * 2e-6 + 0.5 * 0.51 * 0.05);
   EXPECT_EQ(residual(box2d->ledger()).energy, residual(gems->ledger()).energy);
@@ -168,7 +167,7 @@ TEST(Box2dEngine, V39_swingIsGemsToTheBit) {
   scene.mooring.damping_ratio = 0.01;
   const auto gems = make_engine(scene, make_field(scene), on("reference"));
   const auto box2d = make_engine(scene, make_field(scene), on("box2d"));
-  MomentLog log;
+  StepLog log;
   gems->advance(2000, log);
   box2d->advance(2000, log);
   EXPECT_EQ(box2d->state_hash(), gems->state_hash());
@@ -186,17 +185,17 @@ TEST(Box2dEngine, V33_columnOnAWall) {
   const double end = 10.0 * count;
   scene.fixed = {{{{end, -20.0}, {end + 10.0, -20.0}, {end + 10.0, 20.0}, {end, 20.0}}}};
   const auto engine = make_engine(scene, make_field(scene), on("box2d"));
-  MomentLog log;
+  StepLog log;
   engine->advance(600, log);
   const double before = engine->ledger()[Channel::impact].momentum.x;
   log.clear();  // the row began with its skins in each other and was pushed apart
   engine->advance(200, log);
   ASSERT_GT(contacts_of(log), 0);
   const double force = (before - engine->ledger()[Channel::impact].momentum.x) / (200 * 0.05);
-  // within a moment a floe gives way to the current: its drag is less by 1 + k U dt; the rest is Box2D's rounding
+  // within a time step a floe gives way to the current: its drag is less by 1 + k U dt; the rest is Box2D's rounding
   const double held = count * 562.5 / (1.0 + 0.05 * 0.5 * 0.05);
   EXPECT_NEAR(force, held, 1e-5 * held);
-  for (const MomentQuality& q : log.quality) EXPECT_LT(count * q.maximum_overlap, 1e-3);
+  for (const StepQuality& q : log.quality) EXPECT_LT(count * q.maximum_overlap, 1e-3);
 }
 
 TEST(Box2dEngine, SameRunTwiceGivesTheSameBits) {
@@ -204,7 +203,7 @@ TEST(Box2dEngine, SameRunTwiceGivesTheSameBits) {
   std::array<std::uint64_t, 2> hash{};
   for (std::uint64_t& h : hash) {
     const auto engine = make_engine(scene, test::busy_field(scene), on("box2d"));
-    MomentLog log;
+    StepLog log;
     engine->advance(400, log);
     EXPECT_GT(contacts_of(log), 1000);
     h = engine->state_hash();
@@ -218,12 +217,12 @@ TEST(Box2dEngine, IceForceIsWhatMovesThePlatformAndBooksCloseInFloat) {
   scene.platform_drag.present = false;
   const auto engine = make_engine(scene, test::busy_field(scene), on("box2d"));
   const Bodies start = engine->bodies();
-  MomentLog log;
+  StepLog log;
   engine->advance(400, log);
   Vec2 impulse;
   double yaw = 0.0;
   std::int64_t hits = 0;
-  for (const PlatformMoment& p : log.platform) {
+  for (const PlatformStep& p : log.platform) {
     impulse += p.ice_impulse;
     yaw += p.ice_yaw_impulse;
     hits += p.contacts;
@@ -234,7 +233,7 @@ TEST(Box2dEngine, IceForceIsWhatMovesThePlatformAndBooksCloseInFloat) {
   EXPECT_NEAR(length(gained - impulse), 0.0, 1e-9 * length(gained));
   EXPECT_NEAR(start.inertia[0] * (engine->bodies().spin[0] - start.spin[0]), yaw, 1e-9 * std::fabs(yaw));
   const LedgerResidual left = residual(engine->ledger());
-  // what floes get and what the platform is booked differ by Box2D's rounding of every contact and moment
+  // what floes get and what the platform is booked differ by Box2D's rounding of every contact and time step
   EXPECT_LT(left.momentum, 400.0 * float_step);
   EXPECT_LT(left.energy, 400.0 * float_step);
   EXPECT_GT(left.momentum, 0.0);
@@ -243,13 +242,13 @@ TEST(Box2dEngine, IceForceIsWhatMovesThePlatformAndBooksCloseInFloat) {
 TEST(Box2dEngine, RestoredStateIsTheSameStateWithoutItsWarmStart) {
   const SceneDef scene = test::busy_scene(15);
   const auto engine = make_engine(scene, test::busy_field(scene), on("box2d"));
-  MomentLog log;
+  StepLog log;
   engine->advance(200, log);
   const EngineState state = engine->save();
   EXPECT_TRUE(state.impulse_key.empty());
   const auto again = make_engine(scene, test::busy_field(scene), on("box2d"));
   again->restore(state);
-  EXPECT_EQ(again->moment(), 200);
+  EXPECT_EQ(again->step(), 200);
   EXPECT_EQ(again->state_hash(), engine->state_hash());
   const LedgerResidual one = residual(again->ledger()), other = residual(engine->ledger());
   EXPECT_EQ(one.energy, other.energy);
@@ -268,9 +267,9 @@ TEST(Box2dEngine, WithoutMeasuringTheMotionIsTheSame) {
   const SceneDef scene = test::busy_scene(15);
   const auto measured = make_engine(scene, test::busy_field(scene), on("box2d"));
   EngineOptions options = on("box2d");
-  options.baseline.measures_quality = false;
+  options.baseline_settings = {"measures_quality=0"};
   const auto bare = make_engine(scene, test::busy_field(scene), options);
-  MomentLog log;
+  StepLog log;
   measured->advance(200, log);
   EXPECT_GT(contacts_of(log), 0);
   EXPECT_FALSE(std::isnan(log.quality.back().maximum_overlap));

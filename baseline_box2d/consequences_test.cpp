@@ -8,7 +8,9 @@
 #include <string>
 
 #include "baseline_box2d/body_of.h"
+#include "baseline_box2d/box2d_options.h"
 #include "baseline_box2d/register_box2d.h"
+#include "gem/base/number_text.h"
 #include "gem/engine/engine.h"
 #include "gem/field/field.h"
 #include "gem/geometry/polygon.h"
@@ -37,21 +39,21 @@ FloeDef square(Vec2 position, Vec2 velocity, double side = 10.0) {
   return {{{-h, -h}, {h, -h}, {h, h}, {-h, h}}, position, 0.0, velocity, 0.0, 0.5};
 }
 
-std::unique_ptr<Engine> box2d(const SceneDef& scene, double skin = BaselineOptions{}.skin_m) {
+std::unique_ptr<Engine> box2d(const SceneDef& scene, double skin = Box2dOptions{}.skin_m) {
   EngineOptions options;
   options.name = "box2d";
-  options.baseline.skin_m = skin;
+  options.baseline_settings = {"skin_m=" + number_text(skin)};
   return make_engine(scene, make_field(scene), options);
 }
 
 /// Speed at which a floe without drag really moves over 10 s, over its velocity.
 double true_speed(double x, double speed, double dt) {
   SceneDef scene = bare_scene();
-  scene.numerics.moment_s = dt;
+  scene.numerics.time_step_s = dt;
   scene.floe = {square({x, 0.0}, {speed, 0.0})};
   const auto engine = box2d(scene);
   const double from = engine->bodies().position[1].x;
-  MomentLog log;
+  StepLog log;
   engine->advance(std::llround(10.0 / dt), log);
   return (engine->bodies().position[1].x - from) / (10.0 * speed);
 }
@@ -77,7 +79,7 @@ double resting_gap(double skin) {
   scene.fixed = {{{{-64.0, -16.0}, {64.0, -16.0}, {64.0, 0.0}, {-64.0, 0.0}}}};
   scene.floe = {square({0.0, 5.1}, {0.0, -0.1})};
   const auto engine = box2d(scene, skin);
-  MomentLog log;
+  StepLog log;
   engine->advance(2000, log);
   EXPECT_GT(log.quality.back().contacts, 0);
   return engine->bodies().position[2].y - 5.0;
@@ -127,14 +129,14 @@ Hit hit_corner(int corner) {
   floe.angle_rad = turn;
   scene.floe = {floe};
   const auto engine = box2d(scene);
-  MomentLog log;
+  StepLog log;
   engine->advance(4, log);
   Hit hit;
-  for (const PlatformMoment& moment : log.platform) {
-    hit.impulse -= dot(moment.ice_impulse, out);
-    hit.sideways = std::max(hit.sideways, std::fabs(cross(moment.ice_impulse, out)));
+  for (const PlatformStep& step : log.platform) {
+    hit.impulse -= dot(step.ice_impulse, out);
+    hit.sideways = std::max(hit.sideways, std::fabs(cross(step.ice_impulse, out)));
   }
-  for (const MomentQuality& quality : log.quality) hit.points = std::max(hit.points, quality.contacts);
+  for (const StepQuality& quality : log.quality) hit.points = std::max(hit.points, quality.contacts);
   hit.events = log.events.size();
   return hit;
 }
@@ -158,10 +160,10 @@ TEST(Consequences, SeamsBetweenFixturesAreFeltOnceOnly) {
 
 TEST(Consequences, NoBodyGoesFartherThanTwoMetresInAStep) {
   SceneDef scene = bare_scene();
-  scene.numerics.moment_s = 10.0;
+  scene.numerics.time_step_s = 10.0;
   scene.floe = {square({}, {0.25, 0.0})};
   const auto engine = box2d(scene);
-  MomentLog log;
+  StepLog log;
   engine->advance(1, log);
   EXPECT_NEAR(engine->bodies().position[1].x, 2.0, 1e-6);
   EXPECT_NEAR(engine->bodies().velocity[1].x, 0.2, 1e-7);  // and its velocity with it

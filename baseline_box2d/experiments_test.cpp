@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "baseline_box2d/box2d_options.h"
 #include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
 #include "gem/engine/engine.h"
@@ -15,7 +16,7 @@ namespace {
 EngineOptions with(const std::string& experiment) {
   register_box2d();
   EngineOptions options{"box2d", 1};
-  if (!experiment.empty()) set_experiment(options.baseline, experiment);
+  if (!experiment.empty()) options.baseline_settings = {experiment};
   return options;
 }
 
@@ -33,10 +34,10 @@ Outcome outcome(const std::string& experiment) {
   scene.ice.friction_structure = 0.1;  // mixed: 0.2
   scene.platform_drag.present = false;
   const auto engine = make_engine(scene, test::busy_field(scene), with(experiment));
-  MomentLog log;
+  StepLog log;
   engine->advance(400, log);
   std::int64_t hits = 0;
-  for (const PlatformMoment& moment : log.platform) hits += moment.contacts;
+  for (const PlatformStep& step : log.platform) hits += step.contacts;
   EXPECT_LT(residual(engine->ledger()).momentum, 400.0 * 0x1p-24) << experiment;
   return {engine->state_hash(), hits, engine->method()};
 }
@@ -57,9 +58,8 @@ TEST(Experiments, TheThresholdOfReboundMeansNothingWithoutRestitution) {
 }
 
 TEST(Experiments, OthersAreRefused) {
-  BaselineOptions options;
   for (const char* text : {"", "substeps", "substeps=0", "substeps=1.5", "continuous=2", "gravity=1", "substeps=nan"})
-    EXPECT_THROW(set_experiment(options, text), Error) << text;
+    EXPECT_THROW(box2d_options({text}), Error) << text;
 }
 
 }  // namespace

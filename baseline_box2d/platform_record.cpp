@@ -61,8 +61,7 @@ void add_crushing(const FieldState& f, ContactEvent& e) {
                                               {b.inverse_mass[e.body_b], b.inverse_inertia[e.body_b]},
                                               e.point - b.position[e.body_b], e.normal)
                                .nn;
-  CrushingIce ice = f.constants.ice;
-  ice.thickness = b.thickness[e.body_b];
+  const CrushingIce ice = crushing_ice(f.constants.events, b.thickness[e.body_b]);
   const bool corner = !faces && e.growth > 0.0;
   const double longest = corner ? facing_length(platform, floe, offset, turned_left(e.normal)) : e.width;
   e.peak_force =
@@ -97,8 +96,8 @@ void log_events(const FieldState& f, const std::vector<Touch>& touches, double t
   }
 }
 
-PlatformMoment ice_row(const FieldState& f, const std::vector<Touch>& touches) {
-  PlatformMoment row;
+PlatformStep ice_row(const FieldState& f, const std::vector<Touch>& touches) {
+  PlatformStep row;
   PlatformImpulse ice;
   std::int32_t last = -1;
   for (const Touch& touch : touches) {

@@ -23,7 +23,7 @@ PlatformImpulse platform_impulse(const FieldState& f, const std::vector<Touch>& 
 void log_events(const FieldState& f, const std::vector<Touch>& touches, double time, double event_speed,
                 std::vector<ContactEvent>& events);
 
-/// What the ice gave to the platform; the other members of the row are left for the moment's end.
-PlatformMoment ice_row(const FieldState& f, const std::vector<Touch>& touches);
+/// What the ice gave to the platform; the other members of the row are left for the time step's end.
+PlatformStep ice_row(const FieldState& f, const std::vector<Touch>& touches);
 
 }  // namespace gem::baseline

@@ -7,9 +7,11 @@
 namespace gem::baseline {
 
 void register_box2d() {
-  register_baseline("box2d", [](const SceneDef& scene, Bodies bodies, const EngineOptions& options) {
-    return std::unique_ptr<Engine>(std::make_unique<Box2dEngine>(scene, std::move(bodies), options.baseline));
-  });
+  const BaselineMaker make = [](const SceneDef& scene, Bodies bodies, const EngineOptions& options) {
+    const Box2dOptions chosen = box2d_options(options.baseline_settings);
+    return std::unique_ptr<Engine>(std::make_unique<Box2dEngine>(scene, std::move(bodies), chosen));
+  };
+  register_baseline("box2d", make, box2d_settings());
 }
 
 }  // namespace gem::baseline

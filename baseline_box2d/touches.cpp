@@ -21,9 +21,10 @@ void Touches::PreSolve(b2Contact* contact, const b2Manifold*) {
   const auto first = static_cast<std::int32_t>(index_of(*contact->GetFixtureA()));
   const auto second = static_cast<std::int32_t>(index_of(*contact->GetFixtureB()));
   const std::int32_t a = std::min(first, second), b = std::max(first, second);
-  const MomentConstants& c = field_.constants;
-  const double of_pair = a == 0 ? c.friction_structure : c.friction_ice;
-  contact->SetFriction(static_cast<float>(options_.mixes_friction ? std::sqrt(of_pair * c.friction_ice) : of_pair));
+  const StepConstants& c = field_.constants;
+  const double of_pair = friction_of_pair(c.events, a == 0);
+  contact->SetFriction(
+      static_cast<float>(options_.mixes_friction ? std::sqrt(of_pair * c.events.ice.friction_ice) : of_pair));
   contact->SetRestitutionThreshold(static_cast<float>(options_.restitution_threshold_m_per_s));
   pairs_.push_back({a, b});
   points_ += count;

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "baseline_box2d/box2d_options.h"
 #include "gem/engine/engine.h"
 #include "gem/engine/step/field_state.h"
 
@@ -35,7 +36,7 @@ struct Touch {
 class Touches : public b2ContactListener {
  public:
   /// Keeps the contacts of the platform and of fixed bodies in full, where quality is measured those between floes too.
-  Touches(const FieldState& field, const BaselineOptions& options) : field_(field), options_(options) {}
+  Touches(const FieldState& field, const Box2dOptions& options) : field_(field), options_(options) {}
 
   void clear();
   void PreSolve(b2Contact* contact, const b2Manifold* old_manifold) override;
@@ -52,7 +53,7 @@ class Touches : public b2ContactListener {
 
  private:
   const FieldState& field_;
-  const BaselineOptions& options_;
+  const Box2dOptions& options_;
   std::vector<TouchingPair> pairs_;
   std::vector<Touch> touches_;
   std::size_t read_ = 0;                                    // touches whose impulses are known

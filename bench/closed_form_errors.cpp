@@ -1,4 +1,4 @@
-// Errors in time of small scenes against their closed forms, and what they cost, over the moment. Velocities jump at
+// Errors in time of small scenes against their closed forms, and what they cost, over the time step. Velocities jump at
 // impacts, so errors are means over time (the L1 norm over the duration), not the largest.
 //
 // Usage: closed_form_errors SETTINGS MOMENT_S,... OUT.csv
@@ -6,7 +6,7 @@
 //
 // V06 a corner on a wall, V17 the same with friction and slip, V26 a floe drifts onto a wall, V33 a column of ten
 // pressed to a wall, V10 a floe on the moored platform. V42 (a train of given impulses on the mooring) has no contacts:
-// its path is the mooring's exact one on every engine, at every moment.
+// its path is the mooring's exact one on every engine, at every time step.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -142,24 +142,24 @@ struct Errors {
   std::int64_t contacts = 0;
 };
 
-std::unique_ptr<Engine> engine_for_case(const ClosedForm& form, const EngineSetting& setting, double moment) {
+std::unique_ptr<Engine> engine_for_case(const ClosedForm& form, const EngineSetting& setting, double step) {
   SceneDef scene = form.scene;
   scene.contact = setting.scene.contact;
   scene.numerics = setting.scene.numerics;
-  scene.numerics.moment_s = moment;
+  scene.numerics.time_step_s = step;
   return make_engine(scene, make_field(scene), setting.engine);
 }
 
-Errors errors_of(const ClosedForm& form, const EngineSetting& setting, double moment) {
-  const auto engine = engine_for_case(form, setting, moment);
-  const std::int64_t moments = std::llround(form.duration / moment);
+Errors errors_of(const ClosedForm& form, const EngineSetting& setting, double step) {
+  const auto engine = engine_for_case(form, setting, step);
+  const std::int64_t steps = std::llround(form.duration / step);
   Errors errors;
-  // a moment is looked at four times, places and velocities interpolated: an impact within it is not missed
+  // a time step is looked at four times, places and velocities interpolated: an impact within it is not missed
   constexpr int looks = 4;
-  const double each = 1.0 / (static_cast<double>(looks * moments) * static_cast<double>(form.count));
+  const double each = 1.0 / (static_cast<double>(looks * steps) * static_cast<double>(form.count));
   Bodies before = engine->bodies();
-  for (std::int64_t m = 1; m <= moments; ++m) {
-    MomentLog log;
+  for (std::int64_t m = 1; m <= steps; ++m) {
+    StepLog log;
     engine->advance(1, log);
     errors.contacts += log.quality.back().contacts;
     const Bodies& now = engine->bodies();
@@ -167,7 +167,7 @@ Errors errors_of(const ClosedForm& form, const EngineSetting& setting, double mo
       for (int look = 0; look < looks; ++look) {
         const std::size_t i = form.first + k;
         const double part = (look + 0.5) / looks;
-        const Motion truth = form.at((static_cast<double>(m - 1) + part) * moment, k);
+        const Motion truth = form.at((static_cast<double>(m - 1) + part) * step, k);
         const auto between = [part](Vec2 a, Vec2 b) { return a + part * (b - a); };
         errors.place += each * length(between(before.position[i], now.position[i]) - truth.place);
         errors.velocity += each * length(between(before.velocity[i], now.velocity[i]) - truth.velocity);
@@ -186,12 +186,12 @@ std::vector<ClosedForm> closed_forms(double delay) {
           column_on_wall(10), floe_on_platform(delay)};
 }
 
-/// Where in a moment an impact falls is chance: the mean over impacts spread evenly over one moment.
-Errors mean_errors(std::size_t which, const EngineSetting& setting, double moment) {
+/// Where in a time step an impact falls is chance: the mean over impacts spread evenly over one time step.
+Errors mean_errors(std::size_t which, const EngineSetting& setting, double step) {
   constexpr int phases = 8;
   Errors mean;
   for (int k = 0; k < phases; ++k) {
-    const Errors errors = errors_of(closed_forms(moment * k / phases)[which], setting, moment);
+    const Errors errors = errors_of(closed_forms(step * k / phases)[which], setting, step);
     mean.place += errors.place / phases;
     mean.velocity += errors.velocity / phases;
     mean.contacts += errors.contacts;
@@ -200,16 +200,16 @@ Errors mean_errors(std::size_t which, const EngineSetting& setting, double momen
 }
 
 /// Median user time of whole runs over their simulated time; short runs are repeated until the clock can tell.
-double cost_of(const ClosedForm& form, const EngineSetting& setting, double moment) {
+double cost_of(const ClosedForm& form, const EngineSetting& setting, double step) {
   std::vector<double> costs;
   for (int repetition = 0; repetition < 5; ++repetition) {
     Spent spent;
     int runs = 0;
     while (spent.user < 0.02) {
-      const auto engine = engine_for_case(form, setting, moment);
-      MomentLog log;
+      const auto engine = engine_for_case(form, setting, step);
+      StepLog log;
       const Spent before = spent_so_far();
-      engine->advance(std::llround(form.duration / moment), log);
+      engine->advance(std::llround(form.duration / step), log);
       spent += spent_so_far() - before;
       ++runs;
     }
@@ -227,15 +227,15 @@ int run(const std::vector<std::string>& a) {
   out << "case,setting,engine,moment_s,place_L1_m,velocity_L1_m_per_s,contacts,user_s_per_s,commit\n";
   std::string list = a[1] + ",";
   for (std::size_t comma; (comma = list.find(',')) != std::string::npos; list.erase(0, comma + 1)) {
-    const double moment = number_of(list.substr(0, comma), "MOMENT_S");
-    if (!(moment > 0.0)) throw Error(ExitCode::usage, "a moment of " + list + " s (it must be above 0) correct it");
+    const double step = number_of(list.substr(0, comma), "MOMENT_S");
+    if (!(step > 0.0)) throw Error(ExitCode::usage, "a moment of " + list + " s (it must be above 0) correct it");
     for (std::size_t k = 0; k < forms.size(); ++k)
       for (const EngineSetting& setting : settings) {
         const ClosedForm& form = forms[k];
-        const Errors errors = mean_errors(k, setting, moment);
-        out << form.name << ',' << setting.label << ',' << setting.engine.name << ',' << number_text(moment) << ','
+        const Errors errors = mean_errors(k, setting, step);
+        out << form.name << ',' << setting.label << ',' << setting.engine.name << ',' << number_text(step) << ','
             << number_text(errors.place, 6) << ',' << number_text(errors.velocity, 6) << ',' << errors.contacts << ','
-            << number_text(cost_of(form, setting, moment), 6) << ',' << GEM_COMMIT << std::endl;
+            << number_text(cost_of(form, setting, step), 6) << ',' << GEM_COMMIT << std::endl;
       }
   }
   return 0;

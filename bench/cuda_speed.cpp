@@ -1,7 +1,7 @@
 // Speed of the cuda engine by device events, as CSV: one scene in three phases and several layouts, and batches.
 //
 // usage: gem_cuda_speed CASES_FOLDER [single|copies|batch|table|growth|profile|all] [largest batch]
-// [coupled|independent] [strict|fast] [phase]
+// [coupled|independent] [phase]
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -25,7 +25,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t timed_moments = 256;
+constexpr std::int64_t timed_steps = 256;
 
 struct Phase {
   const char* name;
@@ -39,13 +39,9 @@ constexpr Phase phases[] = {
 /// What is timed.
 struct Subject {
   std::string cases = "cases";
-  Resolution resolution = Resolution::coupled;
-  Arithmetic arithmetic = Arithmetic::strict;
+  ContactSolver solver = ContactSolver::coupled;
   std::string phase = {};  // empty: all
-  std::string name() const {
-    return std::string(resolution == Resolution::coupled ? "coupled" : "independent") +
-           (arithmetic == Arithmetic::fast ? ",fast" : ",strict");
-  }
+  const char* name() const { return solver == ContactSolver::coupled ? "coupled" : "independent"; }
 };
 
 /// A run of the paper with the default settings, or with independent contacts as their own tables have them.
@@ -53,37 +49,25 @@ SceneDef scene_of(const Subject& subject, const std::string& run) {
   for (const SweepMember& member : expand_sweep(subject.cases + "/table1.toml"))
     if (member.name == run) {
       SceneDef scene = member.scene;
-      scene.contact.resolution = subject.resolution;
-      if (subject.resolution == Resolution::independent) scene.contact.manifold = Manifold::chord_middle;
+      scene.contact.solver = subject.solver;
+      if (subject.solver == ContactSolver::independent) scene.contact.manifold = Manifold::chord_middle;
       return scene;
     }
   throw Error(ExitCode::usage, "no run " + run + " in " + subject.cases);
 }
 
-std::int64_t moments_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.moment_s); }
+std::int64_t steps_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.time_step_s); }
 
-/// Ends a row with the barriers of a moment and the share of each stage in the first thread's time.
+/// Ends a row with the route and the barriers of a time step.
 void end_row(const CudaBatch& batch) {
-  std::printf(",%s", batch.launches() == Launches::phases ? "phases" : "moments");
-  std::printf(",%.2f", batch.barriers());
-  const std::vector<double> clocks = batch.stage_clocks();
-  double all = 0.0;
-  for (const double clock : clocks) all += clock;
-  for (const double clock : clocks)
-    if (all > 0.0)
-      std::printf(",%.3f", clock / all);
-    else
-      std::printf(",");  // by phases no block stays to read its clock
-  std::printf("\n");
+  std::printf(",%s,%.2f\n", batch.launches() == Launches::phases ? "phases" : "moments", batch.barriers());
   std::fflush(stdout);
 }
 
 void header() {
   std::printf(
-      "commit,device,resolution,arithmetic,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,"
-      "x_real_time,contacts,wall_over_device,state_hash,launches,barriers");
-  for (const std::string& stage : cuda_stage_names()) std::printf(",%s", stage.c_str());
-  std::printf("\n");
+      "commit,device,resolution,measure,phase,scenes,blocks,threads,microseconds_per_moment,spread,"
+      "x_real_time,contacts,wall_over_device,state_hash,launches,barriers\n");
 }
 
 struct Timing {
@@ -92,27 +76,27 @@ struct Timing {
 
 /// The state in which a phase begins.
 EngineState start_of(const Phase& phase, const SceneDef& scene, const Bodies& field) {
-  CudaBatch batch({{scene, field}}, {.ring_moments = 4096, .samples = false});
-  batch.advance(moments_in(scene, phase.time), nullptr);
+  CudaBatch batch({{scene, field}}, {.ring_steps = 4096, .samples = false});
+  batch.advance(steps_in(scene, phase.time), nullptr);
   return batch.save(0);
 }
 
-Timing time_moments(CudaBatch& batch, const EngineState& start, std::vector<MomentLog>* logs, int repetitions) {
+Timing time_steps(CudaBatch& batch, const EngineState& start, std::vector<StepLog>* logs, int repetitions) {
   std::vector<double> seconds;
   double wall = 0.0;
   for (int k = 0; k < repetitions + 1; ++k) {
     for (std::size_t s = 0; s < batch.size(); ++s) batch.restore(s, start);
     batch.advance(2, nullptr);  // builds the list
     if (logs)
-      for (MomentLog& log : *logs) log.clear();
+      for (StepLog& log : *logs) log.clear();
     const auto begin = Clock::now();
-    batch.advance(timed_moments, logs);
+    batch.advance(timed_steps, logs);
     if (k == 0) continue;  // warm-up
     wall += std::chrono::duration<double>(Clock::now() - begin).count() / repetitions;
-    seconds.push_back(batch.device_time() / double(timed_moments));
+    seconds.push_back(batch.device_time() / double(timed_steps));
   }
   std::sort(seconds.begin(), seconds.end());
-  return {seconds[seconds.size() / 2], seconds.back() - seconds.front(), wall / double(timed_moments)};
+  return {seconds[seconds.size() / 2], seconds.back() - seconds.front(), wall / double(timed_steps)};
 }
 
 void single(const Subject& subject) {
@@ -121,17 +105,17 @@ void single(const Subject& subject) {
     const SceneDef scene = scene_of(subject, phase.run);
     const Bodies field = make_field(scene);
     const EngineState start = start_of(phase, scene, field);
-    for (const int blocks : {4, 16, 64, 112, 132})
+    for (const int blocks : {1, 4, 16, 64, 112, 132})
       for (const int threads : {128, 256}) {
         if ((blocks < 64 && threads < 256) || blocks > usable_cuda_device().multiprocessors) continue;
-        CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads, .arithmetic = subject.arithmetic});
-        std::vector<MomentLog> logs(1);
-        const Timing time = time_moments(timed, start, &logs, 7);
+        CudaBatch timed({{scene, field}}, {.blocks = blocks, .threads = threads});
+        std::vector<StepLog> logs(1);
+        const Timing time = time_steps(timed, start, &logs, 7);
         double contacts = 0.0;
-        for (const MomentQuality& quality : logs[0].quality) contacts += quality.contacts / double(timed_moments);
+        for (const StepQuality& quality : logs[0].quality) contacts += quality.contacts / double(timed_steps);
         std::printf("%s,%s,%s,moment,%s,1,%d,%d,%.3f,%.3f,%.0f,%.0f,%.2f,%016llx", GEM_COMMIT,
-                    timed.device().name.c_str(), subject.name().c_str(), phase.name, blocks, threads, 1e6 * time.median,
-                    1e6 * time.spread, scene.numerics.moment_s / time.median, contacts, time.wall / time.median,
+                    timed.device().name.c_str(), subject.name(), phase.name, blocks, threads, 1e6 * time.median,
+                    1e6 * time.spread, scene.numerics.time_step_s / time.median, contacts, time.wall / time.median,
                     static_cast<unsigned long long>(timed.state_hash(0)));
         end_row(timed);
       }
@@ -147,27 +131,25 @@ void copies(const Subject& subject, std::size_t largest) {
     const EngineState start = start_of(phase, scene, field);
     for (const std::size_t count : {36, 66}) {
       if (count > largest) break;
-      CudaBatch timed(std::vector<BatchScene>(count, {scene, field}),
-                      {.samples = false, .arithmetic = subject.arithmetic});
-      const Timing time = time_moments(timed, start, nullptr, 3);
+      CudaBatch timed(std::vector<BatchScene>(count, {scene, field}), {.samples = false});
+      const Timing time = time_steps(timed, start, nullptr, 3);
       std::printf("%s,%s,%s,copies,%s,%zu,%d,%d,%.3f,%.3f,%.0f,,%.2f,%016llx", GEM_COMMIT, timed.device().name.c_str(),
-                  subject.name().c_str(), phase.name, count, timed.blocks(), timed.threads(), 1e6 * time.median,
-                  1e6 * time.spread, double(count) * scene.numerics.moment_s / time.median, time.wall / time.median,
+                  subject.name(), phase.name, count, timed.blocks(), timed.threads(), 1e6 * time.median,
+                  1e6 * time.spread, double(count) * scene.numerics.time_step_s / time.median, time.wall / time.median,
                   static_cast<unsigned long long>(timed.state_hash(count - 1)));
       end_row(timed);
     }
   }
 }
 
-/// For a profiler: as many copies of a phase, their lists built, then a launch of 16 moments.
+/// For a profiler: as many copies of a phase, their lists built, then a launch of 16 time steps.
 void one_launch(const Subject& subject, std::size_t count) {
   for (const Phase& phase : phases) {
     if (!subject.phase.empty() && subject.phase != phase.name) continue;
     const SceneDef scene = scene_of(subject, phase.run);
     const Bodies field = make_field(scene);
     const EngineState start = start_of(phase, scene, field);
-    CudaBatch batch(std::vector<BatchScene>(count, {scene, field}),
-                    {.blocks = count == 1 ? 16 : 0, .arithmetic = subject.arithmetic});
+    CudaBatch batch(std::vector<BatchScene>(count, {scene, field}), {});
     for (std::size_t k = 0; k < count; ++k) batch.restore(k, start);
     batch.advance(2, nullptr);
     batch.advance(2, nullptr);
@@ -193,21 +175,21 @@ std::vector<BatchScene> seeds(const Subject& subject, std::size_t count) {
   return scenes;
 }
 
-/// Moves each scene of a batch on by its `moments` and prints what the longest took; `recorded`: with the record of
-/// every moment.
+/// Moves each scene of a batch on by its `steps` and prints what the longest took; `recorded`: with the record of
+/// every time step.
 void time_batch(const Subject& subject, const char* measure, const std::vector<BatchScene>& scenes,
-                const std::vector<std::int64_t>& moments, bool recorded) {
+                const std::vector<std::int64_t>& steps, bool recorded) {
   double simulated = 0.0;
-  for (std::size_t k = 0; k < scenes.size(); ++k) simulated += double(moments[k]) * scenes[k].scene.numerics.moment_s;
-  const std::int64_t longest = *std::max_element(moments.begin(), moments.end());
-  CudaBatch batch(scenes, {.samples = recorded, .arithmetic = subject.arithmetic});
-  std::vector<MomentLog> logs(scenes.size());
+  for (std::size_t k = 0; k < scenes.size(); ++k) simulated += double(steps[k]) * scenes[k].scene.numerics.time_step_s;
+  const std::int64_t longest = *std::max_element(steps.begin(), steps.end());
+  CudaBatch batch(scenes, {.samples = recorded});
+  std::vector<StepLog> logs(scenes.size());
   const auto begin = Clock::now();
-  batch.advance(moments, recorded ? &logs : nullptr);
+  batch.advance(steps, recorded ? &logs : nullptr);
   const double wall = std::chrono::duration<double>(Clock::now() - begin).count(), device = batch.device_time();
   std::printf("%s,%s,%s,%s,%lld moments,%zu,%d,%d,%.3f,,%.0f,,%.2f,%016llx", GEM_COMMIT, batch.device().name.c_str(),
-              subject.name().c_str(), measure, static_cast<long long>(longest), scenes.size(), batch.blocks(),
-              batch.threads(), 1e6 * device / double(longest), simulated / wall, wall / device,
+              subject.name(), measure, static_cast<long long>(longest), scenes.size(), batch.blocks(), batch.threads(),
+              1e6 * device / double(longest), simulated / wall, wall / device,
               static_cast<unsigned long long>(batch.state_hash(0)));
   end_row(batch);
 }
@@ -218,14 +200,14 @@ void batches(const Subject& subject, std::size_t largest) {
   for (std::size_t count : {1, 8, 33, 66, 132, 264}) {
     if (count > largest) break;
     const std::vector<BatchScene> some(all.begin(), all.begin() + std::ptrdiff_t(count));
-    const std::vector<std::int64_t> moments(count, moments_in(some[0].scene, duration));
-    time_batch(subject, "batch", some, moments, false);
-    time_batch(subject, "batch_recorded", some, moments, true);
+    const std::vector<std::int64_t> steps(count, steps_in(some[0].scene, duration));
+    time_batch(subject, "batch", some, steps, false);
+    time_batch(subject, "batch_recorded", some, steps, true);
   }
 }
 
-/// All runs of Table 1 together, with the record of every moment: as many moments of each, and of each a twelfth of its
-/// own.
+/// All runs of Table 1 together, with the record of every time step: as many time steps of each, and of each a twelfth
+/// of its own.
 void table(const Subject& subject) {
   std::vector<BatchScene> scenes;
   for (const SweepMember& member : expand_sweep(subject.cases + "/table1.toml")) {
@@ -233,9 +215,9 @@ void table(const Subject& subject) {
     scenes.push_back({scene, make_field(scene)});
   }
   std::vector<std::int64_t> twelfth;
-  for (const BatchScene& run : scenes) twelfth.push_back(moments_in(run.scene, run.scene.run.duration_s / 12));
+  for (const BatchScene& run : scenes) twelfth.push_back(steps_in(run.scene, run.scene.run.duration_s / 12));
   time_batch(subject, "table1_recorded", scenes,
-             std::vector<std::int64_t>(scenes.size(), moments_in(scenes[0].scene, 1200.0)), true);
+             std::vector<std::int64_t>(scenes.size(), steps_in(scenes[0].scene, 1200.0)), true);
   time_batch(subject, "table1_twelfth_recorded", scenes, twelfth, true);
 }
 
@@ -243,15 +225,15 @@ void table(const Subject& subject) {
 void growth(const Subject& subject) {
   for (const std::int64_t count : {1000, 10000, 100000, 1000000, 4000000}) {
     auto [scene, bodies] = growth_field(count);
-    scene.contact.resolution = subject.resolution;
-    if (subject.resolution == Resolution::independent) scene.contact.manifold = Manifold::chord_middle;
-    CudaBatch batch({{scene, bodies}}, {.samples = false, .arithmetic = subject.arithmetic});
+    scene.contact.solver = subject.solver;
+    if (subject.solver == ContactSolver::independent) scene.contact.manifold = Manifold::chord_middle;
+    CudaBatch batch({{scene, bodies}}, {.samples = false});
     batch.advance(100, nullptr);
     const EngineState start = batch.save(0);
-    const Timing time = time_moments(batch, start, nullptr, 3);
+    const Timing time = time_steps(batch, start, nullptr, 3);
     std::printf("%s,%s,%s,growth,%lld floes,1,%d,%d,%.3f,%.3f,%.0f,,%.2f,%016llx", GEM_COMMIT,
-                batch.device().name.c_str(), subject.name().c_str(), static_cast<long long>(count), batch.blocks(),
-                batch.threads(), 1e6 * time.median, 1e6 * time.spread, scene.numerics.moment_s / time.median,
+                batch.device().name.c_str(), subject.name(), static_cast<long long>(count), batch.blocks(),
+                batch.threads(), 1e6 * time.median, 1e6 * time.spread, scene.numerics.time_step_s / time.median,
                 time.wall / time.median, static_cast<unsigned long long>(batch.state_hash(0)));
     end_row(batch);
   }
@@ -277,18 +259,15 @@ void check_word(const std::string& word, const std::vector<std::string>& known) 
 
 int main(int count, char** argument) {
   try {
-    const std::string what = count > 2 ? argument[2] : "all", resolution = count > 4 ? argument[4] : "coupled",
-                      arithmetic = count > 5 ? argument[5] : "strict";
+    const std::string what = count > 2 ? argument[2] : "all", solver = count > 4 ? argument[4] : "coupled";
     gem::Subject subject;
     if (count > 1) subject.cases = argument[1];
-    if (count > 6) subject.phase = argument[6];
+    if (count > 5) subject.phase = argument[5];
     if (!subject.phase.empty()) gem::check_word(subject.phase, {"drift", "plug", "jam"});
-    if (resolution == "independent") subject.resolution = gem::Resolution::independent;
+    if (solver == "independent") subject.solver = gem::ContactSolver::independent;
     const std::size_t largest = count > 3 ? gem::scenes_of(argument[3]) : 264;
     gem::check_word(what, {"single", "copies", "batch", "table", "growth", "profile", "all"});
-    gem::check_word(resolution, {"coupled", "independent"});
-    gem::check_word(arithmetic, {"strict", "fast"});
-    if (arithmetic == "fast") subject.arithmetic = gem::Arithmetic::fast;
+    gem::check_word(solver, {"coupled", "independent"});
     gem::header();
     if (what == "profile") gem::one_launch(subject, largest);
     if (what == "single" || what == "all") gem::single(subject);

@@ -1,4 +1,4 @@
-// The field over which the growth of a moment's cost with the number of floes is measured.
+// The field over which the growth of a time step's cost with the number of floes is measured.
 #pragma once
 
 #include <cmath>

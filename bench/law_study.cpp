@@ -1,6 +1,6 @@
-// Error in time of each law: small scenes with falling moments against the closed form, or against a moment 64 times
-// shorter. The error is the mean over all bodies and over time of the distance in place and in velocity. Contacts are
-// resolved until nothing is left, so that only the moment counts. Prints CSV.
+// Error in time of each law: small scenes with falling time steps against the closed form, or against a time step 64
+// times shorter. The error is the mean over all bodies and over time of the distance in place and in velocity. Contacts
+// are resolved until nothing is left, so that only the time step counts. Prints CSV.
 //
 // Usage: law_study FOLDER_OF_CASES
 #include <cmath>
@@ -22,9 +22,9 @@ using Exact = std::function<Vec2(std::size_t n, double time)>;
 struct Law {
   std::string name;
   SceneDef scene;
-  double coarsest;  // moment [s]; no simple fraction of the scene's own times
-  int samples;      // one every coarsest moment
-  Exact exact;      // empty: a shorter moment is the judge
+  double coarsest;  // time step [s]; no simple fraction of the scene's own times
+  int samples;      // one every coarsest time step
+  Exact exact;      // empty: a shorter time step is the judge
 };
 
 constexpr double drag_rate = 0.05;  // [1/m]
@@ -103,15 +103,15 @@ struct Sample {
 };
 
 /// The moving bodies at every sample.
-std::vector<Sample> followed(const Law& law, Resolution resolution, int divided_by) {
+std::vector<Sample> followed(const Law& law, ContactSolver solver, int divided_by) {
   SceneDef scene = law.scene;
-  scene.contact.resolution = resolution;
-  scene.contact.manifold = resolution == Resolution::coupled ? Manifold::chord_ends : Manifold::chord_middle;
-  scene.numerics.moment_s = law.coarsest / divided_by;
+  scene.contact.solver = solver;
+  scene.contact.manifold = solver == ContactSolver::coupled ? Manifold::chord_ends : Manifold::chord_middle;
+  scene.numerics.time_step_s = law.coarsest / divided_by;
   scene.numerics.residual_tolerance = 1e-10;
   scene.numerics.iterations_maximum = 5000;
   const auto engine = make_engine(scene, make_field(scene), {.name = "cpu", .threads = 1});
-  MomentLog log;
+  StepLog log;
   log.wants_events = false;
   std::vector<Sample> samples;
   for (int k = 0; k < law.samples; ++k) {
@@ -143,12 +143,12 @@ std::vector<Sample> exactly(const Law& law, std::size_t bodies) {
   return samples;
 }
 
-void study(const Law& law, Resolution resolution) {
+void study(const Law& law, ContactSolver solver) {
   const std::vector<int> divisions = {1, 2, 4, 8};
   std::vector<Sample> judge;
-  if (!law.exact) judge = followed(law, resolution, 64 * divisions.back());
+  if (!law.exact) judge = followed(law, solver, 64 * divisions.back());
   for (const int divided_by : divisions) {
-    const std::vector<Sample> run = followed(law, resolution, divided_by);
+    const std::vector<Sample> run = followed(law, solver, divided_by);
     if (law.exact) judge = exactly(law, run[0].position.size());
     double place = 0.0, speed = 0.0;
     for (std::size_t k = 0; k < run.size(); ++k)
@@ -157,7 +157,7 @@ void study(const Law& law, Resolution resolution) {
         speed += length(run[k].velocity[i] - judge[k].velocity[i]);
       }
     const double count = static_cast<double>(run.size() * run[0].position.size());
-    std::cout << law.name << ',' << (resolution == Resolution::coupled ? "coupled" : "independent") << ','
+    std::cout << law.name << ',' << (solver == ContactSolver::coupled ? "coupled" : "independent") << ','
               << (law.exact ? "closed form" : "1/64") << ',' << number_text(law.coarsest / divided_by, 6) << ','
               << number_text(place / count, 6) << ',' << number_text(speed / count, 6) << ',' << GEM_COMMIT << '\n';
   }
@@ -171,8 +171,8 @@ int main(int argc, char** argv) {
     if (argc != 2) throw gem::Error(gem::ExitCode::usage, "the folder of the cases is needed (one argument) give it");
     std::cout << "law,resolution,judge,moment_s,place_m,velocity_m_per_s,commit\n";
     for (const gem::bench::Law& law : gem::bench::laws(argv[1]))
-      for (const auto resolution : {gem::Resolution::coupled, gem::Resolution::independent})
-        gem::bench::study(law, resolution);
+      for (const auto solver : {gem::ContactSolver::coupled, gem::ContactSolver::independent})
+        gem::bench::study(law, solver);
     return 0;
   } catch (const gem::Error& error) {
     std::cerr << "law_study: " << error.what() << '\n';

@@ -4,7 +4,7 @@
 // Usage: paired_speed CASE SETTINGS BLOCKS UNTIL_S OUT.csv [NAME [KEY=VALUE...]]
 //   CASE      case file; a member of a sweep as FILE#INDEX
 //   SETTINGS  see bench/setting.h
-//   BLOCKS    of equal simulated time; whole moments each
+//   BLOCKS    of equal simulated time; whole time steps each
 //   UNTIL_S   how long the case is run; 0: its own duration
 //   NAME      for the rows instead of the case's own; KEY=VALUE change the case for all settings
 // Times are of the engines alone: nothing is recorded. Every engine starts from the field at t = 0 and goes its own
@@ -45,17 +45,17 @@ std::int64_t floes_of(Engine& engine) {
 
 struct Block {
   Spent spent;
-  double contacts = 0.0;  // mean over its moments; 0 where the engine does not count
+  double contacts = 0.0;  // mean over its time steps; 0 where the engine does not count
 };
 
 Block advanced(Runner& runner, double until) {
-  MomentLog log;
+  StepLog log;
   log.wants_events = false;
-  const std::int64_t moments = moments_in(runner.setting, until) - runner.engine->moment();
+  const std::int64_t steps = steps_in(runner.setting, until) - runner.engine->step();
   const Spent before = spent_so_far();
-  runner.engine->advance(moments, log);
+  runner.engine->advance(steps, log);
   Block block{spent_so_far() - before, 0.0};
-  for (const MomentQuality& quality : log.quality) block.contacts += quality.contacts / static_cast<double>(moments);
+  for (const StepQuality& quality : log.quality) block.contacts += quality.contacts / static_cast<double>(steps);
   return block;
 }
 
@@ -72,9 +72,9 @@ int run(const std::vector<std::string>& a) {
   out << "case,setting,engine,threads,floes,moment_s,block,from_s,to_s,user_s,wall_s,contacts,commit\n";
   std::vector<Runner> all = runners(a[1], choice);
   const std::string name = a.size() > 5 ? a[5] : scene.run.name;
-  // every block ends where every setting's moments do
+  // every block ends where every setting's time steps do
   double longest = 0.0;
-  for (const Runner& runner : all) longest = std::max(longest, runner.setting.scene.numerics.moment_s);
+  for (const Runner& runner : all) longest = std::max(longest, runner.setting.scene.numerics.time_step_s);
   const auto end_of = [&](int block) { return longest * std::floor(until * block / blocks / longest + 1e-9); };
   for (int b = 0; b < blocks; ++b)
     for (std::size_t k = 0; k < all.size(); ++k) {
@@ -82,8 +82,8 @@ int run(const std::vector<std::string>& a) {
       const Block block = advanced(runner, end_of(b + 1));
       out << name << ',' << runner.setting.label << ',' << runner.setting.engine.name << ','
           << runner.setting.engine.threads << ',' << floes_of(*runner.engine) << ','
-          << number_text(runner.setting.scene.numerics.moment_s) << ',' << b << ',' << number_text(end_of(b), 6) << ','
-          << number_text(end_of(b + 1), 6) << ',' << number_text(block.spent.user, 6) << ','
+          << number_text(runner.setting.scene.numerics.time_step_s) << ',' << b << ',' << number_text(end_of(b), 6)
+          << ',' << number_text(end_of(b + 1), 6) << ',' << number_text(block.spent.user, 6) << ','
           << number_text(block.spent.wall, 6) << ',' << number_text(block.contacts, 6) << ',' << GEM_COMMIT
           << std::endl;
     }

@@ -1,4 +1,4 @@
-// Times one moment of whole scenes: with and without each feature, and over the number of floes.
+// Times one time step of whole scenes: with and without each feature, and over the number of floes.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -25,23 +25,22 @@ std::string hash_text(Engine& engine) {
   return {text, std::to_chars(text, text + sizeof text, engine.state_hash(), 16).ptr};
 }
 
-/// Least time of a moment over `moments` that always start from `start`; the first, which builds the lists, is left
+/// Least time of a time step over `steps` that always start from `start`; the first, which builds the lists, is left
 /// out.
-double time_moments(benchmark::State& state, Engine& engine, const EngineState& start, std::int64_t moments,
-                    MomentLog& log) {
+double time_steps(benchmark::State& state, Engine& engine, const EngineState& start, std::int64_t steps, StepLog& log) {
   double least = 1e300;
   for (auto _ : state) {
     engine.restore(start);
     engine.advance(1, log);
     log.clear();
     const auto begin = Clock::now();
-    engine.advance(moments, log);
-    const double moment = std::chrono::duration<double>(Clock::now() - begin).count() / double(moments);
-    state.SetIterationTime(moment);
-    least = std::min(least, moment);
+    engine.advance(steps, log);
+    const double step = std::chrono::duration<double>(Clock::now() - begin).count() / double(steps);
+    state.SetIterationTime(step);
+    least = std::min(least, step);
   }
   double contacts = 0.0;
-  for (const MomentQuality& quality : log.quality) contacts += quality.contacts / double(moments);
+  for (const StepQuality& quality : log.quality) contacts += quality.contacts / double(steps);
   state.counters["contacts"] = contacts;
   state.SetLabel(hash_text(engine));
   state.counters["least_us"] = 1e6 * least;
@@ -80,9 +79,9 @@ const EngineState& arrival() {
   static const EngineState state = [] {
     const SceneDef scene = main_case();
     const auto engine = make_engine(scene, make_field(scene), {"cpu", 1});
-    MomentLog log;
+    StepLog log;
     log.wants_events = false;
-    engine->advance(std::llround(300.0 / scene.numerics.moment_s), log);
+    engine->advance(std::llround(300.0 / scene.numerics.time_step_s), log);
     return engine->save();
   }();
   return state;
@@ -94,22 +93,22 @@ void one_feature(benchmark::State& state, const Feature& feature) {
   EngineState start = arrival();
   feature.leave_out_of_bodies(start.bodies);
   const auto engine = make_engine(scene, start.bodies, {"cpu", 1});
-  MomentLog log;
+  StepLog log;
   log.wants_events = feature.events;
-  time_moments(state, *engine, start, 40, log);
+  time_steps(state, *engine, start, 40, log);
 }
 
 void growth(benchmark::State& state) {
   const std::int64_t count = state.range(0);
   const auto [scene, bodies] = growth_field(count);
   const auto engine = make_engine(scene, bodies, {"cpu", 1});
-  MomentLog log;
+  StepLog log;
   log.wants_events = false;
   engine->advance(100, log);
   log.clear();
   const EngineState start = engine->save();
-  const double moment = time_moments(state, *engine, start, 20, log);
-  state.counters["ns_per_floe"] = 1e9 * moment / double(count);
+  const double step = time_steps(state, *engine, start, 20, log);
+  state.counters["ns_per_floe"] = 1e9 * step / double(count);
 }
 
 [[maybe_unused]] const bool registered = [] {

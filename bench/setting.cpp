@@ -9,6 +9,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "baseline_box2d/box2d_options.h"
 #include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
@@ -31,26 +32,22 @@ std::string trimmed(const std::string& text) {
 void set_option(EngineSetting& setting, const std::string& option) {
   EngineOptions& options = setting.engine;
   const std::string key = option.substr(0, option.find('='));
-  const double value = number_of(option.substr(option.find('=') + 1), key);
+  const std::string text = option.substr(option.find('=') + 1);
+  const double value = number_of(text, key);
   if (key == "threads") {
     options.threads = static_cast<int>(value);
-  } else if (key == "velocity_iterations") {
-    options.baseline.velocity_iterations = static_cast<int>(value);
-  } else if (key == "position_iterations") {
-    options.baseline.position_iterations = static_cast<int>(value);
   } else if (key == "warm") {
     setting.warm = value != 0.0;
-  } else if (key == "moment_factor") {
+  } else if (key == "step_factor") {
     if (!(value > 0.0)) throw Error(ExitCode::usage, option + " is no factor (it must be above 0) correct it");
-    setting.moment_factor = value;
-  } else if (key == "skin") {
-    options.baseline.skin_m = value;
+    setting.step_factor = value;
   } else {
-    set_experiment(options.baseline, option);  // refuses what it does not know either
+    options.baseline_settings.push_back(key == "skin" ? "skin_m=" + text : option);
+    baseline::box2d_options(options.baseline_settings);  // refuses what it does not know either
   }
 }
 
-/// The impulses of a moment of another length: the same forces. The repair is left to begin anew.
+/// The impulses of a time step of another length: the same forces. The repair is left to begin anew.
 void scale_impulses(EngineState& state, double ratio) {
   for (PointImpulse<double>& impulse : state.impulse_value)
     impulse = {ratio * impulse.normal, ratio * impulse.tangential, 0.0};
@@ -88,13 +85,13 @@ std::vector<EngineSetting> read_settings(const std::string& path, const CaseChoi
     setting.label = trimmed(label);
     setting.engine.name = trimmed(engine);
     setting.engine.threads = 1;
-    setting.engine.baseline.measures_quality = false;  // judged outside
+    setting.engine.baseline_settings = {"measures_quality=0"};  // judged outside
     for (const std::string& option : words(options)) set_option(setting, option);
     CaseChoice choice = chosen_case;
     setting.overrides = words(overrides);
     choice.overrides.insert(choice.overrides.end(), setting.overrides.begin(), setting.overrides.end());
     setting.scene = with_floes_of_run_file(read_case(choice));
-    setting.scene.numerics.moment_s *= setting.moment_factor;
+    setting.scene.numerics.time_step_s *= setting.step_factor;
     settings.push_back(setting);
   }
   return settings;
@@ -103,20 +100,20 @@ std::vector<EngineSetting> read_settings(const std::string& path, const CaseChoi
 std::unique_ptr<Engine> engine_at(const EngineSetting& setting, const Start& start) {
   EngineState state = start.state;
   if (setting.warm) {
-    scale_impulses(state, setting.scene.numerics.moment_s / start.moment_s);
+    scale_impulses(state, setting.scene.numerics.time_step_s / start.time_step_s);
   } else {
     state.impulse_key.clear();
     state.impulse_value.clear();
   }
   const double time = start.time;
   auto engine = make_engine(setting.scene, state.bodies, setting.engine);
-  state.moment = std::llround(time / setting.scene.numerics.moment_s);
+  state.step = std::llround(time / setting.scene.numerics.time_step_s);
   engine->restore(state);
   return engine;
 }
 
-std::int64_t moments_in(const EngineSetting& setting, double seconds) {
-  return std::llround(seconds / setting.scene.numerics.moment_s);
+std::int64_t steps_in(const EngineSetting& setting, double seconds) {
+  return std::llround(seconds / setting.scene.numerics.time_step_s);
 }
 
 Spent spent_so_far() {

@@ -11,14 +11,14 @@ namespace gem::bench {
 
 /// One line of a settings file: label | engine | options | scene overrides
 ///   options: threads= velocity_iterations= position_iterations= skin= warm= moment_factor= and Box2D's experiments
-///   warm=1: starts from the leader's last impulses (gem's coupled only), scaled to its own moment
-///   moment_factor: of the moment that the case states
+///   warm=1: starts from the leader's last impulses (gem's coupled only), scaled to its own time step
+///   moment_factor: of the time step that the case states
 struct EngineSetting {
   std::string label;
   EngineOptions engine;
   std::vector<std::string> overrides;
   bool warm = false;
-  double moment_factor = 1.0;
+  double step_factor = 1.0;
   SceneDef scene;
 };
 
@@ -37,15 +37,15 @@ int run_program(const char* name, int (*run)(const std::vector<std::string>&), i
 /// Where a window begins.
 struct Start {
   EngineState state;
-  double moment_s = 0.0;  // of the leader
-  double time = 0.0;      // [s]
+  double time_step_s = 0.0;  // of the leader
+  double time = 0.0;         // [s]
 };
 
 /// An engine of this setting at the start; without warm=1 its last impulses are forgotten.
 std::unique_ptr<Engine> engine_at(const EngineSetting& setting, const Start& start);
 
-/// Moments of a setting in a stretch of time.
-std::int64_t moments_in(const EngineSetting& setting, double seconds);
+/// Time steps of a setting in a stretch of time.
+std::int64_t steps_in(const EngineSetting& setting, double seconds);
 
 /// Of this process.
 struct Spent {

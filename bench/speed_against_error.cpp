@@ -42,7 +42,7 @@ struct Setting : EngineSetting {
 
   Overlaps worst;  // each member its largest over the instants
   Vec2 mean_force;
-  std::vector<double> contacts, iterations, residual;  // of each moment; residual in [m/s]
+  std::vector<double> contacts, iterations, residual;  // of each time step; residual in [m/s]
   std::uint64_t hash = 0;
   Bodies end;
   std::vector<double> user, wall;  // of the timed runs [s]
@@ -59,36 +59,36 @@ std::vector<double> times_of(const std::string& text) {
 
 /// Moves the leader on to `time`.
 EngineState state_at(Engine& leader, const SceneDef& scene, double time) {
-  MomentLog log;
+  StepLog log;
   log.wants_events = false;
-  const std::int64_t last = std::llround(time / scene.numerics.moment_s);
-  while (leader.moment() < last) {
+  const std::int64_t last = std::llround(time / scene.numerics.time_step_s);
+  while (leader.step() < last) {
     log.clear();
-    leader.advance(std::min<std::int64_t>(100, last - leader.moment()), log);
+    leader.advance(std::min<std::int64_t>(100, last - leader.step()), log);
   }
   return leader.save();
 }
 
-/// `timed`: this is the only run, so what the engine takes is noted, less its first moment.
+/// `timed`: this is the only run, so what the engine takes is noted, less its first time step.
 void judge(Setting& setting, const Start& start, double window, bool timed) {
   const auto engine = engine_at(setting, start);
   setting.worst = {};
   setting.user.clear();
   setting.wall.clear();
   for (std::vector<double>* const values : {&setting.contacts, &setting.iterations, &setting.residual}) values->clear();
-  const std::int64_t first = engine->moment(), moments = moments_in(setting, window);
+  const std::int64_t first = engine->step(), steps = steps_in(setting, window);
   Vec2 impulse;
-  MomentLog log;
+  StepLog log;
   log.wants_events = false;
   Spent spent;
   for (int k = 1; k <= judged_instants; ++k) {
     log.clear();
     if (k == 1) engine->advance(1, log);
     const Spent before = spent_so_far();
-    engine->advance(first + moments * k / judged_instants - engine->moment(), log);
+    engine->advance(first + steps * k / judged_instants - engine->step(), log);
     spent += spent_so_far() - before;
-    for (const PlatformMoment& moment : log.platform) impulse += moment.ice_impulse;
-    for (const MomentQuality& quality : log.quality) {
+    for (const PlatformStep& step : log.platform) impulse += step.ice_impulse;
+    for (const StepQuality& quality : log.quality) {
       setting.contacts.push_back(quality.contacts);
       setting.iterations.push_back(quality.iterations);
       setting.residual.push_back(quality.residual);
@@ -111,14 +111,14 @@ void judge(Setting& setting, const Start& start, double window, bool timed) {
   setting.end = engine->bodies();
 }
 
-/// Times a window in which nothing but the engine runs; the first moment builds its lists and is not counted.
+/// Times a window in which nothing but the engine runs; the first time step builds its lists and is not counted.
 void time_once(Setting& setting, const Start& start, double window) {
   const auto engine = engine_at(setting, start);
-  MomentLog log;
+  StepLog log;
   log.wants_events = false;
   engine->advance(1, log);
   const Spent before = spent_so_far();
-  engine->advance(moments_in(setting, window) - 1, log);
+  engine->advance(steps_in(setting, window) - 1, log);
   const Spent spent = spent_so_far() - before;
   setting.user.push_back(spent.user);
   setting.wall.push_back(spent.wall);
@@ -129,9 +129,9 @@ void time_once(Setting& setting, const Start& start, double window) {
 }
 
 void print_row(const std::string& name, double time, double window, const Setting& s, const Setting* reference) {
-  const double timed = window - s.scene.numerics.moment_s;
+  const double timed = window - s.scene.numerics.time_step_s;
   std::string row = name + "," + number_text(time) + "," + number_text(window) + "," + s.label + "," + s.engine.name;
-  for (const double value : {s.scene.numerics.moment_s, median(s.user) / timed,
+  for (const double value : {s.scene.numerics.time_step_s, median(s.user) / timed,
                              s.user.empty() ? std::nan("") : *std::min_element(s.user.begin(), s.user.end()) / timed,
                              median(s.wall) / timed, timed / median(s.user), s.worst.maximum, s.worst.quantile_999,
                              s.worst.mean, s.worst.mean_gap, static_cast<double>(s.worst.near_pairs),
@@ -175,7 +175,7 @@ int run(const std::vector<std::string>& arguments) {
          "overlapping_pairs,ice_force_x_N,ice_force_y_N,contacts_median,iterations_median,residual_median_m_per_s,"
          "floe_distance_rms_m,platform_distance_m,state_hash,commit\n";
   for (const double time : times) {
-    const Start start{state_at(*lead, lead_scene, time), lead_scene.numerics.moment_s, time};
+    const Start start{state_at(*lead, lead_scene, time), lead_scene.numerics.time_step_s, time};
     for (Setting& setting : settings) judge(setting, start, window, repetitions == 0 && &setting != reference);
     for (int repetition = 0; repetition < repetitions; ++repetition)
       for (std::size_t k = 0; k < settings.size(); ++k) {

@@ -1,4 +1,5 @@
-// Times one moment of the main case, whole and stage by stage, in three phases: drift, arrival at the platform, plug.
+// Times one time step of the main case, whole and stage by stage, in three phases: drift, arrival at the platform,
+// plug.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -26,8 +27,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t timed_moments = 20;  // after one moment that builds the list of neighbours
-constexpr std::int64_t iterations = 10;     // fixed: most of an iteration is set-up outside the measured time
+constexpr std::int64_t timed_steps = 20;  // after one time step that builds the list of neighbours
+constexpr std::int64_t iterations = 10;   // fixed: most of an iteration is set-up outside the measured time
 
 [[maybe_unused]] const bool context = [] {
   benchmark::AddCustomContext("commit", GEM_COMMIT);
@@ -42,30 +43,30 @@ struct Phase {
 };
 constexpr std::array<Phase, 3> phases = {{{"drift", 60.0}, {"arrival", 300.0}, {"plug", 900.0}}};
 
-SceneDef scene_of(Resolution resolution) {
+SceneDef scene_of(ContactSolver solver) {
   SceneDef scene = read_scene(GEM_SOURCE_DIR "/cases/004_400_25.toml");
-  scene.contact.resolution = resolution;
-  if (resolution == Resolution::independent) scene.contact.manifold = Manifold::chord_middle;
+  scene.contact.solver = solver;
+  if (solver == ContactSolver::independent) scene.contact.manifold = Manifold::chord_middle;
   return scene;
 }
 
 /// Field of the main case before anything moves; made once.
 const Bodies& field() {
-  static const Bodies bodies = make_field(scene_of(Resolution::coupled));
+  static const Bodies bodies = make_field(scene_of(ContactSolver::coupled));
   return bodies;
 }
 
-/// State of the resolution's own run at a phase; each run goes on from the phase before, once per process.
-const EngineState& state_at(Resolution resolution, std::size_t phase) {
-  static std::map<std::pair<Resolution, std::size_t>, EngineState> states;
-  const auto known = states.find({resolution, phase});
+/// State of the solver's own run at a phase; each run goes on from the phase before, once per process.
+const EngineState& state_at(ContactSolver solver, std::size_t phase) {
+  static std::map<std::pair<ContactSolver, std::size_t>, EngineState> states;
+  const auto known = states.find({solver, phase});
   if (known != states.end()) return known->second;
-  const SceneDef scene = scene_of(resolution);
+  const SceneDef scene = scene_of(solver);
   const auto engine = make_engine(scene, field(), {"cpu", 1});
-  if (phase > 0) engine->restore(state_at(resolution, phase - 1));
-  MomentLog log;
-  engine->advance(std::llround(phases[phase].time / scene.numerics.moment_s) - engine->moment(), log);
-  return states[{resolution, phase}] = engine->save();
+  if (phase > 0) engine->restore(state_at(solver, phase - 1));
+  StepLog log;
+  engine->advance(std::llround(phases[phase].time / scene.numerics.time_step_s) - engine->step(), log);
+  return states[{solver, phase}] = engine->save();
 }
 
 double active_floes(const Bodies& bodies) {
@@ -79,44 +80,44 @@ std::string hex(std::uint64_t value) {
   return {text, std::to_chars(text, text + sizeof text, value, 16).ptr};
 }
 
-/// Mean time of a moment over a short stretch that always starts from the same state.
-void whole_moment(benchmark::State& state, Resolution resolution, std::size_t phase, int threads) {
-  const SceneDef scene = scene_of(resolution);
-  const EngineState& start = state_at(resolution, phase);
+/// Mean time of a time step over a short stretch that always starts from the same state.
+void whole_step(benchmark::State& state, ContactSolver solver, std::size_t phase, int threads) {
+  const SceneDef scene = scene_of(solver);
+  const EngineState& start = state_at(solver, phase);
   const auto engine = make_engine(scene, field(), {"cpu", threads});
-  MomentLog log;
+  StepLog log;
   double seconds = 0.0;
   for (auto _ : state) {
     engine->restore(start);
     engine->advance(1, log);
     log.clear();
     const auto begin = Clock::now();
-    engine->advance(timed_moments, log);
-    const double moment = std::chrono::duration<double>(Clock::now() - begin).count() / double(timed_moments);
-    state.SetIterationTime(moment);
-    seconds += moment;
+    engine->advance(timed_steps, log);
+    const double step = std::chrono::duration<double>(Clock::now() - begin).count() / double(timed_steps);
+    state.SetIterationTime(step);
+    seconds += step;
   }
   double contacts = 0.0, sweeps = 0.0;
-  for (const MomentQuality& quality : log.quality) {
-    contacts += quality.contacts / double(timed_moments);
-    sweeps += quality.iterations / double(timed_moments);
+  for (const StepQuality& quality : log.quality) {
+    contacts += quality.contacts / double(timed_steps);
+    sweeps += quality.iterations / double(timed_steps);
   }
-  const double moment = seconds / double(state.iterations());
-  state.counters["x_real_time"] = scene.numerics.moment_s / moment;
+  const double step = seconds / double(state.iterations());
+  state.counters["x_real_time"] = scene.numerics.time_step_s / step;
   state.counters["contacts"] = contacts;
   state.counters["sweeps"] = sweeps;
-  state.counters["ns_per_floe"] = 1e9 * moment / active_floes(start.bodies);
+  state.counters["ns_per_floe"] = 1e9 * step / active_floes(start.bodies);
   state.SetLabel(hex(engine->state_hash()));
 }
 
 enum Stage : std::size_t { list_build, find, kick, resolve, book, drift, stage_count };
 constexpr std::array<const char*, stage_count> stage_names = {"list_build", "find", "kick", "resolve", "book", "drift"};
 
-/// A coupled moment on one thread, stage by stage as the engine does it, with the time that each stage took.
-class StagedMoment {
+/// A coupled time step on one thread, stage by stage as the engine does it, with the time that each stage took.
+class StagedStep {
  public:
-  StagedMoment(const SceneDef& scene, const EngineState& start)
-      : field_(make_field_state(start.bodies, moment_constants(scene, field()))), moment_(start.moment) {
+  StagedStep(const SceneDef& scene, const EngineState& start)
+      : field_(make_field_state(start.bodies, step_constants(scene, field()))), step_(start.step) {
     solver_.restore(start.impulse_key, start.impulse_value);
     lap();
     team_.run([&](int rank) { pairs_.find(field_, team_, rank); });
@@ -153,7 +154,7 @@ class StagedMoment {
     each_floe(kick_floe);
     lap(kick);
     platform_first_half(field_);
-    MomentQuality quality;
+    StepQuality quality;
     lap();
     solver_.lay_out(field_, pairs_.contacts(), team_.size());
     team_.run([&](int rank) { solver_.resolve(field_, pairs_.contacts(), team_, rank, quality); });
@@ -167,12 +168,12 @@ class StagedMoment {
     each_floe(drift_floe);
     lap(drift);
     platform_second_half(field_);
-    check_finite(field_, ++moment_);
+    check_finite(field_, ++step_);
     retire(field_);
   }
 
   FieldState field_;
-  std::int64_t moment_;
+  std::int64_t step_;
   ThreadTeam team_{1};
   PairList pairs_;
   CoupledSolver solver_;
@@ -187,24 +188,24 @@ bool same(const Bodies& a, const Bodies& b) {
 }
 
 void one_stage(benchmark::State& state, std::size_t phase, Stage stage) {
-  const SceneDef scene = scene_of(Resolution::coupled);
-  const EngineState& start = state_at(Resolution::coupled, phase);
+  const SceneDef scene = scene_of(ContactSolver::coupled);
+  const EngineState& start = state_at(ContactSolver::coupled, phase);
   const auto engine = make_engine(scene, field(), {"cpu", 1});
   engine->restore(start);
-  MomentLog log;
-  engine->advance(timed_moments + 1, log);
+  StepLog log;
+  engine->advance(timed_steps + 1, log);
   double seconds = 0.0, pairs = 0.0;
   for (auto _ : state) {
-    StagedMoment moment(scene, start);
-    for (std::int64_t i = 0; i < timed_moments; ++i) moment.go();
-    if (!same(moment.bodies(), engine->bodies())) {
+    StagedStep step(scene, start);
+    for (std::int64_t i = 0; i < timed_steps; ++i) step.go();
+    if (!same(step.bodies(), engine->bodies())) {
       state.SkipWithError("the stages no longer do what the engine does");
       break;
     }
-    const double runs = stage == list_build ? 1.0 : stage == find ? timed_moments : timed_moments + 1;
-    state.SetIterationTime(moment.seconds(stage) / runs);
-    seconds += moment.seconds(stage) / runs;
-    pairs = moment.pairs();
+    const double runs = stage == list_build ? 1.0 : stage == find ? timed_steps : timed_steps + 1;
+    state.SetIterationTime(step.seconds(stage) / runs);
+    seconds += step.seconds(stage) / runs;
+    pairs = step.pairs();
   }
   state.counters["held_pairs"] = pairs;
   state.counters["ns_per_floe"] = 1e9 * seconds / double(state.iterations()) / active_floes(start.bodies);
@@ -212,13 +213,13 @@ void one_stage(benchmark::State& state, std::size_t phase, Stage stage) {
 }
 
 [[maybe_unused]] const bool registered = [] {
-  for (const auto& [resolution, name] :
-       {std::pair{Resolution::coupled, "coupled"}, {Resolution::independent, "independent"}})
+  for (const auto& [solver, name] :
+       {std::pair{ContactSolver::coupled, "coupled"}, {ContactSolver::independent, "independent"}})
     for (std::size_t phase = 0; phase < phases.size(); ++phase)
       for (const int threads : {1, 2})
         benchmark::RegisterBenchmark(
             (std::string("moment/") + phases[phase].name + "/" + name + "/threads:" + std::to_string(threads)).c_str(),
-            whole_moment, resolution, phase, threads)
+            whole_step, solver, phase, threads)
             ->Iterations(iterations)
             ->UseManualTime()
             ->Unit(benchmark::kMicrosecond);

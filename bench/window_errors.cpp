@@ -54,16 +54,16 @@ struct Judged {
 /// Runs an engine through the window; its time is that of the engine alone.
 Judged judged(Engine& engine, const EngineSetting& setting, const Task& task) {
   Judged result;
-  const std::int64_t first = engine.moment(), moments = moments_in(setting, task.window);
+  const std::int64_t first = engine.step(), steps = steps_in(setting, task.window);
   Vec2 impulse;
   Spent spent;
   for (int k = 1; k <= task.instants; ++k) {
-    MomentLog log;
+    StepLog log;
     log.wants_events = false;
     const Spent before = spent_so_far();
-    engine.advance(first + moments * k / task.instants - engine.moment(), log);
+    engine.advance(first + steps * k / task.instants - engine.step(), log);
     spent += spent_so_far() - before;
-    for (const PlatformMoment& moment : log.platform) impulse += moment.ice_impulse;
+    for (const PlatformStep& step : log.platform) impulse += step.ice_impulse;
     result.at.push_back(engine.bodies());
   }
   const Overlaps last = overlaps_of(engine.bodies());
@@ -77,10 +77,10 @@ Judged judged(Engine& engine, const EngineSetting& setting, const Task& task) {
 
 void time_again(Judged& result, const EngineSetting& setting, const Start& start, const Task& task) {
   const auto engine = engine_at(setting, start);
-  MomentLog log;
+  StepLog log;
   log.wants_events = false;
   const Spent before = spent_so_far();
-  engine->advance(moments_in(setting, task.window), log);
+  engine->advance(steps_in(setting, task.window), log);
   const Spent spent = spent_so_far() - before;
   result.user.push_back(spent.user);
   result.wall.push_back(spent.wall);
@@ -127,7 +127,7 @@ class Tables {
     errors_ << who << number_text(start) << ',' << number_text(task_.window) << ',' << setting.label << ','
             << setting.engine.name;
     for (const double value :
-         {setting.scene.numerics.moment_s, median(judged.user) / task_.window, median(judged.wall) / task_.window,
+         {setting.scene.numerics.time_step_s, median(judged.user) / task_.window, median(judged.wall) / task_.window,
           error.floes, error.platform, error.all, judged.mean_force.x, reference.mean_force.x, judged.deepest.maximum,
           judged.deepest.quantile_999, static_cast<double>(judged.user.size())})
       errors_ << ',' << number_text(value, 6);
@@ -150,25 +150,26 @@ class Tables {
 std::unique_ptr<Engine> settled_reference(const EngineSetting& reference, const Task& task) {
   const SceneDef scene = with_floes_of_run_file(read_case(task.chosen_case));
   const auto lead = make_engine(scene, make_field(scene), {"cpu", 1});
-  const double moment = scene.numerics.moment_s, led = task.start - task.settle;
-  const std::int64_t last = std::llround(led / moment);
-  while (lead->moment() < last) {
-    MomentLog log;
+  const double step = scene.numerics.time_step_s, led = task.start - task.settle;
+  const std::int64_t last = std::llround(led / step);
+  while (lead->step() < last) {
+    StepLog log;
     log.wants_events = false;
-    lead->advance(std::min<std::int64_t>(100, last - lead->moment()), log);
+    lead->advance(std::min<std::int64_t>(100, last - lead->step()), log);
   }
-  auto engine = engine_at(reference, {lead->save(), moment, led});
-  MomentLog log;
+  auto engine = engine_at(reference, {lead->save(), step, led});
+  StepLog log;
   log.wants_events = false;
-  engine->advance(moments_in(reference, task.start) - engine->moment(), log);
+  engine->advance(steps_in(reference, task.start) - engine->step(), log);
   return engine;
 }
 
-void check_moments(const std::vector<EngineSetting>& settings, const Task& task) {
+void check_steps(const std::vector<EngineSetting>& settings, const Task& task) {
   for (const EngineSetting& setting : settings) {
-    const double moments = task.window / static_cast<double>(task.instants) / setting.scene.numerics.moment_s;
-    if (std::fabs(moments - std::round(moments)) > 1e-6 || moments < 0.5)
-      throw Error(ExitCode::usage, setting.label + ": its moment of " + number_text(setting.scene.numerics.moment_s) +
+    const double steps = task.window / static_cast<double>(task.instants) / setting.scene.numerics.time_step_s;
+    if (std::fabs(steps - std::round(steps)) > 1e-6 || steps < 0.5)
+      throw Error(ExitCode::usage, setting.label + ": its moment of " +
+                                       number_text(setting.scene.numerics.time_step_s) +
                                        " s does not divide the time between instants (places would be compared at "
                                        "different times) choose WINDOW_S and INSTANTS accordingly");
   }
@@ -178,13 +179,13 @@ void measure(const Task& task) {
   const std::vector<EngineSetting> settings = read_settings(task.settings, task.chosen_case);
   if (settings.size() < 2)
     throw Error(ExitCode::usage, task.settings + ": fewer than two settings (nothing to compare) add one");
-  check_moments(settings, task);
+  check_steps(settings, task);
   Tables tables(task);
   const EngineSetting& reference = settings.front();
   const auto lead = settled_reference(reference, task);
   for (int w = 0; w < task.windows; ++w) {
     const double time = task.start + w * task.window;
-    const Start start{lead->save(), reference.scene.numerics.moment_s, time};
+    const Start start{lead->save(), reference.scene.numerics.time_step_s, time};
     const Judged truth = judged(*lead, reference, task);
     std::vector<Judged> results;
     for (std::size_t k = 1; k < settings.size(); ++k) {

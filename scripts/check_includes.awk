@@ -15,9 +15,9 @@ BEGIN {
   confined["hdf5"] = "^(hdf5|H5)"
   home["hdf5"] = "^gem/record/"
   confined["gsl"] = "^gsl/"
-  home["gsl"] = "^gem/analysis/"
+  home["gsl"] = "^(gem|validation/paper)/analysis/"
   confined["eigen"] = "^(Eigen|eigen3)/"
-  home["eigen"] = "^gem/analysis/"
+  home["eigen"] = "^gem/engine/reference/"
   confined["box2d"] = "^box2d/"
   home["box2d"] = "^baseline_box2d/"
   confined["cli11"] = "^CLI/"
@@ -93,6 +93,10 @@ function code_of(line, out, i, c, two, at) {
 
 function check_gem_include(target, theirs) {
   theirs = layer_of(target)
+  # The reference engine judges the others: of the engines it knows what every engine offers.
+  if (FILENAME ~ /^gem\/engine\/reference\// && !is_test && target ~ /^gem\/engine\// &&
+      target !~ /^gem\/engine\/(engine[.]h$|reference\/)/)
+    report("oracle", target, "the reference engine shares laws and geometry with the engines it judges, not \"" target "\"")
   if (target !~ /^gem\// || !(theirs in rank)) {
     report("unknown-layer", target, "\"" target "\" is not a path from the repository's root into a known layer")
     return

@@ -8,18 +8,18 @@ scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # Exceptions: path, rule, word, reason. One that excuses nothing is itself reported.
 allowances=$(
   cat <<'END'
-gem/engine/step/moment_constants.cpp bits exp once per run on the host; every engine is given the number
+gem/engine/step/step_constants.cpp bits exp once per run on the host; every engine is given the number
 gem/geometry/polygon.cpp bits atan2 checks the outline that a user gave, before the first moment
 gem/events/mooring.h bits exp once per run on the host; every engine is given the coefficients
 gem/events/mooring.h bits cos once per run on the host; every engine is given the coefficients
 gem/events/mooring.h bits sin once per run on the host; every engine is given the coefficients
 gem/events/crushing.h bits exp the duration of crushing is a reported quantity outside the step
 gem/events/crushing.h bits lgamma the duration of crushing is a reported quantity outside the step
-gem/engine/cuda/crews.cuh order atomic counts of integers: any order gives the same
+gem/engine/cuda/thread_groups.cuh order atomic counts of integers: any order gives the same
 END
 )
 
-rules=(layer unknown-layer events-sees analysis-sees cuda toml hdf5 gsl eigen box2d cli11 locale bits order allowance)
+rules=(layer unknown-layer events-sees analysis-sees cuda toml hdf5 gsl eigen box2d cli11 oracle locale bits order allowance)
 if [ "${1:-}" = --rules ]; then
   printf '%s\n' "${rules[@]}"
   exit 0

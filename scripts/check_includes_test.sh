@@ -96,7 +96,15 @@ plant gem/engine/cuda/cuda_engine.cu <<'END'
 #include <cub/cub.cuh>
 __global__ void kernel(double* sum) { atomicAdd(sum, 1.0); }  // PLANT order
 END
+plant gem/engine/reference/reference_engine.cpp <<'END'
+#include <Eigen/SparseCore>
+#include "gem/engine/engine.h"
+#include "gem/engine/reference/touch.h"
+#include "gem/engine/step/contact.h"  // PLANT oracle
+#include "gem/events/impact.h"
+END
 plant gem/record/recorder.cpp <<'END'
+#include <Eigen/SparseCore>  // PLANT eigen
 #include <H5DSpublic.h>
 #include <hdf5.h>
 #include "gem/analysis/spectra/spectrum.h"  // PLANT layer
@@ -119,6 +127,7 @@ END
 plant gem/report/page.cpp <<'END'
 #include "gem/analysis/spectra/spectrum.h"
 #include "gem/run/run_scene.h"  // PLANT layer
+#include "validation/paper/runs/paper_run.h"  // PLANT unknown-layer
 #include <CLI/CLI.hpp>  // PLANT cli11
 END
 plant gem/command/run.cpp <<'END'
@@ -138,6 +147,15 @@ END
 plant validation/verification/drift_test.cpp <<'END'
 #include "gem/engine/engine.h"
 #include <gsl/gsl_integration.h>  // PLANT gsl
+END
+
+plant validation/paper/analysis/fits/line_fit.cpp <<'END'
+#include <gsl/gsl_fit.h>
+#include "gem/analysis/statistics/moments.h"
+END
+plant validation/paper/runs/paper_run.cpp <<'END'
+#include "gem/report/page.h"
+#include <gsl/gsl_fit.h>  // PLANT gsl
 END
 
 # grep prints file:line:text; keep one "file:line: rule" for every rule that the marker names.

@@ -2,7 +2,7 @@
 # scripts/paper_runs.sh on several GPUs: each takes the next part that nobody has begun, and while one part is collected its GPU
 # runs another. Needs bash, flock and tar; run it again to go on after a stop: finished parts stay, others go on.
 # Usage: scripts/paper_gpus.sh GEM OUT GPUS [PART...]
-#   GEM   the program
+#   GEM   the program gem; gem_paper lies beside it
 #   OUT   gets a folder for each part (seeds:1-3: seeds_1-3), as scripts/paper_runs.sh makes it; its file `done` says that it is
 #         finished and by which program and settings: by others it is made again
 #   GPUS  how many to use, of those in CUDA_VISIBLE_DEVICES if it is set
@@ -22,6 +22,8 @@ wrong() {
 }
 program=$(realpath "$1") gpus=$3
 [ -x "$program" ] || wrong "$1 is no program (no such file or not executable) name the program gem"
+judge=$(dirname "$program")/gem_paper
+[ -x "$judge" ] || wrong "no $judge (not built) build gem_paper and put it beside $program"
 made_by="$("$program" --version | head -n 1); ${GEM_RUN:=--engine cuda}; quick ${GEM_QUICK:-0}"
 case ${GEM_ANY_COMMIT:-0}/$made_by in
 0/*-dirty*) wrong "$made_by (nobody can build that again) commit and build, or set GEM_ANY_COMMIT=1" ;;
@@ -63,6 +65,7 @@ export CUDA_VISIBLE_DEVICES=${devices[gpu]}
 exec "$program" "\$@"
 END
   chmod +x "$out/gpu/$gpu/gem"
+  ln -sf "$judge" "$out/gpu/$gpu/gem_paper"
 done
 
 is_done() { [ "$(cat "$out/$1/done" 2>/dev/null)" = "$made_by" ]; }

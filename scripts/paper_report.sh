@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Judges the paper's statements by run files and summaries: writes OUT/README.md, OUT/rows.csv, and under OUT/figures every
 # picture as SVG with a PNG preview, its numbers and its script. Any subset of the runs will do: the page says what is
-# missing. scripts/paper_runs.sh makes the runs and what `gem sweep collect` keeps of them; several seeds of a run may lie
+# missing. scripts/paper_runs.sh makes the runs and what `gem_paper collect` keeps of them; several seeds of a run may lie
 # side by side, and a run that is there twice counts once (with another state hash: not at all, the first is kept).
 # What is beside validation/paper/paper.json is read too: the rows of scripts/unordered_sums.sh.
 # Usage: scripts/paper_report.sh [-o OUT] [-b BUILD_FOLDER] [FOLDER...]      The default of OUT is validation/paper.
@@ -12,18 +12,18 @@ export LC_ALL=C.UTF-8
 
 source_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 out=$source_folder/validation/paper
-gem=$source_folder/build/gem
+judge=$source_folder/build/gem_paper
 while getopts o:b: option; do
   case $option in
   o) out=$OPTARG ;;
-  b) gem=$OPTARG/gem ;;
+  b) judge=$OPTARG/gem_paper ;;
   *) exit 2 ;;
   esac
 done
 shift $((OPTIND - 1))
 [ $# -ge 1 ] || set -- "$source_folder/bench/results/paper"
-if ! [ -x "$gem" ]; then
-  echo "no $gem (not built) run: cmake --workflow --preset default" >&2
+if ! [ -x "$judge" ]; then
+  echo "no $judge (not built) run: cmake --preset default && cmake --build build --target gem_paper" >&2
   exit 2
 fi
 
@@ -37,7 +37,7 @@ for folder; do
   done
 done
 [ -z "$(ls -A "$unpacked")" ] || folders+=("$unpacked")
-"$gem" paper "${folders[@]}" --out "$out" --statements "$source_folder/validation/paper/paper.json"
+"$judge" judge "${folders[@]}" --out "$out" --statements "$source_folder/validation/paper/paper.json"
 
 # The same scripts draw the previews on gnuplot's other terminal.
 if ! gnuplot -e 'set terminal pngcairo' >/dev/null 2>&1; then

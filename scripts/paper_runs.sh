@@ -1,9 +1,9 @@
 #!/bin/sh
-# All runs of the paper's reproduction, most telling first, and what `gem paper` needs of them in a few small files. Needs sh,
-# tar and one program; run it again to go on after a stop: what is done stays.
+# All runs of the paper's reproduction, most telling first, and what `gem_paper judge` needs of them in a few small files.
+# Needs sh, tar and two programs; run it again to go on after a stop: what is done stays.
 # Usage: scripts/paper_runs.sh GEM OUT [PART...]
-#   GEM   the program
-#   OUT   gets runs/ (run files), summaries/ (what `gem sweep collect` makes of them) and paper_1.tar.gz, paper_2.tar.gz, ...
+#   GEM   the program gem; gem_paper lies beside it
+#   OUT   gets runs/ (run files), summaries/ (what `gem_paper collect` makes of them) and paper_1.tar.gz, paper_2.tar.gz, ...
 #         with the summaries, none larger than 15 MiB
 #   PART  seeds:1-10 (these seeds of table1_seeds.toml), open:1-10 (but for the 200 m gap, which takes longest), table2
 #         period_question sensitivity sensitivity_moment divergence day, day:2 (its second run alone); left out: all, in an
@@ -24,6 +24,8 @@ wrong() {
 }
 if [ ! -f "$1" ] || [ ! -x "$1" ]; then wrong "$1 is no program (no such file or not executable) name the program gem"; fi
 program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+judge=$(dirname "$program")/gem_paper
+[ -x "$judge" ] || wrong "no $judge (not built) build gem_paper and put it beside $program"
 folder=$2
 shift 2
 quick=${GEM_QUICK:-0}
@@ -73,7 +75,7 @@ quick_settings() {
   [ "$1" != day ] || duration=3600
   for setting in "run.duration_s=$duration.0" floes.count=30 floes.length_m=30.0 floes.width_m=200.0 floes.start_x_m=-85.0 \
     'floes.placement="random"' boundary.inlet_x_m=-130.0 boundary.taper_start_x_m=-130.0 boundary.inlet_width_m=200.0 \
-    numerics.moment_s=0.2 output.platform_interval_s=0.8; do
+    numerics.time_step_s=0.2 output.platform_interval_s=0.8; do
     echo "--set=$setting"
   done
   [ "$1" != divergence ] || echo --set=floes.moved_floe=5
@@ -119,7 +121,7 @@ pieces() {
   done
 }
 
-# what to collect of a part: name, then options of `gem sweep collect`, with tabs between. Paths that are to be compared to
+# what to collect of a part: name, then options of `gem_paper collect`, with tabs between. Paths that are to be compared to
 # the last bit are kept exact; run 1 alone is compared with the null model, each seed by a process of its own.
 collections() {
   case $1 in
@@ -168,7 +170,7 @@ collect() {
   name=${1%%"$tab"*}
   case $1 in *"$tab"*) options=$(printf '%s' "${1#*"$tab"}" | tr '\t' ' ') ;; *) options= ;; esac
   # shellcheck disable=SC2086
-  "$program" sweep collect "$out/runs/$collected" --out "$out/summaries/$name.h5" --overwrite --partial $options \
+  "$judge" collect "$out/runs/$collected" --out "$out/summaries/$name.h5" --overwrite --partial $options \
     >"$out/lists/$name.log" 2>&1 && return 0
   ! grep -q 'holds 0 done runs' "$out/lists/$name.log" || return 0
   rm -f "$out/summaries/$name.h5"

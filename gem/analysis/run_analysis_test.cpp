@@ -1,4 +1,4 @@
-// The list of findings on a platform whose motion is known, and its combination over runs of the null model.
+// The list of findings on a platform whose motion is known, and its combination over runs.
 #include "gem/analysis/run_analysis.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gem/analysis/impulse_oscillator.h"
 #include "gem/analysis/runs_analysis.h"
 #include "gem/analysis/test_signals.h"
 
@@ -97,15 +96,12 @@ TEST(CombineRuns, OfTwo) {
   EXPECT_NEAR(rows[0].mean->low, 2.0 - 12.7062, 1e-4);
 }
 
-// Eight runs of the null model: the period over runs has an interval over runs, extremes follow the Gumbel law.
-TEST(CombineRuns, OfTheNullModel) {
+// Eight runs of a driven oscillator: the period over runs has an interval over runs, extremes follow the Gumbel law.
+TEST(CombineRuns, OfADrivenOscillator) {
   std::vector<std::vector<Finding>> runs;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     PlatformSeries series = circling(2000);
-    ImpulseOscillator model;
-    model.natural_period = 90.0;
-    model.damping_ratio = 0.02;
-    series.x = impulse_oscillator(model, 2000, 1.0, seed).position;
+    series.x = driven_oscillator(2000, 90.0, 0.02, seed);
     runs.push_back(analyse_platform(series));
   }
   const auto rows = combine_runs(runs);

@@ -42,6 +42,16 @@ inline std::vector<double> sum_of(std::vector<double> a, const std::vector<doubl
   return a;
 }
 
+/// A linear oscillator that noise drives, started at rest; period in samples, damping as a share of critical.
+inline std::vector<double> driven_oscillator(std::size_t count, double period, double damping, std::uint64_t seed) {
+  const double keep = std::exp(-damping * kTestTurn / period);
+  const double turn = kTestTurn / period * std::sqrt(1.0 - damping * damping);
+  std::vector<double> signal = white_noise(count, 1e-3, seed);
+  for (std::size_t i = 2; i < count; ++i)
+    signal[i] += 2.0 * keep * std::cos(turn) * signal[i - 1] - keep * keep * signal[i - 2];
+  return signal;
+}
+
 /// Orbit of the logistic map x -> r x (1 - x) after 1000 steps of settling.
 inline std::vector<double> logistic_map(std::size_t count, double r, double start = 0.3) {
   std::vector<double> orbit(count);

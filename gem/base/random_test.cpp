@@ -1,4 +1,4 @@
-// Random numbers and the hash: known values, moments, independence of the order of asking.
+// Random numbers and the hash: known values, time steps, independence of the order of asking.
 #include "gem/base/random.h"
 
 #include <gtest/gtest.h>

@@ -89,7 +89,7 @@ GEM_HD inline double log1p_short(double z) {
 
 /// ln(1 + z) for z >= 0, accurate for small z.
 GEM_HD inline double log1p(double z) {
-  if (z < short_argument) return log1p_short(z);  // the usual case of a short moment
+  if (z < short_argument) return log1p_short(z);  // the usual case of a short time step
   if (z < 0.25) return twice_atanh(z / (2.0 + z));
   const double sum = 1.0 + z;
   if (!(z < 0x1p53)) return log(sum);

@@ -13,9 +13,9 @@
 #include "gem/command/command.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
-#include "gem/report/load_run.h"
-#include "gem/report/platform_series.h"
-#include "gem/report/run_findings.h"
+#include "gem/report/run/load_run.h"
+#include "gem/report/run/platform_series.h"
+#include "gem/report/run/run_findings.h"
 #include "gem/scene/toml/document.h"
 #include "gem/scene/toml/scene_file.h"
 

@@ -52,8 +52,8 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
     text += "  " + name + std::string(18 - name.size(), ' ') + value + "\n";
   };
   line("case", scene_hash(scene));
-  line("run", number_text(scene.run.duration_s) + " s, " + fixed_text(estimate(scene).moments, 0) + " moments of " +
-                  number_text(scene.numerics.moment_s) + " s");
+  line("run", number_text(scene.run.duration_s) + " s, " + fixed_text(estimate(scene).steps, 0) + " time steps of " +
+                  number_text(scene.numerics.time_step_s) + " s");
   if (scene.platform.present)
     line("platform", "mass " + number_text(scene.platform.mass_kg) + " kg, " + mooring_text(scene));
   line("floes", std::to_string(field.floe_count));
@@ -81,7 +81,15 @@ struct CaseOptions {
   std::string out;
   std::string key;
   bool json = false;
+  bool markdown = false;
 };
+
+int explain_keys(const CaseOptions& options) {
+  if (options.json) print(explain_json(options.key));
+  if (options.markdown) print(explain_markdown(options.key));
+  if (!options.json && !options.markdown) print(explain(options.key));
+  return 0;
+}
 
 int check(const CaseOptions& options) {
   const SceneDef scene = read_case(options.chosen_case);
@@ -124,13 +132,9 @@ void add_case_command(CLI::App& app, Chosen& chosen) {
 
   CLI::App* explain_key = group->add_subcommand("explain", "explain the options of a case");
   explain_key->add_option("key", options->key, "an option or a section; all if left out");
-  explain_key->add_flag("--json", options->json, "as JSON");
-  explain_key->callback([options, &chosen] {
-    chosen.action = [options] {
-      print(options->json ? explain_json(options->key) : explain(options->key));
-      return 0;
-    };
-  });
+  CLI::Option* as_json = explain_key->add_flag("--json", options->json, "as JSON");
+  explain_key->add_flag("--markdown", options->markdown, "as Markdown: the page gem/manual/keys.md")->excludes(as_json);
+  explain_key->callback([options, &chosen] { chosen.action = [options] { return explain_keys(*options); }; });
 
   CLI::App* schema_text = group->add_subcommand("schema", "print the JSON Schema of a case");
   schema_text->callback([&chosen] {

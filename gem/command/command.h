@@ -20,13 +20,16 @@ struct Chosen {
   std::function<int()> action;
 };
 
+/// Parses the command line of a program whose commands are added, runs the chosen one, and turns every fault into one
+/// line and the exit code that it returns. A call without a command shows the help and is a fault too.
+int run_command_line(CLI::App& app, Chosen& chosen, int argc, char** argv);
+
 void add_run_command(CLI::App& app, Chosen& chosen);
 void add_case_command(CLI::App& app, Chosen& chosen);
 void add_sweep_command(CLI::App& app, Chosen& chosen);
 void add_info_command(CLI::App& app, Chosen& chosen);
 void add_report_command(CLI::App& app, Chosen& chosen);
 void add_analyse_command(CLI::App& app, Chosen& chosen);
-void add_paper_command(CLI::App& app, Chosen& chosen);
 void add_devices_command(CLI::App& app, Chosen& chosen);
 
 /// A case file and what is changed in it.
@@ -71,7 +74,7 @@ std::string run_file_name(const std::string& run_name);
 
 /// What a run needs, estimated before anything is allocated.
 struct Estimate {
-  double moments = 0.0;
+  double steps = 0.0;
   double memory = 0.0;         // [bytes]
   double disk = 0.0;           // [bytes], without the events
   double platform_disk = 0.0;  // of that what the platform's samples take

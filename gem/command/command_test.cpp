@@ -323,7 +323,7 @@ TEST_F(CommandTest, ARunFileIsAFieldForAnotherRun) {
   // the end of a long floe turns into the side of another: how far a contact must be seen follows the spin
   std::ofstream(folder_ / "one.toml") << "[run]\nname = \"one\"\nduration_s = 5.0\n[floes]\nsource = \"listed\"\n"
                                          "[boundary]\npresent = false\n[platform]\npresent = false\n"
-                                         "[current]\nvelocity_m_per_s = [0, 0]\n[numerics]\nmoment_s = 0.05\n"
+                                         "[current]\nvelocity_m_per_s = [0, 0]\n[numerics]\ntime_step_s = 0.05\n"
                                          "[output]\nfloes_interval_s = 0.05\n"
                                          "[[floe]]\noutline_m = [[-1, -6], [1, -6], [1, 6], [-1, 6]]\n"
                                          "position_m = [-30, 3]\nspin_rad_per_s = 0.5\n"
@@ -340,10 +340,11 @@ TEST_F(CommandTest, ARunFileIsAFieldForAnotherRun) {
   EXPECT_GT(*std::max_element(contacts.begin(), contacts.end()), 0.0) << "the floes never met";
   EXPECT_EQ(shell("gem case check one.toml --json" + as_file + "\"one.h5\"'"), 0) << text_of("err");
   EXPECT_NE(text_of("out").find("\"floes\": 2"), std::string::npos) << text_of("out");
-  const std::string too_long = "\"one.h5\"' --set numerics.moment_s=0.1 --set output.floes_interval_s=0.1";
+  const std::string too_long = "\"one.h5\"' --set numerics.time_step_s=0.1 --set output.floes_interval_s=0.1";
   for (const std::string line : {"gem run one.toml -q --out no.h5", "gem case check one.toml"}) {
     EXPECT_EQ(shell(line + as_file + too_long), 3) << line;
-    EXPECT_NE(text_of("err").find("numerics.moment_s: the moment is too long"), std::string::npos) << text_of("err");
+    EXPECT_NE(text_of("err").find("numerics.time_step_s: the time step is too long"), std::string::npos)
+        << text_of("err");
   }
   ASSERT_EQ(shell("gem run swing.toml -q"), 0) << text_of("err");
   EXPECT_EQ(shell("gem run one.toml -q --out no.h5" + as_file + "\"swing.h5\"'"), 3);

@@ -13,10 +13,11 @@ namespace {
 
 nlohmann::ordered_json describe(const RunFile& file) {
   nlohmann::ordered_json object = {{"file", file.path()}};
-  for (const char* name : {"title", "gem_status", "source", "gem_build", "gem_engine", "gem_device", "gem_resolution",
+  for (const char* name : {"title", "gem_status", "source", "gem_build", "gem_engine", "gem_device", "gem_solver",
                            "gem_seed", "gem_case_sha256", "gem_state_hash", "history"}) {
     object[name] = file.attribute(name);
   }
+  object["gem_solver"] = file.solver();
   const std::vector<double> time = file.column("platform/time");
   const std::vector<double> frames = file.column("floes/time");
   object["floes"] = file.floe_count();

@@ -43,11 +43,11 @@ double available_memory() {
 
 Estimate estimate(const SceneDef& scene) {
   const double duration = scene.run.duration_s;
-  const double frames = 2.0 + duration / std::max(scene.output.floes_interval_s, scene.numerics.moment_s);
-  const double samples = 2.0 + duration / std::max(scene.output.platform_interval_s, scene.numerics.moment_s);
+  const double frames = 2.0 + duration / std::max(scene.output.floes_interval_s, scene.numerics.time_step_s);
+  const double samples = 2.0 + duration / std::max(scene.output.platform_interval_s, scene.numerics.time_step_s);
   const double frame_bytes = floe_count(scene) * (6.0 * sizeof(float) + 1.0);
   Estimate need;
-  need.moments = double(moments_of(scene));
+  need.steps = double(steps_of(scene));
   need.memory =
       base_memory + floe_count(scene) * bytes_per_floe + slabs_in_memory * std::min(frames, 64.0) * frame_bytes;
   const double platform_bytes = samples * 8.0 * double(platform_columns().size());

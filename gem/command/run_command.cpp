@@ -72,14 +72,14 @@ std::string dry_run_text(const SceneDef& scene, const Bodies& field, const Estim
                                            {"engine", choice.engine.name},
                                            {"threads", choice.engine.threads},
                                            {"floes", floes},
-                                           {"moments", need.moments},
+                                           {"steps", need.steps},
                                            {"memory_bytes", need.memory},
                                            {"disk_bytes", need.disk},
                                            {"file", choice.options.output}};
     return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   }
   return resolved_toml(scene) + "\n# dry run: nothing was computed\n# case    " + scene_hash(scene) + "\n# floes   " +
-         std::to_string(floes) + "\n# moments " + fixed_text(need.moments, 0) + "\n# engine  " + choice.engine.name +
+         std::to_string(floes) + "\n# time steps " + fixed_text(need.steps, 0) + "\n# engine  " + choice.engine.name +
          ", " + place + "\n# memory  about " + size_text(need.memory) + "\n# disk    about " + size_text(need.disk) +
          " in " + shown(choice.options.output) + "\n";
 }
@@ -123,6 +123,33 @@ int run(RunChoice choice) {
   return exit_code_of_signal(summary.stop_signal);
 }
 
+/// The options that the registered baselines have.
+void add_baseline_options(CLI::App& command, RunChoice& choice) {
+  std::vector<std::string>& chosen = choice.engine.baseline_settings;
+  std::string experiments;
+  for (const BaselineSetting& setting : baseline_settings()) {
+    if (setting.flag.empty()) {
+      experiments += (experiments.empty() ? "" : ", ") + setting.key;
+      continue;
+    }
+    const auto choose = [&chosen, key = setting.key](const double& value) {
+      chosen.push_back(key + "=" + number_text(value));
+    };
+    choice.baseline_options.push_back(
+        command.add_option_function<double>(setting.flag, choose, setting.meaning)->default_str(setting.preset));
+  }
+  if (experiments.empty()) return;
+  const auto choose = [&chosen](const std::vector<std::string>& texts) {
+    chosen.insert(chosen.end(), texts.begin(), texts.end());
+  };
+  choice.baseline_options.push_back(
+      command
+          .add_option_function<std::vector<std::string>>(
+              "--experiment", choose, "one setting of " + baseline_names().front() + " changed: " + experiments)
+          ->type_name("KEY=VALUE")
+          ->allow_extra_args(false));
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& app, Chosen& chosen) {
@@ -137,24 +164,7 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
       ->check(CLI::IsMember(engine_choices()))
       ->capture_default_str();
   command->add_option("--threads", choice->threads, "threads of the cpu engine; all if left out")->type_name("N");
-  if (!baseline_names().empty()) {
-    BaselineOptions& baseline = choice->engine.baseline;
-    choice->baseline_options = {
-        command->add_option("--velocity-iterations", baseline.velocity_iterations, "of box2d's solver")
-            ->capture_default_str(),
-        command->add_option("--position-iterations", baseline.position_iterations, "of box2d's solver")
-            ->capture_default_str(),
-        command->add_option("--skin", baseline.skin_m, "radius round box2d's outlines [m]")->capture_default_str()};
-    choice->baseline_options.push_back(command
-                                           ->add_option_function<std::vector<std::string>>(
-                                               "--experiment",
-                                               [&baseline](const std::vector<std::string>& texts) {
-                                                 for (const std::string& text : texts) set_experiment(baseline, text);
-                                               },
-                                               "one setting of box2d changed: " + experiment_keys())
-                                           ->type_name("KEY=VALUE")
-                                           ->allow_extra_args(false));
-  }
+  add_baseline_options(*command, *choice);
   command->add_option("--until", choice->until, "end at this time: sets run.duration_s")->type_name("SECONDS");
   command->add_flag("--overwrite", choice->options.overwrite, "replace an existing run file");
   command->add_flag("--dry-run", choice->dry_run, "check the case and say what the run needs; compute nothing");

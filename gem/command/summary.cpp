@@ -27,13 +27,13 @@ std::string summary_text(const RunSummary& s) {
   };
   std::string text = s.status + (s.file.empty() ? "" : ": " + s.file) + "\n";
   text += line("engine", s.engine);
-  text += line("simulated", number_text(s.time) + " s in " + std::to_string(s.moments) + " moments");
+  text += line("simulated", number_text(s.time) + " s in " + std::to_string(s.steps) + " time steps");
   text += line("wall time", fixed_text(s.wall_time, 2) + " s, " + rate_text(s.sim_rate) + " x real time");
   text += line("recorded", std::to_string(s.frames) + " floe frames, " + std::to_string(s.events) + " events");
   text += line("active floes", fixed_text(s.active_floes, 0));
   text += line("most contacts", std::to_string(s.worst.contacts));
   text += line("most iterations", std::to_string(s.worst.iterations) + ", the limit in " + std::to_string(s.at_limit) +
-                                      " of " + std::to_string(s.moments) + " moments");
+                                      " of " + std::to_string(s.steps) + " time steps");
   text += line("largest overlap", number_text(s.worst.maximum_overlap, 3) + " m, " +
                                       number_text(100.0 * s.worst.maximum_share, 3) + " % of the smaller body");
   text += line("99.9 % of overlaps",
@@ -55,7 +55,7 @@ std::string summary_json(const RunSummary& s) {
                                          {"file", s.file},
                                          {"engine", s.engine},
                                          {"time_s", s.time},
-                                         {"moments", s.moments},
+                                         {"steps", s.steps},
                                          {"wall_time_s", s.wall_time},
                                          {"sim_rate", s.sim_rate},
                                          {"frames", s.frames},

@@ -17,8 +17,8 @@
 
 namespace gem {
 
-/// What the platform felt in one moment, and its state at the moment's end. Impulses act on the platform.
-struct PlatformMoment {
+/// What the platform felt in one time step, and its state at the time step's end. Impulses act on the platform.
+struct PlatformStep {
   Vec2 position;  // [m]
   Rotation rotation;
   Vec2 velocity;                 // [m/s]
@@ -32,7 +32,7 @@ struct PlatformMoment {
 
 /// One event on the platform. The normal points from the platform into the ice; the impulse acts on the ice.
 struct ContactEvent {
-  double time = 0.0;        // start of the moment [s]
+  double time = 0.0;        // start of the time step [s]
   std::int32_t body_a = 0;  // the platform
   std::int32_t body_b = 0;
   Vec2 point;  // world [m]
@@ -47,21 +47,21 @@ struct ContactEvent {
   double depth = 0.0;               // overlap depth [m]
 };
 
-/// How well one moment was resolved.
-struct MomentQuality {
+/// How well one time step was resolved.
+struct StepQuality {
   std::int32_t contacts = 0;     // points that touched at its start or carried an impulse
-  std::int32_t iterations = 0;   // of the coupled resolution
+  std::int32_t iterations = 0;   // of the coupled solver
   double residual = 0.0;         // largest speed that an event still asked for at the last iteration [m/s]
-  double maximum_overlap = 0.0;  // deepest overlap depth at the start of the moment [m]
+  double maximum_overlap = 0.0;  // deepest overlap depth at the start of the time step [m]
   double maximum_share = 0.0;    // largest overlap over the size of the smaller body [-]
-  // once the events are done (contact_quality.h); NaN where not measured: `independent` moments of the cuda engine
+  // once the events are done (contact_quality.h); NaN where not measured: `independent` time steps of the cuda engine
   double complementarity = 0.0;  // largest change of normal velocity that a point still asked for [m/s]
   double cone_excess = 0.0;      // largest friction impulse beyond Coulomb's bound [N s]
-  double energy_created = 0.0;   // net work of all contacts of the moment where it is > 0: no sum of what single ones
-                                 // gave, which others of the same moment may outweigh [J]
+  double energy_created = 0.0;  // net work of all contacts of the time step where it is > 0: no sum of what single ones
+                                // gave, which others of the same time step may outweigh [J]
 
   /// Keeps the worse of each.
-  void worsen(const MomentQuality& other) {
+  void worsen(const StepQuality& other) {
     contacts = std::max(contacts, other.contacts);
     iterations = std::max(iterations, other.iterations);
     residual = std::max(residual, other.residual);
@@ -77,13 +77,13 @@ struct MomentQuality {
   static double worse(double a, double b) { return a < b || b != b ? b : a; }
 };
 
-/// Filled by advance(): one entry of `platform` and `quality` per moment, events in time and id order.
-struct MomentLog {
+/// Filled by advance(): one entry of `platform` and `quality` per time step, events in time and id order.
+struct StepLog {
   bool wants_events = true;
-  std::vector<PlatformMoment> platform;
-  std::vector<MomentQuality> quality;
+  std::vector<PlatformStep> platform;
+  std::vector<StepQuality> quality;
   std::vector<ContactEvent> events;
-  OverlapCount overlap;        // depth of every overlap at the start of every moment [m]
+  OverlapCount overlap;        // depth of every overlap at the start of every time step [m]
   OverlapCount overlap_share;  // the same over the size (root of the area) of the smaller body [-]
   void clear() {
     platform.clear();
@@ -96,7 +96,7 @@ struct MomentLog {
 
 /// Everything that a run needs to go on with the same bits.
 struct EngineState {
-  std::int64_t moment = 0;
+  std::int64_t step = 0;
   Bodies bodies;
   Ledger ledger;
   std::vector<std::uint64_t> impulse_key;  // warm start of `coupled`: contact identity, ascending
@@ -107,15 +107,15 @@ class Engine {
  public:
   virtual ~Engine() = default;
   virtual std::string name() const = 0;
-  /// How contacts are resolved, for the record; empty: as the scene's contact.resolution says.
+  /// How contacts are resolved, for the record; empty: as the scene's contact.solver says.
   virtual std::string method() const { return {}; }
   /// What it runs on besides the processor, for the run file; empty: nothing.
   virtual std::string device() const { return {}; }
-  /// Moves the field on by `moments` moments and appends to `log`. Throws Error(numerical_stop) at a non-finite state.
-  virtual void advance(std::int64_t moments, MomentLog& log) = 0;
-  /// Moments done since t = 0; time is moment() * moment_s.
-  virtual std::int64_t moment() const = 0;
-  /// State after the last moment.
+  /// Moves the field on by `steps` time steps and appends to `log`. Throws Error(numerical_stop) at a non-finite state.
+  virtual void advance(std::int64_t steps, StepLog& log) = 0;
+  /// Time steps done since t = 0; time is time step() * moment_s.
+  virtual std::int64_t step() const = 0;
+  /// State after the last time step.
   virtual const Bodies& bodies() = 0;
   /// The books since t = 0.
   virtual Ledger ledger() = 0;
@@ -125,35 +125,15 @@ class Engine {
   std::uint64_t state_hash();
 };
 
-/// Settings of an engine that resolves contacts in its own way.
-struct BaselineOptions {
-  int velocity_iterations = 8;
-  int position_iterations = 3;
-  double skin_m = 0.01;          // radius round every outline within which two bodies are held apart [m]
-  bool measures_quality = true;  // false: overlap and residual of MomentQuality are NaN, and cost nothing
-
-  // experiments: what explains a difference from gem, one at a time
-  int substeps = 1;             // steps in one moment; drag and mooring act once
-  bool warm_starting = true;    // from the impulses of the last step
-  bool continuous = false;      // floes are bullets: stopped at the first touch within a step
-  bool mixes_friction = false;  // the root of the product of the two bodies' coefficients, not the pair's
-  double restitution_threshold_m_per_s = 0.0;  // slower hits do not rebound; nothing does, as restitution is 0
-};
-
-/// Sets one of the experiments from KEY=VALUE. Throws Error(usage) for another key or a value out of range.
-void set_experiment(BaselineOptions& options, const std::string& text);
-/// Their names, for messages.
-std::string experiment_keys();
-
 /// Hash of a moving state: same bits, same hash.
-std::uint64_t hash_of(std::int64_t moment, const Bodies& bodies);
+std::uint64_t hash_of(std::int64_t step, const Bodies& bodies);
 
 struct EngineOptions {
-  std::string name = "cpu";                   // reference | cpu | cuda
-  int threads = 0;                            // 0: all that the machine offers
-  std::size_t contacts_worth_a_thread = 256;  // coupled: fewer for each thread are iterated by one
-  int device = -1;                            // cuda: index of the GPU; -1: the first that can be used
-  BaselineOptions baseline = {};
+  std::string name = "cpu";                         // reference | cpu | cuda
+  int threads = 0;                                  // 0: all that the machine offers
+  std::size_t contacts_worth_a_thread = 256;        // coupled: fewer for each thread are iterated by one
+  int device = -1;                                  // cuda: index of the GPU; -1: the first that can be used
+  std::vector<std::string> baseline_settings = {};  // KEY=VALUE, for a registered baseline to read
 };
 
 /// Makes the named engine for a scene and its field.
@@ -165,11 +145,22 @@ std::vector<std::string> engine_names();
 /// Makes one engine that is built outside gem/engine.
 using BaselineMaker = std::function<std::unique_ptr<Engine>(const SceneDef&, Bodies, const EngineOptions&)>;
 
+/// A setting of a baseline that the command line offers.
+struct BaselineSetting {
+  std::string key;      // as in baseline_settings
+  std::string flag;     // its option of the command line; empty: --experiment KEY=VALUE
+  std::string preset;   // the value if nothing is said
+  std::string meaning;  // one line for --help
+};
+
 /// Makes a baseline known to make_engine: another program's physics, judged by its own rows. Not for several threads.
-void register_baseline(const std::string& name, BaselineMaker make);
+void register_baseline(const std::string& name, BaselineMaker make, std::vector<BaselineSetting> settings = {});
 
 /// Names of the registered baselines, which engine_names() leaves out: they share no bits with gem's engines.
 std::vector<std::string> baseline_names();
+
+/// The settings of all registered baselines.
+std::vector<BaselineSetting> baseline_settings();
 
 /// Whether `engine` is one of baseline_names().
 bool is_baseline(const std::string& engine);

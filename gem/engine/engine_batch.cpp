@@ -14,10 +14,10 @@ class CudaMember : public Engine {
   CudaMember(CudaBatch& batch, std::size_t scene) : batch_(batch), scene_(scene) {}
   std::string name() const override { return "cuda"; }
   std::string device() const override { return batch_.device().name + ", " + batch_.device().driver; }
-  void advance(std::int64_t, MomentLog&) override {
+  void advance(std::int64_t, StepLog&) override {
     throw Error(ExitCode::usage, "a scene of a batch cannot be moved on by itself");
   }
-  std::int64_t moment() const override { return batch_.moment(scene_); }
+  std::int64_t step() const override { return batch_.step(scene_); }
   const Bodies& bodies() override { return batch_.bodies(scene_); }
   Ledger ledger() override { return batch_.ledger(scene_); }
   EngineState save() override { return batch_.save(scene_); }
@@ -34,8 +34,7 @@ class CudaEngines : public EngineBatch {
     for (std::size_t k = 0; k < batch_.size(); ++k) members_.push_back(std::make_unique<CudaMember>(batch_, k));
   }
   std::size_t size() const override { return members_.size(); }
-  std::vector<std::exception_ptr> advance(const std::vector<MomentsAhead>& ahead,
-                                          std::vector<MomentLog>& logs) override {
+  std::vector<std::exception_ptr> advance(const std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs) override {
     return batch_.advance_some(ahead, logs);
   }
   Engine& engine(std::size_t scene) override { return *members_[scene]; }
@@ -51,8 +50,7 @@ class SingleEngines : public EngineBatch {
     for (BatchScene& scene : scenes) engines_.push_back(make_engine(scene.scene, std::move(scene.bodies), options));
   }
   std::size_t size() const override { return engines_.size(); }
-  std::vector<std::exception_ptr> advance(const std::vector<MomentsAhead>& ahead,
-                                          std::vector<MomentLog>& logs) override {
+  std::vector<std::exception_ptr> advance(const std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs) override {
     std::vector<std::exception_ptr> faults(engines_.size());
     for (std::size_t k = 0; k < engines_.size(); ++k) {
       try {

@@ -17,8 +17,7 @@ class EngineBatch {
   virtual std::size_t size() const = 0;
   /// Moves scene k on by no more than ahead[k].most, by fewer where that keeps the engine busier, and appends to
   /// logs[k]. Returns what stopped each scene, null for most: Error(numerical_stop) where its state is no number.
-  virtual std::vector<std::exception_ptr> advance(const std::vector<MomentsAhead>& ahead,
-                                                  std::vector<MomentLog>& logs) = 0;
+  virtual std::vector<std::exception_ptr> advance(const std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs) = 0;
   /// One scene as it stands; its own advance() is not to be called.
   virtual Engine& engine(std::size_t scene) = 0;
 };

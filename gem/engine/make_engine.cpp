@@ -17,6 +17,7 @@ namespace {
 struct Baseline {
   std::string name;
   BaselineMaker make;
+  std::vector<BaselineSetting> settings;
 };
 
 std::vector<Baseline>& baselines() {
@@ -50,12 +51,21 @@ std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const 
   throw Error(ExitCode::usage, "unknown engine '" + options.name + "' (" + joined(known) + ")");
 }
 
-void register_baseline(const std::string& name, BaselineMaker make) { baselines().push_back({name, std::move(make)}); }
+void register_baseline(const std::string& name, BaselineMaker make, std::vector<BaselineSetting> settings) {
+  baselines().push_back({name, std::move(make), std::move(settings)});
+}
 
 std::vector<std::string> baseline_names() {
   std::vector<std::string> names;
   for (const Baseline& baseline : baselines()) names.push_back(baseline.name);
   return names;
+}
+
+std::vector<BaselineSetting> baseline_settings() {
+  std::vector<BaselineSetting> settings;
+  for (const Baseline& baseline : baselines())
+    settings.insert(settings.end(), baseline.settings.begin(), baseline.settings.end());
+  return settings;
 }
 
 bool is_baseline(const std::string& engine) {
@@ -64,11 +74,11 @@ bool is_baseline(const std::string& engine) {
   return false;
 }
 
-std::uint64_t Engine::state_hash() { return hash_of(moment(), bodies()); }
+std::uint64_t Engine::state_hash() { return hash_of(step(), bodies()); }
 
-std::uint64_t hash_of(std::int64_t moment, const Bodies& b) {
+std::uint64_t hash_of(std::int64_t step, const Bodies& b) {
   Hash hash;
-  hash.add(static_cast<std::uint64_t>(moment));
+  hash.add(static_cast<std::uint64_t>(step));
   for (std::size_t i = 0; i < b.count(); ++i) {
     for (const double value : {b.position[i].x, b.position[i].y, b.rotation[i].cosine, b.rotation[i].sine,
                                b.velocity[i].x, b.velocity[i].y, b.spin[i]})

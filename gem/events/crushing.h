@@ -20,6 +20,14 @@
 
 namespace gem {
 
+struct IceDef {
+  double density_kg_per_m3 = 900.0;
+  double crushing_pressure_Pa = 2.5e6;  ///< P0: pressure on 1 m2
+  double pressure_area_exponent = -0.1;
+  double friction_ice = 0.35;        ///< floe on floe and floe on boundary
+  double friction_structure = 0.10;  ///< floe on platform
+};
+
 /// The ice of a contact.
 struct CrushingIce {
   double pressure = 0.0;   // P0 [Pa]

@@ -1,4 +1,4 @@
-// Water drag on a floe in a current, exact over a moment of any length.
+// Water drag on a floe in a current, exact over a time step of any length.
 //
 //   quadratic   dw/dt = -k |w| w     w' = w / (1 + z),   z = k |w| dt,   path of w = (w / |w|) ln(1 + z) / k
 //   linear      dw/dt = -w / tau     w' = w e^(-dt/tau),                 path of w = tau (w - w')
@@ -14,10 +14,27 @@
 
 namespace gem {
 
-/// Slip after a moment, and how much shorter its path is than (slip after) x dt would say.
+enum class DragLaw { none, quadratic, linear };
+
+/// The water moves with this velocity everywhere.
+struct CurrentDef {
+  Vec2 velocity_m_per_s = {0.25, 0.0};
+};
+
+/// What the water does to floes.
+struct WaterDef {
+  double density_kg_per_m3 = 1025.0;
+  DragLaw drag_law = DragLaw::quadratic;
+  double form_coefficient = 1.0;   ///< C_f, on sqrt(area) x draft
+  double skin_coefficient = 5e-3;  ///< C_s, on the area
+  double linear_time_s = 100.0;    ///< tau of the linear law
+  bool spin_drag = true;           ///< the same terms slow the spin
+};
+
+/// Slip after a time step, and how much shorter its path is than (slip after) x dt would say.
 struct DragSolution {
-  Vec2 slip;             // after the moment [m/s]
-  Vec2 path_correction;  // integral of the slip over the moment minus slip x dt [m]
+  Vec2 slip;             // after the time step [m/s]
+  Vec2 path_correction;  // integral of the slip over the time step minus slip x dt [m]
 };
 
 struct SpinDragSolution {
@@ -30,7 +47,7 @@ GEM_HD inline double drag_reach(double k, double speed, double dt) { return k * 
 
 /// What the quadratic law makes of a slip, both in proportion to it.
 struct DragShares {
-  double left;             // after the moment
+  double left;             // after the time step
   double path_correction;  // [s]
 };
 
@@ -61,7 +78,7 @@ GEM_HD inline SpinDragSolution spin_drag_quadratic(double k, double spin, double
   return shared_out(drag_shares(z, strict::log1p(z), dt), spin);
 }
 
-/// Linear law with rate = 1/tau [1/s]; `decay` is e^(-rate dt), the same for all floes and moments.
+/// Linear law with rate = 1/tau [1/s]; `decay` is e^(-rate dt), the same for all floes and time steps.
 GEM_HD inline DragSolution drag_linear(double rate, Vec2 slip, double decay, double dt) {
   return {decay * slip, ((1.0 - decay) / rate - decay * dt) * slip};
 }

@@ -1,4 +1,4 @@
-// Current drag: exact over a moment of any length, for slip and spin, quadratic and linear.
+// Current drag: exact over a time step of any length, for slip and spin, quadratic and linear.
 #include "gem/events/current_drag.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 constexpr double k = 0.0745;
 constexpr Vec2 slip0{0.3, -0.4};
 
-/// Path of the slip over a moment: what it would be at its final value, and the correction.
+/// Path of the slip over a time step: what it would be at its final value, and the correction.
 Vec2 path(const DragSolution& drag, double dt) { return drag.path_correction + dt * drag.slip; }
 
 TEST(CurrentDrag, QuadraticMatchesItsClosedForm) {
@@ -24,7 +24,7 @@ TEST(CurrentDrag, QuadraticMatchesItsClosedForm) {
   }
 }
 
-TEST(CurrentDrag, TwoHalvesAreOneMoment) {
+TEST(CurrentDrag, TwoHalvesAreOneTimeStep) {
   for (const double dt : {0.05, 7.0, 1000.0}) {
     const DragSolution whole = drag_quadratic(k, slip0, 0.5, dt);
     const DragSolution first = drag_quadratic(k, slip0, 0.5, 0.5 * dt);

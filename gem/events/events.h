@@ -1,6 +1,11 @@
-// The list of all events: solo events act on one body, pair events on two. Engines include this file and no other law.
+// The list of all events. Solo events act on one body, pair events on two. Engines include this file and no other law.
+//
+// A new law is a header beside this one, with its definition and its test; here it gets one member (EventDefinitions)
+// and one call (floe_events, platform_events or pair_impulse); its keys go into the schema. No engine file changes: see
+// "How to add a law" in gem/manual/architecture.md.
 #pragma once
 
+#include "gem/events/contact_def.h"
 #include "gem/events/crushing.h"         // pair: closed-form peak of an impact
 #include "gem/events/current_drag.h"     // solo: water drag on a floe
 #include "gem/events/elastic_contact.h"  // pair: static stress
@@ -9,3 +14,210 @@
 #include "gem/events/mooring.h"          // solo: platform on its mooring
 #include "gem/events/motion.h"           // solo: motion
 #include "gem/events/platform_drag.h"    // solo: water drag on the platform
+#include "gem/events/quantity.h"
+
+namespace gem {
+
+/// What a case says of each law: the sections of a case file that bear these names.
+struct EventDefinitions {
+  CurrentDef current;
+  WaterDef water;
+  IceDef ice;
+  MooringDef mooring;
+  PlatformDragDef platform_drag;
+  ContactDef contact;
+};
+
+/// The platform as the laws see it.
+struct PlatformInEvents {
+  Vec2 anchor;            // [m]
+  double mass = 0.0;      // [kg]
+  double diameter = 0.0;  // [m]
+};
+
+/// The laws of one run: their definitions, and what is worked out of them once. Plain values, copied to any device.
+struct Events : EventDefinitions {
+  double dt = 0.0;            // time step [s]
+  double linear_decay = 1.0;  // of the linear drag: e^(-dt/tau)
+
+  bool platform_present = false;
+  Vec2 anchor;               // [m]
+  MooringFlow half_mooring;  // over dt / 2
+  bool mooring_damped = false;
+  double platform_drag_rate = 0.0;  // [1/m]; 0: none
+  Vec2 platform_water;              // velocity of the water that damps the platform [m/s]
+};
+
+/// `platform`: null where there is none. `dt` [s]. Host only, once per run.
+Events make_events(const EventDefinitions& definitions, const PlatformInEvents* platform, double dt);
+
+// ---- solo events of a floe
+
+/// A floe at the start of a time step: all that a solo event may ask for.
+struct FloeInEvents {
+  double mass, inertia;    // [kg], [kg m2]
+  double area, thickness;  // [m2], [m]
+  double drag, spin_drag;  // coefficients of the drag law [1/m], [-]; linear: 1/tau [1/s]
+  Vec2 position, velocity;
+  double spin;  // [rad/s]
+};
+
+/// A floe after its solo events.
+struct FloeKick {
+  Vec2 velocity;                  // [m/s]
+  double spin = 0.0;              // [rad/s]
+  Vec2 path_correction;           // exact path of the events minus velocity x dt [m]
+  double angle_correction = 0.0;  // [rad]
+};
+
+/// What the current makes of a floe's slip and spin.
+struct FloeDrag {
+  DragSolution slip;
+  SpinDragSolution spin;
+};
+
+/// Water drag by the law of the case.
+GEM_HD inline FloeDrag floe_drag(const Events& e, const FloeInEvents& floe) {
+  const Vec2 slip = e.current.velocity_m_per_s - floe.velocity;
+  FloeDrag drag{{slip, {}}, {floe.spin, 0.0}};
+  if (e.water.drag_law == DragLaw::quadratic) {
+    drag.slip = drag_quadratic(floe.drag, slip, length(slip), e.dt);
+    if (floe.spin_drag > 0.0) drag.spin = spin_drag_quadratic(floe.spin_drag, floe.spin, e.dt);
+  } else if (e.water.drag_law == DragLaw::linear) {
+    drag.slip = drag_linear(floe.drag, slip, e.linear_decay, e.dt);
+    if (floe.spin_drag > 0.0) drag.spin = spin_drag_linear(floe.spin_drag, floe.spin, e.linear_decay, e.dt);
+  }
+  return drag;
+}
+
+/// Whether floes have any solo event in this run.
+GEM_HD inline bool acts_on_floes(const Events& e) { return e.water.drag_law != DragLaw::none; }
+
+/// All solo events of one floe over a time step, a call for each law. `drag` is floe_drag() of the same floe: a loop
+/// over many floes may work that out for several at a time.
+GEM_HD inline FloeKick floe_events(const Events& e, const FloeInEvents&, const FloeDrag& drag) {
+  return {e.current.velocity_m_per_s - drag.slip.slip, drag.spin.spin, -drag.slip.path_correction,
+          drag.spin.angle_correction};
+}
+
+/// Enters what the solo events gave a floe in the book of the water.
+GEM_HD inline void book_kick(Quantity& book, const FloeInEvents& floe, const FloeKick& kick) {
+  const Vec2 impulse = floe.mass * (kick.velocity - floe.velocity);
+  const double twist = floe.inertia * (kick.spin - floe.spin);
+  book.momentum += impulse;
+  book.angular_momentum += cross(floe.position, impulse) + twist;
+  book.energy += 0.5 * dot(impulse, kick.velocity + floe.velocity) + 0.5 * twist * (kick.spin + floe.spin);
+}
+
+// ---- solo events of the platform
+
+/// The platform in its own motion, with the books of that motion.
+struct PlatformMotion {
+  double mass;     // [kg]
+  Vec2& position;  // [m]
+  Vec2& velocity;  // [m/s]
+  Quantity& drag_book;
+  Quantity& mooring_book;
+  Quantity& mooring_force;
+};
+
+/// Half a time step of water drag.
+GEM_HD inline void platform_in_water(const Events& e, const PlatformMotion& p) {
+  if (!(e.platform_drag_rate > 0.0)) return;
+  const Vec2 before = p.velocity;
+  p.velocity = platform_drag(e.platform_drag_rate, before, e.platform_water, 0.5 * e.dt);
+  const Vec2 impulse = p.mass * (p.velocity - before);
+  p.drag_book.momentum += impulse;
+  p.drag_book.angular_momentum += cross(p.position, impulse);
+  p.drag_book.energy += 0.5 * dot(impulse, p.velocity + before);
+}
+
+/// Half a time step on the mooring.
+GEM_HD inline void platform_on_mooring(const Events& e, const PlatformMotion& p) {
+  const double stiffness = e.mooring.stiffness_N_per_m;
+  const Vec2 velocity = p.velocity;
+  const double moment_of_momentum = cross(p.position, velocity);
+  Vec2 offset = p.position - e.anchor;
+  const double energy = 0.5 * p.mass * dot(velocity, velocity) + 0.5 * stiffness * dot(offset, offset);
+  apply(e.half_mooring, offset, p.velocity);
+  p.position = e.anchor + offset;
+  p.mooring_force.momentum += p.mass * (p.velocity - velocity);
+  p.mooring_force.angular_momentum += p.mass * (cross(p.position, p.velocity) - moment_of_momentum);
+  if (e.mooring_damped)
+    p.mooring_book.energy +=
+        0.5 * p.mass * dot(p.velocity, p.velocity) + 0.5 * stiffness * dot(offset, offset) - energy;
+}
+
+/// The platform's solo events up to the instant of the pair events: half a time step, drag first.
+GEM_HD inline void platform_events_before(const Events& e, const PlatformMotion& p) {
+  if (!e.platform_present) return;
+  platform_in_water(e, p);
+  platform_on_mooring(e, p);
+}
+
+/// The other half, in the reverse order.
+GEM_HD inline void platform_events_after(const Events& e, const PlatformMotion& p) {
+  if (!e.platform_present) return;
+  platform_on_mooring(e, p);
+  platform_in_water(e, p);
+}
+
+/// Enters what shifting the platform from `position` does to the mooring's energy and to the angular momentum.
+GEM_HD inline void book_platform_shift(const Events& e, double mass, Vec2 position, Vec2 velocity, Vec2 shift,
+                                       Quantity& book) {
+  const Vec2 offset = position - e.anchor;
+  book.angular_momentum += mass * cross(shift, velocity);
+  book.energy += e.mooring.stiffness_N_per_m * (dot(offset, shift) + 0.5 * dot(shift, shift));
+}
+
+// ---- pair events
+
+/// Largest impulse of a point that nothing limits [N s].
+constexpr double no_cap = 1e300;
+
+/// Friction coefficient of a pair; floe against platform, or ice against ice.
+GEM_HD inline double friction_of_pair(const Events& e, bool with_platform) {
+  return with_platform ? e.ice.friction_structure : e.ice.friction_ice;
+}
+
+/// The ice of a pair that crushes, `thickness` [m] thick.
+GEM_HD inline CrushingIce crushing_ice(const Events& e, double thickness) {
+  return {e.ice.crushing_pressure_Pa, e.ice.pressure_area_exponent, thickness};
+}
+
+/// Impulse of one point from the velocity that it would have without: normal u_n, tangential u_t, least normal velocity
+/// after the event `target` [m/s].
+GEM_HD inline ContactImpulse pair_impulse(const Events& e, const ContactCompliance& compliance, double friction,
+                                          double u_n, double u_t, double target) {
+  if (!(friction > 0.0)) return {impact_frictionless(compliance.nn, u_n, target), 0.0};
+  if (e.contact.friction_law == FrictionLaw::fixed_direction)
+    return impact_fixed_direction(compliance, u_n, u_t, target, friction);
+  return impact_one_step(compliance, u_n, u_t, target, friction);
+}
+
+/// Separating speed that the elastic stress of one point may ask for [m/s]; at most what crushing allows. `depth` and
+/// `width` of the contact, `thickness` of its ice [m], `compliance` 1/effective mass [1/kg].
+GEM_HD inline double static_stress_speed(const Events& e, double depth, double compliance, double width,
+                                         double thickness) {
+  const double asked = elastic_separating_speed(e.contact.elastic_stiffness_N_per_m, depth, 1.0 / compliance, e.dt);
+  const CrushingIce ice = crushing_ice(e, thickness);
+  if (asked < crushing_force_at_least(ice, width) * e.dt * compliance) return asked;
+  const double cap = crushing_force(ice, width) * e.dt * compliance;
+  return asked < cap ? asked : cap;
+}
+
+/// Largest impulse that one of `points` points of a contact can carry in a time step: it crushes the smaller body, of
+/// `smaller_area` [m2], across its whole size [N s]. `ice_crushes`: one of the two is a floe. The power of the law is
+/// only worked out for a point that carried an impulse of its order a time step ago; a bound from below does for all
+/// others.
+GEM_HD inline double largest_impulse(const Events& e, bool ice_crushes, double thickness, double smaller_area,
+                                     int points, double last_impulse) {
+  if (!e.contact.crushing_limit || !ice_crushes) return no_cap;
+  const CrushingIce ice = crushing_ice(e, thickness);
+  const double width = std::sqrt(smaller_area);
+  const double share = e.dt / points;
+  const double least = share * crushing_force_at_least(ice, width);
+  return last_impulse < 0.5 * least ? least : share * crushing_force(ice, width);
+}
+
+}  // namespace gem

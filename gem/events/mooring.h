@@ -15,6 +15,11 @@
 
 namespace gem {
 
+struct MooringDef {
+  double stiffness_N_per_m = 5e5;  ///< in x and in y; 0 is unmoored
+  double damping_ratio = 0.0;
+};
+
 /// Coefficients of the exact solution over one stretch of time.
 struct MooringFlow {
   double xx = 1.0, xv = 0.0, vx = 0.0, vv = 1.0;

@@ -1,4 +1,4 @@
-// Motion of a free body over a moment: the turn without trigonometry.
+// Motion of a free body over a time step: the turn without trigonometry.
 //
 //   half = tan(phi/2) = p + p^3/3 + 2 p^5/15,  p = phi/2
 //

@@ -13,6 +13,15 @@
 
 namespace gem {
 
+enum class DampingWater { still, current };
+
+struct PlatformDragDef {
+  bool present = false;
+  double coefficient = 0.8;
+  double draft_m = 12.42;
+  DampingWater water = DampingWater::still;
+};
+
 /// b of a platform [1/m].
 GEM_HD constexpr double platform_drag_rate(double water_density, double coefficient, double diameter, double draft,
                                            double mass) {

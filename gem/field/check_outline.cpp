@@ -23,8 +23,8 @@ void check_count(const std::vector<Vec2>& outline, const std::string& name) {
   const std::string count = std::to_string(outline.size());
   if (outline.size() < 3) refuse_outline(name, count + " vertices (an outline needs at least 3) add corners");
   if (outline.size() > outline_vertices_maximum)
-    refuse_outline(name,
-           count + " vertices (at most " + std::to_string(outline_vertices_maximum) + " are allowed) simplify it");
+    refuse_outline(
+        name, count + " vertices (at most " + std::to_string(outline_vertices_maximum) + " are allowed) simplify it");
 }
 
 void check_points(const std::vector<Vec2>& outline, const std::string& name) {

@@ -9,8 +9,8 @@
 namespace gem {
 
 /// The touching stretch of two outlines: both ends of the facing edges' common part, as far as they are closer than
-/// `margin`. Each end is a corner of A or of B, which names the point from one moment to the next. Points are ordered
-/// along the normal turned left.
+/// `margin`. Each end is a corner of A or of B, which names the point from one time step to the next. Points are
+/// ordered along the normal turned left.
 GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, Vec2 offset, const Separation& axis,
                                            double margin) {
   // reference r owns the axis, incident i faces it; coordinates relative to A's centroid

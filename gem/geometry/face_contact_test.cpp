@@ -1,4 +1,4 @@
-// Face contact: the touching stretch of two faces, its features from moment to moment, and its margin.
+// Face contact: the touching stretch of two faces, its features from step to step, and its margin.
 #include <gtest/gtest.h>
 
 #include "gem/geometry/test_shapes.h"

@@ -31,9 +31,9 @@ inline Bodies fake_field(int floes, bool platform = true) {
 
 class FakeEngine : public Engine {
  public:
-  FakeEngine(const SceneDef& scene, Bodies bodies) : dt_(scene.numerics.moment_s), bodies_(std::move(bodies)) {}
+  FakeEngine(const SceneDef& scene, Bodies bodies) : dt_(scene.numerics.time_step_s), bodies_(std::move(bodies)) {}
   std::string name() const override { return "fake"; }
-  std::int64_t moment() const override { return moment_; }
+  std::int64_t step() const override { return step_; }
   const Bodies& bodies() override { return bodies_; }
   EngineState save() override { return {}; }
   void restore(const EngineState&) override {}
@@ -41,24 +41,24 @@ class FakeEngine : public Engine {
     Ledger books;
     books.start.energy = books.now.energy = 1.0;
     books.energy_scale = books.momentum_scale = books.angular_scale = 1.0;
-    if (moment_ >= lose_energy_at) books.now.energy = 0.5;
+    if (step_ >= lose_energy_at) books.now.energy = 0.5;
     return books;
   }
 
-  void advance(std::int64_t moments, MomentLog& log) override {
-    for (std::int64_t n = 0; n < moments; ++n) {
-      if (++moment_ == stop_at) throw Error(ExitCode::numerical_stop, "floe 3 has a speed that is not finite");
+  void advance(std::int64_t steps, StepLog& log) override {
+    for (std::int64_t n = 0; n < steps; ++n) {
+      if (++step_ == stop_at) throw Error(ExitCode::numerical_stop, "floe 3 has a speed that is not finite");
       for (std::size_t i = 2; i < bodies_.count(); ++i) bodies_.position[i].x += dt_;
-      PlatformMoment now;
-      now.rotation = {std::cos(0.3 * double(moment_)), std::sin(0.3 * double(moment_))};
-      now.ice_impulse = {double(moment_), 0.0};
+      PlatformStep now;
+      now.rotation = {std::cos(0.3 * double(step_)), std::sin(0.3 * double(step_))};
+      now.ice_impulse = {double(step_), 0.0};
       now.contacts = 2;
       log.platform.push_back(now);
       log.quality.push_back({7, 3, 1e-4, 1e-3, 2e-4, 3e-6, 4e-9, 5e-2});
       log.overlap.add(1e-3);
-      if (log.wants_events && moment_ % 10 == 0) {
+      if (log.wants_events && step_ % 10 == 0) {
         ContactEvent event;
-        event.time = dt_ * double(moment_ - 1);
+        event.time = dt_ * double(step_ - 1);
         event.body_b = 2;
         event.impulse_normal = 4.5;
         log.events.push_back(event);
@@ -72,7 +72,7 @@ class FakeEngine : public Engine {
  private:
   double dt_;
   Bodies bodies_;
-  std::int64_t moment_ = 0;
+  std::int64_t step_ = 0;
 };
 
 }  // namespace gem

@@ -30,21 +30,21 @@ double kinetic_energy(const Bodies& b) {
 
 }  // namespace
 
-std::int64_t Cadence::next_after(std::int64_t moment) const {
-  const double time = double(moment) * moment_length_;
+std::int64_t Cadence::next_after(std::int64_t step) const {
+  const double time = double(step) * time_step_;
   auto sample = static_cast<std::int64_t>(std::floor(time / interval_));
-  std::int64_t next = moment;
-  while (next <= moment) next = std::llround(double(++sample) * interval_ / moment_length_);
+  std::int64_t next = step;
+  while (next <= step) next = std::llround(double(++sample) * interval_ / time_step_);
   return next;
 }
 
 Recorder::Recorder(const SceneDef& scene, Engine& engine)
-    : moment_length_(scene.numerics.moment_s),
+    : time_step_(scene.numerics.time_step_s),
       has_platform_(scene.platform.present),
-      platform_(scene.output.platform_interval_s, moment_length_),
-      frames_(scene.output.floes_interval_s, moment_length_),
-      window_moments_(static_cast<std::size_t>(
-          std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / moment_length_)))) {
+      platform_(scene.output.platform_interval_s, time_step_),
+      frames_(scene.output.floes_interval_s, time_step_),
+      window_steps_(
+          static_cast<std::size_t>(std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / time_step_)))) {
   if (has_platform_) {
     const Bodies& b = engine.bodies();
     yaw_ = angle_of(b.rotation[0]);
@@ -59,55 +59,55 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
   keep_stats(engine, 0.0);
 }
 
-void Recorder::add(const MomentLog& log, std::int64_t last_moment) {
+void Recorder::add(const StepLog& log, std::int64_t last_step) {
   for (std::size_t i = 0; i < log.quality.size(); ++i) {
-    ++moment_;
+    ++step_;
     worst_.worsen(log.quality[i]);
     if (!has_platform_) continue;
-    const PlatformMoment& now = log.platform[i];
+    const PlatformStep& now = log.platform[i];
     since_sample_.ice_impulse += now.ice_impulse;
     since_sample_.ice_yaw_impulse += now.ice_yaw_impulse;
     since_sample_.mooring_impulse += now.mooring_impulse;
     since_sample_.drag_impulse += now.drag_impulse;
     since_sample_.contacts = std::max(since_sample_.contacts, now.contacts);
     window_.push_back(now.ice_impulse);
-    if (window_.size() > window_moments_) window_.pop_front();
-    if (moment_ == platform_.next_after(sample_moment_) || moment_ == last_moment) sample(now, moment_);
+    if (window_.size() > window_steps_) window_.pop_front();
+    if (step_ == platform_.next_after(sample_step_) || step_ == last_step) sample(now, step_);
   }
   overlap_ += log.overlap;
   overlap_share_ += log.overlap_share;
   slab_.events.insert(slab_.events.end(), log.events.begin(), log.events.end());
   events_seen_ += static_cast<std::int64_t>(log.events.size());
-  slab_.time = double(moment_) * moment_length_;
+  slab_.time = double(step_) * time_step_;
 }
 
-void Recorder::sample(const PlatformMoment& now, std::int64_t moment) {
-  const double per_second = 1.0 / (double(moment - sample_moment_) * moment_length_);
+void Recorder::sample(const PlatformStep& now, std::int64_t step) {
+  const double per_second = 1.0 / (double(step - sample_step_) * time_step_);
   Vec2 window_impulse;
   for (const Vec2& impulse : window_) window_impulse += impulse;
   yaw_ = unwrapped(now.rotation, yaw_);
   PlatformRow row;
-  row.time = double(moment) * moment_length_;
+  row.time = double(step) * time_step_;
   row.position = now.position;
   row.yaw = yaw_;
   row.velocity = now.velocity;
   row.spin = now.spin;
   row.ice_impulse = since_sample_.ice_impulse;
   row.ice_force = per_second * since_sample_.ice_impulse;
-  row.ice_force_mean = (1.0 / (double(window_.size()) * moment_length_)) * window_impulse;
+  row.ice_force_mean = (1.0 / (double(window_.size()) * time_step_)) * window_impulse;
   row.mooring_force = per_second * since_sample_.mooring_impulse;
   row.drag_force = per_second * since_sample_.drag_impulse;
   row.ice_yaw_moment = per_second * since_sample_.ice_yaw_impulse;
   row.contacts = since_sample_.contacts;
   slab_.platform.push_back(row);
   since_sample_ = {};
-  sample_moment_ = moment;
+  sample_step_ = step;
 }
 
 StatsRow Recorder::add_frame(Engine& engine, double wall_time) {
   keep_frame(engine.bodies());
   keep_stats(engine, wall_time);
-  frame_moment_ = moment_;
+  frame_step_ = step_;
   frame_wall_time_ = wall_time;
   worst_ = {};
   overlap_ = overlap_share_ = {};
@@ -116,7 +116,7 @@ StatsRow Recorder::add_frame(Engine& engine, double wall_time) {
 
 void Recorder::keep_frame(const Bodies& b) {
   FloeFrames& f = slab_.floes;
-  f.time.push_back(double(moment_) * moment_length_);
+  f.time.push_back(double(step_) * time_step_);
   for (std::size_t i = first_floe(b); i < b.count(); ++i) {
     f.x.push_back(static_cast<float>(b.position[i].x));
     f.y.push_back(static_cast<float>(b.position[i].y));
@@ -131,7 +131,7 @@ void Recorder::keep_frame(const Bodies& b) {
 void Recorder::keep_stats(Engine& engine, double wall_time) {
   const Bodies& b = engine.bodies();
   StatsRow row;
-  row.time = double(moment_) * moment_length_;
+  row.time = double(step_) * time_step_;
   row.ledger = engine.ledger();
   row.residual = residual(row.ledger);
   row.kinetic_energy = kinetic_energy(b);
@@ -148,13 +148,13 @@ void Recorder::keep_stats(Engine& engine, double wall_time) {
   for (std::size_t i = first_floe(b); i < b.count(); ++i) row.active_floes += b.active[i] != 0 ? 1.0 : 0.0;
   row.wall_time = wall_time;
   const double wall = wall_time - frame_wall_time_;
-  row.sim_rate = wall > 0.0 ? double(moment_ - frame_moment_) * moment_length_ / wall : 0.0;
-  row.moments = double(moment_);
+  row.sim_rate = wall > 0.0 ? double(step_ - frame_step_) * time_step_ / wall : 0.0;
+  row.steps = double(step_);
   slab_.stats.push_back(row);
 }
 
 Slab Recorder::take() {
-  slab_.time = double(moment_) * moment_length_;
+  slab_.time = double(step_) * time_step_;
   return std::exchange(slab_, Slab{});
 }
 

@@ -1,4 +1,4 @@
-// Turns the log of every moment into the rows of a run file: platform samples, floe frames, events and statistics.
+// Turns the log of every time step into the rows of a run file: platform samples, floe frames, events and statistics.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace gem {
 
-/// The moments at which something is recorded every `interval` seconds. A moment is never recorded twice.
+/// The time steps at which something is recorded every `interval` seconds. A time step is never recorded twice.
 class Cadence {
  public:
-  Cadence(double interval, double moment_length) : interval_(interval), moment_length_(moment_length) {}
-  /// The next moment to record after `moment`.
-  std::int64_t next_after(std::int64_t moment) const;
+  Cadence(double interval, double time_step) : interval_(interval), time_step_(time_step) {}
+  /// The next time step to record after `step`.
+  std::int64_t next_after(std::int64_t step) const;
 
  private:
   double interval_;
-  double moment_length_;
+  double time_step_;
 };
 
 /// Samples one run. Knows no files: what is recorded is taken from it as slabs.
@@ -27,36 +27,36 @@ class Recorder {
   /// Records t = 0.
   Recorder(const SceneDef& scene, Engine& engine);
 
-  /// Samples the platform and keeps the events of the moments in `log`, which follow those seen before; samples the
-  /// platform at `last_moment` in any case.
-  void add(const MomentLog& log, std::int64_t last_moment);
-  /// Records all floes and the books after the last moment that was added. Returns the row of statistics.
+  /// Samples the platform and keeps the events of the time steps in `log`, which follow those seen before; samples the
+  /// platform at `last_step` in any case.
+  void add(const StepLog& log, std::int64_t last_step);
+  /// Records all floes and the books after the last time step that was added. Returns the row of statistics.
   StatsRow add_frame(Engine& engine, double wall_time);
-  std::int64_t next_frame() const { return frames_.next_after(frame_moment_); }
+  std::int64_t next_frame() const { return frames_.next_after(frame_step_); }
   /// Hands over what was recorded since the last call.
   Slab take();
   std::size_t frames_waiting() const { return slab_.floes.time.size(); }
   std::int64_t events_seen() const { return events_seen_; }
 
  private:
-  void sample(const PlatformMoment& now, std::int64_t moment);
+  void sample(const PlatformStep& now, std::int64_t step);
   void keep_frame(const Bodies& bodies);
   void keep_stats(Engine& engine, double wall_time);
 
-  double moment_length_;
+  double time_step_;
   bool has_platform_;
   Cadence platform_;
   Cadence frames_;
-  std::size_t window_moments_;
-  std::int64_t moment_ = 0;
-  std::int64_t sample_moment_ = 0;
-  std::int64_t frame_moment_ = 0;
+  std::size_t window_steps_;
+  std::int64_t step_ = 0;
+  std::int64_t sample_step_ = 0;
+  std::int64_t frame_step_ = 0;
   std::int64_t events_seen_ = 0;
   double frame_wall_time_ = 0.0;
   double yaw_ = 0.0;
-  PlatformMoment since_sample_;  // sums since the last platform sample
-  std::deque<Vec2> window_;      // ice impulses of the last moments
-  MomentQuality worst_;          // since the last frame
+  PlatformStep since_sample_;  // sums since the last platform sample
+  std::deque<Vec2> window_;    // ice impulses of the last time steps
+  StepQuality worst_;          // since the last frame
   OverlapCount overlap_, overlap_share_;
   Slab slab_;
 };

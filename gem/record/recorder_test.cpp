@@ -17,11 +17,11 @@ SceneDef short_scene() {
   return scene;
 }
 
-TEST(Cadence, RecordsEveryIntervalAndNoMomentTwice) {
+TEST(Cadence, RecordsEveryIntervalAndNoTimeStepTwice) {
   EXPECT_EQ(Cadence(0.1, 0.05).next_after(0), 2);
   EXPECT_EQ(Cadence(0.1, 0.05).next_after(2), 4);
   EXPECT_EQ(Cadence(0.01, 0.05).next_after(7), 8);
-  const Cadence uneven(0.12, 0.05);  // 0.12, 0.24, 0.36 s -> moments 2, 5, 7
+  const Cadence uneven(0.12, 0.05);  // 0.12, 0.24, 0.36 s -> time steps 2, 5, 7
   EXPECT_EQ(uneven.next_after(0), 2);
   EXPECT_EQ(uneven.next_after(2), 5);
   EXPECT_EQ(uneven.next_after(5), 7);
@@ -31,7 +31,7 @@ TEST(Recorder, ForcesAreImpulsesOverTheInterval) {
   const SceneDef scene = short_scene();
   FakeEngine engine(scene, fake_field(3));
   Recorder recorder(scene, engine);
-  MomentLog log;
+  StepLog log;
   engine.advance(30, log);
   recorder.add(log, 200);
   const Slab slab = recorder.take();
@@ -50,17 +50,17 @@ TEST(Recorder, YawCountsOnOverFullTurns) {
   scene.output.platform_interval_s = 0.05;
   FakeEngine engine(scene, fake_field(0));
   Recorder recorder(scene, engine);
-  MomentLog log;
+  StepLog log;
   engine.advance(100, log);
   recorder.add(log, 200);
   EXPECT_NEAR(recorder.take().platform.back().yaw, 30.0, 1e-9);
 }
 
-TEST(Recorder, LastMomentIsSampledOffTheCadence) {
+TEST(Recorder, LastTimeStepIsSampledOffTheCadence) {
   const SceneDef scene = short_scene();
   FakeEngine engine(scene, fake_field(1));
   Recorder recorder(scene, engine);
-  MomentLog log;
+  StepLog log;
   engine.advance(13, log);
   recorder.add(log, 13);
   EXPECT_DOUBLE_EQ(recorder.take().platform.back().time, 13 * 0.05);
@@ -71,7 +71,7 @@ TEST(Recorder, FrameHoldsFloesAndWorstQuality) {
   FakeEngine engine(scene, fake_field(3));
   Recorder recorder(scene, engine);
   EXPECT_EQ(recorder.next_frame(), 40);
-  MomentLog log;
+  StepLog log;
   engine.advance(40, log);
   recorder.add(log, 200);
   const StatsRow row = recorder.add_frame(engine, 0.5);

@@ -108,11 +108,12 @@ RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::
   const std::string version = attribute("gem_schema");
   if (version.empty())
     refuse_run_file(path, "no gem_schema attribute: not a run file",
-           "name a file that `gem run` wrote (a summary of `gem sweep collect` is for xarray and `gem paper`)");
+                    "name a file that `gem run` wrote (a summary of `gem sweep collect` is for xarray)");
   if (version != schema_version)
     refuse_run_file(path, "schema " + version + ", this program reads " + schema_version, "use a matching gem");
   if (!allow_incomplete && status() != "complete") {
-    refuse_run_file(path, "its status is '" + status() + "', not 'complete'", "use --allow-incomplete to read what is there");
+    refuse_run_file(path, "its status is '" + status() + "', not 'complete'",
+                    "use --allow-incomplete to read what is there");
   }
 }
 
@@ -122,6 +123,11 @@ RunFile::RunFile(RunFile&&) noexcept = default;
 const std::string& RunFile::path() const { return inside_->path; }
 
 std::string RunFile::status() const { return attribute("gem_status"); }
+
+std::string RunFile::solver() const {
+  const std::string solver = attribute("gem_solver");
+  return solver.empty() ? attribute("gem_resolution") : solver;
+}
 
 std::string RunFile::attribute(const std::string& name) const {
   return reading(path(), [&] {
@@ -194,7 +200,7 @@ std::size_t RunFile::frame_count() const { return shape("floes/time").at(0); }
 FrameView RunFile::frame(std::size_t index) const {
   if (index >= frame_count()) {
     refuse_run_file(path(), "no frame " + std::to_string(index) + " of " + std::to_string(frame_count()),
-           "ask for an earlier one");
+                    "ask for an earlier one");
   }
   return reading(path(), [&] {
     FrameView view;

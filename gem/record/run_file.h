@@ -33,6 +33,8 @@ class RunFile {
   /// A text attribute of the root, e.g. "gem_engine"; the whole case for "gem_case_toml". Empty if there is none.
   std::string attribute(const std::string& name) const;
   double number_attribute(const std::string& name) const;
+  /// How contacts were solved; older files call it gem_resolution.
+  std::string solver() const;
   /// Whole dataset by path, e.g. "platform/x"; two dimensions row by row.
   std::vector<double> column(const std::string& dataset) const;
   /// Length of each dimension of a dataset.

@@ -79,7 +79,7 @@ void RunLayout::write_header(const SceneDef& scene, const Bodies& bodies, const 
   hdf5::write_text(file_.id(), "gem_case_sha256", provenance.case_sha256);
   hdf5::write_text(file_.id(), "gem_seed", std::to_string(scene.run.seed));
   hdf5::write_text(file_.id(), "gem_engine", provenance.engine);
-  hdf5::write_text(file_.id(), "gem_resolution", provenance.resolution);
+  hdf5::write_text(file_.id(), "gem_solver", provenance.solver);
   hdf5::write_text(file_.id(), "gem_threads", std::to_string(provenance.threads));
   hdf5::write_text(file_.id(), "gem_device", provenance.device.empty() ? "none" : provenance.device);
   hdf5::write_text(file_.id(), "gem_arithmetic", provenance.arithmetic);

@@ -26,12 +26,12 @@ TEST(ChunkShape, HoldsFewerFramesOfMoreFloes) {
 std::size_t frames_waiting(int floes) {
   const ScratchFolder folder("gem layout");
   SceneDef scene;
-  scene.output.floes_interval_s = scene.numerics.moment_s;
+  scene.output.floes_interval_s = scene.numerics.time_step_s;
   FakeEngine engine(scene, fake_field(floes));
   RunLayout layout((folder.path() / "run.h5").string(), scene, engine.bodies(), {});
   Recorder recorder(scene, engine);
   for (int frame = 1; frame < 7; ++frame) {
-    MomentLog log;
+    StepLog log;
     engine.advance(1, log);
     recorder.add(log, 100);
     recorder.add_frame(engine, 0.0);

@@ -27,7 +27,7 @@ struct Provenance {
   std::string case_sha256;
   std::string command_line;
   std::string engine;
-  std::string resolution;
+  std::string solver;
   int threads = 0;
   std::string arithmetic = "strict";  // no contraction, ordered sums: the same bits on every engine
   std::string device = "";            // that the engine ran on besides the processor; empty: none

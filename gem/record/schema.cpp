@@ -50,7 +50,7 @@ const std::vector<RowColumn<PlatformRow>>& platform_columns() {
       row("ice_yaw_moment", "N m", "yaw moment of the ice about the platform's centre, mean over the sample interval",
           [](const P& p) { return p.ice_yaw_moment; }),
       row(
-          "contacts", "1", "largest number of loaded contacts in one moment since the last sample",
+          "contacts", "1", "largest number of loaded contacts in one time step since the last sample",
           [](const P& p) { return p.contacts; }, Stored::i4),
   };
   return columns;
@@ -63,7 +63,7 @@ const std::vector<RowColumn<ContactEvent>>& event_columns() {
   };
   using C = ContactEvent;
   static const std::vector<RowColumn<C>> columns = {
-      row("time", Stored::f8, "s", "start of the moment of the event", [](const C& e) { return e.time; }),
+      row("time", Stored::f8, "s", "start of the time step of the event", [](const C& e) { return e.time; }),
       row("body_a", Stored::i4, "1", "body number of the platform", [](const C& e) { return double(e.body_a); }),
       row("body_b", Stored::i4, "1", "body number of the floe; its floe index is body_b - gem_first_floe_body",
           [](const C& e) { return double(e.body_b); }),
@@ -138,12 +138,12 @@ std::vector<StatsColumn> make_stats_columns() {
                    [](const S& s) { return s.residual.angular_momentum; }),
       stats_column("residual_energy", "1", "energy that the books leave unexplained, relative",
                    [](const S& s) { return s.residual.energy; }),
-      stats_column("contacts", "1", "largest number of contact points in one moment since the last row",
+      stats_column("contacts", "1", "largest number of contact points in one time step since the last row",
                    [](const S& s) { return s.contacts; }),
-      stats_column("iterations", "1", "largest number of iterations in one moment since the last row",
+      stats_column("iterations", "1", "largest number of iterations in one time step since the last row",
                    [](const S& s) { return s.iterations; }),
       stats_column("residual", "m s-1",
-                   "largest speed that an event still asked for at the end of a moment since the last row",
+                   "largest speed that an event still asked for at the end of a time step since the last row",
                    [](const S& s) { return s.closing_residual; }),
       stats_column("maximum_overlap", "m", "deepest overlap since the last row",
                    [](const S& s) { return s.maximum_overlap; }),
@@ -155,15 +155,16 @@ std::vector<StatsColumn> make_stats_columns() {
                    [](const S& s) { return s.complementarity; }),
       stats_column("cone_excess", "N s", "largest friction impulse beyond Coulomb's bound since the last row",
                    [](const S& s) { return s.cone_excess; }),
-      stats_column("energy_created", "J",
-                   "largest net energy that all contacts of one moment together gave since the last row, 0 where they "
-                   "took; no sum of what single contacts gave",
-                   [](const S& s) { return s.energy_created; }),
+      stats_column(
+          "energy_created", "J",
+          "largest net energy that all contacts of one time step together gave since the last row, 0 where they "
+          "took; no sum of what single contacts gave",
+          [](const S& s) { return s.energy_created; }),
       stats_column("active_floes", "1", "floes that take part", [](const S& s) { return s.active_floes; }),
       stats_column("wall_time", "s", "wall time since the start of the run", [](const S& s) { return s.wall_time; }),
       stats_column("sim_rate", "1", "simulated time over wall time since the last row",
                    [](const S& s) { return s.sim_rate; }),
-      stats_column("moments", "1", "moments since the start of the run", [](const S& s) { return s.moments; }),
+      stats_column("steps", "1", "time steps since the start of the run", [](const S& s) { return s.steps; }),
   };
   add_quantity(columns, "total", "of the active bodies and the mooring spring now",
                [](const Ledger& ledger) { return ledger.now; });
@@ -189,7 +190,7 @@ const std::vector<CountColumn>& count_columns() {
   const auto counts = [](const char* name, const std::string& what, OverlapCount StatsRow::*values) {
     return CountColumn{
         {"stats", name, "time overlap_class", Stored::f8, "1",
-         "overlaps at the start of all moments since the last row, by " + what + " up to class_upper_edges", ""},
+         "overlaps at the start of all time steps since the last row, by " + what + " up to class_upper_edges", ""},
         values};
   };
   static const std::vector<CountColumn> columns = {

@@ -60,11 +60,11 @@ struct StatsRow {
   double complementarity = 0.0;
   double cone_excess = 0.0;
   double energy_created = 0.0;
-  OverlapCount overlap, overlap_share;  // of all moments since the last row
+  OverlapCount overlap, overlap_share;  // of all time steps since the last row
   double active_floes = 0.0;
   double wall_time = 0.0;
   double sim_rate = 0.0;
-  double moments = 0.0;
+  double steps = 0.0;
 };
 
 /// Floe frames one after another: value of floe i in frame n at [n * floe_count + i].
@@ -91,7 +91,7 @@ struct CountColumn {
   OverlapCount StatsRow::*counts;
 };
 
-/// A dataset that is known before the first moment.
+/// A dataset that is known before the first time step.
 struct ShapeColumn {
   Column column;
   std::function<std::vector<double>(const Bodies&)> values;

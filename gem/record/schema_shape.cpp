@@ -1,4 +1,4 @@
-// The columns of /shape and /boundary: what is known before the first moment.
+// The columns of /shape and /boundary: what is known before the first time step.
 #include <cmath>
 
 #include "gem/record/schema.h"

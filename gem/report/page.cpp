@@ -55,9 +55,9 @@ constexpr const char* kNotes = R"(<section><h2>How to read the numbers</h2>
 <p>x points along the current, y to its left; motion is measured from where the mooring pulls nothing. Forces and
 impulses act on the platform.</p>
 <p>Ice loads are three quantities that are never mixed. An <em>event impulse</em> is what one collision gives in one
-moment; a floe that rests against the platform has one in every moment. An <em>average</em> is the impulse over a stated time, divided by that time. A <em>crushing peak</em> is the
+time step; a floe that rests against the platform has one in every time step. An <em>average</em> is the impulse over a stated time, divided by that time. A <em>crushing peak</em> is the
 closed-form force of one event at the end of its crushing, from closing speed, effective mass, thickness and contact
-width. It lasts about a tenth of a second or less and does not follow from the impulse over a moment. Against a flat
+width. It lasts about a tenth of a second or less and does not follow from the impulse over a time step. Against a flat
 side it is pressure times contact area whatever the speed, and lasts milliseconds: a bound on local load, not a load on
 the mooring. It is given for impacts, that is for events that follow at least a second without contact of the same
 floe.</p>

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "gem/report/plot_folder.h"
-#include "gem/report/run_data.h"
-#include "gem/report/run_findings.h"
+#include "gem/report/figures/plot_folder.h"
+#include "gem/report/run/run_data.h"
+#include "gem/report/run/run_findings.h"
 
 namespace gem {
 

@@ -103,10 +103,11 @@ std::string identity_html(const RunData& run) {
   std::string rows = row("case", {stated(id.name)}) + row("status", {stated(id.status)}) +
                      row("simulated time", {number_text(run.duration_s, 6) + " s"}) +
                      row("floes", {std::to_string(run.floe_outlines.size())}) + row("engine", {stated(id.engine)}) +
-                     row("resolution", {stated(id.resolution)}) + row("moment", {number_text(id.moment_s, 6) + " s"}) +
-                     row("threads", {stated(id.threads)}) + row("seed", {stated(id.seed)}) +
-                     row("program", {stated(id.build)}) + row("written", {stated(id.history)}) +
-                     row("case hash", {code(id.case_hash)}) + row("state hash", {code(id.state_hash)});
+                     row("contact solver", {stated(id.resolution)}) +
+                     row("time step", {number_text(id.time_step_s, 6) + " s"}) + row("threads", {stated(id.threads)}) +
+                     row("seed", {stated(id.seed)}) + row("program", {stated(id.build)}) +
+                     row("written", {stated(id.history)}) + row("case hash", {code(id.case_hash)}) +
+                     row("state hash", {code(id.state_hash)});
   return table("Identity", rows);
 }
 
@@ -179,7 +180,7 @@ std::string quality_html(const RunData& run, const RunFindings& findings) {
                    row("99.9 % of the overlaps are below", {with_share(q.most_overlap, q.most_share)}) +
                    row("complementarity missed by", {measured_text(q.complementarity, " m/s")}) +
                    row("friction beyond Coulomb's bound", {measured_text(q.cone_excess, " N s")}) +
-                   row("energy given by the contacts of one moment", {measured_text(q.energy_created, " J")}) +
+                   row("energy given by the contacts of one time step", {measured_text(q.energy_created, " J")}) +
                    row("wall time", {with_unit(run.stats.wall_time.back(), Unit{"s", 1.0})}) +
                    row("speed", {rounded_text(q.speed, 3) + " &times; real time"}));
 }

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "gem/report/run_data.h"
-#include "gem/report/run_findings.h"
+#include "gem/report/run/run_data.h"
+#include "gem/report/run/run_findings.h"
 
 namespace gem {
 

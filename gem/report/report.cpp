@@ -6,10 +6,10 @@
 #include <iterator>
 
 #include "gem/base/error.h"
-#include "gem/report/figures.h"
-#include "gem/report/load_run.h"
+#include "gem/report/figures/figures.h"
 #include "gem/report/page.h"
-#include "gem/report/run_findings.h"
+#include "gem/report/run/load_run.h"
+#include "gem/report/run/run_findings.h"
 
 namespace gem {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "gem/report/run_data.h"
+#include "gem/report/run/run_data.h"
 
 namespace gem {
 

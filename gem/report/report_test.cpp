@@ -18,9 +18,9 @@
 #include "gem/base/scratch_folder.h"
 #include "gem/record/run_writer.h"
 #include "gem/report/display.h"
+#include "gem/report/figures/run_program.h"
 #include "gem/report/page_tables.h"
-#include "gem/report/run_findings.h"
-#include "gem/report/run_program.h"
+#include "gem/report/run/run_findings.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {
@@ -119,7 +119,7 @@ TEST_F(Report, SaysWhatWasNotMeasured) {
   write_report(run, out(), false);
   const std::string html = page();
   EXPECT_NE(html.find("complementarity missed by</th><td>not measured</td>"), std::string::npos);
-  EXPECT_NE(html.find("energy given by the contacts of one moment</th><td>3.0e+00 J</td>"), std::string::npos);
+  EXPECT_NE(html.find("energy given by the contacts of one time step</th><td>3.0e+00 J</td>"), std::string::npos);
 }
 
 TEST_F(Report, SaysWhatTheAnalysisSays) {

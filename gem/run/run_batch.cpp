@@ -77,11 +77,11 @@ class BatchRun {
 
   /// Moves on what is neither over nor failed. Progress, the disk and signals are looked at in between.
   void advance() {
-    std::vector<MomentsAhead> ahead(batch_.size());
+    std::vector<StepsAhead> ahead(batch_.size());
     for (std::size_t k = 0; k < ahead.size(); ++k) {
       if (!runs_[k]) continue;
       runs_[k]->prepare(logs_[k]);
-      ahead[k] = {runs_[k]->moments_ahead(most_launch_moments), runs_[k]->moments_left()};
+      ahead[k] = {runs_[k]->steps_ahead(most_launch_steps), runs_[k]->steps_left()};
     }
     std::vector<std::exception_ptr> faults;
     try {
@@ -103,7 +103,7 @@ class BatchRun {
 
   EngineBatch& batch_;
   const std::vector<RunOptions>& options_;
-  std::vector<MomentLog> logs_;
+  std::vector<StepLog> logs_;
   std::vector<BatchEnd> ends_;
   std::vector<std::unique_ptr<RunSteps>> runs_;  // empty: over
   ThreadTeam team_;

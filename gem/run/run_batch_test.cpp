@@ -52,16 +52,16 @@ TEST(RunBatch, EachSceneHasTheBitsAndTheRecordThatItHasAlone) {
     EXPECT_EQ(ends[k].summary.at_limit, summary.at_limit) << k;
   }
   SceneDef hurried = scenes[0];
-  hurried.contact.resolution = Resolution::coupled;
+  hurried.contact.solver = ContactSolver::coupled;
   hurried.numerics.iterations_maximum = 1;
   const RunSummary summary = run_scene(hurried, *test::busy_engine(hurried, "cpu"), options_for("hurried"));
   EXPECT_GT(summary.at_limit, 0);
-  EXPECT_LE(summary.at_limit, summary.moments);
-  hurried.contact.resolution = Resolution::independent;
+  EXPECT_LE(summary.at_limit, summary.steps);
+  hurried.contact.solver = ContactSolver::independent;
   EXPECT_EQ(run_scene(hurried, *test::busy_engine(hurried, "cpu"), options_for("alone_each")).at_limit, 0);
 }
 
-/// Fake engines, of which the second stops at a moment.
+/// Fake engines, of which the second stops at a time step.
 class FakeBatch : public EngineBatch {
  public:
   FakeBatch(const SceneDef& scene, std::size_t count, std::int64_t stop_at) {
@@ -70,8 +70,7 @@ class FakeBatch : public EngineBatch {
   }
   std::size_t size() const override { return engines_.size(); }
   Engine& engine(std::size_t k) override { return *engines_[k]; }
-  std::vector<std::exception_ptr> advance(const std::vector<MomentsAhead>& ahead,
-                                          std::vector<MomentLog>& logs) override {
+  std::vector<std::exception_ptr> advance(const std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs) override {
     std::vector<std::exception_ptr> faults(engines_.size());
     for (std::size_t k = 0; k < engines_.size(); ++k) {
       try {
@@ -103,7 +102,7 @@ TEST(RunBatch, ASceneThatFailsStopsNoOther) {
   EXPECT_NE(RunFile(options[1].output, true).status().find("stopped:numerical"), std::string::npos);
   for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
     EXPECT_EQ(ends[k].summary.status, "complete") << ends[k].fault;
-    EXPECT_EQ(ends[k].summary.moments, moments_of(scene));
+    EXPECT_EQ(ends[k].summary.steps, steps_of(scene));
     EXPECT_EQ(RunFile(options[k].output).status(), "complete");
   }
 }

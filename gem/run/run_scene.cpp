@@ -15,11 +15,11 @@ RunSummary run_scene(const SceneDef& scene, Engine& engine, const RunOptions& op
   RunSteps run(scene, engine, options);
   const StopSignals signals;
   run.begin();
-  MomentLog log;
+  StepLog log;
   try {
     while (!run.at_end() && stop_signal_of(options) == 0) {
       run.prepare(log);
-      engine.advance(run.moments_ahead(), log);
+      engine.advance(run.steps_ahead(), log);
       run.take(log);
     }
     run.last_frame();

@@ -25,11 +25,11 @@ struct RunOptions {
   LogOptions log;
   BookLimits books;
   double flush_interval_s = 5.0;           ///< wall time between two flushes
-  std::int64_t moment_limit = 0;           ///< > 0: stop after so many moments
+  std::int64_t step_limit = 0;             ///< > 0: stop after so many time steps
   std::string command_line = "gem";        ///< for the file's history
   int threads = 1;                         ///< the same
   const std::atomic<int>* stop = nullptr;  ///< number of a signal to stop for besides this process's own; may be null
-  std::function<void(double)> on_block = {};  ///< is told the simulated time [s] after each block of moments
+  std::function<void(double)> on_block = {};  ///< is told the simulated time [s] after each block of time steps
 };
 
 /// What a run came to.
@@ -41,27 +41,27 @@ struct RunSummary {
   double time = 0.0;       // simulated [s]
   double wall_time = 0.0;  // [s]
   double sim_rate = 0.0;   // simulated over wall time
-  std::int64_t moments = 0;
+  std::int64_t steps = 0;
   std::int64_t frames = 0;
   std::int64_t events = 0;
   std::uint64_t state_hash = 0;
   LedgerResidual residual;     // largest over all floe frames
-  MomentQuality worst;         // of all moments
-  std::int64_t at_limit = 0;   // coupled moments that ended because no more iterations were allowed
-  OverlapCount overlap;        // of all moments [m]
+  StepQuality worst;           // of all time steps
+  std::int64_t at_limit = 0;   // coupled time steps that ended because no more iterations were allowed
+  OverlapCount overlap;        // of all time steps [m]
   OverlapCount overlap_share;  // over the size of the smaller body [-]
   double active_floes = 0.0;
   double peak_memory = 0.0;  // of the process [bytes]
 };
 
-/// Runs the engine from where it stands (moment 0) to the end of the scene. Throws Error(file_system) if the record
+/// Runs the engine from where it stands (time step 0) to the end of the scene. Throws Error(file_system) if the record
 /// cannot be written and Error(numerical_stop) if the state or the books go wrong; the file then says so.
 RunSummary run_scene(const SceneDef& scene, Engine& engine, const RunOptions& options);
 
 /// Number of the signal for which a run is to stop now; 0: none.
 int stop_signal_of(const RunOptions& options);
 
-/// Moments of a whole run: the duration over the moment, rounded.
-std::int64_t moments_of(const SceneDef& scene);
+/// Time steps of a whole run: the duration over the time step, rounded.
+std::int64_t steps_of(const SceneDef& scene);
 
 }  // namespace gem

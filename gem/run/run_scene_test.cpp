@@ -17,7 +17,7 @@
 #include "gem/record/hdf5_handle.h"
 #include "gem/record/output_path.h"
 #include "gem/record/recorder.h"
-#include "gem/report/load_run.h"
+#include "gem/report/run/load_run.h"
 #include "gem/run/run_scene.h"
 
 namespace gem {
@@ -71,7 +71,7 @@ class RunFileTest : public testing::Test {
 TEST_F(RunFileTest, EverythingComesBack) {
   const RunSummary summary = run();
   EXPECT_EQ(summary.status, "complete");
-  EXPECT_EQ(summary.moments, 200);
+  EXPECT_EQ(summary.steps, 200);
   const RunFile file(options_.output);
   EXPECT_EQ(file.status(), "complete");
   EXPECT_EQ(file.attribute("gem_state_hash"), hash_text(summary.state_hash));
@@ -130,7 +130,7 @@ TEST_F(RunFileTest, RunsWithoutFloesPlatformOrTime) {
   EXPECT_TRUE(RunFile(options_.output).platform_outline().empty());
   scene_.run.duration_s = 0.0;
   const RunSummary summary = run();
-  EXPECT_EQ(summary.moments, 0);
+  EXPECT_EQ(summary.steps, 0);
   EXPECT_EQ(RunFile(options_.output).frame_count(), 1U);
   EXPECT_EQ(load_run(options_.output, false).frames.size(), 1U);
 }
@@ -160,9 +160,9 @@ TEST_F(RunFileTest, BooksThatDoNotCloseStopTheRun) {
                [&] { run_scene(scene_, engine, options_); });
 }
 
-TEST_F(RunFileTest, MomentLimitStopsInOrder) {
-  options_.moment_limit = 50;
-  EXPECT_EQ(run().status, "stopped:moment limit");
+TEST_F(RunFileTest, TimeStepLimitStopsInOrder) {
+  options_.step_limit = 50;
+  EXPECT_EQ(run().status, "stopped:time step limit");
   EXPECT_EQ(RunFile(options_.output, true).column("floes/time").back(), 2.5);
 }
 
@@ -182,7 +182,7 @@ TEST_F(RunFileTest, RefusesPathsBeforeTheRun) {
   EXPECT_EQ(files(), 1U);
 }
 
-TEST_F(RunFileTest, NothingStaysBehindWithoutAMoment) {
+TEST_F(RunFileTest, NothingStaysBehindWithoutATimeStep) {
   {
     FakeEngine engine(scene_, fake_field(3));
     const RunWriter writer(options_.output, false, scene_, engine.bodies(), {});

@@ -1,4 +1,4 @@
-// Blocks of moments up to the next frame or flush, and the end of a run.
+// Blocks of time steps up to the next frame or flush, and the end of a run.
 #include "gem/run/run_steps.h"
 
 #include <sys/resource.h>
@@ -29,7 +29,7 @@ double peak_memory() {
 }
 
 Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunOptions& options) {
-  const std::string asked = scene.contact.resolution == Resolution::coupled ? "coupled" : "independent";
+  const std::string asked = scene.contact.solver == ContactSolver::coupled ? "coupled" : "independent";
   return {scene.run.name,    resolved_toml(scene),
           scene_hash(scene), options.command_line,
           engine.name(),     engine.method().empty() ? asked : engine.method(),
@@ -41,15 +41,15 @@ void check_book(const char* what, double residual, double limit, double time) {
   if (residual <= limit) return;
   throw Error(ExitCode::numerical_stop, std::string("the ") + what + " books do not close at " + number_text(time) +
                                             " s (residual " + number_text(residual, 3) + ", limit " +
-                                            number_text(limit) + ") choose a smaller numerics.moment_s");
+                                            number_text(limit) + ") choose a smaller numerics.time_step_s");
 }
 
 }  // namespace
 
 RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& options)
     : scene_(scene), engine_(engine), options_(options), log_(options.log), recorder_(scene, engine) {
-  last_moment_ = moments_of(scene);
-  if (options.moment_limit > 0) last_moment_ = std::min(last_moment_, options.moment_limit);
+  last_step_ = steps_of(scene);
+  if (options.step_limit > 0) last_step_ = std::min(last_step_, options.step_limit);
   summary_.frames = 1;
   summary_.file = options.output;
   summary_.engine = engine.name();
@@ -61,30 +61,30 @@ RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& opti
 
 void RunSteps::begin() { start_ = flushed_ = Clock::now(); }
 
-std::int64_t RunSteps::moments_ahead(std::int64_t most) const {
-  const std::int64_t now = engine_.moment();
-  return std::min({now + most, recorder_.next_frame(), last_moment_}) - now;
+std::int64_t RunSteps::steps_ahead(std::int64_t most) const {
+  const std::int64_t now = engine_.step();
+  return std::min({now + most, recorder_.next_frame(), last_step_}) - now;
 }
 
-void RunSteps::prepare(MomentLog& log) const {
+void RunSteps::prepare(StepLog& log) const {
   log.clear();
   log.wants_events = scene_.output.platform_events;
 }
 
 void RunSteps::last_frame() {
-  if (engine_.moment() > frame_moment_) frame();
+  if (engine_.step() > frame_step_) frame();
 }
 
-void RunSteps::take(const MomentLog& log) {
-  recorder_.add(log, last_moment_);
-  const bool coupled = scene_.contact.resolution == Resolution::coupled;
-  for (const MomentQuality& quality : log.quality) {
+void RunSteps::take(const StepLog& log) {
+  recorder_.add(log, last_step_);
+  const bool coupled = scene_.contact.solver == ContactSolver::coupled;
+  for (const StepQuality& quality : log.quality) {
     summary_.worst.worsen(quality);
     summary_.at_limit += coupled && quality.iterations >= scene_.numerics.iterations_maximum;
   }
   summary_.overlap += log.overlap;
   summary_.overlap_share += log.overlap_share;
-  if (engine_.moment() == recorder_.next_frame() || engine_.moment() == last_moment_) frame();
+  if (engine_.step() == recorder_.next_frame() || engine_.step() == last_step_) frame();
   if (recorder_.frames_waiting() >= slab_frames || seconds_since(flushed_) >= options_.flush_interval_s) flush();
   if (writer_) writer_->check();
   if (options_.on_block) options_.on_block(time());
@@ -93,14 +93,14 @@ void RunSteps::take(const MomentLog& log) {
 
 void RunSteps::frame() {
   const StatsRow row = recorder_.add_frame(engine_, seconds_since(start_));
-  frame_moment_ = engine_.moment();
+  frame_step_ = engine_.step();
   ++summary_.frames;
   LedgerResidual& worst = summary_.residual;
   worst.momentum = std::max(worst.momentum, row.residual.momentum);
   worst.angular_momentum = std::max(worst.angular_momentum, row.residual.angular_momentum);
   worst.energy = std::max(worst.energy, row.residual.energy);
-  // equal terms a moment, as of a floe at rest, may all be rounded the same way
-  const double rounded = 0x1p-53 * double(engine_.moment());
+  // equal terms a time step, as of a floe at rest, may all be rounded the same way
+  const double rounded = 0x1p-53 * double(engine_.step());
   check_book("momentum", row.residual.momentum, std::max(rounded, options_.books.momentum), row.time);
   check_book("angular momentum", row.residual.angular_momentum, std::max(rounded, options_.books.angular_momentum),
              row.time);
@@ -113,7 +113,7 @@ void RunSteps::flush() {
   flushed_ = Clock::now();
 }
 
-void RunSteps::progress(const MomentLog& log) {
+void RunSteps::progress(const StepLog& log) {
   if (!log_.wants(time(), scene_.run.duration_s)) return;
   const int contacts = log.quality.empty() ? 0 : log.quality.back().contacts;
   log_.show({time(), scene_.run.duration_s, seconds_since(start_), contacts, summary_.residual.energy});
@@ -121,18 +121,18 @@ void RunSteps::progress(const MomentLog& log) {
 
 RunSummary RunSteps::finish(int stop_signal) {
   summary_.stop_signal = stop_signal;
-  summary_.status = summary_.stop_signal == SIGINT          ? "stopped:SIGINT"
-                    : summary_.stop_signal == SIGTERM       ? "stopped:SIGTERM"
-                    : summary_.stop_signal == SIGHUP        ? "stopped:SIGHUP"
-                    : engine_.moment() < moments_of(scene_) ? "stopped:moment limit"
-                                                            : "complete";
+  summary_.status = summary_.stop_signal == SIGINT      ? "stopped:SIGINT"
+                    : summary_.stop_signal == SIGTERM   ? "stopped:SIGTERM"
+                    : summary_.stop_signal == SIGHUP    ? "stopped:SIGHUP"
+                    : engine_.step() < steps_of(scene_) ? "stopped:time step limit"
+                                                        : "complete";
   summary_.state_hash = engine_.state_hash();
   flush();
   if (writer_) writer_->finish(summary_.status, summary_.state_hash);
   summary_.time = time();
   summary_.wall_time = seconds_since(start_);
   summary_.sim_rate = summary_.wall_time > 0.0 ? summary_.time / summary_.wall_time : 0.0;
-  summary_.moments = engine_.moment();
+  summary_.steps = engine_.step();
   summary_.events = recorder_.events_seen();
   const Bodies& b = engine_.bodies();
   summary_.active_floes = double(std::count(b.active.begin() + std::ptrdiff_t(first_floe(b)), b.active.end(), 1));
@@ -151,6 +151,6 @@ void RunSteps::fail(const std::exception& error) {
   }
 }
 
-std::int64_t moments_of(const SceneDef& scene) { return std::llround(scene.run.duration_s / scene.numerics.moment_s); }
+std::int64_t steps_of(const SceneDef& scene) { return std::llround(scene.run.duration_s / scene.numerics.time_step_s); }
 
 }  // namespace gem

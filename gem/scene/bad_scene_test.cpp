@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"number_for_pair", "[current]\nvelocity_m_per_s = 0.25\n", {"bad.toml:2:20", "expected a pair"}},
         BadScene{"triple_for_pair", "[current]\nvelocity_m_per_s = [1, 2, 3]\n", {"bad.toml:2:20", "expected a pair"}},
         BadScene{"unknown_choice",
-                 "[contact]\nresolution = \"couple\"\n",
+                 "[contact]\nsolver = \"couple\"\n",
                  {"bad.toml:2:14", "allowed independent, coupled", "`coupled`"}},
         BadScene{"nan", "[platform]\nmass_kg = nan\n", {"bad.toml:2:11: platform.mass_kg: not finite (value nan"}},
         BadScene{"infinity",
@@ -106,8 +106,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"negative",
                  "[ice]\ndensity_kg_per_m3 = -900\n",
                  {"bad.toml:2:21: ice.density_kg_per_m3: out of range (value -900, allowed [1, 10000] kg/m3)"}},
-        BadScene{
-            "zero_moment", "[numerics]\nmoment_s = 0\n", {"bad.toml:2:12: numerics.moment_s: out of range (value 0"}},
+        BadScene{"zero_moment",
+                 "[numerics]\ntime_step_s = 0\n",
+                 {"bad.toml:2:12: numerics.time_step_s: out of range (value 0"}},
         BadScene{"open_bound", "[mooring]\ndamping_ratio = 1\n", {"bad.toml:2:17", "allowed [0, 1)"}},
         BadScene{"friction",
                  "[ice]\nfriction_ice = 10.5\n",
@@ -137,13 +138,13 @@ INSTANTIATE_TEST_SUITE_P(
     Comparisons, BadSceneTest,
     testing::Values(
         BadScene{"moment_against_floes",
-                 "[numerics]\nmoment_s = 0.9\n",
-                 {"bad.toml:2:12: numerics.moment_s", "value 0.9, allowed at most 0.8 s"}},
+                 "[numerics]\ntime_step_s = 0.9\n",
+                 {"bad.toml:2:12: numerics.time_step_s", "value 0.9, allowed at most 0.8 s"}},
         BadScene{"moment_against_mooring",
-                 "[floes]\ncount = 0\n[mooring]\nstiffness_N_per_m = 1e10\n[numerics]\nmoment_s = 0.1\n",
-                 {"bad.toml:6:12: numerics.moment_s", "mooring (value 0.1, allowed at most 0.02 s"}},
+                 "[floes]\ncount = 0\n[mooring]\nstiffness_N_per_m = 1e10\n[numerics]\ntime_step_s = 0.1\n",
+                 {"bad.toml:6:12: numerics.time_step_s", "mooring (value 0.1, allowed at most 0.02 s"}},
         BadScene{"too_many_moments",
-                 "[run]\nduration_s = 1e8\n[numerics]\nmoment_s = 1e-6\n",
+                 "[run]\nduration_s = 1e8\n[numerics]\ntime_step_s = 1e-6\n",
                  {"bad.toml:2:14: run.duration_s", "allowed at most 10000 s"}},
         BadScene{"sample_below_moment",
                  "[output]\nplatform_interval_s = 0.01\n",
@@ -177,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "outline_m = [[-1e3, -1e3], [1e3, -1e3], [1e3, 1e3], [-1e3, 1e3]]\n",
                  {"floe[0]: size", "value 2000, allowed [0.1, 1000] m"}},
         BadScene{"floe_too_small",
-                 "[numerics]\nmoment_s = 0.01\n[floes]\nsource = \"listed\"\n[[floe]]\n"
+                 "[numerics]\ntime_step_s = 0.01\n[floes]\nsource = \"listed\"\n[[floe]]\n"
                  "outline_m = [[0, 0], [0.05, 0], [0.05, 0.05], [0, 0.05]]\n",
                  {"floe[0]: size", "value 0.05, allowed [0.1, 1000] m"}},
         BadScene{"name_with_slash", "[run]\nname = \"a/b\"\n", {"bad.toml:2:8: run.name"}},
@@ -206,43 +207,43 @@ TEST(BadScene, OverridesNameThemselves) {
             std::string::npos);
   EXPECT_NE(rejection("", {"--until run.duration_s=-5"}).find("--until -5: run.duration_s: out of range"),
             std::string::npos);
-  EXPECT_NE(rejection("", {"contact.resolution=coupled contacts"}).find("needs quotes"), std::string::npos);
+  EXPECT_NE(rejection("", {"contact.solver=coupled contacts"}).find("needs quotes"), std::string::npos);
   // a word is text
-  EXPECT_NE(rejection("", {"contact.resolution=couple"}).find("--set contact.resolution=couple: contact.resolution"),
+  EXPECT_NE(rejection("", {"contact.solver=couple"}).find("--set contact.solver=couple: contact.solver"),
             std::string::npos);
   EXPECT_NE(rejection("", {"platform.mass_kg=heavy"}).find("--set platform.mass_kg=heavy"), std::string::npos);
-  EXPECT_EQ(find_path(parse_override("contact.resolution=coupled"), "contact.resolution")->text, "coupled");
-  EXPECT_EQ(find_path(parse_override("contact.resolution='coupled'"), "contact.resolution")->text, "coupled");
+  EXPECT_EQ(find_path(parse_override("contact.solver=coupled"), "contact.solver")->text, "coupled");
+  EXPECT_EQ(find_path(parse_override("contact.solver='coupled'"), "contact.solver")->text, "coupled");
   EXPECT_EQ(find_path(parse_override("drag=true"), "drag")->kind,
             find_path(parse_override("drag=false"), "drag")->kind);
   EXPECT_NE(find_path(parse_override("drag=true"), "drag")->kind,
             find_path(parse_override("drag=truth"), "drag")->kind);
 }
 
-TEST(BadScene, ListedFloesLimitTheMoment) {
+TEST(BadScene, ListedFloesLimitTheTimeStep) {
   // Two floes of 2 m that close at 1 m/s: a tenth of the floe is passed in 0.2 s.
   const std::string pair =
       "[current]\nvelocity_m_per_s = [0, 0]\n[boundary]\npresent = false\n[floes]\nsource = \"listed\"\n"
       "[[floe]]\noutline_m = [[0,0],[2,0],[2,2],[0,2]]\nposition_m = [-80, 0]\nvelocity_m_per_s = [0.5, 0]\n"
       "[[floe]]\noutline_m = [[0,0],[2,0],[2,2],[0,2]]\nposition_m = [-70, 0]\nvelocity_m_per_s = [-0.5, 0]\n"
-      "[output]\nplatform_interval_s = 1\n[numerics]\nmoment_s = ";
+      "[output]\nplatform_interval_s = 1\n[numerics]\ntime_step_s = ";
   EXPECT_EQ(rejection(pair + "0.2\n"), "accepted");
   EXPECT_NE(rejection(pair + "0.21\n").find("allowed at most 0.2 s"), std::string::npos);
 }
 
-TEST(BadScene, ThePlatformsStartLimitsTheMoment) {
+TEST(BadScene, ThePlatformsStartLimitsTheTimeStep) {
   // A floe of 2 m in still water: the platform may pass a tenth of it, at 1 m/s in 0.2 s.
   const std::string still =
       "[current]\nvelocity_m_per_s = [0, 0]\n[boundary]\npresent = false\n[floes]\nsource = \"listed\"\n"
       "[[floe]]\noutline_m = [[0,0],[2,0],[2,2],[0,2]]\nposition_m = [-80, 0]\n"
       "[output]\nplatform_interval_s = 1\n";
-  const std::string thrown = still + "[platform]\nstart_velocity_m_per_s = [-1, 0]\n[numerics]\nmoment_s = ";
+  const std::string thrown = still + "[platform]\nstart_velocity_m_per_s = [-1, 0]\n[numerics]\ntime_step_s = ";
   EXPECT_EQ(rejection(thrown + "0.2\n"), "accepted");
   EXPECT_NE(rejection(thrown + "0.21\n").find("allowed at most 0.2 s"), std::string::npos);
   // let go 10 m beside its mooring, omega = 0.1 /s
   const std::string released = still +
                                "[mooring]\nstiffness_N_per_m = 1e6\n[platform]\nmass_kg = 1e8\n"
-                               "start_offset_m = [10, 0]\n[numerics]\nmoment_s = ";
+                               "start_offset_m = [10, 0]\n[numerics]\ntime_step_s = ";
   EXPECT_EQ(rejection(released + "0.19\n"), "accepted");
   EXPECT_NE(rejection(released + "0.21\n").find("bodies closing at"), std::string::npos);
 }

@@ -23,7 +23,7 @@ using List = std::vector<SceneProblem>;
 constexpr double overlap_fraction = 0.1;
 // The mooring is split around the contacts; the split is accurate while omega dt is small.
 constexpr double mooring_phase_maximum = 0.2;
-constexpr double moments_maximum = 1e10;
+constexpr double steps_maximum = 1e10;
 constexpr double samples_maximum = 1e9;
 constexpr double cover_maximum = 0.95;
 constexpr std::size_t name_bytes_maximum = 200;
@@ -46,37 +46,37 @@ void check_name(const SceneDef& s, List& out) {
                                    " bytes without '/' and control characters, not starting with '.')"});
 }
 
-void check_moment(const SceneDef& s, List& out) {
-  const double dt = s.numerics.moment_s;
+void check_step(const SceneDef& s, List& out) {
+  const double dt = s.numerics.time_step_s;
   const double width = smallest_floe_width(s);
   const double speed = closing_speed_bound(s);
   const double largest = overlap_fraction * width / speed;
   if (std::isfinite(width) && speed > 0.0 && dt > largest)
-    out.push_back({"numerics.moment_s", "the moment is too long for the smallest floe (value " + number(dt) +
-                                            ", allowed at most " + number(largest) + " s: bodies closing at " +
-                                            number(speed) + " m/s would overlap by more than a tenth of " +
-                                            number(width) + " m) give a smaller moment"});
-  const double moments = s.run.duration_s / dt;
-  if (moments > moments_maximum)
-    out.push_back({"run.duration_s", "too many moments (value " + number(s.run.duration_s) + ", allowed at most " +
-                                         number(moments_maximum * dt) + " s at this moment_s)"});
+    out.push_back({"numerics.time_step_s", "the time step is too long for the smallest floe (value " + number(dt) +
+                                               ", allowed at most " + number(largest) + " s: bodies closing at " +
+                                               number(speed) + " m/s would overlap by more than a tenth of " +
+                                               number(width) + " m) give a smaller time step"});
+  const double steps = s.run.duration_s / dt;
+  if (steps > steps_maximum)
+    out.push_back({"run.duration_s", "too many time steps (value " + number(s.run.duration_s) + ", allowed at most " +
+                                         number(steps_maximum * dt) + " s at this moment_s)"});
 }
 
 void check_mooring(const SceneDef& s, List& out) {
   if (!s.platform.present || s.mooring.stiffness_N_per_m == 0.0) return;
   const double omega = std::sqrt(s.mooring.stiffness_N_per_m / s.platform.mass_kg);
-  if (omega * s.numerics.moment_s > mooring_phase_maximum)
-    out.push_back({"numerics.moment_s", "the moment is too long for the mooring (value " + number(s.numerics.moment_s) +
-                                            ", allowed at most " + number(mooring_phase_maximum / omega) +
-                                            " s: omega dt <= " + number(mooring_phase_maximum) +
-                                            ") give a smaller moment or check stiffness and mass"});
+  if (omega * s.numerics.time_step_s > mooring_phase_maximum)
+    out.push_back({"numerics.time_step_s",
+                   "the time step is too long for the mooring (value " + number(s.numerics.time_step_s) +
+                       ", allowed at most " + number(mooring_phase_maximum / omega) + " s: omega dt <= " +
+                       number(mooring_phase_maximum) + ") give a smaller time step or check stiffness and mass"});
 }
 
 void check_record(const SceneDef& s, List& out) {
   const auto check = [&](const char* key, double interval) {
-    if (interval < s.numerics.moment_s)
-      out.push_back({key, "shorter than one moment (value " + number(interval) + ", allowed at least " +
-                              number(s.numerics.moment_s) + " s)"});
+    if (interval < s.numerics.time_step_s)
+      out.push_back({key, "shorter than one time step (value " + number(interval) + ", allowed at least " +
+                              number(s.numerics.time_step_s) + " s)"});
     else if (s.run.duration_s / interval > samples_maximum)
       out.push_back({key, "too many samples (value " + number(interval) + ", allowed at least " +
                               number(s.run.duration_s / samples_maximum) + " s)"});
@@ -202,9 +202,8 @@ void check_floating(const SceneDef& s, List& out) {
 
 std::vector<SceneProblem> check_scene(const SceneDef& scene) {
   List problems;
-  for (const auto rule :
-       {check_name, check_moment, check_mooring, check_record, check_source, check_sizes, check_classes,
-        check_field_place, check_platform, check_listed, check_listed_sizes, check_floating})
+  for (const auto rule : {check_name, check_step, check_mooring, check_record, check_source, check_sizes, check_classes,
+                          check_field_place, check_platform, check_listed, check_listed_sizes, check_floating})
     rule(scene, problems);
   return problems;
 }
@@ -220,7 +219,7 @@ SceneDef with_listed_floes(const SceneDef& scene, std::vector<FloeDef> floes) {
 }
 
 std::vector<std::string> scene_warnings(const SceneDef& scene) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = scene.notes;
   const auto friction = [&](const char* key, double value) {
     if (value >= jamming_friction)
       warnings.push_back(std::string(key) + ": above the Painleve bound of compact floes (value " + number(value) +
@@ -246,17 +245,17 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
   if (f.source == FloeSource::listed &&
       (classes.size() != 1 || classes[0].thickness_m != usual.thickness_m || classes[0].tenths != usual.tenths))
     warnings.push_back("ice.class: not used (floes that are listed have their own thickness_m) remove it");
-  const double moment = scene.numerics.moment_s;
-  const auto whole = [moment](double time) { return std::abs(std::remainder(time, moment)) <= 1e-9 * time; };
-  const double ends = moment * std::round(scene.run.duration_s / moment);
+  const double step = scene.numerics.time_step_s;
+  const auto whole = [step](double time) { return std::abs(std::remainder(time, step)) <= 1e-9 * time; };
+  const double ends = step * std::round(scene.run.duration_s / step);
   if (!whole(scene.run.duration_s))
-    warnings.push_back("run.duration_s: no whole number of moments (value " + number(scene.run.duration_s) +
+    warnings.push_back("run.duration_s: no whole number of time steps (value " + number(scene.run.duration_s) +
                        ") the run ends at " + number_text(ends, 9) + " s");
   if (scene.platform.present && !whole(scene.output.platform_interval_s))
-    warnings.push_back("output.platform_interval_s: no whole number of moments (value " +
+    warnings.push_back("output.platform_interval_s: no whole number of time steps (value " +
                        number(scene.output.platform_interval_s) +
-                       ") samples will be uneven, and gem analyse and gem report need even ones; a moment is " +
-                       number(moment) + " s");
+                       ") samples will be uneven, and gem analyse and gem report need even ones; a time step is " +
+                       number(step) + " s");
   if (scene.platform.present) {
     const double radius = 0.5 * scene.platform.diameter_m;
     const double draught =

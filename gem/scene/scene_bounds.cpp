@@ -1,4 +1,4 @@
-// Speeds and widths by which a moment is judged.
+// Speeds and widths by which a time step is judged.
 #include "gem/scene/scene_bounds.h"
 
 #include <algorithm>

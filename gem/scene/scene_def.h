@@ -7,28 +7,10 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/events/events.h"
 
 namespace gem {
 
-/// How the events of one moment are resolved.
-enum class Resolution {
-  independent,  ///< the paper: every pair event once, from the same start-of-moment state
-  coupled       ///< all events of the moment together, to a stated residual
-};
-
-/// Where the impulses of one contact act.
-enum class Manifold {
-  chord_middle,  ///< one point, the middle of the chord that joins the crossings of the outlines
-  chord_ends     ///< both ends of the touching stretch: a resting face can carry a moment
-};
-
-enum class FrictionLaw {
-  one_step,        ///< stick or slip such that the velocity after the event obeys Coulomb's law
-  fixed_direction  ///< the paper: friction against the tangential motion before the event
-};
-
-enum class DragLaw { none, quadratic, linear };
-enum class DampingWater { still, current };
 enum class Yaw { free, locked };
 enum class Placement { random, tiled };
 enum class FloeSource { generated, copied, file, listed };
@@ -38,27 +20,6 @@ struct RunDef {
   std::string name = "run";
   double duration_s = 7200.0;
   std::uint64_t seed = 1;
-};
-
-struct CurrentDef {
-  Vec2 velocity_m_per_s = {0.25, 0.0};
-};
-
-struct WaterDef {
-  double density_kg_per_m3 = 1025.0;
-  DragLaw drag_law = DragLaw::quadratic;
-  double form_coefficient = 1.0;   ///< C_f, on sqrt(area) x draft
-  double skin_coefficient = 5e-3;  ///< C_s, on the area
-  double linear_time_s = 100.0;    ///< tau of the linear law
-  bool spin_drag = true;           ///< the same terms slow the spin
-};
-
-struct IceDef {
-  double density_kg_per_m3 = 900.0;
-  double crushing_pressure_Pa = 2.5e6;  ///< P0: pressure on 1 m2
-  double pressure_area_exponent = -0.1;
-  double friction_ice = 0.35;        ///< floe on floe and floe on boundary
-  double friction_structure = 0.10;  ///< floe on platform
 };
 
 /// One class of ice: its thickness and its share of the sea surface in tenths, as the paper states it.
@@ -111,32 +72,12 @@ struct PlatformDef {
   Yaw yaw = Yaw::free;
 };
 
-struct MooringDef {
-  double stiffness_N_per_m = 5e5;  ///< in x and in y; 0 is unmoored
-  double damping_ratio = 0.0;
-};
-
-struct PlatformDragDef {
-  bool present = false;
-  double coefficient = 0.8;
-  double draft_m = 12.42;
-  DampingWater water = DampingWater::still;
-};
-
-struct ContactDef {
-  Resolution resolution = Resolution::coupled;
-  Manifold manifold = Manifold::chord_ends;
-  FrictionLaw friction_law = FrictionLaw::one_step;
-  bool crushing_limit = true;              ///< coupled: no event carries more than what crushes the smaller body
-  double elastic_stiffness_N_per_m = 1e6;  ///< of the static event in `independent`; 0 leaves it out
-};
-
 struct NumericsDef {
-  double moment_s = 0.05;            ///< dt
+  double time_step_s = 0.05;         ///< dt
   double residual_tolerance = 1e-5;  ///< coupled: speed that events may still ask for, over the current speed
   std::int64_t iterations_maximum = 32;
-  double contact_reach = 1.5;         ///< coupled: faces that the current could close in so many moments are held apart
-  double repair_share = 0.6;          ///< coupled: share of an overlap that is taken back in one moment
+  double contact_reach = 1.5;  ///< coupled: faces that the current could close in so many time steps are held apart
+  double repair_share = 0.6;   ///< coupled: share of an overlap that is taken back in one time step
   double repair_speed_m_per_s = 0.1;  ///< coupled: ... at most at this speed
   double list_margin_m = 2.5;         ///< pairs closer than this are kept in the list
 };
@@ -164,21 +105,17 @@ struct FixedDef {
   std::vector<Vec2> outline_m;  ///< world coordinates
 };
 
-struct SceneDef {
+/// The events' definitions (current, water, ice, mooring, platform_drag, contact) stand with the laws: events.h.
+struct SceneDef : EventDefinitions {
   RunDef run;
-  CurrentDef current;
-  WaterDef water;
-  IceDef ice;
   FloesDef floes;
   BoundaryDef boundary;
   PlatformDef platform;
-  MooringDef mooring;
-  PlatformDragDef platform_drag;
-  ContactDef contact;
   NumericsDef numerics;
   OutputDef output;
-  std::vector<FloeDef> floe;    ///< for source = listed
-  std::vector<FixedDef> fixed;  ///< obstacles besides the boundary
+  std::vector<FloeDef> floe;       ///< for source = listed
+  std::vector<FixedDef> fixed;     ///< obstacles besides the boundary
+  std::vector<std::string> notes;  ///< what its file should say otherwise by now; no part of the scene
 };
 
 }  // namespace gem

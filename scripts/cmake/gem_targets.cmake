@@ -41,7 +41,6 @@ endfunction()
 function(gem_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${GEM_UNITY} UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
-  list(FILTER sources EXCLUDE REGEX "/gem/report/paper/")
   foreach(folder IN LISTS ARGN)
     set(files ${sources})
     list(FILTER files INCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${folder}/")
@@ -63,15 +62,9 @@ if(GEM_HAS_CUDA)
   list(FILTER simulator_sources EXCLUDE REGEX "cuda_missing\\.cpp$")
   file(GLOB cuda_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/engine/cuda/*.cu)
   list(APPEND simulator_sources ${cuda_sources})
-  # As on the host: a*b+c is never contracted, but in the fast kernel.
-  foreach(source IN LISTS cuda_sources)
-    set(contracts false)
-    if(source MATCHES "/cuda_fast\\.cu$")
-      set(contracts true)
-    endif()
-    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS
-      "--fmad=${contracts};-lineinfo;-Xcompiler=-ffp-contract=off")
-  endforeach()
+  # As on the host: a*b+c is never contracted.
+  set_source_files_properties(${cuda_sources} PROPERTIES COMPILE_OPTIONS
+    "--fmad=false;-lineinfo;-Xcompiler=-ffp-contract=off")
 else()
   set(no_cuda_because "no CUDA compiler was found when it was configured")
   if(GEM_CUDA STREQUAL OFF)
@@ -84,7 +77,7 @@ endif()
 # not reach what is told at the end of the file.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/solver/coupled_rounds.cpp PROPERTIES COMPILE_OPTIONS -Wno-psabi)
 # A false alarm of g++ 12, hundreds of lines: each use stands behind the condition under which it was filled.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/device/moments_test.cpp PROPERTIES COMPILE_OPTIONS
+set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/device/resident_steps_test.cpp PROPERTIES COMPILE_OPTIONS
   -Wno-uninitialized)
 # Scenes and records are parts of the simulator with flags of their own.
 gem_sources(scene_and_record_sources gem/scene gem/record)
@@ -100,7 +93,7 @@ add_dependencies(gem_simulator gem_version)
 target_include_directories(gem_simulator PUBLIC ${PROJECT_BINARY_DIR}/generated)
 target_include_directories(gem_simulator SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR})
 target_link_libraries(gem_simulator PUBLIC gem_flags Threads::Threads
-  PRIVATE nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
+  PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
 gem_together(gem_simulator gem/field)
 
 gem_sources(report_sources gem/report)
@@ -123,19 +116,28 @@ gem_sources(baseline_sources baseline_box2d)
 if(TARGET box2d::box2d)
   list(FILTER baseline_sources EXCLUDE REGEX "/without_box2d\\.cpp$")
 else()
-  list(FILTER baseline_sources INCLUDE REGEX "/without_box2d\\.cpp$")
+  list(FILTER baseline_sources INCLUDE REGEX "/(without_box2d|box2d_options)\\.cpp$")
 endif()
 add_library(gem_baseline STATIC ${baseline_sources})
 target_link_libraries(gem_baseline PUBLIC gem_simulator $<TARGET_NAME_IF_EXISTS:box2d::box2d>)
 
 add_executable(gem gem/main.cpp)
-target_link_libraries(gem PRIVATE gem_command gem_baseline CLI11::CLI11 nlohmann_json::nlohmann_json)
+target_link_libraries(gem PRIVATE gem_command gem_baseline CLI11::CLI11)
 gem_cold(gem)
+
+# The judge of the reference paper, a program of its own; experiments/ has the programs that make its rows.
+gem_sources(paper_sources validation/paper)
+list(FILTER paper_sources EXCLUDE REGEX "/validation/paper/(experiments/.*|gem_paper)\\.cpp$")
+add_library(gem_paper_judge STATIC ${paper_sources})
+target_link_libraries(gem_paper_judge PUBLIC gem_analysis
+  PRIVATE GSL::gsl GSL::gslcblas nlohmann_json::nlohmann_json)
+gem_cold(gem_paper_judge)
+add_executable(gem_paper validation/paper/gem_paper.cpp)
+target_link_libraries(gem_paper PRIVATE gem_paper_judge gem_command CLI11::CLI11)
+gem_cold(gem_paper)
 
 # Needs no benchmark library: it is carried to the machine that has the GPU.
 if(GEM_HAS_CUDA)
   add_executable(gem_cuda_speed bench/cuda_speed.cpp)
   target_link_libraries(gem_cuda_speed PRIVATE gem_simulator)
-  add_executable(gem_cuda_barriers bench/cuda_barriers.cu)
-  target_link_libraries(gem_cuda_barriers PRIVATE gem_simulator)
 endif()

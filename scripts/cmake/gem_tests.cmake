@@ -30,13 +30,15 @@ function(gem_test_program name label)
 endfunction()
 
 # Names without linkage of these files are also those of others in their folder.
-foreach(file IN ITEMS verification/platform_test verification/crushing_test verification/row_test hard/contact_residuals)
+foreach(file IN ITEMS verification/platform_test verification/crushing_test verification/row_test verification/sustained_test
+    hard/contact_residuals)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/validation/${file}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endforeach()
 
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
 gem_test_program(gem_unit_tests unit ${unit_tests})
-target_link_libraries(gem_unit_tests PRIVATE hdf5::hdf5 hdf5::hdf5_hl)  # the tests of gem/record read what was written
+target_link_libraries(gem_unit_tests PRIVATE hdf5::hdf5 hdf5::hdf5_hl  # the tests of gem/record read what was written
+  Eigen3::Eigen)  # and those of the reference engine's solver set up its problems
 
 if(TARGET box2d::box2d)
   file(GLOB baseline_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/baseline_box2d/*_test.cpp)
@@ -44,8 +46,13 @@ if(TARGET box2d::box2d)
   gem_test_program(gem_baseline_tests unit ${baseline_tests})
 endif()
 
-set(repeats ${PROJECT_SOURCE_DIR}/validation/paper/unordered_engine)
-gem_test_program(gem_repeats_tests unit ${repeats}_test.cpp ${repeats}.cpp)
+# The judge of the paper, and the engine of the repeats whose rows it reads.
+file(GLOB_RECURSE paper_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/paper/*_test.cpp)
+gem_test_program(gem_paper_tests unit ${paper_tests}
+  ${PROJECT_SOURCE_DIR}/validation/paper/experiments/unordered_engine.cpp)
+target_link_libraries(gem_paper_tests PRIVATE gem_paper_judge)
+target_compile_definitions(gem_paper_tests PRIVATE GEM_PAPER_PROGRAM="$<TARGET_FILE:gem_paper>")
+add_dependencies(gem_paper_tests gem_paper)
 
 # Clipper judges the overlap of outlines; without it that test is skipped with its reason.
 find_path(POLYCLIPPING_INCLUDE_DIR polyclipping/clipper.hpp)
@@ -61,7 +68,7 @@ file(GLOB shared_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/veri
 list(FILTER shared_sources EXCLUDE REGEX "_test\\.cpp$")
 
 add_custom_target(gem_validation_tests)
-foreach(pair IN ITEMS verification:verify agreement:agree hard:hard published:published)
+foreach(pair IN ITEMS verification:verify agreement:agree hard:hard regression:regression published:published)
   string(REPLACE ":" ";" pair ${pair})
   list(POP_FRONT pair folder label)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/${folder}/*.cpp)
@@ -74,12 +81,19 @@ foreach(pair IN ITEMS verification:verify agreement:agree hard:hard published:pu
   endif()
 endforeach()
 
+# The runs of the regression table are tests by name: a changed list is listed anew.
+set_target_properties(gem_regression_tests PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/validation/regression/runs.txt)
+
 # Tables beside a baseline: programs that print rows and judge nothing.
 file(GLOB verification_parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/verification/*.cpp)
 list(FILTER verification_parts EXCLUDE REGEX "_test\\.cpp$")
 add_executable(gem_sustained_survey ${PROJECT_SOURCE_DIR}/validation/baseline/sustained_survey.cpp ${verification_parts})
 target_link_libraries(gem_sustained_survey PRIVATE gem_command gem_baseline GTest::gtest)
 target_compile_definitions(gem_sustained_survey PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+
+# The manual's key reference is the program's own text.
+add_test(NAME rules.keys COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_keys.sh $<TARGET_FILE:gem>)
+set_tests_properties(rules.keys PROPERTIES LABELS unit)
 
 # A run file, and the summary of a sweep, read the way their users read them; skipped with the reason without the readers.
 find_program(GEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)  # the distribution's, which has the readers of its packages

@@ -12,7 +12,7 @@ COMMANDS = {
     "closed_form": ("closed_form_table", "runs the closed-form cases with gem and Box2D; writes validation/baseline"),
     "speed_against_error": ("speed_against_error", "measures, or takes a measurement; writes validation/baseline"),
     "moment_windows": ("moment_windows", "runs the windows of the moment study; writes bench/results/moment"),
-    "moment_study": ("moment_study", "writes validation/moment_study.md from bench/results/moment"),
+    "moment_study": ("moment_study", "writes validation/time_step_study.md from bench/results/moment"),
     "real_time_factor": ("real_time_factor", "measures the speed of whole runs; writes one CSV"),
     "scene_bench": ("scene_bench", "measures features and growth with gem_bench; writes one CSV"),
     "phase_times": ("phase_times", "reads Nsight Compute's output; prints the time of each phase on a GPU as CSV"),

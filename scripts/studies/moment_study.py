@@ -1,4 +1,4 @@
-"""Writes the generated part of validation/moment_study.md from the rows in bench/results/moment.
+"""Writes the generated part of validation/time_step_study.md from the rows in bench/results/moment.
 
 scripts/studies moment_windows and build/law_study make the rows."""
 import csv
@@ -8,7 +8,7 @@ from measured import table
 from pages import ROOT, replace_generated
 
 ROWS = ROOT / "bench" / "results" / "moment"
-PAGE = ROOT / "validation" / "moment_study.md"
+PAGE = ROOT / "validation" / "time_step_study.md"
 EXACT = 1e-9  # errors below are rounding or what the iterations left [m, m/s]
 TODAY = "5 cm/32"
 

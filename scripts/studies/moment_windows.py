@@ -11,7 +11,7 @@ from pages import ROOT
 OUT = ROOT / "bench" / "results" / "moment"
 FINEST = 0.025 / 16.0  # U dt [m]
 REFERENCE = 2.0 * FINEST
-INDEPENDENT = 'contact.resolution="independent" contact.manifold="chord_middle"'
+INDEPENDENT = 'contact.solver="independent" contact.manifold="chord_middle"'
 
 # U dt [m], iterations; 0: independent
 EVERY = [(0.025, 48), (0.05, 24), (0.05, 32), (0.05, 48), (0.05, 96), (0.1, 32), (0.1, 48), (0.2, 48)]
@@ -33,7 +33,7 @@ def setting(drift, iterations, speed, label=None):
     """One line of a settings file; 0 iterations: independent."""
     label = label or f"{100 * drift:.4g} cm/{iterations or 'independent'}"
     how = f"numerics.iterations_maximum={iterations}" if iterations else INDEPENDENT
-    how = f"output.platform_interval_s=1 numerics.moment_s={drift / speed:.10g} {how}"
+    how = f"output.platform_interval_s=1 numerics.time_step_s={drift / speed:.10g} {how}"
     return f"{label} | cpu | warm={1 if iterations else 0} | {how}"
 
 

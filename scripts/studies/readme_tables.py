@@ -1,17 +1,20 @@
-"""Rewrites the tables of README.md from the files under bench/results: no number of them is typed.
+"""Rewrites the tables of README.md and gem/manual/performance.md from the files under bench/results: no number is typed.
 
 usage: python3 scripts/studies readme_tables
 
 clean_root_run.txt, clean_root_test.txt   what scripts/run.sh and scripts/test.sh printed in a bare Debian 12 root
 real_time_factor*.csv                     what scripts/studies real_time_factor wrote
 cuda_*.csv                                what gem_cuda_speed printed
-barriers_h200.csv                         what gem_cuda_barriers printed
+barriers_h200.csv                         what barriers cost with nothing between them; older than the rows of cuda_*.csv
 scenes.csv                                what scripts/studies scene_bench wrote
+speed_against_error/windows.csv           what scripts/studies measured (bench/measure.sh)
 """
 import csv
 import glob
+import math
 import os
 import re
+import statistics
 
 TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 RESULTS = os.path.join(TOP, "bench", "results")
@@ -55,9 +58,9 @@ def gpu_rows():
     for path in sorted(glob.glob(os.path.join(RESULTS, "cuda_*.csv"))):
         with open(path, newline="", encoding="utf-8") as file:
             for r in csv.DictReader(file):
-                key = r["resolution"], r["arithmetic"], r["phase"]
+                key = r["resolution"], r["phase"]
                 if r["measure"] != "moment":
-                    kind = r["resolution"], r["arithmetic"], r["measure"]
+                    kind = r["resolution"], r["measure"]
                     size = int(r["scenes"]) * (int(r["phase"].split()[0]) if r["measure"] == "growth" else 1)
                     if r["measure"] in GPU_BATCHES and size >= largest.get(kind, (0, None))[0]:
                         largest[kind] = size, r
@@ -81,12 +84,13 @@ def waiting(r, costs):
 
 
 def gpu_table():
-    rows = ["| contacts | arithmetic | what | scenes | a launch makes | blocks x threads | µs a moment | barriers alone, µs | "
-            "x real time, all scenes | wall / device | state hash | device | commit |", "|" + "---|" * 13]
+    rows = ["| contacts | what | scenes | route | blocks x threads | µs a time step | barriers alone, µs | "
+            "x real time, all scenes | wall / device | state hash | device | commit |", "|" + "---|" * 12]
     costs = barrier_costs()
     for r in gpu_rows():
         what = r["phase"] if r["measure"] == "moment" else f"{r['measure'].replace('_', ', ')}, {r['phase']}"
-        rows.append(f"| {r['resolution']} | {r['arithmetic']} | {what} | {r['scenes']} | {r['launches']} | {r['blocks']} x {r['threads']} | "
+        route = {"moments": "resident"}.get(r["launches"], r["launches"])
+        rows.append(f"| {r['resolution']} | {what.replace('moments', 'time steps')} | {r['scenes']} | {route} | {r['blocks']} x {r['threads']} | "
                     f"{float(r['microseconds_per_moment']):.0f} | {waiting(r, costs)} | {float(r['x_real_time']):.0f} | "
                     f"{r['wall_over_device']} | `{r['state_hash']}` | {r['device']} | {r['commit'][:7]}{'-dirty' if 'dirty' in r['commit'] else ''} |")
     return rows
@@ -97,7 +101,7 @@ def scenes_table():
     with open(os.path.join(RESULTS, "scenes.csv"), newline="", encoding="utf-8") as file:
         scenes = list(csv.DictReader(file))
     everything = next(float(r["least_us"]) for r in scenes if r["scene"] == "feature/everything")
-    rows = ["| moment | \u00b5s | of the whole | ns a floe | contacts | state hash |", "|" + "---|" * 6]
+    rows = ["| time step | \u00b5s | of the whole | ns a floe | contacts | state hash |", "|" + "---|" * 6]
     for r in scenes:
         kind, name = r["scene"].split("/")
         share = f"{float(r['least_us']) / everything:.2f}" if kind == "feature" else ""
@@ -108,15 +112,56 @@ def scenes_table():
     return rows
 
 
-def main():
-    path = os.path.join(TOP, "README.md")
+def root_of_mean_square(values):
+    return math.sqrt(statistics.mean(value * value for value in values))
+
+
+def window_row(regime, title):
+    """gem's default setting on two threads in the windows of one regime: speed beside the distance from a fine reference."""
+    with open(os.path.join(RESULTS, "speed_against_error", "windows.csv"), newline="", encoding="utf-8") as file:
+        windows = [r for r in csv.DictReader(file) if r["regime"] == regime and r["setting"] == "gem dt 2 threads"]
+
+    def of(name):
+        return [float(r[name]) for r in windows]
+
+    force = root_of_mean_square(a - b for a, b in zip(of("ice_force_x_N"), of("reference_ice_force_x_N")))
+    return (f"| {title} | Xeon, 2 threads | {1 / statistics.median(of('wall_s_per_s')):.0f} | "
+            f"{1e3 * root_of_mean_square(of('all_rms_m')):.3g} mm | "
+            f"{100 * force / root_of_mean_square(of('reference_ice_force_x_N')):.2g} % | "
+            f"{1e3 * max(of('overlap_maximum_m')):.2g} mm | {windows[0]['commit'][:7]} |")
+
+
+def results_table():
+    """Speed beside error. The rows of a GPU have the bits of the CPU, so its error."""
+    rows = ["| what | on | x real time | floes off after 8 s | ice force off | deepest overlap | commit |", "|" + "---|" * 7]
+    for regime, title in (("drift", "open drift"), ("plug", "ice plug"), ("jam", "heavy jam")):
+        rows.append(window_row(regime, title))
+    for r in gpu_rows():
+        one_jam = r["measure"] == "moment" and r["phase"] == "jam"
+        if r["resolution"] == "coupled" and (one_jam or r["measure"] == "table1_recorded"):
+            what = "heavy jam" if one_jam else "36 runs of Table 1 together"
+            rows.append(f"| {what} | {r['device'].replace('NVIDIA ', '')} | {float(r['x_real_time']):.0f} | "
+                        f"as on the CPU, bit for bit | | | {r['commit'][:7]} |")
+    return rows
+
+
+def rewrite(page, tables):
+    path = os.path.join(TOP, page)
     with open(path, encoding="utf-8") as file:
         text = file.read()
-    for mark, rows in (("set-up", set_up_table()), ("speed", speed_table()), ("gpu", gpu_table()),
-                       ("scenes", scenes_table())):
+    for mark, rows in tables:
         begin, end = f"<!-- table: {mark} -->", "<!-- end of table -->"
         head, rest = text.split(begin, 1)
         text = head + begin + "\n" + "\n".join(rows) + "\n" + end + rest.split(end, 1)[1]
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
 
+
+def main():
+    rewrite("README.md", [("results", results_table())])
+    rewrite(os.path.join("gem", "manual", "performance.md"),
+            [("set-up", set_up_table()), ("speed", speed_table()), ("gpu", gpu_table()), ("scenes", scenes_table())])
+
+
+if __name__ == "__main__":
+    main()

@@ -23,28 +23,28 @@ SceneDef member(const std::string& path, const std::string& name) {
 
 class LongCuda : public OnGpu, public testing::WithParamInterface<Way> {};
 
-/// One moment from each of 100 states along a run of the paper, and the whole of its first 600 s.
+/// One time step from each of 100 states along a run of the paper, and the whole of its first 600 s.
 TEST_P(LongCuda, SixHundredSecondsOfTheDensestRun) {
-  const auto [resolution, manifold] = GetParam();
-  const SceneDef scene = resolved(member(GEM_SOURCE_DIR "/cases/table1.toml", "400_200_100"), resolution, manifold);
+  const auto [solver, manifold] = GetParam();
+  const SceneDef scene = resolved(member(GEM_SOURCE_DIR "/cases/table1.toml", "400_200_100"), solver, manifold);
   const Bodies field = make_field(scene);
   const auto cpu = make_engine(scene, field, {"cpu", 0}), cuda = make_engine(scene, field, agreement::on("cuda"));
   const auto probe = make_engine(scene, field, agreement::on("cuda"));
-  const std::int64_t stretch = std::llround(6.0 / scene.numerics.moment_s);
+  const std::int64_t stretch = std::llround(6.0 / scene.numerics.time_step_s);
   std::int64_t contacts = 0;
   for (int block = 0; block < 100; ++block) {
-    MomentLog expected, log;
+    StepLog expected, log;
     const EngineState state = cpu->save();
     cpu->advance(1, expected);
     probe->restore(state);
     probe->advance(1, log);
-    ASSERT_EQ(probe->state_hash(), cpu->state_hash()) << "moment " << cpu->moment();
+    ASSERT_EQ(probe->state_hash(), cpu->state_hash()) << "time step " << cpu->step();
     cpu->advance(stretch - 1, expected);
     log.clear();
     cuda->advance(stretch, log);
-    ASSERT_EQ(cuda->state_hash(), cpu->state_hash()) << "moment " << cpu->moment();
+    ASSERT_EQ(cuda->state_hash(), cpu->state_hash()) << "time step " << cpu->step();
     test::expect_same_log(log, expected);
-    if (resolution == Resolution::coupled) test::expect_same_judgement(log, expected);
+    if (solver == ContactSolver::coupled) test::expect_same_judgement(log, expected);
     if (HasFailure()) return;
     contacts += test::contacts_in(expected);
   }
@@ -53,8 +53,8 @@ TEST_P(LongCuda, SixHundredSecondsOfTheDensestRun) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, LongCuda,
-                         testing::Values(Way{Resolution::independent, Manifold::chord_middle},
-                                         Way{Resolution::coupled, Manifold::chord_ends}));
+                         testing::Values(Way{ContactSolver::independent, Manifold::chord_middle},
+                                         Way{ContactSolver::coupled, Manifold::chord_ends}));
 
 }  // namespace
 }  // namespace gem

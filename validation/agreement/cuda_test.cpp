@@ -1,4 +1,5 @@
-// The cuda engine gives the bits of the cpu engine: every law, by moments and by phases; and what it does with a fault.
+// The cuda engine gives the bits of the cpu engine: every law, by time steps and by phases; and what it does with a
+// fault.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,22 +15,22 @@
 namespace gem {
 namespace {
 
-using Laws = std::tuple<Resolution, Manifold, Yaw, FrictionLaw, DragLaw>;
+using Laws = std::tuple<ContactSolver, Manifold, Yaw, FrictionLaw, DragLaw>;
 
 class CudaLaws : public OnGpu, public testing::WithParamInterface<Laws> {};
 
 TEST_P(CudaLaws, GiveTheBitsOfTheCpu) {
   SceneDef scene = test::busy_scene(8);
-  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
+  std::tie(scene.contact.solver, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
            scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu"), cuda = test::busy_engine(scene, "cuda");
-  MomentLog expected, log;
+  StepLog expected, log;
   for (int block = 0; block < 8; ++block) {
     cpu->advance(50, expected);
     cuda->advance(50, log);
     test::expect_same_bodies(cuda->bodies(), cpu->bodies());
     test::expect_same_log(log, expected);
-    if (scene.contact.resolution == Resolution::coupled) test::expect_same_judgement(log, expected);
+    if (scene.contact.solver == ContactSolver::coupled) test::expect_same_judgement(log, expected);
     if (HasFailure()) return;
   }
   EXPECT_EQ(cuda->state_hash(), cpu->state_hash());
@@ -39,7 +40,7 @@ TEST_P(CudaLaws, GiveTheBitsOfTheCpu) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Combinations, CudaLaws,
-                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+                         testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
@@ -50,12 +51,12 @@ class CudaPhases : public CudaLaws {};
 
 TEST_P(CudaPhases, GiveTheBitsOfTheCpu) {
   SceneDef scene = test::busy_scene(8);
-  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
+  std::tie(scene.contact.solver, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
            scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
   CudaBatch batch({{scene, test::busy_field(scene)}, {scene, test::busy_field(scene)}}, {.launches = Launches::phases});
-  MomentLog expected;
-  std::vector<MomentLog> logs(2);
+  StepLog expected;
+  std::vector<StepLog> logs(2);
   for (int call = 0; call < 8; ++call) {
     cpu->advance(50, expected);
     batch.advance(50, &logs);
@@ -73,20 +74,20 @@ TEST_P(CudaPhases, GiveTheBitsOfTheCpu) {
 
 using CudaPhasesBriefly = OnGpu;
 
-/// Few enough moments for compute-sanitizer's racecheck, amid contacts; two scenes, at other times of their runs, share
-/// the device.
+/// Few enough time steps for compute-sanitizer's racecheck, amid contacts; two scenes, at other times of their runs,
+/// share the device.
 TEST_F(CudaPhasesBriefly, GiveTheBitsOfTheCpu) {
-  for (const Resolution resolution : {Resolution::independent, Resolution::coupled}) {
+  for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled}) {
     SceneDef scene = test::busy_scene(8);
-    scene.contact.resolution = resolution;
+    scene.contact.solver = solver;
     CudaBatch batch({{scene, test::busy_field(scene)}, {scene, test::busy_field(scene)}},
                     {.launches = Launches::phases});
     const auto cpu = test::busy_engine(scene, "cpu");
-    std::vector<MomentLog> expected(2), logs(2);
+    std::vector<StepLog> expected(2), logs(2);
     std::vector<std::uint64_t> hash;
     std::vector<Ledger> books;
     for (const std::size_t k : {0, 1}) {
-      MomentLog before;
+      StepLog before;
       cpu->advance(80, before);
       const EngineState start = cpu->save();
       batch.restore(k, start);
@@ -101,7 +102,7 @@ TEST_F(CudaPhasesBriefly, GiveTheBitsOfTheCpu) {
     for (const std::size_t k : {0, 1}) {
       EXPECT_EQ(batch.state_hash(k), hash[k]) << "scene " << k;
       test::expect_same_log(logs[k], expected[k]);
-      if (resolution == Resolution::coupled) test::expect_same_judgement(logs[k], expected[k]);
+      if (solver == ContactSolver::coupled) test::expect_same_judgement(logs[k], expected[k]);
       test::expect_same_books(batch.ledger(k), books[k]);
     }
   }
@@ -112,11 +113,11 @@ TEST_F(OnGpu, RoundsOfATightResidualAreMadeToTheirEnd) {
   scene.numerics.residual_tolerance = 1e-9;
   scene.numerics.iterations_maximum = 200;
   const auto cpu = test::busy_engine(scene, "cpu");
-  MomentLog expected;
+  StepLog expected;
   cpu->advance(40, expected);
-  for (const Launches launches : {Launches::moments, Launches::phases}) {
+  for (const Launches launches : {Launches::steps, Launches::phases}) {
     CudaBatch batch({{scene, test::busy_field(scene)}}, {.launches = launches});
-    std::vector<MomentLog> logs(1);
+    std::vector<StepLog> logs(1);
     batch.advance(40, &logs);
     EXPECT_EQ(batch.launches(), launches);
     EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
@@ -124,12 +125,12 @@ TEST_F(OnGpu, RoundsOfATightResidualAreMadeToTheirEnd) {
     test::expect_same_judgement(logs[0], expected);
   }
   int longest = 0;
-  for (const MomentQuality& quality : expected.quality) longest = std::max(longest, int(quality.iterations));
-  EXPECT_GT(longest, 64) << "no moment took three rounds";
+  for (const StepQuality& quality : expected.quality) longest = std::max(longest, int(quality.iterations));
+  EXPECT_GT(longest, 64) << "no time step took three rounds";
 }
 
 INSTANTIATE_TEST_SUITE_P(Combinations, CudaPhases,
-                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+                         testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
@@ -138,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(Combinations, CudaPhases,
 TEST_F(OnGpu, AStateThatIsNoNumberStopsTheRun) {
   const SceneDef scene = test::busy_scene(12);
   const auto engine = test::busy_engine(scene, "cuda");
-  MomentLog log;
+  StepLog log;
   engine->advance(3, log);
   EngineState state = engine->save();
   state.bodies.position[20].x = 1e308;
@@ -163,12 +164,12 @@ TEST_P(OneOfABatch, ThatFailsOnTheGpuStopsNoOther) {
   no_number.bodies.velocity[20].x = std::numeric_limits<double>::quiet_NaN();
   batch.restore(1, overflows);
   batch.restore(2, no_number);
-  std::vector<MomentLog> logs(4);
-  const auto faults = batch.advance_some(std::vector<MomentsAhead>(4, {10, 10}), logs);
+  std::vector<StepLog> logs(4);
+  const auto faults = batch.advance_some(std::vector<StepsAhead>(4, {10, 10}), logs);
   EXPECT_TRUE(faults[1] && faults[2]);
-  EXPECT_EQ(batch.moment(2), 0);
+  EXPECT_EQ(batch.step(2), 0);
   const auto cpu = test::busy_engine(scene, "cpu");
-  MomentLog log;
+  StepLog log;
   cpu->advance(10, log);
   for (const std::size_t k : {0, 3}) {
     EXPECT_EQ(faults[k], nullptr) << "place " << k;
@@ -177,9 +178,9 @@ TEST_P(OneOfABatch, ThatFailsOnTheGpuStopsNoOther) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OnGpuBy, OneOfABatch, testing::Values(Launches::moments, Launches::phases),
+INSTANTIATE_TEST_SUITE_P(OnGpuBy, OneOfABatch, testing::Values(Launches::steps, Launches::phases),
                          [](const auto& launches) {
-                           return std::string(launches.param == Launches::phases ? "phases" : "moments");
+                           return std::string(launches.param == Launches::phases ? "phases" : "steps");
                          });
 
 }  // namespace

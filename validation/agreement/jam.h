@@ -10,11 +10,11 @@
 
 namespace gem::agreement {
 
-/// The least number of touching points per moment for a comparison to count.
+/// The least number of touching points per time step for a comparison to count.
 constexpr std::int32_t contacts_wanted = 500;
 
 /// A channel that narrows from 200 m to 60 m around a platform of 40 m, cover about 0.72, current 0.5 m/s.
-inline SceneDef jam_scene(Resolution resolution) {
+inline SceneDef jam_scene(ContactSolver solver) {
   SceneDef scene;
   scene.run.seed = 1234;
   scene.current.velocity_m_per_s = {0.5, 0.0};
@@ -30,7 +30,7 @@ inline SceneDef jam_scene(Resolution resolution) {
   scene.platform.diameter_m = 40.0;
   scene.platform.mass_kg = 1.6e7;
   scene.platform_drag.present = true;
-  scene.contact.resolution = resolution;
+  scene.contact.solver = solver;
   return scene;
 }
 
@@ -53,11 +53,11 @@ inline Bodies drifting_field(const SceneDef& scene) {
 /// The jam, reached by the CPU engine: more than 1,000 touching points.
 inline EngineState jam(const SceneDef& scene, const Bodies& bodies) {
   const auto engine = make_engine(scene, bodies, on("cpu"));
-  MomentLog log;
+  StepLog log;
   do {
     log.clear();
     engine->advance(20, log);
-  } while (log.quality.back().contacts <= 1000 && engine->moment() < 4000);
+  } while (log.quality.back().contacts <= 1000 && engine->step() < 4000);
   return engine->save();
 }
 

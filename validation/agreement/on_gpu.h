@@ -22,10 +22,10 @@ class OnGpu : public testing::Test {
   }
 };
 
-using Way = std::tuple<Resolution, Manifold>;
+using Way = std::tuple<ContactSolver, Manifold>;
 
-inline SceneDef resolved(SceneDef scene, Resolution resolution, Manifold manifold) {
-  scene.contact.resolution = resolution;
+inline SceneDef resolved(SceneDef scene, ContactSolver solver, Manifold manifold) {
+  scene.contact.solver = solver;
   scene.contact.manifold = manifold;
   return scene;
 }

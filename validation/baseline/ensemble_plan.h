@@ -23,8 +23,8 @@ struct PlannedCase {
 
 struct PlannedSetting {
   std::string label, part;
-  double moment_factor = 1.0;  // of the case's own moment
-  std::string arguments;       // of gem run; @slop stands for another program
+  double step_factor = 1.0;  // of the case's own time step
+  std::string arguments;     // of gem run; @slop stands for another program
 };
 
 struct PlannedQuantity {

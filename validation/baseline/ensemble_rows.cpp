@@ -92,8 +92,8 @@ class MemberFile {
   }
 
   /// Impacts are rows that were faster than the default event speed; a hit is the first of them after a second without,
-  /// as gem takes most hits in two moments. A landing is the first touch of any speed after `landing_gap_s`: NaN for a
-  /// file that holds no slow touches.
+  /// as gem takes most hits in two time steps. A landing is the first touch of any speed after `landing_gap_s`: NaN for
+  /// a file that holds no slow touches.
   void add_hits(std::vector<MemberValue>& all) const {
     const PlatformEvents touches = platform_events(file_);
     const PlatformEvents impacts = faster_than(OutputDef{}.event_speed_m_per_s, touches);
@@ -143,7 +143,7 @@ double share_in(const std::vector<double>& share, const Grid& grid, Vec2 low, Ve
 
 MemberRows member_rows(const std::string& run_file, const PlannedCase& chosen, const Grid& grid) {
   const MemberFile file(run_file, chosen);
-  MemberRows rows{static_cast<int>(file.scene().run.seed), file.scene().numerics.moment_s, file.values(),
+  MemberRows rows{static_cast<int>(file.scene().run.seed), file.scene().numerics.time_step_s, file.values(),
                   file.map(grid)};
   const double half = 0.5 * file.scene().platform.diameter_m;
   rows.values.push_back({"share_upstream", share_in(rows.share, grid, {-6.0 * half, -half}, {-half, half})});

@@ -15,7 +15,7 @@ struct MemberValue {
 
 struct MemberRows {
   int seed = 0;
-  double moment_s = 0.0;
+  double time_step_s = 0.0;
   std::vector<MemberValue> values;
   std::vector<double> share;  // of each cell of the map, mean over the judged time, row by row
 };

@@ -44,14 +44,14 @@ int members(const Texts& a) {
   // seed by seed, so that a stopped ensemble is a smaller one
   for (int seed = 1; seed <= largest; ++seed)
     for (const PlannedCase& chosen : plan.cases) {
-      const double moment = read_case({chosen.path, {}, static_cast<long long>(chosen.index)}).numerics.moment_s;
+      const double step = read_case({chosen.path, {}, static_cast<long long>(chosen.index)}).numerics.time_step_s;
       for (const PlannedSetting& setting : plan.settings) {
         const bool wanted = a.size() == 1 || std::find(a.begin() + 1, a.end(), setting.part) != a.end();
         if (!wanted || seed > plan.members_of(setting, chosen)) continue;
         std::cout << member_name(chosen, setting, seed) << '\t' << chosen.name << '\t' << setting.label << '\t' << seed
                   << '\t' << chosen.path << " --index " << chosen.index << " --until " << number_text(chosen.to_s)
                   << " --set run.seed=" << seed
-                  << " --set numerics.moment_s=" << number_text(setting.moment_factor * moment) << ' '
+                  << " --set numerics.time_step_s=" << number_text(setting.step_factor * step) << ' '
                   << setting.arguments << '\n';
       }
     }
@@ -66,7 +66,7 @@ int rows(const Texts& a) {
   std::ofstream values = created(a.at(4)), map = created(a.at(5));
   const std::string who = chosen.name + "," + setting.label + "," + std::to_string(member.seed) + ",";
   for (const MemberValue& value : member.values)
-    values << who << number_text(member.moment_s) << ',' << value.name << ',' << number_text(value.value, 9) << '\n';
+    values << who << number_text(member.time_step_s) << ',' << value.name << ',' << number_text(value.value, 9) << '\n';
   for (std::size_t c = 0; c < member.share.size(); ++c)
     map << who << c % plan.map.columns << ',' << c / plan.map.columns << ',' << number_text(member.share[c], 4) << '\n';
   return 0;

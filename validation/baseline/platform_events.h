@@ -8,9 +8,9 @@
 
 namespace gem::baseline {
 
-/// Rows of /events in time order, one per floe and moment.
+/// Rows of /events in time order, one per floe and time step.
 struct PlatformEvents {
-  std::vector<double> time;           // start of the moment [s]
+  std::vector<double> time;           // start of the time step [s]
   std::vector<double> floe;           // body number
   std::vector<double> closing_speed;  // [m/s]
 };

@@ -46,7 +46,7 @@ class Survey {
     row(key, line.value, computed, line.unit);
   }
   void row(const std::string& key, double wanted, double computed, const std::string& unit) const {
-    std::cout << key.substr(0, 3) << ',' << key << ',' << setting_.engine << ',' << setting_.where().resolution << ','
+    std::cout << key.substr(0, 3) << ',' << key << ',' << setting_.engine << ',' << setting_.where().solver << ','
               << number_text(wanted, 12) << ',' << number_text(computed, 12) << ','
               << number_text(std::fabs(computed - wanted), 3) << ",," << unit << ",surveyed\n";
   }
@@ -73,7 +73,7 @@ MeanForce force_over(Simulation& run, double seconds, double dt) {
   run.advance(std::llround(seconds / dt));
   const Ledger after = run.engine->ledger();
   std::int64_t contacts = 0;
-  for (const MomentQuality& quality : run.log.quality) contacts += quality.contacts;
+  for (const StepQuality& quality : run.log.quality) contacts += quality.contacts;
   EXPECT_GT(contacts, 0) << "nothing touched";
   const auto mean = [&](Channel channel) {
     return (1.0 / seconds) * (after[channel].momentum - before[channel].momentum);
@@ -90,7 +90,7 @@ void v30_held_or_sliding(const Survey& survey) {
     Simulation run = survey.begin(scene);
     run.advance(60000);  // eight times the slowest time constant
     const Vec2 from = run.bodies().position[2];
-    const MeanForce force = force_over(run, 200.0, scene.numerics.moment_s);
+    const MeanForce force = force_over(run, 200.0, scene.numerics.time_step_s);
     const double speed = (run.bodies().position[2].x - from.x) / 200.0;
     const double total = std::sqrt(dot(force.normal + force.friction, force.normal + force.friction));
     if (mu == 0.8) {
@@ -115,9 +115,9 @@ void v31_braked_to_rest(const Survey& survey) {
   Simulation run = survey.begin(scene);
   run.advance(1000);
   survey.row("V31.v50", run.bodies().velocity[2].x);
-  const double dt = scene.numerics.moment_s;
-  while (run.bodies().velocity[2].x > 1e-6 && run.engine->moment() < 6000) run.advance(1);
-  survey.row("V31.t", static_cast<double>(run.engine->moment()) * dt);
+  const double dt = scene.numerics.time_step_s;
+  while (run.bodies().velocity[2].x > 1e-6 && run.engine->step() < 6000) run.advance(1);
+  survey.row("V31.t", static_cast<double>(run.engine->step()) * dt);
   survey.row("V31.x", run.bodies().position[2].x);
   const Vec2 stopped = run.bodies().position[2];
   run.advance(20000);
@@ -133,7 +133,7 @@ void v32_along_a_barrier(const Survey& survey, double angle, double mu, const st
   Simulation run = survey.begin(scene);
   run.advance(26000);  // 1300 s, eight times 1 / (k U sin(angle)) at 30 degrees; at the small angle it starts settled
   const Vec2 from = run.bodies().position[2];
-  const MeanForce force = force_over(run, 200.0, scene.numerics.moment_s);
+  const MeanForce force = force_over(run, 200.0, scene.numerics.time_step_s);
   const Vec2 total = force.normal + force.friction;
   survey.row(key + ".v", dot(along, run.bodies().position[2] - from) / 200.0);
   survey.row(key + ".N", dot(out, total));
@@ -146,11 +146,11 @@ void v33_column(const Survey& survey, int count) {
   scene.fixed = {{{{end, -20.0}, {end + 16.0, -20.0}, {end + 16.0, 20.0}, {end, 20.0}}}};
   Simulation run = survey.begin(scene);
   run.advance(1000);
-  const MeanForce force = force_over(run, 10.0, scene.numerics.moment_s);
+  const MeanForce force = force_over(run, 10.0, scene.numerics.time_step_s);
   const std::string n = std::to_string(count);
   survey.row("V33.F" + n, -force.normal.x);
   double deepest = 0.0;
-  for (const MomentQuality& quality : run.log.quality) deepest = std::max(deepest, quality.maximum_overlap);
+  for (const StepQuality& quality : run.log.quality) deepest = std::max(deepest, quality.maximum_overlap);
   survey.row("V33.overlap" + n, 0.0, deepest, "m");
 }
 
@@ -166,7 +166,7 @@ void v34_column_on_the_platform(const Survey& survey) {
   run.log.clear();
   run.advance(2000);
   double mean = 0.0;
-  for (const PlatformMoment& moment : run.log.platform) mean += dot(along, moment.position) / 2000.0;
+  for (const PlatformStep& step : run.log.platform) mean += dot(along, step.position) / 2000.0;
   survey.row("V34.offset", mean);
 }
 
@@ -184,7 +184,7 @@ void v35_notch(const Survey& survey) {
   scene.floe = {square({0.0, 5.0 + 5.0 / std::tan(angle)})};
   Simulation run = survey.begin(scene);
   run.advance(1000);
-  const MeanForce force = force_over(run, 10.0, scene.numerics.moment_s);
+  const MeanForce force = force_over(run, 10.0, scene.numerics.time_step_s);
   survey.row("V35.mu0", force.normal.y / (2.0 * std::sin(angle)));
 }
 
@@ -195,7 +195,7 @@ void v36_two_pegs(const Survey& survey) {
   Simulation run = survey.begin(scene);
   run.advance(1000);
   const Ledger before = run.engine->ledger();
-  const MeanForce force = force_over(run, 10.0, scene.numerics.moment_s);
+  const MeanForce force = force_over(run, 10.0, scene.numerics.time_step_s);
   const Ledger after = run.engine->ledger();
   double twist = 0.0;
   for (const Channel channel : {Channel::impact, Channel::elastic})
@@ -212,10 +212,10 @@ void v38_jam_of_a_row(const Survey& survey) {
   scene.fixed = {{{{0.0, -20.0}, {16.0, -20.0}, {16.0, 20.0}, {0.0, 20.0}}}};
   Simulation run = survey.begin(scene);
   const std::size_t last = 1 + count;
-  while (run.bodies().velocity[last].x > 0.125 && run.engine->moment() < 20000) run.advance(1);
-  const double stopped = static_cast<double>(run.engine->moment()) * scene.numerics.moment_s;
+  while (run.bodies().velocity[last].x > 0.125 && run.engine->step() < 20000) run.advance(1);
+  const double stopped = static_cast<double>(run.engine->step()) * scene.numerics.time_step_s;
   survey.row("V38.front", 10.0 * count / stopped);
-  run.advance(400);  // independent shares an impact among the row over several moments
+  run.advance(400);  // independent shares an impact among the row over several time steps
   survey.row("V38.Fmean",
              -(run.engine->ledger()[Channel::impact].momentum.x + run.engine->ledger()[Channel::elastic].momentum.x) /
                  (60.0 * count));
@@ -245,8 +245,8 @@ void survey_all(const Setting& setting) {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   using namespace gem::verification;
-  survey_all({"cpu", gem::Resolution::coupled});
-  survey_all({"cpu", gem::Resolution::independent});
+  survey_all({"cpu", gem::ContactSolver::coupled});
+  survey_all({"cpu", gem::ContactSolver::independent});
   for (const Setting& setting : surveyed_baselines()) survey_all(setting);
   return testing::Test::HasFailure() ? 1 : 0;
 }

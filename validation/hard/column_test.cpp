@@ -1,4 +1,4 @@
-// Columns pressed to a wall: many contacts in series (H1), long moments (H9), one thousand to one in mass (H14).
+// Columns pressed to a wall: many contacts in series (H1), long time steps (H9), one thousand to one in mass (H14).
 #include <algorithm>
 #include <cmath>
 
@@ -20,11 +20,11 @@ INSTANTIATE_TEST_SUITE_P(Engines, LongHardColumn, ::testing::ValuesIn(large_sett
 /// Push of the current on one floe of the columns [N].
 constexpr double push = 562.5;
 
-/// Mean force on the wall over the next `moments` [N].
-double wall_force(Watched& run, std::int64_t moments, double dt) {
+/// Mean force on the wall over the next `steps` [N].
+double wall_force(Watched& run, std::int64_t steps, double dt) {
   const Vec2 before = given_by_fixed(run.ledger());
-  run.advance(moments, moments);
-  return length(given_by_fixed(run.ledger()) - before) / (static_cast<double>(moments) * dt);
+  run.advance(steps, steps);
+  return length(given_by_fixed(run.ledger()) - before) / (static_cast<double>(steps) * dt);
 }
 
 /// Errors of the wall's force, relative, over the last half of a minute.
@@ -34,15 +34,15 @@ struct ForceError {
   double mean = 0.0;         // of the half minute, against the push that is held
 };
 
-/// Means over a second: long against a moment, short against the minute. The worst of thirty, so that a column that
+/// Means over a second: long against a time step, short against the minute. The worst of thirty, so that a column that
 /// rattles does not pass by the second that is looked at.
 ForceError force_error(Watched& run, const SceneDef& scene, double exact) {
   constexpr int seconds = 30;
-  const std::int64_t moments = std::llround(1.0 / scene.numerics.moment_s);
-  run.advance(seconds * moments, moments);
+  const std::int64_t steps = std::llround(1.0 / scene.numerics.time_step_s);
+  run.advance(seconds * steps, steps);
   ForceError error;
   for (int second = 0; second < seconds; ++second) {
-    const double force = wall_force(run, moments, scene.numerics.moment_s);
+    const double force = wall_force(run, steps, scene.numerics.time_step_s);
     const double off = force / held_push(scene, run.bodies()) - 1.0;
     error.worst = std::max(error.worst, std::fabs(off));
     error.worst_exact = std::max(error.worst_exact, std::fabs(force / exact - 1.0));
@@ -62,15 +62,15 @@ void press(const std::string& id, const SceneDef& scene, int count, const Column
   const double exact = count * push;
   const ForceError force = force_error(run, scene, exact);
   bound(id + ".force", force.worst, bars.force, "-", run.where());
-  // the closed form, which the drag of a moment misses by k U dt
-  bound(id + ".force_exact", force.worst_exact, bars.force + 0.05 * 0.5 * scene.numerics.moment_s, "-", run.where());
+  // the closed form, which the drag of a time step misses by k U dt
+  bound(id + ".force_exact", force.worst_exact, bars.force + 0.05 * 0.5 * scene.numerics.time_step_s, "-", run.where());
   bound(id + ".force_mean", force.mean, bars.force, "-", run.where());
   bound(id + ".total_overlap", overlaps(run.bodies()).total, bars.overlap, "m", run.where());
   expect_sound(id, run);
   if (setting.coupled()) return;
   // independent: the elastic stress that carries a force F is F (1 + omega dt)^2 / k deep, omega^2 = k / m; the wall
   // has the deepest contact, and the force never exceeds the whole push
-  const double swing = std::sqrt(scene.contact.elastic_stiffness_N_per_m / 45000.0) * scene.numerics.moment_s;
+  const double swing = std::sqrt(scene.contact.elastic_stiffness_N_per_m / 45000.0) * scene.numerics.time_step_s;
   bound(id + ".elastic_depth", run.worst().overlap,
         2.0 * exact * (1.0 + swing) * (1.0 + swing) / scene.contact.elastic_stiffness_N_per_m, "m", run.where());
 }
@@ -85,22 +85,22 @@ TEST_P(HardColumn, H1_column_of_10) { press_column(10, {1e-3, 1e-3}, setting());
 TEST_P(HardBigColumn, H1_column_of_100) { press_column(100, {1e-3, 1e-3}, setting()); }
 TEST_P(LongHardColumn, H1_column_of_1000) { press_column(1000, {1e-2, 20e-3}, setting()); }
 
-TEST_P(HardColumn, H9_long_moments) {
+TEST_P(HardColumn, H9_long_steps) {
   for (const int factor : {1, 10, 100, 1000}) {
     const std::string id = "H9.x" + std::to_string(factor);
     const double dt = 0.05 * factor;
     if (factor >= 100) {
-      const bool refused = is_refused("H09_long_moments.toml",
-                                      {"numerics.moment_s=" + std::to_string(dt), "output.platform_interval_s=100.0",
+      const bool refused = is_refused("H09_long_steps.toml",
+                                      {"numerics.time_step_s=" + std::to_string(dt), "output.platform_interval_s=100.0",
                                        "output.force_window_s=100.0", "output.floes_interval_s=100.0"},
-                                      "the moment is too long");
+                                      "the time step is too long");
       verification::check_value(id + ".refused", 1.0, refused ? 1.0 : 0.0, 0.0, "-", where());
       continue;
     }
-    const SceneDef scene = read_hard_member("H09_long_moments.toml", "H09_" + std::to_string(factor), setting());
+    const SceneDef scene = read_hard_member("H09_long_steps.toml", "H09_" + std::to_string(factor), setting());
     Watched run(scene, setting());
     run.advance(static_cast<std::int64_t>(100.0 / dt));
-    // an overlap is seen at the end of a moment: no deeper than its path
+    // an overlap is seen at the end of a time step: no deeper than its path
     bound(id + ".overlap", run.worst().overlap, 0.5 * dt, "m", where());
     bound(id + ".fastest", fastest_floe(run.bodies()), 0.5, "m/s", where());
     expect_sound(id, run);

@@ -7,12 +7,12 @@
 #include <map>
 
 #include "gem/engine/step/contact_stages.h"
-#include "gem/engine/step/moment_constants.h"
+#include "gem/engine/step/step_constants.h"
 
 namespace gem::hard {
 namespace {
 
-/// The geometry of one pair at the start of the moment.
+/// The geometry of one pair at the start of the time step.
 bool touching(const FieldState& field, std::int32_t a, std::int32_t b, Contact& contact) {
   SeparatingAxes unknown;
   return find_contact(field, a, b, unknown, 0.0, contact);
@@ -29,14 +29,14 @@ bool may_meet(const Bodies& bodies, std::int32_t a, std::int32_t b) {
 
 ContactResiduals residuals_of(const FieldState& field, const Bodies& after, const Contact& contact, int k,
                               ContactImpulse impulse) {
-  const MomentConstants& c = field.constants;
+  const StepConstants& c = field.constants;
   const ContactSlot& slot = contact.slot[k];
   const ContactCompliance compliance = contact_compliance(collision_mass(after, contact.a), slot.arm_a,
                                                           collision_mass(after, contact.b), slot.arm_b, contact.normal);
   const double target = slot.separation > 0.0 ? -slot.separation / c.dt : 0.0;
   const Vec2 velocity = relative_velocity(after, contact, slot);
   const double u_n = dot(velocity, contact.normal) - target, u_t = dot(velocity, turned_left(contact.normal));
-  const double friction = contact.a == 0 ? c.friction_structure : c.friction_ice;
+  const double friction = friction_of_pair(c.events, contact.a == 0);
   const double push = compliance.nn * impulse.normal, rub = compliance.tt * impulse.tangential;
   const double bound = compliance.tt * friction * std::max(0.0, impulse.normal);
 
@@ -65,7 +65,7 @@ void ContactResiduals::merge(const ContactResiduals& other) {
 double ContactResiduals::worst() const { return std::max({pull, closing, complementarity, cone, slip}); }
 
 ContactResiduals contact_residuals(const SceneDef& scene, const EngineState& before, const EngineState& after) {
-  const FieldState field = make_field_state(before.bodies, moment_constants(scene, before.bodies));
+  const FieldState field = make_field_state(before.bodies, step_constants(scene, before.bodies));
   std::map<std::uint64_t, ContactImpulse> kept;
   for (std::size_t i = 0; i < after.impulse_key.size(); ++i)
     kept[after.impulse_key[i]] = {after.impulse_value[i].normal, after.impulse_value[i].tangential};

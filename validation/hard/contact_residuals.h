@@ -1,4 +1,4 @@
-// How well a coupled moment obeys the laws of contact: complementarity, friction cone and dissipation, contact by
+// How well a coupled time step obeys the laws of contact: complementarity, friction cone and dissipation, contact by
 // contact.
 //
 // The impulses P are those that the engine keeps for its warm start, the velocities u those after the events. For each
@@ -8,14 +8,14 @@
 //   complementarity   |min(K_nn P_n, u_n)|                   either no impulse or no gap
 //   cone              K_tt max(0, |P_t| - mu P_n)            Coulomb's bound
 //   slip              |K_tt P_t - clamp(K_tt P_t - u_t)|     sticks, or slips against friction at its bound
-// and for the moment the energy that its events gave, which must not be positive [J].
+// and for the time step the energy that its events gave, which must not be positive [J].
 #pragma once
 
 #include "gem/engine/engine.h"
 
 namespace gem::hard {
 
-/// Largest residuals of one moment; or of many, merged.
+/// Largest residuals of one time step; or of many, merged.
 struct ContactResiduals {
   std::int64_t points = 0;
   std::int64_t without_point = 0;  // impulses for which the bodies have no contact point
@@ -29,8 +29,8 @@ struct ContactResiduals {
   double worst() const;  // [m/s]
 };
 
-/// Residuals of the moment that led from `before` to `after`, both saved by the same engine in a coupled scene without
-/// mooring (the platform's own motion would hide its velocity at the events).
+/// Residuals of the time step that led from `before` to `after`, both saved by the same engine in a coupled scene
+/// without mooring (the platform's own motion would hide its velocity at the events).
 ContactResiduals contact_residuals(const SceneDef& scene, const EngineState& before, const EngineState& after);
 
 }  // namespace gem::hard

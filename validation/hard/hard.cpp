@@ -19,7 +19,7 @@ namespace {
 
 std::string path_of(const std::string& file) { return std::string(GEM_SOURCE_DIR) + "/cases/hard/" + file; }
 
-/// What known_misses.txt lists, one a line: `resolution key | why`.
+/// What known_misses.txt lists, one a line: `solver key | why`.
 std::set<std::string> read_misses() {
   std::ifstream file(std::string(GEM_SOURCE_DIR) + "/validation/hard/known_misses.txt");
   if (!file) throw std::runtime_error("known_misses.txt cannot be read");
@@ -56,7 +56,7 @@ std::vector<Setting> large_settings() {
 }
 
 SceneDef resolved_as(SceneDef scene, const Setting& setting) {
-  scene.contact.resolution = setting.resolution;
+  scene.contact.solver = setting.solver;
   scene.contact.manifold = setting.coupled() ? Manifold::chord_ends : Manifold::chord_middle;
   return scene;
 }
@@ -98,14 +98,14 @@ Watched::Watched(const SceneDef& scene, Bodies bodies, const Setting& setting, i
   last_ = engine_->ledger();
 }
 
-void Watched::advance(std::int64_t moments, std::int64_t block) {
-  advance(moments, block, [] {});
+void Watched::advance(std::int64_t steps, std::int64_t block) {
+  advance(steps, block, [] {});
 }
 
-void Watched::one_block(std::int64_t moments) {
+void Watched::one_block(std::int64_t steps) {
   log_.clear();
-  engine_->advance(moments, log_);
-  for (const MomentQuality& quality : log_.quality) {
+  engine_->advance(steps, log_);
+  for (const StepQuality& quality : log_.quality) {
     worst_.contacts += quality.contacts;
     worst_.iterations = std::max(worst_.iterations, quality.iterations);
     worst_.overlap = std::max(worst_.overlap, quality.maximum_overlap);
@@ -128,7 +128,7 @@ void Watched::one_block(std::int64_t moments) {
 void bound(const std::string& key, double computed, double limit, const std::string& unit, const Where& where) {
   static const std::set<std::string> misses = read_misses();
   EXPECT_GE(computed, 0.0) << key;
-  if (misses.contains(where.resolution + " " + key)) {
+  if (misses.contains(where.solver + " " + key)) {
     verification::check_missed(key, limit, computed, unit, where);
   } else {
     verification::check_value(key, 0.0, computed, limit, unit, where);
@@ -138,8 +138,8 @@ void bound(const std::string& key, double computed, double limit, const std::str
 void expect_sound(const std::string& id, Watched& run) {
   const Worst& worst = run.worst();
   EXPECT_GT(worst.contacts, 0) << id << ": the bodies never touched";
-  // as shares of what run_scene allows; equal terms a moment may all be rounded the same way
-  const double allowed = std::max(1e-11, 0x1p-53 * static_cast<double>(run.engine().moment()));
+  // as shares of what run_scene allows; equal terms a time step may all be rounded the same way
+  const double allowed = std::max(1e-11, 0x1p-53 * static_cast<double>(run.engine().step()));
   const double books = std::max({worst.momentum / allowed, worst.angular_momentum / allowed, worst.energy / 1e-8});
   bound(id + ".books", books, 1.0, "-", run.where());
   // never: what is left is the rounding of the sum of all energies
@@ -151,7 +151,7 @@ double held_push(const SceneDef& scene, const Bodies& bodies) {
   double push = 0.0;
   for (std::size_t i = first_floe_of(bodies); i < bodies.count(); ++i) {
     if (!bodies.active[i]) continue;
-    const double share = bodies.drag[i] * speed * scene.numerics.moment_s;
+    const double share = bodies.drag[i] * speed * scene.numerics.time_step_s;
     push += bodies.mass[i] * bodies.drag[i] * speed * speed / (1.0 + share);
   }
   return push;

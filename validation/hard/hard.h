@@ -1,4 +1,4 @@
-// Runs of the hard cases: read from cases/hard, watched moment by moment and judged by bounds.
+// Runs of the hard cases: read from cases/hard, watched time step by time step and judged by bounds.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace gem::hard {
 using verification::Setting;
 using verification::Where;
 
-/// Every engine but the naive reference, with both resolutions: for scenes where all pairs take too long.
+/// Every engine but the naive reference, with both solvers: for scenes where all pairs take too long.
 std::vector<Setting> large_settings();
 
 /// A case of cases/hard as the setting runs it: independent with the paper's contacts (chord middle, elastic stress).
@@ -39,10 +39,10 @@ void also_by_default(const std::string& id, const SceneDef& scene, const Setting
 /// Whether the case is refused before it runs, with an error that names `what`.
 bool is_refused(const std::string& file, const std::vector<std::string>& overrides, const std::string& what);
 
-/// Worst values over the moments of a run.
+/// Worst values over the time steps of a run.
 struct Worst {
-  std::int64_t contacts = 0;      // touching points over all moments
-  std::int32_t iterations = 0;    // most in one moment
+  std::int64_t contacts = 0;      // touching points over all time steps
+  std::int32_t iterations = 0;    // most in one time step
   double overlap = 0.0;           // deepest [m]
   double created = 0.0;           // energy that contacts and repair gave in blocks where they gave [J]
   double exchanged = 0.0;         // impulse that the bodies were given, block by block [N s]
@@ -59,12 +59,12 @@ class Watched {
   Watched(const SceneDef& scene, Bodies bodies, const Setting& setting, int threads = 1);
 
   /// Advances in blocks and looks at the books after each; the log keeps the last block.
-  void advance(std::int64_t moments, std::int64_t block = 1);
+  void advance(std::int64_t steps, std::int64_t block = 1);
   /// The same, calling look() after each block.
   template <class Look>
-  void advance(std::int64_t moments, std::int64_t block, Look&& look) {
-    for (std::int64_t done = 0; done < moments; done += block) {
-      one_block(std::min(block, moments - done));
+  void advance(std::int64_t steps, std::int64_t block, Look&& look) {
+    for (std::int64_t done = 0; done < steps; done += block) {
+      one_block(std::min(block, steps - done));
       look();
     }
   }
@@ -72,25 +72,25 @@ class Watched {
   Engine& engine() { return *engine_; }
   const Bodies& bodies() { return engine_->bodies(); }
   Ledger ledger() { return engine_->ledger(); }
-  const MomentLog& log() const { return log_; }
+  const StepLog& log() const { return log_; }
   const Worst& worst() const { return worst_; }
   const Setting& setting() const { return setting_; }
   Where where() const { return setting_.where(); }
-  /// Touching points that the last moment had.
+  /// Touching points that the last time step had.
   std::int32_t contacts_now() const { return log_.quality.back().contacts; }
 
  private:
-  void one_block(std::int64_t moments);
+  void one_block(std::int64_t steps);
 
   Setting setting_;
   std::unique_ptr<Engine> engine_;
-  MomentLog log_;
+  StepLog log_;
   Worst worst_;
   double contact_energy_ = 0.0;
   Ledger last_;
 };
 
-/// Judges a number of a case by its bound: it must lie in [0, bound]. What a resolution is known to miss stands in
+/// Judges a number of a case by its bound: it must lie in [0, bound]. What a solver is known to miss stands in
 /// known_misses.txt and must be missed.
 void bound(const std::string& key, double computed, double limit, const std::string& unit, const Where& where);
 
@@ -98,7 +98,7 @@ void bound(const std::string& key, double computed, double limit, const std::str
 void expect_sound(const std::string& id, Watched& run);
 
 /// Force with which the current pushes floes that are held where they are [N]: m k |U| U, less what the drag falls
-/// short because the wall lets go of a floe for one moment at a time, 1 + k |U| dt.
+/// short because the wall lets go of a floe for one time step at a time, 1 + k |U| dt.
 double held_push(const SceneDef& scene, const Bodies& bodies);
 
 /// Total of what contacts with fixed bodies gave so far [N s].

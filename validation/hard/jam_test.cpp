@@ -24,21 +24,21 @@ INSTANTIATE_TEST_SUITE_P(Engines, LongHardJam, ::testing::ValuesIn(large_setting
 constexpr double deepest_overlap = 20e-3;  // [m]
 constexpr double most_overlap = 2e-3;      // of 99.9 % of the touching pairs [m]
 
-/// Watches a jam for a while: its deepest overlap in any moment, overlaps at each look, and the impulse that walls and
-/// platform take from the ice.
+/// Watches a jam for a while: its deepest overlap in any time step, overlaps at each look, and the impulse that walls
+/// and platform take from the ice.
 struct JamWatch {
   double deepest = 0.0;  // [m]
   Overlaps worst;
   Vec2 taken;         // [N s]
   double time = 0.0;  // [s]
 
-  void look(Watched& run, std::int64_t moments, const SceneDef& scene) {
+  void look(Watched& run, std::int64_t steps, const SceneDef& scene) {
     const Ledger before = run.ledger();
-    run.advance(moments, moments);
+    run.advance(steps, steps);
     taken -= given_by_fixed(run.ledger()) - given_by_fixed(before);
-    for (const PlatformMoment& moment : run.log().platform) taken += moment.ice_impulse;
-    for (const MomentQuality& quality : run.log().quality) deepest = std::max(deepest, quality.maximum_overlap);
-    time += static_cast<double>(moments) * scene.numerics.moment_s;
+    for (const PlatformStep& step : run.log().platform) taken += step.ice_impulse;
+    for (const StepQuality& quality : run.log().quality) deepest = std::max(deepest, quality.maximum_overlap);
+    time += static_cast<double>(steps) * scene.numerics.time_step_s;
     const Overlaps now = overlaps(run.bodies());
     worst.most = std::max(worst.most, now.most);
     worst.size_share = std::max(worst.size_share, now.size_share);
@@ -90,7 +90,7 @@ TEST_P(HardJam, H13_friction) {
     run.advance(half_minute, 20);
     if (slippery.count() == 0) slippery = run.bodies();
     if (std::string(friction) == "1e-12") {
-      // friction changes speeds by 1e-12 x 0.5 m/s in a moment. A jam makes any such change grow, step by step where
+      // friction changes speeds by 1e-12 x 0.5 m/s in a time step. A jam makes any such change grow, step by step where
       // contacts open and iterations restart by a threshold; so friction may do what other starts do that differ by as
       // much. One sample more than those eight lies within ten times their largest
       const SceneDef frictionless = read_hard_member("H13_friction.toml", "H13_0", setting());
@@ -106,7 +106,7 @@ TEST_P(HardJam, H13_friction) {
 }
 
 TEST_P(HardJam, H7_minute_of_jam) {
-  const SceneDef scene = resolved_as(agreement::jam_scene(setting().resolution), setting());
+  const SceneDef scene = resolved_as(agreement::jam_scene(setting().solver), setting());
   const Bodies field = agreement::drifting_field(scene);
   Watched run(scene, field, setting());
   run.engine().restore(agreement::jam(scene, field));
@@ -139,7 +139,7 @@ TEST_P(LongHardJam, H7_day_of_jam) {
   const SceneDef scene = read_hard_case("H07_day_of_jam.toml", setting());
   const Bodies field = make_field(scene);
   Watched run(scene, field, setting_of_the_day(setting()), threads_of_the_day());
-  const auto hour = static_cast<std::int64_t>(3600.0 / scene.numerics.moment_s);
+  const auto hour = static_cast<std::int64_t>(3600.0 / scene.numerics.time_step_s);
   JamWatch first, last;
   for (int minute = 0; minute < 24 * 60; ++minute) {
     JamWatch& half = minute < 12 * 60 ? first : last;

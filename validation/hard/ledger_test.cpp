@@ -13,7 +13,7 @@ class HardLedger : public verification::OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, HardLedger, ::testing::ValuesIn(verification::all_settings()),
                          verification::setting_name);
 
-/// Half of what all bodies' momenta changed in one moment: at least what contacts passed on, without drag [N s].
+/// Half of what all bodies' momenta changed in one time step: at least what contacts passed on, without drag [N s].
 double passed_on(const Bodies& before, const Bodies& after) {
   double sum = 0.0;
   for (std::size_t i = 0; i < after.count(); ++i)
@@ -54,9 +54,9 @@ TEST_P(HardLedger, H17_stream_on_the_platform) {
   double exchanged = 0.0;
   std::int64_t struck = 0;
   run.advance(16000, 1, [&] {
-    const PlatformMoment& moment = run.log().platform.back();
-    exchanged += length(moment.ice_impulse);
-    if (moment.contacts > 0) ++struck;
+    const PlatformStep& step = run.log().platform.back();
+    exchanged += length(step.ice_impulse);
+    if (step.contacts > 0) ++struck;
   });
   EXPECT_GT(struck, 100) << "the ice missed the platform";
   // the impulse that passed through contacts with the platform, water and mooring

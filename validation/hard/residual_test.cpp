@@ -1,4 +1,4 @@
-// The laws of contact, looked up after the fact in frozen moments: complementarity, friction cone, dissipation.
+// The laws of contact, looked up after the fact in frozen time steps: complementarity, friction cone, dissipation.
 #include <cmath>
 
 #include "gem/field/field.h"
@@ -14,19 +14,19 @@ class HardResiduals : public verification::OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, HardResiduals, ::testing::ValuesIn(verification::coupled_settings()),
                          verification::setting_name);
 
-/// Looks at `moments` frozen moments after `settling` others.
+/// Looks at `steps` frozen time steps after `settling` others.
 void judge_moments(const std::string& id, const SceneDef& scene, const Setting& setting, std::int64_t settling,
-                   std::int64_t moments) {
+                   std::int64_t steps) {
   Watched run(scene, setting);
   run.advance(settling, settling);
   ContactResiduals worst;
   EngineState before = run.engine().save();
-  run.advance(moments, 1, [&] {
+  run.advance(steps, 1, [&] {
     const EngineState after = run.engine().save();
     worst.merge(contact_residuals(scene, before, after));
     before = after;
   });
-  EXPECT_GT(worst.points, moments) << "too few contacts to judge";
+  EXPECT_GT(worst.points, steps) << "too few contacts to judge";
   EXPECT_EQ(worst.without_point, 0);
   // a sweep that changes no speed by more than the tolerance leaves each contact what its neighbours, up to ten, still
   // changed after it

@@ -14,11 +14,11 @@ INSTANTIATE_TEST_SUITE_P(Engines, HardRest, ::testing::ValuesIn(verification::al
 class LongHardRest : public verification::OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, LongHardRest, ::testing::ValuesIn(large_settings()), verification::setting_name);
 
-TEST_P(HardRest, H8_an_eighth_of_a_radian_a_moment) {
-  const bool refused = is_refused("H08_spin.toml", {"numerics.moment_s=0.05"}, "the moment is too long");
+TEST_P(HardRest, H8_an_eighth_of_a_radian_a_step) {
+  const bool refused = is_refused("H08_spin.toml", {"numerics.time_step_s=0.05"}, "the time step is too long");
   verification::check_value("H8.refused", 1.0, refused ? 1.0 : 0.0, 0.0, "-", where());
   const SceneDef scene = read_hard_case("H08_spin.toml", setting());
-  EXPECT_EQ(scene.floe[0].spin_rad_per_s * scene.numerics.moment_s, 0.125);
+  EXPECT_EQ(scene.floe[0].spin_rad_per_s * scene.numerics.time_step_s, 0.125);
   Watched run(scene, setting());
   double spin = 0.0, fastest = 0.0;
   run.advance(9600, 1, [&] {
@@ -28,15 +28,15 @@ TEST_P(HardRest, H8_an_eighth_of_a_radian_a_moment) {
   bound("H8.spin", spin, 10.0, "rad/s", where());
   // at most what a turn brings to the floe's corner, 7.07 m out
   bound("H8.fastest", fastest, 10.0 * 5.0 * std::sqrt(2.0), "m/s", where());
-  // no deeper than a corner of the spinning floe sweeps in one moment, 0.88 m, and a moment of approach
-  const double swept = (10.0 * 5.0 * std::sqrt(2.0) + 0.25) * scene.numerics.moment_s;
+  // no deeper than a corner of the spinning floe sweeps in one time step, 0.88 m, and a time step of approach
+  const double swept = (10.0 * 5.0 * std::sqrt(2.0) + 0.25) * scene.numerics.time_step_s;
   bound("H8.overlap", run.worst().overlap, swept, "m", where());
   bound("H8.fastest_left", fastest_floe(run.bodies()), 0.25, "m/s", where());
   expect_sound("H8", run);
 }
 
-/// Farthest that the floe of a case strays from where it is after `settling` moments.
-double creep(const std::string& id, const std::string& file, std::int64_t settling, std::int64_t moments,
+/// Farthest that the floe of a case strays from where it is after `settling` time steps.
+double creep(const std::string& id, const std::string& file, std::int64_t settling, std::int64_t steps,
              const Setting& setting) {
   const SceneDef scene = read_hard_case(file, setting);
   Watched run(scene, setting);
@@ -45,9 +45,9 @@ double creep(const std::string& id, const std::string& file, std::int64_t settli
   const Vec2 place = run.bodies().position[floe];
   double farthest = 0.0;
   std::int64_t touched = 0, blocks = 0;
-  run.advance(moments, 1000, [&] {
+  run.advance(steps, 1000, [&] {
     farthest = std::max(farthest, length(run.bodies().position[floe] - place));
-    for (const MomentQuality& quality : run.log().quality)
+    for (const StepQuality& quality : run.log().quality)
       if (quality.contacts > 0 || quality.iterations > 0) ++touched;
     ++blocks;
   });

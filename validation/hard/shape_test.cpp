@@ -33,7 +33,7 @@ TEST_P(HardShapes, H3_overlap_at_the_start) {
     double speed = 0.0;
     Bodies before = run.bodies();
     run.advance(4000, 1, [&] {
-      speed = std::max(speed, test::farthest_apart(before, run.bodies()) / scene.numerics.moment_s);
+      speed = std::max(speed, test::farthest_apart(before, run.bodies()) / scene.numerics.time_step_s);
       before = run.bodies();
     });
     bound(id + ".speed", speed, 0.1, "m/s", where());
@@ -89,7 +89,7 @@ TEST_P(HardShapes, H5_parallel_faces) {
     });
     char id[32];
     std::snprintf(id, sizeof id, "H5.a%g", angle);
-    bound(std::string(id) + ".flips", flips, 0.0, "moments", where());
+    bound(std::string(id) + ".flips", flips, 0.0, "steps", where());
     expect_sound(id, run);
   }
 }
@@ -106,8 +106,8 @@ TEST_P(HardShapes, H6_vertex_on_vertex) {
   });
   // equal bodies that meet at their common middle: what one does the other does turned by half a turn
   bound("H6.unequal", unequal, 1e-12, "m/s", where());
-  // the point of contact lies within the path of one moment, so the arms of 7 m differ by no more
-  const double path = 0.6 * scene.numerics.moment_s;
+  // the point of contact lies within the path of one time step, so the arms of 7 m differ by no more
+  const double path = 0.6 * scene.numerics.time_step_s;
   bound("H6.turning", turning, 1e-12 + spin * path / 7.0, "rad/s", where());
   bound("H6.overlap", run.worst().overlap, path, "m", where());
   expect_sound("H6", run);
@@ -136,7 +136,7 @@ TEST_P(HardShapes, H12_far_from_origin) {
     double apart = 0.0;
     for (std::size_t i = 2; i < far.bodies().count(); ++i)
       apart = std::max(apart, length(far.bodies().position[i] - origin.bodies().position[i] - Vec2{distance, 0.0}));
-    // 400 moments round each place to half a spacing of numbers there
+    // 400 time steps round each place to half a spacing of numbers there
     const double spacing = distance * 0x1p-52;
     bound("H12.moved_1e" + std::to_string(static_cast<int>(std::log10(distance))), apart, 400.0 * spacing, "m",
           where());
@@ -168,7 +168,7 @@ TEST_P(HardShapes, H18_over_confined) {
   Bodies before = run.bodies();
   run.advance(800, 1, [&] {
     fastest = std::max(fastest, fastest_floe(run.bodies()));
-    longest = std::max(longest, test::farthest_apart(before, run.bodies()) / scene.numerics.moment_s);
+    longest = std::max(longest, test::farthest_apart(before, run.bodies()) / scene.numerics.time_step_s);
     before = run.bodies();
   });
   bound("H18.fastest", fastest, 2e-3, "m/s", where());

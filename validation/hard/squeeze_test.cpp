@@ -24,8 +24,8 @@ double crushing_depth(const SceneDef& scene, double thickness, double width, dou
 /// Runs a platform of speed `direction` x v into ice; returns the largest speed back.
 double speed_back(Watched& run, const SceneDef& scene, double direction) {
   double back = 0.0;
-  const auto moments = static_cast<std::int64_t>(scene.run.duration_s / scene.numerics.moment_s);
-  run.advance(moments, 1, [&] { back = std::max(back, -direction * run.bodies().velocity[0].x); });
+  const auto steps = static_cast<std::int64_t>(scene.run.duration_s / scene.numerics.time_step_s);
+  run.advance(steps, 1, [&] { back = std::max(back, -direction * run.bodies().velocity[0].x); });
   return back;
 }
 

@@ -1,7 +1,9 @@
 #include "validation/verification/baselines.h"
 
 #include <cstdlib>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "baseline_box2d/register_box2d.h"
 
@@ -12,9 +14,10 @@ namespace {
 /// that lets true outlines rest on each other.
 const struct {
   const char* name;
-  int velocity_iterations, position_iterations;
-  double skin;
-} variants[] = {{"box2d_8_3", 8, 3, 0.01}, {"box2d_200_50", 200, 50, 0.01}, {"box2d_thin_skin", 8, 3, 0.0025}};
+  std::vector<std::string> settings;
+} variants[] = {{"box2d_8_3", {}},
+                {"box2d_200_50", {"velocity_iterations=200", "position_iterations=50"}},
+                {"box2d_thin_skin", {"skin_m=0.0025"}}};
 
 void register_variants() {
   baseline::register_box2d();
@@ -22,9 +25,7 @@ void register_variants() {
     register_baseline(variant.name, [&variant](const SceneDef& scene, Bodies bodies, const EngineOptions& options) {
       EngineOptions chosen = options;
       chosen.name = "box2d";
-      chosen.baseline.velocity_iterations = variant.velocity_iterations;
-      chosen.baseline.position_iterations = variant.position_iterations;
-      chosen.baseline.skin_m = variant.skin;
+      chosen.baseline_settings = variant.settings;
       return make_engine(scene, std::move(bodies), chosen);
     });
 }
@@ -38,7 +39,7 @@ std::vector<Setting> surveyed_baselines() {
     return true;
   }();
   std::vector<Setting> settings;
-  for (const auto& variant : variants) settings.push_back({variant.name, Resolution::coupled});
+  for (const auto& variant : variants) settings.push_back({variant.name, ContactSolver::coupled});
   return settings;
 }
 

@@ -14,7 +14,7 @@ namespace gem::verification {
 namespace {
 
 struct Row {
-  std::string key, engine, resolution, expected, computed, error, tolerance, unit, verdict;
+  std::string key, engine, solver, expected, computed, error, tolerance, unit, verdict;
 };
 
 void enter(const Row& row) {
@@ -22,8 +22,8 @@ void enter(const Row& row) {
   if (path == nullptr) return;
   std::ofstream file(path, std::ios::app);
   const std::string id = row.key.substr(0, row.key.find_first_not_of("0123456789", 1));
-  file << id << ',' << row.key << ',' << row.engine << ',' << row.resolution << ',' << row.expected << ','
-       << row.computed << ',' << row.error << ',' << row.tolerance << ',' << row.unit << ',' << row.verdict << '\n';
+  file << id << ',' << row.key << ',' << row.engine << ',' << row.solver << ',' << row.expected << ',' << row.computed
+       << ',' << row.error << ',' << row.tolerance << ',' << row.unit << ',' << row.verdict << '\n';
 }
 
 }  // namespace
@@ -32,11 +32,11 @@ void check_value(const std::string& key, double expected, double computed, doubl
                  const Where& where) {
   const double error = std::fabs(computed - expected);
   const bool good = error <= tolerance;  // false for a computed value that is no number
-  EXPECT_TRUE(good) << key << " on " << where.engine << " " << where.resolution << ": expected "
-                    << number_text(expected) << ", computed " << number_text(computed) << ", error "
-                    << number_text(error, 3) << ", tolerance " << number_text(tolerance, 3) << " " << unit;
-  enter({key, where.engine, where.resolution, number_text(expected, 12), number_text(computed, 12),
-         number_text(error, 3), number_text(tolerance, 3), unit, good ? "pass" : "FAIL"});
+  EXPECT_TRUE(good) << key << " on " << where.engine << " " << where.solver << ": expected " << number_text(expected)
+                    << ", computed " << number_text(computed) << ", error " << number_text(error, 3) << ", tolerance "
+                    << number_text(tolerance, 3) << " " << unit;
+  enter({key, where.engine, where.solver, number_text(expected, 12), number_text(computed, 12), number_text(error, 3),
+         number_text(tolerance, 3), unit, good ? "pass" : "FAIL"});
 }
 
 void check_absolute(const std::string& key, double computed, double tolerance, const Where& where) {
@@ -50,9 +50,9 @@ void check(const std::string& key, double computed, double relative_tolerance, c
 
 void check_missed(const std::string& key, double bound, double computed, const std::string& unit, const Where& where) {
   const bool missed = computed > bound;
-  EXPECT_TRUE(missed) << key << " on " << where.engine << " " << where.resolution << ": stated as missed, but "
+  EXPECT_TRUE(missed) << key << " on " << where.engine << " " << where.solver << ": stated as missed, but "
                       << number_text(computed) << " is within " << number_text(bound) << " " << unit;
-  enter({key, where.engine, where.resolution, "0", number_text(computed, 12), number_text(computed, 3),
+  enter({key, where.engine, where.solver, "0", number_text(computed, 12), number_text(computed, 3),
          number_text(bound, 3), unit, missed ? "missed" : "FAIL"});
 }
 

@@ -8,7 +8,7 @@ namespace gem::verification {
 /// Where a number was computed.
 struct Where {
   std::string engine = "law";
-  std::string resolution = "-";
+  std::string solver = "-";
 };
 
 /// Rounding of a closed form evaluated in double: a few hundred operations of 1.1e-16 each (class E of the cases).

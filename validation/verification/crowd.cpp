@@ -13,14 +13,14 @@ namespace gem::verification {
 
 SceneDef crowd(const Setting& setting, Surroundings surroundings) {
   SceneDef scene = quiet_scene();
-  scene.numerics.moment_s = 0.05;
+  scene.numerics.time_step_s = 0.05;
   scene.numerics.residual_tolerance = 1e-6;
   scene.numerics.iterations_maximum = 50;
   scene.current.velocity_m_per_s = {0.5, 0.125};
   scene.water.drag_law = DragLaw::quadratic;
   scene.ice.friction_ice = 0.35;
   scene.ice.friction_structure = 0.1;
-  scene.contact.resolution = setting.resolution;
+  scene.contact.solver = setting.solver;
   scene.contact.manifold = setting.coupled() ? Manifold::chord_ends : Manifold::chord_middle;
   scene.contact.elastic_stiffness_N_per_m = 1e6;
   if (surroundings == Surroundings::walls_and_platform) {
@@ -55,7 +55,7 @@ SceneDef settled(SceneDef scene) {
 }
 
 Bodies pressed(const SceneDef& scene, const Setting& setting) {
-  Simulation run = start(scene, {"cpu", setting.resolution});
+  Simulation run = start(scene, {"cpu", setting.solver});
   run.advance(1600);
   return run.bodies();
 }
@@ -64,9 +64,9 @@ Simulation start_on(const SceneDef& scene, Bodies bodies, const Setting& setting
   return {make_engine(scene, std::move(bodies), {setting.engine, 1}), {}, {}};
 }
 
-std::int64_t advance_in_contact(Simulation& run, std::int64_t moments) {
+std::int64_t advance_in_contact(Simulation& run, std::int64_t steps) {
   const std::size_t before = run.log.quality.size();
-  run.advance(moments);
+  run.advance(steps);
   std::int64_t points = 0;
   for (std::size_t i = before; i < run.log.quality.size(); ++i) points += run.log.quality[i].contacts;
   EXPECT_GT(points, 0) << "the bodies never touched";

@@ -25,7 +25,7 @@ Bodies pressed(const SceneDef& scene, const Setting& setting);
 Simulation start_on(const SceneDef& scene, Bodies bodies, const Setting& setting);
 
 /// Advances and returns how many touching points were met; fails if there were none.
-std::int64_t advance_in_contact(Simulation& run, std::int64_t moments);
+std::int64_t advance_in_contact(Simulation& run, std::int64_t steps);
 
 /// Bodies among the first `count` (0: all) whose state differs in any bit.
 int different_bits(const Bodies& a, const Bodies& b, std::size_t count = 0);

@@ -55,11 +55,11 @@ TEST(Crushing, V48_event_followed_in_time) {
 class CrushingEvents : public OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, CrushingEvents, ::testing::ValuesIn(all_settings()), setting_name);
 
-TEST_P(CrushingEvents, V49_peak_is_not_impulse_over_moment) {
+TEST_P(CrushingEvents, V49_peak_is_not_impulse_over_step) {
   double first_peak = 0.0;
   for (const double dt : {1e-4, 1e-3, 1e-2, 1e-1}) {
     SceneDef scene = quiet_scene();
-    scene.numerics.moment_s = dt;
+    scene.numerics.time_step_s = dt;
     scene.ice.crushing_pressure_Pa = 1e6;
     scene.platform.present = true;
     scene.platform.mass_kg = 1e12;  // as good as a wall
@@ -92,7 +92,7 @@ const CrushingIce ice_of_scene{2.5e6, -0.1, thickness};
 /// A floe at 0.25 m/s whose face touches the middle of the platform's first face, turned by `tilt` [rad] against it.
 SceneDef tilted_scene(double tilt, double dt, double contact_reach) {
   SceneDef scene = quiet_scene();
-  scene.numerics.moment_s = dt;
+  scene.numerics.time_step_s = dt;
   scene.numerics.contact_reach = contact_reach;
   scene.ice.crushing_pressure_Pa = ice_of_scene.pressure;
   scene.platform.present = true;
@@ -129,7 +129,7 @@ TEST_P(CrushingEvents, V49_peak_of_tilted_faces) {
     // side x tilt; the chord of a small margin may be longest at side (cos + sin) instead of side cos
     const double tolerance = rounding + (tilt > 0.0 ? 7e-14 / (side * tilt) + tilt : tilt);
     check_value(key, 1.0, worst, tolerance, "-", where());
-    // whether the second end closes in the same moment is the moment's doing: the event then has up to all of the
+    // whether the second end closes in the same time step is the time step's doing: the event then has up to all of the
     // floe's energy, not what the corner stops. Between these two no peak may lie outside
     const double whole = 0.5 * 900.0 * thickness * side * side * 0.25 * 0.25;
     const double lever = 0.5 * side * (std::cos(tilt) - std::sin(tilt));

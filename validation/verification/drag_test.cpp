@@ -29,13 +29,13 @@ SceneDef drifting(Vec2 current, double skin_coefficient, double dt) {
   scene.water.drag_law = DragLaw::quadratic;
   scene.water.form_coefficient = 0.0;
   scene.water.skin_coefficient = skin_coefficient;
-  scene.numerics.moment_s = dt;
+  scene.numerics.time_step_s = dt;
   scene.floe = {square({})};
   return scene;
 }
 
-/// The update is exact, so n moments leave n roundings of the velocity and of the path: 2e-16 n relative each.
-double exact_flow(std::int64_t moments) { return rounding + 4e-16 * static_cast<double>(moments); }
+/// The update is exact, so n time steps leave n roundings of the velocity and of the path: 2e-16 n relative each.
+double exact_flow(std::int64_t steps) { return rounding + 4e-16 * static_cast<double>(steps); }
 
 void check_from_rest(const std::string& key, double skin_coefficient, const Setting& setting) {
   const std::int64_t blocks = 2000;
@@ -63,8 +63,8 @@ TEST_P(Drag, V22_from_rest) {
   check_from_rest("V22.k05", skin_for(0.05), setting());
 }
 
-/// What a floe's way over one moment leaves beside its new velocity x dt [m]; another floe follows `gap` behind it, as
-/// fast, so that the two drift on side by side and nothing presses.
+/// What a floe's way over one time step leaves beside its new velocity x dt [m]; another floe follows `gap` behind it,
+/// as fast, so that the two drift on side by side and nothing presses.
 double way_beside_velocity(double gap, const Setting& setting) {
   SceneDef scene = drifting({0.25, 0.0}, skin, 0.05);
   scene.floe.push_back(square({-(10.0 + gap), 0.0}));
@@ -132,18 +132,18 @@ TEST_P(Drag, V25_spin_down) {
   scene.floe[0].spin_rad_per_s = spin;
   Simulation run = start(scene, setting());
   double angle = 0.0;
-  const std::int64_t moments = 2000;
-  for (std::int64_t i = 0; i < moments; ++i) {
+  const std::int64_t steps = 2000;
+  for (std::int64_t i = 0; i < steps; ++i) {
     const Rotation before = run.bodies().rotation[floe_id];
     run.advance(1);
     const Rotation after = run.bodies().rotation[floe_id];
     angle += std::atan2(before.cosine * after.sine - before.sine * after.cosine,
                         before.cosine * after.cosine + before.sine * after.sine);
   }
-  check("V25.omega", run.bodies().spin[floe_id], exact_flow(moments), where());
+  check("V25.omega", run.bodies().spin[floe_id], exact_flow(steps), where());
   // each turn's series is right to 17/315 p^7, p = spin dt / 2 (motion.h), and rounded to 2e-16 rad
   const double turn = 17.0 / 315.0 * std::pow(0.5 * spin * dt, 7.0) + 2.2e-16;
-  check_absolute("V25.angle", angle, static_cast<double>(moments) * turn + 32.0 * exact_flow(moments), where());
+  check_absolute("V25.angle", angle, static_cast<double>(steps) * turn + 32.0 * exact_flow(steps), where());
 }
 
 void check_stop_at_wall(const std::string& key, double skin_coefficient, const Setting& setting) {
@@ -155,17 +155,17 @@ void check_stop_at_wall(const std::string& key, double skin_coefficient, const S
   run.log.wants_events = false;
   const std::size_t floe = 2;
   double speed = 0.0, given = 0.0;
-  while (given == 0.0 && run.engine->moment() < 100000) {
+  while (given == 0.0 && run.engine->step() < 100000) {
     speed = run.bodies().velocity[floe].x;
     run.advance(1);
     given = -run.engine->ledger()[Channel::impact].momentum.x;
   }
-  const double hit = static_cast<double>(run.engine->moment()) * dt;
+  const double hit = static_cast<double>(run.engine->step()) * dt;
   EXPECT_GT(given, 0.0) << "the floe never met the wall";
   run.advance(2);  // coupled first closes the gap exactly, then stops
   given = -run.engine->ledger()[Channel::impact].momentum.x;
-  // an overlap is seen up to a moment late and the moment's end is noted: 2 dt. The speed changes by less than k U^2 a
-  // second; the wall also bears the drag of the 4 moments around the event
+  // an overlap is seen up to a time step late and the time step's end is noted: 2 dt. The speed changes by less than k
+  // U^2 a second; the wall also bears the drag of the 4 time steps around the event
   const double k = run.bodies().drag[floe], pull = k * current * current;
   check_absolute(key + ".t", hit, 2.0 * dt, setting.where());
   check_absolute(key + ".v", speed, 2.0 * dt * pull, setting.where());
@@ -198,7 +198,7 @@ SceneDef pushed_pair(double front_thickness, double dt) {
   return scene;
 }
 
-/// Force from the rear floe on the front one in the next moment: what the front one gained beyond its own drag.
+/// Force from the rear floe on the front one in the next time step: what the front one gained beyond its own drag.
 double force_between(Simulation& run, double dt) {
   const Bodies before = run.bodies();
   run.advance(1);
@@ -220,7 +220,7 @@ TEST_P(Drag, V28_pushed_pair) {
   const double drag_force = b.drag[1] * b.mass[1] * current * current;
   check("V28.d", drag_force, rounding, where());
   check("V28.kbar", 2.0 * drag_force / (current * current) / (b.mass[1] + b.mass[2]), rounding, where());
-  // drag and contact take turns, an error of first order: the drag changes by 2 k U dt within a moment
+  // drag and contact take turns, an error of first order: the drag changes by 2 k U dt within a time step
   const double turns = 2.0 * k * current * dt;
   check("V28.F0", force_between(run, dt), turns, where());
   run.advance(12000 - 1);

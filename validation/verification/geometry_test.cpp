@@ -1,4 +1,4 @@
-// Areas, moments and overlaps against closed form: V01 to V03, V21, V50 and V51.
+// Areas, time steps and overlaps against closed form: V01 to V03, V21, V50 and V51.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -27,11 +27,11 @@ void check_pentagon(std::vector<Vec2> outline, Vec2 shift, bool clockwise) {
   if (clockwise) std::reverse(outline.begin(), outline.end());
   const PolygonMoments moments = polygon_moments(outline);
   const double sign = clockwise ? -1.0 : 1.0;
-  check("V01.area", sign * moments.area, rounding);
+  check("V01.area", sign * steps.area, rounding);
   // a centroid 1400 m away is rounded to 2e-13 m: 5e-14 of it
-  check("V01.cx", moments.centroid.x - shift.x, rounding);
-  check("V01.cy", moments.centroid.y - shift.y, rounding);
-  check("V01.J", sign * moments.second_moment, rounding);
+  check("V01.cx", steps.centroid.x - shift.x, rounding);
+  check("V01.cy", steps.centroid.y - shift.y, rounding);
+  check("V01.J", sign * steps.second_moment, rounding);
 
   SceneDef scene = quiet_scene();
   scene.floe = {{outline, {}, 0.0, {}, 0.0, 0.5}};
@@ -117,9 +117,8 @@ double jamming_bound(const std::vector<Vec2>& outline) {
   constexpr int steps = 20000;
   for (const Vec2 corner : outline)
     for (int i = 0; i < steps; ++i) {
-      const Vec2 arm = rotate(strict::rotation_of_turns(static_cast<double>(i) / steps), corner - moments.centroid);
-      const ContactCompliance k =
-          contact_compliance({}, {}, {1.0, moments.area / moments.second_moment}, arm, {0.0, 1.0});
+      const Vec2 arm = rotate(strict::rotation_of_turns(static_cast<double>(i) / steps), corner - steps.centroid);
+      const ContactCompliance k = contact_compliance({}, {}, {1.0, steps.area / steps.second_moment}, arm, {0.0, 1.0});
       if (k.nt != 0.0) least = std::min(least, k.nn / std::fabs(k.nt));
     }
   return least;
@@ -152,17 +151,17 @@ INSTANTIATE_TEST_SUITE_P(Engines, Kinematics, ::testing::ValuesIn(all_settings()
 TEST_P(Kinematics, V50_rod_turns_into_a_wall) {
   const double dt = 1e-3, spin = 0.02;
   SceneDef scene = quiet_scene();
-  scene.numerics.moment_s = dt;
+  scene.numerics.time_step_s = dt;
   scene.fixed = {floor_wall()};
   scene.floe = {rod({0.0, 6.0}, {}, 0.0, spin)};
   Simulation run = start(scene, setting());
   run.log.wants_events = false;
   const std::size_t floe = 2;
-  while (run.bodies().spin[floe] == spin && run.engine->moment() < 100000) run.advance(1);
-  const double hit = static_cast<double>(run.engine->moment()) * dt;
+  while (run.bodies().spin[floe] == spin && run.engine->step() < 100000) run.advance(1);
+  const double hit = static_cast<double>(run.engine->step()) * dt;
   const double turned = std::atan2(run.bodies().rotation[floe].sine, run.bodies().rotation[floe].cosine);
   run.advance(2);  // coupled first closes the gap exactly, then stops
-  // an overlap is seen up to a moment late and the end of the moment is noted: 2 dt
+  // an overlap is seen up to a time step late and the end of the time step is noted: 2 dt
   check_absolute("V50.t", hit, 2.0 * dt, where());
   check_absolute("V50.theta", turned, 2.0 * dt * spin, where());
   // the lever grows by spin x 6 m = 0.12 m/s, and after the event the outline turns on with it: 4 dt in all
@@ -194,7 +193,7 @@ double boundary(double low, double high, Late&& late) {
   return 0.5 * (low + high);
 }
 
-TEST(Geometry, V51_longest_moment) {
+TEST(Geometry, V51_longest_step) {
   const OutlineCopy small(rectangle(2.0, 8.0));
   const auto flipped = [&](double elapsed) {
     const Separation axis = after_closing(elapsed);
@@ -212,7 +211,7 @@ TEST(Geometry, V51_longest_moment) {
   scene.floe = {left, right};
   scene.output.platform_interval_s = scene.output.floes_interval_s = scene.output.force_window_s = 10.0;
   const auto refused = [&](double dt) {
-    scene.numerics.moment_s = dt;
+    scene.numerics.time_step_s = dt;
     return !check_scene(scene).empty();
   };
   check("V51.dt_10pct", boundary(0.01, 1.0, refused), rounding);

@@ -11,7 +11,7 @@ namespace {
 class Impacts : public OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, Impacts, ::testing::ValuesIn(all_settings()), setting_name);
 
-/// What only the coupled resolution does: iterate.
+/// What only the coupled solver does: iterate.
 class Iterations : public OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, Iterations, ::testing::ValuesIn(coupled_settings()), setting_name);
 
@@ -187,14 +187,14 @@ TEST_P(Impacts, V12_three_in_a_row) {
     check("V12.J12", -impact.impulse(0).x, rounding, where());
     check("V12.J23", impact.impulse(2).x, rounding, where());
   } else {
-    // independent: only the first pair closes at the start of the moment, and shares its momentum equally
+    // independent: only the first pair closes at the start of the time step, and shares its momentum equally
     check_value("V12.first", 0.3, impact.velocity(0).x, 0.3 * rounding, "m/s", where());
     check_value("V12.second", 0.3, impact.velocity(1).x, 0.3 * rounding, "m/s", where());
     check_value("V12.third", 0.0, impact.velocity(2).x, 0.3 * rounding, "m/s", where());
   }
 }
 
-/// A row of n + 1 floes with one contact point a pair, the first at 0.6 m/s, in one moment.
+/// A row of n + 1 floes with one contact point a pair, the first at 0.6 m/s, in one time step.
 Impact row_impact(int n, double tolerance, const Setting& setting) {
   SceneDef scene = row_of_squares(n + 1, 0.6);
   scene.contact.manifold = Manifold::chord_middle;
@@ -216,6 +216,7 @@ TEST_P(Iterations, V13_common_velocity_of_a_row) {
 }
 
 TEST_P(Iterations, V13_iterations_grow_with_the_length_of_a_row) {
+  if (setting().engine == "reference") GTEST_SKIP() << "its equations are factored: no news from contact to contact";
   // Gauss and Seidel's need the square of the length: 84 times as many for 99 floes as for 10 (V13.sweeps_GS)
   const int few = row_impact(10, 1e-6, setting()).quality.iterations;
   const int many = row_impact(99, 1e-6, setting()).quality.iterations;
@@ -248,18 +249,18 @@ TEST_P(Impacts, V14_two_corners_of_a_face) {
 void fall_in_line(int n, const Setting& setting) {
   const double dt = 0.02, gap = 4.0, speed = 0.6;
   SceneDef scene = quiet_scene();
-  scene.numerics.moment_s = dt;
+  scene.numerics.time_step_s = dt;
   for (int i = 0; i <= n; ++i) scene.floe.push_back(square({(10.0 + gap) * i, 0.0}));
   scene.floe[0].velocity_m_per_s = {speed, 0.0};
   Simulation run = start(scene, setting);
   run.log.wants_events = false;
   const std::size_t last = static_cast<std::size_t>(n) + 1;
   const std::string key = std::to_string(n);
-  while (run.bodies().velocity[last].x == 0.0 && run.engine->moment() < 100000) run.advance(1);
-  const double hit = static_cast<double>(run.engine->moment()) * dt;
-  // an overlap is seen at the next moment: 2 dt an impact. Independent also needs several moments to share the
-  // momentum in the row, its error falling by cos(pi / (row + 1)) a moment; meanwhile the front is at most V/V_n = row
-  // times too fast or slow
+  while (run.bodies().velocity[last].x == 0.0 && run.engine->step() < 100000) run.advance(1);
+  const double hit = static_cast<double>(run.engine->step()) * dt;
+  // an overlap is seen at the next time step: 2 dt an impact. Independent also needs several time steps to share the
+  // momentum in the row, its error falling by cos(pi / (row + 1)) a time step; meanwhile the front is at most V/V_n =
+  // row times too fast or slow
   double tolerance = 0.0;
   for (int row = 1; row <= n; ++row) {
     tolerance += 2.0 * dt;

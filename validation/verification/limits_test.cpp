@@ -13,7 +13,7 @@ TEST_P(Limits, V52_elastic_stress_gives_speed_back) {
   for (const double dt : {0.2, 0.1, 0.05, 0.025}) {
     const double closing = 0.5, gap = 1e-9;
     SceneDef scene = quiet_scene();
-    scene.numerics.moment_s = dt;
+    scene.numerics.time_step_s = dt;
     scene.contact.manifold = Manifold::chord_middle;
     scene.contact.elastic_stiffness_N_per_m = 1e6;
     scene.floe = {square({-5.0 - 0.5 * gap, 0.0}, {0.5 * closing, 0.0}),
@@ -21,11 +21,11 @@ TEST_P(Limits, V52_elastic_stress_gives_speed_back) {
     Simulation run = start(scene, setting());
     run.advance(40);
     int touched = 0;
-    for (const MomentQuality& quality : run.log.quality) touched += quality.contacts > 0;
+    for (const StepQuality& quality : run.log.quality) touched += quality.contacts > 0;
     EXPECT_GT(touched, 0) << "the floes never met";
     const double parting = run.bodies().velocity[2].x - run.bodies().velocity[1].x;
-    // independent sees the floes as deep as a moment brings them; the stress of that depth then pushes with nothing
-    // against it, and a contact does not pull: no later moment takes the speed back
+    // independent sees the floes as deep as a time step brings them; the stress of that depth then pushes with nothing
+    // against it, and a contact does not pull: no later time step takes the speed back
     const double phase = dt * std::sqrt(1e6 / 22500.0);
     const double given_back = setting().coupled() ? 0.0 : std::pow(phase / (1.0 + phase), 2);
     check_value("V52.dt_" + std::to_string(dt).substr(0, 5), given_back, parting / closing,

@@ -14,7 +14,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, MooredImpact, ::testing::ValuesIn(all_settings
 TEST_P(MooredImpact, V10_floe_on_the_moored_platform) {
   const double dt = 0.01, platform_mass = 1e8;
   SceneDef scene = quiet_scene();
-  scene.numerics.moment_s = dt;
+  scene.numerics.time_step_s = dt;
   scene.platform.present = true;
   scene.floe = {square({-55.0 + touch, 0.0}, {0.25, 0.0})};
   Simulation run = start(scene, setting());
@@ -28,14 +28,15 @@ TEST_P(MooredImpact, V10_floe_on_the_moored_platform) {
   check("V10.dE", -run.engine->ledger()[Channel::impact].energy, rounding, where());
 
   double pressed_until = 0.0, peak = 0.0, lowest = 0.0;
-  while (run.engine->moment() < 8000) {
+  while (run.engine->step() < 8000) {
     run.advance(1);
-    const double time = static_cast<double>(run.engine->moment()) * dt;
+    const double time = static_cast<double>(run.engine->step()) * dt;
     if (run.log.platform.back().ice_impulse.x > 0.0) pressed_until = time;
     peak = std::max(peak, run.bodies().position[0].x);
     lowest = std::min(lowest, run.bodies().position[0].x);
   }
-  // the floe lags the platform's half moments by one dt: omega dt m / M = 3e-7 of the swing, sampling (omega dt)^2 / 8
+  // the floe lags the platform's half time steps by one dt: omega dt m / M = 3e-7 of the swing, sampling (omega dt)^2 /
+  // 8
   const double lag = 4e-7;
   check("V10.xpeak", peak, lag, where());
   check("V10.xpeak_up", -lowest, lag, where());

@@ -21,14 +21,14 @@ SceneDef platform_alone(Vec2 offset, double dt) {
   SceneDef scene = quiet_scene();
   scene.platform.present = true;
   scene.platform.start_offset_m = offset;
-  scene.numerics.moment_s = dt;
+  scene.numerics.time_step_s = dt;
   return scene;
 }
 
 /// The flow is exact; its coefficients, products, sums and the sum with the anchor are rounded to 1.1e-16 each, twice a
-/// moment: 8.9e-16 a moment of the largest value. The outline's corners are rounded at 50 m to 7e-15 m, and with them
-/// the centroid that the position means, by up to three of them.
-double exact_flow(double moments) { return 8.9e-16 * moments; }
+/// time step: 8.9e-16 a time step of the largest value. The outline's corners are rounded at 50 m to 7e-15 m, and with
+/// them the centroid that the position means, by up to three of them.
+double exact_flow(double steps) { return 8.9e-16 * steps; }
 constexpr double placed = 2e-14;
 
 Vec2 place(Simulation& run) { return run.bodies().position[0]; }
@@ -64,20 +64,19 @@ TEST_P(Platform, V39_free_swing) {
 TEST_P(Platform, V39_period_over_many_swings) {
   const double dt = 0.05;
   Simulation run = start(platform_alone({1.0, 0.0}, dt), setting());
-  // time of every second zero crossing, by the phase of the moment after it
+  // time of every second zero crossing, by the phase of the time step after it
   std::vector<double> crossings;
   double last = 1.0;
-  while (crossings.size() < 101 && run.engine->moment() < 400000) {
+  while (crossings.size() < 101 && run.engine->step() < 400000) {
     run.log.clear();
     run.advance(1);
     const double x = place(run).x;
     if (last > 0.0 && x <= 0.0)
-      crossings.push_back(static_cast<double>(run.engine->moment()) * dt -
-                          std::atan2(-x, -speed(run).x / omega) / omega);
+      crossings.push_back(static_cast<double>(run.engine->step()) * dt - std::atan2(-x, -speed(run).x / omega) / omega);
     last = x;
   }
   ASSERT_EQ(crossings.size(), 101u);
-  // the stated bar; the phase itself walks off by 4.4e-16 a moment of 3.5e-3 rad: 1.3e-13
+  // the stated bar; the phase itself walks off by 4.4e-16 a time step of 3.5e-3 rad: 1.3e-13
   check("V39.T", (crossings.back() - crossings.front()) / 100.0, 1e-9 / value_of("V39.T"), where());
 }
 
@@ -117,7 +116,7 @@ TEST_P(Platform, V40_damped_swing) {
   Simulation run = start(scene, setting());
   run.advance(2000);
   check_absolute("V40.x100", place(run).x, placed + exact_flow(2000), where());
-  scene.numerics.moment_s = damped_period / 2000.0;
+  scene.numerics.time_step_s = damped_period / 2000.0;
   Simulation cycles = start(scene, setting());
   cycles.advance(20000);
   check_absolute("V40.ratio10", place(cycles).x, placed + exact_flow(20000), where());
@@ -170,25 +169,25 @@ TEST_P(Platform, V42_impulses) {
   // a train: one period of it brings the state back
   for (const auto& [key, interval] : {std::pair{"V42.T20", 20.0}, std::pair{"V42.T60", 60.0}}) {
     const std::string name = key;
-    const double moment = 0.02;
-    SceneDef scene = platform_alone({value_of(name + ".x0"), 0.0}, moment);
+    const double step = 0.02;
+    SceneDef scene = platform_alone({value_of(name + ".x0"), 0.0}, step);
     scene.platform.start_velocity_m_per_s = {value_of(name + ".v0"), 0.0};
     Simulation run = start(scene, setting());
-    const int moments = static_cast<int>(interval / moment);
+    const int steps = static_cast<int>(interval / step);
     double most = 0.0, sum = 0.5 * place(run).x;
-    for (int i = 0; i < moments; ++i) {
+    for (int i = 0; i < steps; ++i) {
       run.advance(1);
       most = std::max(most, place(run).x);
-      sum += i + 1 < moments ? place(run).x : 0.5 * place(run).x;
+      sum += i + 1 < steps ? place(run).x : 0.5 * place(run).x;
     }
     kick(run, step);
-    const double scale = value_of("V42.one"), walked = placed + scale * exact_flow(moments);
+    const double scale = value_of("V42.one"), walked = placed + scale * exact_flow(steps);
     check_absolute(name + ".x0", place(run).x, walked, where());
     check_absolute(name + ".v0", speed(run).x, omega * walked, where());
     // between two samples: (omega dt)^2 / 8 of the swing; the trapezium rule: (omega dt)^2 / 12
-    const double sampled = scale * omega * omega * moment * moment / 8.0;
+    const double sampled = scale * omega * omega * step * step / 8.0;
     check_absolute(name + ".max", most, sampled, where());
-    check_absolute(name + ".mean", sum / moments, sampled, where());
+    check_absolute(name + ".mean", sum / steps, sampled, where());
   }
 }
 
@@ -207,7 +206,7 @@ std::vector<double> turns(double dt, const Setting& setting) {
   Simulation run = start(platform_with_drag(dt), setting);
   std::vector<double> amplitude;
   double before = 0.0;
-  while (amplitude.size() < 7 && run.engine->moment() < 200000) {
+  while (amplitude.size() < 7 && run.engine->step() < 200000) {
     run.advance(1);
     const double v = speed(run).x;
     // at most dt from the turn the drag's work is of order b (omega^2 A dt)^3 dt: nothing
@@ -227,7 +226,8 @@ TEST_P(Platform, V43_quadratic_drag) {
   check_absolute("V43.A1", fine[0], share * (5.0 - fine[0]), where());
   check_absolute("V43.A2", fine[1], share * (5.0 - fine[1]), where());
   check_absolute("V43.A6", fine[5], share * (5.0 - fine[5]), where());
-  // second order: half the moment, a quarter of the difference; the turns of speed inside a moment blur it by some %
+  // second order: half the time step, a quarter of the difference; the turns of speed inside a time step blur it by
+  // some %
   const auto after_100_s = [&](double step) {
     Simulation run = start(platform_with_drag(step), setting());
     run.advance(static_cast<std::int64_t>(100.0 / step));

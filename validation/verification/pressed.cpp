@@ -16,7 +16,7 @@ SceneDef pressed_scene(Vec2 current, double skin_coefficient, double friction, d
   scene.water.form_coefficient = 0.0;
   scene.water.skin_coefficient = skin_coefficient;
   scene.ice.friction_ice = friction;
-  scene.numerics.moment_s = dt;
+  scene.numerics.time_step_s = dt;
   return scene;
 }
 
@@ -26,14 +26,14 @@ FixedDef long_floor(double angle) {
   return floor;
 }
 
-Vec2 force_of_fixed(Simulation& run, std::int64_t moments, double dt) {
+Vec2 force_of_fixed(Simulation& run, std::int64_t steps, double dt) {
   const Ledger before = run.engine->ledger();
-  run.advance(moments);
+  run.advance(steps);
   const Ledger after = run.engine->ledger();
   Vec2 given;
   for (const Channel c : {Channel::impact, Channel::friction, Channel::elastic})
     given += after[c].momentum - before[c].momentum;
-  return (1.0 / (static_cast<double>(moments) * dt)) * given;
+  return (1.0 / (static_cast<double>(steps) * dt)) * given;
 }
 
 double let_go(double k, double slip, double dt) { return 1.01 * k * slip * dt; }

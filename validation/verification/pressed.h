@@ -13,16 +13,16 @@ constexpr double skin = 0.5 * 0.005;
 /// Skin coefficient that gives a floe 0.5 m thick the rate k [1/m].
 double skin_for(double k);
 
-/// A quiet scene with a current, skin drag and friction of ice, in moments of `dt`.
+/// A quiet scene with a current, skin drag and friction of ice, in time steps of `dt`.
 SceneDef pressed_scene(Vec2 current, double skin_coefficient, double friction, double dt);
 
 /// A floor 4 km long, turned about the origin.
 FixedDef long_floor(double angle);
 
-/// Force of the fixed bodies on the floes over the next moments [N].
-Vec2 force_of_fixed(Simulation& run, std::int64_t moments, double dt);
+/// Force of the fixed bodies on the floes over the next time steps [N].
+Vec2 force_of_fixed(Simulation& run, std::int64_t steps, double dt);
 
-/// A floe held by a wall is let go by the drag for one moment at a time, so that its drag falls short by k |w| dt.
+/// A floe held by a wall is let go by the drag for one time step at a time, so that its drag falls short by k |w| dt.
 double let_go(double k, double slip, double dt);
 
 /// The books of a scene within `reach` metres of the origin. Twists of a held floe cancel, so the ledger's own scale of

@@ -12,9 +12,9 @@ namespace {
 class Row : public OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, Row, ::testing::ValuesIn(all_settings()), setting_name);
 
-/// V33 and V34 as independent has them, without elastic stress: each moment a contact passes on M_e times its closing
-/// speed, so the row creeps just fast enough that the closing speeds carry the push: contact j from the wall closes at
-/// 2 (sum of the pushes behind it) dt / m, the one at the wall at half of that. The drag follows the creep.
+/// V33 and V34 as independent has them, without elastic stress: each time step a contact passes on M_e times its
+/// closing speed, so the row creeps just fast enough that the closing speeds carry the push: contact j from the wall
+/// closes at 2 (sum of the pushes behind it) dt / m, the one at the wall at half of that. The drag follows the creep.
 double creeping_force(int count, double dt) {
   const double mass = 45000.0, k = 0.05, speed = 0.5;
   std::vector<double> creep(static_cast<std::size_t>(count), 0.0);
@@ -102,16 +102,16 @@ struct Jam {
 Jam jam_in_a_row(double pitch, int count, const Setting& setting) {
   const double dt = 0.02, speed = 0.25;
   SceneDef scene = quiet_scene();
-  scene.numerics.moment_s = dt;
+  scene.numerics.time_step_s = dt;
   scene.fixed = {{{{0.0, -20.0}, {5.0, -20.0}, {5.0, 20.0}, {0.0, 20.0}}}};
   for (int i = 0; i < count; ++i) scene.floe.push_back(square({10.0 - (i + 1) * pitch, 0.0}, {speed, 0.0}));
   Simulation run = start(scene, setting);
   run.log.wants_events = false;
   Jam jam;
-  const auto moments = static_cast<std::int64_t>((count + 1) * (pitch - 10.0) / speed / dt) + 4000;
-  for (std::int64_t i = 0; i < moments; ++i) {
+  const auto steps = static_cast<std::int64_t>((count + 1) * (pitch - 10.0) / speed / dt) + 4000;
+  for (std::int64_t i = 0; i < steps; ++i) {
     run.advance(1);
-    const double now = static_cast<double>(run.engine->moment()) * dt;
+    const double now = static_cast<double>(run.engine->step()) * dt;
     if (jam.first == 0.0 && run.bodies().velocity[2].x < speed) jam.first = now;
     if (jam.last == 0.0 && run.bodies().velocity[static_cast<std::size_t>(count) + 1].x < speed) jam.last = now;
   }
@@ -127,7 +127,7 @@ TEST_P(Row, V38_one_dimensional_jam) {
   const int count = 10;
   const Jam jam = jam_in_a_row(25.0, count, setting());
   const double time = jam.last - jam.first;
-  // each strike is seen up to a moment late. Independent: a row that is struck takes row x dt / (1 - cos(pi / (row +
+  // each strike is seen up to a time step late. Independent: a row that is struck takes row x dt / (1 - cos(pi / (row +
   // 1))) to give its momentum away, and creeps on meanwhile at up to a share 1 / row of the speed
   double late = 2.0 * 0.02;
   if (!setting().coupled())

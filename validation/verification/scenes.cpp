@@ -35,22 +35,22 @@ std::vector<Setting> all_settings() {
   std::vector<Setting> settings = surveyed_baselines();
   if (!settings.empty()) return settings;
   for (const std::string& engine : engines())
-    for (const Resolution resolution : {Resolution::independent, Resolution::coupled})
-      settings.push_back({engine, resolution});
+    for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled})
+      settings.push_back({engine, solver});
   return settings;
 }
 
 std::vector<Setting> coupled_settings() {
   std::vector<Setting> settings;
-  for (const std::string& engine : engines()) settings.push_back({engine, Resolution::coupled});
+  for (const std::string& engine : engines()) settings.push_back({engine, ContactSolver::coupled});
   return settings;
 }
 
 std::string setting_name(const ::testing::TestParamInfo<Setting>& info) {
-  return info.param.engine + "_" + info.param.where().resolution;
+  return info.param.engine + "_" + info.param.where().solver;
 }
 
-void PrintTo(const Setting& setting, std::ostream* out) { *out << setting.engine << ' ' << setting.where().resolution; }
+void PrintTo(const Setting& setting, std::ostream* out) { *out << setting.engine << ' ' << setting.where().solver; }
 
 SceneDef quiet_scene() {
   SceneDef scene;
@@ -64,7 +64,7 @@ SceneDef quiet_scene() {
   scene.platform.present = false;
   scene.contact.elastic_stiffness_N_per_m = 0.0;
   scene.contact.crushing_limit = false;
-  scene.numerics.moment_s = 1e-6;
+  scene.numerics.time_step_s = 1e-6;
   scene.numerics.residual_tolerance = 1e-14;
   scene.numerics.iterations_maximum = 20000;
   scene.numerics.repair_share = 0.0;
@@ -110,7 +110,7 @@ SceneDef row_of_squares(int count, double speed) {
 }
 
 Simulation start(SceneDef scene, const Setting& setting) {
-  scene.contact.resolution = setting.resolution;
+  scene.contact.solver = setting.solver;
   Simulation run{make_engine(scene, make_field(scene), {setting.engine, 1}), {}, {}};
   run.first = run.engine->ledger();
   return run;

@@ -18,16 +18,16 @@ namespace gem::verification {
 /// contact point lies half of it off, which changes no closed form by more than 1e-13 relative.
 constexpr double touch = 0x1p-40;
 
-/// One engine with one resolution.
+/// One engine with one solver.
 struct Setting {
   std::string engine;  // as make_engine knows it
-  Resolution resolution = Resolution::coupled;
+  ContactSolver solver = ContactSolver::coupled;
 
-  bool coupled() const { return resolution == Resolution::coupled; }
+  bool coupled() const { return solver == ContactSolver::coupled; }
   Where where() const { return {engine, coupled() ? "coupled" : "independent"}; }
 };
 
-/// Every engine by name with both resolutions; with GEM_MORE_ENGINES=cuda that one too.
+/// Every engine by name with both solvers; with GEM_MORE_ENGINES=cuda that one too.
 std::vector<Setting> all_settings();
 /// Every engine, coupled only.
 std::vector<Setting> coupled_settings();
@@ -71,14 +71,14 @@ SceneDef row_of_squares(int count, double speed);
 /// A running engine with its log.
 struct Simulation {
   std::unique_ptr<Engine> engine;
-  MomentLog log;
+  StepLog log;
   Ledger first;  // the books at t = 0
 
-  void advance(std::int64_t moments) { engine->advance(moments, log); }
+  void advance(std::int64_t steps) { engine->advance(steps, log); }
   const Bodies& bodies() { return engine->bodies(); }
 };
 
-/// Makes the field and the engine of a scene with the setting's resolution.
+/// Makes the field and the engine of a scene with the setting's solver.
 Simulation start(SceneDef scene, const Setting& setting);
 
 /// Angular momentum of all bodies about the world origin [N m s].
@@ -87,19 +87,19 @@ double angular_momentum(const Bodies& b);
 /// The books must close. `momentum_seen` is for runs whose largest momentum lies between two looks at the ledger [N s].
 void expect_closed_books(Simulation& run, double tolerance = 1e-13, double momentum_seen = 0.0);
 
-/// One moment of a scene whose bodies touch at the start. Fails without contact and unless the books close.
+/// One time step of a scene whose bodies touch at the start. Fails without contact and unless the books close.
 struct Impact {
   Bodies before, after;
   Ledger ledger;
   EngineState state;
-  MomentQuality quality;
+  StepQuality quality;
   std::size_t first_floe = 0;
 
   Vec2 velocity(std::size_t floe) const { return after.velocity[first_floe + floe]; }
   double spin(std::size_t floe) const { return after.spin[first_floe + floe]; }
   /// What a floe was given [N s].
   Vec2 impulse(std::size_t floe) const;
-  /// Kinetic energy lost in the moment [J].
+  /// Kinetic energy lost in the time step [J].
   double energy_lost() const;
 };
 Impact one_impact(const SceneDef& scene, const Setting& setting);

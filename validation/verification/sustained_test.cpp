@@ -45,7 +45,7 @@ TEST_P(Sustained, V30_rest_and_slide_on_a_wall) {
     EXPECT_GT(begin.bodies().velocity[2].x, 0.5 * value_of(key + ".v"));
     EXPECT_LT(begin.bodies().velocity[2].x, value_of(key + ".v"));
   }
-  // least friction that holds, by bisection: after a moment the held floe has no speed but what sweeps leave
+  // least friction that holds, by bisection: after a time step the held floe has no speed but what sweeps leave
   double slips = 0.7, sticks = 0.8;
   while (sticks - slips > 1e-7) {
     const double friction = 0.5 * (slips + sticks);
@@ -53,7 +53,7 @@ TEST_P(Sustained, V30_rest_and_slide_on_a_wall) {
     run.advance(1);
     (std::fabs(run.bodies().velocity[2].x) > 1e-10 ? slips : sticks) = friction;
   }
-  // friction that is short by x lets the floe go by x k |w| U_y dt = 5.7e-5 x in a moment
+  // friction that is short by x lets the floe go by x k |w| U_y dt = 5.7e-5 x in a time step
   check("V30.mu_static", sticks, 1e-5, where());
 }
 
@@ -67,9 +67,9 @@ TEST_P(Sustained, V31_slides_to_a_stop_and_stays) {
   Simulation run = start(scene, setting());
   run.advance(1000);
   check("V31.v50", run.bodies().velocity[2].x, 1e-11, where());
-  while (run.bodies().velocity[2].x > 1e-9 && run.engine->moment() < 10000) run.advance(1);
-  check_absolute("V31.t", static_cast<double>(run.engine->moment()) * dt, dt, where());
-  // a path of moments at their last speed: short by dt / 2 of the 0.5 m/s that are lost
+  while (run.bodies().velocity[2].x > 1e-9 && run.engine->step() < 10000) run.advance(1);
+  check_absolute("V31.t", static_cast<double>(run.engine->step()) * dt, dt, where());
+  // a path of time steps at their last speed: short by dt / 2 of the 0.5 m/s that are lost
   check_absolute("V31.x", run.bodies().position[2].x, 0.5 * dt * 0.5 * 1.01, where());
   const double stopped = run.bodies().position[2].x;
   run.advance(4000);
@@ -122,7 +122,7 @@ TEST_P(Sustained, V35_held_in_a_notch) {
   Simulation run = start(scene, setting());
   run.advance(2000);
   // by symmetry the walls share the push. Independent: each wall answers alone and the answers are added, so the floe
-  // is thrown back by as much as a moment's push d dt / m, and the drag follows by 2 / U of it
+  // is thrown back by as much as a time step's push d dt / m, and the drag follows by 2 / U of it
   const Vec2 force = force_of_fixed(run, 1000, dt);
   const double jitter = setting().coupled() ? 1e-6 : 2.0 * (562.5 * dt / 45000.0) / 0.5 * 2.0;
   check("V35.mu0", 0.5 * force.y / std::sin(alpha), let_go(0.05, 0.5, dt) + jitter, where());
@@ -152,7 +152,7 @@ TEST_P(Sustained, V36_two_pegs) {
   const double sum = (after[Channel::impact].momentum.y - before[Channel::impact].momentum.y) / time;
   const double twist = (after[Channel::impact].angular_momentum - before[Channel::impact].angular_momentum) / time;
   // N1 + N2 = sum and 5 N2 - 3 N1 = twist. Independent: each peg answers alone, so the floe rocks, but over many
-  // moments it is held; what is left is its momentum at both ends, a moment's push
+  // time steps it is held; what is left is its momentum at both ends, a time step's push
   const double tolerance = let_go(0.05, 0.5, dt) + (setting().coupled() ? 1e-6 : 2.0 * dt / time * 5.0);
   check("V36.N1", (5.0 * sum - twist) / 8.0, tolerance, where());
   check("V36.N2", (3.0 * sum + twist) / 8.0, tolerance, where());

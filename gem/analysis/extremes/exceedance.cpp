@@ -39,10 +39,4 @@ std::vector<double> cycle_peaks(std::span<const double> signal) {
   return peaks;
 }
 
-double crossing_rate(std::span<const double> signal, double interval_s, double level) {
-  std::size_t count = 0;
-  for (std::size_t i = 1; i < signal.size(); ++i) count += signal[i - 1] < level && signal[i] >= level ? 1 : 0;
-  return signal.empty() ? 0.0 : static_cast<double>(count) / (static_cast<double>(signal.size()) * interval_s);
-}
-
 }  // namespace gem

@@ -20,7 +20,4 @@ ExceedanceCurve exceedance(std::span<const double> values, double confidence = 0
 /// The largest value between each up-crossing of the mean and the next: one peak per cycle, however it wiggles.
 std::vector<double> cycle_peaks(std::span<const double> signal);
 
-/// Up-crossings of `level` per second: for narrow-band records the rate of cycles that exceed it.
-double crossing_rate(std::span<const double> signal, double interval_s, double level);
-
 }  // namespace gem

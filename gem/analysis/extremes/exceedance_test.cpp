@@ -1,4 +1,4 @@
-// Exceedance by hand, peaks of cycles, and Rice's rate of crossings.
+// Exceedance by hand, and peaks of cycles.
 #include "gem/analysis/extremes/exceedance.h"
 
 #include <gtest/gtest.h>
@@ -45,12 +45,6 @@ TEST(CyclePeaks, OnePerCycleHoweverItWiggles) {
   ASSERT_EQ(peaks.size(), 9u);
   for (const double peak : peaks) EXPECT_NEAR(peak, 2.05, 0.06);
   EXPECT_TRUE(cycle_peaks({}).empty());
-}
-
-TEST(CrossingRate, OfASine) {
-  const std::vector<double> signal = sine(10000, 100.0, 2.0, 1.0);
-  EXPECT_NEAR(crossing_rate(signal, 0.5, 1.0), 0.02, 1e-4);
-  EXPECT_EQ(crossing_rate(signal, 0.5, 2.5), 0.0);
 }
 
 }  // namespace

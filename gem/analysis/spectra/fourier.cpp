@@ -23,12 +23,6 @@ std::size_t next_fast_length(std::size_t length) {
   return length;
 }
 
-std::size_t last_fast_length(std::size_t length) {
-  if (length == 0) throw std::invalid_argument("a transform needs a positive length");
-  while (!is_fast(length)) --length;
-  return length;
-}
-
 Fourier::Fourier(std::size_t length) : length_(length) {
   if (length == 0) throw std::invalid_argument("a transform needs a positive length");
   table_.reset(gsl_fft_complex_wavetable_alloc(length));

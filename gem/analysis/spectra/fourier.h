@@ -15,8 +15,6 @@ using Complexes = std::vector<std::complex<double>>;
 
 /// The smallest length of at least `length` with no prime factor above 5: quick to transform.
 std::size_t next_fast_length(std::size_t length);
-/// The largest such length of at most `length`, which must be positive.
-std::size_t last_fast_length(std::size_t length);
 
 /// Transforms of one length. A prime length costs its square: take a fast one where the choice is free.
 class Fourier {

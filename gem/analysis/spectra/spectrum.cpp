@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -43,18 +41,6 @@ void check(std::span<const double> signal, double interval_s) {
   if (!(interval_s > 0.0)) throw std::invalid_argument("the sampling interval must be positive");
 }
 
-std::vector<double> hann_of_unit_energy(std::size_t length) {
-  std::vector<double> window(length);
-  const double turn = 2.0 * std::numbers::pi / static_cast<double>(length);
-  double energy = 0.0;
-  for (std::size_t i = 0; i < length; ++i) {
-    window[i] = 0.5 - 0.5 * std::cos(turn * (static_cast<double>(i) + 0.5));
-    energy += window[i] * window[i];
-  }
-  for (double& value : window) value /= std::sqrt(energy);
-  return window;
-}
-
 Spectrum blank(std::size_t samples, std::size_t padded, double interval_s) {
   Spectrum spectrum;
   spectrum.step = 1.0 / (static_cast<double>(padded) * interval_s);
@@ -64,8 +50,6 @@ Spectrum blank(std::size_t samples, std::size_t padded, double interval_s) {
 }
 
 }  // namespace
-
-double Spectrum::variance() const { return std::accumulate(density.begin(), density.end(), 0.0) * step; }
 
 std::vector<Spectrum> eigenspectra(std::span<const double> signal, double interval_s,
                                    const MultitaperOptions& options) {
@@ -94,30 +78,6 @@ Spectrum mean_spectrum(const std::vector<Spectrum>& spectra, std::size_t without
     for (std::size_t i = 0; i < mean.density.size(); ++i) mean.density[i] += spectra[s].density[i];
   }
   for (double& value : mean.density) value /= used;
-  return mean;
-}
-
-Spectrum multitaper(std::span<const double> signal, double interval_s, const MultitaperOptions& options) {
-  return mean_spectrum(eigenspectra(signal, interval_s, options));
-}
-
-Spectrum welch(std::span<const double> signal, double interval_s, double segment_s) {
-  check(signal, interval_s);
-  const auto wanted = static_cast<std::size_t>(std::llround(segment_s / interval_s));
-  const std::size_t length = std::clamp<std::size_t>(wanted, 16, signal.size());
-  const std::size_t padded = std::bit_ceil(length);
-  const std::vector<double> centred = without_mean(signal);
-  const std::vector<double> window = hann_of_unit_energy(length);
-  Spectrum mean = blank(signal.size(), padded, interval_s);
-  mean.half_bandwidth = 2.0 / (static_cast<double>(length) * interval_s);
-  mean.segments = 0;
-  for (std::size_t begin = 0; begin + length <= signal.size(); begin += length / 2) {
-    const std::vector<double> density =
-        windowed_density(std::span(centred).subspan(begin, length), window, padded, interval_s);
-    for (std::size_t i = 0; i < density.size(); ++i) mean.density[i] += density[i];
-    ++mean.segments;
-  }
-  for (double& value : mean.density) value /= static_cast<double>(mean.segments);
   return mean;
 }
 

@@ -1,4 +1,4 @@
-// Power spectra of evenly sampled records: multitaper for short ones, Welch for long ones.
+// Power spectra of evenly sampled records, by several tapers.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,9 @@ struct Spectrum {
   double step = 0.0;            // spacing of the frequencies, the first is 0 [Hz]
   double half_bandwidth = 0.0;  // features closer than twice this are one [Hz]
   double duration = 0.0;        // length of the record [s]
-  std::size_t segments = 1;     // of the record that were averaged
   std::vector<double> density;  // [unit^2/Hz]
 
   double frequency(std::size_t i) const { return step * static_cast<double>(i); }
-  /// The integral over all frequencies [unit^2].
-  double variance() const;
 };
 
 struct MultitaperOptions {
@@ -32,11 +29,5 @@ std::vector<Spectrum> eigenspectra(std::span<const double> signal, double interv
 
 /// Mean of several spectra of one record, leaving out number `without` if it is given.
 Spectrum mean_spectrum(const std::vector<Spectrum>& spectra, std::size_t without = static_cast<std::size_t>(-1));
-
-/// Multitaper estimate: the mean of the eigenspectra.
-Spectrum multitaper(std::span<const double> signal, double interval_s, const MultitaperOptions& options = {});
-
-/// Welch's estimate: Hann segments of `segment_s`, half overlapping. A record shorter than a segment is one segment.
-Spectrum welch(std::span<const double> signal, double interval_s, double segment_s);
 
 }  // namespace gem

@@ -58,18 +58,6 @@ std::vector<double> holm(std::span<const double> p) {
   return adjusted;
 }
 
-std::vector<double> benjamini_hochberg(std::span<const double> p) {
-  std::vector<double> adjusted(p.size());
-  std::vector<std::size_t> order = ascending_p(p);
-  double smallest = 1.0;
-  for (std::size_t rank = order.size(); rank > 0; --rank) {
-    const std::size_t i = order[rank - 1];
-    smallest = std::min(smallest, p[i] * static_cast<double>(p.size()) / static_cast<double>(rank));
-    adjusted[i] = smallest;
-  }
-  return adjusted;
-}
-
 double combined_chance(std::span<const double> p) {
   double sum = 0.0;
   for (const double value : p) {

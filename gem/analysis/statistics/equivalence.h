@@ -1,4 +1,4 @@
-// Are two sets of runs the same within a margin? Two one-sided tests (TOST); and corrections for many tests.
+// Are two sets of runs the same within a margin? Two one-sided tests (TOST); and a correction for many tests.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +21,9 @@ struct Equivalence {
 /// each and a positive margin, otherwise std::invalid_argument.
 Equivalence equivalence_test(std::span<const double> a, std::span<const double> b, double margin, double level = 0.05);
 
-/// p values adjusted for their number, in the given order: reject those below the level.
-/// Holm: the chance of even one false rejection stays below the level.
+/// p values adjusted for their number (Holm), in the given order: reject those below the level, and the chance of even
+/// one false rejection stays below it.
 std::vector<double> holm(std::span<const double> p);
-/// Benjamini and Hochberg: of the rejections a share below the level is false, for independent tests.
-std::vector<double> benjamini_hochberg(std::span<const double> p);
 
 /// The chance of independent p values as small as these together without any effect, by Fisher's method: -2 sum ln p
 /// has a chi-square law with two degrees of freedom for each. On the safe side for ranks, which have a least p. 1 for

@@ -10,9 +10,7 @@ namespace gem {
 enum class AnalysisStream : std::uint32_t {
   bootstrap = 1000,
   moving_blocks,
-  permutation,
-  surrogate,
-  impulse_times,
+  impulse_times = 1004,
   impulse_sizes,
   zero_one,
   test_signal,

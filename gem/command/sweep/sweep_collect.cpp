@@ -15,10 +15,11 @@
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
 #include "gem/record/summary_file.h"
-#include "gem/report/load_run.h"
-#include "gem/report/paper/paper_summary.h"
-#include "gem/report/platform_series.h"
-#include "gem/report/run_findings.h"
+#include "gem/report/run/load_run.h"
+#include "gem/report/run/platform_series.h"
+#include "gem/report/run/run_findings.h"
+#include "gem/report/run/run_series.h"
+#include "gem/report/run/summary_series.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {
@@ -130,12 +131,14 @@ std::vector<SweepRow> done_rows(const SweepCollectChoice& choice) {
   return rows;
 }
 
-void add_origin(Columns& columns, const std::vector<SweepRow>& rows) {
-  std::vector<std::string> hashes, engines, cases;
+void add_origin(Columns& columns, const std::vector<SweepRow>& rows, const std::vector<RunIdentity>& identities) {
+  std::vector<std::string> hashes, engines, cases, sources, solvers;
   for (std::size_t run = 0; run < rows.size(); ++run) {
     hashes.push_back(rows[run].state_hash);
     engines.push_back(rows[run].engine);
     cases.push_back(rows[run].case_sha256);
+    sources.push_back(identities[run].source);
+    solvers.push_back(identities[run].solver);
     columns.set(run, "index", "1", "place in the sweep file, from 1", static_cast<double>(rows[run].index));
     columns.set(run, "duration_s", "s", "simulated time", rows[run].time_s);
     columns.set(run, "wall_time_s", "s", "wall time of the run", rows[run].wall_time_s);
@@ -143,6 +146,13 @@ void add_origin(Columns& columns, const std::vector<SweepRow>& rows) {
   columns.add_texts("state_hash", "hash of the state at the end: same bits, same hash", hashes);
   columns.add_texts("engine", "engine that made the run", engines);
   columns.add_texts("case_sha256", "hash of the case with all its options", cases);
+  columns.add_texts("source", "program that made the run", sources);
+  columns.add_texts("resolution", "how contacts were resolved", solvers);
+}
+
+/// Over the whole run, whatever --from leaves out of the analysis.
+RunSeries kept_series(const RunData& data) {
+  return data.platform.time.size() < kSamplesForStatistics ? RunSeries{} : run_series(platform_series(data));
 }
 
 /// Rounded as it will be stored, or as it is with its velocity.
@@ -188,7 +198,7 @@ void check_intervals(const SweepCollectChoice& choice, const std::vector<SweepRo
 
 }  // namespace
 
-int collect_sweep(const SweepCollectChoice& choice) {
+int collect_sweep(const SweepCollectChoice& choice, const SummaryPart& part) {
   check(choice);
   const std::vector<SweepRow> rows = done_rows(choice);
   check_intervals(choice, rows);
@@ -196,26 +206,27 @@ int collect_sweep(const SweepCollectChoice& choice) {
   table.title = "summary of a sweep of " + std::to_string(rows.size()) + " runs";
   table.history = choice.command_line;
   Columns columns(rows.size());
-  add_origin(columns, rows);
+  std::vector<RunIdentity> identities;
   std::vector<SceneDef> scenes;
-  std::vector<PaperRun> runs;
+  std::vector<RunSeries> series;
   for (std::size_t run = 0; run < rows.size(); ++run) {
     const std::string path = run_path(choice.folder, rows[run].name);
     table.runs.push_back(rows[run].name);
     const RunData data = load_run(path, false);
+    const RunFile records(path);
+    identities.push_back(data.identity);
+    scenes.push_back(parse_scene(records.attribute("gem_case_toml"), path));
     set_quality(columns, run, data);
     set_platform(columns, run, data, choice.from_s);
-    const bool compared = choice.null_model && choice.from_s == 0.0;
-    runs.push_back(paper_run(RunFile(path), data, compared ? NullModel::compared : NullModel::left_out));
-    scenes.push_back(runs.back().scene);
-    if (choice.interval_s > 0.0) runs.back().path = kept_path(path, choice);
+    series.push_back(kept_series(data));
+    if (choice.interval_s > 0.0) series.back().path = kept_path(path, choice);
+    if (part.look_at) part.look_at(records, data);
   }
+  add_origin(columns, rows, identities);
   table.columns = setting_columns(scenes);
   table.columns.insert(table.columns.end(), columns.list.begin(), columns.list.end());
-  if (choice.from_s == 0.0)
-    add_paper_part(table, runs);
-  else
-    add_series(table, runs);
+  if (part.add_columns) part.add_columns(table);
+  add_series(table, series);
   write_summary(choice.output, choice.overwrite, table);
   const SummaryAxis* time = table.axis("time");
   print(shown(choice.output) + ": " + std::to_string(rows.size()) + " runs, " + std::to_string(table.columns.size()) +

@@ -95,18 +95,8 @@ void add_collect(CLI::App& group, Chosen& chosen) {
   const auto choice = std::make_shared<SweepCollectChoice>();
   CLI::App* collect = group.add_subcommand(
       "collect", "settings, findings and displacement of all runs as one HDF5 file that xarray opens");
-  collect->add_option("folder", choice->folder, "folder of a sweep")->type_name("DIR")->required();
-  collect->add_option("-o,--out", choice->output, "summary file, one row per run")->type_name("FILE")->required();
+  add_collect_options(*collect, *choice);
   collect->add_option("--from", choice->from_s, "leave the time before this out of the findings [s]");
-  collect->add_option("--index", choice->index, "only these runs, counted from 1: 3 or 1-4,7")->type_name("LIST");
-  collect->add_option("--series", choice->interval_s, "interval of the displacement [s]; 0: none")
-      ->capture_default_str();
-  collect->add_flag("--exact", choice->exact,
-                    "displacement and velocity in double precision: runs that part can be compared");
-  collect->add_flag("!--no-null-model", choice->null_model,
-                    "leave out the tests against a linear oscillator hit at random, which take most of the time");
-  collect->add_flag("--partial", choice->partial, "collect what is done even if runs are missing");
-  collect->add_flag("--overwrite", choice->overwrite, "replace an existing summary");
   collect->callback([choice, &chosen] {
     choice->command_line = chosen.command_line;
     chosen.action = [choice] { return collect_sweep(*choice); };
@@ -114,6 +104,17 @@ void add_collect(CLI::App& group, Chosen& chosen) {
 }
 
 }  // namespace
+
+void add_collect_options(CLI::App& command, SweepCollectChoice& choice) {
+  command.add_option("folder", choice.folder, "folder of a sweep")->type_name("DIR")->required();
+  command.add_option("-o,--out", choice.output, "summary file, one row per run")->type_name("FILE")->required();
+  command.add_option("--index", choice.index, "only these runs, counted from 1: 3 or 1-4,7")->type_name("LIST");
+  command.add_option("--series", choice.interval_s, "interval of the displacement [s]; 0: none")->capture_default_str();
+  command.add_flag("--exact", choice.exact,
+                   "displacement and velocity in double precision: runs that part can be compared");
+  command.add_flag("--partial", choice.partial, "collect what is done even if runs are missing");
+  command.add_flag("--overwrite", choice.overwrite, "replace an existing summary");
+}
 
 void add_sweep_command(CLI::App& app, Chosen& chosen) {
   CLI::App* group = app.add_subcommand("sweep", "sweep files: one file, many runs");

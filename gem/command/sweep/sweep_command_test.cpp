@@ -39,7 +39,7 @@ mass_kg = 4e6
 platform_interval_s = 0.02
 floes_interval_s = 0.5
 [numerics]
-moment_s = 0.01
+time_step_s = 0.01
 [sweep]
 mode = "product"
 name = "{speed}_{mass}"
@@ -124,7 +124,7 @@ class SweepCommandTest : public testing::Test {
   ScratchFolder scratch_{"gem sweep"};
   const fs::path& folder_ = scratch_.path();
   /// Makes each run last long enough to be interrupted.
-  const Words slow_ = {"--set", "numerics.moment_s=2e-5", "--set", "output.platform_interval_s=0.02"};
+  const Words slow_ = {"--set", "numerics.time_step_s=2e-5", "--set", "output.platform_interval_s=0.02"};
 };
 
 TEST_F(SweepCommandTest, EveryRunHasTheBitsThatItHasAlone) {
@@ -264,7 +264,7 @@ TEST_F(SweepCommandTest, CollectAsksForAllRuns) {
 TEST_F(SweepCommandTest, CollectKeepsNoMoreThanWasRecorded) {
   ASSERT_EQ(sweep("d", {"--index", "1"}), 0);
   const auto collect = [&](const Words& more) {
-    Words words = {"sweep", "collect", "d", "--out", "s.h5", "--partial", "--overwrite", "--no-null-model"};
+    Words words = {"sweep", "collect", "d", "--out", "s.h5", "--partial", "--overwrite"};
     words.insert(words.end(), more.begin(), more.end());
     return gem(words);
   };

@@ -62,7 +62,7 @@ Estimate need_of(const SweepPlan& plan) {
   Estimate need;
   for (const std::size_t i : plan.to_do) {
     const Estimate one = estimate(plan.members[plan.chosen[i]].scene);
-    need.moments += one.moments;
+    need.steps += one.steps;
     need.disk += one.disk;
     need.platform_disk += one.platform_disk;
     memory.push_back(one.memory);
@@ -126,9 +126,9 @@ std::vector<int> gpus_that_answer() {
 void group(SweepPlan& plan) {
   const std::string& engine = plan.settings.engine.name;
   if (engine == "cuda" || engine == "auto") plan.devices = gpus_that_answer();
-  std::vector<std::int64_t> moments;
-  for (const std::size_t place : plan.to_do) moments.push_back(moments_of(plan.members[plan.chosen[place]].scene));
-  plan.batches = share_runs(moments, plan.devices.size());
+  std::vector<std::int64_t> steps;
+  for (const std::size_t place : plan.to_do) steps.push_back(steps_of(plan.members[plan.chosen[place]].scene));
+  plan.batches = share_runs(steps, plan.devices.size());
 }
 
 }  // namespace
@@ -138,16 +138,16 @@ int open_jobs(int side_by_side, bool on_gpus, int processors, int threads) {
   return std::clamp(processors / std::max(1, threads), 1, side_by_side);
 }
 
-std::vector<std::vector<std::size_t>> share_runs(const std::vector<std::int64_t>& moments, std::size_t devices) {
+std::vector<std::vector<std::size_t>> share_runs(const std::vector<std::int64_t>& steps, std::size_t devices) {
   constexpr std::size_t largest_batch = 66;  // runs; more find no room side by side on a large GPU
-  const std::size_t runs = moments.size();
+  const std::size_t runs = steps.size();
   std::size_t count = runs;  // without a GPU each is made by itself
   if (devices > 0) count = std::min(runs, std::max(devices, (runs + largest_batch - 1) / largest_batch));
   std::vector<std::size_t> longest_first(runs);
   std::iota(longest_first.begin(), longest_first.end(), std::size_t{0});
   if (devices > 0)
     std::stable_sort(longest_first.begin(), longest_first.end(),
-                     [&](std::size_t i, std::size_t j) { return moments[i] > moments[j]; });
+                     [&](std::size_t i, std::size_t j) { return steps[i] > steps[j]; });
   std::vector<std::vector<std::size_t>> batches(count);
   for (std::size_t k = 0; k < runs; ++k) batches[k % count].push_back(longest_first[k]);
   for (auto& batch : batches) std::sort(batch.begin(), batch.end());
@@ -197,7 +197,7 @@ std::string plan_text(const SweepPlan& plan) {
             (row.error.empty() ? "" : " (" + row.error + ")") + "\n";
   }
   return text + "# dry run: nothing was computed\n# to do   " + std::to_string(plan.to_do.size()) + " of " +
-         std::to_string(plan.rows.size()) + " runs, " + fixed_text(plan.need.moments, 0) + " moments\n# at once " +
+         std::to_string(plan.rows.size()) + " runs, " + fixed_text(plan.need.steps, 0) + " time steps\n# at once " +
          std::to_string(plan.jobs) + " processes of " + std::to_string(plan.settings.engine.threads) + " threads, " +
          std::to_string(plan.devices.size()) + " GPUs, engine " + plan.settings.engine.name + "\n# memory  about " +
          size_text(plan.need.memory) + "\n# disk    about " + size_text(plan.need.disk) + " in " +
@@ -209,7 +209,7 @@ std::string plan_json(const SweepPlan& plan) {
                                          {"jobs", plan.jobs},
                                          {"threads", plan.settings.engine.threads},
                                          {"engine", plan.settings.engine.name},
-                                         {"moments", plan.need.moments},
+                                         {"steps", plan.need.steps},
                                          {"memory_bytes", plan.need.memory},
                                          {"disk_bytes", plan.need.disk},
                                          {"runs", nlohmann::ordered_json::parse(rows_json(plan.rows))}};

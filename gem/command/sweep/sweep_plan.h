@@ -20,16 +20,16 @@ struct SweepPlan {
   std::vector<int> devices;                       // GPUs, each for one batch at a time; none: each run by itself
   SweepSettings settings;
   int jobs = 1;   // processes at a time, each with one batch
-  Estimate need;  // memory of the largest `jobs` batches at once, disk and moments of all that is to do
+  Estimate need;  // memory of the largest `jobs` batches at once, disk and time steps of all that is to do
 };
 
 /// Reads the sweep file and the folder. Warnings are said in `log`. Throws Error(usage) for a choice that cannot be,
 /// Error(file_system) if a file of another case or engine stands where a run is to go.
 SweepPlan plan_sweep(const SweepRunChoice& choice, RunLog& log);
 
-/// Shares runs of so many moments out among batches: on GPUs as even as their lengths allow, no batch too large, else
-/// each run by itself. A batch lists places among `moments`, ascending.
-std::vector<std::vector<std::size_t>> share_runs(const std::vector<std::int64_t>& moments, std::size_t devices);
+/// Shares runs of so many time steps out among batches: on GPUs as even as their lengths allow, no batch too large,
+/// else each run by itself. A batch lists places among `steps`, ascending.
+std::vector<std::vector<std::size_t>> share_runs(const std::vector<std::int64_t>& steps, std::size_t devices);
 
 /// Processes at a time where nobody asks for a number, for so many batches that could go side by side: on GPUs all of
 /// them, whatever the threads of each; otherwise as many as the processors feed with so many threads (0: one).

@@ -19,7 +19,7 @@ TEST(SweepSettings, NamesWhatVariesAndNothingElse) {
   scenes[1].run.name = "second";
   scenes[1].current.velocity_m_per_s = {0.3, 0.4};
   scenes[1].platform_drag.present = true;
-  scenes[1].contact.resolution = Resolution::independent;
+  scenes[1].contact.solver = ContactSolver::independent;
   scenes[1].floes.classes = {{"thick", 1.2, 1.0}, {"thin", 0.5, 3.0}};
   scenes[1].boundary.present = false;
   const std::vector<SummaryColumn> columns = setting_columns(scenes);
@@ -28,7 +28,7 @@ TEST(SweepSettings, NamesWhatVariesAndNothingElse) {
   EXPECT_EQ(find(columns, "current.velocity_m_per_s.x")->numbers, (std::vector<double>{0.25, 0.3}));
   EXPECT_EQ(find(columns, "current.velocity_m_per_s.y")->numbers, (std::vector<double>{0.0, 0.4}));
   EXPECT_EQ(find(columns, "platform_drag.present")->numbers, (std::vector<double>{0.0, 1.0}));
-  EXPECT_EQ(find(columns, "contact.resolution")->texts, (std::vector<std::string>{"coupled", "independent"}));
+  EXPECT_EQ(find(columns, "contact.solver")->texts, (std::vector<std::string>{"coupled", "independent"}));
   EXPECT_NEAR(find(columns, "ice_thickness_m")->numbers[1], (1.2 + 3.0 * 0.5) / 4.0, 1e-15);
   EXPECT_TRUE(std::isnan(find(columns, "gap_m")->numbers[1])) << "no boundary, no gap";
   EXPECT_EQ(find(columns, "run.name"), nullptr);

@@ -1,9 +1,4 @@
-// One moment:
-//   find contacts            at the positions of the moment's start
-//   solo events              current drag on every floe, first half of the platform's own motion
-//   pair events              independent or coupled
-//   books                    energy and momentum of every contact
-//   motion                   floes with their new velocity, second half of the platform's own motion
+// How the stages of a time step (gem/engine/step/stages.h) go on by a team of threads.
 #include "gem/engine/cpu/cpu_engine.h"
 
 #include <utility>
@@ -18,68 +13,70 @@ namespace gem {
 
 CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread)
     : event_speed_(scene.output.event_speed_m_per_s), all_threads_(threads), coupled_(contacts_worth_a_thread) {
-  const MomentConstants constants = moment_constants(scene, bodies);
+  const StepConstants constants = step_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   ledger_.start = total(field_);
 }
 
-void CpuEngine::advance(std::int64_t moments, MomentLog& log) {
-  check_finite(field_, moment_);
-  while (moments > 0) {
-    const std::int64_t stretch = all_threads_.size() == 1 ? moments : choice_.stretch(moments);
+void CpuEngine::advance(std::int64_t steps, StepLog& log) {
+  check_finite(field_, step_);
+  while (steps > 0) {
+    const std::int64_t stretch = all_threads_.size() == 1 ? steps : choice_.stretch(steps);
     ThreadTeam& team = choice_.all_threads() ? all_threads_ : one_thread_;
     choice_.start();
     team.run([&](int rank) {
-      for (std::int64_t i = 0; i < stretch && !team.failed(); ++i) one_moment(team, rank, log);
+      for (std::int64_t i = 0; i < stretch && !team.failed(); ++i) one_step(team, rank, log);
     });
     if (all_threads_.size() > 1) choice_.note(stretch);
-    moments -= stretch;
+    steps -= stretch;
   }
 }
 
-void CpuEngine::one_moment(ThreadTeam& team, int rank, MomentLog& log) {
-  FieldState& f = field_;
-  const std::int64_t n = static_cast<std::int64_t>(f.bodies.count());
-  pairs_.find(f, team, rank);
-  const Contacts contacts = pairs_.contacts();
+void CpuEngine::one_step(ThreadTeam& team, int rank, StepLog& log) {
+  for_each_stage([&](auto stage) {
+    if (stage <= Stage::solo_events || !team.failed()) run<stage.value>(team, rank, log);
+  });
+}
 
-  // what one thread must do alone goes on beside what all can share
+template <Stage stage>
+void CpuEngine::run(ThreadTeam& team, int rank, StepLog& log) {
+  FieldState& f = field_;
+  const bool coupled = f.constants.solver == ContactSolver::coupled;
+  if constexpr (stage == Stage::list) pairs_.renew(f, team, rank);
+  if constexpr (stage == Stage::candidates) pairs_.choose(team, rank);
+  if constexpr (stage == Stage::narrow_phase) pairs_.find_contacts(f, team, rank);
+  if constexpr (stage == Stage::solo_events) solo_events(team, rank);
+  if constexpr (stage == Stage::contact_events) {
+    before_contact_events();
+    if (!coupled) resolve_independent(team, rank);
+  }
+  if constexpr (stage == Stage::gather)
+    if (coupled) coupled_.gather(f, pairs_.contacts(), team, rank);
+  if constexpr (stage == Stage::iterate)
+    if (coupled) coupled_.iterate(f, pairs_.contacts(), team, rank);
+  if constexpr (stage == Stage::settle)
+    if (coupled) coupled_.settle(f, pairs_.contacts(), team, rank, quality_);
+  if constexpr (stage == Stage::books) {
+    after_contact_events();
+    enter_books(team, rank, log);
+  }
+  if constexpr (stage == Stage::move) move(team, rank, log);
+}
+
+/// What one thread must do alone goes on beside what all can share.
+void CpuEngine::solo_events(ThreadTeam& team, int rank) {
+  FieldState& f = field_;
+  const Contacts contacts = pairs_.contacts();
   team.first_alone(rank, [&] {
     before_ = platform_impulses(f);
     platform_first_half(f);
     quality_ = {};
     outcomes_.resize(contacts.size());
-    if (f.constants.resolution == Resolution::coupled) coupled_.lay_out(f, contacts, team.size());
+    if (f.constants.solver == ContactSolver::coupled) coupled_.lay_out(f, contacts, team.size());
   });
-  team.hand_out(n, [&](std::int64_t begin, std::int64_t end) { kick_floes(f, begin, end); });
+  team.hand_out(static_cast<std::int64_t>(f.bodies.count()),
+                [&](std::int64_t begin, std::int64_t end) { kick_floes(f, begin, end); });
   team.barrier();
-  if (team.failed()) return;
-  resolve(team, rank);
-  team.for_each(rank, static_cast<std::int64_t>(contacts.size()),
-                [&](std::int64_t c) { find_outcome(f, *contacts[c], outcomes_[c]); });
-  // the books and the look at the overlaps are each in order; they go on side by side
-  if (rank == team.size() - 1) note_outcomes(f, outcomes_, quality_, log);
-  team.single(rank, [&] {
-    for (std::size_t c = 0; c < contacts.size(); ++c) book_contact(f, *contacts[c], outcomes_[c]);
-    log_events(f, contacts, moment_, event_speed_, log);
-  });
-
-  if (!move_floes(f, team.begin_of(rank, n), team.begin_of(rank + 1, n))) lost_ = true;
-  team.barrier();
-  team.single(rank, [&] {
-    platform_second_half(f);
-    ++moment_;
-    if (lost_.exchange(false) || !finite_or_inactive(f.bodies, 0)) check_finite(f, moment_);
-    log_moment(f, contacts, before_, quality_, log);
-  });
-}
-
-void CpuEngine::resolve(ThreadTeam& team, int rank) {
-  if (field_.constants.resolution == Resolution::coupled) {
-    coupled_.resolve(field_, pairs_.contacts(), team, rank, quality_);
-  } else {
-    resolve_independent(team, rank);
-  }
 }
 
 void CpuEngine::resolve_independent(ThreadTeam& team, int rank) {
@@ -94,17 +91,43 @@ void CpuEngine::resolve_independent(ThreadTeam& team, int rank) {
   });
 }
 
+/// The ledger and the search for overlaps are each in order. They go on side by side.
+void CpuEngine::enter_books(ThreadTeam& team, int rank, StepLog& log) {
+  FieldState& f = field_;
+  const Contacts contacts = pairs_.contacts();
+  team.for_each(rank, static_cast<std::int64_t>(contacts.size()),
+                [&](std::int64_t c) { find_outcome(f, *contacts[c], outcomes_[c]); });
+  if (rank == team.size() - 1) note_outcomes(f, outcomes_, quality_, log);
+  team.single(rank, [&] {
+    for (std::size_t c = 0; c < contacts.size(); ++c) book_contact(f, *contacts[c], outcomes_[c]);
+    log_events(f, contacts, step_, event_speed_, log);
+  });
+}
+
+void CpuEngine::move(ThreadTeam& team, int rank, StepLog& log) {
+  FieldState& f = field_;
+  const auto n = static_cast<std::int64_t>(f.bodies.count());
+  if (!move_floes(f, team.begin_of(rank, n), team.begin_of(rank + 1, n))) lost_ = true;
+  team.barrier();
+  team.single(rank, [&] {
+    platform_second_half(f);
+    ++step_;
+    if (lost_.exchange(false) || !finite_or_inactive(f.bodies, 0)) check_finite(f, step_);
+    log_step(f, pairs_.contacts(), before_, quality_, log);
+  });
+}
+
 Ledger CpuEngine::ledger() { return closed_books(field_, ledger_); }
 
 EngineState CpuEngine::save() {
-  return {moment_, field_.bodies, closed_books(field_, ledger_), coupled_.keys(), coupled_.impulses()};
+  return {step_, field_.bodies, closed_books(field_, ledger_), coupled_.keys(), coupled_.impulses()};
 }
 
 void CpuEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);
   open_books(field_, state.ledger);
   ledger_ = state.ledger;
-  moment_ = state.moment;
+  step_ = state.step;
   coupled_.restore(state.impulse_key, state.impulse_value);
   pairs_.clear();
 }

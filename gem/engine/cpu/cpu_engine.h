@@ -12,6 +12,7 @@
 #include "gem/engine/step/books.h"
 #include "gem/engine/step/contact_outcome.h"
 #include "gem/engine/step/field_state.h"
+#include "gem/engine/step/stages.h"
 
 namespace gem {
 
@@ -20,23 +21,29 @@ class CpuEngine : public Engine {
   CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread);
 
   std::string name() const override { return "cpu"; }
-  void advance(std::int64_t moments, MomentLog& log) override;
-  std::int64_t moment() const override { return moment_; }
+  void advance(std::int64_t steps, StepLog& log) override;
+  std::int64_t step() const override { return step_; }
   const Bodies& bodies() override { return field_.bodies; }
   Ledger ledger() override;
   EngineState save() override;
   void restore(const EngineState& state) override;
 
  protected:
-  /// Inside a team's run: the pair events of the moment. A study may look at what they did and do it otherwise.
-  virtual void resolve(ThreadTeam& team, int rank);
+  /// Inside a team's run, before and after the pair events of a time step: a study may look at what they did.
+  virtual void before_contact_events() {}
+  virtual void after_contact_events() {}
   FieldState& field() { return field_; }
-  /// Of this moment, with their impulses once they are resolved.
+  /// Of this time step, with their impulses once they are resolved.
   Contacts contacts() const { return pairs_.contacts(); }
 
  private:
-  void one_moment(ThreadTeam& team, int rank, MomentLog& log);
+  void one_step(ThreadTeam& team, int rank, StepLog& log);
+  template <Stage stage>
+  void run(ThreadTeam& team, int rank, StepLog& log);
+  void solo_events(ThreadTeam& team, int rank);
   void resolve_independent(ThreadTeam& team, int rank);
+  void enter_books(ThreadTeam& team, int rank, StepLog& log);
+  void move(ThreadTeam& team, int rank, StepLog& log);
 
   FieldState field_;
   double event_speed_;
@@ -44,13 +51,13 @@ class CpuEngine : public Engine {
   ThreadTeam one_thread_{1};
   TeamChoice choice_;
   Ledger ledger_;  // start and scales; the sums are with the bodies
-  std::int64_t moment_ = 0;
+  std::int64_t step_ = 0;
   PairList pairs_;
   CoupledSolver coupled_;
-  std::vector<ContactOutcome> outcomes_;  // of this moment's contacts
+  std::vector<ContactOutcome> outcomes_;  // of this time step's contacts
   std::atomic<bool> lost_{false};         // a floe's state became no number
-  MomentQuality quality_;
-  PlatformImpulses before_;  // at the start of the moment
+  StepQuality quality_;
+  PlatformImpulses before_;  // at the start of the time step
 };
 
 }  // namespace gem

@@ -1,5 +1,5 @@
-// One floe's drag is a long chain of operations that wait for each other. Taken apart, the part that floes have in
-// common becomes a loop without branches, several at a time.
+// The drag of one floe is a long chain of dependent operations. A loop without branches over many floes does several
+// at a time; what it leaves goes into floe_events() with the bits of floe_drag().
 #include "gem/engine/cpu/kick_floes.h"
 
 #include <algorithm>
@@ -21,30 +21,29 @@ struct BlockShares {
   void work_out(int count, double dt) {
     for (int j = 0; j < count; ++j) shares[j] = drag_shares(reach[j], strict::log1p_short(reach[j]), dt);
   }
-  /// Whether they hold: a moment that is not short, or nothing to slow down, is left to the law itself.
+  /// Whether they hold: a time step that is not short, or nothing to slow down, is left to the law itself.
   bool hold(int j) const { return reach[j] > 0.0 && reach[j] < strict::short_argument; }
 };
 
 GEM_CLONES void kick_block(FieldState& f, std::int64_t begin, int count) {
-  const MomentConstants& c = f.constants;
+  const Events& e = f.constants.events;
   const Bodies& b = f.bodies;
   BlockShares slips, spins;
   for (int j = 0; j < count; ++j) {
     const std::int64_t i = begin + j;
-    slips.reach[j] = drag_reach(b.drag[i], length(c.current - b.velocity[i]), c.dt);
-    spins.reach[j] = drag_reach(b.spin_drag[i], magnitude(b.spin[i]), c.dt);
+    slips.reach[j] = drag_reach(b.drag[i], length(e.current.velocity_m_per_s - b.velocity[i]), e.dt);
+    spins.reach[j] = drag_reach(b.spin_drag[i], magnitude(b.spin[i]), e.dt);
   }
-  slips.work_out(count, c.dt);
-  spins.work_out(count, c.dt);
+  slips.work_out(count, e.dt);
+  spins.work_out(count, e.dt);
   for (int j = 0; j < count; ++j) {
     const std::int64_t i = begin + j;
     if (b.kind[i] != BodyKind::floe || !b.active[i]) continue;
-    const Vec2 slip = c.current - b.velocity[i];
-    const DragSolution solved =
-        slips.hold(j) ? shared_out(slips.shares[j], slip) : drag_quadratic(b.drag[i], slip, length(slip), c.dt);
-    const SpinDragSolution turn =
-        spins.hold(j) ? shared_out(spins.shares[j], b.spin[i]) : spin_drag_quadratic(b.spin_drag[i], b.spin[i], c.dt);
-    enter_kick(f, i, kick_of(c, solved, turn));
+    const Vec2 slip = e.current.velocity_m_per_s - b.velocity[i];
+    kick_floe(f, i,
+              {slips.hold(j) ? shared_out(slips.shares[j], slip) : drag_quadratic(b.drag[i], slip, length(slip), e.dt),
+               spins.hold(j) ? shared_out(spins.shares[j], b.spin[i])
+                             : spin_drag_quadratic(b.spin_drag[i], b.spin[i], e.dt)});
   }
 }
 
@@ -53,7 +52,7 @@ GEM_CLONES void kick_block(FieldState& f, std::int64_t begin, int count) {
 void kick_floes(FieldState& f, std::int64_t begin, std::int64_t end) {
   // the platform comes first and may be on its own way meanwhile
   while (begin < end && f.bodies.kind[begin] != BodyKind::floe) ++begin;
-  if (f.constants.drag_law == DragLaw::quadratic) {
+  if (f.constants.events.water.drag_law == DragLaw::quadratic) {
     for (std::int64_t i = begin; i < end; i += block_size)
       kick_block(f, i, static_cast<int>(std::min<std::int64_t>(block_size, end - i)));
     return;

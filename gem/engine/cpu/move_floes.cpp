@@ -23,7 +23,7 @@ GEM_CLONES bool move_block(FieldState& f, std::int64_t begin, int count) {
   for (int j = 0; j < count; ++j) {
     const std::int64_t i = begin + j;
     if (b.kind[i] != BodyKind::floe) continue;
-    if (angle[j] != 0.0) take_turn(f, i, angle[j], turned_to[j]);
+    if (angle[j] != 0.0) apply_turn(f, i, angle[j], turned_to[j]);
     if (finite_or_inactive(b, i))
       retire_floe(f, i);
     else

@@ -9,8 +9,8 @@
 // last looked at; its separating axes are then followed from that look on. The due ones are listed first: telling them
 // apart takes no branch, and what looks at them read can be asked for ahead.
 //
-// - Most pairs need no such test: a clock goes on, each moment, by twice the way of the body that went farthest, and a
-// pair sleeps until the clock has gone on by the gap that it had left.
+// - Most pairs need no such test: a clock goes on, each time step, by twice the way of the body that went farthest, and
+// a pair sleeps until the clock has gone on by the gap that it had left.
 #include "gem/engine/cpu/pair_list.h"
 
 #include <algorithm>
@@ -29,10 +29,10 @@ constexpr double surely = 1.0 - 1e-6;
 void PairList::clear() {
   valid_ = false;
   pairs_.clear();
-  look_.clear();
+  axes_.clear();
 }
 
-void PairList::take_spots(const FieldState& f, ThreadTeam& team, int rank) {
+void PairList::note_places(const FieldState& f, ThreadTeam& team, int rank) {
   const double allowed = 0.5 * f.constants.list_margin;
   const double elapsed = static_cast<double>(age_) * f.constants.dt;
   const std::int64_t n = static_cast<std::int64_t>(f.bodies.count());
@@ -40,13 +40,13 @@ void PairList::take_spots(const FieldState& f, ThreadTeam& team, int rank) {
   bool strayed = false;
   double farthest = 0.0, rim = 0.0;
   for (std::int64_t i = team.begin_of(rank, n); i < team.begin_of(rank + 1, n); ++i) {
-    const Spot spot{f.bodies.position[i], f.bodies.radius[i] * f.turn_travel[i]};
-    const Vec2 way = spot.position - spot_[i].position - drift;
+    const Place place{f.bodies.position[i], f.bodies.radius[i] * f.turn_travel[i]};
+    const Vec2 way = place.position - place_[i].position - drift;
     farthest = std::max(farthest, dot(way, way));
-    rim = std::max(rim, spot.rim - spot_[i].rim);
-    spot_[i] = spot;
-    const Vec2 off = spot.position - course_[i].position - elapsed * velocity_[i];
-    const double left = allowed - (spot.rim - course_[i].rim);
+    rim = std::max(rim, place.rim - place_[i].rim);
+    place_[i] = place;
+    const Vec2 off = place.position - trajectory_[i].position - elapsed * velocity_[i];
+    const double left = allowed - (place.rim - trajectory_[i].rim);
     strayed |= f.bodies.active[i] && !(left > 0.0 && dot(off, off) < left * left);
   }
   part_[rank].strayed = strayed;
@@ -73,10 +73,10 @@ void PairList::list_due(std::int64_t begin, std::int64_t end, Part& part) {
   std::int64_t count = 0;
   for (std::int64_t k = 0; k < waking; ++k) {
     __builtin_prefetch(&pairs_[due[std::min(k + 2 * ahead, waking - 1)]]);
-    __builtin_prefetch(&spot_[pairs_[due[std::min(k + ahead, waking - 1)]].b]);
+    __builtin_prefetch(&place_[pairs_[due[std::min(k + ahead, waking - 1)]].b]);
     const std::int32_t i = due[k];
     const Pair& pair = pairs_[i];
-    const Spot &a = spot_[pair.a], &b = spot_[pair.b];
+    const Place &a = place_[pair.a], &b = place_[pair.b];
     const double left = pair.free - (a.rim + b.rim);
     const double shifted = length(b.position - a.position - pair.offset);
     wake_[i] = static_cast<float>(surely * (clock_ + (left - shifted)) - rounding);
@@ -86,10 +86,10 @@ void PairList::list_due(std::int64_t begin, std::int64_t end, Part& part) {
   part.due_count = count;
 }
 
-bool PairList::look(const FieldState& f, std::int32_t i, Contact& contact) {
+bool PairList::touches(const FieldState& f, std::int32_t i, Contact& contact) {
   Pair& pair = pairs_[i];
-  Look& last = look_[i];
-  const Spot &a = spot_[pair.a], &b = spot_[pair.b];
+  FollowedAxes& last = axes_[i];
+  const Place &a = place_[pair.a], &b = place_[pair.b];
   if (!f.bodies.active[pair.a] || !f.bodies.active[pair.b]) return false;
   const double limit = f.constants.contact_margin;
   const Vec2 offset = b.position - a.position;
@@ -98,47 +98,47 @@ bool PairList::look(const FieldState& f, std::int32_t i, Contact& contact) {
   const double shifted = length(offset - pair.offset);
   const double far = 2.0 * (f.bodies.radius[pair.a] + f.bodies.radius[pair.b]) + shifted + limit;
   const double moved = shifted + far * (turned_a - last.turned_a + (turned_b - last.turned_b));
-  const bool touches = find_contact(f, pair.a, pair.b, last.axes, moved, contact);
+  const bool touching = find_contact(f, pair.a, pair.b, last.axes, moved, contact);
   pair.offset = offset;
   pair.free = last.axes.first.distance - limit - rounding + (a.rim + b.rim);
   last.turned_a = turned_a;
   last.turned_b = turned_b;
-  return touches;
+  return touching;
 }
 
-void PairList::look_at(const FieldState& f, const std::int32_t* due, std::int64_t count, Part& part) {
+void PairList::find_among(const FieldState& f, const std::int32_t* due, std::int64_t count, Part& part) {
   for (std::int64_t k = 0; k < count; ++k) {
-    const auto soon = [&](std::int64_t looks) { return due[std::min(k + looks, count - 1)]; };
+    const auto soon = [&](std::int64_t ahead) { return due[std::min(k + ahead, count - 1)]; };
     __builtin_prefetch(&pairs_[soon(16)]);
-    __builtin_prefetch(&look_[soon(8)]);
+    __builtin_prefetch(&axes_[soon(8)]);
     foresee_search(f, pairs_[soon(8)].b);
     foresee_outline(f, pairs_[soon(4)].a);
     foresee_outline(f, pairs_[soon(4)].b);
     if (part.count == part.found.size()) part.found.resize(2 * part.count + 64);
-    if (look(f, due[k], part.found[part.count])) ++part.count;
+    if (touches(f, due[k], part.found[part.count])) ++part.count;
   }
 }
 
-void PairList::take_looks(const FieldState& f, const ThreadTeam& team, int rank) {
+void PairList::find_share(const FieldState& f, const ThreadTeam& team, int rank) {
   std::int64_t all = 0;
   for (int r = 0; r < team.size(); ++r) all += part_[r].due_count;
   std::int64_t begin = team.begin_of(rank, all), end = team.begin_of(rank + 1, all);
   part_[rank].count = 0;
   for (int r = 0; r < team.size(); ++r) {
     const std::int64_t count = part_[r].due_count, first = std::clamp<std::int64_t>(begin, 0, count);
-    look_at(f, part_[r].due.data() + first, std::clamp<std::int64_t>(end, 0, count) - first, part_[rank]);
+    find_among(f, part_[r].due.data() + first, std::clamp<std::int64_t>(end, 0, count) - first, part_[rank]);
     begin -= count;
     end -= count;
   }
 }
 
-void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
+void PairList::renew(const FieldState& f, ThreadTeam& team, int rank) {
   team.single(rank, [&] {
     part_.resize(std::max(part_.size(), static_cast<std::size_t>(team.size())));
-    for (std::vector<Spot>* spots : {&spot_, &course_}) spots->resize(f.bodies.count());
+    for (std::vector<Place>* places : {&place_, &trajectory_}) places->resize(f.bodies.count());
     velocity_.resize(f.bodies.count());
   });
-  take_spots(f, team, rank);
+  note_places(f, team, rank);
   team.single(rank, [&] {
     valid_ = valid_ && age_ < horizon_;
     double farthest = 0.0, rim = 0.0;
@@ -150,12 +150,17 @@ void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
     clock_ += 2.0 * (farthest + rim);
   });
   if (!valid_) build(f, team, rank);
+}
 
-  Part& mine = part_[rank];
-  const auto pair_count = static_cast<std::int64_t>(pairs_.size());
-  list_due(team.begin_of(rank, pair_count), team.begin_of(rank + 1, pair_count), mine);
+void PairList::choose(ThreadTeam& team, int rank) {
+  const auto count = static_cast<std::int64_t>(pairs_.size());
+  list_due(team.begin_of(rank, count), team.begin_of(rank + 1, count), part_[rank]);
   team.barrier();
-  take_looks(f, team, rank);
+}
+
+void PairList::find_contacts(const FieldState& f, ThreadTeam& team, int rank) {
+  Part& mine = part_[rank];
+  find_share(f, team, rank);
   team.barrier();
   team.single(rank, [&] {
     ++age_;
@@ -167,6 +172,12 @@ void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
   for (int r = 0; r < rank; ++r) at += part_[r].count;
   for (std::size_t i = 0; i < mine.count; ++i) contacts_[at + i] = &mine.found[i];
   team.barrier();
+}
+
+void PairList::find(const FieldState& f, ThreadTeam& team, int rank) {
+  renew(f, team, rank);
+  choose(team, rank);
+  find_contacts(f, team, rank);
 }
 
 }  // namespace gem

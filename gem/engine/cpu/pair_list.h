@@ -1,4 +1,5 @@
-// Which bodies may touch: a list of near pairs that lives for many moments, and the pairs of it that need a look now.
+// Which bodies may touch: a list of near pairs that lives for many time steps, and the pairs of it that need a look
+// now.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,14 @@ namespace gem {
 /// Finds contacts. Every result is that of testing all pairs; the list only spares work.
 class PairList {
  public:
-  /// Inside a team's run: finds the contacts of the field as it stands.
+  // inside a team's run, in this order
+  /// Builds a new list where the last one has worn out.
+  void renew(const FieldState& f, ThreadTeam& team, int rank);
+  /// Lists the pairs that may touch now.
+  void choose(ThreadTeam& team, int rank);
+  /// Finds the contacts among these.
+  void find_contacts(const FieldState& f, ThreadTeam& team, int rank);
+  /// All three.
   void find(const FieldState& f, ThreadTeam& team, int rank);
   /// Contacts of the last find, ascending in (a, b); they stay until the next.
   Contacts contacts() const { return contacts_; }
@@ -32,12 +40,12 @@ class PairList {
     double free = -1e30;
   };
   /// What a look starts from.
-  struct Look {
+  struct FollowedAxes {
     SeparatingAxes axes;
     double turned_a = 0.0, turned_b = 0.0;  // turn_travel at the last look [rad]
   };
   /// Where a body stands and how far its rim has turned in all [m].
-  struct Spot {
+  struct Place {
     Vec2 position;
     double rim = 0.0;
   };
@@ -45,51 +53,51 @@ class PairList {
     Vec2 low, high;
   };
   struct alignas(64) Part {         // one per thread
-    std::vector<Contact> found;     // as long as the longest moment so far
-    std::size_t count = 0;          // of them found in this moment
+    std::vector<Contact> found;     // as long as the longest time step so far
+    std::size_t count = 0;          // of them found in this time step
     std::vector<std::int32_t> due;  // room for all pairs: first those that wake, then those of them that are due
-    std::int64_t due_count = 0;     // of them due in this moment
+    std::int64_t due_count = 0;     // of them due in this time step
     std::vector<Pair> near;
     std::vector<std::int32_t> met;  // floes that a box meets in a row of cells
     bool strayed = false;
-    double farthest = 0.0, rim = 0.0;  // that a body went and turned in the last moment [m]
+    double farthest = 0.0, rim = 0.0;  // that a body went and turned in the last time step [m]
   };
 
   /// Notes where every body stands, and whether it strayed from the course that the list was built on.
-  void take_spots(const FieldState& f, ThreadTeam& team, int rank);
+  void note_places(const FieldState& f, ThreadTeam& team, int rank);
   /// Lists those of a stretch of pairs that may touch now.
   void list_due(std::int64_t begin, std::int64_t end, Part& part);
   std::int64_t list_waking(std::int64_t begin, std::int64_t end, std::int32_t* waking) const;
   /// Takes a thread's share of the looks that are due, of whoever listed them.
-  void take_looks(const FieldState& f, const ThreadTeam& team, int rank);
-  void look_at(const FieldState& f, const std::int32_t* due, std::int64_t count, Part& part);
-  bool look(const FieldState& f, std::int32_t i, Contact& contact);
+  void find_share(const FieldState& f, const ThreadTeam& team, int rank);
+  void find_among(const FieldState& f, const std::int32_t* due, std::int64_t count, Part& part);
+  bool touches(const FieldState& f, std::int32_t i, Contact& contact);
 
   // pair_list_build.cpp
   void build(const FieldState& f, ThreadTeam& team, int rank);
-  void note_course(const FieldState& f);
+  void note_trajectory(const FieldState& f);
   Box box_of(const FieldState& f, std::size_t i) const;
   Box swept(std::size_t i) const;
   void fill_grid(const FieldState& f);
   void pairs_of_large_bodies(const FieldState& f);
   void pairs_of_floe(std::size_t i, Part& part) const;
   bool near(std::size_t a, std::size_t b) const;
-  void keep_looks();
+  void keep_axes();
 
-  std::vector<Spot> spot_;
+  std::vector<Place> place_;
   std::vector<Pair> pairs_;
-  std::vector<Look> look_;   // per pair
-  std::vector<float> wake_;  // per pair: it is not due while clock_ stays below [m]
+  std::vector<FollowedAxes> axes_;  // per pair
+  std::vector<float> wake_;         // per pair: it is not due while clock_ stays below [m]
   double clock_ = 0.0;  // how far any two bodies can have gone, one relative to the other, since the list was built [m]
   std::vector<Pair> last_pairs_;
-  std::vector<Look> last_look_;  // of the list before, while the next is built
+  std::vector<FollowedAxes> last_axes_;  // of the list before, while the next is built
   bool valid_ = false;
   std::int64_t builds_ = 0;
 
-  // when the list was built: every body was expected to go on with its velocity for `horizon_` moments
-  std::vector<Spot> course_;
+  // when the list was built: every body was expected to go on with its velocity for `horizon_` time steps
+  std::vector<Place> trajectory_;
   std::vector<Vec2> velocity_;
-  std::int64_t age_ = 0;  // moments since
+  std::int64_t age_ = 0;  // time steps since
   std::int64_t horizon_ = 0;
 
   std::vector<Box> box_;

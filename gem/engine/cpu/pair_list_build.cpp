@@ -123,13 +123,11 @@ void PairList::pairs_of_floe(std::size_t i, Part& part) const {
             [](const Pair& p, const Pair& q) { return p.b < q.b; });
 }
 
-void PairList::note_course(const FieldState& f) {
-  course_ = spot_;
+void PairList::note_trajectory(const FieldState& f) {
+  trajectory_ = place_;
   velocity_ = f.bodies.velocity;
   for (std::size_t i = 1; i < f.bodies.count() && large(f, i); ++i) velocity_[i] = {};
-  const double speed = length(f.constants.current) + 1e-3;
-  horizon_ =
-      std::clamp<std::int64_t>(static_cast<std::int64_t>(f.constants.list_margin / (speed * f.constants.dt)), 1, 400);
+  horizon_ = f.constants.list_horizon;
   ahead_ = static_cast<double>(horizon_) * f.constants.dt;
   margin_ = f.constants.list_margin + f.constants.contact_margin;
   age_ = 0;
@@ -137,25 +135,25 @@ void PairList::note_course(const FieldState& f) {
 }
 
 /// A pair that was listed before goes on from its last look. Both lists ascend in (a, b).
-void PairList::keep_looks() {
-  look_.assign(pairs_.size(), {});
+void PairList::keep_axes() {
+  axes_.assign(pairs_.size(), {});
   std::size_t at = 0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& pair = pairs_[i];
     while (at < last_pairs_.size() && std::pair(last_pairs_[at].a, last_pairs_[at].b) < std::pair(pair.a, pair.b)) ++at;
     if (at == last_pairs_.size() || last_pairs_[at].a != pair.a || last_pairs_[at].b != pair.b) continue;
     pairs_[i] = last_pairs_[at];
-    look_[i] = last_look_[at];
+    axes_[i] = last_axes_[at];
   }
 }
 
 void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
   const std::int64_t n = static_cast<std::int64_t>(f.bodies.count());
-  team.single(rank, [&] { note_course(f); });
+  team.single(rank, [&] { note_trajectory(f); });
   team.for_each(rank, n, [&](std::int64_t i) { box_[i] = box_of(f, i); });
   team.single(rank, [&] {
     last_pairs_.swap(pairs_);
-    last_look_.swap(look_);
+    last_axes_.swap(axes_);
     pairs_.clear();
     fill_grid(f);
     pairs_of_large_bodies(f);
@@ -164,7 +162,7 @@ void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
   team.for_each(rank, n, [&](std::int64_t i) { pairs_of_floe(i, part_[rank]); });
   team.single(rank, [&] {
     for (int r = 0; r < team.size(); ++r) pairs_.insert(pairs_.end(), part_[r].near.begin(), part_[r].near.end());
-    keep_looks();
+    keep_axes();
     wake_.assign(pairs_.size(), 0.0F);
     clock_ = 0.0;
     valid_ = true;

@@ -1,4 +1,4 @@
-// The pair list against all pairs on fields that move, turn and lose bodies; the list must live for many moments.
+// The pair list against all pairs on fields that move, turn and lose bodies; the list must live for many time steps.
 #include "gem/engine/cpu/pair_list.h"
 
 #include <gtest/gtest.h>
@@ -59,24 +59,24 @@ TEST_P(PairListTest, FindsWhatAllPairsFind) {
     scene.contact.manifold = GetParam();
     Bodies bodies = test::busy_field(scene);
     for (Vec2& v : bodies.velocity) v = 0.3 * v;
-    FieldState f = make_field_state(bodies, moment_constants(scene, bodies));
+    FieldState f = make_field_state(bodies, step_constants(scene, bodies));
     RandomSequence random(Random(seed, 5));
     ThreadTeam team(1 + static_cast<int>(seed));
     PairList pairs;
-    constexpr int moments = 200;
+    constexpr int steps = 200;
     std::size_t found = 0;
-    for (int m = 0; m < moments; ++m) {
+    for (int m = 0; m < steps; ++m) {
       team.run([&](int rank) { pairs.find(f, team, rank); });
       const std::vector<Contact> expected = all_pairs(f);
       const Contacts contacts = pairs.contacts();
-      ASSERT_EQ(contacts.size(), expected.size()) << "seed " << seed << " moment " << m;
+      ASSERT_EQ(contacts.size(), expected.size()) << "seed " << seed << " time step " << m;
       for (std::size_t i = 0; i < expected.size(); ++i) expect_same(*contacts[i], expected[i]);
-      if (HasFatalFailure()) FAIL() << "seed " << seed << " moment " << m;
+      if (HasFatalFailure()) FAIL() << "seed " << seed << " time step " << m;
       found += expected.size();
       wander(f, random);
     }
     EXPECT_GT(found, 2500u);
-    EXPECT_LT(pairs.builds(), moments / 5) << "a list that is built all the time spares nothing";
+    EXPECT_LT(pairs.builds(), steps / 5) << "a list that is built all the time spares nothing";
     EXPECT_GT(pairs.builds(), 2) << "no list was ever out of date: the field hardly moved";
   }
 }
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Manifolds, PairListTest, testing::Values(Manifold::chor
 TEST(PairList, ForgetsOnRequest) {
   const SceneDef scene = test::busy_scene(4);
   const Bodies bodies = test::busy_field(scene);
-  const FieldState f = make_field_state(bodies, moment_constants(scene, bodies));
+  const FieldState f = make_field_state(bodies, step_constants(scene, bodies));
   ThreadTeam team(1);
   PairList pairs;
   auto find = [&] { team.run([&](int rank) { pairs.find(f, team, rank); }); };

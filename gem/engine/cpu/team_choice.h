@@ -8,25 +8,25 @@
 
 namespace gem {
 
-/// Times stretches of moments with all threads and with one and keeps to the faster; the other gets a trial now and
+/// Times stretches of time steps with all threads and with one and keeps to the faster; the other gets a trial now and
 /// then, more rarely each time it loses. The choice cannot change a result: every number of threads gives the same
 /// bits.
 class TeamChoice {
  public:
-  /// Moments to run before the next call of note(). One thread, which is mostly the slower choice, gets a short trial;
-  /// all need a longer one, as some must wake up first.
-  std::int64_t stretch(std::int64_t moments) const {
-    return std::min<std::int64_t>(moments, on_trial_ && !all_threads_ ? 4 : 16);
+  /// Time steps to run before the next call of note(). One thread, which is mostly the slower choice, gets a short
+  /// trial; all need a longer one, as some must wake up first.
+  std::int64_t stretch(std::int64_t steps) const {
+    return std::min<std::int64_t>(steps, on_trial_ && !all_threads_ ? 4 : 16);
   }
   bool all_threads() const { return all_threads_; }
 
   void start() { start_ = std::chrono::steady_clock::now(); }
 
-  /// Notes that a stretch of `moments` has been run since start().
-  void note(std::int64_t moments) {
+  /// Notes that a stretch of `steps` has been run since start().
+  void note(std::int64_t steps) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     double& cost = cost_[all_threads_ ? 1 : 0];
-    const double now = seconds / static_cast<double>(moments);
+    const double now = seconds / static_cast<double>(steps);
     cost = cost > 0.0 ? 0.5 * (cost + now) : now;
     if (on_trial_) {
       const bool won = cost_[all_threads_ ? 1 : 0] < cost_[all_threads_ ? 0 : 1];
@@ -47,7 +47,7 @@ class TeamChoice {
   bool all_threads_ = true;
   bool on_trial_ = false;
   std::int64_t wait_ = 4, waited_ = 0;
-  double cost_[2] = {0.0, 0.0};  // seconds a moment with one thread and with all
+  double cost_[2] = {0.0, 0.0};  // seconds a time step with one thread and with all
   std::chrono::steady_clock::time_point start_;
 };
 

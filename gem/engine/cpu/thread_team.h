@@ -13,8 +13,8 @@
 
 namespace gem {
 
-/// A fixed number of threads, the caller among them. Waiting spins for a moment, then gives the processor away, so that
-/// a machine busy with other work is not held up.
+/// A fixed number of threads, the caller among them. Waiting spins for a time step, then gives the processor away, so
+/// that a machine busy with other work is not held up.
 class ThreadTeam {
  public:
   /// Throws Error(resource_limit) if the system does not give so many threads.

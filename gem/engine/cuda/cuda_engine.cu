@@ -1,17 +1,16 @@
-// Batches of scenes on a GPU. In one launch blocks that stay move each scene through many moments; or, where
-// scenes are many, a launch makes one phase of one moment of all of them.
+// Batches of scenes on a GPU, by one of two routes: blocks that stay with their scenes through many time steps and meet
+// at a grid barrier; or, where there is more to do than these can, a kernel for each phase of a time step of all
+// scenes.
 #include "gem/engine/cuda/cuda_engine.h"
 
 #include <algorithm>
-#include <bit>
 #include <exception>
-#include <map>
 #include <tuple>
 
 #include "gem/engine/cuda/cuda_phase_launch.cuh"
 #include "gem/engine/cuda/cuda_recorders.h"
 #include "gem/engine/cuda/cuda_scene.cuh"
-#include "gem/engine/cuda/cuda_shares.cuh"
+#include "gem/engine/device/block_share.h"
 
 namespace gem {
 namespace {
@@ -36,44 +35,46 @@ int chosen_threads(int threads) {
 }  // namespace
 
 class CudaBatch::Work {
-  /// On one multiprocessor: with fewer blocks whole moments are faster. These have all of the GPU for one scene;
+  /// On one multiprocessor: with fewer blocks whole time steps are faster. These have all of the GPU for one scene;
   /// several share it out, and those that iterate wait for it longest.
   static constexpr double phase_blocks_of_one = 5.0, phase_blocks_of_several = 3.5, phase_blocks_that_iterate = 1.75;
 
  public:
   Work(std::vector<BatchScene> scenes, const CudaOptions& options)
       : device_(on_device(options)),
-        arithmetic_(options.arithmetic),
-        threads_(chosen_threads(options.threads)),
-        ring_moments_(options.ring_moments),
+        ring_steps_(options.ring_steps),
+        chosen_blocks_(options.blocks),
         launches_(options.launches),
-        shares_(options.arithmetic, threads_, options.blocks, device_.multiprocessors, scenes),
+        resident_(chosen_threads(options.threads), device_.multiprocessors),
+        blocks_(scenes.size(), 1),
         visits_(scenes.size(), 0.0),
         status_memory_(sizeof(DeviceStatus) * scenes.size()),
         scene_memory_(sizeof(DeviceScene) * scenes.size()),
         wanted_memory_(sizeof(std::int32_t) * scenes.size()),
-        gate_memory_(2 * sizeof(CrewGate) * scenes.size()),
+        barrier_memory_(2 * sizeof(GridBarrier) * scenes.size()),
         status_(sizeof(DeviceStatus) * scenes.size()),
         scene_(sizeof(DeviceScene) * scenes.size()),
         wanted_(sizeof(std::int32_t) * scenes.size()),
         recorders_(scenes.size()) {
     scenes_.reserve(scenes.size());
     auto* status = reinterpret_cast<DeviceStatus*>(status_memory_.data());
-    const int most = shares_.blocks_for(1);
-    for (BatchScene& scene : scenes) scenes_.emplace_back(std::move(scene), options, most, status++);
+    for (BatchScene& scene : scenes) {
+      const int most = std::min(useful(scene.bodies.count()), resident_.blocks());
+      scenes_.emplace_back(std::move(scene), options, most, status++);
+    }
   }
 
-  void advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>* logs) {
-    std::vector<MomentsAhead> ahead;
-    for (const std::int64_t some : moments) ahead.push_back({some, some});
+  void advance(const std::vector<std::int64_t>& steps, std::vector<StepLog>* logs) {
+    std::vector<StepsAhead> ahead;
+    for (const std::int64_t some : steps) ahead.push_back({some, some});
     begin(ahead, logs);
-    while (std::any_of(ahead.begin(), ahead.end(), [](const MomentsAhead& one) { return one.most > 0; }))
+    while (std::any_of(ahead.begin(), ahead.end(), [](const StepsAhead& one) { return one.most > 0; }))
       launch(ahead, logs);
     for (const std::exception_ptr& fault : faults_)
       if (fault) std::rethrow_exception(fault);
   }
 
-  std::vector<std::exception_ptr> advance_some(std::vector<MomentsAhead> ahead, std::vector<MomentLog>& logs) {
+  std::vector<std::exception_ptr> advance_some(std::vector<StepsAhead> ahead, std::vector<StepLog>& logs) {
     begin(ahead, &logs);
     launch(ahead, &logs);
     return faults_;
@@ -85,12 +86,11 @@ class CudaBatch::Work {
   }
   std::size_t size() const { return scenes_.size(); }
   const CudaDevice& device() const { return device_; }
-  Launches launches() const { return by_phases_ > by_moments_ ? Launches::phases : Launches::moments; }
-  int blocks() const { return launches() == Launches::phases ? scenes_.front().device().phase_blocks : shares_.of(0); }
-  int threads() const { return launches() == Launches::phases ? phase_threads : threads_; }
+  Launches launches() const { return by_phases_ > by_steps_ ? Launches::phases : Launches::steps; }
+  int blocks() const { return launches() == Launches::phases ? scenes_.front().device().phase_blocks : blocks_[0]; }
+  int threads() const { return launches() == Launches::phases ? phase_threads : resident_.threads(); }
   double device_time() const { return device_time_; }
-  const std::vector<double>& stage_clocks() const { return stage_clocks_; }
-  double barriers() const { return barriers_ / std::max(1.0, counted_moments_); }
+  double barriers() const { return barriers_ / std::max(1.0, counted_steps_); }
 
  private:
   static CudaDevice on_device(const CudaOptions& options) {
@@ -100,10 +100,10 @@ class CudaBatch::Work {
   }
 
   /// A scene whose start is no number stays where it is.
-  void begin(std::vector<MomentsAhead>& ahead, const std::vector<MomentLog>* logs) {
+  void begin(std::vector<StepsAhead>& ahead, const std::vector<StepLog>* logs) {
     use();
     device_time_ = 0.0;
-    by_moments_ = by_phases_ = 0;
+    by_steps_ = by_phases_ = 0;
     faults_.assign(scenes_.size(), nullptr);
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
       if (ahead[k].most == 0) continue;
@@ -112,10 +112,10 @@ class CudaBatch::Work {
     }
   }
 
-  /// Does something for a scene. What is wrong with it ends its moments and no other's; a GPU that does not answer ends
-  /// them all.
+  /// Does something for a scene. What is wrong with it ends its time steps and no other's; a GPU that does not answer
+  /// ends them all.
   template <class Action>
-  void guarded(std::size_t k, MomentsAhead& ahead, Action action) {
+  void guarded(std::size_t k, StepsAhead& ahead, Action action) {
     try {
       action();
     } catch (const Error& error) {
@@ -127,9 +127,9 @@ class CudaBatch::Work {
 
   void use() const { check_cuda(cudaSetDevice(device_.index), "be chosen"); }
 
-  /// Moves each scene that has moments ahead on by some of them, all for about as long, and takes off `ahead` what was
-  /// done.
-  void launch(std::vector<MomentsAhead>& ahead, std::vector<MomentLog>* logs) {
+  /// Moves each scene that has time steps ahead on by some of them, all for about as long, and takes off `ahead` what
+  /// was done.
+  void launch(std::vector<StepsAhead>& ahead, std::vector<StepLog>* logs) {
     std::vector<std::size_t> active;
     for (std::size_t k = 0; k < ahead.size(); ++k)
       if (ahead[k].most > 0) active.push_back(k);
@@ -138,80 +138,102 @@ class CudaBatch::Work {
     if (phases)
       move_by_phases(active, ahead);
     else
-      move_by_moments(active, ahead);
-    for (const std::size_t k : active) (phases ? by_phases_ : by_moments_) += status_of(k).samples;
+      move_by_steps(active, ahead);
+    for (const std::size_t k : active) (phases ? by_phases_ : by_steps_) += status_of(k).samples;
     collect(active, ahead, logs);
   }
 
-  /// By blocks that stay: a launch takes the scenes in the order of their blocks, most first.
-  void move_by_moments(std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
-    shares_.share_out(active, ahead);
-    send(active, shares_.moments_of(active, ahead, ring_moments_));
-    time_.begin();
-    for (std::size_t first = 0, end = 0; first < active.size(); first = end) {
-      while (end < active.size() && shares_.of(active[end]) == shares_.of(active[first])) ++end;
-      launch_part(first, end - first, shares_.of(active[first]));
+  /// The most blocks that help a scene, or as many as are asked for.
+  int useful(std::size_t bodies) const {
+    return chosen_blocks_ > 0 ? std::min(chosen_blocks_, static_cast<int>(bodies)) : useful_blocks(bodies);
+  }
+
+  /// By blocks that stay with their scenes.
+  void move_by_steps(const std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
+    std::vector<double> work;
+    std::vector<int> most;
+    for (const std::size_t k : active) {
+      const std::size_t bodies = scenes_[k].field().bodies.count();
+      work.push_back(static_cast<double>(bodies) * static_cast<double>(ahead[k].all));
+      most.push_back(useful(bodies));
     }
+    const std::vector<int> blocks = share_blocks(work, most, resident_.blocks());
+    for (std::size_t at = 0; at < active.size(); ++at) blocks_[active[at]] = blocks[at];
+    send(active, steps_of(active, ahead));
+    time_.begin();
+    resident_.start({scenes_here(), wanted_here(), gates_here(), nullptr, 0}, blocks, time_.stream());
     finish();
+  }
+
+  /// Time steps that each scene makes in one call.
+  std::vector<std::int64_t> steps_of(const std::vector<std::size_t>& active,
+                                     const std::vector<StepsAhead>& ahead) const {
+    std::vector<std::int64_t> all, next;
+    for (const std::size_t k : active) {
+      all.push_back(ahead[k].all);
+      next.push_back(ahead[k].most);
+    }
+    return share_steps(all, next, ring_steps_);
   }
 
   /// Whether these scenes are moved by a launch for each phase: they are more than all threads at work.
   bool moves_by_phases(const std::vector<std::size_t>& active) {
-    if (launches_ == Launches::moments || shares_.are_chosen()) return false;
+    if (launches_ == Launches::steps || chosen_blocks_ > 0) return false;
     std::int64_t blocks = 0;
     double worth_it = active.size() == 1 ? phase_blocks_of_one : phase_blocks_of_several;
     for (const std::size_t k : active) {
       const DeviceScene& scene = scenes_[k].device();
       blocks += scene.phase_blocks;
       if (!scene.wake) return false;  // it has nothing that phases need
-      if (scene.constants.resolution != Resolution::coupled) continue;
+      if (scene.constants.solver != ContactSolver::coupled) continue;
       if (!phases_.can_solve()) return false;
       if (active.size() > 1) worth_it = phase_blocks_that_iterate;
     }
     return launches_ == Launches::phases || static_cast<double>(blocks) >= worth_it * device_.multiprocessors;
   }
 
-  /// All scenes come to their ends together: those with more ahead make more moments.
-  void move_by_phases(std::vector<std::size_t>& active, const std::vector<MomentsAhead>& ahead) {
+  /// Scenes of one solver stand together, those that go on for as long beside each other.
+  void move_by_phases(std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
     const auto order = [&](std::size_t k) {
-      return std::make_tuple(scenes_[k].field().constants.resolution, -ahead[k].all, -visits_[k]);
+      return std::make_tuple(scenes_[k].field().constants.solver, -ahead[k].all, -visits_[k]);
     };
     std::stable_sort(active.begin(), active.end(), [&](std::size_t i, std::size_t j) { return order(i) < order(j); });
-    std::int64_t most = 1;
-    for (const std::size_t k : active) most = std::max(most, ahead[k].all);
-    std::vector<std::int64_t> moments;
+    const std::vector<std::int64_t> steps = steps_of(active, ahead);
     std::vector<PhaseScene> scenes;
-    for (const std::size_t k : active) {
-      const std::int64_t share = std::max<std::int64_t>(1, (ahead[k].all * ring_moments_ + most - 1) / most);
-      moments.push_back(std::min({ahead[k].most, share, std::int64_t{ring_moments_}}));
-      scenes.push_back({scenes_[k].field().constants.resolution, scenes_[k].device().phase_blocks,
-                        static_cast<std::int32_t>(moments.back()), visits_[k]});
-      shares_.set(k, 1);
+    for (std::size_t at = 0; at < active.size(); ++at) {
+      const std::size_t k = active[at];
+      scenes.push_back({scenes_[k].field().constants.solver, scenes_[k].device().phase_blocks,
+                        static_cast<std::int32_t>(steps[at]), visits_[k]});
+      blocks_[k] = 1;
     }
-    send(active, moments);
+    send(active, steps);
     PhaseLaunch work{};
-    work.scenes = reinterpret_cast<const DeviceScene*>(scene_memory_.data());
-    work.moments = reinterpret_cast<const std::int32_t*>(wanted_memory_.data());
-    work.gates = reinterpret_cast<CrewGate*>(gate_memory_.data());
-    work.team_gates = work.gates + scenes_.size();
+    work.scenes = scenes_here();
+    work.steps = wanted_here();
+    work.grid_barriers = gates_here();
+    work.list_barriers = work.grid_barriers + scenes_.size();
     time_.begin();
     phases_.run(work, scenes, time_);
     finish();
   }
 
-  /// What the launches of a call work on: scenes in this order, and the moments that are wanted of each.
-  void send(const std::vector<std::size_t>& active, const std::vector<std::int64_t>& moments) {
+  const DeviceScene* scenes_here() const { return reinterpret_cast<const DeviceScene*>(scene_memory_.data()); }
+  const std::int32_t* wanted_here() const { return reinterpret_cast<const std::int32_t*>(wanted_memory_.data()); }
+  GridBarrier* gates_here() const { return reinterpret_cast<GridBarrier*>(barrier_memory_.data()); }
+
+  /// What the launches of a call work on: scenes in this order, and the time steps that are wanted of each.
+  void send(const std::vector<std::size_t>& active, const std::vector<std::int64_t>& steps) {
     auto* scene = reinterpret_cast<DeviceScene*>(scene_.data());
     auto* wanted = reinterpret_cast<std::int32_t*>(wanted_.data());
     for (std::size_t at = 0; at < active.size(); ++at) {
       scene[at] = scenes_[active[at]].device();
-      wanted[at] = static_cast<std::int32_t>(moments[at]);
+      wanted[at] = static_cast<std::int32_t>(steps[at]);
     }
     const cudaStream_t stream = time_.stream();
     check_cuda(cudaMemcpyAsync(scene_memory_.data(), scene, scene_.bytes(), cudaMemcpyHostToDevice, stream), "start");
     check_cuda(cudaMemcpyAsync(wanted_memory_.data(), wanted, wanted_.bytes(), cudaMemcpyHostToDevice, stream),
                "start");
-    check_cuda(cudaMemsetAsync(gate_memory_.data(), 0, gate_memory_.bytes(), stream), "start");
+    check_cuda(cudaMemsetAsync(barrier_memory_.data(), 0, barrier_memory_.bytes(), stream), "start");
   }
 
   /// Waits for the launches of a call.
@@ -224,24 +246,8 @@ class CudaBatch::Work {
     device_time_ += time_.seconds();
   }
 
-  /// Starts those scenes of a launch that have the same number of blocks, beside the others. Larger clusters take
-  /// their places first: the order of the streams' starts says nothing, their priority does.
-  void launch_part(std::size_t first, std::size_t count, int blocks) {
-    Timeline& part = part_.try_emplace(blocks, std::bit_width(static_cast<unsigned>(blocks))).first->second;
-    const Spread spread{arithmetic_, static_cast<int>(count), blocks, threads_};
-    const std::size_t room = room_of_block(spread);
-    const LaunchConfig config(spread, room, part.stream());
-    const Launch work{reinterpret_cast<const DeviceScene*>(scene_memory_.data()) + first,
-                      reinterpret_cast<const std::int32_t*>(wanted_memory_.data()) + first,
-                      reinterpret_cast<CrewGate*>(gate_memory_.data()) + first, blocks, room};
-    part.begin_after(time_);
-    check_cuda(cudaLaunchKernelEx(&config.config, spread.kernel(), work), "start");
-    part.end();
-    time_.wait_for(part);
-  }
-
   /// Takes what a call left of each scene and removes what stopped it.
-  void collect(const std::vector<std::size_t>& active, std::vector<MomentsAhead>& ahead, std::vector<MomentLog>* logs) {
+  void collect(const std::vector<std::size_t>& active, std::vector<StepsAhead>& ahead, std::vector<StepLog>* logs) {
     for (const std::size_t k : active) {
       note(k, status_of(k));
       ahead[k].most -= status_of(k).samples;
@@ -256,58 +262,50 @@ class CudaBatch::Work {
   }
 
   /// Fetches and appends the rings of all scenes.
-  void record(const std::vector<std::size_t>& active, std::vector<MomentsAhead>& ahead, std::vector<MomentLog>& logs) {
-    for (const std::size_t k : active) scenes_[k].fetch(status_of(k), shares_.of(k), time_.stream());
+  void record(const std::vector<std::size_t>& active, std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs) {
+    for (const std::size_t k : active) scenes_[k].fetch(status_of(k), blocks_[k], time_.stream());
     check_cuda(cudaStreamSynchronize(time_.stream()), "fetch the record");
     recorders_.record(active, [&](std::size_t k) {
       DeviceStatus status = status_of(k);
-      // the moment that failed is not logged
+      // the time step that failed is not logged
       if (status.stop == DeviceStop::not_finite && status.samples > 0) --status.samples;
-      guarded(k, ahead[k], [&] { scenes_[k].append(status, shares_.of(k), logs[k]); });
+      guarded(k, ahead[k], [&] { scenes_[k].append(status, blocks_[k], logs[k]); });
     });
   }
 
-  /// How the scene got on: what a moment of it costs.
+  /// How the scene got on.
   void note(std::size_t k, const DeviceStatus& status) {
     scenes_[k].note(status);
-    double clocks = 0.0;
-    for (std::size_t stage = 0; stage < stage_clocks_.size(); ++stage) {
-      clocks += static_cast<double>(status.stage_clocks[stage]);
-      if (k == 0) stage_clocks_[stage] += static_cast<double>(status.stage_clocks[stage]);
-    }
-    if (k == 0) {
+    if (k == 0 && status.barriers > 0) {
       barriers_ += status.barriers;
-      if (status.barriers > 0) counted_moments_ += status.samples;
+      counted_steps_ += status.samples;
     }
     if (status.samples > 0 && status.visits > 0)
       visits_[k] = static_cast<double>(status.visits) / static_cast<double>(status.samples);
-    shares_.note(k, clocks, status.samples);
   }
 
   /// Removes what stopped a scene, where that can be done.
-  static void go_on(CudaScene& scene, const DeviceStatus& status, MomentsAhead& ahead) {
+  static void go_on(CudaScene& scene, const DeviceStatus& status, StepsAhead& ahead) {
     if (status.stop == DeviceStop::list_full) scene.grow(status);
     if (status.stop != DeviceStop::not_finite) return;
     ahead.most = 0;
     scene.bodies();
-    check_finite(scene.field(), status.moment);
+    check_finite(scene.field(), status.step);
   }
 
   CudaDevice device_;
-  Arithmetic arithmetic_;
-  int threads_, ring_moments_;
+  int ring_steps_, chosen_blocks_;
   Launches launches_;
-  std::int64_t by_moments_ = 0, by_phases_ = 0;  // moments of all scenes in the last call, by what launches did
-  SceneShares shares_;
-  std::vector<double> visits_;    // of the points of each a moment, when last moved by phases
-  std::map<int, Timeline> part_;  // of a launch, by the blocks of a scene
+  std::int64_t by_steps_ = 0, by_phases_ = 0;  // time steps of all scenes in the last call, by what launches did
+  ResidentLaunch resident_;
+  std::vector<int> blocks_;     // of each scene in its last launch, by phases 1: as many as tell of its quality
+  std::vector<double> visits_;  // of the points of each a time step, when last moved by phases
   Timeline time_;
-  PhaseStreams phases_{arithmetic_, device_.multiprocessors};
-  DeviceMemory status_memory_, scene_memory_, wanted_memory_, gate_memory_;
+  PhaseStreams phases_{device_.multiprocessors};
+  DeviceMemory status_memory_, scene_memory_, wanted_memory_, barrier_memory_;
   PinnedMemory status_, scene_, wanted_;
   std::vector<CudaScene> scenes_;
-  double device_time_ = 0.0, barriers_ = 0.0, counted_moments_ = 0.0;
-  std::vector<double> stage_clocks_ = std::vector<double>(stage_count);
+  double device_time_ = 0.0, barriers_ = 0.0, counted_steps_ = 0.0;
   Recorders recorders_;
   std::vector<std::exception_ptr> faults_;  // of each scene, since the last call
 };
@@ -317,33 +315,27 @@ CudaBatch::CudaBatch(std::vector<BatchScene> scenes, const CudaOptions& options)
 CudaBatch::~CudaBatch() = default;
 
 std::size_t CudaBatch::size() const { return work_->size(); }
-void CudaBatch::advance(const std::vector<std::int64_t>& moments, std::vector<MomentLog>* logs) {
-  work_->advance(moments, logs);
+void CudaBatch::advance(const std::vector<std::int64_t>& steps, std::vector<StepLog>* logs) {
+  work_->advance(steps, logs);
 }
-void CudaBatch::advance(std::int64_t moments, std::vector<MomentLog>* logs) {
-  work_->advance(std::vector<std::int64_t>(size(), moments), logs);
+void CudaBatch::advance(std::int64_t steps, std::vector<StepLog>* logs) {
+  work_->advance(std::vector<std::int64_t>(size(), steps), logs);
 }
-std::vector<std::exception_ptr> CudaBatch::advance_some(const std::vector<MomentsAhead>& ahead,
-                                                        std::vector<MomentLog>& logs) {
+std::vector<std::exception_ptr> CudaBatch::advance_some(const std::vector<StepsAhead>& ahead,
+                                                        std::vector<StepLog>& logs) {
   return work_->advance_some(ahead, logs);
 }
-std::int64_t CudaBatch::moment(std::size_t scene) const { return work_->scene(scene).moment(); }
+std::int64_t CudaBatch::step(std::size_t scene) const { return work_->scene(scene).step(); }
 const Bodies& CudaBatch::bodies(std::size_t scene) { return work_->scene(scene).bodies(); }
 Ledger CudaBatch::ledger(std::size_t scene) { return work_->scene(scene).ledger(); }
 EngineState CudaBatch::save(std::size_t scene) { return work_->scene(scene).save(); }
 void CudaBatch::restore(std::size_t scene, const EngineState& state) { work_->scene(scene).restore(state); }
-std::uint64_t CudaBatch::state_hash(std::size_t scene) { return hash_of(moment(scene), bodies(scene)); }
+std::uint64_t CudaBatch::state_hash(std::size_t scene) { return hash_of(step(scene), bodies(scene)); }
 const CudaDevice& CudaBatch::device() const { return work_->device(); }
 int CudaBatch::blocks() const { return work_->blocks(); }
 int CudaBatch::threads() const { return work_->threads(); }
 Launches CudaBatch::launches() const { return work_->launches(); }
 double CudaBatch::device_time() const { return work_->device_time(); }
-std::vector<double> CudaBatch::stage_clocks() const { return work_->stage_clocks(); }
 double CudaBatch::barriers() const { return work_->barriers(); }
-
-std::vector<std::string> cuda_stage_names() {
-  return {"choose",     "look", "resolve", "pairs_wait",  "rows",   "points",      "frames",
-          "iterations", "base", "shares",  "solver_wait", "bodies", "bodies_wait", "list"};
-}
 
 }  // namespace gem

@@ -1,5 +1,4 @@
-// The kernel that moves scenes on, compiled twice: strict, with the bits of the cpu engine, and fast, where the
-// compiler may contract a*b+c to one rounding.
+// The kernels that move scenes on, with the bits of the cpu engine, and what their launches work on.
 #pragma once
 
 #include <cstddef>
@@ -10,30 +9,30 @@
 
 namespace gem {
 
-/// Where the blocks of a scene meet that are more than a cluster; zero before a launch. Both words are read as one.
-struct alignas(128) CrewGate {
+/// Where the blocks of a scene meet; zero before a launch. Both words are read as one.
+struct alignas(128) GridBarrier {
   unsigned arrived, alarms;
 };
 
 constexpr int most_threads = 256;  // leaves 255 registers for each, which keep what they work on; with half of them
                                    // twice the threads took longer
 
-/// What a launch works on: scene k with `blocks` blocks, moved on by moments[k] moments.
+/// A block of a grid that works on many scenes: its scene, and which it is of the scene's blocks.
+struct SceneBlock {
+  std::int32_t scene, block, blocks;
+  bool operator==(const SceneBlock&) const = default;
+};
+
+/// What the launch of blocks that stay works on: scene k is moved on by time steps[k] time steps.
 struct Launch {
   const DeviceScene* scenes;
-  const std::int32_t* moments;
-  CrewGate* gates;
-  int blocks;
-  std::size_t room_bytes;
+  const std::int32_t* steps;
+  GridBarrier* grid_barriers;
+  const SceneBlock* blocks;
+  std::size_t shared_bytes;
 };
 
-/// A block of a grid that makes one phase of many scenes: its scene, and which it is of the scene's blocks.
-struct PhaseBlock {
-  std::int32_t scene, block, blocks;
-  bool operator==(const PhaseBlock&) const = default;
-};
-
-/// The scenes that need a new list in this moment, in no order.
+/// The scenes that need a new list in this time step, in no order.
 struct ListQueue {
   std::int32_t count;
   std::int32_t scene[1];  // as many as there are scenes
@@ -42,26 +41,23 @@ struct ListQueue {
 /// What the launch of a phase works on.
 struct PhaseLaunch {
   const DeviceScene* scenes;
-  const std::int32_t* moments;
-  CrewGate* gates;       // of each scene: its alarms
-  CrewGate* team_gates;  // as many, for the blocks that build a list together
-  const PhaseBlock* blocks;
+  const std::int32_t* steps;
+  GridBarrier* grid_barriers;  // of each scene: its alarms
+  GridBarrier* list_barriers;  // as many, for the blocks that build a list together
+  const SceneBlock* blocks;
   ListQueue* queue;
   int scene_count;
   int solve_blocks;  // of a cluster that iterates a scene
-  std::size_t room_bytes;
+  std::size_t shared_bytes;
   bool operator==(const PhaseLaunch&) const = default;
 };
 
 using AdvanceKernel = void (*)(const Launch);
 
-/// `gated`: for scenes of more blocks than a cluster holds.
-AdvanceKernel strict_kernel(bool gated);
-AdvanceKernel fast_kernel(bool gated);
+AdvanceKernel advance_kernel();
 
 using PhaseKernel = void (*)(const PhaseLaunch);
 
-PhaseKernel strict_phase(DevicePhase phase, Resolution resolution);
-PhaseKernel fast_phase(DevicePhase phase, Resolution resolution);
+PhaseKernel stage_kernel(Stage stage, ContactSolver solver);
 
 }  // namespace gem

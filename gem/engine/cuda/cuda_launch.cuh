@@ -1,116 +1,22 @@
-// One launch of the kernel that moves scenes: how they are spread over the device, and how long it took.
+// What all launches need, a stream with its times and the table of their blocks; and the launch whose blocks stay with
+// their scenes.
 #pragma once
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "gem/engine/cuda/cuda_kernel.h"
 #include "gem/engine/cuda/cuda_memory.cuh"
-#include "gem/engine/device/block_share.h"
 
 namespace gem {
 namespace {
 
-/// The fast memory that a kernel takes is taken from the cache; more than this loses more there than it gains [bytes].
-constexpr std::size_t most_room = 160 * 1024;
-
-/// Blocks of a scene that meet at a gate, at least: up to three scenes on 132 multiprocessors. Between these and the
-/// largest cluster, whose blocks meet faster, nothing was timed.
-constexpr int fewest_gated = 40;
-static_assert(fewest_gated > largest_cluster);
-
-/// How a batch is spread over the device.
-struct Spread {
-  Arithmetic arithmetic = Arithmetic::strict;
-  int scenes = 1, blocks = 1, threads = most_threads;
-  bool gated() const { return blocks > largest_cluster; }
-  int cluster() const { return gated() ? 1 : blocks; }
-  AdvanceKernel kernel() const {
-    return arithmetic == Arithmetic::fast ? fast_kernel(gated()) : strict_kernel(gated());
-  }
-};
-
-/// The fast memory that a block may have besides what the kernel takes itself; the kernel is allowed to take it
-/// [bytes].
-std::size_t room_of_block(const Spread& spread) {
-  int device = 0, most = 0;
-  cudaFuncAttributes attributes{};
-  check_cuda(cudaGetDevice(&device), "be set up");
-  check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
-  check_cuda(cudaFuncGetAttributes(&attributes, spread.kernel()), "be set up");
-  const std::size_t left =
-      std::min(most_room, (static_cast<std::size_t>(most) - attributes.sharedSizeBytes) / 128 * 128);
-  check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(left)),
-             "be set up");
-  check_cuda(cudaFuncSetAttribute(spread.kernel(), cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
-  return left;
-}
-
-/// A launch and the attributes that it points to.
-struct LaunchConfig {
-  cudaLaunchConfig_t config{};
-  cudaLaunchAttribute attribute[2];
-
-  LaunchConfig(const Spread& spread, std::size_t room, cudaStream_t stream) {
-    attribute[0].id = cudaLaunchAttributeClusterDimension;
-    attribute[0].val.clusterDim = {static_cast<unsigned>(spread.cluster()), 1, 1};
-    attribute[1].id = cudaLaunchAttributeCooperative;
-    attribute[1].val.cooperative = 1;
-    config.gridDim = dim3(static_cast<unsigned>(spread.scenes * spread.blocks));
-    config.blockDim = dim3(static_cast<unsigned>(spread.threads));
-    config.dynamicSmemBytes = room;
-    config.stream = stream;
-    config.attrs = attribute;
-    config.numAttrs = spread.gated() ? 2 : 1;
-  }
-  LaunchConfig(const LaunchConfig&) = delete;
-  LaunchConfig& operator=(const LaunchConfig&) = delete;
-
-  /// Clusters that run at the same time.
-  int clusters(const Spread& spread) {
-    int most = 0;
-    config.numAttrs = 1;
-    if (cudaOccupancyMaxActiveClusters(&most, spread.kernel(), &config) != cudaSuccess) most = 0;
-    cudaGetLastError();
-    config.numAttrs = spread.gated() ? 2 : 1;
-    return most;
-  }
-};
-
-/// Blocks for each scene with which all scenes run at the same time: as many as there are for few scenes, a cluster for
-/// each of more; no more than `useful`.
-int most_blocks(Arithmetic arithmetic, int scenes, int threads, int multiprocessors, int useful) {
-  for (int blocks = std::min(multiprocessors / scenes, useful); blocks >= fewest_gated; --blocks) {
-    const Spread spread{arithmetic, scenes, blocks, threads};
-    if (LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes * blocks) return blocks;
-  }
-  for (int blocks = largest_cluster; blocks > 1; --blocks) {
-    const Spread spread{arithmetic, scenes, blocks, threads};
-    if (blocks <= useful && LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread) >= scenes)
-      return blocks;
-  }
-  return 1;
-}
-
-/// How many clusters of each size that scenes may have run at the same time.
-ClusterRoom room_for_clusters(Arithmetic arithmetic, int threads) {
-  ClusterRoom room;
-  for (std::size_t size = 0; size < room.size(); ++size) {
-    const Spread spread{arithmetic, 1, share_sizes[size], threads};
-    room[size] = LaunchConfig(spread, room_of_block(spread), nullptr).clusters(spread);
-  }
-  return room;
-}
-
 /// A stream and two marks in its time. Others may begin with it and end before it.
 class Timeline {
  public:
-  /// Of what waits for a place on the device, streams of higher priority start first, as far as it tells priorities
-  /// apart.
-  explicit Timeline(int priority = 0) {
-    int lowest = 0, highest = 0;
-    check_cuda(cudaDeviceGetStreamPriorityRange(&lowest, &highest), "make a stream");
-    const int level = std::max(lowest - priority, highest);
-    check_cuda(cudaStreamCreateWithPriority(&stream_, cudaStreamNonBlocking, level), "make a stream");
+  Timeline() {
+    check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "make a stream");
     check_cuda(cudaEventCreate(&begin_), "make a stream");
     check_cuda(cudaEventCreate(&end_), "make a stream");
   }
@@ -141,6 +47,84 @@ class Timeline {
  private:
   cudaStream_t stream_ = nullptr;
   cudaEvent_t begin_ = nullptr, end_ = nullptr;
+};
+
+/// Which scene each block of a launch works on, on the device.
+class BlockTable {
+ public:
+  /// The blocks of a launch; mostly they are those of the last one.
+  const SceneBlock* send(std::vector<SceneBlock> blocks, cudaStream_t stream) {
+    if (blocks != sent_) {
+      sent_.clear();
+      const std::size_t bytes = sizeof(SceneBlock) * blocks.size();
+      memory_.load(bytes);
+      check_cuda(cudaMemcpyAsync(memory_.data(), blocks.data(), bytes, cudaMemcpyHostToDevice, stream), "start");
+      check_cuda(cudaStreamSynchronize(stream), "start");
+      sent_ = std::move(blocks);
+    }
+    return reinterpret_cast<const SceneBlock*>(memory_.data());
+  }
+  /// Adds the blocks of scene k.
+  static void add(std::vector<SceneBlock>& all, std::size_t k, int blocks) {
+    for (int b = 0; b < blocks; ++b) all.push_back({static_cast<std::int32_t>(k), b, blocks});
+  }
+
+ private:
+  std::vector<SceneBlock> sent_;
+  DeviceMemory memory_;
+};
+
+/// The launch of blocks that stay with their scenes through many time steps. Those of a scene meet at a grid barrier,
+/// so all blocks have to be on the device at a time: the launch is a cooperative one.
+class ResidentLaunch {
+ public:
+  ResidentLaunch(int threads, int multiprocessors) : threads_(threads) {
+    int device = 0, most = 0, together = 0;
+    cudaFuncAttributes attributes{};
+    check_cuda(cudaGetDevice(&device), "be set up");
+    check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
+    check_cuda(cudaFuncGetAttributes(&attributes, advance_kernel()), "be set up");
+    shared_memory_ =
+        std::min(most_shared_bytes, (static_cast<std::size_t>(most) - attributes.sharedSizeBytes) / 128 * 128);
+    check_cuda(cudaFuncSetAttribute(advance_kernel(), cudaFuncAttributeMaxDynamicSharedMemorySize,
+                                    static_cast<int>(shared_memory_)),
+               "be set up");
+    check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&together, advance_kernel(), threads_, shared_memory_),
+               "be set up");
+    blocks_ = together * multiprocessors;
+  }
+
+  int threads() const { return threads_; }
+  /// Blocks that the device runs at a time.
+  int blocks() const { return blocks_; }
+
+  /// Starts blocks[k] blocks for scene k: all together no more than blocks(), or one for each.
+  void start(Launch work, const std::vector<int>& blocks, cudaStream_t stream) {
+    std::vector<SceneBlock> all;
+    for (std::size_t k = 0; k < blocks.size(); ++k) BlockTable::add(all, k, blocks[k]);
+    cudaLaunchAttribute cooperative{};
+    cooperative.id = cudaLaunchAttributeCooperative;
+    cooperative.val.cooperative = 1;
+    cudaLaunchConfig_t config{};
+    config.gridDim = dim3(static_cast<unsigned>(all.size()));
+    config.blockDim = dim3(static_cast<unsigned>(threads_));
+    config.dynamicSmemBytes = shared_memory_;
+    config.stream = stream;
+    config.attrs = &cooperative;
+    config.numAttrs = all.size() > blocks.size() ? 1 : 0;  // a block alone meets none: these may take turns
+    work.shared_bytes = shared_memory_;
+    work.blocks = table_.send(std::move(all), stream);
+    check_cuda(cudaLaunchKernelEx(&config, advance_kernel(), work), "start");
+  }
+
+ private:
+  /// The shared memory that a kernel takes is taken from the cache; more than this loses more there than it gains
+  /// [bytes].
+  static constexpr std::size_t most_shared_bytes = 160 * 1024;
+
+  int threads_, blocks_ = 0;
+  std::size_t shared_memory_ = 0;
+  BlockTable table_;
 };
 
 }  // namespace

@@ -48,6 +48,12 @@ class DeviceMemory {
   }
   std::byte* data() const { return static_cast<std::byte*>(data_); }
   std::size_t bytes() const { return bytes_; }
+  /// Holds so many bytes or more from now on; what it held is lost where it has to grow.
+  void load(std::size_t bytes) {
+    if (bytes_ >= bytes) return;
+    *this = DeviceMemory();  // the old one goes first
+    *this = DeviceMemory(bytes);
+  }
 
  private:
   void* data_ = nullptr;

@@ -21,12 +21,12 @@ CudaDevice usable_cuda_device() { throw Error(ExitCode::device, std::string(miss
 CudaBatch::CudaBatch(std::vector<BatchScene>, const CudaOptions&) { usable_cuda_device(); }
 CudaBatch::~CudaBatch() = default;
 std::size_t CudaBatch::size() const { return 0; }
-void CudaBatch::advance(const std::vector<std::int64_t>&, std::vector<MomentLog>*) {}
-void CudaBatch::advance(std::int64_t, std::vector<MomentLog>*) {}
-std::vector<std::exception_ptr> CudaBatch::advance_some(const std::vector<MomentsAhead>&, std::vector<MomentLog>&) {
+void CudaBatch::advance(const std::vector<std::int64_t>&, std::vector<StepLog>*) {}
+void CudaBatch::advance(std::int64_t, std::vector<StepLog>*) {}
+std::vector<std::exception_ptr> CudaBatch::advance_some(const std::vector<StepsAhead>&, std::vector<StepLog>&) {
   return {};
 }
-std::int64_t CudaBatch::moment(std::size_t) const { return 0; }
+std::int64_t CudaBatch::step(std::size_t) const { return 0; }
 const Bodies& CudaBatch::bodies(std::size_t) { throw Error(ExitCode::device, missing); }
 Ledger CudaBatch::ledger(std::size_t) { return {}; }
 EngineState CudaBatch::save(std::size_t) { return {}; }
@@ -37,8 +37,6 @@ int CudaBatch::blocks() const { return 0; }
 int CudaBatch::threads() const { return 0; }
 Launches CudaBatch::launches() const { return Launches::chosen; }
 double CudaBatch::device_time() const { return 0.0; }
-std::vector<double> CudaBatch::stage_clocks() const { return {}; }
 double CudaBatch::barriers() const { return 0.0; }
-std::vector<std::string> cuda_stage_names() { return {}; }
 
 }  // namespace gem

@@ -14,27 +14,26 @@ namespace {
 /// All scenes of a call, shared out among some streams.
 class PhaseStreams {
  public:
-  PhaseStreams(Arithmetic arithmetic, int multiprocessors)
-      : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+  explicit PhaseStreams(int multiprocessors) : multiprocessors_(multiprocessors) {}
 
   /// Whether the device has room for the clusters that iterate coupled scenes.
   bool can_solve() { return largest_cluster_here() > 0; }
 
-  /// Starts a call between `call`'s beginning and its end. `work` says where the scenes lie; those of one resolution
+  /// Starts a call between `call`'s beginning and its end. `work` says where the scenes lie; those of one solver
   /// stand together, those that go on for as long beside each other.
   void run(PhaseLaunch work, const std::vector<PhaseScene>& scenes, const Timeline& call) {
     const std::vector<std::size_t> bounds = shared_out(scenes);
     const std::size_t count = bounds.size() - 1;
-    while (stream_.size() < count) stream_.push_back(std::make_unique<PhaseStream>(arithmetic_, multiprocessors_));
+    while (stream_.size() < count) stream_.push_back(std::make_unique<PhaseStream>(multiprocessors_));
     const std::vector<int> solve_blocks = solve_blocks_of(scenes);
     std::vector<std::int64_t> starts(count);
     for (std::size_t k = 0; k < count; ++k) {
       const auto first = static_cast<std::ptrdiff_t>(bounds[k]), last = static_cast<std::ptrdiff_t>(bounds[k + 1]);
       PhaseLaunch part = work;
       part.scenes += first;
-      part.moments += first;
-      part.gates += first;
-      part.team_gates += first;
+      part.steps += first;
+      part.grid_barriers += first;
+      part.list_barriers += first;
       part.solve_blocks =
           stream_[k]->steady_blocks(*std::max_element(solve_blocks.begin() + first, solve_blocks.begin() + last));
       const std::vector<PhaseScene> some(scenes.begin() + first, scenes.begin() + last);
@@ -50,11 +49,11 @@ class PhaseStreams {
   /// Streams that have fewer starts to make than others get theirs spread over the time of these.
   void launch_all(const std::vector<std::int64_t>& starts) {
     const std::int64_t most = *std::max_element(starts.begin(), starts.end());
-    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(first_phases);
+    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(call_begins);
     for (std::int64_t m = 0; m < most; ++m)
       for (std::size_t k = 0; k < starts.size(); ++k)
-        if ((m + 1) * starts[k] / most > m * starts[k] / most) stream_[k]->start_moments();
-    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(last_phases);
+        if ((m + 1) * starts[k] / most > m * starts[k] / most) stream_[k]->start_steps();
+    for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(call_ends);
   }
 
   /// Where the scenes of each stream begin, and where the last ends.
@@ -63,7 +62,7 @@ class PhaseStreams {
     const std::size_t streams = streams_for(scenes);
     for (std::size_t k = 0; k < streams; ++k) bounds.push_back(scenes.size() * k / streams);
     for (std::size_t k = 1; k < scenes.size(); ++k)
-      if (scenes[k].resolution != scenes[k - 1].resolution) bounds.push_back(k);
+      if (scenes[k].solver != scenes[k - 1].solver) bounds.push_back(k);
     bounds.push_back(scenes.size());
     std::sort(bounds.begin(), bounds.end());
     bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
@@ -81,22 +80,23 @@ class PhaseStreams {
 
   static bool any_coupled(const std::vector<PhaseScene>& scenes) {
     return std::any_of(scenes.begin(), scenes.end(),
-                       [](const PhaseScene& scene) { return scene.resolution == Resolution::coupled; });
+                       [](const PhaseScene& scene) { return scene.solver == ContactSolver::coupled; });
   }
 
   /// Blocks that iterate each scene: as many as its points are worth, and where these are more than the device has use
-  /// for, of those a share as large as the scene's part in all work that is left, but enough that their fast memory
+  /// for, of those a share as large as the scene's part in all work that is left, but enough that their shared memory
   /// holds most of its points. Not all scenes iterate at a time.
   std::vector<int> solve_blocks_of(const std::vector<PhaseScene>& scenes) {
-    constexpr double for_one = 32 * 400, for_full = 32 * 1250;  // visits of a block in a moment: mostly 32 iterations
-    constexpr double waiting = 1.5;  // for one multiprocessor, of scenes that have more than one block
+    constexpr double for_one = 32 * 400,
+                     for_full = 32 * 1250;  // visits of a block in a time step: mostly 32 iterations
+    constexpr double waiting = 1.5;         // for one multiprocessor, of scenes that have more than one block
     std::vector<int> blocks(scenes.size(), 1);
     std::vector<double> work(scenes.size(), 0.0);
     int worthwhile = 0;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
-      if (scenes[k].resolution != Resolution::coupled) continue;
+      if (scenes[k].solver != ContactSolver::coupled) continue;
       worthwhile += blocks[k] = worthwhile_blocks(scenes[k].visits / for_one);
-      work[k] = std::max(scenes[k].visits, for_one) * scenes[k].moments;
+      work[k] = std::max(scenes[k].visits, for_one) * scenes[k].steps;
     }
     if (worthwhile <= waiting * multiprocessors_) return blocks;
     const double all = std::accumulate(work.begin(), work.end(), 0.0);
@@ -115,11 +115,10 @@ class PhaseStreams {
   }
 
   int largest_cluster_here() {
-    if (largest_cluster_ < 0) largest_cluster_ = largest_solver(arithmetic_);
+    if (largest_cluster_ < 0) largest_cluster_ = largest_solver();
     return largest_cluster_;
   }
 
-  Arithmetic arithmetic_;
   int multiprocessors_;
   int largest_cluster_ = -1;  // asked for when coupled scenes first go through phases
   std::vector<std::unique_ptr<PhaseStream>> stream_;

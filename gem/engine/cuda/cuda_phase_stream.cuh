@@ -19,12 +19,12 @@ struct SolverConfig {
   cudaLaunchConfig_t config{};
   cudaLaunchAttribute cluster{};
 
-  SolverConfig(int scenes, int blocks, std::size_t room, cudaStream_t stream) {
+  SolverConfig(int scenes, int blocks, std::size_t shared_memory, cudaStream_t stream) {
     cluster.id = cudaLaunchAttributeClusterDimension;
     cluster.val.clusterDim = {static_cast<unsigned>(blocks), 1, 1};
     config.gridDim = dim3(static_cast<unsigned>(scenes * blocks));
     config.blockDim = dim3(solve_threads);
-    config.dynamicSmemBytes = room;
+    config.dynamicSmemBytes = shared_memory;
     config.stream = stream;
     config.attrs = &cluster;
     config.numAttrs = 1;
@@ -35,36 +35,33 @@ struct SolverConfig {
 
 /// A scene of a call, as its launches see it.
 struct PhaseScene {
-  Resolution resolution = Resolution::independent;
-  int blocks = 1;            // that move its bodies
-  std::int32_t moments = 0;  // that are wanted
-  double visits = 0.0;       // of its points a moment, as far as known; coupled
+  ContactSolver solver = ContactSolver::independent;
+  int blocks = 1;          // that move its bodies
+  std::int32_t steps = 0;  // that are wanted
+  double visits = 0.0;     // of its points a time step, as far as known; coupled
 };
 
-PhaseKernel kernel_of(Arithmetic arithmetic, DevicePhase phase, Resolution resolution) {
-  return arithmetic == Arithmetic::fast ? fast_phase(phase, resolution) : strict_phase(phase, resolution);
-}
-
 /// Fast memory of a block in a phase of the iterations [bytes].
-constexpr std::size_t room_of_solver(DevicePhase phase) { return phase == DevicePhase::iterate ? solve_room : 0; }
+constexpr std::size_t shared_bytes_of_solver(Stage stage) { return stage == Stage::iterate ? solve_shared_bytes : 0; }
 
 /// The largest cluster by which the device iterates, a power of two; 0: it cannot. Allows the kernels to take what they
 /// need.
-int largest_solver(Arithmetic arithmetic) {
+int largest_solver() {
   int device = 0, most = 0, blocks = largest_cluster;
   check_cuda(cudaGetDevice(&device), "be set up");
   check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
-  for (const DevicePhase phase : {DevicePhase::gather, DevicePhase::iterate, DevicePhase::settle}) {
-    const PhaseKernel kernel = kernel_of(arithmetic, phase, Resolution::coupled);
-    const std::size_t room = room_of_solver(phase);
+  for (const Stage stage : {Stage::gather, Stage::iterate, Stage::settle}) {
+    const PhaseKernel kernel = stage_kernel(stage, ContactSolver::coupled);
+    const std::size_t shared_memory = shared_bytes_of_solver(stage);
     cudaFuncAttributes attributes{};
     check_cuda(cudaFuncGetAttributes(&attributes, kernel), "be set up");
-    if (room + attributes.sharedSizeBytes > static_cast<std::size_t>(most)) return 0;
-    check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(room)),
-               "be set up");
+    if (shared_memory + attributes.sharedSizeBytes > static_cast<std::size_t>(most)) return 0;
+    check_cuda(
+        cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(shared_memory)),
+        "be set up");
     check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
     for (int clusters = 0; blocks > 0; blocks /= 2) {
-      const SolverConfig config(1, blocks, room, nullptr);
+      const SolverConfig config(1, blocks, shared_memory, nullptr);
       if (cudaOccupancyMaxActiveClusters(&clusters, kernel, &config.config) == cudaSuccess && clusters > 0) break;
       cudaGetLastError();
     }
@@ -77,8 +74,7 @@ int largest_solver(Arithmetic arithmetic) {
 /// each other, and what stepped in between them might wait for these places.
 class PhaseStream {
  public:
-  PhaseStream(Arithmetic arithmetic, int multiprocessors)
-      : arithmetic_(arithmetic), multiprocessors_(multiprocessors) {}
+  explicit PhaseStream(int multiprocessors) : multiprocessors_(multiprocessors) {}
 
   /// Blocks that iterate, where so many are wanted: those of the last call if they are about as many, as what has been
   /// recorded can be started again then.
@@ -87,35 +83,35 @@ class PhaseStream {
     return 5 * std::abs(wanted - last) <= std::max(wanted, last) ? last : wanted;
   }
 
-  /// The next call works on these scenes, all of one resolution; `work` says where they lie and how many blocks iterate
-  /// each, `streams` how many such streams share the device. Returns how many starts their moments take.
+  /// The next call works on these scenes, all of one solver; `work` says where they lie and how many blocks iterate
+  /// each, `streams` how many such streams share the device. Returns how many starts their time steps take.
   std::int64_t begin(const PhaseLaunch& work, const std::vector<PhaseScene>& scenes, int streams,
                      const Timeline& call) {
     time_.begin_after(call);
     work_ = work;
     work_.scene_count = static_cast<int>(scenes.size());
-    resolution_ = scenes.front().resolution;
-    list_grid_ = std::max(1, list_room() / streams);
-    std::vector<PhaseBlock> block;
+    solver_ = scenes.front().solver;
+    list_grid_ = std::max(1, list_blocks_together() / streams);
+    std::vector<SceneBlock> block;
     add_blocks(block, scenes, 1);
     all_ = static_cast<int>(block.size());
     add_blocks(block, scenes, std::max(1, all_ * streams / (pairs_blocks * multiprocessors_)));
     some_ = static_cast<int>(block.size()) - all_;
-    work_.blocks = send(std::move(block));
-    work_.queue =
-        reinterpret_cast<ListQueue*>(room(queue_memory_, sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size()));
-    std::int32_t moments = 0;
-    for (const PhaseScene& scene : scenes) moments = std::max(moments, scene.moments);
-    record(std::min(moments, most_together));
-    return (moments + recorded_.moments - 1) / recorded_.moments;
+    work_.blocks = table_.send(std::move(block), time_.stream());
+    queue_memory_.load(sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size());
+    work_.queue = reinterpret_cast<ListQueue*>(queue_memory_.data());
+    std::int32_t steps = 0;
+    for (const PhaseScene& scene : scenes) steps = std::max(steps, scene.steps);
+    record(std::min(steps, most_together));
+    return (steps + recorded_.steps - 1) / recorded_.steps;
   }
 
-  /// Makes some moments; those beyond what a scene wants are none for it.
-  void start_moments() { moments_.start(time_.stream()); }
+  /// Makes some time steps; those beyond what a scene wants are none for it.
+  void start_steps() { steps_.start(time_.stream()); }
 
   template <class Phases>
   void launch(const Phases& phases) {
-    for (const DevicePhase phase : phases) launch(phase);
+    for (const Stage stage : phases) launch(stage);
   }
 
   void end(const Timeline& call) {
@@ -127,105 +123,84 @@ class PhaseStream {
   /// On one multiprocessor: more would only start and end.
   static constexpr int pairs_blocks = 16;
 
-  /// Moments that are started together, at most.
+  /// Time steps that are started together, at most.
   static constexpr std::int32_t most_together = 4;
 
   /// What the recorded launches depend on.
   struct Recorded {
     PhaseLaunch work{};
-    Resolution resolution = Resolution::independent;
+    ContactSolver solver = ContactSolver::independent;
     int all = 0, some = 0, list_grid = 0;
-    std::int32_t moments = 0;
+    std::int32_t steps = 0;
     bool operator==(const Recorded&) const = default;
   };
 
-  void record(std::int32_t moments) {
-    const Recorded wanted{work_, resolution_, all_, some_, list_grid_, moments};
+  void record(std::int32_t steps) {
+    const Recorded wanted{work_, solver_, all_, some_, list_grid_, steps};
     if (wanted == recorded_) return;
     recorded_ = {};
-    moments_.record(time_.stream(), [&] {
-      for (std::int32_t k = 0; k < moments; ++k) launch(moment_phases);
+    steps_.record(time_.stream(), [&] {
+      for (std::int32_t k = 0; k < steps; ++k) launch(time_step_stages);
     });
     recorded_ = wanted;
   }
 
-  void launch(DevicePhase phase) {
-    if (is_of_solver(phase)) {
-      if (resolution_ == Resolution::coupled) launch_solver(phase);
+  void launch(Stage stage) {
+    if (goes_with_move(stage)) return;
+    if (is_of_solver(stage)) {
+      if (solver_ == ContactSolver::coupled) launch_solver(stage);
       return;
     }
     PhaseLaunch work = work_;
     int grid = all_, block = phase_threads;
-    if (phase == DevicePhase::open || phase == DevicePhase::plan) grid = 1, block = plan_threads;
-    if (phase == DevicePhase::list) grid = list_grid_;
-    if (phase == DevicePhase::choose || phase == DevicePhase::look || phase == DevicePhase::resolve) {
+    if (stage == Stage::open_call || stage == Stage::plan) grid = 1, block = plan_threads;
+    if (stage == Stage::list) grid = list_grid_;
+    if (stage == Stage::candidates || stage == Stage::narrow_phase || stage == Stage::contact_events) {
       grid = some_;
       work.blocks += all_;
     }
-    if (phase == DevicePhase::choose) work.room_bytes = choose_room;
-    if (phase == DevicePhase::look) work.room_bytes = phase_threads / phase_lanes * sizeof(DeskOutlines);
-    if (phase == DevicePhase::bodies) work.room_bytes = bodies_room;
+    if (stage == Stage::candidates) work.shared_bytes = candidate_shared_bytes;
+    if (stage == Stage::narrow_phase) work.shared_bytes = phase_threads / phase_lanes * sizeof(WorkspaceOutlines);
+    if (stage == Stage::move) work.shared_bytes = bodies_shared_bytes;
     cudaLaunchConfig_t config{};
     config.gridDim = dim3(static_cast<unsigned>(grid));
     config.blockDim = dim3(static_cast<unsigned>(block));
-    config.dynamicSmemBytes = work.room_bytes;
+    config.dynamicSmemBytes = work.shared_bytes;
     config.stream = time_.stream();
-    check_cuda(cudaLaunchKernelEx(&config, kernel_of_phase(phase), work), "start");
+    check_cuda(cudaLaunchKernelEx(&config, kernel_of_stage(stage), work), "start");
   }
 
-  void launch_solver(DevicePhase phase) {
+  void launch_solver(Stage stage) {
     PhaseLaunch work = work_;
-    work.room_bytes = solve_room;
-    const SolverConfig solver(work.scene_count, work.solve_blocks, room_of_solver(phase), time_.stream());
-    check_cuda(cudaLaunchKernelEx(&solver.config, kernel_of_phase(phase), work), "start");
+    work.shared_bytes = solve_shared_bytes;
+    const SolverConfig solver(work.scene_count, work.solve_blocks, shared_bytes_of_solver(stage), time_.stream());
+    check_cuda(cudaLaunchKernelEx(&solver.config, kernel_of_stage(stage), work), "start");
   }
 
   /// Blocks that build lists and meet, of all streams: they have to be on the device at a time.
-  int list_room() const {
+  int list_blocks_together() const {
     int together = 0;
-    check_cuda(
-        cudaOccupancyMaxActiveBlocksPerMultiprocessor(&together, kernel_of_phase(DevicePhase::list), phase_threads, 0),
-        "be set up");
+    check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&together, kernel_of_stage(Stage::list), phase_threads, 0),
+               "be set up");
     return std::min(list_blocks, together) * multiprocessors_;
   }
 
-  PhaseKernel kernel_of_phase(DevicePhase phase) const { return kernel_of(arithmetic_, phase, resolution_); }
+  PhaseKernel kernel_of_stage(Stage stage) const { return stage_kernel(stage, solver_); }
 
   /// The blocks of all scenes, for each as many as for its bodies over `share`.
-  static void add_blocks(std::vector<PhaseBlock>& all, const std::vector<PhaseScene>& scenes, int share) {
-    for (std::size_t k = 0; k < scenes.size(); ++k) {
-      const int blocks = (scenes[k].blocks + share - 1) / share;
-      for (int b = 0; b < blocks; ++b) all.push_back({static_cast<std::int32_t>(k), b, blocks});
-    }
+  static void add_blocks(std::vector<SceneBlock>& all, const std::vector<PhaseScene>& scenes, int share) {
+    for (std::size_t k = 0; k < scenes.size(); ++k) BlockTable::add(all, k, (scenes[k].blocks + share - 1) / share);
   }
 
-  static std::byte* room(DeviceMemory& memory, std::size_t bytes) {
-    if (memory.bytes() < bytes) memory = {}, memory = DeviceMemory(bytes);
-    return memory.data();
-  }
-  /// The blocks of the call, on the device; mostly they are those of the last one.
-  const PhaseBlock* send(std::vector<PhaseBlock> block) {
-    if (block != sent_) {
-      sent_.clear();
-      const std::size_t bytes = sizeof(PhaseBlock) * block.size();
-      std::byte* const to = room(block_memory_, bytes);
-      check_cuda(cudaMemcpyAsync(to, block.data(), bytes, cudaMemcpyHostToDevice, time_.stream()), "start");
-      check_cuda(cudaStreamSynchronize(time_.stream()), "start");
-      sent_ = std::move(block);
-    }
-    return reinterpret_cast<const PhaseBlock*>(block_memory_.data());
-  }
-
-  Arithmetic arithmetic_;
-  Resolution resolution_ = Resolution::independent;
+  ContactSolver solver_ = ContactSolver::independent;
   int multiprocessors_;
   int all_ = 0, some_ = 0, list_grid_ = 1;  // blocks that move bodies, that work on pairs, that build lists
   PhaseLaunch work_{};
   Timeline time_;
-  RecordedLaunches moments_;
+  RecordedLaunches steps_;
   Recorded recorded_;
-  std::vector<PhaseBlock> sent_;
-  DeviceMemory block_memory_, queue_memory_;
+  BlockTable table_;
+  DeviceMemory queue_memory_;
 };
 
 }  // namespace

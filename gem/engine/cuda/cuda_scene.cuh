@@ -20,12 +20,12 @@ class CudaScene {
   /// `status` is its place among the statuses of the batch, on the device.
   /// `blocks`: the most that ever work on it.
   CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status) : status_(status) {
-    const MomentConstants constants = moment_constants(scene.scene, scene.bodies);
+    const StepConstants constants = step_constants(scene.scene, scene.bodies);
     field_ = make_field_state(std::move(scene.bodies), constants);
     ledger_.start = total(field_);
     device_ = scene_constants(field_, scene.scene.output.event_speed_m_per_s);
     sizes_ = scene_sizes(field_);
-    sizes_.samples = options.ring_moments;
+    sizes_.samples = options.ring_steps;
     sizes_.blocks = std::max(blocks, largest_cluster);
     if (options.list_rows > 0) sizes_.rows = options.list_rows;
     device_.wants_samples = options.samples;
@@ -38,19 +38,19 @@ class CudaScene {
 
   const DeviceScene& device() const { return device_; }
   const FieldState& field() const { return field_; }
-  std::int64_t moment() const { return moment_; }
+  std::int64_t step() const { return step_; }
 
   void want_events(bool wanted) { device_.wants_events = wanted; }
 
   /// The check that every engine makes before it goes on from a state that it was given.
   void check_start() {
-    if (fresh_) check_finite(field_, moment_);
+    if (fresh_) check_finite(field_, step_);
     fresh_ = false;
   }
 
   /// After a call: what it left on the device.
   void note(const DeviceStatus& status) {
-    moment_ = status.moment;
+    step_ = status.step;
     carried_ = status.carried;
     state_here_ = books_here_ = false;
   }
@@ -58,13 +58,13 @@ class CudaScene {
   /// Begins to fetch what the last call, by so many blocks, has left in the rings.
   void fetch(const DeviceStatus& status, int blocks, cudaStream_t stream) {
     if (status.samples == 0) return;
-    const auto moments = static_cast<std::size_t>(status.samples) * static_cast<std::size_t>(blocks);
-    fetch(device_.overlap_count, device_.quality + moments, stream);  // the samples stand between these
+    const auto steps = static_cast<std::size_t>(status.samples) * static_cast<std::size_t>(blocks);
+    fetch(device_.overlap_count, device_.quality + steps, stream);  // the samples stand between these
     fetch(device_.event, device_.event + status.events, stream);
   }
 
   /// Appends the rings, once they have come.
-  void append(const DeviceStatus& status, int blocks, MomentLog& log) const {
+  void append(const DeviceStatus& status, int blocks, StepLog& log) const {
     if (status.samples == 0) return;
     DeviceScene rings;
     place_rings(rings, sizes_, ring_here_.data());
@@ -108,7 +108,7 @@ class CudaScene {
 
   EngineState save() {
     bodies();
-    EngineState state{moment_, field_.bodies, ledger(), {}, {}};
+    EngineState state{step_, field_.bodies, ledger(), {}, {}};
     save_memory(carried(), state);
     return state;
   }
@@ -117,7 +117,7 @@ class CudaScene {
     field_ = make_field_state(state.bodies, field_.constants);
     open_books(field_, state.ledger);
     ledger_ = state.ledger;
-    moment_ = state.moment;
+    step_ = state.step;
     const std::vector<CarriedMemory> memory = carried_memory(state);
     if (2 * memory.size() > static_cast<std::size_t>(sizes_.rows)) {
       sizes_.rows = static_cast<std::int32_t>(2 * memory.size());
@@ -143,7 +143,7 @@ class CudaScene {
     DeviceStatus status;
     std::vector<std::byte> image(field_memory_.bytes());
     place_field(here, sizes_, image.data());
-    write_field(field_, moment_, here);
+    write_field(field_, step_, here);
     status = *here.status;
     status.carried = carried_;
     check_cuda(cudaMemcpy(field_memory_.data(), image.data(), image.size(), cudaMemcpyHostToDevice), "take the field");
@@ -154,7 +154,7 @@ class CudaScene {
     fresh_ = state_here_ = books_here_ = true;
   }
 
-  /// What the points of the last moment carried; a coupled scene keeps it on the device.
+  /// What the points of the last time step carried; a coupled scene keeps it on the device.
   std::vector<CarriedMemory> carried() const {
     std::vector<CarriedMemory> memory(carried_);
     if (carried_ > 0)
@@ -171,7 +171,7 @@ class CudaScene {
     settle();
   }
 
-  /// No stamp of an earlier list may look like one of a moment to come.
+  /// No stamp of an earlier list may look like one of a time step to come.
   void forget_list() {
     const std::size_t stamps = reinterpret_cast<std::byte*>(device_.row_other) - list_memory_.data();
     check_cuda(cudaMemset(list_memory_.data(), 0xff, stamps), "clear the list");
@@ -211,7 +211,7 @@ class CudaScene {
 
   FieldState field_;
   Ledger ledger_;  // start and scales
-  std::int64_t moment_ = 0;
+  std::int64_t step_ = 0;
   SceneSizes sizes_;
   DeviceScene device_;
   DeviceStatus* status_;

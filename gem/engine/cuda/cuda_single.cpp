@@ -15,17 +15,17 @@ class CudaEngine : public Engine {
 
   std::string name() const override { return "cuda"; }
   std::string device() const override { return batch_.device().name + ", " + batch_.device().driver; }
-  void advance(std::int64_t moments, MomentLog& log) override {
+  void advance(std::int64_t steps, StepLog& log) override {
     std::swap(logs_[0], log);
     try {
-      batch_.advance(moments, &logs_);
+      batch_.advance(steps, &logs_);
     } catch (...) {
       std::swap(logs_[0], log);
       throw;
     }
     std::swap(logs_[0], log);
   }
-  std::int64_t moment() const override { return batch_.moment(0); }
+  std::int64_t step() const override { return batch_.step(0); }
   const Bodies& bodies() override { return batch_.bodies(0); }
   Ledger ledger() override { return batch_.ledger(0); }
   EngineState save() override { return batch_.save(0); }
@@ -39,7 +39,7 @@ class CudaEngine : public Engine {
   }
 
   CudaBatch batch_;
-  std::vector<MomentLog> logs_;
+  std::vector<StepLog> logs_;
 };
 
 }  // namespace

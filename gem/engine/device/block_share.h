@@ -1,11 +1,10 @@
-// How the multiprocessors of a GPU are shared out among the scenes of a batch, in space and in time.
+// How a GPU is shared out among the scenes of a batch, in space and in time.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace gem {
@@ -17,70 +16,41 @@ inline int useful_blocks(std::size_t bodies) {
   return static_cast<int>(std::clamp<std::size_t>(bodies / bodies_worth_a_block, 1, most));
 }
 
-/// Clusters of these many blocks stand side by side without a gap, the larger ones placed first, for each divides the
-/// next.
-constexpr std::array<int, 5> share_sizes = {1, 2, 4, 8, 16};
-/// More are worth it only where each scene can have them.
-constexpr int largest_share = share_sizes.back();
-/// How many clusters of each size the device runs at the same time where there are no others.
-using ClusterRoom = std::array<int, share_sizes.size()>;
-
-/// Whether as many clusters of each size run at the same time.
-inline bool fit_together(const ClusterRoom& clusters, const ClusterRoom& room) {
-  for (std::size_t size = 0; size < share_sizes.size(); ++size) {
-    int taken = 0;
-    for (std::size_t larger = size; larger < share_sizes.size(); ++larger)
-      taken += clusters[larger] * (share_sizes[larger] / share_sizes[size]);
-    if (taken > room[size]) return false;
-  }
-  return true;
-}
-
-/// Blocks of each scene, `equal` if all have as many. `work` is what each has ahead, time times blocks in any unit.
-/// Scenes that take longest get more, until the device is full; where there are too many scenes for that, all have as
-/// many. No scene gets more than is useful for it.
+/// Blocks of each scene where the device runs `shared_memory` of them at a time: one for each, and of the others a
+/// share as large as the scene's part in all `work` (in any unit), but no more than are useful for it. All scenes
+/// together have no more than `shared_memory`; only where these are more than that, each has one block and they take
+/// turns.
 inline std::vector<int> share_blocks(const std::vector<double>& work, const std::vector<int>& useful,
-                                     const ClusterRoom& room, int equal) {
-  ClusterRoom clusters{};
-  clusters[0] = static_cast<int>(work.size());
-  if (!fit_together(clusters, room)) return std::vector<int>(work.size(), equal);
-  std::vector<std::size_t> size(work.size(), 0);
-  std::vector<bool> grows(work.size(), true);
-  const auto time = [&](std::size_t k) { return work[k] / share_sizes[size[k]]; };
-  for (;;) {
-    std::size_t longest = work.size();
-    for (std::size_t k = 0; k < work.size(); ++k)
-      if (grows[k] && (longest == work.size() || time(k) > time(longest))) longest = k;
-    if (longest == work.size()) break;
-    const std::size_t next = size[longest] + 1;
-    ClusterRoom grown = clusters;
-    if (next < share_sizes.size()) --grown[next - 1], ++grown[next];
-    if (next == share_sizes.size() || share_sizes[next] > useful[longest] || !fit_together(grown, room)) {
-      grows[longest] = false;
-      continue;
-    }
-    clusters = grown;
-    size[longest] = next;
+                                     int shared_memory) {
+  std::vector<int> blocks(work.size(), 1);
+  std::vector<std::size_t> order(work.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  // scenes that need less than their share come first and leave the others more
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return useful[i] * work[j] < useful[j] * work[i]; });
+  double left = std::accumulate(work.begin(), work.end(), 0.0);
+  int rest = std::max(0, shared_memory - static_cast<int>(work.size()));
+  for (const std::size_t k : order) {
+    const double share = left > 0.0 ? std::min<double>(rest, rest * work[k] / left) : 0.0;
+    const int more = std::min(useful[k] - 1, static_cast<int>(share));
+    blocks[k] += more;
+    rest -= more;
+    left -= work[k];
   }
-  std::vector<int> blocks;
-  for (const std::size_t chosen : size) blocks.push_back(share_sizes[chosen]);
   return blocks;
 }
 
-/// Moments of each scene in one launch, so that all end at about the same time: the quickest makes `most`, a slower one
-/// fewer, none fewer than `fewest`. `time` is that of a moment of each, in any unit.
-inline std::vector<std::int64_t> share_moments(const std::vector<double>& time, std::int64_t fewest,
-                                               std::int64_t most) {
-  double quickest = std::numeric_limits<double>::infinity(), slowest = 0.0;
-  for (const double one : time) {
-    quickest = std::min(quickest, one);
-    slowest = std::max(slowest, one);
+/// Time steps of each scene in one launch, `most` at most: all come to their ends together. `ahead` is how many each
+/// has to make, `next` how many of them it may make now.
+inline std::vector<std::int64_t> share_steps(const std::vector<std::int64_t>& ahead,
+                                             const std::vector<std::int64_t>& next, std::int64_t most) {
+  const std::int64_t longest = std::max<std::int64_t>(1, *std::max_element(ahead.begin(), ahead.end()));
+  std::vector<std::int64_t> steps;
+  for (std::size_t k = 0; k < ahead.size(); ++k) {
+    const std::int64_t share = std::max<std::int64_t>(1, (ahead[k] * most + longest - 1) / longest);
+    steps.push_back(std::min({next[k], share, most}));
   }
-  const double all = std::max(static_cast<double>(most) * quickest, static_cast<double>(fewest) * slowest);
-  std::vector<std::int64_t> moments;
-  for (const double one : time)
-    moments.push_back(static_cast<std::int64_t>(std::min(static_cast<double>(most), all / one)));
-  return moments;
+  return steps;
 }
 
 }  // namespace gem

@@ -1,23 +1,23 @@
-// The bodies phase of a moment: each body adds what its contacts did, moves, and takes the drag of the next moment.
+// The bodies phase of a time step: each body adds what its contacts did, moves, and takes the drag of the next time
+// step.
 #pragma once
 
 #include "gem/engine/device/gather.h"
 #include "gem/engine/step/body_repair.h"
-#include "gem/engine/step/solo_event.h"
 
 namespace gem {
 
-/// One moment as its phases see it.
-struct MomentStep {
-  std::int32_t moment = 0;
+/// One time step as its phases see it.
+struct StepIndex {
+  std::int32_t step = 0;
   std::int32_t sample = 0;  // its place in the rings
-  double elapsed = 0.0;     // from the building of the list to the moment's end [s]
-  bool kick_next = true;    // the solo events of the next moment follow
+  double elapsed = 0.0;     // from the building of the list to the time step's end [s]
+  bool kick_next = true;    // the solo events of the next time step follow
 };
 
 GEM_DEVICE inline bool is_number(double x) { return x - x == 0.0; }
 
-/// A body that moves: what changes in one moment, kept in registers until the moment is over.
+/// A body that moves: what changes in one time step, kept in registers until the time step is over.
 struct Mover {
   Vec2 position;
   Rotation rotation;
@@ -58,31 +58,34 @@ GEM_DEVICE inline void turn_outline(const DeviceScene& s, std::int32_t begin, in
 }
 
 /// Whether a body left the course that the list relies on; `elapsed` is the time since the list was built [s].
-GEM_DEVICE inline bool left_course(const DeviceScene& s, const Mover& mover, double radius, const BodyMotion& motion,
-                                   double elapsed) {
-  const Vec2 off = mover.position - motion.course_position - elapsed * motion.course_velocity;
-  const double left = 0.5 * s.constants.list_margin - radius * (mover.turn_travel - motion.course_turned);
+GEM_DEVICE inline bool left_trajectory(const DeviceScene& s, const Mover& mover, double radius,
+                                       const BodyMotion& motion, double elapsed) {
+  const Vec2 off = mover.position - motion.trajectory_position - elapsed * motion.trajectory_velocity;
+  const double left = 0.5 * s.constants.list_margin - radius * (mover.turn_travel - motion.trajectory_turned);
   return !(left > 0.0 && dot(off, off) < left * left);
 }
 
-/// The drag of the next moment on a floe that moves as `after` says.
-GEM_DEVICE inline void kick_body(const DeviceScene& s, Mover& mover, BodyMotion& motion, const BodyAfter& after,
-                                 Quantity& drag_book) {
+/// The solo events of the next time step on a floe that moves as `after` says.
+GEM_DEVICE inline void kick_body(const DeviceScene& s, std::int32_t i, const BodyCell& cell, Mover& mover,
+                                 BodyMotion& motion, const BodyAfter& after, Quantity& drag_book) {
   mover.velocity = after.velocity;
   mover.spin = after.spin;
-  if (s.constants.drag_law == DragLaw::none) return;
-  const Kick kicked = kick(s.constants, motion.drag, motion.spin_drag, after.velocity, after.spin);
-  book_kick(drag_book, motion.mass, motion.inertia, mover.position, after.velocity, after.spin, kicked);
-  mover.velocity = kicked.velocity;
-  mover.spin = kicked.spin;
-  motion.path_correction = kicked.path_correction;
-  motion.angle_correction = kicked.angle_correction;
+  const Events& e = s.constants.events;
+  if (!acts_on_floes(e)) return;
+  const FloeInEvents floe{motion.mass,      motion.inertia, s.area[i],      cell.thickness, motion.drag,
+                          motion.spin_drag, mover.position, after.velocity, after.spin};
+  const FloeKick kick = floe_events(e, floe, floe_drag(e, floe));
+  book_kick(drag_book, floe, kick);
+  mover.velocity = kick.velocity;
+  mover.spin = kick.spin;
+  motion.path_correction = kick.path_correction;
+  motion.angle_correction = kick.angle_correction;
 }
 
-/// Takes over what the iterations of a coupled moment found for body i; returns whether it has points within reach.
-GEM_DEVICE inline bool take_solved(const DeviceScene& s, std::int32_t i, std::int32_t moment, BodyAfter& after,
+/// Takes over what the iterations of a coupled time step found for body i; returns whether it has points within reach.
+GEM_DEVICE inline bool load_solved(const DeviceScene& s, std::int32_t i, std::int32_t step, BodyAfter& after,
                                    BodyRepair& repair) {
-  if (s.body_points[i].moment != moment) return false;
+  if (s.body_points[i].step != step) return false;
   const SolvedMotion& solved = s.solved[i];
   after.velocity = {solved.part[0], solved.part[1]};
   after.spin = solved.part[4];
@@ -107,61 +110,52 @@ GEM_DEVICE inline bool drift(const DeviceScene& s, Mover& mover, const BodyMotio
   return turn(mover, angle);
 }
 
-/// Enters what a floe takes along that passed the retire line.
-GEM_DEVICE inline void book_retired(const DeviceScene& s, std::int32_t i, const Mover& mover, const BodyMotion& motion,
-                                    const BodyAfter& after) {
-  const Quantity gone = quantity_of(motion.mass, motion.inertia, mover.position, after.velocity, after.spin);
-  Quantity& book = s.book(Channel::retired, i);
-  book.momentum -= gone.momentum;
-  book.angular_momentum -= gone.angular_momentum;
-  book.energy -= gone.energy;
-}
-
 GEM_DEVICE inline bool is_finite(const Mover& mover, Vec2 velocity, double spin) {
   return is_number(mover.position.x + mover.position.y + velocity.x + velocity.y + spin + mover.rotation.cosine +
                    mover.rotation.sine);
 }
 
 /// One floe or fixed body through the bodies phase.
-template <Resolution resolution, class Crew>
-GEM_DEVICE inline void move_body(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t i,
-                                 const MomentStep& step) {
+template <ContactSolver solver, class Group>
+GEM_DEVICE inline void move_body(const DeviceScene& s, Group& group, const Workspace& workspace, std::int32_t i,
+                                 const StepIndex& step) {
   if (i == 0) return;  // the platform's warp moves it at the same time
-  BodyCell& cell = desk.body[i];
-  BodyMotion& motion = desk.motion[i];
+  BodyCell& cell = workspace.body[i];
+  BodyMotion& motion = workspace.motion[i];
   Quantity drag_book = s.book(Channel::drag, i);
   Mover mover = mover_of(cell);
   BodyAfter after{mover.velocity, mover.spin};
   BodyRepair repair;
-  bool struck = gather<resolution>(s, i, cell, motion, step.moment, after);
+  bool struck = gather<solver>(s, i, cell, motion, step.step, after);
   if (cell.kind != BodyKind::floe || !cell.active) return;
-  if constexpr (resolution == Resolution::coupled) {
-    struck = take_solved(s, i, step.moment, after, repair);
+  if constexpr (solver == ContactSolver::coupled) {
+    struck = load_solved(s, i, step.step, after, repair);
     if (struck) s.book(Channel::repair, i).angular_momentum += motion.mass * cross(repair.shift, after.velocity);
   }
   const bool turned = drift(s, mover, motion, after, struck, repair, drag_book);
   const bool finite = is_finite(mover, after.velocity, after.spin);
   const bool retires = finite && mover.position.x > s.constants.retire_x;
-  if (!finite) crew.raise(alarm_not_finite);
+  if (!finite) group.raise(alarm_not_finite);
   if (retires)
-    book_retired(s, i, mover, motion, after);
-  else if (left_course(s, mover, cell.radius, motion, step.elapsed))
-    crew.raise(alarm_strayed);
-  if (step.kick_next && !retires) kick_body(s, mover, motion, after, drag_book);
+    book_gone(s.book(Channel::retired, i),
+              quantity_of(motion.mass, motion.inertia, mover.position, after.velocity, after.spin));
+  else if (left_trajectory(s, mover, cell.radius, motion, step.elapsed))
+    group.raise(alarm_strayed);
+  if (step.kick_next && !retires) kick_body(s, i, cell, mover, motion, after, drag_book);
   if (step.kick_next && retires) {
     mover.velocity = after.velocity;
     mover.spin = after.spin;
   }
   write_mover(cell, mover);
   if (retires) s.body[i].active = cell.active = 0;
-  if (desk.shows) write_mover(s.body[i], mover);
+  if (workspace.shows) write_mover(s.body[i], mover);
   s.after[i].velocity = after.velocity;
   s.after[i].spin = after.spin;
   Quantity& book = s.book(Channel::drag, i);
   book.momentum = drag_book.momentum;
   book.angular_momentum = drag_book.angular_momentum;
   book.energy = drag_book.energy;
-  if (turned && cell.vertex_count > desk_vertices)
+  if (turned && cell.vertex_count > workspace_vertices)
     turn_outline(s, cell.vertex_begin, cell.vertex_count, mover.rotation, 0, 1);
 }
 

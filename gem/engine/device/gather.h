@@ -1,7 +1,7 @@
-// What the contacts of a moment did to a body, read from its row: velocities, energy and momentum for the books.
+// What the contacts of a time step did to a body, read from its row: velocities, energy and momentum for the books.
 #pragma once
 
-#include "gem/engine/device/desk.h"
+#include "gem/engine/device/workspace.h"
 #include "gem/engine/step/pair_event.h"
 
 namespace gem {
@@ -17,7 +17,7 @@ GEM_DEVICE inline void book_fixed_contact(const DeviceScene& s, std::int32_t i, 
     if (acted(contact.slot[k])) book_fixed(books, contact, contact.slot[k], cell.position, fixed_b);
 }
 
-/// What a stretch of a body's row has for it in this moment: a bit for each place.
+/// What a stretch of a body's row has for it in this time step: a bit for each place.
 struct RowNews {
   static constexpr int stretch = 32;
   std::uint32_t entries = 0, works = 0;
@@ -26,15 +26,15 @@ struct RowNews {
 /// Places that are asked for together, as each waits for memory.
 constexpr int asked_together = 2;
 
-GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::int32_t places, std::int32_t moment) {
+GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::int32_t places, std::int32_t step) {
   constexpr int together = 8;
   RowNews news;
   for (int first = 0; first < RowNews::stretch && first < places; first += together) {
     RowStamp stamp[together];
     for (int k = 0; k < together; ++k) stamp[k] = first + k < places ? s.stamp[row + first + k] : RowStamp{};
     for (int k = 0; k < together; ++k) {
-      news.entries |= stamp[k].entry == moment ? 1U << (first + k) : 0U;
-      news.works |= stamp[k].work == moment ? 1U << (first + k) : 0U;
+      news.entries |= stamp[k].entry == step ? 1U << (first + k) : 0U;
+      news.works |= stamp[k].work == step ? 1U << (first + k) : 0U;
     }
   }
   return news;
@@ -76,7 +76,7 @@ GEM_DEVICE inline RowEntry read_entry(const RowEntry& from) {
   return entry;
 }
 
-/// Energy of the last moment's contacts at some places of the row of their body B, into its books.
+/// Energy of the last time step's contacts at some places of the row of their body B, into its books.
 GEM_DEVICE inline void book_works(const DeviceScene& s, std::int32_t i, std::int32_t row, std::uint32_t places) {
   if (places == 0) return;
   double &impact = s.book(Channel::impact, i).energy, &elastic = s.book(Channel::elastic, i).energy,
@@ -103,14 +103,14 @@ GEM_DEVICE inline void book_works(const DeviceScene& s, std::int32_t i, std::int
   friction = sum.friction;
 }
 
-/// Books the work of the last moment's contacts; `stamp` says which entries count.
+/// Books the work of the last time step's contacts; `stamp` says which entries count.
 GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const BodyMotion& motion, std::int32_t stamp) {
   for (std::int32_t first = 0; first < motion.lower_count; first += RowNews::stretch) {
     const std::int32_t row = motion.row_begin + first;
     const std::uint32_t works = row_news(s, row, motion.lower_count - first, stamp).works;
     book_works(s, i, row, works);
     for (int k = 0; k < RowNews::stretch && works >> k != 0; ++k)
-      if (works >> k & 1U) s.stamp[row + k].work = -1;  // the books may be closed once more before the next moment
+      if (works >> k & 1U) s.stamp[row + k].work = -1;  // the books may be closed once more before the next time step
   }
 }
 
@@ -138,18 +138,18 @@ GEM_DEVICE inline bool add_entries(const DeviceScene& s, std::int32_t row, std::
   return struck;
 }
 
-/// Adds the contacts of the moment in ascending order of the other body; returns whether any acted. Those of a coupled
-/// moment are added up already.
-template <Resolution resolution>
+/// Adds the contacts of the time step in ascending order of the other body; returns whether any acted. Those of a
+/// coupled time step are added up already.
+template <ContactSolver solver>
 GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
-                              std::int32_t moment, BodyAfter& after) {
-  const bool moves = resolution == Resolution::independent && cell.kind == BodyKind::floe;
+                              std::int32_t step, BodyAfter& after) {
+  const bool moves = solver == ContactSolver::independent && cell.kind == BodyKind::floe;
   const std::int32_t begin = motion.row_begin, lower = motion.lower_count;
   const std::int32_t places = moves ? motion.row_count : lower;
   bool struck = false;
   for (std::int32_t first = 0; first < places; first += RowNews::stretch) {
     const std::int32_t row = begin + first;
-    const RowNews news = row_news(s, row, places - first, moment);
+    const RowNews news = row_news(s, row, places - first, step);
     book_works(s, i, row, news.works);
     if (moves) struck = add_entries(s, row, news.entries, after) || struck;
     // large bodies, and the fixed ones among them, come first in a row

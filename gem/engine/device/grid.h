@@ -2,7 +2,7 @@
 // the field. Steps 1 to 4 of device_list.h, and the search in the grid.
 #pragma once
 
-#include "gem/engine/device/desk.h"
+#include "gem/engine/device/workspace.h"
 
 namespace gem {
 
@@ -25,13 +25,13 @@ struct ListGrid {
 
 GEM_DEVICE inline bool is_large(const DeviceScene& s, std::int32_t i) { return i < s.large_bodies; }
 
-template <class Crew>
-GEM_DEVICE inline std::int32_t rank_of(const Crew& crew) {
-  return crew.block() * crew.threads() + crew.thread();
+template <class Group>
+GEM_DEVICE inline std::int32_t rank_of(const Group& group) {
+  return group.block() * group.threads() + group.thread();
 }
-template <class Crew>
-GEM_DEVICE inline std::int32_t size_of(const Crew& crew) {
-  return crew.blocks() * crew.threads();
+template <class Group>
+GEM_DEVICE inline std::int32_t size_of(const Group& group) {
+  return group.blocks() * group.threads();
 }
 
 GEM_DEVICE inline ListBox box_of(const DeviceScene& s, const BodyCell& cell) {
@@ -64,39 +64,39 @@ struct Extremes {
 };
 
 /// Enters what the threads of a warp have found.
-template <class Crew>
-GEM_DEVICE inline void note_extremes(const DeviceScene& s, Crew& crew, Extremes found) {
-  const auto warp = crew.warp();
+template <class Group>
+GEM_DEVICE inline void note_extremes(const DeviceScene& s, Group& group, Extremes found) {
+  const auto warp = group.warp();
   const int floes = warp.sum(found.floes);
   for (int k = 0; k < Extremes::count; ++k)
-    for (int step = 1; step < Crew::Warp::size; step *= 2)
+    for (int step = 1; step < Group::Warp::size; step *= 2)
       found.most[k] = larger(found.most[k], warp.partner(found.most[k], step));
   if (floes == 0 || warp.rank() != 0) return;
-  for (int k = 0; k < Extremes::count; ++k) crew.highest(&s.counters->extreme[k], ordered(found.most[k]));
-  crew.add(&s.counters->floes, floes);
+  for (int k = 0; k < Extremes::count; ++k) group.highest(&s.counters->extreme[k], ordered(found.most[k]));
+  group.add(&s.counters->floes, floes);
 }
 
 GEM_DEVICE inline std::int32_t bit_words(const DeviceScene& s) { return (s.bodies + 31) / 32; }
 
 /// Step 1. The course of a body is the velocity that it has now; fixed bodies stay.
-template <class Crew>
-GEM_DEVICE inline void note_courses(const DeviceScene& s, Crew& crew) {
-  const std::int32_t first = rank_of(crew), step = size_of(crew);
+template <class Group>
+GEM_DEVICE inline void note_trajectories(const DeviceScene& s, Group& group) {
+  const std::int32_t first = rank_of(group), step = size_of(group);
   Extremes found;
   for (std::int32_t i = first; i < s.bodies; i += step) {
     BodyCell& cell = s.body[i];
     BodyMotion& motion = s.motion[i];
     const Vec2 velocity = cell.kind == BodyKind::fixed ? Vec2{} : cell.velocity;
-    motion.course_position = cell.position;
-    motion.course_velocity = velocity;
-    motion.course_turned = cell.turn_travel;
+    motion.trajectory_position = cell.position;
+    motion.trajectory_velocity = velocity;
+    motion.trajectory_turned = cell.turn_travel;
     s.box[i] = box_of(s, cell);
     if (!is_large(s, i) && cell.active) found.widen(cell.position, velocity, cell.radius);
   }
-  note_extremes(s, crew, found);
+  note_extremes(s, group, found);
   for (std::int32_t w = first; w < s.large_bodies * bit_words(s); w += step) s.near_large[w] = 0;
   for (std::int32_t c = first; c < s.grid_capacity; c += step) s.grid_count[c] = 0;
-  for (std::int32_t k = first; s.spot && k < spot_stretches; k += step) s.spot_count[k] = 0;
+  for (std::int32_t k = first; s.sorted_place && k < sort_bins; k += step) s.bin_count[k] = 0;
 }
 
 /// Stretch of the field in which a floe stands.
@@ -104,35 +104,35 @@ GEM_DEVICE inline std::int32_t stretch_at(const DeviceScene& s, double x) {
   const ListCounters& all = *s.counters;
   if (all.floes == 0) return 0;
   const double low = -unordered(all.extreme[0]), extent = unordered(all.extreme[2]) - low;
-  const double at = spot_stretches * ((x - low) / extent);
-  return at > 0.0 ? at < spot_stretches - 1 ? static_cast<std::int32_t>(at) : spot_stretches - 1 : 0;
+  const double at = sort_bins * ((x - low) / extent);
+  return at > 0.0 ? at < sort_bins - 1 ? static_cast<std::int32_t>(at) : sort_bins - 1 : 0;
 }
 
 /// Where each stretch begins, by the first warp.
-template <class Crew>
-GEM_DEVICE inline void begin_stretches(const DeviceScene& s, Crew& crew) {
-  if (!s.spot || rank_of(crew) >= Crew::Warp::size) return;
-  const auto warp = crew.warp();
+template <class Group>
+GEM_DEVICE inline void begin_stretches(const DeviceScene& s, Group& group) {
+  if (!s.sorted_place || rank_of(group) >= Group::Warp::size) return;
+  const auto warp = group.warp();
   std::int32_t sum = s.large_bodies;
-  for (std::int32_t first = 0; first < spot_stretches; first += Crew::Warp::size) {
+  for (std::int32_t first = 0; first < sort_bins; first += Group::Warp::size) {
     const std::int32_t k = first + warp.rank();
-    const int mine = s.spot_count[k];
-    s.spot_begin[k] = sum + warp.sum_below(mine);
+    const int mine = s.bin_count[k];
+    s.bin_begin[k] = sum + warp.sum_below(mine);
     sum += warp.sum(mine);
   }
 }
 
 /// Puts a body in its place along the field; large bodies come first.
-template <class Crew>
-GEM_DEVICE inline void take_spot(const DeviceScene& s, Crew& crew, std::int32_t i) {
-  if (!s.spot) return;
-  std::int32_t spot = i;
+template <class Group>
+GEM_DEVICE inline void sort_body(const DeviceScene& s, Group& group, std::int32_t i) {
+  if (!s.sorted_place) return;
+  std::int32_t sorted_place = i;
   if (!is_large(s, i)) {
     const std::int32_t stretch = stretch_at(s, s.body[i].position.x);
-    spot = s.spot_begin[stretch] + crew.add(&s.spot_count[stretch], -1) - 1;
+    sorted_place = s.bin_begin[stretch] + group.add(&s.bin_count[stretch], -1) - 1;
   }
-  s.spot[i] = spot;
-  s.body_at[spot] = i;
+  s.sorted_place[i] = sorted_place;
+  s.body_at[sorted_place] = i;
 }
 
 /// Two floes that may come near within `ahead` [s] stand in the same or in neighbouring cells.
@@ -171,19 +171,19 @@ GEM_DEVICE inline std::int32_t cell_at(const ListGrid& grid, std::int32_t row, s
 }
 
 /// Step 3: where the floes of each cell begin, a row of cells by each warp: those of a row stand together.
-template <class Crew>
-GEM_DEVICE inline void begin_cells(const DeviceScene& s, Crew& crew, const ListGrid& grid) {
-  const auto warp = crew.warp();
+template <class Group>
+GEM_DEVICE inline void begin_cells(const DeviceScene& s, Group& group, const ListGrid& grid) {
+  const auto warp = group.warp();
   const std::int32_t stride = grid.columns + 1;
-  for (std::int32_t r = rank_of(crew) / Crew::Warp::size; r < grid.rows; r += size_of(crew) / Crew::Warp::size) {
+  for (std::int32_t r = rank_of(group) / Group::Warp::size; r < grid.rows; r += size_of(group) / Group::Warp::size) {
     const std::int32_t* const count = s.grid_count + r * stride;
     std::int32_t* const begin = s.grid_begin + r * stride;
     std::int32_t all = 0;
-    for (std::int32_t c = warp.rank(); c < grid.columns; c += Crew::Warp::size) all += count[c];
+    for (std::int32_t c = warp.rank(); c < grid.columns; c += Group::Warp::size) all += count[c];
     all = warp.sum(all);
-    std::int32_t at = warp.rank() == 0 ? crew.add(&s.counters->placed, all) : 0;
+    std::int32_t at = warp.rank() == 0 ? group.add(&s.counters->placed, all) : 0;
     at = warp.from(at, 0);
-    for (std::int32_t first = 0; first < stride; first += Crew::Warp::size) {
+    for (std::int32_t first = 0; first < stride; first += Group::Warp::size) {
       const std::int32_t c = first + warp.rank();
       const std::int32_t mine = c < grid.columns ? count[c] : 0;
       const std::int32_t below = warp.sum_below(mine);
@@ -194,32 +194,32 @@ GEM_DEVICE inline void begin_cells(const DeviceScene& s, Crew& crew, const ListG
 }
 
 /// Step 2.
-template <class Crew>
-GEM_DEVICE inline void count_floes(const DeviceScene& s, Crew& crew, const ListGrid& grid) {
-  const std::int32_t step = size_of(crew);
-  for (std::int32_t i = s.large_bodies + rank_of(crew); i < s.bodies; i += step) {
+template <class Group>
+GEM_DEVICE inline void count_floes(const DeviceScene& s, Group& group, const ListGrid& grid) {
+  const std::int32_t step = size_of(group);
+  for (std::int32_t i = s.large_bodies + rank_of(group); i < s.bodies; i += step) {
     const BodyCell& cell = s.body[i];
     const Vec2 p = cell.position - grid.low;
     const std::int32_t at = cell.active ? cell_at(grid, static_cast<std::int32_t>(p.y / grid.cell),
                                                   static_cast<std::int32_t>(p.x / grid.cell))
                                         : -1;
     s.grid_cell[i] = at;
-    if (s.spot) crew.add(&s.spot_count[stretch_at(s, cell.position.x)], 1);
-    if (at >= 0) crew.add(&s.grid_count[at], 1);
+    if (s.sorted_place) group.add(&s.bin_count[stretch_at(s, cell.position.x)], 1);
+    if (at >= 0) group.add(&s.grid_count[at], 1);
   }
 }
 
 /// Step 4.
-template <class Crew>
-GEM_DEVICE inline void place_floes(const DeviceScene& s, Crew& crew) {
-  const std::int32_t first = rank_of(crew), step = size_of(crew);
-  for (std::int32_t i = first; i < s.bodies; i += step) take_spot(s, crew, i);
+template <class Group>
+GEM_DEVICE inline void place_floes(const DeviceScene& s, Group& group) {
+  const std::int32_t first = rank_of(group), step = size_of(group);
+  for (std::int32_t i = first; i < s.bodies; i += step) sort_body(s, group, i);
   for (std::int32_t i = s.large_bodies + first; i < s.bodies; i += step) {
     const std::int32_t at = s.grid_cell[i];
     if (at < 0) continue;
-    GridFloe& floe = s.grid_floe[s.grid_begin[at] + crew.add(&s.grid_count[at], -1) - 1];
+    GridFloe& floe = s.grid_floe[s.grid_begin[at] + group.add(&s.grid_count[at], -1) - 1];
     floe.box = s.box[i];
-    floe.velocity = s.motion[i].course_velocity;
+    floe.velocity = s.motion[i].trajectory_velocity;
     floe.body = i;
   }
 }
@@ -240,12 +240,12 @@ GEM_DEVICE inline void each_near(const DeviceScene& s, const Lanes& lanes, const
   const BodyCell& cell = s.body[i];
   if (!cell.active) return;
   const ListBox box = s.box[i];
-  const Vec2 velocity = s.motion[i].course_velocity;
+  const Vec2 velocity = s.motion[i].trajectory_velocity;
   const std::int32_t lower_large = is_large(s, i) ? i : s.large_bodies;
   for (std::int32_t first = 0; first < lower_large; first += Lanes::size) {
     const std::int32_t j = first + lanes.rank();
     const bool meets = j < lower_large && s.body[j].active && (cell.inverse_mass > 0.0 || s.body[j].inverse_mass > 0.0);
-    visit(j, meets && near(s, grid.ahead, s.box[j], s.motion[j].course_velocity, box, velocity));
+    visit(j, meets && near(s, grid.ahead, s.box[j], s.motion[j].trajectory_velocity, box, velocity));
   }
   if (is_large(s, i)) return;
   const std::int32_t row = s.grid_cell[i] / (grid.columns + 1), column = s.grid_cell[i] % (grid.columns + 1);

@@ -17,12 +17,12 @@
 namespace gem {
 
 /// Takes `count` places for the row of body i; false if the memory does not hold them.
-template <class Crew>
-GEM_DEVICE inline bool take_row(const DeviceScene& s, Crew& crew, std::int32_t i, std::int32_t count,
+template <class Group>
+GEM_DEVICE inline bool load_row(const DeviceScene& s, Group& group, std::int32_t i, std::int32_t count,
                                 std::int32_t lower) {
-  const std::int32_t begin = crew.add(&s.counters->rows, count);
+  const std::int32_t begin = group.add(&s.counters->rows, count);
   const bool fits = begin + count <= s.rows_capacity && (i > 0 || count <= s.platform_capacity);
-  if (!fits) crew.raise(alarm_list_full);
+  if (!fits) group.raise(alarm_list_full);
   s.motion[i].row_begin = fits ? begin : 0;
   if (i == 0) s.platform->row_begin = s.motion[i].row_begin;
   s.motion[i].row_count = fits ? count : 0;
@@ -53,18 +53,18 @@ GEM_DEVICE inline void write_sorted(const Lanes& lanes, std::int32_t* row, const
 }
 
 /// Step 5: a group of lanes for each body.
-template <class Crew>
-GEM_DEVICE inline void find_near(const DeviceScene& s, Crew& crew, const ListGrid& grid) {
-  const auto lanes = crew.lanes();
-  const std::int32_t groups = size_of(crew) / Crew::Lanes::size;
-  for (std::int32_t i = rank_of(crew) / Crew::Lanes::size; i < s.bodies; i += groups) {
+template <class Group>
+GEM_DEVICE inline void find_near(const DeviceScene& s, Group& group, const ListGrid& grid) {
+  const auto lanes = group.lanes();
+  const std::int32_t lane_groups = size_of(group) / Group::Lanes::size;
+  for (std::int32_t i = rank_of(group) / Group::Lanes::size; i < s.bodies; i += lane_groups) {
     std::int32_t count = 0, lower = 0;
     std::int32_t* const kept = s.near_first + i * kept_near;
     each_near(s, lanes, grid, i, [&](std::int32_t j, bool is_near) {
       const unsigned found = lanes.ballot(is_near), below = lanes.ballot(is_near && j < i);
       const std::int32_t at = count + lanes.count_below(found);
       if (is_near && at < kept_near) kept[at] = j;
-      if (is_near && is_large(s, j)) crew.set_bit(&s.near_large[j * bit_words(s) + i / 32], 1U << (i % 32));
+      if (is_near && is_large(s, j)) group.set_bit(&s.near_large[j * bit_words(s) + i / 32], 1U << (i % 32));
       count += lanes.count(found);
       lower += lanes.count(below);
     });
@@ -73,7 +73,7 @@ GEM_DEVICE inline void find_near(const DeviceScene& s, Crew& crew, const ListGri
       continue;
     }
     std::int32_t begin = 0;
-    if (lanes.rank() == 0) begin = take_row(s, crew, i, count, lower) ? s.motion[i].row_begin : -1;
+    if (lanes.rank() == 0) begin = load_row(s, group, i, count, lower) ? s.motion[i].row_begin : -1;
     begin = lanes.from(begin, 0);
     if (begin < 0) continue;
     lanes.sync();  // what each has kept is there for all
@@ -94,19 +94,20 @@ GEM_DEVICE inline void find_near(const DeviceScene& s, Crew& crew, const ListGri
 }
 
 /// Step 6: a warp for each large body, a word of 32 bodies for each lane.
-template <class Crew>
-GEM_DEVICE inline void rows_of_large_bodies(const DeviceScene& s, Crew& crew) {
-  const auto warp = crew.warp();
+template <class Group>
+GEM_DEVICE inline void rows_of_large_bodies(const DeviceScene& s, Group& group) {
+  const auto warp = group.warp();
   const std::int32_t words = bit_words(s);
-  for (std::int32_t i = rank_of(crew) / Crew::Warp::size; i < s.large_bodies; i += size_of(crew) / Crew::Warp::size) {
+  for (std::int32_t i = rank_of(group) / Group::Warp::size; i < s.large_bodies;
+       i += size_of(group) / Group::Warp::size) {
     const std::uint32_t* bits = s.near_large + i * words;
     const std::int32_t lower = s.motion[i].lower_count;
     std::int32_t count = 0;
-    for (std::int32_t w = warp.rank(); w < words; w += Crew::Warp::size) count += warp.count(bits[w]);
+    for (std::int32_t w = warp.rank(); w < words; w += Group::Warp::size) count += warp.count(bits[w]);
     count = lower + warp.sum(count);
     if (warp.rank() == 0) {
       if (i == 0) s.status->platform_needed = count;
-      take_row(s, crew, i, count, lower);
+      load_row(s, group, i, count, lower);
     }
     warp.sync();
     if (s.motion[i].row_count == 0) continue;
@@ -115,7 +116,7 @@ GEM_DEVICE inline void rows_of_large_bodies(const DeviceScene& s, Crew& crew) {
     for (std::int32_t j = 0; j < i && warp.rank() == 0; ++j)
       if (s.near_large[j * words + i / 32] >> (i % 32) & 1U) row[placed++] = j;
     placed = lower;
-    for (std::int32_t first = 0; first < words; first += Crew::Warp::size) {
+    for (std::int32_t first = 0; first < words; first += Group::Warp::size) {
       const std::int32_t w = first + warp.rank();
       const std::uint32_t mine = w < words ? bits[w] : 0;
       std::int32_t at = placed + warp.sum_below(warp.count(mine));
@@ -140,9 +141,9 @@ GEM_DEVICE inline std::int32_t place_in_row(const DeviceScene& s, std::int32_t b
 }
 
 /// Step 0: what pairs have been seen to do is not lost with their list.
-template <class Crew>
-GEM_DEVICE inline void put_looks_aside(const DeviceScene& s, Crew& crew) {
-  const std::int32_t first = rank_of(crew), step = size_of(crew);
+template <class Group>
+GEM_DEVICE inline void store_axes_aside(const DeviceScene& s, Group& group) {
+  const std::int32_t first = rank_of(group), step = size_of(group);
   const bool complete = s.counters->complete == 1;
   for (std::int32_t i = first; i < s.bodies; i += step)
     s.last_row[i] = {s.motion[i].row_begin, complete ? s.motion[i].row_count : 0};
@@ -153,16 +154,16 @@ GEM_DEVICE inline void put_looks_aside(const DeviceScene& s, Crew& crew) {
   }
   for (std::int32_t p = first; p < s.counters->pairs; p += step) {
     const PairCell& pair = s.pair[p];
-    PairLook& look = s.last_look[p];
-    look.axes = pair.axes;
-    look.offset = pair.offset;
-    look.turned_a = pair.turned_a;
-    look.turned_b = pair.turned_b;
+    PairAxes& candidate = s.last_axes[p];
+    candidate.axes = pair.axes;
+    candidate.offset = pair.offset;
+    candidate.turned_a = pair.turned_a;
+    candidate.turned_b = pair.turned_b;
   }
 }
 
 /// The last look at the pair of two bodies; null where it was not in the list before.
-GEM_DEVICE inline const PairLook* last_look(const DeviceScene& s, std::int32_t body, std::int32_t other) {
+GEM_DEVICE inline const PairAxes* last_axes(const DeviceScene& s, std::int32_t body, std::int32_t other) {
   const RowPlace row = s.last_row[body];
   std::int32_t low = 0, high = row.count;
   while (low < high) {
@@ -173,7 +174,7 @@ GEM_DEVICE inline const PairLook* last_look(const DeviceScene& s, std::int32_t b
       high = middle;
   }
   const bool found = low < row.count && s.last_other[row.begin + low] == other;
-  return found ? s.last_look + s.last_pair[row.begin + low] : nullptr;
+  return found ? s.last_axes + s.last_pair[row.begin + low] : nullptr;
 }
 
 /// A pair for the place `row` of body i.
@@ -184,72 +185,72 @@ GEM_DEVICE inline void make_pair(const DeviceScene& s, std::int32_t p, std::int3
   pair.b = other;
   pair.row_a = row;
   pair.row_b = row_b;
-  const PairLook* const look = last_look(s, i, other);
-  pair.axes = look ? look->axes : SeparatingAxes{};
-  pair.offset = look ? look->offset : Vec2{};
-  pair.turned_a = look ? look->turned_a : 0.0;
-  pair.turned_b = look ? look->turned_b : 0.0;
+  const PairAxes* const candidate = last_axes(s, i, other);
+  pair.axes = candidate ? candidate->axes : SeparatingAxes{};
+  pair.offset = candidate ? candidate->offset : Vec2{};
+  pair.turned_a = candidate ? candidate->turned_a : 0.0;
+  pair.turned_b = candidate ? candidate->turned_b : 0.0;
   if (s.wake) s.wake[p] = 0.0F;
   s.row_pair[row] = s.row_pair[row_b] = p;
-  if (s.memory) s.memory[p].moment = PairMemory::never;
+  if (s.memory) s.memory[p].step = PairMemory::never;
 }
 
 /// Step 7: a group of lanes for each floe; the long rows of large bodies are shared out place by place.
-template <class Crew>
-GEM_DEVICE inline void make_pairs(const DeviceScene& s, Crew& crew) {
-  const auto lanes = crew.lanes();
-  const std::int32_t groups = size_of(crew) / Crew::Lanes::size;
-  for (std::int32_t i = s.large_bodies + rank_of(crew) / Crew::Lanes::size; i < s.bodies; i += groups) {
+template <class Group>
+GEM_DEVICE inline void make_pairs(const DeviceScene& s, Group& group) {
+  const auto lanes = group.lanes();
+  const std::int32_t lane_groups = size_of(group) / Group::Lanes::size;
+  for (std::int32_t i = s.large_bodies + rank_of(group) / Group::Lanes::size; i < s.bodies; i += lane_groups) {
     const BodyMotion& motion = s.motion[i];
     const std::int32_t begin = motion.row_begin, lower = motion.lower_count, higher = motion.row_count - lower;
     if (higher == 0) continue;
-    std::int32_t p = lanes.rank() == 0 ? crew.add(&s.counters->pairs, higher) : 0;
+    std::int32_t p = lanes.rank() == 0 ? group.add(&s.counters->pairs, higher) : 0;
     p = lanes.from(p, 0);
-    for (std::int32_t k = lanes.rank(); k < higher; k += Crew::Lanes::size) make_pair(s, p + k, i, begin + lower + k);
+    for (std::int32_t k = lanes.rank(); k < higher; k += Group::Lanes::size) make_pair(s, p + k, i, begin + lower + k);
   }
   for (std::int32_t i = 0; i < s.large_bodies; ++i) {
     const BodyMotion& motion = s.motion[i];
-    for (std::int32_t at = motion.lower_count + rank_of(crew); at < motion.row_count; at += size_of(crew))
-      make_pair(s, crew.add(&s.counters->pairs, 1), i, motion.row_begin + at);
+    for (std::int32_t at = motion.lower_count + rank_of(group); at < motion.row_count; at += size_of(group))
+      make_pair(s, group.add(&s.counters->pairs, 1), i, motion.row_begin + at);
   }
 }
 
-/// Builds the list at the positions of the moment's start, for a life of `horizon` moments. Raises alarm_list_full
-/// where the memory is too small; the status then says how much is needed.
-template <class Crew>
-GEM_DEVICE GEM_NOINLINE inline void build_list(const DeviceScene& s, Crew& crew, std::int64_t moment,
+/// Builds the list at the positions of the time step's start, for a life of `horizon` time steps. Raises
+/// alarm_list_full where the memory is too small; the status then says how much is needed.
+template <class Group>
+GEM_DEVICE GEM_NOINLINE inline void build_list(const DeviceScene& s, Group& group, std::int64_t step,
                                                std::int64_t horizon) {
-  const bool one = rank_of(crew) == 0;
-  crew.barrier();
-  put_looks_aside(s, crew);
-  crew.barrier();
+  const bool one = rank_of(group) == 0;
+  group.barrier();
+  store_axes_aside(s, group);
+  group.barrier();
   if (one) *s.counters = {};
-  crew.lower_alarms();
-  crew.barrier();
-  note_courses(s, crew);
-  crew.barrier();
+  group.lower_alarms();
+  group.barrier();
+  note_trajectories(s, group);
+  group.barrier();
   const ListGrid grid = list_grid(s, static_cast<double>(horizon) * s.constants.dt);
-  count_floes(s, crew, grid);
-  crew.barrier();
-  begin_cells(s, crew, grid);
-  begin_stretches(s, crew);
-  crew.barrier();
-  place_floes(s, crew);
-  crew.barrier();
-  find_near(s, crew, grid);
-  crew.barrier();
-  rows_of_large_bodies(s, crew);
-  crew.barrier();
+  count_floes(s, group, grid);
+  group.barrier();
+  begin_cells(s, group, grid);
+  begin_stretches(s, group);
+  group.barrier();
+  place_floes(s, group);
+  group.barrier();
+  find_near(s, group, grid);
+  group.barrier();
+  rows_of_large_bodies(s, group);
+  group.barrier();
   if (one) s.status->rows_needed = s.counters->rows;
-  if (crew.alarms() & alarm_list_full) return;
-  make_pairs(s, crew);
+  if (group.alarms() & alarm_list_full) return;
+  make_pairs(s, group);
   if (one) {
     s.counters->complete = 1;
-    s.status->list_moment = moment;
+    s.status->list_step = step;
     s.status->list_valid = 1;
     ++s.status->builds;
   }
-  crew.barrier();
+  group.barrier();
 }
 
 }  // namespace gem

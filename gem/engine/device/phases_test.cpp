@@ -16,18 +16,18 @@ namespace gem {
 namespace {
 
 using test::HostScene;
-using Choice = std::tuple<Resolution, Manifold, Yaw, FrictionLaw, DragLaw>;
+using Choice = std::tuple<ContactSolver, Manifold, Yaw, FrictionLaw, DragLaw>;
 
-SceneDef scene_of(Resolution resolution) {
+SceneDef scene_of(ContactSolver solver) {
   SceneDef scene = test::busy_scene(7);
-  scene.contact.resolution = resolution;
+  scene.contact.solver = solver;
   return scene;
 }
 
 HostScene phase_scene(const SceneDef& scene, const Bodies& field, int blocks, int threads, std::int32_t rows = 0,
-                      std::size_t solver_room = 1 << 20) {
-  HostScene device(scene, field, blocks, threads, rows, bodies_room);
-  device.by_phases(solver_room);
+                      std::size_t solver_shared_memory = 1 << 20) {
+  HostScene device(scene, field, blocks, threads, rows, bodies_shared_bytes);
+  device.by_phases(solver_shared_memory);
   return device;
 }
 
@@ -35,11 +35,11 @@ class DevicePhases : public testing::TestWithParam<Choice> {};
 
 TEST_P(DevicePhases, GiveTheBitsOfTheCpuEngine) {
   SceneDef scene = test::busy_scene(7);
-  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
+  std::tie(scene.contact.solver, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
            scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
-  MomentLog expected, log;
+  StepLog expected, log;
   for (int call = 0; call < 3; ++call) {
     cpu->advance(40, expected);
     device.advance(40, log);
@@ -48,7 +48,7 @@ TEST_P(DevicePhases, GiveTheBitsOfTheCpuEngine) {
     if (HasFailure()) return;
   }
   test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
-  if (scene.contact.resolution == Resolution::coupled) {
+  if (scene.contact.solver == ContactSolver::coupled) {
     test::expect_same_coupled(device, log, *cpu, expected);
   }
   EXPECT_GT(test::contacts_in(expected), 1000);
@@ -57,32 +57,32 @@ TEST_P(DevicePhases, GiveTheBitsOfTheCpuEngine) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Coupled, DevicePhases,
-                         testing::Combine(testing::Values(Resolution::coupled),
+                         testing::Combine(testing::Values(ContactSolver::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
                                           testing::Values(DragLaw::quadratic)));
 
 INSTANTIATE_TEST_SUITE_P(Independent, DevicePhases,
-                         testing::Combine(testing::Values(Resolution::independent),
+                         testing::Combine(testing::Values(ContactSolver::independent),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
                                           testing::Values(DragLaw::quadratic)));
 
-class DevicePhase : public testing::TestWithParam<Resolution> {};
+class DeviceStages : public testing::TestWithParam<ContactSolver> {};
 
-TEST_P(DevicePhase, BlocksAndThreadsChangeNothing) {
-  constexpr std::int64_t moments = 30;
+TEST_P(DeviceStages, BlocksAndThreadsChangeNothing) {
+  constexpr std::int64_t steps = 30;
   const SceneDef scene = scene_of(GetParam());
   const auto cpu = test::busy_engine(scene, "cpu");
-  MomentLog expected;
-  cpu->advance(moments, expected);
+  StepLog expected;
+  cpu->advance(steps, expected);
   EXPECT_GT(test::contacts_in(expected), 50);
   for (const auto& [blocks, threads] : {std::pair{1, 8}, {2, 4}, {3, 8}}) {
     HostScene device = phase_scene(scene, test::busy_field(scene), blocks, threads);
-    MomentLog log;
-    device.advance(moments, log);
+    StepLog log;
+    device.advance(steps, log);
     test::expect_same_bodies(device.bodies(), cpu->bodies());
     test::expect_same_log(log, expected);
     test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
@@ -91,24 +91,24 @@ TEST_P(DevicePhase, BlocksAndThreadsChangeNothing) {
   }
 }
 
-TEST_P(DevicePhase, TakesTurnsWithWholeMoments) {
+TEST_P(DeviceStages, TakesTurnsWithWholeTimeSteps) {
   const SceneDef scene = scene_of(GetParam());
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
-  MomentLog expected, log;
-  int survived = 0;  // lists in which pairs slept when whole moments began, and that outlived these
-  const int calls = GetParam() == Resolution::coupled ? 24 : 60;
+  StepLog expected, log;
+  int survived = 0;  // lists in which pairs slept when whole time steps began, and that outlived these
+  const int calls = GetParam() == ContactSolver::coupled ? 24 : 60;
   for (int call = 0; call < calls; ++call) {
     const bool phases = call % 2 == 0;
-    const std::int64_t moments = phases ? 2 : 8;  // time enough for those that slept to meet
-    cpu->advance(moments, expected);
+    const std::int64_t steps = phases ? 2 : 8;  // time enough for those that slept to meet
+    cpu->advance(steps, expected);
     const auto builds = device.status().builds;
     const bool slept = call > 0 && device.asleep() > 0;
     if (phases)
       device.by_phases();
     else
-      device.by_moments();
-    device.advance(moments, log);
+      device.by_steps();
+    device.advance(steps, log);
     if (!phases && slept && device.status().builds == builds) ++survived;
   }
   EXPECT_GT(survived, 0);
@@ -118,11 +118,11 @@ TEST_P(DevicePhase, TakesTurnsWithWholeMoments) {
   EXPECT_GT(test::contacts_in(expected), 500);
 }
 
-TEST_P(DevicePhase, OfAListTooSmallGrowsItAndLosesNothing) {
+TEST_P(DeviceStages, OfAListTooSmallGrowsItAndLosesNothing) {
   const SceneDef scene = scene_of(GetParam());
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp, 40);
-  MomentLog expected, log;
+  StepLog expected, log;
   cpu->advance(60, expected);
   device.advance(60, log);
   EXPECT_GT(device.growths(), 0);
@@ -130,56 +130,56 @@ TEST_P(DevicePhase, OfAListTooSmallGrowsItAndLosesNothing) {
   test::expect_same_log(log, expected);
 }
 
-TEST_P(DevicePhase, StopsAtAStateThatIsNoNumber) {
+TEST_P(DeviceStages, StopsAtAStateThatIsNoNumber) {
   const SceneDef scene = scene_of(GetParam());
   Bodies field = test::busy_field(scene);
   field.position[20].x = 1e308;
   field.velocity[20].x = -1e308;
   HostScene device = phase_scene(scene, field, 1, test::team_warp);
-  MomentLog log;
+  StepLog log;
   device.advance(10, log);
   EXPECT_EQ(device.status().stop, DeviceStop::not_finite);
   EXPECT_LT(device.status().samples, 10);
 }
 
-/// What the fast memory of a block holds of all that iterates.
-enum class Holds { all, records, some_records, nothing };
+/// What the shared memory of a block holds of all that iterates.
+enum class Loads { all, records, some_records, nothing };
 
-TEST(DevicePhaseRoom, ForLittleThatIteratesChangesNothing) {
-  constexpr std::int64_t moments = 60;
-  const SceneDef scene = scene_of(Resolution::coupled);
+TEST(DevicePhaseSharedMemory, ForLittleThatIteratesChangesNothing) {
+  constexpr std::int64_t steps = 60;
+  const SceneDef scene = scene_of(ContactSolver::coupled);
   const auto cpu = test::busy_engine(scene, "cpu");
-  MomentLog expected;
-  cpu->advance(moments, expected);
-  for (const auto& [room, holds] : {std::pair<std::size_t, Holds>{1 << 20, Holds::all},
-                                    {10 * 1024, Holds::records},
-                                    {4 * 1024, Holds::some_records},
-                                    {256, Holds::nothing}}) {
-    HostScene device = phase_scene(scene, test::busy_field(scene), 2, test::team_warp, 0, room);
-    MomentLog log;
-    device.advance(moments, log);
+  StepLog expected;
+  cpu->advance(steps, expected);
+  for (const auto& [shared_memory, loads] : {std::pair<std::size_t, Loads>{1 << 20, Loads::all},
+                                             {10 * 1024, Loads::records},
+                                             {4 * 1024, Loads::some_records},
+                                             {256, Loads::nothing}}) {
+    HostScene device = phase_scene(scene, test::busy_field(scene), 2, test::team_warp, 0, shared_memory);
+    StepLog log;
+    device.advance(steps, log);
     test::expect_same_bodies(device.bodies(), cpu->bodies());
     test::expect_same_log(log, expected);
     test::expect_same_judgement(log, expected);
-    const SolverDesk& desk = device.solver_desk(0);
-    const std::size_t records = static_cast<std::size_t>(desk.records) * sizeof(PushRecord) +
-                                static_cast<std::size_t>(desk.own.count()) * sizeof(SolverEntry);
-    const std::size_t points = static_cast<std::size_t>(desk.points.count()) * held_bytes;
-    const Holds seen = !desk.fits                ? Holds::nothing
-                       : records > room          ? Holds::some_records
-                       : records + points > room ? Holds::records
-                                                 : Holds::all;
-    EXPECT_EQ(seen, holds) << room << " bytes; " << records << " of records, " << points << " of points";
+    const SolverWorkspace& workspace = device.solver_workspace(0);
+    const std::size_t records = static_cast<std::size_t>(workspace.records) * sizeof(PushRecord) +
+                                static_cast<std::size_t>(workspace.own.count()) * sizeof(SolverEntry);
+    const std::size_t points = static_cast<std::size_t>(workspace.points.count()) * loaded_bytes;
+    const Loads seen = !workspace.fits                    ? Loads::nothing
+                       : records > shared_memory          ? Loads::some_records
+                       : records + points > shared_memory ? Loads::records
+                                                          : Loads::all;
+    EXPECT_EQ(seen, loads) << shared_memory << " bytes; " << records << " of records, " << points << " of points";
   }
 }
 
 TEST(DevicePhaseRounds, OfATightResidualAreMadeToTheirEnd) {
-  SceneDef scene = scene_of(Resolution::coupled);
+  SceneDef scene = scene_of(ContactSolver::coupled);
   scene.numerics.residual_tolerance = 1e-9;
   scene.numerics.iterations_maximum = 200;
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
-  MomentLog expected, log;
+  StepLog expected, log;
   cpu->advance(12, expected);
   device.advance(12, log);
   test::expect_same_bodies(device.bodies(), cpu->bodies());
@@ -187,12 +187,12 @@ TEST(DevicePhaseRounds, OfATightResidualAreMadeToTheirEnd) {
   test::expect_same_judgement(log, expected);
   const auto most = std::max_element(log.quality.begin(), log.quality.end(),
                                      [](const auto& a, const auto& b) { return a.iterations < b.iterations; });
-  EXPECT_GT(most->iterations, 64) << "no moment took three rounds";
+  EXPECT_GT(most->iterations, 64) << "no time step took three rounds";
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, DevicePhase, testing::Values(Resolution::independent, Resolution::coupled),
-                         [](const testing::TestParamInfo<Resolution>& resolution) {
-                           return std::string(resolution.param == Resolution::coupled ? "coupled" : "independent");
+INSTANTIATE_TEST_SUITE_P(Of, DeviceStages, testing::Values(ContactSolver::independent, ContactSolver::coupled),
+                         [](const testing::TestParamInfo<ContactSolver>& solver) {
+                           return std::string(solver.param == ContactSolver::coupled ? "coupled" : "independent");
                          });
 
 }  // namespace

@@ -1,82 +1,66 @@
-// The phases of a call that moves scenes phase by phase, and what one thread for a scene does between its moments: see
-// device_phases.h.
+// What one thread for a scene does between the time steps of a call that moves scenes stage by stage (phases.h).
 #pragma once
 
-#include "gem/engine/device/moments.h"
+#include "gem/engine/device/resident_steps.h"
+#include "gem/engine/step/stages.h"
 
 namespace gem {
 
-enum class DevicePhase {
-  open,
-  begin,
-  plan,
-  list,
-  choose,
-  look,
-  resolve,
-  gather,
-  iterate,
-  settle,
-  bodies,
-  last_work,
-  close
-};
+/// What a call does before its time steps and after them; where bodies have moved, the last block that moved some plans
+/// the next time step. When the last stages begin, all time steps that are wanted have been started: only a scene whose
+/// list found no room is still open.
+constexpr Stage call_begins[] = {Stage::open_call, Stage::first_solo_events, Stage::plan};
+constexpr Stage call_ends[] = {Stage::plan, Stage::last_books, Stage::close_call};
 
-/// The phases of a call, in their order: once, for every moment, once. Only coupled scenes gather, iterate and settle.
-/// Where the bodies have moved, the next moment is planned by the last who moved some.
-constexpr DevicePhase first_phases[] = {DevicePhase::open, DevicePhase::begin, DevicePhase::plan};
-constexpr DevicePhase moment_phases[] = {DevicePhase::list,    DevicePhase::choose, DevicePhase::look,
-                                         DevicePhase::resolve, DevicePhase::gather, DevicePhase::iterate,
-                                         DevicePhase::settle,  DevicePhase::bodies};
-/// When the last begin, all moments that are wanted have been started: only a scene whose list found no room is open.
-constexpr DevicePhase last_phases[] = {DevicePhase::plan, DevicePhase::last_work, DevicePhase::close};
+/// Stages of a time step that a device makes together with `move`: the books of its contacts stand in the rows of the
+/// bodies, and the solo events of the next time step follow at once.
+constexpr bool goes_with_move(Stage stage) { return stage == Stage::solo_events || stage == Stage::books; }
 
-/// Nothing was found in this moment so far.
+/// Nothing was found in this time step so far.
 GEM_DEVICE inline void forget_counts(const DeviceScene& s) {
   ListCounters& counters = *s.counters;
-  counters.looks = counters.touches = counters.points = counters.taken_points = 0;
+  counters.candidates = counters.touching_count = counters.points = counters.taken_points = 0;
 }
 
-/// The call begins: `moments` are wanted.
-GEM_DEVICE inline void open_call(const DeviceScene& s, std::int32_t moments) {
+/// The call begins: `steps` are wanted.
+GEM_DEVICE inline void open_call(const DeviceScene& s, std::int32_t steps) {
   DeviceStatus& status = *s.status;
-  status.wanted = moments;
+  status.wanted = steps;
   status.samples = status.events = status.touched = 0;
   status.stop = DeviceStop::done;
-  status.step = moments > 0 ? PhaseStep::begins : PhaseStep::ended;
-  for (std::int64_t& clocks : status.stage_clocks) clocks = 0;
+  status.phase_step = steps > 0 ? PhaseStep::begins : PhaseStep::ended;
   status.barriers = 0;
   status.visits = 0;
   forget_counts(s);
-  // after moments that were made otherwise no pair sleeps until the next list
-  if (status.clock_moment != status.moment) status.clock = 1e30;
-  status.clock_moment = status.moment;
+  // after time steps that were made otherwise no pair sleeps until the next list
+  if (status.clock_step != status.step) status.clock = 1e30;
+  status.clock_step = status.step;
   status.farthest = 0;
 }
 
-/// Whether the scene makes the moment that was planned: a list for it may not have found room.
+/// Whether the scene makes the time step that was planned: a list for it may not have found room.
 GEM_DEVICE inline bool moves(const DeviceScene& s) {
-  const PhaseStep step = s.status->step;
+  const PhaseStep step = s.status->phase_step;
   return step == PhaseStep::moves || (step == PhaseStep::moves_on_new_list && s.status->list_valid != 0);
 }
 
-/// Why the call stops before all its moments are made; done: it does not.
+/// Why the call stops before all its time steps are made; done: it does not.
 GEM_DEVICE inline DeviceStop stop_of(const DeviceScene& s, std::uint32_t alarms, bool last) {
   if (alarms & alarm_not_finite) return DeviceStop::not_finite;
-  if (s.status->step == PhaseStep::moves_on_new_list && !moves(s)) return DeviceStop::list_full;
+  if (s.status->phase_step == PhaseStep::moves_on_new_list && !moves(s)) return DeviceStop::list_full;
   return !last && (alarms & alarm_ring_full) ? DeviceStop::ring_full : DeviceStop::done;
 }
 
-/// Ends the moment that was made and plans the next one. Returns whether the scene needs a new list for it.
-GEM_DEVICE inline bool plan_moment(const DeviceScene& s, std::uint32_t& alarms) {
+/// Ends the time step that was made and plans the next one. Returns whether the scene needs a new list for it.
+GEM_DEVICE inline bool plan_step(const DeviceScene& s, std::uint32_t& alarms) {
   DeviceStatus& status = *s.status;
-  if (status.step == PhaseStep::ended) return false;
+  if (status.phase_step == PhaseStep::ended) return false;
   if (moves(s)) {
-    ++status.moment;
+    ++status.step;
     ++status.samples;
-    status.touched = s.counters->touches;
+    status.touched = s.counters->touching_count;
     status.clock += 2.0 * strict::double_of(status.farthest);
-    status.clock_moment = status.moment;
+    status.clock_step = status.step;
     status.farthest = 0;
     status.carried = 0;  // what was carried stands in the list now
   }
@@ -86,15 +70,15 @@ GEM_DEVICE inline bool plan_moment(const DeviceScene& s, std::uint32_t& alarms) 
   status.half_way = !last;
   const bool ends = last || status.stop != DeviceStop::done;
   ListLife list(status);
-  const bool lists = !ends && list.is_over(status.moment, alarms);
+  const bool lists = !ends && list.is_over(status.step, alarms);
   if (lists || (ends && (alarms & alarm_strayed))) {
-    list.end(s, status.moment);
+    list.end(s, status.step);
     status.list_valid = 0;
     status.horizon = list.horizon;
     status.clock = 0.0;
     alarms = 0;
   }
-  status.step = ends ? PhaseStep::ended : lists ? PhaseStep::moves_on_new_list : PhaseStep::moves;
+  status.phase_step = ends ? PhaseStep::ended : lists ? PhaseStep::moves_on_new_list : PhaseStep::moves;
   if (!ends && s.wants_samples) s.quality[status.samples] = {};
   return lists;
 }

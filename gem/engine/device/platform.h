@@ -14,66 +14,68 @@ struct PlatformSums {
 };
 
 /// The platform's cell and the books of its own motion, in registers for one thread.
-struct PlatformHeld {
+struct PlatformLoaded {
   PlatformCell cell;
   Quantity drag_book, mooring_book;
 };
 
-GEM_DEVICE inline PlatformHeld hold_platform(const DeviceScene& s) {
+GEM_DEVICE inline PlatformLoaded load_platform(const DeviceScene& s) {
   const PlatformCell& p = *s.platform;
-  PlatformHeld held;
-  held.cell.moved = p.moved;
-  held.cell.velocity = p.velocity;
-  held.cell.mooring_force = p.mooring_force;
-  held.cell.mooring_before = p.mooring_before;
-  held.cell.drag_before = p.drag_before;
-  held.drag_book = s.book(Channel::platform_drag, 0);
-  held.mooring_book = s.book(Channel::mooring, 0);
-  return held;
+  PlatformLoaded loaded;
+  loaded.cell.moved = p.moved;
+  loaded.cell.velocity = p.velocity;
+  loaded.cell.mooring_force = p.mooring_force;
+  loaded.cell.mooring_before = p.mooring_before;
+  loaded.cell.drag_before = p.drag_before;
+  loaded.drag_book = s.book(Channel::platform_drag, 0);
+  loaded.mooring_book = s.book(Channel::mooring, 0);
+  return loaded;
 }
 
-GEM_DEVICE inline void let_go(const DeviceScene& s, const PlatformHeld& held) {
+GEM_DEVICE inline void store_platform(const DeviceScene& s, const PlatformLoaded& loaded) {
   PlatformCell& p = *s.platform;
-  p.moved = held.cell.moved;
-  p.velocity = held.cell.velocity;
-  p.mooring_force = held.cell.mooring_force;
-  p.mooring_before = held.cell.mooring_before;
-  p.drag_before = held.cell.drag_before;
-  s.book(Channel::platform_drag, 0) = held.drag_book;
-  s.book(Channel::mooring, 0) = held.mooring_book;
+  p.moved = loaded.cell.moved;
+  p.velocity = loaded.cell.velocity;
+  p.mooring_force = loaded.cell.mooring_force;
+  p.mooring_before = loaded.cell.mooring_before;
+  p.drag_before = loaded.cell.drag_before;
+  s.book(Channel::platform_drag, 0) = loaded.drag_book;
+  s.book(Channel::mooring, 0) = loaded.mooring_book;
 }
 
-GEM_DEVICE inline PlatformMotion platform_motion(double mass, PlatformHeld& held) {
-  return {mass, held.cell.moved, held.cell.velocity, held.drag_book, held.mooring_book, held.cell.mooring_force};
+GEM_DEVICE inline PlatformMotion platform_motion(double mass, PlatformLoaded& loaded) {
+  return {
+      mass, loaded.cell.moved, loaded.cell.velocity, loaded.drag_book, loaded.mooring_book, loaded.cell.mooring_force};
 }
 
-/// The platform's own motion up to the instant of the events of the next moment; `spin` is the one it has.
-GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformHeld& held, Mover& mover, double mass,
+/// The platform's own motion up to the instant of the events of the next time step; `spin` is the one it has.
+GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded& loaded, Mover& mover, double mass,
                                            double spin) {
-  PlatformCell& p = held.cell;
+  PlatformCell& p = loaded.cell;
   p.mooring_before = p.mooring_force.momentum;
-  p.drag_before = held.drag_book.momentum;
+  p.drag_before = loaded.drag_book.momentum;
   p.moved = mover.position;
-  if (s.constants.moored_or_free) platform_half(s.constants, platform_motion(mass, held), true);
+  platform_events_before(s.constants.events, platform_motion(mass, loaded));
   mover.velocity = p.velocity;
   mover.spin = spin;
 }
 
-/// Where the terms of a moment stand: in the fast memory of the looks, which nobody takes now, if it holds them all.
-GEM_DEVICE inline PlatformTerm* term_room(const DeviceScene& s, const Desk& desk, std::int32_t places) {
+/// Where the terms of a time step stand: in the shared memory of the looks, which nobody takes now, if it holds them
+/// all.
+GEM_DEVICE inline PlatformTerm* term_memory(const DeviceScene& s, const Workspace& workspace, std::int32_t places) {
   const std::size_t bytes = 2 * static_cast<std::size_t>(places) * sizeof(PlatformTerm);
-  return bytes <= desk.minimum_bytes ? reinterpret_cast<PlatformTerm*>(desk.look) : s.term;
+  return bytes <= workspace.minimum_bytes ? reinterpret_cast<PlatformTerm*>(workspace.candidate) : s.term;
 }
 
-/// What one contact point does to the platform; the velocities after a coupled moment are known already.
-template <Resolution resolution>
+/// What one contact point does to the platform; the velocities after a coupled time step are known already.
+template <ContactSolver solver>
 GEM_DEVICE inline PlatformTerm platform_term(const BodyCell& cell, const Contact& contact, const ContactSlot& slot,
                                              bool ice) {
   const Vec2 impulse = world_impulse(contact, slot.impulse);
   const double twist = cross(slot.arm_a, impulse);
-  MotionStep step;
-  if constexpr (resolution == Resolution::independent)
-    step = motion_step({cell.inverse_mass, cell.inverse_inertia}, slot.arm_a, impulse);
+  VelocityChange step;
+  if constexpr (solver == ContactSolver::independent)
+    step = velocity_change({cell.inverse_mass, cell.inverse_inertia}, slot.arm_a, impulse);
   PlatformTerm term{{step.velocity.x, step.velocity.y, step.spin, 0.0, 0.0, 0.0, twist}};
   if (ice) {
     term.part[3] = impulse.x;
@@ -83,21 +85,21 @@ GEM_DEVICE inline PlatformTerm platform_term(const BodyCell& cell, const Contact
   return term;
 }
 
-/// Lines up the terms of all contact points of the moment in order. Returns their number; `pressed` counts the floes
+/// Lines up the terms of all contact points of the time step in order. Returns their number; `pressed` counts the floes
 /// that push, and events go to the ring.
-template <Resolution resolution, class Warp>
+template <ContactSolver solver, class Warp>
 GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& warp, const BodyCell& cell,
-                                             const BodyMotion& motion, std::int32_t moment, PlatformTerm* term,
+                                             const BodyMotion& motion, std::int32_t step, PlatformTerm* term,
                                              std::int32_t& pressed) {
   DeviceStatus& status = *s.status;
-  constexpr bool coupled = resolution == Resolution::coupled;
+  constexpr bool coupled = solver == ContactSolver::coupled;
   const std::int32_t places = motion.row_count;
   std::int32_t terms = 0, events = status.events;
   for (std::int32_t first = 0; first < places; first += Warp::size) {
     const std::int32_t at = first + warp.rank(), row = motion.row_begin + (at < places ? at : 0);
     // asked for together: each waits for memory
     const std::int32_t stamp = s.stamp[row].entry, pair = s.row_pair[row], other = s.row_other[row];
-    const bool touched = at < places && stamp == moment;
+    const bool touched = at < places && stamp == step;
     const Contact* const contact = &s.contact[pair];
     const int points = touched ? contact->count : 0;
     const bool ice = touched && s.body[other].kind == BodyKind::floe;
@@ -107,11 +109,11 @@ GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& w
     for (int k = 0; k < 2; ++k) {
       if (k >= points) break;
       const ContactSlot& slot = contact->slot[k];
-      term[to + k] = platform_term<resolution>(cell, *contact, slot, ice);
+      term[to + k] = platform_term<solver>(cell, *contact, slot, ice);
       presses = presses || (ice && slot.impulse.normal > 0.0);
     }
-    const bool event = touched && s.wants_events && s.row_event_moment[at] == moment &&
-                       (!coupled || is_event(*contact, s.event_speed));
+    const bool event =
+        touched && s.wants_events && s.row_event_step[at] == step && (!coupled || is_event(*contact, s.event_speed));
     const unsigned pressing = warp.ballot(presses), recorded = warp.ballot(event);
     if (event) {
       EventRecord& record = s.event[events + warp.count_below(recorded)];
@@ -144,11 +146,11 @@ GEM_DEVICE inline PlatformSums add_terms(const Warp& warp, const PlatformSums& s
   return {{sum[0], sum[1]}, sum[2], {sum[3], sum[4]}, sum[5], sum[6]};
 }
 
-/// Writes the moment's sample to the ring.
-GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformHeld& held, const Mover& mover,
+/// Writes the time step's sample to the ring.
+GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformLoaded& loaded, const Mover& mover,
                                     const PlatformSums& sums, std::int32_t pressed, std::int32_t at) {
-  const PlatformCell& p = held.cell;
-  PlatformMoment& sample = s.sample[at];
+  const PlatformCell& p = loaded.cell;
+  PlatformStep& sample = s.sample[at];
   sample.position = mover.position;
   sample.rotation = mover.rotation;
   sample.velocity = p.velocity;
@@ -156,69 +158,65 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformHeld& he
   sample.ice_impulse = sums.ice_impulse;
   sample.ice_yaw_impulse = sums.ice_yaw;
   sample.mooring_impulse = p.mooring_force.momentum - p.mooring_before;
-  sample.drag_impulse = held.drag_book.momentum - p.drag_before;
+  sample.drag_impulse = loaded.drag_book.momentum - p.drag_before;
   sample.contacts = pressed;
 }
 
-/// Enters what shifting the platform does to the mooring's energy and to the angular momentum.
-GEM_DEVICE inline void book_platform_repair(const DeviceScene& s, double mass, const PlatformCell& p, Vec2 shift) {
-  const Vec2 offset = p.moved - s.constants.anchor;
-  Quantity& book = s.book(Channel::repair, 0);
-  book.angular_momentum += mass * cross(shift, p.velocity);
-  book.energy += s.constants.stiffness * (dot(offset, shift) + 0.5 * dot(shift, shift));
-}
-
 /// What one thread does for the platform, once the contacts are summed.
-template <Resolution resolution, class Crew>
-GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Crew& crew, const Desk& desk, const PlatformSums& sums,
-                                          const BodyRepair& repair, std::int32_t pressed, const MomentStep& step) {
-  BodyCell& cell = desk.body[0];
-  const BodyMotion& motion = desk.motion[0];
-  PlatformHeld held = hold_platform(s);
-  PlatformCell& p = held.cell;
+template <ContactSolver solver, class Group>
+GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, const Workspace& workspace,
+                                          const PlatformSums& sums, const BodyRepair& repair, std::int32_t pressed,
+                                          const StepIndex& step) {
+  BodyCell& cell = workspace.body[0];
+  const BodyMotion& motion = workspace.motion[0];
+  PlatformLoaded loaded = load_platform(s);
+  PlatformCell& p = loaded.cell;
   Mover mover = mover_of(cell);
   p.velocity = sums.velocity;
   if (cell.inverse_inertia == 0.0) p.mooring_force.angular_momentum = sums.twist;
-  if (s.constants.moored_or_free) {
-    platform_half(s.constants, platform_motion(motion.mass, held), false);
+  const Events& e = s.constants.events;
+  if (e.platform_present) {
+    platform_events_after(e, platform_motion(motion.mass, loaded));
     mover.position = p.moved + repair.shift;
-    if constexpr (resolution == Resolution::coupled) book_platform_repair(s, motion.mass, p, repair.shift);
+    if constexpr (solver == ContactSolver::coupled)
+      book_platform_shift(e, motion.mass, p.moved, p.velocity, repair.shift, s.book(Channel::repair, 0));
     turn(mover, s.constants.dt * sums.spin + repair.turn);
   }
-  if (cell.active && !is_finite(mover, p.velocity, sums.spin)) crew.raise(alarm_not_finite);
-  if (s.wants_samples) write_sample(s, held, mover, sums, pressed, step.sample);
-  if (cell.active && left_course(s, mover, cell.radius, motion, step.elapsed)) crew.raise(alarm_strayed);
-  if (s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) crew.raise(alarm_ring_full);
-  if (step.kick_next) platform_first_half(s, held, mover, motion.mass, sums.spin);
-  let_go(s, held);
+  if (cell.active && !is_finite(mover, p.velocity, sums.spin)) group.raise(alarm_not_finite);
+  if (s.wants_samples) write_sample(s, loaded, mover, sums, pressed, step.sample);
+  if (cell.active && left_trajectory(s, mover, cell.radius, motion, step.elapsed)) group.raise(alarm_strayed);
+  if (s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) group.raise(alarm_ring_full);
+  if (step.kick_next) platform_first_half(s, loaded, mover, motion.mass, sums.spin);
+  store_platform(s, loaded);
   s.after[0].velocity = sums.velocity;
   s.after[0].spin = sums.spin;
   write_mover(cell, mover);
-  if (desk.shows) write_mover(s.body[0], mover);
+  if (workspace.shows) write_mover(s.body[0], mover);
 }
 
 /// The platform through the bodies phase.
-template <Resolution resolution, class Crew>
-GEM_DEVICE inline void move_platform(const DeviceScene& s, Crew& crew, const Desk& desk, const MomentStep& step) {
-  const auto warp = crew.warp();
-  const BodyCell& cell = desk.body[0];
+template <ContactSolver solver, class Group>
+GEM_DEVICE inline void move_platform(const DeviceScene& s, Group& group, const Workspace& workspace,
+                                     const StepIndex& step) {
+  const auto warp = group.warp();
+  const BodyCell& cell = workspace.body[0];
   std::int32_t pressed = 0;
-  PlatformTerm* const term = term_room(s, desk, desk.motion[0].row_count);
-  const std::int32_t terms = line_up_terms<resolution>(s, warp, cell, desk.motion[0], step.moment, term, pressed);
+  PlatformTerm* const term = term_memory(s, workspace, workspace.motion[0].row_count);
+  const std::int32_t terms = line_up_terms<solver>(s, warp, cell, workspace.motion[0], step.step, term, pressed);
   PlatformSums start;
   BodyAfter after{cell.velocity, cell.spin};
   BodyRepair repair;
-  if constexpr (resolution == Resolution::coupled) take_solved(s, 0, step.moment, after, repair);
+  if constexpr (solver == ContactSolver::coupled) load_solved(s, 0, step.step, after, repair);
   start.velocity = after.velocity;
   start.spin = after.spin;
   start.twist = s.platform->mooring_force.angular_momentum;
   const double travel = cell.turn_travel;
   const PlatformSums sums = add_terms(warp, start, term, terms);
   warp.sync();
-  if (warp.rank() == 0) move_platform_body<resolution>(s, crew, desk, sums, repair, pressed, step);
+  if (warp.rank() == 0) move_platform_body<solver>(s, group, workspace, sums, repair, pressed, step);
   warp.sync();
-  if (cell.vertex_count > desk_vertices && cell.turn_travel != travel)
-    turn_outline(s, cell.vertex_begin, cell.vertex_count, cell.rotation, warp.rank(), Crew::Warp::size);
+  if (cell.vertex_count > workspace_vertices && cell.turn_travel != travel)
+    turn_outline(s, cell.vertex_begin, cell.vertex_count, cell.rotation, warp.rank(), Group::Warp::size);
 }
 
 }  // namespace gem

@@ -75,10 +75,10 @@ class EventReader {
     bodies.offset = record.position_b - record.platform_position;
     bodies.outline_a = turned(contact.a, record.rotation_a, 0);
     bodies.outline_b = turned(contact.b, record.rotation_b, 1);
-    bodies.ice = f_.constants.ice;
-    bodies.ice.thickness =
-        crushed_thickness(f_.bodies.kind[contact.a], f_.bodies.thickness[contact.a], f_.bodies.thickness[contact.b]);
-    return event_of(contact, bodies, static_cast<double>(record.moment) * f_.constants.dt);
+    bodies.ice = crushing_ice(
+        f_.constants.events,
+        crushed_thickness(f_.bodies.kind[contact.a], f_.bodies.thickness[contact.a], f_.bodies.thickness[contact.b]));
+    return event_of(contact, bodies, static_cast<double>(record.step) * f_.constants.dt);
   }
 
  private:
@@ -97,9 +97,9 @@ class EventReader {
   std::vector<Vec2> corner_[2], normal_[2];
 };
 
-/// The worst of all blocks. Only coupled moments look at their events once they are done.
-MomentQuality quality_of(const BlockQuality* block, int blocks, Resolution resolution) {
-  MomentQuality quality;
+/// The worst of all blocks. Only coupled time steps look at their events once they are done.
+StepQuality quality_of(const BlockQuality* block, int blocks, ContactSolver solver) {
+  StepQuality quality;
   for (int k = 0; k < blocks; ++k) {
     quality.contacts += block[k].contacts;
     quality.iterations = std::max(quality.iterations, block[k].iterations);
@@ -110,7 +110,7 @@ MomentQuality quality_of(const BlockQuality* block, int blocks, Resolution resol
     quality.energy_created = std::max(quality.energy_created, block[k].energy_created);
     quality.maximum_overlap = std::max(quality.maximum_overlap, strict::double_of(block[k].overlap));
   }
-  if (resolution == Resolution::independent)
+  if (solver == ContactSolver::independent)
     quality.complementarity = quality.cone_excess = quality.energy_created = std::numeric_limits<double>::quiet_NaN();
   return quality;
 }
@@ -123,18 +123,18 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(s.point, 2 * pairs);
   placer.place(s.point_numbers, PointTable::columns * 2 * pairs);
   s.points = {s.point_numbers, static_cast<std::int32_t>(2 * pairs)};
-  placer.place(s.held, held_columns * 2 * pairs);
+  placer.place(s.loaded, loaded_columns * 2 * pairs);
   placer.place(s.push, 2 * rows);
   placer.place(s.push_base, 2 * rows);
   placer.place(s.solver_entry, n);
-  placer.place(s.solver_desk, blocks);
+  placer.place(s.solver_workspace, blocks);
   placer.place(s.progress, 1);
-  placer.place(s.spot, n);
+  placer.place(s.sorted_place, n);
   placer.place(s.body_at, n);
-  placer.place(s.spot_count, spot_stretches);
-  placer.place(s.spot_begin, spot_stretches);
+  placer.place(s.bin_count, sort_bins);
+  placer.place(s.bin_begin, sort_bins);
   placer.place(s.bodies_before, blocks * ((n + 31) / 32 + 1));
-  placer.place(s.spots_before, blocks * ((n + 31) / 32 + 1));
+  placer.place(s.sorted_before, blocks * ((n + 31) / 32 + 1));
   s.points_capacity = static_cast<std::int32_t>(2 * pairs);
   s.push_capacity = static_cast<std::int32_t>(2 * rows);
   placer.place(s.taken_point, 2 * pairs);
@@ -159,8 +159,8 @@ SceneSizes scene_sizes(const FieldState& f) {
   sizes.rows = 8 * sizes.bodies + 256;
   sizes.platform_rows = 256;
   sizes.phase_blocks = (sizes.bodies + phase_threads - 1) / phase_threads;
-  sizes.coupled = f.constants.resolution == Resolution::coupled;
-  sizes.carried_ahead = f.carried_ahead.size();
+  sizes.coupled = f.constants.solver == ContactSolver::coupled;
+  sizes.momentum_coefficients = f.momentum_coefficients.size();
   sizes.phases = !sizes.coupled || sizes.bodies <= most_cluster_bodies;
   return sizes;
 }
@@ -185,8 +185,8 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.solved, n);
   placer.place(s.body_points, n);
   placer.place(s.touched_bodies, (n + 31) / 32);
-  placer.place(s.touched_spots, (n + 31) / 32);
-  placer.place(s.carried_ahead, sizes.carried_ahead);
+  placer.place(s.touched_sorted, (n + 31) / 32);
+  placer.place(s.momentum_coefficients, sizes.momentum_coefficients);
   return placer.used();
 }
 
@@ -197,7 +197,7 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
   s.platform_capacity = sizes.platform_rows;
   s.grid_capacity = grid_cells(sizes.bodies);
   placer.place(s.stamp, rows);  // first: the only one with a meaning before a list is built
-  placer.place(s.row_event_moment, sizes.platform_rows);
+  placer.place(s.row_event_step, sizes.platform_rows);
   placer.place(s.row_other, rows);
   placer.place(s.row_pair, rows);
   placer.place(s.entry, rows);
@@ -205,16 +205,16 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
   placer.place(s.pair, pairs);
   placer.place(s.contact, pairs);
   placer.place(s.touched, pairs);
-  placer.place(s.touch, pairs);
+  placer.place(s.touching, pairs);
   s.phase_blocks = sizes.phase_blocks;
   if (sizes.phases) {
-    placer.place(s.look, pairs);
+    placer.place(s.candidate, pairs);
     placer.place(s.wake, pairs);
   }
   placer.place(s.last_row, n);
   placer.place(s.last_other, rows);
   placer.place(s.last_pair, rows);
-  placer.place(s.last_look, pairs);
+  placer.place(s.last_axes, pairs);
   placer.place(s.box, n);
   placer.place(s.grid_cell, n);
   placer.place(s.grid_floe, n);
@@ -245,17 +245,15 @@ DeviceScene scene_constants(const FieldState& f, double event_speed) {
   const SceneSizes sizes = scene_sizes(f);
   s.constants = f.constants;
   s.event_speed = event_speed;
-  const double speed = length(f.constants.current) + 1e-3;
-  s.horizon =
-      std::clamp<std::int64_t>(static_cast<std::int64_t>(f.constants.list_margin / (speed * f.constants.dt)), 1, 400);
+  s.horizon = f.constants.list_horizon;
   s.bodies = sizes.bodies;
   s.large_bodies = sizes.large_bodies;
   return s;
 }
 
-void write_field(const FieldState& f, std::int64_t moment, const DeviceScene& s) {
+void write_field(const FieldState& f, std::int64_t step, const DeviceScene& s) {
   *s.status = {};
-  s.status->moment = moment;
+  s.status->step = step;
   s.status->horizon = s.horizon;
   *s.platform = {};
   s.platform->velocity = f.bodies.velocity[0];
@@ -271,8 +269,9 @@ void write_field(const FieldState& f, std::int64_t moment, const DeviceScene& s)
     std::fill_n(s.solved, f.bodies.count(), SolvedMotion{});
     std::fill_n(s.body_points, f.bodies.count(), BodyPoints{});
     std::fill_n(s.touched_bodies, (f.bodies.count() + 31) / 32, 0U);
-    std::fill_n(s.touched_spots, (f.bodies.count() + 31) / 32, 0U);
-    std::copy(f.carried_ahead.begin(), f.carried_ahead.end(), const_cast<float*>(s.carried_ahead));
+    std::fill_n(s.touched_sorted, (f.bodies.count() + 31) / 32, 0U);
+    std::copy(f.momentum_coefficients.begin(), f.momentum_coefficients.end(),
+              const_cast<float*>(s.momentum_coefficients));
   }
   std::copy(f.books.begin(), f.books.end(), s.books);
   std::copy(f.corner.begin(), f.corner.end(), s.corner);
@@ -319,10 +318,10 @@ void read_state(const BodyState* state, FieldState& f) {
   }
 }
 
-void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatus& status, int blocks, MomentLog& log) {
+void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatus& status, int blocks, StepLog& log) {
   log.platform.insert(log.platform.end(), rings.sample, rings.sample + status.samples);
   for (std::int32_t m = 0; m < status.samples; ++m)
-    log.quality.push_back(quality_of(rings.quality + m * blocks, blocks, f.constants.resolution));
+    log.quality.push_back(quality_of(rings.quality + m * blocks, blocks, f.constants.solver));
   for (int k = 0; k < OverlapCount::classes; ++k) {
     log.overlap.count[k] += rings.overlap_count[k];
     log.overlap_share.count[k] += rings.overlap_count[OverlapCount::classes + k];

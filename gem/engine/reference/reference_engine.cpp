@@ -1,249 +1,101 @@
+// One time step:
+//   touches     found where the bodies stand at its start
+//   drag        every floe's velocity at the end of the time step, if nothing touches it; half of the platform's motion
+//   contacts    each pair alone, or all together: impulses on those velocities
+//   books       what the contacts did
+//   motion      floes with their new velocity; the other half of the platform's motion
 #include "gem/engine/reference/reference_engine.h"
 
-#include <algorithm>
-#include <set>
+#include <cmath>
 #include <utility>
 
-#include "gem/engine/solver/iteration_course.h"
-#include "gem/engine/step/books.h"
-#include "gem/engine/step/contact_outcome.h"
-#include "gem/engine/step/contact_stages.h"
-#include "gem/engine/step/ordered_sum.h"
-#include "gem/engine/step/solo_stages.h"
+#include "gem/base/error.h"
+#include "gem/base/number_text.h"
+#include "gem/engine/reference/reference_books.h"
+#include "gem/engine/reference/reference_contacts.h"
+#include "gem/engine/reference/reference_motion.h"
 
 namespace gem {
 
-ReferenceEngine::ReferenceEngine(const SceneDef& scene, Bodies bodies)
-    : event_speed_(scene.output.event_speed_m_per_s) {
-  const MomentConstants constants = moment_constants(scene, bodies);
-  field_ = make_field_state(std::move(bodies), constants);
-  ledger_.start = total(field_);
+ReferenceEngine::ReferenceEngine(const SceneDef& scene, Bodies bodies) : rules_(reference::rules_of(scene, bodies)) {
+  state_.bodies = std::move(bodies);
+  state_.ledger.start = total_of(rules_, state_.bodies);
 }
 
-std::vector<Contact> ReferenceEngine::all_contacts() const {
-  const Bodies& b = field_.bodies;
-  std::vector<Contact> contacts;
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(b.count()); ++i)
-    for (std::int32_t j = i + 1; j < static_cast<std::int32_t>(b.count()); ++j) {
-      if (!b.active[i] || !b.active[j] || (b.inverse_mass[i] == 0.0 && b.inverse_mass[j] == 0.0)) continue;
-      SeparatingAxes unknown;
-      Contact contact;
-      if (find_contact(field_, i, j, unknown, 0.0, contact)) contacts.push_back(contact);
-    }
-  return contacts;
+void ReferenceEngine::advance(std::int64_t steps, StepLog& log) {
+  check_finite();
+  for (std::int64_t i = 0; i < steps; ++i) one_step(log);
 }
 
-void ReferenceEngine::advance(std::int64_t moments, MomentLog& log) {
-  FieldState& f = field_;
-  check_finite(f, moment_);
-  for (std::int64_t m = 0; m < moments; ++m) {
-    const PlatformImpulses before = platform_impulses(f);
-    std::vector<Contact> contacts = all_contacts();
-    std::vector<Contact*> view;
-    for (Contact& contact : contacts) view.push_back(&contact);
-    for (std::size_t i = 0; i < f.bodies.count(); ++i)
-      if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);
-    platform_first_half(f);
-    MomentQuality quality;
-    if (f.constants.resolution == Resolution::coupled) {
-      resolve_coupled(contacts, quality);
-    } else {
-      for (Contact& contact : contacts) prepare_contact(f, contact);
-      for (Contact& contact : contacts) resolve_alone(f, contact);
-      for (Contact& contact : contacts) apply_impulses(f.bodies, contact);
-    }
-    std::vector<ContactOutcome> outcomes(contacts.size());
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      find_outcome(f, contacts[c], outcomes[c]);
-      book_contact(f, contacts[c], outcomes[c]);
-    }
-    note_outcomes(f, outcomes, quality, log);
-    log_events(f, view, moment_, event_speed_, log);
-    for (std::size_t i = 0; i < f.bodies.count(); ++i)
-      if (f.bodies.kind[i] == BodyKind::floe) drift_floe(f, i);
-    platform_second_half(f);
-    ++moment_;
-    check_finite(f, moment_);
-    retire(f);
-    log_moment(f, view, before, quality, log);
+void ReferenceEngine::one_step(StepLog& log) {
+  state_.begin_step();
+  std::vector<reference::Touch> touches =
+      reference::all_touches(state_.bodies, rules_.scene.contact.manifold, rules_.contact_margin);
+  drag_floes(rules_, state_);
+  move_platform_before(rules_, state_);
+
+  StepQuality quality;
+  prepare_touches(rules_, state_, touches);
+  if (rules_.coupled()) {
+    resolve_together(rules_, state_, touches, quality);
+    keep_impulses(touches);
+  } else {
+    resolve_alone(rules_, state_, touches);
   }
+  apply_impulses(rules_, state_, touches);
+
+  book_touches(state_, touches);
+  judge_touches(state_.bodies, touches, quality, log);
+  log_platform_events(rules_, state_, touches, log);
+
+  move_floes(rules_, state_);
+  move_platform_after(rules_, state_);
+  ++state_.steps;
+  check_finite();
+  retire_floes(rules_, state_);
+  log.platform.push_back(platform_sample(state_, touches));
+  log.quality.push_back(quality);
 }
 
-std::vector<Motion<double>> ReferenceEngine::motions(const std::vector<Point>& points) const {
-  const Bodies& b = field_.bodies;
-  std::vector<Push<double>> given(b.count(), Push<double>{});
-  for (const Point& point : points) {
-    const PointGeometry<double>& g = point.geometry;
-    add(given[point.contact->a], -1.0, push_of(g, point.impulse, g.lever_a_n, g.lever_a_t));
-    add(given[point.contact->b], 1.0, push_of(g, point.impulse, g.lever_b_n, g.lever_b_t));
-  }
-  std::vector<Motion<double>> motion;
-  for (std::size_t i = 0; i < b.count(); ++i)
-    motion.push_back(
-        moved_by(given[i], b.velocity[i].x, b.velocity[i].y, b.spin[i], b.inverse_mass[i], b.inverse_inertia[i]));
-  return motion;
+void ReferenceEngine::keep_impulses(const std::vector<reference::Touch>& touches) {
+  impulse_key_.clear();
+  impulse_value_.clear();
+  for (const reference::Touch& touch : touches)
+    for (const reference::TouchPoint& p : touch.points) {
+      // as EngineState names a contact point: 26 bits for each body, 12 for the feature
+      const auto a = static_cast<std::uint64_t>(touch.a), b = static_cast<std::uint64_t>(touch.b);
+      impulse_key_.push_back(a << 38 | b << 12 | static_cast<std::uint64_t>(p.feature));
+      impulse_value_.push_back({p.impulse.normal, p.impulse.tangential, p.repair});
+    }
 }
 
-/// What the carried-ahead additions of a round move: a body's points as B are summed apart from those as A.
-std::vector<Motion<float>> ReferenceEngine::added_motions(const std::vector<Point>& points) const {
-  const Bodies& b = field_.bodies;
-  std::vector<Push<float>> to_a(b.count(), Push<float>{}), to_b(b.count(), Push<float>{});
-  for (const Point& point : points) {
-    const PointPush<float> p = push_of(point.frame, point.carried);
-    add(to_a[point.contact->a], 1.0F, {p.x, p.y, p.twist_a, p.shift_x, p.shift_y, p.turn_a});
-    add(to_b[point.contact->b], 1.0F, {p.x, p.y, p.twist_b, p.shift_x, p.shift_y, p.turn_b});
-  }
-  std::vector<Motion<float>> motion;
+void ReferenceEngine::check_finite() const {
+  const Bodies& b = state_.bodies;
   for (std::size_t i = 0; i < b.count(); ++i) {
-    add(to_b[i], -1.0F, to_a[i]);
-    motion.push_back(moved_by(to_b[i], 0.0F, 0.0F, 0.0F, static_cast<float>(b.inverse_mass[i]),
-                              static_cast<float>(b.inverse_inertia[i])));
-  }
-  return motion;
-}
-
-template <PointFriction law>
-float ReferenceEngine::visit(Point& point, const Approach<float>& w, MomentPace<float> pace, float ahead) {
-  const PointImpulse<float> step = visit_point<law>(point.frame, w, pace, ahead, point.at, point.carried);
-  return speed_asked<law>(point.frame, step, pace);
-}
-
-float ReferenceEngine::visit(Point& point, const std::vector<Motion<float>>& motion, float ahead) const {
-  const MomentConstants& c = field_.constants;
-  const MomentPace<float> pace{static_cast<float>(c.dt), static_cast<float>(1.0 / c.dt)};
-  const Motion<float>&a = motion[point.contact->a], &b = motion[point.contact->b];
-  const Approach<float> w{b.x - a.x, b.y - a.y, b.shift_x - a.shift_x, b.shift_y - a.shift_y, a.spin, a.turn,
-                          b.spin,    b.turn};
-  switch (c.point_friction) {
-    case PointFriction::none:
-      return visit<PointFriction::none>(point, w, pace, ahead);
-    case PointFriction::coulomb:
-      return visit<PointFriction::coulomb>(point, w, pace, ahead);
-    default:
-      return visit<PointFriction::fixed_direction>(point, w, pace, ahead);
+    const double sum = b.position[i].x + b.position[i].y + b.rotation[i].cosine + b.rotation[i].sine + b.velocity[i].x +
+                       b.velocity[i].y + b.spin[i];
+    if (!b.active[i] || std::isfinite(sum)) continue;
+    throw Error(ExitCode::numerical_stop, "body " + std::to_string(i) +
+                                              " has a state that is no number after time step " +
+                                              std::to_string(state_.steps) +
+                                              " (t = " + number_text(static_cast<double>(state_.steps) * rules_.dt, 9) +
+                                              " s); try a smaller numerics.time_step_s");
   }
 }
 
-std::vector<ReferenceEngine::Point> ReferenceEngine::points_of(std::vector<Contact>& contacts) {
-  std::vector<std::int32_t> count(field_.bodies.count(), 0);
-  for (const Contact& contact : contacts) {
-    count[contact.a] += contact.count;
-    count[contact.b] += contact.count;
-  }
-  std::vector<Point> points;
-  for (Contact& contact : contacts) {
-    prepare_contact(field_, contact);
-    for (int k = 0; k < contact.count; ++k) {
-      Point point{&contact, &contact.slot[k], {}, {}, {}, {}, {}};
-      const auto last = last_.find(contact_key(contact.a, contact.b, contact.slot[k].feature));
-      if (last != last_.end()) point.impulse = last->second;
-      point.geometry =
-          point_of_contact(field_, contact, contact.slot[k], count[contact.a], count[contact.b], point.impulse.normal);
-      point.impulse.repair = repair_to_go_on(field_.constants, point.impulse.repair, point.geometry.nn);
-      contact.slot[k].cap = point.geometry.cap;
-      enter_geometry(point.frame, point.geometry);
-      points.push_back(point);
-    }
-  }
-  return points;
+Ledger ReferenceEngine::ledger() {
+  close_ledger(rules_, state_);
+  return state_.ledger;
 }
 
-void ReferenceEngine::keep_best_share(std::vector<Point>& points, double limit) const {
-  const Bodies& b = field_.bodies;
-  const std::vector<Motion<double>> motion = motions(points);
-  std::set<std::int32_t> touched;
-  for (const Point& point : points) touched.insert({point.contact->a, point.contact->b});
-  std::vector<double> given, answered;
-  for (const std::int32_t i : touched) {
-    if (!(b.inverse_mass[i] > 0.0)) continue;
-    const ImpulseWork work =
-        work_on_body(motion[i], b.velocity[i].x, b.velocity[i].y, b.spin[i], b.mass[i], b.inertia[i]);
-    given.push_back(work.given);
-    answered.push_back(work.answered);
-  }
-  const std::size_t count = given.size();
-  given.resize(count + sum_width);
-  answered.resize(count + sum_width);
-  const double share = best_share({ordered_sum(given.data(), count), ordered_sum(answered.data(), count)});
-  if (!(share < limit)) return;
-  for (Point& point : points) {
-    point.impulse.normal *= share;
-    point.impulse.tangential *= share;
-  }
-}
-
-void ReferenceEngine::begin_round(std::vector<Point>& points) const {
-  const std::vector<Motion<double>> motion = motions(points);
-  for (Point& point : points) {
-    enter_base(point.frame, point.geometry, point.impulse, motion[point.contact->a], motion[point.contact->b]);
-    point.carried.normal -= point.at.normal;
-    point.carried.tangential -= point.at.tangential;
-    point.carried.repair -= point.at.repair;
-    point.at = {};
-  }
-}
-
-void ReferenceEngine::iterate(std::vector<Point>& points, MomentQuality& quality) const {
-  const MomentConstants& c = field_.constants;
-  IterationCourse course(c.residual_speed, c.iterations_maximum, c.tight_residual, field_.carried_ahead.data());
-  auto next = IterationCourse::Next::round;
-  while (next != IterationCourse::Next::end) {
-    begin_round(points);
-    do {
-      const std::vector<Motion<float>> motion = added_motions(points);
-      const float ahead = course.ahead();
-      float asked = 0.0F;
-      for (Point& point : points) asked = larger(asked, visit(point, motion, ahead));
-      if (course.judged()) quality.residual = asked;
-      next = course.after(static_cast<float>(quality.residual));
-    } while (next == IterationCourse::Next::iteration);
-    for (Point& point : points)
-      point.impulse = with_additions(c.point_friction, point.geometry, point.impulse, point.at, point.frame.least,
-                                     point.frame.most, point.frame.repair_least);
-  }
-  quality.iterations = static_cast<std::int32_t>(course.iteration());
-}
-
-void ReferenceEngine::resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality) {
-  FieldState& f = field_;
-  std::vector<Point> points = points_of(contacts);
-  last_.clear();
-  if (points.empty()) return;
-  keep_best_share(points, 1.0);
-  iterate(points, quality);
-  keep_best_share(points, 0.5);
-  const std::vector<Motion<double>> motion = motions(points);
-  for (std::size_t i = 0; i < f.bodies.count(); ++i) {
-    if (!(f.bodies.inverse_mass[i] > 0.0)) continue;
-    f.bodies.velocity[i] = {motion[i].x, motion[i].y};
-    f.bodies.spin[i] = motion[i].spin;
-    take_repair(f, i, {{motion[i].shift_x, motion[i].shift_y}, motion[i].turn});
-  }
-  for (const Point& point : points) {
-    point.slot->impulse = {point.impulse.normal, point.impulse.tangential};
-    point.slot->repair = point.impulse.repair;
-    last_[contact_key(point.contact->a, point.contact->b, point.slot->feature)] = point.impulse;
-  }
-}
-
-Ledger ReferenceEngine::ledger() { return closed_books(field_, ledger_); }
-
-EngineState ReferenceEngine::save() {
-  EngineState state{moment_, field_.bodies, closed_books(field_, ledger_), {}, {}};
-  for (const auto& [key, impulse] : last_) {
-    state.impulse_key.push_back(key);
-    state.impulse_value.push_back(impulse);
-  }
-  return state;
-}
+EngineState ReferenceEngine::save() { return {state_.steps, state_.bodies, ledger(), impulse_key_, impulse_value_}; }
 
 void ReferenceEngine::restore(const EngineState& state) {
-  field_ = make_field_state(state.bodies, field_.constants);
-  open_books(field_, state.ledger);
-  ledger_ = state.ledger;
-  moment_ = state.moment;
-  last_.clear();
-  for (std::size_t i = 0; i < state.impulse_key.size(); ++i) last_[state.impulse_key[i]] = state.impulse_value[i];
+  state_.bodies = state.bodies;
+  state_.ledger = state.ledger;
+  state_.steps = state.step;
+  impulse_key_ = state.impulse_key;
+  impulse_value_ = state.impulse_value;
 }
 
 }  // namespace gem

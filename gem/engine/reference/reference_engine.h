@@ -1,13 +1,18 @@
-// The reference engine: all pairs, one thread, no list, no memory of the last moment but its impulses. The oracle.
+// The reference engine judges the other engines. It shares the laws of events and what a contact of two outlines is
+// (gem/events, gem/geometry), and nothing of how they are carried out: all pairs, one thread, double precision, a
+// solver of its own, which starts every time step from nothing. Slow, and short enough to be checked by hand.
+//
+// It has its own bits. Another engine agrees with it to a tolerance that the test derives, on scenes whose contacts
+// have one answer: without friction always, with it where few enough contacts hold each floe.
 #pragma once
 
-#include <map>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "gem/engine/engine.h"
-#include "gem/engine/solver/coupled_visit.h"
-#include "gem/engine/step/contact.h"
-#include "gem/engine/step/field_state.h"
+#include "gem/engine/reference/reference_state.h"
+#include "gem/engine/reference/touch.h"
 
 namespace gem {
 
@@ -16,40 +21,23 @@ class ReferenceEngine : public Engine {
   ReferenceEngine(const SceneDef& scene, Bodies bodies);
 
   std::string name() const override { return "reference"; }
-  void advance(std::int64_t moments, MomentLog& log) override;
-  std::int64_t moment() const override { return moment_; }
-  const Bodies& bodies() override { return field_.bodies; }
+  /// Throws Error(numerical_stop) also where the contacts of a time step have no answer that it finds.
+  void advance(std::int64_t steps, StepLog& log) override;
+  std::int64_t step() const override { return state_.steps; }
+  const Bodies& bodies() override { return state_.bodies; }
   Ledger ledger() override;
   EngineState save() override;
   void restore(const EngineState& state) override;
 
  private:
-  std::vector<Contact> all_contacts() const;
-  struct Point {
-    Contact* contact;
-    ContactSlot* slot;
-    PointGeometry<double> geometry;
-    PointImpulse<double> impulse;
-    PointFrame<float> frame;
-    PointImpulse<float> at, carried;  // added to `impulse` in a round
-  };
+  void one_step(StepLog& log);
+  void keep_impulses(const std::vector<reference::Touch>& touches);
+  void check_finite() const;
 
-  void resolve_coupled(std::vector<Contact>& contacts, MomentQuality& quality);
-  std::vector<Point> points_of(std::vector<Contact>& contacts);
-  std::vector<Motion<double>> motions(const std::vector<Point>& points) const;
-  std::vector<Motion<float>> added_motions(const std::vector<Point>& points) const;
-  void keep_best_share(std::vector<Point>& points, double limit) const;
-  void begin_round(std::vector<Point>& points) const;
-  void iterate(std::vector<Point>& points, MomentQuality& quality) const;
-  template <PointFriction law>
-  static float visit(Point& point, const Approach<float>& w, MomentPace<float> pace, float ahead);
-  float visit(Point& point, const std::vector<Motion<float>>& motion, float ahead) const;
-
-  FieldState field_;
-  double event_speed_;
-  Ledger ledger_;  // start and scales; the sums are with the bodies
-  std::int64_t moment_ = 0;
-  std::map<std::uint64_t, PointImpulse<double>> last_;  // by contact key
+  reference::Rules rules_;
+  reference::State state_;
+  std::vector<std::uint64_t> impulse_key_;  // of the last coupled time step: for who reads a saved state
+  std::vector<PointImpulse<double>> impulse_value_;
 };
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// Where the bodies and points of a coupled moment stand in memory.
+// Where the bodies and points of a coupled time step stand in memory.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class CoupledLayout {
     std::int32_t first, last, as_b, as_a;
   };
   /// Entries of points_as_b() past its end that may be read ahead.
-  static constexpr std::int32_t looked_ahead = 12;
+  static constexpr std::int32_t foreseen = 12;
 
   void lay_out(const FieldState& f, Contacts contacts, int threads);
 

@@ -1,6 +1,6 @@
-// One contact point among all events of a moment: what it knows of its bodies and what its impulses give them.
+// One contact point among all events of a time step: what it knows of its bodies and what its impulses give them.
 //
-// All points of a moment ask for impulses that together satisfy
+// All points of a time step ask for impulses that together satisfy
 //     u_n >= target,  0 <= P_n <= cap,  (u_n - target) P_n = 0 below the cap      no overlap, fully inelastic, crushing
 //     |P_t| <= mu P_n,  P_t against the slip that is left                          Coulomb
 // and, apart from the velocities, for the smallest shifts of the bodies that take back a share of the overlap.
@@ -19,7 +19,7 @@
 #include "gem/base/macros.h"
 namespace gem {
 
-/// Friction between the events of a coupled moment.
+/// Friction between the events of a coupled time step.
 enum class PointFriction {
   none,
   coulomb,         ///< against the slip that is left after the events
@@ -40,7 +40,7 @@ struct PointImpulse {
   Real repair;              // [kg m]
 };
 
-/// Constant during a moment.
+/// Constant during a time step.
 template <class Real>
 struct PointGeometry {
   Real normal_x, normal_y;
@@ -108,9 +108,9 @@ GEM_HD inline ImpulseWork work_on_body(const Motion<double>& after, double veloc
           mass * (x * x + y * y) + inertia * turned * turned};
 }
 
-/// The share of a moment's impulses that leaves the least energy, at most all of them. The impulses of the last moment
-/// are taken over by this share, since a heavy body that they stopped must not be thrown back by them. Below a half,
-/// all of them would create energy: where the iterations stop short of an answer, this share is what they give.
+/// The share of a time step's impulses that leaves the least energy, at most all of them. The impulses of the last time
+/// step are taken over by this share, since a heavy body that they stopped must not be thrown back by them. Below a
+/// half, all of them would create energy: where the iterations stop short of an answer, this share is what they give.
 GEM_HD inline double best_share(const ImpulseWork& sum) {
   if (!(sum.answered > 0.0)) return 1.0;
   return smaller(larger(-sum.given / sum.answered, 0.0), 1.0);

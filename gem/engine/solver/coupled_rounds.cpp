@@ -43,7 +43,7 @@ void CoupledRounds::set_base(std::int32_t point, const PointGeometry<double>& g,
   const int lane = point % float_lanes;
   b.excess[lane] = f.excess, b.slip[lane] = f.slip;
   b.least[lane] = f.least, b.most[lane] = f.most;
-  b.room_left[lane] = f.room_left, b.room_right[lane] = f.room_right;
+  b.bytes_left[lane] = f.bytes_left, b.bytes_right[lane] = f.bytes_right;
   b.repair_excess[lane] = f.repair_excess, b.repair_least[lane] = f.repair_least;
   PointImpulse<FloatPack>&at = addition_[point / float_lanes].at, &carried = addition_[point / float_lanes].carried;
   carried.normal[lane] -= at.normal[lane];
@@ -69,9 +69,9 @@ PointImpulse<double> CoupledRounds::with_additions(PointFriction law, std::int32
 }
 
 GEM_INLINE PointFrame<FloatPack> CoupledRounds::frame_of(const Block& b) {
-  return {b.normal_x,   b.normal_y,   b.lever_a_n, b.lever_a_t,  b.lever_b_n,     b.lever_b_t,
-          b.inverse_nn, b.inverse_tt, b.nt,        b.friction,   b.excess,        b.slip,
-          b.least,      b.most,       b.room_left, b.room_right, b.repair_excess, b.repair_least};
+  return {b.normal_x,   b.normal_y,   b.lever_a_n,  b.lever_a_t,   b.lever_b_n,     b.lever_b_t,
+          b.inverse_nn, b.inverse_tt, b.nt,         b.friction,    b.excess,        b.slip,
+          b.least,      b.most,       b.bytes_left, b.bytes_right, b.repair_excess, b.repair_least};
 }
 
 GEM_INLINE Approach<FloatPack> CoupledRounds::approach_of(const Block& b) const {
@@ -106,7 +106,8 @@ GEM_INLINE void CoupledRounds::write_push(std::int32_t block) {
 }
 
 template <PointFriction law, bool judged>
-GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead) {
+GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end, StepLength<float> pace,
+                                            float momentum_coefficient) {
   if (begin == end) return 0.0F;
   FloatPack most{};
   Approach<FloatPack> next = approach_of(block_[begin]);
@@ -116,7 +117,8 @@ GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end
     if (i + 1 < end) next = approach_of(block_[i + 1]);
     BlockAddition& addition = addition_[i];
     const PointFrame<FloatPack> frame = frame_of(block_[i]);
-    const PointImpulse<FloatPack> step = visit_point<law>(frame, approach, pace, ahead, addition.at, addition.carried);
+    const PointImpulse<FloatPack> step =
+        visit_point<law>(frame, approach, pace, momentum_coefficient, addition.at, addition.carried);
     if constexpr (judged) most = larger(speed_asked<law>(frame, step, pace), most);
     if (i > begin) write_push(i - 1);
   }
@@ -127,32 +129,32 @@ GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end
 }
 
 GEM_CLONES float CoupledRounds::visit_frictionless(bool judged, std::int32_t begin, std::int32_t end,
-                                                   MomentPace<float> pace, float ahead) {
-  return judged ? visit_range<PointFriction::none, true>(begin, end, pace, ahead)
-                : visit_range<PointFriction::none, false>(begin, end, pace, ahead);
+                                                   StepLength<float> pace, float momentum_coefficient) {
+  return judged ? visit_range<PointFriction::none, true>(begin, end, pace, momentum_coefficient)
+                : visit_range<PointFriction::none, false>(begin, end, pace, momentum_coefficient);
 }
 
-GEM_CLONES float CoupledRounds::visit_coulomb(bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace,
-                                              float ahead) {
-  return judged ? visit_range<PointFriction::coulomb, true>(begin, end, pace, ahead)
-                : visit_range<PointFriction::coulomb, false>(begin, end, pace, ahead);
+GEM_CLONES float CoupledRounds::visit_coulomb(bool judged, std::int32_t begin, std::int32_t end, StepLength<float> pace,
+                                              float momentum_coefficient) {
+  return judged ? visit_range<PointFriction::coulomb, true>(begin, end, pace, momentum_coefficient)
+                : visit_range<PointFriction::coulomb, false>(begin, end, pace, momentum_coefficient);
 }
 
 GEM_CLONES float CoupledRounds::visit_fixed_direction(bool judged, std::int32_t begin, std::int32_t end,
-                                                      MomentPace<float> pace, float ahead) {
-  return judged ? visit_range<PointFriction::fixed_direction, true>(begin, end, pace, ahead)
-                : visit_range<PointFriction::fixed_direction, false>(begin, end, pace, ahead);
+                                                      StepLength<float> pace, float momentum_coefficient) {
+  return judged ? visit_range<PointFriction::fixed_direction, true>(begin, end, pace, momentum_coefficient)
+                : visit_range<PointFriction::fixed_direction, false>(begin, end, pace, momentum_coefficient);
 }
 
-float CoupledRounds::visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace,
-                           float ahead) {
+float CoupledRounds::visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end, StepLength<float> pace,
+                           float momentum_coefficient) {
   switch (law) {
     case PointFriction::none:
-      return visit_frictionless(judged, begin, end, pace, ahead);
+      return visit_frictionless(judged, begin, end, pace, momentum_coefficient);
     case PointFriction::coulomb:
-      return visit_coulomb(judged, begin, end, pace, ahead);
+      return visit_coulomb(judged, begin, end, pace, momentum_coefficient);
     default:
-      return visit_fixed_direction(judged, begin, end, pace, ahead);
+      return visit_fixed_direction(judged, begin, end, pace, momentum_coefficient);
   }
 }
 

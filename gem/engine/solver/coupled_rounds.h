@@ -1,4 +1,4 @@
-// The iterations of a coupled moment on the host: eight points at a time in single precision.
+// The iterations of a coupled time step on the host: eight points at a time in single precision.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class CoupledRounds {
  public:
   void resize(const CoupledLayout& layout);
 
-  /// What of a point stays for the moment.
+  /// What of a point stays for the time step.
   void set_geometry(std::int32_t point, const PointGeometry<double>& g, std::int32_t entry_a, std::int32_t entry_b);
   /// Entries of a point's bodies.
   std::int32_t entry_a(std::int32_t point) const {
@@ -34,8 +34,8 @@ class CoupledRounds {
                                       const PointImpulse<double>& base) const;
 
   /// Visits the points of some blocks; returns, where `judged`, the largest speed that one asked for, else 0 [m/s].
-  float visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace,
-              float ahead);
+  float visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end, StepLength<float> pace,
+              float momentum_coefficient);
   /// Pushes of the carried-ahead additions as they stand.
   void push(std::int32_t begin, std::int32_t end);
   /// Moves some bodies by what their points push, in the order of the points.
@@ -47,7 +47,7 @@ class CoupledRounds {
   };
   struct alignas(64) Block {
     FloatPack normal_x, normal_y, lever_a_n, lever_a_t, lever_b_n, lever_b_t, inverse_nn, inverse_tt, nt, friction;
-    FloatPack excess, slip, least, most, room_left, room_right, repair_excess, repair_least;
+    FloatPack excess, slip, least, most, bytes_left, bytes_right, repair_excess, repair_least;
     std::int32_t a[float_lanes], b[float_lanes];  // where the motions of the bodies begin, in floats
   };
   struct alignas(32) BlockAddition {
@@ -65,10 +65,13 @@ class CoupledRounds {
   Approach<FloatPack> approach_of(const Block& b) const;
   void write_push(std::int32_t block);
   template <PointFriction law, bool judged>
-  float visit_range(std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead);
-  float visit_frictionless(bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead);
-  float visit_coulomb(bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead);
-  float visit_fixed_direction(bool judged, std::int32_t begin, std::int32_t end, MomentPace<float> pace, float ahead);
+  float visit_range(std::int32_t begin, std::int32_t end, StepLength<float> pace, float momentum_coefficient);
+  float visit_frictionless(bool judged, std::int32_t begin, std::int32_t end, StepLength<float> pace,
+                           float momentum_coefficient);
+  float visit_coulomb(bool judged, std::int32_t begin, std::int32_t end, StepLength<float> pace,
+                      float momentum_coefficient);
+  float visit_fixed_direction(bool judged, std::int32_t begin, std::int32_t end, StepLength<float> pace,
+                              float momentum_coefficient);
 
   std::vector<Block> block_;
   std::vector<BlockAddition> addition_;

@@ -1,5 +1,5 @@
-// Algorithm of one moment:
-//   base: the impulses that the same contact points carried a moment ago, and the velocities that they give
+// Algorithm of one time step:
+//   base: the impulses that the same contact points carried one time step ago, and the velocities that they give
 //   a round, from the base, in single precision:
 //     visit all points, eight at a time, from the same velocities; each writes what it pushes
 //     add up what each body was pushed, in the order of its points: the velocities for the next visits
@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "gem/engine/solver/iteration_course.h"
+#include "gem/engine/solver/iteration_control.h"
 #include "gem/engine/step/contact_stages.h"
 #include "gem/engine/step/ordered_sum.h"
 
@@ -27,10 +27,10 @@ void CoupledSolver::lay_out(const FieldState& f, Contacts contacts, int threads)
   iterations_ = 0;
   residual_ = 0.0;
   layout_.lay_out(f, contacts, threads);
-  make_room();
+  make_space();
 }
 
-void CoupledSolver::make_room() {
+void CoupledSolver::make_space() {
   point_.resize(layout_.points());
   next_keys_.resize(layout_.points());
   next_impulses_.resize(layout_.points());
@@ -41,13 +41,13 @@ void CoupledSolver::make_room() {
   rounds_.resize(layout_);
 }
 
-/// First of the last moment's keys from `at` on that is not below `key`.
+/// First of the last time step's keys from `at` on that is not below `key`.
 std::size_t CoupledSolver::last_key_from(std::size_t at, std::uint64_t key) const {
   while (at < keys_.size() && keys_[at] < key) ++at;
   return at;
 }
 
-/// `at`: where the last moment's keys of this pair begin, if it has any.
+/// `at`: where the last time step's keys of this pair begin, if it has any.
 PointImpulse<double> CoupledSolver::last_impulse(std::uint64_t key, std::size_t at) const {
   while (at < keys_.size() && keys_[at] != key && keys_[at] >> feature_bits == key >> feature_bits) ++at;
   if (at == keys_.size() || keys_[at] != key) return {};
@@ -90,14 +90,14 @@ CoupledSolver::Stretch CoupledSolver::stretch_of(const ThreadTeam& team, int ran
 }
 
 /// Velocities that the base's impulses give.
-void CoupledSolver::settle(const FieldState& f, const Stretch& s) {
+void CoupledSolver::move_by_base(const FieldState& f, const Stretch& s) {
   const std::uint32_t* const as_b = layout_.points_as_b();
   for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
     Push<double> sum{};
     for (std::int32_t at = layout_.begin_as_b(k); at < layout_.begin_as_b(k + 1); ++at) {
-      const Point& ahead = point_[as_b[at + CoupledLayout::looked_ahead]];
-      __builtin_prefetch(&ahead);
-      __builtin_prefetch(&ahead.geometry.target);
+      const Point& soon = point_[as_b[at + CoupledLayout::foreseen]];
+      __builtin_prefetch(&soon);
+      __builtin_prefetch(&soon.geometry.target);
       const Point& p = point_[as_b[at]];
       add(sum, 1.0, push_of(p.geometry, p.impulse, p.geometry.lever_b_n, p.geometry.lever_b_t));
     }
@@ -132,7 +132,7 @@ void CoupledSolver::keep_best_share(const FieldState& f, ThreadTeam& team, int r
     point_[i].impulse.tangential *= share_;
   }
   team.barrier();
-  settle(f, s);
+  move_by_base(f, s);
   team.barrier();
 }
 
@@ -162,37 +162,38 @@ void CoupledSolver::end_round(const FieldState& f, const Stretch& s) {
 }
 
 void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
-  const MomentConstants& c = f.constants;
-  const MomentPace<float> pace{static_cast<float>(c.dt), static_cast<float>(1.0 / c.dt)};
+  const StepConstants& c = f.constants;
+  const StepLength<float> pace{static_cast<float>(c.dt), static_cast<float>(1.0 / c.dt)};
   const Stretch s = stretch_of(team, rank);
-  settle(f, s);
+  move_by_base(f, s);
   team.barrier();
   keep_best_share(f, team, rank, s, 1.0);
-  IterationCourse course(c.residual_speed, c.iterations_maximum, c.tight_residual, f.carried_ahead.data());
+  IterationControl control(c.residual_speed, c.iterations_maximum, c.tight_residual, f.momentum_coefficients.data());
   double residual = 0.0;
-  auto next = IterationCourse::Next::round;
-  while (next != IterationCourse::Next::end) {
-    begin_round(f, team, s, course.iteration() == 0);
-    for (next = IterationCourse::Next::iteration; next == IterationCourse::Next::iteration;) {
-      const float ahead = course.ahead();
-      asked_[rank].speed = rounds_.visit(c.point_friction, course.judged(), s.first_block, s.last_block, pace, ahead);
+  auto next = IterationControl::Next::round;
+  while (next != IterationControl::Next::end) {
+    begin_round(f, team, s, control.iteration() == 0);
+    for (next = IterationControl::Next::iteration; next == IterationControl::Next::iteration;) {
+      const float momentum_coefficient = control.momentum_coefficient();
+      asked_[rank].speed =
+          rounds_.visit(c.point_friction, control.judged(), s.first_block, s.last_block, pace, momentum_coefficient);
       team.barrier();
-      if (course.judged()) {
+      if (control.judged()) {
         residual = 0.0;
         for (const Asked& asked : asked_) residual = larger(residual, static_cast<double>(asked.speed));
       }
-      next = course.after(static_cast<float>(residual));
-      if (next != IterationCourse::Next::iteration) break;
+      next = control.after(static_cast<float>(residual));
+      if (next != IterationControl::Next::iteration) break;
       rounds_.move(layout_, s.first_entry, s.last_entry);
       team.barrier();
     }
     end_round(f, s);
     team.barrier();
-    settle(f, s);
+    move_by_base(f, s);
     team.barrier();
   }
   if (rank == 0) {
-    iterations_ = static_cast<std::int32_t>(course.iteration());
+    iterations_ = static_cast<std::int32_t>(control.iteration());
     residual_ = residual;
   }
   keep_best_share(f, team, rank, s, 0.5);
@@ -216,29 +217,39 @@ void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team
     const Motion<double>& m = motion_[entry];
     f.bodies.velocity[i] = {m.x, m.y};
     f.bodies.spin[i] = m.spin;
-    take_repair(f, i, {{m.shift_x, m.shift_y}, m.turn});
+    apply_repair(f, i, {{m.shift_x, m.shift_y}, m.turn});
   });
 }
 
-void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality) {
-  if (team.failed()) return;
-  if (!contacts.empty()) {
-    const auto count = static_cast<std::int64_t>(contacts.size());
-    begin_points(f, contacts, team.begin_of(rank, count), team.begin_of(rank + 1, count));
-    team.barrier();
-    if (contacts.size() < contacts_worth_a_thread_ * team.size()) {
-      team.single(rank, [&] { iterate(f, alone_, 0); });
-    } else {
-      iterate(f, team, rank);
-    }
-    hand_back(f, contacts, team, rank);
-  }
+void CoupledSolver::gather(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
+  if (contacts.empty()) return;
+  const auto count = static_cast<std::int64_t>(contacts.size());
+  begin_points(f, contacts, team.begin_of(rank, count), team.begin_of(rank + 1, count));
+  team.barrier();
+}
+
+void CoupledSolver::iterate(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
+  if (contacts.empty()) return;
+  if (contacts.size() < contacts_worth_a_thread_ * team.size())
+    team.single(rank, [&] { iterate(f, alone_, 0); });
+  else
+    iterate(f, team, rank);
+}
+
+void CoupledSolver::settle(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality) {
+  if (!contacts.empty()) hand_back(f, contacts, team, rank);
   team.single(rank, [&] {
     quality.iterations = iterations_;
     quality.residual = residual_;
     keys_.swap(next_keys_);
     impulses_.swap(next_impulses_);
   });
+}
+
+void CoupledSolver::resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality) {
+  gather(f, contacts, team, rank);
+  iterate(f, contacts, team, rank);
+  settle(f, contacts, team, rank, quality);
 }
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// The coupled resolution on the host: all events of one moment together, iterated to a stated residual.
+// The coupled solver on the host: all events of one time step together, iterated to a stated residual.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,25 @@
 
 namespace gem {
 
-/// Keeps what lasts from moment to moment: the impulses of the last one.
+/// Keeps what lasts from step to step: the impulses of the last one.
 class CoupledSolver {
  public:
-  /// Moments with fewer contacts for each thread are iterated by one: the waits would cost more than the others bring.
+  /// Time steps with fewer contacts for each thread are iterated by one: the waits would cost more than the others
+  /// bring.
   explicit CoupledSolver(std::size_t contacts_worth_a_thread = 256)
       : contacts_worth_a_thread_(contacts_worth_a_thread) {}
 
   /// Makes room for the contacts (ascending in a, b) that `threads` will resolve; asks for no velocity and no position.
   void lay_out(const FieldState& f, Contacts contacts, int threads);
-  /// Inside a team's run: resolves the contacts laid out; changes velocities, impulses and repair shifts.
-  void resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, MomentQuality& quality);
+  // inside a team's run: the stages of the contacts laid out
+  /// Their points, as the last time step left them.
+  void gather(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
+  /// Iterates to the stated residual, or to the most iterations.
+  void iterate(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
+  /// Hands back impulses, velocities and repair shifts.
+  void settle(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality);
+  /// All three.
+  void resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality);
 
   const std::vector<std::uint64_t>& keys() const { return keys_; }
   const std::vector<PointImpulse<double>>& impulses() const { return impulses_; }
@@ -42,12 +50,12 @@ class CoupledSolver {
     std::int32_t first_block, last_block, first_point, last_point, first_entry, last_entry;
   };
 
-  void make_room();
+  void make_space();
   std::size_t last_key_from(std::size_t at, std::uint64_t key) const;
   PointImpulse<double> last_impulse(std::uint64_t key, std::size_t at) const;
   void begin_points(const FieldState& f, Contacts contacts, std::int64_t begin, std::int64_t end);
   Stretch stretch_of(const ThreadTeam& team, int rank) const;
-  void settle(const FieldState& f, const Stretch& s);
+  void move_by_base(const FieldState& f, const Stretch& s);
   void keep_best_share(const FieldState& f, ThreadTeam& team, int rank, const Stretch& s, double limit);
   void begin_round(const FieldState& f, ThreadTeam& team, const Stretch& s, bool first);
   void end_round(const FieldState& f, const Stretch& s);
@@ -56,7 +64,7 @@ class CoupledSolver {
 
   std::vector<std::uint64_t> keys_;
   std::vector<PointImpulse<double>> impulses_;
-  std::vector<std::uint64_t> next_keys_;  // of this moment, while the last one's are still read
+  std::vector<std::uint64_t> next_keys_;  // of this time step, while the last one's are still read
   std::vector<PointImpulse<double>> next_impulses_;
 
   CoupledLayout layout_;

@@ -1,4 +1,4 @@
-// The coupled resolution: no closing contact left, Coulomb's cone kept.
+// The coupled solver: no closing contact left, Coulomb's cone kept.
 #include "gem/engine/solver/coupled_solver.h"
 
 #include <gtest/gtest.h>
@@ -10,21 +10,21 @@
 namespace gem {
 namespace {
 
-/// A crowd on its way, some seconds after the start, and one resolved moment of it.
+/// A crowd on its way, some seconds after the start, and one resolved time step of it.
 struct Resolved {
   FieldState field;
   PairList pairs;
   CoupledSolver solver;
-  MomentQuality quality;
+  StepQuality quality;
 };
 
 void resolve(Resolved& r, std::uint64_t seed, int threads) {
   SceneDef scene = test::busy_scene(seed);
   scene.numerics.iterations_maximum = 5000;
   const auto engine = test::busy_engine(scene, "cpu", threads);
-  MomentLog log;
+  StepLog log;
   engine->advance(300, log);
-  r.field = make_field_state(engine->bodies(), moment_constants(scene, engine->bodies()));
+  r.field = make_field_state(engine->bodies(), step_constants(scene, engine->bodies()));
   r.field.platform_position = r.field.bodies.position[0];
   ThreadTeam team(threads);
   team.run([&](int rank) {
@@ -44,7 +44,7 @@ TEST(CoupledSolver, LeavesNothingClosingAndKeepsTheCone) {
     for (int k = 0; k < contact->count; ++k) {
       const ContactSlot& slot = contact->slot[k];
       const double u_n = dot(relative_velocity(r.field.bodies, *contact, slot), contact->normal);
-      // the velocities are those of the impulses before they are carried ahead: other than those the residual is of
+      // the velocities are those of the impulses before they are extrapolated: other than those the residual is of
       EXPECT_GE(u_n - slot.target, -30.0 * residual);
       EXPECT_GE(slot.impulse.normal, 0.0);
       EXPECT_LE(std::fabs(slot.impulse.tangential), contact->friction * slot.impulse.normal * (1.0 + 1e-12));

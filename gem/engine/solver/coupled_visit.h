@@ -1,11 +1,11 @@
-// The iterations of a coupled moment, point by point.
+// The iterations of a coupled time step, point by point.
 //
 // With the masses shared out, the answer of one point to its own velocity cannot overshoot whatever the others do, so
 // all points are visited at once from the same velocities (projected gradient in the metric of the shared masses), and
-// the impulses are carried ahead along their last change (Nesterov 1983; Beck and Teboulle 2009), which takes the
+// the impulses are extrapolated along their last change (Nesterov 1983; Beck and Teboulle 2009), which takes the
 // number of iterations from the square of a chain's length to its length. When the residual has grown, they begin
 // again from nothing (after O'Donoghue and Candes 2015; their test sums over all points, the residual is there anyway).
-// A repair that stepped against its change is not carried ahead: too much of it would open a gap.
+// A repair that stepped against its change is not extrapolated: too much of it would open a gap.
 // Tonge et al. 2012 share masses the same way.
 //
 // With friction the bound of a tangential impulse follows the normal one, so there is no fixed function that goes down:
@@ -32,8 +32,8 @@ struct PointFrame {
   // at the base
   Real excess, slip;   // u_n - target, u_t [m/s]
   Real least, most;    // what may be added to P_n: -P_n and cap - P_n [N s]
-  Real room_left;      // mu P_n - P_t [N s]
-  Real room_right;     // mu P_n + P_t [N s]
+  Real bytes_left;     // mu P_n - P_t [N s]
+  Real bytes_right;    // mu P_n + P_t [N s]
   Real repair_excess;  // shift along the normal beyond the share of the overlap to take back [m]
   Real repair_least;   // what may be added to the repair [kg m]
 };
@@ -64,11 +64,11 @@ GEM_HD GEM_INLINE PointPush<Real> push_of(const PointFrame<Real>& f, const Point
           p.repair * f.lever_b_n};
 }
 
-/// Length and pace of a moment.
+/// Length and pace of a time step.
 template <class Scalar>
-struct MomentPace {
-  Scalar dt;          // [s]
-  Scalar per_moment;  // 1 / dt [1/s]
+struct StepLength {
+  Scalar dt;        // [s]
+  Scalar per_step;  // 1 / dt [1/s]
 };
 
 /// Whether two numbers point opposite ways; no product, which could underflow.
@@ -79,11 +79,11 @@ GEM_HD GEM_INLINE auto opposed(Real p, Real q) {
 }
 
 /// One visit: from the carried-ahead additions and the velocities that all of them give, the point's next additions,
-/// and those carried ahead by `ahead` times their change. Returns the steps from what was carried ahead.
+/// and those extrapolated by `momentum_coefficient` times their change. Returns the steps from what was extrapolated.
 template <PointFriction law, class Real, class Scalar>
 GEM_HD GEM_INLINE PointImpulse<Real> visit_point(const PointFrame<Real>& f, const Approach<Real>& w,
-                                                 MomentPace<Scalar> pace, Scalar ahead, PointImpulse<Real>& at,
-                                                 PointImpulse<Real>& carried) {
+                                                 StepLength<Scalar> pace, Scalar momentum_coefficient,
+                                                 PointImpulse<Real>& at, PointImpulse<Real>& carried) {
   const Real zero{};
   const Real excess = w.x * f.normal_x + w.y * f.normal_y + w.spin_b * f.lever_b_n - w.spin_a * f.lever_a_n + f.excess;
   const Real normal = smaller(larger(carried.normal - excess * f.inverse_nn, f.least), f.most);
@@ -94,16 +94,16 @@ GEM_HD GEM_INLINE PointImpulse<Real> visit_point(const PointFrame<Real>& f, cons
     const Real slip = w.y * f.normal_x - w.x * f.normal_y + w.spin_b * f.lever_b_t - w.spin_a * f.lever_a_t + f.slip;
     const Real wider = f.friction * normal;
     tangential = carried.tangential - (slip + f.nt * step_n) * f.inverse_tt;
-    tangential = larger(smaller(tangential, f.room_left + wider), -(f.room_right + wider));
+    tangential = larger(smaller(tangential, f.bytes_left + wider), -(f.bytes_right + wider));
   } else if constexpr (law == PointFriction::fixed_direction) {
-    tangential = f.room_left + f.friction * normal;
+    tangential = f.bytes_left + f.friction * normal;
   }
   if constexpr (law != PointFriction::none) {
     step_t = tangential - carried.tangential;
     change_t = tangential - at.tangential;
   }
 
-  // the shift also takes back what this moment's velocities would still add to the overlap; crushed ice is not given
+  // the shift also takes back what this time step's velocities would still add to the overlap; crushed ice is not given
   // back as motion
   const Real shift = w.shift_x * f.normal_x + w.shift_y * f.normal_y + w.turn_b * f.lever_b_n - w.turn_a * f.lever_a_n +
                      f.repair_excess;
@@ -111,7 +111,7 @@ GEM_HD GEM_INLINE PointImpulse<Real> visit_point(const PointFrame<Real>& f, cons
   const Real repair = larger(carried.repair - (shift + pace.dt * closing) * f.inverse_nn, f.repair_least);
   const Real step_r = repair - carried.repair, change_r = repair - at.repair;
 
-  const Real along = zero + ahead;
+  const Real along = zero + momentum_coefficient;
   const Real along_r = pick(opposed(step_r, change_r), zero, along);
   at = {normal, tangential, repair};
   carried = {normal + along * change_n, tangential + along * change_t, repair + along_r * change_r};
@@ -121,13 +121,13 @@ GEM_HD GEM_INLINE PointImpulse<Real> visit_point(const PointFrame<Real>& f, cons
 /// The largest speed that a point still asked for by the steps of a visit [m/s]. Two divisions, so not asked of every
 /// visit.
 template <PointFriction law, class Real, class Scalar>
-GEM_HD GEM_INLINE Real speed_asked(const PointFrame<Real>& f, const PointImpulse<Real>& step, MomentPace<Scalar> pace) {
-  const Real of_normal = larger(magnitude(step.normal), magnitude(step.repair) * pace.per_moment) / f.inverse_nn;
+GEM_HD GEM_INLINE Real speed_asked(const PointFrame<Real>& f, const PointImpulse<Real>& step, StepLength<Scalar> pace) {
+  const Real of_normal = larger(magnitude(step.normal), magnitude(step.repair) * pace.per_step) / f.inverse_nn;
   if constexpr (law == PointFriction::none) return of_normal;
   return larger(of_normal, magnitude(step.tangential) / f.inverse_tt);
 }
 
-/// Enters what a point keeps for the whole moment.
+/// Enters what a point keeps for the whole time step.
 GEM_HD inline void enter_geometry(PointFrame<float>& f, const PointGeometry<double>& g) {
   f.normal_x = static_cast<float>(g.normal_x);
   f.normal_y = static_cast<float>(g.normal_y);
@@ -153,8 +153,8 @@ GEM_HD inline void enter_base(PointFrame<float>& f, const PointGeometry<double>&
   f.slip = static_cast<float>(y * g.normal_x - x * g.normal_y + b.spin * g.lever_b_t - a.spin * g.lever_a_t);
   f.least = static_cast<float>(-p.normal);
   f.most = static_cast<float>(smaller(g.cap - p.normal, boundless));
-  f.room_left = static_cast<float>(g.friction * p.normal - p.tangential);
-  f.room_right = static_cast<float>(g.friction * p.normal + p.tangential);
+  f.bytes_left = static_cast<float>(g.friction * p.normal - p.tangential);
+  f.bytes_right = static_cast<float>(g.friction * p.normal + p.tangential);
   f.repair_excess = static_cast<float>((b.shift_x - a.shift_x) * g.normal_x + (b.shift_y - a.shift_y) * g.normal_y +
                                        b.turn * g.lever_b_n - a.turn * g.lever_a_n - g.repair_target);
   f.repair_least = static_cast<float>(-p.repair);

@@ -1,24 +1,24 @@
-// What a block copies into its fast memory of a round: the bodies that its points meet, its halo, and the rows of their
-// records. It moves these bodies itself, whoever else does so too: where blocks reach each other by the memory of all
-// alone, it then waits in an iteration for the records that it needs, not twice for all blocks.
+// What a block copies into its shared memory of a round: the bodies that its points meet, its halo, and the rows of
+// their records. It moves these bodies itself, whoever else does so too: where blocks reach each other by the memory of
+// all alone, it then waits in an iteration for the records that it needs, not twice for all blocks.
 #pragma once
 
 #include "gem/engine/solver/device_solver_list.h"
 
 namespace gem {
 
-/// Shares out a block's fast memory: what lasts from its end on, the rest is free.
-class RoomEnd {
+/// Shares out a block's shared memory: what lasts from its end on, the rest is free.
+class MemoryEnd {
  public:
-  GEM_DEVICE RoomEnd(std::byte* room, std::size_t bytes) : room_(room), left_(bytes) {}
+  GEM_DEVICE MemoryEnd(std::byte* shared_memory, std::size_t bytes) : shared_memory_(shared_memory), left_(bytes) {}
 
   /// Some that last, where holds() says that they are left.
   template <class T>
   GEM_DEVICE T* take(std::int32_t count) {
     left_ = (left_ - count * sizeof(T)) / alignment * alignment;
-    return reinterpret_cast<T*>(room_ + left_);
+    return reinterpret_cast<T*>(shared_memory_ + left_);
   }
-  GEM_DEVICE bool holds(std::size_t bytes) const { return bytes <= left_; }
+  GEM_DEVICE bool loads(std::size_t bytes) const { return bytes <= left_; }
   /// Bytes for so many, at most.
   template <class T>
   GEM_DEVICE static std::size_t bytes_of(std::int32_t count) {
@@ -27,41 +27,41 @@ class RoomEnd {
 
  private:
   static constexpr std::size_t alignment = 16;
-  std::byte* room_;
+  std::byte* shared_memory_;
   std::size_t left_;
 };
 
-template <class Crew>
+template <class Group>
 class SolverHalo {
  public:
-  GEM_DEVICE SolverHalo(const DeviceScene& s, Crew& crew, std::size_t room)
-      : s_(s), crew_(crew), end_(crew.room(), room) {}
+  GEM_DEVICE SolverHalo(const DeviceScene& s, Group& group, std::size_t shared_memory)
+      : s_(s), group_(group), end_(group.shared_memory(), shared_memory) {}
 
   /// Finds the bodies and their records, once all blocks have listed theirs and this one its points; says so where the
-  /// fast memory does not hold them: then no block of the crew has a halo.
+  /// shared memory does not hold them: then no block of the thread group has a halo.
   GEM_DEVICE void make() {
-    if (!find() && crew_.thread() == 0) crew_.set_bit(&s_.counters->crowded, 1U);
+    if (!find() && group_.thread() == 0) group_.set_bit(&s_.counters->crowded, 1U);
   }
 
   /// What was found is what the block moves, if all blocks have room; after a barrier of all.
   GEM_DEVICE void take_up() {
     if (s_.counters->crowded != 0) return;
-    if (crew_.thread() == 0) {
-      SolverDesk& desk = crew_.shared().desk;
-      desk.has_halo = true;
-      desk.moved = {0, desk.halo.bodies};
-      desk.moved_entry = desk.halo.entry;
-      desk.motion = desk.halo.motion;
-      desk.platform = desk.halo.bodies > 0 && desk.halo.entry[0].body == 0;
+    if (group_.thread() == 0) {
+      SolverWorkspace& workspace = group_.shared().workspace;
+      workspace.has_halo = true;
+      workspace.moved = {0, workspace.halo.bodies};
+      workspace.moved_entry = workspace.halo.entry;
+      workspace.motion = workspace.halo.motion;
+      workspace.platform = workspace.halo.bodies > 0 && workspace.halo.entry[0].body == 0;
     }
-    crew_.block_barrier();
+    group_.block_barrier();
   }
 
  private:
   /// Calls work(side) for the moving bodies of the thread's points.
   template <class Work>
   GEM_DEVICE void each_side(Work&& work) {
-    each_point(crew_, [&](std::int32_t i) {
+    each_point(group_, [&](std::int32_t i) {
       if (s_.taken_point[i].a.place >= 0) work(s_.taken_point[i].a);
       if (s_.taken_point[i].b.place >= 0) work(s_.taken_point[i].b);
     });
@@ -70,63 +70,64 @@ class SolverHalo {
   /// Marks the entries that the points meet, so that each has one place, in their order: the platform is the first. The
   /// marks stand where the records will.
   GEM_DEVICE bool find() {
-    const std::int32_t words = (crew_.shared().desk.bodies + 31) / 32;
+    const std::int32_t words = (group_.shared().workspace.bodies + 31) / 32;
     const std::size_t marks = (2 * words + 1) * sizeof(std::uint32_t);
-    if (!end_.holds(marks)) return false;
-    auto* const met = reinterpret_cast<std::uint32_t*>(crew_.room());
+    if (!end_.loads(marks)) return false;
+    auto* const met = reinterpret_cast<std::uint32_t*>(group_.shared_memory());
     auto* const before = reinterpret_cast<std::int32_t*>(met + words);
-    for (std::int32_t w = crew_.thread(); w < words; w += crew_.threads()) met[w] = 0;
-    if (crew_.thread() == 0) crew_.shared().records = 0;
-    crew_.block_barrier();
-    each_side([&](const PointSide& side) { crew_.set_bit(&met[side.motion / 32], 1U << (side.motion % 32)); });
-    crew_.block_barrier();
-    if (crew_.thread() < Crew::Warp::size) count_marks(crew_.warp(), met, before, words);
-    crew_.block_barrier();
-    HaloDesk halo{};
+    for (std::int32_t w = group_.thread(); w < words; w += group_.threads()) met[w] = 0;
+    if (group_.thread() == 0) group_.shared().records = 0;
+    group_.block_barrier();
+    each_side([&](const PointSide& side) { group_.set_bit(&met[side.motion / 32], 1U << (side.motion % 32)); });
+    group_.block_barrier();
+    if (group_.thread() < Group::Warp::size) count_marks(group_.warp(), met, before, words);
+    group_.block_barrier();
+    HaloWorkspace halo{};
     halo.bodies = before[words];
-    if (!end_.holds(marks + end_.bytes_of<SolverEntry>(halo.bodies) + end_.bytes_of<AddedMotion>(halo.bodies)))
+    if (!end_.loads(marks + end_.bytes_of<SolverEntry>(halo.bodies) + end_.bytes_of<AddedMotion>(halo.bodies)))
       return false;
     halo.entry = end_.take<SolverEntry>(halo.bodies);
     halo.motion = end_.take<AddedMotion>(halo.bodies);
     each_side([&](PointSide& side) {
       side.motion = before[side.motion / 32] + bits_in(met[side.motion / 32] & ((1U << (side.motion % 32)) - 1U));
     });
-    for (std::int32_t w = crew_.thread(); w < words; w += crew_.threads()) {
+    for (std::int32_t w = group_.thread(); w < words; w += group_.threads()) {
       std::int32_t k = before[w];
       for (std::uint32_t bits = met[w]; bits != 0; bits &= bits - 1U)
         halo.entry[k++].rank = 32 * w + bits_in(~bits & (bits - 1U));
     }
-    crew_.block_barrier();
+    group_.block_barrier();
     return copy(halo);
   }
 
   /// Copies the bodies, each from the entry whose number stands in its place, and lists where their records come from;
-  /// their rows follow each other from the start of the fast memory on.
-  GEM_DEVICE bool copy(HaloDesk halo) {
-    for (std::int32_t k = crew_.thread(); k < halo.bodies; k += crew_.threads()) {
+  /// their rows follow each other from the start of the shared memory on.
+  GEM_DEVICE bool copy(HaloWorkspace halo) {
+    for (std::int32_t k = group_.thread(); k < halo.bodies; k += group_.threads()) {
       SolverEntry entry = s_.solver_entry[halo.entry[k].rank];
-      entry.room = crew_.add(&crew_.shared().records, entry.count);
+      entry.shared_memory = group_.add(&group_.shared().records, entry.count);
       halo.entry[k] = entry;
       halo.motion[k] = {};  // nothing has been added to it
     }
-    crew_.block_barrier();
-    halo.records = crew_.shared().records;
-    if (!end_.holds(end_.bytes_of<std::int32_t>(halo.records) + halo.records * sizeof(PushRecord))) return false;
+    group_.block_barrier();
+    halo.records = group_.shared().records;
+    if (!end_.loads(end_.bytes_of<std::int32_t>(halo.records) + halo.records * sizeof(PushRecord))) return false;
     halo.source = end_.take<std::int32_t>(halo.records);
-    const auto lanes = crew_.lanes();
-    constexpr int size = Crew::Lanes::size;
-    for (std::int32_t k = crew_.thread() / size; k < halo.bodies; k += crew_.threads() / size) {
+    const auto lanes = group_.lanes();
+    constexpr int size = Group::Lanes::size;
+    for (std::int32_t k = group_.thread() / size; k < halo.bodies; k += group_.threads() / size) {
       const SolverEntry& entry = halo.entry[k];
-      for (std::int32_t j = lanes.rank(); j < entry.count; j += size) halo.source[entry.room + j] = entry.place + j;
+      for (std::int32_t j = lanes.rank(); j < entry.count; j += size)
+        halo.source[entry.shared_memory + j] = entry.place + j;
     }
-    if (crew_.thread() == 0) crew_.shared().desk.halo = halo;
-    crew_.block_barrier();
+    if (group_.thread() == 0) group_.shared().workspace.halo = halo;
+    group_.block_barrier();
     return true;
   }
 
   const DeviceScene& s_;
-  Crew& crew_;
-  RoomEnd end_;
+  Group& group_;
+  MemoryEnd end_;
 };
 
 }  // namespace gem

@@ -7,17 +7,17 @@
 namespace gem {
 
 /// The records of the rows that a block copies, half by half, each always by the same thread.
-template <class Crew>
+template <class Group>
 class HaloRecords {
  public:
-  GEM_DEVICE HaloRecords(const DeviceScene& s, Crew& crew, const SolverDesk& desk)
+  GEM_DEVICE HaloRecords(const DeviceScene& s, Group& group, const SolverWorkspace& workspace)
       : all_(reinterpret_cast<const NumberedHalf*>(s.push_base)),
-        room_(reinterpret_cast<float*>(crew.room())),
-        source_(desk.halo.source),
+        shared_memory_(reinterpret_cast<float*>(group.shared_memory())),
+        source_(workspace.halo.source),
         turn_(2 * s.push_capacity),
-        halves_(2 * desk.halo.records),
-        thread_(crew.thread()),
-        threads_(crew.threads()) {
+        halves_(2 * workspace.halo.records),
+        thread_(group.thread()),
+        threads_(group.threads()) {
     for (int k = 0; k < kept; ++k) from_[k] = thread_ < halves_ ? from(thread_ + k * threads_) : 0;
   }
 
@@ -54,41 +54,41 @@ class HaloRecords {
     const NumberedHalf* const all = all_ + turn_ * static_cast<std::int32_t>(number % 2);
     NumberedHalf some[together];
     for (;;) {
-      for (int k = 0; k < together; ++k) some[k] = Crew::read_whole(all + from[k]);
+      for (int k = 0; k < together; ++k) some[k] = Group::read_whole(all + from[k]);
       bool there = true;
       for (int k = 0; k < together; ++k) there &= some[k].number == number;
       if (there) break;
-      Crew::pause();
+      Group::pause();
     }
     for (int k = 0; k < together; ++k)
       if (const std::int32_t half = first + k * threads_; half < halves_)
-        for (int c = 0; c < parts; ++c) room_[parts * half + c] = some[k].part[c];
+        for (int c = 0; c < parts; ++c) shared_memory_[parts * half + c] = some[k].part[c];
   }
 
   const NumberedHalf* all_;
-  float* room_;
+  float* shared_memory_;
   const std::int32_t* source_;
   std::int32_t turn_;  // halves from the records of one iteration to those of the next
   std::int32_t halves_, thread_, threads_;
   std::int32_t from_[kept];
 };
 
-/// As SolverMoves, by rows that stand in the fast memory: a thread for each pair of a body's numbers.
-template <class Crew>
+/// As SolverMoves, by rows that stand in the shared memory: a thread for each pair of a body's numbers.
+template <class Group>
 class HaloMoves {
  public:
-  GEM_DEVICE HaloMoves(const DeviceScene& s, Crew& crew, const SolverDesk& desk)
-      : s_(s), crew_(crew), desk_(desk), end_(motion_pairs * desk.moved.end) {
-    constexpr int warp = Crew::Warp::size;
-    const bool alone = crew.threads() <= warp;
-    threads_ = desk.platform && !alone ? crew.threads() - warp : crew.threads();
-    moves_platform_ = desk.platform && (alone || crew.thread() >= threads_);
-    first_ = crew.thread() < threads_ ? crew.thread() + (desk.platform ? motion_pairs : 0) : end_;
+  GEM_DEVICE HaloMoves(const DeviceScene& s, Group& group, const SolverWorkspace& workspace)
+      : s_(s), group_(group), workspace_(workspace), end_(motion_pairs * workspace.moved.end) {
+    constexpr int warp = Group::Warp::size;
+    const bool alone = group.threads() <= warp;
+    threads_ = workspace.platform && !alone ? group.threads() - warp : group.threads();
+    moves_platform_ = workspace.platform && (alone || group.thread() >= threads_);
+    first_ = group.thread() < threads_ ? group.thread() + (workspace.platform ? motion_pairs : 0) : end_;
     if (first_ < end_) own_ = row_of(first_);
   }
 
   GEM_DEVICE GEM_INLINE void move() const {
-    if (moves_platform_) SolverMoves<Crew>::move_platform(s_, crew_, desk_);
+    if (moves_platform_) SolverMoves<Group>::move_platform(s_, group_, workspace_);
     if (first_ < end_) sum(own_);
     GEM_NO_UNROLL
     for (std::int32_t k = first_ + threads_; k < end_; k += threads_) sum(row_of(k));
@@ -104,9 +104,9 @@ class HaloMoves {
   };
   GEM_DEVICE GEM_INLINE Row row_of(std::int32_t k) const {
     const int pair = k % motion_pairs;
-    const SolverEntry& entry = desk_.moved_entry[k / motion_pairs];
-    return {reinterpret_cast<const PushRecord*>(crew_.room()) + entry.room,
-            &desk_.motion[k / motion_pairs].pair[pair],
+    const SolverEntry& entry = workspace_.moved_entry[k / motion_pairs];
+    return {reinterpret_cast<const PushRecord*>(group_.shared_memory()) + entry.shared_memory,
+            &workspace_.motion[k / motion_pairs].pair[pair],
             pair,
             entry.as_b,
             entry.count,
@@ -114,14 +114,14 @@ class HaloMoves {
   }
 
   GEM_DEVICE GEM_INLINE static void sum(const Row& row) {
-    const auto moved = SolverMoves<Crew>::template sum_at_once<1, 4>(row.record, row.as_b, row.count, row.pair);
+    const auto moved = SolverMoves<Group>::template sum_at_once<1, 4>(row.record, row.as_b, row.count, row.pair);
     const FloatPair& by = moved.pair[0];
     *row.motion = {{row.answer * by.part[0], row.answer * by.part[1]}};
   }
 
   const DeviceScene& s_;
-  Crew& crew_;
-  const SolverDesk& desk_;
+  Group& group_;
+  const SolverWorkspace& workspace_;
   std::int32_t end_, first_ = 0;
   int threads_ = 0;
   bool moves_platform_ = false;

@@ -5,17 +5,17 @@
 
 namespace gem {
 
-template <class Crew>
+template <class Group>
 class SolverMoves {
  public:
   /// Motions by the additions of the round: as CoupledRounds::move(). The platform, first of all where it is among the
   /// block's bodies, has a long row: the last warp is left to it.
-  GEM_DEVICE GEM_INLINE static void move(const DeviceScene& s, Crew& crew, const SolverDesk& desk) {
-    constexpr int warp = Crew::Warp::size;
-    const bool alone = crew.threads() <= warp;
-    const int rest = desk.platform && !alone ? crew.threads() - warp : crew.threads();
-    if (desk.platform && (alone || crew.thread() >= rest)) move_platform(s, crew, desk);
-    if (crew.thread() < rest) move_floes(s, crew, desk, rest);
+  GEM_DEVICE GEM_INLINE static void move(const DeviceScene& s, Group& group, const SolverWorkspace& workspace) {
+    constexpr int warp = Group::Warp::size;
+    const bool alone = group.threads() <= warp;
+    const int rest = workspace.platform && !alone ? group.threads() - warp : group.threads();
+    if (workspace.platform && (alone || group.thread() >= rest)) move_platform(s, group, workspace);
+    if (group.thread() < rest) move_floes(s, group, workspace, rest);
   }
 
   template <int pairs>
@@ -51,22 +51,25 @@ class SolverMoves {
     return to_b;
   }
 
-  /// A lane for each number of the platform's motion; its records are brought to the block's fast memory, if they do
+  /// A lane for each number of the platform's motion; its records are brought to the block's shared memory, if they do
   /// not stand there. It has the lowest id: no record is one of a body B.
-  GEM_DEVICE GEM_INLINE static void move_platform(const DeviceScene& s, Crew& crew, const SolverDesk& desk) {
-    const auto warp = crew.warp();
-    const SolverEntry entry = desk.moved_entry[desk.moved.begin];
+  GEM_DEVICE GEM_INLINE static void move_platform(const DeviceScene& s, Group& group,
+                                                  const SolverWorkspace& workspace) {
+    const auto warp = group.warp();
+    const SolverEntry entry = workspace.moved_entry[workspace.moved.begin];
     const auto* record = reinterpret_cast<const float*>(s.push + entry.place);
-    auto* const room = reinterpret_cast<float*>(crew.room());
-    if ((Crew::shares_rooms || Crew::has_halos) && entry.room >= 0) {
-      record = room + parts * entry.room;
-    } else if (!Crew::shares_rooms && static_cast<std::size_t>(entry.count) * sizeof(PushRecord) <= desk.stage_bytes) {
-      bring(warp, reinterpret_cast<FloatPair*>(room), s.push + entry.place, entry.count);
+    auto* const shared_memory = reinterpret_cast<float*>(group.shared_memory());
+    if ((Group::reads_other_blocks || Group::has_halos) && entry.shared_memory >= 0) {
+      record = shared_memory + parts * entry.shared_memory;
+    } else if (!Group::reads_other_blocks &&
+               static_cast<std::size_t>(entry.count) * sizeof(PushRecord) <= workspace.stage_bytes) {
+      bring(warp, reinterpret_cast<FloatPair*>(shared_memory), s.push + entry.place, entry.count);
       warp.sync();
-      record = room;
+      record = shared_memory;
     }
-    auto* const motion = reinterpret_cast<float*>(desk.motion ? &desk.motion[desk.moved.begin] : &s.added[entry.body]);
-    for (int part = warp.rank(); part < parts; part += Crew::Warp::size)
+    auto* const motion =
+        reinterpret_cast<float*>(workspace.motion ? &workspace.motion[workspace.moved.begin] : &s.added[entry.body]);
+    for (int part = warp.rank(); part < parts; part += Group::Warp::size)
       motion[part] = (part < parts - 2 ? entry.inverse_mass : entry.inverse_inertia) *
                      (0.0F - sum_of_part(record + part, entry.count));
     warp.sync();
@@ -77,28 +80,30 @@ class SolverMoves {
   static constexpr int parts = 2 * motion_pairs;
 
   /// A body has a thread for each pair of its numbers, where there are as many threads; otherwise one.
-  GEM_DEVICE GEM_INLINE static void move_floes(const DeviceScene& s, Crew& crew, const SolverDesk& desk, int threads) {
-    const std::int32_t floes = desk.moved.count() - (desk.platform ? 1 : 0);
+  GEM_DEVICE GEM_INLINE static void move_floes(const DeviceScene& s, Group& group, const SolverWorkspace& workspace,
+                                               int threads) {
+    const std::int32_t floes = workspace.moved.count() - (workspace.platform ? 1 : 0);
     if (motion_pairs * floes <= threads)
-      move_floes_by<1>(s, crew, desk, threads);
+      move_floes_by<1>(s, group, workspace, threads);
     else
-      move_floes_by<motion_pairs>(s, crew, desk, threads);
+      move_floes_by<motion_pairs>(s, group, workspace, threads);
   }
 
   template <int pairs>
-  GEM_DEVICE GEM_INLINE static void move_floes_by(const DeviceScene& s, Crew& crew, const SolverDesk& desk,
+  GEM_DEVICE GEM_INLINE static void move_floes_by(const DeviceScene& s, Group& group, const SolverWorkspace& workspace,
                                                   int threads) {
     constexpr int of_body = motion_pairs / pairs;
-    const auto* const room = reinterpret_cast<const PushRecord*>(crew.room());
-    const std::int32_t first = of_body * (desk.moved.begin + (desk.platform ? 1 : 0)), end = of_body * desk.moved.end;
-    for (std::int32_t k = first + crew.thread(); k < end; k += threads) {
+    const auto* const shared_memory = reinterpret_cast<const PushRecord*>(group.shared_memory());
+    const std::int32_t first = of_body * (workspace.moved.begin + (workspace.platform ? 1 : 0)),
+                       end = of_body * workspace.moved.end;
+    for (std::int32_t k = first + group.thread(); k < end; k += threads) {
       const int from = pairs * (k % of_body);
-      const SolverEntry entry = desk.moved_entry[k / of_body];
-      const PairsOf<pairs> sum = Crew::shares_rooms && entry.room >= 0
-                                     ? sum_of<pairs>(room + entry.room, entry, from)
+      const SolverEntry entry = workspace.moved_entry[k / of_body];
+      const PairsOf<pairs> sum = Group::reads_other_blocks && entry.shared_memory >= 0
+                                     ? sum_of<pairs>(shared_memory + entry.shared_memory, entry, from)
                                      : sum_of<pairs>(s.push + entry.place, entry, from);
-      const std::int32_t e = desk.in_order ? entry.rank : k / of_body;
-      AddedMotion& motion = desk.motion ? desk.motion[e] : s.added[entry.body];
+      const std::int32_t e = workspace.in_order ? entry.rank : k / of_body;
+      AddedMotion& motion = workspace.motion ? workspace.motion[e] : s.added[entry.body];
       for (int j = 0; j < pairs; ++j) {
         const float answer = from + j < motion_pairs - 1 ? entry.inverse_mass : entry.inverse_inertia;
         motion.pair[from + j] = {{answer * sum.pair[j].part[0], answer * sum.pair[j].part[1]}};
@@ -109,7 +114,7 @@ class SolverMoves {
   /// What the records of a body come to: those that it has as B, less those that it has as A.
   template <int pairs>
   GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_of(const PushRecord* record, const SolverEntry& entry, int from) {
-    if constexpr (Crew::has_halos) {
+    if constexpr (Group::has_halos) {
       return sum_at_once<pairs, 8>(record, entry.as_b, entry.count, from);
     } else {
       PairsOf<pairs> to_b = sum_of<pairs>(record, 0, entry.as_b, from);
@@ -140,7 +145,7 @@ class SolverMoves {
     return sum;
   }
 
-  /// Brings a row to the fast memory.
+  /// Brings a row to the shared memory.
   template <class Warp>
   GEM_DEVICE GEM_INLINE static void bring(const Warp& warp, FloatPair* to, const PushRecord* row,
                                           std::int32_t records) {

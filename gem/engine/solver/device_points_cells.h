@@ -1,4 +1,4 @@
-// What the contact points of a coupled moment are made of.
+// What the contact points of a coupled time step are made of.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@ struct RowPoints {
   std::int32_t first = 0, count = 0;
 };
 
-/// Coupled: what the points of a pair carried at the end of a moment.
+/// Coupled: what the points of a pair carried at the end of a time step.
 struct PairMemory {
-  static constexpr std::int32_t never = -2;  // the moment before the first is -1
-  std::int32_t moment = never;
+  static constexpr std::int32_t never = -2;  // the time step before the first is -1
+  std::int32_t step = never;
   std::int32_t unused = 0;
   std::int32_t feature[2] = {-1, -1};
   PointImpulse<double> impulse[2] = {};
@@ -31,9 +31,9 @@ struct CarriedMemory {
 /// Coupled: where a contact point finds one of its bodies.
 struct alignas(16) PointSide {
   std::int32_t body = 0;
-  std::int32_t place = -1;   // its place among the records of the body; -1: a fixed body has none
-  std::int32_t room = -1;    // the same in the fast memory of a block; -1: it does not stand there
-  std::int32_t motion = -1;  // and where the motion of the body stands there; or its entry, see device_halo.h
+  std::int32_t place = -1;          // its place among the records of the body; -1: a fixed body has none
+  std::int32_t shared_memory = -1;  // the same in the shared memory of a block; -1: it does not stand there
+  std::int32_t motion = -1;         // and where the motion of the body stands there; or its entry, see device_halo.h
 };
 
 /// Coupled: where a contact point belongs.
@@ -52,7 +52,7 @@ struct alignas(16) FloatQuad {
   float part[4];
 };
 
-/// The same; three of them side by side, as many neighbouring threads read, fall on different banks of fast memory.
+/// The same; three of them side by side, as many neighbouring threads read, fall on different banks of shared memory.
 struct alignas(8) FloatPair {
   float part[2];
 };
@@ -86,34 +86,35 @@ struct AddedMotion {
 };
 
 /// Where a point finds one of its bodies in a round.
-struct alignas(16) HeldPlace {
+struct alignas(16) LoadedPlace {
   const AddedMotion* motion;
   PushRecord* record;  // null: a fixed body
 };
 
 /// What a point is made of while a round runs: columns of four numbers, the last two those of its places.
-constexpr int held_columns = 8;
-constexpr std::size_t held_bytes = held_columns * sizeof(FloatQuad);
-static_assert(sizeof(HeldPlace) == sizeof(FloatQuad));
+constexpr int loaded_columns = 8;
+constexpr std::size_t loaded_bytes = loaded_columns * sizeof(FloatQuad);
+static_assert(sizeof(LoadedPlace) == sizeof(FloatQuad));
 
 /// Velocities and shifts of a body under the base's impulses, in the order of PushBase.
 struct alignas(64) SolvedMotion {
   double part[8];
 };
 
-/// Points of a body, good for one moment.
+/// Points of a body, good for one time step.
 struct BodyPoints {
-  std::int32_t moment = -1, count = 0;
+  std::int32_t step = -1, count = 0;
 };
 
 /// A moving body with points; its records stand in a row, those of the points that have it as B first.
 struct alignas(16) SolverEntry {
   std::int32_t body = 0;
   std::int32_t place = 0;            // of its first record
-  std::int32_t room = -1;            // the same in the block's fast memory; -1: it does not stand there
+  std::int32_t shared_memory = -1;   // the same in the block's shared memory; -1: it does not stand there
   std::int32_t as_b = 0, count = 0;  // records
   float inverse_mass = 0.0F, inverse_inertia = 0.0F;
-  std::int32_t rank = 0;  // among those bodies, by id; in a list in the order of its rows: place among them, by spot
+  std::int32_t rank =
+      0;  // among those bodies, by id; in a list in the order of its rows: place among them, by sorted place
 };
 
 /// Coupled: geometry of all points and what the base has of them, number by number so that neighbouring threads read

@@ -6,7 +6,7 @@
 
 #include "gem/engine/solver/device_halo_round.h"
 #include "gem/engine/solver/device_visits.h"
-#include "gem/engine/solver/iteration_course.h"
+#include "gem/engine/solver/iteration_control.h"
 
 namespace gem {
 
@@ -22,196 +22,196 @@ GEM_DEVICE inline float from_ordered_bits(std::uint32_t bits) {
   return x;
 }
 
-/// The rounds of one moment.
-template <class Crew>
+/// The rounds of one time step.
+template <class Group>
 class SolverRounds {
  public:
-  /// All rounds of a moment.
-  GEM_DEVICE static void iterate(const DeviceScene& s, Crew& crew) {
+  /// All rounds of a time step, by blocks with halos.
+  GEM_DEVICE static void iterate(const DeviceScene& s, Group& group) {
+    static_assert(Group::has_halos);
     Progress progress = beginning(s);
-    each_point(crew, [&](std::int32_t i) { Visits::hold(s, crew, i, true); });
-    crew.lap(stage_frames);
-    const bool done = run_round(s, crew, progress, true);
-    crew.lap(stage_iterations);
-    finish(s, crew, progress, done);
+    each_point(group, [&](std::int32_t i) { Visits::load(s, group, i, true); });
+    const bool done = run_round(s, group, progress, true);
+    finish(s, group, progress, done);
   }
 
   /// The same in three launches. Before the first round: points at rest.
-  GEM_DEVICE static void prepare(const DeviceScene& s, Crew& crew) {
-    const HeldTable table(s, crew.room(), crew.shared().desk);
-    each_point(crew, [&](std::int32_t i) {
-      HeldPoint held;
-      Visits::enter(s, i, true, table[i], held);
-      table[i].save_numbers(held);
+  GEM_DEVICE static void prepare(const DeviceScene& s, Group& group) {
+    const LoadedTable table(s, group.shared_memory(), group.shared().workspace);
+    each_point(group, [&](std::int32_t i) {
+      LoadedPoint loaded;
+      Visits::enter(s, i, true, table[i], loaded);
+      table[i].save_numbers(loaded);
     });
   }
   /// The first round, mostly the only one.
-  GEM_DEVICE static void run_first(const DeviceScene& s, Crew& crew) {
-    SolverList<Crew>(s, crew, 0, crew.room_bytes()).take_up();
-    const HeldTable table(s, crew.room(), crew.shared().desk);
-    each_point(crew, [&](std::int32_t i) {
+  GEM_DEVICE static void run_first(const DeviceScene& s, Group& group) {
+    SolverList<Group>(s, group, 0, group.shared_bytes()).take_up();
+    const LoadedTable table(s, group.shared_memory(), group.shared().workspace);
+    each_point(group, [&](std::int32_t i) {
       if (table.is_fast(i)) table[i].copy_numbers(table.at_rest(i));
       const PointCell& point = s.taken_point[i];
-      table[i].set_places(Visits::place_of(s, crew, point.a), Visits::place_of(s, crew, point.b));
+      table[i].set_places(Visits::place_of(s, group, point.a), Visits::place_of(s, group, point.b));
     });
-    crew.barrier();  // no block's fast memory is made ready after another has written to it
+    group.barrier();  // no block's shared memory is made ready after another has written to it
     Progress progress = beginning(s);
-    const bool done = run_round_by_law(s, crew, progress, true);
-    each_point(crew, [&](std::int32_t i) {
+    const bool done = run_round_by_law(s, group, progress, true);
+    each_point(group, [&](std::int32_t i) {
       if (table.is_fast(i)) table.at_rest(i).copy_additions(table[i]);
     });
-    if (rank_of(crew) == 0) *s.progress = {progress, done};
+    if (rank_of(group) == 0) *s.progress = {progress, done};
   }
-  /// What is left, by blocks that need no fast memory: another round is rare, the residual has to be asked for that.
-  GEM_DEVICE static void run_rest(const DeviceScene& s, Crew& crew) {
-    static_assert(!Crew::shares_rooms);
-    SolverList<Crew>(s, crew, 0, crew.room_bytes()).take_up();
+  /// What is left, by blocks that need no shared memory: another round is rare, the residual has to be asked for that.
+  GEM_DEVICE static void run_rest(const DeviceScene& s, Group& group) {
+    static_assert(!Group::reads_other_blocks);
+    SolverList<Group>(s, group, 0, group.shared_bytes()).take_up();
     Progress progress = s.progress->progress;
-    finish(s, crew, progress, s.progress->done);
+    finish(s, group, progress, s.progress->done);
   }
 
  private:
-  using Visits = SolverVisits<Crew>;
+  using Visits = SolverVisits<Group>;
 
   GEM_DEVICE static Progress beginning(const DeviceScene& s) {
-    const MomentConstants& c = s.constants;
-    return {IterationCourse(c.residual_speed, c.iterations_maximum, c.tight_residual, s.carried_ahead), 0.0F, 0};
+    const StepConstants& c = s.constants;
+    return {IterationControl(c.residual_speed, c.iterations_maximum, c.tight_residual, s.momentum_coefficients), 0.0F,
+            0};
   }
 
   /// The end of a round, and the rounds that follow where it was not the last.
-  GEM_DEVICE static void finish(const DeviceScene& s, Crew& crew, Progress& progress, bool done) {
-    SolverBase<Crew> base(s, crew);
+  GEM_DEVICE static void finish(const DeviceScene& s, Group& group, Progress& progress, bool done) {
+    SolverBase<Group> base(s, group);
     for (;;) {
-      each_point(crew, [&](std::int32_t i) { Visits::let_go(s, crew, i); });
-      crew.barrier();
+      each_point(group, [&](std::int32_t i) { Visits::store_platform(s, group, i); });
+      group.barrier();
       base.settle();
-      crew.barrier();
+      group.barrier();
       if (done) break;
-      each_point(crew, [&](std::int32_t i) { Visits::hold(s, crew, i, false); });
-      crew.barrier();
-      done = run_round(s, crew, progress, false);
+      each_point(group, [&](std::int32_t i) { Visits::load(s, group, i, false); });
+      group.barrier();
+      done = run_round(s, group, progress, false);
     }
-    if (rank_of(crew) == 0) {
-      crew.shared().iterations = static_cast<std::int32_t>(progress.course.iteration());
-      crew.shared().residual = static_cast<double>(progress.residual);
+    if (rank_of(group) == 0) {
+      group.shared().iterations = static_cast<std::int32_t>(progress.control.iteration());
+      group.shared().residual = static_cast<double>(progress.residual);
     }
   }
 
   /// For kernels that do more than iterate: a function of its own, which keeps their code small.
-  GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Crew& crew, Progress& progress, bool fresh) {
-    return run_round_by_law(s, crew, progress, fresh);
+  GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Group& group, Progress& progress, bool fresh) {
+    return run_round_by_law(s, group, progress, fresh);
   }
 
-  GEM_DEVICE GEM_INLINE static bool run_round_by_law(const DeviceScene& s, Crew& crew, Progress& progress, bool fresh) {
+  GEM_DEVICE GEM_INLINE static bool run_round_by_law(const DeviceScene& s, Group& group, Progress& progress,
+                                                     bool fresh) {
     switch (s.constants.point_friction) {
       case PointFriction::none:
-        return run_round_of<PointFriction::none>(s, crew, progress, fresh);
+        return run_round_of<PointFriction::none>(s, group, progress, fresh);
       case PointFriction::coulomb:
-        return run_round_of<PointFriction::coulomb>(s, crew, progress, fresh);
+        return run_round_of<PointFriction::coulomb>(s, group, progress, fresh);
       default:
-        return run_round_of<PointFriction::fixed_direction>(s, crew, progress, fresh);
+        return run_round_of<PointFriction::fixed_direction>(s, group, progress, fresh);
     }
   }
 
-  GEM_DEVICE static void note_asked(Crew& crew, std::uint32_t* asked, float most) {
-    const auto warp = crew.warp();
+  GEM_DEVICE static void note_asked(Group& group, std::uint32_t* asked, float most) {
+    const auto warp = group.warp();
     const std::uint32_t all = warp.highest(ordered_bits(most));
-    if (warp.rank() == 0 && all != 0) crew.highest(asked, all);
+    if (warp.rank() == 0 && all != 0) group.highest(asked, all);
   }
 
-  GEM_DEVICE GEM_INLINE static void take_asked(const Crew& crew, std::uint32_t* asked, std::uint32_t most,
+  GEM_DEVICE GEM_INLINE static void load_asked(const Group& group, std::uint32_t* asked, std::uint32_t most,
                                                Progress& progress) {
     progress.residual = from_ordered_bits(most);
     // the place after the next: others may write to the next one already
-    if (rank_of(crew) == 0) asked[(progress.turn + 2) % 3] = 0;
+    if (rank_of(group) == 0) asked[(progress.turn + 2) % 3] = 0;
     progress.turn = (progress.turn + 1) % 3;
   }
 
   /// Makes the iterations of one round, which no point has begun where `fresh`; returns whether it was the last.
   template <PointFriction law>
-  GEM_DEVICE GEM_INLINE static bool run_round_of(const DeviceScene& s, Crew& outer, Progress& state, bool fresh) {
-    if constexpr (Crew::has_halos)
-      if (outer.shared().desk.has_halo) return run_halo_round_of<law>(s, outer, state, fresh);
-    decltype(auto) crew = outer.at_hand();
+  GEM_DEVICE GEM_INLINE static bool run_round_of(const DeviceScene& s, Group& outer, Progress& state, bool fresh) {
+    if constexpr (Group::has_halos)
+      if (outer.shared().workspace.has_halo) return run_halo_round_of<law>(s, outer, state, fresh);
+    Group group = outer;  // for each thread in its registers
     Progress progress = state;
-    const SolverDesk& desk = crew.shared().desk;
+    const SolverWorkspace& workspace = group.shared().workspace;
     std::uint32_t* const asked = s.counters->asked;
     typename Visits::KeptPoints own;
-    Visits::load(s, crew, desk, own);
-    auto next = IterationCourse::Next::iteration;
-    for (; next == IterationCourse::Next::iteration; fresh = false) {
-      const float ahead = progress.course.ahead();
+    Visits::load(s, group, workspace, own);
+    auto next = IterationControl::Next::iteration;
+    for (; next == IterationControl::Next::iteration; fresh = false) {
+      const float momentum_coefficient = progress.control.momentum_coefficient();
       if (!fresh) {
-        SolverMoves<Crew>::move(s, crew, desk);
-        crew.barrier();
+        SolverMoves<Group>::move(s, group, workspace);
+        group.barrier();
       }
-      if (progress.course.judged()) {
-        note_asked(crew, asked + progress.turn,
-                   Visits::template visit_all<law, true>(s, crew, desk, own, ahead, Visits::plain));
+      if (progress.control.judged()) {
+        note_asked(
+            group, asked + progress.turn,
+            Visits::template visit_all<law, true>(s, group, workspace, own, momentum_coefficient, Visits::plain));
       } else {
-        Visits::template visit_all<law, false>(s, crew, desk, own, ahead, Visits::plain);
+        Visits::template visit_all<law, false>(s, group, workspace, own, momentum_coefficient, Visits::plain);
       }
-      crew.barrier();
-      if (progress.course.judged()) take_asked(crew, asked, asked[progress.turn], progress);
-      next = progress.course.after(progress.residual);
+      group.barrier();
+      if (progress.control.judged()) load_asked(group, asked, asked[progress.turn], progress);
+      next = progress.control.after(progress.residual);
     }
-    Visits::save(s, crew, desk, own);
-    outer.came_back(crew);
+    Visits::save(s, group, workspace, own);
     state = progress;
-    return next == IterationCourse::Next::end;
+    return next == IterationControl::Next::end;
   }
 
   /// The same by blocks with halos. They meet at the beginning, at the end and where all have to know what the points
   /// ask for; else each waits only for the records that it needs. Meanwhile none of these is written over: who writes
   /// the next but one has read the next of all that read this one.
   template <PointFriction law>
-  GEM_DEVICE GEM_INLINE static bool run_halo_round_of(const DeviceScene& s, Crew& outer, Progress& state, bool fresh) {
-    decltype(auto) crew = outer.at_hand();
+  GEM_DEVICE GEM_INLINE static bool run_halo_round_of(const DeviceScene& s, Group& outer, Progress& state, bool fresh) {
+    Group group = outer;  // for each thread in its registers
     Progress progress = state;
-    const SolverDesk& desk = crew.shared().desk;
-    const HaloRecords<Crew> records(s, crew, desk);
-    const HaloMoves<Crew> moves(s, crew, desk);
+    const SolverWorkspace& workspace = group.shared().workspace;
+    const HaloRecords<Group> records(s, group, workspace);
+    const HaloMoves<Group> moves(s, group, workspace);
     std::uint32_t* const asked = s.counters->asked;
     typename Visits::KeptPoints own;
-    Visits::load(s, crew, desk, own);
+    Visits::load(s, group, workspace, own);
     std::uint32_t number = Visits::first_number;
     if (!fresh) {
       records.bring(number);
-      crew.block_barrier();
+      group.block_barrier();
       moves.move();
-      crew.block_barrier();
+      group.block_barrier();
     }
-    auto next = IterationCourse::Next::iteration;
-    for (; next == IterationCourse::Next::iteration; fresh = false) {
-      const float ahead = progress.course.ahead();
+    auto next = IterationControl::Next::iteration;
+    for (; next == IterationControl::Next::iteration; fresh = false) {
+      const float momentum_coefficient = progress.control.momentum_coefficient();
       // so is the first of all, in which all blocks have to meet
-      const bool judged = progress.course.judged();
+      const bool judged = progress.control.judged();
       ++number;
       if (judged) {
-        note_asked(crew, &crew.shared().asked,
-                   Visits::template visit_all<law, true>(s, crew, desk, own, ahead, number));
-        crew.arrive_asking(asked + progress.turn);
-        if (fresh) crew.wait_for_asked(asked + progress.turn);  // until all blocks have cleared the numbers
+        note_asked(group, &group.shared().asked,
+                   Visits::template visit_all<law, true>(s, group, workspace, own, momentum_coefficient, number));
+        group.arrive_asking(asked + progress.turn);
+        if (fresh) group.wait_for_asked(asked + progress.turn);  // until all blocks have cleared the numbers
       } else {
-        Visits::template visit_all<law, false>(s, crew, desk, own, ahead, number);
+        Visits::template visit_all<law, false>(s, group, workspace, own, momentum_coefficient, number);
       }
       // as in arriving: looks of threads without points would be in the way of what the others write
-      if (!judged) crew.block_barrier();
+      if (!judged) group.block_barrier();
       records.bring(number);
-      crew.block_barrier();
+      group.block_barrier();
       moves.move();  // whatever all ask for: after the last iteration nobody looks at it
       if (judged && !fresh)
-        crew.wait_for_asked(asked + progress.turn);
+        group.wait_for_asked(asked + progress.turn);
       else
-        crew.block_barrier();
-      if (judged) take_asked(crew, asked, crew.shared().asked_by_all, progress);
-      next = progress.course.after(progress.residual);
+        group.block_barrier();
+      if (judged) load_asked(group, asked, group.shared().asked_by_all, progress);
+      next = progress.control.after(progress.residual);
     }
-    crew.barrier();  // no block reads records of this round any more
-    Visits::save(s, crew, desk, own);
-    outer.came_back(crew);
+    group.barrier();  // no block reads records of this round any more
+    Visits::save(s, group, workspace, own);
     state = progress;
-    return next == IterationCourse::Next::end;
+    return next == IterationControl::Next::end;
   }
 };
 

@@ -1,4 +1,4 @@
-// The base of the iterations of a coupled moment, in double precision: impulses, the motions that they give, and the
+// The base of the iterations of a coupled time step, in double precision: impulses, the motions that they give, and the
 // share of them that leaves the least energy.
 #pragma once
 
@@ -7,7 +7,8 @@
 
 namespace gem {
 
-constexpr int solved_work = 7;  // part of a PushBase: work of a contact that stands with this body, at the moment's end
+constexpr int solved_work =
+    7;  // part of a PushBase: work of a contact that stands with this body, at the time step's end
 
 /// Enters the base's impulses of a point, and what they give to both bodies.
 GEM_DEVICE inline void write_base(const DeviceScene& s, std::int32_t i, const PointCell& point,
@@ -22,17 +23,18 @@ GEM_DEVICE inline void write_base(const DeviceScene& s, std::int32_t i, const Po
   write(point.b.place, g.lever_b_n, g.lever_b_t);
 }
 
-template <class Crew>
+template <class Group>
 class SolverBase {
  public:
-  GEM_DEVICE SolverBase(const DeviceScene& s, Crew& crew) : s_(s), crew_(crew) {}
+  GEM_DEVICE SolverBase(const DeviceScene& s, Group& group) : s_(s), group_(group) {}
 
   /// Velocities that the base's impulses give, and what they do to the energy.
   GEM_DEVICE void settle() {
-    const auto lanes = crew_.lanes();
-    constexpr int size = Crew::Lanes::size, each = 8 / size, together = 4;
-    for (std::int32_t e = desk().own.begin + crew_.thread() / size; e < desk().own.end; e += crew_.threads() / size) {
-      const SolverEntry& entry = desk().entry[e];
+    const auto lanes = group_.lanes();
+    constexpr int size = Group::Lanes::size, each = 8 / size, together = 4;
+    for (std::int32_t e = workspace().own.begin + group_.thread() / size; e < workspace().own.end;
+         e += group_.threads() / size) {
+      const SolverEntry& entry = workspace().entry[e];
       const std::int32_t body = entry.body, as_b = entry.as_b, count = entry.count;
       const PushBase* const record = s_.push_base + entry.place;
       // asked for before the records are added up: each waits for memory
@@ -71,25 +73,25 @@ class SolverBase {
 
   /// As CoupledSolver::keep_best_share().
   GEM_DEVICE void keep_best_share(double limit) {
-    const Sums work = ordered_sums<2>(s_.given, s_.answered, desk().bodies);
+    const Sums work = ordered_sums<2>(s_.given, s_.answered, workspace().bodies);
     const double share = best_share({work.first, work.second});
     if (!(share < limit)) return;
-    each_point(crew_, [&](std::int32_t i) {
+    each_point(group_, [&](std::int32_t i) {
       PointImpulse<double> impulse = s_.points.impulse(i);
       impulse.normal *= share;
       impulse.tangential *= share;
       write_base(s_, i, s_.taken_point[i], s_.points.geometry(i), impulse);
     });
-    crew_.barrier();
+    group_.barrier();
     settle();
-    crew_.barrier();
+    group_.barrier();
   }
 
   /// Work of the contacts of each body, then of all: positive, where the events gave energy.
   GEM_DEVICE void add_work_created() {
-    crew_.barrier();
-    for (std::int32_t e = desk().own.begin + crew_.thread(); e < desk().own.end; e += crew_.threads()) {
-      const SolverEntry& entry = desk().entry[e];
+    group_.barrier();
+    for (std::int32_t e = workspace().own.begin + group_.thread(); e < workspace().own.end; e += group_.threads()) {
+      const SolverEntry& entry = workspace().entry[e];
       constexpr int some_records = 4;
       double sum = 0.0;
       GEM_NO_UNROLL
@@ -101,29 +103,29 @@ class SolverBase {
       }
       s_.work_created[entry.body] = sum;
     }
-    crew_.barrier();
-    if (crew_.block() != 0) return;
+    group_.barrier();
+    if (group_.block() != 0) return;
     const double sum = ordered_sums<1>(s_.work_created, s_.work_created, s_.bodies).first;
-    if (crew_.thread() == 0) crew_.shared().energy_created = larger(sum, 0.0);
+    if (group_.thread() == 0) group_.shared().energy_created = larger(sum, 0.0);
   }
 
  private:
-  GEM_DEVICE const SolverDesk& desk() const { return crew_.shared().desk; }
+  GEM_DEVICE const SolverWorkspace& workspace() const { return group_.shared().workspace; }
 
   /// Groups of terms that the same lanes add: asked for together, as each waits for memory.
-  static constexpr int groups_together = Crew::kept_points > 1 ? 4 : 1;  // as many as there are registers for
-  static constexpr int lane_count = Crew::Lanes::size, fours = sum_width / 4 / lane_count;
+  static constexpr int groups_together = Group::kept_points > 1 ? 4 : 1;  // as many as there are registers for
+  static constexpr int lane_count = Group::Lanes::size, fours = sum_width / 4 / lane_count;
 
   /// Fours of neighbouring terms that a lane adds first.
   struct LaneTerms {
     double four[fours][4];
   };
-  GEM_DEVICE LaneTerms lane_terms(const double* group, std::int32_t count) const {
+  GEM_DEVICE LaneTerms lane_terms(const double* lane_group, std::int32_t count) const {
     LaneTerms terms;
     for (int j = 0; j < fours; ++j)
       for (int c = 0; c < 4; ++c) {
-        const int at = 4 * (crew_.lanes().rank() + j * lane_count) + c;
-        terms.four[j][c] = at < count ? group[at] : 0.0;
+        const int at = 4 * (group_.lanes().rank() + j * lane_count) + c;
+        terms.four[j][c] = at < count ? lane_group[at] : 0.0;
       }
     return terms;
   }
@@ -133,7 +135,7 @@ class SolverBase {
     for (int j = 0; j < fours; ++j) sum[j] = sum_of_four(terms.four[j]);
     for (int distance = 4; distance > 0; distance /= 2)
       if (distance < lane_count)
-        sum[0] += crew_.lanes().partner(sum[0], distance);
+        sum[0] += group_.lanes().partner(sum[0], distance);
       else
         for (int j = 0; j < distance / lane_count; ++j) sum[j] += sum[j + distance / lane_count];
     return sum[0];
@@ -148,11 +150,11 @@ class SolverBase {
     static_assert(kinds == 1 || kinds == 2);
     if (count == 0) return {0.0, 0.0};
     const std::int32_t most = (s_.bodies + sum_width - 1) / sum_width;
-    double* to = s_.partial_sum + static_cast<std::int64_t>(crew_.block()) * 4 * (most + 1);
-    const std::int32_t group = crew_.thread() / lane_count, step = crew_.threads() / lane_count;
+    double* to = s_.partial_sum + static_cast<std::int64_t>(group_.block()) * 4 * (most + 1);
+    const std::int32_t lane_group = group_.thread() / lane_count, step = group_.threads() / lane_count;
     do {
       const std::int32_t made = (count + sum_width - 1) / sum_width;
-      for (std::int32_t k = group; k < kinds * made; k += groups_together * step) {
+      for (std::int32_t k = lane_group; k < kinds * made; k += groups_together * step) {
         LaneTerms some[groups_together] = {};
         for (int j = 0; j < groups_together; ++j) {
           const std::int32_t at = k + j * step;
@@ -163,22 +165,22 @@ class SolverBase {
         }
         for (int j = 0; j < groups_together; ++j) {
           const double sum = sum_by_lanes(some[j]);
-          if (k + j * step < kinds * made && crew_.lanes().rank() == 0) to[k + j * step] = sum;
+          if (k + j * step < kinds * made && group_.lanes().rank() == 0) to[k + j * step] = sum;
         }
       }
-      crew_.block_barrier();
+      group_.block_barrier();
       terms = to;
       others = kinds == 2 ? to + made : to;
       to += kinds * made;
       count = made;
     } while (count > 1);
     const Sums sums{*terms, *others};
-    crew_.block_barrier();  // before the memory is used again
+    group_.block_barrier();  // before the memory is used again
     return sums;
   }
 
   const DeviceScene& s_;
-  Crew& crew_;
+  Group& group_;
 };
 
 }  // namespace gem

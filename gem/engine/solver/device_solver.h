@@ -1,4 +1,4 @@
-// The iterations of a coupled moment on a device: the algorithm of coupled_solver.cpp, by one crew.
+// The iterations of a coupled time step on a device: the algorithm of coupled_solver.cpp, by one thread group.
 //
 // | step, a barrier after each | by points                                     | by bodies                       |
 // | list                       |                                               | entry, rows, places of points   |
@@ -20,73 +20,66 @@
 
 namespace gem {
 
-template <class Crew>
-class MomentSolver {
+template <class Group>
+class StepSolver {
  public:
-  /// `room`: bytes of fast memory of each block that the solver may use, from the start.
-  GEM_DEVICE MomentSolver(const DeviceScene& s, Crew& crew, std::int32_t moment, std::size_t room)
-      : s_(s), crew_(crew), room_(room), moment_(moment) {}
+  /// `shared_memory`: bytes of shared memory of each block that the solver may use, from the start.
+  GEM_DEVICE StepSolver(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_memory)
+      : s_(s), group_(group), shared_memory_(shared_memory), step_(step) {}
 
+  /// All of it, by blocks with halos.
   GEM_DEVICE void solve() {
-    begin();
-    if constexpr (Crew::has_halos) SolverHalo<Crew>(s_, crew_, room_).take_up();
-    SolverRounds<Crew>::iterate(s_, crew_);
+    SolverList<Group>(s_, group_, step_, shared_memory_).make();
+    begin_points();
+    SolverHalo<Group>(s_, group_, shared_memory_).take_up();
+    SolverRounds<Group>::iterate(s_, group_);
     end();
   }
 
-  /// Before the iterations: the list, and a base of what the points carried a moment ago.
-  GEM_DEVICE void begin() {
-    SolverList<Crew>(s_, crew_, moment_, room_).make();
-    begin_points();
-  }
-  /// The same for iterations in a launch that follows, by as many blocks with `room`.
-  GEM_DEVICE void begin_ahead() {
-    SolverList<Crew>(s_, crew_, moment_, room_).make_ahead();
+  /// Before the iterations in a launch that follows, by as many blocks with `shared_memory`.
+  GEM_DEVICE void begin_coefficients() {
+    SolverList<Group>(s_, group_, step_, shared_memory_).make_coefficients();
     begin_points();
   }
 
   /// After the iterations.
   GEM_DEVICE void end() {
-    SolverBase<Crew> base(s_, crew_);
-    crew_.lap(stage_base);
+    SolverBase<Group> base(s_, group_);
     base.keep_best_share(0.5);
-    each_point(crew_, [&](std::int32_t i) { hand_back(i); });
+    each_point(group_, [&](std::int32_t i) { hand_back(i); });
     if (s_.wants_samples) base.add_work_created();
-    crew_.lap(stage_shares);
   }
 
  private:
+  /// A base of what the points carried a time step ago.
   GEM_DEVICE void begin_points() {
-    SolverBase<Crew> base(s_, crew_);
-    crew_.barrier();
-    crew_.lap(stage_rows);
-    each_point(crew_, [&](std::int32_t i) { begin_point(i); });
+    SolverBase<Group> base(s_, group_);
+    group_.barrier();
+    each_point(group_, [&](std::int32_t i) { begin_point(i); });
     clear_marks();
-    if constexpr (Crew::has_halos) SolverHalo<Crew>(s_, crew_, room_).make();
-    crew_.barrier();
+    if constexpr (Group::has_halos) SolverHalo<Group>(s_, group_, shared_memory_).make();
+    group_.barrier();
     base.settle();
-    crew_.barrier();
+    group_.barrier();
     base.keep_best_share(1.0);
-    crew_.lap(stage_points);
   }
 
   GEM_DEVICE void clear_marks() {
-    for (std::int32_t w = rank_of(crew_); w < bit_words(s_); w += size_of(crew_))
-      s_.touched_bodies[w] = s_.touched_spots[w] = 0;
-    for (std::int32_t i = rank_of(crew_); i < s_.bodies; i += size_of(crew_)) s_.work_created[i] = 0.0;
-    if (rank_of(crew_) == 0) s_.counters->asked[0] = s_.counters->asked[1] = s_.counters->asked[2] = 0;
+    for (std::int32_t w = rank_of(group_); w < bit_words(s_); w += size_of(group_))
+      s_.touched_bodies[w] = s_.touched_sorted[w] = 0;
+    for (std::int32_t i = rank_of(group_); i < s_.bodies; i += size_of(group_)) s_.work_created[i] = 0.0;
+    if (rank_of(group_) == 0) s_.counters->asked[0] = s_.counters->asked[1] = s_.counters->asked[2] = 0;
   }
 
   GEM_DEVICE std::int32_t points_of(std::int32_t body) const {
     const BodyPoints points = s_.body_points[body];
-    return points.moment == moment_ ? points.count : 0;
+    return points.step == step_ ? points.count : 0;
   }
 
   GEM_DEVICE double cap_of(const Contact& contact, const BodyCell& a, const BodyCell& b, double last) const {
-    const MomentConstants& c = s_.constants;
-    if (!c.crushing_limit || (a.kind != BodyKind::floe && b.kind != BodyKind::floe)) return no_cap;
-    const CrushingIce ice{c.ice.pressure, c.ice.exponent, crushed_thickness(a.kind, a.thickness, b.thickness)};
-    return impulse_cap(c, ice, s_.area[contact.a], s_.area[contact.b], contact.count, last);
+    const bool ice = a.kind == BodyKind::floe || b.kind == BodyKind::floe;
+    return largest_impulse(s_.constants.events, ice, crushed_thickness(a.kind, a.thickness, b.thickness),
+                           smaller(s_.area[contact.a], s_.area[contact.b]), contact.count, last);
   }
 
   GEM_DEVICE void begin_point(std::int32_t i) {
@@ -94,7 +87,7 @@ class MomentSolver {
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
     const BodyCell &a = s_.body[point.a.body], &b = s_.body[point.b.body];
-    PointImpulse<double> last = last_impulse(s_.memory[point.pair], slot.feature, moment_);
+    PointImpulse<double> last = last_impulse(s_.memory[point.pair], slot.feature, step_);
     const double cap = cap_of(contact, a, b, last.normal);
     const PointGeometry<double> geometry = point_geometry(
         s_.constants, contact, slot, shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(point.a.body)),
@@ -115,12 +108,12 @@ class MomentSolver {
     slot.impulse.normal = p.normal;
     slot.impulse.tangential = p.tangential;
     slot.repair = p.repair;
-    remember(s_.memory[point.pair], contact, point.slot, p, moment_);
+    remember(s_.memory[point.pair], contact, point.slot, p, step_);
     if (s_.wants_samples) judge_point(point, contact, slot);
   }
 
   GEM_DEVICE void judge_point(const PointCell& point, const Contact& contact, const ContactSlot& slot) {
-    BlockCell& shared = crew_.shared();
+    BlockCell& shared = group_.shared();
     const BodyCell &a = s_.body[point.a.body], &b = s_.body[point.b.body];
     const SolvedMotion &of_a = s_.solved[point.a.body], &of_b = s_.solved[point.b.body];
     PairBodies after;
@@ -130,34 +123,28 @@ class MomentSolver {
     after.spin_b = of_b.part[4];
     const PointQuality quality = point_quality(contact, slot, {a.inverse_mass, a.inverse_inertia},
                                                {b.inverse_mass, b.inverse_inertia}, relative_velocity(after, slot));
-    if (slot.separation <= 0.0 || slot.impulse.normal > 0.0) crew_.add(&shared.contacts, 1);
-    if (quality.complementarity > 0.0) crew_.highest(&shared.complementarity, strict::bits_of(quality.complementarity));
-    if (quality.cone_excess > 0.0) crew_.highest(&shared.cone_excess, strict::bits_of(quality.cone_excess));
+    if (slot.separation <= 0.0 || slot.impulse.normal > 0.0) group_.add(&shared.contacts, 1);
+    if (quality.complementarity > 0.0)
+      group_.highest(&shared.complementarity, strict::bits_of(quality.complementarity));
+    if (quality.cone_excess > 0.0) group_.highest(&shared.cone_excess, strict::bits_of(quality.cone_excess));
     const bool with_b = b.inverse_mass > 0.0;
     if (point.b.place >= 0) s_.push_base[point.b.place].part[solved_work] = with_b ? quality.work : 0.0;
     if (point.a.place >= 0) s_.push_base[point.a.place].part[solved_work] = with_b ? 0.0 : quality.work;
   }
 
   const DeviceScene& s_;
-  Crew& crew_;
-  std::size_t room_;
-  std::int32_t moment_;
+  Group& group_;
+  std::size_t shared_memory_;
+  std::int32_t step_;
 };
 
-/// Resolves a coupled moment between the phases of a crew. Few points are left to one block, whose threads wait least
-/// for each other.
-template <class Crew>
-GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Crew& crew, const Desk& desk, std::int32_t moment) {
-  const std::int32_t points = s.counters->points;
-  if (points == 0) return;
-  if (crew.blocks() > 1 && points <= crew.threads()) {
-    OneBlock<Crew> alone(crew);
-    if (crew.block() == 0) MomentSolver<OneBlock<Crew>>(s, alone, moment, desk.solver_bytes).solve();
-  } else {
-    MomentSolver<Crew>(s, crew, moment, desk.solver_bytes).solve();
-  }
-  crew.barrier();
-  crew.lap(stage_solver_wait);
+/// Resolves a coupled time step between the phases of a thread group.
+template <class Group>
+GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Group& group, const Workspace& workspace,
+                                       std::int32_t step) {
+  if (s.counters->points == 0) return;
+  StepSolver<Group>(s, group, step, workspace.solver_bytes).solve();
+  group.barrier();
 }
 
 }  // namespace gem

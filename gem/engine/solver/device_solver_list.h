@@ -1,9 +1,9 @@
-// The bodies and points of a coupled moment, shared out among the blocks of a crew: who iterates what, and where its
-// numbers stand.
+// The bodies and points of a coupled time step, shared out among the blocks of a thread group: who iterates what, and
+// where its numbers stand.
 //
 // A point writes what it pushes into the rows of both bodies, in the order in which they add it up, so that no thread
-// looks for anything while the iterations run. Where the blocks of a crew reach each other's fast memory, the rows
-// stand there as far as it holds them.
+// looks for anything while the iterations run. Where the blocks of a thread group reach each other's shared memory, the
+// rows stand there as far as it holds them.
 #pragma once
 
 #include "gem/engine/solver/device_points.h"
@@ -11,10 +11,11 @@
 namespace gem {
 
 /// Calls work(point) for the points of this thread.
-template <class Crew, class Work>
-GEM_DEVICE GEM_INLINE void each_point(Crew& crew, Work&& work) {
-  const SolverDesk& desk = crew.shared().desk;
-  for (std::int32_t i = desk.points.begin + crew.thread(); i < desk.points.end; i += crew.threads()) work(i);
+template <class Group, class Work>
+GEM_DEVICE GEM_INLINE void each_point(Group& group, Work&& work) {
+  const SolverWorkspace& workspace = group.shared().workspace;
+  for (std::int32_t i = workspace.points.begin + group.thread(); i < workspace.points.end; i += group.threads())
+    work(i);
 }
 
 /// Counts the bits before each of some words, and in all, by a warp.
@@ -35,119 +36,129 @@ GEM_DEVICE inline void count_marks(const Warp& warp, const std::uint32_t* marks,
   if (warp.rank() == 0) before[words] = sum;
 }
 
-template <class Crew>
+template <class Group>
 class SolverList {
  public:
-  /// `room`: bytes of fast memory of each block that the solver may use, from the start.
-  GEM_DEVICE SolverList(const DeviceScene& s, Crew& crew, std::int32_t moment, std::size_t room)
-      : s_(s), crew_(crew), moment_(moment), room_(room) {}
+  /// `shared_memory`: bytes of shared memory of each block that the solver may use, from the start.
+  GEM_DEVICE SolverList(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_memory)
+      : s_(s), group_(group), step_(step), shared_memory_(shared_memory) {}
 
-  /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
-  GEM_DEVICE void make() { make(false); }
-
-  /// The same for a launch that follows, of as many blocks with `room`: this one needs none.
-  GEM_DEVICE void make_ahead() {
-    make(true);
-    if (crew_.thread() == 0) s_.solver_desk[crew_.block()] = crew_.shared().desk;
+  /// A list for a launch that follows, of as many blocks with `shared_memory`: this one needs none.
+  GEM_DEVICE void make_coefficients() {
+    make();
+    if (group_.thread() == 0) s_.solver_workspace[group_.block()] = group_.shared().workspace;
   }
   /// Takes up a list that was made ahead.
   GEM_DEVICE void take_up() {
-    SolverDesk desk = s_.solver_desk[crew_.block()];
-    place_entries(desk, false);
-    place_points(desk, false);
-    if (crew_.thread() == 0) crew_.shared().desk = desk;
-    if (!desk.motion) return crew_.block_barrier();
-    for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads())
-      desk.motion[e] = {};  // nothing has been added to any
-    list_in_order(desk);
+    SolverWorkspace workspace = s_.solver_workspace[group_.block()];
+    place_entries(workspace);
+    place_points(workspace);
+    use_room(workspace);
+    if (group_.thread() == 0) group_.shared().workspace = workspace;
+    if (!workspace.motion) return group_.block_barrier();
+    for (std::int32_t e = workspace.own.begin + group_.thread(); e < workspace.own.end; e += group_.threads())
+      workspace.motion[e] = {};  // nothing has been added to any
+    list_in_order(workspace);
   }
 
- private:
-  GEM_DEVICE void make(bool ahead) {
-    SolverDesk desk{};
-    desk.pace = {static_cast<float>(s_.constants.dt), static_cast<float>(1.0 / s_.constants.dt)};
+  /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
+  GEM_DEVICE void make() {
+    SolverWorkspace workspace{};
+    workspace.pace = {static_cast<float>(s_.constants.dt), static_cast<float>(1.0 / s_.constants.dt)};
     const std::int32_t words = bit_words(s_);
-    const std::int64_t own_words = static_cast<std::int64_t>(crew_.block()) * (words + 1);
-    std::int32_t *const bodies = s_.bodies_before + own_words, *const spots = s_.spots_before + own_words;
-    BlockCell& shared = crew_.shared();
-    if (crew_.thread() == 0) shared.records = shared.taken = 0;
-    constexpr int warp = Crew::Warp::size;
-    const int warps = crew_.threads() / warp;
-    for (int k = crew_.thread() / warp; k < 2; k += warps)
-      count_marks(crew_.warp(), k == 0 ? s_.touched_bodies : s_.touched_spots, k == 0 ? bodies : spots, words);
-    crew_.block_barrier();
-    desk.bodies = spots[words];
-    desk.own = desk.moved = own_ = stretch_of(crew_, desk.bodies);
-    for (std::int32_t spot = crew_.thread(); spot < s_.bodies; spot += crew_.threads()) {
-      const std::uint32_t bits = s_.touched_spots[spot / 32], bit = 1U << (spot % 32);
-      const std::int32_t at = spots[spot / 32] + bits_in(bits & (bit - 1U));
-      if ((bits & bit) && at >= own_.begin && at < own_.end) s_.solver_entry[at].body = s_.body_at[spot];
+    const std::int64_t own_words = static_cast<std::int64_t>(group_.block()) * (words + 1);
+    std::int32_t *const bodies = s_.bodies_before + own_words, *const sorted_places = s_.sorted_before + own_words;
+    BlockCell& shared = group_.shared();
+    if (group_.thread() == 0) shared.records = shared.taken = 0;
+    constexpr int warp = Group::Warp::size;
+    const int warps = group_.threads() / warp;
+    for (int k = group_.thread() / warp; k < 2; k += warps)
+      count_marks(group_.warp(), k == 0 ? s_.touched_bodies : s_.touched_sorted, k == 0 ? bodies : sorted_places,
+                  words);
+    group_.block_barrier();
+    workspace.bodies = sorted_places[words];
+    workspace.own = workspace.moved = own_ = stretch_of(group_, workspace.bodies);
+    for (std::int32_t sorted_place = group_.thread(); sorted_place < s_.bodies; sorted_place += group_.threads()) {
+      const std::uint32_t bits = s_.touched_sorted[sorted_place / 32], bit = 1U << (sorted_place % 32);
+      const std::int32_t at = sorted_places[sorted_place / 32] + bits_in(bits & (bit - 1U));
+      if ((bits & bit) && at >= own_.begin && at < own_.end) s_.solver_entry[at].body = s_.body_at[sorted_place];
     }
-    crew_.block_barrier();
-    place_entries(desk, ahead);
-    // the platform, whose spot is the first, has a long row: the last warp is left to it
-    const bool platform = desk.platform = own_.begin == 0 && own_.end > 0 && (s_.touched_spots[0] & 1U);
-    const bool alone = crew_.threads() <= Crew::Warp::size;
-    const int rest = platform && !alone ? crew_.threads() - Crew::Warp::size : crew_.threads();
-    if (platform && (alone || crew_.thread() >= rest)) list_points(crew_.warp(), desk, own_.begin, bodies);
-    if (crew_.thread() < rest) {
-      const int group = crew_.thread() / Crew::Lanes::size, groups = rest / Crew::Lanes::size;
-      for (std::int32_t e = own_.begin + (platform ? 1 : 0) + group; e < own_.end; e += groups)
-        list_points(crew_.lanes(), desk, e, bodies);
+    group_.block_barrier();
+    place_entries(workspace);
+    // the platform, whose sorted place is the first, has a long row: the last warp is left to it
+    const bool platform = workspace.platform = own_.begin == 0 && own_.end > 0 && (s_.touched_sorted[0] & 1U);
+    const bool alone = group_.threads() <= Group::Warp::size;
+    const int rest = platform && !alone ? group_.threads() - Group::Warp::size : group_.threads();
+    if (platform && (alone || group_.thread() >= rest)) list_points(group_.warp(), workspace, own_.begin, bodies);
+    if (group_.thread() < rest) {
+      const int lane_group = group_.thread() / Group::Lanes::size, lane_groups = rest / Group::Lanes::size;
+      for (std::int32_t e = own_.begin + (platform ? 1 : 0) + lane_group; e < own_.end; e += lane_groups)
+        list_points(group_.lanes(), workspace, e, bodies);
     }
-    crew_.block_barrier();
-    if (crew_.thread() == 0) shared.first_taken = crew_.add(&s_.counters->taken_points, shared.taken);
-    crew_.block_barrier();
-    desk.points = {shared.first_taken, shared.first_taken + shared.taken};
-    desk.records = records_begin_ + shared.records;
-    place_points(desk, ahead);
-    if (crew_.thread() == 0) shared.desk = desk;
-    for (std::int32_t e = own_.begin + crew_.thread(); e < own_.end; e += crew_.threads()) {
+    group_.block_barrier();
+    if (group_.thread() == 0) shared.first_taken = group_.add(&s_.counters->taken_points, shared.taken);
+    group_.block_barrier();
+    workspace.points = {shared.first_taken, shared.first_taken + shared.taken};
+    workspace.records = records_begin_ + shared.records;
+    place_points(workspace);
+    if (group_.thread() == 0) shared.workspace = workspace;
+    for (std::int32_t e = own_.begin + group_.thread(); e < own_.end; e += group_.threads()) {
       const TakenPoints taken = s_.taken_of[e];
       GEM_NO_UNROLL
       for (std::int32_t k = 0; k < taken.count; ++k)
-        s_.taken[shared.first_taken + taken.first + k] = s_.taken_in_row[desk.entry[e].place + k];
+        s_.taken[shared.first_taken + taken.first + k] = s_.taken_in_row[workspace.entry[e].place + k];
     }
-    crew_.block_barrier();
+    group_.block_barrier();
   }
 
+ private:
   /// Fast memory that motions, records and points may take [bytes].
-  GEM_DEVICE std::size_t room_before_entries(const SolverDesk& desk) const {
-    return desk.fits ? (room_ - desk.own.count() * sizeof(SolverEntry)) / alignof(SolverEntry) * alignof(SolverEntry)
-                     : room_;
+  GEM_DEVICE std::size_t bytes_before_entries(const SolverWorkspace& workspace) const {
+    return workspace.fits ? (shared_memory_ - workspace.own.count() * sizeof(SolverEntry)) / alignof(SolverEntry) *
+                                alignof(SolverEntry)
+                          : shared_memory_;
   }
 
-  /// Points that no thread keeps in registers stand in what the records have left of the fast memory.
-  GEM_DEVICE void place_points(SolverDesk& desk, bool ahead) const {
-    const std::size_t taken = (desk.records * sizeof(PushRecord) + sizeof(FloatQuad) - 1) / sizeof(FloatQuad) *
-                              sizeof(FloatQuad),
-                      room = room_before_entries(desk);
-    const std::int32_t kept = Crew::kept_points * crew_.threads(),
-                       first = desk.points.begin + (kept < desk.points.count() ? kept : desk.points.count());
-    desk.fast = {first, first};
-    desk.fast_from = 0;
-    if (!Crew::shares_rooms || ahead || taken >= room) return;
-    const auto hold = static_cast<std::int32_t>((room - taken) / held_bytes);
-    desk.fast.end += desk.points.end - first < hold ? desk.points.end - first : hold;
-    desk.fast_from = taken;
+  /// Points that no thread keeps in registers stand in the scene's memory.
+  GEM_DEVICE void place_points(SolverWorkspace& workspace) const {
+    const std::int32_t kept = Group::kept_points * group_.threads(),
+                       first =
+                           workspace.points.begin + (kept < workspace.points.count() ? kept : workspace.points.count());
+    workspace.fast = {first, first};
+    workspace.fast_from = 0;
   }
 
-  /// The entries of the block's bodies and what moves these stand in its fast memory where that holds them.
-  GEM_DEVICE void place_entries(SolverDesk& desk, bool ahead) {
+  /// Entries and motions stand in the scene's memory; `fits`: the shared memory of those that iterate holds the
+  /// block's.
+  GEM_DEVICE void place_entries(SolverWorkspace& workspace) {
     static_assert(sizeof(AddedMotion) == sizeof(PushRecord));
-    const std::int32_t count = desk.own.count();
-    desk.entry = desk.moved_entry = s_.solver_entry;
-    desk.motion = nullptr;
-    desk.in_order = false;
-    desk.stage_bytes = Crew::shares_rooms ? 0 : room_;
-    desk.fits =
-        Crew::shares_rooms && count * (sizeof(SolverEntry) + sizeof(AddedMotion)) + alignof(SolverEntry) <= room_;
-    records_begin_ = desk.fits ? count : 0;
-    records_end_ = static_cast<std::int32_t>(room_before_entries(desk) / sizeof(PushRecord));
-    if (!desk.fits || ahead) return;
-    desk.entry = desk.moved_entry =
-        reinterpret_cast<SolverEntry*>(crew_.room() + room_before_entries(desk)) - desk.own.begin;
-    desk.motion = reinterpret_cast<AddedMotion*>(crew_.room()) - desk.own.begin;
+    const std::int32_t count = workspace.own.count();
+    workspace.entry = workspace.moved_entry = s_.solver_entry;
+    workspace.motion = nullptr;
+    workspace.in_order = false;
+    workspace.stage_bytes = Group::reads_other_blocks ? 0 : shared_memory_;
+    workspace.fits = Group::reads_other_blocks &&
+                     count * (sizeof(SolverEntry) + sizeof(AddedMotion)) + alignof(SolverEntry) <= shared_memory_;
+    records_begin_ = workspace.fits ? count : 0;
+    records_end_ = static_cast<std::int32_t>(bytes_before_entries(workspace) / sizeof(PushRecord));
+  }
+
+  /// What fits stands in the block's shared memory; what the records leave of it holds points.
+  GEM_DEVICE void use_room(SolverWorkspace& workspace) const {
+    if (!Group::reads_other_blocks) return;
+    const std::size_t shared_memory = bytes_before_entries(workspace),
+                      taken = (workspace.records * sizeof(PushRecord) + sizeof(FloatQuad) - 1) / sizeof(FloatQuad) *
+                              sizeof(FloatQuad);
+    if (workspace.fits) {
+      workspace.entry = workspace.moved_entry =
+          reinterpret_cast<SolverEntry*>(group_.shared_memory() + shared_memory) - workspace.own.begin;
+      workspace.motion = reinterpret_cast<AddedMotion*>(group_.shared_memory()) - workspace.own.begin;
+    }
+    if (taken >= shared_memory) return;
+    const std::int32_t left = workspace.points.end - workspace.fast.begin;
+    const auto load = static_cast<std::int32_t>((shared_memory - taken) / loaded_bytes);
+    workspace.fast.end += left < load ? left : load;
+    workspace.fast_from = taken;
   }
 
   /// Longest rows first.
@@ -158,42 +169,42 @@ class SolverList {
 
   /// Lists the bodies in the order of their rows' lengths; the platform, which has threads of its own, stays the first.
   /// For iterations alone: where the rank of a body is asked for, the list of the scene counts.
-  GEM_DEVICE void list_in_order(const SolverDesk& desk) {
-    BlockCell& shared = crew_.shared();
-    for (std::int32_t k = crew_.thread(); k < row_kinds; k += crew_.threads()) shared.of_kind[k] = 0;
-    crew_.block_barrier();
-    const std::int32_t first = desk.own.begin + (desk.platform ? 1 : 0);
-    for (std::int32_t e = first + crew_.thread(); e < desk.own.end; e += crew_.threads())
-      crew_.add(&shared.of_kind[kind_of(s_.solver_entry[e])], 1);
-    crew_.block_barrier();
-    if (crew_.thread() < Crew::Warp::size) {
-      const auto warp = crew_.warp();
+  GEM_DEVICE void list_in_order(const SolverWorkspace& workspace) {
+    BlockCell& shared = group_.shared();
+    for (std::int32_t k = group_.thread(); k < row_kinds; k += group_.threads()) shared.of_kind[k] = 0;
+    group_.block_barrier();
+    const std::int32_t first = workspace.own.begin + (workspace.platform ? 1 : 0);
+    for (std::int32_t e = first + group_.thread(); e < workspace.own.end; e += group_.threads())
+      group_.add(&shared.of_kind[kind_of(s_.solver_entry[e])], 1);
+    group_.block_barrier();
+    if (group_.thread() < Group::Warp::size) {
+      const auto warp = group_.warp();
       std::int32_t sum = first;
-      for (std::int32_t k = warp.rank(); k < row_kinds; k += Crew::Warp::size) {
+      for (std::int32_t k = warp.rank(); k < row_kinds; k += Group::Warp::size) {
         const std::int32_t mine = shared.of_kind[k];
         shared.of_kind[k] = sum + warp.sum_below(mine);
         sum += warp.sum(mine);
       }
     }
-    crew_.block_barrier();
-    for (std::int32_t e = desk.own.begin + crew_.thread(); e < desk.own.end; e += crew_.threads()) {
+    group_.block_barrier();
+    for (std::int32_t e = workspace.own.begin + group_.thread(); e < workspace.own.end; e += group_.threads()) {
       SolverEntry entry = s_.solver_entry[e];
       entry.rank = e;
-      desk.entry[e < first ? e : crew_.add(&shared.of_kind[kind_of(entry)], 1)] = entry;
+      workspace.entry[e < first ? e : group_.add(&shared.of_kind[kind_of(entry)], 1)] = entry;
     }
-    if (crew_.thread() == 0) shared.desk.in_order = true;
-    crew_.block_barrier();
+    if (group_.thread() == 0) shared.workspace.in_order = true;
+    group_.block_barrier();
   }
 
-  /// Where the records of a body of `count` points stand in the block's fast memory; -1: they do not.
-  GEM_DEVICE std::int32_t take_records(std::int32_t count) {
-    if (!Crew::shares_rooms) return -1;
-    const std::int32_t at = records_begin_ + crew_.add(&crew_.shared().records, count);
+  /// Where the records of a body of `count` points stand in the block's shared memory; -1: they do not.
+  GEM_DEVICE std::int32_t load_records(std::int32_t count) {
+    if (!Group::reads_other_blocks) return -1;
+    const std::int32_t at = records_begin_ + group_.add(&group_.shared().records, count);
     return at + count <= records_end_ ? at : -1;
   }
 
-  static_assert(solve_room / sizeof(PushRecord) <= 0xffff);
-  GEM_DEVICE static std::int32_t room_place(int block, std::int32_t at) { return block << 16 | at; }
+  static_assert(solve_shared_bytes / sizeof(PushRecord) <= 0xffff);
+  GEM_DEVICE static std::int32_t memory_place(int block, std::int32_t at) { return block << 16 | at; }
 
   /// Whether the block of a body takes the points that it has with `other`: those with a large body, and of two floes
   /// the one that is A. The platform's are shared out among its floes.
@@ -208,32 +219,32 @@ class SolverList {
     bool takes[steps];
   };
 
-  template <class Group>
-  GEM_DEVICE PlacesOfLane read_places(const Group& lanes, std::int32_t body, const BodyMotion& motion,
+  template <class LaneGroupType>
+  GEM_DEVICE PlacesOfLane read_places(const LaneGroupType& lanes, std::int32_t body, const BodyMotion& motion,
                                       std::int32_t first) const {
     const std::int32_t begin = motion.row_begin, lower = motion.lower_count, places = motion.row_count;
     PlacesOfLane read;
     std::int32_t stamp[PlacesOfLane::steps], other[PlacesOfLane::steps];
     for (int k = 0; k < PlacesOfLane::steps; ++k) {
-      const std::int32_t at = first + k * Group::size + lanes.rank(), row = begin + at;
+      const std::int32_t at = first + k * LaneGroupType::size + lanes.rank(), row = begin + at;
       const bool there = at < places;
-      stamp[k] = there ? s_.stamp[row].entry : moment_ - 1;
+      stamp[k] = there ? s_.stamp[row].entry : step_ - 1;
       other[k] = there ? s_.row_other[row] : 0;
       read.points[k] = there ? s_.row_points[row] : RowPoints{};
     }
     for (int k = 0; k < PlacesOfLane::steps; ++k) {
-      const std::int32_t at = first + k * Group::size + lanes.rank();
-      if (stamp[k] != moment_) read.points[k] = {};
+      const std::int32_t at = first + k * LaneGroupType::size + lanes.rank();
+      if (stamp[k] != step_) read.points[k] = {};
       read.takes[k] = read.points[k].count > 0 && takes(body, other[k], at < lower);
     }
     return read;
   }
 
   /// Reads the row of a body by a group of lanes and gives its points their places.
-  template <class Group>
-  GEM_DEVICE void list_points(const Group& lanes, const SolverDesk& desk, std::int32_t e,
+  template <class LaneGroupType>
+  GEM_DEVICE void list_points(const LaneGroupType& lanes, const SolverWorkspace& workspace, std::int32_t e,
                               const std::int32_t* bodies_before) {
-    constexpr int stride = PlacesOfLane::steps * Group::size;
+    constexpr int stride = PlacesOfLane::steps * LaneGroupType::size;
     const std::int32_t body = s_.solver_entry[e].body;
     const BodyMotion& motion = s_.motion[body];
     const std::int32_t begin = motion.row_begin, lower = motion.lower_count, places = motion.row_count;
@@ -244,30 +255,33 @@ class SolverList {
       for (int k = 0; k < PlacesOfLane::steps; ++k) {
         const std::int32_t points = read.points[k].count;
         count += points;
-        as_b += first + k * Group::size + lanes.rank() < lower ? points : 0;
+        as_b += first + k * LaneGroupType::size + lanes.rank() < lower ? points : 0;
         taken += read.takes[k] ? points : 0;
       }
     }
     count = lanes.sum(count);
     as_b = lanes.sum(as_b);
     taken = lanes.sum(taken);
-    std::int32_t room = lanes.rank() == 0 ? take_records(count) : 0;
-    room = lanes.from(room, 0);
-    const std::int32_t moved_at = Crew::has_halos ? e : desk.fits ? room_place(crew_.block(), e - own_.begin) : -1;
+    std::int32_t shared_memory = lanes.rank() == 0 ? load_records(count) : 0;
+    shared_memory = lanes.from(shared_memory, 0);
+    const std::int32_t moved_at = Group::has_halos ? e
+                                  : workspace.fits ? memory_place(group_.block(), e - own_.begin)
+                                                   : -1;
     std::int32_t before = 0, taken_before = 0;
     for (std::int32_t first = 0; first < places; first += stride) {
       if (places > stride) read = read_places(lanes, body, motion, first);
       for (int step = 0; step < PlacesOfLane::steps; ++step) {
-        if (first + step * Group::size >= places) break;
-        const bool is_b = first + step * Group::size + lanes.rank() < lower;
+        if (first + step * LaneGroupType::size >= places) break;
+        const bool is_b = first + step * LaneGroupType::size + lanes.rank() < lower;
         const RowPoints points = read.points[step];
         const std::int32_t mine = before + lanes.sum_below(points.count);
         const std::int32_t to = taken_before + lanes.sum_below(read.takes[step] ? points.count : 0);
         GEM_NO_UNROLL
         for (std::int32_t k = 0; k < points.count; ++k) {
           PointCell& point = s_.point[points.first + k];
-          const std::int32_t in_room = room < 0 ? -1 : room_place(crew_.block(), room + mine + k);
-          (is_b ? point.b : point.a) = {body, 2 * begin + mine + k, in_room, moved_at};
+          const std::int32_t in_shared_memory =
+              shared_memory < 0 ? -1 : memory_place(group_.block(), shared_memory + mine + k);
+          (is_b ? point.b : point.a) = {body, 2 * begin + mine + k, in_shared_memory, moved_at};
           if (read.takes[step]) s_.taken_in_row[2 * begin + to + k] = points.first + k;
         }
         before += lanes.sum(points.count);
@@ -277,25 +291,25 @@ class SolverList {
     if (lanes.rank() != 0) return;
     const BodyCell& cell = s_.body[body];
     const std::uint32_t below = s_.touched_bodies[body / 32] & ((1U << (body % 32)) - 1U);
-    desk.entry[e] = {body,
-                     2 * begin,
-                     room,
-                     as_b,
-                     count,
-                     static_cast<float>(cell.inverse_mass),
-                     static_cast<float>(cell.inverse_inertia),
-                     bodies_before[body / 32] + bits_in(below)};
-    s_.body_points[body] = {moment_, count};
-    s_.taken_of[e] = {taken > 0 ? crew_.add(&crew_.shared().taken, taken) : 0, taken};
-    (desk.motion ? desk.motion[e] : s_.added[body]) = {};
+    workspace.entry[e] = {body,
+                          2 * begin,
+                          shared_memory,
+                          as_b,
+                          count,
+                          static_cast<float>(cell.inverse_mass),
+                          static_cast<float>(cell.inverse_inertia),
+                          bodies_before[body / 32] + bits_in(below)};
+    s_.body_points[body] = {step_, count};
+    s_.taken_of[e] = {taken > 0 ? group_.add(&group_.shared().taken, taken) : 0, taken};
+    s_.added[body] = {};
   }
 
   const DeviceScene& s_;
-  Crew& crew_;
-  std::int32_t moment_;
-  std::size_t room_;
+  Group& group_;
+  std::int32_t step_;
+  std::size_t shared_memory_;
   Stretch own_{};
-  std::int32_t records_begin_ = 0, records_end_ = 0;  // in the block's fast memory
+  std::int32_t records_begin_ = 0, records_end_ = 0;  // in the block's shared memory
 };
 
 }  // namespace gem

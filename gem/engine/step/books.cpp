@@ -26,10 +26,13 @@ Quantity of_body(const Bodies& b, std::size_t i) {
 
 EventBodies event_bodies(const FieldState& f, const Contact& contact) {
   const Bodies& b = f.bodies;
-  return {collision_mass(b, contact.a), collision_mass(b, contact.b),
-          b.position[contact.b],        b.position[contact.b] - f.platform_position,
-          f.outline(contact.a),         f.outline(contact.b),
-          crushing_ice(f, contact)};
+  return {collision_mass(b, contact.a),
+          collision_mass(b, contact.b),
+          b.position[contact.b],
+          b.position[contact.b] - f.platform_position,
+          f.outline(contact.a),
+          f.outline(contact.b),
+          crushing_ice(f.constants.events, crushed_thickness(f, contact))};
 }
 
 ContactPoint point_of(const ContactSlot& slot) { return {{}, slot.separation, slot.feature}; }
@@ -82,9 +85,10 @@ Quantity total(const FieldState& f) {
   Quantity sum;
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
     if (f.bodies.active[i]) sum += of_body(f.bodies, i);
-  if (f.constants.moored_or_free) {
-    const Vec2 offset = f.bodies.position[0] - f.constants.anchor;
-    sum.energy += 0.5 * f.constants.stiffness * dot(offset, offset);
+  const Events& e = f.constants.events;
+  if (e.platform_present) {
+    const Vec2 offset = f.bodies.position[0] - e.anchor;
+    sum.energy += 0.5 * e.mooring.stiffness_N_per_m * dot(offset, offset);
   }
   return sum;
 }
@@ -126,13 +130,13 @@ Ledger closed_books(const FieldState& f, Ledger& running) {
   return ledger;
 }
 
-void check_finite(const FieldState& f, std::int64_t moment) {
+void check_finite(const FieldState& f, std::int64_t step) {
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
     if (!finite_or_inactive(f.bodies, i))
       throw Error(ExitCode::numerical_stop,
-                  "body " + std::to_string(i) + " has a state that is no number after moment " +
-                      std::to_string(moment) + " (t = " + number_text(static_cast<double>(moment) * f.constants.dt, 9) +
-                      " s); try a smaller numerics.moment_s");
+                  "body " + std::to_string(i) + " has a state that is no number after time step " +
+                      std::to_string(step) + " (t = " + number_text(static_cast<double>(step) * f.constants.dt, 9) +
+                      " s); try a smaller numerics.time_step_s");
 }
 
 void retire(FieldState& f) {
@@ -140,9 +144,9 @@ void retire(FieldState& f) {
     if (f.bodies.kind[i] == BodyKind::floe) retire_floe(f, i);
 }
 
-void log_events(const FieldState& f, Contacts contacts, std::int64_t moment, double event_speed, MomentLog& log) {
+void log_events(const FieldState& f, Contacts contacts, std::int64_t step, double event_speed, StepLog& log) {
   if (!log.wants_events) return;
-  const double time = static_cast<double>(moment) * f.constants.dt;
+  const double time = static_cast<double>(step) * f.constants.dt;
   for (const Contact* at : contacts) {
     const Contact& contact = *at;
     if (contact.a != 0) break;
@@ -155,9 +159,9 @@ PlatformImpulses platform_impulses(const FieldState& f) {
   return {f.mooring_force.momentum, f.book(Channel::platform_drag, 0).momentum};
 }
 
-void log_moment(const FieldState& f, Contacts contacts, const PlatformImpulses& before, const MomentQuality& quality,
-                MomentLog& log) {
-  PlatformMoment p;
+void log_step(const FieldState& f, Contacts contacts, const PlatformImpulses& before, const StepQuality& quality,
+              StepLog& log) {
+  PlatformStep p;
   p.position = f.bodies.position[0];
   p.rotation = f.bodies.rotation[0];
   p.velocity = f.bodies.velocity[0];
@@ -181,12 +185,6 @@ void log_moment(const FieldState& f, Contacts contacts, const PlatformImpulses& 
   }
   log.platform.push_back(p);
   log.quality.push_back(quality);
-}
-
-const char* channel_name(Channel channel) {
-  static const char* const names[] = {"impact", "friction", "elastic",       "repair",
-                                      "drag",   "mooring",  "platform_drag", "retired"};
-  return names[static_cast<std::size_t>(channel)];
 }
 
 LedgerResidual residual(const Ledger& ledger) {

@@ -1,24 +1,20 @@
-// One pair that touches in a moment: where, how heavy it feels, and the impulses that its event gave.
+// One pair that touches in a time step: where, how heavy it feels, and the impulses that its event gave.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
 #include "gem/base/vec2.h"
-#include "gem/events/impact.h"
-#include "gem/events/mass_reduction.h"
+#include "gem/events/events.h"
 
 namespace gem {
-
-/// Cap of a point that nothing limits [N s].
-constexpr double no_cap = 1e300;
 
 /// One point of a contact. Tangential is along the normal turned left; impulses act on B, the opposite on A.
 struct ContactSlot {
   Vec2 arm_a, arm_b;             // from the centroids [m]
   double separation = 0.0;       // < 0: depth [m]
   std::int32_t feature = 0;      // the touching corner
-  ContactCompliance compliance;  // with the platform's mass as the resolution splits it [1/kg]
+  ContactCompliance compliance;  // with the platform's mass as the solver splits it [1/kg]
   double normal_before = 0.0;    // velocity of B against A before the events [m/s]
   double tangential_before = 0.0;
   double target = 0.0;     // smallest normal velocity after the events [m/s]
@@ -39,10 +35,10 @@ struct Contact {
   ContactSlot slot[2];
 };
 
-/// The contacts of one moment, ascending in (a, b): those of the platform come first.
+/// The contacts of one time step, ascending in (a, b): those of the platform come first.
 using Contacts = std::span<Contact* const>;
 
-/// Names a contact point from one moment to the next, ascending in (a, b, feature).
+/// Names a contact point from one time step to the next, ascending in (a, b, feature).
 constexpr int body_bits = 26, feature_bits = 12;
 constexpr std::uint64_t contact_key(std::int32_t a, std::int32_t b, std::int32_t feature) {
   return static_cast<std::uint64_t>(a) << (body_bits + feature_bits) | static_cast<std::uint64_t>(b) << feature_bits |

@@ -36,8 +36,8 @@ void book_contact(FieldState& f, const Contact& contact, const ContactOutcome& o
   const bool on_fixed = fixed_b || f.bodies.kind[a] == BodyKind::fixed;
   const bool on_locked = a == 0 && f.bodies.inverse_inertia[0] == 0.0;
   // Its place decides, not what it carries: an impulse that is rounding in one run and nothing in another would part
-  // them by 2e-5 m a moment. What is left of that jump stands where a pair comes within reach.
-  if (f.constants.resolution == Resolution::coupled && outcome.count > 0) f.struck[a] = f.struck[b] = 1;
+  // them by 2e-5 m a time step. What is left of that jump stands where a pair comes within reach.
+  if (f.constants.solver == ContactSolver::coupled && outcome.count > 0) f.struck[a] = f.struck[b] = 1;
   const ContactBooks books{f.book(Channel::impact, b), f.book(Channel::elastic, b), f.book(Channel::friction, b)};
   for (int k = 0; k < outcome.count; ++k) {
     const PointOutcome& point = outcome.point[k];
@@ -53,8 +53,7 @@ void book_contact(FieldState& f, const Contact& contact, const ContactOutcome& o
   }
 }
 
-void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes, MomentQuality& quality,
-                   MomentLog& log) {
+void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes, StepQuality& quality, StepLog& log) {
   std::vector<double> work(f.bodies.count() + sum_width, 0.0);  // of B's contacts, or of A's with a fixed B
   for (const ContactOutcome& outcome : outcomes) {
     double& sum = work[f.bodies.inverse_mass[outcome.b] > 0.0 ? outcome.b : outcome.a];
@@ -71,7 +70,7 @@ void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes
       quality.maximum_share = std::max(quality.maximum_share, point.share);
     }
   }
-  // the net of the moment: what single contacts gave does not show where others took more
+  // the net of the time step: what single contacts gave does not show where others took more
   quality.energy_created = std::max(0.0, ordered_sum(work.data(), f.bodies.count()));
 }
 

@@ -1,4 +1,4 @@
-// What became of a contact once the events of its moment are done: how well each point obeys the laws, what its
+// What became of a contact once the events of its time step are done: how well each point obeys the laws, what its
 // impulses did to the energy, how deep it was. Worked out for each contact alone; entered in the order of the contacts.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace gem {
 struct PointOutcome {
   PointQuality quality;
   SlotWork work;
-  double depth = 0.0;  // of the overlap at the start of the moment; 0: none [m]
+  double depth = 0.0;  // of the overlap at the start of the time step; 0: none [m]
   double share = 0.0;  // the same over the size of the smaller body [-]
   bool acted = false;
   bool touched = false;  // at the start, or carried an impulse
@@ -33,8 +33,7 @@ void find_outcome(const FieldState& f, const Contact& contact, ContactOutcome& o
 void book_contact(FieldState& f, const Contact& contact, const ContactOutcome& outcome);
 
 /// How many points touched or were pressed, how deep they were, and how well they obey the laws of contact; counts the
-/// overlaps in the log. Outcomes are those of one moment, ascending in (a, b).
-void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes, MomentQuality& quality,
-                   MomentLog& log);
+/// overlaps in the log. Outcomes are those of one time step, ascending in (a, b).
+void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes, StepQuality& quality, StepLog& log);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// How well a contact point obeys the laws of contact once the events of its moment are done.
+// How well a contact point obeys the laws of contact once the events of its time step are done.
 //
 //   complementarity   |clamp(u_n - target, K_n (P_n - cap), K_n P_n)|    parts without impulse or closes at the cap
 //   cone excess       max(0, |P_t| - mu P_n)                             Coulomb's bound

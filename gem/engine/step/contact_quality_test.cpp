@@ -1,4 +1,4 @@
-// Each law of contact, kept and broken at one point by a known amount; and over whole moments of a crowd.
+// Each law of contact, kept and broken at one point by a known amount; and over whole time steps of a crowd.
 #include "gem/engine/step/contact_quality.h"
 
 #include <gtest/gtest.h>
@@ -65,10 +65,10 @@ TEST(ContactQuality, ACrowdIsResolvedToItsToleranceWithoutCreatingEnergy) {
   const double asked = scene.numerics.residual_tolerance;
   for (const char* name : {"reference", "cpu"}) {
     const auto engine = test::busy_engine(scene, name);
-    MomentLog log;
+    StepLog log;
     engine->advance(200, log);
-    MomentQuality worst;
-    for (const MomentQuality& quality : log.quality) worst.worsen(quality);
+    StepQuality worst;
+    for (const StepQuality& quality : log.quality) worst.worsen(quality);
     ASSERT_GT(worst.contacts, 20);
     EXPECT_LT(worst.complementarity, 1e3 * asked);
     EXPECT_GT(worst.complementarity, 0.0);

@@ -88,15 +88,12 @@ inline Vec2 relative_velocity(const Bodies& b, const Contact& contact, const Con
          cross(b.spin[contact.a], slot.arm_a);
 }
 
-/// Crushing properties of a contact: the thinner ice crushes.
-inline CrushingIce crushing_ice(const FieldState& f, const Contact& contact) {
-  CrushingIce ice = f.constants.ice;
-  ice.thickness =
-      crushed_thickness(f.bodies.kind[contact.a], f.bodies.thickness[contact.a], f.bodies.thickness[contact.b]);
-  return ice;
+/// Thickness of the ice that crushes in a contact: the thinner [m].
+inline double crushed_thickness(const FieldState& f, const Contact& contact) {
+  return crushed_thickness(f.bodies.kind[contact.a], f.bodies.thickness[contact.a], f.bodies.thickness[contact.b]);
 }
 
-/// Friction, arms and relative velocity at the instant of the events; a coupled moment lets gaps close and no more.
+/// Friction, arms and relative velocity at the instant of the events; a coupled time step lets gaps close and no more.
 inline void prepare_contact(const FieldState& f, Contact& contact) {
   const Bodies& b = f.bodies;
   const std::int32_t i = contact.a, j = contact.b;
@@ -105,15 +102,15 @@ inline void prepare_contact(const FieldState& f, Contact& contact) {
   prepare(f.constants, pair_bodies(b, i, j), shift, contact);
 }
 
-/// A contact point as the iterations of a coupled moment see it. `points_of_...`: points among which a body's mass is
-/// shared out; `last_impulse`: normal impulse of the same point a moment ago [N s].
+/// A contact point as the iterations of a coupled time step see it. `points_of_...`: points among which a body's mass
+/// is shared out; `last_impulse`: normal impulse of the same point one time step ago [N s].
 inline PointGeometry<double> point_of_contact(const FieldState& f, const Contact& contact, const ContactSlot& slot,
                                               std::int32_t points_of_a, std::int32_t points_of_b, double last_impulse) {
   const Bodies& b = f.bodies;
   const std::int32_t i = contact.a, j = contact.b;
-  double cap = no_cap;
-  if (f.constants.crushing_limit && (b.kind[i] == BodyKind::floe || b.kind[j] == BodyKind::floe))
-    cap = impulse_cap(f.constants, crushing_ice(f, contact), b.area[i], b.area[j], contact.count, last_impulse);
+  const bool ice = b.kind[i] == BodyKind::floe || b.kind[j] == BodyKind::floe;
+  const double cap = largest_impulse(f.constants.events, ice, crushed_thickness(f, contact),
+                                     smaller(b.area[i], b.area[j]), contact.count, last_impulse);
   return point_geometry(f.constants, contact, slot, shared_mass(collision_mass(b, i), points_of_a),
                         shared_mass(collision_mass(b, j), points_of_b), cap);
 }
@@ -122,8 +119,8 @@ inline void resolve_alone(const FieldState& f, Contact& contact) {
   resolve_alone(f.constants, collision_mass(f.bodies, contact.a), collision_mass(f.bodies, contact.b), contact);
 }
 
-/// Takes over what of body i's position repair is done in this moment.
-inline void take_repair(FieldState& f, std::size_t i, const BodyRepair& repair) {
+/// Takes over what of body i's position repair is done in this time step.
+inline void apply_repair(FieldState& f, std::size_t i, const BodyRepair& repair) {
   const BodyRepair done = within_reach(repair, f.bodies.radius[i], f.constants.repair_reach);
   f.repair_shift[i] = done.shift;
   f.repair_turn[i] = done.turn;

@@ -1,6 +1,6 @@
 #include "gem/engine/step/field_state.h"
 
-#include "gem/engine/solver/iteration_course.h"
+#include "gem/engine/solver/iteration_control.h"
 
 #include <utility>
 
@@ -8,7 +8,7 @@
 
 namespace gem {
 
-FieldState make_field_state(Bodies bodies, const MomentConstants& constants) {
+FieldState make_field_state(Bodies bodies, const StepConstants& constants) {
   FieldState f;
   const std::size_t n = bodies.count();
   const std::size_t vertices = bodies.vertex.size();
@@ -31,7 +31,8 @@ FieldState make_field_state(Bodies bodies, const MomentConstants& constants) {
   f.struck.assign(n, 0);
   f.repair_shift.assign(n, {});
   f.repair_turn.assign(n, 0.0);
-  if (constants.resolution == Resolution::coupled) f.carried_ahead = carried_ahead(constants.iterations_maximum);
+  if (constants.solver == ContactSolver::coupled)
+    f.momentum_coefficients = momentum_coefficients(constants.iterations_maximum);
   f.books.assign(n * static_cast<std::size_t>(Channel::count), {});
   return f;
 }

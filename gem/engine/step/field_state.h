@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gem/engine/step/ledger.h"
-#include "gem/engine/step/moment_constants.h"
+#include "gem/engine/step/step_constants.h"
 #include "gem/field/bodies.h"
 #include "gem/geometry/convex_contact.h"
 
@@ -14,7 +14,7 @@ namespace gem {
 /// Arrays of length bodies.count() unless said otherwise.
 struct FieldState {
   Bodies bodies;
-  MomentConstants constants;
+  StepConstants constants;
 
   std::vector<Vec2> corner;         // outlines in world axes about the centroid, as bodies.vertex
   std::vector<Vec2> normal;         // outward unit normals of the edges in world axes
@@ -23,12 +23,12 @@ struct FieldState {
 
   std::vector<Vec2> path_correction;  // exact path of the drag minus velocity x dt [m]
   std::vector<double> angle_correction;
-  std::vector<std::uint8_t> struck;  // leaves the path of its drag in this moment: see book_contact()
-  std::vector<Vec2> repair_shift;    // position repair of this moment [m]
+  std::vector<std::uint8_t> struck;  // leaves the path of its drag in this time step: see book_contact()
+  std::vector<Vec2> repair_shift;    // position repair of this time step [m]
   std::vector<double> repair_turn;   // [rad]
-  Vec2 platform_position;            // at the start of the moment [m]
+  Vec2 platform_position;            // at the start of the time step [m]
 
-  std::vector<float> carried_ahead;  // coupled: see carried_ahead()
+  std::vector<float> momentum_coefficients;  // coupled: see carried_ahead()
 
   std::vector<Quantity> books;  // by channel, then by body: a contact's entries stand with its body B, the
                                 // platform's own with body 0
@@ -47,6 +47,6 @@ struct FieldState {
 };
 
 /// State at t = 0 or at a restart.
-FieldState make_field_state(Bodies bodies, const MomentConstants& constants);
+FieldState make_field_state(Bodies bodies, const StepConstants& constants);
 
 }  // namespace gem

@@ -4,31 +4,9 @@
 #include <array>
 #include <cstddef>
 
-#include "gem/base/vec2.h"
+#include "gem/events/quantity.h"
 
 namespace gem {
-
-/// Where momentum and energy come from or go to.
-enum class Channel : std::size_t {
-  impact,         ///< normal impulses of contacts
-  friction,       ///< tangential impulses of contacts
-  elastic,        ///< elastic static stress
-  repair,         ///< position repair: moves bodies, adds no velocity
-  drag,           ///< current on the floes
-  mooring,        ///< mooring damping; the spring's energy is part of the total
-  platform_drag,  ///< water on the platform
-  retired,        ///< floes that left past the retire line
-  count
-};
-
-const char* channel_name(Channel channel);
-
-/// Momentum [N s], angular momentum about the world origin [N m s] and energy [J].
-struct Quantity {
-  Vec2 momentum;
-  double angular_momentum = 0.0;
-  double energy = 0.0;
-};
 
 /// Since t = 0. Contact channels hold what fixed bodies gave to momentum and what contacts took from energy (negative:
 /// lost).

@@ -16,16 +16,15 @@
 namespace gem {
 namespace {
 
-using Combination = std::tuple<Resolution, Manifold, Yaw, FrictionLaw>;
+using Combination = std::tuple<ContactSolver, Manifold, Yaw, FrictionLaw>;
 
 class LedgerTest : public testing::TestWithParam<Combination> {};
 
-TEST_P(LedgerTest, ClosesOverTwoThousandMoments) {
+TEST_P(LedgerTest, ClosesOverTwoThousandTimeSteps) {
   SceneDef scene = test::busy_scene(9);
-  std::tie(scene.contact.resolution, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law) =
-      GetParam();
+  std::tie(scene.contact.solver, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law) = GetParam();
   const auto engine = test::busy_engine(scene, "cpu");
-  MomentLog log;
+  StepLog log;
   LedgerResidual worst;
   for (int block = 0; block < 20; ++block) {
     engine->advance(100, log);
@@ -48,24 +47,24 @@ TEST_P(LedgerTest, ClosesOverTwoThousandMoments) {
   EXPECT_NE(ledger[Channel::platform_drag].energy, 0.0);
   EXPECT_NE(ledger[Channel::retired].momentum.x, 0.0);
   EXPECT_NE(ledger.mooring_force.momentum.x, 0.0);
-  if (scene.contact.resolution == Resolution::independent)
+  if (scene.contact.solver == ContactSolver::independent)
     EXPECT_NE(ledger[Channel::elastic].energy, 0.0);
   else
     EXPECT_NE(ledger[Channel::repair].energy, 0.0);
   // shifted bodies take their velocities along: reduced mass x shift x relative speed a contact, of either sign
   const double repaired = std::abs(ledger[Channel::repair].angular_momentum);
   EXPECT_LT(repaired, 1e-4 * ledger.angular_scale);
-  EXPECT_EQ(repaired > 0.0, scene.contact.resolution == Resolution::coupled);
+  EXPECT_EQ(repaired > 0.0, scene.contact.solver == ContactSolver::coupled);
 }
 
 INSTANTIATE_TEST_SUITE_P(Combinations, LedgerTest,
-                         testing::Combine(testing::Values(Resolution::independent, Resolution::coupled),
+                         testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction)),
                          [](const auto& combination) {
                            std::string name =
-                               std::get<0>(combination.param) == Resolution::coupled ? "coupled" : "independent";
+                               std::get<0>(combination.param) == ContactSolver::coupled ? "coupled" : "independent";
                            name +=
                                std::get<1>(combination.param) == Manifold::chord_ends ? "_chord_ends" : "_chord_middle";
                            name += std::get<2>(combination.param) == Yaw::free ? "_free" : "_locked";
@@ -76,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Combinations, LedgerTest,
 TEST(Ledger, AForgedVelocityDoesNotCloseTheBooks) {
   const SceneDef scene = test::busy_scene(10);
   const auto engine = test::busy_engine(scene, "cpu");
-  MomentLog log;
+  StepLog log;
   engine->advance(200, log);
   const LedgerResidual honest = residual(engine->ledger());
   EXPECT_LT(honest.momentum, 1e-12);
@@ -98,7 +97,7 @@ TEST(Ledger, AnHonestRestartKeepsTheBooksClosed) {
   const SceneDef scene = test::busy_scene(11);
   for (const std::string& name : engine_names()) {
     const auto engine = test::busy_engine(scene, name);
-    MomentLog log;
+    StepLog log;
     for (int i = 0; i < 10; ++i) {
       engine->advance(20, log);
       engine->restore(engine->save());
@@ -115,7 +114,7 @@ TEST(NumericalStop, NamesTheBodyWhoseStateIsNoNumber) {
   const SceneDef scene = test::busy_scene(12);
   for (const std::string& name : engine_names()) {
     const auto engine = test::busy_engine(scene, name);
-    MomentLog log;
+    StepLog log;
     engine->advance(3, log);
     EngineState state = engine->save();
     // the last floe upstream stands alone: no neighbour passes the fault on before it is named
@@ -132,7 +131,7 @@ TEST(NumericalStop, NamesTheBodyWhoseStateIsNoNumber) {
       EXPECT_EQ(error.code(), ExitCode::numerical_stop) << name;
       const std::string text = error.what();
       EXPECT_NE(text.find("body " + std::to_string(alone) + " "), std::string::npos) << name << ": " << text;
-      EXPECT_NE(text.find("moment 3 (t = 0.15 s)"), std::string::npos) << name << ": " << text;
+      EXPECT_NE(text.find("time step 3 (t = 0.15 s)"), std::string::npos) << name << ": " << text;
     }
   }
 }
@@ -140,16 +139,16 @@ TEST(NumericalStop, NamesTheBodyWhoseStateIsNoNumber) {
 // The platform has the lower id, so the fixed body is the contact's B.
 TEST(Ledger, ClosesWhereThePlatformMeetsAFixedBody) {
   for (const std::string& name : engine_names())
-    for (const Resolution resolution : {Resolution::independent, Resolution::coupled}) {
+    for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled}) {
       SceneDef scene;
       scene.floes.source = FloeSource::listed;
       scene.boundary.present = false;
       scene.mooring.stiffness_N_per_m = 0.0;
       scene.platform.start_velocity_m_per_s = {0.2, 0.0};
-      scene.contact.resolution = resolution;
+      scene.contact.solver = solver;
       scene.fixed.push_back({{{51.0, -20.0}, {70.0, -20.0}, {70.0, 30.0}, {51.0, 30.0}}});
       const auto engine = make_engine(scene, make_field(scene), {.name = name, .threads = 1});
-      MomentLog log;
+      StepLog log;
       engine->advance(300, log);
       const Ledger ledger = engine->ledger();
       EXPECT_LT(length(engine->bodies().velocity[0]), 0.01) << name;
@@ -158,7 +157,7 @@ TEST(Ledger, ClosesWhereThePlatformMeetsAFixedBody) {
       EXPECT_LT(left.momentum, 1e-12) << name;
       EXPECT_LT(left.angular_momentum, 1e-12) << name;
       EXPECT_LT(left.energy, 1e-9) << name;
-      for (const PlatformMoment& moment : log.platform) EXPECT_EQ(moment.ice_impulse.x, 0.0);
+      for (const PlatformStep& step : log.platform) EXPECT_EQ(step.ice_impulse.x, 0.0);
     }
 }
 

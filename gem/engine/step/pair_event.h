@@ -11,7 +11,7 @@
 #include "gem/engine/solver/coupled_point.h"
 #include "gem/engine/step/contact.h"
 #include "gem/engine/step/ledger.h"
-#include "gem/engine/step/moment_constants.h"
+#include "gem/engine/step/step_constants.h"
 #include "gem/events/events.h"
 #include "gem/geometry/convex_contact.h"
 
@@ -57,18 +57,9 @@ GEM_HD inline void open_contact(Contact& contact, std::int32_t a, std::int32_t b
   }
 }
 
-/// Separating speed that the elastic stress of one point may ask for [m/s]; at most what crushing allows.
-GEM_HD inline double elastic_target(const MomentConstants& c, const ContactSlot& slot, double width, double thickness) {
-  const double asked = elastic_separating_speed(c.elastic_stiffness, -slot.separation, 1.0 / slot.compliance.nn, c.dt);
-  const CrushingIce ice{c.ice.pressure, c.ice.exponent, thickness};
-  if (asked < crushing_force_at_least(ice, width) * c.dt * slot.compliance.nn) return asked;
-  const double cap = crushing_force(ice, width) * c.dt * slot.compliance.nn;
-  return asked < cap ? asked : cap;
-}
-
 /// Velocity and compliance at the instant of the events. `shift` is how far A moved since the geometry was found.
-GEM_HD inline void prepare(const MomentConstants& c, const PairBodies& p, Vec2 shift, Contact& contact) {
-  contact.friction = contact.a == 0 ? c.friction_structure : c.friction_ice;
+GEM_HD inline void prepare(const StepConstants& c, const PairBodies& p, Vec2 shift, Contact& contact) {
+  contact.friction = friction_of_pair(c.events, contact.a == 0);
   const Vec2 tangent = turned_left(contact.normal);
   for (int k = 0; k < 2 && k < contact.count; ++k) {
     ContactSlot& slot = contact.slot[k];
@@ -76,23 +67,14 @@ GEM_HD inline void prepare(const MomentConstants& c, const PairBodies& p, Vec2 s
     const Vec2 velocity = relative_velocity(p, slot);
     slot.normal_before = dot(velocity, contact.normal);
     slot.tangential_before = dot(velocity, tangent);
-    if (c.resolution == Resolution::coupled) {
+    if (c.solver == ContactSolver::coupled) {
       slot.target = slot.separation > 0.0 ? -slot.separation / c.dt : 0.0;
       continue;
     }
     slot.compliance = contact_compliance(p.mass_a, slot.arm_a, p.mass_b, slot.arm_b, contact.normal);
-    if (c.elastic_stiffness > 0.0 && slot.separation < 0.0)
-      slot.target = elastic_target(c, slot, contact.width, p.thickness);
+    if (c.events.contact.elastic_stiffness_N_per_m > 0.0 && slot.separation < 0.0)
+      slot.target = static_stress_speed(c.events, -slot.separation, slot.compliance.nn, contact.width, p.thickness);
   }
-}
-
-/// Impulse of one contact point from the velocity that it would have without its own impulse.
-GEM_HD inline ContactImpulse resolve_slot(const MomentConstants& c, const ContactSlot& slot, double friction,
-                                          double u_n, double u_t, double target) {
-  if (!(friction > 0.0)) return {impact_frictionless(slot.compliance.nn, u_n, target), 0.0};
-  if (c.friction_law == FrictionLaw::fixed_direction)
-    return impact_fixed_direction(slot.compliance, u_n, u_t, target, friction);
-  return impact_one_step(slot.compliance, u_n, u_t, target, friction);
 }
 
 /// A point's impulse in world axes [N s].
@@ -109,9 +91,9 @@ GEM_HD inline Vec2 cross_response(const Contact& contact, CollisionMass a, Colli
          cross(b.inverse_inertia * cross(from.arm_b, impulse), at.arm_b);
 }
 
-/// Resolves a pair's event from the start-of-moment state, whatever its neighbours do. Two points of one pair are one
+/// Resolves a pair's event from the start-of-step state, whatever its neighbours do. Two points of one pair are one
 /// event: they are iterated to their common answer.
-GEM_HD inline void resolve_alone(const MomentConstants& c, CollisionMass a, CollisionMass b, Contact& contact) {
+GEM_HD inline void resolve_alone(const StepConstants& c, CollisionMass a, CollisionMass b, Contact& contact) {
   constexpr int sweeps = 24;  // the error of two points falls by 1/25 a sweep for a face (V14)
   const Vec2 tangent = turned_left(contact.normal);
   for (int sweep = 0; sweep < (contact.count == 1 ? 1 : sweeps); ++sweep) {
@@ -119,8 +101,9 @@ GEM_HD inline void resolve_alone(const MomentConstants& c, CollisionMass a, Coll
       ContactSlot& slot = contact.slot[k];
       Vec2 other;
       if (contact.count == 2) other = cross_response(contact, a, b, k, 1 - k);
-      slot.impulse = resolve_slot(c, slot, contact.friction, slot.normal_before + dot(other, contact.normal),
-                                  slot.tangential_before + dot(other, tangent), slot.target);
+      slot.impulse =
+          pair_impulse(c.events, slot.compliance, contact.friction, slot.normal_before + dot(other, contact.normal),
+                       slot.tangential_before + dot(other, tangent), slot.target);
     }
   }
   for (int k = 0; k < 2 && k < contact.count; ++k) {
@@ -131,25 +114,14 @@ GEM_HD inline void resolve_alone(const MomentConstants& c, CollisionMass a, Coll
   }
 }
 
-/// Largest impulse that one of `points` points of a contact can carry in a moment: it crushes the smaller body across
-/// its whole size [N s]. The power of the law is only worked out for a point that carried an impulse of its order a
-/// moment ago; a bound from below does for all others.
-GEM_HD inline double impulse_cap(const MomentConstants& c, const CrushingIce& ice, double area_a, double area_b,
-                                 int points, double last_impulse) {
-  const double width = std::sqrt(smaller(area_a, area_b));
-  const double share = c.dt / points;
-  const double least = share * crushing_force_at_least(ice, width);
-  return last_impulse < 0.5 * least ? least : share * crushing_force(ice, width);
-}
-
 /// The mass of a body shared out among its contact points.
 GEM_HD inline CollisionMass shared_mass(CollisionMass mass, std::int32_t points) {
   const double share = points;
   return {share * mass.inverse_mass, share * mass.inverse_inertia};
 }
 
-/// A contact point as the iterations of a coupled moment see it, with shared masses.
-GEM_HD inline PointGeometry<double> point_geometry(const MomentConstants& c, const Contact& contact,
+/// A contact point as the iterations of a coupled time step see it, with shared masses.
+GEM_HD inline PointGeometry<double> point_geometry(const StepConstants& c, const Contact& contact,
                                                    const ContactSlot& slot, CollisionMass a, CollisionMass b,
                                                    double cap) {
   const Vec2 normal = contact.normal, tangent = turned_left(normal);
@@ -177,24 +149,25 @@ GEM_HD inline PointGeometry<double> point_geometry(const MomentConstants& c, con
   return g;
 }
 
-/// Share of the last moment's repair that a moment starts from: less than all of it, so that a repair that is done does
-/// not go on to open gaps.
+/// Share of the last time step's repair that a time step starts from: less than all of it, so that a repair that is
+/// done does not go on to open gaps.
 constexpr double repair_memory = 0.9;
 
-/// Repair that a point starts from; `last` is that of the last moment [kg m]. What would hardly shift anything is done.
-GEM_HD inline double repair_to_go_on(const MomentConstants& c, double last, double nn) {
+/// Repair that a point starts from; `last` is that of the last time step [kg m]. What would hardly shift anything is
+/// done.
+GEM_HD inline double repair_to_go_on(const StepConstants& c, double last, double nn) {
   constexpr double negligible = 1e-9;
   const double repair = repair_memory * last;
   return repair * nn > negligible * c.repair_speed * c.dt ? repair : 0.0;
 }
 
 /// What an impulse changes on a body at `arm`; the other body of the pair takes the opposite.
-struct MotionStep {
+struct VelocityChange {
   Vec2 velocity;      // [m/s]
   double spin = 0.0;  // [rad/s]
 };
 
-GEM_HD inline MotionStep motion_step(CollisionMass mass, Vec2 arm, Vec2 impulse) {
+GEM_HD inline VelocityChange velocity_change(CollisionMass mass, Vec2 arm, Vec2 impulse) {
   return {mass.inverse_mass * impulse, mass.inverse_inertia * cross(arm, impulse)};
 }
 

@@ -2,7 +2,7 @@
 //
 // | stage               | reads                      | writes                                                |
 // | kick_floe           | velocity, spin             | velocity, spin, path and angle correction, drag book  |
-// | platform_first_half | platform position, velocity| the same, half a moment on; start position            |
+// | platform_first_half | platform position, velocity| the same, half a time step on; start position            |
 // | drift_floe          | velocity, struck, repair   | position, rotation, outline, travel, struck = 0       |
 // | platform_second_half| platform position, velocity| the same, outline                                     |
 // | retire_floe         | position                   | active, book of what left                             |
@@ -11,25 +11,32 @@
 #include <cmath>
 
 #include "gem/engine/step/field_state.h"
-#include "gem/engine/step/solo_event.h"
+#include "gem/events/events.h"
 
 namespace gem {
 
-/// Gives floe i the velocity that the drag of the current leaves it, and enters it in the books.
-inline void enter_kick(FieldState& f, std::size_t i, const Kick& kicked) {
-  Bodies& b = f.bodies;
-  book_kick(f.book(Channel::drag, i), b.mass[i], b.inertia[i], b.position[i], b.velocity[i], b.spin[i], kicked);
-  b.velocity[i] = kicked.velocity;
-  b.spin[i] = kicked.spin;
-  f.path_correction[i] = kicked.path_correction;
-  f.angle_correction[i] = kicked.angle_correction;
+/// Floe i as its solo events see it.
+inline FloeInEvents floe_in_events(const Bodies& b, std::size_t i) {
+  return {b.mass[i],      b.inertia[i],  b.area[i],     b.thickness[i], b.drag[i],
+          b.spin_drag[i], b.position[i], b.velocity[i], b.spin[i]};
 }
 
-/// Drag of the current on floe i over the moment: its velocity at the end, before any event.
+/// Gives floe i what its solo events leave it, and enters it in the books; `drag`: see floe_events().
+inline void kick_floe(FieldState& f, std::size_t i, const FloeDrag& drag) {
+  Bodies& b = f.bodies;
+  const FloeInEvents floe = floe_in_events(b, i);
+  const FloeKick kick = floe_events(f.constants.events, floe, drag);
+  book_kick(f.book(Channel::drag, i), floe, kick);
+  b.velocity[i] = kick.velocity;
+  b.spin[i] = kick.spin;
+  f.path_correction[i] = kick.path_correction;
+  f.angle_correction[i] = kick.angle_correction;
+}
+
+/// Solo events of floe i over the time step: its velocity at the end, before any contact.
 inline void kick_floe(FieldState& f, std::size_t i) {
-  const Bodies& b = f.bodies;
-  if (f.constants.drag_law == DragLaw::none || !b.active[i]) return;
-  enter_kick(f, i, kick(f.constants, b.drag[i], b.spin_drag[i], b.velocity[i], b.spin[i]));
+  if (!acts_on_floes(f.constants.events) || !f.bodies.active[i]) return;
+  kick_floe(f, i, floe_drag(f.constants.events, floe_in_events(f.bodies, i)));
 }
 
 /// Turns the outline of body i into world axes.
@@ -42,7 +49,7 @@ inline void turn_outline(FieldState& f, std::size_t i) {
 }
 
 /// Takes over where a turn of body i by `angle` has led it, and follows with its outline.
-inline void take_turn(FieldState& f, std::size_t i, double angle, Rotation rotation) {
+inline void apply_turn(FieldState& f, std::size_t i, double angle, Rotation rotation) {
   f.bodies.rotation[i] = rotation;
   f.turn_travel[i] += angle < 0.0 ? -angle : angle;
   turn_outline(f, i);
@@ -50,10 +57,10 @@ inline void take_turn(FieldState& f, std::size_t i, double angle, Rotation rotat
 
 /// Turns body i by `angle`.
 inline void turn_body(FieldState& f, std::size_t i, double angle) {
-  if (angle != 0.0) take_turn(f, i, angle, turned(f.bodies.rotation[i], angle));
+  if (angle != 0.0) apply_turn(f, i, angle, turned(f.bodies.rotation[i], angle));
 }
 
-/// Moves floe i over the moment with its velocity after the events, but for its turn, which it returns [rad]. A floe
+/// Moves floe i over the time step with its velocity after the events, but for its turn, which it returns [rad]. A floe
 /// that nothing struck follows the exact path of its drag.
 inline double shift_floe(FieldState& f, std::size_t i) {
   Bodies& b = f.bodies;
@@ -74,7 +81,7 @@ inline double shift_floe(FieldState& f, std::size_t i) {
   return angle;
 }
 
-/// Moves floe i over the moment.
+/// Moves floe i over the time step.
 inline void drift_floe(FieldState& f, std::size_t i) {
   if (f.bodies.active[i]) turn_body(f, i, shift_floe(f, i));
 }
@@ -89,11 +96,7 @@ inline bool finite_or_inactive(const Bodies& b, std::size_t i) {
 inline void retire_floe(FieldState& f, std::size_t i) {
   Bodies& b = f.bodies;
   if (!b.active[i] || !(b.position[i].x > f.constants.retire_x)) return;
-  const Quantity gone = quantity_of(b.mass[i], b.inertia[i], b.position[i], b.velocity[i], b.spin[i]);
-  Quantity& book = f.book(Channel::retired, i);
-  book.momentum -= gone.momentum;
-  book.angular_momentum -= gone.angular_momentum;
-  book.energy -= gone.energy;
+  book_gone(f.book(Channel::retired, i), quantity_of(b.mass[i], b.inertia[i], b.position[i], b.velocity[i], b.spin[i]));
   b.active[i] = 0;
 }
 
@@ -109,20 +112,19 @@ inline PlatformMotion platform_motion(FieldState& f) {
 /// The platform's own motion up to the instant of the events.
 inline void platform_first_half(FieldState& f) {
   f.platform_position = f.bodies.position[0];
-  if (f.constants.moored_or_free) platform_half(f.constants, platform_motion(f), true);
+  platform_events_before(f.constants.events, platform_motion(f));
 }
 
 /// The platform's own motion after the events.
 inline void platform_second_half(FieldState& f) {
-  if (!f.constants.moored_or_free) return;
-  platform_half(f.constants, platform_motion(f), false);
+  const Events& e = f.constants.events;
+  if (!e.platform_present) return;
+  platform_events_after(e, platform_motion(f));
   f.struck[0] = 0;
   const Vec2 shift = f.repair_shift[0];
-  const Vec2 offset = f.bodies.position[0] - f.constants.anchor;
-  Quantity& repair = f.book(Channel::repair, 0);
+  book_platform_shift(e, f.bodies.mass[0], f.bodies.position[0], f.bodies.velocity[0], shift,
+                      f.book(Channel::repair, 0));
   f.bodies.position[0] += shift;
-  repair.angular_momentum += f.bodies.mass[0] * cross(shift, f.bodies.velocity[0]);
-  repair.energy += f.constants.stiffness * (dot(offset, shift) + 0.5 * dot(shift, shift));
   f.repair_shift[0] = {};
   turn_body(f, 0, f.constants.dt * f.bodies.spin[0] + f.repair_turn[0]);
   f.repair_turn[0] = 0.0;

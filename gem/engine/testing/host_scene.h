@@ -1,4 +1,4 @@
-// For tests: a device scene in the memory of the host, moved by crews of its threads.
+// For tests: a device scene in the memory of the host, moved by thread groups of its threads.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 #include "gem/engine/device/phases.h"
 #include "gem/engine/device/scene_image.h"
 #include "gem/engine/step/books.h"
+#include "gem/engine/testing/host_group.h"
 #include "gem/engine/testing/same_bits.h"
-#include "gem/engine/testing/team_crew.h"
+#include "gem/engine/testing/solo_crew.h"
 
 namespace gem::test {
 
@@ -19,13 +20,12 @@ namespace gem::test {
 class HostScene {
  public:
   HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0,
-            std::size_t room = 1 << 20, bool apart = false)
-      : field_(make_field_state(bodies, moment_constants(scene, bodies))),
+            std::size_t shared_memory = 1 << 20)
+      : field_(make_field_state(bodies, step_constants(scene, bodies))),
         sizes_(scene_sizes(field_)),
         scene_(scene_constants(field_, scene.output.event_speed_m_per_s)),
         threads_(threads),
-        room_(room),
-        apart_(apart) {
+        shared_memory_(shared_memory) {
     sizes_.blocks = blocks;
     if (rows > 0) sizes_.rows = rows;
     sizes_.samples = 32;
@@ -38,25 +38,25 @@ class HostScene {
     write_field(field_, 0, scene_);
   }
 
-  /// From now on each phase is run by itself; `solver_room`: fast memory of those of the iterations [bytes].
-  void by_phases(std::size_t solver_room = 1 << 20) {
+  /// From now on each phase is run by itself; `solver_shared_memory`: shared memory of those of the iterations [bytes].
+  void by_phases(std::size_t solver_shared_memory = 1 << 20) {
     by_phases_ = true;
-    solver_room_ = solver_room;
+    solver_shared_memory_ = solver_shared_memory;
   }
-  void by_moments() { by_phases_ = false; }
+  void by_steps() { by_phases_ = false; }
   /// Fast memory of each block from the next call on [bytes].
-  void give_room(std::size_t bytes) { room_ = bytes; }
+  void give_space(std::size_t bytes) { shared_memory_ = bytes; }
 
-  void advance(std::int64_t moments, MomentLog& log) {
-    while (moments > 0) {
-      const std::int32_t some = static_cast<std::int32_t>(std::min<std::int64_t>(moments, sizes_.samples));
+  void advance(std::int64_t steps, StepLog& log) {
+    while (steps > 0) {
+      const std::int32_t some = static_cast<std::int32_t>(std::min<std::int64_t>(steps, sizes_.samples));
       if (by_phases_)
         run_phases(some);
       else
-        run_moments(some);
+        run_steps(some);
       const DeviceStatus& status = *scene_.status;
       append_log(field_, scene_, status, by_phases_ ? 1 : sizes_.blocks, log);
-      moments -= status.samples;
+      steps -= status.samples;
       if (status.stop == DeviceStop::list_full) {
         sizes_.rows = std::max(sizes_.rows, status.rows_needed);
         sizes_.platform_rows = std::max(sizes_.platform_rows, status.platform_needed);
@@ -72,8 +72,8 @@ class HostScene {
 
   /// What a batch does with a scene that is done while others are not.
   void wait() {
-    SoloCrew crew;
-    advance_scene(scene_, crew, 0);
+    OneThreadGroup group;
+    advance_scene(scene_, group, 0);
   }
 
   Ledger ledger(const Ledger& start) {
@@ -96,8 +96,8 @@ class HostScene {
       count += scene_.wake[p] > static_cast<float>(scene_.status->clock) ? 1 : 0;
     return count;
   }
-  /// What a block iterated in the last moment; of a coupled scene that was moved phase by phase.
-  const SolverDesk& solver_desk(int block) const { return scene_.solver_desk[block]; }
+  /// What a block iterated in the last time step; of a coupled scene that was moved phase by phase.
+  const SolverWorkspace& solver_workspace(int block) const { return scene_.solver_workspace[block]; }
   std::int32_t longest_lower_row() const {
     std::int32_t longest = 0;
     for (std::int32_t i = 0; i < scene_.bodies; ++i) longest = std::max(longest, scene_.motion[i].lower_count);
@@ -105,79 +105,78 @@ class HostScene {
   }
 
  private:
-  void run_moments(std::int32_t moments) {
+  void run_steps(std::int32_t steps) {
     if (sizes_.blocks == 1 && threads_ == 1) {
-      SoloCrew crew;
-      advance_scene(scene_, crew, moments);
+      OneThreadGroup group;
+      advance_scene(scene_, group, steps);
       return;
     }
-    const auto move = [&](auto& crew) { advance_scene(scene_, crew, moments); };
-    if (apart_)
-      run_team<ApartCrew>(sizes_.blocks, threads_, room_, move);
-    else
-      run_team<TeamCrew>(sizes_.blocks, threads_, room_, move);
+    run_team<HostGroup>(sizes_.blocks, threads_, shared_memory_,
+                        [&](auto& group) { advance_scene(scene_, group, steps); });
   }
 
-  void run_phases(std::int32_t moments) {
+  void run_phases(std::int32_t steps) {
     alarms_ = 0;
-    const bool coupled = is_coupled(scene_);
-    const auto run = [&](DevicePhase phase) {
-      if (phase == DevicePhase::open)
-        open_call(scene_, moments);
-      else if (phase == DevicePhase::plan)
-        lists_ = plan_moment(scene_, alarms_);
-      else if (phase == DevicePhase::list)
+    const auto run = [&](Stage stage) {
+      if (stage == Stage::open_call)
+        open_call(scene_, steps);
+      else if (stage == Stage::plan)
+        lists_ = plan_step(scene_, alarms_);
+      else if (stage == Stage::list)
         renew_list_if_worn();
-      else if (phase == DevicePhase::bodies)
+      else if (stage == Stage::move)
         move_and_plan();
-      else if (coupled)
-        run_resolved<Resolution::coupled>(phase);
-      else if (!is_of_solver(phase))
-        run_resolved<Resolution::independent>(phase);
+      else if (is_coupled(scene_) || !is_of_solver(stage))
+        run_stage_now(stage);
     };
-    for (const DevicePhase phase : first_phases) run(phase);
-    for (std::int32_t k = 0; k < moments; ++k)
-      for (const DevicePhase phase : moment_phases) run(phase);
-    for (const DevicePhase phase : last_phases) run(phase);
+    for (const Stage stage : call_begins) run(stage);
+    for (std::int32_t k = 0; k < steps; ++k)
+      for (const Stage stage : time_step_stages) run(stage);
+    for (const Stage stage : call_ends) run(stage);
   }
 
   void move_and_plan() {
     lists_ = false;
     if (!moves(scene_)) return;
-    if (is_coupled(scene_))
-      run_resolved<Resolution::coupled>(DevicePhase::bodies);
-    else
-      run_resolved<Resolution::independent>(DevicePhase::bodies);
-    lists_ = plan_moment(scene_, alarms_);
+    run_stage_now(Stage::move);
+    lists_ = plan_step(scene_, alarms_);
   }
 
   void renew_list_if_worn() {
-    if (lists_) run_team<TeamCrew>(sizes_.blocks, threads_, room_, [&](auto& crew) { renew_list(scene_, crew); });
+    if (lists_)
+      run_team<HostGroup>(sizes_.blocks, threads_, shared_memory_, [&](auto& group) { renew_list(scene_, group); });
   }
 
-  template <Resolution resolution>
-  void run_resolved(DevicePhase phase) {
-    run_if<DevicePhase::begin, resolution>(phase);
-    run_if<DevicePhase::choose, resolution>(phase);
-    run_if<DevicePhase::look, resolution>(phase);
-    run_if<DevicePhase::resolve, resolution>(phase);
-    run_if<DevicePhase::gather, resolution>(phase);
-    run_if<DevicePhase::iterate, resolution>(phase);
-    run_if<DevicePhase::settle, resolution>(phase);
-    run_if<DevicePhase::bodies, resolution>(phase);
-    run_if<DevicePhase::last_work, resolution>(phase);
-    run_if<DevicePhase::close, resolution>(phase);
+  void run_stage_now(Stage stage) {
+    run_if<Stage::first_solo_events>(stage);
+    run_if<Stage::candidates>(stage);
+    run_if<Stage::narrow_phase>(stage);
+    run_by_solver<Stage::contact_events>(stage);
+    run_if<Stage::gather>(stage);
+    run_if<Stage::iterate>(stage);
+    run_if<Stage::settle>(stage);
+    run_by_solver<Stage::move>(stage);
+    run_if<Stage::last_books>(stage);
+    run_if<Stage::close_call>(stage);
+  }
+  template <Stage stage>
+  void run_by_solver(Stage now) {
+    if (is_coupled(scene_))
+      run_if<stage, ContactSolver::coupled>(now);
+    else
+      run_if<stage>(now);
   }
 
   /// One phase, if it is this one, by a team that ends with it; alarms stay.
-  template <DevicePhase phase, Resolution resolution>
-  void run_if(DevicePhase now) {
-    using Team = std::conditional_t<phase == DevicePhase::settle, ApartPhaseTeam, PhaseTeam>;
-    if (now == phase)
-      run_team<Team>(sizes_.blocks, threads_, is_of_solver(phase) ? solver_room_ : room_, [&](Team& crew) {
-        crew.raise_in(alarms_);
-        run_phase<phase, resolution>(scene_, crew);
-      });
+  template <Stage stage, ContactSolver solver = ContactSolver::independent>
+  void run_if(Stage now) {
+    using Team = std::conditional_t<stage == Stage::settle, SettleTeam, PhaseTeam>;
+    if (now == stage)
+      run_team<Team>(sizes_.blocks, threads_, is_of_solver(stage) ? solver_shared_memory_ : shared_memory_,
+                     [&](Team& group) {
+                       group.raise_in(alarms_);
+                       run_stage<stage, solver>(scene_, group);
+                     });
   }
 
   void grow() {
@@ -191,16 +190,16 @@ class HostScene {
   SceneSizes sizes_;
   DeviceScene scene_;
   int threads_;
-  std::size_t room_, solver_room_ = 0;
-  bool apart_, by_phases_ = false;
-  bool lists_ = false;        // by phases: the next moment needs a new list
+  std::size_t shared_memory_, solver_shared_memory_ = 0;
+  bool by_phases_ = false;
+  bool lists_ = false;        // by phases: the next time step needs a new list
   std::uint32_t alarms_ = 0;  // by phases
   std::vector<std::byte> memory_[3];
   int growths_ = 0;
 };
 
-/// What is asked of coupled moments beside what is asked of all: their memory and what they say of their events.
-inline void expect_same_coupled(const HostScene& device, const MomentLog& log, Engine& cpu, const MomentLog& expected) {
+/// What is asked of coupled time steps beside what is asked of all: their memory and what they say of their events.
+inline void expect_same_coupled(const HostScene& device, const StepLog& log, Engine& cpu, const StepLog& expected) {
   EngineState state;
   save_memory(device.memory(), state);
   expect_same_memory(state, cpu.save());

@@ -31,24 +31,24 @@ inline void expect_same_bodies(const Bodies& a, const Bodies& b) {
   }
 }
 
-inline void expect_same_log(const MomentLog& a, const MomentLog& b) {
+inline void expect_same_log(const StepLog& a, const StepLog& b) {
   ASSERT_EQ(a.platform.size(), b.platform.size());
   ASSERT_EQ(a.quality.size(), b.quality.size());
   for (std::size_t m = 0; m < a.platform.size(); ++m) {
-    const PlatformMoment &p = a.platform[m], &q = b.platform[m];
-    ASSERT_TRUE(same(p.position, q.position)) << "moment " << m;
-    ASSERT_TRUE(same(p.velocity, q.velocity)) << "moment " << m;
-    ASSERT_TRUE(same(p.ice_impulse, q.ice_impulse)) << "moment " << m;
-    ASSERT_EQ(p.ice_yaw_impulse, q.ice_yaw_impulse) << "moment " << m;
-    ASSERT_TRUE(same(p.mooring_impulse, q.mooring_impulse)) << "moment " << m;
-    ASSERT_TRUE(same(p.drag_impulse, q.drag_impulse)) << "moment " << m;
-    ASSERT_EQ(p.spin, q.spin) << "moment " << m;
-    ASSERT_EQ(p.contacts, q.contacts) << "moment " << m;
-    ASSERT_EQ(a.quality[m].contacts, b.quality[m].contacts) << "moment " << m;
-    ASSERT_EQ(a.quality[m].iterations, b.quality[m].iterations) << "moment " << m;
-    ASSERT_EQ(a.quality[m].residual, b.quality[m].residual) << "moment " << m;
-    ASSERT_EQ(a.quality[m].maximum_overlap, b.quality[m].maximum_overlap) << "moment " << m;
-    ASSERT_EQ(a.quality[m].maximum_share, b.quality[m].maximum_share) << "moment " << m;
+    const PlatformStep &p = a.platform[m], &q = b.platform[m];
+    ASSERT_TRUE(same(p.position, q.position)) << "time step " << m;
+    ASSERT_TRUE(same(p.velocity, q.velocity)) << "time step " << m;
+    ASSERT_TRUE(same(p.ice_impulse, q.ice_impulse)) << "time step " << m;
+    ASSERT_EQ(p.ice_yaw_impulse, q.ice_yaw_impulse) << "time step " << m;
+    ASSERT_TRUE(same(p.mooring_impulse, q.mooring_impulse)) << "time step " << m;
+    ASSERT_TRUE(same(p.drag_impulse, q.drag_impulse)) << "time step " << m;
+    ASSERT_EQ(p.spin, q.spin) << "time step " << m;
+    ASSERT_EQ(p.contacts, q.contacts) << "time step " << m;
+    ASSERT_EQ(a.quality[m].contacts, b.quality[m].contacts) << "time step " << m;
+    ASSERT_EQ(a.quality[m].iterations, b.quality[m].iterations) << "time step " << m;
+    ASSERT_EQ(a.quality[m].residual, b.quality[m].residual) << "time step " << m;
+    ASSERT_EQ(a.quality[m].maximum_overlap, b.quality[m].maximum_overlap) << "time step " << m;
+    ASSERT_EQ(a.quality[m].maximum_share, b.quality[m].maximum_share) << "time step " << m;
   }
   ASSERT_EQ(a.overlap.count, b.overlap.count);
   ASSERT_EQ(a.overlap_share.count, b.overlap_share.count);
@@ -63,17 +63,17 @@ inline void expect_same_log(const MomentLog& a, const MomentLog& b) {
   }
 }
 
-/// What a coupled moment says of its events once they are done.
-inline void expect_same_judgement(const MomentLog& a, const MomentLog& b) {
+/// What a coupled time step says of its events once they are done.
+inline void expect_same_judgement(const StepLog& a, const StepLog& b) {
   ASSERT_EQ(a.quality.size(), b.quality.size());
   for (std::size_t m = 0; m < a.quality.size(); ++m) {
-    ASSERT_EQ(a.quality[m].complementarity, b.quality[m].complementarity) << "moment " << m;
-    ASSERT_EQ(a.quality[m].cone_excess, b.quality[m].cone_excess) << "moment " << m;
-    ASSERT_EQ(a.quality[m].energy_created, b.quality[m].energy_created) << "moment " << m;
+    ASSERT_EQ(a.quality[m].complementarity, b.quality[m].complementarity) << "time step " << m;
+    ASSERT_EQ(a.quality[m].cone_excess, b.quality[m].cone_excess) << "time step " << m;
+    ASSERT_EQ(a.quality[m].energy_created, b.quality[m].energy_created) << "time step " << m;
   }
 }
 
-/// What the contact points carry from moment to moment.
+/// What the contact points carry from step to step.
 inline void expect_same_memory(const EngineState& a, const EngineState& b) {
   ASSERT_EQ(a.impulse_key, b.impulse_key);
   ASSERT_EQ(a.impulse_value.size(), b.impulse_value.size());

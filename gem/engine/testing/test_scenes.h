@@ -55,10 +55,10 @@ inline std::unique_ptr<Engine> busy_engine(const SceneDef& scene, const std::str
   return make_engine(scene, busy_field(scene), {name, threads});
 }
 
-/// Contact points over all moments of a log.
-inline std::int64_t contacts_in(const MomentLog& log) {
+/// Contact points over all time steps of a log.
+inline std::int64_t contacts_in(const StepLog& log) {
   std::int64_t sum = 0;
-  for (const MomentQuality& quality : log.quality) sum += quality.contacts;
+  for (const StepQuality& quality : log.quality) sum += quality.contacts;
   return sum;
 }
 

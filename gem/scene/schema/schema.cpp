@@ -134,9 +134,9 @@ void add_mooring(SceneTable& t) {
 }
 
 void add_contact(SceneTable& t) {
-  t.choice("contact.resolution", {"independent", "coupled"},
-           "independent: every event of a moment once, as the paper does; coupled: all together",
-           GEM_FIELD(contact.resolution));
+  t.choice("contact.solver", {"independent", "coupled"},
+           "independent: every event of a time step once, as the paper does; coupled: all together",
+           GEM_FIELD(contact.solver));
   t.choice("contact.manifold", {"chord_middle", "chord_ends"}, "points where a contact acts",
            GEM_FIELD(contact.manifold));
   t.choice("contact.friction_law", {"one_step", "fixed_direction"},
@@ -151,19 +151,19 @@ void add_contact(SceneTable& t) {
 }
 
 void add_numerics(SceneTable& t) {
-  t.number("numerics.moment_s", "s", {1e-6, 100.0}, "time step dt", GEM_FIELD(numerics.moment_s));
+  t.number("numerics.time_step_s", "s", {1e-6, 100.0}, "time step dt", GEM_FIELD(numerics.time_step_s));
   t.number("numerics.residual_tolerance", "", {0.0, 1.0, true},
            "coupled: iterations end when no event asks for more than this share of the current speed",
            GEM_FIELD(numerics.residual_tolerance));
-  t.integer("numerics.iterations_maximum", {1.0, 1e5}, "coupled: most iterations in one moment",
+  t.integer("numerics.iterations_maximum", {1.0, 1e5}, "coupled: most iterations in one time step",
             GEM_FIELD(numerics.iterations_maximum));
   t.number("numerics.list_margin_m", "m", {0.0, 1e3}, "pairs closer than this are kept in the list of neighbours",
            GEM_FIELD(numerics.list_margin_m));
-  t.number("numerics.contact_reach", "moments", {0.0, 100.0},
-           "coupled: faces that the current could close in so many moments are held apart, and their floes move by "
+  t.number("numerics.contact_reach", "steps", {0.0, 100.0},
+           "coupled: faces that the current could close in so many time steps are held apart, and their floes move by "
            "their velocity after the events, not along the exact path of their drag",
            GEM_FIELD(numerics.contact_reach));
-  t.number("numerics.repair_share", "", {0.0, 1.0}, "coupled: share of an overlap that is taken back in one moment",
+  t.number("numerics.repair_share", "", {0.0, 1.0}, "coupled: share of an overlap that is taken back in one time step",
            GEM_FIELD(numerics.repair_share));
   t.number("numerics.repair_speed_m_per_s", "m/s", {0.0, 1e3}, "coupled: overlaps are taken back no faster than this",
            GEM_FIELD(numerics.repair_speed_m_per_s));
@@ -246,6 +246,12 @@ std::string range_text(const Range& range, const std::string& unit) {
   text += plain_number_text(range.low) + ", " + plain_number_text(range.high);
   text += range.high_open || range.high == infinity ? ")" : "]";
   return unit.empty() ? text : text + " " + unit;
+}
+
+const std::vector<RenamedKey>& renamed_keys() {
+  static const std::vector<RenamedKey> keys = {{"numerics", "moment_s", "time_step_s"},
+                                               {"contact", "resolution", "solver"}};
+  return keys;
 }
 
 std::string value_text(const OptionValue& value) {

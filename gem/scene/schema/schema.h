@@ -64,6 +64,12 @@ const std::vector<Option<FixedDef>>& fixed_options();
 inline constexpr std::size_t outline_vertices_minimum = 3;
 inline constexpr std::size_t outline_vertices_maximum = 256;
 
+/// A key that had another name in older files. Both are read; a run says so in one line.
+struct RenamedKey {
+  const char *section, *old_name, *name;
+};
+const std::vector<RenamedKey>& renamed_keys();
+
 /// The value as TOML text.
 std::string value_text(const OptionValue& value);
 

@@ -68,6 +68,18 @@ std::string allowed_text(const OptionInfo& info) {
   return range_text(info.range, "");
 }
 
+/// What may stand there, as a cell of a Markdown table, where | parts the cells.
+std::string markdown_range(const OptionInfo& info) {
+  if (info.type == OptionType::flag) return "`true`, `false`";
+  if (info.type == OptionType::text) return "any text";
+  if (info.type == OptionType::pair) return "two numbers in " + range_text(info.range, "");
+  if (info.type == OptionType::outline) return "pairs of numbers in " + range_text(info.range, "");
+  if (info.type != OptionType::choice) return range_text(info.range, "");
+  std::string text;
+  for (const std::string& name : info.choices) text += (text.empty() ? "`" : ", `") + name + "`";
+  return text;
+}
+
 std::string heading(const std::string& section) {
   if (section == "ice.class" || section == "floe" || section == "fixed") return "[[" + section + "]]";
   return "[" + section + "]";
@@ -105,6 +117,25 @@ std::string explain_json(const std::string& key) {
     list.push_back(std::move(entry));
   }
   return list.dump(2) + "\n";
+}
+
+std::string explain_markdown(const std::string& key) {
+  std::string text =
+      "# Keys of a case file\n\n"
+      "Made by `gem case explain --markdown` from the table that reads case files. Do not edit it by hand.\n"
+      "A key that is left out has its default. In a range, `[` and `]` include the bound, `(` and `)` exclude it.\n";
+  std::string open;
+  for (const Row& row : rows_of(key)) {
+    const std::string section = section_of(row.info.path);
+    if (section != open) {
+      text += "\n## `" + heading(section) + "`\n\n| key | unit | default | range | meaning |\n|---|---|---|---|---|\n";
+      open = section;
+    }
+    text += "| `" + row.info.path.substr(section.size() + 1) + "` | " + row.info.unit + " | " +
+            (row.default_text.empty() ? "must be given" : "`" + row.default_text + "`") + " | " +
+            markdown_range(row.info) + " | " + row.info.doc + " |\n";
+  }
+  return text;
 }
 
 std::string sweep_list_text(const std::vector<SweepMember>& members) {

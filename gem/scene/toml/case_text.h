@@ -15,6 +15,9 @@ std::string explain(const std::string& key = "");
 /// The same as JSON: a list of objects.
 std::string explain_json(const std::string& key = "");
 
+/// The same as Markdown: a page with a table for each section. gem/manual/keys.md is this text.
+std::string explain_markdown(const std::string& key = "");
+
 /// JSON Schema of a case file, of draft 4 features only.
 std::string json_schema();
 

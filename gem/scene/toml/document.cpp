@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "gem/base/error.h"
+#include "gem/scene/schema/schema.h"
 #include "gem/scene/toml/toml_text.h"
 
 namespace gem {
@@ -46,11 +47,41 @@ void anchor_paths(TomlNode& node, const fs::path& folder) {
   for (TomlNode& item : node.items) anchor_paths(item, folder);
 }
 
+/// The dotted name that a path has today.
+std::string current_path(const std::string& path) {
+  for (const RenamedKey& key : renamed_keys())
+    if (path == std::string(key.section) + "." + key.old_name) return std::string(key.section) + "." + key.name;
+  return path;
+}
+
+/// Gives older keys their names of today, wherever in the document their section stands, and remembers the old ones.
+void rename_old_keys(TomlNode& node) {
+  for (auto& [section, table] : node.entries) {
+    rename_old_keys(table);
+    if (section == "map" && table.kind == TomlKind::table)  // of a sweep: from axes to the paths of options
+      for (auto& entry : table.entries) entry.second.text = current_path(entry.second.text);
+    for (auto& [name, value] : table.entries)
+      for (const RenamedKey& key : renamed_keys())
+        if (section == key.section && name == key.old_name) {
+          value.old_key = name;
+          name = key.name;
+        }
+  }
+  for (TomlNode& item : node.items) rename_old_keys(item);
+}
+
+/// Parses a text and brings its keys up to date.
+TomlNode parse_document(const std::string& text, const std::string& origin) {
+  TomlNode document = parse_toml(text, origin);
+  rename_old_keys(document);
+  return document;
+}
+
 TomlNode with_includes(TomlNode document, const fs::path& folder, std::vector<fs::path>& open);
 
 TomlNode load_file(const fs::path& path, std::vector<fs::path>& open) {
   open.push_back(fs::weakly_canonical(path));
-  TomlNode document = parse_toml(read_text(path.string()), path.string());
+  TomlNode document = parse_document(read_text(path.string()), path.string());
   anchor_paths(document, path.parent_path());
   document = with_includes(std::move(document), path.parent_path(), open);
   open.pop_back();
@@ -91,7 +122,7 @@ TomlNode load_document(const std::string& path) {
 
 TomlNode load_text(const std::string& text, const std::string& origin) {
   std::vector<fs::path> open;
-  return with_includes(parse_toml(text, origin), {}, open);
+  return with_includes(parse_document(text, origin), {}, open);
 }
 
 namespace {
@@ -125,7 +156,7 @@ TomlNode parse_override(const std::string& text) {
                                 ? "--set " + text
                                 : text.substr(0, space + 1) + assignment.substr(assignment.find('=') + 1);
   try {
-    TomlNode tree = parse_toml(with_quotes(assignment), given);
+    TomlNode tree = parse_document(with_quotes(assignment), given);
     forget_lines(tree);
     return tree;
   } catch (const Error& error) {

@@ -160,12 +160,30 @@ TEST(SceneWarnings, UnlikelyMassAndCoverAreNamed) {
             std::string::npos);
 }
 
-TEST(SceneWarnings, TimesThatAreNoWholeMomentsAreNamed) {
+TEST(SceneWarnings, TimesThatAreNoWholeTimeStepsAreNamed) {
   const auto warned = [](const std::string& text) { return scene_warnings(parse_scene(text, "t.toml")); };
   EXPECT_NE(warned("[output]\nplatform_interval_s = 0.12\n").at(0).find("output.platform_interval_s"),
             std::string::npos);
   EXPECT_NE(warned("[run]\nduration_s = 0.32\n").at(0).find("the run ends at 0.3 s"), std::string::npos);
-  EXPECT_TRUE(warned("[run]\nduration_s = 15200.0\n[numerics]\nmoment_s = 0.1\n").empty());
+  EXPECT_TRUE(warned("[run]\nduration_s = 15200.0\n[numerics]\ntime_step_s = 0.1\n").empty());
+}
+
+TEST(OlderKeys, AreReadAndNamedInOneLineEach) {
+  const SceneDef scene =
+      parse_scene("[contact]\nresolution = \"independent\"\n", "old.toml", {"numerics.moment_s=0.1"});
+  EXPECT_EQ(scene.contact.solver, ContactSolver::independent);
+  EXPECT_EQ(scene.numerics.time_step_s, 0.1);
+  EXPECT_EQ(scene_warnings(scene), (std::vector<std::string>{
+                                       "contact.resolution is called contact.solver now; both are read",
+                                       "numerics.moment_s is called numerics.time_step_s now; both are read",
+                                   }));
+}
+
+TEST(OlderKeys, AreLaidOverThoseOfToday) {
+  EXPECT_EQ(parse_scene("[numerics]\nmoment_s = 0.1\n", "old.toml", {"numerics.time_step_s=0.02"}).numerics.time_step_s,
+            0.02);
+  EXPECT_EQ(parse_scene("[numerics]\ntime_step_s = 0.1\n", "new.toml", {"numerics.moment_s=0.02"}).numerics.time_step_s,
+            0.02);
 }
 
 TEST(NearestName, FindsSlipsAndRefusesNonsense) {

@@ -70,6 +70,8 @@ void read_section(const std::string& section, const TomlNode& node, SceneDef& sc
       read_list(value, path, ice_class_options(), scene.floes.classes, problems);
     } else if (const auto* option = find_option(scene_options(), path)) {
       if (const auto read = read_value(*option, path, value, problems)) option->set(scene, *read);
+      if (!value.old_key.empty())
+        scene.notes.push_back(section + "." + value.old_key + " is called " + path + " now; both are read");
     } else {
       problems.add(value.key_place, path, "unknown key;" + suggestion_or_list(path, known_keys()));
     }

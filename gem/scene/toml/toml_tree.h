@@ -25,6 +25,7 @@ struct TomlNode {
   TomlKind kind = TomlKind::table;
   TomlPlace place;      ///< of the value
   TomlPlace key_place;  ///< of its key; the value's place for items of a list
+  std::string old_key;  ///< the name that the document gives it, where that is an older one
   std::string text;
   std::int64_t integer = 0;
   double number = 0.0;

@@ -1,0 +1,216 @@
+// The thread groups of CUDA kernels: what they have in common, and the blocks of a scene that meet at a grid barrier.
+#pragma once
+
+#include <cuda_runtime.h>
+
+#include "gem/engine/cuda/cuda_kernel.h"
+#include "gem/engine/device/scene.h"
+#include "gem/engine/device/thread_group.h"
+
+namespace gem {
+
+/// `lanes` neighbouring threads of a warp.
+template <int lanes>
+class LaneGroup {
+ public:
+  static constexpr int size = lanes;
+
+  __device__ int rank() const { return static_cast<int>(threadIdx.x) % lanes; }
+  /// Groups of a warp would vote one after the other: they exchange instead.
+  __device__ unsigned ballot(bool mine) const {
+    if constexpr (lanes == 32) return __ballot_sync(ones, mine);
+    unsigned bits = mine ? 1U << rank() : 0U;
+    for (int step = 1; step < lanes; step *= 2) bits |= __shfl_xor_sync(mask(), bits, step, lanes);
+    return bits;
+  }
+  __device__ int from(int mine, int lane) const { return __shfl_sync(mask(), mine, lane, lanes); }
+  __device__ double from(double mine, int lane) const { return __shfl_sync(mask(), mine, lane, lanes); }
+  __device__ int partner(int mine, int step) const { return __shfl_xor_sync(mask(), mine, step, lanes); }
+  __device__ double partner(double mine, int step) const { return __shfl_xor_sync(mask(), mine, step, lanes); }
+  __device__ void sync() const { __syncwarp(mask()); }
+  __device__ int count(unsigned bits) const { return __popc(bits); }
+  __device__ int lowest(unsigned bits) const { return __ffs(static_cast<int>(bits)) - 1; }
+  __device__ int sum_below(int mine) const {
+    int sum = mine;
+    for (int step = 1; step < lanes; step *= 2) {
+      const int other = __shfl_up_sync(mask(), sum, step, lanes);
+      if (rank() >= step) sum += other;
+    }
+    return sum - mine;
+  }
+  __device__ int sum(int mine) const {
+    for (int step = 1; step < lanes; step *= 2) mine += partner(mine, step);
+    return mine;
+  }
+  __device__ std::uint32_t highest(std::uint32_t mine) const { return __reduce_max_sync(mask(), mine); }
+  __device__ int count_below(unsigned bits) const { return __popc(bits & ((1U << rank()) - 1U)); }
+
+ private:
+  static constexpr unsigned ones = lanes == 32 ? 0xffffffffU : (1U << (lanes % 32)) - 1U;
+
+  __device__ int first() const { return static_cast<int>(threadIdx.x) % 32 / lanes * lanes; }
+  __device__ unsigned mask() const { return ones << first(); }
+};
+
+/// The scene's constants and addresses, close at hand for all threads of a block.
+__device__ inline void load_scene(DeviceScene& scene, const DeviceScene* from) {
+  auto* to = reinterpret_cast<std::uint64_t*>(&scene);
+  for (unsigned w = threadIdx.x; w < sizeof(DeviceScene) / sizeof(std::uint64_t); w += blockDim.x)
+    to[w] = reinterpret_cast<const std::uint64_t*>(from)[w];
+  __syncthreads();
+}
+
+/// The shared memory of one block.
+struct BlockMemory {
+  BlockCell& shared;
+  std::byte* shared_memory;
+  std::size_t bytes;
+};
+
+/// What thread groups of one or of many blocks have in common.
+class DeviceGroup {
+ public:
+  using Warp = LaneGroup<32>;
+  using Wide = LaneGroup<8>;  // about the edges of an outline
+  static constexpr int kept_points = 2;
+  static constexpr bool has_halos = false;
+
+  __device__ explicit DeviceGroup(const BlockMemory& shared_memory) : shared_memory_(shared_memory) {}
+
+  __device__ int thread() const { return static_cast<int>(threadIdx.x); }
+  __device__ int threads() const { return static_cast<int>(blockDim.x); }
+  __device__ Warp warp() const { return {}; }
+  __device__ Wide wide() const { return {}; }
+  __device__ void block_barrier() { __syncthreads(); }
+  __device__ BlockCell& shared() { return shared_memory_.shared; }
+  __device__ std::byte* shared_memory() const { return shared_memory_.shared_memory; }
+  __device__ std::size_t shared_bytes() const { return shared_memory_.bytes; }
+  __device__ std::uint32_t alarms() const {
+    return *static_cast<const volatile std::uint32_t*>(&shared_memory_.shared.alarms);
+  }
+
+  __device__ static std::int32_t add(std::int32_t* sum, std::int32_t value) { return atomicAdd(sum, value); }
+  __device__ static void highest(std::uint64_t* value, std::uint64_t other) {
+    static_assert(sizeof(std::uint64_t) == sizeof(unsigned long long));
+    atomicMax(reinterpret_cast<unsigned long long*>(value), static_cast<unsigned long long>(other));
+  }
+  __device__ static void highest(std::uint32_t* value, std::uint32_t other) { atomicMax(value, other); }
+  __device__ static void set_bit(std::uint32_t* word, std::uint32_t bit) { atomicOr(word, bit); }
+
+ protected:
+  BlockMemory shared_memory_;
+};
+
+/// The blocks of a scene, all on the device at the same time; they meet at a grid barrier in its memory. A block alone
+/// meets nobody.
+class GridGroup : public DeviceGroup {
+ public:
+  using Lanes = LaneGroup<8>;
+
+  __device__ GridGroup(const BlockMemory& shared_memory, int block, int blocks, GridBarrier* grid_barrier)
+      : DeviceGroup(shared_memory), block_(block), blocks_(blocks), grid_barrier_(grid_barrier) {}
+
+  __device__ Lanes lanes() const { return {}; }
+  __device__ int block() const { return block_; }
+  __device__ int blocks() const { return blocks_; }
+
+  /// Other blocks do not reach a block's shared memory, and meeting them takes longer than moving some of their bodies.
+  static constexpr bool reads_other_blocks = false;
+  static constexpr bool has_halos = true;
+
+  /// Sixteen bytes in one go, past the caches that blocks do not share: no reader sees a part of them.
+  __device__ static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
+    std::uint64_t low, high;
+    memcpy(&low, &value, sizeof low);
+    memcpy(&high, value.part + 2, sizeof high);
+    asm volatile(
+        "{\n\t.reg .b128 whole;\n\tmov.b128 whole, {%1, %2};\n\tst.relaxed.gpu.global.b128 [%0], whole;\n\t}" ::"l"(to),
+        "l"(low), "l"(high)
+        : "memory");
+  }
+  __device__ static NumberedHalf read_whole(const NumberedHalf* from) {
+    std::uint64_t low, high;
+    asm volatile("{\n\t.reg .b128 whole;\n\tld.relaxed.gpu.global.b128 whole, [%2];\n\tmov.b128 {%0, %1}, whole;\n\t}"
+                 : "=l"(low), "=l"(high)
+                 : "l"(from)
+                 : "memory");
+    NumberedHalf value;
+    memcpy(&value, &low, sizeof low);
+    memcpy(value.part + 2, &high, sizeof high);
+    return value;
+  }
+  /// Between two looks at what another block has yet to write.
+  __device__ static void pause() {}
+
+  __device__ void barrier() {
+    __syncthreads();
+    count_arrival();
+    wait_at_grid_barrier();
+    __syncthreads();
+  }
+  /// A barrier in two halves, with work between them that waits for no other block's second half. What the block does
+  /// there is known to all of it after the second, but to no other block. On the way what the points of all blocks ask
+  /// for comes together: one thread of each hands it on.
+  __device__ void arrive_asking(std::uint32_t* asked) {
+    __syncthreads();
+    if (threadIdx.x == 0) {
+      highest(asked, shared_memory_.shared.asked);
+      shared_memory_.shared.asked = 0;
+    }
+    count_arrival();
+  }
+  __device__ void wait_for_asked(const std::uint32_t* asked) {
+    wait_at_grid_barrier();
+    if (threadIdx.x == 0) shared_memory_.shared.asked_by_all = *static_cast<const volatile std::uint32_t*>(asked);
+    __syncthreads();
+  }
+
+  /// Seen by a block when it passes the next barrier. Between two barriers with a decision on alarms there is a third,
+  /// so that no block can see an alarm that another has yet to raise for a later decision.
+  __device__ void raise(std::uint32_t alarms) {
+    atomicOr(alone() ? &shared_memory_.shared.alarms : &grid_barrier_->alarms, alarms);
+  }
+  __device__ void lower_alarms() {
+    if (threadIdx.x != 0) return;
+    shared_memory_.shared.alarms = 0;
+    if (block() == 0) atomicExch(&grid_barrier_->alarms, 0U);
+  }
+
+  /// Passed so far; asked by the first thread.
+  __device__ int barriers() const { return static_cast<int>(shared_memory_.shared.arrivals) / blocks_; }
+
+ private:
+  struct Seen {
+    unsigned arrived, alarms;
+  };
+  /// Both words at once: each look takes the way to the memory of all.
+  __device__ static Seen look_at(const GridBarrier* grid_barrier) {
+    Seen seen;
+    unsigned long long both;
+    asm volatile("ld.acquire.gpu.global.u64 %0, [%1];" : "=l"(both) : "l"(&grid_barrier->arrived) : "memory");
+    seen.arrived = static_cast<unsigned>(both);
+    seen.alarms = static_cast<unsigned>(both >> 32);
+    return seen;
+  }
+
+  __device__ bool alone() const { return blocks_ == 1; }
+
+  /// After a barrier of the block, so what all of it wrote comes before.
+  __device__ void count_arrival() {
+    if (threadIdx.x != 0) return;
+    shared_memory_.shared.arrivals += static_cast<unsigned>(blocks_);
+    if (!alone()) asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(&grid_barrier_->arrived) : "memory");
+  }
+  __device__ void wait_at_grid_barrier() {
+    if (threadIdx.x != 0 || alone()) return;
+    const unsigned all = shared_memory_.shared.arrivals;
+    Seen seen = look_at(grid_barrier_);
+    while (seen.arrived < all) seen = look_at(grid_barrier_);
+    shared_memory_.shared.alarms |= seen.alarms;
+  }
+
+  int block_, blocks_;
+  GridBarrier* grid_barrier_;
+};
+
+}  // namespace gem

@@ -1,0 +1,195 @@
+// Looks at near pairs: which may touch, and where they do. Steps 1 and 2 of device_pairs.h.
+#pragma once
+
+#include "gem/engine/device/lane_geometry.h"
+#include "gem/engine/device/workspace.h"
+#include "gem/engine/step/pair_event.h"
+
+namespace gem {
+
+/// Slack for rounding where a bound on motion spares a look [m].
+constexpr double narrow_rounding = 1e-9;
+
+/// What choosing needs of a body.
+struct CandidateBody {
+  Vec2 position;
+  Rotation rotation;
+  double turn_travel, radius;
+  std::int32_t vertex_begin;
+  std::int16_t vertex_count;
+  bool active;
+};
+
+GEM_DEVICE inline CandidateBody candidate_body(const BodyCell& cell) {
+  return {cell.position,     cell.rotation,     cell.turn_travel, cell.radius,
+          cell.vertex_begin, cell.vertex_count, cell.active != 0};
+}
+
+/// Puts pair p at place() to be looked at, unless the last look rules out that it touches now. Returns by how much its
+/// bodies may still move, one relative to the other, before it has to be looked at; not above 0: looked at [m].
+template <class Place>
+GEM_DEVICE inline double choose_candidate(const DeviceScene& s, PairCell& pair, std::int32_t p, Place&& place) {
+  const CandidateBody a = candidate_body(s.body[pair.a]), b = candidate_body(s.body[pair.b]);
+  const double limit = s.constants.contact_margin;
+  const Vec2 offset = b.position - a.position;
+  const Vec2 shifted = offset - pair.offset;
+  const double turned_a = a.turn_travel - pair.turned_a, turned_b = b.turn_travel - pair.turned_b;
+  const double left = pair.axes.first.distance - limit - narrow_rounding - (a.radius * turned_a + b.radius * turned_b);
+  if (left > 0.0 && dot(shifted, shifted) < left * left) return left - length(shifted);
+  if (!a.active || !b.active) return 0.0;
+  pair.offset = offset;
+  pair.turned_a = a.turn_travel;
+  pair.turned_b = b.turn_travel;
+  CandidatePair& item = place();
+  item.pair = p;
+  item.vertex_a = a.vertex_begin;
+  item.vertex_b = b.vertex_begin;
+  item.count_a = a.vertex_count;
+  item.count_b = b.vertex_count;
+  item.offset = offset;
+  item.rotation_a = a.rotation;
+  item.rotation_b = b.rotation;
+  // an axis turns with its body and sweeps over the other, whose far side is this far from it
+  const double far = 2.0 * (a.radius + b.radius) + length(shifted) + limit;
+  item.moved = length(shifted) + far * (turned_a + turned_b);
+  return 0.0;
+}
+
+/// An outline in world axes, once it is turned: where it is too long for the room, the one that its owner keeps.
+GEM_DEVICE inline Outline outline_in_workspace(const DeviceScene& s, WorkspaceOutlines& shared_memory, int side,
+                                               std::int32_t begin, int count) {
+  if (count > workspace_vertices) return {s.corner + begin, s.normal + begin, count};
+  return {shared_memory.corner[side], shared_memory.normal[side], count};
+}
+
+/// Turns an outline by the lanes of a group.
+template <class Lanes>
+GEM_DEVICE inline void turn_in_workspace(const DeviceScene& s, const Lanes& lanes, WorkspaceOutlines& shared_memory,
+                                         int side, std::int32_t begin, int count, Rotation q) {
+  if (count > workspace_vertices) return;
+  for (int v = lanes.rank(); v < count; v += Lanes::size) {
+    const Vec2 corner = s.vertex[begin + v], normal = s.body_normal[begin + v];
+    shared_memory.corner[side][v] = rotate(q, corner);
+    shared_memory.normal[side][v] = rotate(q, normal);
+  }
+}
+
+/// Where a touch is written, and its first point among those of its block.
+struct TouchingPlace {
+  std::int32_t touching, first_point;
+};
+
+GEM_DEVICE inline void write_touching(TouchingPair& touching, std::int32_t pair, std::int32_t first_point,
+                                      const ContactGeometry& geometry) {
+  touching.pair = pair;
+  touching.first_point = first_point;
+  touching.geometry.normal = geometry.normal;
+  touching.geometry.count = geometry.count;
+  touching.geometry.width = geometry.width;
+  touching.geometry.growth = geometry.growth;
+  for (int k = 0; k < 2; ++k) {
+    if (k >= geometry.count) break;
+    touching.geometry.point[k].position = geometry.point[k].position;
+    touching.geometry.point[k].separation = geometry.point[k].separation;
+    touching.geometry.point[k].feature = geometry.point[k].feature;
+  }
+}
+
+/// Looks at some items: each group of lanes takes one. Few need all axes searched: the warp does that together. Not
+/// many touch: wider groups share out their crossings. place(points) is where a touch of so many points is written, and
+/// its first point among those of its block.
+template <class Group, class Place>
+class NarrowPhase {
+ public:
+  GEM_DEVICE NarrowPhase(const DeviceScene& s, Group& group, PairCell* pair, WorkspaceOutlines* outlines,
+                         const CandidatePair* items, Place place)
+      : s_(s), group_(group), pair_(pair), outlines_(outlines), items_(items), place_(place) {}
+
+  /// Item `at` for the group of this thread, which stands at `group` in its block; others of the warp look at theirs.
+  GEM_DEVICE void candidate(std::int32_t at, std::int32_t count, int lane_group) {
+    const auto lanes = group_.lanes();
+    const auto warp = group_.warp();
+    const bool candidates = at < count;
+    SeparatingAxes axes;
+    bool known = true;
+    if (candidates) {
+      const CandidatePair& item = items_[at];
+      turn_in_workspace(s_, lanes, outlines_[lane_group], 0, item.vertex_a, item.count_a, item.rotation_a);
+      turn_in_workspace(s_, lanes, outlines_[lane_group], 1, item.vertex_b, item.count_b, item.rotation_b);
+      axes = pair_[item.pair].axes;
+      lanes.sync();
+      known = lane::follow_two_axes(lanes, axes, outline(at, lane_group, 0), outline(at, lane_group, 1), item.offset,
+                                    item.moved + narrow_rounding, limit());
+    }
+    warp.sync();
+    for (unsigned left = warp.ballot(!known && lanes.rank() == 0); left != 0; left &= left - 1) {
+      const int ahead = warp.lowest(left) / Group::Lanes::size - warp.rank() / Group::Lanes::size;  // groups
+      const std::int32_t its = at + ahead;
+      const SeparatingAxes found = lane::find_axes(warp, outline(its, lane_group + ahead, 0),
+                                                   outline(its, lane_group + ahead, 1), items_[its].offset);
+      if (ahead == 0) axes = found;
+    }
+    const bool touching_count = candidates && axes.first.distance < limit();
+    if (candidates && lanes.rank() == 0) pair_[items_[at].pair].axes = axes;
+    warp.sync();
+    unsigned left = warp.ballot(touching_count && lanes.rank() == 0);
+    while (left != 0) {
+      constexpr int together = Group::Warp::size / Group::Wide::size;
+      unsigned mine = 0;
+      for (int k = 0; k < together; ++k, left &= left - 1)
+        if (k == warp.rank() / Group::Wide::size) mine = left;
+      if (mine == 0) continue;
+      const int ahead = warp.lowest(mine) / Group::Lanes::size - warp.rank() / Group::Lanes::size;
+      describe(at + ahead, lane_group + ahead);
+    }
+    warp.sync();  // before the room is used again
+  }
+
+ private:
+  GEM_DEVICE double limit() const { return s_.constants.contact_margin; }
+
+  GEM_DEVICE Outline outline(std::int32_t at, int lane_group, int side) const {
+    const CandidatePair& item = items_[at];
+    return side == 0 ? outline_in_workspace(s_, outlines_[lane_group], 0, item.vertex_a, item.count_a)
+                     : outline_in_workspace(s_, outlines_[lane_group], 1, item.vertex_b, item.count_b);
+  }
+
+  /// The geometry of a touch, by a wide group.
+  GEM_DEVICE void describe(std::int32_t at, int lane_group) {
+    const auto wide = group_.wide();
+    const CandidatePair& item = items_[at];
+    const bool chord = s_.constants.manifold == Manifold::chord_middle;
+    const Outline a = outline(at, lane_group, 0), b = outline(at, lane_group, 1);
+    ChordSum sum;
+    if (chord) sum = lane::chord_sum(wide, a, b, item.offset);
+    if (wide.rank() != 0) return;
+    const Separation axis = pair_[item.pair].axes.first;
+    const ContactGeometry geometry =
+        chord ? chord_geometry(a, b, item.offset, axis, sum) : face_contact(a, b, item.offset, axis, limit());
+    if (geometry.count == 0) return;
+    const TouchingPlace to = place_(geometry.count);
+    write_touching(s_.touching[to.touching], item.pair, to.first_point, geometry);
+  }
+
+  const DeviceScene& s_;
+  Group& group_;
+  PairCell* pair_;
+  WorkspaceOutlines* outlines_;
+  const CandidatePair* items_;
+  Place place_;
+};
+
+/// Looks at items: the group of this thread at `first`, first + step, ... below `count`.
+template <class Group, class Place>
+GEM_DEVICE inline void narrow_phase_of(const DeviceScene& s, Group& group, PairCell* pair, WorkspaceOutlines* outlines,
+                                       const CandidatePair* items, std::int32_t first, std::int32_t count,
+                                       std::int32_t step, Place&& place) {
+  constexpr int of_warp = Group::Warp::size / Group::Lanes::size;
+  const int lane_group = group.thread() / Group::Lanes::size;
+  NarrowPhase<Group, Place&> candidates(s, group, pair, outlines, items, place);
+  // as long as the first group of the warp has an item
+  for (std::int32_t at = first; at - lane_group % of_warp < count; at += step)
+    candidates.candidate(at, count, lane_group);
+}
+
+}  // namespace gem

@@ -1,0 +1,247 @@
+// The time steps of a device scene by blocks that stay with it: how the stages of gem/engine/step/stages.h go on there.
+//
+// | stages                                   | made as                                                               |
+// | list                                     | the list of near pairs, when it has worn out                          |
+// | candidates, narrow_phase, contact_events | the pairs phase, a workspace of pairs at a time; then a barrier       |
+// | gather, iterate, settle                  | the iterations, with barriers of their own                            |
+// | books, move, solo_events of the next     | the bodies phase, each body's together; then a barrier                |
+#pragma once
+
+#include "gem/engine/device/bodies.h"
+#include "gem/engine/device/list.h"
+#include "gem/engine/device/pairs.h"
+#include "gem/engine/device/platform.h"
+#include "gem/engine/solver/device_solver.h"
+#include "gem/engine/step/stages.h"
+
+namespace gem {
+
+/// Solo events up to the instant of the first time step's pair events.
+template <class Group>
+GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Group& group, const Workspace& workspace) {
+  for (std::int32_t i = workspace.first_body; i < workspace.bodies.end; i += workspace.body_step) {
+    if (i == 0 || workspace.body[i].kind != BodyKind::floe || !workspace.body[i].active) continue;
+    Mover mover = mover_of(workspace.body[i]);
+    kick_body(s, i, workspace.body[i], mover, workspace.motion[i], s.after[i], s.book(Channel::drag, i));
+    write_mover(workspace.body[i], mover);
+    write_mover(s.body[i], mover);
+  }
+  if (!workspace.platform || group.warp().rank() != 0) return;
+  Mover mover = mover_of(workspace.body[0]);
+  PlatformLoaded loaded = load_platform(s);
+  platform_first_half(s, loaded, mover, workspace.motion[0].mass, s.after[0].spin);
+  store_platform(s, loaded);
+  write_mover(workspace.body[0], mover);
+  write_mover(s.body[0], mover);
+}
+
+/// The bodies of one time step move.
+template <ContactSolver solver, class Group>
+GEM_DEVICE inline void move_bodies(const DeviceScene& s, Group& group, const Workspace& workspace,
+                                   const StepIndex& step) {
+  for (std::int32_t i = workspace.first_body; i < workspace.bodies.end; i += workspace.body_step)
+    move_body<solver>(s, group, workspace, i, step);
+  if (workspace.platform) move_platform<solver>(s, group, workspace, step);
+}
+
+/// The bodies phase of one time step.
+template <ContactSolver solver, class Group>
+GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Group& group, const Workspace& workspace,
+                                    const StepIndex& step) {
+  BlockCell& shared = group.shared();
+  if (group.thread() == 0) {
+    if (s.wants_samples)
+      s.quality[step.sample * group.blocks() + group.block()] = {
+          shared.overlap,  shared.share,          shared.contacts,        shared.iterations,
+          shared.residual, shared.energy_created, shared.complementarity, shared.cone_excess};
+    shared.overlap = shared.share = shared.complementarity = shared.cone_excess = 0;
+    shared.contacts = shared.touching_count = shared.points = shared.iterations = 0;
+    shared.residual = shared.energy_created = 0.0;
+    if (group.block() == 0) {
+      s.counters->points = s.counters->taken_points = 0;
+      s.counters->crowded = 0;
+    }
+  }
+  move_bodies<solver>(s, group, workspace, step);
+}
+
+/// Brings the books of contact work up to date; no contact is left waiting.
+template <class Group>
+GEM_DEVICE inline void close_work(const DeviceScene& s, Group& group, const Workspace& workspace, std::int32_t step) {
+  const std::int32_t stamp = -2 - step;  // unlike the stamp of any time step
+  work_of_last_step(s, group, workspace, stamp);
+  group.barrier();
+  if (group.thread() == 0) group.shared().touched = 0;
+  for (std::int32_t i = workspace.first_body; i < workspace.bodies.end; i += workspace.body_step)
+    gather_work(s, i, workspace.motion[i], stamp);
+}
+
+/// The state at rest, for the host.
+template <class Group>
+GEM_DEVICE inline void write_state(const DeviceScene& s, const Group& group) {
+  for (std::int32_t i = rank_of(group); i < s.bodies; i += size_of(group)) {
+    const BodyCell& cell = s.body[i];
+    const Vec2 velocity = i == 0 ? s.platform->velocity : s.after[i].velocity;
+    s.state[i] = {cell.position, cell.rotation, velocity, s.after[i].spin, cell.active};
+  }
+}
+
+/// How long the list of near pairs may still be used.
+struct ListLife {
+  std::int64_t begin = 0;    // time step at whose start the list was built
+  std::int64_t horizon = 1;  // time steps that it was built for, or that the next one is
+  bool valid = false;
+
+  GEM_DEVICE explicit ListLife(const DeviceStatus& status)
+      : begin(status.list_step), horizon(status.horizon), valid(status.list_valid != 0) {}
+
+  GEM_DEVICE bool is_over(std::int64_t step, std::uint32_t alarms) const {
+    return !valid || step - begin >= horizon || (alarms & alarm_strayed);
+  }
+  /// Fast floes leave their courses early, and what they might reach later would only make the next list long: it is
+  /// built for twice the time that this one lived.
+  GEM_DEVICE void end(const DeviceScene& s, std::int64_t step) {
+    constexpr std::int64_t shortest = 4;
+    if (!valid) return;
+    const std::int64_t next = 2 * (step - begin) > shortest ? 2 * (step - begin) : shortest;
+    horizon = next < s.horizon ? next : s.horizon;
+    valid = false;
+  }
+};
+
+/// advance_scene() of one solver: what the other needs would only take registers.
+template <ContactSolver solver, class Group>
+class ResidentSteps {
+ public:
+  GEM_DEVICE ResidentSteps(const DeviceScene& s, Group& group, std::int32_t steps)
+      : s_(s), group_(group), steps_(steps), start_(s.status->step), list_(*s.status) {}
+
+  GEM_DEVICE void advance() {
+    begin();
+    for (; done_ < steps_ && goes_on(); ++done_) {
+      for_each_stage([&](auto stage) {
+        if (stop_ == DeviceStop::done) run<stage.value>();
+      });
+      if (stop_ != DeviceStop::done) break;
+    }
+    end();
+  }
+
+ private:
+  static constexpr bool coupled = solver == ContactSolver::coupled;
+
+  GEM_DEVICE std::int32_t step() const { return static_cast<std::int32_t>(start_) + done_; }
+
+  template <Stage stage>
+  GEM_DEVICE void run() {
+    if constexpr (stage == Stage::list) {
+      if (list_.is_over(step(), group_.alarms())) renew_list();
+    }
+    if constexpr (stage == Stage::candidates) {  // with narrow_phase and contact_events
+      pairs_phase<solver>(s_, group_, workspace_, step());
+      group_.barrier();
+    }
+    if constexpr (stage == Stage::gather && coupled)  // with iterate and settle
+      resolve_coupled(s_, group_, workspace_, step());
+    if constexpr (stage == Stage::move) {  // with books, and solo_events of the next time step
+      carried_ = false;
+      const double elapsed = static_cast<double>(step() + 1 - list_.begin) * s_.constants.dt;
+      bodies_phase<solver>(s_, group_, workspace_, {step(), done_, elapsed, done_ + 1 < steps_});
+      group_.barrier();
+    }
+  }
+
+  GEM_DEVICE void begin() {
+    if (group_.thread() == 0) group_.shared() = {};
+    group_.block_barrier();
+    workspace_ = make_workspace(s_, group_);
+    load_bodies(s_, group_, workspace_);
+    load_pairs(s_, group_, workspace_);
+    group_.block_barrier();
+    if (!s_.status->half_way) first_solo_events(s_, group_, workspace_);
+    group_.barrier();
+    if (rank_of(group_) == 0) {
+      s_.status->half_way = 1;
+      s_.status->events = 0;
+    }
+    for (std::int32_t k = rank_of(group_); k < 2 * OverlapCount::classes; k += size_of(group_)) s_.overlap_count[k] = 0;
+    group_.barrier();
+  }
+
+  /// Whether nothing that happened so far asks for the host.
+  GEM_DEVICE bool goes_on() {
+    const std::uint32_t alarms = group_.alarms();
+    if (alarms & alarm_not_finite)
+      stop_ = DeviceStop::not_finite;
+    else if (alarms & alarm_ring_full)
+      stop_ = DeviceStop::ring_full;
+    return stop_ == DeviceStop::done;
+  }
+
+  GEM_DEVICE void renew_list() {
+    list_.end(s_, step());
+    store();
+    build_list(s_, group_, step(), list_.horizon);
+    load_bodies(s_, group_, workspace_);
+    load_pairs(s_, group_, workspace_);
+    group_.block_barrier();
+    list_.valid = !(group_.alarms() & alarm_list_full);
+    list_.begin = step();
+    if (!list_.valid)
+      stop_ = DeviceStop::list_full;
+    else if constexpr (coupled)
+      hand_out_memory(s_, group_, step());
+  }
+
+  /// Brings the scene's own memory up to date.
+  GEM_DEVICE void store() {
+    if constexpr (coupled)
+      if (!carried_) carry_memory(s_, group_, workspace_);
+    carried_ = true;
+    close_work(s_, group_, workspace_, step());
+    group_.block_barrier();
+    store_bodies(s_, group_, workspace_);
+    store_pairs(s_, group_, workspace_);
+  }
+
+  GEM_DEVICE void end() {
+    if (stop_ == DeviceStop::done && (group_.alarms() & alarm_not_finite)) stop_ = DeviceStop::not_finite;
+    if (group_.alarms() & alarm_strayed) list_.end(s_, step());
+    store();
+    write_state(s_, group_);
+    group_.barrier();
+    if (rank_of(group_) != 0) return;
+    DeviceStatus& status = *s_.status;
+    status.step = start_ + done_;
+    status.samples = done_;
+    status.list_valid = list_.valid;
+    status.horizon = list_.horizon;
+    status.half_way = done_ < steps_;
+    status.barriers = group_.barriers();
+    status.stop = stop_;
+    status.visits = 0;  // counted by phases only
+  }
+
+  const DeviceScene& s_;
+  Group& group_;
+  std::int32_t steps_;
+  std::int64_t start_;
+  ListLife list_;
+  Workspace workspace_;
+  bool carried_ = true;  // the memory of the last time step stands apart from the list
+  DeviceStop stop_ = DeviceStop::done;
+  std::int32_t done_ = 0;
+};
+
+/// Moves the scene on by `steps` time steps, or less where something has to be done by the host first: the status says.
+template <class Group>
+GEM_DEVICE inline void advance_scene(const DeviceScene& s, Group& group, std::int32_t steps) {
+  // a scene that waits for others of its batch: its next time step has not begun
+  if (steps == 0) return;
+  if (s.constants.solver == ContactSolver::coupled)
+    ResidentSteps<ContactSolver::coupled, Group>(s, group, steps).advance();
+  else
+    ResidentSteps<ContactSolver::independent, Group>(s, group, steps).advance();
+}
+
+}  // namespace gem

@@ -1,0 +1,270 @@
+// The device's recipe, run by one host thread, gives the bits, the books and the log of the cpu engine.
+#include "gem/engine/device/resident_steps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <tuple>
+
+#include "gem/engine/testing/host_scene.h"
+#include "gem/engine/testing/same_bits.h"
+#include "gem/engine/testing/test_scenes.h"
+
+namespace gem {
+namespace {
+
+using test::HostScene;
+
+using Choice = std::tuple<ContactSolver, Manifold, Yaw, FrictionLaw, DragLaw>;
+
+class DeviceTimeStepsTest : public testing::TestWithParam<Choice> {};
+
+TEST_P(DeviceTimeStepsTest, GivesTheBitsOfTheCpuEngine) {
+  SceneDef scene = test::busy_scene(8);
+  std::tie(scene.contact.solver, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
+           scene.water.drag_law) = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device(scene, test::busy_field(scene));
+  StepLog expected, log;
+  for (int block = 0; block < 8; ++block) {
+    cpu->advance(50, expected);
+    device.advance(50, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    if (HasFailure()) return;
+  }
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  if (scene.contact.solver == ContactSolver::coupled) {
+    test::expect_same_coupled(device, log, *cpu, expected);
+  } else {
+    StepQuality worst;
+    for (const StepQuality& quality : log.quality) worst.worsen(quality);
+    // not measured is no zero
+    EXPECT_TRUE(std::isnan(worst.complementarity) && std::isnan(worst.cone_excess) && std::isnan(worst.energy_created));
+    EXPECT_GT(worst.maximum_overlap, 0.0);
+  }
+  EXPECT_GT(test::contacts_in(expected), 5000);
+  EXPECT_GT(expected.events.size(), 2u);
+  EXPECT_GT(device.status().builds, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Combinations, DeviceTimeStepsTest,
+                         testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
+                                          testing::Values(Manifold::chord_middle, Manifold::chord_ends),
+                                          testing::Values(Yaw::free, Yaw::locked),
+                                          testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
+                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
+
+class DeviceSolvers : public testing::TestWithParam<ContactSolver> {};
+
+TEST(PairMemory, OfAPairThatIsNewHoldsNothingInAnyTimeStep) {
+  PairMemory memory;
+  memory.feature[0] = 3;  // what an earlier list left there
+  memory.impulse[0] = {1.0, 2.0, 3.0};
+  for (const std::int32_t step : {0, 1, 1000}) EXPECT_EQ(last_impulse(memory, 3, step).normal, 0.0) << step;
+  memory.step = 999;
+  EXPECT_EQ(last_impulse(memory, 3, 1000).normal, 1.0);
+}
+
+TEST_P(DeviceSolvers, BlocksAndThreadsChangeNothing) {
+  constexpr std::int64_t steps = 12;  // threads that outnumber the processors wait long at every barrier
+  SceneDef scene = test::busy_scene(7);
+  scene.contact.solver = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  StepLog expected;
+  cpu->advance(steps, expected);
+  EXPECT_GT(test::contacts_in(expected), 50);
+  const std::size_t none = workspace_minimum(8, test::team_lanes), bodies = none + 160 * 256, all = 1 << 20;
+  for (const auto& [blocks, threads, shared_memory] :
+       {std::tuple{1, 8, none}, {2, 4, bodies}, {3, 4, all}, {5, 4, all}}) {
+    HostScene device(scene, test::busy_field(scene), blocks, threads, 0, shared_memory);
+    StepLog log;
+    device.advance(steps, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+    EXPECT_GT(device.status().builds, 0);
+  }
+}
+
+/// A coupled scene by two blocks.
+struct TwoBlocks {
+  HostScene device;
+  StepLog log;
+  TwoBlocks(const SceneDef& scene, std::size_t shared_memory)
+      : device(scene, test::busy_field(scene), 2, 4, 0, shared_memory) {}
+  /// Makes a time step; returns its barriers.
+  int advance() {
+    device.advance(1, log);
+    return device.status().barriers;
+  }
+};
+constexpr std::size_t fits_shared_memory = 1 << 20;
+const std::size_t scarce = workspace_minimum(4, test::team_lanes);
+
+/// Barriers: without halos two in an iteration but the first, which moves nothing; with halos one in those that are
+/// judged and one at the end.
+int spared_by_halos(const StepLog& log, int step) {
+  const int iterations = log.quality[std::size_t(step)].iterations;
+  const int judged = iterations / 4 + std::min(iterations, 2), without = 2 * iterations - 1, halos = judged + 1;
+  return without - halos;
+}
+
+TEST(DeviceHalo, SparesTheBarriersOfIterationsInTimeStepsThatHaveRoomAndChangesNothing) {
+  constexpr int steps = 16;
+  SceneDef scene = test::busy_scene(9);
+  scene.contact.solver = ContactSolver::coupled;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  StepLog expected;
+  cpu->advance(steps, expected);
+  TwoBlocks with(scene, fits_shared_memory), at_times(scene, fits_shared_memory);
+  int crowded = 0;
+  ASSERT_EQ(scene.numerics.iterations_maximum % 4, 0) << "the last is judged as a fourth one";
+  for (int m = 0; m < steps; ++m) {
+    at_times.device.give_space(m % 2 == 0 ? scarce : fits_shared_memory);
+    const int spared = at_times.advance() - with.advance();
+    if (m % 2 == 1)
+      EXPECT_EQ(spared, 0) << "room again in time step " << m;
+    else
+      EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in time step " << m;
+    if (spared > 0) ++crowded;
+  }
+  EXPECT_GT(crowded, 0);
+  for (const TwoBlocks* one : {&with, &at_times}) {
+    test::expect_same_bodies(one->device.bodies(), cpu->bodies());
+    test::expect_same_coupled(one->device, one->log, *cpu, expected);
+  }
+}
+
+TEST(DeviceHalo, RoundsThatFollowChangeNothing) {
+  constexpr int steps = 8;
+  SceneDef scene = test::busy_scene(9);
+  scene.contact.solver = ContactSolver::coupled;
+  scene.numerics.residual_tolerance = 1e-9;
+  scene.numerics.iterations_maximum = 200;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  StepLog expected;
+  cpu->advance(steps, expected);
+  TwoBlocks device(scene, fits_shared_memory);
+  int most = 0, all = 0, barriers = 0;
+  for (int m = 0; m < steps; ++m) barriers += device.advance();
+  for (const StepQuality& quality : expected.quality) {
+    most = std::max(most, int(quality.iterations));
+    all += int(quality.iterations);
+  }
+  EXPECT_GT(most, 40) << "of more than one round";
+  EXPECT_LT(barriers, all) << "without halos two in an iteration";
+  test::expect_same_bodies(device.device.bodies(), cpu->bodies());
+  test::expect_same_coupled(device.device, device.log, *cpu, expected);
+}
+
+TEST(DeviceHalo, IsNoneWhereverTheRoomEndsAndChangesNothing) {
+  constexpr int first = 12, rungs = 48, steps = first + rungs;  // before the first there are few points
+  constexpr std::size_t line = 128;                             // what room is counted in
+  SceneDef scene = test::busy_scene(9);
+  scene.contact.solver = ContactSolver::coupled;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  StepLog expected;
+  cpu->advance(steps, expected);
+  TwoBlocks device(scene, fits_shared_memory), with(scene, fits_shared_memory);
+  int crowded = 0, in_shared_memory = 0;
+  for (int m = 0; m < steps; ++m) {
+    if (m >= first) device.device.give_space(scarce + std::size_t(m - first) * line);
+    const int spared = device.advance() - with.advance();
+    if (m < first) continue;
+    EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in time step " << m;
+    ++(spared > 0 ? crowded : in_shared_memory);
+  }
+  EXPECT_GT(crowded, rungs / 4);
+  EXPECT_GT(in_shared_memory, rungs / 4);
+  test::expect_same_bodies(device.device.bodies(), cpu->bodies());
+  test::expect_same_coupled(device.device, device.log, *cpu, expected);
+}
+
+/// Floes at the platform and rows of more places than one stretch of a row or the first near bodies take.
+TEST_P(DeviceSolvers, LongRowsAndThePlatformByManyThreadsChangeNothing) {
+  constexpr std::int64_t steps = 6;
+  SceneDef scene = test::busy_scene(8);
+  scene.contact.solver = GetParam();
+  scene.numerics.list_margin_m = 60.0;
+  const auto before = test::busy_engine(scene, "cpu");
+  const auto at_platform = [](const StepLog& log) {
+    std::int64_t floes = 0;
+    for (const PlatformStep& sample : log.platform) floes += sample.contacts;
+    return floes;
+  };
+  for (StepLog skipped; at_platform(skipped) < 5 && before->step() < 3000;) {
+    skipped.clear();
+    before->advance(5, skipped);
+  }
+  const Bodies field = before->bodies();
+  const auto cpu = make_engine(scene, field, {"cpu", 1});
+  StepLog expected;
+  cpu->advance(steps, expected);
+  EXPECT_GT(at_platform(expected), 5);
+  const std::size_t all = 1 << 20;
+  HostScene device(scene, field, 2, 8, 0, all);
+  StepLog log;
+  device.advance(steps, log);
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  EXPECT_GT(device.longest_lower_row(), RowNews::stretch);
+}
+
+TEST_P(DeviceSolvers, AHorizonFollowsTheLifeOfListsInShortCallsToo) {
+  SceneDef scene = test::busy_scene(6);
+  scene.contact.solver = GetParam();
+  HostScene device(scene, test::busy_field(scene));
+  const std::int64_t longest = device.status().horizon;
+  StepLog log;
+  std::int64_t least = longest;
+  for (int call = 0; call < 400; ++call) {
+    device.advance(1, log);
+    least = std::min(least, device.status().horizon);
+  }
+  EXPECT_GE(least, 4);
+  EXPECT_LT(least, longest);
+}
+
+TEST_P(DeviceSolvers, AListTooSmallGrowsAndLosesNothing) {
+  SceneDef scene = test::busy_scene(6);
+  scene.contact.solver = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device(scene, test::busy_field(scene), 1, 1, 64);
+  StepLog expected, log;
+  cpu->advance(200, expected);
+  device.advance(200, log);
+  EXPECT_GT(device.growths(), 0);
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  EXPECT_GT(test::contacts_in(expected), 2000);
+}
+
+TEST_P(DeviceSolvers, WaitingForOtherScenesChangesNothing) {
+  SceneDef scene = test::busy_scene(6);
+  scene.contact.solver = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device(scene, test::busy_field(scene));
+  StepLog expected, log;
+  for (int block = 0; block < 4; ++block) {
+    cpu->advance(40, expected);
+    device.advance(40, log);
+    device.wait();
+  }
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  EXPECT_GT(test::contacts_in(expected), 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, DeviceSolvers, testing::Values(ContactSolver::independent, ContactSolver::coupled),
+                         [](const auto& solver) {
+                           return solver.param == ContactSolver::coupled ? std::string("coupled")
+                                                                         : std::string("independent");
+                         });
+
+}  // namespace
+}  // namespace gem

@@ -1,0 +1,198 @@
+// Algorithm, in turns until what is left is rounding:
+//   approach   operator splitting: the equations w = 0 with a spring to the last impulses within bounds, then the
+//   bounds
+//              (Stellato et al. 2020; with friction: Tasora et al. 2021); finds which unknowns end at a bound
+//   finish     with those at their bounds, the others are the answer of linear equations (semi-smooth Newton: Alart and
+//              Curnier 1991); impulses that hold each other need not be unique, so a little is added to the diagonal,
+//              as much as serves best
+#include "gem/engine/reference/bounded_problem.h"
+
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "gem/base/error.h"
+
+namespace gem::reference {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+using Factors = Eigen::SparseLU<Matrix>;
+
+struct Bounds {
+  double lower, upper;
+};
+
+Bounds bounds_of(const BoundedProblem& p, const Vector& x, int i) {
+  if (p.normal[i] == BoundedProblem::none) return {0.0, p.limit[i]};
+  const double most = p.limit[i] * x[p.normal[i]];
+  return {-most, most};
+}
+
+double within(double value, Bounds bounds) { return std::min(std::max(value, bounds.lower), bounds.upper); }
+
+class Solver {
+ public:
+  explicit Solver(const BoundedProblem& problem)
+      : p_(problem), own_(problem.response.diagonal()), bounded_(Vector::Zero(problem.start.size())), pull_(bounded_) {
+    take(bounded_);
+  }
+
+  BoundedSolution solve();
+
+ private:
+  int size() const { return static_cast<int>(p_.start.size()); }
+  Vector left_over(const Vector& x) const { return p_.response * x + p_.start; }
+  double residual(const Vector& x) const;
+  double scale() const;
+  bool solved() const {
+    return left_ <= bounded_tolerance * scale() && left_ <= bounded_share * p_.start.cwiseAbs().maxCoeff();
+  }
+
+  void take(const Vector& x);
+  void keep_better(const Vector& x);
+  void approach(double spring, int steps);
+  void finish();
+  void run_of_steps(double little);
+  Vector newton_step(const Vector& from, double little) const;
+
+  const BoundedProblem& p_;
+  const Vector own_;  // how each unknown answers to itself
+  Vector bounded_;    // where the approach is
+  Vector pull_;       // and what its springs pull with, as a stretch
+  double spring_ = 1.0;
+  Vector x_;     // what a finish has made of it
+  double left_;  // its residual
+};
+
+/// Largest change of w that an unknown asks for and its bounds allow [m/s].
+double Solver::residual(const Vector& x) const {
+  const Vector w = left_over(x);
+  double largest = 0.0;
+  for (int i = 0; i < size(); ++i) {
+    const double change = x[i] - within(x[i] - w[i] / own_[i], bounds_of(p_, x, i));
+    largest = std::max(largest, own_[i] * std::fabs(change));
+  }
+  return largest;
+}
+
+/// The largest sum of the sizes of the terms of w: rounding is a share of it [m/s].
+double Solver::scale() const {
+  const Vector sums = p_.response.cwiseAbs() * x_.cwiseAbs() + p_.start.cwiseAbs();
+  return sums.maxCoeff();
+}
+
+void Solver::take(const Vector& x) {
+  x_ = x;
+  left_ = residual(x);
+}
+
+void Solver::keep_better(const Vector& x) {
+  if (x.size() > 0 && residual(x) < left_) take(x);
+}
+
+void Solver::approach(double spring, int steps) {
+  pull_ *= spring_ / spring;
+  spring_ = spring;
+  Matrix equations = p_.response;
+  equations.diagonal() += spring * own_;
+  equations.makeCompressed();
+  const Factors factors(equations);
+  if (factors.info() != Eigen::Success) return;
+  const Vector stiffness = spring * own_;
+  for (int step = 0; step < steps; ++step) {
+    constexpr double beyond = 1.6;  // over-relaxation as in the literature
+    const Vector free = factors.solve(Vector(stiffness.cwiseProduct(bounded_ - pull_) - p_.start));
+    const Vector ahead = beyond * free + (1.0 - beyond) * bounded_;
+    for (int i = 0; i < size(); ++i) bounded_[i] = within(ahead[i] + pull_[i], bounds_of(p_, bounded_, i));
+    pull_ += ahead - bounded_;
+  }
+  take(bounded_);
+}
+
+/// Unknowns that would pass a bound are set to it, the rest make their w zero, held back by `little` of their own
+/// response. Empty if there is no answer.
+Vector Solver::newton_step(const Vector& from, double little) const {
+  const Vector w = left_over(from);
+  Vector x = from;
+  std::vector<int> column(size(), -1);               // of a free unknown among the free ones
+  std::vector<Eigen::Triplet<double>> pick, follow;  // the free unknowns; all that change with one
+  for (int i = 0; i < size(); ++i) {
+    const double wanted = from[i] - w[i] / own_[i];
+    const Bounds bounds = bounds_of(p_, from, i);
+    const int normal = p_.normal[i];
+    if (wanted > bounds.lower && wanted < bounds.upper) {
+      column[i] = static_cast<int>(pick.size());
+      pick.emplace_back(column[i], i, 1.0);
+      follow.emplace_back(i, column[i], 1.0);
+    } else if (normal == BoundedProblem::none) {
+      x[i] = within(wanted, bounds);
+    } else {
+      const double share = wanted > 0.0 ? p_.limit[i] : -p_.limit[i];
+      x[i] = share * x[normal];
+      if (column[normal] >= 0) follow.emplace_back(i, column[normal], share);
+    }
+  }
+  const int count = static_cast<int>(pick.size());
+  if (count > 0) {
+    Matrix picks(count, size()), follows(size(), count);
+    picks.setFromTriplets(pick.begin(), pick.end());
+    follows.setFromTriplets(follow.begin(), follow.end());
+    Matrix equations = picks * p_.response * follows;
+    equations.diagonal() += little * (picks * own_);
+    equations.makeCompressed();
+    const Factors factors(equations);
+    if (factors.info() != Eigen::Success) return {};
+    x -= follows * Vector(factors.solve(Vector(picks * left_over(x))));
+  }
+  for (int i = 0; i < size(); ++i) x[i] = within(x[i], bounds_of(p_, x, i));
+  return x;
+}
+
+/// Steps from the best so far. A step may leave more than there was on the way to less.
+void Solver::run_of_steps(double little) {
+  constexpr int most = 8;
+  Vector x = x_;
+  for (int step = 0; step < most && !solved(); ++step) {
+    x = newton_step(x, little);
+    if (x.size() == 0) return;
+    keep_better(x);
+  }
+}
+
+void Solver::finish() {
+  constexpr double worth_it = 0.9;
+  double before = 2.0 * left_;
+  while (!solved() && left_ < worth_it * before) {
+    before = left_;
+    for (const double little : {1e-10, 1e-13, 1e-8, 1e-6, 1e-4, 1e-2}) run_of_steps(little);
+  }
+}
+
+BoundedSolution Solver::solve() {
+  constexpr int most_rounds = 400;
+  int steps = 0;
+  for (int round = 0; round < most_rounds; ++round) {
+    finish();
+    if (solved()) {
+      for (int more = 0; more < 2; ++more) keep_better(newton_step(x_, 1e-10));  // costs little, gains digits
+      return {x_, left_, steps};
+    }
+    const int more = round < 2 ? 20 : round < 6 ? 100 : 300;
+    const double springs[] = {0.1, 0.03, 0.01, 0.003, 0.001};
+    approach(round < 6 ? 0.1 : springs[round % 5], more);
+    steps += more;
+  }
+  throw Error(ExitCode::numerical_stop,
+              "the reference engine found no impulses for " + std::to_string(size()) +
+                  " unknowns of touching bodies within " + std::to_string(steps) +
+                  " steps (with friction there may be none); try the engine cpu or a smaller numerics.time_step_s");
+}
+
+}  // namespace
+
+BoundedSolution solve(const BoundedProblem& problem) { return Solver(problem).solve(); }
+
+}  // namespace gem::reference

@@ -1,0 +1,50 @@
+// All contact points that have to be resolved together, as impulses that satisfy
+//
+//   u_n >= target,  0 <= P_n <= cap        u_n > target only where P_n = 0, u_n < target only where P_n = cap
+//   |P_t| <= mu P_n,  P_t against the slip that is left               friction law one_step (Coulomb)
+//   P_t = -mu P_n sign(u_t before)                                    friction law fixed_direction
+//
+//   u_n, u_t  velocity of B against A along the normal and along the normal turned left, after the impulses   [m/s]
+//   P_n, P_t  impulse on B, the opposite on A                                                                 [N s]
+//
+// The position repair is the same problem: shifts for velocities, no friction, no cap.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "gem/base/vec2.h"
+#include "gem/events/impact.h"
+#include "gem/scene/scene_def.h"
+
+namespace gem::reference {
+
+struct ProblemPoint {
+  std::int32_t a = 0, b = 0;
+  Vec2 normal;        // from A to B
+  Vec2 arm_a, arm_b;  // from the centroids [m]
+  double target = 0.0;
+  double cap = std::numeric_limits<double>::infinity();
+  double friction = 0.0;  // mu
+};
+
+/// A body as the problem sees it.
+struct ProblemBody {
+  CollisionMass mass;
+  Vec2 velocity;      // before the impulses [m/s]
+  double spin = 0.0;  // [rad/s]
+};
+
+struct ContactSolution {
+  std::vector<ContactImpulse> impulse;  // of each point
+  double residual = 0.0;                // largest normal or tangential velocity that is left to change [m/s]
+  int steps = 0;                        // of the group of points that took the most
+};
+
+/// Solves the problem. Points are independent of each other where no moving body joins them. Throws
+/// Error(numerical_stop) if it cannot.
+ContactSolution solve_contacts(const std::vector<ProblemPoint>& points, const std::vector<ProblemBody>& bodies,
+                               FrictionLaw law);
+
+}  // namespace gem::reference

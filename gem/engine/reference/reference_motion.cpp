@@ -1,0 +1,145 @@
+#include "gem/engine/reference/reference_motion.h"
+
+#include "gem/engine/reference/reference_books.h"
+#include "gem/events/current_drag.h"
+#include "gem/events/motion.h"
+#include "gem/events/platform_drag.h"
+
+namespace gem::reference {
+namespace {
+
+bool is_floe(const Bodies& b, std::size_t i) { return b.kind[i] == BodyKind::floe && b.active[i]; }
+
+/// Slip and spin that the drag leaves a floe.
+struct Dragged {
+  DragSolution slip;
+  SpinDragSolution spin;
+};
+
+Dragged dragged(const Rules& rules, const Bodies& b, std::size_t i) {
+  const Vec2 slip = rules.scene.current.velocity_m_per_s - b.velocity[i];
+  const double spin = b.spin[i], dt = rules.dt;
+  const bool turns_free = !(b.spin_drag[i] > 0.0);
+  if (rules.scene.water.drag_law == DragLaw::quadratic)
+    return {drag_quadratic(b.drag[i], slip, length(slip), dt),
+            turns_free ? SpinDragSolution{spin, 0.0} : spin_drag_quadratic(b.spin_drag[i], spin, dt)};
+  return {drag_linear(b.drag[i], slip, rules.linear_decay, dt),
+          turns_free ? SpinDragSolution{spin, 0.0} : spin_drag_linear(b.spin_drag[i], spin, rules.linear_decay, dt)};
+}
+
+void drag_platform(const Rules& rules, State& s) {
+  if (!(rules.platform_drag_rate > 0.0)) return;
+  Bodies& b = s.bodies;
+  const Vec2 before = b.velocity[0];
+  b.velocity[0] = platform_drag(rules.platform_drag_rate, before, rules.platform_water, 0.5 * rules.dt);
+  const Vec2 impulse = b.mass[0] * (b.velocity[0] - before);
+  s.drag_impulse += impulse;
+  Quantity& book = s.ledger[Channel::platform_drag];
+  book.momentum += impulse;
+  book.angular_momentum += cross(b.position[0], impulse);
+  book.energy += 0.5 * dot(impulse, b.velocity[0] + before);
+}
+
+/// Kinetic energy of the platform's drift and energy of its mooring [J].
+double swing_energy(const Rules& rules, const Bodies& b) {
+  const Vec2 offset = b.position[0] - rules.scene.platform.anchor_m;
+  return 0.5 * b.mass[0] * dot(b.velocity[0], b.velocity[0]) + 0.5 * rules.stiffness * dot(offset, offset);
+}
+
+void swing_platform(const Rules& rules, State& s) {
+  Bodies& b = s.bodies;
+  const Vec2 anchor = rules.scene.platform.anchor_m, position = b.position[0], velocity = b.velocity[0];
+  const double energy = swing_energy(rules, b);
+  Vec2 offset = position - anchor;
+  apply(rules.half_mooring, offset, b.velocity[0]);
+  b.position[0] = anchor + offset;
+  const Vec2 impulse = b.mass[0] * (b.velocity[0] - velocity);
+  s.mooring_impulse += impulse;
+  s.ledger.mooring_force.momentum += impulse;
+  s.ledger.mooring_force.angular_momentum +=
+      b.mass[0] * (cross(b.position[0], b.velocity[0]) - cross(position, velocity));
+  if (rules.stiffness > 0.0 && rules.scene.mooring.damping_ratio > 0.0)
+    s.ledger[Channel::mooring].energy += swing_energy(rules, b) - energy;
+}
+
+void turn(Bodies& b, std::size_t i, double angle) {
+  if (angle != 0.0) b.rotation[i] = turned(b.rotation[i], angle);
+}
+
+/// The position repair of the platform stretches its mooring.
+void repair_platform(const Rules& rules, State& s) {
+  Bodies& b = s.bodies;
+  const Vec2 shift = s.repair_shift[0], offset = b.position[0] - rules.scene.platform.anchor_m;
+  b.position[0] += shift;
+  Quantity& book = s.ledger[Channel::repair];
+  book.angular_momentum += b.mass[0] * cross(shift, b.velocity[0]);
+  book.energy += rules.stiffness * (dot(offset, shift) + 0.5 * dot(shift, shift));
+  turn(b, 0, rules.dt * b.spin[0] + s.repair_turn[0]);
+}
+
+void move_floe(const Rules& rules, State& s, std::size_t i) {
+  Bodies& b = s.bodies;
+  // a floe that nothing struck follows the exact path of its drag
+  const Vec2 beside = s.struck[i] ? s.repair_shift[i] : s.path_correction[i];
+  const double angle = s.struck[i] ? s.repair_turn[i] : s.angle_correction[i];
+  b.position[i] += rules.dt * b.velocity[i] + beside;
+  turn(b, i, rules.dt * b.spin[i] + angle);
+  // a shift takes the velocity along
+  s.ledger[s.struck[i] ? Channel::repair : Channel::drag].angular_momentum += b.mass[i] * cross(beside, b.velocity[i]);
+}
+
+}  // namespace
+
+void drag_floes(const Rules& rules, State& s) {
+  if (rules.scene.water.drag_law == DragLaw::none) return;
+  Bodies& b = s.bodies;
+  for (std::size_t i = 0; i < b.count(); ++i) {
+    if (!is_floe(b, i)) continue;
+    const Dragged after = dragged(rules, b, i);
+    const Vec2 velocity = b.velocity[i];
+    const double spin = b.spin[i];
+    b.velocity[i] = rules.scene.current.velocity_m_per_s - after.slip.slip;
+    b.spin[i] = after.spin.spin;
+    s.path_correction[i] = -after.slip.path_correction;
+    s.angle_correction[i] = after.spin.angle_correction;
+    const Vec2 impulse = b.mass[i] * (b.velocity[i] - velocity);
+    const double twist = b.inertia[i] * (b.spin[i] - spin);
+    Quantity& book = s.ledger[Channel::drag];
+    book.momentum += impulse;
+    book.angular_momentum += cross(b.position[i], impulse) + twist;
+    book.energy += 0.5 * dot(impulse, b.velocity[i] + velocity) + 0.5 * twist * (b.spin[i] + spin);
+  }
+}
+
+void move_platform_before(const Rules& rules, State& s) {
+  if (!rules.scene.platform.present) return;
+  drag_platform(rules, s);
+  swing_platform(rules, s);
+}
+
+void move_platform_after(const Rules& rules, State& s) {
+  if (!rules.scene.platform.present) return;
+  swing_platform(rules, s);
+  drag_platform(rules, s);
+  repair_platform(rules, s);
+}
+
+void move_floes(const Rules& rules, State& s) {
+  for (std::size_t i = 0; i < s.bodies.count(); ++i)
+    if (is_floe(s.bodies, i)) move_floe(rules, s, i);
+}
+
+void retire_floes(const Rules& rules, State& s) {
+  Bodies& b = s.bodies;
+  for (std::size_t i = 0; i < b.count(); ++i) {
+    if (!is_floe(b, i) || !(b.position[i].x > rules.scene.output.retire_x_m)) continue;
+    const Quantity gone = quantity_of(b, i);
+    Quantity& book = s.ledger[Channel::retired];
+    book.momentum -= gone.momentum;
+    book.angular_momentum -= gone.angular_momentum;
+    book.energy -= gone.energy;
+    b.active[i] = 0;
+  }
+}
+
+}  // namespace gem::reference

@@ -1,0 +1,52 @@
+#include "gem/engine/reference/reference_state.h"
+
+#include <algorithm>
+
+#include "gem/base/strict_math.h"
+#include "gem/events/platform_drag.h"
+#include "gem/scene/scene_bounds.h"
+
+namespace gem::reference {
+namespace {
+
+/// Largest speed of any point that the scene starts with or drives towards [m/s].
+double fastest_of(const SceneDef& scene) {
+  double fastest = std::max({1e-3, length(scene.current.velocity_m_per_s), platform_speed_bound(scene)});
+  for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s) + rim_speed(floe));
+  return fastest;
+}
+
+}  // namespace
+
+Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
+  Rules rules;
+  rules.scene = scene;
+  rules.dt = scene.numerics.time_step_s;
+  const double reach = scene.numerics.contact_reach, fastest = fastest_of(scene);
+  if (rules.coupled() && scene.contact.manifold == Manifold::chord_ends)
+    rules.contact_margin = reach * fastest * rules.dt;
+  rules.repair_reach = std::max((reach - 1.0) * fastest, scene.numerics.repair_speed_m_per_s) * rules.dt;
+  rules.linear_decay = strict::exp(-rules.dt / scene.water.linear_time_s);
+  if (!scene.platform.present) return rules;
+  const double mass = bodies.mass[0];
+  rules.stiffness = scene.mooring.stiffness_N_per_m;
+  rules.half_mooring = mooring_flow(rules.stiffness, mass, scene.mooring.damping_ratio, 0.5 * rules.dt);
+  if (!scene.platform_drag.present) return rules;
+  rules.platform_drag_rate = platform_drag_rate(scene.water.density_kg_per_m3, scene.platform_drag.coefficient,
+                                                scene.platform.diameter_m, scene.platform_drag.draft_m, mass);
+  if (scene.platform_drag.water == DampingWater::current) rules.platform_water = scene.current.velocity_m_per_s;
+  return rules;
+}
+
+void State::begin_step() {
+  const std::size_t count = bodies.count();
+  path_correction.assign(count, {});
+  angle_correction.assign(count, 0.0);
+  struck.assign(count, 0);
+  repair_shift.assign(count, {});
+  repair_turn.assign(count, 0.0);
+  platform_start = bodies.position[0];
+  mooring_impulse = drag_impulse = {};
+}
+
+}  // namespace gem::reference

@@ -1,0 +1,48 @@
+// What the reference engine moves: bodies, books, and the numbers of the scene that a time step asks for.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gem/engine/engine.h"
+#include "gem/events/mooring.h"
+
+namespace gem::reference {
+
+/// Follows from the scene, once.
+struct Rules {
+  SceneDef scene;
+  double dt = 0.0;                  // [s]
+  double contact_margin = 0.0;      // coupled: faces closer than this are held apart [m]
+  double repair_reach = 0.0;        // coupled: farthest that the repair takes a point of a body in one time step [m]
+  double linear_decay = 1.0;        // e^(-dt / tau)
+  MooringFlow half_mooring;         // over dt / 2
+  double stiffness = 0.0;           // of the mooring; 0 without platform [N/m]
+  double platform_drag_rate = 0.0;  // [1/m]; 0: none
+  Vec2 platform_water;              // [m/s]
+
+  bool coupled() const { return scene.contact.solver == ContactSolver::coupled; }
+};
+
+Rules rules_of(const SceneDef& scene, const Bodies& bodies);
+
+/// Arrays: one entry for each body.
+struct State {
+  Bodies bodies;
+  Ledger ledger;  // `now` and the scales are brought up to date when asked for
+  std::int64_t steps = 0;
+
+  // of the present time step
+  std::vector<Vec2> path_correction;     // exact path of the drag minus velocity x dt [m]
+  std::vector<double> angle_correction;  // [rad]
+  std::vector<std::uint8_t> struck;      // leaves the path of its drag
+  std::vector<Vec2> repair_shift;        // [m]
+  std::vector<double> repair_turn;       // [rad]
+  Vec2 platform_start;                   // where the platform stood when the touches were found [m]
+  Vec2 mooring_impulse, drag_impulse;    // on the platform [N s]
+
+  /// Forgets the last time step.
+  void begin_step();
+};
+
+}  // namespace gem::reference

@@ -1,0 +1,91 @@
+// The search is its own: every pair, every edge against every corner. What a chord and a touching stretch are is part
+// of the laws: gem/geometry says it once for all engines, and is judged by closed forms and by Clipper.
+#include "gem/engine/reference/touch.h"
+
+namespace gem::reference {
+namespace {
+
+/// How far all corners of `other` stand outside edge `edge` [m]. `to_other` leads from centroid to centroid.
+double distance_outside(const TurnedOutline& owner, std::size_t edge, const TurnedOutline& other, Vec2 to_other) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vec2 corner : other.corner) {
+    const double distance = dot(owner.normal[edge], to_other + corner - owner.corner[edge]);
+    if (distance < nearest) nearest = distance;
+  }
+  return nearest;
+}
+
+/// The edge that parts the outlines most, or is the least deep; A's first edge wins a tie.
+Separation separating_axis(const TurnedOutline& a, const TurnedOutline& b, Vec2 offset) {
+  Separation best;
+  best.distance = -std::numeric_limits<double>::infinity();
+  for (std::size_t edge = 0; edge < a.corner.size(); ++edge) {
+    const double distance = distance_outside(a, edge, b, offset);
+    if (distance > best.distance) best = {distance, static_cast<int>(edge), false};
+  }
+  for (std::size_t edge = 0; edge < b.corner.size(); ++edge) {
+    const double distance = distance_outside(b, edge, a, -offset);
+    if (distance > best.distance) best = {distance, static_cast<int>(edge), true};
+  }
+  return best;
+}
+
+/// Whether one of the two can move and both take part.
+bool may_touch(const Bodies& b, std::size_t i, std::size_t j) {
+  return b.active[i] && b.active[j] && (b.inverse_mass[i] > 0.0 || b.inverse_mass[j] > 0.0);
+}
+
+Touch touch_of(std::size_t a, std::size_t b, const ContactGeometry& geometry, Vec2 offset) {
+  Touch touch;
+  touch.a = static_cast<std::int32_t>(a);
+  touch.b = static_cast<std::int32_t>(b);
+  touch.normal = geometry.normal;
+  touch.width = geometry.width;
+  touch.growth = geometry.growth;
+  for (int k = 0; k < geometry.count; ++k) {
+    TouchPoint point;
+    point.arm_a = geometry.point[k].position;
+    point.arm_b = geometry.point[k].position - offset;
+    point.separation = geometry.point[k].separation;
+    point.feature = geometry.point[k].feature;
+    touch.points.push_back(point);
+  }
+  return touch;
+}
+
+}  // namespace
+
+TurnedOutline turned_outline(const Bodies& bodies, std::size_t i) {
+  TurnedOutline outline;
+  const int count = bodies.vertex_count(i);
+  const Vec2* const vertex = bodies.vertex.data() + bodies.vertex_begin[i];
+  for (int v = 0; v < count; ++v) {
+    const Vec2 edge = vertex[(v + 1) % count] - vertex[v];
+    outline.corner.push_back(rotate(bodies.rotation[i], vertex[v]));
+    outline.normal.push_back(rotate(bodies.rotation[i], (1.0 / length(edge)) * turned_right(edge)));
+  }
+  return outline;
+}
+
+std::vector<Touch> all_touches(const Bodies& bodies, Manifold manifold, double margin) {
+  std::vector<TurnedOutline> outline;
+  for (std::size_t i = 0; i < bodies.count(); ++i) outline.push_back(turned_outline(bodies, i));
+  std::vector<Touch> touches;
+  for (std::size_t a = 0; a < bodies.count(); ++a)
+    for (std::size_t b = a + 1; b < bodies.count(); ++b) {
+      if (!may_touch(bodies, a, b)) continue;
+      const Vec2 offset = bodies.position[b] - bodies.position[a];
+      const double reach = bodies.radius[a] + bodies.radius[b] + margin;
+      if (dot(offset, offset) > reach * reach) continue;
+      const Separation axis = separating_axis(outline[a], outline[b], offset);
+      if (!(axis.distance < margin)) continue;
+      const Outline view_a = outline[a].view(), view_b = outline[b].view();
+      const ContactGeometry geometry = manifold == Manifold::chord_middle
+                                           ? chord_contact(view_a, view_b, offset, axis)
+                                           : face_contact(view_a, view_b, offset, axis, margin);
+      if (geometry.count > 0) touches.push_back(touch_of(a, b, geometry, offset));
+    }
+  return touches;
+}
+
+}  // namespace gem::reference

@@ -1,0 +1,108 @@
+// The points of a round: some in the registers of each thread, the others in the block's shared memory as far as it
+// holds them, the rest in the scene's; four numbers at a time so that neighbouring threads read neighbouring memory.
+#pragma once
+
+#include "gem/engine/solver/coupled_visit.h"
+#include "gem/engine/solver/device_solver_list.h"
+
+namespace gem {
+
+/// A point while a round runs.
+struct LoadedPoint {
+  PointFrame<float> frame;
+  PointImpulse<float> at, carried;
+  LoadedPlace a, b;
+};
+
+/// A point in memory. What a visit changes stands in the first two columns.
+class LoadedCell {
+ public:
+  GEM_DEVICE GEM_INLINE LoadedCell(FloatQuad* quads, std::int32_t columns_apart)
+      : quad_(quads), apart_(columns_apart) {}
+
+  GEM_DEVICE GEM_INLINE LoadedPoint load() const {
+    const FloatQuad d = quad(2), e = quad(3), f = quad(4), g = quad(5);
+    LoadedPoint loaded;
+    load_additions(loaded);
+    loaded.frame.normal_x = d.part[0], loaded.frame.normal_y = d.part[1];
+    loaded.frame.lever_a_n = d.part[2], loaded.frame.lever_a_t = d.part[3];
+    loaded.frame.lever_b_n = e.part[0], loaded.frame.lever_b_t = e.part[1];
+    loaded.frame.inverse_nn = e.part[2], loaded.frame.inverse_tt = e.part[3];
+    loaded.frame.excess = f.part[0], loaded.frame.slip = f.part[1];
+    loaded.frame.least = f.part[2], loaded.frame.most = f.part[3];
+    loaded.frame.bytes_left = g.part[0], loaded.frame.bytes_right = g.part[1];
+    loaded.frame.repair_excess = g.part[2], loaded.frame.repair_least = g.part[3];
+    loaded.a = place(6);
+    loaded.b = place(7);
+    return loaded;
+  }
+  GEM_DEVICE GEM_INLINE void save_numbers(const LoadedPoint& loaded) const {
+    const PointFrame<float>& f = loaded.frame;
+    save_additions(loaded);
+    quad(2) = {{f.normal_x, f.normal_y, f.lever_a_n, f.lever_a_t}};
+    quad(3) = {{f.lever_b_n, f.lever_b_t, f.inverse_nn, f.inverse_tt}};
+    quad(4) = {{f.excess, f.slip, f.least, f.most}};
+    quad(5) = {{f.bytes_left, f.bytes_right, f.repair_excess, f.repair_least}};
+  }
+
+  GEM_DEVICE GEM_INLINE void load_additions(LoadedPoint& loaded) const {
+    const FloatQuad b = quad(0), c = quad(1);
+    loaded.at = {b.part[0], b.part[1], b.part[2]};
+    loaded.carried = {b.part[3], c.part[0], c.part[1]};
+    loaded.frame.nt = c.part[2];
+    loaded.frame.friction = c.part[3];
+  }
+  GEM_DEVICE GEM_INLINE void save_additions(const LoadedPoint& loaded) const {
+    quad(0) = {{loaded.at.normal, loaded.at.tangential, loaded.at.repair, loaded.carried.normal}};
+    quad(1) = {{loaded.carried.tangential, loaded.carried.repair, loaded.frame.nt, loaded.frame.friction}};
+  }
+
+  GEM_DEVICE GEM_INLINE void set_places(const LoadedPlace& a, const LoadedPlace& b) const {
+    place(6) = a;
+    place(7) = b;
+  }
+  /// Takes over all of another cell but its places.
+  GEM_DEVICE GEM_INLINE void copy_numbers(const LoadedCell& from) const {
+    constexpr int columns = loaded_columns - 2;
+    FloatQuad some[columns];
+    for (int column = 0; column < columns; ++column) some[column] = from.quad(column);
+    for (int column = 0; column < columns; ++column) quad(column) = some[column];
+  }
+  /// Takes over what a visit changes.
+  GEM_DEVICE GEM_INLINE void copy_additions(const LoadedCell& from) const {
+    quad(0) = from.quad(0);
+    quad(1) = from.quad(1);
+  }
+
+ private:
+  GEM_DEVICE GEM_INLINE FloatQuad& quad(int column) const { return quad_[static_cast<std::int64_t>(column) * apart_]; }
+
+  GEM_DEVICE GEM_INLINE LoadedPlace& place(int column) const { return reinterpret_cast<LoadedPlace&>(quad(column)); }
+
+  FloatQuad* quad_;
+  std::int32_t apart_;
+};
+
+/// All points of a block whose shared memory is `shared_memory`.
+class LoadedTable {
+ public:
+  GEM_DEVICE GEM_INLINE LoadedTable(const DeviceScene& s, std::byte* shared_memory, const SolverWorkspace& workspace)
+      : fast_(reinterpret_cast<FloatQuad*>(shared_memory + workspace.fast_from) - workspace.fast.begin),
+        all_(s.loaded),
+        fast_begin_(workspace.fast.begin),
+        fast_end_(workspace.fast.end),
+        capacity_(s.points_capacity) {}
+
+  GEM_DEVICE GEM_INLINE LoadedCell operator[](std::int32_t i) const { return is_fast(i) ? fast(i) : at_rest(i); }
+  GEM_DEVICE GEM_INLINE bool is_fast(std::int32_t i) const { return i >= fast_begin_ && i < fast_end_; }
+  /// Where a point stands that is_fast().
+  GEM_DEVICE GEM_INLINE LoadedCell fast(std::int32_t i) const { return {fast_ + i, fast_end_ - fast_begin_}; }
+  /// Where point i stands when no round runs.
+  GEM_DEVICE GEM_INLINE LoadedCell at_rest(std::int32_t i) const { return {all_ + i, capacity_}; }
+
+ private:
+  FloatQuad *fast_, *all_;
+  std::int32_t fast_begin_, fast_end_, capacity_;
+};
+
+}  // namespace gem

@@ -1,0 +1,55 @@
+#include "gem/engine/step/step_constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gem/engine/solver/iteration_control.h"
+#include "gem/scene/scene_bounds.h"
+
+namespace gem {
+
+namespace {
+
+/// Largest speed of any point that the scene starts with or drives towards [m/s]: the measure of residual and contact
+/// margin.
+double fastest_of(const SceneDef& scene) {
+  constexpr double slowest_of_interest = 1e-3;
+  double fastest = std::max(slowest_of_interest, length(scene.current.velocity_m_per_s));
+  for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s) + rim_speed(floe));
+  return std::max(fastest, platform_speed_bound(scene));
+}
+
+}  // namespace
+
+StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
+  StepConstants c;
+  c.dt = scene.numerics.time_step_s;
+  const PlatformDef& p = scene.platform;
+  const PlatformInEvents platform{p.anchor_m, p.present ? bodies.mass[0] : 0.0, p.diameter_m};
+  c.events = make_events(scene, p.present ? &platform : nullptr, c.dt);
+
+  c.solver = scene.contact.solver;
+  c.manifold = scene.contact.manifold;
+
+  const bool coupled = c.solver == ContactSolver::coupled;
+  const double fastest = fastest_of(scene);
+  if (coupled && c.manifold == Manifold::chord_ends) c.contact_margin = scene.numerics.contact_reach * fastest * c.dt;
+  c.residual_speed = scene.numerics.residual_tolerance * fastest;
+  c.tight_residual = scene.numerics.residual_tolerance < IterationControl::single_precision;
+  c.iterations_maximum = scene.numerics.iterations_maximum;
+  const bool rough = scene.ice.friction_ice > 0.0 || scene.ice.friction_structure > 0.0;
+  c.point_friction = !rough                                                ? PointFriction::none
+                     : scene.contact.friction_law == FrictionLaw::one_step ? PointFriction::coulomb
+                                                                           : PointFriction::fixed_direction;
+  c.repair_share = scene.numerics.repair_share;
+  c.repair_speed = scene.numerics.repair_speed_m_per_s;
+  // what a contact reaches beyond one time step of drift
+  c.repair_reach = std::max((scene.numerics.contact_reach - 1.0) * fastest, c.repair_speed) * c.dt;
+  c.list_margin = scene.numerics.list_margin_m;
+  const double drift_speed = length(scene.current.velocity_m_per_s) + 1e-3;
+  c.list_horizon = std::clamp<std::int64_t>(static_cast<std::int64_t>(c.list_margin / (drift_speed * c.dt)), 1, 400);
+  c.retire_x = scene.output.retire_x_m;
+  return c;
+}
+
+}  // namespace gem

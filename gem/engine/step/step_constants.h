@@ -1,0 +1,36 @@
+// What stays the same from step to step, worked out once per run from the scene.
+#pragma once
+
+#include <cstdint>
+
+#include "gem/base/vec2.h"
+#include "gem/engine/solver/coupled_point.h"
+#include "gem/events/events.h"
+#include "gem/field/bodies.h"
+#include "gem/scene/scene_def.h"
+
+namespace gem {
+
+/// Constants of every stage. Plain values: copied to wherever the stages run.
+struct StepConstants {
+  Events events;    // the laws
+  double dt = 0.0;  // [s]
+
+  ContactSolver solver = ContactSolver::coupled;
+  Manifold manifold = Manifold::chord_ends;
+  double contact_margin = 0.0;  // coupled: faces closer than this are held apart [m]
+  PointFriction point_friction = PointFriction::coulomb;
+  double residual_speed = 0.0;  // coupled: iterations stop when no point asks for more [m/s]
+  bool tight_residual = false;  // below what single precision can tell of it
+  std::int64_t iterations_maximum = 0;
+  double repair_share = 0.0;      // share of an overlap taken back in one time step [-]
+  double repair_speed = 0.0;      // ... at most at this speed [m/s]
+  double repair_reach = 0.0;      // coupled: farthest that the repair takes a point of a body in one time step [m]
+  double list_margin = 0.0;       // [m]
+  std::int64_t list_horizon = 1;  // longest life of a list of near pairs [time steps]
+  double retire_x = 0.0;          // [m]
+};
+
+StepConstants step_constants(const SceneDef& scene, const Bodies& bodies);
+
+}  // namespace gem

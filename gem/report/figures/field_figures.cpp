@@ -1,0 +1,175 @@
+// Pictures of the field to scale: outlines in metres, coloured by speed on one scale.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "gem/analysis/statistics/moments.h"
+#include "gem/base/number_text.h"
+#include "gem/report/display.h"
+#include "gem/report/figures/figures.h"
+
+namespace gem {
+namespace {
+
+struct View {
+  double x_low, x_high, y_low, y_high;
+};
+
+bool inside(const View& view, double x, double y, double margin) {
+  return x > view.x_low - margin && x < view.x_high + margin && y > view.y_low - margin && y < view.y_high + margin;
+}
+
+/// Everything that floes and platform reach in any frame, with a rim that shows the inner edge of the boundary.
+View channel_view(const RunData& run) {
+  View view{0.0, 0.0, 0.0, 0.0};
+  for (const Vec2 p : run.platform_outline)
+    view = {std::min(view.x_low, p.x), std::max(view.x_high, p.x), std::min(view.y_low, p.y),
+            std::max(view.y_high, p.y)};
+  for (const FloeFrame& frame : run.frames)
+    for (std::size_t i = 0; i < frame.x.size(); ++i)
+      if (std::isfinite(frame.x[i]))
+        view = {std::min(view.x_low, frame.x[i]), std::max(view.x_high, frame.x[i]), std::min(view.y_low, frame.y[i]),
+                std::max(view.y_high, frame.y[i])};
+  const double rim = 0.02 * (view.x_high - view.x_low) + 5.0;
+  return {view.x_low - rim, view.x_high + rim, view.y_low - rim, view.y_high + rim};
+}
+
+/// One colour scale for all pictures: zero to the speed that 99.5 % of the floes stay below, at least the current.
+double speed_scale(const RunData& run) {
+  double top = run.current_speed;
+  for (const FloeFrame& frame : run.frames) {
+    std::vector<double> speeds;
+    std::copy_if(frame.speed.begin(), frame.speed.end(), std::back_inserter(speeds),
+                 [](double value) { return std::isfinite(value); });
+    top = std::max(top, percentile(speeds, 0.995));
+  }
+  const double decade = std::pow(10.0, std::floor(std::log10(std::max(top, 1e-6))));
+  for (const double nice : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (top <= nice * decade * (1.0 + 1e-9)) return nice * decade;
+  return 10.0 * decade;
+}
+
+Csv floes_csv(const RunData& run, const FloeFrame& frame, const View& view) {
+  Csv csv("x [m],y [m],speed [m/s]");
+  for (std::size_t i = 0; i < run.floe_outlines.size() && i < frame.x.size(); ++i) {
+    if (!std::isfinite(frame.x[i]) || !inside(view, frame.x[i], frame.y[i], 20.0)) continue;
+    const Rotation turn{std::cos(frame.theta[i]), std::sin(frame.theta[i])};
+    const Corners& outline = run.floe_outlines[i];
+    // The first corner comes again at the end, so that the same rows draw a closed line.
+    for (std::size_t c = 0; c <= outline.size(); ++c) {
+      const Vec2 p = Vec2{frame.x[i], frame.y[i]} + rotate(turn, outline[c % outline.size()]);
+      csv.row({p.x, p.y, frame.speed[i]});
+    }
+    csv.gap();
+  }
+  return csv;
+}
+
+Csv outlines_csv(const std::vector<Corners>& outlines) {
+  Csv csv("x [m],y [m]");
+  for (const Corners& outline : outlines) {
+    for (const Vec2 p : outline) csv.row({p.x, p.y});
+    csv.gap();
+  }
+  return csv;
+}
+
+Vec2 platform_position(const RunData& run, double time) {
+  const auto& times = run.platform.time;
+  if (times.empty()) return run.rest;
+  const auto at =
+      std::min<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin(), times.size() - 1);
+  return {run.platform.x[at], run.platform.y[at]};
+}
+
+Corners moved(const Corners& outline, Vec2 by) {
+  Corners result = outline;
+  for (Vec2& p : result) p += by;
+  return result;
+}
+
+std::string time_text(double time) {
+  const Unit unit = time_unit(time);
+  return "t = " + number_text(time / unit.size, 4) + " " + unit.name;
+}
+
+struct FieldPicture {
+  std::string name;
+  std::string title;
+  View view;
+  PlotSize size;
+  std::string fixed = "fixed";  // name of the file of the fixed bodies
+  bool floe_edges = false;      // thin white lines between floes: only where a floe is many pixels wide
+};
+
+Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture& picture, double top_speed,
+                  const PlotFolder& folder) {
+  folder.write_csv(picture.name, floes_csv(run, frame, picture.view));
+  const std::string platform_name = picture.name + "_platform";
+  folder.write_csv(platform_name, outlines_csv({moved(run.platform_outline, platform_position(run, frame.time))}));
+  std::ostringstream commands;
+  commands
+      << "set size ratio -1\nset lmargin 8\nset rmargin 1\nset border 15\nunset grid\n"
+      << "set label 1 " << quoted(time_text(frame.time)) << " at graph 0, graph 1 offset 0,0.8 front\n"
+      << "set xlabel 'x [m]' offset 0,0.4\nset ylabel 'y [m]' offset 1,0\n"
+      << "set xrange [" << rounded_text(picture.view.x_low, 5) << ':' << rounded_text(picture.view.x_high, 5)
+      << "]\nset yrange [" << rounded_text(picture.view.y_low, 5) << ':' << rounded_text(picture.view.y_high, 5)
+      << "]\nset cbrange [0:" << rounded_text(top_speed, 3) << "]\n"
+      << "set cblabel 'speed [m/s]' offset -0.5,0\nset colorbox noborder\n"
+      << "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#eef2f5' fillstyle solid noborder\n"
+      << "plot " << quoted(picture.fixed + ".csv")
+      << " using 1:2 with filledcurves closed fillcolor rgb '#b9bec6', \\\n"
+      << "  " << quoted(picture.name + ".csv") << " using 1:2:3 with filledcurves closed fillcolor palette, \\\n";
+  if (picture.floe_edges)
+    commands << "  " << quoted(picture.name + ".csv") << " using 1:2 with lines lc rgb '#ffffff' lw 0.8, \\\n";
+  commands << "  " << quoted(platform_name + ".csv") << " using 1:2 with filledcurves closed fillcolor rgb '#c2571a'\n";
+  return folder.draw({picture.name, picture.title, "", ""}, picture.size, commands.str());
+}
+
+/// Height that leaves no empty band above or below a view drawn with equal axes.
+PlotSize channel_size(const View& view) {
+  const double drawn_width = 1000.0 - 175.0;
+  const double height = drawn_width * (view.y_high - view.y_low) / (view.x_high - view.x_low) + 85.0;
+  return {1000, static_cast<int>(std::clamp(height, 160.0, 800.0))};
+}
+
+View close_view(const RunData& run) {
+  double reach = 30.0;
+  for (const Vec2 p : run.platform_outline) reach = std::max(reach, 3.0 * length(p));
+  return {-1.4 * reach, reach, -reach, reach};
+}
+
+}  // namespace
+
+Figure field_figure(const RunData& run, const std::string& name, const std::string& title, const PlotFolder& folder) {
+  const std::string fixed = name + "_fixed";
+  folder.write_csv(fixed, outlines_csv(run.fixed));
+  const View whole = channel_view(run);
+  return draw_field(run, run.frames[1], {name, title, whole, channel_size(whole), fixed, false}, speed_scale(run),
+                    folder);
+}
+
+std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder) {
+  if (run.frames.size() < 3 || run.floe_outlines.empty()) return {};
+  folder.write_csv("fixed", outlines_csv(run.fixed));
+  const double top = speed_scale(run);
+  const View whole = channel_view(run);
+  const char* names[] = {"field_start", "field_middle", "field_end"};
+  const char* moments_of_run[] = {"start", "middle", "end"};
+  std::vector<Figure> figures;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string title = std::string("The field at the ") + moments_of_run[i] + " of the run";
+    figures.push_back(
+        draw_field(run, run.frames[i], {names[i], title, whole, channel_size(whole), "fixed", false}, top, folder));
+    figures.back().caption = title + ", to scale; floes coloured by speed, platform orange, fixed bodies grey.";
+  }
+  if (run.platform_outline.empty()) return figures;
+  figures.push_back(draw_field(
+      run, run.frames[1], {"field_platform", "Ice around the platform", close_view(run), {1000, 760}, "fixed", true},
+      top, folder));
+  figures.back().caption = "Ice around the platform at the middle of the run, on the same colour scale.";
+  return figures;
+}
+
+}  // namespace gem

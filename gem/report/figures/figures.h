@@ -1,0 +1,28 @@
+// The figures of a run report. Each writes its numbers and script into the folder and returns the picture.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gem/report/figures/plot_folder.h"
+#include "gem/report/run/run_data.h"
+#include "gem/report/run/run_findings.h"
+
+namespace gem {
+
+/// The whole channel at start, middle and end, coloured by speed, and the surroundings of the platform at the middle.
+std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder);
+
+/// The whole channel at the middle of the run under a name of its own. Needs the three frames of a run.
+Figure field_figure(const RunData& run, const std::string& name, const std::string& title, const PlotFolder& folder);
+
+/// x(t), y(t), the orbit and the spectra of both.
+std::vector<Figure> motion_figures(const RunData& run, const RunFindings& findings, const PlotFolder& folder);
+
+/// Net ice force with a window around its largest value, and ice against mooring force.
+std::vector<Figure> force_figures(const RunData& run, const PlotFolder& folder);
+
+/// What the books leave unexplained, and overlap, against time.
+std::vector<Figure> book_figures(const RunData& run, const PlotFolder& folder);
+
+}  // namespace gem

@@ -1,0 +1,140 @@
+// What the platform feels: net ice force with a short window, and ice against mooring.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "gem/analysis/statistics/moments.h"
+#include "gem/base/number_text.h"
+#include "gem/report/display.h"
+#include "gem/report/figures/figures.h"
+#include "gem/report/figures/series.h"
+
+namespace gem {
+namespace {
+
+constexpr double kWindow = 33.0;  // length of the extract [s]
+constexpr std::size_t kBins = 2500;
+
+struct Window {
+  double from;
+  double to;
+};
+
+/// The window around the record's largest ice force, moved inside the record.
+Window window_around_largest(const RunData& run) {
+  const PlatformRecord& p = run.platform;
+  const double middle = p.time[maximum_excursion(p.ice_force_x).sample];
+  const double last = p.time.back();
+  const double from = std::clamp(middle - 0.5 * kWindow, p.time.front(), std::max(p.time.front(), last - kWindow));
+  return {from, std::min(from + kWindow, last)};
+}
+
+void write_whole(const RunData& run, const std::vector<double>& force, const std::string& name, const Unit& unit,
+                 const PlotFolder& folder) {
+  const Unit time = time_unit(run.duration_s);
+  Csv csv("t [" + time.name + "],force [" + unit.name + "]");
+  for (const std::size_t i : envelope(force, kBins)) csv.row({run.platform.time[i] / time.size, force[i] / unit.size});
+  folder.write_csv(name, csv);
+}
+
+/// Whether the mean over the window says more than that over a sample.
+bool has_window(const RunData& run) { return run.force_window_s > 1.5 * sample_interval(run.platform.time); }
+
+/// The extract at full resolution, and the crushing peaks of its impacts. Means are recorded at the end of what they
+/// are over: that over the window is moved to its middle.
+void write_window(const RunData& run, const Window& window, const Unit& unit, const Unit& peak_unit,
+                  const PlotFolder& folder) {
+  const PlatformRecord& p = run.platform;
+  const SampleRange range = samples_within(p.time, window.from, window.to);
+  Csv samples("t at the end [s],mean over a sample [" + unit.name + "]");
+  for (std::size_t i = range.begin; i < range.end; ++i) samples.row({p.time[i], p.ice_force_x[i] / unit.size});
+  folder.write_csv("ice_force_window", samples);
+  Csv means("t at the middle [s],mean over the window [" + unit.name + "]");
+  for (std::size_t i = range.begin; i < range.end; ++i)
+    means.row({p.time[i] - 0.5 * run.force_window_s, p.ice_force_mean_x[i] / unit.size});
+  if (has_window(run)) folder.write_csv("ice_force_window_mean", means);
+  Csv peaks("t [s],x component of the crushing peak [" + peak_unit.name + "]");
+  for (const std::size_t i : opening_events(run.events))
+    if (run.events.time[i] >= window.from && run.events.time[i] <= window.to)
+      // The normal points into the ice; the platform feels the opposite.
+      peaks.row({run.events.time[i], -run.events.nx[i] * run.events.force_peak[i] / peak_unit.size});
+  folder.write_csv("ice_force_peaks", peaks);
+}
+
+std::string range_text(const Window& window, double unit) {
+  return "set xrange [" + rounded_text(window.from / unit, 7) + ":" + rounded_text(window.to / unit, 7) + "]\n";
+}
+
+/// Upper two panels: the impacts' crushing peaks above the impulses, each on its own axis.
+std::string window_plots(const RunData& run, const Window& window, const std::string& sample, const Unit& unit,
+                         const Unit& peak_unit) {
+  std::ostringstream commands;
+  commands << range_text(window, 1.0) << "set xlabel\nset ylabel 'crushing peak, x [" << peak_unit.name
+           << "]'\nset yrange [*:*]\n"
+           << "plot 0 with lines lc rgb '#8a8f98' lw 0.8 notitle, 'ice_force_peaks.csv' using 1:2 with impulses lc rgb "
+              "'#d9b39c' lw 1.6 notitle, '' using 1:2 with points pt 7 ps 0.35 lc rgb '#c2571a' title 'each impact'\n"
+           << "unset label 99\nset xlabel 'time [s]' offset 0,0.4\nset ylabel 'ice force, x [" << unit.name
+           << "]'\nplot 'ice_force_window.csv' using 1:2 with fsteps linestyle 1 title 'over each " << sample << " s'";
+  if (has_window(run))
+    commands << ", 'ice_force_window_mean.csv' using 1:2 with lines lc rgb '#440154' lw 1.8 title 'over "
+             << number_text(run.force_window_s, 6) << " s'";
+  commands << '\n';
+  return commands.str();
+}
+
+Figure draw_ice_force(const RunData& run, const PlotFolder& folder) {
+  const PlatformRecord& p = run.platform;
+  const Unit unit = force_unit(std::abs(maximum_excursion(p.ice_force_x).value));
+  const Unit time = time_unit(run.duration_s);
+  const Window window = window_around_largest(run);
+  write_whole(run, p.ice_force_x, "ice_force", unit, folder);
+  const Unit peak_unit = force_unit(maximum_excursion(run.events.force_peak).value);
+  write_window(run, window, unit, peak_unit, folder);
+  const std::string sample = number_text(sample_interval(p.time), 6);
+  std::ostringstream commands;
+  commands << "set multiplot layout 3,1\nset xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\n"
+           << window_plots(run, window, sample, unit, peak_unit) << range_text({0.0, run.duration_s}, time.size)
+           << "set xlabel 'time [" << time.name << "]' offset 0,0.4\nset object 1 rectangle from first "
+           << rounded_text(window.from / time.size, 7) << ", graph 0 to first "
+           << rounded_text(window.to / time.size, 7)
+           << ", graph 1 behind fillcolor rgb '#f3d9c8' fillstyle solid noborder\n"
+           << "plot 'ice_force.csv' using 1:2 with lines linestyle 1 lw 0.7\nunset multiplot\n";
+  const std::string caption =
+      "Net x force of the ice on the platform. Bottom: the whole record, the impulse of each " + sample +
+      " s divided by " + sample + " s. Middle: the " + number_text(window.to - window.from, 2) +
+      " s around the record's largest value (marked below)" +
+      (has_window(run) ? ", with the mean over the " + number_text(run.force_window_s, 6) + " s about each time" : "") +
+      ". Top: the closed-form crushing peaks of the impacts in that time, which no impulse over a sample can show.";
+  return folder.draw({"ice_force", "Net x force of the ice on the platform", caption, ""}, {1000, 780}, commands.str());
+}
+
+Figure draw_ice_and_mooring(const RunData& run, const PlotFolder& folder) {
+  const PlatformRecord& p = run.platform;
+  const Unit unit = force_unit(
+      std::max(std::abs(maximum_excursion(p.ice_force_x).value), std::abs(maximum_excursion(p.mooring_force_x).value)));
+  const Unit time = time_unit(run.duration_s);
+  write_whole(run, p.ice_force_x, "ice_and_mooring_ice", unit, folder);
+  Csv mooring("t [" + time.name + "],mooring force [" + unit.name + "]");
+  for (const std::size_t i : every(p.time.size(), 2 * kBins))
+    mooring.row({p.time[i] / time.size, p.mooring_force_x[i] / unit.size});
+  folder.write_csv("ice_and_mooring_mooring", mooring);
+  std::ostringstream commands;
+  commands << "set xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\nset ylabel 'force on the platform, x [" << unit.name
+           << "]'\nset xlabel 'time [" << time.name
+           << "]' offset 0,0.4\nset xrange [0:" << rounded_text(run.duration_s / time.size, 6)
+           << "]\nset offsets graph 0, 0, 0.1, 0.02\n"
+           << "plot 'ice_and_mooring_ice.csv' using 1:2 with lines lc rgb '#9db8cf' lw 0.7 title 'ice', "
+              "'ice_and_mooring_mooring.csv' using 1:2 with lines linestyle 2 title 'mooring'\n";
+  return folder.draw({"ice_and_mooring", "Ice force against mooring force",
+                      "Ice force (impulse of each sample over its length) against mooring force, x components.", ""},
+                     {1000, 360}, commands.str());
+}
+
+}  // namespace
+
+std::vector<Figure> force_figures(const RunData& run, const PlotFolder& folder) {
+  if (run.platform.time.size() < kSamplesForStatistics) return {};
+  return {draw_ice_force(run, folder), draw_ice_and_mooring(run, folder)};
+}
+
+}  // namespace gem

@@ -1,0 +1,14 @@
+// Reads what a report needs from a run file.
+#pragma once
+
+#include <string>
+
+#include "gem/report/run/run_data.h"
+
+namespace gem {
+
+/// Three frames of the floes (start, middle, end) and all of the other records. Throws Error(file_system) if the file
+/// cannot be read, is no run file, or is not complete (unless `allow_incomplete`).
+RunData load_run(const std::string& run_file, bool allow_incomplete);
+
+}  // namespace gem

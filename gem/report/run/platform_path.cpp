@@ -1,0 +1,46 @@
+// Samples of a run file picked by time.
+#include "gem/report/run/platform_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gem/record/run_file.h"
+#include "gem/scene/toml/scene_file.h"
+
+namespace gem {
+namespace {
+
+/// Samples at or before each time; sample times are rounded sums.
+std::vector<std::size_t> samples_at(const std::vector<double>& time, double interval_s) {
+  std::vector<std::size_t> samples;
+  for (double at = 0.0; at <= time.back() + 1e-6 * (1.0 + at); at = interval_s * static_cast<double>(samples.size())) {
+    const auto next = std::upper_bound(time.begin(), time.end(), at + 1e-6 * (1.0 + at));
+    samples.push_back(static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, next - time.begin())) - 1);
+  }
+  return samples;
+}
+
+std::vector<double> picked(const std::vector<double>& column, const std::vector<std::size_t>& samples, double less) {
+  std::vector<double> values;
+  for (const std::size_t i : samples) values.push_back(column[i] - less);
+  return values;
+}
+
+}  // namespace
+
+PlatformPath read_path(const std::string& run_file, double interval_s) {
+  const RunFile file(run_file);
+  PlatformPath path{interval_s, true, {}, {}, {}, {}};
+  if (!file.has("platform/time") || !(interval_s > 0.0)) return path;
+  const std::vector<double> time = file.column("platform/time");
+  if (time.empty()) return path;
+  const Vec2 rest = parse_scene(file.attribute("gem_case_toml"), run_file).platform.anchor_m;
+  const std::vector<std::size_t> samples = samples_at(time, interval_s);
+  path.x = picked(file.column("platform/x"), samples, rest.x);
+  path.y = picked(file.column("platform/y"), samples, rest.y);
+  path.vx = picked(file.column("platform/vx"), samples, 0.0);
+  path.vy = picked(file.column("platform/vy"), samples, 0.0);
+  return path;
+}
+
+}  // namespace gem

@@ -1,0 +1,82 @@
+// What a report needs of one run, in plain arrays: filled from a run file, or by a test.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gem/base/vec2.h"
+#include "gem/engine/step/overlap_count.h"
+
+namespace gem {
+
+/// Where a run comes from; empty text or 0 where the file does not say.
+struct RunIdentity {
+  std::string name;
+  std::string status;  // running | complete | stopped:<reason>
+  std::string case_hash;
+  std::string state_hash;
+  std::string seed;
+  std::string source;   // program, version and commit
+  std::string build;    // the same with build type and compiler
+  std::string history;  // when and by which command
+  std::string engine;
+  std::string resolution;
+  std::string threads;
+  double time_step_s = 0.0;
+};
+
+/// Forces act on the platform [N]; `ice_force` is the mean over one sample, `ice_force_mean` over force_window_s.
+struct PlatformRecord {
+  std::vector<double> time, x, y;
+  std::vector<double> ice_force_x, ice_force_y;
+  std::vector<double> ice_force_mean_x, ice_force_mean_y;
+  std::vector<double> mooring_force_x, mooring_force_y;
+  std::vector<double> contacts;
+};
+
+/// Events on the platform; the normal points from the platform into the ice.
+struct EventRecord {
+  std::vector<double> time;
+  std::vector<std::int32_t> body_b;
+  std::vector<double> nx, ny;
+  std::vector<double> impulse;     // normal [N s]
+  std::vector<double> force_peak;  // closed-form crushing peak [N]
+};
+
+struct StatsRecord {
+  std::vector<double> time;
+  std::vector<double> residual_momentum, residual_angular_momentum, residual_energy;  // relative
+  std::vector<double> maximum_overlap;                                                // [m]
+  std::vector<double> wall_time, sim_rate;
+  std::vector<double> maximum_overlap_share = {};  // of the size of the smaller body
+  std::vector<double> complementarity = {};        // [m/s]
+  std::vector<double> cone_excess = {};            // [N s]
+  std::vector<double> energy_created = {};         // [J]
+  OverlapCount overlap = {}, overlap_share = {};   // of the whole run [m], [-]
+};
+
+struct FloeFrame {
+  double time = 0.0;
+  std::vector<double> x, y, theta, speed;  // one entry per floe; not finite for a floe that is gone
+};
+
+using Corners = std::vector<Vec2>;
+
+struct RunData {
+  RunIdentity identity;
+  double duration_s = 0.0;        // simulated
+  double natural_period_s = 0.0;  // 2 pi sqrt(M / k); 0 without mooring
+  double current_speed = 0.0;     // [m/s]
+  double force_window_s = 0.0;    // of ice_force_mean
+  Vec2 rest;                      // where the mooring pulls nothing [m]
+  PlatformRecord platform;
+  EventRecord events;
+  StatsRecord stats;
+  Corners platform_outline;            // about its centre
+  std::vector<Corners> fixed;          // world
+  std::vector<Corners> floe_outlines;  // about the centroid
+  std::vector<FloeFrame> frames;       // start, middle, end; fewer where no three were recorded
+};
+
+}  // namespace gem

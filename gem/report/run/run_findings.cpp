@@ -1,0 +1,137 @@
+// From the records of a run to the numbers of its report.
+#include "gem/report/run/run_findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "gem/analysis/spectra/spectrum.h"
+#include "gem/base/error.h"
+#include "gem/report/run/platform_series.h"
+
+namespace gem {
+namespace {
+
+std::vector<double> from_rest(const std::vector<double>& position, double rest) {
+  std::vector<double> result = position;
+  for (double& value : result) value -= rest;
+  return result;
+}
+
+AxisMotion axis_motion(const RunData& run, const std::vector<double>& position, double rest) {
+  const std::vector<double> motion = from_rest(position, rest);
+  AxisMotion axis;
+  axis.deviation = moments(motion).deviation;
+  const Excursion largest = maximum_excursion(motion);
+  axis.excursion = largest.value;
+  axis.excursion_time = run.platform.time[largest.sample];
+  if (motion.size() < kSamplesForStatistics) return axis;
+  const double interval = sample_interval(run.platform.time);
+  const std::vector<Spectrum> spectra = eigenspectra(motion, interval);
+  axis.spectral = spectral_period(spectra);
+  axis.spectrum = mean_spectrum(spectra);
+  return axis;
+}
+
+double largest_length(const std::vector<double>& x, const std::vector<double>& y) {
+  return maximum_radial_excursion(x, y).value;
+}
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// NaN where an engine does not measure it.
+double largest_measured(const std::vector<double>& values) {
+  const bool measured = std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+  return measured ? largest_of(values) : std::numeric_limits<double>::quiet_NaN();
+}
+
+PlatformLoads loads(const RunData& run) {
+  const PlatformRecord& p = run.platform;
+  PlatformLoads result;
+  result.contact_fraction = intermittency(p.contacts);
+  const Excursion window = maximum_radial_excursion(p.ice_force_mean_x, p.ice_force_mean_y);
+  result.ice_window_largest = window.value;
+  if (!p.time.empty()) result.ice_window_end_s = p.time[window.sample];
+  result.mooring_largest = largest_length(p.mooring_force_x, p.mooring_force_y);
+  if (p.time.size() >= kSamplesForStatistics) {
+    result.sample_s = sample_interval(p.time);
+    result.sample_impulse_largest = largest_length(p.ice_force_x, p.ice_force_y) * result.sample_s;
+    result.ice_mean_x = moments(p.ice_force_x).mean;
+    result.ice_mean_y = moments(p.ice_force_y).mean;
+  }
+  result.events = run.events.time.size();
+  result.arrivals = std::set<std::int32_t>(run.events.body_b.begin(), run.events.body_b.end()).size();
+  result.event_impulse_largest = largest_of(run.events.impulse);
+  std::vector<double> peaks;
+  for (const std::size_t i : opening_events(run.events)) peaks.push_back(run.events.force_peak[i]);
+  result.touches = peaks.size();
+  result.crushing_largest = largest_of(peaks);
+  result.crushing_median = percentile(peaks, 0.5);
+  result.crushing_of_any = largest_of(run.events.force_peak);
+  return result;
+}
+
+RunQuality quality(const StatsRecord& stats) {
+  RunQuality result;
+  result.residual_momentum = largest_of(stats.residual_momentum);
+  result.residual_angular_momentum = largest_of(stats.residual_angular_momentum);
+  result.residual_energy = largest_of(stats.residual_energy);
+  result.maximum_overlap = largest_of(stats.maximum_overlap);
+  result.most_overlap = std::min(stats.overlap.quantile(0.999), result.maximum_overlap);
+  result.maximum_share = largest_of(stats.maximum_overlap_share);
+  result.most_share = std::min(stats.overlap_share.quantile(0.999), result.maximum_share);
+  result.complementarity = largest_measured(stats.complementarity);
+  result.cone_excess = largest_measured(stats.cone_excess);
+  result.energy_created = largest_measured(stats.energy_created);
+  if (!stats.time.empty() && stats.wall_time.back() > 0.0) result.speed = stats.time.back() / stats.wall_time.back();
+  return result;
+}
+
+}  // namespace
+
+double sample_interval(const std::vector<double>& time) {
+  const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  for (std::size_t i = 0; i < time.size(); ++i)
+    if (std::abs(time[i] - time.front() - static_cast<double>(i) * interval) > 1e-6 * time.back())
+      throw Error(ExitCode::file_system,
+                  "the platform record has uneven samples (output.platform_interval_s is no whole number of time steps, "
+                  "or the file is damaged) run the case with another interval");
+  return interval;
+}
+
+std::vector<std::size_t> opening_events(const EventRecord& events) {
+  std::map<std::int32_t, double> last;
+  std::vector<std::size_t> opening;
+  for (std::size_t i = 0; i < events.time.size(); ++i) {
+    const auto [entry, first] = last.try_emplace(events.body_b[i], events.time[i]);
+    if (first || events.time[i] - entry->second >= kTouchGap) opening.push_back(i);
+    entry->second = events.time[i];
+  }
+  return opening;
+}
+
+RunFindings run_findings(const RunData& run) {
+  RunFindings findings;
+  findings.quality = quality(run.stats);
+  if (run.platform.time.empty()) return findings;
+  findings.x = axis_motion(run, run.platform.x, run.rest.x);
+  findings.y = axis_motion(run, run.platform.y, run.rest.y);
+  const Excursion radial = maximum_radial_excursion(run.platform.x, run.platform.y, run.rest.x, run.rest.y);
+  findings.radial_excursion = radial.value;
+  findings.radial_time = run.platform.time[radial.sample];
+  findings.loads = loads(run);
+  return findings;
+}
+
+std::vector<Finding> whole_run_analysis(const RunData& run) {
+  if (run.platform.time.size() < kSamplesForStatistics) return {};
+  return analyse_platform(platform_series(run));
+}
+
+}  // namespace gem

@@ -1,0 +1,21 @@
+// What a summary keeps of the platform's motion besides single numbers.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gem/report/run/platform_path.h"
+#include "gem/report/run/run_blocks.h"
+
+namespace gem {
+
+struct RunSeries {
+  std::vector<double> excursion_peaks;  // of the distance from rest, one per natural period [m]
+  RunBlocks blocks;
+  std::optional<PlatformPath> path;
+};
+
+/// Peaks and blocks of a record; the path is left out.
+RunSeries run_series(const PlatformSeries& series);
+
+}  // namespace gem

@@ -1,0 +1,19 @@
+// Which statements survive which choice: the statements asked again of the runs of cases/sensitivity.toml.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/paper/statements/evaluation.h"
+
+namespace gem {
+
+struct ChoiceRow {
+  std::string choice;
+  std::vector<JudgedRow> statements;  // those with `choice` set, in the order of the catalogue
+};
+
+/// One row for each choice that has runs ("CHOICE__RUN"), `as_is` first.
+std::vector<ChoiceRow> sensitivity(const PaperFolder& folder, const Catalogue& catalogue);
+
+}  // namespace gem

@@ -9,6 +9,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/engine/engine.h"
 #include "gem/field/field.h"
 #include "gem/scene/toml/scene_file.h"
 #include "gem_version.h"

@@ -8,7 +8,7 @@
 namespace gem {
 namespace {
 
-constexpr double k = 0.0745;
+constexpr double drag_rate = 0.0745;
 constexpr Vec2 slip0{0.3, -0.4};
 
 /// Path of the slip over a time step: what it would be at its final value, and the correction.
@@ -16,19 +16,19 @@ Vec2 path(const DragSolution& drag, double dt) { return drag.path_correction + d
 
 TEST(CurrentDrag, QuadraticMatchesItsClosedForm) {
   for (const double dt : {1e-6, 0.05, 10.0, 1000.0}) {
-    const DragSolution drag = drag_quadratic(k, slip0, 0.5, dt);
-    const double z = k * 0.5 * dt;
+    const DragSolution drag = drag_quadratic(drag_rate, slip0, 0.5, dt);
+    const double z = drag_rate * 0.5 * dt;
     EXPECT_NEAR(drag.slip.x * (1.0 + z) / 0.3, 1.0, 1e-15);
     EXPECT_NEAR(drag.slip.y * (1.0 + z) / -0.4, 1.0, 1e-15);
-    EXPECT_NEAR(length(path(drag, dt)) * k / std::log1p(z), 1.0, 1e-14);
+    EXPECT_NEAR(length(path(drag, dt)) * drag_rate / std::log1p(z), 1.0, 1e-14);
   }
 }
 
 TEST(CurrentDrag, TwoHalvesAreOneTimeStep) {
   for (const double dt : {0.05, 7.0, 1000.0}) {
-    const DragSolution whole = drag_quadratic(k, slip0, 0.5, dt);
-    const DragSolution first = drag_quadratic(k, slip0, 0.5, 0.5 * dt);
-    const DragSolution second = drag_quadratic(k, first.slip, length(first.slip), 0.5 * dt);
+    const DragSolution whole = drag_quadratic(drag_rate, slip0, 0.5, dt);
+    const DragSolution first = drag_quadratic(drag_rate, slip0, 0.5, 0.5 * dt);
+    const DragSolution second = drag_quadratic(drag_rate, first.slip, length(first.slip), 0.5 * dt);
     EXPECT_NEAR(second.slip.x / whole.slip.x, 1.0, 1e-14);
     EXPECT_NEAR(second.slip.y / whole.slip.y, 1.0, 1e-14);
     const Vec2 halves = path(first, 0.5 * dt) + path(second, 0.5 * dt);
@@ -58,7 +58,7 @@ TEST(CurrentDrag, SpinFollowsTheSameLaw) {
 }
 
 TEST(CurrentDrag, NoSlipNoDrag) {
-  const DragSolution still = drag_quadratic(k, {}, 0.0, 0.05);
+  const DragSolution still = drag_quadratic(drag_rate, {}, 0.0, 0.05);
   EXPECT_EQ(still.slip.x, 0.0);
   EXPECT_EQ(still.path_correction.x, 0.0);
   const DragSolution undragged = drag_quadratic(0.0, slip0, 0.5, 0.05);
@@ -70,8 +70,8 @@ TEST(CurrentDrag, NoSlipNoDrag) {
 
 TEST(CurrentDrag, SmallSlipLosesNoDigits) {
   // the correction is the difference of two nearly equal numbers: dt (z/2 + ...) with an error of a few units of dt
-  const double dt = 0.05, z = k * 1e-9 * dt;
-  const DragSolution drag = drag_quadratic(k, {1e-9, 0.0}, 1e-9, dt);
+  const double dt = 0.05, z = drag_rate * 1e-9 * dt;
+  const DragSolution drag = drag_quadratic(drag_rate, {1e-9, 0.0}, 1e-9, dt);
   EXPECT_NEAR(drag.path_correction.x, dt * 0.5 * z * 1e-9, 1e-15 * dt * 1e-9);
 }
 

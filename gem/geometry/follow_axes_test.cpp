@@ -14,7 +14,7 @@ TEST(FollowAxes, GiveTheAxisOfAFreshLook) {
     const test::Shape a = test::random_shape(random), b = test::random_shape(random);
     Vec2 offset{random.uniform(-8.0, 8.0), random.uniform(-8.0, 8.0)};
     SeparatingAxes axes = find_axes(a.outline(), b.outline(), offset);
-    for (int step = 0; step < 200; ++step) {
+    for (int round = 0; round < 200; ++round) {
       const Vec2 step{random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05)};
       offset += step;
       const double others = axes.others;
@@ -27,9 +27,9 @@ TEST(FollowAxes, GiveTheAxisOfAFreshLook) {
         continue;
       }
       ++touching;
-      ASSERT_EQ(axes.first.distance, fresh.distance) << pair << " step " << step;
-      ASSERT_EQ(axes.first.edge, fresh.edge) << pair << " step " << step;
-      ASSERT_EQ(axes.first.edge_of_b, fresh.edge_of_b) << pair << " step " << step;
+      ASSERT_EQ(axes.first.distance, fresh.distance) << pair << " round " << round;
+      ASSERT_EQ(axes.first.edge, fresh.edge) << pair << " round " << round;
+      ASSERT_EQ(axes.first.edge_of_b, fresh.edge_of_b) << pair << " round " << round;
     }
   }
   EXPECT_GT(touching, 5000);

@@ -103,7 +103,7 @@ std::string identity_html(const RunData& run) {
   std::string rows = row("case", {stated(id.name)}) + row("status", {stated(id.status)}) +
                      row("simulated time", {number_text(run.duration_s, 6) + " s"}) +
                      row("floes", {std::to_string(run.floe_outlines.size())}) + row("engine", {stated(id.engine)}) +
-                     row("contact solver", {stated(id.resolution)}) +
+                     row("contact solver", {stated(id.solver)}) +
                      row("time step", {number_text(id.time_step_s, 6) + " s"}) + row("threads", {stated(id.threads)}) +
                      row("seed", {stated(id.seed)}) + row("program", {stated(id.build)}) +
                      row("written", {stated(id.history)}) + row("case hash", {code(id.case_hash)}) +

@@ -18,9 +18,6 @@ function(gem_test_program name label)
   endforeach()
   list(REMOVE_DUPLICATES folders)
   gem_cold(${name} ${folders})
-  if(GEM_UNITY)
-    target_compile_options(${name} PRIVATE -Wno-shadow)  # by a constant of another file
-  endif()
   target_link_libraries(${name} PRIVATE gem_command gem_baseline GTest::gtest_main nlohmann_json::nlohmann_json)
   target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     GEM_PROGRAM="$<TARGET_FILE:gem>")
@@ -30,8 +27,7 @@ function(gem_test_program name label)
 endfunction()
 
 # Names without linkage of these files are also those of others in their folder.
-foreach(file IN ITEMS verification/platform_test verification/crushing_test verification/row_test verification/sustained_test
-    hard/contact_residuals)
+foreach(file IN ITEMS verification/platform_test verification/crushing_test verification/row_test hard/contact_residuals)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/validation/${file}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endforeach()
 

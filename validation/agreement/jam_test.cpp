@@ -13,7 +13,7 @@
 namespace gem {
 namespace {
 
-constexpr std::int64_t steps = 40;
+constexpr std::int64_t jam_steps = 40;
 
 using Method = std::tuple<ContactSolver, Manifold>;
 
@@ -34,7 +34,8 @@ class JamTest : public testing::TestWithParam<Method> {
   }
 
   /// Hash after `count` time steps in blocks of `block`; the log is checked to be dense in contacts.
-  std::uint64_t hash_after(Engine& engine, std::int64_t count = steps, std::int64_t block = steps, bool events = true) {
+  std::uint64_t hash_after(Engine& engine, std::int64_t count = jam_steps, std::int64_t block = jam_steps,
+                           bool events = true) {
     log_.clear();
     log_.wants_events = events;
     for (std::int64_t done = 0; done < count; done += block) engine.advance(std::min(block, count - done), log_);
@@ -94,10 +95,11 @@ TEST_P(JamTest, GoingOnWithFewerThreadsChangesNothing) {
 TEST_P(JamTest, LoggingAndBlocksChangeNothing) {
   const std::uint64_t whole = hash_after(*engine_in_jam(agreement::on("cpu")));
   const std::size_t platform_steps = log_.platform.size();
-  EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu")), steps, steps, false), whole) << "events not logged";
+  EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu")), jam_steps, jam_steps, false), whole)
+      << "events not logged";
   EXPECT_TRUE(log_.events.empty());
   for (const std::int64_t block : {1, 7}) {
-    EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu")), steps, block), whole) << "blocks of " << block;
+    EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu")), jam_steps, block), whole) << "blocks of " << block;
     EXPECT_EQ(log_.platform.size(), platform_steps);
   }
 }
@@ -106,12 +108,12 @@ TEST_P(JamTest, ARestartChangesNothing) {
   const std::uint64_t whole = hash_after(*engine_in_jam(agreement::on("cpu")));
   const auto before = engine_in_jam(agreement::on("cpu"));
   StepLog log;
-  before->advance(steps / 2, log);
+  before->advance(jam_steps / 2, log);
   const EngineState half_way = before->save();
   const auto after = make_engine(scene_, field_, agreement::on("cpu"));
   after->restore(half_way);
-  EXPECT_EQ(after->step(), start_.step + steps / 2);
-  after->advance(steps / 2, log);
+  EXPECT_EQ(after->step(), start_.step + jam_steps / 2);
+  after->advance(jam_steps / 2, log);
   EXPECT_EQ(after->state_hash(), whole);
   for (const StepQuality& quality : log.quality) EXPECT_GT(quality.contacts, agreement::contacts_wanted);
 }

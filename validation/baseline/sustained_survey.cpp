@@ -170,13 +170,6 @@ void v34_column_on_the_platform(const Survey& survey) {
   survey.row("V34.offset", mean);
 }
 
-FixedDef notch_side(double angle, double side) {
-  const Vec2 along{side * std::sin(angle), std::cos(angle)}, out{side * std::cos(angle), -std::sin(angle)};
-  std::vector<Vec2> corners = {1.0 * along, 1.0 * along + 8.0 * out, 40.0 * along + 8.0 * out, 40.0 * along};
-  if (side < 0.0) corners = {corners[3], corners[2], corners[1], corners[0]};
-  return {corners};
-}
-
 void v35_notch(const Survey& survey) {
   const double angle = degrees(35.0);
   SceneDef scene = pressed_scene({0.0, -0.5}, k_form);

@@ -27,11 +27,11 @@ void check_pentagon(std::vector<Vec2> outline, Vec2 shift, bool clockwise) {
   if (clockwise) std::reverse(outline.begin(), outline.end());
   const PolygonMoments moments = polygon_moments(outline);
   const double sign = clockwise ? -1.0 : 1.0;
-  check("V01.area", sign * steps.area, rounding);
+  check("V01.area", sign * moments.area, rounding);
   // a centroid 1400 m away is rounded to 2e-13 m: 5e-14 of it
-  check("V01.cx", steps.centroid.x - shift.x, rounding);
-  check("V01.cy", steps.centroid.y - shift.y, rounding);
-  check("V01.J", sign * steps.second_moment, rounding);
+  check("V01.cx", moments.centroid.x - shift.x, rounding);
+  check("V01.cy", moments.centroid.y - shift.y, rounding);
+  check("V01.J", sign * moments.second_moment, rounding);
 
   SceneDef scene = quiet_scene();
   scene.floe = {{outline, {}, 0.0, {}, 0.0, 0.5}};
@@ -117,8 +117,9 @@ double jamming_bound(const std::vector<Vec2>& outline) {
   constexpr int steps = 20000;
   for (const Vec2 corner : outline)
     for (int i = 0; i < steps; ++i) {
-      const Vec2 arm = rotate(strict::rotation_of_turns(static_cast<double>(i) / steps), corner - steps.centroid);
-      const ContactCompliance k = contact_compliance({}, {}, {1.0, steps.area / steps.second_moment}, arm, {0.0, 1.0});
+      const Vec2 arm = rotate(strict::rotation_of_turns(static_cast<double>(i) / steps), corner - moments.centroid);
+      const ContactCompliance k =
+          contact_compliance({}, {}, {1.0, moments.area / moments.second_moment}, arm, {0.0, 1.0});
       if (k.nt != 0.0) least = std::min(least, k.nn / std::fabs(k.nt));
     }
   return least;

@@ -149,14 +149,6 @@ TEST(ImpactLaw, V09_compliance_of_two_bodies) {
   check("V09.Me", 1.0 / k.nn, rounding);
 }
 
-/// One side of a notch that opens upwards: its face starts at the origin, `angle` from the vertical.
-FixedDef notch_side(double angle, double side) {
-  const Vec2 along{side * std::sin(angle), std::cos(angle)}, out{side * std::cos(angle), -std::sin(angle)};
-  std::vector<Vec2> corners = {1.0 * along, 1.0 * along + 8.0 * out, 40.0 * along + 8.0 * out, 40.0 * along};
-  if (side < 0.0) corners = {corners[3], corners[2], corners[1], corners[0]};
-  return {corners};
-}
-
 TEST_P(Impacts, V11_notch) {
   const double alpha = degrees(35.0), speed = 0.5;
   SceneDef scene = quiet_scene();

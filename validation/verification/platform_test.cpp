@@ -153,13 +153,13 @@ void kick(Simulation& run, double change) {
 }
 
 TEST_P(Platform, V42_impulses) {
-  const double impulse = 11250.0, step = impulse / mass;
+  const double impulse = 11250.0, change = impulse / mass;
   const double period = value_of("V39.T"), dt = period / 2000.0;
   // one impulse, and then one more a period: it grows by the same each time
   Simulation grow = start(platform_alone({}, dt), setting());
   double last = 0.0;
   for (int i = 0; i < 4; ++i) {
-    kick(grow, step);
+    kick(grow, change);
     grow.advance(500);
     check_value("V42.one", value_of("V42.one"), place(grow).x - last,
                 placed + value_of("V42.one") * exact_flow(8000) + expected("V42.one").last_digit, "m", where());
@@ -169,23 +169,23 @@ TEST_P(Platform, V42_impulses) {
   // a train: one period of it brings the state back
   for (const auto& [key, interval] : {std::pair{"V42.T20", 20.0}, std::pair{"V42.T60", 60.0}}) {
     const std::string name = key;
-    const double step = 0.02;
-    SceneDef scene = platform_alone({value_of(name + ".x0"), 0.0}, step);
+    const double time_step = 0.02;
+    SceneDef scene = platform_alone({value_of(name + ".x0"), 0.0}, time_step);
     scene.platform.start_velocity_m_per_s = {value_of(name + ".v0"), 0.0};
     Simulation run = start(scene, setting());
-    const int steps = static_cast<int>(interval / step);
+    const int steps = static_cast<int>(interval / time_step);
     double most = 0.0, sum = 0.5 * place(run).x;
     for (int i = 0; i < steps; ++i) {
       run.advance(1);
       most = std::max(most, place(run).x);
       sum += i + 1 < steps ? place(run).x : 0.5 * place(run).x;
     }
-    kick(run, step);
+    kick(run, change);
     const double scale = value_of("V42.one"), walked = placed + scale * exact_flow(steps);
     check_absolute(name + ".x0", place(run).x, walked, where());
     check_absolute(name + ".v0", speed(run).x, omega * walked, where());
     // between two samples: (omega dt)^2 / 8 of the swing; the trapezium rule: (omega dt)^2 / 12
-    const double sampled = scale * omega * omega * step * step / 8.0;
+    const double sampled = scale * omega * omega * time_step * time_step / 8.0;
     check_absolute(name + ".max", most, sampled, where());
     check_absolute(name + ".mean", sum / steps, sampled, where());
   }

@@ -155,4 +155,11 @@ Impact one_impact(const SceneDef& scene, const Setting& setting) {
   return impact;
 }
 
+FixedDef notch_side(double angle, double side) {
+  const Vec2 along{side * std::sin(angle), std::cos(angle)}, out{side * std::cos(angle), -std::sin(angle)};
+  std::vector<Vec2> corners = {1.0 * along, 1.0 * along + 8.0 * out, 40.0 * along + 8.0 * out, 40.0 * along};
+  if (side < 0.0) corners = {corners[3], corners[2], corners[1], corners[0]};
+  return {corners};
+}
+
 }  // namespace gem::verification

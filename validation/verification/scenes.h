@@ -87,6 +87,10 @@ double angular_momentum(const Bodies& b);
 /// The books must close. `momentum_seen` is for runs whose largest momentum lies between two looks at the ledger [N s].
 void expect_closed_books(Simulation& run, double tolerance = 1e-13, double momentum_seen = 0.0);
 
+/// One side (1 or -1) of a notch that opens upwards: its face lies on a line through the origin, `angle` [rad] from the
+/// vertical.
+FixedDef notch_side(double angle, double side);
+
 /// One time step of a scene whose bodies touch at the start. Fails without contact and unless the books close.
 struct Impact {
   Bodies before, after;

@@ -106,14 +106,6 @@ TEST_P(Sustained, V32_along_a_barrier) {
   slide("V32.seed.mu0", taper, 0.0, value_of("V32.seed.mu0.v"));
 }
 
-/// One side of a notch that opens upwards, `angle` from the vertical.
-FixedDef notch_side(double angle, double side) {
-  const Vec2 along{side * std::sin(angle), std::cos(angle)}, out{side * std::cos(angle), -std::sin(angle)};
-  std::vector<Vec2> corners = {1.0 * along, 1.0 * along + 8.0 * out, 40.0 * along + 8.0 * out, 40.0 * along};
-  if (side < 0.0) corners = {corners[3], corners[2], corners[1], corners[0]};
-  return {corners};
-}
-
 TEST_P(Sustained, V35_held_in_a_notch) {
   const double alpha = degrees(35.0), dt = 0.01;
   SceneDef scene = pressed_scene({0.0, -0.5}, skin_for(0.05), 0.0, dt);

@@ -40,10 +40,10 @@ GEM_CLONES void kick_block(FieldState& f, std::int64_t begin, int count) {
     const std::int64_t i = begin + j;
     if (b.kind[i] != BodyKind::floe || !b.active[i]) continue;
     const Vec2 slip = e.current.velocity_m_per_s - b.velocity[i];
-    kick_floe(f, i,
-              {slips.hold(j) ? shared_out(slips.shares[j], slip) : drag_quadratic(b.drag[i], slip, length(slip), e.dt),
-               spins.hold(j) ? shared_out(spins.shares[j], b.spin[i])
-                             : spin_drag_quadratic(b.spin_drag[i], b.spin[i], e.dt)});
+    apply_kick(f, i,
+               {slips.hold(j) ? shared_out(slips.shares[j], slip) : drag_quadratic(b.drag[i], slip, length(slip), e.dt),
+                spins.hold(j) ? shared_out(spins.shares[j], b.spin[i])
+                              : spin_drag_quadratic(b.spin_drag[i], b.spin[i], e.dt)});
   }
 }
 

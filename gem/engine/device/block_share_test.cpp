@@ -6,42 +6,43 @@
 namespace gem {
 namespace {
 
-constexpr int device = 132;  // blocks that it runs at a time
+constexpr int device_blocks = 132;  // blocks that it runs at a time
 
 int sum(const std::vector<int>& blocks) { return std::accumulate(blocks.begin(), blocks.end(), 0); }
 
 TEST(BlockShare, OneSceneHasAllThatAreUseful) {
-  EXPECT_EQ(share_blocks({3.0}, {167}, device), std::vector<int>{132});
-  EXPECT_EQ(share_blocks({3.0}, {40}, device), std::vector<int>{40});
+  EXPECT_EQ(share_blocks({3.0}, {167}, device_blocks), std::vector<int>{132});
+  EXPECT_EQ(share_blocks({3.0}, {40}, device_blocks), std::vector<int>{40});
 }
 
 TEST(BlockShare, EqualScenesFillTheDevice) {
   for (const std::size_t scenes : {2, 7, 12, 33, 36, 66, 100, 132}) {
     const std::vector<int> blocks =
-        share_blocks(std::vector<double>(scenes, 1.0), std::vector<int>(scenes, 167), device);
-    EXPECT_EQ(sum(blocks), device) << scenes;
+        share_blocks(std::vector<double>(scenes, 1.0), std::vector<int>(scenes, 167), device_blocks);
+    EXPECT_EQ(sum(blocks), device_blocks) << scenes;
     const auto [least, most] = std::minmax_element(blocks.begin(), blocks.end());
     EXPECT_LE(*most - *least, 1) << scenes;
   }
 }
 
 TEST(BlockShare, HeavyScenesGetMoreAndAllFit) {
-  const std::vector<int> blocks = share_blocks({6.0, 1.0, 2.0}, {167, 167, 167}, device);
+  const std::vector<int> blocks = share_blocks({6.0, 1.0, 2.0}, {167, 167, 167}, device_blocks);
   EXPECT_EQ(blocks, (std::vector<int>{87, 16, 29}));
-  EXPECT_EQ(sum(blocks), device);
+  EXPECT_EQ(sum(blocks), device_blocks);
 }
 
 TEST(BlockShare, WhatASceneHasNoUseForGoesToTheOthers) {
-  EXPECT_EQ(share_blocks({1.0, 1.0, 1.0}, {1, 100, 3}, device), (std::vector<int>{1, 100, 3}));
-  EXPECT_EQ(share_blocks({1.0, 1.0, 1.0}, {100, 100, 3}, device), (std::vector<int>{64, 65, 3}));
+  EXPECT_EQ(share_blocks({1.0, 1.0, 1.0}, {1, 100, 3}, device_blocks), (std::vector<int>{1, 100, 3}));
+  EXPECT_EQ(share_blocks({1.0, 1.0, 1.0}, {100, 100, 3}, device_blocks), (std::vector<int>{64, 65, 3}));
 }
 
 TEST(BlockShare, ScenesWithoutWorkHaveABlockEach) {
-  EXPECT_EQ(share_blocks({0.0, 0.0}, {5, 5}, device), (std::vector<int>{1, 1}));
+  EXPECT_EQ(share_blocks({0.0, 0.0}, {5, 5}, device_blocks), (std::vector<int>{1, 1}));
 }
 
 TEST(BlockShare, MoreScenesThanBlocksHaveOneEach) {
-  EXPECT_EQ(share_blocks(std::vector<double>(264, 1.0), std::vector<int>(264, 100), device), std::vector<int>(264, 1));
+  EXPECT_EQ(share_blocks(std::vector<double>(264, 1.0), std::vector<int>(264, 100), device_blocks),
+            std::vector<int>(264, 1));
 }
 
 TEST(BlockShare, APlatformAloneHasOneBlock) {

@@ -22,7 +22,7 @@ inline FloeInEvents floe_in_events(const Bodies& b, std::size_t i) {
 }
 
 /// Gives floe i what its solo events leave it, and enters it in the books; `drag`: see floe_events().
-inline void kick_floe(FieldState& f, std::size_t i, const FloeDrag& drag) {
+inline void apply_kick(FieldState& f, std::size_t i, const FloeDrag& drag) {
   Bodies& b = f.bodies;
   const FloeInEvents floe = floe_in_events(b, i);
   const FloeKick kick = floe_events(f.constants.events, floe, drag);
@@ -36,7 +36,7 @@ inline void kick_floe(FieldState& f, std::size_t i, const FloeDrag& drag) {
 /// Solo events of floe i over the time step: its velocity at the end, before any contact.
 inline void kick_floe(FieldState& f, std::size_t i) {
   if (!acts_on_floes(f.constants.events) || !f.bodies.active[i]) return;
-  kick_floe(f, i, floe_drag(f.constants.events, floe_in_events(f.bodies, i)));
+  apply_kick(f, i, floe_drag(f.constants.events, floe_in_events(f.bodies, i)));
 }
 
 /// Turns the outline of body i into world axes.

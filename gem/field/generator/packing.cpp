@@ -47,7 +47,7 @@ void place_outline(PackedBody& body, double scale) {
 }
 
 /// Turns by about `angle` without trigonometry: exact rotation for the half-angle tangent angle / 2.
-Rotation turned(Rotation q, double angle) {
+Rotation turned_by(Rotation q, double angle) {
   const double t = 0.5 * angle;
   const double scale = 1.0 / (1.0 + t * t);
   const double c = (1.0 - t * t) * scale;
@@ -188,7 +188,7 @@ class Packing {
   void shift(PackedBody& body, double push, double arm, Vec2 normal, double scale) const {
     if (body.inverse_weight == 0.0) return;
     body.pose.position += (push * body.inverse_weight) * normal;
-    body.pose.rotation = turned(body.pose.rotation, push * body.inverse_inertia * arm);
+    body.pose.rotation = turned_by(body.pose.rotation, push * body.inverse_inertia * arm);
     place_outline(body, scale);
   }
 

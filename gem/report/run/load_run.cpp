@@ -22,7 +22,7 @@ RunIdentity identity(const RunFile& file, const SceneDef& scene) {
   id.source = file.attribute("source");
   id.history = file.attribute("history");
   id.engine = file.attribute("gem_engine");
-  id.resolution = file.solver();
+  id.solver = file.solver();
   id.build = file.attribute("gem_build");
   id.threads = file.attribute("gem_threads");
   id.time_step_s = scene.numerics.time_step_s;

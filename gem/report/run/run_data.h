@@ -21,7 +21,7 @@ struct RunIdentity {
   std::string build;    // the same with build type and compiler
   std::string history;  // when and by which command
   std::string engine;
-  std::string resolution;
+  std::string solver;
   std::string threads;
   double time_step_s = 0.0;
 };

@@ -73,7 +73,7 @@ PaperRun paper_run(const RunFile& records, const RunData& data, NullModel null_m
   run.condition = condition_of(run.scene.run.name, run.seed);
   run.source = data.identity.source;
   run.engine = data.identity.engine;
-  run.resolution = data.identity.resolution;
+  run.resolution = data.identity.solver;
   run.state_hash = data.identity.state_hash;
   const RunFindings findings = run_findings(data);
   add_run_numbers(data, findings.quality, run.numbers);

@@ -27,15 +27,20 @@ struct BoundedSolution {
   Eigen::VectorXd x;
   double residual = 0.0;  // largest |w| that is left, past what the bounds allow [m/s]
   int steps = 0;          // of the approach
+  bool found = false;     // what is left is rounding
 };
 
 /// What is left of w at the end is below this share of the largest sum of the sizes of its terms, which is what
 /// rounding is a share of ...
 constexpr double bounded_tolerance = 1e-13;
 /// ... and below this share of the largest |b|: impulses without end that cancel are no answer.
-constexpr double bounded_share = 1e-10;
+constexpr double bounded_share = 1e-8;
 
 /// Solves the problem. Throws Error(numerical_stop) if it cannot.
 BoundedSolution solve(const BoundedProblem& problem);
+
+/// The same where there may be no answer, as where bodies lie in a box too small for them: what cannot be met is shared
+/// out, every unknown answering to itself a little more than it does.
+BoundedSolution solve_or_yield(const BoundedProblem& problem);
 
 }  // namespace gem::reference

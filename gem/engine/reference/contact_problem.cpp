@@ -139,12 +139,13 @@ void Group::read(const Eigen::VectorXd& x, std::vector<ContactImpulse>& impulse)
 }  // namespace
 
 ContactSolution solve_contacts(const std::vector<ProblemPoint>& points, const std::vector<ProblemBody>& bodies,
-                               FrictionLaw law) {
+                               FrictionLaw law, Unmet unmet) {
   ContactSolution all;
   all.impulse.resize(points.size());
   for (const Indices& members : groups_of(points, bodies)) {
     const Group group(members, points, bodies, law);
-    const BoundedSolution solution = solve(group.problem());
+    const BoundedProblem problem = group.problem();
+    const BoundedSolution solution = unmet == Unmet::is_an_error ? solve(problem) : solve_or_yield(problem);
     group.read(solution.x, all.impulse);
     all.residual = std::max(all.residual, solution.residual);
     all.steps = std::max(all.steps, solution.steps);

@@ -7,7 +7,7 @@
 //   u_n, u_t  velocity of B against A along the normal and along the normal turned left, after the impulses   [m/s]
 //   P_n, P_t  impulse on B, the opposite on A                                                                 [N s]
 //
-// The position repair is the same problem: shifts for velocities, no friction, no cap.
+// The position repair is the same problem: shifts for velocities, no friction, no cap; but it may have no answer.
 #pragma once
 
 #include <cstdint>
@@ -42,9 +42,14 @@ struct ContactSolution {
   int steps = 0;                        // of the group of points that took the most
 };
 
-/// Solves the problem. Points are independent of each other where no moving body joins them. Throws
-/// Error(numerical_stop) if it cannot.
+/// What is done where not every target can be met.
+enum class Unmet {
+  is_an_error,   ///< Error(numerical_stop)
+  is_shared_out  ///< all points fall short of their targets
+};
+
+/// Solves the problem. Points are independent of each other where no moving body joins them.
 ContactSolution solve_contacts(const std::vector<ProblemPoint>& points, const std::vector<ProblemBody>& bodies,
-                               FrictionLaw law);
+                               FrictionLaw law, Unmet unmet = Unmet::is_an_error);
 
 }  // namespace gem::reference

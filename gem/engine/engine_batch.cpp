@@ -1,4 +1,4 @@
-// A batch on a GPU, and a batch of single engines.
+// A batch of scenes on a GPU, and a batch of single engines.
 #include "gem/engine/engine_batch.h"
 
 #include <exception>

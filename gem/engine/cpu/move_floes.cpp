@@ -1,5 +1,4 @@
-// A turn is a long chain of operations that wait for each other. Taken apart from what differs among floes, it becomes
-// a loop without branches, several at a time.
+// A turn is a long chain of dependent operations. A branch-free loop over many floes lets the compiler vectorise it.
 #include "gem/engine/cpu/move_floes.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The numbers of an iteration's course, and where it takes them from.
+// The extrapolation factors, restarts and the end of the iterations.
 #include "gem/engine/solver/iteration_control.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ TEST(MomentumCoefficients, IsNesterovsSequenceFromAFairStartAndFromNothing) {
     double now = theta;
     for (std::int64_t k = 0; k < most; ++k) {
       const double next = (now - 1.0) / static_cast<double>(momentum_coefficient[static_cast<std::size_t>(first + k)]);
-      const bool divides = k > 0 || first == 0;  // not by the nothing that stands first
+      const bool divides = k > 0 || first == 0;  // division by zero at the restart
       EXPECT_TRUE(!divides || std::abs(next * next - next - now * now) < 1e-4 * now * now) << "iteration " << k;
       now = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * now * now));
     }

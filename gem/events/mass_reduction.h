@@ -14,7 +14,7 @@
 
 namespace gem {
 
-/// A body as a collision sees it: how easily it moves and turns.
+/// Inverse mass and inertia of a body in a collision.
 struct CollisionMass {
   double inverse_mass = 0.0;     // [1/kg]
   double inverse_inertia = 0.0;  // [1/(kg m2)]
@@ -32,20 +32,20 @@ GEM_HD constexpr CollisionMass with_added_mass(CollisionMass body, double added_
   return {body.inverse_mass / (1.0 + added_mass), body.inverse_inertia / (1.0 + added_inertia)};
 }
 
-/// R / M of one body along `direction` at `arm`: its share of the inverse effective mass [1/kg].
+/// R / M of one body along `direction` at `arm`: its term of the inverse effective mass [1/kg].
 GEM_HD constexpr double inverse_effective_mass(CollisionMass body, Vec2 arm, Vec2 direction) {
   const double eta = cross(arm, direction);
   return body.inverse_mass + body.inverse_inertia * eta * eta;
 }
 
-/// Response of the relative velocity of two bodies at a point to an impulse there [1/kg].
+/// Change of the relative velocity of two bodies at a point per impulse at that point [1/kg].
 struct ContactCompliance {
   double nn = 0.0;  // normal to normal; 1/nn is the effective mass of the pair
   double tt = 0.0;  // tangential to tangential
   double nt = 0.0;  // cross term
 };
 
-/// Compliance of a pair; tangent = normal turned left.
+/// Compliance of a pair; the tangent is the normal turned left.
 GEM_HD constexpr ContactCompliance contact_compliance(CollisionMass a, Vec2 arm_a, CollisionMass b, Vec2 arm_b,
                                                       Vec2 normal) {
   const Vec2 tangent = turned_left(normal);

@@ -1,10 +1,12 @@
-// Algorithm, in turns until what is left is rounding:
-//   approach   operator splitting: the equations w = 0 with a spring to the last impulses within bounds, then the
-//   bounds
-//              (Stellato et al. 2020; with friction: Tasora et al. 2021); finds which unknowns end at a bound
-//   finish     with those at their bounds, the others are the answer of linear equations (semi-smooth Newton: Alart and
-//              Curnier 1991); impulses that hold each other need not be unique, so a little is added to the diagonal,
-//              as much as serves best
+// Algorithm: two phases in turn, until the residual is rounding.
+//   approach   operator splitting (Stellato et al. 2020; with friction: Tasora et al. 2021). Solves w = 0 with a spring
+//   to
+//              the last impulses within bounds, then applies the bounds. Finds which unknowns end at a bound.
+//   finish     semi-smooth Newton (Alart and Curnier 1991). The unknowns at a bound are fixed, the others solve linear
+//              equations. Impulses that hold each other need not be unique, so a small term is added to the diagonal.
+//              Several sizes of the term are tried and the best result is kept.
+// Step counts, springs and sizes of the term were chosen by hand. They affect speed and which problems are solved, but
+// not the tolerance of a solution.
 #include "gem/engine/reference/bounded_problem.h"
 
 #include <Eigen/SparseLU>
@@ -59,15 +61,15 @@ class Solver {
   Vector newton_step(const Vector& from, double little) const;
 
   const BoundedProblem& p_;
-  const Vector own_;  // how each unknown answers to itself
-  Vector bounded_;    // where the approach is
-  Vector pull_;       // and what its springs pull with, as a stretch
+  const Vector own_;  // diagonal of K
+  Vector bounded_;    // impulses of the approach, within bounds
+  Vector pull_;       // extension of the springs (scaled multipliers)
   double spring_ = 1.0;
-  Vector x_;     // what a finish has made of it
-  double left_;  // its residual
+  Vector x_;     // best solution so far
+  double left_;  // residual of x_ [m/s]
 };
 
-/// Largest change of w that an unknown asks for and its bounds allow [m/s].
+/// Largest change of w that an unknown asks for within its bounds [m/s].
 double Solver::residual(const Vector& x) const {
   const Vector w = left_over(x);
   double largest = 0.0;
@@ -78,7 +80,7 @@ double Solver::residual(const Vector& x) const {
   return largest;
 }
 
-/// The largest sum of the sizes of the terms of w: rounding is a share of it [m/s].
+/// The largest sum of the absolute terms of w; rounding is proportional to it [m/s].
 double Solver::scale() const {
   const Vector sums = p_.response.cwiseAbs() * x_.cwiseAbs() + p_.start.cwiseAbs();
   return sums.maxCoeff();
@@ -103,7 +105,7 @@ void Solver::approach(double spring, int steps) {
   if (factors.info() != Eigen::Success) return;
   const Vector stiffness = spring * own_;
   for (int step = 0; step < steps; ++step) {
-    constexpr double beyond = 1.6;  // over-relaxation as in the literature
+    constexpr double beyond = 1.6;  // usual over-relaxation (Stellato et al. 2020)
     const Vector free = factors.solve(Vector(stiffness.cwiseProduct(bounded_ - pull_) - p_.start));
     const Vector ahead = beyond * free + (1.0 - beyond) * bounded_;
     for (int i = 0; i < size(); ++i) bounded_[i] = within(ahead[i] + pull_[i], bounds_of(p_, bounded_, i));
@@ -112,13 +114,14 @@ void Solver::approach(double spring, int steps) {
   take(bounded_);
 }
 
-/// Unknowns that would pass a bound are set to it, the rest make their w zero, held back by `little` of their own
-/// response. Empty if there is no answer.
+/// One Newton step. Unknowns that would pass a bound are set to it; the others make their w zero. `little` times the
+/// diagonal of K is added to the equations. Empty if they have no solution.
 Vector Solver::newton_step(const Vector& from, double little) const {
   const Vector w = left_over(from);
   Vector x = from;
-  std::vector<int> column(size(), -1);               // of a free unknown among the free ones
-  std::vector<Eigen::Triplet<double>> pick, follow;  // the free unknowns; all that change with one
+  std::vector<int> column(size(), -1);  // index of a free unknown among the free ones; else -1
+  std::vector<Eigen::Triplet<double>> pick,
+      follow;  // selects the free unknowns; maps them to all unknowns that change with them
   for (int i = 0; i < size(); ++i) {
     const double wanted = from[i] - w[i] / own_[i];
     const Bounds bounds = bounds_of(p_, from, i);
@@ -151,7 +154,7 @@ Vector Solver::newton_step(const Vector& from, double little) const {
   return x;
 }
 
-/// Steps from the best so far. A step may leave more than there was on the way to less.
+/// Newton steps from the best solution so far. A single step may increase the residual on the way to a smaller one.
 void Solver::run_of_steps(double little) {
   constexpr int most = 8;
   Vector x = x_;
@@ -177,7 +180,7 @@ BoundedSolution Solver::solve() {
   for (int round = 0; round < most_rounds; ++round) {
     finish();
     if (solved()) {
-      for (int more = 0; more < 2; ++more) keep_better(newton_step(x_, 1e-10));  // costs little, gains digits
+      for (int more = 0; more < 2; ++more) keep_better(newton_step(x_, 1e-10));  // cheap, and gains digits
       return {x_, left_, steps};
     }
     const int more = round < 2 ? 20 : round < 6 ? 100 : 300;

@@ -1,11 +1,11 @@
-// The search is its own: every pair, every edge against every corner. What a chord and a touching stretch are is part
-// of the laws: gem/geometry says it once for all engines, and is judged by closed forms and by Clipper.
+// The search is the reference's own: every pair, every edge against every corner. Chord and facing stretch are part of
+// the laws and come from gem/geometry, which is tested against closed forms and Clipper.
 #include "gem/engine/reference/touch.h"
 
 namespace gem::reference {
 namespace {
 
-/// How far all corners of `other` stand outside edge `edge` [m]. `to_other` leads from centroid to centroid.
+/// Smallest distance of the corners of `other` outside edge `edge` [m]. `to_other` is the vector between the centroids.
 double distance_outside(const TurnedOutline& owner, std::size_t edge, const TurnedOutline& other, Vec2 to_other) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Vec2 corner : other.corner) {
@@ -15,7 +15,7 @@ double distance_outside(const TurnedOutline& owner, std::size_t edge, const Turn
   return nearest;
 }
 
-/// The edge that parts the outlines most, or is the least deep; A's first edge wins a tie.
+/// The edge with the largest separation, or the smallest depth; the first edge of A wins a tie.
 Separation separating_axis(const TurnedOutline& a, const TurnedOutline& b, Vec2 offset) {
   Separation best;
   best.distance = -std::numeric_limits<double>::infinity();
@@ -30,7 +30,7 @@ Separation separating_axis(const TurnedOutline& a, const TurnedOutline& b, Vec2 
   return best;
 }
 
-/// Whether one of the two can move and both take part.
+/// Whether both bodies are active and at least one can move.
 bool may_touch(const Bodies& b, std::size_t i, std::size_t j) {
   return b.active[i] && b.active[j] && (b.inverse_mass[i] > 0.0 || b.inverse_mass[j] > 0.0);
 }

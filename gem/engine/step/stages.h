@@ -1,17 +1,17 @@
 // The stages of a time step. Their order is defined here only; every engine takes it from here.
 //
-// | stage          | what                                            | reads                 | writes |
-// |----------------|-------------------------------------------------|-----------------------|--------------------------|
-// | list           | near pairs, when the list is out of date        | positions, velocities | pairs | | candidates |
-// near pairs that may touch now                   | positions, last axes  | candidates               | | narrow_phase
-// | contacts among the candidates                   | positions, outlines   | contacts, axes           | | solo_events
-// | floes; the platform up to the pair events       | velocities            | velocities, platform     | |
-// contact_events | independent: each event; coupled: its points    | contacts, velocities  | impulses; points         |
-// | gather         | coupled: layout of the points, warm start       | points, last impulses | solver's memory | |
-// iterate        | coupled: all points, to the residual            | solver's memory       | solver's memory          |
-// | settle         | coupled: results of the iterations              | solver's memory       | impulses, velocities |
-// | books          | energy and momentum by channel, events, quality | contacts, velocities  | ledger, log | | move |
-// floes; the platform after the events; retiring  | velocities, repair    | positions, outlines, log |
+// | stage          | what                                         | reads                 | writes                   |
+// |----------------|----------------------------------------------|-----------------------|--------------------------|
+// | list           | near pairs, when the list is out of date     | positions, velocities | pairs                    |
+// | candidates     | near pairs that may touch now                | positions, last axes  | candidates               |
+// | narrow_phase   | contacts among the candidates                | positions, outlines   | contacts, axes           |
+// | solo_events    | floes; the platform up to the pair events    | velocities            | velocities, platform     |
+// | contact_events | independent: each event; coupled: its points | contacts, velocities  | impulses; points         |
+// | gather         | coupled: layout of the points, warm start    | points, last impulses | solver's memory          |
+// | iterate        | coupled: all points, to the residual         | solver's memory       | solver's memory          |
+// | settle         | coupled: results of the iterations           | solver's memory       | impulses, velocities     |
+// | books          | ledger entries, events, quality              | contacts, velocities  | ledger, log              |
+// | move           | floes; platform after the events; retiring   | velocities, repair    | positions, outlines, log |
 //
 // The stages list, candidates and narrow_phase read the positions at the start of the time step. An engine may
 // therefore run solo_events at the end of the previous time step. It may also merge neighbouring stages. An engine that

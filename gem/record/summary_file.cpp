@@ -1,4 +1,4 @@
-// Writes dimension scales `run` and one per axis, a dataset per column and per series.
+// Writes the dimension scale `run`, one scale per axis, and one dataset per column and series.
 #include "gem/record/summary_file.h"
 
 #include <hdf5_hl.h>
@@ -59,7 +59,7 @@ class SummaryWriter {
   }
 
  private:
-  /// Whole cases are alike but for a few words: as texts of one length they compress to almost nothing.
+  /// Whole cases differ in a few words only, so texts of one length compress to almost nothing.
   Handle long_texts(const std::string& name, const std::vector<std::string>& values) {
     std::size_t longest = 1;
     for (const std::string& value : values) longest = std::max(longest, value.size());
@@ -86,7 +86,7 @@ class SummaryWriter {
     return id;
   }
 
-  /// Compressed where a chunk is given.
+  /// Compressed if `chunk` is given.
   Handle dataset(const std::string& name, const std::vector<hsize_t>& size, const std::vector<hsize_t>& chunk,
                  hid_t file_type, hid_t memory_type, const void* values) {
     const Handle space =
@@ -137,7 +137,7 @@ class SummaryWriter {
   }
 
   const SummaryTable& table_;
-  std::string coordinates_;  // names of the settings, as the CF conventions list them
+  std::string coordinates_;  // names of the settings, in CF format
   Handle file_, run_;
   std::map<std::string, Handle> axis_;
 };

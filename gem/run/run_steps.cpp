@@ -99,7 +99,7 @@ void RunSteps::frame() {
   worst.momentum = std::max(worst.momentum, row.residual.momentum);
   worst.angular_momentum = std::max(worst.angular_momentum, row.residual.angular_momentum);
   worst.energy = std::max(worst.energy, row.residual.energy);
-  // equal terms a time step, as of a floe at rest, may all be rounded the same way
+  // equal terms in every time step, as for a floe at rest, may all be rounded in the same direction
   const double rounded = 0x1p-53 * double(engine_.step());
   check_book("momentum", row.residual.momentum, std::max(rounded, options_.books.momentum), row.time);
   check_book("angular momentum", row.residual.angular_momentum, std::max(rounded, options_.books.angular_momentum),

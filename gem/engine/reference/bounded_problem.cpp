@@ -1,7 +1,6 @@
 // Algorithm: two phases in turn, until the residual is rounding.
-//   approach   operator splitting (Stellato et al. 2020; with friction: Tasora et al. 2021). Solves w = 0 with a spring
-//   to
-//              the last impulses within bounds, then applies the bounds. Finds which unknowns end at a bound.
+//   approach   operator splitting (Stellato et al. 2020; with friction: Tasora et al. 2021). Solves w = 0 with a
+//              spring to the last impulses within bounds, then applies the bounds. Finds which unknowns end at a bound.
 //   finish     semi-smooth Newton (Alart and Curnier 1991). The unknowns at a bound are fixed, the others solve linear
 //              equations. Impulses that hold each other need not be unique, so a small term is added to the diagonal.
 //              Several sizes of the term are tried and the best result is kept.

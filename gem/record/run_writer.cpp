@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 // A kill during the milliseconds of a flush may damage the index of the file, so flushes are at least this far apart.
 // Chosen by hand: a kill loses up to this much wall time more.
 constexpr auto flush_pause = std::chrono::seconds(2);
-constexpr std::size_t queue_limit = 2;
+constexpr std::size_t queue_limit = 2;         // slabs: one is written while the next is filled
 constexpr std::uint64_t spare_room = 1 << 20;  // for the index of the file and the final status
 
 std::uint64_t bytes(const Slab& slab) {

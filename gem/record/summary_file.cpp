@@ -23,6 +23,7 @@ using hdf5::Handle;
 
 namespace {
 
+/// Longer texts are stored with a fixed length and compressed. Chosen by hand.
 constexpr std::size_t kLongText = 256;
 
 Handle text_type() {

@@ -18,6 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Floe frames per slab. Chosen by hand: bounds the memory of the rows that wait.
 constexpr std::size_t slab_frames = 64;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }

@@ -14,12 +14,12 @@ namespace gem {
 class CoupledLayout {
  public:
   static constexpr std::int32_t at_rest = 0;
-  /// A range of entries with equal numbers of points as B and as A; `most` means that number or more.
+  /// A range of entries with equal numbers of points as B and as A; `most` means that number or more (chosen by hand).
   struct Alike {
     static constexpr std::int32_t most = 15;
     std::int32_t first, last, as_b, as_a;
   };
-  /// Padding of points_as_b(), so that a prefetch may read past its end.
+  /// Padding of points_as_b(), so that a prefetch may read past its end. The distance was chosen by hand.
   static constexpr std::int32_t foreseen = 12;
 
   void lay_out(const FieldState& f, Contacts contacts, int threads);

@@ -24,7 +24,7 @@ using hdf5::Handle;
 namespace {
 
 /// Longer texts are stored with a fixed length and compressed. Chosen by hand.
-constexpr std::size_t kLongText = 256;
+constexpr std::size_t long_text = 256;
 
 Handle text_type() {
   Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, "text type");
@@ -74,7 +74,7 @@ class SummaryWriter {
   }
 
   Handle texts(const std::string& name, const std::vector<std::string>& values) {
-    const auto is_long = [](const std::string& value) { return value.size() > kLongText; };
+    const auto is_long = [](const std::string& value) { return value.size() > long_text; };
     if (std::any_of(values.begin(), values.end(), is_long)) return long_texts(name, values);
     std::vector<const char*> pointers;
     for (const std::string& value : values) pointers.push_back(value.c_str());

@@ -12,6 +12,7 @@ namespace gem {
 /// The most blocks that a scene is given: more than one for so many bodies would only wait for each other, and every
 /// block needs a body of its own.
 inline int useful_blocks(std::size_t bodies) {
+  // both chosen by hand; they affect only speed
   constexpr std::size_t bodies_worth_a_block = 24, most = 4096;
   return static_cast<int>(std::clamp<std::size_t>(bodies / bodies_worth_a_block, 1, most));
 }

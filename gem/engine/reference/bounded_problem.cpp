@@ -1,10 +1,11 @@
-// Algorithm, in turns until what is left is rounding:
-//   approach   operator splitting: the equations w = 0 with a spring to the last impulses within bounds, then the
-//   bounds
-//              (Stellato et al. 2020; with friction: Tasora et al. 2021); finds which unknowns end at a bound
-//   finish     with those at their bounds, the others are the answer of linear equations (semi-smooth Newton: Alart and
-//              Curnier 1991); impulses that hold each other need not be unique, so a little is added to the diagonal,
-//              as much as serves best
+// Algorithm: two phases in turn, until the residual is rounding.
+//   approach   operator splitting (Stellato et al. 2020; with friction: Tasora et al. 2021). Solves w = 0 with a
+//              spring to the last impulses within bounds, then applies the bounds. Finds which unknowns end at a bound.
+//   finish     semi-smooth Newton (Alart and Curnier 1991). The unknowns at a bound are fixed, the others solve linear
+//              equations. Impulses that hold each other need not be unique, so a small term is added to the diagonal.
+//              Several sizes of the term are tried and the best result is kept.
+// Step counts, springs and sizes of the term were chosen by hand. They affect speed and which problems are solved, but
+// not the tolerance of a solution.
 #include "gem/engine/reference/bounded_problem.h"
 
 #include <Eigen/SparseLU>
@@ -69,15 +70,15 @@ class Solver {
   Vector newton_step(const Vector& from, double little, Reach reach) const;
 
   const BoundedProblem& p_;
-  const Vector own_;  // how each unknown answers to itself
-  Vector bounded_;    // where the approach is
-  Vector pull_;       // and what its springs pull with, as a stretch
+  const Vector own_;  // diagonal of K
+  Vector bounded_;    // impulses of the approach, within bounds
+  Vector pull_;       // extension of the springs (scaled multipliers)
   double spring_ = 1.0;
-  Vector x_;     // what a finish has made of it
-  double left_;  // its residual
+  Vector x_;     // best solution so far
+  double left_;  // residual of x_ [m/s]
 };
 
-/// Largest change of w that an unknown asks for and its bounds allow [m/s].
+/// Largest change of w that an unknown asks for within its bounds [m/s].
 double Solver::residual(const Vector& x) const {
   const Vector w = left_over(x);
   double largest = 0.0;
@@ -88,7 +89,7 @@ double Solver::residual(const Vector& x) const {
   return largest;
 }
 
-/// The largest sum of the sizes of the terms of w: rounding is a share of it [m/s].
+/// The largest sum of the absolute terms of w; rounding is proportional to it [m/s].
 double Solver::scale() const {
   const Vector sums = p_.response.cwiseAbs() * x_.cwiseAbs() + p_.start.cwiseAbs();
   return sums.maxCoeff();
@@ -113,7 +114,7 @@ void Solver::approach(double spring, int steps) {
   if (factors.info() != Eigen::Success) return;
   const Vector stiffness = spring * own_;
   for (int step = 0; step < steps; ++step) {
-    constexpr double beyond = 1.6;  // over-relaxation as in the literature
+    constexpr double beyond = 1.6;  // usual over-relaxation (Stellato et al. 2020)
     const Vector free = factors.solve(Vector(stiffness.cwiseProduct(bounded_ - pull_) - p_.start));
     const Vector ahead = beyond * free + (1.0 - beyond) * bounded_;
     for (int i = 0; i < size(); ++i) bounded_[i] = within(ahead[i] + pull_[i], bounds_of(p_, bounded_, i));

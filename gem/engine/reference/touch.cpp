@@ -1,5 +1,5 @@
-// The search is its own: every pair, every edge against every corner. What a chord and a touching stretch are is part
-// of the laws: gem/geometry says it once for all engines, and is judged by closed forms and by Clipper.
+// The search is the reference's own: every pair, every edge against every corner. Chord and facing stretch are part of
+// the laws and come from gem/geometry, which is tested against closed forms and Clipper.
 #include "gem/engine/reference/touch.h"
 
 namespace gem::reference {
@@ -20,7 +20,7 @@ Separation separating_axis(const Outline& a, const Outline& b, Vec2 offset) {
   return best;
 }
 
-/// Whether one of the two can move and both take part.
+/// Whether both bodies are active and at least one can move.
 bool may_touch(const Bodies& b, std::size_t i, std::size_t j) {
   return b.active[i] && b.active[j] && (b.inverse_mass[i] > 0.0 || b.inverse_mass[j] > 0.0);
 }

@@ -30,7 +30,7 @@ class LoadedCell {
     loaded.frame.inverse_nn = e.part[2], loaded.frame.inverse_tt = e.part[3];
     loaded.frame.excess = f.part[0], loaded.frame.slip = f.part[1];
     loaded.frame.least = f.part[2], loaded.frame.most = f.part[3];
-    loaded.frame.bytes_left = g.part[0], loaded.frame.bytes_right = g.part[1];
+    loaded.frame.slack_left = g.part[0], loaded.frame.slack_right = g.part[1];
     loaded.frame.repair_excess = g.part[2], loaded.frame.repair_least = g.part[3];
     loaded.a = place(6);
     loaded.b = place(7);
@@ -42,7 +42,7 @@ class LoadedCell {
     quad(2) = {{f.normal_x, f.normal_y, f.lever_a_n, f.lever_a_t}};
     quad(3) = {{f.lever_b_n, f.lever_b_t, f.inverse_nn, f.inverse_tt}};
     quad(4) = {{f.excess, f.slip, f.least, f.most}};
-    quad(5) = {{f.bytes_left, f.bytes_right, f.repair_excess, f.repair_least}};
+    quad(5) = {{f.slack_left, f.slack_right, f.repair_excess, f.repair_least}};
   }
 
   GEM_DEVICE GEM_INLINE void load_additions(LoadedPoint& loaded) const {

@@ -1,25 +1,25 @@
-// What a block copies into its shared memory of a round: the bodies that its points meet, its halo, and the rows of
-// their records. It moves these bodies itself, whoever else does so too: where blocks reach each other by the memory of
-// all alone, it then waits in an iteration for the records that it needs, not twice for all blocks.
+// The halo of a block: all bodies that its points meet, copied to its shared memory with the rows of their records. The
+// block moves these bodies itself, even if other blocks move them too. This pays where blocks reach each other only
+// through global memory: an iteration then waits for the records that the block needs, and has no two grid barriers.
 #pragma once
 
 #include "gem/engine/solver/device_solver_list.h"
 
 namespace gem {
 
-/// Shares out a block's shared memory: what lasts from its end on, the rest is free.
+/// Allocates from the end of a block's shared memory. The rest stays free.
 class MemoryEnd {
  public:
   GEM_DEVICE MemoryEnd(std::byte* shared_memory, std::size_t bytes) : shared_memory_(shared_memory), left_(bytes) {}
 
-  /// Some that last, where holds() says that they are left.
+  /// Takes `count` elements. The caller has checked with loads() that they fit.
   template <class T>
   GEM_DEVICE T* take(std::int32_t count) {
     left_ = (left_ - count * sizeof(T)) / alignment * alignment;
     return reinterpret_cast<T*>(shared_memory_ + left_);
   }
   GEM_DEVICE bool loads(std::size_t bytes) const { return bytes <= left_; }
-  /// Bytes for so many, at most.
+  /// Most bytes that `count` elements take.
   template <class T>
   GEM_DEVICE static std::size_t bytes_of(std::int32_t count) {
     return count * sizeof(T) + alignment;
@@ -37,13 +37,14 @@ class SolverHalo {
   GEM_DEVICE SolverHalo(const DeviceScene& s, Group& group, std::size_t shared_memory)
       : s_(s), group_(group), end_(group.shared_memory(), shared_memory) {}
 
-  /// Finds the bodies and their records, once all blocks have listed theirs and this one its points; says so where the
-  /// shared memory does not hold them: then no block of the thread group has a halo.
+  /// Finds the bodies of the halo and their records. Call it when all blocks have listed their bodies and this one its
+  /// points. If shared memory is too small for one block, no block has a halo in this time step.
   GEM_DEVICE void make() {
     if (!find() && group_.thread() == 0) group_.set_bit(&s_.counters->crowded, 1U);
   }
 
-  /// What was found is what the block moves, if all blocks have room; after a barrier of all.
+  /// Makes the halo the set of bodies that the block moves, if all blocks could make theirs. Call it after a grid
+  /// barrier.
   GEM_DEVICE void take_up() {
     if (s_.counters->crowded != 0) return;
     if (group_.thread() == 0) {
@@ -67,8 +68,8 @@ class SolverHalo {
     });
   }
 
-  /// Marks the entries that the points meet, so that each has one place, in their order: the platform is the first. The
-  /// marks stand where the records will.
+  /// Marks the entries that the points meet, to give each one index, in their order. The platform comes first. The
+  /// marks use the memory of the later records.
   GEM_DEVICE bool find() {
     const std::int32_t words = (group_.shared().workspace.bodies + 31) / 32;
     const std::size_t marks = (2 * words + 1) * sizeof(std::uint32_t);
@@ -100,14 +101,14 @@ class SolverHalo {
     return copy(halo);
   }
 
-  /// Copies the bodies, each from the entry whose number stands in its place, and lists where their records come from;
-  /// their rows follow each other from the start of the shared memory on.
+  /// Copies the entries of the halo; until then `rank` holds the index in the scene's list. Lists the source of each
+  /// record. The rows follow each other from the start of shared memory.
   GEM_DEVICE bool copy(HaloWorkspace halo) {
     for (std::int32_t k = group_.thread(); k < halo.bodies; k += group_.threads()) {
       SolverEntry entry = s_.solver_entry[halo.entry[k].rank];
       entry.shared_memory = group_.add(&group_.shared().records, entry.count);
       halo.entry[k] = entry;
-      halo.motion[k] = {};  // nothing has been added to it
+      halo.motion[k] = {};  // no additions yet
     }
     group_.block_barrier();
     halo.records = group_.shared().records;

@@ -97,9 +97,9 @@ GEM_DEVICE inline void write_touching(TouchingPair& touching, std::int32_t pair,
   }
 }
 
-/// Looks at some items: each group of lanes takes one. Few need all axes searched: the warp does that together. Not
-/// many touch: wider groups share out their crossings. place(points) is where a touch of so many points is written, and
-/// its first point among those of its block.
+/// Runs the narrow phase for some items. Each group of lanes takes one item. Few items need a search of all axes: the
+/// whole warp does it. Few items touch: wider groups compute their contacts. place(points) returns the TouchingPlace
+/// for a contact of `points` points.
 template <class Group, class Place>
 class NarrowPhase {
  public:

@@ -2,22 +2,23 @@
 // kernel takes only the registers that its stage needs, so more threads run at a time and hide the latency of memory.
 // This pays where there is more work than threads.
 //
-// | stage             | who                           | what |
-// |-------------------|-------------------------------|----------------------------------------------------------------|
-// | open_call         | a thread for a scene          | the call begins | | first_solo_events | all | solo events up to
-// the first pair events                        | | plan              | a thread for a scene          | plans the first
-// time step; ends a call that lacks a list       | | list              | all, where the list is stale  | brings the
-// books up to date, builds a new list                 | | candidates        | a thread for a pair           | work of
-// the last time step's contacts; pairs that may touch    | | narrow_phase      | lanes for a pair              | where
-// the candidates touch                                     | | contact_events    | a thread for a pair           | the
-// event of a touching pair; coupled: its points              | | gather            | a cluster of blocks, or one   |
-// coupled: assigns the points to blocks, sets where they begin   | |                   | block for few points | | |
-// iterate           | as gather                     | coupled: the first round of iterations, usually the only one   |
-// | settle            | as gather                     | coupled: further rounds if any, then the result | | move | a
-// thread for a body           | books, motion, next solo events (bodies.h); the last block of  | |                   |
-// | a scene plans its next time step                               | | last_books        | all | the work of the last
-// time step's contacts                      | | close_call        | all                           | the books of the
-// last time step, and the state for the host    |
+// | stage             | who                         | what                                                          |
+// |-------------------|-----------------------------|---------------------------------------------------------------|
+// | open_call         | a thread for a scene        | the call begins                                               |
+// | first_solo_events | all                         | solo events up to the first pair events                       |
+// | plan              | a thread for a scene        | plans the first time step; ends a call that lacks a list      |
+// | list              | all, if the list is stale   | brings the books up to date, builds a new list                |
+// | candidates        | a thread for a pair         | work of the last time step's contacts; pairs that may touch   |
+// | narrow_phase      | lanes for a pair            | where the candidates touch                                    |
+// | contact_events    | a thread for a pair         | the event of a touching pair; coupled: its points             |
+// | gather            | a cluster of blocks, or one | coupled: assigns the points to blocks, sets where they begin  |
+// |                   | block for few points        |                                                               |
+// | iterate           | as gather                   | coupled: the first round of iterations, usually the only one  |
+// | settle            | as gather                   | coupled: further rounds if any, then the result               |
+// | move              | a thread for a body         | books, motion, next solo events (bodies.h); the last block of |
+// |                   |                             | a scene plans its next time step                              |
+// | last_books        | all                         | the work of the last time step's contacts                     |
+// | close_call        | all                         | the books of the last time step, and the state for the host   |
 //
 // Only the scene's memory and its alarms last from one stage to the next. Within a stage blocks meet only where they
 // build a list or iterate.

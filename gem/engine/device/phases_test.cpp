@@ -1,4 +1,4 @@
-// Phases run one by one give the bits, the books and the log of the cpu engine.
+// Time steps made phase by phase give the bits, the books and the log of the cpu engine.
 #include "gem/engine/device/phases.h"
 
 #include <gtest/gtest.h>
@@ -96,7 +96,7 @@ TEST_P(DeviceStages, TakesTurnsWithWholeTimeSteps) {
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
   StepLog expected, log;
-  int survived = 0;  // lists in which pairs slept when whole time steps began, and that outlived these
+  int survived = 0;  // lists with sleeping pairs that outlive the whole time steps of a call
   const int calls = GetParam() == ContactSolver::coupled ? 24 : 60;
   for (int call = 0; call < calls; ++call) {
     const bool phases = call % 2 == 0;
@@ -142,7 +142,7 @@ TEST_P(DeviceStages, StopsAtAStateThatIsNoNumber) {
   EXPECT_LT(device.status().samples, 10);
 }
 
-/// What the shared memory of a block holds of all that iterates.
+/// What shared memory holds of the data of the iterations.
 enum class Loads { all, records, some_records, nothing };
 
 TEST(DevicePhaseSharedMemory, ForLittleThatIteratesChangesNothing) {

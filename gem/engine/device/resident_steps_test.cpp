@@ -1,4 +1,4 @@
-// The device's recipe, run by one host thread, gives the bits, the books and the log of the cpu engine.
+// The resident time steps of the device, run by host threads, give the bits, the books and the log of the cpu engine.
 #include "gem/engine/device/resident_steps.h"
 
 #include <gtest/gtest.h>
@@ -89,13 +89,13 @@ TEST_P(DeviceSolvers, BlocksAndThreadsChangeNothing) {
   }
 }
 
-/// A coupled scene by two blocks.
+/// A coupled scene on two blocks.
 struct TwoBlocks {
   HostScene device;
   StepLog log;
   TwoBlocks(const SceneDef& scene, std::size_t shared_memory)
       : device(scene, test::busy_field(scene), 2, 4, 0, shared_memory) {}
-  /// Makes a time step; returns its barriers.
+  /// Makes a time step. Returns its grid barriers.
   int advance() {
     device.advance(1, log);
     return device.status().barriers;
@@ -104,8 +104,8 @@ struct TwoBlocks {
 constexpr std::size_t fits_shared_memory = 1 << 20;
 const std::size_t scarce = workspace_minimum(4, test::team_lanes);
 
-/// Barriers: without halos two in an iteration but the first, which moves nothing; with halos one in those that are
-/// judged and one at the end.
+/// Barriers that halos spare in time step `step`. Without halos: two in each iteration but the first, which moves
+/// nothing. With halos: one in each judged iteration and one at the end.
 int spared_by_halos(const StepLog& log, int step) {
   const int iterations = log.quality[std::size_t(step)].iterations;
   const int judged = iterations / 4 + std::min(iterations, 2), without = 2 * iterations - 1, halos = judged + 1;
@@ -183,7 +183,7 @@ TEST(DeviceHalo, IsNoneWhereverTheRoomEndsAndChangesNothing) {
   test::expect_same_coupled(device.device, device.log, *cpu, expected);
 }
 
-/// Floes at the platform and rows of more places than one stretch of a row or the first near bodies take.
+/// Floes at the platform, and rows longer than RowNews::stretch and kept_near.
 TEST_P(DeviceSolvers, LongRowsAndThePlatformByManyThreadsChangeNothing) {
   constexpr std::int64_t steps = 6;
   SceneDef scene = test::busy_scene(8);

@@ -16,11 +16,11 @@ inline int useful_blocks(std::size_t bodies) {
   return static_cast<int>(std::clamp<std::size_t>(bodies / bodies_worth_a_block, 1, most));
 }
 
-/// Blocks for each scene on a device that runs `shared_memory` blocks at a time. Each scene gets one block. The others
+/// Blocks for each scene on a device that runs `device_blocks` blocks at a time. Each scene gets one block. The others
 /// are shared in proportion to `work` (any unit), up to useful[k] blocks for scene k. The sum is at most
-/// `shared_memory`, or one block for each scene if there are more scenes; blocks then take turns.
+/// `device_blocks`, or one block for each scene if there are more scenes; blocks then take turns.
 inline std::vector<int> share_blocks(const std::vector<double>& work, const std::vector<int>& useful,
-                                     int shared_memory) {
+                                     int device_blocks) {
   std::vector<int> blocks(work.size(), 1);
   std::vector<std::size_t> order(work.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -28,7 +28,7 @@ inline std::vector<int> share_blocks(const std::vector<double>& work, const std:
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t j) { return useful[i] * work[j] < useful[j] * work[i]; });
   double left = std::accumulate(work.begin(), work.end(), 0.0);
-  int rest = std::max(0, shared_memory - static_cast<int>(work.size()));
+  int rest = std::max(0, device_blocks - static_cast<int>(work.size()));
   for (const std::size_t k : order) {
     const double share = left > 0.0 ? std::min<double>(rest, rest * work[k] / left) : 0.0;
     const int more = std::min(useful[k] - 1, static_cast<int>(share));

@@ -25,7 +25,7 @@ struct RowNews {
 };
 
 /// Entries that are loaded together to hide the latency of memory.
-constexpr int asked_together = 2;
+constexpr int loaded_together = 2;
 
 GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::int32_t places, std::int32_t step) {
   constexpr int together = 8;
@@ -43,7 +43,7 @@ GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::
 
 /// Takes out the lowest set bits and holds their positions; -1 where no bit is left.
 struct LowestPlaces {
-  std::int32_t at[asked_together];
+  std::int32_t at[loaded_together];
   GEM_DEVICE explicit LowestPlaces(std::uint32_t& bits) {
     for (std::int32_t& place : at) {
       place = bits != 0 ? bits_in(~bits & (bits - 1U)) : -1;
@@ -90,10 +90,10 @@ GEM_DEVICE inline void book_works(const DeviceScene& s, std::int32_t i, std::int
   };
   while (places != 0) {
     const LowestPlaces next(places);
-    RowWork some[asked_together];
-    for (int k = 0; k < asked_together; ++k)
+    RowWork some[loaded_together];
+    for (int k = 0; k < loaded_together; ++k)
       if (next.at[k] >= 0) some[k] = read_work(s.work[row + next.at[k]]);
-    for (int k = 0; k < asked_together; ++k) {
+    for (int k = 0; k < loaded_together; ++k) {
       if (next.at[k] < 0) continue;
       if (some[k].count > 0) add(some[k].slot[0]);
       if (some[k].count > 1) add(some[k].slot[1]);
@@ -132,10 +132,10 @@ GEM_DEVICE inline bool add_entries(const DeviceScene& s, std::int32_t row, std::
   bool struck = false;
   while (places != 0) {
     const LowestPlaces next(places);
-    RowEntry some[asked_together];
-    for (int k = 0; k < asked_together; ++k)
+    RowEntry some[loaded_together];
+    for (int k = 0; k < loaded_together; ++k)
       if (next.at[k] >= 0) some[k] = read_entry(s.entry[row + next.at[k]]);
-    for (int k = 0; k < asked_together; ++k)
+    for (int k = 0; k < loaded_together; ++k)
       if (next.at[k] >= 0) struck = add_entry(some[k], after) || struck;
   }
   return struck;

@@ -18,7 +18,7 @@ namespace gem {
 
 /// Takes `count` entries for the row of body i. Returns false, with alarm_list_full, if the memory is too small.
 template <class Group>
-GEM_DEVICE inline bool load_row(const DeviceScene& s, Group& group, std::int32_t i, std::int32_t count,
+GEM_DEVICE inline bool take_row(const DeviceScene& s, Group& group, std::int32_t i, std::int32_t count,
                                 std::int32_t lower) {
   const std::int32_t begin = group.add(&s.counters->rows, count);
   const bool fits = begin + count <= s.rows_capacity && (i > 0 || count <= s.platform_capacity);
@@ -74,7 +74,7 @@ GEM_DEVICE inline void find_near(const DeviceScene& s, Group& group, const ListG
       continue;
     }
     std::int32_t begin = 0;
-    if (lanes.rank() == 0) begin = load_row(s, group, i, count, lower) ? s.motion[i].row_begin : -1;
+    if (lanes.rank() == 0) begin = take_row(s, group, i, count, lower) ? s.motion[i].row_begin : -1;
     begin = lanes.from(begin, 0);
     if (begin < 0) continue;
     lanes.sync();  // all lanes see what each has kept
@@ -108,7 +108,7 @@ GEM_DEVICE inline void rows_of_large_bodies(const DeviceScene& s, Group& group) 
     count = lower + warp.sum(count);
     if (warp.rank() == 0) {
       if (i == 0) s.status->platform_needed = count;
-      load_row(s, group, i, count, lower);
+      take_row(s, group, i, count, lower);
     }
     warp.sync();
     if (s.motion[i].row_count == 0) continue;
@@ -143,7 +143,7 @@ GEM_DEVICE inline std::int32_t place_in_row(const DeviceScene& s, std::int32_t b
 
 /// Step 0: the narrow-phase results of the pairs outlive their list.
 template <class Group>
-GEM_DEVICE inline void store_axes_aside(const DeviceScene& s, Group& group) {
+GEM_DEVICE inline void put_axes_aside(const DeviceScene& s, Group& group) {
   const std::int32_t first = rank_of(group), step = size_of(group);
   const bool complete = s.counters->complete == 1;
   for (std::int32_t i = first; i < s.bodies; i += step)
@@ -155,11 +155,11 @@ GEM_DEVICE inline void store_axes_aside(const DeviceScene& s, Group& group) {
   }
   for (std::int32_t p = first; p < s.counters->pairs; p += step) {
     const PairCell& pair = s.pair[p];
-    PairAxes& candidate = s.last_axes[p];
-    candidate.axes = pair.axes;
-    candidate.offset = pair.offset;
-    candidate.turned_a = pair.turned_a;
-    candidate.turned_b = pair.turned_b;
+    PairAxes& last = s.last_axes[p];
+    last.axes = pair.axes;
+    last.offset = pair.offset;
+    last.turned_a = pair.turned_a;
+    last.turned_b = pair.turned_b;
   }
 }
 
@@ -186,11 +186,11 @@ GEM_DEVICE inline void make_pair(const DeviceScene& s, std::int32_t p, std::int3
   pair.b = other;
   pair.row_a = row;
   pair.row_b = row_b;
-  const PairAxes* const candidate = last_axes(s, i, other);
-  pair.axes = candidate ? candidate->axes : SeparatingAxes{};
-  pair.offset = candidate ? candidate->offset : Vec2{};
-  pair.turned_a = candidate ? candidate->turned_a : 0.0;
-  pair.turned_b = candidate ? candidate->turned_b : 0.0;
+  const PairAxes* const last = last_axes(s, i, other);
+  pair.axes = last ? last->axes : SeparatingAxes{};
+  pair.offset = last ? last->offset : Vec2{};
+  pair.turned_a = last ? last->turned_a : 0.0;
+  pair.turned_b = last ? last->turned_b : 0.0;
   if (s.wake) s.wake[p] = 0.0F;
   s.row_pair[row] = s.row_pair[row_b] = p;
   if (s.memory) s.memory[p].step = PairMemory::never;
@@ -223,7 +223,7 @@ GEM_DEVICE GEM_NOINLINE inline void build_list(const DeviceScene& s, Group& grou
                                                std::int64_t horizon) {
   const bool one = rank_of(group) == 0;
   group.barrier();
-  store_axes_aside(s, group);
+  put_axes_aside(s, group);
   group.barrier();
   if (one) *s.counters = {};
   group.lower_alarms();

@@ -58,21 +58,21 @@ GEM_DEVICE inline double choose_candidate(const DeviceScene& s, PairCell& pair, 
 
 /// An outline in world axes, after turn_in_workspace(). One that is too long for the workspace is the copy that its
 /// owner keeps.
-GEM_DEVICE inline Outline outline_in_workspace(const DeviceScene& s, WorkspaceOutlines& shared_memory, int side,
+GEM_DEVICE inline Outline outline_in_workspace(const DeviceScene& s, WorkspaceOutlines& outlines, int side,
                                                std::int32_t begin, int count) {
   if (count > workspace_vertices) return {s.corner + begin, s.normal + begin, count};
-  return {shared_memory.corner[side], shared_memory.normal[side], count};
+  return {outlines.corner[side], outlines.normal[side], count};
 }
 
 /// Turns an outline to world axes, by the lanes of a group.
 template <class Lanes>
-GEM_DEVICE inline void turn_in_workspace(const DeviceScene& s, const Lanes& lanes, WorkspaceOutlines& shared_memory,
+GEM_DEVICE inline void turn_in_workspace(const DeviceScene& s, const Lanes& lanes, WorkspaceOutlines& outlines,
                                          int side, std::int32_t begin, int count, Rotation q) {
   if (count > workspace_vertices) return;
   for (int v = lanes.rank(); v < count; v += Lanes::size) {
     const Vec2 corner = s.vertex[begin + v], normal = s.body_normal[begin + v];
-    shared_memory.corner[side][v] = rotate(q, corner);
-    shared_memory.normal[side][v] = rotate(q, normal);
+    outlines.corner[side][v] = rotate(q, corner);
+    outlines.normal[side][v] = rotate(q, normal);
   }
 }
 
@@ -109,13 +109,13 @@ class NarrowPhase {
 
   /// Checks item `at` for the group of this thread, which is number `lane_group` in its block. All groups of a warp
   /// call it together.
-  GEM_DEVICE void candidate(std::int32_t at, std::int32_t count, int lane_group) {
+  GEM_DEVICE void check(std::int32_t at, std::int32_t count, int lane_group) {
     const auto lanes = group_.lanes();
     const auto warp = group_.warp();
-    const bool candidates = at < count;
+    const bool has_item = at < count;
     SeparatingAxes axes;
     bool known = true;
-    if (candidates) {
+    if (has_item) {
       const CandidatePair& item = items_[at];
       turn_in_workspace(s_, lanes, outlines_[lane_group], 0, item.vertex_a, item.count_a, item.rotation_a);
       turn_in_workspace(s_, lanes, outlines_[lane_group], 1, item.vertex_b, item.count_b, item.rotation_b);
@@ -132,10 +132,10 @@ class NarrowPhase {
                                                    outline(its, lane_group + ahead, 1), items_[its].offset);
       if (ahead == 0) axes = found;
     }
-    const bool touching_count = candidates && axes.first.distance < limit();
-    if (candidates && lanes.rank() == 0) pair_[items_[at].pair].axes = axes;
+    const bool touches = has_item && axes.first.distance < limit();
+    if (has_item && lanes.rank() == 0) pair_[items_[at].pair].axes = axes;
     warp.sync();
-    unsigned left = warp.ballot(touching_count && lanes.rank() == 0);
+    unsigned left = warp.ballot(touches && lanes.rank() == 0);
     while (left != 0) {
       constexpr int together = Group::Warp::size / Group::Wide::size;
       unsigned mine = 0;
@@ -189,10 +189,10 @@ GEM_DEVICE inline void narrow_phase_of(const DeviceScene& s, Group& group, PairC
                                        std::int32_t step, Place&& place) {
   constexpr int of_warp = Group::Warp::size / Group::Lanes::size;
   const int lane_group = group.thread() / Group::Lanes::size;
-  NarrowPhase<Group, Place&> candidates(s, group, pair, outlines, items, place);
+  NarrowPhase<Group, Place&> narrow_phase(s, group, pair, outlines, items, place);
   // a warp goes on as long as its first group has an item: all groups take part in its votes
   for (std::int32_t at = first; at - lane_group % of_warp < count; at += step)
-    candidates.candidate(at, count, lane_group);
+    narrow_phase.check(at, count, lane_group);
 }
 
 }  // namespace gem

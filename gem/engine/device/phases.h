@@ -75,18 +75,18 @@ GEM_DEVICE inline void renew_list(const DeviceScene& s, Group& group) {
 }
 
 /// Pairs that a thread loads together.
-constexpr int asked_pairs = 8;
+constexpr int loaded_pairs = 8;
 /// Shared memory of a block in stage `candidates`: the awake ones of its pairs [bytes].
-constexpr std::size_t candidate_shared_bytes = asked_pairs * phase_threads * sizeof(std::int32_t);
+constexpr std::size_t candidate_shared_bytes = loaded_pairs * phase_threads * sizeof(std::int32_t);
 
 /// Lists the pairs of a range that are awake. The clock sums up twice the largest distance that any body moves in a
 /// time step [m]. A pair that had a gap sleeps until the clock has advanced by that gap. Most pairs sleep.
 template <class Group>
 GEM_DEVICE inline void list_awake(const DeviceScene& s, Group& group, Stretch pairs, float clock, std::int32_t* awake) {
-  float wake[asked_pairs];
+  float wake[loaded_pairs];
   const std::int32_t first = pairs.begin + group.thread(), step = group.threads();
-  for (int k = 0; k < asked_pairs; ++k) wake[k] = first + k * step < pairs.end ? s.wake[first + k * step] : 0.0F;
-  for (int k = 0; k < asked_pairs; ++k)
+  for (int k = 0; k < loaded_pairs; ++k) wake[k] = first + k * step < pairs.end ? s.wake[first + k * step] : 0.0F;
+  for (int k = 0; k < loaded_pairs; ++k)
     if (first + k * step < pairs.end && !(wake[k] > clock))
       awake[group.add(&group.shared().candidates, 1)] = first + k * step;
 }
@@ -99,7 +99,7 @@ GEM_DEVICE inline void choose_pairs(const DeviceScene& s, Group& group) {
   constexpr double surely = 1.0 - 1e-6;  // the clock is compared in single precision
   const double clock = s.status->clock;
   auto* const awake = reinterpret_cast<std::int32_t*>(group.shared_memory());
-  const std::int32_t pairs = s.counters->pairs, stretch = asked_pairs * group.threads();
+  const std::int32_t pairs = s.counters->pairs, stretch = loaded_pairs * group.threads();
   for (std::int32_t first = group.block() * stretch; first < pairs; first += group.blocks() * stretch) {
     if (group.thread() == 0) group.shared().candidates = 0;
     group.block_barrier();
@@ -162,7 +162,7 @@ GEM_DEVICE inline void resolve_touching(const DeviceScene& s, Group& group) {
 /// are as many, each with group.shared_bytes() of shared memory.
 template <class Group>
 GEM_DEVICE inline void gather_points(const DeviceScene& s, Group& group) {
-  StepSolver<Group>(s, group, static_cast<std::int32_t>(s.status->step), group.shared_bytes()).begin_coefficients();
+  StepSolver<Group>(s, group, static_cast<std::int32_t>(s.status->step), group.shared_bytes()).begin_ahead();
   SolverRounds<Group>::prepare(s, group);
 }
 
@@ -195,7 +195,7 @@ GEM_DEVICE inline Workspace bodies_workspace(const DeviceScene& s, Group& group)
   workspace.body = reinterpret_cast<BodyCell*>(shared_memory) - workspace.bodies.begin;
   workspace.motion = reinterpret_cast<BodyMotion*>(shared_memory + cells) - workspace.bodies.begin;
   workspace.candidate = reinterpret_cast<CandidatePair*>(shared_memory + cells + motions);
-  workspace.minimum_bytes = group.shared_bytes() - cells - motions;
+  workspace.scratch_bytes = group.shared_bytes() - cells - motions;
   workspace.shows = false;
   return workspace;
 }

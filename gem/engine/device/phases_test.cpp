@@ -142,8 +142,8 @@ TEST_P(DeviceStages, StopsAtAStateThatIsNoNumber) {
   EXPECT_LT(device.status().samples, 10);
 }
 
-/// What shared memory holds of the data of the iterations.
-enum class Loads { all, records, some_records, nothing };
+/// Which data of the iterations fit in shared memory.
+enum class Fits { all, records, some_records, nothing };
 
 TEST(DevicePhaseSharedMemory, ForLittleThatIteratesChangesNothing) {
   constexpr std::int64_t steps = 60;
@@ -151,10 +151,10 @@ TEST(DevicePhaseSharedMemory, ForLittleThatIteratesChangesNothing) {
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(steps, expected);
-  for (const auto& [shared_memory, loads] : {std::pair<std::size_t, Loads>{1 << 20, Loads::all},
-                                             {10 * 1024, Loads::records},
-                                             {4 * 1024, Loads::some_records},
-                                             {256, Loads::nothing}}) {
+  for (const auto& [shared_memory, fits] : {std::pair<std::size_t, Fits>{1 << 20, Fits::all},
+                                            {10 * 1024, Fits::records},
+                                            {4 * 1024, Fits::some_records},
+                                            {256, Fits::nothing}}) {
     HostScene device = phase_scene(scene, test::busy_field(scene), 2, test::team_warp, 0, shared_memory);
     StepLog log;
     device.advance(steps, log);
@@ -165,11 +165,11 @@ TEST(DevicePhaseSharedMemory, ForLittleThatIteratesChangesNothing) {
     const std::size_t records = static_cast<std::size_t>(workspace.records) * sizeof(PushRecord) +
                                 static_cast<std::size_t>(workspace.own.count()) * sizeof(SolverEntry);
     const std::size_t points = static_cast<std::size_t>(workspace.points.count()) * loaded_bytes;
-    const Loads seen = !workspace.fits                    ? Loads::nothing
-                       : records > shared_memory          ? Loads::some_records
-                       : records + points > shared_memory ? Loads::records
-                                                          : Loads::all;
-    EXPECT_EQ(seen, loads) << shared_memory << " bytes; " << records << " of records, " << points << " of points";
+    const Fits seen = !workspace.fits                    ? Fits::nothing
+                      : records > shared_memory          ? Fits::some_records
+                      : records + points > shared_memory ? Fits::records
+                                                         : Fits::all;
+    EXPECT_EQ(seen, fits) << shared_memory << " bytes; " << records << " of records, " << points << " of points";
   }
 }
 

@@ -64,7 +64,7 @@ GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded&
 /// Memory for the terms of a time step: the workspace of the narrow phase, which is idle now, if it is large enough.
 GEM_DEVICE inline PlatformTerm* term_memory(const DeviceScene& s, const Workspace& workspace, std::int32_t places) {
   const std::size_t bytes = 2 * static_cast<std::size_t>(places) * sizeof(PlatformTerm);
-  return bytes <= workspace.minimum_bytes ? reinterpret_cast<PlatformTerm*>(workspace.candidate) : s.term;
+  return bytes <= workspace.scratch_bytes ? reinterpret_cast<PlatformTerm*>(workspace.candidate) : s.term;
 }
 
 /// What one contact point does to the platform. Coupled: the velocity parts are zero, as the solver has found the

@@ -101,7 +101,7 @@ struct TwoBlocks {
     return device.status().barriers;
   }
 };
-constexpr std::size_t fits_shared_memory = 1 << 20;
+constexpr std::size_t ample = 1 << 20;
 const std::size_t scarce = workspace_minimum(4, test::team_lanes);
 
 /// Barriers that halos spare in time step `step`. Without halos: two in each iteration but the first, which moves
@@ -112,21 +112,21 @@ int spared_by_halos(const StepLog& log, int step) {
   return without - halos;
 }
 
-TEST(DeviceHalo, SparesTheBarriersOfIterationsInTimeStepsThatHaveRoomAndChangesNothing) {
+TEST(DeviceHalo, SparesTheBarriersOfIterationsInTimeStepsThatHaveMemoryAndChangesNothing) {
   constexpr int steps = 16;
   SceneDef scene = test::busy_scene(9);
   scene.contact.solver = ContactSolver::coupled;
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(steps, expected);
-  TwoBlocks with(scene, fits_shared_memory), at_times(scene, fits_shared_memory);
+  TwoBlocks with(scene, ample), at_times(scene, ample);
   int crowded = 0;
-  ASSERT_EQ(scene.numerics.iterations_maximum % 4, 0) << "the last is judged as a fourth one";
+  ASSERT_EQ(scene.numerics.iterations_maximum % 4, 0) << "the last iteration must be a judged one";
   for (int m = 0; m < steps; ++m) {
-    at_times.device.give_space(m % 2 == 0 ? scarce : fits_shared_memory);
+    at_times.device.give_space(m % 2 == 0 ? scarce : ample);
     const int spared = at_times.advance() - with.advance();
     if (m % 2 == 1)
-      EXPECT_EQ(spared, 0) << "room again in time step " << m;
+      EXPECT_EQ(spared, 0) << "halos again in time step " << m;
     else
       EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in time step " << m;
     if (spared > 0) ++crowded;
@@ -147,38 +147,38 @@ TEST(DeviceHalo, RoundsThatFollowChangeNothing) {
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(steps, expected);
-  TwoBlocks device(scene, fits_shared_memory);
+  TwoBlocks device(scene, ample);
   int most = 0, all = 0, barriers = 0;
   for (int m = 0; m < steps; ++m) barriers += device.advance();
   for (const StepQuality& quality : expected.quality) {
     most = std::max(most, int(quality.iterations));
     all += int(quality.iterations);
   }
-  EXPECT_GT(most, 40) << "of more than one round";
-  EXPECT_LT(barriers, all) << "without halos two in an iteration";
+  EXPECT_GT(most, 40) << "more than one round";
+  EXPECT_LT(barriers, all) << "without halos there are two in an iteration";
   test::expect_same_bodies(device.device.bodies(), cpu->bodies());
   test::expect_same_coupled(device.device, device.log, *cpu, expected);
 }
 
-TEST(DeviceHalo, IsNoneWhereverTheRoomEndsAndChangesNothing) {
+TEST(DeviceHalo, IsNoneWhereverTheMemoryEndsAndChangesNothing) {
   constexpr int first = 12, rungs = 48, steps = first + rungs;  // before the first there are few points
-  constexpr std::size_t line = 128;                             // what room is counted in
+  constexpr std::size_t line = 128;                             // the unit of allocation
   SceneDef scene = test::busy_scene(9);
   scene.contact.solver = ContactSolver::coupled;
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(steps, expected);
-  TwoBlocks device(scene, fits_shared_memory), with(scene, fits_shared_memory);
-  int crowded = 0, in_shared_memory = 0;
+  TwoBlocks device(scene, ample), with(scene, ample);
+  int crowded = 0, with_halos = 0;
   for (int m = 0; m < steps; ++m) {
     if (m >= first) device.device.give_space(scarce + std::size_t(m - first) * line);
     const int spared = device.advance() - with.advance();
     if (m < first) continue;
     EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in time step " << m;
-    ++(spared > 0 ? crowded : in_shared_memory);
+    ++(spared > 0 ? crowded : with_halos);
   }
   EXPECT_GT(crowded, rungs / 4);
-  EXPECT_GT(in_shared_memory, rungs / 4);
+  EXPECT_GT(with_halos, rungs / 4);
   test::expect_same_bodies(device.device.bodies(), cpu->bodies());
   test::expect_same_coupled(device.device, device.log, *cpu, expected);
 }

@@ -33,7 +33,7 @@ struct Workspace {
   WorkspaceOutlines* outlines = nullptr;  // one for each group of lanes
   // bytes of candidates and outlines; offset of the copied bodies; bytes for the solver, which reuses the candidates
   // and outlines. The terms of the platform reuse the candidates and outlines too.
-  std::size_t minimum_bytes = 0, bodies_begin = 0, solver_bytes = 0;
+  std::size_t scratch_bytes = 0, bodies_begin = 0, solver_bytes = 0;
 };
 
 /// Least bytes of a workspace.
@@ -104,11 +104,11 @@ GEM_DEVICE inline Workspace make_workspace(const DeviceScene& s, Group& group) {
                     outlines = whole_lines(group.threads() / Group::Lanes::size * sizeof(WorkspaceOutlines));
   workspace.candidate = reinterpret_cast<CandidatePair*>(group.shared_memory());
   workspace.outlines = reinterpret_cast<WorkspaceOutlines*>(group.shared_memory() + candidates);
-  workspace.minimum_bytes = candidates + outlines;
+  workspace.scratch_bytes = candidates + outlines;
   workspace.bodies_begin = group.shared_bytes() / workspace_line * workspace_line;
   const std::size_t own = workspace.bodies.count(), cells = whole_lines(own * sizeof(BodyCell)),
                     motions = whole_lines(own * sizeof(BodyMotion));
-  if (workspace.minimum_bytes + cells + motions <= workspace.bodies_begin) {
+  if (workspace.scratch_bytes + cells + motions <= workspace.bodies_begin) {
     workspace.bodies_begin -= cells + motions;
     workspace.body =
         reinterpret_cast<BodyCell*>(group.shared_memory() + workspace.bodies_begin) - workspace.bodies.begin;
@@ -126,7 +126,7 @@ GEM_DEVICE inline void load_pairs(const DeviceScene& s, Group& group, Workspace&
   const std::size_t bytes = workspace.pairs.count() * sizeof(PairCell);
   workspace.pair = s.pair;
   workspace.solver_bytes = workspace.bodies_begin;
-  if (bytes > workspace.bodies_begin - workspace.minimum_bytes) return;  // both are whole lines
+  if (bytes > workspace.bodies_begin - workspace.scratch_bytes) return;  // both are whole lines
   workspace.solver_bytes -= whole_lines(bytes);
   std::byte* const to = group.shared_memory() + workspace.solver_bytes;
   workspace.pair = reinterpret_cast<PairCell*>(to) - workspace.pairs.begin;

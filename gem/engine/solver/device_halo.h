@@ -12,13 +12,13 @@ class MemoryEnd {
  public:
   GEM_DEVICE MemoryEnd(std::byte* shared_memory, std::size_t bytes) : shared_memory_(shared_memory), left_(bytes) {}
 
-  /// Takes `count` elements. The caller has checked with loads() that they fit.
+  /// Takes `count` elements. The caller has checked with holds() that they fit.
   template <class T>
   GEM_DEVICE T* take(std::int32_t count) {
     left_ = (left_ - count * sizeof(T)) / alignment * alignment;
     return reinterpret_cast<T*>(shared_memory_ + left_);
   }
-  GEM_DEVICE bool loads(std::size_t bytes) const { return bytes <= left_; }
+  GEM_DEVICE bool holds(std::size_t bytes) const { return bytes <= left_; }
   /// Most bytes that `count` elements take.
   template <class T>
   GEM_DEVICE static std::size_t bytes_of(std::int32_t count) {
@@ -34,8 +34,8 @@ class MemoryEnd {
 template <class Group>
 class SolverHalo {
  public:
-  GEM_DEVICE SolverHalo(const DeviceScene& s, Group& group, std::size_t shared_memory)
-      : s_(s), group_(group), end_(group.shared_memory(), shared_memory) {}
+  GEM_DEVICE SolverHalo(const DeviceScene& s, Group& group, std::size_t shared_bytes)
+      : s_(s), group_(group), end_(group.shared_memory(), shared_bytes) {}
 
   /// Finds the bodies of the halo and their records. Call it when all blocks have listed their bodies and this one its
   /// points. If shared memory is too small for one block, no block has a halo in this time step.
@@ -73,7 +73,7 @@ class SolverHalo {
   GEM_DEVICE bool find() {
     const std::int32_t words = (group_.shared().workspace.bodies + 31) / 32;
     const std::size_t marks = (2 * words + 1) * sizeof(std::uint32_t);
-    if (!end_.loads(marks)) return false;
+    if (!end_.holds(marks)) return false;
     auto* const met = reinterpret_cast<std::uint32_t*>(group_.shared_memory());
     auto* const before = reinterpret_cast<std::int32_t*>(met + words);
     for (std::int32_t w = group_.thread(); w < words; w += group_.threads()) met[w] = 0;
@@ -85,7 +85,7 @@ class SolverHalo {
     group_.block_barrier();
     HaloWorkspace halo{};
     halo.bodies = before[words];
-    if (!end_.loads(marks + end_.bytes_of<SolverEntry>(halo.bodies) + end_.bytes_of<AddedMotion>(halo.bodies)))
+    if (!end_.holds(marks + end_.bytes_of<SolverEntry>(halo.bodies) + end_.bytes_of<AddedMotion>(halo.bodies)))
       return false;
     halo.entry = end_.take<SolverEntry>(halo.bodies);
     halo.motion = end_.take<AddedMotion>(halo.bodies);
@@ -106,20 +106,20 @@ class SolverHalo {
   GEM_DEVICE bool copy(HaloWorkspace halo) {
     for (std::int32_t k = group_.thread(); k < halo.bodies; k += group_.threads()) {
       SolverEntry entry = s_.solver_entry[halo.entry[k].rank];
-      entry.shared_memory = group_.add(&group_.shared().records, entry.count);
+      entry.shared_record = group_.add(&group_.shared().records, entry.count);
       halo.entry[k] = entry;
       halo.motion[k] = {};  // no additions yet
     }
     group_.block_barrier();
     halo.records = group_.shared().records;
-    if (!end_.loads(end_.bytes_of<std::int32_t>(halo.records) + halo.records * sizeof(PushRecord))) return false;
+    if (!end_.holds(end_.bytes_of<std::int32_t>(halo.records) + halo.records * sizeof(PushRecord))) return false;
     halo.source = end_.take<std::int32_t>(halo.records);
     const auto lanes = group_.lanes();
     constexpr int size = Group::Lanes::size;
     for (std::int32_t k = group_.thread() / size; k < halo.bodies; k += group_.threads() / size) {
       const SolverEntry& entry = halo.entry[k];
       for (std::int32_t j = lanes.rank(); j < entry.count; j += size)
-        halo.source[entry.shared_memory + j] = entry.place + j;
+        halo.source[entry.shared_record + j] = entry.place + j;
     }
     if (group_.thread() == 0) group_.shared().workspace.halo = halo;
     group_.block_barrier();

@@ -107,7 +107,7 @@ class HaloMoves {
   GEM_DEVICE GEM_INLINE Row row_of(std::int32_t k) const {
     const int pair = k % motion_pairs;
     const SolverEntry& entry = workspace_.moved_entry[k / motion_pairs];
-    return {reinterpret_cast<const PushRecord*>(group_.shared_memory()) + entry.shared_memory,
+    return {reinterpret_cast<const PushRecord*>(group_.shared_memory()) + entry.shared_record,
             &workspace_.motion[k / motion_pairs].pair[pair],
             pair,
             entry.as_b,

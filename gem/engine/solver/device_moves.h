@@ -59,8 +59,8 @@ class SolverMoves {
     const SolverEntry entry = workspace.moved_entry[workspace.moved.begin];
     const auto* record = reinterpret_cast<const float*>(s.push + entry.place);
     auto* const shared_memory = reinterpret_cast<float*>(group.shared_memory());
-    if ((Group::reads_other_blocks || Group::has_halos) && entry.shared_memory >= 0) {
-      record = shared_memory + parts * entry.shared_memory;
+    if ((Group::reads_other_blocks || Group::has_halos) && entry.shared_record >= 0) {
+      record = shared_memory + parts * entry.shared_record;
     } else if (!Group::reads_other_blocks &&
                static_cast<std::size_t>(entry.count) * sizeof(PushRecord) <= workspace.stage_bytes) {
       bring(warp, reinterpret_cast<FloatPair*>(shared_memory), s.push + entry.place, entry.count);
@@ -99,8 +99,8 @@ class SolverMoves {
     for (std::int32_t k = first + group.thread(); k < end; k += threads) {
       const int from = pairs * (k % of_body);
       const SolverEntry entry = workspace.moved_entry[k / of_body];
-      const PairsOf<pairs> sum = Group::reads_other_blocks && entry.shared_memory >= 0
-                                     ? sum_of<pairs>(shared_memory + entry.shared_memory, entry, from)
+      const PairsOf<pairs> sum = Group::reads_other_blocks && entry.shared_record >= 0
+                                     ? sum_of<pairs>(shared_memory + entry.shared_record, entry, from)
                                      : sum_of<pairs>(s.push + entry.place, entry, from);
       const std::int32_t e = workspace.in_order ? entry.rank : k / of_body;
       AddedMotion& motion = workspace.motion ? workspace.motion[e] : s.added[entry.body];

@@ -32,7 +32,7 @@ struct CarriedMemory {
 struct alignas(16) PointSide {
   std::int32_t body = 0;
   std::int32_t place = -1;          // index of its record; -1: a fixed body has none
-  std::int32_t shared_memory = -1;  // index of its record in the shared memory of a block; -1: not there
+  std::int32_t shared_record = -1;  // index of its record in the shared memory of a block; -1: not there
   std::int32_t motion = -1;         // index of the motion there; with halos: of the entry, then of the halo's motion
 };
 
@@ -111,7 +111,7 @@ struct BodyPoints {
 struct alignas(16) SolverEntry {
   std::int32_t body = 0;
   std::int32_t place = 0;            // index of its first record
-  std::int32_t shared_memory = -1;   // index of its first record in shared memory; -1: not there
+  std::int32_t shared_record = -1;   // index of its first record in shared memory; -1: not there
   std::int32_t as_b = 0, count = 0;  // records
   float inverse_mass = 0.0F, inverse_inertia = 0.0F;
   // by id among the moving bodies with points; in a list sorted by row length: index in sorted order

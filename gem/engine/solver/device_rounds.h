@@ -84,7 +84,7 @@ class SolverRounds {
   GEM_DEVICE static void finish(const DeviceScene& s, Group& group, Progress& progress, bool done) {
     SolverBase<Group> base(s, group);
     for (;;) {
-      each_point(group, [&](std::int32_t i) { Visits::store_platform(s, group, i); });
+      each_point(group, [&](std::int32_t i) { Visits::add_to_base(s, group, i); });
       group.barrier();
       base.settle();
       group.barrier();

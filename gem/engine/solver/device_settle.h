@@ -121,12 +121,12 @@ class SolverBase {
   struct LaneTerms {
     double four[fours][4];
   };
-  GEM_DEVICE LaneTerms lane_terms(const double* lane_group, std::int32_t count) const {
+  GEM_DEVICE LaneTerms lane_terms(const double* from, std::int32_t count) const {
     LaneTerms terms;
     for (int j = 0; j < fours; ++j)
       for (int c = 0; c < 4; ++c) {
         const int at = 4 * (group_.lanes().rank() + j * lane_count) + c;
-        terms.four[j][c] = at < count ? lane_group[at] : 0.0;
+        terms.four[j][c] = at < count ? from[at] : 0.0;
       }
     return terms;
   }

@@ -23,22 +23,22 @@ namespace gem {
 template <class Group>
 class StepSolver {
  public:
-  /// `shared_memory`: bytes at the start of each block's shared memory that the solver may use.
-  GEM_DEVICE StepSolver(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_memory)
-      : s_(s), group_(group), shared_memory_(shared_memory), step_(step) {}
+  /// `shared_bytes`: bytes at the start of each block's shared memory that the solver may use.
+  GEM_DEVICE StepSolver(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_bytes)
+      : s_(s), group_(group), shared_bytes_(shared_bytes), step_(step) {}
 
   /// Solves the time step in one launch, by blocks with halos.
   GEM_DEVICE void solve() {
-    SolverList<Group>(s_, group_, step_, shared_memory_).make();
+    SolverList<Group>(s_, group_, step_, shared_bytes_).make();
     begin_points();
-    SolverHalo<Group>(s_, group_, shared_memory_).take_up();
+    SolverHalo<Group>(s_, group_, shared_bytes_).take_up();
     SolverRounds<Group>::iterate(s_, group_);
     end();
   }
 
-  /// Everything before the iterations, for a later launch of as many blocks with `shared_memory` bytes each.
-  GEM_DEVICE void begin_coefficients() {
-    SolverList<Group>(s_, group_, step_, shared_memory_).make_coefficients();
+  /// Everything before the iterations, for a later launch of as many blocks with `shared_bytes` bytes each.
+  GEM_DEVICE void begin_ahead() {
+    SolverList<Group>(s_, group_, step_, shared_bytes_).make_ahead();
     begin_points();
   }
 
@@ -57,7 +57,7 @@ class StepSolver {
     group_.barrier();
     each_point(group_, [&](std::int32_t i) { begin_point(i); });
     clear_marks();
-    if constexpr (Group::has_halos) SolverHalo<Group>(s_, group_, shared_memory_).make();
+    if constexpr (Group::has_halos) SolverHalo<Group>(s_, group_, shared_bytes_).make();
     group_.barrier();
     base.settle();
     group_.barrier();
@@ -134,7 +134,7 @@ class StepSolver {
 
   const DeviceScene& s_;
   Group& group_;
-  std::size_t shared_memory_;
+  std::size_t shared_bytes_;
   std::int32_t step_;
 };
 

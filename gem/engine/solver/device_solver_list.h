@@ -38,13 +38,13 @@ GEM_DEVICE inline void count_marks(const Warp& warp, const std::uint32_t* marks,
 template <class Group>
 class SolverList {
  public:
-  /// `shared_memory`: bytes at the start of each block's shared memory that the solver may use.
-  GEM_DEVICE SolverList(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_memory)
-      : s_(s), group_(group), step_(step), shared_memory_(shared_memory) {}
+  /// `shared_bytes`: bytes at the start of each block's shared memory that the solver may use.
+  GEM_DEVICE SolverList(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_bytes)
+      : s_(s), group_(group), step_(step), shared_bytes_(shared_bytes) {}
 
-  /// Makes the list for a later launch of as many blocks with `shared_memory` bytes each. This launch needs no shared
+  /// Makes the list for a later launch of as many blocks with `shared_bytes` bytes each. This launch needs no shared
   /// memory.
-  GEM_DEVICE void make_coefficients() {
+  GEM_DEVICE void make_ahead() {
     make();
     if (group_.thread() == 0) s_.solver_workspace[group_.block()] = group_.shared().workspace;
   }
@@ -53,7 +53,7 @@ class SolverList {
     SolverWorkspace workspace = s_.solver_workspace[group_.block()];
     place_entries(workspace);
     place_points(workspace);
-    use_room(workspace);
+    use_shared_memory(workspace);
     if (group_.thread() == 0) group_.shared().workspace = workspace;
     if (!workspace.motion) return group_.block_barrier();
     for (std::int32_t e = workspace.own.begin + group_.thread(); e < workspace.own.end; e += group_.threads())
@@ -115,9 +115,9 @@ class SolverList {
  private:
   /// Shared memory for motions, records and points [bytes].
   GEM_DEVICE std::size_t bytes_before_entries(const SolverWorkspace& workspace) const {
-    return workspace.fits ? (shared_memory_ - workspace.own.count() * sizeof(SolverEntry)) / alignof(SolverEntry) *
+    return workspace.fits ? (shared_bytes_ - workspace.own.count() * sizeof(SolverEntry)) / alignof(SolverEntry) *
                                 alignof(SolverEntry)
-                          : shared_memory_;
+                          : shared_bytes_;
   }
 
   /// Sets that points beyond the registers stand in the scene's memory.
@@ -137,28 +137,28 @@ class SolverList {
     workspace.entry = workspace.moved_entry = s_.solver_entry;
     workspace.motion = nullptr;
     workspace.in_order = false;
-    workspace.stage_bytes = Group::reads_other_blocks ? 0 : shared_memory_;
+    workspace.stage_bytes = Group::reads_other_blocks ? 0 : shared_bytes_;
     workspace.fits = Group::reads_other_blocks &&
-                     count * (sizeof(SolverEntry) + sizeof(AddedMotion)) + alignof(SolverEntry) <= shared_memory_;
+                     count * (sizeof(SolverEntry) + sizeof(AddedMotion)) + alignof(SolverEntry) <= shared_bytes_;
     records_begin_ = workspace.fits ? count : 0;
     records_end_ = static_cast<std::int32_t>(bytes_before_entries(workspace) / sizeof(PushRecord));
   }
 
   /// Moves entries and motions to shared memory if they fit. Points take what the records leave.
-  GEM_DEVICE void use_room(SolverWorkspace& workspace) const {
+  GEM_DEVICE void use_shared_memory(SolverWorkspace& workspace) const {
     if (!Group::reads_other_blocks) return;
-    const std::size_t shared_memory = bytes_before_entries(workspace),
+    const std::size_t bytes = bytes_before_entries(workspace),
                       taken = (workspace.records * sizeof(PushRecord) + sizeof(FloatQuad) - 1) / sizeof(FloatQuad) *
                               sizeof(FloatQuad);
     if (workspace.fits) {
       workspace.entry = workspace.moved_entry =
-          reinterpret_cast<SolverEntry*>(group_.shared_memory() + shared_memory) - workspace.own.begin;
+          reinterpret_cast<SolverEntry*>(group_.shared_memory() + bytes) - workspace.own.begin;
       workspace.motion = reinterpret_cast<AddedMotion*>(group_.shared_memory()) - workspace.own.begin;
     }
-    if (taken >= shared_memory) return;
+    if (taken >= bytes) return;
     const std::int32_t left = workspace.points.end - workspace.fast.begin;
-    const auto load = static_cast<std::int32_t>((shared_memory - taken) / loaded_bytes);
-    workspace.fast.end += left < load ? left : load;
+    const auto fit = static_cast<std::int32_t>((bytes - taken) / loaded_bytes);
+    workspace.fast.end += left < fit ? left : fit;
     workspace.fast_from = taken;
   }
 
@@ -198,7 +198,7 @@ class SolverList {
   }
 
   /// Takes shared memory for `count` records of a body. Returns the index of the first, -1 if they do not fit.
-  GEM_DEVICE std::int32_t load_records(std::int32_t count) {
+  GEM_DEVICE std::int32_t take_records(std::int32_t count) {
     if (!Group::reads_other_blocks) return -1;
     const std::int32_t at = records_begin_ + group_.add(&group_.shared().records, count);
     return at + count <= records_end_ ? at : -1;
@@ -263,8 +263,8 @@ class SolverList {
     count = lanes.sum(count);
     as_b = lanes.sum(as_b);
     taken = lanes.sum(taken);
-    std::int32_t shared_memory = lanes.rank() == 0 ? load_records(count) : 0;
-    shared_memory = lanes.from(shared_memory, 0);
+    std::int32_t first_record = lanes.rank() == 0 ? take_records(count) : 0;
+    first_record = lanes.from(first_record, 0);
     const std::int32_t moved_at = Group::has_halos ? e
                                   : workspace.fits ? memory_place(group_.block(), e - own_.begin)
                                                    : -1;
@@ -280,9 +280,9 @@ class SolverList {
         GEM_NO_UNROLL
         for (std::int32_t k = 0; k < points.count; ++k) {
           PointCell& point = s_.point[points.first + k];
-          const std::int32_t in_shared_memory =
-              shared_memory < 0 ? -1 : memory_place(group_.block(), shared_memory + mine + k);
-          (is_b ? point.b : point.a) = {body, 2 * begin + mine + k, in_shared_memory, moved_at};
+          const std::int32_t shared_record =
+              first_record < 0 ? -1 : memory_place(group_.block(), first_record + mine + k);
+          (is_b ? point.b : point.a) = {body, 2 * begin + mine + k, shared_record, moved_at};
           if (read.takes[step]) s_.taken_in_row[2 * begin + to + k] = points.first + k;
         }
         before += lanes.sum(points.count);
@@ -294,7 +294,7 @@ class SolverList {
     const std::uint32_t below = s_.touched_bodies[body / 32] & ((1U << (body % 32)) - 1U);
     workspace.entry[e] = {body,
                           2 * begin,
-                          shared_memory,
+                          first_record,
                           as_b,
                           count,
                           static_cast<float>(cell.inverse_mass),
@@ -308,7 +308,7 @@ class SolverList {
   const DeviceScene& s_;
   Group& group_;
   std::int32_t step_;
-  std::size_t shared_memory_;
+  std::size_t shared_bytes_;
   Stretch own_{};
   std::int32_t records_begin_ = 0, records_end_ = 0;  // in the block's shared memory
 };

@@ -16,7 +16,7 @@ class SolverVisits {
 
   /// Where a point reads the motion of one of its bodies and writes its record.
   GEM_DEVICE static LoadedPlace place_of(const DeviceScene& s, Group& group, const PointSide& side) {
-    return {motion_at(s, group, side), record_at(s, group, side.place, side.shared_memory)};
+    return {motion_at(s, group, side), record_at(s, group, side.place, side.shared_record)};
   }
 
   /// Computes the numbers of a point at the start of a round. `carried`, the extrapolated additions, continues from the
@@ -56,7 +56,7 @@ class SolverVisits {
   }
 
   /// Adds the additions of the round to the base.
-  GEM_DEVICE GEM_INLINE static void store_platform(const DeviceScene& s, Group& group, std::int32_t i) {
+  GEM_DEVICE GEM_INLINE static void add_to_base(const DeviceScene& s, Group& group, std::int32_t i) {
     const LoadedCell cell = LoadedTable(s, group.shared_memory(), group.shared().workspace)[i];
     LoadedPoint loaded = cell.load();
     const PointGeometry<double> g = s.points.geometry(i);
@@ -127,10 +127,10 @@ class SolverVisits {
 
  private:
   GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, Group& group, std::int32_t place,
-                                          std::int32_t shared_memory) {
+                                          std::int32_t shared_record) {
     if constexpr (Group::reads_other_blocks)
-      if (shared_memory >= 0)
-        return reinterpret_cast<PushRecord*>(group.shared_memory_of(shared_memory >> 16)) + (shared_memory & 0xffff);
+      if (shared_record >= 0)
+        return reinterpret_cast<PushRecord*>(group.shared_memory_of(shared_record >> 16)) + (shared_record & 0xffff);
     if (place < 0) return nullptr;
     if (Group::has_halos && group.shared().workspace.has_halo)
       return reinterpret_cast<PushRecord*>(reinterpret_cast<NumberedPush*>(s.push_base) + place);

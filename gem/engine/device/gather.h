@@ -111,9 +111,8 @@ GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const B
     const std::uint32_t works = row_news(s, row, motion.lower_count - first, stamp).works;
     book_works(s, i, row, works);
     for (int k = 0; k < RowNews::stretch && works >> k != 0; ++k)
-      if (works >> k & 1U)
-        s.stamp[row + k].work =
-            -1;  // so that closing the books again before the next time step does not count it twice
+      // the books may be closed once more before the next time step: this work must not count twice
+      if (works >> k & 1U) s.stamp[row + k].work = -1;
   }
 }
 

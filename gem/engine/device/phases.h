@@ -126,7 +126,7 @@ GEM_DEVICE inline void narrow_phase(const DeviceScene& s, Group& group) {
                   s.counters->candidates, group.blocks() * lane_groups, next_touching);
 }
 
-/// Adds the quality that a block found to that of the scene's time step.
+/// Adds the quality that a block measured to that of the time step.
 template <class Group>
 GEM_DEVICE inline void add_quality(const DeviceScene& s, Group& group) {
   group.block_barrier();
@@ -158,15 +158,16 @@ GEM_DEVICE inline void resolve_touching(const DeviceScene& s, Group& group) {
   add_quality(s, group);
 }
 
-/// Assigns the points of a coupled time step to blocks and prepares them for the iterations. The blocks that iterate
-/// are as many, each with group.shared_bytes() of shared memory.
+/// Assigns the points of a coupled time step to blocks and prepares them for the launch that iterates. That launch has
+/// the same number of blocks as this one, each with group.shared_bytes() of shared memory.
 template <class Group>
 GEM_DEVICE inline void gather_points(const DeviceScene& s, Group& group) {
   StepSolver<Group>(s, group, static_cast<std::int32_t>(s.status->step), group.shared_bytes()).begin_ahead();
   SolverRounds<Group>::prepare(s, group);
 }
 
-/// Computes the result of the iterations. The blocks are as many, but do not reach each other's shared memory.
+/// Computes the result of the iterations. This launch has the same number of blocks as the one that iterates, but they
+/// do not reach each other's shared memory.
 template <class Group>
 GEM_DEVICE inline void settle_points(const DeviceScene& s, Group& group) {
   BlockCell& shared = group.shared();

@@ -61,7 +61,7 @@ GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded&
   mover.spin = spin;
 }
 
-/// Memory for the terms of a time step: the workspace of the narrow phase, which is idle now, if it is large enough.
+/// Memory for the terms of a time step: the memory of the candidates, which is free now, if it is large enough.
 GEM_DEVICE inline PlatformTerm* term_memory(const DeviceScene& s, const Workspace& workspace, std::int32_t places) {
   const std::size_t bytes = 2 * static_cast<std::size_t>(places) * sizeof(PlatformTerm);
   return bytes <= workspace.scratch_bytes ? reinterpret_cast<PlatformTerm*>(workspace.candidate) : s.term;

@@ -1,6 +1,6 @@
 // The halo of a block: all bodies that its points meet, copied to its shared memory with the rows of their records. The
 // block moves these bodies itself, even if other blocks move them too. This pays where blocks reach each other only
-// through global memory: an iteration then waits for the records that the block needs, and has no two grid barriers.
+// through global memory. An iteration then waits only for the records that the block needs, not for two grid barriers.
 #pragma once
 
 #include "gem/engine/solver/device_solver_list.h"

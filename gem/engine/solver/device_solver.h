@@ -23,7 +23,7 @@ namespace gem {
 template <class Group>
 class StepSolver {
  public:
-  /// `shared_bytes`: bytes at the start of each block's shared memory that the solver may use.
+  /// `shared_bytes`: size of the part of each block's shared memory that the solver may use; it begins at the start.
   GEM_DEVICE StepSolver(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_bytes)
       : s_(s), group_(group), shared_bytes_(shared_bytes), step_(step) {}
 
@@ -36,7 +36,8 @@ class StepSolver {
     end();
   }
 
-  /// Everything before the iterations, for a later launch of as many blocks with `shared_bytes` bytes each.
+  /// Everything before the iterations. They follow in a launch with the same number of blocks, each with `shared_bytes`
+  /// of shared memory.
   GEM_DEVICE void begin_ahead() {
     SolverList<Group>(s_, group_, step_, shared_bytes_).make_ahead();
     begin_points();

@@ -38,12 +38,12 @@ GEM_DEVICE inline void count_marks(const Warp& warp, const std::uint32_t* marks,
 template <class Group>
 class SolverList {
  public:
-  /// `shared_bytes`: bytes at the start of each block's shared memory that the solver may use.
+  /// `shared_bytes`: size of the part of each block's shared memory that the solver may use; it begins at the start.
   GEM_DEVICE SolverList(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_bytes)
       : s_(s), group_(group), step_(step), shared_bytes_(shared_bytes) {}
 
-  /// Makes the list for a later launch of as many blocks with `shared_bytes` bytes each. This launch needs no shared
-  /// memory.
+  /// Makes the list for a later launch with the same number of blocks, each with `shared_bytes` of shared memory. This
+  /// launch needs none.
   GEM_DEVICE void make_ahead() {
     make();
     if (group_.thread() == 0) s_.solver_workspace[group_.block()] = group_.shared().workspace;
@@ -120,7 +120,7 @@ class SolverList {
                           : shared_bytes_;
   }
 
-  /// Sets that points beyond the registers stand in the scene's memory.
+  /// Leaves the points that do not fit in registers in the scene's memory.
   GEM_DEVICE void place_points(SolverWorkspace& workspace) const {
     const std::int32_t kept = Group::kept_points * group_.threads(),
                        first =
@@ -129,8 +129,8 @@ class SolverList {
     workspace.fast_from = 0;
   }
 
-  /// Sets that entries and motions stand in the scene's memory. Sets `fits` where shared memory can hold those of the
-  /// block while it iterates.
+  /// Leaves entries and motions in the scene's memory. Sets `fits` if shared memory can hold those of the block while
+  /// it iterates.
   GEM_DEVICE void place_entries(SolverWorkspace& workspace) {
     static_assert(sizeof(AddedMotion) == sizeof(PushRecord));
     const std::int32_t count = workspace.own.count();

@@ -103,7 +103,7 @@ class CudaBatch {
   std::unique_ptr<Work> work_;
 };
 
-/// The engine of one scene.
+/// Makes the engine of one scene: a batch of one. Throws as CudaBatch does.
 std::unique_ptr<Engine> make_cuda_engine(const SceneDef& scene, Bodies bodies, const CudaOptions& options = {});
 
 /// The first GPU that can be used. Throws Error(device) with the reason if there is none.

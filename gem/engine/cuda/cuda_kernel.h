@@ -48,7 +48,7 @@ struct PhaseLaunch {
   const SceneBlock* blocks;
   ListQueue* queue;
   int scene_count;
-  int solve_blocks;  // of a cluster that iterates a scene
+  int solve_blocks;  // blocks of a cluster that iterates a scene
   std::size_t shared_bytes;
   bool operator==(const PhaseLaunch&) const = default;
 };

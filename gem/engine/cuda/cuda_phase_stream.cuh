@@ -36,7 +36,7 @@ struct SolverConfig {
 /// A scene of a call, as its launches see it.
 struct PhaseScene {
   ContactSolver solver = ContactSolver::independent;
-  int blocks = 1;          // that move its bodies
+  int blocks = 1;          // blocks that move its bodies
   std::int32_t steps = 0;  // time steps wanted
   double visits = 0.0;     // coupled: visits of its points in a time step; 0: not known yet
 };

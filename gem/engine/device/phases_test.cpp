@@ -100,7 +100,7 @@ TEST_P(DeviceStages, TakesTurnsWithWholeTimeSteps) {
   const int calls = GetParam() == ContactSolver::coupled ? 24 : 60;
   for (int call = 0; call < calls; ++call) {
     const bool phases = call % 2 == 0;
-    const std::int64_t steps = phases ? 2 : 8;  // time enough for those that slept to meet
+    const std::int64_t steps = phases ? 2 : 8;  // long enough for sleeping pairs to meet
     cpu->advance(steps, expected);
     const auto builds = device.status().builds;
     const bool slept = call > 0 && device.asleep() > 0;

@@ -41,7 +41,7 @@ TEST_P(DeviceTimeStepsTest, GivesTheBitsOfTheCpuEngine) {
   } else {
     StepQuality worst;
     for (const StepQuality& quality : log.quality) worst.worsen(quality);
-    // not measured is no zero
+    // what is not measured must not read as zero
     EXPECT_TRUE(std::isnan(worst.complementarity) && std::isnan(worst.cone_excess) && std::isnan(worst.energy_created));
     EXPECT_GT(worst.maximum_overlap, 0.0);
   }

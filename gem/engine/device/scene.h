@@ -52,7 +52,7 @@ enum class DeviceStop : std::int32_t { done, list_full, ring_full, not_finite };
 
 struct DeviceStatus {
   std::int64_t step = 0;
-  std::int64_t list_step = 0;  // at whose start the list was built
+  std::int64_t list_step = 0;  // time step at whose start the list was built
   std::int64_t horizon = 1;    // time steps that the list was built for, or that the next one is built for
   std::int64_t builds = 0;
   std::int32_t list_valid = 0;
@@ -60,7 +60,7 @@ struct DeviceStatus {
   std::int32_t samples = 0;                           // time steps in the ring of this call
   std::int32_t events = 0;                            // platform events in the ring of this call
   std::int32_t carried = 0;                           // contacts in DeviceScene::carried
-  std::int32_t barriers = 0;                          // between blocks, in the call
+  std::int32_t barriers = 0;                          // grid barriers in this call
   std::int32_t rows_needed = 0, platform_needed = 0;  // entries of all rows, of the platform's row
   DeviceStop stop = DeviceStop::done;
   // the following only by phases

@@ -44,7 +44,7 @@ struct HaloWorkspace {
 /// The state of the iterations in one block. It stands in shared memory, so no thread needs registers for it.
 struct SolverWorkspace {
   StepLength<float> pace;
-  Stretch points;            // that the block iterates
+  Stretch points;            // points that the block iterates
   Stretch fast;              // those in shared memory; they follow those in registers
   std::size_t fast_from;     // offset of the fast points in shared memory [bytes]: see LoadedTable
   std::int32_t bodies;       // moving ones with points, of all blocks

@@ -26,9 +26,8 @@ CudaDevice chosen_device(int index) {
 int chosen_threads(int threads) {
   if (threads == 0) return most_threads;
   if (threads < 32 || threads > most_threads || threads % 32 != 0)
-    throw Error(ExitCode::usage, "a block of " + std::to_string(threads) +
-                                     " threads is none that the kernel can have (32 to " +
-                                     std::to_string(most_threads) + ", a multiple of 32) choose another");
+    throw Error(ExitCode::usage, "a block cannot have " + std::to_string(threads) + " threads (allowed 32 to " +
+                                     std::to_string(most_threads) + ", a multiple of 32) choose another number");
   return threads;
 }
 

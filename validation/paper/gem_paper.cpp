@@ -29,7 +29,7 @@ void add_judge_command(CLI::App& app, Chosen& chosen) {
   command
       ->add_option(
           "--statements", options->statements,
-          "the paper's tables and statements (JSON); rows of scripts/unordered_sums.sh are read from the same folder")
+          "the paper's tables and statements (JSON); rows of build/unordered_sums are read from the same folder")
       ->default_val("validation/paper/paper.json");
   command->callback([options, &chosen] {
     chosen.action = [options] {

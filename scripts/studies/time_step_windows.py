@@ -1,4 +1,4 @@
-"""Runs bench/speed_against_error over the windows of the moment study and keeps its rows in bench/results/moment.
+"""Runs bench/speed_against_error over the windows of the time step study and keeps its rows in bench/results/moment.
 
 Every length of the moment is given as the drift in it, U dt, so that a speed only changes the clock."""
 import argparse

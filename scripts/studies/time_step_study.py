@@ -1,6 +1,6 @@
 """Writes the generated part of validation/time_step_study.md from the rows in bench/results/moment.
 
-scripts/studies moment_windows and build/law_study make the rows."""
+scripts/studies time_step_windows and build/law_study make the rows."""
 import csv
 import math
 
@@ -98,8 +98,8 @@ def forces(name):
 def main():
     names = sorted(path.name for path in ROWS.glob("*.csv"))
     commits = sorted({row["commit"] for name in names for row in read(name)})
-    lines = ["`build/law_study cases > bench/results/moment/laws.csv`, `scripts/studies moment_windows` and "
-             f"`scripts/studies moment_study`, programs of commit {', '.join(commits)}, one thread. User times were taken on "
+    lines = ["`build/law_study cases > bench/results/moment/laws.csv`, `scripts/studies time_step_windows` and "
+             f"`scripts/studies time_step_study`, programs of commit {', '.join(commits)}, one thread. User times were taken on "
              "a shared machine and count for ratios only.", "", "### Each law", "",
              "Mean over time and bodies of the distance to the closed form, or to a moment 64 times shorter than the "
              "shortest; orders between each dt and its half. Contacts resolved to 1e-10 of the speed.", "", *laws(),
@@ -121,4 +121,4 @@ def main():
     for name in names:
         if name.startswith("forces_"):
             lines += forces(name)
-    replace_generated(PAGE, "moment_study", lines)
+    replace_generated(PAGE, "time_step_study", lines)

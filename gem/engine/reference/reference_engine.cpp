@@ -1,6 +1,6 @@
 // One time step:
 //   touches     found where the bodies stand at its start
-//   drag        every floe's velocity at the end of the time step, if nothing touches it; half of the platform's motion
+//   drive       every floe's velocity at the end of the time step, if nothing touches it; half of the platform's motion
 //   contacts    each pair alone, or all together: impulses on those velocities
 //   books       what the contacts did
 //   motion      floes with their new velocity; the other half of the platform's motion
@@ -31,7 +31,7 @@ void ReferenceEngine::one_step(StepLog& log) {
   state_.begin_step();
   std::vector<reference::Touch> touches =
       reference::all_touches(state_.bodies, rules_.scene.contact.manifold, rules_.contact_margin);
-  drag_floes(rules_, state_);
+  drive_floes(rules_, state_);
   move_platform_before(rules_, state_);
 
   StepQuality quality;

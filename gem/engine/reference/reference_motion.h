@@ -1,12 +1,12 @@
-// What bodies do without touching: drag, mooring, motion. Each function enters what it gives in the books.
+// What bodies do without touching: solo events, motion. Each function enters what it gives in the books.
 #pragma once
 
 #include "gem/engine/reference/reference_state.h"
 
 namespace gem::reference {
 
-/// Drag of the current on every floe over the time step: velocities at its end, before any contact.
-void drag_floes(const Rules& rules, State& s);
+/// Solo events of every floe over the time step, all that events.h lists: velocities at its end, before any contact.
+void drive_floes(const Rules& rules, State& s);
 
 /// The platform's own motion over half a time step: drag, then mooring before the contacts, the reverse after them.
 void move_platform_before(const Rules& rules, State& s);

@@ -8,7 +8,7 @@ scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # Exceptions: path, rule, word, reason. One that excuses nothing is itself reported.
 allowances=$(
   cat <<'END'
-gem/engine/step/step_constants.cpp bits exp once per run on the host; every engine is given the number
+gem/events/events.cpp bits exp once per run on the host; every engine is given the number
 gem/geometry/polygon.cpp bits atan2 checks the outline that a user gave, before the first moment
 gem/events/mooring.h bits exp once per run on the host; every engine is given the coefficients
 gem/events/mooring.h bits cos once per run on the host; every engine is given the coefficients

@@ -1,4 +1,5 @@
-// Choices between two numbers as the arithmetic of a step writes them: no branches, and one result for equal signs.
+// Choices between two numbers without branches. Time steps use them, since their result is defined for equal arguments
+// and signed zeros.
 #pragma once
 
 #include "gem/base/macros.h"

@@ -1,4 +1,4 @@
-// The one exception of the program: what is wrong, why, and what to do, with the exit code that a script sees.
+// The only exception type of the program: problem, reason, suggestion and exit code.
 #pragma once
 
 #include <stdexcept>
@@ -14,10 +14,10 @@ enum class ExitCode : int {
   device = 5,
   numerical_stop = 6,
   resource_limit = 7,
-  some_failed = 8,  // of several runs; each has its own reason
+  some_failed = 8,  // some of several runs failed; each has its own reason
 };
 
-/// A fault that a user can act on. `what()` is one line: problem (why) suggestion.
+/// An error that the user can act on. `what()` is one line: problem (why) suggestion.
 class Error : public std::runtime_error {
  public:
   Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}

@@ -1,5 +1,5 @@
-// Host, device and inlining macros: the one file that asks which compiler reads it. GEM_DEVICE marks what a CUDA
-// compiler builds for the device alone.
+// Host, device and inlining macros: the only file that asks which compiler reads it. GEM_DEVICE marks code that a CUDA
+// compiler builds for the device only.
 #pragma once
 
 #ifdef __CUDACC__
@@ -14,8 +14,8 @@
 #define GEM_INLINE inline __attribute__((always_inline))
 #define GEM_NOINLINE __attribute__((noinline))
 #define GEM_NO_UNROLL
-// of a host function, also built for wider registers: the same bits, as no fused multiply-add is among them. What
-// chooses at the program's start runs before the thread sanitizer is ready
+// GEM_CLONES: a host function is also built for AVX2. The bits are the same, since no fused multiply-add is used. Not
+// with the thread sanitizer: the function is selected at program start, before the sanitizer is ready.
 #ifdef __SANITIZE_THREAD__
 #define GEM_CLONES
 #else

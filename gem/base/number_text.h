@@ -1,4 +1,4 @@
-// Numbers to text and back, the same in any locale.
+// Numbers to text and back, independent of the locale.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace gem {
 
-/// Shortest text that reads back exactly, with a decimal point whatever the locale.
+/// Shortest text that reads back exactly, with a decimal point in any locale.
 inline std::string number_text(double value) {
   std::array<char, 32> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   return {buffer.data(), end};
 }
 
-/// The same with at most `digits` significant digits.
+/// Shortest text with at most `digits` significant digits.
 inline std::string number_text(double value, int digits) {
   std::array<char, 48> buffer;
   const auto end =
@@ -24,7 +24,7 @@ inline std::string number_text(double value, int digits) {
   return {buffer.data(), end};
 }
 
-/// With a fixed number of decimals, for people; values beyond 1e15 in exponent form.
+/// Text with a fixed number of decimals, for people; values above 1e15 in exponent form.
 inline std::string fixed_text(double value, int decimals) {
   std::array<char, 64> buffer;
   const bool huge = !(value < 1e15 && value > -1e15);
@@ -32,7 +32,7 @@ inline std::string fixed_text(double value, int decimals) {
   return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, decimals).ptr};
 }
 
-/// A whole text as one decimal number; nothing if any character is left over.
+/// The value of a text that is one whole decimal number; else nothing.
 inline std::optional<double> parse_number(std::string_view text) {
   double value = 0.0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);

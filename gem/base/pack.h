@@ -1,7 +1,7 @@
-// Eight floats that go through the same arithmetic side by side.
+// Eight floats with the same arithmetic, side by side.
 //
-// A function written for `Real` runs on one number and on a pack: every operation is IEEE and done lane by lane, so the
-// bits are the same.
+// A function template written for `Real` runs on one number and on a pack. Every operation is IEEE and lane by lane, so
+// the bits are the same.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace gem {
 
-// every function on packs is inlined: none is passed by a convention that depends on the processor
+// every function on packs is inlined, since the calling convention of packs depends on the processor
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 constexpr int float_lanes = 8;
@@ -24,7 +24,7 @@ GEM_INLINE FloatPack magnitude(FloatPack a) { return a < 0.0F ? -a : a; }
 
 typedef float FloatHalf __attribute__((vector_size(16)));
 
-/// Four floats from anywhere in memory beside four others.
+/// Four floats from one address and four from another.
 GEM_INLINE FloatPack side_by_side(const float* left, const float* right) {
   FloatHalf l, r;
   __builtin_memcpy(&l, left, sizeof l);
@@ -32,7 +32,7 @@ GEM_INLINE FloatPack side_by_side(const float* left, const float* right) {
   return __builtin_shufflevector(l, r, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// Turns four rows of four into four columns, in both halves.
+/// Transposes four rows of four into four columns, in both halves.
 GEM_INLINE void transpose_halves(FloatPack* r) {
   const FloatMask low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
   const FloatMask first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};

@@ -1,7 +1,7 @@
 // Counter-based random numbers: number `index` of a stream is a pure function of seed, stream, item and index.
 //
-// Philox4x32 with 10 rounds, key = seed, counter = (index, item, stream). No state, so the order of asking, the number
-// of threads and what else was drawn change nothing. Transforms use gem/base/strict_math.h, not the C library.
+// Philox4x32 with 10 rounds, key = seed, counter = (index, item, stream). There is no state, so the order of the calls,
+// the number of threads and other draws have no effect. Transforms use gem/base/strict_math.h, not the C library.
 #pragma once
 
 #include <Random123/philox.h>
@@ -14,7 +14,7 @@
 
 namespace gem {
 
-/// One stream of random numbers; `stream` says what for, `item` for which floe or attempt.
+/// One stream of random numbers. `stream` is its purpose, `item` a floe or an attempt.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint32_t stream, std::uint32_t item = 0)
@@ -27,7 +27,7 @@ class Random {
     const r123::Philox4x32::ctr_type out = r123::Philox4x32()(counter, key);
     return {join(out[0], out[1]), join(out[2], out[3])};
   }
-  /// Uniform in (0, 1): neither end is ever reached.
+  /// Uniform in (0, 1), without both ends.
   double uniform(std::uint64_t index) const { return to_uniform(bits(index)[0]); }
   /// Standard normal (Box and Muller).
   double normal(std::uint64_t index) const {
@@ -47,7 +47,7 @@ class Random {
   std::uint32_t item_;
 };
 
-/// A stream read in order: the next number each time.
+/// Reads a stream in order.
 class RandomSequence {
  public:
   explicit RandomSequence(Random random) : random_(random) {}

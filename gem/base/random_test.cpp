@@ -1,4 +1,4 @@
-// Random numbers and the hash: known values, time steps, independence of the order of asking.
+// Random numbers and the hash: known values, sensitivity to every argument, moments.
 #include "gem/base/random.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-/// A folder of a test's own: no other process sees its name, and it goes with the object.
+/// A temporary folder for one test, removed with the object.
 #pragma once
 
 #include <stdlib.h>
@@ -10,11 +10,11 @@
 
 namespace gem {
 
-/// An empty folder in the system's place for temporary files, removed with all that is in it.
-/// Tests of one program run side by side as processes of their own, so a fixed name would be shared by them.
+/// An empty folder in the system's temporary folder, removed with its contents. Its name is unique, since tests of one
+/// program run at the same time in several processes.
 class ScratchFolder {
  public:
-  /// `label` stands in its name. Throws std::runtime_error where no folder can be made.
+  /// `label` becomes part of the name. Throws std::runtime_error if the folder cannot be made.
   explicit ScratchFolder(const std::string& label = "gem") {
     std::string pattern = (std::filesystem::temp_directory_path() / (label + "-XXXXXX")).string();
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make the folder " + pattern);
@@ -25,7 +25,7 @@ class ScratchFolder {
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Writes `text` into a file of this name; returns its path.
+  /// Writes `text` to a file of this name; returns its path.
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(path_ / name, std::ios::binary) << text;
     return (path_ / name).string();

@@ -1,4 +1,4 @@
-// SHA-256 by the book: pad, then 64 rounds per block of 64 bytes.
+// SHA-256 as in the standard: padding, then 64 rounds per block of 64 bytes.
 #include "gem/base/sha256.h"
 
 #include <array>

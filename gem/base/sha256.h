@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4): the fingerprint of a resolved case.
+// SHA-256 (FIPS 180-4), used as the fingerprint of a resolved case.
 #pragma once
 
 #include <string>

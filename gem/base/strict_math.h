@@ -1,15 +1,15 @@
 // Logarithm, exponential, power and rotation from + - * / alone: the same bits on every compiler, processor and
 // accelerator.
 //
-// The library functions of two platforms round differently; these do not, because contraction is off and every
-// operation used is exact IEEE arithmetic. Relative errors, checked against extended precision:
+// The library functions of two platforms round differently. These functions do not: contraction is off, and they use
+// only exact IEEE operations. Relative errors, checked against extended precision:
 //
 //   log, log1p   4e-16 over all finite arguments, subnormals included
 //   exp          4e-16 where the result is a normal number
 //   power        (1 + |p ln x|) 4e-16: the rounding of p ln x is an absolute error of the exponent
 //   rotation     cosine and sine to 4e-16 absolute for an exact number of turns
 //
-// What is no number stays no number.
+// NaN stays NaN.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ GEM_HD inline double double_of(std::uint64_t bits) {
   return x;
 }
 
-/// 2 to the power n for a normal result.
+/// 2 to the power n, for a normal result.
 GEM_HD inline double power_of_two(std::int64_t n) { return double_of(static_cast<std::uint64_t>(n + 1023) << 52); }
 
 /// 2 atanh(t) for |t| <= 0.1716, by its odd series.
@@ -79,7 +79,7 @@ GEM_HD inline double log(double x) {
   return n * ln2_high + (twice_atanh((mantissa - 1.0) / (mantissa + 1.0)) + n * ln2_low);
 }
 
-/// ln(1 + z) for 0 <= z < short_argument: five terms are as good as all.
+/// ln(1 + z) for 0 <= z < short_argument, where five terms of the series reach full accuracy.
 constexpr double short_argument = 0.02;
 GEM_HD inline double log1p_short(double z) {
   const double t = z / (2.0 + z);
@@ -89,14 +89,14 @@ GEM_HD inline double log1p_short(double z) {
 
 /// ln(1 + z) for z >= 0, accurate for small z.
 GEM_HD inline double log1p(double z) {
-  if (z < short_argument) return log1p_short(z);  // the usual case of a short time step
+  if (z < short_argument) return log1p_short(z);  // the usual case: a short time step
   if (z < 0.25) return twice_atanh(z / (2.0 + z));
   const double sum = 1.0 + z;
   if (!(z < 0x1p53)) return log(sum);
-  return log(sum) + (z - (sum - 1.0)) / sum;  // the second term gives back what the rounding of 1 + z took
+  return log(sum) + (z - (sum - 1.0)) / sum;  // the second term corrects the rounding of 1 + z
 }
 
-/// e^y; 0 and infinity beyond the range of a double.
+/// e^y; 0 or infinity beyond the range of a double.
 GEM_HD inline double exp(double y) {
   if (!(y < 710.0)) return y * largest;
   if (y < -746.0) return 0.0;
@@ -105,7 +105,7 @@ GEM_HD inline double exp(double y) {
   const double r = (y - static_cast<double>(n) * ln2_high) - static_cast<double>(n) * ln2_low;
   double sum = 1.0;
   for (int k = 16; k >= 1; --k) sum = 1.0 + (r / k) * sum;
-  // two factors, because 2^n itself may lie outside the range of a normal number
+  // two factors, since 2^n itself may be outside the range of normal numbers
   const std::int64_t half = n / 2;
   return (sum * power_of_two(half)) * power_of_two(n - half);
 }
@@ -117,7 +117,7 @@ GEM_HD inline double power(double x, double p) {
   return exp(p * log(x));
 }
 
-/// The rotation by a number of full turns: quarter turns are exact.
+/// The rotation by a number of full turns; exact for quarter turns.
 GEM_HD inline Rotation rotation_of_turns(double turns) {
   turns -= std::floor(turns);
   const double quarter = std::floor(4.0 * turns + 0.5);

@@ -1,4 +1,4 @@
-// Strict functions: stated error bounds against extended precision over the whole range, exact values, odd arguments.
+// Strict functions: error bounds against extended precision over the whole range, exact values, special arguments.
 #include "gem/base/strict_math.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ double error(double computed, long double exact) {
   return static_cast<double>(std::fabs((static_cast<long double>(computed) - exact) / exact));
 }
 
-/// A positive number of any size: its logarithm is uniform between those of 2^low and 2^high.
+/// A positive number with a logarithm uniform between those of 2^low and 2^high.
 double any_size(RandomSequence& random, double low, double high) {
   return static_cast<double>(std::exp2(static_cast<long double>(random.uniform(low, high))));
 }
@@ -48,7 +48,7 @@ TEST(StrictMath, Log1pFromSubnormalToHuge) {
   double worst = 0.0;
   auto check = [&](double z) {
     const long double exact = std::log1p(static_cast<long double>(z));
-    // a subnormal result has a spacing of its own
+    // a subnormal result has a larger spacing
     if (z > 1e-300) {
       worst = std::max(worst, error(strict::log1p(z), exact));
     } else {

@@ -1,4 +1,4 @@
-// Plane vectors and unit rotations: values only, the same arithmetic on host and device.
+// Plane vectors and unit rotations, with the same arithmetic on host and device.
 #pragma once
 
 #include <cmath>
@@ -21,15 +21,15 @@ GEM_HD constexpr Vec2& operator-=(Vec2& a, Vec2 b) { return a = a - b; }
 
 GEM_HD constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 GEM_HD constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-/// spin x r: the velocity at arm r of a body that turns with `spin` [rad/s].
+/// spin x r: velocity at arm r of a body with `spin` [rad/s].
 GEM_HD constexpr Vec2 cross(double spin, Vec2 r) { return {-spin * r.y, spin * r.x}; }
-/// a turned a quarter turn counter-clockwise.
+/// The vector turned by 90 degrees counter-clockwise.
 GEM_HD constexpr Vec2 turned_left(Vec2 a) { return {-a.y, a.x}; }
-/// a turned a quarter turn clockwise: the outward normal of a counter-clockwise edge.
+/// The vector turned by 90 degrees clockwise: the outward normal of a counter-clockwise edge.
 GEM_HD constexpr Vec2 turned_right(Vec2 a) { return {a.y, -a.x}; }
 GEM_HD inline double length(Vec2 a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 
-/// A rotation kept as cosine and sine, so that a step needs no trigonometry.
+/// A rotation as cosine and sine, so that a time step needs no trigonometry.
 struct alignas(16) Rotation {
   double cosine = 1.0;
   double sine = 0.0;

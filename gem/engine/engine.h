@@ -1,4 +1,4 @@
-// What every engine offers: it moves a field in time and says what the platform felt.
+// The interface of every engine: it advances a field in time and reports the loads on the platform.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace gem {
 
-/// What the platform felt in one time step, and its state at the time step's end. Impulses act on the platform.
+/// Loads on the platform in one time step, and its state at the end of the step. Impulses act on the platform.
 struct PlatformStep {
   Vec2 position;  // [m]
   Rotation rotation;
@@ -35,32 +35,31 @@ struct ContactEvent {
   double time = 0.0;        // start of the time step [s]
   std::int32_t body_a = 0;  // the platform
   std::int32_t body_b = 0;
-  Vec2 point;  // world [m]
+  Vec2 point;  // in world axes [m]
   Vec2 normal;
   double closing_speed = 0.0;       // before the event [m/s]
   double impulse_normal = 0.0;      // [N s]
   double impulse_tangential = 0.0;  // along the normal turned left [N s]
   double effective_mass = 0.0;      // [kg]
-  double peak_force = 0.0;          // closed-form crushing peak (Popov) of the closing speed [N]
-  double width = 0.0;               // chord, 0 for a corner that only touches [m]
+  double peak_force = 0.0;          // crushing peak (Popov, closed form) for the closing speed [N]
+  double width = 0.0;               // chord; 0 for a corner contact without overlap [m]
   double growth = 0.0;              // chord growth with depth; 0: a flat contact [-]
   double depth = 0.0;               // overlap depth [m]
 };
 
-/// How well one time step was resolved.
+/// How well the contacts of one time step were resolved.
 struct StepQuality {
-  std::int32_t contacts = 0;     // points that touched at its start or carried an impulse
+  std::int32_t contacts = 0;     // points that overlap at the start of the step or carry an impulse
   std::int32_t iterations = 0;   // of the coupled solver
-  double residual = 0.0;         // largest speed that an event still asked for at the last iteration [m/s]
+  double residual = 0.0;         // largest speed that a point still asks for after the last iteration [m/s]
   double maximum_overlap = 0.0;  // deepest overlap depth at the start of the time step [m]
-  double maximum_share = 0.0;    // largest overlap over the size of the smaller body [-]
-  // once the events are done (contact_quality.h); NaN where not measured: `independent` time steps of the cuda engine
-  double complementarity = 0.0;  // largest change of normal velocity that a point still asked for [m/s]
+  double maximum_share = 0.0;    // largest overlap depth over the size (root of the area) of the smaller body [-]
+  // After the events, see contact_quality.h. NaN where not measured: `independent` time steps of the cuda engine.
+  double complementarity = 0.0;  // largest change of normal velocity that a point still asks for [m/s]
   double cone_excess = 0.0;      // largest friction impulse beyond Coulomb's bound [N s]
-  double energy_created = 0.0;  // net work of all contacts of the time step where it is > 0: no sum of what single ones
-                                // gave, which others of the same time step may outweigh [J]
+  double energy_created = 0.0;   // net work of all contacts if > 0, else 0; a gain at one contact can hide in it [J]
 
-  /// Keeps the worse of each.
+  /// Keeps the worse value of each member.
   void worsen(const StepQuality& other) {
     contacts = std::max(contacts, other.contacts);
     iterations = std::max(iterations, other.iterations);
@@ -73,18 +72,18 @@ struct StepQuality {
   }
 
  private:
-  /// The larger; no number if either is none.
+  /// The larger value; NaN if either is NaN.
   static double worse(double a, double b) { return a < b || b != b ? b : a; }
 };
 
-/// Filled by advance(): one entry of `platform` and `quality` per time step, events in time and id order.
+/// Filled by advance(): one entry of `platform` and `quality` per time step; events in order of time and body id.
 struct StepLog {
   bool wants_events = true;
   std::vector<PlatformStep> platform;
   std::vector<StepQuality> quality;
   std::vector<ContactEvent> events;
   OverlapCount overlap;        // depth of every overlap at the start of every time step [m]
-  OverlapCount overlap_share;  // the same over the size (root of the area) of the smaller body [-]
+  OverlapCount overlap_share;  // overlap depth over the size (root of the area) of the smaller body [-]
   void clear() {
     platform.clear();
     quality.clear();
@@ -94,12 +93,12 @@ struct StepLog {
   }
 };
 
-/// Everything that a run needs to go on with the same bits.
+/// All state that a run needs to continue with the same bits.
 struct EngineState {
   std::int64_t step = 0;
   Bodies bodies;
   Ledger ledger;
-  std::vector<std::uint64_t> impulse_key;  // warm start of `coupled`: contact identity, ascending
+  std::vector<std::uint64_t> impulse_key;  // warm start of `coupled`: contact keys, ascending
   std::vector<PointImpulse<double>> impulse_value;
 };
 
@@ -107,56 +106,57 @@ class Engine {
  public:
   virtual ~Engine() = default;
   virtual std::string name() const = 0;
-  /// How contacts are resolved, for the record; empty: as the scene's contact.solver says.
+  /// How contacts are resolved, for the record. Empty: as contact.solver of the scene says.
   virtual std::string method() const { return {}; }
-  /// What it runs on besides the processor, for the run file; empty: nothing.
+  /// The accelerator it runs on, for the run file. Empty: none.
   virtual std::string device() const { return {}; }
-  /// Moves the field on by `steps` time steps and appends to `log`. Throws Error(numerical_stop) at a non-finite state.
+  /// Advances the field by `steps` time steps and appends to `log`. Throws Error(numerical_stop) if the state is not
+  /// finite.
   virtual void advance(std::int64_t steps, StepLog& log) = 0;
-  /// Time steps done since t = 0; time is time step() * moment_s.
+  /// Time steps done since t = 0; the time is step() * numerics.time_step_s.
   virtual std::int64_t step() const = 0;
   /// State after the last time step.
   virtual const Bodies& bodies() = 0;
-  /// The books since t = 0.
+  /// The ledger since t = 0.
   virtual Ledger ledger() = 0;
   virtual EngineState save() = 0;
   virtual void restore(const EngineState& state) = 0;
-  /// Hash of the whole moving state: same bits, same hash.
+  /// Hash of the moving state, see hash_of().
   std::uint64_t state_hash();
 };
 
-/// Hash of a moving state: same bits, same hash.
+/// Hash of positions, rotations, velocities, active flags and the step number: the same bits give the same hash.
 std::uint64_t hash_of(std::int64_t step, const Bodies& bodies);
 
 struct EngineOptions {
-  std::string name = "cpu";                         // reference | cpu | cuda
-  int threads = 0;                                  // 0: all that the machine offers
-  std::size_t contacts_worth_a_thread = 256;        // coupled: fewer for each thread are iterated by one
-  int device = -1;                                  // cuda: index of the GPU; -1: the first that can be used
+  std::string name = "cpu";                   // reference | cpu | cuda
+  int threads = 0;                            // 0: all threads of the machine
+  std::size_t contacts_worth_a_thread = 256;  // coupled: with fewer per thread, one thread iterates (chosen by hand)
+  int device = -1;                            // cuda: index of the GPU; -1: the first that can be used
   std::vector<std::string> baseline_settings = {};  // KEY=VALUE, for a registered baseline to read
 };
 
-/// Makes the named engine for a scene and its field.
+/// Makes the named engine for a scene and its field. Throws Error(usage) for an unknown name.
 std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options);
 
-/// The engines that run on every machine, for messages and for tests; make_engine also knows cuda.
+/// Engines that run on every machine, for messages and tests. make_engine() also knows cuda.
 std::vector<std::string> engine_names();
 
-/// Makes one engine that is built outside gem/engine.
+/// Makes an engine that is built outside gem/engine.
 using BaselineMaker = std::function<std::unique_ptr<Engine>(const SceneDef&, Bodies, const EngineOptions&)>;
 
 /// A setting of a baseline that the command line offers.
 struct BaselineSetting {
   std::string key;      // as in baseline_settings
-  std::string flag;     // its option of the command line; empty: --experiment KEY=VALUE
-  std::string preset;   // the value if nothing is said
+  std::string flag;     // its command line option; empty: --experiment KEY=VALUE
+  std::string preset;   // default value
   std::string meaning;  // one line for --help
 };
 
-/// Makes a baseline known to make_engine: another program's physics, judged by its own rows. Not for several threads.
+/// Makes a baseline (the physics of another program) known to make_engine(). Not thread-safe.
 void register_baseline(const std::string& name, BaselineMaker make, std::vector<BaselineSetting> settings = {});
 
-/// Names of the registered baselines, which engine_names() leaves out: they share no bits with gem's engines.
+/// Names of the registered baselines. They are not in engine_names(), since their results differ from gem's engines.
 std::vector<std::string> baseline_names();
 
 /// The settings of all registered baselines.

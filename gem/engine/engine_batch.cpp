@@ -1,4 +1,4 @@
-// A batch on a GPU, and a batch of single engines.
+// A batch of scenes on a GPU, and a batch of single engines.
 #include "gem/engine/engine_batch.h"
 
 #include <exception>
@@ -15,7 +15,7 @@ class CudaMember : public Engine {
   std::string name() const override { return "cuda"; }
   std::string device() const override { return batch_.device().name + ", " + batch_.device().driver; }
   void advance(std::int64_t, StepLog&) override {
-    throw Error(ExitCode::usage, "a scene of a batch cannot be moved on by itself");
+    throw Error(ExitCode::usage, "a scene of a batch cannot be advanced on its own");
   }
   std::int64_t step() const override { return batch_.step(scene_); }
   const Bodies& bodies() override { return batch_.bodies(scene_); }

@@ -1,4 +1,4 @@
-// Many scenes that are moved on together, where an engine gains by that.
+// Several scenes that advance together, on a GPU side by side.
 #pragma once
 
 #include <exception>
@@ -15,15 +15,16 @@ class EngineBatch {
  public:
   virtual ~EngineBatch() = default;
   virtual std::size_t size() const = 0;
-  /// Moves scene k on by no more than ahead[k].most, by fewer where that keeps the engine busier, and appends to
-  /// logs[k]. Returns what stopped each scene, null for most: Error(numerical_stop) where its state is no number.
+  /// Advances scene k by at most ahead[k].most time steps and appends to logs[k]. It may do fewer steps where that
+  /// keeps the GPU busier. Returns one exception per scene: null, or Error(numerical_stop) if the state of that scene
+  /// is not finite.
   virtual std::vector<std::exception_ptr> advance(const std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs) = 0;
-  /// One scene as it stands; its own advance() is not to be called.
+  /// One scene in its current state. Do not call its advance().
   virtual Engine& engine(std::size_t scene) = 0;
 };
 
-/// Scenes on a GPU for "cuda", else one engine of that name for each, one after another. Throws like make_engine, and
-/// Error(resource_limit) where the GPU's memory is too small for so many.
+/// For "cuda": all scenes on one GPU. For other engines: one engine per scene, run one after another. Throws like
+/// make_engine(), and Error(resource_limit) if the scenes do not fit in the memory of the GPU.
 std::unique_ptr<EngineBatch> make_engine_batch(std::vector<BatchScene> scenes, const EngineOptions& options);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// Where engines are made: one line each.
+// Makes engines by name.
 #include <algorithm>
 #include <thread>
 #include <utility>

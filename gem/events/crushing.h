@@ -7,11 +7,11 @@
 //   duration   t_c = (z_m / v) sqrt(pi) Gamma(1 + 1/n) / Gamma(1/2 + 1/n)   (to zero closing speed)
 //
 //   P0  pressure on 1 m2 [Pa]      ex  pressure-area exponent [-], -0.9 to 0.5; ice: -0.7 to 0      h  thickness [m]
-//   g   chord growth, cot + cot of the angles between the chord and the two sides [-]; 0 stands for a flat contact
-//   L   longest chord possible [m]   E  crushing energy, m_e v^2 / 2 [J]          v  closing speed [m/s]
+//   g   chord growth, cot + cot of the angles between the chord and the two sides [-]; 0: a flat contact
+//   L   longest possible chord [m]   E  crushing energy, m_e v^2 / 2 [J]          v  closing speed [m/s]
 //
-// Source: Popov 1967 as updated with a pressure-area relation by Daley 1999. Valid for vertical sides; neglected:
-// splitting, bending, the turn of the bodies during the event.
+// Source: Popov 1967 with a pressure-area relation after Daley 1999. Valid for vertical sides. Neglected: splitting,
+// bending, the rotation of the bodies during the event.
 #pragma once
 
 #include <cmath>
@@ -79,7 +79,9 @@ GEM_HD inline CrushingPeak crushing_peak(const CrushingIce& ice, double growth, 
   return {corner_depth + flat.depth, flat.force};
 }
 
-/// Time from first touch to zero closing speed for F = K z^(n-1): n = 2 + ex for a corner, 1 for a flat contact [s].
+/// Time from first contact to zero closing speed for F = K z^(n-1): n = 2 + ex for a corner, 1 for a flat contact [s].
+/// No run calls it, since an event takes no time; the closed-form tests do. Host only: the gamma functions of the C
+/// library are not bit-reproducible.
 inline double crushing_duration(double depth, double closing_speed, double n) {
   const double gamma_ratio = std::exp(std::lgamma(1.0 + 1.0 / n) - std::lgamma(0.5 + 1.0 / n));
   return depth / closing_speed * std::sqrt(M_PI) * gamma_ratio;

@@ -1,4 +1,4 @@
-// Crushing: the table of worked cases, the change from corner to flat, energy as the integral of the force.
+// Crushing: a table of worked cases, the transition from corner to flat, energy as the integral of the force.
 #include "gem/events/crushing.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(Crushing, CornerTurnsFlatWithoutAStep) {
   const CrushingPeak above = crushing_peak(ice, growth, longest, corner_energy * (1.0 + 1e-9));
   EXPECT_NEAR(below.depth / above.depth, 1.0, 1e-8);
   EXPECT_NEAR(below.force / above.force, 1.0, 1e-8);
-  // from there on the force stays what the longest chord can carry
+  // beyond it the force is constant: that of the longest chord
   const CrushingPeak deep = crushing_peak(ice, growth, longest, 10.0 * corner_energy);
   EXPECT_DOUBLE_EQ(deep.force, crushing_force(ice, longest));
   EXPECT_NEAR(deep.depth, longest / growth + 9.0 * corner_energy / deep.force, 1e-12);
@@ -75,7 +75,7 @@ TEST(Crushing, EnergyIsTheIntegralOfTheForce) {
       const double depth = (i + 0.5) / steps * peak.depth;
       work += crushing_force(ice, std::fmin(growth * depth, longest)) * peak.depth / steps;
     }
-    // the midpoint rule near the start of z^0.7: first cell wrong by a few percent of (1/steps)^1.7
+    // the midpoint rule near the start of z^0.7: the first cell is wrong by a few percent of (1/steps)^1.7
     EXPECT_NEAR(work / asked, 1.0, 1e-8);
   }
 }

@@ -21,17 +21,17 @@ struct CurrentDef {
   Vec2 velocity_m_per_s = {0.25, 0.0};
 };
 
-/// What the water does to floes.
+/// Definition of the water drag on floes.
 struct WaterDef {
   double density_kg_per_m3 = 1025.0;
   DragLaw drag_law = DragLaw::quadratic;
   double form_coefficient = 1.0;   ///< C_f, on sqrt(area) x draft
   double skin_coefficient = 5e-3;  ///< C_s, on the area
   double linear_time_s = 100.0;    ///< tau of the linear law
-  bool spin_drag = true;           ///< the same terms slow the spin
+  bool spin_drag = true;           ///< the drag also slows the spin
 };
 
-/// Slip after a time step, and how much shorter its path is than (slip after) x dt would say.
+/// Slip after a time step, and the correction of its path.
 struct DragSolution {
   Vec2 slip;             // after the time step [m/s]
   Vec2 path_correction;  // integral of the slip over the time step minus slip x dt [m]
@@ -45,10 +45,10 @@ struct SpinDragSolution {
 /// z of the quadratic law.
 GEM_HD inline double drag_reach(double k, double speed, double dt) { return k * speed * dt; }
 
-/// What the quadratic law makes of a slip, both in proportion to it.
+/// Factors of a slip in the quadratic law.
 struct DragShares {
-  double left;             // after the time step
-  double path_correction;  // [s]
+  double left;             // share of the slip after the time step [-]
+  double path_correction;  // path correction per slip [s]
 };
 
 /// `log`: ln(1 + z), z > 0.
@@ -78,7 +78,7 @@ GEM_HD inline SpinDragSolution spin_drag_quadratic(double k, double spin, double
   return shared_out(drag_shares(z, strict::log1p(z), dt), spin);
 }
 
-/// Linear law with rate = 1/tau [1/s]; `decay` is e^(-rate dt), the same for all floes and time steps.
+/// Linear law with rate = 1/tau [1/s]; `decay` is e^(-rate dt), equal for all floes and time steps.
 GEM_HD inline DragSolution drag_linear(double rate, Vec2 slip, double decay, double dt) {
   return {decay * slip, ((1.0 - decay) / rate - decay * dt) * slip};
 }

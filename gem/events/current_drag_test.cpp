@@ -11,7 +11,7 @@ namespace {
 constexpr double drag_rate = 0.0745;
 constexpr Vec2 slip0{0.3, -0.4};
 
-/// Path of the slip over a time step: what it would be at its final value, and the correction.
+/// Path of the slip over a time step: (final slip) x dt plus the correction.
 Vec2 path(const DragSolution& drag, double dt) { return drag.path_correction + dt * drag.slip; }
 
 TEST(CurrentDrag, QuadraticMatchesItsClosedForm) {
@@ -69,7 +69,8 @@ TEST(CurrentDrag, NoSlipNoDrag) {
 }
 
 TEST(CurrentDrag, SmallSlipLosesNoDigits) {
-  // the correction is the difference of two nearly equal numbers: dt (z/2 + ...) with an error of a few units of dt
+  // the correction is the difference of two nearly equal numbers: dt (z/2 + ...) with an error of a few rounding units
+  // of dt
   const double dt = 0.05, z = drag_rate * 1e-9 * dt;
   const DragSolution drag = drag_quadratic(drag_rate, {1e-9, 0.0}, 1e-9, dt);
   EXPECT_NEAR(drag.path_correction.x, dt * 0.5 * z * 1e-9, 1e-15 * dt * 1e-9);

@@ -1,4 +1,4 @@
-// What is worked out of the definitions once per run.
+// Constants that are derived from the definitions once per run.
 #include "gem/events/events.h"
 
 #include <cmath>

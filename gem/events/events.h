@@ -1,7 +1,7 @@
 // The list of all events. Solo events act on one body, pair events on two. Engines include this file and no other law.
 //
-// A new law is a header beside this one, with its definition and its test; here it gets one member (EventDefinitions)
-// and one call (floe_events, platform_events or pair_impulse); its keys go into the schema. No engine file changes: see
+// A new law is a header in this folder with its definition, and a test. Here it gets one member (EventDefinitions) and
+// one call (floe_events, platform_events or pair_impulse); its keys go into the schema. No engine file changes: see
 // "How to add a law" in gem/manual/architecture.md.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include "gem/events/current_drag.h"     // solo: water drag on a floe
 #include "gem/events/elastic_contact.h"  // pair: static stress
 #include "gem/events/impact.h"           // pair: plastic impact with friction
-#include "gem/events/mass_reduction.h"   // pair: mass reduction factor, effective mass
+#include "gem/events/mass_reduction.h"   // pair: effective mass
 #include "gem/events/mooring.h"          // solo: platform on its mooring
 #include "gem/events/motion.h"           // solo: motion
 #include "gem/events/platform_drag.h"    // solo: water drag on the platform
@@ -18,7 +18,7 @@
 
 namespace gem {
 
-/// What a case says of each law: the sections of a case file that bear these names.
+/// The definitions of all laws: the sections of a case file with these names.
 struct EventDefinitions {
   CurrentDef current;
   WaterDef water;
@@ -28,36 +28,36 @@ struct EventDefinitions {
   ContactDef contact;
 };
 
-/// The platform as the laws see it.
+/// The platform's properties that the laws read.
 struct PlatformInEvents {
   Vec2 anchor;            // [m]
   double mass = 0.0;      // [kg]
   double diameter = 0.0;  // [m]
 };
 
-/// The laws of one run: their definitions, and what is worked out of them once. Plain values, copied to any device.
+/// The laws of one run: their definitions and the constants derived from them. Plain values, copied to any device.
 struct Events : EventDefinitions {
   double dt = 0.0;            // time step [s]
-  double linear_decay = 1.0;  // of the linear drag: e^(-dt/tau)
+  double linear_decay = 1.0;  // e^(-dt/tau) of the linear drag
 
   bool platform_present = false;
   Vec2 anchor;               // [m]
   MooringFlow half_mooring;  // over dt / 2
   bool mooring_damped = false;
   double platform_drag_rate = 0.0;  // [1/m]; 0: none
-  Vec2 platform_water;              // velocity of the water that damps the platform [m/s]
+  Vec2 platform_water;              // velocity of the water around the platform, for its drag [m/s]
 };
 
-/// `platform`: null where there is none. `dt` [s]. Host only, once per run.
+/// Returns the laws of a run. `platform`: null without a platform; `dt` in [s]. Host only, once per run.
 Events make_events(const EventDefinitions& definitions, const PlatformInEvents* platform, double dt);
 
 // ---- solo events of a floe
 
-/// A floe at the start of a time step: all that a solo event may ask for.
+/// A floe at the start of a time step: all that solo events may read.
 struct FloeInEvents {
   double mass, inertia;    // [kg], [kg m2]
   double area, thickness;  // [m2], [m]
-  double drag, spin_drag;  // coefficients of the drag law [1/m], [-]; linear: 1/tau [1/s]
+  double drag, spin_drag;  // quadratic law: k [1/m] and spin coefficient [-]; linear law: 1/tau [1/s]
   Vec2 position, velocity;
   double spin;  // [rad/s]
 };
@@ -66,11 +66,11 @@ struct FloeInEvents {
 struct FloeKick {
   Vec2 velocity;                  // [m/s]
   double spin = 0.0;              // [rad/s]
-  Vec2 path_correction;           // exact path of the events minus velocity x dt [m]
+  Vec2 path_correction;           // exact path under the events minus velocity x dt [m]
   double angle_correction = 0.0;  // [rad]
 };
 
-/// What the current makes of a floe's slip and spin.
+/// The effect of the current on slip and spin of a floe.
 struct FloeDrag {
   DragSolution slip;
   SpinDragSolution spin;
@@ -93,14 +93,14 @@ GEM_HD inline FloeDrag floe_drag(const Events& e, const FloeInEvents& floe) {
 /// Whether floes have any solo event in this run.
 GEM_HD inline bool acts_on_floes(const Events& e) { return e.water.drag_law != DragLaw::none; }
 
-/// All solo events of one floe over a time step, a call for each law. `drag` is floe_drag() of the same floe: a loop
-/// over many floes may work that out for several at a time.
+/// All solo events of one floe over a time step, one call per law. `drag` is floe_drag() of the floe; a loop over many
+/// floes may compute it for several at a time.
 GEM_HD inline FloeKick floe_events(const Events& e, const FloeInEvents&, const FloeDrag& drag) {
   return {e.current.velocity_m_per_s - drag.slip.slip, drag.spin.spin, -drag.slip.path_correction,
           drag.spin.angle_correction};
 }
 
-/// Enters what the solo events gave a floe in the book of the water.
+/// Books what the water gave to a floe.
 GEM_HD inline void book_kick(Quantity& book, const FloeInEvents& floe, const FloeKick& kick) {
   const Vec2 impulse = floe.mass * (kick.velocity - floe.velocity);
   const double twist = floe.inertia * (kick.spin - floe.spin);
@@ -111,7 +111,7 @@ GEM_HD inline void book_kick(Quantity& book, const FloeInEvents& floe, const Flo
 
 // ---- solo events of the platform
 
-/// The platform in its own motion, with the books of that motion.
+/// The platform's state, and the books of its own motion.
 struct PlatformMotion {
   double mass;     // [kg]
   Vec2& position;  // [m]
@@ -148,21 +148,21 @@ GEM_HD inline void platform_on_mooring(const Events& e, const PlatformMotion& p)
         0.5 * p.mass * dot(p.velocity, p.velocity) + 0.5 * stiffness * dot(offset, offset) - energy;
 }
 
-/// The platform's solo events up to the instant of the pair events: half a time step, drag first.
+/// The platform's solo events up to the pair events: half a time step, drag first.
 GEM_HD inline void platform_events_before(const Events& e, const PlatformMotion& p) {
   if (!e.platform_present) return;
   platform_in_water(e, p);
   platform_on_mooring(e, p);
 }
 
-/// The other half, in the reverse order.
+/// The platform's solo events after the pair events: half a time step, mooring first.
 GEM_HD inline void platform_events_after(const Events& e, const PlatformMotion& p) {
   if (!e.platform_present) return;
   platform_on_mooring(e, p);
   platform_in_water(e, p);
 }
 
-/// Enters what shifting the platform from `position` does to the mooring's energy and to the angular momentum.
+/// Books the change of mooring energy and angular momentum when the platform is shifted from `position`.
 GEM_HD inline void book_platform_shift(const Events& e, double mass, Vec2 position, Vec2 velocity, Vec2 shift,
                                        Quantity& book) {
   const Vec2 offset = position - e.anchor;
@@ -172,21 +172,21 @@ GEM_HD inline void book_platform_shift(const Events& e, double mass, Vec2 positi
 
 // ---- pair events
 
-/// Largest impulse of a point that nothing limits [N s].
+/// Impulse limit of a point without a limit [N s].
 constexpr double no_cap = 1e300;
 
-/// Friction coefficient of a pair; floe against platform, or ice against ice.
+/// Friction coefficient of a pair: floe on platform, or ice on ice.
 GEM_HD inline double friction_of_pair(const Events& e, bool with_platform) {
   return with_platform ? e.ice.friction_structure : e.ice.friction_ice;
 }
 
-/// The ice of a pair that crushes, `thickness` [m] thick.
+/// Crushing parameters of the ice of a pair, `thickness` [m].
 GEM_HD inline CrushingIce crushing_ice(const Events& e, double thickness) {
   return {e.ice.crushing_pressure_Pa, e.ice.pressure_area_exponent, thickness};
 }
 
-/// Impulse of one point from the velocity that it would have without: normal u_n, tangential u_t, least normal velocity
-/// after the event `target` [m/s].
+/// Impulse of one point from the normal velocity u_n and tangential velocity u_t without it; `target`: smallest normal
+/// velocity after the event [m/s].
 GEM_HD inline ContactImpulse pair_impulse(const Events& e, const ContactCompliance& compliance, double friction,
                                           double u_n, double u_t, double target) {
   if (!(friction > 0.0)) return {impact_frictionless(compliance.nn, u_n, target), 0.0};
@@ -195,8 +195,8 @@ GEM_HD inline ContactImpulse pair_impulse(const Events& e, const ContactComplian
   return impact_one_step(compliance, u_n, u_t, target, friction);
 }
 
-/// Separating speed that the elastic stress of one point may ask for [m/s]; at most what crushing allows. `depth` and
-/// `width` of the contact, `thickness` of its ice [m], `compliance` 1/effective mass [1/kg].
+/// Separating speed that the elastic stress of one point asks for, limited by crushing [m/s]. `depth` and `width` of
+/// the contact and `thickness` of its ice in [m]; `compliance` is 1/effective mass [1/kg].
 GEM_HD inline double static_stress_speed(const Events& e, double depth, double compliance, double width,
                                          double thickness) {
   const double asked = elastic_separating_speed(e.contact.elastic_stiffness_N_per_m, depth, 1.0 / compliance, e.dt);
@@ -206,10 +206,9 @@ GEM_HD inline double static_stress_speed(const Events& e, double depth, double c
   return asked < cap ? asked : cap;
 }
 
-/// Largest impulse that one of `points` points of a contact can carry in a time step: it crushes the smaller body, of
-/// `smaller_area` [m2], across its whole size [N s]. `ice_crushes`: one of the two is a floe. The power of the law is
-/// only worked out for a point that carried an impulse of its order a time step ago; a bound from below does for all
-/// others.
+/// Largest impulse of one of `points` points of a contact in a time step [N s]: the impulse that crushes the smaller
+/// body, of `smaller_area` [m2], across its whole size. `ice_crushes`: one of the bodies is a floe. The power in the
+/// law is evaluated only for a point whose last impulse was of this order. For other points a lower bound is enough.
 GEM_HD inline double largest_impulse(const Events& e, bool ice_crushes, double thickness, double smaller_area,
                                      int points, double last_impulse) {
   if (!e.contact.crushing_limit || !ice_crushes) return no_cap;

@@ -1,23 +1,23 @@
-// Fully inelastic impact of a pair with Coulomb friction: the impulse that takes away the closing velocity.
+// Fully inelastic impact of a pair with Coulomb friction: the impulse that removes the closing velocity.
 //
-// The relative velocity (u_n, u_t) of B against A at the contact answers an impulse (P_n, P_t) on B by
+// An impulse (P_n, P_t) on B changes the velocity (u_n, u_t) of B relative to A at the contact:
 //     u_n' = u_n + k_nn P_n + k_nt P_t,    u_t' = u_t + k_nt P_n + k_tt P_t.
 //
 //   frictionless     P_n = (target - u_n) / k_nn                               J = M_e V_n  (Popov 1967; Daley 1999)
 //   one_step         stick (u_t' = 0) if |P_t| <= mu P_n, else slip with P_t = -mu P_n sign(u_t'): Coulomb's law for
 //                    the velocity after the event
-//   fixed_direction  P_t = -mu P_n sign(u_t): friction against the motion before the event, as the reference paper
-//                    words it; it may push a slip past zero and, where mu |k_nt| comes near k_nn, even add
-//                    energy, which the ledger then shows; one_step never does
+//   fixed_direction  P_t = -mu P_n sign(u_t): friction against the motion before the event, as in the reference paper.
+//                    It may push a slip past zero. Where mu |k_nt| is close to k_nn it may even add energy, which the
+//                    ledger shows. one_step never does.
 //
 //   u_n     normal velocity, < 0 closing; u_t along the normal turned left                [m/s]
 //   target  normal velocity after the event: 0 for a plastic impact                       [m/s]
 //   mu      friction coefficient                                                          [-]
 //   k_..    compliance (mass_reduction.h)                                                 [1/kg]
 //
-// Valid for mu below about 1.1 for compact outlines; above, a sliding corner may have no answer (k_nn - mu |k_nt| <= 0,
-// Painleve): one_step then sticks, fixed_direction drops the friction. Neglected: restitution (the paper has none),
-// growth of the arm during the event.
+// Valid for mu below about 1.1 for compact outlines. Above, a sliding corner may have no solution (k_nn - mu |k_nt| <=
+// 0, Painleve); one_step then sticks, fixed_direction drops the friction. Neglected: restitution (the paper has none),
+// and the change of the arms during the event.
 #pragma once
 
 #include "gem/base/vec2.h"
@@ -62,14 +62,14 @@ GEM_HD constexpr ContactImpulse impact_one_step(const ContactCompliance& k, doub
   const ContactImpulse sticking = detail::stick(k, u_n, u_t, target);
   const double limit = mu * sticking.normal;
   if (sticking.normal >= 0.0 && sticking.tangential <= limit && sticking.tangential >= -limit) return sticking;
-  // the slip that is left points against the tangential impulse that sticking would have needed
+  // the remaining slip is opposite to the tangential impulse that sticking would have needed
   const double direction = sticking.tangential > 0.0 ? -1.0 : 1.0;
   ContactImpulse impulse;
   if (detail::slip(k, u_n, target, mu, direction, impulse)) return impulse;
   return sticking.normal > 0.0 ? sticking : ContactImpulse{impact_frictionless(k.nn, u_n, target), 0.0};
 }
 
-/// Impulse with friction in the direction fixed by the motion before the event.
+/// Impulse with friction against the tangential velocity before the event.
 GEM_HD constexpr ContactImpulse impact_fixed_direction(const ContactCompliance& k, double u_n, double u_t,
                                                        double target, double mu) {
   if (!(u_n < target)) return {};
@@ -80,7 +80,7 @@ GEM_HD constexpr ContactImpulse impact_fixed_direction(const ContactCompliance& 
   return impulse;
 }
 
-/// Energy that an impulse takes: the mean of the velocities before and after times the impulse; <= 0 is lost [J].
+/// Work of an impulse: impulse times the mean of the velocities before and after; <= 0: energy lost [J].
 GEM_HD constexpr double impulse_work(double impulse, double before, double after) {
   return 0.5 * impulse * (before + after);
 }

@@ -1,4 +1,4 @@
-// Impact: worked cases, the border of stick and slip, and the laws of contact on random impacts.
+// Impact: worked cases, the transition from stick to slip, and the contact laws on random impacts.
 #include "gem/events/impact.h"
 
 #include <gtest/gtest.h>
@@ -73,14 +73,14 @@ TEST(Impact, BorderOfStickAndSlip) {
 }
 
 TEST(Impact, FixedDirectionMayPushPastZero) {
-  // no coupling: slip 0.1 against friction that could take 1.0
+  // no coupling: slip 0.1 against friction that could remove 1.0
   const ContactCompliance k{1.0, 1.0, 0.0};
   const ContactImpulse fixed = impact_fixed_direction(k, -1.0, 0.1, 0.0, 1.0);
   EXPECT_DOUBLE_EQ(fixed.normal, 1.0);
   EXPECT_DOUBLE_EQ(fixed.tangential, -1.0);
   EXPECT_DOUBLE_EQ(after(k, {-1.0, 0.1}, fixed).tangential, -0.9);
   EXPECT_DOUBLE_EQ(impact_one_step(k, -1.0, 0.1, 0.0, 1.0).tangential, -0.1);
-  // without motion along the face there is no direction to oppose
+  // without tangential motion there is no direction to oppose
   EXPECT_EQ(impact_fixed_direction(k, -1.0, 0.0, 0.0, 1.0).tangential, 0.0);
 }
 
@@ -121,7 +121,7 @@ TEST(Impact, RandomOneStepObeysCoulombAndLosesEnergy) {
   }
   EXPECT_GT(sticks, 5000);
   EXPECT_GT(slips, 5000);
-  EXPECT_GT(jams, 5000);  // where slipping one way has no answer the other answers hold all the same
+  EXPECT_GT(jams, 5000);  // the law also holds for impacts where slip in one direction has no solution
 }
 
 TEST(Impact, RandomFixedDirectionObeysItsLaw) {
@@ -143,7 +143,7 @@ TEST(Impact, RandomFixedDirectionObeysItsLaw) {
 }
 
 TEST(Impact, JammedCornerSticksOrLosesItsFriction) {
-  // k_nn - mu k_nt < 0: friction of this sign would dig the corner in, so slipping that way has no answer
+  // k_nn - mu k_nt < 0: friction in this direction would dig the corner in, so that slip has no solution
   const ContactCompliance k{1.0, 1.5, 1.2};
   const double mu = 1.0;
   RandomSequence random(Random(23, 0));

@@ -1,51 +1,46 @@
 // Mass reduction factor and effective mass of a collision in the plane.
 //
-// R = (l^2 + m^2)/(1 + a) + eta^2 / (r^2 (1 + a_yaw)),   M_e = M / R        (Popov 1967; Daley 1999)
+// R = l^2 + m^2 + eta^2 / r^2,   M_e = M / R        (Popov 1967; Daley 1999)
 //
 //   l, m   direction cosines of the contact normal; l^2 + m^2 = 1                        [-]
 //   eta    moment arm of the normal about the centroid, eta = arm x normal               [m]
 //   r^2    squared radius of gyration, inertia / mass                                    [m2]
-//   a      added mass, a_yaw added inertia, as fractions of the body's own; 0 in the paper [-]
 //
-// Valid for a rigid body and a contact short against its motion. A fixed body has inverse masses 0 and no finite R.
+// Valid for a rigid body and a contact of short duration. A fixed body has inverse masses 0 and no finite R. Neglected:
+// added mass of floes, which the paper sets to 0. The added mass of the platform is part of platform.mass_kg.
 #pragma once
 
 #include "gem/base/vec2.h"
 
 namespace gem {
 
-/// A body as a collision sees it: how easily it moves and turns.
+/// Inverse mass and inertia of a body in a collision.
 struct CollisionMass {
   double inverse_mass = 0.0;     // [1/kg]
   double inverse_inertia = 0.0;  // [1/(kg m2)]
 };
 
-/// R of one body. `radius_of_gyration2` is r^2 [m2].
-GEM_HD constexpr double mass_reduction_factor(Vec2 normal, Vec2 arm, double radius_of_gyration2,
-                                              double added_mass = 0.0, double added_inertia = 0.0) {
+/// R of one body, in the paper's formulation. `radius_of_gyration2` is r^2 [m2]. No run calls it: runs use R / M, see
+/// inverse_effective_mass(), which is also valid for fixed bodies. The closed-form tests compare both.
+GEM_HD constexpr double mass_reduction_factor(Vec2 normal, Vec2 arm, double radius_of_gyration2) {
   const double eta = cross(arm, normal);
-  return dot(normal, normal) / (1.0 + added_mass) + eta * eta / (radius_of_gyration2 * (1.0 + added_inertia));
+  return dot(normal, normal) + eta * eta / radius_of_gyration2;
 }
 
-/// The same body with its added mass and inertia: what the impulse has to move.
-GEM_HD constexpr CollisionMass with_added_mass(CollisionMass body, double added_mass, double added_inertia) {
-  return {body.inverse_mass / (1.0 + added_mass), body.inverse_inertia / (1.0 + added_inertia)};
-}
-
-/// R / M of one body along `direction` at `arm`: its share of the inverse effective mass [1/kg].
+/// R / M of one body along `direction` at `arm`: its term of the inverse effective mass [1/kg].
 GEM_HD constexpr double inverse_effective_mass(CollisionMass body, Vec2 arm, Vec2 direction) {
   const double eta = cross(arm, direction);
   return body.inverse_mass + body.inverse_inertia * eta * eta;
 }
 
-/// Response of the relative velocity of two bodies at a point to an impulse there [1/kg].
+/// Change of the relative velocity of two bodies at a point per impulse at that point [1/kg].
 struct ContactCompliance {
   double nn = 0.0;  // normal to normal; 1/nn is the effective mass of the pair
   double tt = 0.0;  // tangential to tangential
   double nt = 0.0;  // cross term
 };
 
-/// Compliance of a pair; tangent = normal turned left.
+/// Compliance of a pair; the tangent is the normal turned left.
 GEM_HD constexpr ContactCompliance contact_compliance(CollisionMass a, Vec2 arm_a, CollisionMass b, Vec2 arm_b,
                                                       Vec2 normal) {
   const Vec2 tangent = turned_left(normal);

@@ -1,11 +1,11 @@
-// Linear mooring of the platform, exact over a stretch of time: a rotation in phase space.
+// Linear mooring of the platform, exact for any duration: a rotation in phase space.
 //
 //   M x'' + c x' + k x = 0,  x from the anchor:   (x, v)' = [a11 a12; a21 a22] (x, v)
 //   undamped:  a11 = a22 = cos(wt), a12 = sin(wt)/w, a21 = -w sin(wt),   w = sqrt(k/M)
 //
 //   k  stiffness, equal in x and y [N/m]    M  platform mass [kg]    zeta  damping ratio c / (2 sqrt(k M)), < 1 [-]
 //
-// The coefficients are computed once per run, so a step needs no trigonometry. k = 0 gives free drift.
+// The coefficients are computed once per run, so a time step needs no trigonometry. k = 0 gives free drift.
 #pragma once
 
 #include <cmath>
@@ -16,11 +16,11 @@
 namespace gem {
 
 struct MooringDef {
-  double stiffness_N_per_m = 5e5;  ///< in x and in y; 0 is unmoored
+  double stiffness_N_per_m = 5e5;  ///< equal in x and y; 0: unmoored
   double damping_ratio = 0.0;
 };
 
-/// Coefficients of the exact solution over one stretch of time.
+/// Coefficients of the exact solution for one duration.
 struct MooringFlow {
   double xx = 1.0, xv = 0.0, vx = 0.0, vv = 1.0;
 };
@@ -30,7 +30,7 @@ inline double natural_period(double stiffness, double mass) {
   return stiffness > 0.0 ? 2.0 * std::numbers::pi * std::sqrt(mass / stiffness) : 0.0;
 }
 
-/// Coefficients for a stretch of `duration` [s]; host only, once per run.
+/// Coefficients for `duration` [s]. Host only, once per run.
 inline MooringFlow mooring_flow(double stiffness, double mass, double damping_ratio, double duration) {
   if (!(stiffness > 0.0)) return {1.0, duration, 0.0, 1.0};
   const double natural = std::sqrt(stiffness / mass);
@@ -42,7 +42,7 @@ inline MooringFlow mooring_flow(double stiffness, double mass, double damping_ra
           decay * (cosine - rate / damped * sine)};
 }
 
-/// Moves offset from the anchor and velocity on by one stretch.
+/// Advances offset from the anchor and velocity by one duration.
 GEM_HD constexpr void apply(const MooringFlow& flow, Vec2& offset, Vec2& velocity) {
   const Vec2 moved = flow.xx * offset + flow.xv * velocity;
   velocity = flow.vx * offset + flow.vv * velocity;

@@ -1,18 +1,18 @@
-// Motion of a free body over a time step: the turn without trigonometry.
+// Rotation of a free body over a time step without trigonometry.
 //
 //   half = tan(phi/2) = p + p^3/3 + 2 p^5/15,  p = phi/2
 //
 //   cos phi = (1 - half^2) / (1 + half^2),  sin phi = 2 half / (1 + half^2)
 //
-// The turn is a rotation for any half; its angle is right to about (34/315) p^7: 1.1e-15 rad for phi = 0.02, 6.3e-6 rad
-// for phi = 0.5. The renormalisation is one Newton step towards cosine^2 + sine^2 = 1.
+// The result is a rotation for any half. Its angle is accurate to about (34/315) p^7: 1.1e-15 rad for phi = 0.02,
+// 6.3e-6 rad for phi = 0.5. One Newton step renormalises towards cosine^2 + sine^2 = 1.
 #pragma once
 
 #include "gem/base/vec2.h"
 
 namespace gem {
 
-/// Turns `q` by `angle` [rad], meant for |angle| < 0.5.
+/// `q` turned by `angle` [rad], for |angle| < 0.5.
 GEM_HD constexpr Rotation turned(Rotation q, double angle) {
   const double p = 0.5 * angle;
   const double p2 = p * p;

@@ -1,12 +1,12 @@
-// Water drag on the platform: quadratic in its velocity through the water.
+// Water drag on the platform, quadratic in its velocity through the water.
 //
 //   dw/dt = -b |w| w,   b = rho_w C_D D T / (2 M)       w' = w / (1 + b |w| dt)
 //
 //   w   platform velocity minus water velocity [m/s]     D, T  diameter and draft [m]
 //   C_D drag coefficient, 0.5 to 1.0 for a short cylinder at full scale [-]    M  platform mass [kg]
 //
-// Exact in itself; split symmetrically around the mooring. The reference paper does not say whether the water that
-// damps the platform moves with the current; both are offered.
+// The solution is exact; it is split symmetrically around the mooring. The reference paper does not say whether the
+// water that damps the platform moves with the current, so both are offered.
 #pragma once
 
 #include "gem/base/vec2.h"

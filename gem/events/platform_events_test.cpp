@@ -1,4 +1,4 @@
-// Events of the platform and of free motion: mooring, water drag, elastic stress, the turn without trigonometry.
+// Events of the platform and free motion: mooring, water drag, elastic stress, rotation without trigonometry.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ TEST(Mooring, TwoHalvesAreOneStretch) {
       EXPECT_NEAR(x.y, y.y, 1e-15);
       EXPECT_NEAR(v.x, w.x, 1e-16);
       EXPECT_NEAR(v.y, w.y, 1e-16);
-      // area of phase space shrinks by e^(-2 rate t) exactly
+      // the area in phase space shrinks by e^(-2 rate t) exactly
       const double rate = damping * std::sqrt(stiffness / mass);
       EXPECT_NEAR(whole.xx * whole.vv - whole.xv * whole.vx, std::exp(-2.0 * rate * duration), 1e-14);
     }
@@ -81,7 +81,7 @@ TEST(ElasticContact, NeverOvershootsForAnyStiffness) {
     EXPECT_GT(u, last);
     last = u;
   }
-  // soft spring: the speed that force x dt / mass gives
+  // soft spring: the speed from force x dt / mass
   EXPECT_NEAR(elastic_separating_speed(1.0, depth, 2e4, 0.05) / (0.05 * depth / 2e4), 1.0, 1e-3);
   EXPECT_EQ(elastic_separating_speed(1e6, 0.0, 2e4, 0.05), 0.0);
 }

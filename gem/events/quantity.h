@@ -1,4 +1,4 @@
-// What the books count: momentum, angular momentum and energy, by the channel that they come from or go to.
+// What the ledger counts: momentum, angular momentum and energy, by channel.
 #pragma once
 
 #include <cstddef>
@@ -7,20 +7,20 @@
 
 namespace gem {
 
-/// Where momentum and energy come from or go to.
+/// Channel from which momentum and energy come.
 enum class Channel : std::size_t {
   impact,         ///< normal impulses of contacts
   friction,       ///< tangential impulses of contacts
   elastic,        ///< elastic static stress
-  repair,         ///< position repair: moves bodies, adds no velocity
+  repair,         ///< position repair: shifts bodies without changing velocities
   drag,           ///< current on the floes
-  mooring,        ///< mooring damping; the spring's energy is part of the total
+  mooring,        ///< mooring damping; the energy of the spring is part of the total
   platform_drag,  ///< water on the platform
-  retired,        ///< floes that left past the retire line
+  retired,        ///< floes past the retire line
   count
 };
 
-/// Its name in run files.
+/// Name of the channel in run files.
 constexpr const char* channel_name(Channel channel) {
   constexpr const char* names[] = {"impact", "friction", "elastic",       "repair",
                                    "drag",   "mooring",  "platform_drag", "retired"};
@@ -46,7 +46,7 @@ GEM_HD inline Quantity quantity_of(double mass, double inertia, Vec2 position, V
   return {momentum, cross(position, momentum) + inertia * spin, kinetic_energy(mass, inertia, velocity, spin)};
 }
 
-/// What leaves a body's own book when the body leaves the field.
+/// Books what leaves with a body that is removed from the field.
 GEM_HD inline void book_gone(Quantity& book, const Quantity& gone) {
   book.momentum -= gone.momentum;
   book.angular_momentum -= gone.angular_momentum;

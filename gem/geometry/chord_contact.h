@@ -1,6 +1,6 @@
-// The chord of an overlap of two convex outlines.
+// The chord of the overlap of two convex outlines.
 //
-// Outlines are given turned into world axes about their own centroid; B's centroid stands at `offset` from A's.
+// Outlines are in world axes relative to their own centroids; `offset` is the vector from A's centroid to B's.
 #pragma once
 
 #include "gem/geometry/contact_geometry.h"
@@ -10,7 +10,7 @@ namespace gem {
 
 namespace detail {
 
-/// Parts of edge p -> q inside all edges of `a`: parameters and the edges of `a` that cut it; -1 where uncut.
+/// The part of edge p -> q inside all edges of `a`: its parameters, and the edges of `a` that cut it (-1: uncut).
 struct ClippedEdge {
   double begin = 0.0, end = 1.0;
   int entry = -1, exit = -1;
@@ -40,8 +40,8 @@ GEM_HD inline ClippedEdge clip_edge(const Outline& a, Vec2 p, Vec2 q) {
   return clipped;
 }
 
-/// How fast the crossing of an edge of A (direction `edge_a`) with an edge of B (normal `normal_b`) runs along
-/// `tangent` as B sinks into A against `normal`; 0 for parallel edges.
+/// Rate at which the crossing of an edge of A (direction `edge_a`) with an edge of B (normal `normal_b`) moves along
+/// `tangent` as B moves into A against `normal`; 0 for parallel edges.
 GEM_HD inline double crossing_rate(Vec2 edge_a, Vec2 normal_b, Vec2 normal, Vec2 tangent) {
   const double denominator = dot(edge_a, normal_b);
   if (denominator == 0.0) return 0.0;
@@ -50,15 +50,15 @@ GEM_HD inline double crossing_rate(Vec2 edge_a, Vec2 normal_b, Vec2 normal, Vec2
 
 }  // namespace detail
 
-/// The crossings of two outlines, added up edge by edge of B.
+/// The crossings of two outlines, summed over the edges of B.
 struct ChordSum {
   Vec2 chord, middle;
-  double size = 0.0;  // of the coordinates that the chord is the difference of
+  double size = 0.0;  // size of the coordinates whose difference is the chord, for rounding
   int entries = 0, exits = 0;
   int entry_a = 0, entry_b = 0, exit_a = 0, exit_b = 0;  // edges of the last crossing of each kind
 };
 
-/// B's outline runs into A through its edge `edge_a` at `crossing`.
+/// Adds a crossing where the outline of B enters A through its edge `edge_a`.
 GEM_HD inline void add_entry(ChordSum& sum, Vec2 crossing, int edge_a, int edge_b) {
   sum.chord -= crossing;
   sum.size += length(crossing);
@@ -68,7 +68,7 @@ GEM_HD inline void add_entry(ChordSum& sum, Vec2 crossing, int edge_a, int edge_
   ++sum.entries;
 }
 
-/// B's outline runs out of A.
+/// Adds a crossing where the outline of B leaves A.
 GEM_HD inline void add_exit(ChordSum& sum, Vec2 crossing, int edge_a, int edge_b) {
   sum.chord += crossing;
   sum.size += length(crossing);
@@ -78,7 +78,7 @@ GEM_HD inline void add_exit(ChordSum& sum, Vec2 crossing, int edge_a, int edge_b
   ++sum.exits;
 }
 
-/// One edge of B with its part inside A and where it crosses A's outline.
+/// Adds the crossings of one edge of B.
 struct CrossingEdge {
   Vec2 begin, end;
   detail::ClippedEdge clipped;
@@ -94,9 +94,10 @@ GEM_HD inline CrossingEdge crossing_edge(const Outline& a, const Outline& b, Vec
   return {p, q, detail::clip_edge(a, p, q)};
 }
 
-/// The chord of an overlap: it joins the two crossings of the outlines; the normal is perpendicular to it, the contact
-/// point its middle. Several crossings (deep overlap) add up to one resultant chord. Without a crossing (one outline
-/// inside the other, or an overlap smaller than rounding) the separating axis and its deepest corner stand in, width 0.
+/// The chord of an overlap joins the two crossings of the outlines. The normal is perpendicular to it, and the contact
+/// point is its middle. Several crossings (deep overlap) are summed to one resultant chord. Without a crossing (one
+/// outline inside the other, or an overlap below rounding) the separating axis and its deepest corner are used, with
+/// width 0.
 GEM_HD inline ContactGeometry chord_geometry(const Outline& a, const Outline& b, Vec2 offset, const Separation& axis,
                                              const ChordSum& sum) {
   ContactGeometry contact;
@@ -109,7 +110,7 @@ GEM_HD inline ContactGeometry chord_geometry(const Outline& a, const Outline& b,
     contact.normal = turned_left(tangent);
     contact.point[0].position = (0.5 / sum.entries) * sum.middle;
     contact.width = width;
-    // edge direction = normal turned left; tangent runs from the entry of B into A to its exit
+    // edge direction = normal turned left; the tangent points from where B enters A to where it leaves
     const Vec2 exit_edge = turned_left(a.normal[sum.exit_a]), entry_edge = turned_left(a.normal[sum.entry_a]);
     contact.growth = detail::crossing_rate(exit_edge, b.normal[sum.exit_b], contact.normal, tangent) -
                      detail::crossing_rate(entry_edge, b.normal[sum.entry_b], contact.normal, tangent);
@@ -135,7 +136,7 @@ GEM_HD inline ContactGeometry chord_contact(const Outline& a, const Outline& b, 
   return chord_geometry(a, b, offset, axis, sum);
 }
 
-/// Length over which the two outlines face each other along `tangent` [m]: no chord of theirs can be longer.
+/// Length over which both outlines face each other along `tangent` [m]: an upper bound of the chord.
 GEM_HD inline double facing_length(const Outline& a, const Outline& b, Vec2 offset, Vec2 tangent) {
   const double a_low = dot(tangent, a.corner[detail::support_corner(a, tangent)]);
   const double a_high = dot(tangent, a.corner[detail::support_corner(a, -tangent)]);

@@ -1,4 +1,4 @@
-// Chord contact: overlaps known in closed form, symmetry, and the force as the gradient of the overlap area.
+// Chord contact: overlaps in closed form, symmetry, and the force as the gradient of the overlap area.
 #include <gtest/gtest.h>
 
 #include "gem/geometry/test_shapes.h"
@@ -29,7 +29,7 @@ TEST(ChordContact, ShiftedSquares) {
 TEST(ChordContact, CoaxialSquaresAtHalfARightAngle) {
   const Shape square = rectangle(10.0, 10.0), turned = rectangle(10.0, 10.0, 0.125);
   EXPECT_NEAR(test::overlap_area(square, turned, {}), 82.8427124746, 1e-10);
-  // no side is favoured: eight crossings add up to nothing, so the separating axis stands in
+  // symmetric: eight crossings sum to zero, so the separating axis is used
   const ContactGeometry c = chord(square, turned, {});
   EXPECT_EQ(c.count, 1);
   EXPECT_EQ(c.width, 0.0);
@@ -83,12 +83,12 @@ TEST(ChordContact, OneInsideTheOther) {
 
 TEST(ChordContact, CrossedBars) {
   const Shape flat = rectangle(20.0, 2.0), upright = rectangle(2.0, 20.0);
-  // both sides of either bar are cut: nothing pushes, the axis stands in
+  // both bars are cut on both sides: no resultant, so the separating axis is used
   const ContactGeometry crossed = chord(flat, upright, {0.3, 0.2});
   EXPECT_EQ(crossed.count, 1);
   EXPECT_EQ(crossed.width, 0.0);
   EXPECT_NEAR(crossed.point[0].separation, -10.7, 1e-13);
-  // a bar that sticks out on one side only is pushed back out of it
+  // a bar that protrudes on one side only is pushed out of it
   const ContactGeometry through = chord(flat, upright, {0.3, 10.5});
   EXPECT_NEAR(through.width, 2.0, 1e-13);
   expect_near(through.normal, {0.0, 1.0}, 1e-13);
@@ -128,7 +128,7 @@ TEST(ChordContact, ForceIsTheGradientOfTheOverlapArea) {
       };
       return Vec2{along({1.0, 0.0}), along({0.0, 1.0})};
     };
-    // the area is a quadratic of the offset as long as no corner meets an edge: then the difference is exact
+    // without a change of crossing edges the area is a quadratic function of the offset, so the difference is exact
     const Vec2 coarse = gradient(2e-5), fine = gradient(1e-5);
     if (length(coarse - fine) > 1e-6 * c.width) {
       ++cornered;
@@ -141,7 +141,7 @@ TEST(ChordContact, ForceIsTheGradientOfTheOverlapArea) {
   EXPECT_LT(cornered, compared / 20);
 }
 
-/// How often the outlines cross.
+/// Number of crossings of the outlines.
 int crossings(const Shape& a, const Shape& b, Vec2 offset) {
   int count = 0;
   for (std::size_t i = 0; i < a.corner.size(); ++i)
@@ -161,7 +161,7 @@ TEST(ChordContact, GrowthIsTheRateOfTheChord) {
     const Vec2 offset{random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0)};
     const ContactGeometry c = chord(a, b, offset);
     if (!(c.point[0].separation < -1e-3) || !(c.width > 1e-2) || std::fabs(c.growth) > 50.0) continue;
-    if (crossings(a, b, offset) != 2) continue;  // of several chords there is no one growth
+    if (crossings(a, b, offset) != 2) continue;  // several chords have no common growth
     const double step = 1e-6;
     const ContactGeometry deeper = chord(a, b, offset - step * c.normal), back = chord(a, b, offset + step * c.normal);
     const double forward = (deeper.width - c.width) / step, backward = (c.width - back.width) / step;

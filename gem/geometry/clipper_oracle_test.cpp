@@ -1,4 +1,4 @@
-// Random convex pairs, slivers among them, against Clipper: do they overlap, and what is the chord of the overlap?
+// Random convex pairs, slivers included, against Clipper: overlap yes or no, and the chord of the overlap.
 #include <gtest/gtest.h>
 
 #include "gem/geometry/test_shapes.h"
@@ -39,7 +39,7 @@ std::vector<Vec2> clipped(const Shape& a, const Shape& b, Vec2 offset) {
 }
 
 struct Owned {
-  Vec2 sum;           // of the edges that lie on B
+  Vec2 sum;           // of the edges on B
   bool clear = true;  // every edge lies on one outline only
 };
 

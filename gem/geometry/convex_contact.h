@@ -1,7 +1,7 @@
-// Contact of two convex outlines: the separating axis, the chord of an overlap, and the touching stretch of two faces.
+// Contact of two convex outlines: separating axes, the chord of an overlap, and the facing stretch of two faces.
 //
-// Outlines are given turned into world axes about their own centroid; B's centroid stands at `offset` from A's.
-// All results are relative to A's centroid; normals point from A to B.
+// Outlines are in world axes relative to their own centroids; `offset` is the vector from A's centroid to B's. All
+// results are relative to A's centroid; normals point from A to B.
 #pragma once
 
 #include "gem/geometry/chord_contact.h"

@@ -1,6 +1,6 @@
-// The touching stretch of two faces of convex outlines.
+// The facing stretch of two faces of convex outlines.
 //
-// Outlines are given turned into world axes about their own centroid; B's centroid stands at `offset` from A's.
+// Outlines are in world axes relative to their own centroids; `offset` is the vector from A's centroid to B's.
 #pragma once
 
 #include "gem/geometry/contact_geometry.h"
@@ -8,12 +8,11 @@
 
 namespace gem {
 
-/// The touching stretch of two outlines: both ends of the facing edges' common part, as far as they are closer than
-/// `margin`. Each end is a corner of A or of B, which names the point from one time step to the next. Points are
-/// ordered along the normal turned left.
+/// Returns both ends of the common part of two facing edges, if they are closer than `margin` [m]. Each end is a corner
+/// of A or B, which identifies the point across time steps. Points are ordered along the normal turned left.
 GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, Vec2 offset, const Separation& axis,
                                            double margin) {
-  // reference r owns the axis, incident i faces it; coordinates relative to A's centroid
+  // the reference outline r owns the axis, the incident outline i faces it; coordinates are relative to A's centroid
   const Outline& r = axis.edge_of_b ? b : a;
   const Outline& i = axis.edge_of_b ? a : b;
   const Vec2 to_r = axis.edge_of_b ? offset : Vec2{};
@@ -22,7 +21,7 @@ GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, V
   const Vec2 outward = r.normal[axis.edge];
   const Vec2 along = turned_left(outward);
 
-  // the incident edge: of the two at the deepest corner, the one that faces the reference edge more squarely
+  // the incident edge: of the two edges at the deepest corner, the one more parallel to the reference edge
   const int deepest = axis.corner >= 0 ? axis.corner : detail::support_corner(i, outward);
   const int before = deepest > 0 ? deepest - 1 : i.count - 1;
   const double facing_before = dot(outward, i.normal[before]);
@@ -31,7 +30,7 @@ GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, V
   const int edge_end = edge + 1 < i.count ? edge + 1 : 0;
   const int reference_end = axis.edge + 1 < r.count ? axis.edge + 1 : 0;
 
-  // the reference edge runs along +along; the incident edge faces it and runs against it
+  // the reference edge runs along +along; the incident edge runs the opposite way
   const Vec2 p0 = to_r + r.corner[axis.edge];
   const Vec2 p1 = to_r + r.corner[reference_end];
   const Vec2 q0 = to_i + i.corner[edge_end];
@@ -43,7 +42,7 @@ GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, V
   const double d1 = dot(outward, q1 - p0);
 
   const double span = s1 - s0;
-  // low end: where the later of the two starts; high end: where the earlier of the two stops
+  // low end: the larger of both starts; high end: the smaller of both ends
   const bool low_is_incident = !(s0 < 0.0) || !(span > 0.0);
   const bool high_is_incident = !(s1 > reach) || !(span > 0.0);
   const double low_depth = low_is_incident ? d0 : d0 + (d1 - d0) * ((0.0 - s0) / span);
@@ -60,11 +59,11 @@ GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, V
   const bool stretch = span > 0.0 && high_s > low_s;
   const double width = stretch ? high_s - low_s : 0.0;
   const bool low_touches = low_depth < margin, high_touches = high_depth < margin;
-  // along the normal turned left: against `along` when the reference is B
+  // order along the normal turned left, which is -along if B is the reference
   if (stretch && low_touches && high_touches)
     return axis.edge_of_b ? ContactGeometry{normal, 2, {high_end, low_end}, width, 0.0}
                           : ContactGeometry{normal, 2, {low_end, high_end}, width, 0.0};
-  // chord growth at the deepest corner: cotangents of its two sides against the reference edge
+  // chord growth at the deepest corner: cotangents of its two sides relative to the reference edge
   const Vec2 side_before = turned_left(i.normal[before]);
   const Vec2 side_after = turned_left(i.normal[deepest]);
   const double rise_before = -dot(outward, side_before);
@@ -74,7 +73,7 @@ GEM_HD inline ContactGeometry face_contact(const Outline& a, const Outline& b, V
   if (rise_after > 0.0) growth += -dot(along, side_after) / rise_after;
   if (stretch)
     return {normal, low_touches || high_touches ? 1 : 0, {low_touches ? low_end : high_end, high_end}, width, growth};
-  // beyond each other's ends (corner against corner): only the deepest corner touches
+  // no common part (corner against corner): only the deepest corner touches
   const Vec2 corner = to_i + i.corner[deepest];
   const ContactPoint at_corner{corner - (0.5 * axis.distance) * outward, axis.distance, 2 * deepest + (1 - side_r)};
   return {normal, axis.distance < margin ? 1 : 0, {at_corner, {}}, width, growth};

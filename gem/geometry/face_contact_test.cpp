@@ -1,4 +1,4 @@
-// Face contact: the touching stretch of two faces, its features from step to step, and its margin.
+// Face contact: the facing stretch, its features across time steps, and its margin.
 #include <gtest/gtest.h>
 
 #include "gem/geometry/test_shapes.h"
@@ -65,7 +65,7 @@ TEST(FaceContact, CornerBesideCornerIsTheDeepestOne) {
 }
 
 TEST(FaceContact, FeaturesStayWhenTheReferenceEdgeFlips) {
-  // nearly parallel faces: which of the two owns the axis is decided by the tilt, the touching corners are not
+  // nearly parallel faces: the tilt decides which body owns the axis, but the touching corners are the same
   const Shape square = rectangle(10.0, 10.0);
   const Vec2 offset{9.999, 3.0};
   const ContactGeometry straight = face(square, square, offset, 0.01);
@@ -87,7 +87,7 @@ TEST(FaceContact, FeaturesStayWhenTheReferenceEdgeFlips) {
 }
 
 TEST(FaceContact, MarginIsRespected) {
-  // 10 m face tilted by 1 mrad: its ends stand 10 mm apart in height
+  // a 10 m face tilted by 1 mrad: its ends differ by 10 mm in height
   const Shape square = rectangle(10.0, 10.0), tilted = tilted_square(10.0, 1e-3);
   const Vec2 offset{10.005, 0.0};
   const ContactGeometry both = face(square, tilted, offset, 0.0101);

@@ -1,4 +1,4 @@
-// Separating axes that are followed from step to step are those of a fresh look.
+// Separating axes that are updated across time steps equal those of a new search.
 #include <gtest/gtest.h>
 
 #include "gem/geometry/test_shapes.h"
@@ -21,7 +21,7 @@ TEST(FollowAxes, GiveTheAxisOfAFreshLook) {
       follow_axes(axes, a.outline(), b.outline(), offset, length(step) + 1e-9, limit);
       if (axes.others > others) ++spared;
       const Separation fresh = test::separation_of(a, b, offset);
-      // beyond the limit any axis that parts them will do
+      // beyond the limit, any axis that separates the outlines is enough
       if (!(fresh.distance < limit)) {
         ASSERT_LE(axes.first.distance, fresh.distance + 1e-12);
         continue;

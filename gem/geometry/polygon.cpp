@@ -14,7 +14,7 @@ double squared_distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return dot(offset, offset);
 }
 
-/// Largest over the edges of a of the smallest distance of b's vertices outside that edge.
+/// Over the edges of a: the largest of the smallest distances of b's vertices outside that edge.
 double edge_separation(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < a.size(); ++i) {

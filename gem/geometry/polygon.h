@@ -1,4 +1,4 @@
-// Area, centroid and second moment of a simple polygon, and the checks that an outline must pass.
+// Area, centroid and second moment of a simple polygon, and checks of an outline.
 #pragma once
 
 #include <vector>
@@ -7,21 +7,21 @@
 
 namespace gem {
 
-/// Area integrals of one outline; the second moment is about the centroid.
+/// Area integrals of an outline. The second moment is about the centroid.
 struct PolygonMoments {
   double area = 0.0;           // [m2], negative for a clockwise outline
   Vec2 centroid;               // [m]
   double second_moment = 0.0;  // polar, about the centroid [m4], sign of the area
 };
 
-/// Shoelace sums about the first vertex, so that a far-away outline loses no digits.
+/// Sums are taken about the first vertex, so that an outline far from the origin loses no digits.
 PolygonMoments polygon_moments(const std::vector<Vec2>& outline);
 
-/// Index of the first vertex where a counter-clockwise outline turns right or goes straight on; -1 if strictly convex
-/// and simple.
+/// Index of the first vertex where a counter-clockwise outline does not turn left; -1 if it is strictly convex and
+/// simple.
 int first_non_convex_vertex(const std::vector<Vec2>& outline);
 
-/// Distance between two convex counter-clockwise outlines: > 0 apart, < 0 the depth of the overlap [m].
+/// Distance between two convex counter-clockwise outlines: > 0 apart, < 0 overlap depth [m].
 double convex_separation(const std::vector<Vec2>& a, const std::vector<Vec2>& b);
 
 }  // namespace gem

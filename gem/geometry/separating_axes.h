@@ -1,7 +1,7 @@
-// The axes that part two convex outlines, found and followed.
+// Separating axes of two convex outlines: search and update.
 //
-// Outlines are given turned into world axes about their own centroid; B's centroid stands at `offset` from A's.
-// Distances are those of B outside A or of A outside B.
+// Outlines are in world axes relative to their own centroids; `offset` is the vector from A's centroid to B's. A
+// distance is that of B outside A or of A outside B.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,23 @@
 
 namespace gem {
 
-/// A convex counter-clockwise outline in world axes: corners and the outward unit normals of the edges that follow
-/// them.
+/// A convex counter-clockwise outline in world axes: its corners, and the outward unit normals of the edges that start
+/// at them.
 struct Outline {
   const Vec2* corner = nullptr;
   const Vec2* normal = nullptr;
   int count = 0;
 };
 
-/// The axis along which two outlines are farthest apart (or least deep in each other).
+/// The axis along which two outlines are farthest apart, or overlap least.
 struct Separation {
   double distance = 0.0;  // > 0 apart, < 0 depth [m]
   int edge = 0;           // index of the edge whose normal is the axis
   bool edge_of_b = false;
-  std::int16_t corner = -1;  // deepest corner of the other outline; -1: not looked for
+  std::int16_t corner = -1;  // deepest corner of the other outline; -1: unknown
 };
 
-/// How far B stands outside edge `edge` of A: the smallest signed distance of B's corners [m].
+/// Distance of B outside edge `edge` of A: the smallest signed distance of B's corners [m].
 GEM_HD inline double edge_separation(const Outline& a, int edge, const Outline& b, Vec2 offset) {
   const Vec2 normal = a.normal[edge];
   double smallest = dot(normal, b.corner[0]);
@@ -37,16 +37,16 @@ GEM_HD inline double edge_separation(const Outline& a, int edge, const Outline& 
   return smallest + dot(normal, offset - a.corner[edge]);
 }
 
-/// The two best separating axes of a pair and a bound on all others, kept from one look to the next: while the bodies
-/// have moved too little for another axis to overtake, only the first needs a look, or these two.
+/// The two best separating axes of a pair and a bound on all others, kept between narrow phases. While the bodies have
+/// moved too little for another axis to become better, only the first or these two have to be updated.
 struct SeparatingAxes {
-  Separation first, second;  // the second's distance may be a bound from above
-  double others = 1e300;     // no other axis parts the outlines by more; unknown at first
+  Separation first, second;  // the second distance may be an upper bound
+  double others = 1e300;     // upper bound of the distance on all other axes; unknown at first
 };
 
 namespace detail {
 
-/// Ranks one more axis. Ties go to A, then to the lower edge: the order in which find_axes offers them.
+/// Ranks one more axis. Ties go to A, then to the lower edge, in the order of find_axes().
 GEM_HD inline void offer(SeparatingAxes& axes, const Separation& axis) {
   if (axis.distance > axes.first.distance) {
     axes.others = axes.second.distance;
@@ -60,7 +60,7 @@ GEM_HD inline void offer(SeparatingAxes& axes, const Separation& axis) {
   }
 }
 
-/// Whether p comes before q where both part the outlines equally.
+/// Whether p ranks before q at equal distance.
 GEM_HD inline bool ranks_before(const Separation& p, const Separation& q) {
   return p.edge_of_b == q.edge_of_b ? p.edge < q.edge : q.edge_of_b;
 }
@@ -79,8 +79,8 @@ GEM_HD inline int support_corner(const Outline& outline, Vec2 direction) {
   return best;
 }
 
-/// Whether corner `j` lies farther against `direction` than both its neighbours, beyond rounding: then, in a convex
-/// outline, farther than all others.
+/// Whether corner `j` lies farther against `direction` than both its neighbours, beyond rounding. In a convex outline
+/// it is then the farthest of all.
 GEM_HD inline bool plainly_deepest(const Outline& outline, int j, Vec2 direction) {
   constexpr double rounding = 1e-9;  // [m]
   const double along = dot(direction, outline.corner[j]) + rounding;
@@ -88,7 +88,7 @@ GEM_HD inline bool plainly_deepest(const Outline& outline, int j, Vec2 direction
          along < dot(direction, outline.corner[j + 1 < outline.count ? j + 1 : 0]);
 }
 
-/// Brings the distance along a known axis up to date; starts from the corner that was deepest last.
+/// Updates the distance along a known axis, starting from the last deepest corner.
 GEM_HD inline void measure(Separation& axis, const Outline& a, const Outline& b, Vec2 offset) {
   const Outline& owner = axis.edge_of_b ? b : a;
   const Outline& other = axis.edge_of_b ? a : b;
@@ -101,7 +101,7 @@ GEM_HD inline void measure(Separation& axis, const Outline& a, const Outline& b,
 
 }  // namespace detail
 
-/// The axes of a pair, looked for among the edges of both.
+/// Finds the axes of a pair among the edges of both outlines.
 GEM_HD inline SeparatingAxes find_axes(const Outline& a, const Outline& b, Vec2 offset) {
   constexpr double none = -1e300;
   SeparatingAxes axes{{none, 0, false}, {none, 0, false}, none};
@@ -110,8 +110,9 @@ GEM_HD inline SeparatingAxes find_axes(const Outline& a, const Outline& b, Vec2 
   return axes;
 }
 
-/// The same result for a pair whose bodies moved by at most `moved` relative to each other since `axes` was found [m].
-/// Where the two axes already part the outlines by more than `limit`, the rest is left alone.
+/// Updates `axes` to the result of find_axes(), for bodies that moved by at most `moved` [m] relative to each other
+/// since the last update. If the two axes already separate the outlines by more than `limit` [m], the others are not
+/// updated.
 GEM_HD inline void follow_axes(SeparatingAxes& axes, const Outline& a, const Outline& b, Vec2 offset, double moved,
                                double limit) {
   detail::measure(axes.first, a, b, offset);

@@ -1,4 +1,4 @@
-// Outlines for the tests of contact geometry: squares, random convex polygons, and a slow obvious overlap.
+// Outlines for tests of contact geometry: squares, random convex polygons, and a slow, simple overlap.
 #pragma once
 
 #include <algorithm>
@@ -32,12 +32,12 @@ inline Shape rectangle(double length_x, double length_y, double turns = 0.0) {
   return Shape(corners);
 }
 
-/// Grid of the random shapes [m]: a power of two, so that integers and doubles name the same points.
+/// Grid of the random shapes [m]. A power of two, so that integers and doubles represent the same points.
 constexpr double grid = 0x1p-30;
 
 inline Vec2 on_grid(Vec2 p) { return {grid * std::round(p.x / grid), grid * std::round(p.y / grid)}; }
 
-/// Corners on an ellipse of random size, direction and aspect up to 1:1000, slivers more often than not.
+/// Corners on an ellipse of random size, direction and aspect ratio up to 1:1000; most are slivers.
 inline Shape random_shape(RandomSequence& random) {
   for (;;) {
     const double size = random.uniform(1.0, 10.0), aspect = strict::power(10.0, -3.0 * random.uniform());
@@ -58,7 +58,7 @@ inline Shape random_shape(RandomSequence& random) {
   }
 }
 
-/// Overlap of a and b by cutting a along every edge of b; relative to a's origin.
+/// Overlap of a and b: a cut along every edge of b, relative to a's origin.
 inline std::vector<Vec2> overlap(const Shape& a, const Shape& b, Vec2 offset) {
   std::vector<Vec2> left = a.corner;
   for (std::size_t j = 0; j < b.corner.size(); ++j) {

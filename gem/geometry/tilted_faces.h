@@ -1,22 +1,22 @@
-// Chord growth of two nearly parallel faces: the end that touches first is a corner, however small the tilt.
+// Chord growth of two nearly parallel faces. The end that touches first is a corner, however small the tilt is.
 //
 //     g = cot(tilt) - cot(tilt + corner),     tan(tilt) = |s_1 - s_0| / w
 //
-//   s_0, s_1  separations at the two ends of the touching stretch [m]      w  its width [m]
-//   corner    angle inside the corner that touches first: its one side leaves the other body's face by the tilt, its
-//             other side by this angle more
+//   s_0, s_1  separations at the two ends of the facing stretch [m]      w  its width [m]
+//   corner    inner angle of the corner that touches first. One side of it leaves the other body's face by the tilt,
+//   the
+//             other side by tilt + corner
 //
-// Exact for a straight face and a corner of either body: positive however sharp the corner is.
-// Neglected: that the chord ends beside the corner where the other face does (corners that meet end to end).
+// Exact for a straight face and a corner of either body; positive for any corner angle. Neglected: the end of the chord
+// where the other face ends beside the corner (corners that meet end to end).
 #pragma once
 
 #include "gem/geometry/convex_contact.h"
 
 namespace gem {
 
-/// Chord growth of a contact of two points [-]; 0 for faces exactly parallel, also where it is the other side of the
-/// corner that lies on the other body's face. Points as face_contact() gives them: separations [m] and features
-/// 2 x corner + body.
+/// Chord growth of a contact with two points [-]. 0 for exactly parallel faces, also if the other side of the corner
+/// lies on the other body's face. Points as from face_contact(): separations [m] and features 2 x corner + body.
 inline double tilted_faces_growth(const Outline& a, const Outline& b, const ContactPoint& first,
                                   const ContactPoint& second, double width) {
   const ContactPoint& nearer = second.separation < first.separation ? second : first;
@@ -28,7 +28,7 @@ inline double tilted_faces_growth(const Outline& a, const Outline& b, const Cont
   const double sine = cross(outline.normal[before], outline.normal[corner]);
   const double cosine = -dot(outline.normal[before], outline.normal[corner]);
   const double tangent = gap / width;
-  const double rise = sine + tangent * cosine;  // in the ratio of sin(tilt + corner)
+  const double rise = sine + tangent * cosine;  // proportional to sin(tilt + corner)
   if (!(rise > 0.0)) return 0.0;
   return width / gap - (cosine - tangent * sine) / rise;
 }

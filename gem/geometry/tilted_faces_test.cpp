@@ -1,4 +1,5 @@
-// Chord growth of tilted faces: against the closed form, the overlap's own chord, and the one point of a small margin.
+// Chord growth of tilted faces: against the closed form, the chord of the overlap, and the single point of a small
+// margin.
 #include "gem/geometry/tilted_faces.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ double growth(const Shape& a, const Shape& b, const ContactGeometry& c) {
   return tilted_faces_growth(a.outline(), b.outline(), c.point[0], c.point[1], c.width);
 }
 
-/// B stands so far along x that the deepest point is `depth` deep in the face of A at x = `face`.
+/// Places B along x so that its deepest point is `depth` inside the face of A at x = `face`.
 Vec2 offset_of(const Shape& b, double face, double depth, double y = 0.0) {
   double lowest = 1e300;
   for (const Vec2 p : b.corner) lowest = std::min(lowest, p.x);
@@ -30,7 +31,7 @@ TEST(TiltedFaces, SquareOnAFace) {
     const Shape square = rectangle(8.0, 8.0, turns_of(tilt));
     const Vec2 offset = offset_of(square, 2.0, 1e-6);
     const double expected = 1.0 / std::tan(std::fabs(tilt)) + std::tan(std::fabs(tilt));
-    // ends known to 1e-15 m, 8 m x tilt apart
+    // the ends are known to 1e-15 m and differ by 8 m x tilt
     const double tolerance = 1e-12 + 4e-15 / (8.0 * std::fabs(tilt));
     const ContactGeometry c = test::face(wall, square, offset), swapped = test::face(square, wall, -offset);
     ASSERT_EQ(c.count, 2);
@@ -44,13 +45,14 @@ TEST(TiltedFaces, OtherSideLeansInAndOverhangs) {
   const Shape wall = rectangle(4.0, 40.0);
   for (const double corner : {0.5, 1.2, 2.5}) {  // angle between the facing side and the other [rad]
     const double tilt = 0.01;
-    // the facing side runs up and away from the wall by the tilt; the other leaves it by `corner` on from there
+    // the facing side leaves the wall by the tilt, the other side by `corner` more
     const double on = 0.5 * M_PI - tilt - corner;
     const Vec2 up{8.0 * std::sin(tilt), 8.0 * std::cos(tilt)}, other{8.0 * std::cos(on), 8.0 * std::sin(on)};
     const Shape triangle({{0.0, 0.0}, other, up});
     const ContactGeometry c = test::face(wall, triangle, {2.0 - 1e-6, 0.0});
     ASSERT_EQ(c.count, 2) << corner;
-    const double beta = M_PI - tilt - corner;  // below a right angle it leans over the wall away from the chord
+    const double beta =
+        M_PI - tilt - corner;  // below a right angle the other side leans over the wall, away from the chord
     EXPECT_NEAR(growth(wall, triangle, c), 1.0 / std::tan(tilt) + 1.0 / std::tan(beta), 1e-9) << corner;
   }
 }
@@ -59,8 +61,8 @@ TEST(TiltedFaces, SharpCornerOfTheBodyThatOwnsTheNormal) {
   const double corner = M_PI / 18.0;  // 10 degrees
   const Shape needle({{0.0, 0.0}, {0.0, 8.0}, {-8.0 * std::sin(corner), 8.0 * std::cos(corner)}});
   for (const double tilt : {0.02, 0.9 * corner, corner, 1.05 * corner}) {
-    // a block whose face stands 0.1 m before the needle's tip and leans away from its side; it begins so little below
-    // the tip that it is the needle's side that parts them best
+    // a block whose face is 0.1 m in front of the needle's tip and leans away from its side. It starts so little below
+    // the tip that the needle's side is the best separating axis
     const Vec2 along{std::sin(tilt), std::cos(tilt)}, inward{std::cos(tilt), -std::sin(tilt)};
     const double below = 0.2 * 0.1 * tilt;
     const Vec2 low = Vec2{0.1, 0.0} - below * along;
@@ -104,13 +106,14 @@ TEST(TiltedFaces, AsTheChordOfTheOverlapGrows) {
     if (c.count != 2) continue;
     const double tilt = std::fabs(c.point[1].separation - c.point[0].separation) / c.width;
     if (!(tilt > 1e-3 && tilt < 0.05)) continue;
-    // pushed in by 1e-6 m beyond first touch, the overlap is a triangle unless the corner stands beside the other's end
+    // pushed in by 1e-6 m beyond first contact, the overlap is a triangle unless the corner is beside the end of the
+    // other face
     const Vec2 pushed = offset - (axis.distance + 1e-6) * c.normal;
     const ContactGeometry chord = test::chord(a, b, pushed);
     const bool plain = chord.width > 0.0 && chord.growth > 0.0 && test::overlap(a, b, pushed).size() == 3;
     if (!plain) continue;
     ++compared;
-    // the chord's own normal leans from the face's by up to 1 / growth, which turns both cotangents by that
+    // the chord's normal differs from the face's by up to 1 / growth, which changes both cotangents by that much
     EXPECT_NEAR(growth(a, b, c) / chord.growth, 1.0, 1e-2) << i << " tilt " << tilt;
   }
   RecordProperty("compared", compared);

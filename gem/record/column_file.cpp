@@ -1,4 +1,4 @@
-// Creation of dimensions and columns with their attributes, and rows that are appended to them.
+// Creates dimensions and columns with their attributes, and appends rows.
 #include "gem/record/column_file.h"
 
 #include <hdf5_hl.h>
@@ -61,7 +61,7 @@ ColumnFile::ColumnFile(const std::string& path, const std::map<std::string, hsiz
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
   check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "file format");
   check(H5Pset_file_locking(access, true, true), "file locking");
-  // the index of the file goes to disk when it is flushed and at no other time
+  // the index of the file is written to disk only by a flush
   H5AC_cache_config_t cache{};
   cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   check(H5Pget_mdc_config(access, &cache), "index cache");
@@ -78,7 +78,7 @@ Handle ColumnFile::add_group(const std::string& group) {
   return checked(H5Gcreate2(file_, group.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, group.c_str());
 }
 
-/// A dimension without values, the way netCDF marks one. A dimension of size 0 must be able to grow to be legal there.
+/// A dimension without values, as netCDF marks it. A dimension of size 0 is legal there only if it can grow.
 void ColumnFile::add_dimension(hid_t group, const std::string& name, hsize_t size, bool unlimited) {
   const hsize_t maximum = unlimited || size == 0 ? H5S_UNLIMITED : size;
   const Handle space = checked(H5Screate_simple(1, &size, &maximum), H5Sclose, name.c_str());
@@ -122,7 +122,7 @@ void ColumnFile::add_column(const Column& column, const std::vector<double>* val
     check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), path.c_str());
     check(H5Pset_shuffle(creation), path.c_str());
     check(H5Pset_deflate(creation, 1), path.c_str());
-    // a block of frames stays in the cache until it is full, so that no chunk is inflated again to be filled
+    // the cache holds a block of frames until it is full, so that no chunk is decompressed again to be completed
     const hsize_t block = chunk_.frames * (size.back() + chunk_.floes) * sizeof(float) + 1048576;
     check(H5Pset_chunk_cache(access, 12421, block, 1.0), path.c_str());
   }

@@ -1,4 +1,4 @@
-// An HDF5 file of named dimensions and columns that grow, readable as netCDF-4. One thread at a time.
+// An HDF5 file of named dimensions and growing columns, readable as netCDF-4. Not thread-safe.
 #pragma once
 
 #include <map>
@@ -10,12 +10,12 @@
 
 namespace gem {
 
-/// Rows that are written together. Only whole chunks are safe from a kill, so what a chunk holds is what a kill costs:
-/// where a field is large, and a frame takes long to simulate, a chunk holds fewer frames of more floes (131 kB each).
+/// Rows that are written together. Only whole chunks survive a kill, so a kill loses up to one chunk. Fields with more
+/// floes, whose frames take longer to simulate, get fewer frames per chunk (131 kB per chunk).
 struct ChunkShape {
   hsize_t frames = 16;
   hsize_t floes = 2048;
-  hsize_t rows = 1024;  // of the platform and of the events
+  hsize_t rows = 1024;  // of platform and events
 
   hsize_t rows_of(const std::string& group) const;
 };
@@ -24,20 +24,20 @@ ChunkShape chunk_shape(std::size_t floes);
 /// Every failed call throws hdf5::Failure.
 class ColumnFile {
  public:
-  /// Creates the file, or empties the one that is there. `size` holds the dimensions that do not grow.
+  /// Creates the file, or empties an existing one. `size` holds the lengths of the dimensions that do not grow.
   ColumnFile(const std::string& path, const std::map<std::string, hsize_t>& size, const ChunkShape& chunk);
 
   hid_t id() const { return file_; }
   hdf5::Handle add_group(const std::string& group);
   void add_dimension(hid_t group, const std::string& name, hsize_t size, bool unlimited);
-  /// `values` of a column that does not grow, or none.
+  /// Adds a column; `values` are those of a column that does not grow, else null.
   void add_column(const Column& column, const std::vector<double>* values);
-  /// Rows behind those of the column at `path`; without values the column alone grows.
+  /// Appends rows to the column at `path`. Without values only its length grows.
   template <class Value>
   void append(const std::string& path, const std::vector<Value>& values, hsize_t rows);
   void flush();
   void close();
-  /// Gives up all handles without closing: after a failure the library cannot close the file any more.
+  /// Drops all handles without closing them. After a failed write the library cannot close the file.
   void abandon();
 
  private:
@@ -50,9 +50,9 @@ class ColumnFile {
   void attach_scales(const Column& column, const std::vector<std::string>& names, hid_t dataset);
 
   hdf5::Handle file_;
-  std::map<std::string, hsize_t> size_;  // of the fixed dimensions
+  std::map<std::string, hsize_t> size_;  // lengths of the fixed dimensions
   ChunkShape chunk_;
-  std::map<std::string, Dataset> dataset_;     // by path, those that grow
+  std::map<std::string, Dataset> dataset_;     // growing datasets, by path
   std::map<std::string, hdf5::Handle> scale_;  // by path
 };
 

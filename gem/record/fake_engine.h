@@ -1,4 +1,4 @@
-// An engine for the tests of record and run loop: every floe drifts, the platform is pushed by a known impulse.
+// A fake engine for tests of record and time loop: every floe drifts, and a known impulse acts on the platform.
 #pragma once
 
 #include <cmath>

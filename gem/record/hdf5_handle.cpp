@@ -1,4 +1,4 @@
-// Reasons of failed HDF5 calls, and attributes.
+// Reasons of failed HDF5 calls, and text attributes.
 #include "gem/record/hdf5_handle.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@ namespace gem::hdf5 {
 
 namespace {
 
-/// The deepest entries come first; one with the system's own message wins.
+/// The deepest entry of the error stack comes first. An entry with a message of the system has priority.
 herr_t pick_reason(unsigned, const H5E_error2_t* entry, void* out) {
   auto& reason = *static_cast<std::string*>(out);
   const std::string text = entry->desc != nullptr ? entry->desc : "";

@@ -1,4 +1,4 @@
-// HDF5 identifiers that close themselves, and the reason of a failed call. Included by gem/record only.
+// HDF5 identifiers that close themselves, and reasons of failed calls. Included by gem/record only.
 #pragma once
 
 #include <hdf5.h>
@@ -10,16 +10,16 @@
 
 namespace gem::hdf5 {
 
-/// What the library says about the last failure, in a few words; the system's own reason if it gave one.
+/// Short text of the last failure in the library; the reason of the operating system if there is one.
 std::string last_reason();
 
-/// The library is not safe for threads: whoever writes while others may holds this.
+/// Lock for all calls of the library, which is not thread-safe.
 std::mutex& library_mutex();
 
-/// Silences the library's own printing for the calling thread; every thread that uses HDF5 calls this first.
+/// Switches off the library's own error output for the calling thread. Every thread that uses HDF5 calls this first.
 void quiet_errors();
 
-/// An identifier with its closing function. close() says whether closing worked; the destructor ignores it.
+/// An identifier with its closing function. close() returns whether closing worked; the destructor ignores failures.
 class Handle {
  public:
   using Closer = herr_t (*)(hid_t);
@@ -36,7 +36,7 @@ class Handle {
   bool valid() const { return id_ >= 0; }
   operator hid_t() const { return id_; }
   bool close() { return id_ < 0 || closer_(std::exchange(id_, H5I_INVALID_HID)) >= 0; }
-  /// Forgets the identifier without closing it: for a file that a full disk no longer lets close.
+  /// Drops the identifier without closing it, for a file that cannot be closed on a full disk.
   void abandon() { id_ = H5I_INVALID_HID; }
 
  private:
@@ -44,7 +44,7 @@ class Handle {
   Closer closer_ = nullptr;
 };
 
-/// A failed call of the library, as `what: reason`.
+/// A failed call of the library, as text `what: reason`.
 struct Failure {
   std::string text;
 };

@@ -1,4 +1,4 @@
-// Checks of the output path by asking the file system itself.
+// Checks the output path by asking the file system.
 #include "gem/record/output_path.h"
 
 #include <fcntl.h>
@@ -33,14 +33,14 @@ std::string system_reason(int code) { return std::generic_category().message(cod
   throw Error(ExitCode::file_system, "cannot write " + shown(path) + " (" + why + ") " + hint);
 }
 
-/// Creates, fills and removes a file beside the output.
+/// Creates, fills and removes a test file beside the output.
 void test_write(const std::string& path) {
   std::string probe = folder_of(path) + "/.gem-write-test-XXXXXX";
   const int file = mkstemp(probe.data());
   if (file < 0) {
     const int fault = errno;
     struct stat status {};
-    // /proc and its like answer "no such file" to whoever would make one in them
+    // /proc and similar folders answer "no such file" when a file is created in them
     const bool there = fault == ENOENT && stat(folder_of(path).c_str(), &status) == 0;
     refuse(path, "folder " + shown(folder_of(path)) + ": " + (there ? "it takes no files" : system_reason(fault)),
            "choose another --out");
@@ -91,7 +91,7 @@ OutputClaim::OutputClaim(const std::string& path, bool overwrite) : path_(path) 
   if (!made_ && errno == EEXIST && !overwrite) refuse(path, "the file exists", "use --overwrite or another --out");
   if (!made_ && errno == EEXIST) file_ = open(path.c_str(), O_RDWR | O_CLOEXEC);
   if (file_ < 0) refuse(path, system_reason(errno), "choose another --out");
-  // where a file system knows no locks, HDF5 does without them as well
+  // HDF5 also works without locks on a file system that has none
   if (flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   close(file_);
   refuse(path, "another process writes or reads it", "wait for that or choose another --out");

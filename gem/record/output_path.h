@@ -1,4 +1,4 @@
-// Whether a run file can be written at a path, asked before anything is computed.
+// Checks whether a run file can be written at a path, before anything is computed.
 #pragma once
 
 #include <cstdint>
@@ -6,24 +6,24 @@
 
 namespace gem {
 
-/// Throws Error(file_system) if the path is a directory, exists (and not overwrite), or its folder is missing or does
-/// not accept a test file. Leaves nothing behind.
+/// Throws Error(file_system) if the path is a directory or an existing file (and not overwrite), or if its folder is
+/// missing or does not accept a test file. Leaves no file behind.
 void check_output_path(const std::string& path, bool overwrite);
 
-/// A file that nobody else may write until it is let go: made, empty, or locked where it is to be replaced. One that
-/// was made goes again with a claim that was not let go.
+/// Reserves a file for this process: creates it empty, or locks an existing file that is to be replaced. The destructor
+/// removes a created file unless let_go() was called.
 class OutputClaim {
  public:
-  /// Throws Error(file_system) if the file exists (and not overwrite), cannot be made, or another process has it open
-  /// and locked, as a run does with the file that it writes.
+  /// Throws Error(file_system) if the file exists (and not overwrite), cannot be created, or is locked by another
+  /// process, as by a run that writes it.
   OutputClaim(const std::string& path, bool overwrite);
   ~OutputClaim();
   OutputClaim(const OutputClaim&) = delete;
   OutputClaim& operator=(const OutputClaim&) = delete;
 
-  /// Whether there was no such file before.
+  /// Whether the file was created, that is, did not exist before.
   bool made() const { return made_; }
-  /// Just before the file is opened by a library that locks it too.
+  /// Releases the file. To be called just before a library opens the file and locks it itself.
   void let_go();
 
  private:
@@ -32,14 +32,15 @@ class OutputClaim {
   bool made_ = false;
 };
 
-/// Throws Error(file_system) if what --overwrite would replace is a case, notes or a manifest: neither HDF5 nor what a
-/// kill left empty.
+/// Throws Error(file_system) if --overwrite would replace a file that is neither HDF5 nor empty: a case, notes or a
+/// manifest. A kill may leave an empty file.
 void check_replaceable(const std::string& path);
 
-/// Bytes that may still be written beside `path`: free space, or less if the process has a file size limit.
+/// Bytes that can still be written in the folder of `path`: its free space, or the file size limit of the process if
+/// that is less.
 std::uint64_t room_at(const std::string& path);
 
-/// Path for messages: control characters escaped, so that a message stays one line.
+/// Path for messages. Control characters are escaped, so that a message stays on one line.
 std::string shown(const std::string& path);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// Sampling at three cadences: platform, floes with the books, and events as they happen.
+// Samples at three rates: platform, floes with the books, and events when they occur.
 #include "gem/record/recorder.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 double angle_of(Rotation q) { return std::atan2(q.sine, q.cosine); }
 
-/// The angle of q, counted on from `before` over full turns.
+/// The angle of q [rad], continued from `before` over full turns.
 double unwrapped(Rotation q, double before) {
   constexpr double turn = 6.283185307179586;
   const double step = angle_of(q) - before;

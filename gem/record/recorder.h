@@ -9,7 +9,7 @@
 
 namespace gem {
 
-/// The time steps at which something is recorded every `interval` seconds. A time step is never recorded twice.
+/// The time steps that are recorded, one every `interval` seconds. No time step is recorded twice.
 class Cadence {
  public:
   Cadence(double interval, double time_step) : interval_(interval), time_step_(time_step) {}
@@ -21,19 +21,19 @@ class Cadence {
   double time_step_;
 };
 
-/// Samples one run. Knows no files: what is recorded is taken from it as slabs.
+/// Samples one run. It does not write files: the recorded rows are taken from it as slabs.
 class Recorder {
  public:
   /// Records t = 0.
   Recorder(const SceneDef& scene, Engine& engine);
 
-  /// Samples the platform and keeps the events of the time steps in `log`, which follow those seen before; samples the
-  /// platform at `last_step` in any case.
+  /// Adds the time steps in `log`, which follow those added before: samples the platform and keeps the events. Always
+  /// samples the platform at `last_step`.
   void add(const StepLog& log, std::int64_t last_step);
-  /// Records all floes and the books after the last time step that was added. Returns the row of statistics.
+  /// Records all floes and the books after the last added time step. Returns the row of statistics.
   StatsRow add_frame(Engine& engine, double wall_time);
   std::int64_t next_frame() const { return frames_.next_after(frame_step_); }
-  /// Hands over what was recorded since the last call.
+  /// Returns what was recorded since the last call.
   Slab take();
   std::size_t frames_waiting() const { return slab_.floes.time.size(); }
   std::int64_t events_seen() const { return events_seen_; }

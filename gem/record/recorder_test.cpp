@@ -1,4 +1,4 @@
-// Sampling: cadences, interval forces, trailing mean, unwrapped yaw.
+// Sampling: rates, interval forces, trailing mean, unwrapped yaw.
 #include "gem/record/recorder.h"
 
 #include <gtest/gtest.h>

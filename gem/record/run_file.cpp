@@ -1,4 +1,4 @@
-// Reading of run files through the HDF5 C library, every call checked.
+// Reads run files through the HDF5 C library; every call is checked.
 #include "gem/record/run_file.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace {
   throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + why + ") " + hint);
 }
 
-/// Turns a failed call into the one error of this file.
+/// Turns a failed call into the Error of this file.
 template <class Body>
 auto reading(const std::string& path, Body body) {
   try {

@@ -1,4 +1,4 @@
-// Reads a run file back: for the analysis, for `gem info`, and as a field for another run.
+// Reads a run file: for analysis, for `gem info`, and as the field of another run.
 #pragma once
 
 #include <cstddef>
@@ -21,21 +21,21 @@ struct FrameView {
 /// An open run file. Reading throws Error(file_system) that names the file and the dataset.
 class RunFile {
  public:
-  /// Throws Error(file_system) if the file cannot be read, is no run file or another schema, or is not complete
-  /// (unless allow_incomplete).
+  /// Throws Error(file_system) if the file cannot be read, is not a run file, has another schema version, or is not
+  /// complete (unless allow_incomplete).
   explicit RunFile(const std::string& path, bool allow_incomplete = false);
   ~RunFile();
   RunFile(RunFile&&) noexcept;
 
   const std::string& path() const;
-  /// "running" (or killed), "complete" or "stopped:<reason>".
+  /// "running" (also after a kill), "complete" or "stopped:<reason>".
   std::string status() const;
-  /// A text attribute of the root, e.g. "gem_engine"; the whole case for "gem_case_toml". Empty if there is none.
+  /// A text attribute of the root, e.g. "gem_engine". "gem_case_toml" returns the whole case. Empty if there is none.
   std::string attribute(const std::string& name) const;
   double number_attribute(const std::string& name) const;
   /// How contacts were solved; older files call it gem_resolution.
   std::string solver() const;
-  /// Whole dataset by path, e.g. "platform/x"; two dimensions row by row.
+  /// A whole dataset by path, e.g. "platform/x". Two-dimensional data are row by row.
   std::vector<double> column(const std::string& dataset) const;
   /// Length of each dimension of a dataset.
   std::vector<std::size_t> shape(const std::string& dataset) const;
@@ -50,7 +50,7 @@ class RunFile {
   std::vector<std::vector<Vec2>> floe_outlines() const;
   /// Outlines of the fixed bodies in the world [m].
   std::vector<std::vector<Vec2>> boundary_outlines() const;
-  /// Outline of the platform about its centroid; empty without a platform [m].
+  /// Outline of the platform about its centroid [m]; empty without a platform.
   std::vector<Vec2> platform_outline() const;
 
  private:
@@ -58,14 +58,14 @@ class RunFile {
   std::unique_ptr<Inside> inside_;
 };
 
-/// All overlaps of a run by size class, from stats/overlap_count or stats/overlap_share_count; empty if the file has
-/// none.
+/// All overlaps of a run by size class, from stats/overlap_count or stats/overlap_share_count. Empty if the file has no
+/// such dataset.
 OverlapCount overlaps_of(const RunFile& file, const std::string& dataset);
 
-/// Whether the file starts like a run file (an HDF5 signature).
+/// Whether the file begins with an HDF5 signature.
 bool is_run_file(const std::string& path);
 
-/// The field of a run file at t = 0 as listed floes. Incomplete files are good enough.
+/// The field of a run file at t = 0 as listed floes. The file may be incomplete.
 std::vector<FloeDef> floes_of_run_file(const std::string& path);
 
 }  // namespace gem

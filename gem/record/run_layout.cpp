@@ -1,4 +1,4 @@
-// What a run file holds: its attributes, groups and columns, and the rows of slabs.
+// Contents of a run file: attributes, groups, columns and the rows of slabs.
 #include "gem/record/run_layout.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using hdf5::Handle;
 namespace {
 
 constexpr std::size_t attribute_limit = 60000;  // the HDF5 1.8 format holds 64 kB per attribute
-constexpr std::size_t status_size = 240;        // reserved, so that a later status fits in place
+constexpr std::size_t status_size = 240;        // reserved, so that a later status fits
 
 std::string utc_now() {
   const std::time_t now = std::time(nullptr);

@@ -1,4 +1,4 @@
-// What a run file holds and how slabs go into it. One thread at a time.
+// The layout of a run file, and writing slabs into it. Not thread-safe.
 #pragma once
 
 #include <map>
@@ -13,14 +13,14 @@ namespace gem {
 /// An open run file. Every failed call throws hdf5::Failure.
 class RunLayout {
  public:
-  /// Creates the file, or empties the one that is there.
+  /// Creates the file, or empties an existing one.
   RunLayout(const std::string& path, const SceneDef& scene, const Bodies& bodies, const Provenance& provenance);
-  /// Takes a slab over and writes the chunks that are full. A chunk is written once and never again: its room in the
-  /// file is never given to another chunk, so a killed run leaves every chunk readable that a flush has seen.
+  /// Takes over a slab and writes the chunks that are full. A chunk is written once, and its place in the file is never
+  /// reused. So every chunk that was flushed stays readable after a kill.
   void append(Slab slab);
-  /// Writes the rows that fill no chunk; for the end of a run.
+  /// Writes the remaining rows that fill no chunk, at the end of the run.
   void append_rest();
-  /// What waits for its chunk to fill.
+  /// The rows that wait for their chunk to fill.
   const Slab& waiting() const { return waiting_; }
   /// Time of the last floe frame that was written [s].
   double saved_time() const { return saved_time_; }

@@ -1,4 +1,4 @@
-// How much of a run may wait in memory: what a kill would cost.
+// How many rows of a run wait in memory and would be lost in a kill.
 #include "gem/record/run_layout.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(ChunkShape, HoldsFewerFramesOfMoreFloes) {
   EXPECT_EQ(chunk_shape(1000000).rows_of("events"), 64U);
 }
 
-/// Frames that wait after seven were handed over.
+/// Number of frames that wait after seven were added.
 std::size_t frames_waiting(int floes) {
   const ScratchFolder folder("gem layout");
   SceneDef scene;

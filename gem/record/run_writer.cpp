@@ -1,4 +1,4 @@
-// The writer's thread: takes slabs from a short queue, writes and flushes them, and remembers the first failure.
+// The writer thread: takes slabs from a short queue, writes and flushes them, and keeps the first failure.
 #include "gem/record/run_writer.h"
 
 #include <unistd.h>
@@ -23,10 +23,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A kill in the milliseconds of a flush may tear the file's index, so a fast run does not flush without end.
+// A kill during the milliseconds of a flush may damage the index of the file, so flushes are at least this far apart.
+// Chosen by hand: a kill loses up to this much wall time more.
 constexpr auto flush_pause = std::chrono::seconds(2);
-constexpr std::size_t queue_limit = 2;
-constexpr std::uint64_t spare_room = 1 << 20;  // for the file's own index and the last words
+constexpr std::size_t queue_limit = 2;         // slabs: one is written while the next is filled
+constexpr std::uint64_t spare_room = 1 << 20;  // for the index of the file and the final status
 
 std::uint64_t bytes(const Slab& slab) {
   return slab.platform.size() * platform_columns().size() * 8 + slab.events.size() * event_columns().size() * 8 +
@@ -34,15 +35,15 @@ std::uint64_t bytes(const Slab& slab) {
          slab.floes.x.size() * floe_columns().size() * 4;
 }
 
-/// The library must not try to close a file at exit that a full disk did not let it close. It prints errors unless told
-/// otherwise by each thread.
+/// Stops the library from closing files at exit, which fails on a full disk. Switches off its error output, which is
+/// per thread.
 void prepare_library() {
   static const bool once = [] { return H5dont_atexit() >= 0; }();
   static_cast<void>(once);
   hdf5::quiet_errors();
 }
 
-/// What the file says of its start: the writer's own, for the engine moves its bodies meanwhile.
+/// What the file says about the start of the run. A copy, since the engine moves its bodies meanwhile.
 struct Start {
   SceneDef scene;
   Bodies bodies;
@@ -103,7 +104,7 @@ class RunWriter::Thread {
   }
 
  private:
-  /// Does something with the library. What fails is remembered: nothing more is written then.
+  /// Calls the library. After a failure, which is kept, nothing more is written.
   template <class Action>
   void guarded(Action action) {
     const std::lock_guard library(hdf5::library_mutex());
@@ -119,7 +120,8 @@ class RunWriter::Thread {
     }
   }
 
-  /// The file and what is known at the start: tens of milliseconds, which the simulation need not wait for.
+  /// Creates the file and writes what is known at the start. This takes tens of milliseconds, for which the simulation
+  /// does not wait.
   void begin(const Start start) {
     guarded([&] {
       claim_.let_go();
@@ -142,7 +144,7 @@ class RunWriter::Thread {
     }
   }
 
-  /// A slab goes in only if it surely fits: what is on disk then stays readable when the disk is full.
+  /// A slab is written only if it surely fits, so that the file stays readable when the disk is full.
   void write(Slab slab) {
     guarded([&] {
       if (!has_room_for(slab)) {
@@ -155,7 +157,7 @@ class RunWriter::Thread {
     });
   }
 
-  /// Rows that wait or are not flushed yet need their room too.
+  /// Rows that wait or are not flushed need disk space too.
   bool has_room_for(const Slab& slab) const {
     return room_at(path_) >= unflushed_ + bytes(slab) + bytes(layout_->waiting()) + spare_room;
   }
@@ -225,7 +227,7 @@ class RunWriter::Thread {
   bool finished_ = false;
   bool broken_ = false;
   bool stopping_ = false;
-  std::thread thread_;  // last: it uses all of the others
+  std::thread thread_;  // last member: the thread uses all others
 };
 
 RunWriter::RunWriter(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,

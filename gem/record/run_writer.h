@@ -1,4 +1,4 @@
-// Writes one run file on its own thread; the simulation waits only when the queue of slabs is full.
+// Writes one run file on a thread of its own. The simulation waits only when the queue of slabs is full.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace gem {
 
-/// What happened since the last slab.
+/// The recorded rows since the last slab.
 struct Slab {
   std::vector<PlatformRow> platform;
   std::vector<ContactEvent> events;
   std::vector<StatsRow> stats;
   FloeFrames floes;
-  double time = 0.0;  // up to where this slab tells the story [s]
+  double time = 0.0;  // end of the recorded time [s]
   bool empty() const { return platform.empty() && events.empty() && stats.empty() && floes.time.empty(); }
 };
 
-/// Who wrote the file and from what.
+/// Origin of the file: program, command and engine.
 struct Provenance {
   std::string title;
   std::string case_toml;
@@ -29,28 +29,28 @@ struct Provenance {
   std::string engine;
   std::string solver;
   int threads = 0;
-  std::string arithmetic = "strict";  // no contraction, ordered sums: the same bits on every engine
-  std::string device = "";            // that the engine ran on besides the processor; empty: none
+  std::string arithmetic = "strict";  // strict: no contraction, ordered sums, the same bits on every engine
+  std::string device = "";            // accelerator of the engine; empty: none
 };
 
-/// A run file. The file exists from construction on; it is removed again if nothing was written when this is destroyed.
+/// A run file. It exists from construction on. The destructor removes it if nothing was written.
 class RunWriter {
  public:
-  /// Throws Error(file_system) if the file exists (and not overwrite), another process writes it, or its folder takes
-  /// no files. `scene` and `bodies` are copied: what the file says of them is written meanwhile.
+  /// Throws Error(file_system) if the file exists (and not overwrite), another process writes it, or its folder does
+  /// not accept files. Copies `scene` and `bodies`, which the thread writes later.
   RunWriter(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
             const Provenance& provenance);
   ~RunWriter();
   RunWriter(const RunWriter&) = delete;
   RunWriter& operator=(const RunWriter&) = delete;
 
-  /// Hands over a slab. Throws Error(file_system), or Error(resource_limit) where memory was too small, if an earlier
-  /// one could not be written.
+  /// Queues a slab. If an earlier slab could not be written, throws Error(file_system), or Error(resource_limit) if
+  /// memory was too small.
   void write(Slab slab);
-  /// Throws the writer's Error, if any; cheap.
+  /// Throws the Error of the writer thread, if there is one. Cheap.
   void check() const;
-  /// Waits for the queue, sets the status ("complete" or "stopped:<reason>") and the state hash, and closes.
-  /// After a failed write the status is set as well as the file allows, and the failure is thrown.
+  /// Waits for the queue, sets the status ("complete" or "stopped:<reason>") and the state hash, and closes the file.
+  /// After a failed write it sets the status if the file allows it, and throws the failure.
   void finish(const std::string& status, std::uint64_t state_hash);
 
  private:
@@ -58,10 +58,10 @@ class RunWriter {
   std::unique_ptr<Thread> thread_;
 };
 
-/// Identity of this build: version, commit, build type and compiler.
+/// Version, commit, build type and compiler of this build.
 std::string build_text();
 
-/// A state hash as it stands in files and summaries: 16 hex digits.
+/// A state hash as in files and summaries: 16 hex digits.
 std::string hash_text(std::uint64_t hash);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// The columns of /platform, /events, /stats and /floes, and where each value comes from.
+// The columns of /platform, /events, /stats and /floes, and the source of each value.
 #include "gem/record/schema.h"
 
 #include <algorithm>

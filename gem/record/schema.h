@@ -1,4 +1,4 @@
-// Every dataset of a run file in one table: group, name, shape, type, unit and meaning.
+// All datasets of a run file in one table: group, name, shape, type, unit and meaning.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace gem {
 
-/// Version of the layout, attribute gem_schema.
+/// Version of the layout; attribute gem_schema.
 inline constexpr const char* schema_version = "1";
 
-/// How a dataset is stored: IEEE 64 and 32 bit, signed 32 bit, unsigned 8 bit.
+/// Storage type of a dataset: IEEE 64 and 32 bit, signed 32 bit, unsigned 8 bit.
 enum class Stored { f8, f4, i4, u1 };
 
 /// One dataset. `dimensions` are names separated by blanks; `time` and `event` grow.
@@ -37,16 +37,16 @@ struct PlatformRow {
   double yaw = 0.0;
   Vec2 velocity;
   double spin = 0.0;
-  Vec2 ice_impulse;     // since the last sample
-  Vec2 ice_force;       // the same over the interval
-  Vec2 ice_force_mean;  // trailing mean over output.force_window_s
+  Vec2 ice_impulse;     // since the last sample [N s]
+  Vec2 ice_force;       // ice_impulse over the sample interval [N]
+  Vec2 ice_force_mean;  // trailing mean over output.force_window_s [N]
   Vec2 mooring_force;
   Vec2 drag_force;
   double ice_yaw_moment = 0.0;
   double contacts = 0.0;
 };
 
-/// The books and the quality of the run at one floe frame; maxima are over the interval since the last one.
+/// Books and quality of the run at a floe frame. Maxima are over the interval since the last frame.
 struct StatsRow {
   double time = 0.0;
   Ledger ledger;
@@ -67,7 +67,7 @@ struct StatsRow {
   double steps = 0.0;
 };
 
-/// Floe frames one after another: value of floe i in frame n at [n * floe_count + i].
+/// Floe frames in sequence: the value of floe i in frame n is at [n * floe_count + i].
 struct FloeFrames {
   std::vector<double> time;
   std::vector<float> x, y, theta, vx, vy, omega;
@@ -85,7 +85,7 @@ struct FloeColumn {
   std::vector<float> FloeFrames::*values;
 };
 
-/// Overlaps of one interval, counted by size class.
+/// A column of overlap counts by size class, for one interval.
 struct CountColumn {
   Column column;
   OverlapCount StatsRow::*counts;
@@ -107,7 +107,7 @@ std::vector<ShapeColumn> shape_columns(const SceneDef& scene);
 /// All datasets of a run file of this scene, for documentation and checks.
 std::vector<Column> schema(const SceneDef& scene);
 
-/// Bodies of one kind: the platform is body 0, then the fixed bodies, then the floes.
+/// Number of bodies by kind. The order is: platform (body 0), fixed bodies, floes.
 std::size_t first_fixed(const Bodies& bodies);
 std::size_t first_floe(const Bodies& bodies);
 

@@ -1,4 +1,4 @@
-// The columns of /shape and /boundary: what is known before the first time step.
+// The columns of /shape and /boundary, which are known before the first time step.
 #include <cmath>
 
 #include "gem/record/schema.h"
@@ -22,7 +22,7 @@ Values per_floe(std::function<double(const Bodies&, std::size_t)> value) {
   };
 }
 
-/// Outlines of the bodies [first, end) one after another as x, y, x, y; in the world if `world`.
+/// Outlines of the bodies [first, end) in sequence as x, y, x, y; in world axes if `world`.
 std::vector<double> outlines(const Bodies& b, std::size_t first, std::size_t end, bool world) {
   std::vector<double> values;
   for (std::size_t i = first; i < end; ++i) {

@@ -1,4 +1,4 @@
-// Writes dimension scales `run` and one per axis, a dataset per column and per series.
+// Writes the dimension scale `run`, one scale per axis, and one dataset per column and series.
 #include "gem/record/summary_file.h"
 
 #include <hdf5_hl.h>
@@ -23,7 +23,8 @@ using hdf5::Handle;
 
 namespace {
 
-constexpr std::size_t kLongText = 256;
+/// Longer texts are stored with a fixed length and compressed. Chosen by hand.
+constexpr std::size_t long_text = 256;
 
 Handle text_type() {
   Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, "text type");
@@ -59,7 +60,7 @@ class SummaryWriter {
   }
 
  private:
-  /// Whole cases are alike but for a few words: as texts of one length they compress to almost nothing.
+  /// Whole cases differ in a few words only, so texts of one length compress to almost nothing.
   Handle long_texts(const std::string& name, const std::vector<std::string>& values) {
     std::size_t longest = 1;
     for (const std::string& value : values) longest = std::max(longest, value.size());
@@ -73,7 +74,7 @@ class SummaryWriter {
   }
 
   Handle texts(const std::string& name, const std::vector<std::string>& values) {
-    const auto is_long = [](const std::string& value) { return value.size() > kLongText; };
+    const auto is_long = [](const std::string& value) { return value.size() > long_text; };
     if (std::any_of(values.begin(), values.end(), is_long)) return long_texts(name, values);
     std::vector<const char*> pointers;
     for (const std::string& value : values) pointers.push_back(value.c_str());
@@ -86,7 +87,7 @@ class SummaryWriter {
     return id;
   }
 
-  /// Compressed where a chunk is given.
+  /// Compressed if `chunk` is given.
   Handle dataset(const std::string& name, const std::vector<hsize_t>& size, const std::vector<hsize_t>& chunk,
                  hid_t file_type, hid_t memory_type, const void* values) {
     const Handle space =
@@ -137,7 +138,7 @@ class SummaryWriter {
   }
 
   const SummaryTable& table_;
-  std::string coordinates_;  // names of the settings, as the CF conventions list them
+  std::string coordinates_;  // names of the settings, in CF format
   Handle file_, run_;
   std::map<std::string, Handle> axis_;
 };

@@ -1,4 +1,4 @@
-// A summary read back through the library itself.
+// A summary is written and read back through the library.
 #include "gem/record/summary_file.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Reads a summary back: what each dataset is, is told by its scales.
+// Reads a summary. The scales of a dataset tell whether it is a column or a series.
 #include <hdf5_hl.h>
 
 #include <algorithm>
@@ -67,7 +67,7 @@ class Dataset {
     return product;
   }
 
-  /// The scale of a dimension by its name; empty without one.
+  /// Name of the scale of a dimension; empty if it has none.
   std::string scale(unsigned dimension) const {
     std::string found;
     const H5DS_iterate_t look = [](hid_t, unsigned, hid_t scale, void* to) -> herr_t {
@@ -143,7 +143,7 @@ const Item* named(const std::vector<Item>& items, const std::string& name) {
   return found == items.end() ? nullptr : &*found;
 }
 
-/// Every column has a value for each run, every series a row as long as its axis.
+/// Checks that every column has a value per run, and every series a row per run as long as its axis.
 void check_lengths(const SummaryTable& table) {
   if (table.runs.empty()) throw hdf5::Failure{"it lists no runs"};
   for (const SummaryColumn& column : table.columns)

@@ -1,4 +1,4 @@
-// Scenes go on side by side, each up to its own next frame or as far as the engine takes it in one go.
+// Runs scenes side by side. Each advances to its own next frame, or as far as the engine takes it in one call.
 #include "gem/run/run_batch.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class BatchRun {
   }
 
  private:
-  /// Does something for a scene; a fault ends that scene's run alone.
+  /// Runs work for one scene. A failure ends the run of that scene only.
   template <class Action>
   void guarded(std::size_t k, Action action) {
     try {
@@ -57,7 +57,7 @@ class BatchRun {
       if (runs_[k]) guarded(k, [&] { action(*runs_[k], k); });
   }
 
-  /// Ends the runs of which over(run) is true.
+  /// Ends the runs for which over(run) is true.
   template <class Over>
   void finish(int stop, Over over) {
     for (std::size_t k = 0; k < runs_.size(); ++k) {
@@ -75,7 +75,7 @@ class BatchRun {
     runs_[k].reset();
   }
 
-  /// Moves on what is neither over nor failed. Progress, the disk and signals are looked at in between.
+  /// Advances the scenes that still run. Progress, disk and signals are checked in between.
   void advance() {
     std::vector<StepsAhead> ahead(batch_.size());
     for (std::size_t k = 0; k < ahead.size(); ++k) {
@@ -105,7 +105,7 @@ class BatchRun {
   const std::vector<RunOptions>& options_;
   std::vector<StepLog> logs_;
   std::vector<BatchEnd> ends_;
-  std::vector<std::unique_ptr<RunSteps>> runs_;  // empty: over
+  std::vector<std::unique_ptr<RunSteps>> runs_;  // null: the run is over
   ThreadTeam team_;
 };
 

@@ -1,4 +1,4 @@
-// Many scenes over time together: the loop of run_scene for engines that gain by a batch.
+// The time loop for many scenes together, for engines that are faster with a batch.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace gem {
 
-/// How one scene of a batch ended: its summary, or why it failed.
+/// The end of one scene of a batch: its summary, or the reason of its failure.
 struct BatchEnd {
   RunSummary summary;
   std::string fault;  // empty: none
   ExitCode code = ExitCode::done;
 };
 
-/// Runs scenes to their ends, each into its own file with the same bits that it has alone. A
-/// scene that fails stops no other. `options[k]` belongs to `scenes[k]` and to scene k of the batch. What the scenes
-/// left is recorded by as many threads.
+/// Runs scenes to their ends, each into its own file, with the same bits as a run of its own. A scene that fails does
+/// not stop the others. `options[k]` belongs to `scenes[k]` and to scene k of the batch. The results are recorded by as
+/// many threads as the options ask for.
 std::vector<BatchEnd> run_batch(const std::vector<SceneDef>& scenes, EngineBatch& batch,
                                 const std::vector<RunOptions>& options, int recorders = 1);
 

@@ -1,4 +1,4 @@
-// Scenes that run together against the same scenes alone.
+// Scenes that run together compared with single runs.
 #include "gem/run/run_batch.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(RunBatch, EachSceneHasTheBitsAndTheRecordThatItHasAlone) {
   std::vector<RunOptions> options;
   for (const std::uint64_t seed : {1, 2, 3}) {
     SceneDef scene = test::busy_scene(seed);
-    scene.run.duration_s = 14.0 + 2.0 * static_cast<double>(seed);    // the first is over while others go on
+    scene.run.duration_s = 14.0 + 2.0 * static_cast<double>(seed);    // the first ends while others go on
     scene.output.floes_interval_s = 1.0 + static_cast<double>(seed);  // frames at different times
     starts.push_back({scene, test::busy_field(scene)});
     options.push_back(options_for(std::to_string(seed)));
@@ -61,7 +61,7 @@ TEST(RunBatch, EachSceneHasTheBitsAndTheRecordThatItHasAlone) {
   EXPECT_EQ(run_scene(hurried, *test::busy_engine(hurried, "cpu"), options_for("alone_each")).at_limit, 0);
 }
 
-/// Fake engines, of which the second stops at a time step.
+/// Fake engines; the second stops at a given time step.
 class FakeBatch : public EngineBatch {
  public:
   FakeBatch(const SceneDef& scene, std::size_t count, std::int64_t stop_at) {
@@ -74,7 +74,7 @@ class FakeBatch : public EngineBatch {
     std::vector<std::exception_ptr> faults(engines_.size());
     for (std::size_t k = 0; k < engines_.size(); ++k) {
       try {
-        // each at a pace of its own, and not in every call
+        // each scene at its own pace, and not in every call
         const auto some = std::min<std::int64_t>(ahead[k].most, 5 * static_cast<std::int64_t>((calls_ + k) % 4));
         if (some > 0) engines_[k]->advance(some, logs[k]);
       } catch (const Error&) {

@@ -1,4 +1,4 @@
-// Messages and the progress line. Failed writes are ignored: a run goes on without its terminal.
+// Messages and the progress line. Failed writes are ignored, so that a run survives the loss of its terminal.
 #include "gem/run/run_log.h"
 
 #include <unistd.h>
@@ -19,7 +19,7 @@ double fraction(double time, double duration) { return duration > 0.0 ? std::min
 
 double rate(const Progress& p) { return p.wall_time > 0.0 ? p.time / p.wall_time : 0.0; }
 
-/// Three digits of the duration.
+/// The simulated time, rounded to three significant digits of the duration.
 std::string time_text(const Progress& p) {
   const double size = std::max(p.duration, 1e-6);
   return fixed_text(p.time, std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6));

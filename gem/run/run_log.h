@@ -1,4 +1,4 @@
-// What a run says on standard error: messages and progress, as text or as one JSON object per line.
+// What a run prints on standard error: messages and progress, as text or as one JSON object per line.
 #pragma once
 
 #include <chrono>
@@ -15,11 +15,11 @@ enum class ProgressMode {
 
 struct LogOptions {
   ProgressMode progress = ProgressMode::automatic;
-  bool quiet = false;  ///< faults only
+  bool quiet = false;  ///< errors only
   bool json = false;
 };
 
-/// Where a run stands.
+/// Progress of a run.
 struct Progress {
   double time = 0.0;       // simulated [s]
   double duration = 0.0;   // [s]
@@ -34,12 +34,12 @@ class RunLog {
   ~RunLog() { clear_line(); }
   RunLog(const RunLog&) = delete;
   RunLog& operator=(const RunLog&) = delete;
-  /// level: info, warning or error. Errors are printed even if quiet.
+  /// `level` is info, warning or error. Errors are printed even if quiet.
   void message(const std::string& level, const std::string& text);
-  /// Whether show() would print now; so that the caller need not work out what is not shown.
+  /// Whether show() would print now. If not, the caller need not prepare the progress text.
   bool wants(double time, double duration) const;
   void show(const Progress& progress);
-  /// Shows `line`, or `object` where progress is asked for as JSON, at this fraction of the whole.
+  /// Prints `line`, or `object` if progress is in JSON. `fraction` is the completed part of the run.
   void show(double fraction, const std::string& line, const std::string& object);
 
  private:
@@ -53,13 +53,13 @@ class RunLog {
   std::chrono::steady_clock::time_point shown_at_;
 };
 
-/// Hours, minutes and seconds, as 1:02:03 or 02:03.
+/// Hours, minutes and seconds: 1:02:03 or 02:03.
 std::string clock_text(double seconds);
 
-/// Simulated over wall time for people: two digits below ten, whole numbers above.
+/// Simulated over wall time for people: two significant digits below ten, whole numbers above.
 std::string rate_text(double rate);
 
-/// One line for people; `duration` 0 counts as done.
+/// Progress in one line for people. A `duration` of 0 counts as done.
 std::string progress_text(const Progress& progress);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// What the progress line says of slow and of short runs.
+// The progress line of slow and of short runs.
 #include "gem/run/run_log.h"
 
 #include <gtest/gtest.h>

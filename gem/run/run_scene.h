@@ -1,4 +1,4 @@
-// The only loop over time: moves an engine to the end of its scene, records, checks the books and can be stopped.
+// The time loop of a run: advances an engine to the end of its scene, records, checks the books, stops on signals.
 #pragma once
 
 #include <atomic>
@@ -12,7 +12,7 @@
 
 namespace gem {
 
-/// Largest share of momentum and energy that the books may leave unexplained: rounding over 72 hours stays below.
+/// Largest relative residuals of the books. Rounding over 72 hours of simulated time stays below them.
 struct BookLimits {
   double momentum = 1e-11;
   double angular_momentum = 1e-11;
@@ -20,19 +20,20 @@ struct BookLimits {
 };
 
 struct RunOptions {
-  std::string output;  ///< run file; empty: nothing is written
+  std::string output;  ///< run file; empty: no file
   bool overwrite = false;
   LogOptions log;
   BookLimits books;
-  double flush_interval_s = 5.0;           ///< wall time between two flushes
-  std::int64_t step_limit = 0;             ///< > 0: stop after so many time steps
-  std::string command_line = "gem";        ///< for the file's history
-  int threads = 1;                         ///< the same
-  const std::atomic<int>* stop = nullptr;  ///< number of a signal to stop for besides this process's own; may be null
-  std::function<void(double)> on_block = {};  ///< is told the simulated time [s] after each block of time steps
+  double flush_interval_s = 5.0;     ///< wall time between two flushes
+  std::int64_t step_limit = 0;       ///< > 0: stop after so many time steps
+  std::string command_line = "gem";  ///< for the history attribute of the file
+  int threads = 1;                   ///< for the history attribute of the file
+  const std::atomic<int>* stop =
+      nullptr;  ///< signal number to stop for, besides the process's own signals; may be null
+  std::function<void(double)> on_block = {};  ///< called with the simulated time [s] after each block of time steps
 };
 
-/// What a run came to.
+/// The result of a run.
 struct RunSummary {
   std::string status;   // complete | stopped:<reason>
   int stop_signal = 0;  // SIGINT, SIGTERM, SIGHUP or 0
@@ -47,21 +48,22 @@ struct RunSummary {
   std::uint64_t state_hash = 0;
   LedgerResidual residual;     // largest over all floe frames
   StepQuality worst;           // of all time steps
-  std::int64_t at_limit = 0;   // coupled time steps that ended because no more iterations were allowed
+  std::int64_t at_limit = 0;   // coupled time steps that ended at the iteration limit
   OverlapCount overlap;        // of all time steps [m]
-  OverlapCount overlap_share;  // over the size of the smaller body [-]
+  OverlapCount overlap_share;  // depth over the size (root of the area) of the smaller body
   double active_floes = 0.0;
   double peak_memory = 0.0;  // of the process [bytes]
 };
 
-/// Runs the engine from where it stands (time step 0) to the end of the scene. Throws Error(file_system) if the record
-/// cannot be written and Error(numerical_stop) if the state or the books go wrong; the file then says so.
+/// Runs the engine from its current state (time step 0) to the end of the scene. Throws Error(file_system) if the
+/// record cannot be written, and Error(numerical_stop) if the state is not finite or the books do not close; the file
+/// then has that status.
 RunSummary run_scene(const SceneDef& scene, Engine& engine, const RunOptions& options);
 
-/// Number of the signal for which a run is to stop now; 0: none.
+/// Number of the signal that asks the run to stop; 0: none.
 int stop_signal_of(const RunOptions& options);
 
-/// Time steps of a whole run: the duration over the time step, rounded.
+/// Number of time steps of the whole run: duration over time step, rounded.
 std::int64_t steps_of(const SceneDef& scene);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// A run file written and read back, and every refusal of writer and reader.
+// A run file is written and read back; every refusal of writer and reader.
 #include "gem/record/run_file.h"
 
 #include <gtest/gtest.h>
@@ -41,15 +41,15 @@ class RunFileTest : public testing::Test {
   }
   std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(folder_), {})); }
 
-  /// Waits until a writer's thread is through with what it has begun, as the size of the file shows: it has the library
-  /// to itself meanwhile.
+  /// Waits until the writer thread has finished its current work, judged by the size of the file. Until then the thread
+  /// holds the library.
   void wait_for_writer() const {
     for (int n = 0; n < 1000 && fs::file_size(options_.output) == 0; ++n) usleep(10000);
     ASSERT_GT(fs::file_size(options_.output), 0U);
     const std::lock_guard library(hdf5::library_mutex());
   }
 
-  /// Runs `body`, which must throw Error with this code and this text in its message.
+  /// Runs `body`, which must throw Error with this code and with this text in its message.
   template <class Body>
   void expect_error(ExitCode code, const std::string& text, Body body) {
     try {
@@ -241,7 +241,7 @@ TEST_F(RunFileTest, AFailedWriteIsReportedWithTheReasonOfTheSystem) {
   usleep(2100000);  // longer than the writer's pause between two flushes
   writer.write(slab);
   for (int n = 0; n < 500 && fs::file_size(options_.output) < empty_size + 100000; ++n) usleep(10000);
-  ASSERT_NO_FATAL_FAILURE(wait_for_writer());  // it writes already
+  ASSERT_NO_FATAL_FAILURE(wait_for_writer());  // the writer is already writing
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   signal(SIGXFSZ, SIG_IGN);

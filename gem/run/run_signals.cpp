@@ -1,4 +1,4 @@
-// Signal handlers that only touch one flag.
+// Signal handlers that only set a flag.
 #include "gem/run/run_signals.h"
 
 #include <signal.h>

@@ -1,10 +1,10 @@
-// Stop signals: the first asks the run to end in order, the second ends the process at once.
+// Stop signals: the first asks the run to end properly, the second ends the process at once.
 #pragma once
 
 namespace gem {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP are noted instead of ending the process; the former handlers come back
-/// after it. A SIGHUP that is ignored, as under nohup, stays so.
+/// While it exists, SIGINT, SIGTERM and SIGHUP are noted and do not end the process; the destructor restores the former
+/// handlers. An ignored SIGHUP, as under nohup, stays ignored.
 class StopSignals {
  public:
   StopSignals();
@@ -15,10 +15,10 @@ class StopSignals {
   static int received();
 };
 
-/// What a process ends with after such a signal, or 0.
+/// Exit code of a process after such a signal; 0 without a signal.
 int exit_code_of_signal(int signal_number);
 
-/// A closed pipe and a file size limit become failed writes instead of ending the process.
+/// Turns a closed pipe and a file size limit into failed writes, which otherwise end the process.
 void ignore_write_signals();
 
 }  // namespace gem

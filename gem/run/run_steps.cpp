@@ -18,6 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Floe frames per slab. Chosen by hand: bounds the memory of the rows that wait.
 constexpr std::size_t slab_frames = 64;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -99,7 +100,7 @@ void RunSteps::frame() {
   worst.momentum = std::max(worst.momentum, row.residual.momentum);
   worst.angular_momentum = std::max(worst.angular_momentum, row.residual.angular_momentum);
   worst.energy = std::max(worst.energy, row.residual.energy);
-  // equal terms a time step, as of a floe at rest, may all be rounded the same way
+  // equal terms in every time step, as for a floe at rest, may all be rounded in the same direction
   const double rounded = 0x1p-53 * double(engine_.step());
   check_book("momentum", row.residual.momentum, std::max(rounded, options_.books.momentum), row.time);
   check_book("angular momentum", row.residual.angular_momentum, std::max(rounded, options_.books.angular_momentum),

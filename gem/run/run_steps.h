@@ -1,4 +1,4 @@
-// One run under way: what is recorded and checked between two moves of its engine, whoever moves it.
+// One run in progress: what is recorded and checked between two calls of its engine.
 #pragma once
 
 #include <chrono>
@@ -10,27 +10,27 @@
 
 namespace gem {
 
-/// Scene, engine and options stay as they are while this lives.
+/// Scene, engine and options must outlive this object.
 class RunSteps {
  public:
   RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& options);
 
-  /// Starts the clock of the run.
+  /// Starts the wall clock of the run.
   void begin();
   bool at_end() const { return engine_.step() >= last_step_; }
-  /// Time steps up to the next frame, or to where progress and the disk are looked at: `most`.
+  /// Time steps up to the next frame; at most `most`, so that progress and disk are checked often enough.
   std::int64_t steps_ahead(std::int64_t most = 64) const;
-  /// Time steps up to the end.
+  /// Time steps up to the end of the run.
   std::int64_t steps_left() const { return last_step_ - engine_.step(); }
-  /// Empties a log for the next time steps.
+  /// Clears a log for the next time steps.
   void prepare(StepLog& log) const;
-  /// Records and checks the time steps that the engine has made; `log` holds them. Throws like run_scene.
+  /// Records and checks the time steps that the engine has done; `log` holds them. Throws like run_scene().
   void take(const StepLog& log);
-  /// Records where the run stopped, if that is between two frames. Throws like run_scene.
+  /// Records the last state if it lies between two frames. Throws like run_scene().
   void last_frame();
-  /// Closes the file in order; `stop_signal` 0: at the end of the run. After this the run is over, also if it throws.
+  /// Closes the file; `stop_signal` is 0 at the end of the run. The run is over even if this throws.
   RunSummary finish(int stop_signal);
-  /// Saves what there is and says in the file why the run ended.
+  /// Saves what is available, and writes the reason of the failure to the file.
   void fail(const std::exception& error);
 
  private:

@@ -131,8 +131,10 @@ list(FILTER paper_sources EXCLUDE REGEX "/validation/paper/(experiments/.*|gem_p
 add_library(gem_paper_judge STATIC ${paper_sources})
 target_link_libraries(gem_paper_judge PUBLIC gem_analysis
   PRIVATE GSL::gsl GSL::gslcblas nlohmann_json::nlohmann_json)
+gem_cold(gem_paper_judge)
 add_executable(gem_paper validation/paper/gem_paper.cpp)
 target_link_libraries(gem_paper PRIVATE gem_paper_judge gem_command CLI11::CLI11)
+gem_cold(gem_paper)
 
 # Needs no benchmark library: it is carried to the machine that has the GPU.
 if(GEM_HAS_CUDA)

@@ -99,12 +99,16 @@ add_test(NAME manual.wind_example COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_ex
 set_tests_properties(manual.wind_example PROPERTIES LABELS unit PROCESSORS 2 TIMEOUT 600
   ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 
-# A run file read the way its users read it; without python3 and h5py this is skipped with its reason.
-add_test(NAME run_file_readers COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_run_file.sh $<TARGET_FILE:gem>
-  ${PROJECT_SOURCE_DIR}/cases/analytic/V10_floe_on_moored_platform.toml)
-set_tests_properties(run_file_readers PROPERTIES LABELS unit SKIP_RETURN_CODE 77)
-
-# A sweep, run and collected, opened by xarray as its users do; skipped with its reason without it.
-add_test(NAME sweep_summary_readers COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_summary.sh $<TARGET_FILE:gem>
-  ${PROJECT_SOURCE_DIR}/cases/small_sweep.toml)
-set_tests_properties(sweep_summary_readers PROPERTIES LABELS unit SKIP_RETURN_CODE 77)
+# A run file, and the summary of a sweep, read the way their users read them; skipped with the reason without the readers.
+find_program(GEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)  # the distribution's, which has the readers of its packages
+function(gem_reader_test name what case)
+  if(GEM_PYTHON)
+    add_test(NAME ${name} COMMAND ${GEM_PYTHON} ${PROJECT_SOURCE_DIR}/scripts/check_files.py ${what} $<TARGET_FILE:gem>
+      ${PROJECT_SOURCE_DIR}/cases/${case}.toml)
+  else()
+    add_test(NAME ${name} COMMAND sh -c "echo skipped: no /usr/bin/python3; exit 77")
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS unit SKIP_RETURN_CODE 77)
+endfunction()
+gem_reader_test(run_file_readers run analytic/V10_floe_on_moored_platform)
+gem_reader_test(sweep_summary_readers summary small_sweep)

@@ -57,7 +57,10 @@ double creep(const std::string& id, const std::string& file, std::int64_t settli
 }
 
 TEST_P(HardRest, H10_locked_wedge) {
-  bound("H10.creep", creep("H10", "H10_locked_wedge.toml", 2000, 1000000, setting()), 1e-3, "m", where());
+  // the reference takes 0.1 ms a time step: a tenth of the time, for a tenth of the bound
+  const std::int64_t shorter = setting().engine == "reference" ? 10 : 1;
+  const double farthest = creep("H10", "H10_locked_wedge.toml", 2000, 1000000 / shorter, setting());
+  bound("H10.creep", farthest, 1e-3 / static_cast<double>(shorter), "m", where());
 }
 
 TEST_P(HardRest, H15_corner) {

@@ -1,4 +1,4 @@
-// How the stages of a time step (gem/engine/step/stages.h) go on by a team of threads.
+// Runs the stages of a time step (gem/engine/step/stages.h) on a team of threads.
 #include "gem/engine/cpu/cpu_engine.h"
 
 #include <utility>
@@ -63,7 +63,7 @@ void CpuEngine::run(ThreadTeam& team, int rank, StepLog& log) {
   if constexpr (stage == Stage::move) move(team, rank, log);
 }
 
-/// What one thread must do alone goes on beside what all can share.
+/// Rank 0 moves the platform and prepares memory while the other threads start on the floes.
 void CpuEngine::solo_events(ThreadTeam& team, int rank) {
   FieldState& f = field_;
   const Contacts contacts = pairs_.contacts();
@@ -91,7 +91,7 @@ void CpuEngine::resolve_independent(ThreadTeam& team, int rank) {
   });
 }
 
-/// The ledger and the search for overlaps are each in order. They go on side by side.
+/// The books and the log must be filled in order of the contacts, by one thread each. The two threads run side by side.
 void CpuEngine::enter_books(ThreadTeam& team, int rank, StepLog& log) {
   FieldState& f = field_;
   const Contacts contacts = pairs_.contacts();

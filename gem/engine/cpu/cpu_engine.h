@@ -1,4 +1,4 @@
-// The CPU engine: near-pair lists and a team of threads; the same bits for any number of threads.
+// The CPU engine: near-pair lists and a team of threads. Every number of threads gives the same bits.
 #pragma once
 
 #include <atomic>
@@ -29,11 +29,11 @@ class CpuEngine : public Engine {
   void restore(const EngineState& state) override;
 
  protected:
-  /// Inside a team's run, before and after the pair events of a time step: a study may look at what they did.
+  /// Hooks for studies, called by every thread before and after the pair events of a time step.
   virtual void before_contact_events() {}
   virtual void after_contact_events() {}
   FieldState& field() { return field_; }
-  /// Of this time step, with their impulses once they are resolved.
+  /// The contacts of this time step. They carry impulses once they are resolved.
   Contacts contacts() const { return pairs_.contacts(); }
 
  private:
@@ -50,14 +50,14 @@ class CpuEngine : public Engine {
   ThreadTeam all_threads_;
   ThreadTeam one_thread_{1};
   TeamChoice choice_;
-  Ledger ledger_;  // start and scales; the sums are with the bodies
+  Ledger ledger_;  // start and scales; the sums are in the books of the bodies
   std::int64_t step_ = 0;
   PairList pairs_;
   CoupledSolver coupled_;
-  std::vector<ContactOutcome> outcomes_;  // of this time step's contacts
-  std::atomic<bool> lost_{false};         // a floe's state became no number
+  std::vector<ContactOutcome> outcomes_;  // of the contacts of this time step
+  std::atomic<bool> lost_{false};         // the state of a floe is not finite
   StepQuality quality_;
-  PlatformImpulses before_;  // at the start of the time step
+  PlatformImpulses before_;  // platform impulses at the start of the time step
 };
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// Drag of the current on many floes: the divisions and logarithms of several side by side.
+// Drag of the current on many floes, vectorised.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace gem {
 
-/// kick_floe() for every floe of [begin, end): the same bits.
+/// kick_floe() for every floe of [begin, end), with the same bits.
 void kick_floes(FieldState& f, std::int64_t begin, std::int64_t end);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// Motion of many floes after the events: the divisions of several turns side by side.
+// Motion of many floes after the events, with vectorised turns.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace gem {
 
-/// drift_floe() and retire_floe() for every floe of [begin, end): the same bits. Returns whether all their states are
-/// still made of numbers.
+/// drift_floe() and retire_floe() for every floe of [begin, end), with the same bits. Returns whether all states are
+/// finite.
 bool move_floes(FieldState& f, std::int64_t begin, std::int64_t end);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// How the list of near pairs is built: bodies binned into cells, and each looks around its own.
+// Builds the list of near pairs: floes are sorted into cells, and each floe is tested against the neighbouring cells.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,8 +24,8 @@ PairList::Box PairList::box_of(const FieldState& f, std::size_t i) const {
   return box;
 }
 
-/// All that a floe may come to cover within the horizon, as seen by one that drifts with the mean of all, and half the
-/// margin around it: two of which these do not meet stay apart.
+/// The area that a floe may cover within the horizon, relative to the mean drift, plus half the margin. Floes whose
+/// areas do not overlap stay apart.
 PairList::Box PairList::swept(std::size_t i) const {
   const Box& box = box_[i];
   const Vec2 way = ahead_ * (velocity_[i] - mean_velocity_);
@@ -62,9 +62,9 @@ void PairList::fill_grid(const FieldState& f) {
   mean_velocity_ = (1.0 / static_cast<double>(floes)) * mean_velocity_;
   for (std::size_t i = 0; i < n; ++i)
     if (!large(f, i) && f.bodies.active[i]) fastest = std::max(fastest, length(velocity_[i] - mean_velocity_));
-  // two floes that may come near within the horizon stand in the same or in neighbouring cells
+  // floes that may come near each other within the horizon are in the same cell or in neighbouring cells
   cell_ = 2.0 * radius + margin_ + 2.0 * fastest * ahead_;
-  // no finer than the floes are many, so that a scattered field costs no more memory than a dense one
+  // no more cells than about the number of floes, so that a scattered field needs no more memory than a dense one
   const double extent = std::max(high.x - low.x, high.y - low.y);
   cell_ = std::max(cell_, extent / std::sqrt(4.0 * static_cast<double>(floes)) / 2.0);
   grid_origin_ = low;
@@ -134,7 +134,7 @@ void PairList::note_trajectory(const FieldState& f) {
   box_.resize(f.bodies.count());
 }
 
-/// A pair that was listed before goes on from its last look. Both lists ascend in (a, b).
+/// A pair of the previous list keeps its last narrow phase. Both lists ascend in (a, b).
 void PairList::keep_axes() {
   axes_.assign(pairs_.size(), {});
   std::size_t at = 0;

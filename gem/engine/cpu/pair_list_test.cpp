@@ -1,4 +1,5 @@
-// The pair list against all pairs on fields that move, turn and lose bodies; the list must live for many time steps.
+// The pair list against a test of all pairs, on fields that move, turn and lose bodies. The list must last for many
+// time steps.
 #include "gem/engine/cpu/pair_list.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ void expect_same(const Contact& a, const Contact& b) {
   }
 }
 
-/// Moves every floe with its velocity, which wanders, and now and then throws one or takes one away.
+/// Moves every floe with a velocity that varies randomly. Now and then one floe jumps and one is removed.
 void wander(FieldState& f, RandomSequence& random) {
   Bodies& b = f.bodies;
   for (std::size_t i = 0; i < b.count(); ++i) {

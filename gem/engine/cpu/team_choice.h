@@ -1,5 +1,4 @@
-// Chooses, while a run goes on, between all threads and one: a second thread only helps where a processor is free for
-// it.
+// Chooses between all threads and one thread during a run: more threads only help if processors are free.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +7,13 @@
 
 namespace gem {
 
-/// Times stretches of time steps with all threads and with one and keeps to the faster; the other gets a trial now and
-/// then, more rarely each time it loses. The choice cannot change a result: every number of threads gives the same
-/// bits.
+/// Measures stretches of time steps with all threads and with one thread, and keeps the faster choice. The other choice
+/// is tried again now and then, less often each time it loses. The choice cannot change a result, since every number of
+/// threads gives the same bits. All numbers here were chosen by hand and affect only speed.
 class TeamChoice {
  public:
-  /// Time steps to run before the next call of note(). One thread, which is mostly the slower choice, gets a short
-  /// trial; all need a longer one, as some must wake up first.
+  /// Time steps to run before the next call of note(). A trial of one thread, which is usually slower, is short. A
+  /// trial of all threads is longer, since some of them must wake up first.
   std::int64_t stretch(std::int64_t steps) const {
     return std::min<std::int64_t>(steps, on_trial_ && !all_threads_ ? 4 : 16);
   }
@@ -22,7 +21,7 @@ class TeamChoice {
 
   void start() { start_ = std::chrono::steady_clock::now(); }
 
-  /// Notes that a stretch of `steps` has been run since start().
+  /// Reports that `steps` time steps have run since start().
   void note(std::int64_t steps) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     double& cost = cost_[all_threads_ ? 1 : 0];
@@ -35,7 +34,7 @@ class TeamChoice {
       on_trial_ = false;
       waited_ = 0;
     } else if (++waited_ >= wait_) {
-      cost_[all_threads_ ? 0 : 1] = 0.0;  // what it cost long ago says little
+      cost_[all_threads_ ? 0 : 1] = 0.0;  // an old measurement says little
       all_threads_ = !all_threads_;
       on_trial_ = true;
     }
@@ -47,7 +46,7 @@ class TeamChoice {
   bool all_threads_ = true;
   bool on_trial_ = false;
   std::int64_t wait_ = 4, waited_ = 0;
-  double cost_[2] = {0.0, 0.0};  // seconds a time step with one thread and with all
+  double cost_[2] = {0.0, 0.0};  // seconds per time step with one thread and with all
   std::chrono::steady_clock::time_point start_;
 };
 

@@ -1,4 +1,4 @@
-// Starting, waiting and giving up together.
+// Start, barriers and exceptions of a team of threads.
 #include "gem/engine/cpu/thread_team.h"
 
 #include <string>
@@ -10,10 +10,11 @@
 namespace gem {
 namespace {
 
-/// About 20 microseconds of waiting before the processor is given away.
+/// Rounds of a spinning wait, about 20 microseconds, before the processor is yielded. Chosen by hand; affects only
+/// speed.
 constexpr int spins = 2000;
 
-/// Tells the processor that this is a waiting loop.
+/// Tells the processor that this is a spinning loop.
 inline void relax() {
 #ifdef __x86_64__
   __builtin_ia32_pause();
@@ -71,7 +72,7 @@ void ThreadTeam::carry_out(const std::function<void(int)>& task, int rank) {
   }
 }
 
-/// The barrier that this thread does not come to keeps all others, so that each of them learns of it there.
+/// The thread that left does not reach the barrier. The others wait there and see that the run is called off.
 void ThreadTeam::note_left(std::exception_ptr why) {
   const std::lock_guard lock(mutex_);
   if (!left_by_) left_by_ = std::move(why);
@@ -85,7 +86,7 @@ void ThreadTeam::gather_again() {
   handed_out_.store(0, std::memory_order_relaxed);
   called_off_.store(false, std::memory_order_relaxed);
   const std::lock_guard lock(mutex_);
-  // what a thread met after a fault in single() may come of that fault
+  // an exception of a thread may be a consequence of an earlier fault in single()
   const std::exception_ptr why = fault_ ? fault_ : left_by_;
   left_by_ = nullptr;
   std::rethrow_exception(why);
@@ -115,7 +116,8 @@ void ThreadTeam::barrier() {
     return;
   }
   for (int spin = 0; phase_.load(std::memory_order_acquire) == phase; ++spin) {
-    // the next run may be called off while this thread has not yet seen that the others came: it looks once more
+    // A fast thread may already be in the next run and call it off while this thread is still here. So the phase is
+    // read again.
     if (called_off_.load(std::memory_order_acquire) && phase_.load(std::memory_order_acquire) == phase)
       throw CalledOff{};
     if (spin < spins) {

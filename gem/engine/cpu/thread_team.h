@@ -1,4 +1,4 @@
-// Threads that go through a step together: they share out index ranges and wait for each other between stages.
+// Threads that go through a time step together: they divide index ranges and wait for each other between stages.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 
 namespace gem {
 
-/// A fixed number of threads, the caller among them. Waiting spins for a time step, then gives the processor away, so
-/// that a machine busy with other work is not held up.
+/// A fixed number of threads, including the caller. A wait spins for a short time and then yields the processor, so
+/// that other programs on the machine are not slowed down.
 class ThreadTeam {
  public:
-  /// Throws Error(resource_limit) if the system does not give so many threads.
+  /// Throws Error(resource_limit) if the system cannot start so many threads.
   explicit ThreadTeam(int threads);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
@@ -25,23 +25,23 @@ class ThreadTeam {
 
   int size() const { return size_; }
 
-  /// Runs task(rank) on every thread, rank 0 on the caller; returns when all are done. An exception thrown in single()
-  /// is thrown again here. So is one that leaves a task, the first of several: the other threads are called off at
-  /// their next barrier, and the team is as good as new.
+  /// Runs task(rank) on every thread, rank 0 on the caller. Returns when all are done. Rethrows an exception thrown in
+  /// single(). If tasks throw, rethrows the first exception: the other threads are called off at their next barrier,
+  /// and the team can be used again.
   void run(const std::function<void(int)>& task);
 
-  /// Inside run: waits for all threads. Throws what run() catches if one of them will not come.
+  /// Inside run: waits for all threads. Throws an internal exception, which run() handles, if a thread has left.
   void barrier();
 
-  /// Inside run: calls visit(i) for i in [0, count), an equal stretch on each thread, then waits for all.
+  /// Inside run: calls visit(i) for i in [0, count), an equal range on each thread, then waits for all threads.
   template <class Visit>
   void for_each(int rank, std::int64_t count, Visit&& visit) {
     for (std::int64_t i = begin_of(rank, count); i < begin_of(rank + 1, count); ++i) visit(i);
     barrier();
   }
 
-  /// Inside run: calls visit(begin, end) with short stretches of [0, count), on whichever thread is free; at most once
-  /// between two barriers. Does not wait for the others.
+  /// Inside run: calls visit(begin, end) for short ranges of [0, count), each on a free thread, without waiting at the
+  /// end. At most once between two barriers. The length of a range was chosen by hand; it affects only speed.
   template <class Visit>
   void hand_out(std::int64_t count, Visit&& visit) {
     constexpr std::int64_t stretch = 256;
@@ -52,8 +52,8 @@ class ThreadTeam {
     }
   }
 
-  /// Inside run: calls work() on rank 0 while the others go on. After an exception in it and a barrier, failed() is
-  /// true.
+  /// Inside run: calls work() on rank 0; the other threads go on. If it throws, failed() is true after the next
+  /// barrier.
   template <class Work>
   void first_alone(int rank, Work&& work) {
     if (rank != 0) return;
@@ -64,7 +64,7 @@ class ThreadTeam {
     }
   }
 
-  /// The same while the others wait.
+  /// Inside run: first_alone(), then waits for all threads.
   template <class Work>
   void single(int rank, Work&& work) {
     first_alone(rank, work);
@@ -73,16 +73,16 @@ class ThreadTeam {
 
   bool failed() const { return fault_ != nullptr; }
 
-  /// First index of `rank`'s stretch of [0, count).
+  /// First index of the range of `rank` in [0, count).
   std::int64_t begin_of(int rank, std::int64_t count) const { return count * rank / size_; }
 
  private:
   struct CalledOff {};
 
   void serve(int rank);
-  /// Sends the threads home and waits for them.
+  /// Stops and joins the threads.
   void close();
-  /// The task and the barrier behind it; notes what the task throws.
+  /// Runs the task and the final barrier; keeps an exception of the task.
   void carry_out(const std::function<void(int)>& task, int rank);
   void note_left(std::exception_ptr why);
   [[noreturn]] void gather_again();
@@ -91,13 +91,13 @@ class ThreadTeam {
   std::atomic<int> arrived_{0};
   std::atomic<std::uint32_t> phase_{0};
   std::atomic<std::int64_t> handed_out_{0};  // since the last barrier
-  std::atomic<bool> called_off_{false};      // a thread has left its task by an exception
-  std::atomic<int> gone_{0};                 // threads that are out of a task that was called off
+  std::atomic<bool> called_off_{false};      // a task has thrown
+  std::atomic<int> gone_{0};                 // threads that have left a task that was called off
   std::exception_ptr fault_;
 
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::exception_ptr left_by_;  // why the first thread left
+  std::exception_ptr left_by_;  // exception of the first thread that left
   const std::function<void(int)>* task_ = nullptr;
   std::uint64_t calls_ = 0;
   bool closing_ = false;

@@ -1,4 +1,4 @@
-// The thread team: every index once, every barrier a barrier, exceptions brought home.
+// The thread team: every index once, every barrier complete, exceptions passed to the caller.
 #include "gem/engine/cpu/thread_team.h"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST_P(ThreadTeamTest, ExceptionInSingleIsThrownAgain) {
   };
   EXPECT_THROW(team.run(faulty), std::runtime_error);
   for (const int t : told) EXPECT_EQ(t, 1);
-  // the team is as good as new
+  // the team can be used again
   int runs = 0;
   EXPECT_NO_THROW(team.run([&](int rank) { team.single(rank, [&] { ++runs; }); }));
   EXPECT_EQ(runs, 1);
@@ -111,7 +111,7 @@ TEST_P(ThreadTeamTest, AnExceptionOfAnyThreadReachesTheCaller) {
       EXPECT_EQ(error.what(), "no room for rank " + std::to_string(faulty));
     }
     for (const int b : behind) EXPECT_EQ(b, 0) << "went on without the one that left";
-    // the team is as good as new
+    // the team can be used again
     std::vector<int> visits(1000, 0);
     team.run([&](int rank) { team.for_each(rank, 1000, [&](std::int64_t i) { ++visits[i]; }); });
     for (const int v : visits) ASSERT_EQ(v, 1);
@@ -124,7 +124,7 @@ TEST_P(ThreadTeamTest, OfManyExceptionsOneReachesTheCaller) {
     EXPECT_THROW(team.run([&](int rank) { throw rank; }), int);
     EXPECT_THROW(team.run([&](int rank) {
       team.single(rank, [] { throw std::runtime_error("the cause"); });
-      throw rank;  // what follows from it
+      throw rank;  // a consequence
     }),
                  std::runtime_error);
   }
@@ -139,9 +139,9 @@ TEST_P(ThreadTeamTest, ManyShortRuns) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, ThreadTeamTest, testing::Values(1, 2, 3, 5, 8));
 
-/// Asks for more threads than there are addresses for; exits with 0 if that is told and nothing is left running.
+/// Asks for more threads than the address space allows. Exits with 0 if the error is reported and no thread is left.
 [[noreturn]] void start_too_many() {
-  const rlimit limit{1UL << 30, 1UL << 30};  // 8 MB of stack each: some start
+  const rlimit limit{1UL << 30, 1UL << 30};  // 8 MB of stack per thread: some threads start
   setrlimit(RLIMIT_AS, &limit);
   try {
     ThreadTeam team(1000);

@@ -1,4 +1,4 @@
-// Which GPUs this machine has, and why not.
+// Lists the GPUs of this machine, with the reason if one cannot be used.
 #include <cuda_runtime.h>
 
 #include "gem/base/error.h"
@@ -7,7 +7,7 @@
 namespace gem {
 namespace {
 
-constexpr int oldest_major = 9;  // clusters of blocks
+constexpr int oldest_major = 9;  // the kernels use clusters of blocks
 
 std::string version_text(int version) {
   return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);

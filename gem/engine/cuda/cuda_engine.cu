@@ -1,6 +1,6 @@
-// Batches of scenes on a GPU, by one of two routes: blocks that stay with their scenes through many time steps and meet
-// at a grid barrier; or, where there is more to do than these can, a kernel for each phase of a time step of all
-// scenes.
+// Batches of scenes on a GPU, by one of two routes. Resident: blocks stay with their scenes through many time steps and
+// meet at grid barriers. By phases: one kernel makes one stage of a time step of all scenes; this is for more work than
+// resident blocks can hold.
 #include "gem/engine/cuda/cuda_engine.h"
 
 #include <algorithm>
@@ -26,17 +26,17 @@ CudaDevice chosen_device(int index) {
 int chosen_threads(int threads) {
   if (threads == 0) return most_threads;
   if (threads < 32 || threads > most_threads || threads % 32 != 0)
-    throw Error(ExitCode::usage, "a block of " + std::to_string(threads) +
-                                     " threads is none that the kernel can have (32 to " +
-                                     std::to_string(most_threads) + ", a multiple of 32) choose another");
+    throw Error(ExitCode::usage, "a block cannot have " + std::to_string(threads) + " threads (allowed 32 to " +
+                                     std::to_string(most_threads) + ", a multiple of 32) choose another number");
   return threads;
 }
 
 }  // namespace
 
 class CudaBatch::Work {
-  /// On one multiprocessor: with fewer blocks whole time steps are faster. These have all of the GPU for one scene;
-  /// several share it out, and those that iterate wait for it longest.
+  /// Phase blocks per multiprocessor from which the route by phases is faster: for one scene, which resident blocks
+  /// could have the whole GPU for; for several scenes, which share it; and for several that iterate, which wait longest
+  /// for their share.
   static constexpr double phase_blocks_of_one = 5.0, phase_blocks_of_several = 3.5, phase_blocks_that_iterate = 1.75;
 
  public:
@@ -99,7 +99,7 @@ class CudaBatch::Work {
     return device;
   }
 
-  /// A scene whose start is no number stays where it is.
+  /// Begins a call. A scene whose state is not finite gets a fault and stays as it is.
   void begin(std::vector<StepsAhead>& ahead, const std::vector<StepLog>* logs) {
     use();
     device_time_ = 0.0;
@@ -112,8 +112,7 @@ class CudaBatch::Work {
     }
   }
 
-  /// Does something for a scene. What is wrong with it ends its time steps and no other's; a GPU that does not answer
-  /// ends them all.
+  /// Runs `action` for a scene. An error of the scene ends its time steps only; a GPU that does not answer ends all.
   template <class Action>
   void guarded(std::size_t k, StepsAhead& ahead, Action action) {
     try {
@@ -127,8 +126,8 @@ class CudaBatch::Work {
 
   void use() const { check_cuda(cudaSetDevice(device_.index), "be chosen"); }
 
-  /// Moves each scene that has time steps ahead on by some of them, all for about as long, and takes off `ahead` what
-  /// was done.
+  /// Moves each scene that has time steps ahead on by some of them, in about the same time for all. Takes what was done
+  /// off `ahead`.
   void launch(std::vector<StepsAhead>& ahead, std::vector<StepLog>* logs) {
     std::vector<std::size_t> active;
     for (std::size_t k = 0; k < ahead.size(); ++k)
@@ -143,12 +142,12 @@ class CudaBatch::Work {
     collect(active, ahead, logs);
   }
 
-  /// The most blocks that help a scene, or as many as are asked for.
+  /// Most blocks that help a scene, or as many as the options ask for.
   int useful(std::size_t bodies) const {
     return chosen_blocks_ > 0 ? std::min(chosen_blocks_, static_cast<int>(bodies)) : useful_blocks(bodies);
   }
 
-  /// By blocks that stay with their scenes.
+  /// Moves scenes by resident blocks.
   void move_by_steps(const std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
     std::vector<double> work;
     std::vector<int> most;
@@ -176,7 +175,7 @@ class CudaBatch::Work {
     return share_steps(all, next, ring_steps_);
   }
 
-  /// Whether these scenes are moved by a launch for each phase: they are more than all threads at work.
+  /// Whether these scenes go by phases: where they need more blocks than the device runs at a time.
   bool moves_by_phases(const std::vector<std::size_t>& active) {
     if (launches_ == Launches::steps || chosen_blocks_ > 0) return false;
     std::int64_t blocks = 0;
@@ -184,7 +183,7 @@ class CudaBatch::Work {
     for (const std::size_t k : active) {
       const DeviceScene& scene = scenes_[k].device();
       blocks += scene.phase_blocks;
-      if (!scene.wake) return false;  // it has nothing that phases need
+      if (!scene.wake) return false;  // its memory has no arrays for phases
       if (scene.constants.solver != ContactSolver::coupled) continue;
       if (!phases_.can_solve()) return false;
       if (active.size() > 1) worth_it = phase_blocks_that_iterate;
@@ -192,7 +191,8 @@ class CudaBatch::Work {
     return launches_ == Launches::phases || static_cast<double>(blocks) >= worth_it * device_.multiprocessors;
   }
 
-  /// Scenes of one solver stand together, those that go on for as long beside each other.
+  /// Moves scenes by phases. Scenes of one solver stand together; among them, those with a similar number of time
+  /// steps.
   void move_by_phases(std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
     const auto order = [&](std::size_t k) {
       return std::make_tuple(scenes_[k].field().constants.solver, -ahead[k].all, -visits_[k]);
@@ -221,7 +221,7 @@ class CudaBatch::Work {
   const std::int32_t* wanted_here() const { return reinterpret_cast<const std::int32_t*>(wanted_memory_.data()); }
   GridBarrier* gates_here() const { return reinterpret_cast<GridBarrier*>(barrier_memory_.data()); }
 
-  /// What the launches of a call work on: scenes in this order, and the time steps that are wanted of each.
+  /// Sends what the launches of a call work on: the active scenes in this order, and the time steps wanted of each.
   void send(const std::vector<std::size_t>& active, const std::vector<std::int64_t>& steps) {
     auto* scene = reinterpret_cast<DeviceScene*>(scene_.data());
     auto* wanted = reinterpret_cast<std::int32_t*>(wanted_.data());
@@ -236,7 +236,7 @@ class CudaBatch::Work {
     check_cuda(cudaMemsetAsync(barrier_memory_.data(), 0, barrier_memory_.bytes(), stream), "start");
   }
 
-  /// Waits for the launches of a call.
+  /// Waits for the launches of a call and fetches the statuses.
   void finish() {
     const cudaStream_t stream = time_.stream();
     time_.end();
@@ -246,7 +246,7 @@ class CudaBatch::Work {
     device_time_ += time_.seconds();
   }
 
-  /// Takes what a call left of each scene and removes what stopped it.
+  /// Records what a call did for each scene and removes what stopped it.
   void collect(const std::vector<std::size_t>& active, std::vector<StepsAhead>& ahead, std::vector<StepLog>* logs) {
     for (const std::size_t k : active) {
       note(k, status_of(k));
@@ -261,7 +261,7 @@ class CudaBatch::Work {
     return reinterpret_cast<const DeviceStatus*>(status_.data())[k];
   }
 
-  /// Fetches and appends the rings of all scenes.
+  /// Fetches the rings of all scenes and appends them to the logs.
   void record(const std::vector<std::size_t>& active, std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs) {
     for (const std::size_t k : active) scenes_[k].fetch(status_of(k), blocks_[k], time_.stream());
     check_cuda(cudaStreamSynchronize(time_.stream()), "fetch the record");
@@ -273,7 +273,7 @@ class CudaBatch::Work {
     });
   }
 
-  /// How the scene got on.
+  /// Notes the state of a scene after a call.
   void note(std::size_t k, const DeviceStatus& status) {
     scenes_[k].note(status);
     if (k == 0 && status.barriers > 0) {
@@ -284,7 +284,7 @@ class CudaBatch::Work {
       visits_[k] = static_cast<double>(status.visits) / static_cast<double>(status.samples);
   }
 
-  /// Removes what stopped a scene, where that can be done.
+  /// Removes what stopped a scene, if possible; throws Error(numerical_stop) if its state is not finite.
   static void go_on(CudaScene& scene, const DeviceStatus& status, StepsAhead& ahead) {
     if (status.stop == DeviceStop::list_full) scene.grow(status);
     if (status.stop != DeviceStop::not_finite) return;
@@ -296,10 +296,11 @@ class CudaBatch::Work {
   CudaDevice device_;
   int ring_steps_, chosen_blocks_;
   Launches launches_;
-  std::int64_t by_steps_ = 0, by_phases_ = 0;  // time steps of all scenes in the last call, by what launches did
+  std::int64_t by_steps_ = 0, by_phases_ = 0;  // time steps of all scenes in the last call, by route
   ResidentLaunch resident_;
-  std::vector<int> blocks_;     // of each scene in its last launch, by phases 1: as many as tell of its quality
-  std::vector<double> visits_;  // of the points of each a time step, when last moved by phases
+  /// Blocks of each scene in its last launch. By phases 1, as a time step then has one BlockQuality.
+  std::vector<int> blocks_;
+  std::vector<double> visits_;  // of the points of each scene in a time step, when last moved by phases
   Timeline time_;
   PhaseStreams phases_{device_.multiprocessors};
   DeviceMemory status_memory_, scene_memory_, wanted_memory_, barrier_memory_;
@@ -307,7 +308,7 @@ class CudaBatch::Work {
   std::vector<CudaScene> scenes_;
   double device_time_ = 0.0, barriers_ = 0.0, counted_steps_ = 0.0;
   Recorders recorders_;
-  std::vector<std::exception_ptr> faults_;  // of each scene, since the last call
+  std::vector<std::exception_ptr> faults_;  // of each scene in the last call
 };
 
 CudaBatch::CudaBatch(std::vector<BatchScene> scenes, const CudaOptions& options)

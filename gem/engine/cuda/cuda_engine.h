@@ -1,4 +1,4 @@
-// The CUDA engine and its batches: scenes that stay on a GPU for many time steps; the same bits as the cpu engine.
+// The CUDA engine and its batches: scenes that stay on a GPU for many time steps, with the bits of the cpu engine.
 #pragma once
 
 #include <cstdint>
@@ -18,29 +18,31 @@ struct CudaDevice {
   std::string driver;                       // version
   std::size_t memory = 0, free_memory = 0;  // [bytes]
   int multiprocessors = 0;
-  std::string fault;  // why it cannot be used; empty: it can
+  std::string fault;  // why it cannot be used; empty: it can be
 };
 
-/// All GPUs; where there is none, `reason` says why.
+/// All GPUs of this machine. If there is none, `reason` says why.
 std::vector<CudaDevice> cuda_devices(std::string& reason);
 
-/// Time steps that a scene makes in one launch, at most.
+/// Most time steps of a scene in one launch.
 constexpr int most_launch_steps = 512;
 
-/// What a launch does. time steps: many time steps of all scenes, by blocks that stay with them; for few scenes.
-/// phases: one phase of a time step of all scenes; for scenes that are many, and for independent ones of many bodies.
-/// chosen: what is faster. Batches with a coupled scene of more bodies than a cluster has threads, and those for which
-/// a number of blocks is given, are moved by time steps in any case.
+/// What one launch does.
+///   steps   many time steps of all scenes, by blocks that stay with them; for few scenes
+///   phases  one stage of a time step of all scenes; for many scenes, and for large independent ones
+///   chosen  whichever is faster
+/// A batch is moved by steps in any case if it has a coupled scene of more bodies than a cluster has threads, or if
+/// CudaOptions::blocks is given.
 enum class Launches { chosen, steps, phases };
 
-/// How the scenes of a batch are laid out on the GPU. No choice changes a result.
+/// How the scenes of a batch are placed on the GPU. No option changes a result.
 struct CudaOptions {
-  int device = -1;                     // -1: the first that can be used
-  int blocks = 0;                      // that stay with each scene, at most: all run at a time; 0: as help most
-  int threads = 0;                     // of a block: 32 to 256, a multiple of 32; 0: chosen
-  int ring_steps = most_launch_steps;  // of one launch, at most
-  int list_rows = 0;                   // places of the list of near bodies to begin with; it grows on demand; 0: chosen
-  bool samples = true;                 // keep what the platform felt
+  int device = -1;  // index of the GPU; -1: the first that can be used
+  int blocks = 0;   // most blocks that stay with a scene, all on the device at a time; 0: as many as help
+  int threads = 0;  // threads of a block: 32 to 256, a multiple of 32; 0: chosen
+  int ring_steps = most_launch_steps;  // most time steps of one launch
+  int list_rows = 0;                   // entries of the list of near bodies at first; it grows on demand; 0: chosen
+  bool samples = true;                 // record the platform in every time step
   Launches launches = Launches::chosen;
 };
 
@@ -50,15 +52,15 @@ struct BatchScene {
   Bodies bodies;
 };
 
-/// What a scene of a batch still has to do.
+/// Time steps that a scene of a batch still has to make.
 struct StepsAhead {
-  std::int64_t most = 0;  // in the next call; 0: the scene stays as it is
-  std::int64_t all = 0;   // to its end: scenes that have much ahead get more of the GPU
+  std::int64_t most = 0;  // most in the next call; 0: the scene stays as it is
+  std::int64_t all = 0;   // to the end of its run; scenes with more ahead get more of the GPU
 };
 
-/// Many scenes on one GPU, moved on together; no other batch of the process moves scenes on the same GPU meanwhile.
-/// Each has the bits that it has alone. Throws Error(device) where no GPU answers or a call
-/// fails, Error(resource_limit) where its memory is too small.
+/// Many scenes on one GPU, moved on together. Each gets the same bits as alone. No other batch of the process may move
+/// scenes on the same GPU at the same time. Throws Error(device) if no GPU answers or a call fails, and
+/// Error(resource_limit) if its memory is too small.
 class CudaBatch {
  public:
   CudaBatch(std::vector<BatchScene> scenes, const CudaOptions& options);
@@ -67,14 +69,14 @@ class CudaBatch {
   CudaBatch& operator=(const CudaBatch&) = delete;
 
   std::size_t size() const;
-  /// Moves scene k on by time steps[k] and appends to logs[k]; a null `logs` keeps nothing. Throws
-  /// Error(numerical_stop) where a scene's state is no number; the others are then at the end of their time steps.
+  /// Moves scene k on by steps[k] time steps and appends to logs[k]; a null `logs` records nothing. Throws
+  /// Error(numerical_stop) if the state of a scene is not finite; the other scenes have then made all their time steps.
   void advance(const std::vector<std::int64_t>& steps, std::vector<StepLog>* logs);
-  /// Moves all scenes on by `steps`.
+  /// Moves all scenes on by `steps` time steps.
   void advance(std::int64_t steps, std::vector<StepLog>* logs);
-  /// Moves scene k on by no more than ahead[k].most, one that has more ahead by more, so that the GPU is busy to the
-  /// end of all, and appends to logs[k]. Returns what stopped each scene, null for most: Error(numerical_stop) where
-  /// its state is no number.
+  /// Moves scene k on by at most ahead[k].most time steps and appends to logs[k]. Scenes with more ahead advance more,
+  /// so that the GPU stays busy until all end. Returns for each scene what stopped it, mostly null:
+  /// Error(numerical_stop) if its state is not finite.
   std::vector<std::exception_ptr> advance_some(const std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs);
   std::int64_t step(std::size_t scene) const;
   const Bodies& bodies(std::size_t scene);
@@ -82,17 +84,18 @@ class CudaBatch {
   EngineState save(std::size_t scene);
   void restore(std::size_t scene, const EngineState& state);
   std::uint64_t state_hash(std::size_t scene);
-  /// What the scenes run on: device name and driver.
+  /// The GPU that the scenes run on.
   const CudaDevice& device() const;
-  /// Blocks of the first scene in the last launch; others may have had another number.
+  /// Blocks of the first scene in the last launch; other scenes may have another number.
   int blocks() const;
+  /// Threads of a block in the last launch.
   int threads() const;
-  /// What the launches of the last call did by which most of its time steps were made: time steps or phases.
+  /// How most time steps of the last call were made: Launches::steps or Launches::phases.
   Launches launches() const;
-  /// Time that the GPU spent in the kernels of the last advance [s].
+  /// Time that the GPU spent in kernels in the last advance [s].
   double device_time() const;
-  /// Barriers between blocks that the first scene passed in one time step, mean since construction. What one block
-  /// waits for by itself is not counted.
+  /// Grid barriers that the first scene passed in a time step, mean since construction. Barriers within a block are not
+  /// counted.
   double barriers() const;
 
  private:
@@ -100,10 +103,10 @@ class CudaBatch {
   std::unique_ptr<Work> work_;
 };
 
-/// The engine of one scene.
+/// Makes the engine of one scene: a batch of one. Throws as CudaBatch does.
 std::unique_ptr<Engine> make_cuda_engine(const SceneDef& scene, Bodies bodies, const CudaOptions& options = {});
 
-/// The first GPU that can be used. Throws Error(device) with the reason where there is none.
+/// The first GPU that can be used. Throws Error(device) with the reason if there is none.
 CudaDevice usable_cuda_device();
 
 }  // namespace gem

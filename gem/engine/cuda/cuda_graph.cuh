@@ -1,4 +1,4 @@
-// Launches that are recorded once and then started together: the host is done with them in a fraction of the time.
+// Launches that are recorded once and then started together, which costs the host a fraction of the time.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -16,7 +16,7 @@ class RecordedLaunches {
   RecordedLaunches(const RecordedLaunches&) = delete;
   RecordedLaunches& operator=(const RecordedLaunches&) = delete;
 
-  /// Records what `launches` starts in `stream`, in place of what was recorded before.
+  /// Records what `launches` starts in `stream`, in place of any earlier record.
   template <class Launches>
   void record(cudaStream_t stream, Launches&& launches) {
     forget();

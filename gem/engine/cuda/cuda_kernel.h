@@ -1,4 +1,4 @@
-// The kernels that move scenes on, with the bits of the cpu engine, and what their launches work on.
+// The kernels that move scenes on, with the bits of the cpu engine, and the arguments of their launches.
 #pragma once
 
 #include <cstddef>
@@ -9,21 +9,22 @@
 
 namespace gem {
 
-/// Where the blocks of a scene meet; zero before a launch. Both words are read as one.
+/// The grid barrier of a scene; zero before a launch. Both words are read together.
 struct alignas(128) GridBarrier {
   unsigned arrived, alarms;
 };
 
-constexpr int most_threads = 256;  // leaves 255 registers for each, which keep what they work on; with half of them
-                                   // twice the threads took longer
+/// Most threads of a resident block. 256 leaves each thread 255 registers for its data. 512 threads with half the
+/// registers were slower.
+constexpr int most_threads = 256;
 
-/// A block of a grid that works on many scenes: its scene, and which it is of the scene's blocks.
+/// A block of a grid that works on many scenes: its scene, its number among the blocks of the scene, and their count.
 struct SceneBlock {
   std::int32_t scene, block, blocks;
   bool operator==(const SceneBlock&) const = default;
 };
 
-/// What the launch of blocks that stay works on: scene k is moved on by time steps[k] time steps.
+/// Arguments of a resident launch: scene k is moved on by steps[k] time steps.
 struct Launch {
   const DeviceScene* scenes;
   const std::int32_t* steps;
@@ -35,29 +36,31 @@ struct Launch {
 /// The scenes that need a new list in this time step, in no order.
 struct ListQueue {
   std::int32_t count;
-  std::int32_t scene[1];  // as many as there are scenes
+  std::int32_t scene[1];  // as many elements as there are scenes
 };
 
-/// What the launch of a phase works on.
+/// Arguments of the launch of a stage.
 struct PhaseLaunch {
   const DeviceScene* scenes;
   const std::int32_t* steps;
-  GridBarrier* grid_barriers;  // of each scene: its alarms
+  GridBarrier* grid_barriers;  // of each scene; only its alarms are used
   GridBarrier* list_barriers;  // as many, for the blocks that build a list together
   const SceneBlock* blocks;
   ListQueue* queue;
   int scene_count;
-  int solve_blocks;  // of a cluster that iterates a scene
+  int solve_blocks;  // blocks of a cluster that iterates a scene
   std::size_t shared_bytes;
   bool operator==(const PhaseLaunch&) const = default;
 };
 
 using AdvanceKernel = void (*)(const Launch);
 
+/// The kernel of a resident launch.
 AdvanceKernel advance_kernel();
 
 using PhaseKernel = void (*)(const PhaseLaunch);
 
+/// The kernel of a stage; null for stages that go with `move`.
 PhaseKernel stage_kernel(Stage stage, ContactSolver solver);
 
 }  // namespace gem

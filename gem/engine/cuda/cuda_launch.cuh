@@ -1,5 +1,5 @@
-// What all launches need, a stream with its times and the table of their blocks; and the launch whose blocks stay with
-// their scenes.
+// What all launches need: a stream with its times and the table of their blocks. And the resident launch, whose blocks
+// stay with their scenes.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace gem {
 namespace {
 
-/// A stream and two marks in its time. Others may begin with it and end before it.
+/// A stream with two timed marks. Another timeline may begin after its begin and end before its end.
 class Timeline {
  public:
   Timeline() {
@@ -31,12 +31,12 @@ class Timeline {
   cudaStream_t stream() const { return stream_; }
   void begin() { check_cuda(cudaEventRecord(begin_, stream_), "be timed"); }
   void end() { check_cuda(cudaEventRecord(end_, stream_), "be timed"); }
-  /// After the beginning of `other`.
+  /// Begins once `other` has begun.
   void begin_after(const Timeline& other) {
     check_cuda(cudaStreamWaitEvent(stream_, other.begin_, 0), "start");
     begin();
   }
-  /// Goes on when `other` has ended.
+  /// Work that follows in this stream waits for the end of `other`.
   void wait_for(const Timeline& other) const { check_cuda(cudaStreamWaitEvent(stream_, other.end_, 0), "start"); }
   double seconds() const {
     float milliseconds = 0.0F;
@@ -49,10 +49,10 @@ class Timeline {
   cudaEvent_t begin_ = nullptr, end_ = nullptr;
 };
 
-/// Which scene each block of a launch works on, on the device.
+/// The table of the blocks of a launch, in device memory.
 class BlockTable {
  public:
-  /// The blocks of a launch; mostly they are those of the last one.
+  /// Returns the table of these blocks on the device. Sends it only if it differs from the last one.
   const SceneBlock* send(std::vector<SceneBlock> blocks, cudaStream_t stream) {
     if (blocks != sent_) {
       sent_.clear();
@@ -74,8 +74,8 @@ class BlockTable {
   DeviceMemory memory_;
 };
 
-/// The launch of blocks that stay with their scenes through many time steps. Those of a scene meet at a grid barrier,
-/// so all blocks have to be on the device at a time: the launch is a cooperative one.
+/// The launch of resident blocks. The blocks of a scene meet at a grid barrier, so all have to be on the device at a
+/// time: the launch is cooperative.
 class ResidentLaunch {
  public:
   ResidentLaunch(int threads, int multiprocessors) : threads_(threads) {
@@ -98,7 +98,7 @@ class ResidentLaunch {
   /// Blocks that the device runs at a time.
   int blocks() const { return blocks_; }
 
-  /// Starts blocks[k] blocks for scene k: all together no more than blocks(), or one for each.
+  /// Starts blocks[k] blocks for scene k: in all at most blocks(), or one for each scene.
   void start(Launch work, const std::vector<int>& blocks, cudaStream_t stream) {
     std::vector<SceneBlock> all;
     for (std::size_t k = 0; k < blocks.size(); ++k) BlockTable::add(all, k, blocks[k]);
@@ -111,15 +111,16 @@ class ResidentLaunch {
     config.dynamicSmemBytes = shared_memory_;
     config.stream = stream;
     config.attrs = &cooperative;
-    config.numAttrs = all.size() > blocks.size() ? 1 : 0;  // a block alone meets none: these may take turns
+    // not cooperative where each scene has one block: such blocks do not meet and may take turns
+    config.numAttrs = all.size() > blocks.size() ? 1 : 0;
     work.shared_bytes = shared_memory_;
     work.blocks = table_.send(std::move(all), stream);
     check_cuda(cudaLaunchKernelEx(&config, advance_kernel(), work), "start");
   }
 
  private:
-  /// The shared memory that a kernel takes is taken from the cache; more than this loses more there than it gains
-  /// [bytes].
+  /// Most shared memory of a kernel [bytes]. It is taken from the L1 cache; more than this loses more there than it
+  /// gains.
   static constexpr std::size_t most_shared_bytes = 160 * 1024;
 
   int threads_, blocks_ = 0;

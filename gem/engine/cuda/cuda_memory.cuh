@@ -1,4 +1,4 @@
-// Memory of the device and of the host as the device sees it, and the check of every CUDA call.
+// Memory of the device, pinned memory of the host, and the check of every CUDA call.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -12,17 +12,17 @@
 
 namespace gem {
 
-/// Throws Error(device) where a CUDA call failed; `what` says what it was for.
+/// Throws Error(device) if a CUDA call failed. `what` completes "the GPU failed to".
 inline void check_cuda(cudaError_t result, const char* what) {
   if (result == cudaSuccess) return;
-  cudaGetLastError();  // the next call starts afresh
+  cudaGetLastError();  // clears the error for the next call
   throw Error(ExitCode::device, std::string("the GPU failed to ") + what + " (" + cudaGetErrorString(result) +
                                     ") see gem devices, or use --engine cpu");
 }
 
 inline std::string megabytes(std::size_t bytes) { return fixed_text(static_cast<double>(bytes) / 1e6, 1) + " MB"; }
 
-/// Memory of the device; freed with its owner.
+/// Memory of the device, freed with its owner.
 class DeviceMemory {
  public:
   DeviceMemory() = default;
@@ -48,10 +48,10 @@ class DeviceMemory {
   }
   std::byte* data() const { return static_cast<std::byte*>(data_); }
   std::size_t bytes() const { return bytes_; }
-  /// Holds so many bytes or more from now on; what it held is lost where it has to grow.
+  /// Ensures a size of at least `bytes`. The contents are lost if it grows.
   void load(std::size_t bytes) {
     if (bytes_ >= bytes) return;
-    *this = DeviceMemory();  // the old one goes first
+    *this = DeviceMemory();  // free the old memory first
     *this = DeviceMemory(bytes);
   }
 
@@ -60,7 +60,7 @@ class DeviceMemory {
   std::size_t bytes_ = 0;
 };
 
-/// Memory of the host that the device copies to while other work goes on.
+/// Page-locked host memory, for copies that run beside other work.
 class PinnedMemory {
  public:
   PinnedMemory() = default;

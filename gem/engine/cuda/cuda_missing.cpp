@@ -1,4 +1,4 @@
-// Stands in for the CUDA engine in a build without it: every use says so, and why it is not there.
+// Replaces the CUDA engine in a build without it. Every use throws Error(device) with the reason.
 #include "gem/base/error.h"
 #include "gem/engine/cuda/cuda_engine.h"
 

@@ -1,4 +1,4 @@
-// The launches of a call that moves scenes phase by phase.
+// The launches of a call by phases, spread over streams.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +11,16 @@
 namespace gem {
 namespace {
 
-/// All scenes of a call, shared out among some streams.
+/// The scenes of a call, spread over some streams.
 class PhaseStreams {
  public:
   explicit PhaseStreams(int multiprocessors) : multiprocessors_(multiprocessors) {}
 
-  /// Whether the device has room for the clusters that iterate coupled scenes.
+  /// Whether the device can run the clusters that iterate coupled scenes.
   bool can_solve() { return largest_cluster_here() > 0; }
 
-  /// Starts a call between `call`'s beginning and its end. `work` says where the scenes lie; those of one solver
-  /// stand together, those that go on for as long beside each other.
+  /// Starts a call between the beginning and the end of `call`. `work` says where the scenes are. Scenes of one solver
+  /// stand together; among them, those with a similar number of time steps.
   void run(PhaseLaunch work, const std::vector<PhaseScene>& scenes, const Timeline& call) {
     const std::vector<std::size_t> bounds = shared_out(scenes);
     const std::size_t count = bounds.size() - 1;
@@ -46,7 +46,7 @@ class PhaseStreams {
  private:
   static constexpr std::size_t most_streams = 8, coupled_streams = 40;
 
-  /// Streams that have fewer starts to make than others get theirs spread over the time of these.
+  /// Starts all time steps. A stream with fewer starts than others has them spread over the same time.
   void launch_all(const std::vector<std::int64_t>& starts) {
     const std::int64_t most = *std::max_element(starts.begin(), starts.end());
     for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(call_begins);
@@ -56,7 +56,7 @@ class PhaseStreams {
     for (std::size_t k = 0; k < starts.size(); ++k) stream_[k]->launch(call_ends);
   }
 
-  /// Where the scenes of each stream begin, and where the last ends.
+  /// First scene of each stream, and the end of the last.
   std::vector<std::size_t> shared_out(const std::vector<PhaseScene>& scenes) const {
     std::vector<std::size_t> bounds;
     const std::size_t streams = streams_for(scenes);
@@ -69,8 +69,9 @@ class PhaseStreams {
     return bounds;
   }
 
-  /// More streams than the blocks fill the device would each have too little to do; scenes that iterate wait for each
-  /// other in a stream, so they get more.
+  /// The number of streams. It is bounded by how many times the blocks fill the device: otherwise each stream would
+  /// have too little to do. Coupled scenes get more streams, because scenes in one stream wait for each other's
+  /// iterations.
   std::size_t streams_for(const std::vector<PhaseScene>& scenes) const {
     int blocks = 0;
     for (const PhaseScene& scene : scenes) blocks += scene.blocks;
@@ -83,13 +84,13 @@ class PhaseStreams {
                        [](const PhaseScene& scene) { return scene.solver == ContactSolver::coupled; });
   }
 
-  /// Blocks that iterate each scene: as many as its points are worth, and where these are more than the device has use
-  /// for, of those a share as large as the scene's part in all work that is left, but enough that their shared memory
-  /// holds most of its points. Not all scenes iterate at a time.
+  /// Blocks that iterate each scene. First as many as its points are worth. If that is more than the device can use,
+  /// each scene gets a share in proportion to its remaining work, but enough that shared memory holds most of its
+  /// points. Not all scenes iterate at the same time.
   std::vector<int> solve_blocks_of(const std::vector<PhaseScene>& scenes) {
     constexpr double for_one = 32 * 400,
-                     for_full = 32 * 1250;  // visits of a block in a time step: mostly 32 iterations
-    constexpr double waiting = 1.5;         // for one multiprocessor, of scenes that have more than one block
+                     for_full = 32 * 1250;  // visits per block and time step, at 32 iterations, which is usual
+    constexpr double waiting = 1.5;  // blocks per multiprocessor that may wait, of scenes with more than one block
     std::vector<int> blocks(scenes.size(), 1);
     std::vector<double> work(scenes.size(), 0.0);
     int worthwhile = 0;
@@ -107,7 +108,8 @@ class PhaseStreams {
     return blocks;
   }
 
-  /// A power of two, once to twice as large as `blocks`, not above the largest; the largest where nothing is known.
+  /// The smallest power of two above `blocks`, at most the largest cluster. The largest cluster if `blocks` is 0:
+  /// nothing is known yet.
   int worthwhile_blocks(double blocks) {
     int some = largest_cluster_here();
     while (blocks > 0.0 && some > 1 && 2.0 * blocks < some) some /= 2;
@@ -120,7 +122,7 @@ class PhaseStreams {
   }
 
   int multiprocessors_;
-  int largest_cluster_ = -1;  // asked for when coupled scenes first go through phases
+  int largest_cluster_ = -1;  // set when coupled scenes first go by phases
   std::vector<std::unique_ptr<PhaseStream>> stream_;
 };
 

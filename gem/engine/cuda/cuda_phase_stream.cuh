@@ -1,4 +1,4 @@
-// The launches of some scenes that are moved phase by phase, in a stream of their own.
+// The launches of some scenes by phases, in a stream of their own.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace gem {
 namespace {
 
-/// A launch by clusters, and the attribute that it points to.
+/// The configuration of a launch by clusters, with the attribute that it points to.
 struct SolverConfig {
   cudaLaunchConfig_t config{};
   cudaLaunchAttribute cluster{};
@@ -36,16 +36,16 @@ struct SolverConfig {
 /// A scene of a call, as its launches see it.
 struct PhaseScene {
   ContactSolver solver = ContactSolver::independent;
-  int blocks = 1;          // that move its bodies
-  std::int32_t steps = 0;  // that are wanted
-  double visits = 0.0;     // of its points a time step, as far as known; coupled
+  int blocks = 1;          // blocks that move its bodies
+  std::int32_t steps = 0;  // time steps wanted
+  double visits = 0.0;     // coupled: visits of its points in a time step; 0: not known yet
 };
 
-/// Fast memory of a block in a phase of the iterations [bytes].
+/// Shared memory of a block in a stage of the solver [bytes].
 constexpr std::size_t shared_bytes_of_solver(Stage stage) { return stage == Stage::iterate ? solve_shared_bytes : 0; }
 
-/// The largest cluster by which the device iterates, a power of two; 0: it cannot. Allows the kernels to take what they
-/// need.
+/// The largest cluster by which the device can iterate, a power of two; 0: none. Also sets the attributes of the
+/// kernels that clusters need.
 int largest_solver() {
   int device = 0, most = 0, blocks = largest_cluster;
   check_cuda(cudaGetDevice(&device), "be set up");
@@ -69,22 +69,22 @@ int largest_solver() {
   return blocks;
 }
 
-/// Some scenes that go through the phases together, in a stream of their own beside those of others: what one waits
-/// for, another fills. No stream goes before others: blocks that build a list hold their places while they wait for
-/// each other, and what stepped in between them might wait for these places.
+/// Some scenes that go through the phases together in one stream. Other streams run beside it: while one waits, another
+/// works. All streams have the same priority. Blocks that build a list stay on the device while they wait for each
+/// other; blocks of a stream with priority could take the places that the others need.
 class PhaseStream {
  public:
   explicit PhaseStream(int multiprocessors) : multiprocessors_(multiprocessors) {}
 
-  /// Blocks that iterate, where so many are wanted: those of the last call if they are about as many, as what has been
-  /// recorded can be started again then.
+  /// Blocks that iterate each scene. Those of the last call if `wanted` is about as many: the recorded launches can
+  /// then be used again.
   int steady_blocks(int wanted) const {
     const int last = work_.solve_blocks;
     return 5 * std::abs(wanted - last) <= std::max(wanted, last) ? last : wanted;
   }
 
-  /// The next call works on these scenes, all of one solver; `work` says where they lie and how many blocks iterate
-  /// each, `streams` how many such streams share the device. Returns how many starts their time steps take.
+  /// Begins a call with these scenes, all of one solver. `work` says where they are and how many blocks iterate each.
+  /// `streams` is the number of streams that share the device. Returns how often start_steps() has to be called.
   std::int64_t begin(const PhaseLaunch& work, const std::vector<PhaseScene>& scenes, int streams,
                      const Timeline& call) {
     time_.begin_after(call);
@@ -106,7 +106,7 @@ class PhaseStream {
     return (steps + recorded_.steps - 1) / recorded_.steps;
   }
 
-  /// Makes some time steps; those beyond what a scene wants are none for it.
+  /// Starts some time steps. A scene that has made its time steps does nothing in further ones.
   void start_steps() { steps_.start(time_.stream()); }
 
   template <class Phases>
@@ -120,10 +120,10 @@ class PhaseStream {
   }
 
  private:
-  /// On one multiprocessor: more would only start and end.
+  /// Most blocks per multiprocessor that work on pairs: more would only start and end.
   static constexpr int pairs_blocks = 16;
 
-  /// Time steps that are started together, at most.
+  /// Most time steps that are started together.
   static constexpr std::int32_t most_together = 4;
 
   /// What the recorded launches depend on.
@@ -177,7 +177,7 @@ class PhaseStream {
     check_cuda(cudaLaunchKernelEx(&solver.config, kernel_of_stage(stage), work), "start");
   }
 
-  /// Blocks that build lists and meet, of all streams: they have to be on the device at a time.
+  /// Blocks that build lists, of all streams. They meet at barriers, so all have to be on the device at a time.
   int list_blocks_together() const {
     int together = 0;
     check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&together, kernel_of_stage(Stage::list), phase_threads, 0),
@@ -187,7 +187,7 @@ class PhaseStream {
 
   PhaseKernel kernel_of_stage(Stage stage) const { return stage_kernel(stage, solver_); }
 
-  /// The blocks of all scenes, for each as many as for its bodies over `share`.
+  /// Adds the blocks of all scenes: for each scene those that move its bodies, divided by `share`.
   static void add_blocks(std::vector<SceneBlock>& all, const std::vector<PhaseScene>& scenes, int share) {
     for (std::size_t k = 0; k < scenes.size(); ++k) BlockTable::add(all, k, (scenes[k].blocks + share - 1) / share);
   }

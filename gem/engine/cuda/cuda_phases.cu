@@ -1,4 +1,4 @@
-// The kernels that make one phase of many scenes.
+// The kernels that make one stage of many scenes.
 #include <cooperative_groups.h>
 
 #include <type_traits>
@@ -10,7 +10,7 @@
 namespace gem {
 namespace {
 
-/// The blocks of a scene in one phase. They meet nowhere.
+/// The blocks of a scene in one stage. They have no barriers.
 class PhaseGroup : public DeviceGroup {
  public:
   using Lanes = LaneGroup<phase_lanes>;
@@ -28,14 +28,14 @@ class PhaseGroup : public DeviceGroup {
   GridBarrier* grid_barrier_;
 };
 
-/// All threads of a cluster meet. A warp that had parted comes together first: the barrier counts warps.
+/// Barrier of all threads of a cluster. The barrier counts warps, so a warp that has diverged must reconverge first.
 __device__ inline void cluster_barrier() {
   __syncwarp();
   asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
 }
 
-/// The blocks of a scene that iterate, a cluster or the first of its blocks alone: they meet, and reach each other's
-/// shared memory.
+/// The blocks that iterate a scene: a cluster, or the first block of the cluster alone. They have barriers and reach
+/// each other's shared memory.
 class SolveGroup : public DeviceGroup {
  public:
   using Lanes = LaneGroup<4>;
@@ -48,7 +48,8 @@ class SolveGroup : public DeviceGroup {
   __device__ Lanes lanes() const { return {}; }
   __device__ int block() const { return block_; }
   __device__ int blocks() const { return alone_ ? 1 : static_cast<int>(cluster().num_blocks()); }
-  /// The own one directly: most bodies and points of a block are its own.
+  /// Shared memory of a block of the cluster. The own one is addressed directly: most bodies and points of a block are
+  /// its own.
   __device__ std::byte* shared_memory_of(int block) const {
     return block == block_ ? shared_memory_.shared_memory
                            : cluster().map_shared_rank(shared_memory_.shared_memory, block);
@@ -68,7 +69,7 @@ class SolveGroup : public DeviceGroup {
   int block_;
 };
 
-/// The same blocks after the iterations: without shared memory.
+/// The same blocks after the iterations, without shared memory.
 class SettleGroup : public SolveGroup {
  public:
   using SolveGroup::SolveGroup;
@@ -85,20 +86,21 @@ __device__ bool has_work(const DeviceScene& s, int block) {
   return true;
 }
 
-/// Nothing is in the queue of lists, and nobody at their grid barriers; by one block.
+/// Empties the queue of lists and resets their grid barriers; work of one block.
 __device__ inline void clear_lists(const PhaseLaunch& launch) {
   if (threadIdx.x == 0) launch.queue->count = 0;
   for (int k = static_cast<int>(threadIdx.x); k < launch.scene_count; k += static_cast<int>(blockDim.x))
     launch.list_barriers[k] = {};
 }
 
-/// Plans the next time step of a scene; one that needs a list is put into the queue.
+/// Plans the next time step of a scene. Adds it to the queue if it needs a list.
 __device__ inline void plan(const PhaseLaunch& launch, const DeviceScene& scene, int k) {
   if (plan_step(scene, launch.grid_barriers[k].alarms))
     launch.queue->scene[DeviceGroup::add(&launch.queue->count, 1)] = k;
 }
 
-/// The last block of a scene that comes here plans its next time step; the fences show it what the others did.
+/// The last block of a scene that arrives plans its next time step. The fences make the writes of the others visible to
+/// it.
 __device__ inline void plan_by_last(const PhaseLaunch& launch, const DeviceScene& scene, const SceneBlock& mine) {
   __syncthreads();
   if (threadIdx.x != 0 || !moves(scene)) return;
@@ -109,13 +111,13 @@ __device__ inline void plan_by_last(const PhaseLaunch& launch, const DeviceScene
   plan(launch, scene, mine.scene);
 }
 
-/// A phase of all scenes, each by its own blocks. Few phases have a kernel for each solver.
+/// A stage of all scenes, each by its own blocks. Few stages have a kernel for each solver.
 template <Stage stage, int blocks, ContactSolver solver = ContactSolver::independent>
 __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
   extern __shared__ __align__(128) std::byte shared_memory[];
-  // lists are made, and none is planned before the bodies move
+  // the lists of this time step are built, and none is planned before the bodies move
   if (stage == Stage::candidates && blockIdx.x == 0) clear_lists(launch);
   const SceneBlock mine = launch.blocks[blockIdx.x];
   if (!has_work<stage>(launch.scenes[mine.scene], mine.block)) return;
@@ -126,7 +128,7 @@ __global__ void __launch_bounds__(phase_threads, blocks) phase_of_all(const Phas
   if (stage == Stage::move) plan_by_last(launch, scene, mine);
 }
 
-/// A phase of the iterations of all scenes, each by a cluster of blocks. Only those that iterate have shared memory.
+/// A stage of the solver for all scenes, each by a cluster of blocks. Only stage `iterate` has shared memory.
 template <Stage stage, int blocks>
 __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
@@ -145,9 +147,9 @@ __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const 
   run_stage<stage, ContactSolver::coupled>(scene, group);
 }
 
-/// New lists for the scenes that need one, by as many blocks for each as there are. They meet, so all have to be on the
-/// device at a time: it has room for those of all streams, and what stands in their way ends by itself as long as no
-/// other batch makes time steps on the same device.
+/// Builds new lists for the scenes in the queue; the blocks are divided evenly among them. The blocks of a list meet at
+/// barriers, so all have to be on the device at a time. The device can hold those of all streams. Whatever else runs
+/// there ends by itself, as long as no other batch makes time steps on the device.
 __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(const PhaseLaunch launch) {
   __shared__ DeviceScene scene;
   __shared__ BlockCell cell;
@@ -160,13 +162,13 @@ __global__ void __launch_bounds__(phase_threads, list_blocks) phase_of_lists(con
   GridGroup group(BlockMemory{cell, nullptr, 0}, static_cast<int>(blockIdx.x) % share, share,
                   launch.list_barriers + team);
   for (int at = team; at < count; at += teams) {
-    __syncthreads();  // before the scene is another one
+    __syncthreads();  // all threads are done with the last scene
     load_scene(scene, launch.scenes + launch.queue->scene[at]);
     renew_list(scene, group);
   }
 }
 
-/// A phase with a thread for each scene, by one block.
+/// A stage with a thread for each scene, by one block.
 template <Stage stage>
 __global__ void __launch_bounds__(plan_threads) phase_of_scenes(const PhaseLaunch launch) {
   clear_lists(launch);

@@ -1,4 +1,4 @@
-// Threads of the host that append what the scenes of a batch have recorded.
+// Host threads that append what the scenes of a batch have recorded to their logs.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,11 @@ namespace gem {
 
 class Recorders {
  public:
-  /// For a batch of so many scenes.
+  /// For a batch of `scenes` scenes.
   explicit Recorders(std::size_t scenes)
       : threads_(std::min<std::size_t>({scenes / scenes_worth_a_thread, most, std::thread::hardware_concurrency()})) {}
 
-  /// Calls append(scene) for each of some scenes; by several threads where they are many.
+  /// Calls append(scene) for each of some scenes, by several threads if there are many.
   template <class Append>
   void record(const std::vector<std::size_t>& scenes, Append&& append) {
     if (scenes.size() < 2 * scenes_worth_a_thread || !gather()) {
@@ -36,7 +36,8 @@ class Recorders {
  private:
   static constexpr std::size_t most = 8, scenes_worth_a_thread = 8;
 
-  /// Whether there are threads; a system that gives none is no fault.
+  /// Starts the threads if there are none. Returns whether there are some: if the system gives none, the caller does
+  /// the work.
   bool gather() {
     if (team_ || threads_ < 2) return team_ != nullptr;
     try {

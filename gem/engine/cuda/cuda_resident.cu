@@ -1,4 +1,4 @@
-// The kernel that moves scenes by blocks that stay with them.
+// The kernel of resident launches: blocks stay with their scenes through many time steps.
 #include "gem/engine/cuda/cuda_kernel.h"
 #include "gem/engine/cuda/thread_groups.cuh"
 #include "gem/engine/device/resident_steps.h"

@@ -1,4 +1,4 @@
-// One scene on the device: its memory, and the host's copy of its field.
+// One scene on the device: its memory, and the copy of its field on the host.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -17,8 +17,7 @@ namespace gem {
 
 class CudaScene {
  public:
-  /// `status` is its place among the statuses of the batch, on the device.
-  /// `blocks`: the most that ever work on it.
+  /// `status`: where the scene's status stands on the device. `blocks`: the most blocks that ever work on the scene.
   CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status) : status_(status) {
     const StepConstants constants = step_constants(scene.scene, scene.bodies);
     field_ = make_field_state(std::move(scene.bodies), constants);
@@ -42,28 +41,29 @@ class CudaScene {
 
   void want_events(bool wanted) { device_.wants_events = wanted; }
 
-  /// The check that every engine makes before it goes on from a state that it was given.
+  /// Throws Error(numerical_stop) if a state that was given is not finite. Every engine checks this before it goes on
+  /// from such a state.
   void check_start() {
     if (fresh_) check_finite(field_, step_);
     fresh_ = false;
   }
 
-  /// After a call: what it left on the device.
+  /// Notes the status after a call. The copies on the host are stale then.
   void note(const DeviceStatus& status) {
     step_ = status.step;
     carried_ = status.carried;
     state_here_ = books_here_ = false;
   }
 
-  /// Begins to fetch what the last call, by so many blocks, has left in the rings.
+  /// Begins to fetch the rings of the last call, which `blocks` blocks made.
   void fetch(const DeviceStatus& status, int blocks, cudaStream_t stream) {
     if (status.samples == 0) return;
     const auto steps = static_cast<std::size_t>(status.samples) * static_cast<std::size_t>(blocks);
-    fetch(device_.overlap_count, device_.quality + steps, stream);  // the samples stand between these
+    fetch(device_.overlap_count, device_.quality + steps, stream);  // the samples stand between them
     fetch(device_.event, device_.event + status.events, stream);
   }
 
-  /// Appends the rings, once they have come.
+  /// Appends the rings to `log`, after fetch() has completed.
   void append(const DeviceStatus& status, int blocks, StepLog& log) const {
     if (status.samples == 0) return;
     DeviceScene rings;
@@ -71,7 +71,7 @@ class CudaScene {
     append_log(field_, rings, status, blocks, log);
   }
 
-  /// Makes room for a longer list.
+  /// Enlarges the memory of the list.
   void grow(const DeviceStatus& status) {
     const auto enough = [](std::int32_t now, std::int32_t needed) { return needed > now ? needed + needed / 4 : now; };
     sizes_.rows = enough(sizes_.rows, status.rows_needed);
@@ -129,7 +129,7 @@ class CudaScene {
   }
 
  private:
-  /// A stretch of the rings.
+  /// Fetches a part of the rings.
   void fetch(const void* begin, const void* end, cudaStream_t stream) {
     const auto* const from = static_cast<const std::byte*>(begin);
     const std::size_t at = from - ring_memory_.data(), bytes = static_cast<const std::byte*>(end) - from;
@@ -154,7 +154,7 @@ class CudaScene {
     fresh_ = state_here_ = books_here_ = true;
   }
 
-  /// What the points of the last time step carried; a coupled scene keeps it on the device.
+  /// The impulses of the last time step's points; a coupled scene keeps them on the device.
   std::vector<CarriedMemory> carried() const {
     std::vector<CarriedMemory> memory(carried_);
     if (carried_ > 0)
@@ -171,7 +171,7 @@ class CudaScene {
     settle();
   }
 
-  /// No stamp of an earlier list may look like one of a time step to come.
+  /// Resets stamps and counters: no stamp of an earlier list may equal that of a later time step.
   void forget_list() {
     const std::size_t stamps = reinterpret_cast<std::byte*>(device_.row_other) - list_memory_.data();
     check_cuda(cudaMemset(list_memory_.data(), 0xff, stamps), "clear the list");
@@ -179,25 +179,25 @@ class CudaScene {
   }
 
   void make_list() {
-    list_memory_ = {};  // the old one goes first
+    list_memory_ = {};  // free the old memory first
     list_memory_ = DeviceMemory(place_list(device_, sizes_, nullptr));
     place_list(device_, sizes_, list_memory_.data());
-    // pairs are copied whole, with the gaps between their members: these are not to look like something forgotten
+    // pairs are copied whole: the padding must not read as uninitialised memory
     check_cuda(cudaMemset(device_.pair, 0, sizeof(PairCell) * (sizes_.rows / 2 + 1)), "clear the list");
-    // read whole, with what a contact of one point leaves out; the last also beside the stamps that say what counts
+    // read whole, even a second point that the contact lacks; `work` is read even beside stamps that mark it stale
     check_cuda(cudaMemset(device_.entry, 0, sizeof(RowEntry) * sizes_.rows), "clear the list");
     check_cuda(cudaMemset(device_.work, 0, sizeof(RowWork) * sizes_.rows), "clear the list");
     check_cuda(cudaMemset(device_.row_event, 0, sizeof(EventRecord) * sizes_.platform_rows), "clear the list");
     if (sizes_.coupled) {
       check_cuda(cudaMemset(device_.row_points, 0, sizeof(RowPoints) * sizes_.rows), "clear the list");
-      check_cuda(cudaMemset(device_.progress, 0, sizeof(RoundsMade)), "clear the list");  // gaps, as those of pairs
-      // events copy contacts whole, with the second point that some have not
+      check_cuda(cudaMemset(device_.progress, 0, sizeof(RoundsMade)), "clear the list");  // padding, as with pairs
+      // events copy contacts whole, even a second point that the contact lacks
       check_cuda(cudaMemset(device_.contact, 0, sizeof(Contact) * (sizes_.rows / 2 + 1)), "clear the list");
     }
     const std::size_t bytes = place_rings(device_, sizes_, nullptr);
     if (bytes != ring_memory_.bytes()) {
       ring_memory_ = DeviceMemory(bytes);
-      // fetched whole, with what a call has left empty
+      // fetched whole, even the parts that a call left empty
       check_cuda(cudaMemset(ring_memory_.data(), 0, bytes), "clear the record");
       ring_here_ = PinnedMemory(bytes);
     }
@@ -206,11 +206,11 @@ class CudaScene {
     settle();
   }
 
-  /// The kernels run in a stream of their own: what was written so far has to be there before they start.
+  /// Waits until all copies have arrived: the kernels run in another stream.
   static void settle() { check_cuda(cudaDeviceSynchronize(), "take the field"); }
 
   FieldState field_;
-  Ledger ledger_;  // start and scales
+  Ledger ledger_;  // start values and scales
   std::int64_t step_ = 0;
   SceneSizes sizes_;
   DeviceScene device_;

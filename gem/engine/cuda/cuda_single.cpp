@@ -7,7 +7,7 @@ namespace gem {
 
 namespace {
 
-/// A batch of one as an engine.
+/// A batch of one scene behind the Engine interface.
 class CudaEngine : public Engine {
  public:
   CudaEngine(const SceneDef& scene, Bodies bodies, const CudaOptions& options)

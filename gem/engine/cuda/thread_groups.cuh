@@ -1,4 +1,4 @@
-// The thread groups of CUDA kernels: what they have in common, and the blocks of a scene that meet at a grid barrier.
+// The thread groups of CUDA kernels: their common part, and the blocks of a scene that meet at a grid barrier.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -16,7 +16,7 @@ class LaneGroup {
   static constexpr int size = lanes;
 
   __device__ int rank() const { return static_cast<int>(threadIdx.x) % lanes; }
-  /// Groups of a warp would vote one after the other: they exchange instead.
+  /// Groups smaller than a warp exchange their bits: votes of several groups of a warp would run one after another.
   __device__ unsigned ballot(bool mine) const {
     if constexpr (lanes == 32) return __ballot_sync(ones, mine);
     unsigned bits = mine ? 1U << rank() : 0U;
@@ -52,7 +52,7 @@ class LaneGroup {
   __device__ unsigned mask() const { return ones << first(); }
 };
 
-/// The scene's constants and addresses, close at hand for all threads of a block.
+/// Copies the scene's constants and addresses to shared memory, for all threads of a block.
 __device__ inline void load_scene(DeviceScene& scene, const DeviceScene* from) {
   auto* to = reinterpret_cast<std::uint64_t*>(&scene);
   for (unsigned w = threadIdx.x; w < sizeof(DeviceScene) / sizeof(std::uint64_t); w += blockDim.x)
@@ -67,11 +67,11 @@ struct BlockMemory {
   std::size_t bytes;
 };
 
-/// What thread groups of one or of many blocks have in common.
+/// The common part of all thread groups.
 class DeviceGroup {
  public:
   using Warp = LaneGroup<32>;
-  using Wide = LaneGroup<8>;  // about the edges of an outline
+  using Wide = LaneGroup<8>;  // about as many lanes as an outline has edges
   static constexpr int kept_points = 2;
   static constexpr bool has_halos = false;
 
@@ -101,8 +101,8 @@ class DeviceGroup {
   BlockMemory shared_memory_;
 };
 
-/// The blocks of a scene, all on the device at the same time; they meet at a grid barrier in its memory. A block alone
-/// meets nobody.
+/// The blocks of a scene, all on the device at the same time. They meet at a grid barrier in the device's memory. A
+/// single block waits for no other.
 class GridGroup : public DeviceGroup {
  public:
   using Lanes = LaneGroup<8>;
@@ -114,11 +114,12 @@ class GridGroup : public DeviceGroup {
   __device__ int block() const { return block_; }
   __device__ int blocks() const { return blocks_; }
 
-  /// Other blocks do not reach a block's shared memory, and meeting them takes longer than moving some of their bodies.
+  /// A block does not reach the shared memory of others, and a grid barrier takes longer than moving some bodies of
+  /// other blocks.
   static constexpr bool reads_other_blocks = false;
   static constexpr bool has_halos = true;
 
-  /// Sixteen bytes in one go, past the caches that blocks do not share: no reader sees a part of them.
+  /// Writes 16 bytes in one access, past the caches that blocks do not share. No reader sees a part of them.
   __device__ static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
     std::uint64_t low, high;
     memcpy(&low, &value, sizeof low);
@@ -139,7 +140,7 @@ class GridGroup : public DeviceGroup {
     memcpy(value.part + 2, &high, sizeof high);
     return value;
   }
-  /// Between two looks at what another block has yet to write.
+  /// Called between two polls of memory that another block has yet to write.
   __device__ static void pause() {}
 
   __device__ void barrier() {
@@ -148,9 +149,9 @@ class GridGroup : public DeviceGroup {
     wait_at_grid_barrier();
     __syncthreads();
   }
-  /// A barrier in two halves, with work between them that waits for no other block's second half. What the block does
-  /// there is known to all of it after the second, but to no other block. On the way what the points of all blocks ask
-  /// for comes together: one thread of each hands it on.
+  /// A barrier in two halves. Between them a block works without waiting for others. What it does there is visible to
+  /// itself after the second half, but to no other block. The barrier also finds the largest residual of all blocks;
+  /// one thread of each block passes it on.
   __device__ void arrive_asking(std::uint32_t* asked) {
     __syncthreads();
     if (threadIdx.x == 0) {
@@ -165,8 +166,8 @@ class GridGroup : public DeviceGroup {
     __syncthreads();
   }
 
-  /// Seen by a block when it passes the next barrier. Between two barriers with a decision on alarms there is a third,
-  /// so that no block can see an alarm that another has yet to raise for a later decision.
+  /// Raises alarms. A block sees them when it passes the next barrier. At least one more barrier stands between two
+  /// that decide on alarms, so that no block sees an alarm raised for a later decision.
   __device__ void raise(std::uint32_t alarms) {
     atomicOr(alone() ? &shared_memory_.shared.alarms : &grid_barrier_->alarms, alarms);
   }
@@ -176,14 +177,14 @@ class GridGroup : public DeviceGroup {
     if (block() == 0) atomicExch(&grid_barrier_->alarms, 0U);
   }
 
-  /// Passed so far; asked by the first thread.
+  /// Barriers passed so far; call it from the first thread.
   __device__ int barriers() const { return static_cast<int>(shared_memory_.shared.arrivals) / blocks_; }
 
  private:
   struct Seen {
     unsigned arrived, alarms;
   };
-  /// Both words at once: each look takes the way to the memory of all.
+  /// Reads both words in one access, as each takes the way to global memory.
   __device__ static Seen look_at(const GridBarrier* grid_barrier) {
     Seen seen;
     unsigned long long both;
@@ -195,7 +196,7 @@ class GridGroup : public DeviceGroup {
 
   __device__ bool alone() const { return blocks_ == 1; }
 
-  /// After a barrier of the block, so what all of it wrote comes before.
+  /// Call it after a block barrier: all writes of the block then come before the arrival.
   __device__ void count_arrival() {
     if (threadIdx.x != 0) return;
     shared_memory_.shared.arrivals += static_cast<unsigned>(blocks_);

@@ -1,4 +1,4 @@
-// Shares of a GPU among scenes.
+// Tests of the shares of a GPU among scenes.
 #include "gem/engine/device/block_share.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace gem {
 namespace {
 
-constexpr int device_blocks = 132;  // blocks that it runs at a time
+constexpr int device_blocks = 132;  // blocks that the device runs at a time
 
 int sum(const std::vector<int>& blocks) { return std::accumulate(blocks.begin(), blocks.end(), 0); }
 

@@ -1,4 +1,4 @@
-// The bodies phase of a time step: each body adds what its contacts did, moves, and takes the drag of the next time
+// The bodies phase of a time step. Each body adds up its contacts, moves, and takes the solo events of the next time
 // step.
 #pragma once
 
@@ -7,17 +7,17 @@
 
 namespace gem {
 
-/// One time step as its phases see it.
+/// One time step, as its phases need it.
 struct StepIndex {
   std::int32_t step = 0;
-  std::int32_t sample = 0;  // its place in the rings
-  double elapsed = 0.0;     // from the building of the list to the time step's end [s]
-  bool kick_next = true;    // the solo events of the next time step follow
+  std::int32_t sample = 0;  // index in the rings of this call
+  double elapsed = 0.0;     // from the building of the list to the end of the time step [s]
+  bool kick_next = true;    // make the solo events of the next time step too
 };
 
 GEM_DEVICE inline bool is_number(double x) { return x - x == 0.0; }
 
-/// A body that moves: what changes in one time step, kept in registers until the time step is over.
+/// The part of a body that a time step changes, in registers until the end of the time step.
 struct Mover {
   Vec2 position;
   Rotation rotation;
@@ -30,7 +30,7 @@ GEM_DEVICE inline Mover mover_of(const BodyCell& cell) {
   return {cell.position, cell.rotation, cell.turn_travel, cell.velocity, cell.spin};
 }
 
-/// Field by field: the compiler copies whole cells byte by byte.
+/// Copies field by field: the compiler copies whole cells byte by byte.
 GEM_DEVICE inline void write_mover(BodyCell& cell, const Mover& mover) {
   cell.position = mover.position;
   cell.rotation = mover.rotation;
@@ -39,7 +39,7 @@ GEM_DEVICE inline void write_mover(BodyCell& cell, const Mover& mover) {
   cell.spin = mover.spin;
 }
 
-/// Turns a body by `angle`; whether it turned at all.
+/// Turns a body by `angle` [rad]. Returns whether it turned at all.
 GEM_DEVICE inline bool turn(Mover& mover, double angle) {
   if (angle == 0.0) return false;
   mover.rotation = turned(mover.rotation, angle);
@@ -47,7 +47,7 @@ GEM_DEVICE inline bool turn(Mover& mover, double angle) {
   return true;
 }
 
-/// Corners first, first + step, ... of an outline follow the body's rotation.
+/// Turns the corners first, first + step, ... of an outline to rotation `q`.
 GEM_DEVICE inline void turn_outline(const DeviceScene& s, std::int32_t begin, int count, Rotation q, int first,
                                     int step) {
   for (int v = first; v < count; v += step) {
@@ -57,7 +57,8 @@ GEM_DEVICE inline void turn_outline(const DeviceScene& s, std::int32_t begin, in
   }
 }
 
-/// Whether a body left the course that the list relies on; `elapsed` is the time since the list was built [s].
+/// Whether a body left the straight path that the list assumes by more than the list allows. `elapsed`: time since the
+/// list was built [s].
 GEM_DEVICE inline bool left_trajectory(const DeviceScene& s, const Mover& mover, double radius,
                                        const BodyMotion& motion, double elapsed) {
   const Vec2 off = mover.position - motion.trajectory_position - elapsed * motion.trajectory_velocity;
@@ -82,7 +83,8 @@ GEM_DEVICE inline void kick_body(const DeviceScene& s, std::int32_t i, const Bod
   motion.angle_correction = kick.angle_correction;
 }
 
-/// Takes over what the iterations of a coupled time step found for body i; returns whether it has points within reach.
+/// Takes the velocity and the repair of body i from a coupled solution. Returns whether the body has points in this
+/// time step.
 GEM_DEVICE inline bool load_solved(const DeviceScene& s, std::int32_t i, std::int32_t step, BodyAfter& after,
                                    BodyRepair& repair) {
   if (s.body_points[i].step != step) return false;
@@ -93,7 +95,7 @@ GEM_DEVICE inline bool load_solved(const DeviceScene& s, std::int32_t i, std::in
   return true;
 }
 
-/// Moves a floe with its velocity after the events; whether it turned.
+/// Moves a floe with its velocity after the events. Returns whether it turned.
 GEM_DEVICE inline bool drift(const DeviceScene& s, Mover& mover, const BodyMotion& motion, const BodyAfter& after,
                              bool struck, const BodyRepair& repair, Quantity& drag_book) {
   const double dt = s.constants.dt;
@@ -115,11 +117,11 @@ GEM_DEVICE inline bool is_finite(const Mover& mover, Vec2 velocity, double spin)
                    mover.rotation.sine);
 }
 
-/// One floe or fixed body through the bodies phase.
+/// The bodies phase of one floe or fixed body.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void move_body(const DeviceScene& s, Group& group, const Workspace& workspace, std::int32_t i,
                                  const StepIndex& step) {
-  if (i == 0) return;  // the platform's warp moves it at the same time
+  if (i == 0) return;  // a warp of its own moves the platform
   BodyCell& cell = workspace.body[i];
   BodyMotion& motion = workspace.motion[i];
   Quantity drag_book = s.book(Channel::drag, i);

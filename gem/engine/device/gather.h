@@ -1,4 +1,5 @@
-// What the contacts of a time step did to a body, read from its row: velocities, energy and momentum for the books.
+// What the contacts of a time step did to a body, read from its row: velocity changes, and energy and momentum for the
+// books.
 #pragma once
 
 #include "gem/engine/device/workspace.h"
@@ -6,7 +7,7 @@
 
 namespace gem {
 
-/// Momentum that a fixed body gave in the contact at place `row` of body B.
+/// Books the momentum that a fixed body gave in the contact at entry `row` of body i. The fixed body may be A or B.
 GEM_DEVICE inline void book_fixed_contact(const DeviceScene& s, std::int32_t i, const BodyCell& cell,
                                           std::int32_t row) {
   const bool fixed_b = cell.kind == BodyKind::fixed;
@@ -17,14 +18,14 @@ GEM_DEVICE inline void book_fixed_contact(const DeviceScene& s, std::int32_t i, 
     if (acted(contact.slot[k])) book_fixed(books, contact, contact.slot[k], cell.position, fixed_b);
 }
 
-/// What a stretch of a body's row has for it in this time step: a bit for each place.
+/// Which entries in 32 entries of a row were written in this time step: a bit for each.
 struct RowNews {
   static constexpr int stretch = 32;
   std::uint32_t entries = 0, works = 0;
 };
 
-/// Places that are asked for together, as each waits for memory.
-constexpr int asked_together = 2;
+/// Entries that are loaded together to hide the latency of memory.
+constexpr int loaded_together = 2;
 
 GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::int32_t places, std::int32_t step) {
   constexpr int together = 8;
@@ -40,9 +41,9 @@ GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::
   return news;
 }
 
-/// The lowest places of some bits, which are taken out; -1 where there is none left.
+/// Takes out the lowest set bits and holds their positions; -1 where no bit is left.
 struct LowestPlaces {
-  std::int32_t at[asked_together];
+  std::int32_t at[loaded_together];
   GEM_DEVICE explicit LowestPlaces(std::uint32_t& bits) {
     for (std::int32_t& place : at) {
       place = bits != 0 ? bits_in(~bits & (bits - 1U)) : -1;
@@ -51,7 +52,7 @@ struct LowestPlaces {
   }
 };
 
-/// Field by field: the compiler copies whole records byte by byte.
+/// Copies field by field: the compiler copies whole records byte by byte.
 GEM_DEVICE inline RowWork read_work(const RowWork& from) {
   RowWork work;
   for (int k = 0; k < 2; ++k) {
@@ -63,7 +64,7 @@ GEM_DEVICE inline RowWork read_work(const RowWork& from) {
   return work;
 }
 
-/// The same.
+/// Copies field by field, as read_work().
 GEM_DEVICE inline RowEntry read_entry(const RowEntry& from) {
   RowEntry entry;
   for (int k = 0; k < 2; ++k) {
@@ -76,7 +77,7 @@ GEM_DEVICE inline RowEntry read_entry(const RowEntry& from) {
   return entry;
 }
 
-/// Energy of the last time step's contacts at some places of the row of their body B, into its books.
+/// Adds the energy of the last time step's contacts at some entries of a row to the books of body B.
 GEM_DEVICE inline void book_works(const DeviceScene& s, std::int32_t i, std::int32_t row, std::uint32_t places) {
   if (places == 0) return;
   double &impact = s.book(Channel::impact, i).energy, &elastic = s.book(Channel::elastic, i).energy,
@@ -89,10 +90,10 @@ GEM_DEVICE inline void book_works(const DeviceScene& s, std::int32_t i, std::int
   };
   while (places != 0) {
     const LowestPlaces next(places);
-    RowWork some[asked_together];
-    for (int k = 0; k < asked_together; ++k)
+    RowWork some[loaded_together];
+    for (int k = 0; k < loaded_together; ++k)
       if (next.at[k] >= 0) some[k] = read_work(s.work[row + next.at[k]]);
-    for (int k = 0; k < asked_together; ++k) {
+    for (int k = 0; k < loaded_together; ++k) {
       if (next.at[k] < 0) continue;
       if (some[k].count > 0) add(some[k].slot[0]);
       if (some[k].count > 1) add(some[k].slot[1]);
@@ -103,18 +104,19 @@ GEM_DEVICE inline void book_works(const DeviceScene& s, std::int32_t i, std::int
   friction = sum.friction;
 }
 
-/// Books the work of the last time step's contacts; `stamp` says which entries count.
+/// Books the work of the last time step's contacts. Entries with this `stamp` count.
 GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const BodyMotion& motion, std::int32_t stamp) {
   for (std::int32_t first = 0; first < motion.lower_count; first += RowNews::stretch) {
     const std::int32_t row = motion.row_begin + first;
     const std::uint32_t works = row_news(s, row, motion.lower_count - first, stamp).works;
     book_works(s, i, row, works);
     for (int k = 0; k < RowNews::stretch && works >> k != 0; ++k)
-      if (works >> k & 1U) s.stamp[row + k].work = -1;  // the books may be closed once more before the next time step
+      // the books may be closed once more before the next time step: this work must not count twice
+      if (works >> k & 1U) s.stamp[row + k].work = -1;
   }
 }
 
-/// Adds what a contact does to a body; returns whether it acted.
+/// Adds what a contact does to a body. Returns whether it acted.
 GEM_DEVICE inline bool add_entry(const RowEntry& entry, BodyAfter& after) {
   for (int k = 0; k < 2; ++k) {
     if (k >= entry.count) break;
@@ -124,22 +126,22 @@ GEM_DEVICE inline bool add_entry(const RowEntry& entry, BodyAfter& after) {
   return entry.acted != 0;
 }
 
-/// Adds the contacts at some places of a row in their order; returns whether any acted.
+/// Adds the contacts at some entries of a row in order. Returns whether any acted.
 GEM_DEVICE inline bool add_entries(const DeviceScene& s, std::int32_t row, std::uint32_t places, BodyAfter& after) {
   bool struck = false;
   while (places != 0) {
     const LowestPlaces next(places);
-    RowEntry some[asked_together];
-    for (int k = 0; k < asked_together; ++k)
+    RowEntry some[loaded_together];
+    for (int k = 0; k < loaded_together; ++k)
       if (next.at[k] >= 0) some[k] = read_entry(s.entry[row + next.at[k]]);
-    for (int k = 0; k < asked_together; ++k)
+    for (int k = 0; k < loaded_together; ++k)
       if (next.at[k] >= 0) struck = add_entry(some[k], after) || struck;
   }
   return struck;
 }
 
-/// Adds the contacts of the time step in ascending order of the other body; returns whether any acted. Those of a
-/// coupled time step are added up already.
+/// Adds the contacts of the time step by ascending id of the other body. Returns whether any acted. Coupled: the solver
+/// has added them already, so this only writes books.
 template <ContactSolver solver>
 GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
                               std::int32_t step, BodyAfter& after) {
@@ -152,7 +154,7 @@ GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCe
     const RowNews news = row_news(s, row, places - first, step);
     book_works(s, i, row, news.works);
     if (moves) struck = add_entries(s, row, news.entries, after) || struck;
-    // large bodies, and the fixed ones among them, come first in a row
+    // large bodies, which include the fixed ones, come first in a row
     for (std::int32_t k = 0; first + k < lower && first + k < s.large_bodies && k < RowNews::stretch; ++k)
       if ((news.entries >> k & 1U) && s.row_other[row + k] < s.large_bodies) book_fixed_contact(s, i, cell, row + k);
   }

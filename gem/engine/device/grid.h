@@ -1,12 +1,12 @@
-// Where the bodies of a device scene stand when a list is built: courses, boxes, the grid of floes, and the order along
-// the field. Steps 1 to 4 of device_list.h, and the search in the grid.
+// The positions of bodies when a list is built: assumed paths, boxes, the grid of floes, and the order along the field.
+// Steps 1 to 4 of list.h, and the search in the grid.
 #pragma once
 
 #include "gem/engine/device/workspace.h"
 
 namespace gem {
 
-/// Whole numbers in the order of the numbers, all above 0: extremes are then taken without regard to order.
+/// Maps a number to an integer above 0 with the same order. Integer maxima do not depend on the order of threads.
 GEM_DEVICE inline std::uint64_t ordered(double x) {
   const std::uint64_t bits = strict::bits_of(x);
   return bits >> 63 ? ~bits : bits | 0x8000000000000000U;
@@ -15,12 +15,12 @@ GEM_DEVICE inline double unordered(std::uint64_t key) {
   return strict::double_of(key >> 63 ? key & 0x7fffffffffffffffU : ~key);
 }
 
-/// The grid on which near floes are looked for. Its cells stand row by row, and behind each row one that is empty.
+/// The grid in which near floes are searched. Cells are stored row by row, with one empty cell behind each row.
 struct ListGrid {
   Vec2 low;
   double cell = 1.0;
   std::int32_t columns = 0, rows = 0;
-  double ahead = 0.0;  // time for which the list is built [s]
+  double ahead = 0.0;  // time that the list has to last [s]
 };
 
 GEM_DEVICE inline bool is_large(const DeviceScene& s, std::int32_t i) { return i < s.large_bodies; }
@@ -46,7 +46,7 @@ GEM_DEVICE inline ListBox box_of(const DeviceScene& s, const BodyCell& cell) {
   return box;
 }
 
-/// Extremes over some floes; low ones as the highest of the opposite, in the order of ListCounters.
+/// Extremes over some floes, in the order of ListCounters. Minima are stored as maxima of the opposite.
 struct Extremes {
   static constexpr int count = 9;
   double most[count];
@@ -63,7 +63,7 @@ struct Extremes {
   }
 };
 
-/// Enters what the threads of a warp have found.
+/// Enters the extremes that the threads of a warp found.
 template <class Group>
 GEM_DEVICE inline void note_extremes(const DeviceScene& s, Group& group, Extremes found) {
   const auto warp = group.warp();
@@ -78,7 +78,7 @@ GEM_DEVICE inline void note_extremes(const DeviceScene& s, Group& group, Extreme
 
 GEM_DEVICE inline std::int32_t bit_words(const DeviceScene& s) { return (s.bodies + 31) / 32; }
 
-/// Step 1. The course of a body is the velocity that it has now; fixed bodies stay.
+/// Step 1. The list assumes that a body keeps its present velocity; fixed bodies stay.
 template <class Group>
 GEM_DEVICE inline void note_trajectories(const DeviceScene& s, Group& group) {
   const std::int32_t first = rank_of(group), step = size_of(group);
@@ -99,7 +99,7 @@ GEM_DEVICE inline void note_trajectories(const DeviceScene& s, Group& group) {
   for (std::int32_t k = first; s.sorted_place && k < sort_bins; k += step) s.bin_count[k] = 0;
 }
 
-/// Stretch of the field in which a floe stands.
+/// Index of the bin along the field that x falls in.
 GEM_DEVICE inline std::int32_t stretch_at(const DeviceScene& s, double x) {
   const ListCounters& all = *s.counters;
   if (all.floes == 0) return 0;
@@ -108,7 +108,7 @@ GEM_DEVICE inline std::int32_t stretch_at(const DeviceScene& s, double x) {
   return at > 0.0 ? at < sort_bins - 1 ? static_cast<std::int32_t>(at) : sort_bins - 1 : 0;
 }
 
-/// Where each stretch begins, by the first warp.
+/// Computes where each bin begins. Work of the first warp.
 template <class Group>
 GEM_DEVICE inline void begin_stretches(const DeviceScene& s, Group& group) {
   if (!s.sorted_place || rank_of(group) >= Group::Warp::size) return;
@@ -122,7 +122,7 @@ GEM_DEVICE inline void begin_stretches(const DeviceScene& s, Group& group) {
   }
 }
 
-/// Puts a body in its place along the field; large bodies come first.
+/// Puts a body in its place in the order along the field; large bodies come first.
 template <class Group>
 GEM_DEVICE inline void sort_body(const DeviceScene& s, Group& group, std::int32_t i) {
   if (!s.sorted_place) return;
@@ -135,7 +135,8 @@ GEM_DEVICE inline void sort_body(const DeviceScene& s, Group& group, std::int32_
   s.body_at[sorted_place] = i;
 }
 
-/// Two floes that may come near within `ahead` [s] stand in the same or in neighbouring cells.
+/// The grid for this list. Two floes that may come near within `ahead` [s] stand in the same cell or in neighbouring
+/// cells.
 GEM_DEVICE inline ListGrid list_grid(const DeviceScene& s, double ahead) {
   const ListCounters& all = *s.counters;
   ListGrid grid;
@@ -146,7 +147,7 @@ GEM_DEVICE inline ListGrid list_grid(const DeviceScene& s, double ahead) {
   const Vec2 speeds{extreme(6) + extreme(4), extreme(7) + extreme(5)};
   grid.low = low;
   grid.cell = 2.0 * extreme(8) + s.constants.list_margin + s.constants.contact_margin + length(speeds) * ahead;
-  // no finer than the floes are many, so that a scattered field costs no more memory than a dense one
+  // bound the number of cells by that of floes, so that a scattered field takes no more memory than a dense one
   const double widest = extent.x > extent.y ? extent.x : extent.y;
   const double finest = widest / (4.0 * std::sqrt(static_cast<double>(all.floes)));
   if (finest > grid.cell) grid.cell = finest;
@@ -155,7 +156,7 @@ GEM_DEVICE inline ListGrid list_grid(const DeviceScene& s, double ahead) {
   return grid;
 }
 
-/// The middle of all velocities when the list was built, and of bodies that stand [m/s].
+/// The centre of the range of velocities when the list was built, zero velocity included [m/s].
 GEM_DEVICE inline Vec2 list_drift(const DeviceScene& s) {
   const ListCounters& all = *s.counters;
   if (all.floes == 0) return {};
@@ -165,12 +166,12 @@ GEM_DEVICE inline Vec2 list_drift(const DeviceScene& s) {
   return {middle(4, 6), middle(5, 7)};
 }
 
-/// Place of a cell in the arrays of cells.
+/// Index of a cell in the arrays of cells.
 GEM_DEVICE inline std::int32_t cell_at(const ListGrid& grid, std::int32_t row, std::int32_t column) {
   return row * (grid.columns + 1) + column;
 }
 
-/// Step 3: where the floes of each cell begin, a row of cells by each warp: those of a row stand together.
+/// Step 3: where the floes of each cell begin. One warp for each row of cells; floes of a row are stored together.
 template <class Group>
 GEM_DEVICE inline void begin_cells(const DeviceScene& s, Group& group, const ListGrid& grid) {
   const auto warp = group.warp();
@@ -193,7 +194,7 @@ GEM_DEVICE inline void begin_cells(const DeviceScene& s, Group& group, const Lis
   }
 }
 
-/// Step 2.
+/// Step 2: counts the floes of each cell.
 template <class Group>
 GEM_DEVICE inline void count_floes(const DeviceScene& s, Group& group, const ListGrid& grid) {
   const std::int32_t step = size_of(group);
@@ -209,7 +210,7 @@ GEM_DEVICE inline void count_floes(const DeviceScene& s, Group& group, const Lis
   }
 }
 
-/// Step 4.
+/// Step 4: puts each floe in the list of its cell.
 template <class Group>
 GEM_DEVICE inline void place_floes(const DeviceScene& s, Group& group) {
   const std::int32_t first = rank_of(group), step = size_of(group);
@@ -232,8 +233,8 @@ GEM_DEVICE inline bool near(const DeviceScene& s, double ahead, const ListBox& a
          b.low.y < a.high.y + reach;
 }
 
-/// Calls visit(j, is_near) for the lower large bodies and then, in no order, the floes around body i, shared out among
-/// the lanes of a group; every lane makes as many calls, with is_near false where it has no body left.
+/// Calls visit(j, is_near) for the large bodies below i, and then, in no order, for the floes around body i. The lanes
+/// of a group share the calls. All lanes make the same number of calls; is_near is false where a lane has no body left.
 template <class Lanes, class Visit>
 GEM_DEVICE inline void each_near(const DeviceScene& s, const Lanes& lanes, const ListGrid& grid, std::int32_t i,
                                  Visit&& visit) {

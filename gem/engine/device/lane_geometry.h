@@ -1,11 +1,11 @@
-// The geometry of a pair shared out among the lanes of a group: the same results as one thread finds, on every lane.
+// The geometry of a pair by a group of lanes. Every lane gets the result that one thread alone would get.
 #pragma once
 
 #include "gem/geometry/convex_contact.h"
 
 namespace gem::lane {
 
-/// The smaller of each lane's values, on all lanes.
+/// The smallest of the lanes' values, on all lanes.
 template <class Lanes>
 GEM_DEVICE inline double smallest_of(const Lanes& lanes, double value) {
   for (int step = 1; step < Lanes::size; step *= 2) {
@@ -15,7 +15,7 @@ GEM_DEVICE inline double smallest_of(const Lanes& lanes, double value) {
   return value;
 }
 
-/// edge_separation() with a corner of B for each lane.
+/// edge_separation() with a corner of B for each lane [m].
 template <class Lanes>
 GEM_DEVICE inline double edge_separation(const Lanes& lanes, const Outline& a, int edge, const Outline& b,
                                          Vec2 offset) {
@@ -35,7 +35,7 @@ GEM_DEVICE inline double separation_along(const Lanes& lanes, const Separation& 
                         : edge_separation(lanes, a, axis.edge, b, offset);
 }
 
-/// An axis with its place in the order in which find_axes() offers them: lower wins a tie.
+/// A separating axis with its index in the order of find_axes(): the lower index wins a tie.
 struct RankedAxis {
   double distance = -1e300;
   int order = 1 << 30;
@@ -88,8 +88,8 @@ GEM_DEVICE inline SeparatingAxes find_axes(const Lanes& lanes, const Outline& a,
   return {axis(best.first), axis(best.second), best.others};
 }
 
-/// Where the axes of the last look part the outlines now. Returns whether no other axis can part them by more: else all
-/// have to be searched.
+/// Updates the distances along the two axes of the last narrow phase. Returns whether no other axis can separate the
+/// outlines by more; if not, all axes have to be searched.
 template <class Lanes>
 GEM_DEVICE inline bool follow_two_axes(const Lanes& lanes, SeparatingAxes& axes, const Outline& a, const Outline& b,
                                        Vec2 offset, double moved, double limit) {
@@ -102,7 +102,7 @@ GEM_DEVICE inline bool follow_two_axes(const Lanes& lanes, SeparatingAxes& axes,
     axes.second = second;
   }
   axes.others += moved;
-  // one answer for the group, also where a state that is no number makes the lanes differ
+  // one answer for the group, even where a state that is not finite makes the lanes differ
   return lanes.from(axes.first.distance > limit || axes.first.distance > axes.others ? 1 : 0, 0) != 0;
 }
 

@@ -1,24 +1,24 @@
-// Builds the list of near pairs and the rows of all bodies. Rows are sorted; which memory a row or pair gets may differ
-// from run to run, and nothing that is computed depends on it.
+// Builds the list of near pairs and the rows of all bodies. Rows are sorted. The memory that a row or pair gets may
+// differ from run to run; no result depends on it.
 //
-// Algorithm, a barrier after each step:
-//   0. the looks at the pairs of the list before are put aside
-//   1. course and box of every body; extremes of the floes' positions, velocities and radii
-//   2. floes counted by cell of a grid
-//   3. each row of cells takes a stretch of the list of floes
-//   4. floes placed in the stretch of their cell
-//   5. each body: its lower large neighbours, and for a floe the near ones in three stretches of cells, in its own row
-//   6. each large body: the row of the higher bodies near it
-//   7. a pair for each near body with a higher id, with its look where it was in the list before
+// Algorithm, with a barrier after each step:
+//   0. put aside the narrow-phase results of the pairs of the last list
+//   1. take the path and box of every body, and the extremes of the floes' positions, velocities and radii
+//   2. count the floes of each cell of a grid
+//   3. give each row of cells a range of the array of floes
+//   4. put the floes in the range of their cell
+//   5. find the lower large bodies near each body and, for a floe, the floes in three ranges of cells; write its row
+//   6. write the row of each large body, with the higher bodies near it
+//   7. make a pair for each near body with a higher id; it keeps its narrow-phase result if it was in the last list
 #pragma once
 
 #include "gem/engine/device/grid.h"
 
 namespace gem {
 
-/// Takes `count` places for the row of body i; false if the memory does not hold them.
+/// Takes `count` entries for the row of body i. Returns false, with alarm_list_full, if the memory is too small.
 template <class Group>
-GEM_DEVICE inline bool load_row(const DeviceScene& s, Group& group, std::int32_t i, std::int32_t count,
+GEM_DEVICE inline bool take_row(const DeviceScene& s, Group& group, std::int32_t i, std::int32_t count,
                                 std::int32_t lower) {
   const std::int32_t begin = group.add(&s.counters->rows, count);
   const bool fits = begin + count <= s.rows_capacity && (i > 0 || count <= s.platform_capacity);
@@ -30,7 +30,7 @@ GEM_DEVICE inline bool load_row(const DeviceScene& s, Group& group, std::int32_t
   return fits;
 }
 
-/// Sorts a short row by one thread.
+/// Sorts a short row; work of one thread.
 GEM_DEVICE inline void sort_row(std::int32_t* row, std::int32_t count) {
   for (std::int32_t k = 1; k < count; ++k) {
     const std::int32_t one = row[k];
@@ -40,7 +40,8 @@ GEM_DEVICE inline void sort_row(std::int32_t* row, std::int32_t count) {
   }
 }
 
-/// Writes `count` bodies in no order to a row, each lane some, to the place that as many lower ones leave it.
+/// Writes `count` unsorted ids to a row in ascending order, some by each lane. The index of an id is the number of
+/// lower ones.
 template <class Lanes>
 GEM_DEVICE inline void write_sorted(const Lanes& lanes, std::int32_t* row, const std::int32_t* near,
                                     std::int32_t count) {
@@ -73,10 +74,10 @@ GEM_DEVICE inline void find_near(const DeviceScene& s, Group& group, const ListG
       continue;
     }
     std::int32_t begin = 0;
-    if (lanes.rank() == 0) begin = load_row(s, group, i, count, lower) ? s.motion[i].row_begin : -1;
+    if (lanes.rank() == 0) begin = take_row(s, group, i, count, lower) ? s.motion[i].row_begin : -1;
     begin = lanes.from(begin, 0);
     if (begin < 0) continue;
-    lanes.sync();  // what each has kept is there for all
+    lanes.sync();  // all lanes see what each has kept
     std::int32_t* const row = s.row_other + begin;
     if (count <= kept_near) {
       write_sorted(lanes, row, kept, count);
@@ -107,7 +108,7 @@ GEM_DEVICE inline void rows_of_large_bodies(const DeviceScene& s, Group& group) 
     count = lower + warp.sum(count);
     if (warp.rank() == 0) {
       if (i == 0) s.status->platform_needed = count;
-      load_row(s, group, i, count, lower);
+      take_row(s, group, i, count, lower);
     }
     warp.sync();
     if (s.motion[i].row_count == 0) continue;
@@ -127,7 +128,7 @@ GEM_DEVICE inline void rows_of_large_bodies(const DeviceScene& s, Group& group) 
   }
 }
 
-/// Place of body `other` in the sorted row of a body.
+/// Index of the entry of body `other` in the sorted row of `body`.
 GEM_DEVICE inline std::int32_t place_in_row(const DeviceScene& s, std::int32_t body, std::int32_t other) {
   std::int32_t low = s.motion[body].row_begin, high = low + s.motion[body].row_count;
   while (high - low > 1) {
@@ -140,9 +141,9 @@ GEM_DEVICE inline std::int32_t place_in_row(const DeviceScene& s, std::int32_t b
   return low;
 }
 
-/// Step 0: what pairs have been seen to do is not lost with their list.
+/// Step 0: the narrow-phase results of the pairs outlive their list.
 template <class Group>
-GEM_DEVICE inline void store_axes_aside(const DeviceScene& s, Group& group) {
+GEM_DEVICE inline void put_axes_aside(const DeviceScene& s, Group& group) {
   const std::int32_t first = rank_of(group), step = size_of(group);
   const bool complete = s.counters->complete == 1;
   for (std::int32_t i = first; i < s.bodies; i += step)
@@ -154,15 +155,15 @@ GEM_DEVICE inline void store_axes_aside(const DeviceScene& s, Group& group) {
   }
   for (std::int32_t p = first; p < s.counters->pairs; p += step) {
     const PairCell& pair = s.pair[p];
-    PairAxes& candidate = s.last_axes[p];
-    candidate.axes = pair.axes;
-    candidate.offset = pair.offset;
-    candidate.turned_a = pair.turned_a;
-    candidate.turned_b = pair.turned_b;
+    PairAxes& last = s.last_axes[p];
+    last.axes = pair.axes;
+    last.offset = pair.offset;
+    last.turned_a = pair.turned_a;
+    last.turned_b = pair.turned_b;
   }
 }
 
-/// The last look at the pair of two bodies; null where it was not in the list before.
+/// The last narrow-phase result of two bodies; null if the last list had no such pair.
 GEM_DEVICE inline const PairAxes* last_axes(const DeviceScene& s, std::int32_t body, std::int32_t other) {
   const RowPlace row = s.last_row[body];
   std::int32_t low = 0, high = row.count;
@@ -177,7 +178,7 @@ GEM_DEVICE inline const PairAxes* last_axes(const DeviceScene& s, std::int32_t b
   return found ? s.last_axes + s.last_pair[row.begin + low] : nullptr;
 }
 
-/// A pair for the place `row` of body i.
+/// Makes pair p for the entry `row` of body i.
 GEM_DEVICE inline void make_pair(const DeviceScene& s, std::int32_t p, std::int32_t i, std::int32_t row) {
   const std::int32_t other = s.row_other[row], row_b = place_in_row(s, other, i);
   PairCell& pair = s.pair[p];
@@ -185,17 +186,17 @@ GEM_DEVICE inline void make_pair(const DeviceScene& s, std::int32_t p, std::int3
   pair.b = other;
   pair.row_a = row;
   pair.row_b = row_b;
-  const PairAxes* const candidate = last_axes(s, i, other);
-  pair.axes = candidate ? candidate->axes : SeparatingAxes{};
-  pair.offset = candidate ? candidate->offset : Vec2{};
-  pair.turned_a = candidate ? candidate->turned_a : 0.0;
-  pair.turned_b = candidate ? candidate->turned_b : 0.0;
+  const PairAxes* const last = last_axes(s, i, other);
+  pair.axes = last ? last->axes : SeparatingAxes{};
+  pair.offset = last ? last->offset : Vec2{};
+  pair.turned_a = last ? last->turned_a : 0.0;
+  pair.turned_b = last ? last->turned_b : 0.0;
   if (s.wake) s.wake[p] = 0.0F;
   s.row_pair[row] = s.row_pair[row_b] = p;
   if (s.memory) s.memory[p].step = PairMemory::never;
 }
 
-/// Step 7: a group of lanes for each floe; the long rows of large bodies are shared out place by place.
+/// Step 7: a group of lanes for each floe. All threads share the long rows of large bodies.
 template <class Group>
 GEM_DEVICE inline void make_pairs(const DeviceScene& s, Group& group) {
   const auto lanes = group.lanes();
@@ -215,14 +216,14 @@ GEM_DEVICE inline void make_pairs(const DeviceScene& s, Group& group) {
   }
 }
 
-/// Builds the list at the positions of the time step's start, for a life of `horizon` time steps. Raises
+/// Builds the list from the positions at the start of the time step, to last `horizon` time steps. Raises
 /// alarm_list_full where the memory is too small; the status then says how much is needed.
 template <class Group>
 GEM_DEVICE GEM_NOINLINE inline void build_list(const DeviceScene& s, Group& group, std::int64_t step,
                                                std::int64_t horizon) {
   const bool one = rank_of(group) == 0;
   group.barrier();
-  store_axes_aside(s, group);
+  put_axes_aside(s, group);
   group.barrier();
   if (one) *s.counters = {};
   group.lower_alarms();

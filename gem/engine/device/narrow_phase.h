@@ -1,4 +1,4 @@
-// Looks at near pairs: which may touch, and where they do. Steps 1 and 2 of device_pairs.h.
+// The narrow phase: which near pairs may touch, and where they do. Steps 1 and 2 of pairs.h.
 #pragma once
 
 #include "gem/engine/device/lane_geometry.h"
@@ -7,10 +7,10 @@
 
 namespace gem {
 
-/// Slack for rounding where a bound on motion spares a look [m].
+/// Allowance for rounding in the bound on motion that lets a pair skip the narrow phase [m].
 constexpr double narrow_rounding = 1e-9;
 
-/// What choosing needs of a body.
+/// What choose_candidate() needs of a body.
 struct CandidateBody {
   Vec2 position;
   Rotation rotation;
@@ -25,8 +25,9 @@ GEM_DEVICE inline CandidateBody candidate_body(const BodyCell& cell) {
           cell.vertex_begin, cell.vertex_count, cell.active != 0};
 }
 
-/// Puts pair p at place() to be looked at, unless the last look rules out that it touches now. Returns by how much its
-/// bodies may still move, one relative to the other, before it has to be looked at; not above 0: looked at [m].
+/// Adds pair p to the candidates, at place(), unless its last narrow phase rules out that it touches now. Returns how
+/// far its bodies may still move against each other before the pair is a candidate again [m]; not above 0: it is one
+/// now.
 template <class Place>
 GEM_DEVICE inline double choose_candidate(const DeviceScene& s, PairCell& pair, std::int32_t p, Place&& place) {
   const CandidateBody a = candidate_body(s.body[pair.a]), b = candidate_body(s.body[pair.b]);
@@ -49,32 +50,33 @@ GEM_DEVICE inline double choose_candidate(const DeviceScene& s, PairCell& pair, 
   item.offset = offset;
   item.rotation_a = a.rotation;
   item.rotation_b = b.rotation;
-  // an axis turns with its body and sweeps over the other, whose far side is this far from it
+  // an axis turns with its body and sweeps over the other body, whose far side is this far away
   const double far = 2.0 * (a.radius + b.radius) + length(shifted) + limit;
   item.moved = length(shifted) + far * (turned_a + turned_b);
   return 0.0;
 }
 
-/// An outline in world axes, once it is turned: where it is too long for the room, the one that its owner keeps.
-GEM_DEVICE inline Outline outline_in_workspace(const DeviceScene& s, WorkspaceOutlines& shared_memory, int side,
+/// An outline in world axes, after turn_in_workspace(). One that is too long for the workspace is the copy that its
+/// owner keeps.
+GEM_DEVICE inline Outline outline_in_workspace(const DeviceScene& s, WorkspaceOutlines& outlines, int side,
                                                std::int32_t begin, int count) {
   if (count > workspace_vertices) return {s.corner + begin, s.normal + begin, count};
-  return {shared_memory.corner[side], shared_memory.normal[side], count};
+  return {outlines.corner[side], outlines.normal[side], count};
 }
 
-/// Turns an outline by the lanes of a group.
+/// Turns an outline to world axes, by the lanes of a group.
 template <class Lanes>
-GEM_DEVICE inline void turn_in_workspace(const DeviceScene& s, const Lanes& lanes, WorkspaceOutlines& shared_memory,
+GEM_DEVICE inline void turn_in_workspace(const DeviceScene& s, const Lanes& lanes, WorkspaceOutlines& outlines,
                                          int side, std::int32_t begin, int count, Rotation q) {
   if (count > workspace_vertices) return;
   for (int v = lanes.rank(); v < count; v += Lanes::size) {
     const Vec2 corner = s.vertex[begin + v], normal = s.body_normal[begin + v];
-    shared_memory.corner[side][v] = rotate(q, corner);
-    shared_memory.normal[side][v] = rotate(q, normal);
+    outlines.corner[side][v] = rotate(q, corner);
+    outlines.normal[side][v] = rotate(q, normal);
   }
 }
 
-/// Where a touch is written, and its first point among those of its block.
+/// Where a touching pair is written, and the index of its first point among those of its block.
 struct TouchingPlace {
   std::int32_t touching, first_point;
 };
@@ -95,9 +97,9 @@ GEM_DEVICE inline void write_touching(TouchingPair& touching, std::int32_t pair,
   }
 }
 
-/// Looks at some items: each group of lanes takes one. Few need all axes searched: the warp does that together. Not
-/// many touch: wider groups share out their crossings. place(points) is where a touch of so many points is written, and
-/// its first point among those of its block.
+/// Runs the narrow phase for some items. Each group of lanes takes one item. Few items need a search of all axes: the
+/// whole warp does it. Few items touch: wider groups compute their contacts. place(points) returns the TouchingPlace
+/// for a contact of `points` points.
 template <class Group, class Place>
 class NarrowPhase {
  public:
@@ -105,14 +107,15 @@ class NarrowPhase {
                          const CandidatePair* items, Place place)
       : s_(s), group_(group), pair_(pair), outlines_(outlines), items_(items), place_(place) {}
 
-  /// Item `at` for the group of this thread, which stands at `group` in its block; others of the warp look at theirs.
-  GEM_DEVICE void candidate(std::int32_t at, std::int32_t count, int lane_group) {
+  /// Checks item `at` for the group of this thread, which is number `lane_group` in its block. All groups of a warp
+  /// call it together.
+  GEM_DEVICE void check(std::int32_t at, std::int32_t count, int lane_group) {
     const auto lanes = group_.lanes();
     const auto warp = group_.warp();
-    const bool candidates = at < count;
+    const bool has_item = at < count;
     SeparatingAxes axes;
     bool known = true;
-    if (candidates) {
+    if (has_item) {
       const CandidatePair& item = items_[at];
       turn_in_workspace(s_, lanes, outlines_[lane_group], 0, item.vertex_a, item.count_a, item.rotation_a);
       turn_in_workspace(s_, lanes, outlines_[lane_group], 1, item.vertex_b, item.count_b, item.rotation_b);
@@ -129,10 +132,10 @@ class NarrowPhase {
                                                    outline(its, lane_group + ahead, 1), items_[its].offset);
       if (ahead == 0) axes = found;
     }
-    const bool touching_count = candidates && axes.first.distance < limit();
-    if (candidates && lanes.rank() == 0) pair_[items_[at].pair].axes = axes;
+    const bool touches = has_item && axes.first.distance < limit();
+    if (has_item && lanes.rank() == 0) pair_[items_[at].pair].axes = axes;
     warp.sync();
-    unsigned left = warp.ballot(touching_count && lanes.rank() == 0);
+    unsigned left = warp.ballot(touches && lanes.rank() == 0);
     while (left != 0) {
       constexpr int together = Group::Warp::size / Group::Wide::size;
       unsigned mine = 0;
@@ -142,7 +145,7 @@ class NarrowPhase {
       const int ahead = warp.lowest(mine) / Group::Lanes::size - warp.rank() / Group::Lanes::size;
       describe(at + ahead, lane_group + ahead);
     }
-    warp.sync();  // before the room is used again
+    warp.sync();  // before the outlines are overwritten
   }
 
  private:
@@ -154,7 +157,7 @@ class NarrowPhase {
                      : outline_in_workspace(s_, outlines_[lane_group], 1, item.vertex_b, item.count_b);
   }
 
-  /// The geometry of a touch, by a wide group.
+  /// The contact geometry of a touching pair, by a wide group.
   GEM_DEVICE void describe(std::int32_t at, int lane_group) {
     const auto wide = group_.wide();
     const CandidatePair& item = items_[at];
@@ -179,17 +182,17 @@ class NarrowPhase {
   Place place_;
 };
 
-/// Looks at items: the group of this thread at `first`, first + step, ... below `count`.
+/// Checks items first, first + step, ... below `count` by the group of this thread.
 template <class Group, class Place>
 GEM_DEVICE inline void narrow_phase_of(const DeviceScene& s, Group& group, PairCell* pair, WorkspaceOutlines* outlines,
                                        const CandidatePair* items, std::int32_t first, std::int32_t count,
                                        std::int32_t step, Place&& place) {
   constexpr int of_warp = Group::Warp::size / Group::Lanes::size;
   const int lane_group = group.thread() / Group::Lanes::size;
-  NarrowPhase<Group, Place&> candidates(s, group, pair, outlines, items, place);
-  // as long as the first group of the warp has an item
+  NarrowPhase<Group, Place&> narrow_phase(s, group, pair, outlines, items, place);
+  // a warp goes on as long as its first group has an item: all groups take part in its votes
   for (std::int32_t at = first; at - lane_group % of_warp < count; at += step)
-    candidates.candidate(at, count, lane_group);
+    narrow_phase.check(at, count, lane_group);
 }
 
 }  // namespace gem

@@ -1,8 +1,8 @@
-// The pairs phase of a time step: look at near pairs, find where they touch, resolve their events.
+// The pairs phase of a time step: choose the near pairs that may touch, find where they touch, resolve their events.
 //
-//   1. each thread: does the last look at a pair still say that it cannot touch?
+//   1. each thread: can one pair touch, going by its last narrow phase?
 //   2. each group of lanes: turn the two outlines, follow the pair's axes, find the contact
-//   3. each thread: the event of one touching pair, into the rows of its bodies
+//   3. each thread: the event of one touching pair, written to the rows of its bodies
 #pragma once
 
 #include "gem/engine/device/narrow_phase.h"
@@ -20,8 +20,8 @@ GEM_DEVICE inline PairBodies pair_bodies(const BodyCell& a, const BodyCell& b) {
           crushed_thickness(a.kind, a.thickness, b.thickness)};
 }
 
-/// Writes what a resolved contact does into the rows of its bodies. The platform reads the contact itself; fixed bodies
-/// do not move.
+/// Writes what a resolved contact does to the rows of its bodies. Only floes read them: the platform reads the contact
+/// itself, fixed bodies do not move.
 GEM_DEVICE inline void write_rows(const DeviceScene& s, const PairCell& pair, const PairBodies& bodies,
                                   const Contact& contact, std::int32_t step) {
   RowEntry &to_a = s.entry[pair.row_a], &to_b = s.entry[pair.row_b];
@@ -44,7 +44,7 @@ GEM_DEVICE inline void write_rows(const DeviceScene& s, const PairCell& pair, co
   s.stamp[pair.row_b].entry = step;
 }
 
-/// Keeps of a contact what the books and the platform need of it.
+/// Copies what the books and the platform need of a contact.
 GEM_DEVICE inline void keep_contact(Contact& kept, const Contact& contact) {
   kept.a = contact.a;
   kept.b = contact.b;
@@ -65,7 +65,7 @@ GEM_DEVICE inline void keep_contact(Contact& kept, const Contact& contact) {
   }
 }
 
-/// Keeps of a contact what the iterations of a coupled time step and what follows them need.
+/// Copies what a coupled time step needs of a contact from the iterations on.
 GEM_DEVICE inline void keep_open_contact(Contact& kept, const Contact& contact) {
   keep_contact(kept, contact);
   kept.width = contact.width;
@@ -79,7 +79,7 @@ GEM_DEVICE inline void keep_open_contact(Contact& kept, const Contact& contact) 
   }
 }
 
-/// Keeps what the record of a platform event is made of, before the bodies move.
+/// Stores the data of a platform event before the bodies move.
 GEM_DEVICE inline void keep_event(const DeviceScene& s, std::int32_t place, const BodyCell& a, const BodyCell& b,
                                   const Contact& contact, std::int32_t step) {
   s.row_event[place] = {step, contact, b.position, a.position, a.rotation, b.rotation};
@@ -101,7 +101,7 @@ GEM_DEVICE inline void note_depth(const DeviceScene& s, Group& group, const Cont
   }
 }
 
-/// Coupled: a touching pair before the iterations.
+/// Coupled: prepares a touching pair for the iterations.
 template <class Group>
 GEM_DEVICE inline void open_touching(const DeviceScene& s, Group& group, const PairCell& pair,
                                      const TouchingPair& touching, std::int32_t step) {
@@ -118,7 +118,7 @@ GEM_DEVICE inline void open_touching(const DeviceScene& s, Group& group, const P
   note_depth(s, group, contact);
 }
 
-/// The event of one touching pair.
+/// Resolves the event of one touching pair.
 template <class Group>
 GEM_DEVICE inline void resolve(const DeviceScene& s, Group& group, const PairCell& pair, const TouchingPair& touching,
                                std::int32_t step) {
@@ -139,7 +139,7 @@ GEM_DEVICE inline void resolve(const DeviceScene& s, Group& group, const PairCel
   note_depth(s, group, contact);
 }
 
-/// Energy that a contact of the last time step took, now that all velocities after it are known.
+/// Computes the energy that a contact of the last time step took, from the velocities after all contacts.
 GEM_DEVICE inline void work_of_contact(const DeviceScene& s, const PairCell& pair, const Contact& contact,
                                        std::int32_t stamp) {
   const BodyAfter a = s.after[pair.a], b = s.after[pair.b];
@@ -163,7 +163,8 @@ GEM_DEVICE inline void work_of_contact(const DeviceScene& s, const PairCell& pai
   s.stamp[pair.row_b].work = stamp;
 }
 
-/// The same of all contacts of the block. The last threads begin: the first have more to do in what goes on beside it.
+/// work_of_contact() for all contacts of the block. The last threads take the first contacts: the first threads have
+/// more to do in the code that runs next.
 template <class Group>
 GEM_DEVICE inline void work_of_last_step(const DeviceScene& s, Group& group, const Workspace& workspace,
                                          std::int32_t stamp) {
@@ -173,7 +174,7 @@ GEM_DEVICE inline void work_of_last_step(const DeviceScene& s, Group& group, con
   }
 }
 
-/// The pairs phase of one time step, a workspace full of pairs at a time.
+/// The pairs phase of one time step. A pass takes one pair for each thread of the block.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Group& group, const Workspace& workspace, std::int32_t step) {
   BlockCell& shared = group.shared();
@@ -197,7 +198,7 @@ GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Group& group, const Wor
     if (group.thread() == 0) shared.candidates = 0;
     if (first + group.threads() < workspace.pairs.end) group.block_barrier();
   }
-  // a block without pairs has not met since its threads read the last number: it stays the same
+  // a block without pairs has passed no barrier since its threads read `touched`: write only a change
   if (group.thread() == 0 && shared.touched != shared.touching_count) shared.touched = shared.touching_count;
   if constexpr (solver == ContactSolver::coupled) {
     if (group.thread() == 0 && shared.points > 0) shared.first_point = group.add(&s.counters->points, shared.points);

@@ -1,23 +1,26 @@
-// The time steps of scenes stage by stage (gem/engine/step/stages.h): a launch makes one stage of all scenes. A kernel
-// takes no more registers than its stage needs, so many threads hide what each waits for. This pays where there is more
-// to do than there are threads at work.
+// The time steps of scenes stage by stage (gem/engine/step/stages.h): one launch makes one stage of all scenes. A
+// kernel takes only the registers that its stage needs, so more threads run at a time and hide the latency of memory.
+// This pays where there is more work than threads.
 //
-// | stage             | who                  | what                                                            |
-// | open_call         | a thread for a scene | the call begins                                                 |
-// | first_solo_events | all                  | solo events up to the first pair events                         |
-// | plan              | a thread for a scene | says what the first time step does; ends a call without a list  |
-// | list              | all, on a worn list  | the books are brought up to date, a new list                    |
-// | candidates        | a thread for a pair  | the work of the last step's contacts; pairs that may touch      |
-// | narrow_phase      | lanes for a pair     | where these touch                                               |
-// | contact_events    | a thread for a pair  | its event; coupled: its points                                  |
-// | gather            | a cluster of blocks, | coupled: who iterates which points, and where they begin        |
-// |                   | one for few points   |                                                                 |
-// | iterate           | the same             | coupled: the first round of iterations, mostly the only one     |
-// | settle            | the same             | coupled: what they come to, after further rounds if any         |
-// | move              | a thread for a body  | books, motion, next solo events (bodies.h); the last one plans  |
-// | last_books, close | all                  | the books of the last time step, and the state for the host     |
+// | stage             | who                         | what                                                          |
+// |-------------------|-----------------------------|---------------------------------------------------------------|
+// | open_call         | a thread for a scene        | the call begins                                               |
+// | first_solo_events | all                         | solo events up to the first pair events                       |
+// | plan              | a thread for a scene        | plans the first time step; ends a call that lacks a list      |
+// | list              | all, if the list is stale   | brings the books up to date, builds a new list                |
+// | candidates        | a thread for a pair         | work of the last time step's contacts; pairs that may touch   |
+// | narrow_phase      | lanes for a pair            | where the candidates touch                                    |
+// | contact_events    | a thread for a pair         | the event of a touching pair; coupled: its points             |
+// | gather            | a cluster of blocks, or one | coupled: assigns the points to blocks, sets where they begin  |
+// |                   | block for few points        |                                                               |
+// | iterate           | as gather                   | coupled: the first round of iterations, usually the only one  |
+// | settle            | as gather                   | coupled: further rounds if any, then the result               |
+// | move              | a thread for a body         | books, motion, next solo events (bodies.h); the last block of |
+// |                   |                             | a scene plans its next time step                              |
+// | last_books        | all                         | the work of the last time step's contacts                     |
+// | close_call        | all                         | the books of the last time step, and the state for the host   |
 //
-// Between two stages nothing is kept but the scene's memory and its alarms. Blocks meet within none, but where they
+// Only the scene's memory and its alarms last from one stage to the next. Within a stage blocks meet only where they
 // build a list or iterate.
 #pragma once
 
@@ -27,14 +30,14 @@
 
 namespace gem {
 
-/// Solo events up to the first pair events of the call.
+/// Makes the solo events up to the first pair events of the call.
 template <class Group>
 GEM_DEVICE inline void begin_call(const DeviceScene& s, Group& group) {
   if (!s.status->half_way) first_solo_events(s, group, share_bodies(s, group));
   for (std::int32_t k = rank_of(group); k < 2 * OverlapCount::classes; k += size_of(group)) s.overlap_count[k] = 0;
 }
 
-/// The work of the contacts of the last time step; `carries`: what they carried is taken out of the list.
+/// Computes the work of the last time step's contacts. `carries`: also copies their impulses out of the list.
 template <class Group>
 GEM_DEVICE inline void close_contacts(const DeviceScene& s, Group& group, std::int32_t stamp, bool carries) {
   for (std::int32_t k = rank_of(group); k < s.status->touched; k += size_of(group)) {
@@ -46,19 +49,19 @@ GEM_DEVICE inline void close_contacts(const DeviceScene& s, Group& group, std::i
 
 GEM_DEVICE inline bool is_coupled(const DeviceScene& s) { return s.constants.solver == ContactSolver::coupled; }
 
-/// Stamp of books that are closed between two time steps; unlike that of any time step.
+/// Stamp of books that are closed between two time steps. No time step has it.
 GEM_DEVICE inline std::int32_t closing_stamp(const DeviceScene& s) {
   return -2 - static_cast<std::int32_t>(s.status->step);
 }
 
-/// The same into the books of the bodies, once it is all there.
+/// Adds the work of all contacts to the books of the bodies, after close_contacts() of all blocks.
 template <class Group>
 GEM_DEVICE inline void close_bodies(const DeviceScene& s, Group& group) {
   const std::int32_t stamp = closing_stamp(s);
   for (std::int32_t i = rank_of(group); i < s.bodies; i += size_of(group)) gather_work(s, i, s.motion[i], stamp);
 }
 
-/// A new list, by blocks that meet.
+/// Builds a new list, by blocks that meet at barriers.
 template <class Group>
 GEM_DEVICE inline void renew_list(const DeviceScene& s, Group& group) {
   close_contacts(s, group, closing_stamp(s), is_coupled(s));
@@ -71,24 +74,24 @@ GEM_DEVICE inline void renew_list(const DeviceScene& s, Group& group) {
   s.status->drift = list_drift(s);
 }
 
-/// Pairs that a thread asks for together.
-constexpr int asked_pairs = 8;
-/// Fast memory of a block that chooses: those of its pairs that are awake [bytes].
-constexpr std::size_t candidate_shared_bytes = asked_pairs * phase_threads * sizeof(std::int32_t);
+/// Pairs that a thread loads together.
+constexpr int loaded_pairs = 8;
+/// Shared memory of a block in stage `candidates`: the awake ones of its pairs [bytes].
+constexpr std::size_t candidate_shared_bytes = loaded_pairs * phase_threads * sizeof(std::int32_t);
 
-/// Lists those of a stretch of pairs that are awake. Most sleep: as long as the clock, which goes on by twice the way
-/// of the body that went farthest, has not gone on by the gap that they had left.
+/// Lists the pairs of a range that are awake. The clock sums up twice the largest distance that any body moves in a
+/// time step [m]. A pair that had a gap sleeps until the clock has advanced by that gap. Most pairs sleep.
 template <class Group>
 GEM_DEVICE inline void list_awake(const DeviceScene& s, Group& group, Stretch pairs, float clock, std::int32_t* awake) {
-  float wake[asked_pairs];
+  float wake[loaded_pairs];
   const std::int32_t first = pairs.begin + group.thread(), step = group.threads();
-  for (int k = 0; k < asked_pairs; ++k) wake[k] = first + k * step < pairs.end ? s.wake[first + k * step] : 0.0F;
-  for (int k = 0; k < asked_pairs; ++k)
+  for (int k = 0; k < loaded_pairs; ++k) wake[k] = first + k * step < pairs.end ? s.wake[first + k * step] : 0.0F;
+  for (int k = 0; k < loaded_pairs; ++k)
     if (first + k * step < pairs.end && !(wake[k] > clock))
       awake[group.add(&group.shared().candidates, 1)] = first + k * step;
 }
 
-/// Pairs that may touch now, a stretch at a time.
+/// Finds the pairs that may touch now, one range of pairs after another.
 template <class Group>
 GEM_DEVICE inline void choose_pairs(const DeviceScene& s, Group& group) {
   close_contacts(s, group, static_cast<std::int32_t>(s.status->step), false);
@@ -96,7 +99,7 @@ GEM_DEVICE inline void choose_pairs(const DeviceScene& s, Group& group) {
   constexpr double surely = 1.0 - 1e-6;  // the clock is compared in single precision
   const double clock = s.status->clock;
   auto* const awake = reinterpret_cast<std::int32_t*>(group.shared_memory());
-  const std::int32_t pairs = s.counters->pairs, stretch = asked_pairs * group.threads();
+  const std::int32_t pairs = s.counters->pairs, stretch = loaded_pairs * group.threads();
   for (std::int32_t first = group.block() * stretch; first < pairs; first += group.blocks() * stretch) {
     if (group.thread() == 0) group.shared().candidates = 0;
     group.block_barrier();
@@ -123,7 +126,7 @@ GEM_DEVICE inline void narrow_phase(const DeviceScene& s, Group& group) {
                   s.counters->candidates, group.blocks() * lane_groups, next_touching);
 }
 
-/// What a block found of the time step's quality goes to that of all.
+/// Adds the quality that a block measured to that of the time step.
 template <class Group>
 GEM_DEVICE inline void add_quality(const DeviceScene& s, Group& group) {
   group.block_barrier();
@@ -137,7 +140,7 @@ GEM_DEVICE inline void add_quality(const DeviceScene& s, Group& group) {
   if (shared.cone_excess > 0) group.highest(&quality.cone_excess, shared.cone_excess);
 }
 
-/// The events of all touches, or their points.
+/// Resolves the events of all touching pairs; coupled: opens their points.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void resolve_touching(const DeviceScene& s, Group& group) {
   BlockCell& shared = group.shared();
@@ -155,16 +158,16 @@ GEM_DEVICE inline void resolve_touching(const DeviceScene& s, Group& group) {
   add_quality(s, group);
 }
 
-/// The points of a coupled time step are shared out, and placed in the shared memory of the blocks that will iterate
-/// them: as many as these, each with as much in its thread group.room_bytes().
+/// Assigns the points of a coupled time step to blocks and prepares them for the launch that iterates. That launch has
+/// the same number of blocks as this one, each with group.shared_bytes() of shared memory.
 template <class Group>
 GEM_DEVICE inline void gather_points(const DeviceScene& s, Group& group) {
-  StepSolver<Group>(s, group, static_cast<std::int32_t>(s.status->step), group.shared_bytes()).begin_coefficients();
+  StepSolver<Group>(s, group, static_cast<std::int32_t>(s.status->step), group.shared_bytes()).begin_ahead();
   SolverRounds<Group>::prepare(s, group);
 }
 
-/// What the iterations of a coupled time step come to, by as many blocks, which do not reach each other's shared
-/// memory.
+/// Computes the result of the iterations. This launch has the same number of blocks as the one that iterates, but they
+/// do not reach each other's shared memory.
 template <class Group>
 GEM_DEVICE inline void settle_points(const DeviceScene& s, Group& group) {
   BlockCell& shared = group.shared();
@@ -182,7 +185,8 @@ GEM_DEVICE inline void settle_points(const DeviceScene& s, Group& group) {
   quality.energy_created = shared.energy_created;
 }
 
-/// Where a block works on copies of its bodies, with what is left for the platform's terms.
+/// The workspace of a block that moves copies of its bodies in shared memory. The rest of the memory is for the
+/// platform's terms.
 template <class Group>
 GEM_DEVICE inline Workspace bodies_workspace(const DeviceScene& s, Group& group) {
   Workspace workspace = share_bodies(s, group);
@@ -192,17 +196,17 @@ GEM_DEVICE inline Workspace bodies_workspace(const DeviceScene& s, Group& group)
   workspace.body = reinterpret_cast<BodyCell*>(shared_memory) - workspace.bodies.begin;
   workspace.motion = reinterpret_cast<BodyMotion*>(shared_memory + cells) - workspace.bodies.begin;
   workspace.candidate = reinterpret_cast<CandidatePair*>(shared_memory + cells + motions);
-  workspace.minimum_bytes = group.shared_bytes() - cells - motions;
+  workspace.scratch_bytes = group.shared_bytes() - cells - motions;
   workspace.shows = false;
   return workspace;
 }
 
-/// The way of a body in this time step, and how far its rim turned [m].
+/// How far a body moved against the drift in this time step, plus how far its rim turned [m].
 GEM_DEVICE inline double way_of(const BodyCell& now, const BodyCell& before, Vec2 drift) {
   return length(now.position - before.position - drift) + now.radius * (now.turn_travel - before.turn_travel);
 }
 
-/// How far the block's bodies went; the scene's cells still show where they were.
+/// Notes how far the bodies of the block moved. The scene's cells still hold the positions before.
 template <class Group>
 GEM_DEVICE inline void note_farthest(const DeviceScene& s, Group& group, const Workspace& workspace) {
   const auto warp = group.warp();
@@ -215,7 +219,8 @@ GEM_DEVICE inline void note_farthest(const DeviceScene& s, Group& group, const W
   group.block_barrier();
 }
 
-/// Puts back the words of the block's bodies that change while they move, but that of their kind: others read it.
+/// Writes back the words of the block's bodies that change while they move. The word with `kind` stays out: others read
+/// it.
 template <class Group>
 GEM_DEVICE inline void store_moved(const DeviceScene& s, Group& group, const Workspace& workspace) {
   constexpr int words = 8, kind = 3, cell_end = 6, motion_begin = 2, motion_end = 4;
@@ -232,7 +237,7 @@ GEM_DEVICE inline void store_moved(const DeviceScene& s, Group& group, const Wor
   copy_parts<words, motion_begin, motion_end>(group, s.motion + first, workspace.motion + first, count);
 }
 
-/// The bodies move.
+/// Moves the bodies.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void move_by_blocks(const DeviceScene& s, Group& group) {
   const DeviceStatus& status = *s.status;
@@ -248,10 +253,11 @@ GEM_DEVICE inline void move_by_blocks(const DeviceScene& s, Group& group) {
   store_moved(s, group, workspace);
 }
 
-/// Fast memory of a block that moves bodies: their copies, and room for the terms of a usual platform [bytes].
+/// Shared memory of a block that moves bodies: copies of the bodies, and terms of a platform with a usual number of
+/// contacts [bytes].
 constexpr std::size_t bodies_shared_bytes = phase_threads * (sizeof(BodyCell) + sizeof(BodyMotion)) + 8 * 1024;
 
-/// Whether the scene has no part in a phase.
+/// Whether a scene has nothing to do in a stage.
 template <Stage stage>
 GEM_DEVICE inline bool is_idle(const DeviceScene& s) {
   if (is_of_solver(stage)) return s.counters->points == 0;
@@ -260,7 +266,7 @@ GEM_DEVICE inline bool is_idle(const DeviceScene& s) {
   return !moves(s);
 }
 
-/// What a block does for a scene in one phase; the solver counts where touches are resolved and bodies move.
+/// Runs one stage of a scene by one block. Only contact_events and move depend on `solver`.
 template <Stage stage, ContactSolver solver, class Group>
 GEM_DEVICE inline void run_stage(const DeviceScene& s, Group& group) {
   if (is_idle<stage>(s)) return;

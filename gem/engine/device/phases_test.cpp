@@ -1,4 +1,4 @@
-// Phases run one by one give the bits, the books and the log of the cpu engine.
+// Time steps made phase by phase give the bits, the books and the log of the cpu engine.
 #include "gem/engine/device/phases.h"
 
 #include <gtest/gtest.h>
@@ -96,11 +96,11 @@ TEST_P(DeviceStages, TakesTurnsWithWholeTimeSteps) {
   const auto cpu = test::busy_engine(scene, "cpu");
   HostScene device = phase_scene(scene, test::busy_field(scene), 1, test::team_warp);
   StepLog expected, log;
-  int survived = 0;  // lists in which pairs slept when whole time steps began, and that outlived these
+  int survived = 0;  // lists with sleeping pairs that outlive the whole time steps of a call
   const int calls = GetParam() == ContactSolver::coupled ? 24 : 60;
   for (int call = 0; call < calls; ++call) {
     const bool phases = call % 2 == 0;
-    const std::int64_t steps = phases ? 2 : 8;  // time enough for those that slept to meet
+    const std::int64_t steps = phases ? 2 : 8;  // long enough for sleeping pairs to meet
     cpu->advance(steps, expected);
     const auto builds = device.status().builds;
     const bool slept = call > 0 && device.asleep() > 0;
@@ -142,8 +142,8 @@ TEST_P(DeviceStages, StopsAtAStateThatIsNoNumber) {
   EXPECT_LT(device.status().samples, 10);
 }
 
-/// What the shared memory of a block holds of all that iterates.
-enum class Loads { all, records, some_records, nothing };
+/// Which data of the iterations fit in shared memory.
+enum class Fits { all, records, some_records, nothing };
 
 TEST(DevicePhaseSharedMemory, ForLittleThatIteratesChangesNothing) {
   constexpr std::int64_t steps = 60;
@@ -151,10 +151,10 @@ TEST(DevicePhaseSharedMemory, ForLittleThatIteratesChangesNothing) {
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(steps, expected);
-  for (const auto& [shared_memory, loads] : {std::pair<std::size_t, Loads>{1 << 20, Loads::all},
-                                             {10 * 1024, Loads::records},
-                                             {4 * 1024, Loads::some_records},
-                                             {256, Loads::nothing}}) {
+  for (const auto& [shared_memory, fits] : {std::pair<std::size_t, Fits>{1 << 20, Fits::all},
+                                            {10 * 1024, Fits::records},
+                                            {4 * 1024, Fits::some_records},
+                                            {256, Fits::nothing}}) {
     HostScene device = phase_scene(scene, test::busy_field(scene), 2, test::team_warp, 0, shared_memory);
     StepLog log;
     device.advance(steps, log);
@@ -165,11 +165,11 @@ TEST(DevicePhaseSharedMemory, ForLittleThatIteratesChangesNothing) {
     const std::size_t records = static_cast<std::size_t>(workspace.records) * sizeof(PushRecord) +
                                 static_cast<std::size_t>(workspace.own.count()) * sizeof(SolverEntry);
     const std::size_t points = static_cast<std::size_t>(workspace.points.count()) * loaded_bytes;
-    const Loads seen = !workspace.fits                    ? Loads::nothing
-                       : records > shared_memory          ? Loads::some_records
-                       : records + points > shared_memory ? Loads::records
-                                                          : Loads::all;
-    EXPECT_EQ(seen, loads) << shared_memory << " bytes; " << records << " of records, " << points << " of points";
+    const Fits seen = !workspace.fits                    ? Fits::nothing
+                      : records > shared_memory          ? Fits::some_records
+                      : records + points > shared_memory ? Fits::records
+                                                         : Fits::all;
+    EXPECT_EQ(seen, fits) << shared_memory << " bytes; " << records << " of records, " << points << " of points";
   }
 }
 

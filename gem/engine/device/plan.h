@@ -1,4 +1,4 @@
-// What one thread for a scene does between the time steps of a call that moves scenes stage by stage (phases.h).
+// What one thread for each scene does between the time steps of a call that runs stage by stage (phases.h).
 #pragma once
 
 #include "gem/engine/device/resident_steps.h"
@@ -6,23 +6,22 @@
 
 namespace gem {
 
-/// What a call does before its time steps and after them; where bodies have moved, the last block that moved some plans
-/// the next time step. When the last stages begin, all time steps that are wanted have been started: only a scene whose
-/// list found no room is still open.
+/// Stages of a call before and after its time steps. The last block that moves bodies of a scene plans its next time
+/// step. So when call_ends begins, only a scene whose list did not fit in memory is still open.
 constexpr Stage call_begins[] = {Stage::open_call, Stage::first_solo_events, Stage::plan};
 constexpr Stage call_ends[] = {Stage::plan, Stage::last_books, Stage::close_call};
 
-/// Stages of a time step that a device makes together with `move`: the books of its contacts stand in the rows of the
-/// bodies, and the solo events of the next time step follow at once.
+/// Stages that a device makes together with `move`: a body's row holds what its books need, and the solo events of the
+/// next time step follow at once.
 constexpr bool goes_with_move(Stage stage) { return stage == Stage::solo_events || stage == Stage::books; }
 
-/// Nothing was found in this time step so far.
+/// Resets the counts of a time step.
 GEM_DEVICE inline void forget_counts(const DeviceScene& s) {
   ListCounters& counters = *s.counters;
   counters.candidates = counters.touching_count = counters.points = counters.taken_points = 0;
 }
 
-/// The call begins: `steps` are wanted.
+/// Begins a call of `steps` time steps.
 GEM_DEVICE inline void open_call(const DeviceScene& s, std::int32_t steps) {
   DeviceStatus& status = *s.status;
   status.wanted = steps;
@@ -32,26 +31,26 @@ GEM_DEVICE inline void open_call(const DeviceScene& s, std::int32_t steps) {
   status.barriers = 0;
   status.visits = 0;
   forget_counts(s);
-  // after time steps that were made otherwise no pair sleeps until the next list
+  // time steps by another route do not advance the clock: no pair sleeps until the next list
   if (status.clock_step != status.step) status.clock = 1e30;
   status.clock_step = status.step;
   status.farthest = 0;
 }
 
-/// Whether the scene makes the time step that was planned: a list for it may not have found room.
+/// Whether the scene makes the planned time step; it does not if the list for it did not fit in memory.
 GEM_DEVICE inline bool moves(const DeviceScene& s) {
   const PhaseStep step = s.status->phase_step;
   return step == PhaseStep::moves || (step == PhaseStep::moves_on_new_list && s.status->list_valid != 0);
 }
 
-/// Why the call stops before all its time steps are made; done: it does not.
+/// Why the call stops before it has made all its time steps; DeviceStop::done: it does not stop.
 GEM_DEVICE inline DeviceStop stop_of(const DeviceScene& s, std::uint32_t alarms, bool last) {
   if (alarms & alarm_not_finite) return DeviceStop::not_finite;
   if (s.status->phase_step == PhaseStep::moves_on_new_list && !moves(s)) return DeviceStop::list_full;
   return !last && (alarms & alarm_ring_full) ? DeviceStop::ring_full : DeviceStop::done;
 }
 
-/// Ends the time step that was made and plans the next one. Returns whether the scene needs a new list for it.
+/// Ends a time step and plans the next one. Returns whether the scene needs a new list for it.
 GEM_DEVICE inline bool plan_step(const DeviceScene& s, std::uint32_t& alarms) {
   DeviceStatus& status = *s.status;
   if (status.phase_step == PhaseStep::ended) return false;
@@ -62,7 +61,7 @@ GEM_DEVICE inline bool plan_step(const DeviceScene& s, std::uint32_t& alarms) {
     status.clock += 2.0 * strict::double_of(status.farthest);
     status.clock_step = status.step;
     status.farthest = 0;
-    status.carried = 0;  // what was carried stands in the list now
+    status.carried = 0;  // the new list has taken over the carried impulses
   }
   forget_counts(s);
   const bool last = status.samples == status.wanted;

@@ -1,4 +1,5 @@
-// The platform's part of the bodies phase, by one warp: its contacts are prepared side by side and added in order.
+// The platform's part of the bodies phase, by one warp. The lanes compute the terms of its contacts, which are then
+// added in order.
 #pragma once
 
 #include "gem/engine/device/bodies.h"
@@ -13,7 +14,7 @@ struct PlatformSums {
   double ice_yaw = 0.0, twist = 0.0;
 };
 
-/// The platform's cell and the books of its own motion, in registers for one thread.
+/// The platform's cell and the books of its own motion, in the registers of one thread.
 struct PlatformLoaded {
   PlatformCell cell;
   Quantity drag_book, mooring_book;
@@ -48,7 +49,7 @@ GEM_DEVICE inline PlatformMotion platform_motion(double mass, PlatformLoaded& lo
       mass, loaded.cell.moved, loaded.cell.velocity, loaded.drag_book, loaded.mooring_book, loaded.cell.mooring_force};
 }
 
-/// The platform's own motion up to the instant of the events of the next time step; `spin` is the one it has.
+/// Moves the platform up to the pair events of the next time step. `spin` is its present spin [rad/s].
 GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded& loaded, Mover& mover, double mass,
                                            double spin) {
   PlatformCell& p = loaded.cell;
@@ -60,14 +61,14 @@ GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded&
   mover.spin = spin;
 }
 
-/// Where the terms of a time step stand: in the shared memory of the looks, which nobody takes now, if it holds them
-/// all.
+/// Memory for the terms of a time step: the memory of the candidates, which is free now, if it is large enough.
 GEM_DEVICE inline PlatformTerm* term_memory(const DeviceScene& s, const Workspace& workspace, std::int32_t places) {
   const std::size_t bytes = 2 * static_cast<std::size_t>(places) * sizeof(PlatformTerm);
-  return bytes <= workspace.minimum_bytes ? reinterpret_cast<PlatformTerm*>(workspace.candidate) : s.term;
+  return bytes <= workspace.scratch_bytes ? reinterpret_cast<PlatformTerm*>(workspace.candidate) : s.term;
 }
 
-/// What one contact point does to the platform; the velocities after a coupled time step are known already.
+/// What one contact point does to the platform. Coupled: the velocity parts are zero, as the solver has found the
+/// velocities.
 template <ContactSolver solver>
 GEM_DEVICE inline PlatformTerm platform_term(const BodyCell& cell, const Contact& contact, const ContactSlot& slot,
                                              bool ice) {
@@ -85,8 +86,8 @@ GEM_DEVICE inline PlatformTerm platform_term(const BodyCell& cell, const Contact
   return term;
 }
 
-/// Lines up the terms of all contact points of the time step in order. Returns their number; `pressed` counts the floes
-/// that push, and events go to the ring.
+/// Writes the terms of all contact points of the time step in order, and platform events to the ring. Returns the
+/// number of terms. `pressed` counts the floes that push.
 template <ContactSolver solver, class Warp>
 GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& warp, const BodyCell& cell,
                                              const BodyMotion& motion, std::int32_t step, PlatformTerm* term,
@@ -97,7 +98,7 @@ GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& w
   std::int32_t terms = 0, events = status.events;
   for (std::int32_t first = 0; first < places; first += Warp::size) {
     const std::int32_t at = first + warp.rank(), row = motion.row_begin + (at < places ? at : 0);
-    // asked for together: each waits for memory
+    // loaded together to hide the latency of memory
     const std::int32_t stamp = s.stamp[row].entry, pair = s.row_pair[row], other = s.row_other[row];
     const bool touched = at < places && stamp == step;
     const Contact* const contact = &s.contact[pair];
@@ -129,7 +130,7 @@ GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& w
   return terms;
 }
 
-/// Adds the terms in order, each lane one of the parts.
+/// Adds the terms in order, one part by each lane.
 template <class Warp>
 GEM_DEVICE inline PlatformSums add_terms(const Warp& warp, const PlatformSums& start, const PlatformTerm* term,
                                          std::int32_t terms) {
@@ -146,7 +147,7 @@ GEM_DEVICE inline PlatformSums add_terms(const Warp& warp, const PlatformSums& s
   return {{sum[0], sum[1]}, sum[2], {sum[3], sum[4]}, sum[5], sum[6]};
 }
 
-/// Writes the time step's sample to the ring.
+/// Writes the sample of the time step to the ring.
 GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformLoaded& loaded, const Mover& mover,
                                     const PlatformSums& sums, std::int32_t pressed, std::int32_t at) {
   const PlatformCell& p = loaded.cell;
@@ -162,7 +163,7 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformLoaded& 
   sample.contacts = pressed;
 }
 
-/// What one thread does for the platform, once the contacts are summed.
+/// Moves the platform by one thread, after the contacts are summed.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, const Workspace& workspace,
                                           const PlatformSums& sums, const BodyRepair& repair, std::int32_t pressed,
@@ -194,7 +195,7 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   if (workspace.shows) write_mover(s.body[0], mover);
 }
 
-/// The platform through the bodies phase.
+/// The bodies phase of the platform, by its warp.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void move_platform(const DeviceScene& s, Group& group, const Workspace& workspace,
                                      const StepIndex& step) {

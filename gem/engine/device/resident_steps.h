@@ -1,10 +1,12 @@
-// The time steps of a device scene by blocks that stay with it: how the stages of gem/engine/step/stages.h go on there.
+// The time steps of a device scene by blocks that stay with it for a whole call. The stages of gem/engine/step/stages.h
+// are made together as follows:
 //
-// | stages                                   | made as                                                               |
-// | list                                     | the list of near pairs, when it has worn out                          |
-// | candidates, narrow_phase, contact_events | the pairs phase, a workspace of pairs at a time; then a barrier       |
-// | gather, iterate, settle                  | the iterations, with barriers of their own                            |
-// | books, move, solo_events of the next     | the bodies phase, each body's together; then a barrier                |
+// | stages                                   | made as                                                                |
+// |------------------------------------------|------------------------------------------------------------------------|
+// | list                                     | a new list of near pairs, when the list is stale                       |
+// | candidates, narrow_phase, contact_events | the pairs phase, one pass for each workspace of pairs; then a barrier  |
+// | gather, iterate, settle                  | the coupled solver, with barriers of its own                           |
+// | books, move, solo_events of the next     | the bodies phase, all three for one body after another; then a barrier |
 #pragma once
 
 #include "gem/engine/device/bodies.h"
@@ -16,7 +18,7 @@
 
 namespace gem {
 
-/// Solo events up to the instant of the first time step's pair events.
+/// Makes the solo events up to the first pair events of a call.
 template <class Group>
 GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Group& group, const Workspace& workspace) {
   for (std::int32_t i = workspace.first_body; i < workspace.bodies.end; i += workspace.body_step) {
@@ -35,7 +37,7 @@ GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Group& grou
   write_mover(s.body[0], mover);
 }
 
-/// The bodies of one time step move.
+/// Moves the bodies of the block by one time step.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void move_bodies(const DeviceScene& s, Group& group, const Workspace& workspace,
                                    const StepIndex& step) {
@@ -65,7 +67,7 @@ GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Group& group, const Wo
   move_bodies<solver>(s, group, workspace, step);
 }
 
-/// Brings the books of contact work up to date; no contact is left waiting.
+/// Brings the books of contact work up to date for all contacts.
 template <class Group>
 GEM_DEVICE inline void close_work(const DeviceScene& s, Group& group, const Workspace& workspace, std::int32_t step) {
   const std::int32_t stamp = -2 - step;  // unlike the stamp of any time step
@@ -76,7 +78,7 @@ GEM_DEVICE inline void close_work(const DeviceScene& s, Group& group, const Work
     gather_work(s, i, workspace.motion[i], stamp);
 }
 
-/// The state at rest, for the host.
+/// Writes the state that the host fetches after a call.
 template <class Group>
 GEM_DEVICE inline void write_state(const DeviceScene& s, const Group& group) {
   for (std::int32_t i = rank_of(group); i < s.bodies; i += size_of(group)) {
@@ -86,10 +88,10 @@ GEM_DEVICE inline void write_state(const DeviceScene& s, const Group& group) {
   }
 }
 
-/// How long the list of near pairs may still be used.
+/// The life of the list of near pairs.
 struct ListLife {
   std::int64_t begin = 0;    // time step at whose start the list was built
-  std::int64_t horizon = 1;  // time steps that it was built for, or that the next one is
+  std::int64_t horizon = 1;  // time steps that it was built for; if not valid, that the next one is built for
   bool valid = false;
 
   GEM_DEVICE explicit ListLife(const DeviceStatus& status)
@@ -98,8 +100,8 @@ struct ListLife {
   GEM_DEVICE bool is_over(std::int64_t step, std::uint32_t alarms) const {
     return !valid || step - begin >= horizon || (alarms & alarm_strayed);
   }
-  /// Fast floes leave their courses early, and what they might reach later would only make the next list long: it is
-  /// built for twice the time that this one lived.
+  /// Ends the list. The next list is built for twice the life of this one: fast floes leave their assumed paths early,
+  /// and a longer horizon would only make the list longer.
   GEM_DEVICE void end(const DeviceScene& s, std::int64_t step) {
     constexpr std::int64_t shortest = 4;
     if (!valid) return;
@@ -109,7 +111,7 @@ struct ListLife {
   }
 };
 
-/// advance_scene() of one solver: what the other needs would only take registers.
+/// advance_scene() for one solver. A class for both would take more registers.
 template <ContactSolver solver, class Group>
 class ResidentSteps {
  public:
@@ -168,7 +170,7 @@ class ResidentSteps {
     group_.barrier();
   }
 
-  /// Whether nothing that happened so far asks for the host.
+  /// Whether no alarm stops the call.
   GEM_DEVICE bool goes_on() {
     const std::uint32_t alarms = group_.alarms();
     if (alarms & alarm_not_finite)
@@ -193,7 +195,7 @@ class ResidentSteps {
       hand_out_memory(s_, group_, step());
   }
 
-  /// Brings the scene's own memory up to date.
+  /// Brings the scene's memory up to date.
   GEM_DEVICE void store() {
     if constexpr (coupled)
       if (!carried_) carry_memory(s_, group_, workspace_);
@@ -219,7 +221,7 @@ class ResidentSteps {
     status.half_way = done_ < steps_;
     status.barriers = group_.barriers();
     status.stop = stop_;
-    status.visits = 0;  // counted by phases only
+    status.visits = 0;  // counted only by phases
   }
 
   const DeviceScene& s_;
@@ -228,15 +230,16 @@ class ResidentSteps {
   std::int64_t start_;
   ListLife list_;
   Workspace workspace_;
-  bool carried_ = true;  // the memory of the last time step stands apart from the list
+  bool carried_ = true;  // the last impulses stand in DeviceScene::carried, not in the list
   DeviceStop stop_ = DeviceStop::done;
   std::int32_t done_ = 0;
 };
 
-/// Moves the scene on by `steps` time steps, or less where something has to be done by the host first: the status says.
+/// Moves the scene on by `steps` time steps, or by fewer if the host has to act first. DeviceStatus says how many and
+/// why.
 template <class Group>
 GEM_DEVICE inline void advance_scene(const DeviceScene& s, Group& group, std::int32_t steps) {
-  // a scene that waits for others of its batch: its next time step has not begun
+  // a scene that waits for others of its batch stays as it is
   if (steps == 0) return;
   if (s.constants.solver == ContactSolver::coupled)
     ResidentSteps<ContactSolver::coupled, Group>(s, group, steps).advance();

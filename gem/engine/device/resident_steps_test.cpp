@@ -1,4 +1,4 @@
-// The device's recipe, run by one host thread, gives the bits, the books and the log of the cpu engine.
+// The resident time steps of the device, run by host threads, give the bits, the books and the log of the cpu engine.
 #include "gem/engine/device/resident_steps.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST_P(DeviceTimeStepsTest, GivesTheBitsOfTheCpuEngine) {
   } else {
     StepQuality worst;
     for (const StepQuality& quality : log.quality) worst.worsen(quality);
-    // not measured is no zero
+    // what is not measured must not read as zero
     EXPECT_TRUE(std::isnan(worst.complementarity) && std::isnan(worst.cone_excess) && std::isnan(worst.energy_created));
     EXPECT_GT(worst.maximum_overlap, 0.0);
   }
@@ -89,44 +89,44 @@ TEST_P(DeviceSolvers, BlocksAndThreadsChangeNothing) {
   }
 }
 
-/// A coupled scene by two blocks.
+/// A coupled scene on two blocks.
 struct TwoBlocks {
   HostScene device;
   StepLog log;
   TwoBlocks(const SceneDef& scene, std::size_t shared_memory)
       : device(scene, test::busy_field(scene), 2, 4, 0, shared_memory) {}
-  /// Makes a time step; returns its barriers.
+  /// Makes a time step. Returns its grid barriers.
   int advance() {
     device.advance(1, log);
     return device.status().barriers;
   }
 };
-constexpr std::size_t fits_shared_memory = 1 << 20;
+constexpr std::size_t ample = 1 << 20;
 const std::size_t scarce = workspace_minimum(4, test::team_lanes);
 
-/// Barriers: without halos two in an iteration but the first, which moves nothing; with halos one in those that are
-/// judged and one at the end.
+/// Barriers that halos spare in time step `step`. Without halos: two in each iteration but the first, which moves
+/// nothing. With halos: one in each judged iteration and one at the end.
 int spared_by_halos(const StepLog& log, int step) {
   const int iterations = log.quality[std::size_t(step)].iterations;
   const int judged = iterations / 4 + std::min(iterations, 2), without = 2 * iterations - 1, halos = judged + 1;
   return without - halos;
 }
 
-TEST(DeviceHalo, SparesTheBarriersOfIterationsInTimeStepsThatHaveRoomAndChangesNothing) {
+TEST(DeviceHalo, SparesTheBarriersOfIterationsInTimeStepsThatHaveMemoryAndChangesNothing) {
   constexpr int steps = 16;
   SceneDef scene = test::busy_scene(9);
   scene.contact.solver = ContactSolver::coupled;
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(steps, expected);
-  TwoBlocks with(scene, fits_shared_memory), at_times(scene, fits_shared_memory);
+  TwoBlocks with(scene, ample), at_times(scene, ample);
   int crowded = 0;
-  ASSERT_EQ(scene.numerics.iterations_maximum % 4, 0) << "the last is judged as a fourth one";
+  ASSERT_EQ(scene.numerics.iterations_maximum % 4, 0) << "the last iteration must be a judged one";
   for (int m = 0; m < steps; ++m) {
-    at_times.device.give_space(m % 2 == 0 ? scarce : fits_shared_memory);
+    at_times.device.give_space(m % 2 == 0 ? scarce : ample);
     const int spared = at_times.advance() - with.advance();
     if (m % 2 == 1)
-      EXPECT_EQ(spared, 0) << "room again in time step " << m;
+      EXPECT_EQ(spared, 0) << "halos again in time step " << m;
     else
       EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in time step " << m;
     if (spared > 0) ++crowded;
@@ -147,43 +147,43 @@ TEST(DeviceHalo, RoundsThatFollowChangeNothing) {
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(steps, expected);
-  TwoBlocks device(scene, fits_shared_memory);
+  TwoBlocks device(scene, ample);
   int most = 0, all = 0, barriers = 0;
   for (int m = 0; m < steps; ++m) barriers += device.advance();
   for (const StepQuality& quality : expected.quality) {
     most = std::max(most, int(quality.iterations));
     all += int(quality.iterations);
   }
-  EXPECT_GT(most, 40) << "of more than one round";
-  EXPECT_LT(barriers, all) << "without halos two in an iteration";
+  EXPECT_GT(most, 40) << "more than one round";
+  EXPECT_LT(barriers, all) << "without halos there are two in an iteration";
   test::expect_same_bodies(device.device.bodies(), cpu->bodies());
   test::expect_same_coupled(device.device, device.log, *cpu, expected);
 }
 
-TEST(DeviceHalo, IsNoneWhereverTheRoomEndsAndChangesNothing) {
+TEST(DeviceHalo, IsNoneWhereverTheMemoryEndsAndChangesNothing) {
   constexpr int first = 12, rungs = 48, steps = first + rungs;  // before the first there are few points
-  constexpr std::size_t line = 128;                             // what room is counted in
+  constexpr std::size_t line = 128;                             // the unit of allocation
   SceneDef scene = test::busy_scene(9);
   scene.contact.solver = ContactSolver::coupled;
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(steps, expected);
-  TwoBlocks device(scene, fits_shared_memory), with(scene, fits_shared_memory);
-  int crowded = 0, in_shared_memory = 0;
+  TwoBlocks device(scene, ample), with(scene, ample);
+  int crowded = 0, with_halos = 0;
   for (int m = 0; m < steps; ++m) {
     if (m >= first) device.device.give_space(scarce + std::size_t(m - first) * line);
     const int spared = device.advance() - with.advance();
     if (m < first) continue;
     EXPECT_TRUE(spared == 0 || spared == spared_by_halos(expected, m)) << spared << " in time step " << m;
-    ++(spared > 0 ? crowded : in_shared_memory);
+    ++(spared > 0 ? crowded : with_halos);
   }
   EXPECT_GT(crowded, rungs / 4);
-  EXPECT_GT(in_shared_memory, rungs / 4);
+  EXPECT_GT(with_halos, rungs / 4);
   test::expect_same_bodies(device.device.bodies(), cpu->bodies());
   test::expect_same_coupled(device.device, device.log, *cpu, expected);
 }
 
-/// Floes at the platform and rows of more places than one stretch of a row or the first near bodies take.
+/// Floes at the platform, and rows longer than RowNews::stretch and kept_near.
 TEST_P(DeviceSolvers, LongRowsAndThePlatformByManyThreadsChangeNothing) {
   constexpr std::int64_t steps = 6;
   SceneDef scene = test::busy_scene(8);

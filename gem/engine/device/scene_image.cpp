@@ -10,7 +10,7 @@
 namespace gem {
 namespace {
 
-/// Hands out stretches of one memory, each on a line of its own.
+/// Places arrays one after another in one memory, each aligned to 256 bytes.
 class Placer {
  public:
   explicit Placer(std::byte* base) : base_(base) {}
@@ -61,7 +61,7 @@ BodyMotion motion_of(const Bodies& b, std::size_t i) {
   return motion;
 }
 
-/// The event of a record; outlines are turned to where they stood.
+/// Makes events from records. Turns the outlines to where they stood.
 class EventReader {
  public:
   explicit EventReader(const FieldState& f) : f_(f) {}
@@ -97,7 +97,7 @@ class EventReader {
   std::vector<Vec2> corner_[2], normal_[2];
 };
 
-/// The worst of all blocks. Only coupled time steps look at their events once they are done.
+/// The worst quality of all blocks. Independent time steps do not measure it after their events: those numbers are NaN.
 StepQuality quality_of(const BlockQuality* block, int blocks, ContactSolver solver) {
   StepQuality quality;
   for (int k = 0; k < blocks; ++k) {
@@ -196,7 +196,7 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
   s.rows_capacity = sizes.rows;
   s.platform_capacity = sizes.platform_rows;
   s.grid_capacity = grid_cells(sizes.bodies);
-  placer.place(s.stamp, rows);  // first: the only one with a meaning before a list is built
+  placer.place(s.stamp, rows);  // first, with row_event_step: both are cleared together before a list is built
   placer.place(s.row_event_step, sizes.platform_rows);
   placer.place(s.row_other, rows);
   placer.place(s.row_pair, rows);
@@ -232,7 +232,7 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
 std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base) {
   Placer placer(base);
   s.events_capacity = 2 * std::max(sizes.platform_rows, sizes.samples);
-  // in this order: what a call has filled is fetched from the first on to the last quality
+  // in this order: one copy fetches everything from overlap_count to the last quality
   placer.place(s.overlap_count, 2 * OverlapCount::classes);
   placer.place(s.sample, sizes.samples);
   placer.place(s.quality, static_cast<std::size_t>(sizes.samples) * static_cast<std::size_t>(sizes.blocks));

@@ -1,4 +1,4 @@
-// Lays a field out as a device scene and reads it back: the host's side of device_scene.h.
+// Writes a field to the memory of a device scene and reads it back: the host's side of scene.h.
 #pragma once
 
 #include <cstddef>
@@ -11,41 +11,42 @@
 
 namespace gem {
 
-/// How much a scene's memory holds.
+/// Sizes of a scene's arrays.
 struct SceneSizes {
   std::int32_t bodies = 0, large_bodies = 0, vertices = 0;
-  std::int32_t rows = 0;           // places in the rows of all bodies; grows on demand
-  std::int32_t platform_rows = 0;  // places in the platform's row; the same
+  std::int32_t rows = 0;           // entries in the rows of all bodies; grows on demand
+  std::int32_t platform_rows = 0;  // entries in the platform's row; grows on demand
   std::int32_t samples = 0;        // time steps in the ring
-  std::int32_t blocks = 1;         // that work on the scene
-  std::int32_t phase_blocks = 1;   // that work on it where a launch makes one phase
+  std::int32_t blocks = 1;         // most blocks that work on the scene
+  std::int32_t phase_blocks = 1;   // blocks that work on it by phases
   bool coupled = false;
   std::size_t momentum_coefficients = 0;  // numbers
-  bool phases = true;                     // a launch may make one phase of it
+  bool phases = true;                     // the scene can go by phases
 };
 
+/// Sizes for a field, with a first guess for the list; `samples` and `blocks` are left to the caller.
 SceneSizes scene_sizes(const FieldState& f);
 
 /// The three parts of a scene's memory. Each function points the scene's arrays into the memory at `base` and returns
-/// the bytes needed; a null base only measures.
+/// the bytes needed. With a null base it only computes the bytes.
 std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base);
 std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base);
 std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base);
 
-/// What a scene keeps for all time steps, without its arrays.
+/// Returns a scene with its constants set and its arrays null. `event_speed` [m/s].
 DeviceScene scene_constants(const FieldState& f, double event_speed);
 
-/// Writes the field as it stands at the start of `step`; `s` has its field memory on the host.
+/// Writes the field as it is at the start of `step`. The field memory of `s` must be on the host.
 void write_field(const FieldState& f, std::int64_t step, const DeviceScene& s);
 
-/// Coupled: what the points carried, by ascending bodies, as an engine saves it, and back.
+/// Coupled: converts the impulses of contact points from and to the form that an engine saves, which is sorted by pair.
 std::vector<CarriedMemory> carried_memory(const EngineState& state);
 void save_memory(std::vector<CarriedMemory> carried, EngineState& state);
 
-/// Takes over the state at rest.
+/// Copies the state that a call left into the field.
 void read_state(const BodyState* state, FieldState& f);
 
-/// Appends the rings of a call: samples and quality of its time steps, and its events.
+/// Appends the rings of a call to `log`: samples and quality of its time steps, and its events.
 void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatus& status, int blocks, StepLog& log);
 
 }  // namespace gem

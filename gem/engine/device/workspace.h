@@ -1,5 +1,4 @@
-// What a block keeps close at hand while it works on a scene: copies of its own bodies and pairs, and room to turn the
-// outlines that it looks at.
+// The workspace of a block: copies of its bodies and pairs in shared memory, and memory for the outlines that it turns.
 #pragma once
 
 #include "gem/engine/device/scene.h"
@@ -7,6 +6,7 @@
 
 namespace gem {
 
+/// The range of [0, count) that belongs to the block.
 template <class Group>
 GEM_DEVICE inline Stretch stretch_of(const Group& group, std::int32_t count) {
   const std::int64_t all = count;
@@ -14,41 +14,41 @@ GEM_DEVICE inline Stretch stretch_of(const Group& group, std::int32_t count) {
           static_cast<std::int32_t>(all * (group.block() + 1) / group.blocks())};
 }
 
-/// Room for the two outlines of one group of lanes.
+/// The two outlines of a pair, in world axes; for one group of lanes.
 struct WorkspaceOutlines {
   Vec2 corner[2][workspace_vertices], normal[2][workspace_vertices];
 };
 
-/// Arrays are indexed as those of the scene. Where the shared memory does not hold the copies, they are the scene's
-/// own.
+/// The workspace of a block, as one thread sees it. Arrays are indexed as those of the scene. Those that do not fit in
+/// shared memory are the scene's own.
 struct Workspace {
   Stretch bodies{}, pairs{};
-  std::int32_t first_body = 0, body_step = 1;  // of the thread: the platform's warp leaves the floes to others
+  std::int32_t first_body = 0, body_step = 1;  // of the thread; the platform's warp moves no floes
   bool platform = false;                       // the thread belongs to the platform's warp
-  bool shows = true;                           // moved bodies are shown to other blocks at once, not at the end
+  bool shows = true;                           // moved bodies are written to the scene at once, not at the end
   BodyCell* body = nullptr;
   BodyMotion* motion = nullptr;
   PairCell* pair = nullptr;
   CandidatePair* candidate = nullptr;     // one for each thread
   WorkspaceOutlines* outlines = nullptr;  // one for each group of lanes
-  // the room of looks and outlines, and what the copies leave, serves the iterations of a coupled time step too; that
-  // of the looks also the platform's terms
-  std::size_t minimum_bytes = 0, bodies_begin = 0, solver_bytes = 0;
+  // bytes of candidates and outlines; offset of the copied bodies; bytes for the solver, which reuses the candidates
+  // and outlines. The terms of the platform reuse the candidates and outlines too.
+  std::size_t scratch_bytes = 0, bodies_begin = 0, solver_bytes = 0;
 };
 
-/// Bytes that a workspace cannot do without.
+/// Least bytes of a workspace.
 GEM_HD inline std::size_t workspace_minimum(int threads, int lanes) {
   return static_cast<std::size_t>(threads) * sizeof(CandidatePair) +
          static_cast<std::size_t>(threads / lanes) * sizeof(WorkspaceOutlines) + 256;
 }
 
-/// What is copied at once.
+/// The unit of copying.
 struct alignas(16) CopyWord {
   std::uint64_t low, high;
 };
 
-/// Copies words begin to end - 1 of each of some records of `words` words: neighbouring threads take neighbouring
-/// memory, and each asks for several words before it waits.
+/// Copies words begin to end - 1 of some records of `words` words each. Neighbouring threads copy neighbouring memory.
+/// Each thread loads several words before it stores them, to hide the latency of memory.
 template <int words, int begin, int end, class Group>
 GEM_DEVICE inline void copy_parts(const Group& group, void* to, const void* from, std::int32_t records) {
   constexpr int together = 8, part = end - begin;
@@ -65,21 +65,21 @@ GEM_DEVICE inline void copy_parts(const Group& group, void* to, const void* from
   }
 }
 
-/// Copies whole records.
 static_assert(sizeof(BodyCell) % sizeof(CopyWord) == 0 && sizeof(BodyMotion) % sizeof(CopyWord) == 0 &&
               sizeof(PairCell) % sizeof(CopyWord) == 0);
+/// Copies whole records.
 template <class Group>
 GEM_DEVICE inline void copy_words(const Group& group, void* to, const void* from, std::size_t bytes) {
   copy_parts<1, 0, 1>(group, to, from, static_cast<std::int32_t>(bytes / sizeof(CopyWord)));
 }
 
-/// The shared memory is shared out by lines.
+/// Shared memory is allocated in lines of this size [bytes].
 constexpr std::size_t workspace_line = 128;
 GEM_DEVICE inline std::size_t whole_lines(std::size_t bytes) {
   return (bytes + workspace_line - 1) / workspace_line * workspace_line;
 }
 
-/// Shares out the bodies among the threads; everything else stands in the scene's memory.
+/// Assigns the bodies to the threads. All arrays are the scene's own.
 template <class Group>
 GEM_DEVICE inline Workspace share_bodies(const DeviceScene& s, const Group& group) {
   Workspace workspace;
@@ -95,20 +95,20 @@ GEM_DEVICE inline Workspace share_bodies(const DeviceScene& s, const Group& grou
   return workspace;
 }
 
-/// Shares out the shared memory and the threads.
+/// Assigns the bodies to the threads and lays out the shared memory.
 template <class Group>
 GEM_DEVICE inline Workspace make_workspace(const DeviceScene& s, Group& group) {
   Workspace workspace = share_bodies(s, group);
-  // from the start what every time step fills anew, from the end the copies
+  // memory that each time step fills anew begins at the start, copies at the end
   const std::size_t candidates = whole_lines(group.threads() * sizeof(CandidatePair)),
                     outlines = whole_lines(group.threads() / Group::Lanes::size * sizeof(WorkspaceOutlines));
   workspace.candidate = reinterpret_cast<CandidatePair*>(group.shared_memory());
   workspace.outlines = reinterpret_cast<WorkspaceOutlines*>(group.shared_memory() + candidates);
-  workspace.minimum_bytes = candidates + outlines;
+  workspace.scratch_bytes = candidates + outlines;
   workspace.bodies_begin = group.shared_bytes() / workspace_line * workspace_line;
   const std::size_t own = workspace.bodies.count(), cells = whole_lines(own * sizeof(BodyCell)),
                     motions = whole_lines(own * sizeof(BodyMotion));
-  if (workspace.minimum_bytes + cells + motions <= workspace.bodies_begin) {
+  if (workspace.scratch_bytes + cells + motions <= workspace.bodies_begin) {
     workspace.bodies_begin -= cells + motions;
     workspace.body =
         reinterpret_cast<BodyCell*>(group.shared_memory() + workspace.bodies_begin) - workspace.bodies.begin;
@@ -119,14 +119,14 @@ GEM_DEVICE inline Workspace make_workspace(const DeviceScene& s, Group& group) {
   return workspace;
 }
 
-/// Takes the block's pairs to the workspace, after a list was built or at the start of a call.
+/// Copies the pairs of the block to the workspace if they fit, at the start of a call and after a list was built.
 template <class Group>
 GEM_DEVICE inline void load_pairs(const DeviceScene& s, Group& group, Workspace& workspace) {
   workspace.pairs = stretch_of(group, s.counters->pairs);
   const std::size_t bytes = workspace.pairs.count() * sizeof(PairCell);
   workspace.pair = s.pair;
   workspace.solver_bytes = workspace.bodies_begin;
-  if (bytes > workspace.bodies_begin - workspace.minimum_bytes) return;  // both are whole lines
+  if (bytes > workspace.bodies_begin - workspace.scratch_bytes) return;  // both are whole lines
   workspace.solver_bytes -= whole_lines(bytes);
   std::byte* const to = group.shared_memory() + workspace.solver_bytes;
   workspace.pair = reinterpret_cast<PairCell*>(to) - workspace.pairs.begin;
@@ -148,7 +148,8 @@ GEM_DEVICE inline void load_bodies(const DeviceScene& s, Group& group, const Wor
   copy_words(group, workspace.motion + first, s.motion + first, workspace.bodies.count() * sizeof(BodyMotion));
 }
 
-/// Moved bodies are shown at once, so the scene's cells are up to date; what the owner alone reads has to go back.
+/// Writes back what only the owner of a body reads. The scene's cells are up to date, as moved bodies are written to
+/// them at once.
 template <class Group>
 GEM_DEVICE inline void store_bodies(const DeviceScene& s, Group& group, const Workspace& workspace) {
   const std::int32_t first = workspace.bodies.begin;

@@ -1,4 +1,4 @@
-// Problems whose answers are worked out by hand, and one that has none.
+// Problems with solutions worked out by hand, and one without a solution.
 #include "gem/engine/reference/bounded_problem.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
 
-/// A problem of normals only, without caps.
+/// A problem of normal impulses without caps.
 BoundedProblem problem_of(const Eigen::MatrixXd& response, const Eigen::VectorXd& start) {
   BoundedProblem p;
   p.response = response.sparseView();
@@ -38,7 +38,7 @@ TEST(BoundedProblem, PressesOrLetsGo) {
 }
 
 TEST(BoundedProblem, OnePointPressesForTheOther) {
-  // x0 alone takes 1, which moves the second by +2: it wants nothing although it closed at first
+  // x0 = 1 alone changes w of the second by +2, so the second needs no impulse although it closed at first
   const Eigen::Matrix2d k{{1.0, 2.0}, {2.0, 5.0}};
   const BoundedSolution s = solve(problem_of(k, Eigen::Vector2d{-1.0, -1.5}));
   EXPECT_DOUBLE_EQ(s.x[0], 1.0);
@@ -54,7 +54,7 @@ TEST(BoundedProblem, StopsAtTheCap) {
 TEST(BoundedProblem, SticksWithinTheConeAndSlipsOnIt) {
   const Eigen::Matrix2d k{{2.0, 0.5}, {0.5, 1.0}};
   const Eigen::Vector2d start{-1.0, 0.1};
-  // both zero: 2 n + t/2 = 1, n/2 + t = -0.1
+  // both w are zero: 2 n + t/2 = 1, n/2 + t = -0.1
   const BoundedSolution stick = solve(rough_point(k, start, 0.7));
   EXPECT_NEAR(stick.x[0], 0.6, 1e-14);
   EXPECT_NEAR(stick.x[1], -0.4, 1e-14);
@@ -72,7 +72,7 @@ TEST(BoundedProblem, TwoPointsInOnePlaceShareTheirImpulse) {
 }
 
 TEST(BoundedProblem, ALongChainIsSolvedToRounding) {
-  // equal bodies in a row, the first driven against the others, the last held by a wall: all presses are equal
+  // equal bodies in a row, the first driven against the others, the last against a wall: all impulses are equal
   constexpr int count = 300;
   Eigen::MatrixXd k = 2.0 * Eigen::MatrixXd::Identity(count, count);
   for (int i = 0; i + 1 < count; ++i) k(i, i + 1) = k(i + 1, i) = -1.0;
@@ -86,7 +86,7 @@ TEST(BoundedProblem, ALongChainIsSolvedToRounding) {
 }
 
 TEST(BoundedProblem, WithoutAnAnswerItSaysSo) {
-  // two points that cannot both be pushed apart: what parts one closes the other
+  // two points that cannot both separate: separating one closes the other
   const Eigen::Matrix2d k{{1.0, -1.0}, {-1.0, 1.0}};
   try {
     solve(problem_of(k, Eigen::Vector2d{-1.0, -1.0}));
@@ -95,6 +95,21 @@ TEST(BoundedProblem, WithoutAnAnswerItSaysSo) {
     EXPECT_EQ(error.code(), ExitCode::numerical_stop);
     EXPECT_NE(std::string(error.what()).find("2 unknowns"), std::string::npos) << error.what();
   }
+}
+
+TEST(BoundedProblem, WhatCannotBeMetIsSharedOut) {
+  const Eigen::Matrix2d k{{1.0, -1.0}, {-1.0, 1.0}};
+  const BoundedSolution s = solve_or_yield(problem_of(k, Eigen::Vector2d{-1.0, -1.0}));
+  const Eigen::Vector2d left = k * s.x - Eigen::Vector2d{1.0, 1.0};
+  EXPECT_NEAR(left[0], -1.0, 1e-6);  // neither is served at the other's cost
+  EXPECT_NEAR(left[1], -1.0, 1e-6);
+}
+
+TEST(BoundedProblem, WhatCanBeMetIsMet) {
+  const Eigen::Matrix2d k{{2.0, -1.0}, {-1.0, 1.0}};
+  const BoundedSolution s = solve_or_yield(problem_of(k, Eigen::Vector2d{-1.0, -1.0}));
+  EXPECT_NEAR(s.x[0], 2.0, 1e-12);
+  EXPECT_NEAR(s.x[1], 3.0, 1e-12);
 }
 
 }  // namespace

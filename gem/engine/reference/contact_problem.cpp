@@ -1,9 +1,10 @@
 // Algorithm:
-//   points that moving bodies join make a group
-//   of a group: every two unknowns that share a body answer to each other,
-//   K_ij = sum over shared bodies of  d_i . g_j / m + (arm_i x d_i) (arm_j x g_j) / I,      b_i = d_i . u before -
-//   target d is the direction along which u is measured, g that of the impulse: the same but for fixed_direction, whose
-//   impulse has its friction with it
+//   Points that are connected by moving bodies form a group.
+//   For each group, unknowns that share a body are coupled:
+//     K_ij = sum over shared bodies of  d_i . g_j / m + (arm_i x d_i) (arm_j x g_j) / I
+//     b_i  = d_i . u before - target
+//   d is the direction along which u is measured and g that of the impulse. They are equal except for fixed_direction,
+//   where the impulse includes its friction.
 #include "gem/engine/reference/contact_problem.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ using Indices = std::vector<std::size_t>;
 
 bool moves(const ProblemBody& body) { return body.mass.inverse_mass > 0.0 || body.mass.inverse_inertia > 0.0; }
 
-/// Points by group, each ascending.
+/// Point indices by group, each ascending.
 std::vector<Indices> groups_of(const std::vector<ProblemPoint>& points, const std::vector<ProblemBody>& bodies) {
   std::vector<std::int32_t> parent(bodies.size());
   std::iota(parent.begin(), parent.end(), 0);
@@ -39,13 +40,13 @@ std::vector<Indices> groups_of(const std::vector<ProblemPoint>& points, const st
   return groups;
 }
 
-/// Velocity of B against A at a point before the impulses [m/s].
+/// Velocity of B relative to A at a point before the impulses [m/s].
 Vec2 velocity_before(const ProblemPoint& p, const std::vector<ProblemBody>& bodies) {
   const ProblemBody &a = bodies[p.a], &b = bodies[p.b];
   return b.velocity + cross(b.spin, p.arm_b) - a.velocity - cross(a.spin, p.arm_a);
 }
 
-/// P_t / P_n of the law fixed_direction; none where nothing slips or where it would jam the corner (impact.h).
+/// P_t / P_n for the law fixed_direction; 0 where nothing slips or where friction would jam the corner (impact.h).
 double fixed_ratio(const ProblemPoint& p, const std::vector<ProblemBody>& bodies) {
   const double slip = dot(velocity_before(p, bodies), turned_left(p.normal));
   if (slip == 0.0) return 0.0;
@@ -54,10 +55,10 @@ double fixed_ratio(const ProblemPoint& p, const std::vector<ProblemBody>& bodies
   return k.nn + ratio * k.nt > 0.0 ? ratio : 0.0;
 }
 
-/// What an unknown is to one of its bodies.
+/// How an unknown acts on one of its bodies.
 struct Side {
   int unknown;
-  Vec2 measured, given;  // u is along `measured`, an impulse of 1 is along `given`; on A both with the opposite sign
+  Vec2 measured, given;  // u is measured along `measured`; the impulse acts along `given`; both negated for A
   double measured_lever, given_lever;  // arm x direction [m]
 };
 
@@ -71,7 +72,7 @@ class Group {
   }
 
   BoundedProblem problem() const;
-  /// Enters the impulses that the unknowns stand for.
+  /// Writes the impulses of the unknowns to the points.
   void read(const Eigen::VectorXd& x, std::vector<ContactImpulse>& impulse) const;
 
  private:
@@ -84,8 +85,8 @@ class Group {
   std::map<std::int32_t, std::vector<Side>> sides_;  // by body
   std::vector<double> start_, limit_;                // see BoundedProblem
   std::vector<int> normal_;
-  std::vector<int> unknown_of_;  // of each member: the unknown of its normal impulse
-  std::vector<double> ratio_;    // of each member: P_t / P_n where the law fixes it
+  std::vector<int> unknown_of_;  // per member: unknown of its normal impulse
+  std::vector<double> ratio_;    // per member: P_t / P_n where the law fixes it
 };
 
 void Group::add_unknown(const ProblemPoint& p, Vec2 measured, Vec2 given, double target, double limit, int normal) {
@@ -109,7 +110,7 @@ void Group::add_point(const ProblemPoint& p, FrictionLaw law) {
 }
 
 BoundedProblem Group::problem() const {
-  std::vector<Eigen::Triplet<double>> entries;  // two for the unknowns of one pair: they share both bodies
+  std::vector<Eigen::Triplet<double>> entries;  // a pair of points shares both bodies and gives two terms
   for (const auto& [body, sides] : sides_) {
     const CollisionMass mass = bodies_[body].mass;
     for (const Side& at : sides)
@@ -139,12 +140,13 @@ void Group::read(const Eigen::VectorXd& x, std::vector<ContactImpulse>& impulse)
 }  // namespace
 
 ContactSolution solve_contacts(const std::vector<ProblemPoint>& points, const std::vector<ProblemBody>& bodies,
-                               FrictionLaw law) {
+                               FrictionLaw law, Unmet unmet) {
   ContactSolution all;
   all.impulse.resize(points.size());
   for (const Indices& members : groups_of(points, bodies)) {
     const Group group(members, points, bodies, law);
-    const BoundedSolution solution = solve(group.problem());
+    const BoundedProblem problem = group.problem();
+    const BoundedSolution solution = unmet == Unmet::is_an_error ? solve(problem) : solve_or_yield(problem);
     group.read(solution.x, all.impulse);
     all.residual = std::max(all.residual, solution.residual);
     all.steps = std::max(all.steps, solution.steps);

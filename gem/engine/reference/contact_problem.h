@@ -1,13 +1,13 @@
-// All contact points that have to be resolved together, as impulses that satisfy
+// Impulses of all contact points that have to be resolved together:
 //
 //   u_n >= target,  0 <= P_n <= cap        u_n > target only where P_n = 0, u_n < target only where P_n = cap
-//   |P_t| <= mu P_n,  P_t against the slip that is left               friction law one_step (Coulomb)
+//   |P_t| <= mu P_n,  P_t against the remaining slip                  friction law one_step (Coulomb)
 //   P_t = -mu P_n sign(u_t before)                                    friction law fixed_direction
 //
-//   u_n, u_t  velocity of B against A along the normal and along the normal turned left, after the impulses   [m/s]
-//   P_n, P_t  impulse on B, the opposite on A                                                                 [N s]
+//   u_n, u_t  velocity of B relative to A along the normal and along the normal turned left, after the impulses [m/s]
+//   P_n, P_t  impulse on B; the opposite acts on A                                                              [N s]
 //
-// The position repair is the same problem: shifts for velocities, no friction, no cap.
+// The position repair is the same problem: shifts for velocities, no friction, no cap; but it may have no answer.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct ProblemPoint {
   double friction = 0.0;  // mu
 };
 
-/// A body as the problem sees it.
+/// A body in the problem.
 struct ProblemBody {
   CollisionMass mass;
   Vec2 velocity;      // before the impulses [m/s]
@@ -38,13 +38,18 @@ struct ProblemBody {
 
 struct ContactSolution {
   std::vector<ContactImpulse> impulse;  // of each point
-  double residual = 0.0;                // largest normal or tangential velocity that is left to change [m/s]
-  int steps = 0;                        // of the group of points that took the most
+  double residual = 0.0;                // largest remaining normal or tangential velocity change [m/s]
+  int steps = 0;                        // of the group with the most steps
 };
 
-/// Solves the problem. Points are independent of each other where no moving body joins them. Throws
-/// Error(numerical_stop) if it cannot.
+/// What is done where not every target can be met.
+enum class Unmet {
+  is_an_error,   ///< Error(numerical_stop)
+  is_shared_out  ///< all points fall short of their targets
+};
+
+/// Solves the problem. Points are independent of each other where no moving body joins them.
 ContactSolution solve_contacts(const std::vector<ProblemPoint>& points, const std::vector<ProblemBody>& bodies,
-                               FrictionLaw law);
+                               FrictionLaw law, Unmet unmet = Unmet::is_an_error);
 
 }  // namespace gem::reference

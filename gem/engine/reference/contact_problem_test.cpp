@@ -1,4 +1,4 @@
-// Contacts of a few bodies whose impulses are known in closed form.
+// Contacts of a few bodies with impulses in closed form.
 #include "gem/engine/reference/contact_problem.h"
 
 #include <gtest/gtest.h>
@@ -6,11 +6,11 @@
 namespace gem::reference {
 namespace {
 
-/// Discs of 2 kg that do not turn, unless told.
+/// Discs of 2 kg that do not rotate by default.
 ProblemBody disc(Vec2 velocity, double inverse_inertia = 0.0) { return {{0.5, inverse_inertia}, velocity, 0.0}; }
 const ProblemBody wall{};
 
-/// B is right of A and touches it at the point half-way.
+/// B is to the right of A and touches it half-way between the centres.
 ProblemPoint right_of(std::int32_t a, std::int32_t b, double friction = 0.0) {
   ProblemPoint p;
   p.a = a;
@@ -50,7 +50,7 @@ TEST(ContactProblem, AGapMayCloseAndNoMore) {
 }
 
 TEST(ContactProblem, BodiesThatNothingJoinsAreSolvedApart) {
-  // the wall joins nobody
+  // the wall connects no bodies
   const ContactSolution s = solve_contacts({right_of(0, 2), right_of(1, 2)},
                                            {disc({1.0, 0.0}), disc({-1.0, 0.0}), wall}, FrictionLaw::one_step);
   EXPECT_DOUBLE_EQ(s.impulse[0].normal, 2.0);
@@ -61,7 +61,7 @@ TEST(ContactProblem, FrictionStopsASlipOrIsAllUsed) {
   const std::vector<ProblemBody> bodies{disc({1.0, 0.2}), wall};
   const ContactSolution stick = solve_contacts({right_of(0, 1, 0.5)}, bodies, FrictionLaw::one_step);
   EXPECT_NEAR(stick.impulse[0].normal, 2.0, 1e-13);
-  EXPECT_NEAR(stick.impulse[0].tangential, 0.4, 1e-13);  // on B, which slips down against A
+  EXPECT_NEAR(stick.impulse[0].tangential, 0.4, 1e-13);  // on B, which slips down relative to A
   const ContactSolution slip = solve_contacts({right_of(0, 1, 0.1)}, bodies, FrictionLaw::one_step);
   EXPECT_NEAR(slip.impulse[0].tangential, 0.2, 1e-13);
 }

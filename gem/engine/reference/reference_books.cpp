@@ -10,13 +10,13 @@ namespace {
 
 CollisionMass mass_of(const Bodies& b, std::int32_t i) { return {b.inverse_mass[i], b.inverse_inertia[i]}; }
 
-/// Enters an impulse that came from outside at a point of the world.
+/// Books an external impulse at a world point.
 void enter(Quantity& book, Vec2 point, Vec2 impulse) {
   book.momentum += impulse;
   book.angular_momentum += cross(point, impulse);
 }
 
-/// What the fixed body of a pair gave to the other one.
+/// Impulse of the fixed body of a pair on the other body.
 void book_fixed(State& s, const Touch& touch, const TouchPoint& p) {
   const Bodies& b = s.bodies;
   const bool a_fixed = b.kind[touch.a] == BodyKind::fixed, b_fixed = b.kind[touch.b] == BodyKind::fixed;
@@ -35,13 +35,13 @@ void book_point(State& s, const Touch& touch, const TouchPoint& p) {
   s.ledger[Channel::elastic].energy += impulse_work(p.elastic, p.normal_before, after_n);
   s.ledger[Channel::friction].energy += impulse_work(p.impulse.tangential, p.tangential_before, after_t);
   book_fixed(s, touch, p);
-  // a locked platform hands the twist on to whatever locks it
+  // the yaw lock of the platform takes this moment
   if (touch.a == 0 && s.bodies.inverse_inertia[0] == 0.0)
     s.ledger.mooring_force.angular_momentum += cross(p.arm_a, world_impulse(touch, p));
 }
 
-/// Largest change of its normal velocity that a point still asks for [m/s]: it parts without impulse, closes no faster
-/// than its target, or is at its cap.
+/// Largest change of normal velocity that a point still asks for [m/s]. A point without impulse may part; a point at
+/// its cap may close.
 double complementarity(const Bodies& b, const Touch& touch, const TouchPoint& p) {
   const double excess = dot(relative_velocity(b, touch, p), touch.normal) - p.target;
   if (p.impulse.normal == 0.0 && p.impulse.tangential == 0.0) return std::max(-excess, 0.0);
@@ -62,7 +62,7 @@ double sum_of_energies(const Ledger& ledger) {
   return sum;
 }
 
-/// A touch of the platform with ice; a wall is not ice.
+/// Whether the pair is the platform and a floe; a wall is not ice.
 bool is_ice_on_platform(const Bodies& b, const Touch& touch) {
   return touch.a == 0 && b.kind[touch.b] == BodyKind::floe;
 }
@@ -105,7 +105,7 @@ void close_ledger(const Rules& rules, State& s) {
     angular = std::max(angular, std::fabs(q.angular_momentum));
   }
   ledger.momentum_scale = std::max({ledger.momentum_scale, momentum, length(ledger.mooring_force.momentum)});
-  // twists that cancel are known no better than the momentum at the farthest place
+  // rounding of the angular momentum scales with the momentum at the farthest position, also where the terms cancel
   ledger.angular_scale = std::max(
       {ledger.angular_scale, angular, std::fabs(ledger.mooring_force.angular_momentum), reach * ledger.momentum_scale});
   ledger.energy_scale = std::max(ledger.energy_scale, sum_of_energies(ledger));

@@ -1,4 +1,4 @@
-// The same problem (contact_problem.h) three times: for one pair, for all pairs, and for their position repair.
+// Uses one problem (contact_problem.h) three times: for a single pair, for all pairs, and for their position repair.
 #include "gem/engine/reference/reference_contacts.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ CrushingIce ice_of(const Rules& rules, const Bodies& b, const Touch& touch) {
   return {rules.scene.ice.crushing_pressure_Pa, rules.scene.ice.pressure_area_exponent, crushed_thickness(b, touch)};
 }
 
-/// Independent: separating speed that the elastic stress asks for, at most what crushing allows [m/s].
+/// Independent: separating speed that the elastic stress asks for, limited by crushing [m/s].
 double elastic_target(const Rules& rules, const Bodies& b, const Touch& touch, const TouchPoint& p) {
   const double stiffness = rules.scene.contact.elastic_stiffness_N_per_m;
   if (!(stiffness > 0.0 && p.separation < 0.0)) return 0.0;
@@ -40,7 +40,7 @@ double crushing_cap(const Rules& rules, const Bodies& b, const Touch& touch) {
   return crushing_force(ice_of(rules, b, touch), width) * rules.dt / static_cast<double>(touch.points.size());
 }
 
-/// Coupled: shift along the normal that takes back a share of the overlap [m].
+/// Coupled: shift along the normal that removes a share of the overlap [m].
 double repair_target(const Rules& rules, const TouchPoint& p) {
   const NumericsDef& n = rules.scene.numerics;
   if (!(p.separation < 0.0)) return 0.0;
@@ -62,7 +62,7 @@ std::vector<ProblemBody> problem_bodies(const Bodies& b) {
   return bodies;
 }
 
-/// The law itself for one point.
+/// Independent, one point: the impact law gives the impulse.
 ContactImpulse impulse_of(const Rules& rules, const Bodies& b, const Touch& touch, const TouchPoint& p) {
   const ContactCompliance k = compliance_of(b, touch, p);
   const double u_n = p.normal_before, u_t = p.tangential_before;
@@ -72,10 +72,10 @@ ContactImpulse impulse_of(const Rules& rules, const Bodies& b, const Touch& touc
   return impact_one_step(k, u_n, u_t, p.target, touch.friction);
 }
 
-/// Two points of one pair are one event.
+/// Independent, two points of one pair are one event.
 void resolve_two_points(const Rules& rules, const std::vector<ProblemBody>& bodies, Touch& touch) {
   std::vector<ProblemPoint> points = problem_points({touch});
-  // the pair is the whole world: bodies 0 and 1
+  // the problem contains only this pair: bodies 0 and 1
   const std::vector<ProblemBody> pair{bodies[touch.a], bodies[touch.b]};
   for (ProblemPoint& point : points) {
     point.a = 0;
@@ -85,8 +85,8 @@ void resolve_two_points(const Rules& rules, const std::vector<ProblemBody>& bodi
   for (std::size_t k = 0; k < points.size(); ++k) touch.points[k].impulse = solution.impulse[k];
 }
 
-/// Coupled: the smallest shifts that take back a share of every overlap and close no gap. Crushed ice is given back
-/// too: how far it is crushed does not matter to its place.
+/// Coupled: the smallest shifts that remove a share of every overlap and close no gap. There is no cap: an overlap from
+/// crushing is also repaired, since the outlines do not change.
 void find_repair(const Rules& rules, State& s, std::vector<Touch>& touches) {
   std::vector<ProblemPoint> points = problem_points(touches);
   std::size_t at = 0;
@@ -98,7 +98,7 @@ void find_repair(const Rules& rules, State& s, std::vector<Touch>& touches) {
     }
   std::vector<ProblemBody> at_rest = problem_bodies(s.bodies);
   for (ProblemBody& body : at_rest) body = {body.mass, {}, 0.0};
-  const ContactSolution solution = solve_contacts(points, at_rest, FrictionLaw::one_step);
+  const ContactSolution solution = solve_contacts(points, at_rest, FrictionLaw::one_step, Unmet::is_shared_out);
   at = 0;
   for (Touch& touch : touches)
     for (TouchPoint& p : touch.points) {
@@ -111,7 +111,7 @@ void find_repair(const Rules& rules, State& s, std::vector<Touch>& touches) {
     }
 }
 
-/// No point of a body goes farther than the repair's reach in one time step; the rest waits.
+/// Limits the repair: no point of a body moves farther than repair_reach in one time step. The rest waits.
 void bound_repair(const Rules& rules, State& s) {
   for (std::size_t i = 0; i < s.bodies.count(); ++i) {
     const double farthest = length(s.repair_shift[i]) + s.bodies.radius[i] * std::fabs(s.repair_turn[i]);
@@ -130,13 +130,13 @@ void prepare_touches(const Rules& rules, const State& s, std::vector<Touch>& tou
   for (Touch& touch : touches) {
     touch.friction = touch.a == 0 ? rules.scene.ice.friction_structure : rules.scene.ice.friction_ice;
     for (TouchPoint& p : touch.points) {
-      // the platform has moved on since the touch was found, the point has not
+      // the platform has moved since the contact was found, the point has not
       if (touch.a == 0) p.arm_a -= platform_shift;
       const Vec2 velocity = relative_velocity(b, touch, p);
       p.normal_before = dot(velocity, touch.normal);
       p.tangential_before = dot(velocity, turned_left(touch.normal));
       if (rules.coupled()) {
-        p.target = p.separation > 0.0 ? -p.separation / rules.dt : 0.0;  // a gap may close and no more
+        p.target = p.separation > 0.0 ? -p.separation / rules.dt : 0.0;  // a gap may close but not overlap
         p.cap = crushing_cap(rules, b, touch);
       } else {
         p.target = elastic_target(rules, b, touch, p);
@@ -175,7 +175,7 @@ void apply_impulses(const Rules& rules, State& s, const std::vector<Touch>& touc
   Bodies& b = s.bodies;
   for (const Touch& touch : touches)
     for (const TouchPoint& p : touch.points) {
-      // coupled: its place decides, not what it carries
+      // coupled: contact within reach counts, whatever impulse it carries
       if (rules.coupled() || p.acted()) s.struck[touch.a] = s.struck[touch.b] = 1;
       const Vec2 impulse = world_impulse(touch, p);
       b.velocity[touch.b] += b.inverse_mass[touch.b] * impulse;

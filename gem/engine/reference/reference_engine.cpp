@@ -1,9 +1,10 @@
 // One time step:
-//   touches     found where the bodies stand at its start
-//   drive       every floe's velocity at the end of the time step, if nothing touches it; half of the platform's motion
-//   contacts    each pair alone, or all together: impulses on those velocities
-//   books       what the contacts did
-//   motion      floes with their new velocity; the other half of the platform's motion
+//
+// | touches  | found at the positions at its start                                                       |
+// | drive    | velocity of every floe at its end without contacts; first half of the platform's motion   |
+// | contacts | each pair alone, or all together: impulses on those velocities                            |
+// | books    | work and momentum of the contacts                                                         |
+// | motion   | floes with their new velocities; second half of the platform's motion                     |
 #include "gem/engine/reference/reference_engine.h"
 
 #include <cmath>
@@ -62,7 +63,7 @@ void ReferenceEngine::keep_impulses(const std::vector<reference::Touch>& touches
   impulse_value_.clear();
   for (const reference::Touch& touch : touches)
     for (const reference::TouchPoint& p : touch.points) {
-      // as EngineState names a contact point: 26 bits for each body, 12 for the feature
+      // the same key as in EngineState: 26 bits per body, 12 for the feature
       const auto a = static_cast<std::uint64_t>(touch.a), b = static_cast<std::uint64_t>(touch.b);
       impulse_key_.push_back(a << 38 | b << 12 | static_cast<std::uint64_t>(p.feature));
       impulse_value_.push_back({p.impulse.normal, p.impulse.tangential, p.repair});

@@ -1,9 +1,9 @@
-// The reference engine judges the other engines. It shares the laws of events and what a contact of two outlines is
-// (gem/events, gem/geometry), and nothing of how they are carried out: all pairs, one thread, double precision, a
-// solver of its own, which starts every time step from nothing. Slow, and short enough to be checked by hand.
+// The reference engine judges the other engines. It shares with them the laws (gem/events) and the contact geometry of
+// two outlines (gem/geometry), and no other code. It tests all pairs on one thread in double precision, and its own
+// solver has no warm start. It is slow, and short enough to be checked by hand.
 //
-// It has its own bits. Another engine agrees with it to a tolerance that the test derives, on scenes whose contacts
-// have one answer: without friction always, with it where few enough contacts hold each floe.
+// Its bits differ from those of the other engines. They agree to a tolerance that the test derives, on scenes whose
+// contact impulses are unique: always without friction; with friction if few contacts hold each floe.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ class ReferenceEngine : public Engine {
   ReferenceEngine(const SceneDef& scene, Bodies bodies);
 
   std::string name() const override { return "reference"; }
-  /// Throws Error(numerical_stop) also where the contacts of a time step have no answer that it finds.
+  /// Also throws Error(numerical_stop) if it finds no solution for the contacts of a time step.
   void advance(std::int64_t steps, StepLog& log) override;
   std::int64_t step() const override { return state_.steps; }
   const Bodies& bodies() override { return state_.bodies; }
@@ -36,7 +36,7 @@ class ReferenceEngine : public Engine {
 
   reference::Rules rules_;
   reference::State state_;
-  std::vector<std::uint64_t> impulse_key_;  // of the last coupled time step: for who reads a saved state
+  std::vector<std::uint64_t> impulse_key_;  // of the last coupled time step, for readers of a saved state
   std::vector<PointImpulse<double>> impulse_value_;
 };
 

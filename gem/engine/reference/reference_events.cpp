@@ -1,4 +1,4 @@
-// The events on the platform: each pair once, seen at the middle of its points, weighted by their impulses.
+// The events on the platform: one per pair, at the impulse-weighted mean of its points.
 #include <algorithm>
 
 #include "gem/engine/reference/reference_books.h"
@@ -9,20 +9,20 @@
 namespace gem::reference {
 namespace {
 
-/// How fast the chord of a touch grows with depth [-].
+/// Growth of the chord with depth [-].
 double growth_of(const Touch& touch, const Outline& a, const Outline& b) {
   if (touch.points.size() < 2) return touch.growth;
   const auto end = [&](int k) { return ContactPoint{{}, touch.points[k].separation, touch.points[k].feature}; };
   return tilted_faces_growth(a, b, end(0), end(1), touch.width);
 }
 
-/// Longest chord that crushing can come to [m].
+/// Longest chord that crushing can reach [m].
 double longest_chord(const Touch& touch, double growth, const Outline& a, const Outline& b, Vec2 offset) {
   if (touch.points.size() == 2 || !(growth > 0.0)) return touch.width;
   return facing_length(a, b, offset, turned_left(touch.normal));
 }
 
-/// Event of a touch whose points carry the normal impulse `pressed` [N s].
+/// Event of a touch with the total normal impulse `pressed` [N s].
 ContactEvent event_of(const Rules& rules, const State& s, const Touch& touch, double pressed) {
   const Bodies& b = s.bodies;
   ContactEvent e;

@@ -67,12 +67,12 @@ void repair_platform(const Rules& rules, State& s) {
 
 void move_floe(const Rules& rules, State& s, std::size_t i) {
   Bodies& b = s.bodies;
-  // a floe that nothing struck follows the exact path of its solo events
+  // a floe that is not struck follows the exact path of its solo events
   const Vec2 beside = s.struck[i] ? s.repair_shift[i] : s.path_correction[i];
   const double angle = s.struck[i] ? s.repair_turn[i] : s.angle_correction[i];
   b.position[i] += rules.dt * b.velocity[i] + beside;
   turn(b, i, rules.dt * b.spin[i] + angle);
-  // a shift takes the velocity along
+  // a shift moves the momentum of the body
   s.ledger[s.struck[i] ? Channel::repair : Channel::drag].angular_momentum += b.mass[i] * cross(beside, b.velocity[i]);
 }
 

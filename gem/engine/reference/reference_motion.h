@@ -1,21 +1,22 @@
-// What bodies do without touching: solo events, motion. Each function enters what it gives in the books.
+// Motion of bodies apart from contacts: solo events and drift. Each function books what it gives.
 #pragma once
 
 #include "gem/engine/reference/reference_state.h"
 
 namespace gem::reference {
 
-/// Solo events of every floe over the time step, all that events.h lists: velocities at its end, before any contact.
+/// Solo events of every floe over the time step, all those of events.h. Sets the velocities at its end without
+/// contacts.
 void drive_floes(const Rules& rules, State& s);
 
-/// The platform's own motion over half a time step: drag, then mooring before the contacts, the reverse after them.
+/// Half a time step of the platform's own motion: drag then mooring before the contacts, mooring then drag after them.
 void move_platform_before(const Rules& rules, State& s);
 void move_platform_after(const Rules& rules, State& s);
 
 /// Moves every floe over the time step with its velocity after the contacts.
 void move_floes(const Rules& rules, State& s);
 
-/// Floes past the retire line leave.
+/// Retires floes past the retire line.
 void retire_floes(const Rules& rules, State& s);
 
 }  // namespace gem::reference

@@ -8,7 +8,7 @@
 namespace gem::reference {
 namespace {
 
-/// Largest speed of any point that the scene starts with or drives towards [m/s].
+/// Largest speed of any point in the initial state or in the current [m/s].
 double fastest_of(const SceneDef& scene) {
   double fastest = std::max({1e-3, length(scene.current.velocity_m_per_s), platform_speed_bound(scene)});
   for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s) + rim_speed(floe));

@@ -1,4 +1,4 @@
-// What the reference engine moves: bodies, books, and the numbers of the scene that a time step asks for.
+// State of the reference engine: bodies, books, and the constants of a time step.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace gem::reference {
 
-/// Follows from the scene, once.
+/// Constants derived once from the scene.
 struct Rules {
   SceneDef scene;
   double dt = 0.0;                  // [s]
-  double contact_margin = 0.0;      // coupled: faces closer than this are held apart [m]
-  double repair_reach = 0.0;        // coupled: farthest that the repair takes a point of a body in one time step [m]
+  double contact_margin = 0.0;      // coupled: faces closer than this form a contact [m]
+  double repair_reach = 0.0;        // coupled: largest repair motion of any point of a body in one time step [m]
   Events events;                    // the laws of the scene
   MooringFlow half_mooring;         // over dt / 2
   double stiffness = 0.0;           // of the mooring; 0 without platform [N/m]
@@ -26,22 +26,22 @@ struct Rules {
 
 Rules rules_of(const SceneDef& scene, const Bodies& bodies);
 
-/// Arrays: one entry for each body.
+/// Arrays have one entry per body.
 struct State {
   Bodies bodies;
-  Ledger ledger;  // `now` and the scales are brought up to date when asked for
+  Ledger ledger;  // `now` and the scales are updated on request
   std::int64_t steps = 0;
 
-  // of the present time step
+  // of the current time step
   std::vector<Vec2> path_correction;     // exact path of the solo events minus velocity x dt [m]
   std::vector<double> angle_correction;  // [rad]
-  std::vector<std::uint8_t> struck;      // leaves the path of its solo events
+  std::vector<std::uint8_t> struck;      // does not follow the exact path of its solo events
   std::vector<Vec2> repair_shift;        // [m]
   std::vector<double> repair_turn;       // [rad]
-  Vec2 platform_start;                   // where the platform stood when the touches were found [m]
+  Vec2 platform_start;                   // platform position when the touches were found [m]
   Vec2 mooring_impulse, drag_impulse;    // on the platform [N s]
 
-  /// Forgets the last time step.
+  /// Clears the data of the last time step.
   void begin_step();
 };
 

@@ -1,36 +1,26 @@
-// The search is its own: every pair, every edge against every corner. What a chord and a touching stretch are is part
-// of the laws: gem/geometry says it once for all engines, and is judged by closed forms and by Clipper.
+// The search is the reference's own: every pair, every edge against every corner. Chord and facing stretch are part of
+// the laws and come from gem/geometry, which is tested against closed forms and Clipper.
 #include "gem/engine/reference/touch.h"
 
 namespace gem::reference {
 namespace {
 
-/// How far all corners of `other` stand outside edge `edge` [m]. `to_other` leads from centroid to centroid.
-double distance_outside(const TurnedOutline& owner, std::size_t edge, const TurnedOutline& other, Vec2 to_other) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Vec2 corner : other.corner) {
-    const double distance = dot(owner.normal[edge], to_other + corner - owner.corner[edge]);
-    if (distance < nearest) nearest = distance;
-  }
-  return nearest;
-}
-
 /// The edge that parts the outlines most, or is the least deep; A's first edge wins a tie.
-Separation separating_axis(const TurnedOutline& a, const TurnedOutline& b, Vec2 offset) {
+Separation separating_axis(const Outline& a, const Outline& b, Vec2 offset) {
   Separation best;
   best.distance = -std::numeric_limits<double>::infinity();
-  for (std::size_t edge = 0; edge < a.corner.size(); ++edge) {
-    const double distance = distance_outside(a, edge, b, offset);
-    if (distance > best.distance) best = {distance, static_cast<int>(edge), false};
+  for (int edge = 0; edge < a.count; ++edge) {
+    const double distance = edge_separation(a, edge, b, offset);
+    if (distance > best.distance) best = {distance, edge, false};
   }
-  for (std::size_t edge = 0; edge < b.corner.size(); ++edge) {
-    const double distance = distance_outside(b, edge, a, -offset);
-    if (distance > best.distance) best = {distance, static_cast<int>(edge), true};
+  for (int edge = 0; edge < b.count; ++edge) {
+    const double distance = edge_separation(b, edge, a, -offset);
+    if (distance > best.distance) best = {distance, edge, true};
   }
   return best;
 }
 
-/// Whether one of the two can move and both take part.
+/// Whether both bodies are active and at least one can move.
 bool may_touch(const Bodies& b, std::size_t i, std::size_t j) {
   return b.active[i] && b.active[j] && (b.inverse_mass[i] > 0.0 || b.inverse_mass[j] > 0.0);
 }
@@ -77,9 +67,9 @@ std::vector<Touch> all_touches(const Bodies& bodies, Manifold manifold, double m
       const Vec2 offset = bodies.position[b] - bodies.position[a];
       const double reach = bodies.radius[a] + bodies.radius[b] + margin;
       if (dot(offset, offset) > reach * reach) continue;
-      const Separation axis = separating_axis(outline[a], outline[b], offset);
-      if (!(axis.distance < margin)) continue;
       const Outline view_a = outline[a].view(), view_b = outline[b].view();
+      const Separation axis = separating_axis(view_a, view_b, offset);
+      if (!(axis.distance < margin)) continue;
       const ContactGeometry geometry = manifold == Manifold::chord_middle
                                            ? chord_contact(view_a, view_b, offset, axis)
                                            : face_contact(view_a, view_b, offset, axis, margin);

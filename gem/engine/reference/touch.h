@@ -1,4 +1,4 @@
-// Where bodies touch at the start of a time step, found by looking at every pair.
+// Finds touching bodies at the start of a time step by testing every pair.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 
 namespace gem::reference {
 
-/// One point of a touch. Tangential is along the normal turned left. Impulses act on B, the opposite on A.
+/// One point of a touch. "Tangential" is along the normal turned left. Impulses act on B; A gets the opposite.
 struct TouchPoint {
   Vec2 arm_a, arm_b;                                     // from the centroids [m]
-  double separation = 0.0;                               // < 0: depth [m]
+  double separation = 0.0;                               // < 0: overlap depth [m]
   int feature = 0;                                       // the touching corner, see contact_geometry.h
-  double normal_before = 0.0;                            // velocity of B against A before the events [m/s]
+  double normal_before = 0.0;                            // velocity of B relative to A before the events [m/s]
   double tangential_before = 0.0;                        // [m/s]
   double target = 0.0;                                   // smallest normal velocity after the events [m/s]
   double cap = std::numeric_limits<double>::infinity();  // largest normal impulse [N s]
@@ -29,24 +29,24 @@ struct TouchPoint {
   bool acted() const { return impulse.normal != 0.0 || impulse.tangential != 0.0 || repair != 0.0; }
 };
 
-/// A pair that touches, or whose faces are closer than the contact margin. A has the lower id, the normal points from
-/// A to B.
+/// A touching pair, or one with faces closer than the contact margin. A has the lower id; the normal points from A to
+/// B.
 struct Touch {
   std::int32_t a = 0, b = 0;
   Vec2 normal;
-  double width = 0.0;     // chord or touching stretch [m]
+  double width = 0.0;     // chord or length of the facing edges [m]
   double growth = 0.0;    // growth of the chord with depth [-]
   double friction = 0.0;  // coefficient [-]
   std::vector<TouchPoint> points;
 };
 
-/// An outline turned into world axes about its centroid.
+/// An outline in world axes relative to its centroid.
 struct TurnedOutline {
   std::vector<Vec2> corner, normal;  // [m], outward unit normals of the edges that follow the corners
   Outline view() const { return {corner.data(), normal.data(), static_cast<int>(corner.size())}; }
 };
 
-/// Outline of body `i` as it stands now.
+/// Outline of body `i` at its current position.
 TurnedOutline turned_outline(const Bodies& bodies, std::size_t i);
 
 /// All pairs that are closer than `margin` [m], ascending in (a, b). Two fixed bodies never touch.

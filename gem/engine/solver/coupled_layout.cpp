@@ -19,10 +19,10 @@ void CoupledLayout::count_points(const FieldState& f, Contacts contacts) {
   }
 }
 
-/// Finds the moving bodies and shares them and the points out among the threads.
+/// Finds the moving bodies and divides bodies and points among the threads.
 void CoupledLayout::share_out(const FieldState& f, int threads) {
   moving_.clear();
-  std::int64_t sides = 0;  // of points, on moving bodies
+  std::int64_t sides = 0;  // a point counts once per moving body
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(f.bodies.count()); ++i) {
     if (points_of_[i] == 0 || !(f.bodies.inverse_mass[i] > 0.0)) continue;
     moving_.push_back(i);
@@ -40,7 +40,7 @@ void CoupledLayout::share_out(const FieldState& f, int threads) {
   first_entry_.resize(threads + 1, 1 + static_cast<std::int32_t>(moving_.size()));
 }
 
-/// Gives some of the moving bodies their entries: those with as many points stand together.
+/// Assigns entries to the moving bodies [first, last). Bodies with equal numbers of points are grouped together.
 void CoupledLayout::order_stretch(std::int32_t first, std::int32_t last) {
   constexpr std::int32_t of_each = Alike::most + 1, kinds = of_each * of_each;
   const auto kind = [this](std::int32_t i) {
@@ -61,7 +61,8 @@ void CoupledLayout::order_stretch(std::int32_t first, std::int32_t last) {
   }
 }
 
-/// Stretches of a thread's bodies are ordered each for itself: neighbours lie near each other still.
+/// Orders each stretch of a thread's bodies separately, so that neighbours stay close in memory. The length of a
+/// stretch was chosen by hand; it affects only speed.
 void CoupledLayout::order_bodies(const FieldState& f) {
   constexpr std::int32_t stretch = 512;
   const auto count = static_cast<std::int32_t>(moving_.size());

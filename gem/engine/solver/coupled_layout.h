@@ -1,4 +1,4 @@
-// Where the bodies and points of a coupled time step stand in memory.
+// Memory layout of the bodies and points of a coupled time step.
 #pragma once
 
 #include <cstdint>
@@ -10,42 +10,42 @@
 
 namespace gem {
 
-/// Entry 0 of all that is kept per body never moves: it stands for fixed bodies and unused lanes.
+/// Entry 0 of every per-body array never moves. It stands for fixed bodies and unused lanes.
 class CoupledLayout {
  public:
   static constexpr std::int32_t at_rest = 0;
-  /// Neighbouring entries with as many points as B, and as A; `most` stands for itself and for all above.
+  /// A range of entries with equal numbers of points as B and as A; `most` means that number or more (chosen by hand).
   struct Alike {
     static constexpr std::int32_t most = 15;
     std::int32_t first, last, as_b, as_a;
   };
-  /// Entries of points_as_b() past its end that may be read ahead.
+  /// Padding of points_as_b(), so that a prefetch may read past its end. The distance was chosen by hand.
   static constexpr std::int32_t foreseen = 12;
 
   void lay_out(const FieldState& f, Contacts contacts, int threads);
 
   std::int32_t points() const { return points_; }
-  /// Moving bodies with points; their entries are 1 to bodies().
+  /// Number of moving bodies with points. Their entries are 1 to bodies().
   std::int32_t bodies() const { return static_cast<std::int32_t>(body_.size()) - 1; }
-  /// The points, in blocks of eight, and entries that thread `rank` of those laid out for works on end where the next
-  /// one's begin: bodies stand with their points, so that few motions and pushes go from one processor to another.
+  /// Blocks of eight points, and entries, of thread `rank`: its range ends where the range of the next thread begins.
+  /// Bodies are placed near their points, so that little data moves between processors.
   std::int32_t first_block_of(int rank) const { return first_block_[rank]; }
   std::int32_t first_entry_of(int rank) const { return first_entry_[rank]; }
   std::int32_t blocks() const { return (points_ + float_lanes - 1) / float_lanes; }
   std::int32_t first_point(std::size_t contact) const { return first_point_[contact]; }
-  /// Points that touch a body of the field.
+  /// Number of points on a body of the field.
   std::int32_t points_of(std::int32_t body) const { return points_of_[body]; }
   std::int32_t entry_of(std::int32_t body) const { return entry_of_[body]; }
 
-  // per entry; an entry's points as B all come before its points as A, which stand in a row
+  // Per entry. The points of an entry as B come before its points as A; the points as A are contiguous.
   std::int32_t body(std::int32_t entry) const { return body_[entry]; }
-  /// Place among the moving bodies with points, ascending.
+  /// Rank among the moving bodies with points, ascending in body id.
   std::int32_t rank(std::int32_t entry) const { return rank_[entry]; }
   std::int32_t begin_as_b(std::int32_t entry) const { return begin_as_b_[entry]; }
   std::int32_t first_as_a(std::int32_t entry) const { return first_as_a_[entry]; }
   std::int32_t end_as_a(std::int32_t entry) const { return end_as_a_[entry]; }
   const std::uint32_t* points_as_b() const { return as_b_.data(); }
-  /// All moving bodies with points, ascending.
+  /// Groups of alike entries, ascending.
   const std::vector<Alike>& alike() const { return alike_; }
 
  private:
@@ -56,10 +56,10 @@ class CoupledLayout {
   void list_points(Contacts contacts);
 
   std::int32_t points_ = 0;
-  std::vector<std::int32_t> first_block_, first_entry_;           // per thread, and an end
+  std::vector<std::int32_t> first_block_, first_entry_;           // per thread, plus the end
   std::vector<std::int32_t> first_point_;                         // per contact
   std::vector<std::int32_t> points_of_, points_as_b_, entry_of_;  // per body of the field
-  std::vector<std::int32_t> moving_;                              // bodies that move and have points, ascending
+  std::vector<std::int32_t> moving_;                              // moving bodies with points, ascending
   std::vector<std::int32_t> body_, rank_, begin_as_b_, first_as_a_, end_as_a_, next_as_b_;  // per entry
   std::vector<std::uint32_t> as_b_;
   std::vector<Alike> alike_;

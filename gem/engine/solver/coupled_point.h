@@ -1,16 +1,16 @@
-// One contact point among all events of a time step: what it knows of its bodies and what its impulses give them.
+// One contact point of a coupled time step: its constants, and the momentum that its impulses give to both bodies.
 //
-// All points of a time step ask for impulses that together satisfy
+// The impulses of all points together satisfy
 //     u_n >= target,  0 <= P_n <= cap,  (u_n - target) P_n = 0 below the cap      no overlap, fully inelastic, crushing
-//     |P_t| <= mu P_n,  P_t against the slip that is left                          Coulomb
-// and, apart from the velocities, for the smallest shifts of the bodies that take back a share of the overlap.
+//     |P_t| <= mu P_n,  P_t against the remaining slip                            Coulomb
+// In addition, and without changing velocities, the bodies get the smallest shifts that remove a share of the overlap.
 //
-//   u_n, u_t  velocity of B against A along the normal and along the normal turned left        [m/s]
-//   P_n, P_t  impulse on B, the opposite on A                                                  [N s]
-//   nn tt nt  compliance with the mass of each body shared out among its points                [1/kg]
+//   u_n, u_t  velocity of B relative to A along the normal and along the normal turned left    [m/s]
+//   P_n, P_t  impulse on B; the opposite acts on A                                             [N s]
+//   nn tt nt  compliance with the mass of each body divided among its points                   [1/kg]
 //   cap       impulse that crushes the whole face                                              [N s]
 //
-// coupled_visit.h has the iterations that find them.
+// The iterations are in coupled_visit.h.
 #pragma once
 
 #include <cmath>
@@ -19,38 +19,38 @@
 #include "gem/base/macros.h"
 namespace gem {
 
-/// Friction between the events of a coupled time step.
+/// Friction in a coupled time step.
 enum class PointFriction {
   none,
-  coulomb,         ///< against the slip that is left after the events
-  fixed_direction  ///< P_t = friction P_n; the sign stands in `friction`
+  coulomb,         ///< against the slip that remains after the events
+  fixed_direction  ///< P_t = friction P_n; `friction` carries the sign
 };
 
-/// Velocity and repair shift of a body while the iterations run.
+/// Velocity and repair shift of a body during the iterations.
 template <class Real>
 struct Motion {
   Real x, y, spin;              // [m/s], [rad/s]
   Real shift_x, shift_y, turn;  // [m], [rad]
 };
 
-/// Impulse on B (the opposite on A), and the same for the repair.
+/// Impulse and repair of a point, on B (the opposite on A).
 template <class Real>
 struct PointImpulse {
   Real normal, tangential;  // [N s]
   Real repair;              // [kg m]
 };
 
-/// Constant during a time step.
+/// Constants of a point during a time step.
 template <class Real>
 struct PointGeometry {
   Real normal_x, normal_y;
   Real lever_a_n, lever_a_t, lever_b_n, lever_b_t;  // arm x normal, arm x tangent [m]
   Real nn, tt, nt;
   Real target, friction, cap;
-  Real repair_target;  // share of the overlap to take back [m]
+  Real repair_target;  // share of the overlap to remove [m]
 };
 
-/// Linear momentum, angular momentum about the centroid, and the same of the repair, as given to B.
+/// What a point gives to a body: linear momentum, angular momentum about the centroid, and the same for the repair.
 template <class Real>
 struct Push {
   Real x, y, twist;
@@ -67,7 +67,7 @@ GEM_HD GEM_INLINE void add(Push<Real>& sum, Real sign, const Push<Real>& push) {
   sum.turn += sign * push.turn;
 }
 
-/// What `p` gives to one side.
+/// The push of impulse `p` on one side; `lever_n` and `lever_t` are the levers of that side [m].
 template <class Real>
 GEM_HD GEM_INLINE Push<Real> push_of(const PointGeometry<Real>& g, const PointImpulse<Real>& p, Real lever_n,
                                      Real lever_t) {
@@ -79,8 +79,8 @@ GEM_HD GEM_INLINE Push<Real> push_of(const PointGeometry<Real>& g, const PointIm
           p.repair * lever_n};
 }
 
-/// Enters how the point answers to its own impulses. `mass` is the sum of both bodies' inverse masses, `turn_a` and
-/// `turn_b` are their inverse inertias, each times the number of the body's points.
+/// Sets the compliance of the point. `mass` is the sum of both inverse masses [1/kg], `turn_a` and `turn_b` are the
+/// inverse inertias [1/(kg m2)], each times the number of points on the body.
 template <class Real>
 GEM_HD GEM_INLINE void enter_compliance(PointGeometry<Real>& g, Real mass, Real turn_a, Real turn_b) {
   g.nn = mass + turn_a * g.lever_a_n * g.lever_a_n + turn_b * g.lever_b_n * g.lever_b_n;
@@ -88,7 +88,7 @@ GEM_HD GEM_INLINE void enter_compliance(PointGeometry<Real>& g, Real mass, Real 
   g.nt = turn_a * g.lever_a_n * g.lever_a_t + turn_b * g.lever_b_n * g.lever_b_t;
 }
 
-/// Velocity and shift of a body of given inverse mass and inertia after the pushes on it.
+/// Velocity and shift of a body after a push `sum`.
 template <class Real>
 GEM_HD GEM_INLINE Motion<Real> moved_by(const Push<Real>& sum, Real velocity_x, Real velocity_y, Real spin,
                                         Real inverse_mass, Real inverse_inertia) {
@@ -96,7 +96,8 @@ GEM_HD GEM_INLINE Motion<Real> moved_by(const Push<Real>& sum, Real velocity_x, 
           inverse_mass * sum.shift_x,        inverse_mass * sum.shift_y,        inverse_inertia * sum.turn};
 }
 
-/// What the impulses on one body do: their work at its velocity before them, and twice the energy of the change.
+/// Work of the impulses on one body at its velocity before them (`given`), and twice the kinetic energy of the velocity
+/// change (`answered`).
 struct ImpulseWork {
   double given, answered;  // [J]
 };
@@ -108,9 +109,10 @@ GEM_HD inline ImpulseWork work_on_body(const Motion<double>& after, double veloc
           mass * (x * x + y * y) + inertia * turned * turned};
 }
 
-/// The share of a time step's impulses that leaves the least energy, at most all of them. The impulses of the last time
-/// step are taken over by this share, since a heavy body that they stopped must not be thrown back by them. Below a
-/// half, all of them would create energy: where the iterations stop short of an answer, this share is what they give.
+/// The share of the impulses that leaves the least energy, from 0 to 1. The warm start is scaled by it, so that old
+/// impulses do not throw back a heavy body that they have stopped. If the share is below one half, all impulses
+/// together would create energy. That happens if the iterations stop before they converge; the results are then scaled
+/// too.
 GEM_HD inline double best_share(const ImpulseWork& sum) {
   if (!(sum.answered > 0.0)) return 1.0;
   return smaller(larger(-sum.given / sum.answered, 0.0), 1.0);

@@ -43,7 +43,7 @@ void CoupledRounds::set_base(std::int32_t point, const PointGeometry<double>& g,
   const int lane = point % float_lanes;
   b.excess[lane] = f.excess, b.slip[lane] = f.slip;
   b.least[lane] = f.least, b.most[lane] = f.most;
-  b.bytes_left[lane] = f.bytes_left, b.bytes_right[lane] = f.bytes_right;
+  b.slack_left[lane] = f.slack_left, b.slack_right[lane] = f.slack_right;
   b.repair_excess[lane] = f.repair_excess, b.repair_least[lane] = f.repair_least;
   PointImpulse<FloatPack>&at = addition_[point / float_lanes].at, &carried = addition_[point / float_lanes].carried;
   carried.normal[lane] -= at.normal[lane];
@@ -71,14 +71,14 @@ PointImpulse<double> CoupledRounds::with_additions(PointFriction law, std::int32
 GEM_INLINE PointFrame<FloatPack> CoupledRounds::frame_of(const Block& b) {
   return {b.normal_x,   b.normal_y,   b.lever_a_n,  b.lever_a_t,   b.lever_b_n,     b.lever_b_t,
           b.inverse_nn, b.inverse_tt, b.nt,         b.friction,    b.excess,        b.slip,
-          b.least,      b.most,       b.bytes_left, b.bytes_right, b.repair_excess, b.repair_least};
+          b.least,      b.most,       b.slack_left, b.slack_right, b.repair_excess, b.repair_least};
 }
 
 GEM_INLINE Approach<FloatPack> CoupledRounds::approach_of(const Block& b) const {
   const FloatMask of_both{0, 1, 10, 11, 4, 5, 14, 15};
   constexpr int half = float_lanes / 2;
   const float* const motion = reinterpret_cast<const float*>(motion_.data());
-  FloatPack apart[half], turns[half];  // velocities and shifts of B against A; spin and turn of A, of B
+  FloatPack apart[half], turns[half];  // velocity and shift of B relative to A; spin and turn of A, then of B
   for (int lane = 0; lane < half; ++lane) {
     const float *a = motion + b.a[lane], *other_a = motion + b.a[lane + half];
     const float *to = motion + b.b[lane], *other_to = motion + b.b[lane + half];
@@ -112,7 +112,7 @@ GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end
   FloatPack most{};
   Approach<FloatPack> next = approach_of(block_[begin]);
   for (std::int32_t i = begin; i < end; ++i) {
-    // three blocks under way: one block's chain of results is longer than what the processor looks ahead
+    // software pipeline over three blocks: the dependency chain of one block is longer than the CPU's reorder window
     const Approach<FloatPack> approach = next;
     if (i + 1 < end) next = approach_of(block_[i + 1]);
     BlockAddition& addition = addition_[i];
@@ -178,7 +178,7 @@ GEM_INLINE void CoupledRounds::move_any(const CoupledLayout& layout, std::int32_
   }
 }
 
-/// Bodies with `as_b` and `as_a` points: no loop over them is left.
+/// Bodies with exactly `as_b` and `as_a` points, with the loops unrolled.
 template <int as_b, int as_a>
 GEM_INLINE void CoupledRounds::move_alike(const CoupledLayout& layout, std::int32_t begin, std::int32_t end) {
   const Row* const push = push_.data();

@@ -1,4 +1,4 @@
-// The iterations of a coupled time step on the host: eight points at a time in single precision.
+// The coupled iterations on the host, eight points at a time in single precision.
 #pragma once
 
 #include <cstdint>
@@ -10,35 +10,37 @@
 
 namespace gem {
 
-/// Additions to a base, with what points and bodies need to find them. Points are worked on in blocks of eight.
+/// Impulses added to a base, with the data of points and bodies that the iterations need. Points are in blocks of
+/// eight.
 class CoupledRounds {
  public:
   void resize(const CoupledLayout& layout);
 
-  /// What of a point stays for the time step.
+  /// Sets the constants of a point for the time step.
   void set_geometry(std::int32_t point, const PointGeometry<double>& g, std::int32_t entry_a, std::int32_t entry_b);
-  /// Entries of a point's bodies.
+  /// Entries of the two bodies of a point.
   std::int32_t entry_a(std::int32_t point) const {
     return block_[point / float_lanes].a[point % float_lanes] / float_lanes;
   }
   std::int32_t entry_b(std::int32_t point) const {
     return block_[point / float_lanes].b[point % float_lanes] / float_lanes;
   }
-  /// A round begins from this base: what was added so far is in it.
+  /// Sets the base of the next round. The additions so far are part of it and become zero.
   void set_base(std::int32_t point, const PointGeometry<double>& g, const PointImpulse<double>& base,
                 const Motion<double>& a, const Motion<double>& b);
-  /// Inverse mass and inertia of a moving body, to which nothing has been added yet.
+  /// Sets inverse mass and inertia of a moving body and zeroes its added motion.
   void set_body(std::int32_t entry, double inverse_mass, double inverse_inertia);
-  /// The base after what was added.
+  /// The base plus the additions of the round.
   PointImpulse<double> with_additions(PointFriction law, std::int32_t point, const PointGeometry<double>& g,
                                       const PointImpulse<double>& base) const;
 
-  /// Visits the points of some blocks; returns, where `judged`, the largest speed that one asked for, else 0 [m/s].
+  /// Visits the points of blocks [begin, end). Returns the largest speed that a point still asks for [m/s] if `judged`,
+  /// else 0.
   float visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end, StepLength<float> pace,
               float momentum_coefficient);
-  /// Pushes of the carried-ahead additions as they stand.
+  /// Writes the pushes of the extrapolated additions without a visit.
   void push(std::int32_t begin, std::int32_t end);
-  /// Moves some bodies by what their points push, in the order of the points.
+  /// Updates the motion of entries [begin, end) by the pushes of their points, summed in the order of the points.
   void move(const CoupledLayout& layout, std::int32_t begin, std::int32_t end);
 
  private:
@@ -47,8 +49,8 @@ class CoupledRounds {
   };
   struct alignas(64) Block {
     FloatPack normal_x, normal_y, lever_a_n, lever_a_t, lever_b_n, lever_b_t, inverse_nn, inverse_tt, nt, friction;
-    FloatPack excess, slip, least, most, bytes_left, bytes_right, repair_excess, repair_least;
-    std::int32_t a[float_lanes], b[float_lanes];  // where the motions of the bodies begin, in floats
+    FloatPack excess, slip, least, most, slack_left, slack_right, repair_excess, repair_least;
+    std::int32_t a[float_lanes], b[float_lanes];  // offsets of the bodies' motions, in floats
   };
   struct alignas(32) BlockAddition {
     PointImpulse<FloatPack> at, carried;
@@ -75,9 +77,9 @@ class CoupledRounds {
 
   std::vector<Block> block_;
   std::vector<BlockAddition> addition_;
-  std::vector<Row> push_;    // per point: x, y, shift x, y to both; twist and turn to A, to B
+  std::vector<Row> push_;    // per point: x, y, shift x, y for both bodies; twist and turn for A, then for B
   std::vector<Row> motion_;  // per entry: x, y, shift x, y, spin, turn, spin, turn
-  std::vector<Row> answer_;  // per entry: inverse masses and inertias, as motion_
+  std::vector<Row> answer_;  // per entry: inverse masses and inertias, in the order of motion_
 };
 
 }  // namespace gem

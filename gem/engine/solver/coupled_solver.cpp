@@ -1,11 +1,12 @@
 // Algorithm of one time step:
-//   base: the impulses that the same contact points carried one time step ago, and the velocities that they give
-//   a round, from the base, in single precision:
-//     visit all points, eight at a time, from the same velocities; each writes what it pushes
-//     add up what each body was pushed, in the order of its points: the velocities for the next visits
-//   the additions of the round enter the base
-//   until no point asks for more than the stated residual, or the bound on iterations is reached
-// Two waits an iteration, no order among the points, no colours: the same bits for any number of threads.
+//   base: the impulses of the same contact points in the last time step, and the velocities from them
+//   rounds until no point asks for more than the residual, or until the largest number of iterations; each round:
+//     iterate from the base, in single precision:
+//       visit all points, eight at a time, from the same velocities; each point writes its pushes
+//       sum the pushes on each body in the order of its points: the velocities for the next visit
+//     add the result of the round to the base
+// An iteration has two barriers. No point depends on the order of the others, so there is no graph colouring, and every
+// number of threads gives the same bits.
 #include "gem/engine/solver/coupled_solver.h"
 
 #include <algorithm>
@@ -41,20 +42,20 @@ void CoupledSolver::make_space() {
   rounds_.resize(layout_);
 }
 
-/// First of the last time step's keys from `at` on that is not below `key`.
+/// Index of the first key of the last time step, from `at` on, that is not below `key`.
 std::size_t CoupledSolver::last_key_from(std::size_t at, std::uint64_t key) const {
   while (at < keys_.size() && keys_[at] < key) ++at;
   return at;
 }
 
-/// `at`: where the last time step's keys of this pair begin, if it has any.
+/// Impulse of a point in the last time step, or zero. `at`: index of the first key of its pair, if there is one.
 PointImpulse<double> CoupledSolver::last_impulse(std::uint64_t key, std::size_t at) const {
   while (at < keys_.size() && keys_[at] != key && keys_[at] >> feature_bits == key >> feature_bits) ++at;
   if (at == keys_.size() || keys_[at] != key) return {};
   return impulses_[at];
 }
 
-/// Makes the points of some contacts ready.
+/// Prepares the points of contacts [begin, end).
 void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::int64_t begin, std::int64_t end) {
   if (begin == end) return;
   const std::uint64_t first = contact_key(contacts[begin]->a, contacts[begin]->b, 0);
@@ -89,7 +90,7 @@ CoupledSolver::Stretch CoupledSolver::stretch_of(const ThreadTeam& team, int ran
           layout_.first_entry_of(rank + 1)};
 }
 
-/// Velocities that the base's impulses give.
+/// Sets the velocities of a stretch to those after the impulses of the base.
 void CoupledSolver::move_by_base(const FieldState& f, const Stretch& s) {
   const std::uint32_t* const as_b = layout_.points_as_b();
   for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
@@ -111,7 +112,7 @@ void CoupledSolver::move_by_base(const FieldState& f, const Stretch& s) {
   }
 }
 
-/// Scales the base's impulses to the share that leaves the least energy, if that is below `limit`.
+/// Scales the impulses of the base by best_share() if that share is below `limit`.
 void CoupledSolver::keep_best_share(const FieldState& f, ThreadTeam& team, int rank, const Stretch& s, double limit) {
   const Bodies& b = f.bodies;
   for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {

@@ -1,4 +1,4 @@
-// The coupled solver on the host: all events of one time step together, iterated to a stated residual.
+// The coupled solver on the host: all events of one time step together, iterated to the residual of the scene.
 #pragma once
 
 #include <cstdint>
@@ -15,24 +15,25 @@
 
 namespace gem {
 
-/// Keeps what lasts from step to step: the impulses of the last one.
+/// Keeps the impulses of the last time step as a warm start.
 class CoupledSolver {
  public:
-  /// Time steps with fewer contacts for each thread are iterated by one: the waits would cost more than the others
-  /// bring.
+  /// Time steps with fewer contacts per thread are iterated by one thread, since barriers would cost more than the
+  /// other threads save. The default was chosen by hand and affects only speed.
   explicit CoupledSolver(std::size_t contacts_worth_a_thread = 256)
       : contacts_worth_a_thread_(contacts_worth_a_thread) {}
 
-  /// Makes room for the contacts (ascending in a, b) that `threads` will resolve; asks for no velocity and no position.
+  /// Allocates memory for the contacts (ascending in a, b) and divides them among `threads`. Reads no velocity and no
+  /// position.
   void lay_out(const FieldState& f, Contacts contacts, int threads);
-  // inside a team's run: the stages of the contacts laid out
-  /// Their points, as the last time step left them.
+  // stages, called by every thread of a team
+  /// Prepares the points of the contacts and their warm start.
   void gather(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
-  /// Iterates to the stated residual, or to the most iterations.
+  /// Iterates to the residual of the scene or to its largest number of iterations.
   void iterate(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
-  /// Hands back impulses, velocities and repair shifts.
+  /// Writes the impulses to the contacts, and velocities and repair shifts to the bodies.
   void settle(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality);
-  /// All three.
+  /// gather(), iterate() and settle().
   void resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality);
 
   const std::vector<std::uint64_t>& keys() const { return keys_; }
@@ -40,12 +41,12 @@ class CoupledSolver {
   void restore(std::vector<std::uint64_t> keys, std::vector<PointImpulse<double>> impulses);
 
  private:
-  /// A point and the impulse that the base has of it.
-  struct alignas(64) Point {  // two lines of the cache
+  /// A point and its impulse in the base.
+  struct alignas(64) Point {  // two cache lines
     PointGeometry<double> geometry;
     PointImpulse<double> impulse;
   };
-  /// What one thread works on.
+  /// The ranges that one thread works on.
   struct Stretch {
     std::int32_t first_block, last_block, first_point, last_point, first_entry, last_entry;
   };
@@ -64,17 +65,17 @@ class CoupledSolver {
 
   std::vector<std::uint64_t> keys_;
   std::vector<PointImpulse<double>> impulses_;
-  std::vector<std::uint64_t> next_keys_;  // of this time step, while the last one's are still read
+  std::vector<std::uint64_t> next_keys_;  // of this time step, while those of the last step are still read
   std::vector<PointImpulse<double>> next_impulses_;
 
   CoupledLayout layout_;
   CoupledRounds rounds_;
   std::vector<Point> point_;
-  std::vector<Motion<double>> motion_;    // per entry: under the base's impulses
-  std::vector<double> given_, answered_;  // per entry by rank: impulse on its velocity before, and on its change [J]
+  std::vector<Motion<double>> motion_;    // per entry: motion after the impulses of the base
+  std::vector<double> given_, answered_;  // per rank of an entry: see ImpulseWork [J]
   double share_ = 1.0;
 
-  struct alignas(64) Asked {  // one per thread
+  struct alignas(64) Asked {  // one cache line per thread
     float speed = 0.0F;
   };
   std::vector<Asked> asked_;

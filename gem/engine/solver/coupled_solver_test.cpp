@@ -1,4 +1,4 @@
-// The coupled solver: no closing contact left, Coulomb's cone kept.
+// The coupled solver: no contact closes after the events, and friction stays within Coulomb's cone.
 #include "gem/engine/solver/coupled_solver.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace gem {
 namespace {
 
-/// A crowd on its way, some seconds after the start, and one resolved time step of it.
+/// A crowded scene some seconds after its start, and one resolved time step of it.
 struct Resolved {
   FieldState field;
   PairList pairs;
@@ -44,7 +44,7 @@ TEST(CoupledSolver, LeavesNothingClosingAndKeepsTheCone) {
     for (int k = 0; k < contact->count; ++k) {
       const ContactSlot& slot = contact->slot[k];
       const double u_n = dot(relative_velocity(r.field.bodies, *contact, slot), contact->normal);
-      // the velocities are those of the impulses before they are extrapolated: other than those the residual is of
+      // the velocities belong to the impulses before extrapolation, the residual to the extrapolated ones
       EXPECT_GE(u_n - slot.target, -30.0 * residual);
       EXPECT_GE(slot.impulse.normal, 0.0);
       EXPECT_LE(std::fabs(slot.impulse.tangential), contact->friction * slot.impulse.normal * (1.0 + 1e-12));

@@ -1,19 +1,21 @@
-// The iterations of a coupled time step, point by point.
+// The iterations of a coupled time step for one point.
 //
-// With the masses shared out, the answer of one point to its own velocity cannot overshoot whatever the others do, so
-// all points are visited at once from the same velocities (projected gradient in the metric of the shared masses), and
-// the impulses are extrapolated along their last change (Nesterov 1983; Beck and Teboulle 2009), which takes the
-// number of iterations from the square of a chain's length to its length. When the residual has grown, they begin
-// again from nothing (after O'Donoghue and Candes 2015; their test sums over all points, the residual is there anyway).
-// A repair that stepped against its change is not extrapolated: too much of it would open a gap.
-// Tonge et al. 2012 share masses the same way.
+// All points are visited at once from the same velocities: projected gradient in the metric of the divided masses.
+// Since each body's mass is divided among its points (as Tonge et al. 2012 do), no point overshoots, whatever the
+// others do. The impulses are then extrapolated along their last change (Nesterov 1983; Beck and Teboulle 2009). In a
+// chain of n bodies this reduces the number of iterations from the order of n^2 to the order of n. When the residual
+// has grown, the extrapolation restarts at zero (after O'Donoghue and Candes 2015; their test needs a sum over all
+// points, while the residual is at hand). A repair whose step opposes its change is not extrapolated: too much repair
+// would open a gap.
 //
-// With friction the bound of a tangential impulse follows the normal one, so there is no fixed function that goes down:
-// a fixed-point iteration without proof, judged by what it leaves (R1 to R3 of validation/hard).
+// With friction, the bound of the tangential impulse depends on the normal impulse, so the iterations minimise no fixed
+// function. They are a fixed-point iteration without a proof of convergence; R1 to R3 of validation/hard judge the
+// result.
 //
-// The iterations run on what is added to a base: impulses and velocities in double precision, of which each point keeps
-// the numbers below in single precision. Their rounding is one of the additions, not of the whole; after a round the
-// additions enter the base and the next round starts from there, so any residual can be asked for.
+// The iterations work on additions to a base. The base holds impulses and velocities in double precision; each point
+// has the single-precision values of PointFrame. Rounding is then relative to the additions and not to the whole. At
+// the end of a round the additions go into the base and the next round starts from it, so that any residual can be
+// reached.
 #pragma once
 
 #include "gem/base/choose.h"
@@ -22,7 +24,7 @@
 
 namespace gem {
 
-/// What a point knows while a round runs.
+/// Data of a point during a round.
 template <class Real>
 struct PointFrame {
   Real normal_x, normal_y;
@@ -31,21 +33,21 @@ struct PointFrame {
   Real friction;
   // at the base
   Real excess, slip;   // u_n - target, u_t [m/s]
-  Real least, most;    // what may be added to P_n: -P_n and cap - P_n [N s]
-  Real bytes_left;     // mu P_n - P_t [N s]
-  Real bytes_right;    // mu P_n + P_t [N s]
-  Real repair_excess;  // shift along the normal beyond the share of the overlap to take back [m]
-  Real repair_least;   // what may be added to the repair [kg m]
+  Real least, most;    // bounds of the addition to P_n: -P_n and cap - P_n [N s]
+  Real slack_left;     // mu P_n - P_t [N s]
+  Real slack_right;    // mu P_n + P_t [N s]
+  Real repair_excess;  // shift along the normal minus the share of the overlap to remove [m]
+  Real repair_least;   // lower bound of the addition to the repair [kg m]
 };
 
-/// Motion of B against A where all that differs between two points of a body is their levers.
+/// Motion of B relative to A. Points of the same pair differ only in their levers.
 template <class Real>
 struct Approach {
   Real x, y, shift_x, shift_y;
   Real spin_a, turn_a, spin_b, turn_b;
 };
 
-/// What carried-ahead impulses give: the sums to B, their opposites to A.
+/// Pushes of the extrapolated impulses: the sums go to B, their opposites to A.
 template <class Real>
 struct PointPush {
   Real x, y, shift_x, shift_y;
@@ -64,22 +66,23 @@ GEM_HD GEM_INLINE PointPush<Real> push_of(const PointFrame<Real>& f, const Point
           p.repair * f.lever_b_n};
 }
 
-/// Length and pace of a time step.
+/// Length of a time step and its inverse.
 template <class Scalar>
 struct StepLength {
   Scalar dt;        // [s]
   Scalar per_step;  // 1 / dt [1/s]
 };
 
-/// Whether two numbers point opposite ways; no product, which could underflow.
+/// Whether two numbers have opposite signs. A product could underflow.
 template <class Real>
 GEM_HD GEM_INLINE auto opposed(Real p, Real q) {
   const Real zero{};
   return ((p < zero) & (q > zero)) | ((p > zero) & (q < zero));
 }
 
-/// One visit: from the carried-ahead additions and the velocities that all of them give, the point's next additions,
-/// and those extrapolated by `momentum_coefficient` times their change. Returns the steps from what was extrapolated.
+/// One visit of a point. Reads the extrapolated additions `carried` and the velocities from all of them. Writes the
+/// next additions `at`, and `carried`: `at` plus `momentum_coefficient` times its change. Returns the steps relative to
+/// the old `carried`.
 template <PointFriction law, class Real, class Scalar>
 GEM_HD GEM_INLINE PointImpulse<Real> visit_point(const PointFrame<Real>& f, const Approach<Real>& w,
                                                  StepLength<Scalar> pace, Scalar momentum_coefficient,
@@ -94,17 +97,17 @@ GEM_HD GEM_INLINE PointImpulse<Real> visit_point(const PointFrame<Real>& f, cons
     const Real slip = w.y * f.normal_x - w.x * f.normal_y + w.spin_b * f.lever_b_t - w.spin_a * f.lever_a_t + f.slip;
     const Real wider = f.friction * normal;
     tangential = carried.tangential - (slip + f.nt * step_n) * f.inverse_tt;
-    tangential = larger(smaller(tangential, f.bytes_left + wider), -(f.bytes_right + wider));
+    tangential = larger(smaller(tangential, f.slack_left + wider), -(f.slack_right + wider));
   } else if constexpr (law == PointFriction::fixed_direction) {
-    tangential = f.bytes_left + f.friction * normal;
+    tangential = f.slack_left + f.friction * normal;
   }
   if constexpr (law != PointFriction::none) {
     step_t = tangential - carried.tangential;
     change_t = tangential - at.tangential;
   }
 
-  // the shift also takes back what this time step's velocities would still add to the overlap; crushed ice is not given
-  // back as motion
+  // The shift also removes the overlap that the remaining closing velocity adds in this time step. At the cap it does
+  // not: crushed ice is not pushed back.
   const Real shift = w.shift_x * f.normal_x + w.shift_y * f.normal_y + w.turn_b * f.lever_b_n - w.turn_a * f.lever_a_n +
                      f.repair_excess;
   const Real closing = pick(normal < f.most, smaller(excess, zero), zero);
@@ -118,8 +121,8 @@ GEM_HD GEM_INLINE PointImpulse<Real> visit_point(const PointFrame<Real>& f, cons
   return {step_n, step_t, step_r};
 }
 
-/// The largest speed that a point still asked for by the steps of a visit [m/s]. Two divisions, so not asked of every
-/// visit.
+/// The largest speed that a point still asked for in a visit [m/s]. It costs two divisions, so it is not evaluated in
+/// every visit.
 template <PointFriction law, class Real, class Scalar>
 GEM_HD GEM_INLINE Real speed_asked(const PointFrame<Real>& f, const PointImpulse<Real>& step, StepLength<Scalar> pace) {
   const Real of_normal = larger(magnitude(step.normal), magnitude(step.repair) * pace.per_step) / f.inverse_nn;
@@ -127,7 +130,7 @@ GEM_HD GEM_INLINE Real speed_asked(const PointFrame<Real>& f, const PointImpulse
   return larger(of_normal, magnitude(step.tangential) / f.inverse_tt);
 }
 
-/// Enters what a point keeps for the whole time step.
+/// Sets the constants of a point for the time step.
 GEM_HD inline void enter_geometry(PointFrame<float>& f, const PointGeometry<double>& g) {
   f.normal_x = static_cast<float>(g.normal_x);
   f.normal_y = static_cast<float>(g.normal_y);
@@ -141,10 +144,10 @@ GEM_HD inline void enter_geometry(PointFrame<float>& f, const PointGeometry<doub
   f.friction = static_cast<float>(g.friction);
 }
 
-/// Room for additions that nothing bounds [N s].
+/// Bound of an addition that has no limit [N s].
 constexpr double boundless = 1e30;
 
-/// Enters what the base gives: impulses `p` and the motions of both bodies under all of them.
+/// Sets the data of a point at the base: impulses `p`, and the motions of both bodies after all base impulses.
 GEM_HD inline void enter_base(PointFrame<float>& f, const PointGeometry<double>& g, const PointImpulse<double>& p,
                               const Motion<double>& a, const Motion<double>& b) {
   const double x = b.x - a.x, y = b.y - a.y;
@@ -153,21 +156,22 @@ GEM_HD inline void enter_base(PointFrame<float>& f, const PointGeometry<double>&
   f.slip = static_cast<float>(y * g.normal_x - x * g.normal_y + b.spin * g.lever_b_t - a.spin * g.lever_a_t);
   f.least = static_cast<float>(-p.normal);
   f.most = static_cast<float>(smaller(g.cap - p.normal, boundless));
-  f.bytes_left = static_cast<float>(g.friction * p.normal - p.tangential);
-  f.bytes_right = static_cast<float>(g.friction * p.normal + p.tangential);
+  f.slack_left = static_cast<float>(g.friction * p.normal - p.tangential);
+  f.slack_right = static_cast<float>(g.friction * p.normal + p.tangential);
   f.repair_excess = static_cast<float>((b.shift_x - a.shift_x) * g.normal_x + (b.shift_y - a.shift_y) * g.normal_y +
                                        b.turn * g.lever_b_n - a.turn * g.lever_a_n - g.repair_target);
   f.repair_least = static_cast<float>(-p.repair);
 }
 
-/// `p` with what was added to it, `least` and `most` being what could be: a bound that is met is met exactly.
+/// `p` plus an addition. `least` and `most` are the bounds of the addition; where it reaches one, the result is exactly
+/// 0 or `cap`.
 GEM_HD inline double within_bounds(double p, float added, float least, float most, double cap) {
   if (added <= least) return 0.0;
   if (added >= most) return cap;
   return smaller(larger(p + static_cast<double>(added), 0.0), cap);
 }
 
-/// The base after the additions of a round; `least`, `most` and `repair_least` stand in the point's frame.
+/// The base after the additions of a round; `least`, `most` and `repair_least` are those of the point's frame.
 GEM_HD inline PointImpulse<double> with_additions(PointFriction law, const PointGeometry<double>& g,
                                                   const PointImpulse<double>& p, const PointImpulse<float>& added,
                                                   float least, float most, float repair_least) {

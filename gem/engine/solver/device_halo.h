@@ -1,25 +1,25 @@
-// What a block copies into its shared memory of a round: the bodies that its points meet, its halo, and the rows of
-// their records. It moves these bodies itself, whoever else does so too: where blocks reach each other by the memory of
-// all alone, it then waits in an iteration for the records that it needs, not twice for all blocks.
+// The halo of a block: all bodies that its points meet, copied to its shared memory with the rows of their records. The
+// block moves these bodies itself, even if other blocks move them too. This pays where blocks reach each other only
+// through global memory. An iteration then waits only for the records that the block needs, not for two grid barriers.
 #pragma once
 
 #include "gem/engine/solver/device_solver_list.h"
 
 namespace gem {
 
-/// Shares out a block's shared memory: what lasts from its end on, the rest is free.
+/// Allocates from the end of a block's shared memory. The rest stays free.
 class MemoryEnd {
  public:
   GEM_DEVICE MemoryEnd(std::byte* shared_memory, std::size_t bytes) : shared_memory_(shared_memory), left_(bytes) {}
 
-  /// Some that last, where holds() says that they are left.
+  /// Takes `count` elements. The caller has checked with holds() that they fit.
   template <class T>
   GEM_DEVICE T* take(std::int32_t count) {
     left_ = (left_ - count * sizeof(T)) / alignment * alignment;
     return reinterpret_cast<T*>(shared_memory_ + left_);
   }
-  GEM_DEVICE bool loads(std::size_t bytes) const { return bytes <= left_; }
-  /// Bytes for so many, at most.
+  GEM_DEVICE bool holds(std::size_t bytes) const { return bytes <= left_; }
+  /// Most bytes that `count` elements take.
   template <class T>
   GEM_DEVICE static std::size_t bytes_of(std::int32_t count) {
     return count * sizeof(T) + alignment;
@@ -34,16 +34,17 @@ class MemoryEnd {
 template <class Group>
 class SolverHalo {
  public:
-  GEM_DEVICE SolverHalo(const DeviceScene& s, Group& group, std::size_t shared_memory)
-      : s_(s), group_(group), end_(group.shared_memory(), shared_memory) {}
+  GEM_DEVICE SolverHalo(const DeviceScene& s, Group& group, std::size_t shared_bytes)
+      : s_(s), group_(group), end_(group.shared_memory(), shared_bytes) {}
 
-  /// Finds the bodies and their records, once all blocks have listed theirs and this one its points; says so where the
-  /// shared memory does not hold them: then no block of the thread group has a halo.
+  /// Finds the bodies of the halo and their records. Call it when all blocks have listed their bodies and this one its
+  /// points. If shared memory is too small for one block, no block has a halo in this time step.
   GEM_DEVICE void make() {
     if (!find() && group_.thread() == 0) group_.set_bit(&s_.counters->crowded, 1U);
   }
 
-  /// What was found is what the block moves, if all blocks have room; after a barrier of all.
+  /// Makes the halo the set of bodies that the block moves, if all blocks could make theirs. Call it after a grid
+  /// barrier.
   GEM_DEVICE void take_up() {
     if (s_.counters->crowded != 0) return;
     if (group_.thread() == 0) {
@@ -67,12 +68,12 @@ class SolverHalo {
     });
   }
 
-  /// Marks the entries that the points meet, so that each has one place, in their order: the platform is the first. The
-  /// marks stand where the records will.
+  /// Marks the entries that the points meet, to give each one index, in their order. The platform comes first. The
+  /// marks use the memory of the later records.
   GEM_DEVICE bool find() {
     const std::int32_t words = (group_.shared().workspace.bodies + 31) / 32;
     const std::size_t marks = (2 * words + 1) * sizeof(std::uint32_t);
-    if (!end_.loads(marks)) return false;
+    if (!end_.holds(marks)) return false;
     auto* const met = reinterpret_cast<std::uint32_t*>(group_.shared_memory());
     auto* const before = reinterpret_cast<std::int32_t*>(met + words);
     for (std::int32_t w = group_.thread(); w < words; w += group_.threads()) met[w] = 0;
@@ -84,7 +85,7 @@ class SolverHalo {
     group_.block_barrier();
     HaloWorkspace halo{};
     halo.bodies = before[words];
-    if (!end_.loads(marks + end_.bytes_of<SolverEntry>(halo.bodies) + end_.bytes_of<AddedMotion>(halo.bodies)))
+    if (!end_.holds(marks + end_.bytes_of<SolverEntry>(halo.bodies) + end_.bytes_of<AddedMotion>(halo.bodies)))
       return false;
     halo.entry = end_.take<SolverEntry>(halo.bodies);
     halo.motion = end_.take<AddedMotion>(halo.bodies);
@@ -100,25 +101,25 @@ class SolverHalo {
     return copy(halo);
   }
 
-  /// Copies the bodies, each from the entry whose number stands in its place, and lists where their records come from;
-  /// their rows follow each other from the start of the shared memory on.
+  /// Copies the entries of the halo; until then `rank` holds the index in the scene's list. Lists the source of each
+  /// record. The rows follow each other from the start of shared memory.
   GEM_DEVICE bool copy(HaloWorkspace halo) {
     for (std::int32_t k = group_.thread(); k < halo.bodies; k += group_.threads()) {
       SolverEntry entry = s_.solver_entry[halo.entry[k].rank];
-      entry.shared_memory = group_.add(&group_.shared().records, entry.count);
+      entry.shared_record = group_.add(&group_.shared().records, entry.count);
       halo.entry[k] = entry;
-      halo.motion[k] = {};  // nothing has been added to it
+      halo.motion[k] = {};  // no additions yet
     }
     group_.block_barrier();
     halo.records = group_.shared().records;
-    if (!end_.loads(end_.bytes_of<std::int32_t>(halo.records) + halo.records * sizeof(PushRecord))) return false;
+    if (!end_.holds(end_.bytes_of<std::int32_t>(halo.records) + halo.records * sizeof(PushRecord))) return false;
     halo.source = end_.take<std::int32_t>(halo.records);
     const auto lanes = group_.lanes();
     constexpr int size = Group::Lanes::size;
     for (std::int32_t k = group_.thread() / size; k < halo.bodies; k += group_.threads() / size) {
       const SolverEntry& entry = halo.entry[k];
       for (std::int32_t j = lanes.rank(); j < entry.count; j += size)
-        halo.source[entry.shared_memory + j] = entry.place + j;
+        halo.source[entry.shared_record + j] = entry.place + j;
     }
     if (group_.thread() == 0) group_.shared().workspace.halo = halo;
     group_.block_barrier();

@@ -1,12 +1,13 @@
-// A round of a block with a halo: the records that it waits for, and the motions that they come to. What a thread has
-// to do is the same in every iteration, so where that stands stays in its registers.
+// One iteration of a block with a halo: waits for the records of other blocks and adds them up to motions. The work of
+// a thread is the same in every iteration, so its addresses stay in registers.
 #pragma once
 
 #include "gem/engine/solver/device_moves.h"
 
 namespace gem {
 
-/// The records of the rows that a block copies, half by half, each always by the same thread.
+/// Copies the records of the halo bodies to shared memory. The unit of copying is half a record. A thread copies the
+/// same halves in every iteration.
 template <class Group>
 class HaloRecords {
  public:
@@ -21,7 +22,7 @@ class HaloRecords {
     for (int k = 0; k < kept; ++k) from_[k] = thread_ < halves_ ? from(thread_ + k * threads_) : 0;
   }
 
-  /// Brings those with this number, as soon as they are there.
+  /// Copies the records of iteration `number` as soon as they have been written.
   GEM_DEVICE GEM_INLINE void bring(std::uint32_t number) const {
     if (thread_ >= halves_) return;
     if (halves_ <= 2 * threads_)
@@ -37,18 +38,19 @@ class HaloRecords {
   }
 
  private:
-  /// Halves of a thread whose places stay in its registers.
+  /// Halves per thread whose addresses stay in registers.
   static constexpr int kept = 4;
   static constexpr int parts = 3;
 
-  /// Where a half stands; that of the thread's first in place of one beyond the last.
+  /// Index of a half in the scene's records. Beyond the last half it is the index of the thread's first, so that every
+  /// load is valid.
   GEM_DEVICE GEM_INLINE std::int32_t from(std::int32_t half) const {
     const std::int32_t k = half < halves_ ? half : thread_;
     return 2 * source_[k / 2] + k % 2;
   }
 
-  /// All are asked for together, and again as long as one is not there: a record that no point of the round writes
-  /// would be waited for without end.
+  /// Loads all halves together, and again until all have the right number. Each record must have a point that writes it
+  /// in this round: otherwise the wait does not end.
   template <int together>
   GEM_DEVICE GEM_INLINE void bring_some(std::uint32_t number, const std::int32_t* from, std::int32_t first) const {
     const NumberedHalf* const all = all_ + turn_ * static_cast<std::int32_t>(number % 2);
@@ -68,12 +70,12 @@ class HaloRecords {
   const NumberedHalf* all_;
   float* shared_memory_;
   const std::int32_t* source_;
-  std::int32_t turn_;  // halves from the records of one iteration to those of the next
+  std::int32_t turn_;  // halves between the records of two successive iterations
   std::int32_t halves_, thread_, threads_;
   std::int32_t from_[kept];
 };
 
-/// As SolverMoves, by rows that stand in the shared memory: a thread for each pair of a body's numbers.
+/// As SolverMoves, but from rows in shared memory. One thread adds up each pair of numbers of a body.
 template <class Group>
 class HaloMoves {
  public:
@@ -95,7 +97,7 @@ class HaloMoves {
   }
 
  private:
-  /// A pair of numbers of the records of a body, and where that of its motion stands.
+  /// One pair of numbers in the records of a body, and where the result goes.
   struct Row {
     const PushRecord* record;
     FloatPair* motion;
@@ -105,7 +107,7 @@ class HaloMoves {
   GEM_DEVICE GEM_INLINE Row row_of(std::int32_t k) const {
     const int pair = k % motion_pairs;
     const SolverEntry& entry = workspace_.moved_entry[k / motion_pairs];
-    return {reinterpret_cast<const PushRecord*>(group_.shared_memory()) + entry.shared_memory,
+    return {reinterpret_cast<const PushRecord*>(group_.shared_memory()) + entry.shared_record,
             &workspace_.motion[k / motion_pairs].pair[pair],
             pair,
             entry.as_b,

@@ -1,5 +1,6 @@
-// The points of a round: some in the registers of each thread, the others in the block's shared memory as far as it
-// holds them, the rest in the scene's; four numbers at a time so that neighbouring threads read neighbouring memory.
+// Memory of the points of a round. Some points are in registers, others in shared memory as far as they fit, the rest
+// in the scene's memory. A point is stored in columns of four numbers, so that neighbouring threads read neighbouring
+// memory.
 #pragma once
 
 #include "gem/engine/solver/coupled_visit.h"
@@ -14,7 +15,7 @@ struct LoadedPoint {
   LoadedPlace a, b;
 };
 
-/// A point in memory. What a visit changes stands in the first two columns.
+/// A point in memory. A visit changes only the first two columns.
 class LoadedCell {
  public:
   GEM_DEVICE GEM_INLINE LoadedCell(FloatQuad* quads, std::int32_t columns_apart)
@@ -30,7 +31,7 @@ class LoadedCell {
     loaded.frame.inverse_nn = e.part[2], loaded.frame.inverse_tt = e.part[3];
     loaded.frame.excess = f.part[0], loaded.frame.slip = f.part[1];
     loaded.frame.least = f.part[2], loaded.frame.most = f.part[3];
-    loaded.frame.bytes_left = g.part[0], loaded.frame.bytes_right = g.part[1];
+    loaded.frame.slack_left = g.part[0], loaded.frame.slack_right = g.part[1];
     loaded.frame.repair_excess = g.part[2], loaded.frame.repair_least = g.part[3];
     loaded.a = place(6);
     loaded.b = place(7);
@@ -42,7 +43,7 @@ class LoadedCell {
     quad(2) = {{f.normal_x, f.normal_y, f.lever_a_n, f.lever_a_t}};
     quad(3) = {{f.lever_b_n, f.lever_b_t, f.inverse_nn, f.inverse_tt}};
     quad(4) = {{f.excess, f.slip, f.least, f.most}};
-    quad(5) = {{f.bytes_left, f.bytes_right, f.repair_excess, f.repair_least}};
+    quad(5) = {{f.slack_left, f.slack_right, f.repair_excess, f.repair_least}};
   }
 
   GEM_DEVICE GEM_INLINE void load_additions(LoadedPoint& loaded) const {
@@ -61,14 +62,14 @@ class LoadedCell {
     place(6) = a;
     place(7) = b;
   }
-  /// Takes over all of another cell but its places.
+  /// Copies everything from another cell but the places of its bodies.
   GEM_DEVICE GEM_INLINE void copy_numbers(const LoadedCell& from) const {
     constexpr int columns = loaded_columns - 2;
     FloatQuad some[columns];
     for (int column = 0; column < columns; ++column) some[column] = from.quad(column);
     for (int column = 0; column < columns; ++column) quad(column) = some[column];
   }
-  /// Takes over what a visit changes.
+  /// Copies what a visit changes.
   GEM_DEVICE GEM_INLINE void copy_additions(const LoadedCell& from) const {
     quad(0) = from.quad(0);
     quad(1) = from.quad(1);
@@ -83,7 +84,7 @@ class LoadedCell {
   std::int32_t apart_;
 };
 
-/// All points of a block whose shared memory is `shared_memory`.
+/// The points of one block. `shared_memory`: the start of the block's shared memory.
 class LoadedTable {
  public:
   GEM_DEVICE GEM_INLINE LoadedTable(const DeviceScene& s, std::byte* shared_memory, const SolverWorkspace& workspace)
@@ -95,9 +96,9 @@ class LoadedTable {
 
   GEM_DEVICE GEM_INLINE LoadedCell operator[](std::int32_t i) const { return is_fast(i) ? fast(i) : at_rest(i); }
   GEM_DEVICE GEM_INLINE bool is_fast(std::int32_t i) const { return i >= fast_begin_ && i < fast_end_; }
-  /// Where a point stands that is_fast().
+  /// Point i in shared memory; requires is_fast(i).
   GEM_DEVICE GEM_INLINE LoadedCell fast(std::int32_t i) const { return {fast_ + i, fast_end_ - fast_begin_}; }
-  /// Where point i stands when no round runs.
+  /// Point i in the scene's memory, where it stays between rounds.
   GEM_DEVICE GEM_INLINE LoadedCell at_rest(std::int32_t i) const { return {all_ + i, capacity_}; }
 
  private:

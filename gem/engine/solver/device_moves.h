@@ -1,4 +1,4 @@
-// What the additions of a round move bodies by: each adds the records of its row, in their order.
+// The motions of bodies under the additions of a round: each body adds the records of its row in order.
 #pragma once
 
 #include "gem/engine/solver/device_solver_list.h"
@@ -8,8 +8,8 @@ namespace gem {
 template <class Group>
 class SolverMoves {
  public:
-  /// Motions by the additions of the round: as CoupledRounds::move(). The platform, first of all where it is among the
-  /// block's bodies, has a long row: the last warp is left to it.
+  /// As CoupledRounds::move(). The platform comes first among the block's bodies if it is one of them. It has a long
+  /// row, so the last warp does it alone.
   GEM_DEVICE GEM_INLINE static void move(const DeviceScene& s, Group& group, const SolverWorkspace& workspace) {
     constexpr int warp = Group::Warp::size;
     const bool alone = group.threads() <= warp;
@@ -23,9 +23,9 @@ class SolverMoves {
     FloatPair pair[pairs];
   };
 
-  /// What some pairs of numbers of a row come to, both parts in one go: a look at memory takes longer than the
-  /// additions of a short row. Zeros in place of the terms of the other part, and beyond the last, change no sum that
-  /// began with +0.
+  /// Sums some pairs of numbers of a row: the part as B less the part as A. One pass does both parts, because a load
+  /// from memory takes longer than the additions of a short row. Zeros replace the terms of the other part and those
+  /// beyond the last. They change no sum that began with +0.
   template <int pairs, int together>
   GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_at_once(const PushRecord* record, std::int32_t as_b_count,
                                                           std::int32_t count, int from) {
@@ -51,16 +51,16 @@ class SolverMoves {
     return to_b;
   }
 
-  /// A lane for each number of the platform's motion; its records are brought to the block's shared memory, if they do
-  /// not stand there. It has the lowest id: no record is one of a body B.
+  /// One lane adds up each number of the platform's motion. The records are copied to shared memory first if they are
+  /// not there and fit. The platform has the lowest id, so it is always body A.
   GEM_DEVICE GEM_INLINE static void move_platform(const DeviceScene& s, Group& group,
                                                   const SolverWorkspace& workspace) {
     const auto warp = group.warp();
     const SolverEntry entry = workspace.moved_entry[workspace.moved.begin];
     const auto* record = reinterpret_cast<const float*>(s.push + entry.place);
     auto* const shared_memory = reinterpret_cast<float*>(group.shared_memory());
-    if ((Group::reads_other_blocks || Group::has_halos) && entry.shared_memory >= 0) {
-      record = shared_memory + parts * entry.shared_memory;
+    if ((Group::reads_other_blocks || Group::has_halos) && entry.shared_record >= 0) {
+      record = shared_memory + parts * entry.shared_record;
     } else if (!Group::reads_other_blocks &&
                static_cast<std::size_t>(entry.count) * sizeof(PushRecord) <= workspace.stage_bytes) {
       bring(warp, reinterpret_cast<FloatPair*>(shared_memory), s.push + entry.place, entry.count);
@@ -79,7 +79,7 @@ class SolverMoves {
   /// Numbers of a record or a motion.
   static constexpr int parts = 2 * motion_pairs;
 
-  /// A body has a thread for each pair of its numbers, where there are as many threads; otherwise one.
+  /// One thread for each pair of numbers of a body if there are enough threads, else one thread for each body.
   GEM_DEVICE GEM_INLINE static void move_floes(const DeviceScene& s, Group& group, const SolverWorkspace& workspace,
                                                int threads) {
     const std::int32_t floes = workspace.moved.count() - (workspace.platform ? 1 : 0);
@@ -99,8 +99,8 @@ class SolverMoves {
     for (std::int32_t k = first + group.thread(); k < end; k += threads) {
       const int from = pairs * (k % of_body);
       const SolverEntry entry = workspace.moved_entry[k / of_body];
-      const PairsOf<pairs> sum = Group::reads_other_blocks && entry.shared_memory >= 0
-                                     ? sum_of<pairs>(shared_memory + entry.shared_memory, entry, from)
+      const PairsOf<pairs> sum = Group::reads_other_blocks && entry.shared_record >= 0
+                                     ? sum_of<pairs>(shared_memory + entry.shared_record, entry, from)
                                      : sum_of<pairs>(s.push + entry.place, entry, from);
       const std::int32_t e = workspace.in_order ? entry.rank : k / of_body;
       AddedMotion& motion = workspace.motion ? workspace.motion[e] : s.added[entry.body];
@@ -111,7 +111,7 @@ class SolverMoves {
     }
   }
 
-  /// What the records of a body come to: those that it has as B, less those that it has as A.
+  /// The sum of a body's records as B less that of its records as A.
   template <int pairs>
   GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_of(const PushRecord* record, const SolverEntry& entry, int from) {
     if constexpr (Group::has_halos) {
@@ -125,8 +125,8 @@ class SolverMoves {
     }
   }
 
-  /// A few are fetched together before they are added in their order. Beyond the last there are zeros instead: no
-  /// thread waits for its neighbours, and a sum that began with +0 is not changed by them.
+  /// Loads a few records together, then adds them in order. Zeros stand beyond the last: the threads of a warp do not
+  /// diverge, and zeros change no sum that began with +0.
   template <int pairs>
   GEM_DEVICE GEM_INLINE static PairsOf<pairs> sum_of(const PushRecord* record, std::int32_t begin, std::int32_t end,
                                                      int from) {
@@ -145,7 +145,7 @@ class SolverMoves {
     return sum;
   }
 
-  /// Brings a row to the shared memory.
+  /// Copies a row to shared memory.
   template <class Warp>
   GEM_DEVICE GEM_INLINE static void bring(const Warp& warp, FloatPair* to, const PushRecord* row,
                                           std::int32_t records) {
@@ -161,8 +161,8 @@ class SolverMoves {
     }
   }
 
-  /// A long row: some numbers are fetched together before they are added in their order. Zeros beyond the last change
-  /// no sum that began with +0.
+  /// Sums one number over a long row. Some are loaded together, then added in order. Zeros beyond the last change no
+  /// sum that began with +0.
   GEM_DEVICE GEM_INLINE static float sum_of_part(const float* record, std::int32_t count) {
     constexpr int together = 8;
     float sum = 0.0F;

@@ -1,4 +1,5 @@
-// The contact points of a coupled time step: opened where a pair touches, and what they carried from step to step.
+// The contact points of a coupled time step: opened where a pair touches, with the impulses that they had one time step
+// ago.
 #pragma once
 
 #include "gem/engine/device/list.h"
@@ -6,7 +7,7 @@
 
 namespace gem {
 
-/// Marks a moving body as one with points.
+/// Marks a moving body as one with points; fixed bodies are ignored.
 template <class Group>
 GEM_DEVICE inline void mark_touched(const DeviceScene& s, Group& group, std::int32_t body, double inverse_mass) {
   if (!(inverse_mass > 0.0)) return;
@@ -15,7 +16,7 @@ GEM_DEVICE inline void mark_touched(const DeviceScene& s, Group& group, std::int
   group.set_bit(&s.touched_sorted[sorted_place / 32], 1U << (sorted_place % 32));
 }
 
-/// Gives the points of a contact their cells and shows them to the rows of both bodies.
+/// Fills the cells of a contact's points and enters the points in the rows of both bodies.
 template <class Group>
 GEM_DEVICE inline void open_points(const DeviceScene& s, Group& group, const PairCell& pair,
                                    const TouchingPair& touching, std::int32_t step) {
@@ -36,7 +37,7 @@ GEM_DEVICE inline void open_points(const DeviceScene& s, Group& group, const Pai
   mark_touched(s, group, pair.b, s.body[pair.b].inverse_mass);
 }
 
-/// What the point carried one time step ago; nothing, where it did not touch then.
+/// The impulse of the point one time step ago; zero if it did not exist then.
 GEM_DEVICE inline PointImpulse<double> last_impulse(const PairMemory& memory, std::int32_t feature, std::int32_t step) {
   if (memory.step != step - 1) return {0.0, 0.0, 0.0};
   for (int k = 0; k < 2; ++k)
@@ -47,7 +48,7 @@ GEM_DEVICE inline PointImpulse<double> last_impulse(const PairMemory& memory, st
   return {0.0, 0.0, 0.0};
 }
 
-/// Keeps what point `slot` of a contact carries for the next time step.
+/// Keeps the impulse of point `slot` of a contact for the next time step.
 GEM_DEVICE inline void remember(PairMemory& memory, const Contact& contact, std::int32_t slot,
                                 const PointImpulse<double>& impulse, std::int32_t step) {
   memory.feature[slot] = contact.slot[slot].feature;
@@ -59,7 +60,7 @@ GEM_DEVICE inline void remember(PairMemory& memory, const Contact& contact, std:
   if (contact.count < 2) memory.feature[1] = -1;
 }
 
-/// Takes the memory of a pair that touched in the last time step out of the list.
+/// Copies the memory of a pair that touched in the last time step to DeviceScene::carried.
 template <class Group>
 GEM_DEVICE inline void carry_pair(const DeviceScene& s, Group& group, const PairCell& pair, const PairMemory& memory) {
   CarriedMemory& carried = s.carried[group.add(&s.status->carried, 1)];
@@ -72,7 +73,7 @@ GEM_DEVICE inline void carry_pair(const DeviceScene& s, Group& group, const Pair
   }
 }
 
-/// Takes the memory of the last time step's contacts out of the list, before the list or the call ends.
+/// Copies the memory of the last time step's contacts to DeviceScene::carried, before the list or the call ends.
 template <class Group>
 GEM_DEVICE inline void carry_memory(const DeviceScene& s, Group& group, const Workspace& workspace) {
   if (rank_of(group) == 0) s.status->carried = 0;
@@ -83,7 +84,7 @@ GEM_DEVICE inline void carry_memory(const DeviceScene& s, Group& group, const Wo
   }
 }
 
-/// Hands the memory of the time step before `step` to the pairs of a new list.
+/// Copies the carried memory of time step `step` - 1 to the pairs of a new list.
 template <class Group>
 GEM_DEVICE inline void hand_out_memory(const DeviceScene& s, Group& group, std::int32_t step) {
   for (std::int32_t k = rank_of(group); k < s.status->carried; k += size_of(group)) {

@@ -1,4 +1,4 @@
-// What the contact points of a coupled time step are made of.
+// Records for the contact points of coupled time steps.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace gem {
 
-/// Coupled: the points of a contact, as a place of a row sees them.
+/// The points of a contact, as an entry of a row refers to them.
 struct RowPoints {
   std::int32_t first = 0, count = 0;
 };
 
-/// Coupled: what the points of a pair carried at the end of a time step.
+/// The impulses of a pair's points at the end of a time step.
 struct PairMemory {
   static constexpr std::int32_t never = -2;  // the time step before the first is -1
   std::int32_t step = never;
@@ -21,50 +21,51 @@ struct PairMemory {
   PointImpulse<double> impulse[2] = {};
 };
 
-/// The same on its way to another list or to the host.
+/// A PairMemory on its way to another list or to the host.
 struct CarriedMemory {
   std::int32_t a = 0, b = 0;
   std::int32_t feature[2] = {-1, -1};
   PointImpulse<double> impulse[2] = {};
 };
 
-/// Coupled: where a contact point finds one of its bodies.
+/// Where a contact point finds the data of one of its bodies.
 struct alignas(16) PointSide {
   std::int32_t body = 0;
-  std::int32_t place = -1;          // its place among the records of the body; -1: a fixed body has none
-  std::int32_t shared_memory = -1;  // the same in the shared memory of a block; -1: it does not stand there
-  std::int32_t motion = -1;         // and where the motion of the body stands there; or its entry, see device_halo.h
+  std::int32_t place = -1;          // index of its record; -1: a fixed body has none
+  std::int32_t shared_record = -1;  // index of its record in the shared memory of a block; -1: not there
+  std::int32_t motion = -1;         // index of the motion there; with halos: of the entry, then of the halo's motion
 };
 
-/// Coupled: where a contact point belongs.
+/// A contact point: its bodies, its pair and its slot in the contact.
 struct alignas(16) PointCell {
   PointSide a, b;
   std::int32_t pair = 0, slot = 0;
 };
 
-/// Points that the block of a body takes from its row.
+/// Points in the row of a body that its block iterates.
 struct TakenPoints {
-  std::int32_t first = 0, count = 0;  // the first among those of the block
+  std::int32_t first = 0, count = 0;  // `first`: index among the points of the block
 };
 
-/// Numbers that are fetched together.
+/// Four numbers that are loaded together.
 struct alignas(16) FloatQuad {
   float part[4];
 };
 
-/// The same; three of them side by side, as many neighbouring threads read, fall on different banks of shared memory.
+/// Two numbers that are loaded together. Three pairs side by side, as neighbouring threads read them, fall on different
+/// banks of shared memory.
 struct alignas(8) FloatPair {
   float part[2];
 };
 constexpr int motion_pairs = 3;
 
-/// What a point gives to one body in a round: x, y; shift x, y; twist, turn.
+/// What a point pushes one body by in a round: impulse x, y; shift x, y; twist, turn.
 struct PushRecord {
   FloatPair pair[motion_pairs];
 };
 
-/// Half of such a record with the number of the iteration that wrote it: blocks that do not wait for each other read it
-/// until the number is that of theirs. It is written and read whole.
+/// Half of a PushRecord with the number of the iteration that wrote it. Blocks that do not meet read it until it has
+/// the number they wait for. It is written and read as a whole.
 struct alignas(16) NumberedHalf {
   float part[3];
   std::uint32_t number;
@@ -73,52 +74,52 @@ struct NumberedPush {
   NumberedHalf half[2];  // x, y, shift x; shift y, twist, turn
 };
 
-/// The same by the base's impulses; part 7 as device_settle.h says.
+/// What a point pushes one body by with its base impulse: impulse x, y; shift x, y; twist, turn. Part 7: solved_work.
 struct alignas(64) PushBase {
   double part[8];
 };
 
 static_assert(2 * sizeof(NumberedPush) == sizeof(PushBase));
 
-/// What the additions of a round move a body by: x, y; shift x, y; spin, turn.
+/// The motion of a body under the additions of a round: velocity x, y; shift x, y; spin, turn.
 struct AddedMotion {
   FloatPair pair[motion_pairs];
 };
 
-/// Where a point finds one of its bodies in a round.
+/// Where a point reads the motion of one of its bodies in a round and writes its record.
 struct alignas(16) LoadedPlace {
   const AddedMotion* motion;
   PushRecord* record;  // null: a fixed body
 };
 
-/// What a point is made of while a round runs: columns of four numbers, the last two those of its places.
+/// Columns of four numbers of a point while a round runs; the last two hold its two LoadedPlace.
 constexpr int loaded_columns = 8;
 constexpr std::size_t loaded_bytes = loaded_columns * sizeof(FloatQuad);
 static_assert(sizeof(LoadedPlace) == sizeof(FloatQuad));
 
-/// Velocities and shifts of a body under the base's impulses, in the order of PushBase.
+/// Velocity and shift of a body under the base impulses, in the order of PushBase.
 struct alignas(64) SolvedMotion {
   double part[8];
 };
 
-/// Points of a body, good for one time step.
+/// Number of points of a body, valid in time step `step` only.
 struct BodyPoints {
   std::int32_t step = -1, count = 0;
 };
 
-/// A moving body with points; its records stand in a row, those of the points that have it as B first.
+/// A moving body with points. Its records stand in a row; those of points that have it as B come first.
 struct alignas(16) SolverEntry {
   std::int32_t body = 0;
-  std::int32_t place = 0;            // of its first record
-  std::int32_t shared_memory = -1;   // the same in the block's shared memory; -1: it does not stand there
+  std::int32_t place = 0;            // index of its first record
+  std::int32_t shared_record = -1;   // index of its first record in shared memory; -1: not there
   std::int32_t as_b = 0, count = 0;  // records
   float inverse_mass = 0.0F, inverse_inertia = 0.0F;
-  std::int32_t rank =
-      0;  // among those bodies, by id; in a list in the order of its rows: place among them, by sorted place
+  // by id among the moving bodies with points; in a list sorted by row length: index in sorted order
+  std::int32_t rank = 0;
 };
 
-/// Coupled: geometry of all points and what the base has of them, number by number so that neighbouring threads read
-/// neighbouring memory.
+/// Geometry and base impulses of all points, a column for each number, so that neighbouring threads read neighbouring
+/// memory.
 class PointTable {
  public:
   static constexpr int columns = 16;

@@ -1,5 +1,5 @@
-// Rounds of iterations on a device: as CoupledRounds, each point by the thread that holds it, each floe
-// by one or three, the platform by a warp.
+// The rounds of iterations of a coupled time step on a device: the same as CoupledRounds on the host. One thread visits
+// each point. One thread or three move each floe. One warp moves the platform.
 #pragma once
 
 #include <cstring>
@@ -10,7 +10,7 @@
 
 namespace gem {
 
-/// Bits of a number that is not negative: they have its order.
+/// The bits of a number that is not negative. They compare as the number does, so an integer maximum serves.
 GEM_DEVICE inline std::uint32_t ordered_bits(float x) {
   std::uint32_t bits;
   std::memcpy(&bits, &x, sizeof bits);
@@ -26,7 +26,7 @@ GEM_DEVICE inline float from_ordered_bits(std::uint32_t bits) {
 template <class Group>
 class SolverRounds {
  public:
-  /// All rounds of a time step, by blocks with halos.
+  /// All rounds of a time step in one launch, by blocks with halos.
   GEM_DEVICE static void iterate(const DeviceScene& s, Group& group) {
     static_assert(Group::has_halos);
     Progress progress = beginning(s);
@@ -35,7 +35,8 @@ class SolverRounds {
     finish(s, group, progress, done);
   }
 
-  /// The same in three launches. Before the first round: points at rest.
+  /// The rounds in three launches: prepare(), run_first(), run_rest(). This is the first: it writes the points to the
+  /// scene's memory for the first round.
   GEM_DEVICE static void prepare(const DeviceScene& s, Group& group) {
     const LoadedTable table(s, group.shared_memory(), group.shared().workspace);
     each_point(group, [&](std::int32_t i) {
@@ -44,7 +45,7 @@ class SolverRounds {
       table[i].save_numbers(loaded);
     });
   }
-  /// The first round, mostly the only one.
+  /// The second launch: the first round, usually the only one.
   GEM_DEVICE static void run_first(const DeviceScene& s, Group& group) {
     SolverList<Group>(s, group, 0, group.shared_bytes()).take_up();
     const LoadedTable table(s, group.shared_memory(), group.shared().workspace);
@@ -53,7 +54,7 @@ class SolverRounds {
       const PointCell& point = s.taken_point[i];
       table[i].set_places(Visits::place_of(s, group, point.a), Visits::place_of(s, group, point.b));
     });
-    group.barrier();  // no block's shared memory is made ready after another has written to it
+    group.barrier();  // another block must not write to shared memory before its owner has cleared it
     Progress progress = beginning(s);
     const bool done = run_round_by_law(s, group, progress, true);
     each_point(group, [&](std::int32_t i) {
@@ -61,7 +62,8 @@ class SolverRounds {
     });
     if (rank_of(group) == 0) *s.progress = {progress, done};
   }
-  /// What is left, by blocks that need no shared memory: another round is rare, the residual has to be asked for that.
+  /// The third launch: the end of the first round, and further rounds if any. They are rare (only a tight residual
+  /// needs them), so these blocks use no shared memory.
   GEM_DEVICE static void run_rest(const DeviceScene& s, Group& group) {
     static_assert(!Group::reads_other_blocks);
     SolverList<Group>(s, group, 0, group.shared_bytes()).take_up();
@@ -78,11 +80,11 @@ class SolverRounds {
             0};
   }
 
-  /// The end of a round, and the rounds that follow where it was not the last.
+  /// Ends a round, then runs further rounds until one was the last.
   GEM_DEVICE static void finish(const DeviceScene& s, Group& group, Progress& progress, bool done) {
     SolverBase<Group> base(s, group);
     for (;;) {
-      each_point(group, [&](std::int32_t i) { Visits::store_platform(s, group, i); });
+      each_point(group, [&](std::int32_t i) { Visits::add_to_base(s, group, i); });
       group.barrier();
       base.settle();
       group.barrier();
@@ -97,7 +99,7 @@ class SolverRounds {
     }
   }
 
-  /// For kernels that do more than iterate: a function of its own, which keeps their code small.
+  /// For kernels that do more than iterate: not inlined, to keep their code small.
   GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Group& group, Progress& progress, bool fresh) {
     return run_round_by_law(s, group, progress, fresh);
   }
@@ -123,17 +125,17 @@ class SolverRounds {
   GEM_DEVICE GEM_INLINE static void load_asked(const Group& group, std::uint32_t* asked, std::uint32_t most,
                                                Progress& progress) {
     progress.residual = from_ordered_bits(most);
-    // the place after the next: others may write to the next one already
+    // other threads may write to the next place already, so the one after it is cleared
     if (rank_of(group) == 0) asked[(progress.turn + 2) % 3] = 0;
     progress.turn = (progress.turn + 1) % 3;
   }
 
-  /// Makes the iterations of one round, which no point has begun where `fresh`; returns whether it was the last.
+  /// Runs the iterations of one round. `fresh`: no point has pushed yet. Returns whether the round was the last.
   template <PointFriction law>
   GEM_DEVICE GEM_INLINE static bool run_round_of(const DeviceScene& s, Group& outer, Progress& state, bool fresh) {
     if constexpr (Group::has_halos)
       if (outer.shared().workspace.has_halo) return run_halo_round_of<law>(s, outer, state, fresh);
-    Group group = outer;  // for each thread in its registers
+    Group group = outer;  // a copy in registers
     Progress progress = state;
     const SolverWorkspace& workspace = group.shared().workspace;
     std::uint32_t* const asked = s.counters->asked;
@@ -162,12 +164,14 @@ class SolverRounds {
     return next == IterationControl::Next::end;
   }
 
-  /// The same by blocks with halos. They meet at the beginning, at the end and where all have to know what the points
-  /// ask for; else each waits only for the records that it needs. Meanwhile none of these is written over: who writes
-  /// the next but one has read the next of all that read this one.
+  /// run_round_of() by blocks with halos. The blocks meet at the start, at the end and where all need the residual.
+  /// Otherwise a block waits only for the records that it needs.
+  /// No record is overwritten too early. Records of two successive iterations have separate places. A block writes the
+  /// records of iteration n + 2 only after it has read those of n + 1. Their writers had by then read all records of n
+  /// that they need.
   template <PointFriction law>
   GEM_DEVICE GEM_INLINE static bool run_halo_round_of(const DeviceScene& s, Group& outer, Progress& state, bool fresh) {
-    Group group = outer;  // for each thread in its registers
+    Group group = outer;  // a copy in registers
     Progress progress = state;
     const SolverWorkspace& workspace = group.shared().workspace;
     const HaloRecords<Group> records(s, group, workspace);
@@ -185,22 +189,24 @@ class SolverRounds {
     auto next = IterationControl::Next::iteration;
     for (; next == IterationControl::Next::iteration; fresh = false) {
       const float momentum_coefficient = progress.control.momentum_coefficient();
-      // so is the first of all, in which all blocks have to meet
+      // the first iteration of all is judged too: all blocks have to meet in it
       const bool judged = progress.control.judged();
       ++number;
       if (judged) {
         note_asked(group, &group.shared().asked,
                    Visits::template visit_all<law, true>(s, group, workspace, own, momentum_coefficient, number));
         group.arrive_asking(asked + progress.turn);
-        if (fresh) group.wait_for_asked(asked + progress.turn);  // until all blocks have cleared the numbers
+        if (fresh)
+          group.wait_for_asked(asked + progress.turn);  // until all blocks have cleared the numbers of their records
       } else {
         Visits::template visit_all<law, false>(s, group, workspace, own, momentum_coefficient, number);
       }
-      // as in arriving: looks of threads without points would be in the way of what the others write
+      // arrive_asking() has this barrier too. Threads without points would otherwise poll memory and slow down the
+      // writers.
       if (!judged) group.block_barrier();
       records.bring(number);
       group.block_barrier();
-      moves.move();  // whatever all ask for: after the last iteration nobody looks at it
+      moves.move();  // done before the residual is known; after the last iteration the motions are not used
       if (judged && !fresh)
         group.wait_for_asked(asked + progress.turn);
       else
@@ -208,7 +214,7 @@ class SolverRounds {
       if (judged) load_asked(group, asked, group.shared().asked_by_all, progress);
       next = progress.control.after(progress.residual);
     }
-    group.barrier();  // no block reads records of this round any more
+    group.barrier();  // all blocks have read the records of this round
     Visits::save(s, group, workspace, own);
     state = progress;
     return next == IterationControl::Next::end;

@@ -1,5 +1,5 @@
 // The base of the iterations of a coupled time step, in double precision: impulses, the motions that they give, and the
-// share of them that leaves the least energy.
+// fraction of the impulses that leaves the least energy.
 #pragma once
 
 #include "gem/engine/solver/device_solver_list.h"
@@ -7,10 +7,11 @@
 
 namespace gem {
 
-constexpr int solved_work =
-    7;  // part of a PushBase: work of a contact that stands with this body, at the time step's end
+/// Part of a PushBase that holds the work of its point at the end of the time step, where the point's work is booked
+/// with this body [J].
+constexpr int solved_work = 7;
 
-/// Enters the base's impulses of a point, and what they give to both bodies.
+/// Sets the base impulse of a point, and writes what it gives to both bodies.
 GEM_DEVICE inline void write_base(const DeviceScene& s, std::int32_t i, const PointCell& point,
                                   const PointGeometry<double>& g, const PointImpulse<double>& p) {
   s.points.set(i, p);
@@ -28,7 +29,7 @@ class SolverBase {
  public:
   GEM_DEVICE SolverBase(const DeviceScene& s, Group& group) : s_(s), group_(group) {}
 
-  /// Velocities that the base's impulses give, and what they do to the energy.
+  /// Computes the velocities and shifts of the block's bodies under the base impulses, and the work on each body.
   GEM_DEVICE void settle() {
     const auto lanes = group_.lanes();
     constexpr int size = Group::Lanes::size, each = 8 / size, together = 4;
@@ -37,7 +38,7 @@ class SolverBase {
       const SolverEntry& entry = workspace().entry[e];
       const std::int32_t body = entry.body, as_b = entry.as_b, count = entry.count;
       const PushBase* const record = s_.push_base + entry.place;
-      // asked for before the records are added up: each waits for memory
+      // loaded before the sum to hide the latency of memory
       const BodyCell& cell = s_.body[body];
       const double inverse_mass = cell.inverse_mass, inverse_inertia = cell.inverse_inertia, spin_before = cell.spin;
       const Vec2 before = cell.velocity;
@@ -71,7 +72,7 @@ class SolverBase {
     }
   }
 
-  /// As CoupledSolver::keep_best_share().
+  /// As CoupledSolver::keep_best_share(): scales the base impulses if the best fraction is below `limit`.
   GEM_DEVICE void keep_best_share(double limit) {
     const Sums work = ordered_sums<2>(s_.given, s_.answered, workspace().bodies);
     const double share = best_share({work.first, work.second});
@@ -87,7 +88,7 @@ class SolverBase {
     group_.barrier();
   }
 
-  /// Work of the contacts of each body, then of all: positive, where the events gave energy.
+  /// Sums the work of the contacts for each body, then over all. Positive: the events created energy [J].
   GEM_DEVICE void add_work_created() {
     group_.barrier();
     for (std::int32_t e = workspace().own.begin + group_.thread(); e < workspace().own.end; e += group_.threads()) {
@@ -112,24 +113,24 @@ class SolverBase {
  private:
   GEM_DEVICE const SolverWorkspace& workspace() const { return group_.shared().workspace; }
 
-  /// Groups of terms that the same lanes add: asked for together, as each waits for memory.
+  /// Groups of terms that a group of lanes adds in one pass, loaded together to hide the latency of memory.
   static constexpr int groups_together = Group::kept_points > 1 ? 4 : 1;  // as many as there are registers for
   static constexpr int lane_count = Group::Lanes::size, fours = sum_width / 4 / lane_count;
 
-  /// Fours of neighbouring terms that a lane adds first.
+  /// Groups of four neighbouring terms that one lane adds first.
   struct LaneTerms {
     double four[fours][4];
   };
-  GEM_DEVICE LaneTerms lane_terms(const double* lane_group, std::int32_t count) const {
+  GEM_DEVICE LaneTerms lane_terms(const double* from, std::int32_t count) const {
     LaneTerms terms;
     for (int j = 0; j < fours; ++j)
       for (int c = 0; c < 4; ++c) {
         const int at = 4 * (group_.lanes().rank() + j * lane_count) + c;
-        terms.four[j][c] = at < count ? lane_group[at] : 0.0;
+        terms.four[j][c] = at < count ? from[at] : 0.0;
       }
     return terms;
   }
-  /// As sum_of_eight(): the sums of four have distances 4, 2 and 1.
+  /// As sum_of_eight(): adds sums of four at distances 4, 2 and 1.
   GEM_DEVICE double sum_by_lanes(const LaneTerms& terms) const {
     double sum[fours];
     for (int j = 0; j < fours; ++j) sum[j] = sum_of_four(terms.four[j]);
@@ -141,7 +142,7 @@ class SolverBase {
     return sum[0];
   }
 
-  /// ordered_sum() of `kinds` lists of `count` terms each, one or two; every block works it out for itself.
+  /// ordered_sum() of `kinds` lists (1 or 2) of `count` terms each. Every block computes it for itself.
   struct Sums {
     double first, second;
   };

@@ -1,17 +1,17 @@
-// The iterations of a coupled time step on a device: the algorithm of coupled_solver.cpp, by one thread group.
+// The iterations of a coupled time step on a device, by one thread group. The algorithm is that of coupled_solver.cpp.
 //
-// | step, a barrier after each | by points                                     | by bodies                       |
-// | list                       |                                               | entry, rows, places of points   |
-// | begin                      | geometry, last impulses, pushes of the base   |                                 |
-// | settle                     |                                               | velocities under the base       |
-// | round                      | frame at the base, pushes                     |                                 |
-// | move                       |                                               | motion by the additions         |
-// | visit                      | next additions, pushes, residual              |                                 |
-// | end of a round             | additions into the base, pushes of the base   |                                 |
+// | step, a barrier after each | by points                                    | by bodies                     |
+// |----------------------------|----------------------------------------------|-------------------------------|
+// | list                       |                                              | entries, rows, records        |
+// | begin                      | geometry, last impulses, pushes of the base  |                               |
+// | settle                     |                                              | velocities under the base     |
+// | start of a round           | frame at the base, pushes                    |                               |
+// | move                       |                                              | motions under the additions   |
+// | visit                      | next additions, pushes, residual             |                               |
+// | end of a round             | additions enter the base, pushes of the base |                               |
 //
-// The list is made by device_solver_list.h, the base kept by device_settle.h, the rounds are those of device_rounds.h.
-// Blocks with halos (device_halo.h) have no barrier after a move, and after a visit only where the residual is looked
-// at.
+// device_solver_list.h makes the list, device_settle.h keeps the base, device_rounds.h runs the rounds. Blocks with
+// halos (device_halo.h) have no barrier after a move. After a visit they have one only where the residual is judged.
 #pragma once
 
 #include "gem/engine/solver/device_halo.h"
@@ -23,26 +23,27 @@ namespace gem {
 template <class Group>
 class StepSolver {
  public:
-  /// `shared_memory`: bytes of shared memory of each block that the solver may use, from the start.
-  GEM_DEVICE StepSolver(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_memory)
-      : s_(s), group_(group), shared_memory_(shared_memory), step_(step) {}
+  /// `shared_bytes`: size of the part of each block's shared memory that the solver may use; it begins at the start.
+  GEM_DEVICE StepSolver(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_bytes)
+      : s_(s), group_(group), shared_bytes_(shared_bytes), step_(step) {}
 
-  /// All of it, by blocks with halos.
+  /// Solves the time step in one launch, by blocks with halos.
   GEM_DEVICE void solve() {
-    SolverList<Group>(s_, group_, step_, shared_memory_).make();
+    SolverList<Group>(s_, group_, step_, shared_bytes_).make();
     begin_points();
-    SolverHalo<Group>(s_, group_, shared_memory_).take_up();
+    SolverHalo<Group>(s_, group_, shared_bytes_).take_up();
     SolverRounds<Group>::iterate(s_, group_);
     end();
   }
 
-  /// Before the iterations in a launch that follows, by as many blocks with `shared_memory`.
-  GEM_DEVICE void begin_coefficients() {
-    SolverList<Group>(s_, group_, step_, shared_memory_).make_coefficients();
+  /// Everything before the iterations. They follow in a launch with the same number of blocks, each with `shared_bytes`
+  /// of shared memory.
+  GEM_DEVICE void begin_ahead() {
+    SolverList<Group>(s_, group_, step_, shared_bytes_).make_ahead();
     begin_points();
   }
 
-  /// After the iterations.
+  /// Everything after the iterations.
   GEM_DEVICE void end() {
     SolverBase<Group> base(s_, group_);
     base.keep_best_share(0.5);
@@ -51,13 +52,13 @@ class StepSolver {
   }
 
  private:
-  /// A base of what the points carried a time step ago.
+  /// Sets the base to the impulses of the same points one time step ago.
   GEM_DEVICE void begin_points() {
     SolverBase<Group> base(s_, group_);
     group_.barrier();
     each_point(group_, [&](std::int32_t i) { begin_point(i); });
     clear_marks();
-    if constexpr (Group::has_halos) SolverHalo<Group>(s_, group_, shared_memory_).make();
+    if constexpr (Group::has_halos) SolverHalo<Group>(s_, group_, shared_bytes_).make();
     group_.barrier();
     base.settle();
     group_.barrier();
@@ -99,7 +100,7 @@ class StepSolver {
     write_base(s_, i, point, geometry, last);
   }
 
-  /// Hands the impulses back to the contact.
+  /// Writes the impulse of a point to its contact.
   GEM_DEVICE void hand_back(std::int32_t i) {
     const PointCell point = s_.taken_point[i];
     Contact& contact = s_.contact[point.pair];
@@ -134,11 +135,11 @@ class StepSolver {
 
   const DeviceScene& s_;
   Group& group_;
-  std::size_t shared_memory_;
+  std::size_t shared_bytes_;
   std::int32_t step_;
 };
 
-/// Resolves a coupled time step between the phases of a thread group.
+/// Solves a coupled time step, between the pairs phase and the bodies phase.
 template <class Group>
 GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Group& group, const Workspace& workspace,
                                        std::int32_t step) {

@@ -1,16 +1,15 @@
-// The bodies and points of a coupled time step, shared out among the blocks of a thread group: who iterates what, and
-// where its numbers stand.
+// Assigns the bodies and points of a coupled time step to the blocks of a thread group, and lays out their numbers.
 //
-// A point writes what it pushes into the rows of both bodies, in the order in which they add it up, so that no thread
-// looks for anything while the iterations run. Where the blocks of a thread group reach each other's shared memory, the
-// rows stand there as far as it holds them.
+// Each point writes a record for each of its two bodies: what it pushes the body by. The records of a body form a row,
+// in the order in which they are added up. So no thread searches while the iterations run. Where blocks reach each
+// other's shared memory, the rows stand there as far as they fit.
 #pragma once
 
 #include "gem/engine/solver/device_points.h"
 
 namespace gem {
 
-/// Calls work(point) for the points of this thread.
+/// Calls work(i) for the points of this thread.
 template <class Group, class Work>
 GEM_DEVICE GEM_INLINE void each_point(Group& group, Work&& work) {
   const SolverWorkspace& workspace = group.shared().workspace;
@@ -18,14 +17,14 @@ GEM_DEVICE GEM_INLINE void each_point(Group& group, Work&& work) {
     work(i);
 }
 
-/// Counts the bits before each of some words, and in all, by a warp.
+/// Writes to before[w] the number of set bits in the words below w, and to before[words] that of all. Work of one warp.
 template <class Warp>
 GEM_DEVICE inline void count_marks(const Warp& warp, const std::uint32_t* marks, std::int32_t* before,
                                    std::int32_t words) {
   constexpr int size = Warp::size, together = 4;
   std::int32_t sum = 0;
   for (std::int32_t first = warp.rank(); first - warp.rank() < words; first += together * size) {
-    int mine[together];  // asked for together: each waits for memory
+    int mine[together];  // loaded together to hide the latency of memory
     for (int k = 0; k < together; ++k) mine[k] = first + k * size < words ? bits_in(marks[first + k * size]) : 0;
     for (int k = 0; k < together; ++k) {
       const int below = warp.sum_below(mine[k]);
@@ -39,29 +38,31 @@ GEM_DEVICE inline void count_marks(const Warp& warp, const std::uint32_t* marks,
 template <class Group>
 class SolverList {
  public:
-  /// `shared_memory`: bytes of shared memory of each block that the solver may use, from the start.
-  GEM_DEVICE SolverList(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_memory)
-      : s_(s), group_(group), step_(step), shared_memory_(shared_memory) {}
+  /// `shared_bytes`: size of the part of each block's shared memory that the solver may use; it begins at the start.
+  GEM_DEVICE SolverList(const DeviceScene& s, Group& group, std::int32_t step, std::size_t shared_bytes)
+      : s_(s), group_(group), step_(step), shared_bytes_(shared_bytes) {}
 
-  /// A list for a launch that follows, of as many blocks with `shared_memory`: this one needs none.
-  GEM_DEVICE void make_coefficients() {
+  /// Makes the list for a later launch with the same number of blocks, each with `shared_bytes` of shared memory. This
+  /// launch needs none.
+  GEM_DEVICE void make_ahead() {
     make();
     if (group_.thread() == 0) s_.solver_workspace[group_.block()] = group_.shared().workspace;
   }
-  /// Takes up a list that was made ahead.
+  /// Loads the list that an earlier launch made.
   GEM_DEVICE void take_up() {
     SolverWorkspace workspace = s_.solver_workspace[group_.block()];
     place_entries(workspace);
     place_points(workspace);
-    use_room(workspace);
+    use_shared_memory(workspace);
     if (group_.thread() == 0) group_.shared().workspace = workspace;
     if (!workspace.motion) return group_.block_barrier();
     for (std::int32_t e = workspace.own.begin + group_.thread(); e < workspace.own.end; e += group_.threads())
-      workspace.motion[e] = {};  // nothing has been added to any
+      workspace.motion[e] = {};  // no additions yet
     list_in_order(workspace);
   }
 
-  /// Finds the block's stretch of the bodies with points, gives their points places, and takes its share of the points.
+  /// Makes the list: the block's range of the bodies with points, the records of their points, and the points that the
+  /// block iterates.
   GEM_DEVICE void make() {
     SolverWorkspace workspace{};
     workspace.pace = {static_cast<float>(s_.constants.dt), static_cast<float>(1.0 / s_.constants.dt)};
@@ -85,7 +86,7 @@ class SolverList {
     }
     group_.block_barrier();
     place_entries(workspace);
-    // the platform, whose sorted place is the first, has a long row: the last warp is left to it
+    // the platform comes first in sorted order and has a long row: the last warp does it alone
     const bool platform = workspace.platform = own_.begin == 0 && own_.end > 0 && (s_.touched_sorted[0] & 1U);
     const bool alone = group_.threads() <= Group::Warp::size;
     const int rest = platform && !alone ? group_.threads() - Group::Warp::size : group_.threads();
@@ -112,14 +113,14 @@ class SolverList {
   }
 
  private:
-  /// Fast memory that motions, records and points may take [bytes].
+  /// Shared memory for motions, records and points [bytes].
   GEM_DEVICE std::size_t bytes_before_entries(const SolverWorkspace& workspace) const {
-    return workspace.fits ? (shared_memory_ - workspace.own.count() * sizeof(SolverEntry)) / alignof(SolverEntry) *
+    return workspace.fits ? (shared_bytes_ - workspace.own.count() * sizeof(SolverEntry)) / alignof(SolverEntry) *
                                 alignof(SolverEntry)
-                          : shared_memory_;
+                          : shared_bytes_;
   }
 
-  /// Points that no thread keeps in registers stand in the scene's memory.
+  /// Leaves the points that do not fit in registers in the scene's memory.
   GEM_DEVICE void place_points(SolverWorkspace& workspace) const {
     const std::int32_t kept = Group::kept_points * group_.threads(),
                        first =
@@ -128,47 +129,47 @@ class SolverList {
     workspace.fast_from = 0;
   }
 
-  /// Entries and motions stand in the scene's memory; `fits`: the shared memory of those that iterate holds the
-  /// block's.
+  /// Leaves entries and motions in the scene's memory. Sets `fits` if shared memory can hold those of the block while
+  /// it iterates.
   GEM_DEVICE void place_entries(SolverWorkspace& workspace) {
     static_assert(sizeof(AddedMotion) == sizeof(PushRecord));
     const std::int32_t count = workspace.own.count();
     workspace.entry = workspace.moved_entry = s_.solver_entry;
     workspace.motion = nullptr;
     workspace.in_order = false;
-    workspace.stage_bytes = Group::reads_other_blocks ? 0 : shared_memory_;
+    workspace.stage_bytes = Group::reads_other_blocks ? 0 : shared_bytes_;
     workspace.fits = Group::reads_other_blocks &&
-                     count * (sizeof(SolverEntry) + sizeof(AddedMotion)) + alignof(SolverEntry) <= shared_memory_;
+                     count * (sizeof(SolverEntry) + sizeof(AddedMotion)) + alignof(SolverEntry) <= shared_bytes_;
     records_begin_ = workspace.fits ? count : 0;
     records_end_ = static_cast<std::int32_t>(bytes_before_entries(workspace) / sizeof(PushRecord));
   }
 
-  /// What fits stands in the block's shared memory; what the records leave of it holds points.
-  GEM_DEVICE void use_room(SolverWorkspace& workspace) const {
+  /// Moves entries and motions to shared memory if they fit. Points take what the records leave.
+  GEM_DEVICE void use_shared_memory(SolverWorkspace& workspace) const {
     if (!Group::reads_other_blocks) return;
-    const std::size_t shared_memory = bytes_before_entries(workspace),
+    const std::size_t bytes = bytes_before_entries(workspace),
                       taken = (workspace.records * sizeof(PushRecord) + sizeof(FloatQuad) - 1) / sizeof(FloatQuad) *
                               sizeof(FloatQuad);
     if (workspace.fits) {
       workspace.entry = workspace.moved_entry =
-          reinterpret_cast<SolverEntry*>(group_.shared_memory() + shared_memory) - workspace.own.begin;
+          reinterpret_cast<SolverEntry*>(group_.shared_memory() + bytes) - workspace.own.begin;
       workspace.motion = reinterpret_cast<AddedMotion*>(group_.shared_memory()) - workspace.own.begin;
     }
-    if (taken >= shared_memory) return;
+    if (taken >= bytes) return;
     const std::int32_t left = workspace.points.end - workspace.fast.begin;
-    const auto load = static_cast<std::int32_t>((shared_memory - taken) / loaded_bytes);
-    workspace.fast.end += left < load ? left : load;
+    const auto fit = static_cast<std::int32_t>((bytes - taken) / loaded_bytes);
+    workspace.fast.end += left < fit ? left : fit;
     workspace.fast_from = taken;
   }
 
-  /// Longest rows first.
+  /// Sort key of a body: longest rows first.
   static std::int32_t GEM_DEVICE kind_of(const SolverEntry& entry) {
     const std::int32_t most = part_lengths - 1, as_a = entry.count - entry.as_b;
     return part_lengths * (most - (entry.as_b < most ? entry.as_b : most)) + most - (as_a < most ? as_a : most);
   }
 
-  /// Lists the bodies in the order of their rows' lengths; the platform, which has threads of its own, stays the first.
-  /// For iterations alone: where the rank of a body is asked for, the list of the scene counts.
+  /// Sorts the entries by row length, so that neighbouring threads have equal work. The platform stays first: it has
+  /// threads of its own. Only the iterations use this order; ranks come from the scene's list.
   GEM_DEVICE void list_in_order(const SolverWorkspace& workspace) {
     BlockCell& shared = group_.shared();
     for (std::int32_t k = group_.thread(); k < row_kinds; k += group_.threads()) shared.of_kind[k] = 0;
@@ -196,8 +197,8 @@ class SolverList {
     group_.block_barrier();
   }
 
-  /// Where the records of a body of `count` points stand in the block's shared memory; -1: they do not.
-  GEM_DEVICE std::int32_t load_records(std::int32_t count) {
+  /// Takes shared memory for `count` records of a body. Returns the index of the first, -1 if they do not fit.
+  GEM_DEVICE std::int32_t take_records(std::int32_t count) {
     if (!Group::reads_other_blocks) return -1;
     const std::int32_t at = records_begin_ + group_.add(&group_.shared().records, count);
     return at + count <= records_end_ ? at : -1;
@@ -206,13 +207,13 @@ class SolverList {
   static_assert(solve_shared_bytes / sizeof(PushRecord) <= 0xffff);
   GEM_DEVICE static std::int32_t memory_place(int block, std::int32_t at) { return block << 16 | at; }
 
-  /// Whether the block of a body takes the points that it has with `other`: those with a large body, and of two floes
-  /// the one that is A. The platform's are shared out among its floes.
+  /// Whether the block of `body` iterates its points with `other`. Body A takes the points of two floes. The other body
+  /// takes those of a large body, so the platform's points are spread over its floes.
   GEM_DEVICE bool takes(std::int32_t body, std::int32_t other, bool as_b) const {
     return is_large(s_, other) || (!as_b && body != 0);
   }
 
-  /// Some places of a row, one in each step of a group's lane: asked for together, as each waits for memory.
+  /// Some entries of a row, one for each step of a lane. They are loaded together to hide the latency of memory.
   struct PlacesOfLane {
     static constexpr int steps = 4;
     RowPoints points[steps];
@@ -240,7 +241,7 @@ class SolverList {
     return read;
   }
 
-  /// Reads the row of a body by a group of lanes and gives its points their places.
+  /// Reads the row of a body by a group of lanes and assigns a record to each point.
   template <class LaneGroupType>
   GEM_DEVICE void list_points(const LaneGroupType& lanes, const SolverWorkspace& workspace, std::int32_t e,
                               const std::int32_t* bodies_before) {
@@ -262,8 +263,8 @@ class SolverList {
     count = lanes.sum(count);
     as_b = lanes.sum(as_b);
     taken = lanes.sum(taken);
-    std::int32_t shared_memory = lanes.rank() == 0 ? load_records(count) : 0;
-    shared_memory = lanes.from(shared_memory, 0);
+    std::int32_t first_record = lanes.rank() == 0 ? take_records(count) : 0;
+    first_record = lanes.from(first_record, 0);
     const std::int32_t moved_at = Group::has_halos ? e
                                   : workspace.fits ? memory_place(group_.block(), e - own_.begin)
                                                    : -1;
@@ -279,9 +280,9 @@ class SolverList {
         GEM_NO_UNROLL
         for (std::int32_t k = 0; k < points.count; ++k) {
           PointCell& point = s_.point[points.first + k];
-          const std::int32_t in_shared_memory =
-              shared_memory < 0 ? -1 : memory_place(group_.block(), shared_memory + mine + k);
-          (is_b ? point.b : point.a) = {body, 2 * begin + mine + k, in_shared_memory, moved_at};
+          const std::int32_t shared_record =
+              first_record < 0 ? -1 : memory_place(group_.block(), first_record + mine + k);
+          (is_b ? point.b : point.a) = {body, 2 * begin + mine + k, shared_record, moved_at};
           if (read.takes[step]) s_.taken_in_row[2 * begin + to + k] = points.first + k;
         }
         before += lanes.sum(points.count);
@@ -293,7 +294,7 @@ class SolverList {
     const std::uint32_t below = s_.touched_bodies[body / 32] & ((1U << (body % 32)) - 1U);
     workspace.entry[e] = {body,
                           2 * begin,
-                          shared_memory,
+                          first_record,
                           as_b,
                           count,
                           static_cast<float>(cell.inverse_mass),
@@ -307,7 +308,7 @@ class SolverList {
   const DeviceScene& s_;
   Group& group_;
   std::int32_t step_;
-  std::size_t shared_memory_;
+  std::size_t shared_bytes_;
   Stretch own_{};
   std::int32_t records_begin_ = 0, records_end_ = 0;  // in the block's shared memory
 };

@@ -1,5 +1,5 @@
-// The points of a round on a device: how they are entered, visited and left, each by the thread that holds it, and
-// where each writes what it pushes its bodies by.
+// The points of a round on a device: load, visit and store. Each point belongs to one thread, which also writes what
+// the point pushes its bodies by.
 #pragma once
 
 #include "gem/engine/solver/device_loaded.h"
@@ -10,15 +10,17 @@ namespace gem {
 template <class Group>
 class SolverVisits {
  public:
-  /// Numbers of records: of those that have none, and of the first of a round with halos.
+  /// Iteration numbers in records. plain: the record carries no number. first_number: of the first push of a round with
+  /// halos.
   static constexpr std::uint32_t plain = 0, first_number = 1;
 
-  /// Where a point finds one of its bodies.
+  /// Where a point reads the motion of one of its bodies and writes its record.
   GEM_DEVICE static LoadedPlace place_of(const DeviceScene& s, Group& group, const PointSide& side) {
-    return {motion_at(s, group, side), record_at(s, group, side.place, side.shared_memory)};
+    return {motion_at(s, group, side), record_at(s, group, side.place, side.shared_record)};
   }
 
-  /// The numbers of a point at the start of a round; `carried` is what the last one left, less what is in the base now.
+  /// Computes the numbers of a point at the start of a round. `carried`, the extrapolated additions, continues from the
+  /// last round less what has entered the base.
   GEM_DEVICE GEM_INLINE static void enter(const DeviceScene& s, std::int32_t i, bool fresh, const LoadedCell& cell,
                                           LoadedPoint& loaded) {
     if (fresh)
@@ -33,7 +35,7 @@ class SolverVisits {
     loaded.at = {0.0F, 0.0F, 0.0F};
   }
 
-  /// A point at the start of a round.
+  /// Prepares a point in memory for a round, and pushes its bodies unless `fresh`.
   GEM_DEVICE GEM_INLINE static void load(const DeviceScene& s, Group& group, std::int32_t i, bool fresh) {
     const LoadedCell cell = LoadedTable(s, group.shared_memory(), group.shared().workspace)[i];
     LoadedPoint loaded;
@@ -53,8 +55,8 @@ class SolverVisits {
     if (!fresh) push(s, loaded, plain);
   }
 
-  /// The additions of a round enter the base.
-  GEM_DEVICE GEM_INLINE static void store_platform(const DeviceScene& s, Group& group, std::int32_t i) {
+  /// Adds the additions of the round to the base.
+  GEM_DEVICE GEM_INLINE static void add_to_base(const DeviceScene& s, Group& group, std::int32_t i) {
     const LoadedCell cell = LoadedTable(s, group.shared_memory(), group.shared().workspace)[i];
     LoadedPoint loaded = cell.load();
     const PointGeometry<double> g = s.points.geometry(i);
@@ -67,15 +69,15 @@ class SolverVisits {
     cell.save_additions(loaded);
   }
 
-  /// Points of a thread that stay in its registers while a round runs.
+  /// Points of a thread that stay in registers while a round runs.
   static constexpr int kept = Group::kept_points;
   struct KeptPoints {
     LoadedPoint point[kept > 0 ? kept : 1];
     std::int32_t count = 0;
-    bool more = false;  // the block has points that no thread keeps
+    bool more = false;  // some points of the block are not in registers
   };
 
-  /// Visits the points of this thread; returns, where `judged`, the largest speed that one asked for.
+  /// Visits the points of this thread. Returns the largest speed residual of its points [m/s] where `judged`, else 0.
   template <PointFriction law, bool judged>
   GEM_DEVICE GEM_INLINE static float visit_all(const DeviceScene& s, Group& group, const SolverWorkspace& workspace,
                                                KeptPoints& own, float momentum_coefficient, std::uint32_t number) {
@@ -92,7 +94,7 @@ class SolverVisits {
       visit_loaded(loaded);
       cell.save_additions(loaded);
     };
-    // each kind of memory by itself: the compiler has faster instructions where it knows which it is
+    // a loop for each kind of memory: the compiler has faster instructions where it knows which it is
     const LoadedTable table(s, group.shared_memory(), workspace);
     const std::int32_t size = group.threads(), end = workspace.points.end;
     std::int32_t i = workspace.points.begin + group.thread() + kept * size;
@@ -102,7 +104,7 @@ class SolverVisits {
     return most;
   }
 
-  /// A thread's points come to its registers, and what visits have changed goes back.
+  /// load() brings the points of a thread to registers. save() writes back what visits have changed.
   GEM_DEVICE GEM_INLINE static void load(const DeviceScene& s, Group& group, const SolverWorkspace& workspace,
                                          KeptPoints& own) {
     const std::int32_t size = group.threads(), first = workspace.points.begin + group.thread(),
@@ -125,10 +127,10 @@ class SolverVisits {
 
  private:
   GEM_DEVICE static PushRecord* record_at(const DeviceScene& s, Group& group, std::int32_t place,
-                                          std::int32_t shared_memory) {
+                                          std::int32_t shared_record) {
     if constexpr (Group::reads_other_blocks)
-      if (shared_memory >= 0)
-        return reinterpret_cast<PushRecord*>(group.shared_memory_of(shared_memory >> 16)) + (shared_memory & 0xffff);
+      if (shared_record >= 0)
+        return reinterpret_cast<PushRecord*>(group.shared_memory_of(shared_record >> 16)) + (shared_record & 0xffff);
     if (place < 0) return nullptr;
     if (Group::has_halos && group.shared().workspace.has_halo)
       return reinterpret_cast<PushRecord*>(reinterpret_cast<NumberedPush*>(s.push_base) + place);
@@ -161,20 +163,21 @@ class SolverVisits {
     record->pair[1] = {{p.shift_x, p.shift_y}};
     record->pair[2] = {{twist, turn}};
   }
-  /// `number`: of the iteration, where there are halos; or plain.
+  /// Writes what a point pushes both bodies by. `number`: the iteration's with halos, else plain.
   GEM_DEVICE GEM_INLINE static void push(const DeviceScene& s, const LoadedPoint& loaded, std::uint32_t number) {
     const PointPush<float> p = push_of(loaded.frame, loaded.carried);
     write(s, loaded.a.record, p, p.twist_a, p.turn_a, number);
     write(s, loaded.b.record, p, p.twist_b, p.turn_b, number);
   }
-  /// Where the records of the round will be stands the base, or what an earlier round left, whose numbers come again:
-  /// nothing of it must be taken for a record, once all blocks have met and wait.
+  /// Clears the numbers of a record before a round with halos. Its memory still holds the base or an earlier round,
+  /// whose numbers may occur again. They must not be taken for records of this round.
   GEM_DEVICE static void clear_numbers(const DeviceScene& s, PushRecord* record) {
     if (!record) return;
     for (std::uint32_t turn = 0; turn < 2; ++turn)
       for (NumberedHalf& half : numbered(s, record, turn)->half) Group::write_whole(&half, {});
   }
-  /// Where an iteration's record stands: by turns, so that those of a row follow each other.
+  /// Address of a record of one iteration. Even and odd iterations have separate arrays, so the records of a row stay
+  /// next to each other.
   GEM_DEVICE GEM_INLINE static NumberedPush* numbered(const DeviceScene& s, PushRecord* record, std::uint32_t number) {
     return reinterpret_cast<NumberedPush*>(record) + static_cast<std::int32_t>(number % 2) * s.push_capacity;
   }
@@ -194,7 +197,7 @@ class SolverVisits {
                             turn_b.part[1]};
     const PointImpulse<float> step =
         visit_point<law>(loaded.frame, w, pace, momentum_coefficient, loaded.at, loaded.carried);
-    push(s, loaded, number);  // first of all: others wait for it
+    push(s, loaded, number);  // before the residual: other threads wait for the record
     return judged ? speed_asked<law>(loaded.frame, step, pace) : 0.0F;
   }
 };

@@ -1,4 +1,4 @@
-// How the iterations of a coupled time step go on: how far each extrapolates, and when they end.
+// Controls the iterations of a coupled time step: extrapolation, rounds and the end.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +8,18 @@
 
 namespace gem {
 
-/// How far the impulses are extrapolated along their last change (Nesterov 1983), iteration by iteration: `most`
-/// numbers from the beginning of a time step, then `most` from nothing. Listed, as each takes a root and two divisions.
+/// Extrapolation factors by iteration (Nesterov 1983): `most` factors for the start of a time step, then `most` factors
+/// for a restart at zero. They are tabulated, since each takes a square root and two divisions.
 std::vector<float> momentum_coefficients(std::int64_t most);
 
-/// The course of a time step's iterations: how far each extrapolates, when the base is looked at again and when to
-/// stop.
+/// State of the iterations of one time step: how far to extrapolate, when to start a new round, when to stop.
 class IterationControl {
  public:
   enum class Next { iteration, round, end };
 
-  /// `residual`: speed that no point may still ask for [m/s]; `most`: bound on the iterations; `tight`: the residual is
-  /// below what a round in single precision can tell, so only the first visit of a round counts.
-  /// `momentum_coefficients`: what carried_ahead() makes of `most`.
+  /// `residual`: largest speed that a point may still ask for [m/s]; `most`: largest number of iterations; `tight`: the
+  /// residual is below the resolution of single precision, so only the first visit of a round can meet it;
+  /// `momentum_coefficients`: those of momentum_coefficients(most).
   GEM_HD IterationControl(double residual, std::int64_t most, bool tight, const float* momentum_coefficients)
       : residual_(residual),
         most_(static_cast<std::int32_t>(most)),
@@ -30,22 +29,23 @@ class IterationControl {
 
   GEM_HD std::int64_t iteration() const { return iteration_; }
 
-  /// Begins an iteration: how far the impulses are extrapolated along their last change.
+  /// Begins an iteration. Returns how far the impulses are extrapolated along their last change.
   GEM_HD float momentum_coefficient() {
     ++iteration_;
     ++of_round_;
     judged_ = iteration_ % 4 == 0 || iteration_ <= 2 || iteration_ == most_ || (tight_ && of_round_ == 1);
     const float now = next_coefficient_;
-    // asked for an iteration ahead: on a device it waits for memory; the list ends later, as no course begins again
-    // before its second iteration
+    // read one iteration ahead, since a device waits for memory; this never reads past the table, as a restart comes no
+    // earlier than the second iteration
     next_coefficient_ = momentum_coefficients_[++place_];
     return now;
   }
 
-  /// Whether the residual of this iteration is looked at; a look costs two divisions a point.
+  /// Whether the residual of this iteration is evaluated: in the first two iterations, in every fourth and in the last,
+  /// as it costs two divisions per point. "Every fourth" was chosen by hand; up to three iterations are done in vain.
   GEM_HD bool judged() const { return judged_; }
 
-  /// What follows an iteration that left `asked`, if it was judged [m/s].
+  /// What follows an iteration with residual `asked` [m/s], which counts only if judged().
   GEM_HD Next after(float asked) {
     if (of_round_ == 1) first_ = asked;
     if (judged_) watch(asked);
@@ -58,13 +58,15 @@ class IterationControl {
     return Next::round;
   }
 
-  /// Residuals below this share of the speeds need several rounds.
+  /// A round reduces the residual by about this factor; smaller residuals need several rounds.
   static constexpr double single_precision = 1e-6;
 
  private:
+  /// A longer round would let the rounding of single precision grow. Chosen by hand.
   static constexpr std::int64_t longest_round = 32;
 
-  /// Carries ahead from nothing again once the residual has grown well beyond the lowest.
+  /// Restarts the extrapolation when the residual has grown well beyond its lowest value. The effect of the restart is
+  /// in validation/solver_study.md ("restart by residual"); the factor 2 was chosen by hand.
   GEM_HD void watch(float asked) {
     constexpr float well_beyond = 2.0F;
     const bool overshot = lowest_ > 0.0F && asked > well_beyond * lowest_;
@@ -80,10 +82,10 @@ class IterationControl {
   bool tight_, judged_ = false;
   const float* momentum_coefficients_;
   float next_coefficient_;
-  std::int32_t place_ = 0;  // in that list
+  std::int32_t place_ = 0;  // index in the table
   std::int32_t iteration_ = 0, of_round_ = 0;
-  float first_ = 0.0F;   // residual at the beginning of the round
-  float lowest_ = 0.0F;  // since the last time that nothing was extrapolated
+  float first_ = 0.0F;   // residual at the start of the round
+  float lowest_ = 0.0F;  // lowest residual since the last restart
 };
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// What a block has before it while it iterates a coupled time step.
+// What a block works on while it iterates a coupled time step.
 #pragma once
 
 #include <cstddef>
@@ -9,57 +9,57 @@
 
 namespace gem {
 
-/// How far the iterations of a time step are.
+/// Progress of the iterations of a time step.
 struct Progress {
   IterationControl control;
   float residual = 0.0F;
-  int turn = 0;  // of the three places for residuals
+  int turn = 0;  // index of the current one of three places for residuals
 };
 
-/// The same between two launches; `done`: the last round was made.
+/// Progress between two launches.
 struct RoundsMade {
   Progress progress;
-  bool done;
+  bool done;  // the last round is over
 };
 
-/// A block's stretch of [0, count).
+/// A block's range of indices.
 struct Stretch {
   std::int32_t begin, end;
   GEM_DEVICE std::int32_t count() const { return end - begin; }
 };
 
-/// Lengths of a row's two parts, as B and as A, that are told apart where bodies are put in order; longer ones count as
-/// the longest.
+/// Row lengths that are told apart where bodies are sorted, for each of the two parts as B and as A. Longer parts count
+/// as the longest.
 constexpr std::int32_t part_lengths = 8, row_kinds = part_lengths * part_lengths;
 
-/// What a block copies of the bodies that its points meet, see device_halo.h; all in its shared memory.
+/// The halo of a block (device_halo.h); all arrays are in its shared memory.
 struct HaloWorkspace {
   std::int32_t bodies;
   SolverEntry* entry;
   AddedMotion* motion;
-  std::int32_t records;  // of the bodies; they stand from the start on
-  std::int32_t* source;  // of each record: its place among those of the scene
+  std::int32_t records;  // of the bodies; they begin at the start of shared memory
+  std::int32_t* source;  // of each record: its index in the scene's records
 };
 
-/// The same for all threads of the block, and kept in its shared memory, so that no thread has to keep it for itself.
+/// The state of the iterations in one block. It stands in shared memory, so no thread needs registers for it.
 struct SolverWorkspace {
   StepLength<float> pace;
-  Stretch points;            // that the block iterates
-  Stretch fast;              // those of them that stand in its shared memory, after those in registers
-  std::size_t fast_from;     // where they begin there: see HeldTable
-  std::int32_t bodies;       // moving, with points
-  Stretch own;               // the block's stretch of them, by sorted place
-  Stretch moved;             // that it moves in an iteration: these, or those of its points, see device_halo.h
-  SolverEntry* entry;        // by place among them; or in order, see in_order
-  SolverEntry* moved_entry;  // of those that it moves, by place among them: the same list, or another
-  AddedMotion* motion;       // the same, in the block's shared memory; null: they stand by body
-  bool fits;                 // motions and, at its end, entries stand there while the block iterates
-  bool in_order;             // of their rows, so that neighbouring threads have as much to do: rank is the place
-  bool platform;             // the first that it moves is the platform
-  bool has_halo;             // it moves bodies of other blocks for itself
+  Stretch points;            // points that the block iterates
+  Stretch fast;              // those in shared memory; they follow those in registers
+  std::size_t fast_from;     // offset of the fast points in shared memory [bytes]: see LoadedTable
+  std::int32_t bodies;       // moving ones with points, of all blocks
+  Stretch own;               // the block's range of them, in sorted order
+  Stretch moved;             // bodies that the block moves in an iteration: `own`, or its halo
+  SolverEntry* entry;        // of bodies with points, in sorted order; by row length if in_order
+  SolverEntry* moved_entry;  // of the bodies in `moved`: `entry`, or the halo's
+  AddedMotion* motion;       // of the bodies in `moved`, in shared memory; null: in DeviceScene::added
+  bool fits;                 // shared memory holds motions, and entries at its end, while the block iterates
+  bool in_order;             // entries are sorted by row length; `rank` is the index in sorted order
+  bool platform;             // the first of `moved` is the platform
+  bool has_halo;             // the block moves its halo
   HaloWorkspace halo;
-  std::size_t stage_bytes;  // of shared memory, from the start, that nothing stands in where there is no halo
-  std::int32_t records;     // places of shared memory, from the start, of motions and records
+  std::size_t stage_bytes;  // free bytes at the start of shared memory where there is no halo
+  std::int32_t records;     // motions and records at the start of shared memory
 };
 
 }  // namespace gem

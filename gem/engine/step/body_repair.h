@@ -12,9 +12,9 @@ struct BodyRepair {
   double turn = 0.0;  // [rad]
 };
 
-/// What of a repair is done in this time step: none of the body's points goes farther than `reach` [m], the rest waits.
-/// Where the iterations stop short of an answer, or a contact that held a wedged floe is gone, the shifts that they
-/// leave are large; a floe that follows them jumps into neighbours that no contact has seen coming.
+/// The part of a repair that is applied in this time step: no point of the body moves farther than `reach` [m]. The
+/// rest waits for later steps. The solver leaves large shifts if it stops before it converges, or if a contact that
+/// held a wedged floe is gone. Without the limit such a floe would jump into neighbours that no contact has detected.
 GEM_HD inline BodyRepair within_reach(const BodyRepair& repair, double radius, double reach) {
   const double farthest = length(repair.shift) + radius * larger(repair.turn, -repair.turn);
   if (!(farthest > reach)) return repair;

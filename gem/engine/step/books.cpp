@@ -37,14 +37,14 @@ EventBodies event_bodies(const FieldState& f, const Contact& contact) {
 
 ContactPoint point_of(const ContactSlot& slot) { return {{}, slot.separation, slot.feature}; }
 
-/// Chord growth of a contact; two points are within the contact margin whatever the tilt of their faces.
+/// Chord growth of a contact. Two points may lie within the contact margin although their faces are tilted.
 double growth_of(const Contact& contact, const EventBodies& bodies) {
   if (contact.count < 2) return contact.growth;
   return tilted_faces_growth(bodies.outline_a, bodies.outline_b, point_of(contact.slot[0]), point_of(contact.slot[1]),
                              contact.width);
 }
 
-/// Longest chord that crushing can come to [m].
+/// Longest chord that crushing can reach [m].
 double longest_chord(const Contact& contact, const EventBodies& bodies) {
   if (contact.count == 2 || !(contact.growth > 0.0)) return contact.width;
   return facing_length(bodies.outline_a, bodies.outline_b, bodies.offset, turned_left(contact.normal));
@@ -120,7 +120,8 @@ Ledger closed_books(const FieldState& f, Ledger& running) {
     energy += std::fabs(q.energy);
   }
   running.momentum_scale = std::max({running.momentum_scale, momentum, length(ledger.mooring_force.momentum)});
-  // twists that cancel, as of a floe held at the origin, are known no better than the momentum at its place
+  // rounding of the angular momentum scales with the momentum at the body's position, also where the terms cancel, as
+  // for a floe held at the origin
   running.angular_scale = std::max({running.angular_scale, angular, std::fabs(ledger.mooring_force.angular_momentum),
                                     reach * running.momentum_scale});
   running.energy_scale = std::max(running.energy_scale, energy);

@@ -1,4 +1,4 @@
-// Opens, closes and reads the books of a host engine's field.
+// Opens, closes and reads the books of a host engine.
 #pragma once
 
 #include "gem/engine/engine.h"
@@ -7,45 +7,46 @@
 
 namespace gem {
 
-/// Momentum, angular momentum and energy (mooring spring included) of the active bodies.
+/// Total momentum, angular momentum and energy (mooring spring included) of the active bodies.
 Quantity total(const FieldState& f);
 
-/// Goes on with the books of a saved ledger: its sums stand with body 0.
+/// Continues the books of a saved ledger. Its sums are stored with body 0.
 void open_books(FieldState& f, const Ledger& ledger);
 
-/// The ledger with every body's own books summed in id order, and `now`. The scales are the largest seen so far, so
-/// that a time step at which everything happens to stand still does not make rounding look large; `running` remembers
-/// them, and the start.
+/// Returns the ledger: the books of all bodies summed in id order, and the current total `now`. The scales are the
+/// largest seen so far, so that rounding does not look large in a step where all bodies are nearly at rest. `running`
+/// keeps the scales and the start.
 Ledger closed_books(const FieldState& f, Ledger& running);
 
-/// Throws Error(numerical_stop) naming the first body whose state is no number; `step` names the place.
+/// Throws Error(numerical_stop) naming the first body whose state is not finite; `step` is for the message.
 void check_finite(const FieldState& f, std::int64_t step);
 
 /// Retires all floes past the retire line.
 void retire(FieldState& f);
 
-/// The bodies of a platform event at its instant.
+/// Properties of the bodies of a platform event at the time of the event.
 struct EventBodies {
   CollisionMass mass_a, mass_b;
   Vec2 position_b;  // [m]
-  Vec2 offset;      // from the platform's position at the start of the time step to B's [m]
+  Vec2 offset;      // from the platform's position at the start of the time step to the position of B [m]
   Outline outline_a, outline_b;
   CrushingIce ice;
 };
 
-/// The platform event of one contact, seen at the impulse-weighted middle of its points.
+/// The platform event of one contact. Its point is the impulse-weighted mean of the contact points; `time` in [s].
 ContactEvent event_of(const Contact& contact, const EventBodies& bodies, double time);
 
-/// Appends the platform's events, before the floes move: one row for each contact and time step.
+/// Appends the platform's events to `log`, before the floes move: one row per contact and time step.
 void log_events(const FieldState& f, Contacts contacts, std::int64_t step, double event_speed, StepLog& log);
 
-/// What mooring and water have given the platform since t = 0 [N s].
+/// Impulses of mooring and water drag on the platform since t = 0 [N s].
 struct PlatformImpulses {
   Vec2 mooring, drag;
 };
 PlatformImpulses platform_impulses(const FieldState& f);
 
-/// Appends what the platform felt; `before` are its impulses up to the start of the time step.
+/// Appends the platform's loads and the quality of the time step to `log`; `before` are the impulses up to the start of
+/// the step.
 void log_step(const FieldState& f, Contacts contacts, const PlatformImpulses& before, const StepQuality& quality,
               StepLog& log);
 

@@ -1,4 +1,4 @@
-// One pair that touches in a time step: where, how heavy it feels, and the impulses that its event gave.
+// One contact of a time step: geometry, compliance, and the impulses of its event.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace gem {
 
-/// One point of a contact. Tangential is along the normal turned left; impulses act on B, the opposite on A.
+/// One point of a contact. "Tangential" is along the normal turned left. Impulses act on B; A gets the opposite.
 struct ContactSlot {
   Vec2 arm_a, arm_b;             // from the centroids [m]
-  double separation = 0.0;       // < 0: depth [m]
-  std::int32_t feature = 0;      // the touching corner
+  double separation = 0.0;       // < 0: overlap depth [m]
+  std::int32_t feature = 0;      // id of the touching corner
   ContactCompliance compliance;  // with the platform's mass as the solver splits it [1/kg]
-  double normal_before = 0.0;    // velocity of B against A before the events [m/s]
+  double normal_before = 0.0;    // velocity of B relative to A before the events [m/s]
   double tangential_before = 0.0;
   double target = 0.0;     // smallest normal velocity after the events [m/s]
   double cap = no_cap;     // largest impulse.normal [N s]
@@ -24,21 +24,21 @@ struct ContactSlot {
   double repair = 0.0;     // position repair, as an impulse [N s]
 };
 
-/// A touching pair; A is the lower id, the normal points from A to B.
+/// A touching pair. A has the lower id; the normal points from A to B.
 struct Contact {
   std::int32_t a = 0, b = 0;
   std::int32_t count = 0;
   Vec2 normal;
-  double width = 0.0;   // chord or touching stretch [m]
-  double growth = 0.0;  // chord growth with depth of one point; two points: tilted_faces.h [-]
+  double width = 0.0;   // chord or length of the facing edges [m]
+  double growth = 0.0;  // chord growth with depth for one point; for two points see tilted_faces.h [-]
   double friction = 0.0;
   ContactSlot slot[2];
 };
 
-/// The contacts of one time step, ascending in (a, b): those of the platform come first.
+/// The contacts of one time step, ascending in (a, b). Contacts of the platform come first.
 using Contacts = std::span<Contact* const>;
 
-/// Names a contact point from one time step to the next, ascending in (a, b, feature).
+/// Identifies a contact point across time steps. Keys ascend in (a, b, feature).
 constexpr int body_bits = 26, feature_bits = 12;
 constexpr std::uint64_t contact_key(std::int32_t a, std::int32_t b, std::int32_t feature) {
   return static_cast<std::uint64_t>(a) << (body_bits + feature_bits) | static_cast<std::uint64_t>(b) << feature_bits |

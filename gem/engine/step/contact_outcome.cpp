@@ -35,8 +35,9 @@ void book_contact(FieldState& f, const Contact& contact, const ContactOutcome& o
   const bool fixed_b = f.bodies.kind[b] == BodyKind::fixed;
   const bool on_fixed = fixed_b || f.bodies.kind[a] == BodyKind::fixed;
   const bool on_locked = a == 0 && f.bodies.inverse_inertia[0] == 0.0;
-  // Its place decides, not what it carries: an impulse that is rounding in one run and nothing in another would part
-  // them by 2e-5 m a time step. What is left of that jump stands where a pair comes within reach.
+  // Coupled: a body counts as struck if it has a contact within reach, whatever impulse the contact carries. If the
+  // impulse decided, an impulse that is rounding in one run and zero in another would separate the two runs by 2e-5 m
+  // per time step. A jump of that size remains only where a pair comes within reach.
   if (f.constants.solver == ContactSolver::coupled && outcome.count > 0) f.struck[a] = f.struck[b] = 1;
   const ContactBooks books{f.book(Channel::impact, b), f.book(Channel::elastic, b), f.book(Channel::friction, b)};
   for (int k = 0; k < outcome.count; ++k) {
@@ -47,14 +48,14 @@ void book_contact(FieldState& f, const Contact& contact, const ContactOutcome& o
     if (point.work.elastic != 0.0) books.elastic.energy += point.work.elastic;
     books.friction.energy += point.work.friction;
     if (on_fixed) book_fixed(books, contact, contact.slot[k], f.bodies.position[b], fixed_b);
-    // a locked platform hands the twist on to whatever locks it
+    // the yaw lock of the platform takes this moment
     if (on_locked)
       f.mooring_force.angular_momentum += cross(contact.slot[k].arm_a, world_impulse(contact, contact.slot[k].impulse));
   }
 }
 
 void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes, StepQuality& quality, StepLog& log) {
-  std::vector<double> work(f.bodies.count() + sum_width, 0.0);  // of B's contacts, or of A's with a fixed B
+  std::vector<double> work(f.bodies.count() + sum_width, 0.0);  // per body B, or per body A where B is fixed
   for (const ContactOutcome& outcome : outcomes) {
     double& sum = work[f.bodies.inverse_mass[outcome.b] > 0.0 ? outcome.b : outcome.a];
     for (int k = 0; k < outcome.count; ++k) {
@@ -70,7 +71,7 @@ void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes
       quality.maximum_share = std::max(quality.maximum_share, point.share);
     }
   }
-  // the net of the time step: what single contacts gave does not show where others took more
+  // the net work of the time step: a gain at one contact does not show where another contact took more
   quality.energy_created = std::max(0.0, ordered_sum(work.data(), f.bodies.count()));
 }
 

@@ -1,5 +1,5 @@
-// What became of a contact once the events of its time step are done: how well each point obeys the laws, what its
-// impulses did to the energy, how deep it was. Worked out for each contact alone; entered in the order of the contacts.
+// The result of one contact after the events of its time step: how well each point obeys the laws, the work of its
+// impulses, its overlap depth. Each contact is computed independently; the books are kept in the order of the contacts.
 #pragma once
 
 #include "gem/engine/engine.h"
@@ -13,10 +13,10 @@ namespace gem {
 struct PointOutcome {
   PointQuality quality;
   SlotWork work;
-  double depth = 0.0;  // of the overlap at the start of the time step; 0: none [m]
-  double share = 0.0;  // the same over the size of the smaller body [-]
+  double depth = 0.0;  // overlap depth at the start of the time step; 0: none [m]
+  double share = 0.0;  // depth over the size (root of the area) of the smaller body [-]
   bool acted = false;
-  bool touched = false;  // at the start, or carried an impulse
+  bool touched = false;  // overlapped at the start of the step, or carried an impulse
 };
 
 struct ContactOutcome {
@@ -25,15 +25,15 @@ struct ContactOutcome {
   PointOutcome point[2];
 };
 
-/// Velocities must be those after the events.
+/// Fills `outcome` for one contact. Velocities are those after the events.
 void find_outcome(const FieldState& f, const Contact& contact, ContactOutcome& outcome);
 
-/// Enters a resolved contact in the books of its body B and marks its bodies as struck: independent, if it acted;
-/// coupled, if it has points within reach.
+/// Adds a resolved contact to the books of its body B and marks both bodies as struck. Independent: if it carried an
+/// impulse. Coupled: if it has points within reach.
 void book_contact(FieldState& f, const Contact& contact, const ContactOutcome& outcome);
 
-/// How many points touched or were pressed, how deep they were, and how well they obey the laws of contact; counts the
-/// overlaps in the log. Outcomes are those of one time step, ascending in (a, b).
+/// Adds to `quality` the number of contact points, the largest overlaps and the largest violations of the contact laws;
+/// counts the overlaps in `log`. The outcomes are those of one time step, ascending in (a, b).
 void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes, StepQuality& quality, StepLog& log);
 
 }  // namespace gem

@@ -1,14 +1,14 @@
-// How well a contact point obeys the laws of contact once the events of its time step are done.
+// How well a contact point obeys the contact laws after the events of its time step.
 //
-//   complementarity   |clamp(u_n - target, K_n (P_n - cap), K_n P_n)|    parts without impulse or closes at the cap
+//   complementarity   |clamp(u_n - target, K_n (P_n - cap), K_n P_n)|    parts without impulse, closes only at the cap
 //   cone excess       max(0, |P_t| - mu P_n)                             Coulomb's bound
 //   work              P_n and P_t times the mean of the velocities before and after
 //
-//   u_n     velocity of B against A along the normal after the events   [m/s]
-//   target  smallest u_n that the law asks for                          [m/s]
-//   K_n     compliance of the pair at the point, for it alone           [1/kg]
-//   P_n P_t impulse on B along the normal and the normal turned left    [N s]
-//   cap     impulse that crushes the whole face                         [N s]
+//   u_n     velocity of B relative to A along the normal after the events  [m/s]
+//   target  smallest u_n that the law allows                               [m/s]
+//   K_n     compliance of the pair at this point alone                     [1/kg]
+//   P_n P_t impulse on B along the normal and the normal turned left       [N s]
+//   cap     impulse that crushes the whole face                            [N s]
 // The complementarity is a speed: the largest change of u_n that the point still asks for.
 #pragma once
 
@@ -21,10 +21,10 @@ namespace gem {
 struct PointQuality {
   double complementarity = 0.0;  // [m/s]
   double cone_excess = 0.0;      // [N s]
-  double work = 0.0;             // of the impulses on the bodies [J]
+  double work = 0.0;             // work of the impulses on both bodies [J]
 };
 
-/// `velocity` of B against A at the point after the events; masses of A and B.
+/// `velocity` is that of B relative to A at the point after the events [m/s]; `a` and `b` are the masses of A and B.
 GEM_HD inline PointQuality point_quality(const Contact& contact, const ContactSlot& slot, CollisionMass a,
                                          CollisionMass b, Vec2 velocity) {
   const ContactImpulse& p = slot.impulse;

@@ -1,4 +1,4 @@
-// Each law of contact, kept and broken at one point by a known amount; and over whole time steps of a crowd.
+// Each contact law, satisfied and violated at one point by a known amount; and whole time steps of a crowded scene.
 #include "gem/engine/step/contact_quality.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace gem {
 namespace {
 
-/// Two bodies of 2 kg, central contact along x: compliance 1 / kg.
+/// Two bodies of 2 kg, central contact along x: compliance 1/kg.
 constexpr CollisionMass mass{0.5, 0.0};
 
 Contact touching(ContactImpulse impulse, double before_n, double before_t) {

@@ -1,11 +1,11 @@
-// Stages that act on one pair: find where it touches, see how heavy it feels, resolve its event.
+// Stages for one pair: contact geometry, masses and arms, the event, its impulses.
 //
-// | stage              | reads                                   | writes                                  |
-// | find_contact       | positions, outlines of a and b          | the contact's geometry                  |
-// | prepare_contact    | velocities, masses, platform shift      | arms, velocities before, targets        |
-// | resolve_alone      | the contact                             | its impulses                            |
-// | apply_impulses     | the contact's impulses                  | velocities of a and b                   |
-// | point_of_contact   | the contact, masses                     | nothing: returns what iterations need   |
+// | stage            | reads                              | writes                                       |
+// | find_contact     | positions, outlines of a and b     | the contact's geometry                       |
+// | prepare_contact  | velocities, masses, platform shift | arms, velocities before, targets             |
+// | resolve_alone    | the contact                        | its impulses                                 |
+// | apply_impulses   | the contact's impulses             | velocities of a and b                        |
+// | point_of_contact | the contact, masses                | nothing: returns the point for the iteration |
 #pragma once
 
 #include "gem/engine/solver/coupled_point.h"
@@ -17,15 +17,16 @@
 
 namespace gem {
 
-/// Slack for rounding where a bound on motion spares a look [m].
+/// Allowance for rounding where a bound on motion lets the narrow phase skip a pair [m]. Far above the rounding of
+/// positions up to 100 km (1.5e-11 m) and far below any overlap that matters.
 constexpr double rounding = 1e-9;
 
 inline CollisionMass collision_mass(const Bodies& b, std::int32_t i) {
   return {b.inverse_mass[i], b.inverse_inertia[i]};
 }
 
-/// Asks the cache for what the search for contacts reads of a body. Where floes are not numbered along the channel the
-/// bodies of a list's pairs lie anywhere in memory.
+/// Prefetches what the narrow phase reads of a body. The bodies of listed pairs are scattered in memory if floes are
+/// not numbered along the channel.
 inline void foresee_search(const FieldState& f, std::int32_t i) {
   __builtin_prefetch(&f.bodies.position[i]);
   __builtin_prefetch(&f.bodies.radius[i]);
@@ -33,17 +34,17 @@ inline void foresee_search(const FieldState& f, std::int32_t i) {
   __builtin_prefetch(&f.bodies.vertex_begin[i]);
 }
 
-/// The same for its outline.
+/// Prefetches the outline of a body.
 inline void foresee_outline(const FieldState& f, std::int32_t i) {
   const std::int32_t first = f.bodies.vertex_begin[i];
-  constexpr std::int32_t line = 4;  // corners
+  constexpr std::int32_t line = 4;  // corners per cache line
   __builtin_prefetch(&f.corner[first]);
   __builtin_prefetch(&f.corner[first] + line);
   __builtin_prefetch(&f.normal[first]);
   __builtin_prefetch(&f.normal[first] + line);
 }
 
-/// The same for what the events read of a body.
+/// Prefetches what the events read of a body.
 inline void foresee_events(const FieldState& f, std::int32_t i) {
   __builtin_prefetch(&f.bodies.velocity[i]);
   __builtin_prefetch(&f.bodies.spin[i]);
@@ -53,7 +54,7 @@ inline void foresee_events(const FieldState& f, std::int32_t i) {
   __builtin_prefetch(&f.bodies.area[i]);
 }
 
-/// What the events of a pair read of its bodies.
+/// The properties of both bodies that the events of a pair read.
 inline PairBodies pair_bodies(const Bodies& b, std::int32_t i, std::int32_t j) {
   return {collision_mass(b, i),
           collision_mass(b, j),
@@ -64,9 +65,10 @@ inline PairBodies pair_bodies(const Bodies& b, std::int32_t i, std::int32_t j) {
           crushed_thickness(b.kind[i], b.thickness[i], b.thickness[j])};
 }
 
-/// Looks whether a pair touches (or, coupled, is closer than the contact margin). `axes` are those of an earlier look,
-/// since which the bodies moved by at most `moved`; they are brought up to date. Everything of the contact that later
-/// stages only add to is set to zero.
+/// Narrow phase of one pair. Returns whether the pair touches; for `coupled`, whether it is closer than the contact
+/// margin. `axes` are the separating axes of an earlier test of the pair; the bodies have moved by at most `moved` [m]
+/// since, and the axes are updated. Fills the geometry of `contact` and sets all members that later stages add to to
+/// zero.
 inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, SeparatingAxes& axes, double moved,
                          Contact& contact) {
   const double limit = f.constants.contact_margin;
@@ -82,18 +84,19 @@ inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, Se
   return true;
 }
 
-/// Velocity of B against A at a contact point [m/s].
+/// Velocity of B relative to A at a contact point [m/s].
 inline Vec2 relative_velocity(const Bodies& b, const Contact& contact, const ContactSlot& slot) {
   return b.velocity[contact.b] + cross(b.spin[contact.b], slot.arm_b) - b.velocity[contact.a] -
          cross(b.spin[contact.a], slot.arm_a);
 }
 
-/// Thickness of the ice that crushes in a contact: the thinner [m].
+/// Thickness of the ice that crushes in a contact: the thinner of both floes [m].
 inline double crushed_thickness(const FieldState& f, const Contact& contact) {
   return crushed_thickness(f.bodies.kind[contact.a], f.bodies.thickness[contact.a], f.bodies.thickness[contact.b]);
 }
 
-/// Friction, arms and relative velocity at the instant of the events; a coupled time step lets gaps close and no more.
+/// Sets friction, arms and relative velocities at the time of the events. In a coupled time step the target lets a gap
+/// close, but not more.
 inline void prepare_contact(const FieldState& f, Contact& contact) {
   const Bodies& b = f.bodies;
   const std::int32_t i = contact.a, j = contact.b;
@@ -102,8 +105,8 @@ inline void prepare_contact(const FieldState& f, Contact& contact) {
   prepare(f.constants, pair_bodies(b, i, j), shift, contact);
 }
 
-/// A contact point as the iterations of a coupled time step see it. `points_of_...`: points among which a body's mass
-/// is shared out; `last_impulse`: normal impulse of the same point one time step ago [N s].
+/// A contact point as the coupled iterations see it. `points_of_a`, `points_of_b`: number of points among which the
+/// mass of each body is split; `last_impulse`: normal impulse of this point in the last time step [N s].
 inline PointGeometry<double> point_of_contact(const FieldState& f, const Contact& contact, const ContactSlot& slot,
                                               std::int32_t points_of_a, std::int32_t points_of_b, double last_impulse) {
   const Bodies& b = f.bodies;
@@ -119,14 +122,14 @@ inline void resolve_alone(const FieldState& f, Contact& contact) {
   resolve_alone(f.constants, collision_mass(f.bodies, contact.a), collision_mass(f.bodies, contact.b), contact);
 }
 
-/// Takes over what of body i's position repair is done in this time step.
+/// Applies the position repair of body i, limited by within_reach().
 inline void apply_repair(FieldState& f, std::size_t i, const BodyRepair& repair) {
   const BodyRepair done = within_reach(repair, f.bodies.radius[i], f.constants.repair_reach);
   f.repair_shift[i] = done.shift;
   f.repair_turn[i] = done.turn;
 }
 
-/// Adds an impulse on B, and its opposite on A.
+/// Applies an impulse to B and the opposite impulse to A.
 inline void apply_impulse(Bodies& b, const Contact& contact, const ContactSlot& slot, ContactImpulse p) {
   const Vec2 impulse = p.normal * contact.normal + p.tangential * turned_left(contact.normal);
   b.velocity[contact.b] += b.inverse_mass[contact.b] * impulse;
@@ -135,7 +138,7 @@ inline void apply_impulse(Bodies& b, const Contact& contact, const ContactSlot& 
   b.spin[contact.a] -= b.inverse_inertia[contact.a] * cross(slot.arm_a, impulse);
 }
 
-/// All impulses of a contact at once.
+/// Applies all impulses of a contact.
 inline void apply_impulses(Bodies& b, const Contact& contact) {
   for (int k = 0; k < contact.count; ++k) apply_impulse(b, contact, contact.slot[k], contact.slot[k].impulse);
 }

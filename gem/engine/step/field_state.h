@@ -1,4 +1,4 @@
-// The moving state of a host engine: the bodies, their outlines turned into world axes, and their books.
+// The moving state of a host engine: bodies, outlines in world axes, and books.
 #pragma once
 
 #include <cstdint>
@@ -11,28 +11,28 @@
 
 namespace gem {
 
-/// Arrays of length bodies.count() unless said otherwise.
+/// Arrays have length bodies.count() unless stated otherwise.
 struct FieldState {
   Bodies bodies;
   StepConstants constants;
 
-  std::vector<Vec2> corner;         // outlines in world axes about the centroid, as bodies.vertex
-  std::vector<Vec2> normal;         // outward unit normals of the edges in world axes
-  std::vector<Vec2> body_normal;    // the same in body axes
-  std::vector<double> turn_travel;  // sum of the angles turned so far, either way [rad]
+  std::vector<Vec2> corner;  // outline corners in world axes relative to the centroid, indexed as bodies.vertex [m]
+  std::vector<Vec2> normal;  // outward unit normals of the edges in world axes
+  std::vector<Vec2> body_normal;    // outward unit normals of the edges in body axes
+  std::vector<double> turn_travel;  // sum of the absolute angles turned so far [rad]
 
-  std::vector<Vec2> path_correction;  // exact path of the drag minus velocity x dt [m]
+  std::vector<Vec2> path_correction;  // exact path under drag minus velocity x dt [m]
   std::vector<double> angle_correction;
-  std::vector<std::uint8_t> struck;  // leaves the path of its drag in this time step: see book_contact()
+  std::vector<std::uint8_t> struck;  // does not follow the exact drag path in this time step: see book_contact()
   std::vector<Vec2> repair_shift;    // position repair of this time step [m]
   std::vector<double> repair_turn;   // [rad]
   Vec2 platform_position;            // at the start of the time step [m]
 
-  std::vector<float> momentum_coefficients;  // coupled: see carried_ahead()
+  std::vector<float> momentum_coefficients;  // coupled: see momentum_coefficients()
 
-  std::vector<Quantity> books;  // by channel, then by body: a contact's entries stand with its body B, the
-                                // platform's own with body 0
-  Quantity mooring_force;       // given by the mooring to the platform: no energy
+  std::vector<Quantity>
+      books;  // by channel, then by body; a contact's entries stand with body B, the platform's with body 0
+  Quantity mooring_force;  // momentum from the mooring to the platform; its energy is not used
 
   Quantity& book(Channel channel, std::size_t i) {
     return books[static_cast<std::size_t>(channel) * bodies.count() + i];
@@ -46,7 +46,7 @@ struct FieldState {
   }
 };
 
-/// State at t = 0 or at a restart.
+/// Initial state of a run, or the state at a restart.
 FieldState make_field_state(Bodies bodies, const StepConstants& constants);
 
 }  // namespace gem

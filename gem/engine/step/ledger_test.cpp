@@ -1,5 +1,5 @@
-// The books: they close on scenes with everything on, they do not close once a velocity is tampered with, and a state
-// that is no number stops the run.
+// The ledger closes on scenes with all laws on. It does not close if a velocity is changed. A state that is not finite
+// stops the run.
 #include "gem/engine/step/ledger.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST_P(LedgerTest, ClosesOverTwoThousandTimeSteps) {
   EXPECT_LT(worst.angular_momentum, 1e-12);
   EXPECT_LT(worst.energy, 1e-9);
 
-  // everything that has a channel was at work
+  // every channel was used
   const Ledger ledger = engine->ledger();
   EXPECT_GT(test::contacts_in(log), 20000);
   EXPECT_LT(ledger[Channel::impact].energy, 0.0);
@@ -51,7 +51,7 @@ TEST_P(LedgerTest, ClosesOverTwoThousandTimeSteps) {
     EXPECT_NE(ledger[Channel::elastic].energy, 0.0);
   else
     EXPECT_NE(ledger[Channel::repair].energy, 0.0);
-  // shifted bodies take their velocities along: reduced mass x shift x relative speed a contact, of either sign
+  // repair moves bodies with their velocities: mass x shift x relative speed per contact, of either sign
   const double repaired = std::abs(ledger[Channel::repair].angular_momentum);
   EXPECT_LT(repaired, 1e-4 * ledger.angular_scale);
   EXPECT_EQ(repaired > 0.0, scene.contact.solver == ContactSolver::coupled);
@@ -117,7 +117,7 @@ TEST(NumericalStop, NamesTheBodyWhoseStateIsNoNumber) {
     StepLog log;
     engine->advance(3, log);
     EngineState state = engine->save();
-    // the last floe upstream stands alone: no neighbour passes the fault on before it is named
+    // the last floe upstream stands alone, so no neighbour passes NaN on before the floe is named
     std::size_t alone = 3;
     for (std::size_t i = 3; i < state.bodies.count(); ++i)
       if (state.bodies.position[i].x < state.bodies.position[alone].x) alone = i;
@@ -136,7 +136,7 @@ TEST(NumericalStop, NamesTheBodyWhoseStateIsNoNumber) {
   }
 }
 
-// The platform has the lower id, so the fixed body is the contact's B.
+// The platform has the lower id, so the fixed body is body B of the contact.
 TEST(Ledger, ClosesWhereThePlatformMeetsAFixedBody) {
   for (const std::string& name : engine_names())
     for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled}) {

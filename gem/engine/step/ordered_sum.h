@@ -1,7 +1,7 @@
-// A sum whose order depends on the number of terms alone, so that any number of threads gets the same bits.
+// A sum whose order depends only on the number of terms, so that every number of threads gives the same bits.
 //
-// Thirty-two neighbours are added as a tree, by the distances 2, 1, 16, 8, 4; then their sums the same way. A warp of a
-// graphics processor adds in this order by exchanging values, a processor with packs of four by adding packs.
+// Groups of 32 neighbours are added as a tree, at distances 2, 1, 16, 8 and 4; then the group sums are added in the
+// same way. A GPU warp adds in this order with shuffles, a CPU with packs of four.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@ namespace gem {
 
 constexpr int sum_width = 32;
 
-/// Sum of four neighbours, distances 2 and 1.
+/// Sum of four neighbours, at distances 2 and 1.
 GEM_HD inline double sum_of_four(const double* s) { return (s[0] + s[2]) + (s[1] + s[3]); }
 
-/// Sum of eight sums of four, distances 16, 8 and 4 of the terms.
+/// Sum of eight sums of four, at distances 16, 8 and 4 of the terms.
 GEM_HD inline double sum_of_eight(const double* b) {
   return ((b[0] + b[4]) + (b[2] + b[6])) + ((b[1] + b[5]) + (b[3] + b[7]));
 }
 
-/// Sum of `count` terms. `terms` is used up: it must have room for the next multiple of 32.
+/// Sum of `count` terms. Overwrites `terms`, whose length must reach the next multiple of 32.
 inline double ordered_sum(double* terms, std::size_t count) {
   if (count == 0) return 0.0;
   do {

@@ -1,4 +1,4 @@
-// How often overlaps of which depth were seen: counts by size class, from which shares are read.
+// Histogram of overlap depths, for quantiles.
 #pragma once
 
 #include <array>
@@ -10,15 +10,15 @@
 
 namespace gem {
 
-/// Counts of positive values in classes that each span a factor 2^(1/8), from 2^-40 to 2^8. Integers: any order of
-/// counting gives the same.
+/// Counts of positive values in classes of eight per octave, from 2^-40 to 2^8. Counts are integers, so the order of
+/// counting does not matter.
 struct OverlapCount {
   static constexpr int per_octave = 8;
   static constexpr int lowest_octave = -40;
   static constexpr int classes = 48 * per_octave;
   std::array<std::int64_t, classes> count{};
 
-  /// Class of a value: its exponent and the three leading bits behind it; the ends take what lies beyond.
+  /// Class of a value: its exponent and its three leading mantissa bits. Values beyond the ends go to the end classes.
   static constexpr int class_of(double value) { return class_of_bits(std::bit_cast<std::uint64_t>(value)); }
   GEM_HD static constexpr int class_of_bits(std::uint64_t value) {
     const std::int64_t bits = static_cast<std::int64_t>(value >> 49);
@@ -39,7 +39,7 @@ struct OverlapCount {
     return sum;
   }
 
-  /// Upper edge of the class below which `share` of all values lie; 0 without values.
+  /// Upper edge of the class that reaches the fraction `share` of all values; 0 without values.
   double quantile(double share) const {
     const double wanted = share * static_cast<double>(total());
     std::int64_t sum = 0;

@@ -1,4 +1,4 @@
-// Counts of overlaps: classes that follow each other without gaps, and quantiles at their upper edges.
+// Overlap histogram: classes without gaps, and quantiles at upper class edges.
 #include "gem/engine/step/overlap_count.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ TEST(OverlapCount, EveryClassEndsWhereTheNextBegins) {
     const double edge = OverlapCount::upper_edge(i);
     EXPECT_EQ(OverlapCount::class_of(std::nextafter(edge, 0.0)), i);
     EXPECT_EQ(OverlapCount::class_of(edge), i + 1);
-    // eight steps an octave: an edge tells a value to an eighth
+    // eight classes per octave: an edge is at most an eighth above the value
     EXPECT_LE(OverlapCount::upper_edge(i + 1) / edge, 1.125);
   }
 }
@@ -33,7 +33,7 @@ TEST(OverlapCount, QuantileIsTheEdgeBelowWhichTheShareLies) {
   EXPECT_GT(counts.quantile(0.999), 1e-3);
   EXPECT_LE(counts.quantile(0.999), 1.125e-3);
   EXPECT_EQ(counts.quantile(1.0), 0.5625);
-  counts.add(0.5);  // two of 1001 are more than a thousandth
+  counts.add(0.5);  // two of 1001 values are more than a thousandth
   EXPECT_EQ(counts.quantile(0.999), 0.5625);
 }
 

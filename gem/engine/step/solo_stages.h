@@ -1,11 +1,11 @@
-// Stages that act on one body: the laws' solo events applied to index i, with their entries in the books.
+// Stages for one body: the laws that act on a single body, applied to body i, with their entries in the books.
 //
-// | stage               | reads                      | writes                                                |
-// | kick_floe           | velocity, spin             | velocity, spin, path and angle correction, drag book  |
-// | platform_first_half | platform position, velocity| the same, half a time step on; start position            |
-// | drift_floe          | velocity, struck, repair   | position, rotation, outline, travel, struck = 0       |
-// | platform_second_half| platform position, velocity| the same, outline                                     |
-// | retire_floe         | position                   | active, book of what left                             |
+// | stage                | reads                       | writes                                               |
+// | kick_floe            | velocity, spin              | velocity, spin, path and angle correction, drag book |
+// | platform_first_half  | platform position, velocity | both after half a time step; start position          |
+// | drift_floe           | velocity, struck, repair    | position, rotation, outline, travel, struck = 0      |
+// | platform_second_half | platform position, velocity | both at the end of the time step; outline            |
+// | retire_floe          | position                    | active, retired book                                 |
 #pragma once
 
 #include <cmath>
@@ -15,13 +15,13 @@
 
 namespace gem {
 
-/// Floe i as its solo events see it.
+/// The properties of floe i that its solo events read.
 inline FloeInEvents floe_in_events(const Bodies& b, std::size_t i) {
   return {b.mass[i],      b.inertia[i],  b.area[i],     b.thickness[i], b.drag[i],
           b.spin_drag[i], b.position[i], b.velocity[i], b.spin[i]};
 }
 
-/// Gives floe i what its solo events leave it, and enters it in the books; `drag`: see floe_events().
+/// Applies the solo events of floe i and books them; `drag`: see floe_events().
 inline void apply_kick(FieldState& f, std::size_t i, const FloeDrag& drag) {
   Bodies& b = f.bodies;
   const FloeInEvents floe = floe_in_events(b, i);
@@ -33,13 +33,13 @@ inline void apply_kick(FieldState& f, std::size_t i, const FloeDrag& drag) {
   f.angle_correction[i] = kick.angle_correction;
 }
 
-/// Solo events of floe i over the time step: its velocity at the end, before any contact.
+/// Solo events of floe i over the time step. Sets its velocity at the end of the step without contacts.
 inline void kick_floe(FieldState& f, std::size_t i) {
   if (!acts_on_floes(f.constants.events) || !f.bodies.active[i]) return;
   apply_kick(f, i, floe_drag(f.constants.events, floe_in_events(f.bodies, i)));
 }
 
-/// Turns the outline of body i into world axes.
+/// Rotates the outline of body i into world axes.
 inline void turn_outline(FieldState& f, std::size_t i) {
   const Rotation q = f.bodies.rotation[i];
   for (std::int32_t v = f.bodies.vertex_begin[i]; v < f.bodies.vertex_begin[i + 1]; ++v) {
@@ -48,20 +48,20 @@ inline void turn_outline(FieldState& f, std::size_t i) {
   }
 }
 
-/// Takes over where a turn of body i by `angle` has led it, and follows with its outline.
+/// Sets the rotation of body i after a turn by `angle` [rad], and updates its outline.
 inline void apply_turn(FieldState& f, std::size_t i, double angle, Rotation rotation) {
   f.bodies.rotation[i] = rotation;
   f.turn_travel[i] += angle < 0.0 ? -angle : angle;
   turn_outline(f, i);
 }
 
-/// Turns body i by `angle`.
+/// Turns body i by `angle` [rad].
 inline void turn_body(FieldState& f, std::size_t i, double angle) {
   if (angle != 0.0) apply_turn(f, i, angle, turned(f.bodies.rotation[i], angle));
 }
 
-/// Moves floe i over the time step with its velocity after the events, but for its turn, which it returns [rad]. A floe
-/// that nothing struck follows the exact path of its drag.
+/// Moves floe i over the time step with its velocity after the events, without its turn. Returns the angle of the turn
+/// [rad]. A floe that is not struck follows the exact path under drag.
 inline double shift_floe(FieldState& f, std::size_t i) {
   Bodies& b = f.bodies;
   const double dt = f.constants.dt;
@@ -81,18 +81,18 @@ inline double shift_floe(FieldState& f, std::size_t i) {
   return angle;
 }
 
-/// Moves floe i over the time step.
+/// Moves and turns floe i over the time step.
 inline void drift_floe(FieldState& f, std::size_t i) {
   if (f.bodies.active[i]) turn_body(f, i, shift_floe(f, i));
 }
 
-/// Whether the state of body i is made of numbers; that of a retired floe does not matter.
+/// Whether the state of body i is finite. The state of a retired floe does not matter.
 inline bool finite_or_inactive(const Bodies& b, std::size_t i) {
   return !b.active[i] || std::isfinite(b.position[i].x + b.position[i].y + b.velocity[i].x + b.velocity[i].y +
                                        b.spin[i] + b.rotation[i].cosine + b.rotation[i].sine);
 }
 
-/// Retires floe i if it is past the retire line, and enters what it takes along.
+/// Retires floe i if it is past the retire line, and books the momentum and energy that it takes away.
 inline void retire_floe(FieldState& f, std::size_t i) {
   Bodies& b = f.bodies;
   if (!b.active[i] || !(b.position[i].x > f.constants.retire_x)) return;
@@ -109,13 +109,13 @@ inline PlatformMotion platform_motion(FieldState& f) {
           f.mooring_force};
 }
 
-/// The platform's own motion up to the instant of the events.
+/// Moves the platform up to the time of the pair events.
 inline void platform_first_half(FieldState& f) {
   f.platform_position = f.bodies.position[0];
   platform_events_before(f.constants.events, platform_motion(f));
 }
 
-/// The platform's own motion after the events.
+/// Moves the platform from the pair events to the end of the time step.
 inline void platform_second_half(FieldState& f) {
   const Events& e = f.constants.events;
   if (!e.platform_present) return;

@@ -1,21 +1,21 @@
-// The stages of a time step. This is the only place that says their order; every engine takes it from here.
+// The stages of a time step. Their order is defined here only; every engine takes it from here.
 //
-// | stage          | what                                                | reads                 | writes |
-// |----------------|-----------------------------------------------------|-----------------------|--------------------------|
-// | list           | near pairs, when the list has worn out              | positions, velocities | pairs | | candidates
-// | near pairs that may touch now                       | positions, last axes  | candidates               | |
-// narrow_phase   | where candidates touch                              | positions, outlines   | contacts, axes | |
-// solo_events    | floes, and the platform up to the pair events       | velocities            | velocities, platform |
-// | contact_events | independent: each event; coupled: its points        | contacts, velocities  | impulses; points |
-// | gather         | coupled: where points stand and begin               | points, last impulses | solver's memory | |
-// iterate        | coupled: all points until the residual is met       | solver's memory       | solver's memory | |
-// settle         | coupled: what the iterations come to                | solver's memory       | impulses, velocities |
-// | books          | energy and momentum by channel, events, quality     | contacts, velocities  | ledger, log | | move
-// | floes; the platform after the pair events; retiring | velocities, repair    | positions, outlines, log |
+// | stage          | what                                         | reads                 | writes                   |
+// |----------------|----------------------------------------------|-----------------------|--------------------------|
+// | list           | near pairs, when the list is out of date     | positions, velocities | pairs                    |
+// | candidates     | near pairs that may touch now                | positions, last axes  | candidates               |
+// | narrow_phase   | contacts among the candidates                | positions, outlines   | contacts, axes           |
+// | solo_events    | floes; the platform up to the pair events    | velocities            | velocities, platform     |
+// | contact_events | independent: each event; coupled: its points | contacts, velocities  | impulses; points         |
+// | gather         | coupled: layout of the points, warm start    | points, last impulses | solver's memory          |
+// | iterate        | coupled: all points, to the residual         | solver's memory       | solver's memory          |
+// | settle         | coupled: results of the iterations           | solver's memory       | impulses, velocities     |
+// | books          | ledger entries, events, quality              | contacts, velocities  | ledger, log              |
+// | move           | floes; platform after the events; retiring   | velocities, repair    | positions, outlines, log |
 //
-// The positions that list, candidates and narrow_phase read are those of the start of the time step, so an engine may
-// make the solo events of a time step at the end of the one before. An engine may also let neighbouring stages go on
-// together. Where it does so, it says it.
+// The stages list, candidates and narrow_phase read the positions at the start of the time step. An engine may
+// therefore run solo_events at the end of the previous time step. It may also merge neighbouring stages. An engine that
+// does so says so in its own comments.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,7 @@ enum class Stage {
   settle,
   books,
   move,
-  // around the time steps of one call of an engine that keeps its scenes on a device: gem/engine/device/phases.h
+  // only for engines on a device, around the time steps of one call: gem/engine/device/phases.h
   open_call,
   first_solo_events,
   plan,
@@ -45,12 +45,12 @@ enum class Stage {
   close_call
 };
 
-/// One time step.
+/// The stages of one time step in order.
 inline constexpr Stage time_step_stages[] = {
     Stage::list,   Stage::candidates, Stage::narrow_phase, Stage::solo_events, Stage::contact_events,
     Stage::gather, Stage::iterate,    Stage::settle,       Stage::books,       Stage::move};
 
-/// Stages that only `coupled` contacts have.
+/// Whether a stage exists only for `coupled` contacts.
 GEM_HD constexpr bool is_of_solver(Stage stage) {
   return stage == Stage::gather || stage == Stage::iterate || stage == Stage::settle;
 }

@@ -10,10 +10,10 @@ namespace gem {
 
 namespace {
 
-/// Largest speed of any point that the scene starts with or drives towards [m/s]: the measure of residual and contact
-/// margin.
+/// Largest speed of any point in the initial state or in the current [m/s]: the scale of the residual and of the
+/// contact margin.
 double fastest_of(const SceneDef& scene) {
-  constexpr double slowest_of_interest = 1e-3;
+  constexpr double slowest_of_interest = 1e-3;  // [m/s]; chosen by hand, the scale of a scene at rest
   double fastest = std::max(slowest_of_interest, length(scene.current.velocity_m_per_s));
   for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s) + rim_speed(floe));
   return std::max(fastest, platform_speed_bound(scene));
@@ -43,9 +43,10 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
                                                                            : PointFriction::fixed_direction;
   c.repair_share = scene.numerics.repair_share;
   c.repair_speed = scene.numerics.repair_speed_m_per_s;
-  // what a contact reaches beyond one time step of drift
+  // the contact reach beyond the drift of one time step
   c.repair_reach = std::max((scene.numerics.contact_reach - 1.0) * fastest, c.repair_speed) * c.dt;
   c.list_margin = scene.numerics.list_margin_m;
+  // 400: chosen by hand; bounds the life of a list in slow water, affects only speed
   const double drift_speed = length(scene.current.velocity_m_per_s) + 1e-3;
   c.list_horizon = std::clamp<std::int64_t>(static_cast<std::int64_t>(c.list_margin / (drift_speed * c.dt)), 1, 400);
   c.retire_x = scene.output.retire_x_m;

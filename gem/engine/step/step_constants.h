@@ -1,4 +1,4 @@
-// What stays the same from step to step, worked out once per run from the scene.
+// Constants of a run, derived once from the scene.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@
 
 namespace gem {
 
-/// Constants of every stage. Plain values: copied to wherever the stages run.
+/// Constants of every stage. Plain values, copied to where the stages run.
 struct StepConstants {
   Events events;    // the laws
   double dt = 0.0;  // [s]
 
   ContactSolver solver = ContactSolver::coupled;
   Manifold manifold = Manifold::chord_ends;
-  double contact_margin = 0.0;  // coupled: faces closer than this are held apart [m]
+  double contact_margin = 0.0;  // coupled: faces closer than this form a contact [m]
   PointFriction point_friction = PointFriction::coulomb;
   double residual_speed = 0.0;  // coupled: iterations stop when no point asks for more [m/s]
-  bool tight_residual = false;  // below what single precision can tell of it
+  bool tight_residual = false;  // the residual is below the resolution of single precision
   std::int64_t iterations_maximum = 0;
-  double repair_share = 0.0;      // share of an overlap taken back in one time step [-]
-  double repair_speed = 0.0;      // ... at most at this speed [m/s]
-  double repair_reach = 0.0;      // coupled: farthest that the repair takes a point of a body in one time step [m]
+  double repair_share = 0.0;      // share of an overlap that is repaired in one time step [-]
+  double repair_speed = 0.0;      // largest speed of the repair [m/s]
+  double repair_reach = 0.0;      // coupled: largest repair motion of any point of a body in one time step [m]
   double list_margin = 0.0;       // [m]
   std::int64_t list_horizon = 1;  // longest life of a list of near pairs [time steps]
   double retire_x = 0.0;          // [m]

@@ -1,4 +1,4 @@
-// Constants of a time step: what contacts reach follows the fastest point of any body, its spin included.
+// Constants of a run: the contact reach follows the fastest point of any body, spin included.
 #include "gem/engine/step/step_constants.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ std::vector<Vec2> rectangle(double length_x, double length_y) {
   return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
 }
 
-/// A floe of 2 x 12 m that turns with its end into the side of another; nothing else moves.
+/// A floe of 2 x 12 m turns its end into the side of another floe; nothing else moves.
 SceneDef turning_floe(double dt, double spin = 0.5) {
   SceneDef scene;
   scene.current.velocity_m_per_s = {0.0, 0.0};
@@ -66,8 +66,8 @@ TEST(StepConstants, AnEndThatTurnsIsSeenBeforeItIsIn) {
       touched += quality.contacts > 0;
     }
     EXPECT_GT(touched, 0) << "the floes never met";
-    // contacts see the end in the time step before it closes; its way then bends by r (omega dt)^2 / 2, for both floes,
-    // beyond the straight one that the events stop, and the iterations leave their residual
+    // A contact is found in the time step before it closes. The path of the end then deviates by r (omega dt)^2 / 2
+    // from the straight path that the events stop, for both floes. The iterations leave their residual.
     EXPECT_LT(deepest, 2.0 * 0.5 * std::sqrt(50.0) * 0.25 * dt * dt + residual * dt) << "dt " << dt;
   }
 }

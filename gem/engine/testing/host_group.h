@@ -1,5 +1,5 @@
-// For tests: a thread group of host threads in several blocks, so that what blocks and threads share is tried without a
-// GPU.
+// For tests: thread groups made of host threads in several blocks. They test without a GPU what blocks and threads
+// share.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace gem::test {
 
-/// Threads of a group and of a warp; all of them have to take part in every exchange of theirs.
+/// Threads of a lane group and of a warp. All of them must take part in every exchange.
 constexpr int team_lanes = 2, team_warp = 4;
 
 template <int lanes>
@@ -84,7 +84,7 @@ class TeamLanes {
   int rank_;
 };
 
-/// What the threads of a team meet at.
+/// Barriers and shared data of a team.
 struct TeamHall {
   TeamHall(int block_count, int thread_count, std::size_t shared_bytes)
       : blocks(block_count),
@@ -106,7 +106,7 @@ struct TeamHall {
   std::vector<std::unique_ptr<GroupHall<team_warp>>> warp;
   std::vector<BlockCell> cell;
   std::vector<std::vector<std::byte>> shared_memory;
-  /// What a thread has of the barrier of all.
+  /// The state of one thread at the barrier of all threads.
   struct Part {
     int barriers = 0;
     std::optional<std::barrier<>::arrival_token> arrived;
@@ -114,11 +114,11 @@ struct TeamHall {
   std::vector<Part> part;
 };
 
-/// The blocks of a scene that stay with it.
+/// A thread group for a resident scene: the same blocks run all of its stages.
 class HostGroup {
  public:
   using Lanes = TeamLanes<team_lanes>;
-  using Wide = Lanes;  // several of a warp
+  using Wide = Lanes;  // lane groups may be smaller than a warp
   using Warp = TeamLanes<team_warp>;
   static constexpr int kept_points = 2;
   static constexpr bool reads_other_blocks = false;
@@ -154,7 +154,7 @@ class HostGroup {
     hall_.all.wait(std::move(*part().arrived));
     part().arrived.reset();
     if (thread() == 0) shared().asked_by_all = *asked;
-    block_barrier();  // what each thread has done between the halves comes before, too
+    block_barrier();  // also orders what the threads did between arrival and wait
   }
   int barriers() const { return part().barriers; }
   void block_barrier() { hall_.block[std::size_t(block_)]->arrive_and_wait(); }
@@ -169,10 +169,10 @@ class HostGroup {
     if (thread_ == 0) std::atomic_ref(shared().alarms).store(0);
   }
 
-  /// The number last and first: who reads it has what belongs to it.
+  /// Writes the number last and reads it first, so that a reader who sees the number also sees the parts.
   static void write_whole(NumberedHalf* to, const NumberedHalf& value) {
     thread_local unsigned written = 0;
-    if (++written % 13 == 0) std::this_thread::yield();  // some threads fall behind
+    if (++written % 13 == 0) std::this_thread::yield();  // makes some threads fall behind
     for (int c = 0; c < 3; ++c) std::atomic_ref(to->part[c]).store(value.part[c], std::memory_order_relaxed);
     std::atomic_ref(to->number).store(value.number, std::memory_order_release);
   }
@@ -207,7 +207,7 @@ class HostGroup {
   int block_, thread_;
 };
 
-/// A team that makes one phase: its alarms outlive it. Its blocks reach each other's shared memory.
+/// A team that runs one phase. Its alarms outlive it. Its blocks can read each other's shared memory.
 class PhaseTeam : public HostGroup {
  public:
   using HostGroup::HostGroup;
@@ -221,7 +221,7 @@ class PhaseTeam : public HostGroup {
   std::uint32_t* alarms_ = nullptr;
 };
 
-/// The same without shared memory.
+/// A PhaseTeam without shared memory.
 class SettleTeam : public PhaseTeam {
  public:
   using PhaseTeam::PhaseTeam;
@@ -230,7 +230,7 @@ class SettleTeam : public PhaseTeam {
   std::size_t shared_bytes() const { return 0; }
 };
 
-/// Runs work(thread group) on every thread of a team; `threads` is a multiple of team_warp.
+/// Runs work(group) on every thread of a team; `threads` is a multiple of team_warp.
 template <class Group>
 void run_team(int blocks, int threads, std::size_t shared_bytes, const std::function<void(Group&)>& work) {
   TeamHall hall(blocks, threads, shared_bytes);

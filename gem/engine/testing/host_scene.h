@@ -1,4 +1,4 @@
-// For tests: a device scene in the memory of the host, moved by thread groups of its threads.
+// For tests: a device scene in host memory, run by thread groups of host threads.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace gem::test {
 
-/// A device scene in the memory of the host.
+/// A device scene in host memory.
 class HostScene {
  public:
   HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0,
@@ -38,13 +38,13 @@ class HostScene {
     write_field(field_, 0, scene_);
   }
 
-  /// From now on each phase is run by itself; `solver_shared_memory`: shared memory of those of the iterations [bytes].
+  /// Runs each phase separately from now on. `solver_shared_memory`: shared memory of the phases that iterate [bytes].
   void by_phases(std::size_t solver_shared_memory = 1 << 20) {
     by_phases_ = true;
     solver_shared_memory_ = solver_shared_memory;
   }
   void by_steps() { by_phases_ = false; }
-  /// Fast memory of each block from the next call on [bytes].
+  /// Sets the shared memory of each block from the next call on [bytes].
   void give_space(std::size_t bytes) { shared_memory_ = bytes; }
 
   void advance(std::int64_t steps, StepLog& log) {
@@ -70,7 +70,7 @@ class HostScene {
     read_state(scene_.state, field_);
   }
 
-  /// What a batch does with a scene that is done while others are not.
+  /// A call without a time step, as for a finished scene of a batch that still runs.
   void wait() {
     OneThreadGroup group;
     advance_scene(scene_, group, 0);
@@ -89,14 +89,14 @@ class HostScene {
   const Bodies& bodies() const { return field_.bodies; }
   const DeviceStatus& status() const { return *scene_.status; }
   int growths() const { return growths_; }
-  /// Pairs that sleep now; of a scene that was moved phase by phase.
+  /// Number of pairs that sleep now, if the scene was run by phases.
   std::int32_t asleep() const {
     std::int32_t count = 0;
     for (std::int32_t p = 0; p < scene_.counters->pairs; ++p)
       count += scene_.wake[p] > static_cast<float>(scene_.status->clock) ? 1 : 0;
     return count;
   }
-  /// What a block iterated in the last time step; of a coupled scene that was moved phase by phase.
+  /// The solver workspace of a block in the last time step, if the scene is coupled and was run by phases.
   const SolverWorkspace& solver_workspace(int block) const { return scene_.solver_workspace[block]; }
   std::int32_t longest_lower_row() const {
     std::int32_t longest = 0;
@@ -167,7 +167,7 @@ class HostScene {
       run_if<stage>(now);
   }
 
-  /// One phase, if it is this one, by a team that ends with it; alarms stay.
+  /// Runs the phase `stage` if `now` is that phase, with a new team. Alarms are kept.
   template <Stage stage, ContactSolver solver = ContactSolver::independent>
   void run_if(Stage now) {
     using Team = std::conditional_t<stage == Stage::settle, SettleTeam, PhaseTeam>;
@@ -198,7 +198,7 @@ class HostScene {
   int growths_ = 0;
 };
 
-/// What is asked of coupled time steps beside what is asked of all: their memory and what they say of their events.
+/// Checks of coupled time steps beyond those of all: the warm start and the quality of the contacts.
 inline void expect_same_coupled(const HostScene& device, const StepLog& log, Engine& cpu, const StepLog& expected) {
   EngineState state;
   save_memory(device.memory(), state);

@@ -1,5 +1,4 @@
-// For tests: two runs agree to the last bit, in their state, what they logged and their books; or how far they are
-// apart.
+// For tests: two runs have the same bits in state, log and books; or how far they differ.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +13,7 @@ namespace gem::test {
 
 inline bool same(Vec2 a, Vec2 b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-/// Farthest that a body's centre is from its place in another state [m].
+/// Largest distance between the positions of a body in two states [m].
 inline double farthest_apart(const Bodies& a, const Bodies& b) {
   double apart = 0.0;
   for (std::size_t i = 0; i < a.count(); ++i) apart = std::max(apart, length(a.position[i] - b.position[i]));
@@ -63,7 +62,7 @@ inline void expect_same_log(const StepLog& a, const StepLog& b) {
   }
 }
 
-/// What a coupled time step says of its events once they are done.
+/// The quality of coupled time steps after the events.
 inline void expect_same_judgement(const StepLog& a, const StepLog& b) {
   ASSERT_EQ(a.quality.size(), b.quality.size());
   for (std::size_t m = 0; m < a.quality.size(); ++m) {
@@ -73,7 +72,7 @@ inline void expect_same_judgement(const StepLog& a, const StepLog& b) {
   }
 }
 
-/// What the contact points carry from step to step.
+/// The warm start of the contact points.
 inline void expect_same_memory(const EngineState& a, const EngineState& b) {
   ASSERT_EQ(a.impulse_key, b.impulse_key);
   ASSERT_EQ(a.impulse_value.size(), b.impulse_value.size());

@@ -1,4 +1,4 @@
-// For tests: the thread group of one that runs device code by the thread that calls it.
+// For tests: a thread group of one, which runs device code on the calling thread.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace gem::test {
 
-/// Lanes of a group that has one.
+/// A lane group of one lane.
 struct OneLane {
   static constexpr int size = 1;
   int rank() const { return 0; }
@@ -25,11 +25,11 @@ struct OneLane {
     return mine;
   }
   void sync() const {}
-  /// Of a set of bits: how many there are, how many below the own place, and the lowest.
+  /// For a set of bits: their number, the number below the own lane, and the lowest.
   int count(unsigned bits) const { return bits_in(bits); }
   int count_below(unsigned) const { return 0; }
   int lowest(unsigned bits) const { return bits_in(~bits & (bits - 1U)); }
-  /// Of a number of each lane: the sum over all lanes and over those of lower rank, and the highest.
+  /// For a number per lane: the sum over all lanes, the sum over lower lanes, and the largest.
   int sum(int mine) const { return mine; }
   int sum_below(int) const { return 0; }
   std::uint32_t highest(std::uint32_t mine) const { return mine; }
@@ -87,7 +87,7 @@ class OneThreadGroup {
     BlockCell cell{};
     std::vector<std::byte> shared_memory = std::vector<std::byte>(1 << 20);
   };
-  std::shared_ptr<Own> own_ = std::make_shared<Own>();  // of all copies
+  std::shared_ptr<Own> own_ = std::make_shared<Own>();  // shared by all copies
 };
 
 }  // namespace gem::test

@@ -1,4 +1,4 @@
-// Scenes for the tests of the engines: small, with everything on, and with contacts from the first seconds.
+// Scenes for the tests of the engines: small, with all laws on, and with contacts from the first seconds.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,8 @@
 
 namespace gem::test {
 
-/// A free platform with damping and drag in a narrowing channel, 150 floes of three thicknesses, friction, retire line.
+/// A free platform with damping and drag in a narrowing channel; 150 floes of three thicknesses; friction; a retire
+/// line.
 inline SceneDef busy_scene(std::uint64_t seed) {
   SceneDef scene;
   scene.run.seed = seed;
@@ -39,7 +40,7 @@ inline SceneDef busy_scene(std::uint64_t seed) {
   return scene;
 }
 
-/// Its field, the floes thrown about at random.
+/// The field of a scene, with random velocities and spins of the floes.
 inline Bodies busy_field(const SceneDef& scene) {
   Bodies bodies = make_field(scene);
   RandomSequence random(Random(scene.run.seed, 77));
@@ -55,7 +56,7 @@ inline std::unique_ptr<Engine> busy_engine(const SceneDef& scene, const std::str
   return make_engine(scene, busy_field(scene), {name, threads});
 }
 
-/// Contact points over all time steps of a log.
+/// Number of contact points over all time steps of a log.
 inline std::int64_t contacts_in(const StepLog& log) {
   std::int64_t sum = 0;
   for (const StepQuality& quality : log.quality) sum += quality.contacts;

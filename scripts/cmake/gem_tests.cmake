@@ -32,6 +32,8 @@ foreach(file IN ITEMS verification/platform_test verification/crushing_test veri
 endforeach()
 
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
+# The manual's examples need their patch: scripts/check_example_law.sh compiles them.
+list(FILTER unit_tests EXCLUDE REGEX "/gem/manual/")
 gem_test_program(gem_unit_tests unit ${unit_tests})
 target_link_libraries(gem_unit_tests PRIVATE hdf5::hdf5 hdf5::hdf5_hl  # the tests of gem/record read what was written
   Eigen3::Eigen)  # and those of the reference engine's solver set up its problems
@@ -90,6 +92,12 @@ target_compile_definitions(gem_sustained_survey PRIVATE GEM_SOURCE_DIR="${PROJEC
 # The manual's key reference is the program's own text.
 add_test(NAME rules.keys COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_keys.sh $<TARGET_FILE:gem>)
 set_tests_properties(rules.keys PROPERTIES LABELS unit)
+
+# The manual's example of a new law: in a copy of the tree, with its patch, against closed form and against this program.
+add_test(NAME manual.wind_example COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_example_law.sh $<TARGET_FILE:gem>
+  ${PROJECT_BINARY_DIR}/wind_example ${PROJECT_SOURCE_DIR}/gem/manual/examples/wind)
+set_tests_properties(manual.wind_example PROPERTIES LABELS unit PROCESSORS 2 TIMEOUT 600
+  ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 
 # A run file, and the summary of a sweep, read the way their users read them; skipped with the reason without the readers.
 find_program(GEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)  # the distribution's, which has the readers of its packages

@@ -1,8 +1,10 @@
 // One time step:
-//   touches     found at the positions at its start
-//   drag        velocity of every floe at the end of the time step without contacts; first half of the platform's
-//   motion contacts    each pair alone, or all together: impulses on those velocities books       work and momentum of
-//   the contacts motion      floes with their new velocities; second half of the platform's motion
+//
+// | touches  | found at the positions at its start                                                       |
+// | drive    | velocity of every floe at its end without contacts; first half of the platform's motion   |
+// | contacts | each pair alone, or all together: impulses on those velocities                            |
+// | books    | work and momentum of the contacts                                                         |
+// | motion   | floes with their new velocities; second half of the platform's motion                     |
 #include "gem/engine/reference/reference_engine.h"
 
 #include <cmath>
@@ -30,7 +32,7 @@ void ReferenceEngine::one_step(StepLog& log) {
   state_.begin_step();
   std::vector<reference::Touch> touches =
       reference::all_touches(state_.bodies, rules_.scene.contact.manifold, rules_.contact_margin);
-  drag_floes(rules_, state_);
+  drive_floes(rules_, state_);
   move_platform_before(rules_, state_);
 
   StepQuality quality;

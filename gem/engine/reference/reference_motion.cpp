@@ -1,7 +1,7 @@
 #include "gem/engine/reference/reference_motion.h"
 
 #include "gem/engine/reference/reference_books.h"
-#include "gem/events/current_drag.h"
+#include "gem/events/events.h"
 #include "gem/events/motion.h"
 #include "gem/events/platform_drag.h"
 
@@ -10,21 +10,9 @@ namespace {
 
 bool is_floe(const Bodies& b, std::size_t i) { return b.kind[i] == BodyKind::floe && b.active[i]; }
 
-/// Slip and spin of a floe after the drag.
-struct Dragged {
-  DragSolution slip;
-  SpinDragSolution spin;
-};
-
-Dragged dragged(const Rules& rules, const Bodies& b, std::size_t i) {
-  const Vec2 slip = rules.scene.current.velocity_m_per_s - b.velocity[i];
-  const double spin = b.spin[i], dt = rules.dt;
-  const bool turns_free = !(b.spin_drag[i] > 0.0);
-  if (rules.scene.water.drag_law == DragLaw::quadratic)
-    return {drag_quadratic(b.drag[i], slip, length(slip), dt),
-            turns_free ? SpinDragSolution{spin, 0.0} : spin_drag_quadratic(b.spin_drag[i], spin, dt)};
-  return {drag_linear(b.drag[i], slip, rules.linear_decay, dt),
-          turns_free ? SpinDragSolution{spin, 0.0} : spin_drag_linear(b.spin_drag[i], spin, rules.linear_decay, dt)};
+FloeInEvents floe_in_events(const Bodies& b, std::size_t i) {
+  return {b.mass[i],      b.inertia[i],  b.area[i],     b.thickness[i], b.drag[i],
+          b.spin_drag[i], b.position[i], b.velocity[i], b.spin[i]};
 }
 
 void drag_platform(const Rules& rules, State& s) {
@@ -79,7 +67,7 @@ void repair_platform(const Rules& rules, State& s) {
 
 void move_floe(const Rules& rules, State& s, std::size_t i) {
   Bodies& b = s.bodies;
-  // a floe that is not struck follows the exact path under drag
+  // a floe that is not struck follows the exact path of its solo events
   const Vec2 beside = s.struck[i] ? s.repair_shift[i] : s.path_correction[i];
   const double angle = s.struck[i] ? s.repair_turn[i] : s.angle_correction[i];
   b.position[i] += rules.dt * b.velocity[i] + beside;
@@ -90,24 +78,23 @@ void move_floe(const Rules& rules, State& s, std::size_t i) {
 
 }  // namespace
 
-void drag_floes(const Rules& rules, State& s) {
-  if (rules.scene.water.drag_law == DragLaw::none) return;
+void drive_floes(const Rules& rules, State& s) {
+  if (!acts_on_floes(rules.events)) return;
   Bodies& b = s.bodies;
   for (std::size_t i = 0; i < b.count(); ++i) {
     if (!is_floe(b, i)) continue;
-    const Dragged after = dragged(rules, b, i);
-    const Vec2 velocity = b.velocity[i];
-    const double spin = b.spin[i];
-    b.velocity[i] = rules.scene.current.velocity_m_per_s - after.slip.slip;
-    b.spin[i] = after.spin.spin;
-    s.path_correction[i] = -after.slip.path_correction;
-    s.angle_correction[i] = after.spin.angle_correction;
-    const Vec2 impulse = b.mass[i] * (b.velocity[i] - velocity);
-    const double twist = b.inertia[i] * (b.spin[i] - spin);
+    const FloeInEvents floe = floe_in_events(b, i);
+    const FloeKick after = floe_events(rules.events, floe, floe_drag(rules.events, floe));
+    b.velocity[i] = after.velocity;
+    b.spin[i] = after.spin;
+    s.path_correction[i] = after.path_correction;
+    s.angle_correction[i] = after.angle_correction;
+    const Vec2 impulse = b.mass[i] * (b.velocity[i] - floe.velocity);
+    const double twist = b.inertia[i] * (b.spin[i] - floe.spin);
     Quantity& book = s.ledger[Channel::drag];
     book.momentum += impulse;
     book.angular_momentum += cross(b.position[i], impulse) + twist;
-    book.energy += 0.5 * dot(impulse, b.velocity[i] + velocity) + 0.5 * twist * (b.spin[i] + spin);
+    book.energy += 0.5 * dot(impulse, b.velocity[i] + floe.velocity) + 0.5 * twist * (b.spin[i] + floe.spin);
   }
 }
 

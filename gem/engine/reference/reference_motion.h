@@ -1,12 +1,13 @@
-// Motion of bodies apart from contacts: drag, mooring, drift. Each function books what it gives.
+// Motion of bodies apart from contacts: solo events and drift. Each function books what it gives.
 #pragma once
 
 #include "gem/engine/reference/reference_state.h"
 
 namespace gem::reference {
 
-/// Drag of the current on every floe over the time step. Sets the velocities at its end without contacts.
-void drag_floes(const Rules& rules, State& s);
+/// Solo events of every floe over the time step, all those of events.h. Sets the velocities at its end without
+/// contacts.
+void drive_floes(const Rules& rules, State& s);
 
 /// Half a time step of the platform's own motion: drag then mooring before the contacts, mooring then drag after them.
 void move_platform_before(const Rules& rules, State& s);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "gem/base/strict_math.h"
 #include "gem/events/platform_drag.h"
 #include "gem/scene/scene_bounds.h"
 
@@ -26,9 +25,10 @@ Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
   if (rules.coupled() && scene.contact.manifold == Manifold::chord_ends)
     rules.contact_margin = reach * fastest * rules.dt;
   rules.repair_reach = std::max((reach - 1.0) * fastest, scene.numerics.repair_speed_m_per_s) * rules.dt;
-  rules.linear_decay = strict::exp(-rules.dt / scene.water.linear_time_s);
+  const double mass = scene.platform.present ? bodies.mass[0] : 0.0;
+  const PlatformInEvents platform{scene.platform.anchor_m, mass, scene.platform.diameter_m};
+  rules.events = make_events(scene, scene.platform.present ? &platform : nullptr, rules.dt);
   if (!scene.platform.present) return rules;
-  const double mass = bodies.mass[0];
   rules.stiffness = scene.mooring.stiffness_N_per_m;
   rules.half_mooring = mooring_flow(rules.stiffness, mass, scene.mooring.damping_ratio, 0.5 * rules.dt);
   if (!scene.platform_drag.present) return rules;

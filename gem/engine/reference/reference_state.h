@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gem/engine/engine.h"
-#include "gem/events/mooring.h"
+#include "gem/events/events.h"
 
 namespace gem::reference {
 
@@ -15,7 +15,7 @@ struct Rules {
   double dt = 0.0;                  // [s]
   double contact_margin = 0.0;      // coupled: faces closer than this form a contact [m]
   double repair_reach = 0.0;        // coupled: largest repair motion of any point of a body in one time step [m]
-  double linear_decay = 1.0;        // e^(-dt / tau)
+  Events events;                    // the laws of the scene
   MooringFlow half_mooring;         // over dt / 2
   double stiffness = 0.0;           // of the mooring; 0 without platform [N/m]
   double platform_drag_rate = 0.0;  // [1/m]; 0: none
@@ -33,9 +33,9 @@ struct State {
   std::int64_t steps = 0;
 
   // of the current time step
-  std::vector<Vec2> path_correction;     // exact path under drag minus velocity x dt [m]
+  std::vector<Vec2> path_correction;     // exact path of the solo events minus velocity x dt [m]
   std::vector<double> angle_correction;  // [rad]
-  std::vector<std::uint8_t> struck;      // does not follow the exact drag path
+  std::vector<std::uint8_t> struck;      // does not follow the exact path of its solo events
   std::vector<Vec2> repair_shift;        // [m]
   std::vector<double> repair_turn;       // [rad]
   Vec2 platform_start;                   // platform position when the touches were found [m]

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
 
 #include "baseline_box2d/body_of.h"
 #include "baseline_box2d/convex_pieces.h"
@@ -54,7 +55,8 @@ TEST(ConvexPieces, ThePlatformIsThreeOctagons) {
 }
 
 class MassOf : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Corners, MassOf, ::testing::Values(3, 4, 7, 8, 9, 13, 19, 20));
+INSTANTIATE_TEST_SUITE_P(Corners, MassOf, ::testing::Values(3, 4, 7, 8, 9, 13, 19, 20),
+                         [](const auto& corners) { return std::to_string(corners.param) + "_corners"; });
 
 TEST_P(MassOf, BodyIsThatOfTheField) {
   Bodies bodies;

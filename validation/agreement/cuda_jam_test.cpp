@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
 #include "validation/agreement/jam.h"
@@ -231,11 +232,7 @@ TEST_P(CudaJam, ScenesThatShareTheDeviceUnequallyKeepTheirBits) {
 INSTANTIATE_TEST_SUITE_P(Ways, CudaJam,
                          testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends)),
-                         [](const auto& way) {
-                           return std::string(std::get<0>(way.param) == ContactSolver::coupled ? "coupled"
-                                                                                               : "independent") +
-                                  (std::get<1>(way.param) == Manifold::chord_ends ? "_ends" : "_middle");
-                         });
+                         test::LawNames());
 
 }  // namespace
 }  // namespace gem

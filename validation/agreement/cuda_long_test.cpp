@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
 #include "gem/scene/sweep/sweep.h"
@@ -54,7 +55,8 @@ TEST_P(LongCuda, SixHundredSecondsOfTheDensestRun) {
 
 INSTANTIATE_TEST_SUITE_P(Ways, LongCuda,
                          testing::Values(Way{ContactSolver::independent, Manifold::chord_middle},
-                                         Way{ContactSolver::coupled, Manifold::chord_ends}));
+                                         Way{ContactSolver::coupled, Manifold::chord_ends}),
+                         test::LawNames());
 
 }  // namespace
 }  // namespace gem

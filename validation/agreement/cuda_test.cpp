@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
 #include "validation/agreement/on_gpu.h"
@@ -44,7 +45,8 @@ INSTANTIATE_TEST_SUITE_P(Combinations, CudaLaws,
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
-                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
+                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)),
+                         test::LawNames());
 
 /// Laws of scenes that are moved by a launch for each phase.
 class CudaPhases : public CudaLaws {};
@@ -134,7 +136,8 @@ INSTANTIATE_TEST_SUITE_P(Combinations, CudaPhases,
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
-                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
+                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)),
+                         test::LawNames());
 
 TEST_F(OnGpu, AStateThatIsNoNumberStopsTheRun) {
   const SceneDef scene = test::busy_scene(12);
@@ -178,10 +181,8 @@ TEST_P(OneOfABatch, ThatFailsOnTheGpuStopsNoOther) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OnGpuBy, OneOfABatch, testing::Values(Launches::steps, Launches::phases),
-                         [](const auto& launches) {
-                           return std::string(launches.param == Launches::phases ? "phases" : "steps");
-                         });
+INSTANTIATE_TEST_SUITE_P(Launches, OneOfABatch, testing::Values(Launches::steps, Launches::phases),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace gem

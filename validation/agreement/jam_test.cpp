@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 
 namespace gem {
@@ -128,11 +129,7 @@ TEST_P(JamTest, OneFloeMovedByALittleChangesTheHash) {
 INSTANTIATE_TEST_SUITE_P(Methods, JamTest,
                          testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends)),
-                         [](const auto& method) {
-                           const bool coupled = std::get<0>(method.param) == ContactSolver::coupled;
-                           const bool ends = std::get<1>(method.param) == Manifold::chord_ends;
-                           return std::string(coupled ? "coupled" : "independent") + (ends ? "_ends" : "_middle");
-                         });
+                         test::LawNames());
 
 }  // namespace
 }  // namespace gem

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <tuple>
 
 #include "gem/base/error.h"
@@ -21,6 +22,11 @@ class OnGpu : public testing::Test {
     }
   }
 };
+
+/// How a test of several kinds of launches is named.
+inline void PrintTo(Launches launches, std::ostream* out) {
+  *out << (launches == Launches::chosen ? "chosen" : launches == Launches::steps ? "steps" : "phases");
+}
 
 using Way = std::tuple<ContactSolver, Manifold>;
 

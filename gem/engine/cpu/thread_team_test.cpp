@@ -137,7 +137,8 @@ TEST_P(ThreadTeamTest, ManyShortRuns) {
   for (const int c : calls) EXPECT_EQ(c, 300);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, ThreadTeamTest, testing::Values(1, 2, 3, 5, 8));
+INSTANTIATE_TEST_SUITE_P(Sizes, ThreadTeamTest, testing::Values(1, 2, 3, 5, 8),
+                         [](const auto& threads) { return std::to_string(threads.param) + "_threads"; });
 
 /// Asks for more threads than there are addresses for; exits with 0 if that is told and nothing is left running.
 [[noreturn]] void start_too_many() {

@@ -7,12 +7,20 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ostream>
 #include <tuple>
 
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
 
 namespace gem::repeats {
+
+/// How a test is named by what its sums start from.
+inline void PrintTo(SumStart start, std::ostream* out) {
+  *out << (start == SumStart::zero ? "from_zero" : "from_velocity");
+}
+
 namespace {
 
 constexpr double kUnit = 0x1p-24;  // half a unit in the last place of 1 in single precision
@@ -103,15 +111,10 @@ TEST_P(UnorderedSums, ATimeStepIsTheOrderedOneButForRounding) {
   EXPECT_LT(largest, 2.0 * terms * kUnit * 10.0);
 }
 
-std::string name_of(const testing::TestParamInfo<std::tuple<ContactSolver, SumStart>>& info) {
-  return std::string(std::get<0>(info.param) == ContactSolver::coupled ? "coupled" : "independent") +
-         (std::get<1>(info.param) == SumStart::zero ? "_from_zero" : "_from_velocity");
-}
-
-INSTANTIATE_TEST_SUITE_P(Both, UnorderedSums,
+INSTANTIATE_TEST_SUITE_P(Sums, UnorderedSums,
                          testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
                                           testing::Values(SumStart::zero, SumStart::velocity)),
-                         name_of);
+                         test::LawNames());
 
 }  // namespace
 }  // namespace gem::repeats

@@ -1,4 +1,4 @@
-// Box2D's bodies against gem's: outline, area, centroid, mass and inertia, with pieces where there are many corners.
+// Box2D's bodies against gem's: outline, area, centroid, mass and inertia; outlines with many corners are split.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,7 +75,7 @@ TEST_P(MassOf, BodyIsThatOfTheField) {
   EXPECT_NEAR(length(from_box2d(body->GetWorldCenter()) - bodies.position[0]), 0.0, rounding * 34.0);
   EXPECT_EQ(body->GetLinearVelocity(), b2Vec2(0.5f, -0.25f));
 
-  // what Box2D would compute from the fixtures' own outlines
+  // What Box2D would compute from the outlines of the fixtures.
   double area = 0.0, second = 0.0;
   Vec2 first;
   std::map<std::pair<float, float>, int> corners;

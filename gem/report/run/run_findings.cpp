@@ -1,4 +1,4 @@
-// From the records of a run to the numbers of its report.
+// Computes the numbers of a report from the records of a run.
 #include "gem/report/run/run_findings.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ double largest_of(const std::vector<double>& values) {
   return largest;
 }
 
-/// NaN where an engine does not measure it.
+/// NaN if the engine does not measure it.
 double largest_measured(const std::vector<double>& values) {
   const bool measured = std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
   return measured ? largest_of(values) : std::numeric_limits<double>::quiet_NaN();
@@ -99,9 +99,10 @@ double sample_interval(const std::vector<double>& time) {
   const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   for (std::size_t i = 0; i < time.size(); ++i)
     if (std::abs(time[i] - time.front() - static_cast<double>(i) * interval) > 1e-6 * time.back())
-      throw Error(ExitCode::file_system,
-                  "the platform record has uneven samples (output.platform_interval_s is no whole number of time steps, "
-                  "or the file is damaged) run the case with another interval");
+      throw Error(
+          ExitCode::file_system,
+          "the platform record has uneven samples (output.platform_interval_s is no whole number of time steps, "
+          "or the file is damaged) run the case with another interval");
   return interval;
 }
 

@@ -15,7 +15,7 @@
 namespace gem {
 namespace {
 
-/// The named run of a sweep.
+/// The run with this name in a sweep.
 SceneDef member(const std::string& path, const std::string& name) {
   for (const SweepMember& run : expand_sweep(path))
     if (run.name == name) return run.scene;
@@ -24,7 +24,7 @@ SceneDef member(const std::string& path, const std::string& name) {
 
 class LongCuda : public OnGpu, public testing::WithParamInterface<Way> {};
 
-/// One time step from each of 100 states along a run of the paper, and the whole of its first 600 s.
+/// One time step from each of 100 states along a run of the paper, and its whole first 600 s.
 TEST_P(LongCuda, SixHundredSecondsOfTheDensestRun) {
   const auto [solver, manifold] = GetParam();
   const SceneDef scene = resolved(member(GEM_SOURCE_DIR "/cases/table1.toml", "400_200_100"), solver, manifold);

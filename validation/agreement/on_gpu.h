@@ -1,4 +1,4 @@
-// A test that needs a GPU.
+// Base of the tests that need a GPU.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace gem {
 
-/// Skips the test, with the reason, where no GPU answers.
+/// Skips the test, with the reason, if no GPU is usable.
 class OnGpu : public testing::Test {
  protected:
   void SetUp() override {
@@ -23,7 +23,7 @@ class OnGpu : public testing::Test {
   }
 };
 
-/// How a test of several kinds of launches is named.
+/// Names a parameterised test by its kind of launches.
 inline void PrintTo(Launches launches, std::ostream* out) {
   *out << (launches == Launches::chosen ? "chosen" : launches == Launches::steps ? "steps" : "phases");
 }

@@ -34,7 +34,7 @@ void add_fixtures(b2Body& body, const Bodies& bodies, std::size_t i, double skin
     b2FixtureDef def;
     def.shape = &shape;
     def.density = 0.0f;   // mass and inertia are given for the whole body
-    def.friction = 0.0f;  // set by pair when two touch
+    def.friction = 0.0f;  // set for each pair when two bodies touch
     def.restitution = 0.0f;
     def.restitutionThreshold = 0.0f;
     body.CreateFixture(&def);

@@ -1,4 +1,4 @@
-// One body of the field as Box2D has it: fixtures with the same outline, mass and inertia.
+// Makes one body of the field in Box2D: fixtures with the same outline, mass and inertia.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -9,10 +9,10 @@
 
 namespace gem::baseline {
 
-/// Adds body i to the world with its place and velocity; nullptr for one that takes no part (no outline, or retired
-/// before the world was made). `skin` is the radius round Box2D's outlines [m]; a bullet is
-/// stopped at its first touch within a step where the world is continuous. Throws Error(scene_rejected) if Box2D
-/// would change the outline.
+/// Adds body i to the world with its position and velocity. Returns nullptr if the body takes no part: it has no
+/// outline, or it was retired before the world was made. `skin` is the radius around Box2D's outlines [m]. In a
+/// continuous world a bullet is stopped at its first contact within a step. Throws Error(scene_rejected) if Box2D would
+/// change the outline.
 b2Body* add_body(b2World& world, const Bodies& bodies, std::size_t i, double skin, bool bullet = false);
 
 inline std::size_t index_of(const b2Fixture& fixture) {

@@ -1,8 +1,8 @@
 // One time step:
-//   solo events        gem's: current drag on every floe, first half of the platform's own motion
-//   contacts, motion   Box2D's step with the velocities so far: finds contacts, solves them, moves, pushes overlaps out
+//   solo events        by gem: current drag on every floe, first half of the platform's own motion
+//   contacts, motion   by Box2D's step from the current velocities: finds and solves contacts, moves, corrects overlaps
 //   books              energy as the change over the step, momentum of fixed bodies from the contact impulses
-//   platform           second half of its own motion, in double
+//   platform           by gem: second half of the platform's own motion, in double
 #include "baseline_box2d/box2d_engine.h"
 
 #include <algorithm>
@@ -35,14 +35,14 @@ Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOption
 }
 
 std::string Box2dEngine::method() const {
-  // the library 2.4.1 calls itself 2.4.0, so its last number says nothing
+  // version 2.4.1 reports 2.4.0, so the last number is left out
   return "box2d " + std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor) + ", " +
          std::to_string(options_.velocity_iterations) + " velocity and " +
          std::to_string(options_.position_iterations) + " position iterations, skin " + number_text(options_.skin_m) +
          " m" + experiments();
 }
 
-/// What an experiment changed.
+/// The settings changed by --experiment.
 std::string Box2dEngine::experiments() const {
   std::string text;
   if (options_.substeps != 1) text += ", " + std::to_string(options_.substeps) + " substeps";
@@ -158,7 +158,7 @@ StepQuality Box2dEngine::quality() {
   return quality;
 }
 
-/// Largest closing speed that is left at a touching point, with the arms of the step's start.
+/// Largest closing speed left at a contact point, with the lever arms of the start of the step.
 double Box2dEngine::closing_speed_left() const {
   const Bodies& b = field_.bodies;
   double fastest = 0.0;
@@ -219,7 +219,7 @@ void Box2dEngine::take_platform() {
   b.velocity[0] = velocity;
   b.spin[0] = spin;
 
-  // what Box2D moved beyond its own velocity is position repair, if it is more than rounding
+  // motion beyond the body's own velocity is position correction, if it is more than rounding
   const Vec2 start = from_box2d(to_box2d(field_.platform_position)), now = from_box2d(body_[0]->GetWorldCenter());
   const Vec2 pushed = now - start - dt * from_box2d(body_[0]->GetLinearVelocity());
   if (length(pushed) > 2.0 * static_cast<double>(b2_epsilon) * (length(now) + length(start)))

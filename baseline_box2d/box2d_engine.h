@@ -1,5 +1,5 @@
-// The same scene with Box2D's contacts: bodies, drag, mooring, books and record are gem's, contact mechanics is not.
-// MAPPING.md says what maps, what cannot, and each setting with its reason.
+// The engine `box2d`: contact mechanics by Box2D; bodies, drag, mooring, books and output by gem. MAPPING.md lists what
+// maps, what cannot, and the reason for each setting.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -14,8 +14,8 @@
 
 namespace gem::baseline {
 
-/// One time step is one Box2D step between the two halves of gem's own events. Places and turns are Box2D's floats;
-/// velocities are kept in double, so that drag and mooring lose nothing, and are given to Box2D rounded.
+/// One time step is one Box2D step between the two halves of gem's own events. Positions and angles are Box2D's floats.
+/// Velocities are kept in double and passed to Box2D rounded, so that drag and mooring lose no precision.
 class Box2dEngine : public Engine {
  public:
   Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options);
@@ -27,8 +27,8 @@ class Box2dEngine : public Engine {
   const Bodies& bodies() override { return field_.bodies; }
   Ledger ledger() override;
   EngineState save() override;
-  /// Puts the bodies back and begins a new world: the impulses that warm-start Box2D's next step are lost, so the run
-  /// does not go on with the same bits.
+  /// Restores the bodies and makes a new world. The impulses that would warm-start Box2D's next step are lost, so the
+  /// run does not continue with the same bits.
   void restore(const EngineState& state) override;
 
  private:
@@ -50,10 +50,10 @@ class Box2dEngine : public Engine {
   Ledger ledger_;
   std::int64_t step_ = 0;
   double platform_angle_ = 0.0;             // [rad]
-  std::vector<std::int64_t> outline_made_;  // time step for which a body's outline was last turned
-  std::vector<Vec2> place_;                 // of every body before it moved [m]
+  std::vector<std::int64_t> outline_made_;  // time step in which a body's outline was last turned
+  std::vector<Vec2> place_;                 // of every body before the step [m]
   Touches touches_;
-  std::unique_ptr<b2World> world_;  // after the listener that it calls
+  std::unique_ptr<b2World> world_;  // declared after the listener, which it calls
   std::vector<b2Body*> body_;       // nullptr: takes no part
 };
 

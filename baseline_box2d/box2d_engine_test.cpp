@@ -1,4 +1,4 @@
-// The baseline as an engine: gem's drag and mooring to the bit, Box2D's contacts, books, restart, command line.
+// The engine box2d: drag and mooring equal gem's to the bit; Box2D's contacts, books, restart and command line.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace gem::baseline {
 namespace {
 
-/// One step of float arithmetic [-]. Speeds of the scenes below are under 1 m/s.
+/// Relative spacing of floats near 1. All speeds in these scenes are below 1 m/s.
 constexpr double float_step = 0x1p-23;
 
 [[maybe_unused]] const bool registered = [] {
@@ -76,7 +76,7 @@ TEST(Box2dEngine, V04_flatOnAWall) {
   engine->advance(1, log);
   ASSERT_GT(contacts_of(log), 0);
   const Bodies& b = engine->bodies();
-  // the two corners are solved together: a few roundings of 0.5 m/s
+  // Both corners are solved together, so the error is a few roundings of 0.5 m/s.
   EXPECT_NEAR(b.velocity[2].y, 0.0, 4.0 * 0.5 * float_step);
   EXPECT_NEAR(b.spin[2], 0.0, 4.0 * 0.1 * float_step);
   const Ledger books = engine->ledger();
@@ -99,7 +99,8 @@ TEST(Box2dEngine, V05_twoFloesHeadOn) {
 }
 
 TEST(Box2dEngine, FrictionIsThatOfThePair) {
-  // pressed on at 0.5 m/s and sliding: the impulse along the face is mu times the normal one, against the slip
+  // The floe is pressed on at 0.5 m/s and slides: the impulse along the face is mu times the normal one, against the
+  // slip.
   for (const bool on_platform : {false, true}) {
     SceneDef scene = still_scene();
     scene.ice.friction_ice = 0.35;
@@ -153,7 +154,8 @@ TEST(Box2dEngine, DragOfFreeFloesIsGemsToTheBit) {
     }
   }
   EXPECT_EQ(contacts_of(log), 0);
-  // places are floats and lag by half a time step's speeding up: 2e-6 m a time step of rounding at 32 m, 0.5 U dt
+  // Positions are floats: 2e-6 m of rounding per time step at 32 m. They also lag by half of one time step's
+  // acceleration, 0.5 U dt.
   const Vec2 off = box2d->bodies().position[1] - gems->bodies().position[1];
   EXPECT_LT(length(off), 1000 * 2e-6 + 0.5 * 0.51 * 0.05);
   EXPECT_EQ(residual(box2d->ledger()).energy, residual(gems->ledger()).energy);
@@ -188,11 +190,12 @@ TEST(Box2dEngine, V33_columnOnAWall) {
   StepLog log;
   engine->advance(600, log);
   const double before = engine->ledger()[Channel::impact].momentum.x;
-  log.clear();  // the row began with its skins in each other and was pushed apart
+  log.clear();  // the row began with overlapping skins and was pushed apart
   engine->advance(200, log);
   ASSERT_GT(contacts_of(log), 0);
   const double force = (before - engine->ledger()[Channel::impact].momentum.x) / (200 * 0.05);
-  // within a time step a floe gives way to the current: its drag is less by 1 + k U dt; the rest is Box2D's rounding
+  // Within a time step a floe yields to the current, which reduces its drag by the factor 1 + k U dt. The rest is
+  // Box2D's rounding.
   const double held = count * 562.5 / (1.0 + 0.05 * 0.5 * 0.05);
   EXPECT_NEAR(force, held, 1e-5 * held);
   for (const StepQuality& q : log.quality) EXPECT_LT(count * q.maximum_overlap, 1e-3);
@@ -233,7 +236,7 @@ TEST(Box2dEngine, IceForceIsWhatMovesThePlatformAndBooksCloseInFloat) {
   EXPECT_NEAR(length(gained - impulse), 0.0, 1e-9 * length(gained));
   EXPECT_NEAR(start.inertia[0] * (engine->bodies().spin[0] - start.spin[0]), yaw, 1e-9 * std::fabs(yaw));
   const LedgerResidual left = residual(engine->ledger());
-  // what floes get and what the platform is booked differ by Box2D's rounding of every contact and time step
+  // The floes and the platform's books differ by Box2D's rounding of every contact in every time step.
   EXPECT_LT(left.momentum, 400.0 * float_step);
   EXPECT_LT(left.energy, 400.0 * float_step);
   EXPECT_GT(left.momentum, 0.0);
@@ -252,7 +255,7 @@ TEST(Box2dEngine, RestoredStateIsTheSameStateWithoutItsWarmStart) {
   EXPECT_EQ(again->state_hash(), engine->state_hash());
   const LedgerResidual one = residual(again->ledger()), other = residual(engine->ledger());
   EXPECT_EQ(one.energy, other.energy);
-  // without the last impulses the next step has more to find: close, not equal
+  // Without the last impulses the next step starts from zero: the result is close, not equal.
   log.clear();
   engine->advance(1, log);
   again->advance(1, log);

@@ -1,4 +1,4 @@
-// Settings by name.
+// Reads the settings of the engine by name.
 #include "baseline_box2d/box2d_options.h"
 
 #include <cmath>
@@ -19,7 +19,7 @@ Error fault(const std::string& text, const std::string& reason) {
                                     keys + "; switches are 0 or 1");
 }
 
-/// One setting, whose value is asked for as what it must be.
+/// One setting and the values it may have.
 class Setting {
  public:
   explicit Setting(const std::string& text) : text_(text) {

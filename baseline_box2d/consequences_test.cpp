@@ -1,5 +1,5 @@
-// What Box2D's own ways cost, measured: float places, slop and skin, joined corners, seams between fixtures, the cap on
-// travel. MAPPING.md quotes these numbers; the bounds here keep them true.
+// Measured consequences of Box2D's methods: float positions, slop and skin, merged corners, seams between fixtures, the
+// limit on travel. MAPPING.md quotes these numbers; the bounds here keep them true.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ std::unique_ptr<Engine> box2d(const SceneDef& scene, double skin = Box2dOptions{
   return make_engine(scene, make_field(scene), options);
 }
 
-/// Speed at which a floe without drag really moves over 10 s, over its velocity.
+/// Ratio of the distance that a floe without drag travels in 10 s to its velocity times 10 s.
 double true_speed(double x, double speed, double dt) {
   SceneDef scene = bare_scene();
   scene.numerics.time_step_s = dt;
@@ -59,7 +59,7 @@ double true_speed(double x, double speed, double dt) {
 }
 
 TEST(Consequences, FloatPlacesChangeTheSpeed) {
-  // a place in [1024, 2048) m is a multiple of 2^-13 m = 1.22e-4 m, and so is every step
+  // A position in [1024, 2048) m is a multiple of 2^-13 m = 1.22e-4 m, and so is every displacement.
   const double grid = 0x1p-13;
   for (const double dt : {0.1, 0.05, 0.01, 0.001}) {
     const double path = 0.25 * dt;
@@ -68,10 +68,10 @@ TEST(Consequences, FloatPlacesChangeTheSpeed) {
     RecordProperty("speed_ratio_at_1400_m_dt_" + std::to_string(dt), std::to_string(true_speed(-1400.0, 0.25, dt)));
     EXPECT_NEAR(true_speed(-3.0, 0.25, dt), 1.0, 1e-3) << dt;
   }
-  EXPECT_EQ(true_speed(-1400.0, 0.06, 0.001), 0.0);  // less than half a step: it stands still
+  EXPECT_EQ(true_speed(-1400.0, 0.06, 0.001), 0.0);  // less than half the spacing: it does not move
 }
 
-/// Gap that is left between a floe and the wall that it is pressed to [m].
+/// Gap left between a floe and the wall that it is pressed against [m].
 double resting_gap(double skin) {
   SceneDef scene = bare_scene();
   scene.current.velocity_m_per_s = {0.0, -0.25};
@@ -86,7 +86,7 @@ double resting_gap(double skin) {
 }
 
 TEST(Consequences, SkinAndSlopSetWhereBodiesRest) {
-  // two skins apart less the slop of 5 mm; a floe stops anywhere between there and where the skins meet
+  // The gap lies between two skins and two skins less the slop of 5 mm.
   for (const double skin : {0.0, 0.0025, 0.01}) {
     const double gap = resting_gap(skin);
     RecordProperty("resting_gap_at_skin_" + std::to_string(skin), std::to_string(gap));
@@ -96,7 +96,7 @@ TEST(Consequences, SkinAndSlopSetWhereBodiesRest) {
 }
 
 TEST(Consequences, ShortEdgesAreRefusedAndShortEnoughOnesWouldBeJoined) {
-  // Box2D joins corners closer than half its slop
+  // Box2D merges corners closer than half its slop.
   const auto adds = [](double edge) {
     Bodies bodies;
     BodyDef def;
@@ -114,7 +114,7 @@ TEST(Consequences, ShortEdgesAreRefusedAndShortEnoughOnesWouldBeJoined) {
   EXPECT_TRUE(adds(0.0019));   // 2.7 mm
 }
 
-/// What a floe's face gives to the platform when it meets its corner at so many twentieths of a turn.
+/// What the face of a floe transfers to the platform when it hits the corner at this number of twentieths of a turn.
 struct Hit {
   double impulse = 0.0, sideways = 0.0;
   std::size_t events = 0;
@@ -142,13 +142,13 @@ Hit hit_corner(int corner) {
 }
 
 TEST(Consequences, SeamsBetweenFixturesAreFeltOnceOnly) {
-  // corners where two of the platform's three fixtures meet: 0, 7 and 14 in the order of the outline
+  // Corners at which two of the platform's three fixtures meet: 0, 7 and 14 in the order of the outline.
   const double alone = 45000.0 * 0.25 * (1e8 / (1e8 + 45000.0));
   for (int corner = 0; corner < 20; ++corner) {
     const Hit hit = hit_corner(corner);
     const bool seam = corner == 0 || corner == 7 || corner == 14;
     if (seam) {
-      EXPECT_GE(hit.points, 2) << corner;  // both fixtures find it
+      EXPECT_GE(hit.points, 2) << corner;  // both fixtures report it
     } else {
       EXPECT_EQ(hit.points, 1) << corner;
     }
@@ -166,7 +166,7 @@ TEST(Consequences, NoBodyGoesFartherThanTwoMetresInAStep) {
   StepLog log;
   engine->advance(1, log);
   EXPECT_NEAR(engine->bodies().position[1].x, 2.0, 1e-6);
-  EXPECT_NEAR(engine->bodies().velocity[1].x, 0.2, 1e-7);  // and its velocity with it
+  EXPECT_NEAR(engine->bodies().velocity[1].x, 0.2, 1e-7);  // and so is its velocity
 }
 
 }  // namespace

@@ -8,8 +8,9 @@
 
 namespace gem::baseline {
 
-/// Pieces of a convex counter-clockwise outline with at most `corners_maximum` (3 or more) corners each. They cover it
-/// exactly: no corner is added or moved, neighbours share a chord. As few pieces as possible, about equally large.
+/// Splits a convex counter-clockwise outline into pieces with at most `corners_maximum` (3 or more) corners each. They
+/// cover it exactly: no corner is added or moved, and neighbours share a chord. The number of pieces is minimal; their
+/// sizes are about equal.
 std::vector<std::vector<Vec2>> convex_pieces(const std::vector<Vec2>& outline, std::size_t corners_maximum);
 
 }  // namespace gem::baseline

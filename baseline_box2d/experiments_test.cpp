@@ -1,4 +1,4 @@
-// The experiments turn what they say, and the platform still feels exactly what moves it.
+// Each experiment changes what it says, and the platform's record still holds exactly the impulses that move it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,16 +22,16 @@ EngineOptions with(const std::string& experiment) {
 
 struct Outcome {
   std::uint64_t hash = 0;
-  std::int64_t hits = 0;  // of the platform
+  std::int64_t hits = 0;  // on the platform
   std::string method;
 };
 
-/// A crowd round an unmoored platform. Fails unless momentum is kept to float.
+/// A crowd of floes around an unmoored platform. Fails unless momentum is conserved to float precision.
 Outcome outcome(const std::string& experiment) {
   SceneDef scene = test::busy_scene(15);
   scene.mooring.stiffness_N_per_m = 0.0;
   scene.ice.friction_ice = 0.4;
-  scene.ice.friction_structure = 0.1;  // mixed: 0.2
+  scene.ice.friction_structure = 0.1;  // Box2D's mixed coefficient: 0.2
   scene.platform_drag.present = false;
   const auto engine = make_engine(scene, test::busy_field(scene), with(experiment));
   StepLog log;

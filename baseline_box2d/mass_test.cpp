@@ -1,10 +1,11 @@
-// Box2D's bodies against gem's: outline, area, centroid, mass and inertia, with pieces where there are many corners.
+// Box2D's bodies against gem's: outline, area, centroid, mass and inertia; outlines with many corners are split.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
 
 #include "baseline_box2d/body_of.h"
 #include "baseline_box2d/convex_pieces.h"
@@ -54,7 +55,8 @@ TEST(ConvexPieces, ThePlatformIsThreeOctagons) {
 }
 
 class MassOf : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Corners, MassOf, ::testing::Values(3, 4, 7, 8, 9, 13, 19, 20));
+INSTANTIATE_TEST_SUITE_P(Corners, MassOf, ::testing::Values(3, 4, 7, 8, 9, 13, 19, 20),
+                         [](const auto& corners) { return std::to_string(corners.param) + "_corners"; });
 
 TEST_P(MassOf, BodyIsThatOfTheField) {
   Bodies bodies;
@@ -73,7 +75,7 @@ TEST_P(MassOf, BodyIsThatOfTheField) {
   EXPECT_NEAR(length(from_box2d(body->GetWorldCenter()) - bodies.position[0]), 0.0, rounding * 34.0);
   EXPECT_EQ(body->GetLinearVelocity(), b2Vec2(0.5f, -0.25f));
 
-  // what Box2D would compute from the fixtures' own outlines
+  // What Box2D would compute from the outlines of the fixtures.
   double area = 0.0, second = 0.0;
   Vec2 first;
   std::map<std::pair<float, float>, int> corners;

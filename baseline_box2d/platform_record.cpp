@@ -18,7 +18,7 @@ void add(const FieldState& f, const Touch& touch, PlatformImpulse& sum) {
   }
 }
 
-/// One floe's touches with the platform as one event, without what its shape adds.
+/// Merges the touches of one floe with the platform into one event, without chord, depth and peak force.
 ContactEvent merged(const FieldState& f, const Touch* begin, const Touch* end) {
   ContactEvent e;
   e.body_b = begin->b;
@@ -44,13 +44,14 @@ ContactEvent merged(const FieldState& f, const Touch* begin, const Touch* end) {
   return e;
 }
 
-/// Chord, depth and crushing peak from the true outlines, as gem's own engines give them.
+/// Adds chord, depth and crushing peak from the true outlines, as gem's own engines compute them.
 void add_crushing(const FieldState& f, ContactEvent& e) {
   const Bodies& b = f.bodies;
   const Outline platform = f.outline(0), floe = f.outline(static_cast<std::size_t>(e.body_b));
   const Vec2 offset = b.position[e.body_b] - f.platform_position;
   const Separation axis = find_axes(platform, floe, offset).first;
-  // Box2D meets the floe up to two skins early: what counts is what would touch if it stood closer by that
+  // Box2D stops the floe up to two skins early. Outlines that would touch if the floe stood closer by that distance
+  // count.
   const double reach = f.constants.contact_margin + std::max(0.0, axis.distance);
   const ContactGeometry shape = face_contact(platform, floe, offset, axis, reach);
   e.width = shape.width;
@@ -84,7 +85,7 @@ void log_events(const FieldState& f, const std::vector<Touch>& touches, double t
   while (touch != last && touch->a == 0) {
     const Touch* next = touch;
     while (next != last && next->a == 0 && next->b == touch->b) ++next;
-    if (f.bodies.kind[touch->b] == BodyKind::floe) {  // a wall is not ice
+    if (f.bodies.kind[touch->b] == BodyKind::floe) {  // fixed bodies are not ice
       ContactEvent event = merged(f, touch, next);
       if (event.impulse_normal > 0.0 && event.closing_speed > event_speed) {
         event.time = time;

@@ -1,4 +1,4 @@
-// What the platform felt in a Box2D step, summed from the step's own contact impulses.
+// The platform's record in a Box2D step, summed from the contact impulses of the step.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,21 @@
 
 namespace gem::baseline {
 
-/// Impulse of everything that touches the platform, on it.
+/// Impulse of all bodies that touch the platform, on the platform.
 struct PlatformImpulse {
   Vec2 impulse;      // [N s]
-  double yaw = 0.0;  // about its centre at the instant of the events [N m s]
+  double yaw = 0.0;  // about its centre at the time of the events [N m s]
 };
 
-/// Sum over all touches of the platform, fixed bodies included.
+/// Sum over all touches of the platform, also with fixed bodies.
 PlatformImpulse platform_impulse(const FieldState& f, const std::vector<Touch>& touches);
 
-/// Appends one event for each floe that hit the platform: touches of several fixtures are one event, at the
-/// impulse-weighted middle of their points. Needs velocities and outlines from before the step.
+/// Appends one event for each floe that hit the platform. Touches of several fixtures are one event, at the
+/// impulse-weighted mean of their points. Needs velocities and outlines from before the step.
 void log_events(const FieldState& f, const std::vector<Touch>& touches, double time, double event_speed,
                 std::vector<ContactEvent>& events);
 
-/// What the ice gave to the platform; the other members of the row are left for the time step's end.
+/// The ice's part of a row; the other members are filled at the end of the time step.
 PlatformStep ice_row(const FieldState& f, const std::vector<Touch>& touches);
 
 }  // namespace gem::baseline

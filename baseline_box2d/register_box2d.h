@@ -1,9 +1,9 @@
-// Makes the engine `box2d` known by name.
+// Registers the engine `box2d` by name.
 #pragma once
 
 namespace gem::baseline {
 
-/// After this, make_engine accepts "box2d". Without Box2D in the build it does nothing.
+/// Afterwards make_engine accepts "box2d". In a build without Box2D it does nothing.
 void register_box2d();
 
 }  // namespace gem::baseline

@@ -29,7 +29,7 @@ void Touches::PreSolve(b2Contact* contact, const b2Manifold*) {
   pairs_.push_back({a, b});
   points_ += count;
   if (!options_.measures_quality && field_.bodies.kind[a] == BodyKind::floe)
-    return;  // platform and fixed bodies stand before the floes
+    return;  // platform and fixed bodies come before the floes
 
   Touch touch{contact, a, b, {}, count, {}};
   b2WorldManifold manifold;
@@ -58,7 +58,7 @@ void Touches::read_impulses() {
     for (int k = 0; k < touch.count; ++k) {
       const b2ManifoldPoint& point = touch.contact->GetManifold()->points[k];
       touch.normal_impulse[k] = static_cast<double>(point.normalImpulse);
-      // Box2D's tangent is the normal turned right; swapping the bodies turns both normal and force
+      // Box2D's tangent is the normal turned right. Swapping the bodies turns both the normal and the force.
       touch.tangent_impulse[k] = -static_cast<double>(point.tangentImpulse);
     }
   }

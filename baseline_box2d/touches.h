@@ -1,4 +1,4 @@
-// What touches in one Box2D step: all pairs, and the contacts that the books need in full.
+// The contacts of one Box2D step: all pairs, and the contacts that the books need with their impulses.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -31,20 +31,21 @@ struct Touch {
   Vec2 impulse(int k) const { return normal_impulse[k] * normal + tangent_impulse[k] * turned_left(normal); }
 };
 
-/// Listens to Box2D before it solves a step: gives each pair its friction and notes what touches. A continuous world
-/// solves the touches within a step again, one by one, and tells those impulses only as it goes.
+/// Called by Box2D before it solves a step: sets the friction of each pair and records what touches. A continuous world
+/// solves the contacts found within a step again, one by one, and reports their impulses only at that time.
 class Touches : public b2ContactListener {
  public:
-  /// Keeps the contacts of the platform and of fixed bodies in full, where quality is measured those between floes too.
+  /// Keeps contacts of the platform and fixed bodies with impulses. If quality is measured, also contacts between
+  /// floes.
   Touches(const FieldState& field, const Box2dOptions& options) : field_(field), options_(options) {}
 
   void clear();
   void PreSolve(b2Contact* contact, const b2Manifold* old_manifold) override;
   void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
 
-  /// After each Box2D step: reads the impulses of the touches that it added.
+  /// Call after each Box2D step: reads the impulses of the touches that the step added.
   void read_impulses();
-  /// Puts the touches in the order of their bodies.
+  /// Sorts the touches by their bodies.
   void sort();
 
   const std::vector<TouchingPair>& pairs() const { return pairs_; }  // one entry for each touching pair of fixtures
@@ -56,8 +57,8 @@ class Touches : public b2ContactListener {
   const Box2dOptions& options_;
   std::vector<TouchingPair> pairs_;
   std::vector<Touch> touches_;
-  std::size_t read_ = 0;                                    // touches whose impulses are known
-  std::unordered_map<const b2Contact*, std::size_t> last_;  // touch of each contact, in a continuous world
+  std::size_t read_ = 0;                                    // touches whose impulses have been read
+  std::unordered_map<const b2Contact*, std::size_t> last_;  // the touch of each contact, in a continuous world
   std::int32_t points_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Stands in for register_box2d.cpp in a build without Box2D.
+// Replaces register_box2d.cpp in a build without Box2D.
 #include "baseline_box2d/register_box2d.h"
 
 namespace gem::baseline {

@@ -1,12 +1,12 @@
-// Errors in time of small scenes against their closed forms, and what they cost, over the time step. Velocities jump at
-// impacts, so errors are means over time (the L1 norm over the duration), not the largest.
+// Errors of small scenes against their closed forms, and their cost, over the time step. Velocities jump at impacts, so
+// errors are means over time (the L1 norm over the duration), not maxima.
 //
-// Usage: closed_form_errors SETTINGS MOMENT_S,... OUT.csv
-//   SETTINGS  see bench/setting.h; contacts and numerics are taken from there, scenes are those below
+// Usage: closed_form_errors SETTINGS TIME_STEP_S,... OUT.csv
+//   SETTINGS  see bench/setting.h; contacts and numerics are taken from there, the scenes are those below
 //
-// V06 a corner on a wall, V17 the same with friction and slip, V26 a floe drifts onto a wall, V33 a column of ten
-// pressed to a wall, V10 a floe on the moored platform. V42 (a train of given impulses on the mooring) has no contacts:
-// its path is the mooring's exact one on every engine, at every time step.
+// V06: a corner hits a wall. V17: with friction and slip. V26: a floe drifts onto a wall. V33: a column of ten floes is
+// pressed to a wall. V10: a floe hits the moored platform. V42 (a train of given impulses on the mooring) has no
+// contacts: every engine has the exact path of the mooring at every time step, so it is left out.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -35,7 +35,7 @@ struct ClosedForm {
   std::string name;
   SceneDef scene;
   double duration = 0.0;                                    // [s]
-  std::function<Motion(double time, std::size_t body)> at;  // of the bodies that `first` and `count` name
+  std::function<Motion(double time, std::size_t body)> at;  // of the bodies named by `first` and `count`
   std::size_t first = 0, count = 1;
 };
 
@@ -69,13 +69,12 @@ SceneDef current_scene(double speed) {
   return scene;
 }
 
-/// A square turned by 30 degrees meets the wall y = 0 with its lowest corner and is plastic there; with friction it
-/// slips.
+/// A square turned by 30 degrees hits the wall y = 0 with its lowest corner, plastically; with friction it slips.
 ClosedForm corner_on_wall(const std::string& name, double along, double friction, double delay) {
   const double angle = std::numbers::pi / 6.0, gap = 0.1 + 0.5 * delay;
   const Vec2 arm{-5.0 * std::cos(angle) + 5.0 * std::sin(angle), -5.0 * std::sin(angle) - 5.0 * std::cos(angle)};
   const Vec2 before{along, -0.5}, from{0.0, gap - arm.y};
-  // compliances of the corner: normal (y) by normal, and by the friction that acts against the slip (+x)
+  // Compliances of the corner: normal (y) by the normal impulse, and by the friction against the slip (+x).
   const double nn = 1.0 / mass + arm.x * arm.x / inertia, nt = -arm.x * arm.y / inertia;
   const double normal = -before.y / (nn + friction * nt);
   const Vec2 after = before + (1.0 / mass) * Vec2{friction * normal, normal};
@@ -98,7 +97,7 @@ ClosedForm stop_at_wall(double delay) {
     const double q = drag_rate * current * time;
     return {{current * time - std::log1p(q) / drag_rate, 0.0}, {current * q / (1.0 + q), 0.0}};
   };
-  double low = 0.0, high = 1000.0;  // when it arrives, by bisection
+  double low = 0.0, high = 1000.0;  // bounds of the arrival time, halved in turn
   for (int k = 0; k < 100; ++k) {
     const double middle = 0.5 * (low + high);
     (free(middle).place.x < distance ? low : high) = middle;
@@ -154,7 +153,8 @@ Errors errors_of(const ClosedForm& form, const EngineSetting& setting, double st
   const auto engine = engine_for_case(form, setting, step);
   const std::int64_t steps = std::llround(form.duration / step);
   Errors errors;
-  // a time step is looked at four times, places and velocities interpolated: an impact within it is not missed
+  // Positions and velocities are interpolated at four instants in a time step, so that an impact within it is not
+  // missed.
   constexpr int looks = 4;
   const double each = 1.0 / (static_cast<double>(looks * steps) * static_cast<double>(form.count));
   Bodies before = engine->bodies();
@@ -180,13 +180,13 @@ Errors errors_of(const ClosedForm& form, const EngineSetting& setting, double st
   return errors;
 }
 
-/// The cases, with impacts that come `delay` later than they first would [s].
+/// The cases, with impacts that come `delay` later [s].
 std::vector<ClosedForm> closed_forms(double delay) {
   return {corner_on_wall("V06", 0.0, 0.0, delay), corner_on_wall("V17", -0.4, 0.1, delay), stop_at_wall(delay),
           column_on_wall(10), floe_on_platform(delay)};
 }
 
-/// Where in a time step an impact falls is chance: the mean over impacts spread evenly over one time step.
+/// The phase of an impact within a time step is arbitrary: the mean over impacts spread evenly over one time step.
 Errors mean_errors(std::size_t which, const EngineSetting& setting, double step) {
   constexpr int phases = 8;
   Errors mean;
@@ -199,7 +199,7 @@ Errors mean_errors(std::size_t which, const EngineSetting& setting, double step)
   return mean;
 }
 
-/// Median user time of whole runs over their simulated time; short runs are repeated until the clock can tell.
+/// Median of user time over simulated time of whole runs. Short runs are repeated until the clock resolves them.
 double cost_of(const ClosedForm& form, const EngineSetting& setting, double step) {
   std::vector<double> costs;
   for (int repetition = 0; repetition < 5; ++repetition) {

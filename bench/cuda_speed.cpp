@@ -1,7 +1,8 @@
-// Speed of the cuda engine by device events, as CSV: one scene in three phases and several layouts, and batches.
+// Speed of the cuda engine, measured with device events, as CSV: one scene in three phases and several layouts, and
+// batches.
 //
-// usage: gem_cuda_speed CASES_FOLDER [single|copies|batch|table|growth|profile|all] [largest batch]
-// [coupled|independent] [phase]
+// Usage: gem_cuda_speed CASES_FOLDER [single|copies|batch|table|growth|profile|all] [largest batch]
+//                       [coupled|independent] [phase]
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -32,11 +33,11 @@ struct Phase {
   const char* run;
   double time;  // [s]
 };
-// drift and plug of the paper's main run, and the jam of its densest
+// Drift and plug of the paper's main run, and the jam of its densest run.
 constexpr Phase phases[] = {
     {"drift", "004_400_25", 60.0}, {"plug", "004_400_25", 1800.0}, {"jam", "400_200_100", 600.0}};
 
-/// What is timed.
+/// What is measured.
 struct Subject {
   std::string cases = "cases";
   ContactSolver solver = ContactSolver::coupled;
@@ -44,7 +45,7 @@ struct Subject {
   const char* name() const { return solver == ContactSolver::coupled ? "coupled" : "independent"; }
 };
 
-/// A run of the paper with the default settings, or with independent contacts as their own tables have them.
+/// A run of the paper with the default settings, or with independent contacts as in the results of that solver.
 SceneDef scene_of(const Subject& subject, const std::string& run) {
   for (const SweepMember& member : expand_sweep(subject.cases + "/table1.toml"))
     if (member.name == run) {
@@ -58,7 +59,7 @@ SceneDef scene_of(const Subject& subject, const std::string& run) {
 
 std::int64_t steps_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.time_step_s); }
 
-/// Ends a row with the route and the barriers of a time step.
+/// Ends a row with the kind of launches and the number of barriers in a time step.
 void end_row(const CudaBatch& batch) {
   std::printf(",%s,%.2f\n", batch.launches() == Launches::phases ? "phases" : "moments", batch.barriers());
   std::fflush(stdout);
@@ -74,7 +75,7 @@ struct Timing {
   double median = 0.0, spread = 0.0, wall = 0.0;
 };
 
-/// The state in which a phase begins.
+/// The state at the start of a phase.
 EngineState start_of(const Phase& phase, const SceneDef& scene, const Bodies& field) {
   CudaBatch batch({{scene, field}}, {.ring_steps = 4096, .samples = false});
   batch.advance(steps_in(scene, phase.time), nullptr);
@@ -86,7 +87,7 @@ Timing time_steps(CudaBatch& batch, const EngineState& start, std::vector<StepLo
   double wall = 0.0;
   for (int k = 0; k < repetitions + 1; ++k) {
     for (std::size_t s = 0; s < batch.size(); ++s) batch.restore(s, start);
-    batch.advance(2, nullptr);  // builds the list
+    batch.advance(2, nullptr);  // builds the pair list
     if (logs)
       for (StepLog& log : *logs) log.clear();
     const auto begin = Clock::now();
@@ -122,7 +123,7 @@ void single(const Subject& subject) {
   }
 }
 
-/// Many scenes in one phase: what a full device does.
+/// Many copies of a scene in one phase, to fill the device.
 void copies(const Subject& subject, std::size_t largest) {
   for (const Phase& phase : phases) {
     if (!subject.phase.empty() && subject.phase != phase.name) continue;
@@ -142,7 +143,7 @@ void copies(const Subject& subject, std::size_t largest) {
   }
 }
 
-/// For a profiler: as many copies of a phase, their lists built, then a launch of 16 time steps.
+/// For a profiler: `count` copies of a phase with their lists built, then one launch of 16 time steps.
 void one_launch(const Subject& subject, std::size_t count) {
   for (const Phase& phase : phases) {
     if (!subject.phase.empty() && subject.phase != phase.name) continue;
@@ -175,8 +176,8 @@ std::vector<BatchScene> seeds(const Subject& subject, std::size_t count) {
   return scenes;
 }
 
-/// Moves each scene of a batch on by its `steps` and prints what the longest took; `recorded`: with the record of
-/// every time step.
+/// Advances each scene of a batch by its `steps` and prints the time per step of the longest. `recorded`: with the
+/// record of every time step.
 void time_batch(const Subject& subject, const char* measure, const std::vector<BatchScene>& scenes,
                 const std::vector<std::int64_t>& steps, bool recorded) {
   double simulated = 0.0;
@@ -206,8 +207,8 @@ void batches(const Subject& subject, std::size_t largest) {
   }
 }
 
-/// All runs of Table 1 together, with the record of every time step: as many time steps of each, and of each a twelfth
-/// of its own.
+/// All runs of Table 1 in one batch, with the record of every time step: first the same number of time steps for each
+/// run, then a twelfth of each run.
 void table(const Subject& subject) {
   std::vector<BatchScene> scenes;
   for (const SweepMember& member : expand_sweep(subject.cases + "/table1.toml")) {

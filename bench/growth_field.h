@@ -1,4 +1,4 @@
-// The field over which the growth of a time step's cost with the number of floes is measured.
+// A field of any number of floes, to measure how the cost of a time step grows with it.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@ struct GrowthField {
   Bodies bodies;
 };
 
-/// `count` floes of one shape list on open water, at the concentration of the main case, that drift through each other.
+/// `count` floes of a few shapes on open water, at the concentration of the main case, that drift through each other.
 inline GrowthField growth_field(std::int64_t count) {
   GrowthField field;
   SceneDef& scene = field.scene;

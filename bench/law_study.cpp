@@ -1,6 +1,6 @@
-// Error in time of each law: small scenes with falling time steps against the closed form, or against a time step 64
-// times shorter. The error is the mean over all bodies and over time of the distance in place and in velocity. Contacts
-// are resolved until nothing is left, so that only the time step counts. Prints CSV.
+// Error of each law over the time step: small scenes against the closed form, or against a time step 64 times shorter.
+// The error is the mean over all bodies and over time of the distance in position and in velocity. Contacts are solved
+// to rounding, so that only the time step counts. Prints CSV.
 //
 // Usage: law_study FOLDER_OF_CASES
 #include <cmath>
@@ -17,15 +17,15 @@
 namespace gem::bench {
 namespace {
 
-/// Place and velocity along x of floe `n` at a time.
+/// Position and velocity along x of floe `n` at a time.
 using Exact = std::function<Vec2(std::size_t n, double time)>;
 
 struct Law {
   std::string name;
   SceneDef scene;
-  double coarsest;  // time step [s]; no simple fraction of the scene's own times
-  int samples;      // one every coarsest time step
-  Exact exact;      // empty: a shorter time step is the judge
+  double coarsest;  // time step [s]; not a simple fraction of the scene's own times
+  int samples;      // one per coarsest time step
+  Exact exact;      // empty: compared with a shorter time step
 };
 
 constexpr double drag_rate = 0.05;  // [1/m]
@@ -49,7 +49,7 @@ FloeDef square(Vec2 position, Vec2 velocity) {
   return floe;
 }
 
-/// One floe from rest in a current, drag on its area.
+/// One floe starts from rest in a current and feels the drag on its area.
 SceneDef drifting() {
   SceneDef scene = still();
   scene.current.velocity_m_per_s = {0.25, 0.0};

@@ -1,4 +1,4 @@
-// How deep true outlines overlap, measured outside any engine.
+// Overlaps of the true outlines, measured independently of the engines.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,19 @@
 
 namespace gem::bench {
 
-/// Over all pairs of active bodies whose outlines are closer than `near` (one of them free to move).
+/// Over all pairs of active bodies, at least one of them free to move, whose outlines are closer than `near`.
 struct Overlaps {
   std::int64_t near_pairs = 0;
   std::int64_t overlapping_pairs = 0;
   double maximum = 0.0;       // deepest overlap [m]
-  double quantile_999 = 0.0;  // of the depth over near pairs, 0 for pairs apart [m]
+  double quantile_999 = 0.0;  // of the depth over near pairs; pairs apart count as 0 [m]
   double mean = 0.0;          // depth over near pairs [m]
-  double mean_gap = 0.0;      // gap over near pairs that are apart: bodies held apart by an engine's skin [m]
+  double mean_gap = 0.0;      // gap over near pairs that are apart: shows the skin of an engine [m]
 };
 
-constexpr double near = 0.025;  // wider than Box2D's two skins [m]
+constexpr double near = 0.025;  // more than Box2D's two skins [m]
 
-/// By separating axes in double, whatever the engine thinks.
+/// Measured with separating axes in double precision.
 Overlaps overlaps_of(const Bodies& bodies);
 
 }  // namespace gem::bench

@@ -1,14 +1,15 @@
-// Real-time factor of engines on one case, paired: all run the same case in one process and take turns, block by block
-// of simulated time, so that whatever else the machine does falls on all of them. One row per block and engine.
+// Real-time factor of several engines on one case, measured in pairs. All engines run the same case in one process and
+// take turns, one block of simulated time each, so that other load of the machine affects them equally. One row per
+// block and engine.
 //
 // Usage: paired_speed CASE SETTINGS BLOCKS UNTIL_S OUT.csv [NAME [KEY=VALUE...]]
 //   CASE      case file; a member of a sweep as FILE#INDEX
 //   SETTINGS  see bench/setting.h
-//   BLOCKS    of equal simulated time; whole time steps each
-//   UNTIL_S   how long the case is run; 0: its own duration
-//   NAME      for the rows instead of the case's own; KEY=VALUE change the case for all settings
-// Times are of the engines alone: nothing is recorded. Every engine starts from the field at t = 0 and goes its own
-// way.
+//   BLOCKS    number of blocks of equal simulated time, whole time steps each
+//   UNTIL_S   end of the run; 0: the duration of the case
+//   NAME      name for the rows instead of the case's own; KEY=VALUE change the case for all settings
+// Times are of the engines alone; nothing is recorded. Every engine starts from the field at t = 0 and follows its own
+// path.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -45,7 +46,7 @@ std::int64_t floes_of(Engine& engine) {
 
 struct Block {
   Spent spent;
-  double contacts = 0.0;  // mean over its time steps; 0 where the engine does not count
+  double contacts = 0.0;  // mean over its time steps; 0 if the engine does not count contacts
 };
 
 Block advanced(Runner& runner, double until) {
@@ -72,7 +73,7 @@ int run(const std::vector<std::string>& a) {
   out << "case,setting,engine,threads,floes,moment_s,block,from_s,to_s,user_s,wall_s,contacts,commit\n";
   std::vector<Runner> all = runners(a[1], choice);
   const std::string name = a.size() > 5 ? a[5] : scene.run.name;
-  // every block ends where every setting's time steps do
+  // Every block ends at a multiple of every setting's time step.
   double longest = 0.0;
   for (const Runner& runner : all) longest = std::max(longest, runner.setting.scene.numerics.time_step_s);
   const auto end_of = [&](int block) { return longest * std::floor(until * block / blocks / longest + 1e-9); };

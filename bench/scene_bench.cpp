@@ -1,4 +1,4 @@
-// Times one time step of whole scenes: with and without each feature, and over the number of floes.
+// Times one time step of whole scenes, with and without each feature, and over the number of floes.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -25,8 +25,8 @@ std::string hash_text(Engine& engine) {
   return {text, std::to_chars(text, text + sizeof text, engine.state_hash(), 16).ptr};
 }
 
-/// Least time of a time step over `steps` that always start from `start`; the first, which builds the lists, is left
-/// out.
+/// Least mean time of a time step over `steps` time steps that always start from `start`. The first time step builds
+/// the lists and is left out.
 double time_steps(benchmark::State& state, Engine& engine, const EngineState& start, std::int64_t steps, StepLog& log) {
   double least = 1e300;
   for (auto _ : state) {
@@ -47,7 +47,7 @@ double time_steps(benchmark::State& state, Engine& engine, const EngineState& st
   return least;
 }
 
-/// A feature is left out of the scene, and where it also stands in the bodies, of these.
+/// A feature and how to remove it from the scene, and from the bodies if it is stored there too.
 struct Feature {
   const char* name;
   std::function<void(SceneDef&)> leave_out;
@@ -74,7 +74,7 @@ const std::vector<Feature> features = {
 
 SceneDef main_case() { return read_scene(GEM_SOURCE_DIR "/cases/004_400_25.toml"); }
 
-/// The main case where the ice has just reached the platform; made once.
+/// The main case when the ice has just reached the platform; made once.
 const EngineState& arrival() {
   static const EngineState state = [] {
     const SceneDef scene = main_case();

@@ -43,11 +43,11 @@ void set_option(EngineSetting& setting, const std::string& option) {
     setting.step_factor = value;
   } else {
     options.baseline_settings.push_back(key == "skin" ? "skin_m=" + text : option);
-    baseline::box2d_options(options.baseline_settings);  // refuses what it does not know either
+    baseline::box2d_options(options.baseline_settings);  // rejects unknown settings
   }
 }
 
-/// The impulses of a time step of another length: the same forces. The repair is left to begin anew.
+/// Scales the impulses to a time step of another length, so that the forces stay. The repair starts again from zero.
 void scale_impulses(EngineState& state, double ratio) {
   for (PointImpulse<double>& impulse : state.impulse_value)
     impulse = {ratio * impulse.normal, ratio * impulse.tangential, 0.0};
@@ -85,7 +85,7 @@ std::vector<EngineSetting> read_settings(const std::string& path, const CaseChoi
     setting.label = trimmed(label);
     setting.engine.name = trimmed(engine);
     setting.engine.threads = 1;
-    setting.engine.baseline_settings = {"measures_quality=0"};  // judged outside
+    setting.engine.baseline_settings = {"measures_quality=0"};  // measured outside the engine
     for (const std::string& option : words(options)) set_option(setting, option);
     CaseChoice choice = chosen_case;
     setting.overrides = words(overrides);

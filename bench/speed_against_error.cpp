@@ -1,20 +1,20 @@
-// Speed and error of engines and settings, side by side: every setting starts from the same state of one case, runs the
-// same window, and is judged outside the engine. Prints CSV.
+// Speed and error of engines and settings. Every setting starts from the same state of one case, runs the same window,
+// and is judged outside the engine. Prints CSV.
 //
 // Usage: speed_against_error CASE START_S WINDOW_S REPETITIONS SETTINGS [REFERENCE [LEADER]]
 //   CASE          case file; a member of a sweep as FILE#INDEX
-//   START_S       when the window begins; several, ascending, with commas between them
-//   REPETITIONS   0: the judged run is timed
-//   SETTINGS      file, one setting a line, see bench/setting.h
-//   REFERENCE     label of the setting whose end positions the others are compared with; it is not timed; - for none
-//   LEADER        label of the setting that leads to START_S; without one gem's cpu engine does, with the case's own
-//                 numerics. It matters: floes that gem left touching begin inside Box2D's usual skins, and are pushed
-//                 apart in the window
+//   START_S       start of the window; several in ascending order, separated by commas
+//   REPETITIONS   timed runs; 0: the judged run is timed
+//   SETTINGS      file with one setting per line, see bench/setting.h
+//   REFERENCE     label of the setting whose end positions are the reference; it is not timed; - for none
+//   LEADER        label of the setting that runs to START_S; default: gem's cpu engine with the numerics of the case.
+//   The
+//                 choice matters: floes that touch in gem start inside Box2D's usual skins and are pushed apart
 //
-// Each setting runs once to be judged (overlap at 20 instants, ice force, end state), then REPETITIONS times for its
-// time, settings taking turns so that a busy machine is busy for all. Times are of the process: user time is what the
-// other load of a machine changes least. Without warm=1 all begin without warm start, which is what a changed setting
-// has.
+// Each setting runs once to be judged (overlap at 20 instants, ice force, end state), then REPETITIONS times to be
+// timed. Settings take turns, so that other load of the machine affects all of them. Times are of the process; user
+// time depends least on other load. Without warm=1 every setting starts without warm start, as a setting that differs
+// from the leader must.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -40,7 +40,7 @@ constexpr int judged_instants = 20;
 struct Setting : EngineSetting {
   explicit Setting(EngineSetting setting) : EngineSetting(std::move(setting)) {}
 
-  Overlaps worst;  // each member its largest over the instants
+  Overlaps worst;  // maximum of each member over the instants
   Vec2 mean_force;
   std::vector<double> contacts, iterations, residual;  // of each time step; residual in [m/s]
   std::uint64_t hash = 0;
@@ -57,7 +57,7 @@ std::vector<double> times_of(const std::string& text) {
   return times;
 }
 
-/// Moves the leader on to `time`.
+/// Advances the leader to `time`.
 EngineState state_at(Engine& leader, const SceneDef& scene, double time) {
   StepLog log;
   log.wants_events = false;
@@ -69,7 +69,7 @@ EngineState state_at(Engine& leader, const SceneDef& scene, double time) {
   return leader.save();
 }
 
-/// `timed`: this is the only run, so what the engine takes is noted, less its first time step.
+/// `timed`: this is the only run, so the engine's time is recorded, without its first time step.
 void judge(Setting& setting, const Start& start, double window, bool timed) {
   const auto engine = engine_at(setting, start);
   setting.worst = {};
@@ -111,7 +111,7 @@ void judge(Setting& setting, const Start& start, double window, bool timed) {
   setting.end = engine->bodies();
 }
 
-/// Times a window in which nothing but the engine runs; the first time step builds its lists and is not counted.
+/// Times a window in which only the engine runs. The first time step builds its lists and is not counted.
 void time_once(Setting& setting, const Start& start, double window) {
   const auto engine = engine_at(setting, start);
   StepLog log;

@@ -27,8 +27,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t timed_steps = 20;  // after one time step that builds the list of neighbours
-constexpr std::int64_t iterations = 10;   // fixed: most of an iteration is set-up outside the measured time
+constexpr std::int64_t timed_steps = 20;  // after one time step that builds the pair list
+constexpr std::int64_t iterations =
+    10;  // fixed, because most of a benchmark iteration is set-up outside the measured time
 
 [[maybe_unused]] const bool context = [] {
   benchmark::AddCustomContext("commit", GEM_COMMIT);
@@ -50,13 +51,13 @@ SceneDef scene_of(ContactSolver solver) {
   return scene;
 }
 
-/// Field of the main case before anything moves; made once.
+/// Field of the main case at t = 0; made once.
 const Bodies& field() {
   static const Bodies bodies = make_field(scene_of(ContactSolver::coupled));
   return bodies;
 }
 
-/// State of the solver's own run at a phase; each run goes on from the phase before, once per process.
+/// State of the solver's own run at a phase. Each run continues from the phase before, once per process.
 const EngineState& state_at(ContactSolver solver, std::size_t phase) {
   static std::map<std::pair<ContactSolver, std::size_t>, EngineState> states;
   const auto known = states.find({solver, phase});
@@ -80,7 +81,7 @@ std::string hex(std::uint64_t value) {
   return {text, std::to_chars(text, text + sizeof text, value, 16).ptr};
 }
 
-/// Mean time of a time step over a short stretch that always starts from the same state.
+/// Mean time of a time step over a few steps that always start from the same state.
 void whole_step(benchmark::State& state, ContactSolver solver, std::size_t phase, int threads) {
   const SceneDef scene = scene_of(solver);
   const EngineState& start = state_at(solver, phase);
@@ -113,7 +114,7 @@ void whole_step(benchmark::State& state, ContactSolver solver, std::size_t phase
 enum Stage : std::size_t { list_build, find, kick, resolve, book, drift, stage_count };
 constexpr std::array<const char*, stage_count> stage_names = {"list_build", "find", "kick", "resolve", "book", "drift"};
 
-/// A coupled time step on one thread, stage by stage as the engine does it, with the time that each stage took.
+/// A coupled time step on one thread, stage by stage as in the engine, with the time of each stage.
 class StagedStep {
  public:
   StagedStep(const SceneDef& scene, const EngineState& start)

@@ -1,15 +1,15 @@
-// Errors of short windows against a fine reference, and what they cost: the reference runs on through consecutive
-// windows; at the beginning of each, every setting starts from its state, so that chaos has no time to hide the error.
+// Errors of short windows against a fine reference, and their cost. The reference runs through consecutive windows.
+// Every setting starts each window from the reference's state, so that chaos has no time to hide the error.
 //
 // Usage: window_errors CASE NAME START_S SETTLE_S WINDOWS WINDOW_S INSTANTS REPETITIONS SETTINGS ERRORS.csv PATHS.csv
 //   CASE         case file; a member of a sweep as FILE#INDEX
 //   NAME         of the regime, for the rows: drift, plug, jam
-//   START_S      when the first window begins. Gem's cpu engine with the case's own numerics leads to START_S -
-//   SETTLE_S,
-//                the reference from there, so that its own contacts have settled
-//   INSTANTS     of a window, evenly spaced, at which places are compared
-//   REPETITIONS  timed runs of every window, settings taking turns so that a busy machine is busy for all; 0: the
-//   judged
+//   START_S      start of the first window
+//   SETTLE_S     gem's cpu engine with the numerics of the case runs to START_S - SETTLE_S, the reference from there,
+//   so
+//                that the reference's own contacts have settled
+//   INSTANTS     number of instants per window, evenly spaced, at which positions are compared
+//   REPETITIONS  timed runs of every window; settings take turns, so that other load affects all of them. 0: the judged
 //                run is timed. The reference is timed once, as it goes
 //   SETTINGS     see bench/setting.h; the first line is the reference
 #include <algorithm>
@@ -51,7 +51,7 @@ struct Judged {
   std::vector<double> user, wall;  // of the timed runs [s]
 };
 
-/// Runs an engine through the window; its time is that of the engine alone.
+/// Runs an engine through the window; only the engine is timed.
 Judged judged(Engine& engine, const EngineSetting& setting, const Task& task) {
   Judged result;
   const std::int64_t first = engine.step(), steps = steps_in(setting, task.window);
@@ -90,7 +90,7 @@ void time_again(Judged& result, const EngineSetting& setting, const Start& start
                                               "deterministic) find out why");
 }
 
-/// Root of the mean square over the instants and over all floes and the platform together [m].
+/// Root mean square distance over the instants, for all floes and for the platform [m].
 struct PathError {
   double floes = 0.0, platform = 0.0, all = 0.0;
 };
@@ -146,7 +146,7 @@ class Tables {
   std::ofstream errors_, paths_;
 };
 
-/// The reference's engine at the first window.
+/// The reference's engine at the start of the first window.
 std::unique_ptr<Engine> settled_reference(const EngineSetting& reference, const Task& task) {
   const SceneDef scene = with_floes_of_run_file(read_case(task.chosen_case));
   const auto lead = make_engine(scene, make_field(scene), {"cpu", 1});

@@ -7,7 +7,7 @@
 
 namespace {
 
-/// Earlier versions judged the reference paper themselves.
+/// Earlier versions of gem had this command. It is now the program gem_paper.
 void add_moved_paper_command(CLI::App& app, gem::Chosen& chosen) {
   CLI::App* command = app.add_subcommand("paper", "")->group("")->prefix_command();
   command->callback([&chosen] {
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   gem::Chosen chosen;
   CLI::App app("Loads of drifting pack ice on a moored platform, by event mechanics.", "gem");
   app.set_version_flag("--version", gem::build_text());
-  app.require_subcommand(0, 1);  // so that an unknown command is named
+  app.require_subcommand(0, 1);  // not required here: the program itself names an unknown command
   gem::add_run_command(app, chosen);
   gem::add_case_command(app, chosen);
   gem::add_sweep_command(app, chosen);

@@ -1,4 +1,4 @@
-// Cutting convex outlines first into columns, then into cells.
+// Cuts convex outlines into columns, then into cells.
 #include "gem/analysis/concentration.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ struct CellRange {
   std::size_t end = 0;
 };
 
-/// The cells that a stretch from low to high touches, of `count` cells from `start` on.
+/// The cells that an interval from low to high meets, of `count` cells that begin at `start`.
 CellRange cells_within(double low, double high, double start, double cell, std::size_t count) {
   const auto limit = static_cast<double>(count);
   const double first = std::clamp(std::floor((low - start) / cell), 0.0, limit);
@@ -52,7 +52,7 @@ CellRange cells_within(double low, double high, double start, double cell, std::
   return {static_cast<std::size_t>(first), static_cast<std::size_t>(std::max(first, last))};
 }
 
-/// Adds the area of the strip's part in each cell of a column.
+/// Adds the area of a strip in each cell of a column.
 void add_strip(Concentration& map, const Corners& strip, std::size_t column) {
   if (strip.size() < 3) return;
   const Grid& grid = map.grid;

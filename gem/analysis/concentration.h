@@ -1,4 +1,4 @@
-// Ice concentration on a grid: the exact share of each cell's area that floes cover.
+// Ice concentration on a grid: the exact share of each cell's area that is covered by floes.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace gem {
 
-/// Square cells from `corner` on, `columns` along x and `rows` along y.
+/// Square cells that begin at `corner`, `columns` along x and `rows` along y.
 struct Grid {
   Vec2 corner;         // lower left [m]
   double cell = 10.0;  // side [m]
@@ -17,7 +17,7 @@ struct Grid {
   std::size_t rows = 1;
 };
 
-/// Row by row from the corner. A share above 1 tells of floes that overlap.
+/// Row by row from the corner. A share above 1 means that floes overlap.
 struct Concentration {
   Grid grid;
   std::vector<double> share;
@@ -25,15 +25,15 @@ struct Concentration {
   double at(std::size_t column, std::size_t row) const { return share[row * grid.columns + column]; }
 };
 
-/// A convex floe: outline about its centroid, counter-clockwise, and where it is.
+/// A convex floe: counter-clockwise outline about its centroid, position and angle.
 struct PlacedFloe {
   std::span<const Vec2> outline;
   Vec2 position;
   double angle = 0.0;  // [rad]
 };
 
-/// Every floe is cut exactly at the cell borders; parts outside the grid are left out. Throws std::invalid_argument
-/// for a grid without cells.
+/// Every floe is cut exactly at the cell borders. Parts outside the grid are left out. Throws std::invalid_argument for
+/// a grid without cells.
 Concentration concentration(std::span<const PlacedFloe> floes, const Grid& grid);
 
 }  // namespace gem

@@ -25,7 +25,7 @@ TEST(Concentration, OfASquareOnACorner) {
   EXPECT_EQ(map.at(2, 0), 0.0);
 }
 
-// Turned by 45 degrees the square is a diamond: it reaches sqrt(2) - 1 beyond the border of its cell, a triangle.
+// Turned by 45 degrees, the square is a diamond that extends beyond its cell by a triangle of height sqrt(2) - 1.
 TEST(Concentration, OfATurnedSquare) {
   const std::vector<PlacedFloe> floes = {{kSquare, {3.0, 3.0}, std::numbers::pi / 4.0}};
   const Concentration map = concentration(floes, {{0.0, 0.0}, 2.0, 3, 3});
@@ -43,7 +43,7 @@ TEST(Concentration, LeavesOutWhatIsOutside) {
   EXPECT_THROW(concentration(floes, {{0.0, 0.0}, 0.0, 4, 4}), std::invalid_argument);
 }
 
-// No area is lost or counted twice, whatever the cells: 300 hexagons of 2.598 m2 each.
+// No area is lost or counted twice for any cell size: 300 hexagons of 2.598 m2 each.
 TEST(Concentration, KeepsTheTotalArea) {
   std::vector<Vec2> hexagon;
   for (int i = 0; i < 6; ++i) hexagon.push_back({std::cos(kTestTurn * i / 6.0), std::sin(kTestTurn * i / 6.0)});

@@ -1,4 +1,4 @@
-// Runs of equal state in a record of contacts.
+// Finds stretches with and without contact in a record.
 #include "gem/analysis/contact_spells.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace gem {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a product of shares
+constexpr double kRounding = 1e-9;  // rounding of a product of shares
 
 }  // namespace
 
@@ -44,7 +44,7 @@ std::optional<double> spell_median(std::span<const Spell> spells) {
   std::vector<Spell> known;
   std::copy_if(spells.begin(), spells.end(), std::back_inserter(known),
                [](const Spell& spell) { return spell.begin_seen; });
-  // Of equal lengths those that end come first: the cut one was still there when they did.
+  // Of equal lengths the complete spells come first: a cut spell was still going on when they ended.
   std::sort(known.begin(), known.end(), [](const Spell& a, const Spell& b) {
     return a.length != b.length ? a.length < b.length : a.end_seen && !b.end_seen;
   });

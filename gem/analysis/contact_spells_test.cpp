@@ -47,7 +47,7 @@ TEST(ContactSpells, OfARecordThatNeverChanges) {
   EXPECT_FALSE(longest_spell(spells.gap).has_value());
 }
 
-// Two touches of half a second, then contact from 165 s to the end at 600 s.
+// Two contacts of half a second, then contact from 165 s to the end at 600 s.
 TEST(ContactSpells, ALastSpellWithoutEndIsTheLongest) {
   std::vector<double> contacts(1200, 0.0);
   contacts[100] = contacts[200] = 1.0;
@@ -65,13 +65,13 @@ TEST(ContactSpells, MedianOfCutSpells) {
   EXPECT_EQ(spell_median(spells), 4.0);
   spells[0].end_seen = false;
   EXPECT_FALSE(spell_median(spells).has_value());
-  // What began before the record says nothing of its length.
+  // A spell that started before the record has an unknown length and is left out.
   spells.assign({{1.0}, {9.0, false, true}, {8.0, false, true}});
   EXPECT_EQ(spell_median(spells), 1.0);
 }
 
-// Exponential spells of 10 s, each with an end at most 15 s away: a share of exp(-1.5) is cut. Dropping those would
-// give 10 - 15 / (exp(1.5) - 1) = 5.7 s. 20000 spells: the mean scatters by 0.8 %, the median by 1 %.
+// Exponential spells of 10 s, observed for at most 15 s: a share exp(-1.5) is cut. Without the cut spells the mean
+// would be 10 - 15 / (exp(1.5) - 1) = 5.7 s. With 20000 spells the mean scatters by 0.8 %, the median by 1 %.
 TEST(ContactSpells, CutSpellsDoNotBiasTheMean) {
   std::vector<Spell> spells;
   RandomSequence random = test_random(11);
@@ -106,8 +106,8 @@ TEST(ContactSpells, AFractionStaysWithinZeroAndOne) {
   EXPECT_LT(most.low, most.value);
 }
 
-// Contact ends with chance 0.1 and begins with chance 0.025 in a sample: it holds 0.2 of the time, spells last 10
-// samples, gaps 40. Spells of 20000 samples number 400: their mean scatters by 5 %.
+// Per sample, contact ends with probability 0.1 and begins with 0.025. So contact holds 0.2 of the time, spells last 10
+// samples and gaps 40. 20000 samples have 400 spells, whose mean scatters by 5 %.
 TEST(ContactSpells, OfATwoStateProcess) {
   std::vector<double> contacts(20000);
   RandomSequence random = test_random(6);

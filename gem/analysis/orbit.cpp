@@ -1,4 +1,4 @@
-// Principal axes from the covariance of the path.
+// Principal axes from the covariance matrix of the path.
 #include "gem/analysis/orbit.h"
 
 #include <cmath>

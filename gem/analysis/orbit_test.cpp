@@ -1,4 +1,4 @@
-// Axes and turning sense of ellipses.
+// Axes and sense of rotation of ellipses.
 #include "gem/analysis/orbit.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ struct Path {
   std::vector<double> x, y;
 };
 
-/// Whole turns of an ellipse with half axes a and b, the first at `angle`, about (3, -1).
+/// Whole cycles of an ellipse about (3, -1) with half axes a and b, the first at `angle`.
 Path ellipse(double a, double b, double angle, std::size_t count = 2000) {
   Path path;
   for (std::size_t i = 0; i < count; ++i) {
@@ -38,7 +38,7 @@ TEST(Orbit, OfATurnedEllipse) {
   EXPECT_NEAR(result.angle, 0.6, 1e-12);
 }
 
-// The chord of a step is sin(h)/h of its arc with h = pi / 100: 1.6e-4.
+// The chord of a step is sin(h) / h of its arc with h = pi / 100, an error of 1.6e-4.
 TEST(Orbit, TurningSenseOfCirclesAndLines) {
   const Path left = ellipse(1.0, 1.0, 0.0);
   const Path right = ellipse(1.0, -1.0, 0.0);

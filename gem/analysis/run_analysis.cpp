@@ -1,4 +1,4 @@
-// The list of findings of one run.
+// Computes the findings of one run.
 #include "gem/analysis/run_analysis.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class Findings {
   std::string prefix_;
 };
 
-/// Stretches of this many samples are independent.
+/// Stretches of this many samples count as independent.
 std::size_t independent_samples(const PlatformSeries& series) {
   const double stretch = 4.0 * series.natural_period / series.interval;
   return stretch > 0.0 ? static_cast<std::size_t>(std::llround(std::max(1.0, stretch))) : series.x.size() / 20;
@@ -50,7 +50,8 @@ void add_mean(Findings& findings, const std::string& name, const std::vector<dou
   findings.add(name, std::optional<double>(moments(signal).mean));
 }
 
-/// Two periods at each end are disturbed by the record's end; a record with a main period has five or more.
+/// Leaves out two periods at each end, which the ends of the record disturb. A record with a main period has at least
+/// five.
 void drop_ends(HilbertEnvelope& envelope, std::size_t samples) {
   for (std::vector<double>* column : {&envelope.amplitude, &envelope.frequency}) {
     column->erase(column->end() - static_cast<std::ptrdiff_t>(samples), column->end());
@@ -58,7 +59,7 @@ void drop_ends(HilbertEnvelope& envelope, std::size_t samples) {
   }
 }
 
-/// The envelope about the main period, and the period of the weakest and the strongest quarter of the motion.
+/// The envelope around the main period, and the periods of the weakest and the strongest quarter of the motion.
 void add_envelope(Findings& findings, const std::vector<double>& signal, double interval,
                   const std::optional<PeriodEstimate>& main) {
   std::optional<double> middle, high, small, large;

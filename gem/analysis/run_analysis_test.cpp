@@ -87,7 +87,7 @@ TEST(AnalysePlatform, RefusesShortOrUnequalColumns) {
   EXPECT_THROW(analyse_platform(series), std::invalid_argument);
 }
 
-// Few runs have Student's interval: of two, 12.706 of the deviation over the root of two to either side.
+// Few runs get Student's interval: for two runs the half width is 12.706 times the deviation over sqrt(2).
 TEST(CombineRuns, OfTwo) {
   const auto rows = combine_runs({{{"x", 1.0, std::nullopt}}, {{"x", 3.0, std::nullopt}}});
   ASSERT_EQ(rows.size(), 1u);
@@ -96,7 +96,7 @@ TEST(CombineRuns, OfTwo) {
   EXPECT_NEAR(rows[0].mean->low, 2.0 - 12.7062, 1e-4);
 }
 
-// Eight runs of a driven oscillator: the period over runs has an interval over runs, extremes follow the Gumbel law.
+// Eight runs of a driven oscillator: the period has an interval over runs, and the extremes follow the Gumbel law.
 TEST(CombineRuns, OfADrivenOscillator) {
   std::vector<std::vector<Finding>> runs;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {

@@ -1,4 +1,4 @@
-// Statistics over runs of what each run's list says.
+// Statistics over the findings of several runs.
 #include "gem/analysis/runs_analysis.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ std::optional<RunsExtreme> extreme_of(const std::vector<std::vector<Finding>>& r
       if (finding.name == name && finding.value) maxima.push_back(std::abs(*finding.value));
   const Moments about = moments(maxima);
   if (maxima.size() < 5 || !(about.maximum > about.minimum)) return std::nullopt;
-  // The mode is the value that a maximum stays below with probability 1 / e.
+  // The mode is the quantile of probability 1 / e.
   return RunsExtreme{name, fit_gumbel(maxima), fit_gumbel_by_moments(maxima),
                      gumbel_quantile(maxima, 1.0 / std::numbers::e, 1.0, resampling),
                      gumbel_quantile(maxima, 0.9, 1.0, resampling)};

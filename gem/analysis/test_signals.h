@@ -22,7 +22,7 @@ inline std::vector<double> white_noise(std::size_t count, double deviation, std:
   return noise;
 }
 
-/// Red noise x[i] = memory x[i-1] + unit noise, started in its stationary state.
+/// Red noise x[i] = memory x[i-1] + unit noise, starting in its stationary state.
 inline std::vector<double> red_noise(std::size_t count, double memory, std::uint64_t seed) {
   std::vector<double> noise = white_noise(count, 1.0, seed);
   noise[0] /= std::sqrt(1.0 - memory * memory);
@@ -42,7 +42,7 @@ inline std::vector<double> sum_of(std::vector<double> a, const std::vector<doubl
   return a;
 }
 
-/// A linear oscillator that noise drives, started at rest; period in samples, damping as a share of critical.
+/// A linear oscillator driven by noise, starting at rest. Period in samples, damping as a fraction of critical.
 inline std::vector<double> driven_oscillator(std::size_t count, double period, double damping, std::uint64_t seed) {
   const double keep = std::exp(-damping * kTestTurn / period);
   const double turn = kTestTurn / period * std::sqrt(1.0 - damping * damping);
@@ -52,7 +52,7 @@ inline std::vector<double> driven_oscillator(std::size_t count, double period, d
   return signal;
 }
 
-/// Orbit of the logistic map x -> r x (1 - x) after 1000 steps of settling.
+/// Orbit of the logistic map x -> r x (1 - x) after 1000 steps that let it settle.
 inline std::vector<double> logistic_map(std::size_t count, double r, double start = 0.3) {
   std::vector<double> orbit(count);
   double x = start;

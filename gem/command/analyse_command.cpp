@@ -31,7 +31,7 @@ struct AnalyseOptions {
   bool json = false;
 };
 
-/// What one run says, where it comes from and how long it lasted.
+/// The findings of one run, its file and its duration.
 struct Run {
   std::string path, name;
   std::string state_hash;  // empty if the run did not end in order
@@ -98,14 +98,14 @@ std::string text_of(const Run& run) {
          "ends seen (exponential), median by Kaplan-Meier, the longest a lower bound\n";
 }
 
-/// The findings of which the largest value of an exposure is asked.
+/// The findings whose largest value is extrapolated over runs.
 const std::vector<std::string>& extreme_names() {
   static const std::vector<std::string> names = {"x_largest_m", "y_largest_m", "orbit_largest_m",
                                                  "ice_force_window_largest_N", "mooring_force_largest_N"};
   return names;
 }
 
-/// A largest value belongs to its exposure: runs of different length are not mixed.
+/// The largest value grows with the duration, so runs of different length are not mixed.
 void check_exposure(const std::vector<Run>& runs) {
   for (const Run& run : runs)
     if (std::abs(run.duration_s - runs.front().duration_s) > 1e-3 * runs.front().duration_s)
@@ -114,8 +114,8 @@ void check_exposure(const std::vector<Run>& runs) {
                                        " s (a largest value grows with the duration) analyse runs of one length");
 }
 
-/// The case of a run but for its name, its length, where it starts from and what it records, line by line, and whose
-/// mechanics moved it.
+/// What defines the condition of a run: its case without name, length, start state and output, one line per option, and
+/// the engine whose mechanics moved it.
 std::vector<std::string> condition_of(const std::string& path) {
   const RunFile file(path, true);
   SceneDef scene = parse_scene(file.attribute("gem_case_toml"), path);
@@ -134,7 +134,7 @@ std::vector<std::string> condition_of(const std::string& path) {
   return lines;
 }
 
-/// Several runs stand for one condition: their mean is that of nothing else.
+/// A mean over several runs only makes sense if all of them have the same condition.
 void check_condition(const std::vector<Run>& runs) {
   const std::vector<std::string> first = condition_of(runs.front().path);
   for (const Run& run : runs) {
@@ -153,10 +153,10 @@ bool same_run(const Run& a, const Run& b) {
   return std::filesystem::equivalent(a.path, b.path, ignored);
 }
 
-/// A run that did not end in order has no hash.
+/// A run that did not end in order has no state hash.
 std::string hash_clause(const Run& run) { return run.state_hash.empty() ? "" : "state hash " + run.state_hash + "; "; }
 
-/// Runs are taken as independent: the same bits twice would narrow every interval for nothing.
+/// Runs count as independent. The same run given twice would narrow every interval without new information.
 void check_different(const std::vector<Run>& runs) {
   for (std::size_t i = 0; i < runs.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

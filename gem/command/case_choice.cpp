@@ -1,4 +1,4 @@
-// Options that several commands share: which case, and standard output.
+// What several commands share: the choice of a case, and writing to standard output.
 #include <unistd.h>
 
 #include <cerrno>

@@ -1,4 +1,4 @@
-// gem case: check, resolve, explain, schema.
+// gem case: its subcommands check, resolve, explain and schema.
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -34,7 +34,7 @@ std::string check_json(const SceneDef& scene, const FieldSummary& field, const s
   return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-/// The period without damping and added mass, to compare with what is known of the platform.
+/// Natural period without damping and added mass, to compare with the known period of the platform.
 std::string mooring_text(const SceneDef& scene) {
   const double period = natural_period(scene.mooring.stiffness_N_per_m, scene.platform.mass_kg);
   return period > 0.0 ? "natural period " + number_text(period, 4) + " s" : "not moored";

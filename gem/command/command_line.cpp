@@ -1,4 +1,4 @@
-// From the words of a command line to an exit code.
+// Parses the command line and returns the exit code.
 #include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 namespace gem {
 namespace {
 
-/// One line, in the form of the command's other messages.
+/// Prints one line in the form of all other messages and returns the exit code.
 int fault(const CLI::App& app, const Chosen& chosen, const std::string& message, ExitCode code) {
   if (chosen.json_messages) {
     const nlohmann::ordered_json object = {

@@ -29,7 +29,7 @@ class CommandTest : public testing::Test {
            "[boundary]\npresent = false\n[platform]\nstart_offset_m = [1.0, 0.0]\n";
   }
 
-  /// Runs a shell line in the test's folder; `gem` stands for the program. Output goes to out and err.
+  /// Runs a shell line in the test's folder; `gem` is replaced by the program. Output goes to the files out and err.
   int shell(const std::string& line) {
     const std::string all = "cd '" + folder_.string() + "' && gem() { '" GEM_PROGRAM "' \"$@\"; } && { " + line +
                             " ; } >'" + folder_.string() + "/out' 2>'" + folder_.string() + "/err'";
@@ -53,7 +53,7 @@ class CommandTest : public testing::Test {
   bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// Starts a run that would take hours and sends it a signal after a while. Returns the wait status.
+  /// Starts a run that would take hours and sends it a signal after wait_ms. Returns the wait status.
   int signalled(int signal_number, int wait_ms) {
     const pid_t child = fork();
     if (child == 0) {
@@ -192,13 +192,13 @@ TEST_F(CommandTest, QuietAndJsonLogs) {
 }
 
 TEST_F(CommandTest, AnalyseSaysPeriodsThreeWays) {
-  // 1 m from rest, 25 cycles of 2 pi sqrt(1e8 / 5e5) = 88.858 s without damping or ice.
+  // Released 1 m off centre, at rest. 25 cycles of 2 pi sqrt(1e8 / 5e5) = 88.858 s, without damping or ice.
   ASSERT_EQ(shell("gem run swing.toml -q --until 2200 --threads 1"), 0) << text_of("err");
   ASSERT_EQ(shell("gem analyse swing.h5 --json"), 0) << text_of("err");
   const auto findings = nlohmann::json::parse(text_of("out")).at("findings");
   for (const char* way : {"spectrum", "crossings", "maxima"}) {
     const auto period = findings.at(std::string("x_period_by_") + way + "_s");
-    // Crossings are placed to (omega dt)^2 of a sample of 0.1 s, maxima to a sample of the two at the ends.
+    // Samples are 0.1 s apart. Crossings are found to (omega dt)^2 of a sample; maxima to one sample at either end.
     EXPECT_NEAR(period.at("value").get<double>(), 88.8577, way == std::string("spectrum") ? 0.5 : 0.01) << way;
     EXPECT_LE(period.at("low").get<double>(), period.at("value").get<double>());
   }
@@ -284,8 +284,8 @@ TEST_F(CommandTest, HangUpEndsInOrder) {
   EXPECT_EQ(RunFile(path("swing.h5"), true).status(), "stopped:SIGHUP");
 }
 
-// How far a run gets before it is killed depends on the machine's load, and a kill may fall into the few milliseconds
-// of a flush: so the run gets more time at each try, and two of six files must hold a first flush.
+// How far a run gets before the kill depends on the machine's load, and the kill may hit the few milliseconds of a
+// flush. So each try gives the run more time, and two of six files must hold a first flush.
 TEST_F(CommandTest, AKilledRunIsReadableToTheLastFlush) {
   int readable = 0;
   for (int attempt = 1; attempt <= 6 && readable < 2; ++attempt) {
@@ -301,7 +301,7 @@ TEST_F(CommandTest, AKilledRunIsReadableToTheLastFlush) {
   }
   ASSERT_EQ(readable, 2);
   EXPECT_EQ(shell("gem info swing.h5"), 0);
-  // it has no state hash to be named
+  // an incomplete run has no state hash, so the message names none
   const double late = RunFile(path("swing.h5"), true).column("platform/time").back() - 50.0;
   EXPECT_EQ(shell("gem analyse --allow-incomplete swing.h5 swing.h5 --from " + std::to_string(late)), 2);
   EXPECT_NE(text_of("err").find("the same run as swing.h5 (several runs"), std::string::npos) << text_of("err");
@@ -320,7 +320,8 @@ TEST_F(CommandTest, CaseAndSweepCommands) {
 }
 
 TEST_F(CommandTest, ARunFileIsAFieldForAnotherRun) {
-  // the end of a long floe turns into the side of another: how far a contact must be seen follows the spin
+  // The end of a long floe turns into the side of another floe. The distance at which contacts are searched must follow
+  // the spin.
   std::ofstream(folder_ / "one.toml") << "[run]\nname = \"one\"\nduration_s = 5.0\n[floes]\nsource = \"listed\"\n"
                                          "[boundary]\npresent = false\n[platform]\npresent = false\n"
                                          "[current]\nvelocity_m_per_s = [0, 0]\n[numerics]\ntime_step_s = 0.05\n"

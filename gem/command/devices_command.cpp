@@ -1,4 +1,4 @@
-// gem devices: what the program can compute on.
+// gem devices: lists the processors and GPUs that the program can use.
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>

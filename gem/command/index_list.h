@@ -1,4 +1,4 @@
-// Which runs of a sweep are meant: "3", "1-4" or "1-4,7".
+// The list of runs given to --index: "3", "1-4" or "1-4,7".
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace gem {
 
-/// Places from 0 to count - 1, ascending, each once; an empty text means all. Throws Error(usage) for anything that is
-/// no list of whole numbers from 1 to count.
+/// Positions from 0 to count - 1, ascending, without repeats; an empty text means all. Throws Error(usage) unless the
+/// text is a list of whole numbers from 1 to count.
 std::vector<std::size_t> parse_index_list(const std::string& text, std::size_t count);
 
 }  // namespace gem

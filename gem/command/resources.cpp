@@ -15,18 +15,18 @@ namespace gem {
 
 namespace {
 
-// Measured on the paper's run; rounded up.
+// Measured on the paper's run and rounded up.
 constexpr double bytes_per_floe = 4096.0;  // state, outlines, pair lists and their copies
 constexpr double base_memory = 48e6;       // program, libraries, chunk caches
-constexpr double compression = 0.75;       // gzip with shuffle, of what a run holds
-constexpr double slabs_in_memory = 4.0;    // being filled, queued, being written
+constexpr double compression = 0.75;       // compressed size over raw size with gzip and shuffle
+constexpr double slabs_in_memory = 4.0;    // buffers of output: one being filled, some queued, one being written
 
 double floe_count(const SceneDef& scene) {
   const bool listed = scene.floes.source == FloeSource::listed;
   return listed ? double(scene.floe.size()) : double(scene.floes.count);
 }
 
-/// MemAvailable of the system [bytes]; infinity if it does not say.
+/// MemAvailable of the system [bytes]; infinity if the system does not report it.
 double available_memory() {
   std::ifstream file("/proc/meminfo");
   for (std::string line; std::getline(file, line);) {

@@ -1,4 +1,4 @@
-// gem run: one case to one run file.
+// gem run: runs one case and writes one run file.
 #include <algorithm>
 #include <charconv>
 #include <csignal>
@@ -35,7 +35,7 @@ struct RunChoice {
 
 std::string threads_text(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
 
-/// What the chosen engine would not look at is refused, not ignored.
+/// Options that the chosen engine would ignore are refused.
 void check_engine_options(const RunChoice& choice) {
   const std::string& engine = choice.engine.name;
   for (const CLI::Option* option : choice.baseline_options)
@@ -47,7 +47,7 @@ void check_engine_options(const RunChoice& choice) {
                                    " (only the engine cpu has threads) leave it out");
 }
 
-/// --until stands for run.duration_s, which must not be given twice.
+/// --until sets run.duration_s, which then must not be set by --set too.
 void set_end(RunChoice& choice) {
   if (choice.until.empty()) return;
   double seconds = 0.0;
@@ -62,7 +62,7 @@ void set_end(RunChoice& choice) {
   choice.chosen_case.overrides.push_back("--until run.duration_s=" + choice.until);
 }
 
-/// `place` is what the engine computes on.
+/// `place` names the device or the threads that compute.
 std::string dry_run_text(const SceneDef& scene, const Bodies& field, const Estimate& need, const RunChoice& choice,
                          const std::string& place) {
   const std::size_t floes = std::size_t(std::count(field.kind.begin(), field.kind.end(), BodyKind::floe));
@@ -123,7 +123,7 @@ int run(RunChoice choice) {
   return exit_code_of_signal(summary.stop_signal);
 }
 
-/// The options that the registered baselines have.
+/// Adds the options of the registered baselines.
 void add_baseline_options(CLI::App& command, RunChoice& choice) {
   std::vector<std::string>& chosen = choice.engine.baseline_settings;
   std::string experiments;

@@ -15,7 +15,8 @@ std::string measured_text(double value, const char* unit) {
   return std::isnan(value) ? "not measured" : number_text(value, 3) + unit;
 }
 
-/// What 99.9 % of the overlaps are below: the edge of a class of sizes, which may lie above the deepest of all.
+/// Bound on 99.9 % of the overlaps. The quantile is the upper edge of a histogram bin and may exceed the largest
+/// overlap.
 double most_overlap(const RunSummary& s) { return std::min(s.overlap.quantile(0.999), s.worst.maximum_overlap); }
 double most_share(const RunSummary& s) { return std::min(s.overlap_share.quantile(0.999), s.worst.maximum_share); }
 

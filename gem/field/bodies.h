@@ -14,7 +14,7 @@ enum class BodyKind : std::uint8_t { platform = 0, fixed = 1, floe = 2 };
 /// All bodies of one scene. Arrays of length count() unless said otherwise. SI units.
 /// Outlines are convex, counter-clockwise, in body coordinates about the centroid.
 struct Bodies {
-  // what a body is: constant during a run
+  // Properties: constant during a run.
   std::vector<BodyKind> kind;
   std::vector<std::uint8_t> ice_class;  // index into FloesDef::classes; 0 for bodies that are not ice
   std::vector<std::int32_t>
@@ -30,12 +30,12 @@ struct Bodies {
   std::vector<double> drag;             // k of dw/dt = -k |w| w [1/m] (quadratic) or 1/tau [1/s] (linear)
   std::vector<double> spin_drag;        // k of dω/dt = -k |ω| ω [-] (quadratic) or 1/tau [1/s] (linear)
 
-  // how it moves
+  // Motion.
   std::vector<Vec2> position;  // centroid, world [m]
   std::vector<Rotation> rotation;
   std::vector<Vec2> velocity;        // [m/s]
   std::vector<double> spin;          // [rad/s]
-  std::vector<std::uint8_t> active;  // 0: retired, takes no part any more
+  std::vector<std::uint8_t> active;  // 0: retired, no longer takes part
 
   std::size_t count() const { return kind.size(); }
   int vertex_count(std::size_t i) const { return vertex_begin[i + 1] - vertex_begin[i]; }

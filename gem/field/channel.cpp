@@ -1,4 +1,4 @@
-// The channel between the two side boundaries.
+// The outlines of the side boundaries, and the tests whether an outline lies between them.
 #include "gem/field/channel.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace gem {
 namespace {
 
 constexpr double side_thickness = 50.0;
-constexpr double rounding = 1e-6;  // a floe may rest on a side [m]
+constexpr double rounding = 1e-6;  // a floe may touch a side [m]
 
 double taper_start(const BoundaryDef& b) { return std::min(0.0, std::max(b.inlet_x_m, b.taper_start_x_m)); }
 
@@ -68,7 +68,7 @@ std::vector<std::vector<Vec2>> boundary_outlines(const BoundaryDef& boundary) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     part.push_back(line[i]);
     const bool last = i + 1 == line.size();
-    // Where the line bends towards the axis the side would not be convex: a new body starts.
+    // At a bend towards the axis the side would not be convex, so a new body starts.
     if (!last && slope(line[i], line[i + 1]) > slope(line[i - 1], line[i])) continue;
     outlines.push_back(upper_side(part, outer_y));
     part = {line[i]};

@@ -1,4 +1,4 @@
-// The checks of a whole field before anything runs.
+// Checks a whole field before anything runs.
 #include "gem/field/check_field.h"
 
 #include <algorithm>
@@ -88,7 +88,7 @@ std::vector<NearPair> near_pairs(const Bodies& bodies, double distance) {
   }
   std::sort(pairs.begin(), pairs.end(),
             [](const NearPair& p, const NearPair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
-  // Platform and fixed body meet once only: the search starts from moving bodies alone.
+  // A platform and a fixed body are found once: the search starts from moving bodies only.
   return pairs;
 }
 

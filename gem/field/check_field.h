@@ -1,4 +1,4 @@
-// The checks of a whole field before anything runs, and the search for near pairs that they share with the statistics.
+// Checks of a whole field before anything runs, and the search for near pairs.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace gem {
 
-/// Outlines may touch, and overlap by rounding up to this depth [m].
+/// Overlaps up to this depth count as rounding: outlines may touch [m].
 inline constexpr double overlap_tolerance = 1e-6;
 
 /// Two bodies (a < b, not both fixed) and their distance; negative is the depth of their overlap [m].
@@ -19,11 +19,11 @@ struct NearPair {
   double separation = 0.0;
 };
 
-/// Every pair not farther apart than `distance` [m], ordered by a, then b. Found with a grid.
+/// Every pair not farther apart than `distance` [m], sorted by a, then b. Uses a grid.
 std::vector<NearPair> near_pairs(const Bodies& bodies, double distance);
 
-/// Throws Error(scene_rejected) if bodies overlap (lists up to 10 pairs with depth and the count) or a floe lies
-/// outside the channel.
+/// Throws Error(scene_rejected) if bodies overlap (the message lists up to 10 pairs with their depth, and the number of
+/// pairs) or a floe lies outside the channel.
 void check_field(const SceneDef& scene, const Bodies& bodies);
 
 }  // namespace gem

@@ -45,7 +45,7 @@ void check_points(const std::vector<Vec2>& outline, const std::string& name) {
   }
 }
 
-/// Sine of the turn at each corner: positive to the left, exactly 0 where the outline goes practically straight on.
+/// Sine of the turn at each corner: positive to the left, exactly 0 where the outline is practically straight.
 std::vector<double> turns_of(const std::vector<Vec2>& outline) {
   const std::size_t n = outline.size();
   std::vector<double> turns(n);

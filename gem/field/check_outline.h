@@ -13,7 +13,7 @@ inline constexpr double outline_edge_minimum = 1e-3;  // [m]
 
 struct CheckedOutline {
   std::vector<Vec2> outline;  // counter-clockwise
-  bool reversed = false;      // it was given clockwise
+  bool reversed = false;      // given clockwise
 };
 
 /// Accepts a strictly convex outline of 3 to 20 corners in either direction. Throws Error(scene_rejected) naming the

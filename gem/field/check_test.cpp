@@ -1,4 +1,4 @@
-// Bad outlines, bad fields and bad floe files: each gets its own message; good ones are read.
+// Bad outlines, bad fields and bad floe files each get their own message. Good ones are read.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -8,10 +8,10 @@
 namespace gem {
 namespace {
 
-/// One edge seen from the origin: distance of its line and where it starts and ends along the line.
+/// One edge seen from the origin: the distance of its line, and where the edge starts and ends on that line.
 struct Edge {
   double distance = 0.0;  // positive if the edge runs counter-clockwise about the origin [m]
-  double start = 0.0;     // from the foot of the perpendicular [m]
+  double start = 0.0;     // from the foot of the perpendicular from the origin [m]
   double end = 0.0;
 };
 

@@ -5,8 +5,8 @@
 // and of the spin, k_w of d(omega)/dt = -k_w |omega| omega [-]:
 //   k_w = rho_w (C_s S + C_f T E / 2) / I
 //   S = integral of r^3 over the outline about its centroid [m5]
-//   E = half the sum over the edges of the integral of |s|^3 ds [m4], s along the edge from the foot of the centroid's
-//       perpendicular: of each edge only the half that moves outward meets form drag.
+//   E = half the sum over the edges of the integral of |s|^3 ds [m4], s along the edge from the foot of the
+//       perpendicular from the centroid. Half, because only the half of an edge that moves outward has form drag.
 // Linear law: both are 1 / tau [1/s].
 #pragma once
 
@@ -23,7 +23,7 @@ double integral_r3(const std::vector<Vec2>& outline);
 /// Half the sum over the edges of the integral of |s|^3 ds [m4].
 double edge_integral_s3(const std::vector<Vec2>& outline);
 
-/// Sets drag and spin_drag of every floe; platform and fixed bodies get 0.
+/// Sets drag and spin_drag of every floe. The platform and fixed bodies get 0.
 void set_drag(Bodies& bodies, const SceneDef& scene);
 
 }  // namespace gem

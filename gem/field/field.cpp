@@ -1,4 +1,4 @@
-// From a scene to its field: platform, sides, obstacles, floes, drag.
+// Makes the field of a scene: platform, sides, obstacles, floes, drag.
 #include "gem/field/field.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace gem {
 namespace {
 
-/// Sides and obstacles reach higher than any ice [m].
+/// Height of sides and obstacles, above any ice [m].
 constexpr double fixed_height = 20.0;
 
 std::uint8_t class_of_thickness(const std::vector<IceClassDef>& classes, double thickness) {
@@ -107,8 +107,8 @@ std::vector<FloeDef> floes_of(const SceneDef& scene, const std::vector<std::vect
   return generate_floes(scene, obstacles);
 }
 
-/// Two runs that differ by this alone show how fast a disturbance grows. Counted from the platform, so that the floe of
-/// any seed arrives at about the same time.
+/// Shifts one floe: two runs that differ only by this shift show how fast a disturbance grows. Floes are counted from
+/// the platform, so that the shifted floe arrives at about the same time for any seed.
 std::vector<FloeDef> with_moved_floe(std::vector<FloeDef> floes, const SceneDef& scene) {
   const FloesDef& def = scene.floes;
   if (def.moved_floe < 0) return floes;

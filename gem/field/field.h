@@ -1,4 +1,4 @@
-// From a scene to its field: platform, boundary, obstacles and floes, checked before anything runs.
+// Makes the field of a scene: platform, boundary, obstacles and floes, checked before anything runs.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace gem {
 
-/// Builds body 0 (platform), the fixed bodies and the floes of a scene. Same scene, same bits, everywhere.
-/// The platform is a regular polygon with its first corner on the +x side; without platform, body 0 is inactive.
-/// Throws Error(scene_rejected) if the floes do not fit, overlap or lie outside the channel.
+/// Builds body 0 (the platform), the fixed bodies and the floes of a scene. The same scene gives the same bits on every
+/// machine. The platform is a regular polygon with its first corner on the +x side; without platform, body 0 is
+/// inactive. Throws Error(scene_rejected) if the floes do not fit, overlap or lie outside the channel.
 Bodies make_field(const SceneDef& scene);
 
 /// Statistics of the floes for `gem case check` and the tests.
@@ -28,8 +28,8 @@ struct FieldSummary {
   double thickness_minimum = 0.0, thickness_maximum = 0.0;  // of the ice [m]
   std::vector<std::int64_t> sides;                          // sides[n]: floes with n sides
   std::vector<double> class_share;                          // share of the floe area in each ice class [-]
-  std::int64_t clockwise_outlines = 0;  // listed or read floes that were given clockwise and turned round
-  double asked_cover = 0.0;             // sum of the classes' tenths / 10, to compare with cover [-]
+  std::int64_t clockwise_outlines = 0;  // listed or read floes that were given clockwise and were reversed
+  double asked_cover = 0.0;             // sum of the classes' tenths / 10, to compare with `cover` [-]
 };
 
 FieldSummary summarise(const SceneDef& scene, const Bodies& bodies);

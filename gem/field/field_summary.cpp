@@ -11,7 +11,7 @@
 namespace gem {
 namespace {
 
-/// Looks ever farther until a pair is found, so that a dense field costs one short search.
+/// Widens the search until a pair is found, so that a dense field needs only one short search.
 double smallest_gap(const Bodies& bodies) {
   constexpr double everywhere = 1e7;
   for (double distance = 0.25; distance < everywhere; distance *= 8.0) {

@@ -1,4 +1,4 @@
-// Generated fields: the statistics that the paper states, no contact at the start, the same bits for the same seed.
+// Generated fields: they have the paper's statistics, no contact at the start, and the same bits for the same seed.
 #include "gem/field/field.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ std::uint64_t hash_of(const Bodies& b, bool with_places) {
   return hash.value();
 }
 
-/// Sizes of the floes in id order, rounded: the floe set without its places.
+/// Sizes of the floes in id order, rounded: the floe set without positions.
 std::vector<double> sizes_of(const Bodies& b) {
   std::vector<double> sizes;
   for (std::size_t i = 0; i < b.count(); ++i)

@@ -1,4 +1,4 @@
-// Floes from CSV and GeoJSON files.
+// Reads floes from CSV and GeoJSON files.
 #include "gem/field/floe_file.h"
 
 #include <charconv>
@@ -119,7 +119,7 @@ class CsvReader {
     floe.thickness_m = thickness;
   }
 
-  /// After all rows: of floes whose rows are mixed it is the rows that are wrong, not the outlines.
+  /// Called after all rows: if the rows of floes are interleaved, the rows are wrong, not the outlines.
   void check_outlines() const {
     for (std::size_t i = 0; i < floes_.size(); ++i) check_outline(floes_[i].outline_m, places_[i]);
   }
@@ -141,7 +141,7 @@ Vec2 point_of(const Json& point, const std::string& where) {
   return {point[0].get<double>(), point[1].get<double>()};
 }
 
-/// A closed ring as GeoJSON demands; the closing corner is dropped.
+/// Reads a ring, which GeoJSON closes by repeating the first corner; the repeated corner is dropped.
 std::vector<Vec2> ring_of(const Json& feature, const std::string& where) {
   const Json geometry = feature.is_object() && feature.contains("geometry") ? feature["geometry"] : Json();
   if (!geometry.is_object() || geometry.value("type", Json()) != "Polygon" || !geometry.contains("coordinates"))

@@ -1,4 +1,4 @@
-// Rounding and units for people.
+// Rounding and units of displayed numbers.
 #include "gem/report/display.h"
 
 #include <algorithm>

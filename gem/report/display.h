@@ -1,4 +1,4 @@
-// Numbers as people read them, independent of the locale.
+// Numbers for display, independent of the locale.
 #pragma once
 
 #include <string>
@@ -14,17 +14,17 @@ std::string decimal_text(double value, int decimals);
 /// Two digits and a power of ten, for residuals: "3.1e-14".
 std::string exponent_text(double value);
 
-/// A unit that keeps the numbers of one figure between about 1 and 1000.
+/// A unit in which the numbers of one figure lie between about 1 and 1000.
 struct Unit {
   std::string name;
-  double size = 1.0;  // in SI: divide by it
+  double size = 1.0;  // SI value of the unit; divide by it
 };
 Unit length_unit(double largest);   // m or mm
 Unit force_unit(double largest);    // N, kN or MN
 Unit impulse_unit(double largest);  // N s, kN s or MN s
 Unit time_unit(double duration_s);  // s, or h from one hour on
 
-/// "12.3 kN": the value in a unit that fits it.
+/// "12.3 kN": the value in the given unit.
 std::string with_unit(double value, const Unit& unit, int digits = 3);
 
 }  // namespace gem

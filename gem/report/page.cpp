@@ -69,7 +69,7 @@ maxima, are given from twenty of them on. Maxima count every wiggle, so that cou
 </div></section>
 )";
 
-/// Why there are no pictures of the field.
+/// Says why there are no pictures of the field.
 std::string no_field_html(const RunData& run) {
   std::string why = "The run has no floes.";
   if (!run.floe_outlines.empty()) {

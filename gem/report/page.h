@@ -14,14 +14,14 @@ struct PageFigures {
   std::vector<Figure> field, motion, force, books;
 };
 
-/// Self-contained HTML: style and pictures inline, nothing loaded from elsewhere.
+/// A self-contained page: style and pictures are inline, nothing is loaded from elsewhere.
 std::string page_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis,
                       const PageFigures& figures);
 
-/// What the page of a run is called, as it stands in its head.
+/// Title of the page of a run.
 std::string page_title(const std::string& run);
 
-/// Text made safe for HTML.
+/// Text escaped for HTML.
 std::string escaped(const std::string& text);
 
 }  // namespace gem

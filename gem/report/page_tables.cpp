@@ -1,4 +1,4 @@
-// Rows of the tables, with units and intervals.
+// The rows of the tables, with units and intervals.
 #include "gem/report/page_tables.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::string measured_text(double value, const char* unit) {
   return std::isnan(value) ? "not measured" : exponent_text(value) + unit;
 }
 
-/// "12.3 &plusmn; 0.4 mm": both rounded where the uncertainty has two digits.
+/// "12.3 &plusmn; 0.4 mm": both rounded to the second digit of the uncertainty.
 std::string mean_text(const Finding& mean, const Unit& unit) {
   if (!mean.value) return "record too short";
   if (!mean.interval) return with_unit(*mean.value, unit) + ", record too short for an interval";
@@ -65,7 +65,7 @@ std::string figure_of_run(const std::string& value, const std::string& meaning) 
   return "<div><strong>" + value + "</strong><span>" + meaning + "</span></div>\n";
 }
 
-/// A period whose interval spans more than a factor of two is no main period.
+/// A period whose interval spans more than a factor of two does not count as main period.
 std::string main_period_html(const RunData& run, const Finding& period) {
   if (!period.value || !period.interval) return "";
   const bool resolved = period.interval->high <= 2.0 * period.interval->low;
@@ -75,7 +75,7 @@ std::string main_period_html(const RunData& run, const Finding& period) {
 }
 
 std::string force_text(double force) { return with_unit(force, force_unit(std::abs(force))); }
-/// A length and what it is of the size of a body.
+/// A length and its share of the size of a body.
 std::string with_share(double depth, double share) {
   return with_unit(depth, length_unit(depth)) + ", " + rounded_text(100.0 * share, 2) + " % of the smaller body";
 }
@@ -143,7 +143,7 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
   const std::string window = number_text(run.force_window_s, 6) + " s";
   const Unit mean_unit = force_unit(std::hypot(l.ice_mean_x, l.ice_mean_y));
   const Finding mooring = finding_of(analysis, "mooring_force_x_mean_N");
-  // a run that was killed loses its last events, and with few of them all
+  // A killed run loses its last events, and all of them if there are few.
   const bool cut = run.identity.status == "running";
   const auto of_events = [cut](const std::string& text) { return cut ? "not known: the run was cut off" : text; };
   const std::string when =

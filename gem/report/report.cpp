@@ -21,7 +21,7 @@ std::string stamp(const RunIdentity& identity) {
   return text;
 }
 
-/// Figures of two runs must not come to lie side by side.
+/// Refuses a folder that holds the figures of another run.
 void check_folder(const std::filesystem::path& page, const std::string& run) {
   std::ifstream old(page, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(old), std::istreambuf_iterator<char>()};

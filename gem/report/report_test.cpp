@@ -1,4 +1,4 @@
-// A report is written from data and from a run file, says what it found, and refuses an incomplete run.
+// A report is written from data and from a run file, states its findings, and refuses an incomplete run.
 #include "gem/report/report.h"
 
 #include <fcntl.h>
@@ -46,7 +46,7 @@ class Report : public ::testing::Test {
 
 const Corners kSquare = {{-2.0, -2.0}, {2.0, -2.0}, {2.0, 2.0}, {-2.0, 2.0}};
 
-/// 1200 s of a platform that swings with 60 s about an offset of 0.2 m and is hit twice by one floe.
+/// 1200 s of a platform that oscillates with 60 s about an offset of 0.2 m and is hit twice by one floe.
 RunData swinging_platform() {
   RunData run;
   run.identity.name = "swing_<1>";
@@ -130,7 +130,7 @@ TEST_F(Report, SaysWhatTheAnalysisSays) {
   const IntervalEstimate offset = finding_of(analysis, "x_offset_m").interval.value();
   const std::string half = decimal_text(500.0 * (offset.high - offset.low), 1);
   EXPECT_NE(html.find("&plusmn; " + half), std::string::npos) << half;
-  // 19 times between crossings are one too few, on the page as in the analysis.
+  // The record has 19 times between crossings, one too few for the page and for the analysis.
   EXPECT_FALSE(finding_of(analysis, "x_period_by_crossings_s").value.has_value());
   EXPECT_NE(html.find("up-crossings</th><td>not resolved</td><td>not resolved</td>"), std::string::npos);
 }
@@ -176,7 +176,7 @@ TEST_F(Report, IsOnePageWithItsFiguresInside) {
   EXPECT_EQ(html.find("src="), std::string::npos);
 }
 
-// The impulse of the sample that ends at 200 s: its mean over 1 s is recorded there and belongs to 199.5 s.
+// The impulse belongs to the sample that ends at 200 s. Its mean over 1 s is recorded there and drawn at 199.5 s.
 TEST_F(Report, DrawsTheWindowsMeanAtItsMiddle) {
   RunData run = swinging_platform();
   write_report(run, out(), false);

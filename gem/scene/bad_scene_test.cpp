@@ -1,4 +1,4 @@
-// Bad input: every fault is refused with its place, key, value and range, and nothing is repaired.
+// Bad input: every error is reported with its place, key, value and range. Nothing is repaired.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -15,7 +15,7 @@ namespace {
 struct BadScene {
   const char* name;
   std::string text;
-  std::vector<std::string> expected;  ///< every one of these is part of the message
+  std::vector<std::string> expected;  ///< parts of the message
 };
 
 void PrintTo(const BadScene& bad, std::ostream* out) { *out << bad.name; }
@@ -208,7 +208,7 @@ TEST(BadScene, OverridesNameThemselves) {
   EXPECT_NE(rejection("", {"--until run.duration_s=-5"}).find("--until -5: run.duration_s: out of range"),
             std::string::npos);
   EXPECT_NE(rejection("", {"contact.solver=coupled contacts"}).find("needs quotes"), std::string::npos);
-  // a word is text
+  // An unquoted word is a text.
   EXPECT_NE(rejection("", {"contact.solver=couple"}).find("--set contact.solver=couple: contact.solver"),
             std::string::npos);
   EXPECT_NE(rejection("", {"platform.mass_kg=heavy"}).find("--set platform.mass_kg=heavy"), std::string::npos);
@@ -221,7 +221,7 @@ TEST(BadScene, OverridesNameThemselves) {
 }
 
 TEST(BadScene, ListedFloesLimitTheTimeStep) {
-  // Two floes of 2 m that close at 1 m/s: a tenth of the floe is passed in 0.2 s.
+  // Two floes of 2 m closing at 1 m/s: they cover a tenth of a floe in 0.2 s.
   const std::string pair =
       "[current]\nvelocity_m_per_s = [0, 0]\n[boundary]\npresent = false\n[floes]\nsource = \"listed\"\n"
       "[[floe]]\noutline_m = [[0,0],[2,0],[2,2],[0,2]]\nposition_m = [-80, 0]\nvelocity_m_per_s = [0.5, 0]\n"
@@ -232,7 +232,7 @@ TEST(BadScene, ListedFloesLimitTheTimeStep) {
 }
 
 TEST(BadScene, ThePlatformsStartLimitsTheTimeStep) {
-  // A floe of 2 m in still water: the platform may pass a tenth of it, at 1 m/s in 0.2 s.
+  // A floe of 2 m in still water: the platform moves at 1 m/s and covers a tenth of the floe in 0.2 s.
   const std::string still =
       "[current]\nvelocity_m_per_s = [0, 0]\n[boundary]\npresent = false\n[floes]\nsource = \"listed\"\n"
       "[[floe]]\noutline_m = [[0,0],[2,0],[2,2],[0,2]]\nposition_m = [-80, 0]\n"
@@ -240,7 +240,7 @@ TEST(BadScene, ThePlatformsStartLimitsTheTimeStep) {
   const std::string thrown = still + "[platform]\nstart_velocity_m_per_s = [-1, 0]\n[numerics]\ntime_step_s = ";
   EXPECT_EQ(rejection(thrown + "0.2\n"), "accepted");
   EXPECT_NE(rejection(thrown + "0.21\n").find("allowed at most 0.2 s"), std::string::npos);
-  // let go 10 m beside its mooring, omega = 0.1 /s
+  // Released 10 m from its anchor position, omega = 0.1 /s.
   const std::string released = still +
                                "[mooring]\nstiffness_N_per_m = 1e6\n[platform]\nmass_kg = 1e8\n"
                                "start_offset_m = [10, 0]\n[numerics]\ntime_step_s = ";

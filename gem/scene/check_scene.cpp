@@ -1,4 +1,4 @@
-// Each rule is one small function that looks at a few options and may add a problem.
+// Checks of a scene. Each rule is one small function that compares a few options and may add a problem.
 #include "gem/scene/check_scene.h"
 
 #include <algorithm>
@@ -18,16 +18,17 @@ namespace {
 
 using List = std::vector<SceneProblem>;
 
-// Two floes that close at speed V sink into each other by V dt before the overlap is seen: keep this below a tenth of
-// the smaller one, well before the contact normal can flip (V dt = width).
+// Two floes that close at speed V overlap by V dt before the contact is seen. The limit is a tenth of the smaller floe,
+// well before the contact normal can flip (V dt = width).
 constexpr double overlap_fraction = 0.1;
-// The mooring is split around the contacts; the split is accurate while omega dt is small.
+// The mooring force is split around the contact step. The split is accurate while omega dt is small.
 constexpr double mooring_phase_maximum = 0.2;
 constexpr double steps_maximum = 1e10;
 constexpr double samples_maximum = 1e9;
 constexpr double cover_maximum = 0.95;
 constexpr std::size_t name_bytes_maximum = 200;
-// No pair of compact rigid bodies can jam below this friction (least bound over polygons: 1.118, equilateral triangle).
+// Below this friction no pair of compact rigid bodies can jam (smallest bound over all polygons: 1.118, equilateral
+// triangle).
 constexpr double jamming_friction = 1.1;
 
 std::string number(double value) { return plain_number_text(value); }
@@ -106,7 +107,7 @@ void check_sizes(const SceneDef& s, List& out) {
                                             number(f.size_minimum_m) + ", " + number(f.size_maximum_m) + ") m)"});
     return;
   }
-  // No distribution on [a, b] with this mean spreads more than one with all its weight on a and b.
+  // On [a, b] with a given mean, the largest deviation has all weight at a and b.
   const double most = std::sqrt((f.size_mean_m - f.size_minimum_m) * (f.size_maximum_m - f.size_mean_m));
   if (f.size_deviation_m >= most)
     out.push_back({"floes.size_deviation_m", "no distribution within the limits spreads so much (value " +
@@ -174,7 +175,7 @@ void check_listed(const SceneDef& s, List& out) {
                                               number(s.floe[i].position_m.x) + " m)"});
 }
 
-/// Mostly slips of unit: mm for m. Also asked of the floes of a file, which no table of ranges has seen.
+/// Catches mistaken units, mostly mm for m. Floes of a file need it too, because no range table has checked them.
 void check_listed_sizes(const SceneDef& s, List& out) {
   if (s.floes.source != FloeSource::listed) return;
   const auto check = [&](std::size_t i, const char* what, double value, const Range& range) {
@@ -184,7 +185,7 @@ void check_listed_sizes(const SceneDef& s, List& out) {
   };
   for (std::size_t i = 0; i < s.floe.size(); ++i) {
     const double area = std::abs(polygon_moments(s.floe[i].outline_m).area);
-    // an outline without area, or that is no outline, is told of with its corners when the field is made
+    // an invalid outline is reported with its corners when the field is made
     if (area > 0.0) check(i, "size (root of the area)", std::sqrt(area), floe_size_range);
     if (s.floe[i].thickness_m > 0.0) check(i, "thickness", s.floe[i].thickness_m, thickness_range);
   }

@@ -1,4 +1,4 @@
-// Problem lists and the nearest-name search behind "did you mean".
+// A list of problems, and the search for the nearest name behind "did you mean".
 #include "gem/scene/problems.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string last_part(const std::string& path) {
   return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
-/// The distance to a key or, if that is less, to its beginning up to some underscore: a unit left out is no slip.
+/// The smaller of the distances to the whole key and to its first words: a missing unit suffix costs nothing.
 std::size_t distance_without_suffix(const std::string& name, const std::string& key) {
   std::size_t least = edit_distance(name, key);
   for (std::size_t cut = key.rfind('_'); cut != std::string::npos && cut > 0; cut = key.rfind('_', cut - 1))
@@ -40,7 +40,7 @@ std::size_t distance_without_suffix(const std::string& name, const std::string& 
   return least;
 }
 
-/// Smaller is closer. The right key in the wrong section counts as one slip.
+/// Smaller is closer. The right key in the wrong section costs one edit.
 std::size_t distance(const std::string& name, const std::string& candidate) {
   return std::min(distance_without_suffix(name, candidate),
                   distance_without_suffix(last_part(name), last_part(candidate)) + 1);

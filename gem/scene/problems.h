@@ -1,4 +1,4 @@
-// Collects everything that is wrong with a scene, so that a user sees all of it at once.
+// Collects all problems of a scene, so that a user sees them together.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
 /// " did you mean `x`?" or "" if nothing is close.
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
 
-/// The same for keys of a case, or where they are listed if nothing is close.
+/// " did you mean `x`?" for a key of a case, or where the keys are listed if nothing is close.
 std::string suggestion_or_list(const std::string& name, const std::vector<std::string>& candidates);
 
 }  // namespace gem

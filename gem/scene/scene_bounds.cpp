@@ -1,4 +1,4 @@
-// Speeds and widths by which a time step is judged.
+// Bounds on speeds and widths, for the check of the time step.
 #include "gem/scene/scene_bounds.h"
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace gem {
 namespace {
 
-/// Smallest distance between two parallel lines that hold the outline between them; repeated corners are left to the
-/// checks of the field.
+/// Smallest distance between two parallel lines that enclose the outline [m]. Skips repeated corners; the checks of the
+/// field report them.
 double outline_width(const std::vector<Vec2>& outline) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {

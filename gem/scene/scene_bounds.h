@@ -1,22 +1,22 @@
-// What is known of speeds and floe widths before the field is made.
+// Bounds on speeds and floe widths that are known before the field is made.
 #pragma once
 
 #include "gem/scene/scene_def.h"
 
 namespace gem {
 
-/// How fast a listed floe's spin moves its farthest corner about its centroid at the start [m/s].
+/// Initial speed of the floe's farthest corner about its centroid, from its spin [m/s].
 double rim_speed(const FloeDef& floe);
 
-/// Largest speed of the swing that the platform starts with; what the ice adds is slower than the ice [m/s]. 0 without
-/// a platform.
+/// Largest speed of the platform's free swing from its start state [m/s]; 0 without a platform. The ice can push the
+/// platform no faster than the ice moves.
 double platform_speed_bound(const SceneDef& scene);
 
-/// Largest speed at which points of two bodies of the scene may approach each other: water, wall at rest, listed floes
-/// with the two largest rim speeds, and the platform as it starts [m/s].
+/// Largest speed at which points of two bodies may approach each other [m/s]: from the current, fixed bodies, listed
+/// floes with the two largest rim speeds, and the platform's start state.
 double closing_speed_bound(const SceneDef& scene);
 
-/// Smallest width of any floe of the scene that is known before the field is made [m]; infinity without floes.
+/// Smallest width of any floe known before the field is made [m]; infinity without floes.
 double smallest_floe_width(const SceneDef& scene);
 
 }  // namespace gem

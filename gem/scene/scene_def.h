@@ -1,4 +1,4 @@
-// What a user may ask for: every option with its default and unit. Constant during a run.
+// The options of a scene with their defaults and units. Constant during a run.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct IceClassDef {
   double tenths = 4.0;
 };
 
-/// The generated field, or where the floes come from.
+/// Where the floes come from, and how a field is generated.
 struct FloesDef {
   FloeSource source = FloeSource::generated;
   std::string path;  ///< for `file`: .csv, .geojson or a run file; relative to the case file
@@ -44,10 +44,10 @@ struct FloesDef {
   double size_deviation_m = 3.9;
   double gap_m = 0.05;                      ///< smallest distance between floes at the start
   Placement placement = Placement::random;  ///< for `copied`
-  std::int64_t shape_count = 24;            ///< for `copied`: how many traced shapes are repeated
-  double tile_length_m = 100.0;             ///< for `tiled`: about how long the repeated block is
-  std::int64_t moved_floe = -1;             ///< the floe that moved_by_m moves: 0 is the nearest to the anchor; -1 none
-  Vec2 moved_by_m = {0.0, 0.0};             ///< a small disturbance of the start
+  std::int64_t shape_count = 24;            ///< for `copied`: number of different shapes
+  double tile_length_m = 100.0;             ///< for `tiled`: approximate length of the repeated block
+  std::int64_t moved_floe = -1;  ///< floe that is shifted by moved_by_m, counted from the anchor from 0; -1: none
+  Vec2 moved_by_m = {0.0, 0.0};  ///< small shift of the start position
   std::vector<IceClassDef> classes = {IceClassDef{}};
 };
 
@@ -56,7 +56,7 @@ struct BoundaryDef {
   bool present = true;
   double inlet_x_m = -1600.0;
   double inlet_width_m = 400.0;
-  double taper_start_x_m = -1600.0;  ///< straight up to here; at or upstream of the inlet: the whole channel tapers
+  double taper_start_x_m = -1600.0;  ///< straight up to here; at or upstream of the inlet the whole channel tapers
   double gap_m = 400.0;
   double outlet_x_m = 60.0;
 };
@@ -73,22 +73,25 @@ struct PlatformDef {
 };
 
 struct NumericsDef {
-  double time_step_s = 0.05;         ///< dt
-  double residual_tolerance = 1e-5;  ///< coupled: speed that events may still ask for, over the current speed
+  double time_step_s = 0.05;  ///< dt
+  double residual_tolerance =
+      1e-5;  ///< coupled: largest velocity change still asked for by a contact, over the current speed
   std::int64_t iterations_maximum = 32;
-  double contact_reach = 1.5;  ///< coupled: faces that the current could close in so many time steps are held apart
-  double repair_share = 0.6;   ///< coupled: share of an overlap that is taken back in one time step
-  double repair_speed_m_per_s = 0.1;  ///< coupled: ... at most at this speed
-  double list_margin_m = 2.5;         ///< pairs closer than this are kept in the list
+  double contact_reach =
+      1.5;  ///< coupled: faces that the current could close within this many time steps count as contacts
+  double repair_share = 0.6;          ///< coupled: share of an overlap removed in one time step
+  double repair_speed_m_per_s = 0.1;  ///< coupled: largest speed at which an overlap is removed
+  double list_margin_m = 2.5;         ///< pairs closer than this are in the pair list
 };
 
 struct OutputDef {
   double platform_interval_s = 0.1;
   double floes_interval_s = 10.0;
-  double force_window_s = 1.0;  ///< the stated average of the ice force
+  double force_window_s = 1.0;  ///< averaging window of the reported ice force
   bool platform_events = true;
-  double event_speed_m_per_s = 0.01;  ///< slower closing is static stress: in the force channels, not in the events
-  double retire_x_m = 300.0;          ///< a floe whose centre passes this line is retired
+  double event_speed_m_per_s =
+      0.01;                   ///< slower contacts count as static load: in the force channels, not in the event list
+  double retire_x_m = 300.0;  ///< a floe whose centre passes this line is retired
 };
 
 /// A floe or fixed body given by its outline (body coordinates, any origin, either direction).
@@ -105,7 +108,8 @@ struct FixedDef {
   std::vector<Vec2> outline_m;  ///< world coordinates
 };
 
-/// The events' definitions (current, water, ice, mooring, platform_drag, contact) stand with the laws: events.h.
+/// The definitions of the events (current, water, ice, mooring, platform_drag, contact) stand with the laws in
+/// events.h.
 struct SceneDef : EventDefinitions {
   RunDef run;
   FloesDef floes;
@@ -115,7 +119,7 @@ struct SceneDef : EventDefinitions {
   OutputDef output;
   std::vector<FloeDef> floe;       ///< for source = listed
   std::vector<FixedDef> fixed;     ///< obstacles besides the boundary
-  std::vector<std::string> notes;  ///< what its file should say otherwise by now; no part of the scene
+  std::vector<std::string> notes;  ///< old key names that the file uses; not part of the scene
 };
 
 }  // namespace gem

@@ -3,8 +3,9 @@ find_package(GTest REQUIRED)
 include(GoogleTest)
 include(gem_rules)
 
-# gem_test_program(NAME LABEL SOURCES...): one executable; the files of a folder compile together as in gem_cold. Tests whose name
-# starts with Long carry the label `long` instead.
+# gem_test_program(NAME LABEL SOURCES...): one executable of tests with the label LABEL. The files of a folder compile together, as in
+# gem_cold. Tests whose name starts with Long get the label `long` instead. NO_PRETTY_VALUES: the name of a parameterised test ends in
+# what its name generator returns, without the printed parameter behind it.
 function(gem_test_program name label)
   add_executable(${name} ${ARGN})
   set(folders)
@@ -22,8 +23,8 @@ function(gem_test_program name label)
   target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     GEM_PROGRAM="$<TARGET_FILE:gem>")
   add_dependencies(${name} gem)
-  gtest_discover_tests(${name} TEST_FILTER "-Long*:*/Long*" PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
-  gtest_discover_tests(${name} TEST_FILTER "Long*:*/Long*" PROPERTIES LABELS long TIMEOUT 14400 DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${name} TEST_FILTER "-Long*:*/Long*" NO_PRETTY_VALUES PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${name} TEST_FILTER "Long*:*/Long*" NO_PRETTY_VALUES PROPERTIES LABELS long TIMEOUT 14400 DISCOVERY_TIMEOUT 60)
 endfunction()
 
 # Names without linkage of these files are also those of others in their folder.

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
 #include "validation/agreement/jam.h"
@@ -16,7 +17,7 @@
 namespace gem {
 namespace {
 
-/// The jam of 1,234 floes with what the cpu engine makes of it.
+/// The jam of 1,234 floes, and the cpu engine's result from it.
 class CudaJam : public OnGpu, public testing::WithParamInterface<Way> {
  protected:
   static constexpr std::int64_t steps = 60;
@@ -65,7 +66,8 @@ TEST_P(CudaJam, NoLayoutOnTheGpuMatters) {
     }
 }
 
-/// Few enough time steps for compute-sanitizer: blocks that meet at a gate, with halos where contacts are coupled.
+/// Few time steps, so that compute-sanitizer can run them: several blocks meet at a grid barrier and, where contacts
+/// are coupled, exchange halos.
 TEST_P(CudaJam, ManyBlocksBrieflyGiveTheBitsOfTheCpu) {
   constexpr std::int64_t few = 3;
   const auto cpu = make_engine(scene_, field_, agreement::on("cpu"));
@@ -102,7 +104,7 @@ TEST_P(CudaJam, AListTooSmallGrowsAndLosesNothing) {
   }
 }
 
-/// As many as let the scenes be shared out among several streams, with a ring that holds few time steps.
+/// Enough scenes to be distributed over several streams, and a ring buffer that holds few time steps.
 TEST_P(CudaJam, ManyScenesKeepTheirBitsPhaseByPhase) {
   constexpr std::size_t count = 120;
   CudaBatch batch(copies(count), {.ring_steps = 23});
@@ -183,7 +185,7 @@ TEST_P(CudaJam, PlaceAndSizeOfABatchChangeNothing) {
   }
 }
 
-/// More scenes than multiprocessors: one block for each, and these take turns.
+/// More scenes than multiprocessors: each scene has one block, and the blocks take turns.
 TEST_P(CudaJam, MoreScenesThanBlocksStayWithTheirBlocks) {
   const std::size_t count = static_cast<std::size_t>(CudaBatch(copies(1), {}).device().multiprocessors) + 9;
   constexpr std::int64_t few = 4;
@@ -205,7 +207,7 @@ TEST_P(CudaJam, ScenesThatShareTheDeviceUnequallyKeepTheirBits) {
   std::vector<StepsAhead> ahead;
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     batch.restore(k, start_);
-    // some have ten times as much before them as others, and later some stop at a frame of their own
+    // Some scenes have ten times as many steps left as others; later some stop at a frame of their own.
     ahead.push_back({0, k % 3 == 0 ? 10 * steps : steps});
   }
   std::vector<StepLog> logs(scenes.size());
@@ -231,11 +233,7 @@ TEST_P(CudaJam, ScenesThatShareTheDeviceUnequallyKeepTheirBits) {
 INSTANTIATE_TEST_SUITE_P(Ways, CudaJam,
                          testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends)),
-                         [](const auto& way) {
-                           return std::string(std::get<0>(way.param) == ContactSolver::coupled ? "coupled"
-                                                                                               : "independent") +
-                                  (std::get<1>(way.param) == Manifold::chord_ends ? "_ends" : "_middle");
-                         });
+                         test::LawNames());
 
 }  // namespace
 }  // namespace gem

@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
 #include "gem/scene/sweep/sweep.h"
@@ -14,7 +15,7 @@
 namespace gem {
 namespace {
 
-/// The named run of a sweep.
+/// The run with this name in a sweep.
 SceneDef member(const std::string& path, const std::string& name) {
   for (const SweepMember& run : expand_sweep(path))
     if (run.name == name) return run.scene;
@@ -23,7 +24,7 @@ SceneDef member(const std::string& path, const std::string& name) {
 
 class LongCuda : public OnGpu, public testing::WithParamInterface<Way> {};
 
-/// One time step from each of 100 states along a run of the paper, and the whole of its first 600 s.
+/// One time step from each of 100 states along a run of the paper, and its whole first 600 s.
 TEST_P(LongCuda, SixHundredSecondsOfTheDensestRun) {
   const auto [solver, manifold] = GetParam();
   const SceneDef scene = resolved(member(GEM_SOURCE_DIR "/cases/table1.toml", "400_200_100"), solver, manifold);
@@ -54,7 +55,8 @@ TEST_P(LongCuda, SixHundredSecondsOfTheDensestRun) {
 
 INSTANTIATE_TEST_SUITE_P(Ways, LongCuda,
                          testing::Values(Way{ContactSolver::independent, Manifold::chord_middle},
-                                         Way{ContactSolver::coupled, Manifold::chord_ends}));
+                                         Way{ContactSolver::coupled, Manifold::chord_ends}),
+                         test::LawNames());
 
 }  // namespace
 }  // namespace gem

@@ -1,5 +1,4 @@
-// The cuda engine gives the bits of the cpu engine: every law, by time steps and by phases; and what it does with a
-// fault.
+// The cuda engine gives the bits of the cpu engine for every law, by time steps and by phases. It also reports faults.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
 #include "validation/agreement/on_gpu.h"
@@ -44,9 +44,10 @@ INSTANTIATE_TEST_SUITE_P(Combinations, CudaLaws,
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
-                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
+                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)),
+                         test::LawNames());
 
-/// Laws of scenes that are moved by a launch for each phase.
+/// Scenes that are advanced by one launch per phase.
 class CudaPhases : public CudaLaws {};
 
 TEST_P(CudaPhases, GiveTheBitsOfTheCpu) {
@@ -74,8 +75,8 @@ TEST_P(CudaPhases, GiveTheBitsOfTheCpu) {
 
 using CudaPhasesBriefly = OnGpu;
 
-/// Few enough time steps for compute-sanitizer's racecheck, amid contacts; two scenes, at other times of their runs,
-/// share the device.
+/// Few time steps, with contacts, so that compute-sanitizer's racecheck can run them. Two scenes at different times of
+/// their runs share the device.
 TEST_F(CudaPhasesBriefly, GiveTheBitsOfTheCpu) {
   for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled}) {
     SceneDef scene = test::busy_scene(8);
@@ -91,7 +92,7 @@ TEST_F(CudaPhasesBriefly, GiveTheBitsOfTheCpu) {
       cpu->advance(80, before);
       const EngineState start = cpu->save();
       batch.restore(k, start);
-      cpu->restore(start);  // so that both go on with the same sums of the books
+      cpu->restore(start);  // so that both engines continue with the same sums in the books
       cpu->advance(3, expected[k]);
       hash.push_back(cpu->state_hash());
       books.push_back(cpu->ledger());
@@ -134,7 +135,8 @@ INSTANTIATE_TEST_SUITE_P(Combinations, CudaPhases,
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
-                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
+                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)),
+                         test::LawNames());
 
 TEST_F(OnGpu, AStateThatIsNoNumberStopsTheRun) {
   const SceneDef scene = test::busy_scene(12);
@@ -178,10 +180,8 @@ TEST_P(OneOfABatch, ThatFailsOnTheGpuStopsNoOther) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OnGpuBy, OneOfABatch, testing::Values(Launches::steps, Launches::phases),
-                         [](const auto& launches) {
-                           return std::string(launches.param == Launches::phases ? "phases" : "steps");
-                         });
+INSTANTIATE_TEST_SUITE_P(Launches, OneOfABatch, testing::Values(Launches::steps, Launches::phases),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace gem

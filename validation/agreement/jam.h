@@ -10,7 +10,7 @@
 
 namespace gem::agreement {
 
-/// The least number of touching points per time step for a comparison to count.
+/// A comparison counts only if every time step has at least this many contact points.
 constexpr std::int32_t contacts_wanted = 500;
 
 /// A channel that narrows from 200 m to 60 m around a platform of 40 m, cover about 0.72, current 0.5 m/s.
@@ -34,7 +34,7 @@ inline SceneDef jam_scene(ContactSolver solver) {
   return scene;
 }
 
-/// What the engine is asked for.
+/// Options of an engine.
 inline EngineOptions on(const std::string& name, int threads = 1) {
   EngineOptions options;
   options.name = name;
@@ -42,7 +42,7 @@ inline EngineOptions on(const std::string& name, int threads = 1) {
   return options;
 }
 
-/// The field of the scene with every floe already on its way.
+/// The field of the scene, with every floe moving with the current.
 inline Bodies drifting_field(const SceneDef& scene) {
   Bodies bodies = make_field(scene);
   for (std::size_t i = 0; i < bodies.count(); ++i)
@@ -50,7 +50,7 @@ inline Bodies drifting_field(const SceneDef& scene) {
   return bodies;
 }
 
-/// The jam, reached by the CPU engine: more than 1,000 touching points.
+/// The jam, reached with the cpu engine: more than 1,000 contact points.
 inline EngineState jam(const SceneDef& scene, const Bodies& bodies) {
   const auto engine = make_engine(scene, bodies, on("cpu"));
   StepLog log;

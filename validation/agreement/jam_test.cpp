@@ -1,5 +1,5 @@
-// Nothing that should not matter changes a bit of a jam: threads, logging, blocks, restarts. What the bits should be is
-// judged by the reference engine (reference_test.cpp) and, to the bit, by the cuda engine (cuda_jam_test.cpp).
+// Threads, logging, blocks and restarts do not change a bit of a jam. Whether the bits are right is judged by the
+// reference engine (reference_test.cpp) and, to the bit, by the cuda engine (cuda_jam_test.cpp).
 #include "validation/agreement/jam.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 
 namespace gem {
@@ -17,7 +18,7 @@ constexpr std::int64_t jam_steps = 40;
 
 using Method = std::tuple<ContactSolver, Manifold>;
 
-/// A state with its scene; each comparison starts anew from it.
+/// A state and its scene; every comparison starts from this state.
 class JamTest : public testing::TestWithParam<Method> {
  protected:
   JamTest() {
@@ -33,7 +34,7 @@ class JamTest : public testing::TestWithParam<Method> {
     return engine;
   }
 
-  /// Hash after `count` time steps in blocks of `block`; the log is checked to be dense in contacts.
+  /// Hash after `count` time steps in blocks of `block`. Checks that every time step has enough contacts.
   std::uint64_t hash_after(Engine& engine, std::int64_t count = jam_steps, std::int64_t block = jam_steps,
                            bool events = true) {
     log_.clear();
@@ -76,17 +77,17 @@ TEST_P(JamTest, TheBooksAreTheSameWithAnyThreads) {
 }
 
 TEST_P(JamTest, ThreadsChangeNothing) {
-  constexpr std::int64_t few = 4;  // more threads than processors wait for each other at every barrier
+  constexpr std::int64_t few = 4;  // with more threads than processors every barrier is slow
   const std::uint64_t one = hash_after(*engine_in_jam(agreement::on("cpu", 1)), few);
   for (const int threads : {2, 3, 5, 8})
     EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu", threads)), few), one) << threads << " threads";
-  // the sweeps too shared out, which pays only in larger jams
+  // Here the sweeps too are divided among threads, which pays only in larger jams.
   for (const int threads : {2, 3})
     EXPECT_EQ(hash_after(*engine_in_jam({"cpu", threads, 0}), few), one) << threads << " threads in every sweep";
 }
 
 TEST_P(JamTest, GoingOnWithFewerThreadsChangesNothing) {
-  // long enough for the engine to have tried one thread and all
+  // Long enough for the engine to try both one thread and all threads.
   constexpr std::int64_t many = 120;
   const std::uint64_t one = hash_after(*engine_in_jam(agreement::on("cpu", 1)), many, many);
   EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu", 2)), many, many), one);
@@ -128,11 +129,7 @@ TEST_P(JamTest, OneFloeMovedByALittleChangesTheHash) {
 INSTANTIATE_TEST_SUITE_P(Methods, JamTest,
                          testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends)),
-                         [](const auto& method) {
-                           const bool coupled = std::get<0>(method.param) == ContactSolver::coupled;
-                           const bool ends = std::get<1>(method.param) == Manifold::chord_ends;
-                           return std::string(coupled ? "coupled" : "independent") + (ends ? "_ends" : "_middle");
-                         });
+                         test::LawNames());
 
 }  // namespace
 }  // namespace gem

@@ -1,8 +1,9 @@
-// A test that needs a GPU.
+// Base of the tests that need a GPU.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <tuple>
 
 #include "gem/base/error.h"
@@ -10,7 +11,7 @@
 
 namespace gem {
 
-/// Skips the test, with the reason, where no GPU answers.
+/// Skips the test, with the reason, if no GPU is usable.
 class OnGpu : public testing::Test {
  protected:
   void SetUp() override {
@@ -21,6 +22,11 @@ class OnGpu : public testing::Test {
     }
   }
 };
+
+/// Names a parameterised test by its kind of launches.
+inline void PrintTo(Launches launches, std::ostream* out) {
+  *out << (launches == Launches::chosen ? "chosen" : launches == Launches::steps ? "steps" : "phases");
+}
 
 using Way = std::tuple<ContactSolver, Manifold>;
 

@@ -1,11 +1,11 @@
-// The reference engine judges the cpu engine: the same scene, the same laws, and nothing else in common.
+// The reference engine judges the cpu engine: the same scene and the same laws, but nothing else in common.
 //
-// Tolerances. An `independent` time step has one answer for each pair alone, so both engines round it differently and
-// no more. A `coupled` time step is iterated by the cpu engine until no point asks for more than the residual r of
-// numerics.residual_tolerance; the reference solves it to rounding. Visits with shared masses contract the error of a
-// velocity by 1 - e at least, e being the smallest eigenvalue of the shared compliance: (pi / 2 n)^2 for n contacts in
-// a row between a free and a held end, each body's mass shared by its p points. So the error is at most r p (2 n /
-// pi)^2, and `row` below is a bound on n; p is at most 8.
+// Tolerances. In an `independent` time step each pair has one answer, so the two engines differ only by rounding. In a
+// `coupled` time step the cpu engine iterates until no point asks for more than the residual r of
+// numerics.residual_tolerance; the reference solves to rounding. Each sweep with shared masses multiplies the error of
+// a velocity by at most 1 - e, where e is the smallest eigenvalue of the shared compliance: (pi / 2 n)^2 for n contacts
+// in a row between a free and a held end, divided by the number p of points that share the mass of a body. So the error
+// is at most r p (2 n / pi)^2. `row` below is a bound on n; p is at most 8.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,23 +28,24 @@ namespace {
 
 constexpr double dt = 0.05, points_of_a_body = 8.0;
 
-/// A scene, how long it is compared, and what the tolerance needs to know.
+/// A scene, the length of the comparison, and what the tolerance needs.
 struct Comparison {
   SceneDef scene;
   int steps = 100;
   int row = 1;                 // most contacts in a row
-  int contacts_of_a_body = 2;  // at most
-  double slack = 0.0;          // what the cpu engine's way adds to the differences of velocities in a time step [m/s]
+  int contacts_of_a_body = 2;  // largest number
+  double slack = 0.0;          // added to the velocity differences of a time step by the cpu engine's method [m/s]
   bool anew = false;           // every time step starts from the cpu engine's state, so that differences do not grow
-  int contacts = 1;            // at least so many points over all time steps
-  bool thrown = false;         // every floe with a velocity of its own
-  const EngineState* start = nullptr;                    // otherwise the scene's
-  Vec2 push = {};                                        // of the last floe, into its neighbour before the start [m]
-  std::function<bool(const StepLog&)> begins = nullptr;  // comparing, after a time step of the cpu engine
-  std::function<void(const StepLog&)> also = nullptr;    // what else each time step of the reference has to show
+  int contacts = 1;            // smallest number of contact points, summed over all time steps
+  bool thrown = false;         // every floe has a random velocity
+  const EngineState* start = nullptr;  // start state; null: that of the scene
+  Vec2 push = {};                      // shift of the last floe into its neighbour before the start [m]
+  std::function<bool(const StepLog&)> begins =
+      nullptr;  // says after which time step of the cpu engine the comparison begins
+  std::function<void(const StepLog&)> also = nullptr;  // further checks of each time step of the reference
 };
 
-/// Nothing but what a test switches on.
+/// A scene in which everything is off that a test does not switch on.
 SceneDef still_scene() {
   SceneDef scene;
   scene.current.velocity_m_per_s = {0.0, 0.0};
@@ -80,10 +81,10 @@ double total_mass(const Bodies& b) {
   return mass;
 }
 
-/// What two engines may differ by.
+/// Allowed differences between two engines.
 struct Allowed {
   double velocity, position;  // of any point of a body [m/s], [m]
-  double mass, speed, reach;  // of all bodies [kg]; largest [m/s]; farthest place from the origin [m]
+  double mass, speed, reach;  // of all bodies [kg]; largest [m/s]; largest distance from the origin [m]
   double impulse() const { return mass * velocity; }
   double twist() const { return reach * impulse(); }
   double energy() const { return impulse() * speed; }
@@ -123,8 +124,8 @@ void expect_quantity(const Quantity& a, const Quantity& b, const Allowed& allowe
   EXPECT_LE(std::fabs(a.energy - b.energy), allowed.energy()) << name;
 }
 
-/// Two points of a face that both stick share their impulse in many ways with the same motion: with friction only the
-/// sum of impact and friction has one answer.
+/// If two points of a face both stick, their impulse can be divided in many ways with the same motion. So with friction
+/// only the sum of impact and friction has one answer.
 void expect_books(const Ledger& a, const Ledger& b, const Allowed& allowed, bool rough) {
   for (const Channel c :
        {Channel::elastic, Channel::repair, Channel::drag, Channel::mooring, Channel::platform_drag, Channel::retired})
@@ -144,7 +145,7 @@ void expect_events(const StepLog& a, const StepLog& b, const Allowed& allowed) {
     EXPECT_EQ(e.body_b, g.body_b);
     EXPECT_LE(std::fabs(e.impulse_normal - g.impulse_normal), allowed.impulse());
     EXPECT_LE(std::fabs(e.impulse_tangential - g.impulse_tangential), allowed.impulse());
-    // a share of the impulse is all that weighs the points of one event
+    // The points of an event are weighted only by their share of the impulse.
     const double share = 1e-12 + allowed.impulse() / e.impulse_normal + allowed.velocity / e.closing_speed;
     EXPECT_NEAR(e.closing_speed, g.closing_speed, share * allowed.speed + allowed.velocity);
     EXPECT_NEAR(e.effective_mass, g.effective_mass, 10.0 * share * e.effective_mass);
@@ -164,7 +165,7 @@ Allowed allowed_in(const Comparison& c, const Bodies& bodies, int steps) {
   for (std::size_t i = 0; i < bodies.count(); ++i)
     if (bodies.kind[i] != BodyKind::fixed)
       allowed.reach = std::max(allowed.reach, length(bodies.position[i]) + bodies.radius[i]);
-  // in a time step a hundred roundings of the largest speed for each contact, ten of the farthest place
+  // In a time step: a hundred roundings of the largest speed per contact, and ten of the largest position.
   const double rounding = 1.1e-16 * steps;
   allowed.velocity = 100.0 * c.contacts_of_a_body * rounding * allowed.speed + c.slack;
   if (c.scene.contact.solver == ContactSolver::coupled) {
@@ -175,7 +176,7 @@ Allowed allowed_in(const Comparison& c, const Bodies& bodies, int steps) {
   return allowed;
 }
 
-/// Overlaps beyond rounding.
+/// Number of overlaps beyond rounding.
 std::int64_t overlaps(const OverlapCount& counted) {
   constexpr double beyond_rounding = 1e-12;  // [m]
   return std::accumulate(counted.count.begin() + 1 + OverlapCount::class_of(beyond_rounding), counted.count.end(),
@@ -222,7 +223,7 @@ void compare(const Comparison& c) {
   EXPECT_GE(contacts, c.contacts);
 }
 
-/// How contacts are resolved, for tests that take all ways.
+/// How contacts are solved, for tests that take all combinations.
 struct Way {
   ContactSolver solver;
   Manifold manifold;
@@ -269,26 +270,26 @@ class ReferenceJudges : public testing::TestWithParam<Way> {
   bool coupled() const { return GetParam().solver == ContactSolver::coupled; }
 };
 
-/// Faces that touch in two points. Left out is `independent` with fixed_direction: there the cpu engine takes the
-/// direction of one point's friction from the motion that the other point's impulse leaves, the reference from the
+/// Faces that touch in two points. `independent` with fixed_direction is left out: there the cpu engine takes the
+/// direction of one point's friction from the motion after the other point's impulse; the reference takes it from the
 /// motion before the event, as the law says.
 class ReferenceJudgesFaces : public ReferenceJudges {};
 
-/// Flat on each other, off centre.
+/// Two faces flat on each other, off centre.
 TEST_P(ReferenceJudgesFaces, TwoFloes) {
   SceneDef s = scene();
   s.floe = {floe(10.0, 10.0, {0.0, 0.0}, {0.4, 0.1}), floe(10.0, 8.0, {10.2, 1.5}, {-0.3, -0.05}, 0.0, 0.0)};
   compare({.scene = s, .steps = 60, .row = 1});
 }
 
-/// A corner on a face, both turning.
+/// A corner on a face; both floes turn.
 TEST_P(ReferenceJudges, TwoTurningFloes) {
   SceneDef s = scene();
   s.floe = {floe(12.0, 9.0, {0.0, 0.0}, {0.4, 0.0}, 0.3, 0.02), floe(10.0, 8.0, {13.0, 2.0}, {-0.3, 0.1}, 0.9, -0.03)};
   compare({.scene = s, .steps = 200, .row = 1, .anew = coupled()});
 }
 
-/// Drag presses a floe on a moored and damped platform in water.
+/// Drag presses a floe against a moored and damped platform.
 TEST_P(ReferenceJudges, AFloeOnTheMooredPlatform) {
   SceneDef s = scene();
   s.current.velocity_m_per_s = {0.5, 0.1};
@@ -308,7 +309,7 @@ TEST_P(ReferenceJudges, AFloeOnTheMooredPlatform) {
   EXPECT_GT(events, 0u);
 }
 
-/// Three floes pressed in line on a wall by the current, one of them askew.
+/// The current presses three floes in line against a wall, one of them turned.
 TEST_P(ReferenceJudgesFaces, ThreeFloesInLineAgainstAWall) {
   SceneDef s = scene();
   s.current.velocity_m_per_s = {0.5, 0.0};
@@ -320,7 +321,7 @@ TEST_P(ReferenceJudgesFaces, ThreeFloesInLineAgainstAWall) {
   compare({.scene = s, .steps = 60, .row = 3, .anew = true});
 }
 
-/// Floes between the sides of a channel that narrows.
+/// Floes between the sides of a narrowing channel.
 TEST_P(ReferenceJudges, AFloeOnTheBoundary) {
   SceneDef s = scene();
   s.current.velocity_m_per_s = {0.5, 0.0};
@@ -334,7 +335,7 @@ TEST_P(ReferenceJudges, AFloeOnTheBoundary) {
   compare({.scene = s, .steps = 300, .row = 2, .anew = coupled()});
 }
 
-/// Overlap at the start: elastic stress where independent, position repair where coupled.
+/// Overlap at the start: elastic stress if independent, position repair if coupled.
 TEST_P(ReferenceJudgesFaces, OverlapIsTakenBack) {
   SceneDef s = scene();
   s.contact.elastic_stiffness_N_per_m = 1e6;
@@ -346,9 +347,10 @@ const auto way_name = [](const auto& way) { return name_of(way.param); };
 INSTANTIATE_TEST_SUITE_P(Ways, ReferenceJudges, testing::ValuesIn(all_ways()), way_name);
 INSTANTIATE_TEST_SUITE_P(Ways, ReferenceJudgesFaces, testing::ValuesIn(ways_with_faces()), way_name);
 
-/// A fast floe crushes on the platform over several time steps. The cpu engine caps a point that did not press in the
-/// last time step by a bound below the law (crushing_force_at_least). Where it keeps its points, the comparison begins
-/// once the cap was reached; where they change, the exponent is 0: the bound is 1e-9 below the law.
+/// A fast floe crushes against the platform over several time steps. For a point that did not press in the last time
+/// step the cpu engine uses a bound below the law as its cap (crushing_force_at_least). If the floe keeps its points,
+/// the comparison begins after the cap was reached. If the points change, the exponent is 0, where the bound is only
+/// 1e-9 below the law.
 void compare_crushing(Manifold manifold, double exponent, double friction) {
   constexpr double area = 12.0 * 9.0, mass = 900.0 * 0.5 * area;
   SceneDef s = still_scene();
@@ -365,7 +367,7 @@ void compare_crushing(Manifold manifold, double exponent, double friction) {
   const auto pressed = [](const StepLog& log) { return log.events.empty() ? 0.0 : log.events.back().impulse_normal; };
   int at_cap = 0;
   Comparison c{.scene = s, .steps = 30, .anew = true};
-  // an off-centre impulse turns as much as it moves
+  // An off-centre impulse turns a corner as fast as it moves the floe.
   c.slack = exponent == 0.0 ? 2.0 * 1e-9 * cap / mass : 0.0;
   c.begins = [&](const StepLog& log) { return pressed(log) > 0.8 * cap; };
   c.also = [&](const StepLog& log) {
@@ -384,7 +386,8 @@ TEST(ReferenceJudgesCrushing, TheCapHolds) {
   }
 }
 
-/// Forty floes in a channel that narrows to a moored platform, thrown about: every time step anew from the same state.
+/// Forty floes with random velocities in a channel that narrows to a moored platform. Every time step starts from the
+/// same state in both engines.
 SceneDef pack_scene(ContactSolver solver, Manifold manifold, double friction) {
   SceneDef scene = test::busy_scene(21);
   scene.floes.count = 40;
@@ -430,7 +433,7 @@ TEST(ReferenceJudgesAPack, Independent) {
   for (const double friction : {0.0, 0.35}) compare_pack(ContactSolver::independent, Manifold::chord_middle, friction);
 }
 
-/// 1,234 floes with more than a thousand touching points. No push goes through more than the 60 floes that fit between
+/// 1,234 floes with more than a thousand contact points. A chain of contacts has at most the 60 floes that fit between
 /// the upstream end and the platform.
 TEST(ReferenceJudgesAJam, WithoutFriction) {
   for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled}) {
@@ -478,7 +481,7 @@ TEST(ReferenceJudgesMotion, ThePlatformSwings) {
   }
 }
 
-/// 300 time steps of a pack by the reference alone, in blocks of `block`, with or without events.
+/// 300 time steps of a pack with the reference alone, in blocks of `block`, with or without events.
 std::uint64_t hash_of_pack(const SceneDef& scene, int block, bool events, bool restarts) {
   auto engine = make_engine(scene, test::busy_field(scene), agreement::on("reference"));
   StepLog log;

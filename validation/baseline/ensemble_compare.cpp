@@ -66,7 +66,7 @@ Compared compared(const PlannedQuantity& quantity, double margin, const BySeed& 
   return row;
 }
 
-/// Gives the rows that have enough runs their verdict.
+/// Sets the verdict of each row that has enough runs.
 void judge(std::vector<Compared>& rows) {
   std::vector<Compared*> tested;
   std::vector<double> p;

@@ -1,4 +1,4 @@
-// What an ensemble comparison runs and how it judges, read from validation/baseline/ensembles.txt.
+// The plan of an ensemble comparison: its runs and its margins, read from validation/baseline/ensembles.txt.
 #pragma once
 
 #include <optional>
@@ -17,13 +17,13 @@ struct PlannedPart {
 
 struct PlannedCase {
   std::string name, path;
-  int index = 0;                    // of the sweep
-  double from_s = 0.0, to_s = 0.0;  // what is judged
+  int index = 0;                    // position in the sweep
+  double from_s = 0.0, to_s = 0.0;  // judged time
 };
 
 struct PlannedSetting {
   std::string label, part;
-  double step_factor = 1.0;  // of the case's own time step
+  double step_factor = 1.0;  // factor on the time step of the case
   std::string arguments;     // of gem run; @slop stands for another program
 };
 
@@ -39,25 +39,25 @@ struct EnsemblePlan {
   std::vector<PlannedSetting> settings;
   std::vector<PlannedQuantity> quantities;
   Grid map;
-  double map_margin = 0.0;  // of the share of one cell
+  double map_margin = 0.0;  // on the share of one cell
 
   const PlannedPart& part_of(const PlannedSetting& setting) const;
-  /// 0 where the setting's part leaves the case out.
+  /// Number of seeds; 0 if the setting leaves the case out.
   int members_of(const PlannedSetting& setting, const PlannedCase& chosen) const;
   const PlannedCase& case_named(const std::string& name) const;
   const PlannedSetting& setting_labelled(const std::string& label) const;
 };
 
-/// Fields of a line of a plan, settings file or CSV, trimmed of blanks.
+/// Fields of a line of a plan, settings file or CSV, without surrounding blanks.
 std::vector<std::string> fields_of(const std::string& line, char separator);
 
 /// A field as a number. Throws Error(usage) that names `what`.
 double number_field(const std::string& field, const std::string& what);
 
-/// Throws Error(file_system) if the file does not open and Error(usage) with its line for what is no plan.
+/// Reads a plan. Throws Error(file_system) if the file cannot be opened, and Error(usage) with the line of a mistake.
 EnsemblePlan read_plan(const std::string& path);
 
-/// One name for a member run, fit for a file name.
+/// Name of a member run, usable as a file name.
 std::string member_name(const PlannedCase& chosen, const PlannedSetting& setting, int seed);
 
 }  // namespace gem::baseline

@@ -1,4 +1,4 @@
-// The numbers of one member of an ensemble, from its run file.
+// Computes the numbers of one member of an ensemble from its run file.
 #include "validation/baseline/ensemble_rows.h"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ class MemberFile {
     return all;
   }
 
-  /// Mean share of each cell over the frames that are judged.
+  /// Mean share of each cell over the judged frames.
   std::vector<double> map(const Grid& grid) const {
     const Span frames = span_of(file_.column("floes/time"), chosen_);
     const auto outlines = file_.floe_outlines();
@@ -91,9 +91,9 @@ class MemberFile {
     all.push_back({"period_" + axis + "_s", period ? period->period : std::nan("")});
   }
 
-  /// Impacts are rows that were faster than the default event speed; a hit is the first of them after a second without,
-  /// as gem takes most hits in two time steps. A landing is the first touch of any speed after `landing_gap_s`: NaN for
-  /// a file that holds no slow touches.
+  /// Impacts are events faster than the default event speed. A hit is the first impact of a floe after a second without
+  /// one, because gem takes most hits in two time steps. A landing is the first event of any speed after
+  /// `landing_gap_s`; NaN if the file holds no slow events.
   void add_hits(std::vector<MemberValue>& all) const {
     const PlatformEvents touches = platform_events(file_);
     const PlatformEvents impacts = faster_than(OutputDef{}.event_speed_m_per_s, touches);
@@ -106,7 +106,7 @@ class MemberFile {
     if (scene_.output.event_speed_m_per_s > 0.0) all.back().value = std::nan("");
   }
 
-  /// What contacts took from the floes and the platform, mean power.
+  /// Mean power that contacts took from the floes and the platform.
   double energy_loss() const {
     const std::vector<double> time = file_.column("stats/time");
     const Span rows = span_of(time, chosen_);

@@ -10,7 +10,7 @@ namespace gem::baseline {
 
 struct MemberValue {
   std::string name;    // ends in its unit
-  double value = 0.0;  // NaN: the record does not say
+  double value = 0.0;  // NaN if the run does not record it
 };
 
 struct MemberRows {
@@ -20,7 +20,8 @@ struct MemberRows {
   std::vector<double> share;  // of each cell of the map, mean over the judged time, row by row
 };
 
-/// Reads a complete run file. Throws Error(usage) if it ends before the judged time does, and what RunFile throws.
+/// Reads a complete run file. Throws Error(usage) if it ends before the judged time does. Other errors are those of
+/// RunFile.
 MemberRows member_rows(const std::string& run_file, const PlannedCase& chosen, const Grid& grid);
 
 }  // namespace gem::baseline

@@ -1,11 +1,15 @@
-// Ensembles of gem and of Box2D: which runs, what each says, and how they compare. scripts/ensembles.sh drives it.
+// Ensembles of gem and of Box2D: lists the runs, extracts their numbers and compares them. scripts/ensembles.sh calls
+// it.
 //
-//   gem_ensembles members PLAN [PART...]            one line per run: name, case, setting, seed, arguments of gem run,
-//                                                   with tabs between; gem's first settings come first for all cases
-//   gem_ensembles rows PLAN CASE SETTING RUN.h5 ROWS.csv MAP.csv     the numbers of one run, without headers
-//   gem_ensembles touches RUN.h5 FROM_S TO_S GAP_S...               how often a floe touches after so long without, by
-//                                                                   the gap and the least closing speed
+//   gem_ensembles members PLAN [PART...]
+//       one line per run: name, case, setting, seed, arguments of gem run, separated by tabs; the runs of gem's first
+//       settings come first for all cases
+//   gem_ensembles rows PLAN CASE SETTING RUN.h5 ROWS.csv MAP.csv
+//       the numbers of one run, without headers
+//   gem_ensembles touches RUN.h5 FROM_S TO_S GAP_S...
+//       how often a floe touches after a gap without contact, by gap and smallest closing speed
 //   gem_ensembles compare PLAN ROWS.csv MAPS.csv ENSEMBLES.csv MAP_MEANS.csv
+//       means, intervals and verdicts
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -41,7 +45,7 @@ int members(const Texts& a) {
   const EnsemblePlan plan = read_plan(a.at(0));
   int largest = 0;
   for (const PlannedPart& part : plan.parts) largest = std::max(largest, part.members);
-  // seed by seed, so that a stopped ensemble is a smaller one
+  // Ordered by seed, so that a stopped ensemble is a complete smaller one.
   for (int seed = 1; seed <= largest; ++seed)
     for (const PlannedCase& chosen : plan.cases) {
       const double step = read_case({chosen.path, {}, static_cast<long long>(chosen.index)}).numerics.time_step_s;
@@ -84,7 +88,7 @@ int touches(const Texts& a) {
   return 0;
 }
 
-/// Lines of a CSV with a header, in fields.
+/// Lines of a CSV with the header `head`, as fields.
 std::vector<Texts> table_in(const std::string& path, const std::string& head) {
   std::ifstream file(path);
   std::string line;
@@ -144,7 +148,7 @@ double mean_of(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
-/// Cell by cell: means, the interval of their difference, and whether it lies in the margin.
+/// For each cell: means, the interval of their difference, and whether it lies within the margin.
 void write_map(std::ostream& out, const std::string& who, const EnsemblePlan& plan,
                const std::vector<std::vector<double>>& first, const std::vector<std::vector<double>>& other) {
   for (std::size_t c = 0; c < std::min(first.size(), other.size()); ++c) {

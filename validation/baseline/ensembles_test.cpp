@@ -1,4 +1,4 @@
-// The plan that the ensembles follow, the numbers of one run, and the verdicts.
+// The plan of the ensembles, the numbers of one run, and the verdicts.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ TEST(EnsemblePlan, FaultsNameTheirLine) {
   EXPECT_THROW(read_plan((folder.path() / "missing.txt").string()), Error);
 }
 
-/// Twelve runs round `mean` with a scatter of about `scatter`.
+/// Twelve runs about `mean` with a deviation of about `scatter`.
 BySeed runs(double mean, double scatter) {
   BySeed values;
   for (int seed = 1; seed <= 12; ++seed) values[seed] = mean + scatter * std::sin(2.4 * seed);
@@ -82,15 +82,15 @@ TEST(EnsembleCompare, NumbersThatARunDoesNotHaveAreLeftOut) {
 }
 
 TEST(PlatformEvents, AFloeThatRattlesLandsOnce) {
-  // floe 7 lands at 10 s, lies on the platform with gaps of at most 2 s, is jerked at 14 s, leaves and is back at 30 s;
-  // floe 8 lands at 12 s, slowly
+  // Floe 7 lands at 10 s, lies on the platform with gaps of at most 2 s, is jerked at 14 s, leaves, and returns at 30
+  // s. Floe 8 lands slowly at 12 s.
   const PlatformEvents rows{{10.0, 10.1, 11.0, 12.0, 12.5, 14.0, 14.1, 15.5, 30.0},
                             {7.0, 7.0, 7.0, 8.0, 7.0, 7.0, 7.0, 7.0, 7.0},
                             {0.3, 0.1, 0.001, 0.005, 0.002, 0.02, 0.002, 0.001, 0.2}};
   EXPECT_EQ(first_after(landing_gap_s, rows, 0.0, 100.0), 3.0);
-  EXPECT_EQ(first_after(landing_gap_s, rows, 10.5, 100.0), 2.0);  // the first landing is the floe's past
+  EXPECT_EQ(first_after(landing_gap_s, rows, 10.5, 100.0), 2.0);  // the first landing lies before from_s
   EXPECT_EQ(first_after(landing_gap_s, rows, 0.0, 29.0), 2.0);
-  EXPECT_EQ(first_after(1.0, rows, 0.0, 100.0), 6.0);  // the same touches, taken apart where they pause
+  EXPECT_EQ(first_after(1.0, rows, 0.0, 100.0), 6.0);  // a shorter gap splits a landing at its pauses
   const PlatformEvents fast = faster_than(0.01, rows);
   EXPECT_EQ(fast.time, (std::vector<double>{10.0, 10.1, 14.0, 30.0}));
   EXPECT_EQ(first_after(1.0, fast, 0.0, 100.0), 3.0);  // the jerk counts as a hit, floe 8 does not
@@ -117,7 +117,7 @@ TEST(EnsembleRows, OneHitOfOneFloe) {
   double area = 0.0;
   for (const double share : rows.share) area += 100.0 * share;
   EXPECT_NEAR(area, 100.0, 1e-3);                                         // the floe of 10 m x 10 m
-  EXPECT_THROW(member_rows(file, {"V10", "", 0, 0.0, 90.0}, {}), Error);  // ends too early
+  EXPECT_THROW(member_rows(file, {"V10", "", 0, 0.0, 90.0}, {}), Error);  // the run ends before the judged time
 }
 
 }  // namespace

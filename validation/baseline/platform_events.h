@@ -1,4 +1,5 @@
-// What hits the platform, counted from the rows of its events: several ways, because engines log one landing
+// Counts what hits the platform from the rows of its events, in several ways, because engines log a landing
+// differently.
 // differently.
 #pragma once
 
@@ -15,16 +16,17 @@ struct PlatformEvents {
   std::vector<double> closing_speed;  // [m/s]
 };
 
-/// A floe has landed if it had not touched the platform for so long. Its weight on the platform comes and goes for up
-/// to two seconds while it lies there (validation/baseline/README.md), and it needs longer to come back.
+/// A floe lands if it has not touched the platform for this time. The contact force of a floe that lies on the platform
+/// vanishes for up to two seconds (validation/baseline/README.md); a floe that leaves needs longer to return.
 constexpr double landing_gap_s = 3.0;
 
 PlatformEvents platform_events(const RunFile& file);
 
-/// Only the rows with a higher closing speed [m/s].
+/// The rows with a higher closing speed [m/s].
 PlatformEvents faster_than(double closing_speed, const PlatformEvents& events);
 
-/// Rows in from_s <= time <= to_s whose floe had no row in the `gap_s` before; rows before from_s count as its past.
+/// Number of rows in from_s <= time <= to_s whose floe had no row in the `gap_s` before. Rows before from_s count as
+/// its past.
 double first_after(double gap_s, const PlatformEvents& events, double from_s, double to_s);
 
 }  // namespace gem::baseline

@@ -1,7 +1,7 @@
-// Sustained contact, V30 to V38, on gem's engines and on Box2D with the settings that a user gets: prints one CSV row
-// per number and setting. A survey, not a judge: each number stands beside its closed form.
+// Sustained contact, V30 to V38, on gem's engines and on Box2D with default settings. Prints one CSV row per number and
+// setting, beside the closed form. A survey: it judges nothing.
 //
-// V37 is left out: its support must retreat, and fixed bodies here stand still.
+// V37 is left out: its support must retreat, and fixed bodies do not move here.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -21,10 +21,10 @@ namespace {
 constexpr double k_form = 0.05;  // [1/m]
 constexpr double k_skin = 1025.0 * 0.005 / (2.0 * 900.0 * 0.5);
 
-/// Drag rate k on a floe 0.5 m thick, in this program's coefficient.
+/// This program's coefficient for the drag rate k on a floe 0.5 m thick.
 double coefficient_for(double k) { return k * 900.0 * 0.5 / 1025.0; }
 
-/// Contacts and numerics as a user gets them, in a current.
+/// A scene with default contacts and numerics, in a current.
 SceneDef pressed_scene(Vec2 current, double k) {
   SceneDef scene = quiet_scene();
   scene.numerics = NumericsDef{};
@@ -52,7 +52,7 @@ class Survey {
   }
 
   Simulation begin(SceneDef scene) const {
-    // independent: the paper's own contacts
+    // independent: the paper's contacts
     if (!setting_.coupled()) scene.contact.manifold = Manifold::chord_middle;
     Simulation run = start(std::move(scene), setting_);
     run.log.wants_events = false;
@@ -63,7 +63,7 @@ class Survey {
   Setting setting_;
 };
 
-/// Mean force from fixed bodies over the next `seconds`, by channel [N].
+/// Mean force of fixed bodies over the next `seconds`, by channel [N].
 struct MeanForce {
   Vec2 normal, friction;
 };
@@ -131,7 +131,8 @@ void v32_along_a_barrier(const Survey& survey, double angle, double mu, const st
   scene.fixed = {{{-20.0 * along - 16.0 * out, 500.0 * along - 16.0 * out, 500.0 * along, -20.0 * along}}};
   scene.floe = {square(5.0 * out, 0.25 * along, angle)};
   Simulation run = survey.begin(scene);
-  run.advance(26000);  // 1300 s, eight times 1 / (k U sin(angle)) at 30 degrees; at the small angle it starts settled
+  run.advance(26000);  // 1300 s, eight times 1 / (k U sin(angle)) at 30 degrees; at the small angle it starts in the
+                       // steady state
   const Vec2 from = run.bodies().position[2];
   const MeanForce force = force_over(run, 200.0, scene.numerics.time_step_s);
   const Vec2 total = force.normal + force.friction;
@@ -208,7 +209,7 @@ void v38_jam_of_a_row(const Survey& survey) {
   while (run.bodies().velocity[last].x > 0.125 && run.engine->step() < 20000) run.advance(1);
   const double stopped = static_cast<double>(run.engine->step()) * scene.numerics.time_step_s;
   survey.row("V38.front", 10.0 * count / stopped);
-  run.advance(400);  // independent shares an impact among the row over several time steps
+  run.advance(400);  // independent spreads an impact along the row over several time steps
   survey.row("V38.Fmean",
              -(run.engine->ledger()[Channel::impact].momentum.x + run.engine->ledger()[Channel::elastic].momentum.x) /
                  (60.0 * count));

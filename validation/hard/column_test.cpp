@@ -1,4 +1,5 @@
-// Columns pressed to a wall: many contacts in series (H1), long time steps (H9), one thousand to one in mass (H14).
+// Columns pressed against a wall: many contacts in series (H1), long time steps (H9), a mass ratio of one thousand
+// (H14).
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +18,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, HardBigColumn, ::testing::ValuesIn(large_setti
 class LongHardColumn : public verification::OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, LongHardColumn, ::testing::ValuesIn(large_settings()), verification::setting_name);
 
-/// Push of the current on one floe of the columns [N].
+/// Force of the current on one floe of the columns [N].
 constexpr double push = 562.5;
 
 /// Mean force on the wall over the next `steps` [N].
@@ -27,15 +28,15 @@ double wall_force(Watched& run, std::int64_t steps, double dt) {
   return length(given_by_fixed(run.ledger()) - before) / (static_cast<double>(steps) * dt);
 }
 
-/// Errors of the wall's force, relative, over the last half of a minute.
+/// Relative errors of the force on the wall over the last half minute.
 struct ForceError {
-  double worst = 0.0;        // of the means over a second, against the push that is held
-  double worst_exact = 0.0;  // the same against the closed form
-  double mean = 0.0;         // of the half minute, against the push that is held
+  double worst = 0.0;        // of the means over a second, against the held push
+  double worst_exact = 0.0;  // of the means over a second, against the closed form
+  double mean = 0.0;         // of the mean over the half minute, against the held push
 };
 
-/// Means over a second: long against a time step, short against the minute. The worst of thirty, so that a column that
-/// rattles does not pass by the second that is looked at.
+/// A second is long against a time step and short against the half minute. The worst of thirty seconds counts, so that
+/// a rattling column cannot pass by luck.
 ForceError force_error(Watched& run, const SceneDef& scene, double exact) {
   constexpr int seconds = 30;
   const std::int64_t steps = std::llround(1.0 / scene.numerics.time_step_s);
@@ -62,14 +63,14 @@ void press(const std::string& id, const SceneDef& scene, int count, const Column
   const double exact = count * push;
   const ForceError force = force_error(run, scene, exact);
   bound(id + ".force", force.worst, bars.force, "-", run.where());
-  // the closed form, which the drag of a time step misses by k U dt
+  // The closed form has no lag of the drag; in a time step the drag is k U dt too low.
   bound(id + ".force_exact", force.worst_exact, bars.force + 0.05 * 0.5 * scene.numerics.time_step_s, "-", run.where());
   bound(id + ".force_mean", force.mean, bars.force, "-", run.where());
   bound(id + ".total_overlap", overlaps(run.bodies()).total, bars.overlap, "m", run.where());
   expect_sound(id, run);
   if (setting.coupled()) return;
-  // independent: the elastic stress that carries a force F is F (1 + omega dt)^2 / k deep, omega^2 = k / m; the wall
-  // has the deepest contact, and the force never exceeds the whole push
+  // independent: the elastic stress that carries a force F is F (1 + omega dt)^2 / k deep, with omega^2 = k / m. The
+  // contact at the wall is the deepest, and its force never exceeds the whole push.
   const double swing = std::sqrt(scene.contact.elastic_stiffness_N_per_m / 45000.0) * scene.numerics.time_step_s;
   bound(id + ".elastic_depth", run.worst().overlap,
         2.0 * exact * (1.0 + swing) * (1.0 + swing) / scene.contact.elastic_stiffness_N_per_m, "m", run.where());
@@ -100,7 +101,7 @@ TEST_P(HardColumn, H9_long_steps) {
     const SceneDef scene = read_hard_member("H09_long_steps.toml", "H09_" + std::to_string(factor), setting());
     Watched run(scene, setting());
     run.advance(static_cast<std::int64_t>(100.0 / dt));
-    // an overlap is seen at the end of a time step: no deeper than its path
+    // An overlap is seen at the end of a time step: it is no deeper than the path of one time step.
     bound(id + ".overlap", run.worst().overlap, 0.5 * dt, "m", where());
     bound(id + ".fastest", fastest_floe(run.bodies()), 0.5, "m/s", where());
     expect_sound(id, run);

@@ -1,5 +1,5 @@
-// Rebuilds the contact points of all pairs from the bodies as they stood and weighs the impulse that the engine kept
-// for each, none if it kept none.
+// Finds the contact points of all pairs from the bodies at the start of the time step, and computes the residuals of
+// the impulse that the engine stored for each (zero if it stored none).
 #include "validation/hard/contact_residuals.h"
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 namespace gem::hard {
 namespace {
 
-/// The geometry of one pair at the start of the time step.
+/// Whether a pair touches at the start of the time step, and its contact geometry.
 bool touching(const FieldState& field, std::int32_t a, std::int32_t b, Contact& contact) {
   SeparatingAxes unknown;
   return find_contact(field, a, b, unknown, 0.0, contact);
 }
 
-/// Whether two bodies are so placed that their pair belongs to the engine: active, one of them moves, circles near.
+/// Whether the engine may consider the pair: both active, at least one free to move, bounding circles near.
 bool may_meet(const Bodies& bodies, std::int32_t a, std::int32_t b) {
-  constexpr double near = 1.0;  // more than any contact reaches here [m]
+  constexpr double near = 1.0;  // more than any contact reach here [m]
   const double reach = bodies.radius[a] + bodies.radius[b] + near;
   const Vec2 apart = bodies.position[b] - bodies.position[a];
   return bodies.active[a] && bodies.active[b] && bodies.inverse_mass[a] + bodies.inverse_mass[b] > 0.0 &&

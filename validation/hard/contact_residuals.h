@@ -1,24 +1,24 @@
-// How well a coupled time step obeys the laws of contact: complementarity, friction cone and dissipation, contact by
-// contact.
+// How well a coupled time step obeys the laws of contact, contact by contact: complementarity, friction cone,
+// dissipation.
 //
-// The impulses P are those that the engine keeps for its warm start, the velocities u those after the events. For each
-// point, with compliance K and the normal velocity above its target, in m/s:
+// The impulses P are those stored by the engine for its warm start; the velocities u are those after the events. For
+// each point, with compliance K and u_n the normal velocity above its target, in m/s:
 //   pull              K_nn max(0, -P_n)                      a contact never pulls
-//   closing           max(0, -u_n)                           nothing closes any more
-//   complementarity   |min(K_nn P_n, u_n)|                   either no impulse or no gap
+//   closing           max(0, -u_n)                           no point still closes
+//   complementarity   |min(K_nn P_n, u_n)|                   either no impulse or no separation
 //   cone              K_tt max(0, |P_t| - mu P_n)            Coulomb's bound
 //   slip              |K_tt P_t - clamp(K_tt P_t - u_t)|     sticks, or slips against friction at its bound
-// and for the time step the energy that its events gave, which must not be positive [J].
+// For the time step: the energy that its events added, which must not be positive [J].
 #pragma once
 
 #include "gem/engine/engine.h"
 
 namespace gem::hard {
 
-/// Largest residuals of one time step; or of many, merged.
+/// Largest residuals of one time step, or of several merged.
 struct ContactResiduals {
   std::int64_t points = 0;
-  std::int64_t without_point = 0;  // impulses for which the bodies have no contact point
+  std::int64_t without_point = 0;  // impulses stored for points that the bodies do not have
   double pull = 0.0;
   double closing = 0.0;
   double complementarity = 0.0;
@@ -29,8 +29,8 @@ struct ContactResiduals {
   double worst() const;  // [m/s]
 };
 
-/// Residuals of the time step that led from `before` to `after`, both saved by the same engine in a coupled scene
-/// without mooring (the platform's own motion would hide its velocity at the events).
+/// Residuals of the time step from `before` to `after`, both saved by the same engine, in a coupled scene without
+/// mooring. (With a mooring the platform's velocity at the events is not saved.)
 ContactResiduals contact_residuals(const SceneDef& scene, const EngineState& before, const EngineState& after);
 
 }  // namespace gem::hard

@@ -1,4 +1,4 @@
-// Reads, runs and judges hard cases.
+// Reads, runs and judges the hard cases.
 #include "validation/hard/hard.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 std::string path_of(const std::string& file) { return std::string(GEM_SOURCE_DIR) + "/cases/hard/" + file; }
 
-/// What known_misses.txt lists, one a line: `solver key | why`.
+/// The lines of known_misses.txt: `solver key | why`.
 std::set<std::string> read_misses() {
   std::ifstream file(std::string(GEM_SOURCE_DIR) + "/validation/hard/known_misses.txt");
   if (!file) throw std::runtime_error("known_misses.txt cannot be read");
@@ -29,8 +29,8 @@ std::set<std::string> read_misses() {
   return keys;
 }
 
-/// What went through the channels from one look at the books to the next [N s]; what bodies gave each other is not
-/// seen.
+/// Impulse that went through the channels between two states of the books [N s]. Impulses between floes cancel and are
+/// not seen.
 double exchanged_between(const Ledger& before, const Ledger& after) {
   double sum = length(after.mooring_force.momentum - before.mooring_force.momentum);
   for (std::size_t c = 0; c < before.channel.size(); ++c)
@@ -139,11 +139,11 @@ void bound(const std::string& key, double computed, double limit, const std::str
 void expect_sound(const std::string& id, Watched& run) {
   const Worst& worst = run.worst();
   EXPECT_GT(worst.contacts, 0) << id << ": the bodies never touched";
-  // as shares of what run_scene allows; equal terms a time step may all be rounded the same way
+  // Relative to what run_scene allows. Equal terms in each time step may all be rounded in the same direction.
   const double allowed = std::max(1e-11, 0x1p-53 * static_cast<double>(run.engine().step()));
   const double books = std::max({worst.momentum / allowed, worst.angular_momentum / allowed, worst.energy / 1e-8});
   bound(id + ".books", books, 1.0, "-", run.where());
-  // never: what is left is the rounding of the sum of all energies
+  // Must be zero; the limit is the rounding of the sum of all energies.
   bound(id + ".created", share(worst.created, run.ledger().energy_scale), 1e-9, "-", run.where());
 }
 

@@ -1,4 +1,4 @@
-// Jams: friction from none to absurd (H13), the jam that lasts (H7), a hundred thousand floes (H11).
+// Jams: friction from none to very high (H13), a jam that lasts (H7), a hundred thousand floes (H11).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,12 +20,12 @@ INSTANTIATE_TEST_SUITE_P(Engines, HardJam, ::testing::ValuesIn(large_settings())
 class LongHardJam : public verification::OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, LongHardJam, ::testing::ValuesIn(large_settings()), verification::setting_name);
 
-/// Bars of every jam.
+/// Limits for every jam.
 constexpr double deepest_overlap = 20e-3;  // [m]
-constexpr double most_overlap = 2e-3;      // of 99.9 % of the touching pairs [m]
+constexpr double most_overlap = 2e-3;      // exceeded by 0.1 % of the touching pairs [m]
 
-/// Watches a jam for a while: its deepest overlap in any time step, overlaps at each look, and the impulse that walls
-/// and platform take from the ice.
+/// Observes a jam: the deepest overlap of any time step, the overlaps after each block, and the impulse that walls and
+/// platform take from the ice.
 struct JamWatch {
   double deepest = 0.0;  // [m]
   Overlaps worst;
@@ -49,7 +49,7 @@ void judge_jam(const std::string& id, const JamWatch& watch, Watched& run, const
   bound(id + ".overlap", watch.deepest, deepest_overlap, "m", run.where());
   bound(id + ".overlap_99.9", watch.worst.most, most_overlap, "m", run.where());
   bound(id + ".overlap_share", watch.worst.size_share, 0.1, "-", run.where());
-  // ice at rest is pushed by its drag; ice that was on its way brings its momentum once
+  // Drag pushes ice at rest; ice that was moving also brings its momentum once.
   double momentum = 0.0;
   for (std::size_t i = first_floe_of(field); i < field.count(); ++i) momentum += field.mass[i];
   momentum *= length(scene.current.velocity_m_per_s);
@@ -60,7 +60,7 @@ void judge_jam(const std::string& id, const JamWatch& watch, Watched& run, const
 
 constexpr std::int64_t half_minute = 600;
 
-/// How far apart eight frictionless jams come whose floes start with speeds that differ by `change` at most.
+/// Largest distance between eight frictionless jams whose start speeds differ by at most `change`.
 double apart_by_chance(const SceneDef& scene, const Bodies& after, double change, const Setting& setting) {
   double apart = 0.0;
   for (std::uint32_t start = 0; start < 8; ++start) {
@@ -90,16 +90,16 @@ TEST_P(HardJam, H13_friction) {
     run.advance(half_minute, 20);
     if (slippery.count() == 0) slippery = run.bodies();
     if (std::string(friction) == "1e-12") {
-      // friction changes speeds by 1e-12 x 0.5 m/s in a time step. A jam makes any such change grow, step by step where
-      // contacts open and iterations restart by a threshold; so friction may do what other starts do that differ by as
-      // much. One sample more than those eight lies within ten times their largest
+      // Friction changes speeds by 1e-12 x 0.5 m/s in a time step. A jam amplifies any such change where contacts open
+      // and iterations restart by a threshold. So friction may change the jam as much as equally small changes of the
+      // start do; a ninth sample lies within ten times the largest of eight.
       const SceneDef frictionless = read_hard_member("H13_friction.toml", "H13_0", setting());
       const double change = 1e-12 * length(scene.current.velocity_m_per_s);
       bound("H13.apart", test::farthest_apart(run.bodies(), slippery),
             10.0 * apart_by_chance(frictionless, slippery, change, setting()), "m", where());
     }
     JamWatch watch;
-    watch.deepest = run.worst().overlap;  // the half minute before is judged too
+    watch.deepest = run.worst().overlap;  // the half minute before counts too
     for (int i = 0; i < 60; ++i) watch.look(run, 20, scene);
     judge_jam(id, watch, run, scene, field);
   }
@@ -116,8 +116,7 @@ TEST_P(HardJam, H7_minute_of_jam) {
   judge_jam("H7.minute", watch, run, scene, field);
 }
 
-/// A day is long: GEM_ENGINE moves it with another engine (the bits are the same), GEM_THREADS leaves processors to
-/// other work.
+/// A day takes long. GEM_ENGINE chooses another engine (the bits are the same), and GEM_THREADS limits the threads.
 Setting setting_of_the_day(Setting setting) {
   if (const char* engine = std::getenv("GEM_ENGINE")) setting.engine = engine;
   return setting;
@@ -128,7 +127,7 @@ int threads_of_the_day() {
   return threads ? std::atoi(threads) : 0;
 }
 
-/// One line an hour says how it goes.
+/// Prints one line per simulated hour.
 void tell_hour(int hour, const JamWatch& watch, Watched& run) {
   std::printf("hour %2d: %zu points, overlap %.3g m at most in this half day, 99.9 %% of it %.3g m\n", hour,
               points_of(run), watch.deepest, watch.worst.most);

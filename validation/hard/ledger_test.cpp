@@ -1,4 +1,4 @@
-// The momentum ledger without walls (H17): what the contacts exchange is lost nowhere.
+// The momentum ledger without walls (H17): no impulse that contacts exchange is lost.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,8 @@ class HardLedger : public verification::OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, HardLedger, ::testing::ValuesIn(verification::all_settings()),
                          verification::setting_name);
 
-/// Half of what all bodies' momenta changed in one time step: at least what contacts passed on, without drag [N s].
+/// Half of the sum of all momentum changes in one time step: without drag, a lower bound on the exchanged impulse [N
+/// s].
 double passed_on(const Bodies& before, const Bodies& after) {
   double sum = 0.0;
   for (std::size_t i = 0; i < after.count(); ++i)
@@ -25,7 +26,7 @@ double passed_on(const Bodies& before, const Bodies& after) {
 double unexplained(const Ledger& ledger) { return residual(ledger).momentum * ledger.momentum_scale; }
 
 TEST_P(HardLedger, H17_inward_rush) {
-  // the floes of the case without water and platform: all they can do is push each other
+  // The floes of the case without current and platform: they can only push each other.
   SceneDef scene = read_hard_case("H17_no_walls.toml", setting());
   scene.platform.present = false;
   scene.water.drag_law = DragLaw::none;
@@ -59,7 +60,7 @@ TEST_P(HardLedger, H17_stream_on_the_platform) {
     if (step.contacts > 0) ++struck;
   });
   EXPECT_GT(struck, 100) << "the ice missed the platform";
-  // the impulse that passed through contacts with the platform, water and mooring
+  // Impulse exchanged with the platform, the water and the mooring.
   exchanged += run.worst().exchanged;
   bound("H17.stream.momentum", unexplained(run.ledger()) / exchanged, 1e-13, "-", where());
   expect_sound("H17.stream", run);

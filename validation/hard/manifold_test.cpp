@@ -1,4 +1,4 @@
-// The two manifolds side by side: chord_ends, the default of coupled, and chord_middle.
+// The two manifolds compared: chord_ends, the default of coupled, and chord_middle.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, HardManifold, ::testing::ValuesIn(verification
 
 const char* name_of(Manifold manifold) { return manifold == Manifold::chord_ends ? "ends" : "middle"; }
 
-/// A floe over a ledge that ends 1 m beyond its centre, so that 6 m of its face lie on it.
+/// A floe over a ledge that ends 1 m beyond its centre, so that 6 m of its face lie on the ledge.
 SceneDef on_a_ledge(const Setting& setting, Manifold manifold) {
   SceneDef scene = read_hard_case("H05_parallel_faces.toml", setting);
   scene.contact.manifold = manifold;
@@ -37,13 +37,13 @@ TEST_P(HardManifold, F1_a_face_lands_on_a_ledge) {
     scene.floe[0].position_m.y = 5.0 - verification::touch;
     Watched run(scene, setting());
     run.advance(1);
-    // with both ends the centre stands over the face and the floe stops dead; one point in the middle of the face, 2 m
-    // beside the centre, leaves 1 - 1 / (1 + eta^2 m / I) of the speed and turns the floe over the edge
+    // With both ends the centre lies over the face and the floe stops. A single point in the middle of the face, 2 m
+    // from the centre, leaves 1 - 1 / (1 + eta^2 m / I) of the speed, and the floe tips over the edge.
     const double eta2 = manifold == Manifold::chord_ends ? 0.0 : 4.0;
     const double left = speed * (1.0 - 1.0 / (1.0 + eta2 * 45000.0 / 750000.0));
-    // iterations end when no point asks for more than the tolerance times the speed; with the masses shared out (both
-    // ends: nn of 1.1e-4 against a least response of 1.7e-5 per kg) that leaves at most 6.4 times as much
-    // the touch of 2^-40 m puts the point off by its half: 1e-13 relative
+    // Iterations end when no point asks for more than the tolerance times the speed. With shared masses (both ends: nn
+    // of 1.1e-4 against a smallest response of 1.7e-5 per kg) the error is at most 6.4 times that. The touch of 2^-40 m
+    // shifts the point by half of it: 1e-13 relative.
     const double allowed = (10.0 * scene.numerics.residual_tolerance + 1e-13) * speed;
     verification::check_value(std::string("F1.") + name_of(manifold) + ".speed_left", left, -run.bodies().velocity[2].y,
                               allowed, "m/s", where());
@@ -55,7 +55,8 @@ TEST_P(HardManifold, F2_a_face_rests_on_a_ledge) {
   for (const Manifold manifold : {Manifold::chord_ends, Manifold::chord_middle}) {
     Watched run(on_a_ledge(setting(), manifold), setting());
     run.advance(2000, 20);
-    // the chord of a floe that tips moves under its centre: it stays either way, within the slack of a contact over 6 m
+    // The chord of a tipping floe moves below its centre, so the floe stays with either manifold, within the slack of a
+    // contact over 6 m.
     bound(std::string("F2.") + name_of(manifold) + ".turned", std::fabs(run.bodies().rotation[2].sine), 1e-3, "rad",
           where());
     expect_sound(std::string("F2.") + name_of(manifold), run);
@@ -73,8 +74,9 @@ TEST_P(HardManifold, F3_a_column_stands) {
     double turned = 0.0;
     for (std::size_t i = first_floe_of(bodies); i < bodies.count(); ++i)
       turned = std::max(turned, std::fabs(run.bodies().rotation[i].sine));
-    // pressed for ten minutes, the faces lie on each other: a mm over a face of 10 m. One point a contact holds no floe
-    // straight; there a column counts as standing while no floe has turned by 10 cm over its face
+    // After ten minutes under pressure the faces lie on each other within 1 mm over a face of 10 m. One point per
+    // contact cannot keep a floe aligned; there a column counts as standing if no floe has turned by more than 10 cm
+    // over its face.
     const std::string id = std::string("F3.") + name_of(manifold);
     bound(id + ".turned", turned, manifold == Manifold::chord_ends ? 1e-4 : 1e-2, "rad", where());
     expect_sound(id, run);

@@ -1,4 +1,4 @@
-// The laws of contact, looked up after the fact in frozen time steps: complementarity, friction cone, dissipation.
+// The laws of contact, checked in single time steps: complementarity, friction cone, dissipation.
 #include <cmath>
 
 #include "gem/field/field.h"
@@ -14,7 +14,7 @@ class HardResiduals : public verification::OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, HardResiduals, ::testing::ValuesIn(verification::coupled_settings()),
                          verification::setting_name);
 
-/// Looks at `steps` frozen time steps after `settling` others.
+/// Checks `steps` single time steps after `settling` others.
 void judge_moments(const std::string& id, const SceneDef& scene, const Setting& setting, std::int64_t settling,
                    std::int64_t steps) {
   Watched run(scene, setting);
@@ -28,8 +28,8 @@ void judge_moments(const std::string& id, const SceneDef& scene, const Setting& 
   });
   EXPECT_GT(worst.points, steps) << "too few contacts to judge";
   EXPECT_EQ(worst.without_point, 0);
-  // a sweep that changes no speed by more than the tolerance leaves each contact what its neighbours, up to ten, still
-  // changed after it
+  // When a sweep changes no speed by more than the tolerance, each contact can still miss what its neighbours, up to
+  // ten, changed after it.
   const double speed = length(scene.current.velocity_m_per_s);
   const double allowed = 10.0 * scene.numerics.residual_tolerance * speed;
   bound(id + ".pull", worst.pull, 1e-12 * speed, "m/s", run.where());
@@ -46,7 +46,7 @@ TEST_P(HardResiduals, R1_column) {
 }
 
 TEST_P(HardResiduals, R2_tight_field_with_friction) {
-  // iterated until the tolerance ends them and not the bound on their number: it is what is judged here
+  // Iterated until the tolerance ends the iterations, not their maximum number, because the tolerance is judged.
   SceneDef converged = resolved_as(tight_scene(10, 6), setting());
   converged.numerics.residual_tolerance = 1e-7;
   converged.numerics.iterations_maximum = 5000;
@@ -66,7 +66,8 @@ TEST_P(HardResiduals, A_wrong_impulse_is_seen) {
   run.advance(1);
   EngineState after = run.engine().save();
   ASSERT_FALSE(after.impulse_value.empty());
-  after.impulse_value[0] = {-450.0, 900.0, 0.0};  // pulls, and rubs without friction: 0.01 and 0.02 m/s on 45 t
+  after.impulse_value[0] = {
+      -450.0, 900.0, 0.0};  // an impulse that pulls, and friction without a coefficient: 0.01 and 0.02 m/s on 45 t
   const ContactResiduals seen = contact_residuals(scene, before, after);
   EXPECT_GT(seen.pull, 0.005);
   EXPECT_GT(seen.cone, 0.005);

@@ -1,4 +1,4 @@
-// Contacts that last: a fast spin that comes to rest (H8), the locked wedge (H10), the corner (H15).
+// Contacts that last: a fast spin that comes to rest (H8), a locked wedge (H10), a corner (H15).
 #include <algorithm>
 #include <cmath>
 
@@ -26,16 +26,16 @@ TEST_P(HardRest, H8_an_eighth_of_a_radian_a_step) {
     fastest = std::max(fastest, fastest_floe(run.bodies()));
   });
   bound("H8.spin", spin, 10.0, "rad/s", where());
-  // at most what a turn brings to the floe's corner, 7.07 m out
+  // At most the speed of the floe's corner, 7.07 m from the centre.
   bound("H8.fastest", fastest, 10.0 * 5.0 * std::sqrt(2.0), "m/s", where());
-  // no deeper than a corner of the spinning floe sweeps in one time step, 0.88 m, and a time step of approach
+  // No deeper than a corner of the spinning floe moves in one time step, 0.88 m, and the approach in one time step.
   const double swept = (10.0 * 5.0 * std::sqrt(2.0) + 0.25) * scene.numerics.time_step_s;
   bound("H8.overlap", run.worst().overlap, swept, "m", where());
   bound("H8.fastest_left", fastest_floe(run.bodies()), 0.25, "m/s", where());
   expect_sound("H8", run);
 }
 
-/// Farthest that the floe of a case strays from where it is after `settling` time steps.
+/// Largest distance of the case's floe from its position after `settling` time steps.
 double creep(const std::string& id, const std::string& file, std::int64_t settling, std::int64_t steps,
              const Setting& setting) {
   const SceneDef scene = read_hard_case(file, setting);

@@ -1,5 +1,5 @@
-// Difficult outlines and places: overlap at the start (H3), slivers (H4), parallel faces (H5), corner on corner (H6),
-// far from the origin (H12), boxes that are too small (H18).
+// Difficult outlines and positions: overlap at the start (H3), slivers (H4), parallel faces (H5), corner on corner
+// (H6), far from the origin (H12), too small domains (H18).
 #include <algorithm>
 #include <cmath>
 
@@ -37,7 +37,7 @@ TEST_P(HardShapes, H3_overlap_at_the_start) {
       before = run.bodies();
     });
     bound(id + ".speed", speed, 0.1, "m/s", where());
-    // 10 m at 0.1 m/s each take 50 s; what is left after 200 s is less than a contact's slack
+    // 10 m at 0.1 m/s take 50 s. After 200 s less than the slack of a contact is left.
     bound(id + ".left", overlaps(run.bodies()).deepest, 1e-3, "m", where());
     expect_sound(id, run);
   }
@@ -47,7 +47,7 @@ TEST_P(HardShapes, H4_slivers) {
   const SceneDef scene = read_hard_case("H04_slivers.toml", setting());
   Watched run(scene, setting());
   run.advance(4000, 20);
-  // a tenth of the sliver's width of 2 cm
+  // A tenth of the sliver's width of 2 cm.
   bound("H4.overlap", run.worst().overlap, 2e-3, "m", where());
   bound("H4.fastest", fastest_floe(run.bodies()), 0.25, "m/s", where());
   EXPECT_GE(run.contacts_now(), 4) << "the stacks do not rest";
@@ -78,7 +78,7 @@ TEST_P(HardShapes, H5_parallel_faces) {
     floe.angle_rad = angle;
     floe = verification::on_floor(floe);
     Watched run(turned_scene, setting());
-    run.advance(20);  // the face lies down
+    run.advance(20);  // the face settles
     std::size_t points = points_of(run);
     int flips = 0;
     EXPECT_GT(points, 0u);
@@ -104,16 +104,16 @@ TEST_P(HardShapes, H6_vertex_on_vertex) {
     turning = std::max(turning, std::fabs(b.spin[1] - b.spin[2]));
     spin = std::max({spin, std::fabs(b.spin[1]), std::fabs(b.spin[2])});
   });
-  // equal bodies that meet at their common middle: what one does the other does turned by half a turn
+  // Equal bodies meet at their common centre: the motion of one is that of the other turned by 180 degrees.
   bound("H6.unequal", unequal, 1e-12, "m/s", where());
-  // the point of contact lies within the path of one time step, so the arms of 7 m differ by no more
+  // The contact point lies within the path of one time step, so the lever arms of 7 m differ by no more than that.
   const double path = 0.6 * scene.numerics.time_step_s;
   bound("H6.turning", turning, 1e-12 + spin * path / 7.0, "rad/s", where());
   bound("H6.overlap", run.worst().overlap, path, "m", where());
   expect_sound("H6", run);
 }
 
-/// The scene with everything moved by `shift` along x.
+/// The scene with everything shifted by `shift` along x.
 Watched pressed_far(const SceneDef& scene, double shift, const Setting& setting) {
   SceneDef moved = scene;
   for (FloeDef& floe : moved.floe) floe.position_m.x += shift;
@@ -129,14 +129,14 @@ Watched pressed_far(const SceneDef& scene, double shift, const Setting& setting)
 TEST_P(HardShapes, H12_far_from_origin) {
   const std::string file = "H12_far_from_origin.toml";
   const SceneDef scene = read_hard_case(file, setting());
-  const double here = 1e6 - 100.0;  // where the case stands
+  const double here = 1e6 - 100.0;  // position of the case
   Watched origin = pressed_far(scene, -1e6, setting());
   for (const double distance : {1e3, 1e6}) {
     Watched far = pressed_far(scene, distance - 1e6, setting());
     double apart = 0.0;
     for (std::size_t i = 2; i < far.bodies().count(); ++i)
       apart = std::max(apart, length(far.bodies().position[i] - origin.bodies().position[i] - Vec2{distance, 0.0}));
-    // 400 time steps round each place to half a spacing of numbers there
+    // 400 time steps, each rounding a position to half the spacing of doubles there.
     const double spacing = distance * 0x1p-52;
     bound("H12.moved_1e" + std::to_string(static_cast<int>(std::log10(distance))), apart, 400.0 * spacing, "m",
           where());
@@ -155,7 +155,7 @@ TEST_P(HardShapes, H18_over_confined) {
   for (FixedDef& fixed : loose.fixed)
     for (Vec2& p : fixed.outline_m) p = 2.0 * p;
   Bodies bodies = make_field(loose);
-  // the case as it stands: floes back in their places, walls of half the size
+  // The case unchanged: floes at their positions, walls of half the size.
   for (std::size_t i = first_floe_of(bodies); i < bodies.count(); ++i) bodies.position[i] = 0.5 * bodies.position[i];
   for (std::size_t i = 1; i < first_floe_of(bodies); ++i) {
     bodies.position[i] = 0.5 * bodies.position[i];
@@ -173,7 +173,7 @@ TEST_P(HardShapes, H18_over_confined) {
   });
   bound("H18.fastest", fastest, 2e-3, "m/s", where());
   bound("H18.moving", longest, 2e-3, "m/s", where());
-  // by the end of the minute nothing is left to move: positions stay what they are, but for rounding
+  // At the end of the minute nothing moves any more: positions stay the same except for rounding.
   before = run.bodies();
   run.advance(100);
   bound("H18.end_moving", test::farthest_apart(before, run.bodies()) / 5.0, 1e-9, "m/s", where());

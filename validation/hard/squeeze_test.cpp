@@ -15,13 +15,13 @@ INSTANTIATE_TEST_SUITE_P(Engines, HardSqueeze, ::testing::ValuesIn(verification:
 class HardField : public verification::OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, HardField, ::testing::ValuesIn(large_settings()), verification::setting_name);
 
-/// Depth to which a flat face of `width` crushes until it has taken `energy` [m].
+/// Depth at which crushing over a flat face of `width` has absorbed `energy` [m].
 double crushing_depth(const SceneDef& scene, double thickness, double width, double energy) {
   return crushing_flat({scene.ice.crushing_pressure_Pa, scene.ice.pressure_area_exponent, thickness}, width, energy)
       .depth;
 }
 
-/// Runs a platform of speed `direction` x v into ice; returns the largest speed back.
+/// Runs a platform into ice at speed v in `direction`. Returns the largest speed in the opposite direction.
 double speed_back(Watched& run, const SceneDef& scene, double direction) {
   double back = 0.0;
   const auto steps = static_cast<std::int64_t>(scene.run.duration_s / scene.numerics.time_step_s);
@@ -34,11 +34,11 @@ void squeeze_floe(const std::string& id, const SceneDef& scene, const Setting& s
   Watched run(scene, setting);
   EXPECT_NEAR(run.bodies().mass[0] / run.bodies().mass[2], 55556.0, 1.0);
   bound(id + ".rebound", speed_back(run, scene, 1.0) / speed, 0.01, "-", run.where());
-  // the floe's face of 2 m takes all of the platform's energy
+  // The 2 m face of the floe absorbs all energy of the platform.
   bound(id + ".overlap", run.worst().overlap, crushing_depth(scene, 0.5, 2.0, 0.5 * mass * speed * speed), "m",
         run.where());
   bound(id + ".speed_left", std::fabs(run.bodies().velocity[0].x) / speed, 0.01, "-", run.where());
-  // all of its momentum went into the wall
+  // The wall has taken all momentum of the platform.
   const double given = -given_by_fixed(run.ledger()).x / (mass * speed);
   bound(id + ".momentum", std::fabs(given - 1.0), 0.01, "-", run.where());
   expect_sound(id, run);
@@ -55,7 +55,7 @@ void squeeze(const std::string& id, const std::string& member, const Setting& se
   const double energy = 0.5 * scene.platform.mass_kg * speed * speed;
   Watched run(scene, setting);
   bound(id + ".rebound", speed_back(run, scene, -1.0) / speed, 0.01, "-", setting.where());
-  // a row of floes across the channel, in touch over half of its width, takes all of the barge's energy
+  // A row of floes across the channel, in contact over half of its width, absorbs all energy of the barge.
   bound(id + ".overlap", run.worst().overlap, crushing_depth(scene, 0.5, 0.5 * scene.boundary.gap_m, energy), "m",
         setting.where());
   bound(id + ".speed_left", length(run.bodies().velocity[0]) / speed, 0.01, "-", setting.where());
@@ -74,11 +74,11 @@ TEST_P(HardField, H19_bullet) {
   double fastest = 0.0;
   run.advance(3000, 1, [&] { fastest = std::max(fastest, fastest_floe(run.bodies())); });
   const Bodies& b = run.bodies();
-  // had it taken all 144 floes along, it would have lost 1.44e-7 of its speed
+  // If it carried all 144 floes along, it would have lost 1.44e-7 of its speed.
   bound("H19.speed_lost", std::fabs(b.velocity[0].x - 1.0), 1.44e-7, "-", where());
   bound("H19.fastest", fastest, 2.0, "m/s", where());
   bound("H19.overlap", run.worst().overlap, 20e-3, "m", where());
-  // the lane that it swept, less a floe's half diagonal on either side, holds no floe
+  // The swept lane, reduced by half a floe diagonal on each side, must be empty.
   int in_wake = 0;
   for (std::size_t i = first_floe_of(b); i < b.count(); ++i)
     if (b.position[i].x < b.position[0].x && std::fabs(b.position[i].y - b.position[0].y) < 10.0) ++in_wake;

@@ -1,4 +1,4 @@
-// Cuts the net into floes.
+// Makes a dense field by cutting a distorted net into floes.
 #include "validation/hard/tight_field.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 constexpr double pitch = 10.0;  // [m]
 constexpr double cover = 0.9;
 
-/// Knot of the net: inside it is moved by up to 2 m either way, at the sides only along them.
+/// Node of the net. Inside, it is shifted by up to 2 m in both directions; at the sides only along them.
 Vec2 knot(int column, int row, int columns, int rows) {
   const auto id = static_cast<std::uint32_t>(row * (columns + 1) + column);
   RandomSequence numbers(Random(19, id));

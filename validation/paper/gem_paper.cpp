@@ -1,4 +1,4 @@
-// gem_paper: the judge of the ICETECH 2014 paper's statements. It reads run files and summaries of gem.
+// gem_paper judges the statements of the ICETECH 2014 paper from run files and summaries of gem.
 #include <memory>
 
 #include "gem/command/command.h"
@@ -43,7 +43,7 @@ void add_judge_command(CLI::App& app, Chosen& chosen) {
   });
 }
 
-/// The summary of `gem sweep collect`, with the case and the paper's numbers of every run.
+/// Writes the summary of `gem sweep collect` with the case and the paper's numbers of every run.
 int collect(const gem::SweepCollectChoice& choice, gem::NullModel null_model) {
   std::vector<gem::PaperRun> runs;
   gem::SummaryPart part;

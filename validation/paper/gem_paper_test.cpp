@@ -1,4 +1,4 @@
-// The program as its users start it: a sweep is collected, and judged like its run files.
+// The program as users start it: a collected sweep is judged like its run files.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Sums what the steps of a run logged, and writes the numbers of its row.
+// Sums the logs of a run and writes the numbers of its row.
 #include "validation/regression/measured_run.h"
 
 #include <algorithm>
@@ -21,14 +21,14 @@ struct Totals {
   std::int64_t events = 0;
   double deepest_overlap = 0.0;  // [m]
   Vec2 impulse;                  // of the ice on the platform [N s]
-  double yaw_impulse = 0.0;      // the same about its centre [N m s]
-  Vec2 window_impulse;           // in the window under way [N s]
-  double largest_impulse = 0.0;  // of a whole window [N s]
-  double offset_sum = 0.0;       // of the platform along x, a term each step [m]
+  double yaw_impulse = 0.0;      // about the platform's centre [N m s]
+  Vec2 window_impulse;           // in the current window [N s]
+  double largest_impulse = 0.0;  // of a complete window [N s]
+  double offset_sum = 0.0;       // of the platform along x, summed over the steps [m]
 };
 
-/// Steps after which the ledger is looked at. Fixed, because the scales of its residuals are the largest that were
-/// seen.
+/// Number of steps between two readings of the ledger. Fixed, because the scale of a residual is the largest that was
+/// read.
 constexpr std::int64_t block_steps = 64;
 
 std::int64_t window_steps(const SceneDef& scene) {
@@ -67,12 +67,12 @@ std::string hash_text(std::uint64_t hash) {
   return text;
 }
 
-/// Builds the cells of a row one after the other.
+/// Builds the cells of a row in order.
 class Cells {
  public:
   void text(const std::string& column, const std::string& value) { cells_.push_back({column, value}); }
   void count(const std::string& column, std::int64_t value) { text(column, std::to_string(value)); }
-  /// Nine digits show every change that matters; the hash sees the others.
+  /// Nine digits show every change that matters; the hash shows all others.
   void number(const std::string& column, double value, int digits = 9) { text(column, number_text(value, digits)); }
   std::vector<Cell> take() { return std::move(cells_); }
 

@@ -9,15 +9,15 @@
 
 namespace gem::regression {
 
-/// A run that was made.
+/// The results of a run.
 struct MeasuredRun {
   Row row;
-  std::int64_t contacts = 0;           // touching points, summed over the steps
-  std::int64_t platform_contacts = 0;  // contacts of the platform that carried an impulse, summed over the steps
+  std::int64_t contacts = 0;           // contact points, summed over the steps
+  std::int64_t platform_contacts = 0;  // contacts of the platform with an impulse, summed over the steps
 };
 
-/// Moves the run to its end on the named engine. Every number is the same on every engine with the same bits.
-/// Throws gem::Error if the case is refused or the run stops.
+/// Runs to the end on the named engine. All numbers are equal on engines with the same bits. Throws gem::Error if the
+/// case is refused or the run stops.
 MeasuredRun measured(const ListedRun& run, const EngineOptions& options);
 
 }  // namespace gem::regression

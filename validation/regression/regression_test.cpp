@@ -1,6 +1,6 @@
-// Every run of runs.txt must give its row of the golden table, on the cpu engine and on a GPU where one answers.
-// `gem_regression_tests --write` writes the table anew. GEM_THREADS sets the threads of the cpu engine; they change
-// no bit.
+// Every run of runs.txt must give its row of the golden table, on the cpu engine and, if a GPU is usable, on cuda.
+// `gem_regression_tests --write` writes the table again. GEM_THREADS sets the threads of the cpu engine; they change no
+// bit.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -37,7 +37,7 @@ EngineOptions cuda_options() {
 
 std::vector<Row> golden_table() { return parse_table(text_of(table_path()), table_path()); }
 
-/// A run that does not touch what it should is no test of contacts.
+/// A run without the expected contacts would test nothing of them.
 void expect_touch(const ListedRun& listed, const MeasuredRun& run) {
   EXPECT_EQ(run.contacts > 0, listed.touches != Touches::nothing) << run.contacts << " contacts";
   EXPECT_EQ(run.platform_contacts > 0, listed.touches == Touches::platform)
@@ -85,7 +85,7 @@ void register_runs(const std::string& suite, const std::vector<ListedRun>& runs,
                           [run, options] { return new RunTest(run, options); });
 }
 
-/// The names that are in `a` more often than in `b`, for a message.
+/// The names that occur more often in `a` than in `b`, for a message.
 std::string only_in(const std::multiset<std::string>& a, const std::multiset<std::string>& b) {
   std::string names;
   for (const std::string& name : std::set<std::string>(a.begin(), a.end()))
@@ -135,12 +135,12 @@ TEST(RegressionList, RefusesWhatItDoesNotKnow) {
   EXPECT_NE(is_refused("a\n  touches floes\n").find("no case"), std::string::npos);
 }
 
-/// Writes golden.csv from the cpu engine and prints what is new in it.
+/// Writes golden.csv from the cpu engine and prints the changes.
 int write_table() {
   std::vector<Row> before, rows;
   if (std::ifstream(table_path())) before = golden_table();
   const std::vector<ListedRun> runs = listed_runs();
-  for (const ListedRun& listed : runs) make_field(scene_of(listed));  // a refused run is better seen at once
+  for (const ListedRun& listed : runs) make_field(scene_of(listed));  // a refused case fails before the long runs start
   int changed = 0;
   for (const ListedRun& listed : runs) {
     rows.push_back(measured(listed, cpu_options()).row);

@@ -20,7 +20,7 @@ Touches touches_of(const std::string& word) {
   throw std::runtime_error("touches is nothing, floes or platform, not `" + word + "`");
 }
 
-/// One indented line: a word and what belongs to it.
+/// Reads one indented line: a keyword and its value.
 void take_line(ListedRun& run, const std::string& word, const std::string& rest) {
   if (rest.empty()) throw std::runtime_error("`" + word + "` needs a value");
   if (word == "case") {
@@ -45,7 +45,7 @@ void start_run(std::vector<ListedRun>& runs, const std::string& name) {
   runs.push_back({name, {}, {}, Touches::platform, {}});
 }
 
-/// `line` without the blanks at its ends.
+/// `line` without blanks at its ends.
 std::string trimmed(const std::string& line) {
   const auto begin = line.find_first_not_of(" \t\r");
   return begin == std::string::npos ? "" : line.substr(begin, line.find_last_not_of(" \t\r") - begin + 1);

@@ -20,7 +20,7 @@ std::vector<std::string> parts_of(const std::string& line) {
   return parts;
 }
 
-/// Text of a row's cell, or "-" if the row lacks the column.
+/// Text of a cell of a row, or "-" if the row does not have the column.
 std::string cell_text(const Row& row, const std::string& column) {
   for (const Cell& cell : row.cells)
     if (cell.column == column) return cell.text;
@@ -36,7 +36,7 @@ std::vector<std::string> columns_of(const Row& now, const Row& golden) {
   return columns;
 }
 
-/// How far `now` is from `golden`, as a share of `golden`; words where that is no number.
+/// Relative change from `golden` to `now`; a word if they are not numbers.
 std::string change_text(const std::string& golden, const std::string& now) {
   if (golden == now) return "same";
   const auto before = parse_number(golden), after = parse_number(now);

@@ -1,4 +1,4 @@
-// The golden table: one row a run, a state hash and physical numbers, as text.
+// The golden table: one row per run with its state hash and physical numbers, as text.
 #pragma once
 
 #include <string>
@@ -6,34 +6,35 @@
 
 namespace gem::regression {
 
-/// One number of a row, as the table shows it. The column's name carries the unit.
+/// One number of a row, as in the table. The unit is part of the column name.
 struct Cell {
   std::string column;
   std::string text;
 };
 
-/// What a run came to. The first cell is the state hash.
+/// The results of a run. The first cell is the state hash.
 struct Row {
   std::string run;
   std::vector<Cell> cells;
 };
 
-/// The folder of the run list and the golden table.
+/// Folder of the run list and the golden table.
 std::string folder();
 
-/// The file of the golden table.
+/// Path of the golden table.
 std::string table_path();
 
-/// A whole text file. Throws std::runtime_error if it cannot be read.
+/// The contents of a text file. Throws std::runtime_error if it cannot be read.
 std::string text_of(const std::string& path);
 
-/// Rows from CSV: a head line `run,COLUMN,...` and one line a run. Throws std::runtime_error with the line of a fault.
+/// Rows from CSV: a header `run,COLUMN,...` and one line per run. Throws std::runtime_error with the line of a mistake.
 std::vector<Row> parse_table(const std::string& text, const std::string& origin);
 
-/// Rows as CSV. All rows have the same columns.
+/// Rows as CSV. All rows must have the same columns.
 std::string table_text(const std::vector<Row>& rows);
 
-/// Golden against new numbers, a line for each, with the relative change; empty if every cell has the same text.
+/// Differences between golden and new numbers, one line each, with the relative change. Empty if all cells have equal
+/// text.
 std::string difference(const Row& golden, const Row& now);
 
 /// The row of a run; null if there is none.

@@ -10,8 +10,8 @@
 namespace gem::verification {
 namespace {
 
-/// Box2D with its usual iterations and skin; with so many iterations that more of them change nothing; with the skin
-/// that lets true outlines rest on each other.
+/// Box2D with its usual iterations and skin; with so many iterations that more change nothing; with a skin that lets
+/// the true outlines rest on each other.
 const struct {
   const char* name;
   std::vector<std::string> settings;

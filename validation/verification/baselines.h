@@ -1,4 +1,4 @@
-// Baselines on the closed-form scenes: surveyed beside gem's engines, not judged.
+// Baselines on the closed-form scenes: listed beside gem's engines, not judged.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 namespace gem::verification {
 
 /// The baselines and settings to run instead of gem's engines, if the environment variable GEM_BASELINES is set. Their
-/// rows then go to the table with their errors; a test that fails says only that a baseline misses gem's tolerance.
+/// errors are added to the table. A failing test then only means that a baseline misses gem's tolerance.
 std::vector<Setting> surveyed_baselines();
 
 }  // namespace gem::verification

@@ -1,4 +1,4 @@
-// Rows go to the file named by the environment variable GEM_TABLE, if it is set; tests may run in any order.
+// Appends rows to the file named by the environment variable GEM_TABLE, if it is set. Tests may run in any order.
 #include "validation/verification/check.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ void enter(const Row& row) {
 void check_value(const std::string& key, double expected, double computed, double tolerance, const std::string& unit,
                  const Where& where) {
   const double error = std::fabs(computed - expected);
-  const bool good = error <= tolerance;  // false for a computed value that is no number
+  const bool good = error <= tolerance;  // false if the computed value is NaN
   EXPECT_TRUE(good) << key << " on " << where.engine << " " << where.solver << ": expected " << number_text(expected)
                     << ", computed " << number_text(computed) << ", error " << number_text(error, 3) << ", tolerance "
                     << number_text(tolerance, 3) << " " << unit;

@@ -7,30 +7,30 @@
 
 namespace gem::verification {
 
-/// What stands around the floes.
+/// What surrounds the floes.
 enum class Surroundings { open_water, walls_and_platform };
 
-/// 35 spinning floes of 4 to 7 sides that drift together, with drag and friction. Independent runs have the paper's
-/// contacts (chord middle, elastic stress), coupled runs have faces.
+/// 35 spinning floes with 4 to 7 sides that drift together, with drag and friction. Independent runs have the paper's
+/// contacts (chord middle, elastic stress); coupled runs have faces.
 SceneDef crowd(const Setting& setting, Surroundings surroundings = Surroundings::walls_and_platform);
 
-/// The same scene resolved to rounding and without position repair.
+/// The scene solved to rounding and without position repair.
 SceneDef settled(SceneDef scene);
 
-/// Bodies of the crowd after it has pressed together for 80 s: many pairs touch. Nothing of that run is kept but the
-/// bodies, so runs started from them begin alike.
+/// Bodies of the crowd after 80 s of pressing together, with many contacts. Only the bodies are kept, so runs that
+/// start from them have equal starts.
 Bodies pressed(const SceneDef& scene, const Setting& setting);
 
-/// Starts an engine of the setting on given bodies.
+/// Starts an engine with the setting from given bodies.
 Simulation start_on(const SceneDef& scene, Bodies bodies, const Setting& setting);
 
-/// Advances and returns how many touching points were met; fails if there were none.
+/// Advances and returns the number of contact points; fails if there were none.
 std::int64_t advance_in_contact(Simulation& run, std::int64_t steps);
 
-/// Bodies among the first `count` (0: all) whose state differs in any bit.
+/// Number of bodies among the first `count` (0: all) whose state differs in any bit.
 int different_bits(const Bodies& a, const Bodies& b, std::size_t count = 0);
 
-/// Largest distance between the same corners of two states, in metres: position and angle in one number.
+/// Largest distance between the same corners in two states [m]: position and angle in one number.
 double farthest_apart(const Bodies& a, const Bodies& b);
 
 }  // namespace gem::verification

@@ -1,4 +1,4 @@
-// Closed-form crushing of an impact, and what may not be called a peak load: V48 and V49.
+// Closed-form crushing of an impact, and what must not be called a peak load: V48 and V49.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,7 +36,7 @@ TEST(Crushing, V48_corner_and_face) {
 }
 
 TEST(Crushing, V48_event_followed_in_time) {
-  // the second, independent way: m z'' = -F(z) by small steps of an exact energy balance
+  // A second, independent way: m z'' = -F(z) in small steps of an exact energy balance.
   const CrushingIce ice{1e6, -0.1, 0.5};
   double depth = 0.0, v = speed, time = 0.0;
   const double dt = 1e-6;
@@ -46,7 +46,7 @@ TEST(Crushing, V48_event_followed_in_time) {
     depth += 0.5 * dt * v;
     time += dt;
   }
-  // leap-frog: the last step may pass the turn by dt, where the speed is below F dt / m
+  // Leap-frog: the last step may pass the turning point by dt, where the speed is below F dt / m.
   check_absolute("V48.t", time, 2.0 * dt);
   check("V48.delta", depth, 1e-9);
   check("V48.Fmax", crushing_force(ice, corner_growth * depth), 1e-9);
@@ -62,22 +62,22 @@ TEST_P(CrushingEvents, V49_peak_is_not_impulse_over_step) {
     scene.numerics.time_step_s = dt;
     scene.ice.crushing_pressure_Pa = 1e6;
     scene.platform.present = true;
-    scene.platform.mass_kg = 1e12;  // as good as a wall
+    scene.platform.mass_kg = 1e12;  // practically a wall
     scene.mooring.stiffness_N_per_m = 0.0;
-    // the floe's face meets the platform's first corner
+    // The face of the floe hits the first corner of the platform.
     scene.floe = {square({55.0 - touch, 0.0}, {-speed, 0.0})};
     scene.output.event_speed_m_per_s = 0.0;
     Simulation run = start(scene, setting());
     run.advance(1);
     ASSERT_EQ(run.log.events.size(), 1u);
     const ContactEvent& event = run.log.events[0];
-    // the platform's corner is the wedge: its sides stand 9 degrees off the floe's face, cot + cot
+    // The platform's corner is the wedge: each side stands 9 degrees from the floe's face, so the growth is cot + cot.
     const double growth = 2.0 / std::tan(degrees(9.0));
     check_value("V49.growth", growth, event.growth, rounding * growth, "-", where());
     const double energy = 0.5 * event.effective_mass * event.closing_speed * event.closing_speed;
     const CrushingPeak peak = crushing_peak({1e6, -0.1, 0.5}, growth, 10.0, energy);
     check_value("V49.peak", peak.force, event.peak_force, 10.0 * rounding * peak.force, "N", where());
-    // J / dt of the same event runs from 2e5 to 2e8 N; the peak does not follow it
+    // J / dt of this event ranges from 2e5 to 2e8 N; the peak does not depend on dt.
     if (first_peak == 0.0) first_peak = event.peak_force;
     check_value("V49.peak_over_dt", 1.0, event.peak_force / first_peak, rounding, "-", where());
     const double impulse_rate = event.impulse_normal / dt;
@@ -89,7 +89,7 @@ TEST_P(CrushingEvents, V49_peak_is_not_impulse_over_step) {
 constexpr double side = 8.0, thickness = 0.5;  // of the tilted floe [m]
 const CrushingIce ice_of_scene{2.5e6, -0.1, thickness};
 
-/// A floe at 0.25 m/s whose face touches the middle of the platform's first face, turned by `tilt` [rad] against it.
+/// A floe at 0.25 m/s whose face touches the middle of the platform's first face, tilted against it by `tilt` [rad].
 SceneDef tilted_scene(double tilt, double dt, double contact_reach) {
   SceneDef scene = quiet_scene();
   scene.numerics.time_step_s = dt;
@@ -125,12 +125,13 @@ TEST_P(CrushingEvents, V49_peak_of_tilted_faces) {
         smallest = std::min(smallest, event.peak_force);
         largest = std::max(largest, event.peak_force);
       }
-    // places 50 m from the origin are rounded to 7e-15 m, some ten of them to the ends' separations, which differ by
-    // side x tilt; the chord of a small margin may be longest at side (cos + sin) instead of side cos
+    // Positions 50 m from the origin are rounded to 7e-15 m. The separations of the two ends contain about ten such
+    // errors and differ by side x tilt. With a small margin the longest chord may be side (cos + sin) instead of side
+    // cos.
     const double tolerance = rounding + (tilt > 0.0 ? 7e-14 / (side * tilt) + tilt : tilt);
     check_value(key, 1.0, worst, tolerance, "-", where());
-    // whether the second end closes in the same time step is the time step's doing: the event then has up to all of the
-    // floe's energy, not what the corner stops. Between these two no peak may lie outside
+    // Whether the second end closes in the same time step depends on the time step. If it does, the event has up to all
+    // of the floe's energy, not only what the corner stops. All peaks must lie between these two.
     const double whole = 0.5 * 900.0 * thickness * side * side * 0.25 * 0.25;
     const double lever = 0.5 * side * (std::cos(tilt) - std::sin(tilt));
     const double corner = whole / (1.0 + 6.0 * lever * lever / (side * side));

@@ -16,13 +16,13 @@ INSTANTIATE_TEST_SUITE_P(Engines, Drag, ::testing::ValuesIn(all_settings()), set
 
 constexpr std::size_t floe_id = 1;
 
-/// The closed forms call C_d what is 2 C_s here: F = rho_w C_s A |w| w.
+/// The C_d of the closed forms is 2 C_s here: F = rho_w C_s A |w| w.
 constexpr double skin = 0.5 * 0.005;
 
 /// Skin coefficient that gives a floe 0.5 m thick the rate k: rho_w C_s A / (rho_i A h) = k.
 double skin_for(double k) { return k * 900.0 * 0.5 / 1025.0; }
 
-/// One square floe at the origin in a current, drag on its area only.
+/// One square floe at the origin in a current, with drag on its area only.
 SceneDef drifting(Vec2 current, double skin_coefficient, double dt) {
   SceneDef scene = quiet_scene();
   scene.current.velocity_m_per_s = current;
@@ -34,7 +34,7 @@ SceneDef drifting(Vec2 current, double skin_coefficient, double dt) {
   return scene;
 }
 
-/// The update is exact, so n time steps leave n roundings of the velocity and of the path: 2e-16 n relative each.
+/// The update is exact, so n time steps add n roundings of the velocity and the path: 2e-16 n relative each.
 double exact_flow(std::int64_t steps) { return rounding + 4e-16 * static_cast<double>(steps); }
 
 void check_from_rest(const std::string& key, double skin_coefficient, const Setting& setting) {
@@ -47,8 +47,7 @@ void check_from_rest(const std::string& key, double skin_coefficient, const Sett
   run.advance(9 * blocks);
   check(key + ".v1000", run.bodies().velocity[floe_id].x, tolerance, setting.where());
   check(key + ".x1000", run.bodies().position[floe_id].x, tolerance, setting.where());
-  // nine tenths of the current are reached at t90: the time is put in, the speed is judged through t = v / (k U (U -
-  // v))
+  // Nine tenths of the current are reached at t90. The time is given; the speed is judged, by t = v / (k U (U - v)).
   const double t90 = value_of(key + ".t90");
   Simulation slow = start(drifting({0.25, 0.0}, skin_coefficient, t90 / 1000.0), setting);
   slow.advance(1000);
@@ -63,8 +62,8 @@ TEST_P(Drag, V22_from_rest) {
   check_from_rest("V22.k05", skin_for(0.05), setting());
 }
 
-/// What a floe's way over one time step leaves beside its new velocity x dt [m]; another floe follows `gap` behind it,
-/// as fast, so that the two drift on side by side and nothing presses.
+/// Displacement of a floe in one time step minus its new velocity x dt [m]. Another floe follows `gap` behind at the
+/// same speed, so the two drift side by side without pressing.
 double way_beside_velocity(double gap, const Setting& setting) {
   SceneDef scene = drifting({0.25, 0.0}, skin, 0.05);
   scene.floe.push_back(square({-(10.0 + gap), 0.0}));
@@ -108,14 +107,14 @@ TEST_P(Drag, V24_linear_law) {
 }
 
 TEST(DragLaw, V24_recurrences_of_euler) {
-  // the program solves the linear law exactly: the recurrences of explicit and implicit Euler do not apply
+  // The program solves the linear law exactly, so the recurrences of explicit and implicit Euler do not apply.
   for (const char* what : {"expl_dt1", "impl_dt1", "expl_dt10", "impl_dt10"}) not_offered("V24." + std::string(what));
 }
 
 TEST(DragLaw, V25_spin_coefficients) {
   check("V25.r3", integral_r3(rectangle(10.0, 10.0)), rounding);
   check("V25.kw", make_field(drifting({0.25, 0.0}, skin, 1.0)).spin_drag[floe_id], rounding);
-  // a disc as a polygon of n sides: r3 / I differs by less than (pi / n)^2
+  // A disc as a polygon with n sides: r3 / I differs by less than (pi / n)^2.
   constexpr int sides = 4096;
   Bodies bodies;
   BodyDef disc;
@@ -141,7 +140,7 @@ TEST_P(Drag, V25_spin_down) {
                         before.cosine * after.cosine + before.sine * after.sine);
   }
   check("V25.omega", run.bodies().spin[floe_id], exact_flow(steps), where());
-  // each turn's series is right to 17/315 p^7, p = spin dt / 2 (motion.h), and rounded to 2e-16 rad
+  // The series of each turn is exact to 17/315 p^7, p = spin dt / 2 (motion.h), and rounded to 2e-16 rad.
   const double turn = 17.0 / 315.0 * std::pow(0.5 * spin * dt, 7.0) + 2.2e-16;
   check_absolute("V25.angle", angle, static_cast<double>(steps) * turn + 32.0 * exact_flow(steps), where());
 }
@@ -149,7 +148,7 @@ TEST_P(Drag, V25_spin_down) {
 void check_stop_at_wall(const std::string& key, double skin_coefficient, const Setting& setting) {
   const double dt = 0.01, current = 0.25;
   SceneDef scene = drifting({current, 0.0}, skin_coefficient, dt);
-  scene.floe[0].position_m.y = 3.0;  // off the origin's line, so that angular momentum has a scale
+  scene.floe[0].position_m.y = 3.0;  // off the line through the origin, so that angular momentum has a scale
   scene.fixed = {{{{25.0, -16.0}, {57.0, -16.0}, {57.0, 16.0}, {25.0, 16.0}}}};
   Simulation run = start(scene, setting);
   run.log.wants_events = false;
@@ -162,10 +161,10 @@ void check_stop_at_wall(const std::string& key, double skin_coefficient, const S
   }
   const double hit = static_cast<double>(run.engine->step()) * dt;
   EXPECT_GT(given, 0.0) << "the floe never met the wall";
-  run.advance(2);  // coupled first closes the gap exactly, then stops
+  run.advance(2);  // coupled closes the gap exactly in the first step, then stops
   given = -run.engine->ledger()[Channel::impact].momentum.x;
-  // an overlap is seen up to a time step late and the time step's end is noted: 2 dt. The speed changes by less than k
-  // U^2 a second; the wall also bears the drag of the 4 time steps around the event
+  // An overlap is seen up to one time step late, and the end of the time step is recorded: 2 dt. The speed changes by
+  // less than k U^2 per second. The wall also takes the drag of the 4 time steps around the event.
   const double k = run.bodies().drag[floe], pull = k * current * current;
   check_absolute(key + ".t", hit, 2.0 * dt, setting.where());
   check_absolute(key + ".v", speed, 2.0 * dt * pull, setting.where());
@@ -179,7 +178,8 @@ TEST_P(Drag, V26_stop_at_a_wall) {
 }
 
 TEST(DragLaw, V27_steady_push) {
-  // push and drag in turns of 1 s: the slips before and after the drag have sqrt(F / (m k)) as geometric mean, exactly
+  // Push and drag alternate in steps of 1 s. The geometric mean of the slips before and after the drag is exactly
+  // sqrt(F / (m k)).
   const double k = 0.05, dt = 1.0, push = 200.0 / 45000.0;
   Vec2 after{};
   double before = 0.0;
@@ -190,7 +190,7 @@ TEST(DragLaw, V27_steady_push) {
   check("V27.slip", std::sqrt(before * after.x), rounding);
 }
 
-/// Two touching square floes in line, from rest, the current from behind.
+/// Two touching square floes in line, starting from rest, with the current from behind.
 SceneDef pushed_pair(double front_thickness, double dt) {
   SceneDef scene = drifting({0.5, 0.0}, skin, dt);
   scene.floe.push_back(square({10.0 - touch, 0.0}));
@@ -198,7 +198,7 @@ SceneDef pushed_pair(double front_thickness, double dt) {
   return scene;
 }
 
-/// Force from the rear floe on the front one in the next time step: what the front one gained beyond its own drag.
+/// Force of the rear floe on the front floe in the next time step: the gain of the front floe beyond its own drag.
 double force_between(Simulation& run, double dt) {
   const Bodies before = run.bodies();
   run.advance(1);
@@ -220,7 +220,7 @@ TEST_P(Drag, V28_pushed_pair) {
   const double drag_force = b.drag[1] * b.mass[1] * current * current;
   check("V28.d", drag_force, rounding, where());
   check("V28.kbar", 2.0 * drag_force / (current * current) / (b.mass[1] + b.mass[2]), rounding, where());
-  // drag and contact take turns, an error of first order: the drag changes by 2 k U dt within a time step
+  // Drag and contact alternate, an error of first order: the drag changes by 2 k U dt within a time step.
   const double turns = 2.0 * k * current * dt;
   check("V28.F0", force_between(run, dt), turns, where());
   run.advance(12000 - 1);

@@ -12,10 +12,10 @@
 namespace gem::verification {
 namespace {
 
-/// The file keeps up to 14 digits; a number with 12 or more of them is taken for a rounded one.
+/// The file keeps up to 14 digits. A number with 12 or more digits counts as rounded.
 constexpr int exact_digits_maximum = 11;
 
-/// Half a unit of the last printed digit, 0 for a number short enough to be exact.
+/// Half a unit of the last printed digit; 0 for a number short enough to be exact.
 double half_last_digit(const std::string& text) {
   const std::size_t exponent_at = text.find_first_of("eE");
   const std::string mantissa = text.substr(0, exponent_at);

@@ -24,7 +24,7 @@ double slip_left(const Impact& impact, const FloeDef& floe) {
   return (impact.velocity(0) + cross(impact.spin(0), lowest_corner(floe))).x;
 }
 
-/// Impulse ratio that sticking needs: the least friction that sticks.
+/// Impulse ratio that sticking needs, i.e. the smallest friction that sticks.
 double sticking_ratio(const ContactCompliance& k, double u_n, double u_t) {
   const ContactImpulse impulse = impact_one_step(k, u_n, u_t, 0.0, 100.0);
   return std::fabs(impulse.tangential) / impulse.normal;
@@ -65,7 +65,7 @@ TEST_P(Friction, V17_leaning_corner) {
     check(key + ".Pt", impact.impulse(0).x, rounding, where());
     check(key + ".Pn", impact.impulse(0).y, rounding, where());
     check(key + ".vx", impact.velocity(0).x, rounding, where());
-    // a remainder of two speeds of 0.5 m/s
+    // A difference of two speeds of 0.5 m/s.
     check_absolute(key + ".vy", impact.velocity(0).y, 0.5 * rounding, where());
     check(key + ".omega", impact.spin(0), rounding, where());
     check_absolute(key + ".ut", slip_left(impact, floe), 0.5 * rounding, where());
@@ -136,7 +136,8 @@ FloeDef landing() { return square({}, {0.2, -0.2}, 0.0, -0.04); }
 
 TEST_P(Friction, V20_rocking_sticks) {
   const Impact impact = one_impact(over_floor(landing(), 0.7), setting());
-  // two points of one face are iterated: the error falls by at least 10 a sweep over 24 sweeps or to 1e-14 of the speed
+  // Two points of one face are iterated: each sweep reduces the error at least tenfold, over 24 sweeps or to 1e-14 of
+  // the speed.
   check("V20.stick.omega", impact.spin(0), rounding, where());
   check("V20.stick.vx", impact.velocity(0).x, rounding, where());
   check("V20.stick.vy", impact.velocity(0).y, rounding, where());
@@ -150,7 +151,7 @@ TEST_P(Friction, V20_rocking_sticks) {
 
 TEST_P(Friction, V20_rocking_slides) {
   const Impact impact = one_impact(over_floor(landing(), 0.0), setting());
-  // twist 5 m x (P_B - P_A) and sum P_B + P_A from the change of spin and speed
+  // Twist 5 m x (P_B - P_A) and sum P_B + P_A, from the changes of spin and speed.
   const double sum = impact.impulse(0).y, twist = impact.before.inertia[2] * (impact.spin(0) + 0.04);
   check("V20.free.PA", 0.5 * (sum - twist / 5.0), 10.0 * rounding, where());
   check("V20.free.PB", 0.5 * (sum + twist / 5.0), 10.0 * rounding, where());

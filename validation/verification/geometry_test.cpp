@@ -1,4 +1,4 @@
-// Areas, time steps and overlaps against closed form: V01 to V03, V21, V50 and V51.
+// Areas, moments and overlaps against closed form: V01 to V03, V21, V50 and V51.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -28,7 +28,7 @@ void check_pentagon(std::vector<Vec2> outline, Vec2 shift, bool clockwise) {
   const PolygonMoments moments = polygon_moments(outline);
   const double sign = clockwise ? -1.0 : 1.0;
   check("V01.area", sign * moments.area, rounding);
-  // a centroid 1400 m away is rounded to 2e-13 m: 5e-14 of it
+  // A centroid at 1400 m is rounded to 2e-13 m: 5e-14 of the value.
   check("V01.cx", moments.centroid.x - shift.x, rounding);
   check("V01.cy", moments.centroid.y - shift.y, rounding);
   check("V01.J", sign * moments.second_moment, rounding);
@@ -56,7 +56,7 @@ TEST(Geometry, V02_platform_outline) {
   check("V02.edge", length(outline[1] - outline[0]), rounding);
   check("V02.k2", bodies.inertia[0] / bodies.mass[0], rounding);
   check("V02.Iz", bodies.inertia[0], rounding);
-  // the diameter of this program is that of the circle through the corners; the two other readings, from its polygon
+  // The program's diameter is that of the circle through the corners. The two other readings follow from its polygon.
   const double area_of_circle = std::numbers::pi * 2500.0;
   check("V02.R_equal_area", 50.0 * std::sqrt(area_of_circle / bodies.area[0]), rounding);
   check("V02.R_apothem50", 50.0 * 50.0 / length(0.5 * (outline[0] + outline[1])), rounding);
@@ -79,7 +79,7 @@ double overlap_area(const std::vector<Vec2>& a, std::vector<Vec2> b) {
 }
 
 TEST(Geometry, V03_overlap_area) {
-  // the program needs chords, not areas: its area formula is judged here on an overlap cut out by the test
+  // The program needs chords, not areas. Here its area formula is judged on an overlap that the test cuts out.
   std::vector<Vec2> turned_square = rectangle(10.0, 10.0), offset = rectangle(10.0, 10.0);
   for (Vec2& p : turned_square) p = rotate(strict::rotation_of_angle(degrees(45.0)), p);
   for (Vec2& p : offset) p += {7.0, 4.0};
@@ -87,7 +87,7 @@ TEST(Geometry, V03_overlap_area) {
   check("V03.rect", overlap_area(rectangle(10.0, 10.0), offset), rounding);
 }
 
-/// Corners and normals of an outline, as the contact functions want them.
+/// Corners and normals of an outline in the form that the contact functions take.
 struct OutlineCopy {
   explicit OutlineCopy(const std::vector<Vec2>& corners) : corner(corners) {
     for (std::size_t i = 0; i < corner.size(); ++i) {
@@ -104,13 +104,13 @@ TEST(Geometry, V03_chord_of_the_overlap) {
   const Vec2 offset{7.0, 4.0};
   const Separation axis = find_axes(square_outline.view(), square_outline.view(), offset).first;
   const ContactGeometry contact = chord_contact(square_outline.view(), square_outline.view(), offset, axis);
-  // the overlap is the rectangle [2, 5] x [-1, 5]: its chord joins (2, 5) and (5, -1)
+  // The overlap is the rectangle [2, 5] x [-1, 5]; its chord joins (2, 5) and (5, -1).
   check_value("V03.chord", std::sqrt(45.0), contact.width, 10.0 * rounding, "m");
   check_value("V03.chord.x", 3.5, contact.point[0].position.x, 10.0 * rounding, "m");
   check_value("V03.chord.y", 2.0, contact.point[0].position.y, 10.0 * rounding, "m");
 }
 
-/// Least friction at which some corner that slides at some angle jams, from the compliance of the program.
+/// Smallest friction at which some corner jams when it slides at some angle, from the program's compliance.
 double jamming_bound(const std::vector<Vec2>& outline) {
   const PolygonMoments moments = polygon_moments(outline);
   double least = std::numeric_limits<double>::infinity();
@@ -126,15 +126,16 @@ double jamming_bound(const std::vector<Vec2>& outline) {
 }
 
 TEST(Geometry, V21_jamming_friction) {
-  // the minimum over angles is flat: missing it by a step of 2 pi / 20000 costs (1.6e-4)^2 x curvature (about 5)
+  // The minimum over angles is flat: missing it by a step of 2 pi / 20000 costs (1.6e-4)^2 times the curvature (about
+  // 5).
   const double scan = 5e-7;
   check("V21.rectangle", jamming_bound(rectangle(20.0, 1.0)), scan);
   check("V21.rectangle", jamming_bound(rectangle(10.0, 10.0)), scan);
   check("V21.triangle", jamming_bound(regular(3, 1.0)), scan);
   check("V21.hexagon", jamming_bound(regular(6, 1.0)), scan);
   check("V21.gon20", jamming_bound(regular(20, 1.0)), scan);
-  // k2 / R2 of an n-gon is (2 pi / n)^2 / 12 below the disc's 1/2; the bound follows with slope 2.3: 2.7e-4 of it for
-  // n = 128
+  // k2 / R2 of an n-gon is (2 pi / n)^2 / 12 below the disc's 1/2. The bound follows with slope 2.3: 2.7e-4 for n =
+  // 128.
   check("V21.disc", jamming_bound(regular(128, 1.0)), 3e-4);
 }
 
@@ -161,11 +162,11 @@ TEST_P(Kinematics, V50_rod_turns_into_a_wall) {
   while (run.bodies().spin[floe] == spin && run.engine->step() < 100000) run.advance(1);
   const double hit = static_cast<double>(run.engine->step()) * dt;
   const double turned = std::atan2(run.bodies().rotation[floe].sine, run.bodies().rotation[floe].cosine);
-  run.advance(2);  // coupled first closes the gap exactly, then stops
-  // an overlap is seen up to a time step late and the end of the time step is noted: 2 dt
+  run.advance(2);  // coupled closes the gap exactly in the first step, then stops
+  // An overlap is seen up to one time step late, and the end of the time step is recorded: 2 dt.
   check_absolute("V50.t", hit, 2.0 * dt, where());
   check_absolute("V50.theta", turned, 2.0 * dt * spin, where());
-  // the lever grows by spin x 6 m = 0.12 m/s, and after the event the outline turns on with it: 4 dt in all
+  // The lever arm grows by spin x 6 m = 0.12 m/s, and after the event the outline turns on with it: 4 dt in all.
   const double late = 4.0 * dt;
   const Vec2 lever = lowest_corner(rod({}, {}, turned));
   check_absolute("V50.eta", std::fabs(lever.x), late * spin * 6.0, where());
@@ -178,13 +179,13 @@ TEST_P(Kinematics, V50_rod_turns_into_a_wall) {
   expect_closed_books(run, 1e-12);
 }
 
-/// Two floes 2 m wide that close at 1 m/s from first touch, looked at after `elapsed` seconds.
+/// Two floes 2 m wide, `elapsed` seconds after first contact at a closing speed of 1 m/s.
 Separation after_closing(double elapsed) {
   const OutlineCopy small(rectangle(2.0, 8.0));
   return find_axes(small.view(), small.view(), {2.0 - elapsed, 0.0}).first;
 }
 
-/// Boundary between times where `late` is false and where it is true, in (low, high).
+/// The time in (low, high) at which `late` turns from false to true.
 template <class Late>
 double boundary(double low, double high, Late&& late) {
   for (int i = 0; i < 60; ++i) {
@@ -201,7 +202,7 @@ TEST(Geometry, V51_longest_step) {
     const Outline outline = small.view();
     return (axis.edge_of_b ? -outline.normal[axis.edge] : outline.normal[axis.edge]).x < 0.0;
   };
-  // bisection to rounding
+  // Bisection down to rounding.
   check("V51.dt_tunnel", boundary(1.0, 3.0, flipped), rounding);
   check("V51.dt_miss", boundary(1.0, 5.0, [](double t) { return after_closing(t).distance > 0.0; }), rounding);
 

@@ -11,7 +11,7 @@ namespace {
 class Impacts : public OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, Impacts, ::testing::ValuesIn(all_settings()), setting_name);
 
-/// What only the coupled solver does: iterate.
+/// Tests of the coupled solver only: it iterates.
 class Iterations : public OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, Iterations, ::testing::ValuesIn(coupled_settings()), setting_name);
 
@@ -28,7 +28,7 @@ TEST_P(Impacts, V04_flat_onto_a_wall) {
   check("V04.dE", impact.energy_lost(), rounding, where());
   check("V04.dE", -impact.ledger[Channel::impact].energy, rounding, where());
   check_value("V04.v", 0.0, impact.velocity(0).y, 0.5 * rounding, "m/s", where());
-  // a rest of speed s at a face's end, 5 m out, is a spin of s / 5 m
+  // A remaining speed s at the end of a face, 5 m from the centre, is a spin of s / 5 m.
   check_value("V04.omega", 0.0, impact.spin(0), 0.1 * rounding, "rad/s", where());
 }
 
@@ -68,15 +68,16 @@ TEST_P(Impacts, V06_corner_on_a_wall_seen_as_a_chord) {
   const double depth = 5e-7;
   scene.floe[0].position_m.y -= depth;
   const Impact impact = one_impact(scene, setting());
-  // the chord's middle lies up to depth x cot(30 deg) = 1.7 depth beside the corner, so eta is that much off; the
-  // impulse follows with 2 eta / (k2 R) = 0.18 per metre. The normal of a chord of 2.3 depth turns by rounding / chord
+  // The middle of the chord lies up to depth x cot(30 deg) = 1.7 depth beside the corner, so eta is wrong by that much.
+  // The impulse follows with 2 eta / (k2 R) = 0.18 per metre. The normal of a chord of 2.3 depth turns by rounding /
+  // chord.
   const double tolerance = 2.0 * depth;
   check("V06.J", impact.impulse(0).y, tolerance, where());
   check("V06.omega", impact.spin(0), tolerance, where());
 }
 
 TEST(ImpactLaw, V07_thin_rod) {
-  // inertia of a thin rod, m L2 / 12
+  // Inertia of a thin rod: m L2 / 12.
   const double mass = 9000.0, length = 20.0, speed = 0.5, lever = 0.5 * length;
   const CollisionMass thin{1.0 / mass, 12.0 / (mass * length * length)};
   const double impulse = impact_frictionless(inverse_effective_mass(thin, {lever, 0.0}, {0.0, 1.0}), -speed, 0.0);
@@ -89,7 +90,8 @@ TEST(ImpactLaw, V07_thin_rod) {
 
 TEST_P(Impacts, V07_rod_meets_a_peg) {
   SceneDef scene = quiet_scene();
-  // 4 touch inside the rod's end, so that the rod's face is the contact and not the peg's side; J follows by 6e-13
+  // 4 touch inside the end of the rod, so that the contact is on the rod's face, not on the peg's side. J changes by
+  // 6e-13.
   const double x = 10.0 - 4.0 * touch;
   scene.fixed = {{{{x, 0.0}, {x - 1.0, -2.0}, {x + 1.0, -2.0}}}};
   scene.floe = {on_floor(rod({}, {0.0, -0.5}))};
@@ -144,7 +146,7 @@ TEST(ImpactLaw, V09_compliance_of_two_bodies) {
   check("V09.ut", u.y, rounding);
   check("V09.Knn", k.nn, rounding);
   check("V09.Ktt", k.tt, rounding);
-  // the cross term is a small difference of terms of size eta xi / I = 1e-4
+  // The cross term is a small difference of terms of size eta xi / I = 1e-4.
   check_absolute("V09.Knt", k.nt, rounding * 1e-4);
   check("V09.Me", 1.0 / k.nn, rounding);
 }
@@ -156,13 +158,13 @@ TEST_P(Impacts, V11_notch) {
   scene.floe = {square({0.0, 5.0 + 5.0 / std::tan(alpha) - touch}, {0.0, -speed})};
   const Impact impact = one_impact(scene, setting());
   EXPECT_EQ(impact.quality.contacts, 2);
-  // by symmetry the two impulses are equal, so the vertical impulse tells both
+  // By symmetry the two impulses are equal, so the vertical impulse gives both.
   const double each = 0.5 * impact.impulse(0).y / std::sin(alpha);
   if (setting().coupled()) {
     check("V11.J", each, rounding, where());
     check_value("V11.v", 0.0, impact.velocity(0).y, speed * rounding, "m/s", where());
   } else {
-    // independent: each wall is met as if it were alone, J = M_e V sin(alpha), and the two are added
+    // independent: each wall is met as if it were alone, J = M_e V sin(alpha), and both are added.
     const double eta = 5.0 * std::cos(alpha) + 5.0 * -std::sin(alpha);
     const double alone = speed * std::sin(alpha) / (1.0 / 45000.0 + eta * eta / 750000.0);
     check_value("V11.alone", alone, each, rounding * alone, "N s", where());
@@ -174,19 +176,19 @@ TEST_P(Impacts, V12_three_in_a_row) {
   const Impact impact = one_impact(scene, setting());
   EXPECT_EQ(impact.quality.contacts, 4);
   if (setting().coupled()) {
-    // iterated until no event asks for more than 1e-14 of the speed
+    // Iterated until no event asks for more than 1e-14 of the speed.
     for (const std::size_t i : {0u, 1u, 2u}) check("V12.v", impact.velocity(i).x, rounding, where());
     check("V12.J12", -impact.impulse(0).x, rounding, where());
     check("V12.J23", impact.impulse(2).x, rounding, where());
   } else {
-    // independent: only the first pair closes at the start of the time step, and shares its momentum equally
+    // independent: only the first pair closes at the start of the time step, and it shares its momentum equally.
     check_value("V12.first", 0.3, impact.velocity(0).x, 0.3 * rounding, "m/s", where());
     check_value("V12.second", 0.3, impact.velocity(1).x, 0.3 * rounding, "m/s", where());
     check_value("V12.third", 0.0, impact.velocity(2).x, 0.3 * rounding, "m/s", where());
   }
 }
 
-/// A row of n + 1 floes with one contact point a pair, the first at 0.6 m/s, in one time step.
+/// A row of n + 1 floes with one contact point per pair, the first at 0.6 m/s, in one time step.
 Impact row_impact(int n, double tolerance, const Setting& setting) {
   SceneDef scene = row_of_squares(n + 1, 0.6);
   scene.contact.manifold = Manifold::chord_middle;
@@ -202,14 +204,16 @@ TEST_P(Iterations, V13_common_velocity_of_a_row) {
     double error = 0.0;
     for (int i = 0; i <= n; ++i)
       error = std::max(error, std::fabs(impact.velocity(static_cast<std::size_t>(i)).x - 0.6 / (n + 1)));
-    // every gap asks for less than 1e-14 x 0.6 m/s; the slowest mode of a row answers by up to (n / pi)^2 times that
+    // Every gap asks for less than 1e-14 x 0.6 m/s; the slowest mode of a row responds with up to (n / pi)^2 times
+    // that.
     check_value("V13.v_" + std::to_string(n), 0.0, error, 0.6e-14 * n * n, "m/s", where());
   }
 }
 
 TEST_P(Iterations, V13_iterations_grow_with_the_length_of_a_row) {
   if (setting().engine == "reference") GTEST_SKIP() << "its equations are factored: no news from contact to contact";
-  // Gauss and Seidel's need the square of the length: 84 times as many for 99 floes as for 10 (V13.sweeps_GS)
+  // Gauss-Seidel iterations grow with the square of the length: 84 times as many for 99 floes as for 10
+  // (V13.sweeps_GS).
   const int few = row_impact(10, 1e-6, setting()).quality.iterations;
   const int many = row_impact(99, 1e-6, setting()).quality.iterations;
   EXPECT_GT(few, 10) << "news cannot travel faster than one contact an iteration";
@@ -231,13 +235,13 @@ TEST_P(Impacts, V14_two_corners_of_a_face) {
   const SceneDef scene = over_floor(square({}, {0.0, -0.5}));
   const Impact impact = one_impact(scene, setting());
   EXPECT_EQ(impact.quality.contacts, 2);
-  // the spin left over shows how unequal the two impulses are: J1 - J2 = I omega / 5 m
+  // The remaining spin shows the difference of the two impulses: J1 - J2 = I omega / 5 m.
   const double difference = impact.before.inertia[2] * std::fabs(impact.spin(0)) / 5.0;
   check("V14.J", 0.5 * (impact.impulse(0).y + difference), rounding, where());
   check("V14.J", 0.5 * (impact.impulse(0).y - difference), rounding, where());
 }
 
-/// V15: time when the n-th floe at rest is hit, and the speed of all of them some time after.
+/// V15: the time at which the n-th floe at rest is hit, and the speed of all floes some time later.
 void fall_in_line(int n, const Setting& setting) {
   const double dt = 0.02, gap = 4.0, speed = 0.6;
   SceneDef scene = quiet_scene();
@@ -250,9 +254,9 @@ void fall_in_line(int n, const Setting& setting) {
   const std::string key = std::to_string(n);
   while (run.bodies().velocity[last].x == 0.0 && run.engine->step() < 100000) run.advance(1);
   const double hit = static_cast<double>(run.engine->step()) * dt;
-  // an overlap is seen at the next time step: 2 dt an impact. Independent also needs several time steps to share the
-  // momentum in the row, its error falling by cos(pi / (row + 1)) a time step; meanwhile the front is at most V/V_n =
-  // row times too fast or slow
+  // An overlap is seen at the next time step: 2 dt per impact. Independent also needs several time steps to share the
+  // momentum in the row; its error falls by cos(pi / (row + 1)) per time step. Meanwhile the front is too fast or slow
+  // by a factor of at most V/V_n = row.
   double tolerance = 0.0;
   for (int row = 1; row <= n; ++row) {
     tolerance += 2.0 * dt;

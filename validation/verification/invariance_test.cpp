@@ -1,4 +1,5 @@
-// What must not change a run: units, place, direction, order, company, interruptions and what is watched (M1 to M12).
+// Changes that must not affect a run: units, position, direction, order, other bodies, interruptions and logging (M1 to
+// M12).
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +13,7 @@ namespace {
 
 class Invariance : public OnEngines {
  protected:
-  /// Runs a scene from its own field for 75 s, until its floes press together.
+  /// Runs a scene from its own field for 75 s, until its floes press against each other.
   Simulation run_of(const SceneDef& scene, std::int64_t steps = 1500) {
     Simulation run = start(scene, setting());
     advance_in_contact(run, steps);
@@ -74,7 +75,7 @@ SceneDef enlarged(SceneDef s) {
 
 TEST_P(Invariance, M2_lengths_by_four_and_times_by_two) {
   SceneDef scene = crowd(setting());
-  // P0 A^ex has a unit of its own and goes through a power: out of reach, so that it never caps the elastic stress
+  // P0 A^ex has a unit of its own and needs a power. It is set out of reach, so that it never caps the elastic stress.
   scene.ice.crushing_pressure_Pa = 1e12;
   Simulation a = run_of(scene), b = run_of(enlarged(scene));
   Bodies small = b.bodies();
@@ -110,8 +111,8 @@ Bodies mirrored(Bodies b) {
   return b;
 }
 
-/// A crowd whose velocities do not depend on how the iterations round: friction in a crowd has many answers, and
-/// iterations that stop early leave others; without both the velocities are unique.
+/// A crowd whose velocities do not depend on rounding in the iterations. Friction in a crowd has many answers, and
+/// iterations that stop early have more; without both the velocities are unique.
 SceneDef with_one_answer(SceneDef scene, const Setting& setting) {
   if (!setting.coupled()) return scene;
   scene.ice.friction_ice = scene.ice.friction_structure = 0.0;
@@ -122,8 +123,9 @@ TEST_P(Invariance, M3_mirror) {
   const SceneDef scene = with_one_answer(crowd(setting()), setting());
   SceneDef image = scene;
   image.current.velocity_m_per_s.y *= -1.0;
-  // an outline stays counter-clockwise in a mirror, so its edges begin at their other corners: crossings and depths are
-  // rounded differently (7e-15 m at 64 m) and the two points of a face are visited in another order. Not to the bit
+  // In a mirror the outline stays counter-clockwise, so its edges start at their other corners. Crossings and depths
+  // are rounded differently (7e-15 m at 64 m), and the two points of a face are visited in another order. So the result
+  // is not equal to the bit.
   check_value("M3.corners", 0.0, apart_after(5, scene, image, setting(), mirrored), 1e-11, "m", where());
 }
 
@@ -156,7 +158,7 @@ TEST_P(Invariance, M4_turn_by_37_degrees) {
   SceneDef image = scene;
   image.current.velocity_m_per_s = rotate(turn, scene.current.velocity_m_per_s);
   const double apart = apart_after(5, scene, image, setting(), [&](const Bodies& b) { return turned_by(b, turn); });
-  // positions are rounded to 7e-15 m; a chord of a mm turns its normal by 1e-11, a few time steps let that grow
+  // Positions are rounded to 7e-15 m. A chord of 1 mm turns its normal by 1e-11, and a few time steps amplify that.
   check_value("M4.turn_37", 0.0, apart, 1e-9, "m", where());
 }
 
@@ -166,7 +168,7 @@ TEST_P(Invariance, M5_moving_frame) {
   const std::int64_t steps = 5;
   SceneDef moving = scene;
   moving.current.velocity_m_per_s += frame;
-  // the reach of coupled contacts follows the largest speed, which the frame changes: the same reach in both
+  // The reach of coupled contacts depends on the largest speed, which the frame changes; here both have the same reach.
   moving.numerics.contact_reach *= length(scene.current.velocity_m_per_s) / length(moving.current.velocity_m_per_s);
   const Bodies bodies = pressed(crowd(setting(), Surroundings::open_water), setting());
   Bodies shifted = bodies;
@@ -179,7 +181,7 @@ TEST_P(Invariance, M5_moving_frame) {
     back.velocity[i] -= frame;
     back.position[i] -= static_cast<double>(steps) * scene.numerics.time_step_s * frame;
   }
-  // speeds of 0.3 m/s are rounded in another place, 5e-17; chords of a mm turn their normals by 1e-11
+  // Speeds of 0.3 m/s are rounded differently, by 5e-17. Chords of 1 mm turn their normals by 1e-11.
   check_value("M5.corners", 0.0, farthest_apart(a.bodies(), back), 1e-10, "m", where());
 }
 
@@ -196,12 +198,12 @@ TEST_P(Invariance, M6_translation) {
   advance_in_contact(b, 5);
   Bodies back = b.bodies();
   for (Vec2& p : back.position) p -= shift;
-  // positions beyond 1024 m are rounded to 2.3e-13 m, 32 times coarser than here, and each of 5 time steps may pass
-  // that on tenfold
+  // Positions beyond 1024 m are rounded to 2.3e-13 m, 32 times more than here. Each of 5 time steps may amplify that
+  // tenfold.
   check_value("M6.corners", 0.0, farthest_apart(a.bodies(), back), 1e-11, "m", where());
 }
 
-/// The same bodies with the floes in reverse order.
+/// The bodies with the floes in reverse order.
 Bodies reversed(const Bodies& b) {
   Bodies r;
   std::size_t first = 0;
@@ -233,10 +235,10 @@ Bodies reversed(const Bodies& b) {
 
 TEST_P(Invariance, M7_order_of_the_floes) {
   SceneDef scene = settled(crowd(setting()));
-  // in one time step: 0.05 s x a speed known to the 1e-14 of the sweeps or the 1e-11 of a normal of a short chord
+  // In one time step: 0.05 s x a speed known to 1e-14 (from the sweeps) or 1e-11 (from the normal of a short chord).
   check_value("M7.corners", 0.0, apart_after(1, scene, scene, setting(), reversed), 1e-12, "m", where());
   if (!setting().coupled()) return;
-  // the order of the points changes the bits of a sum over a body's points, not its terms
+  // The order of the points changes the bits of a sum over the points of a body, not its terms.
   scene.numerics.repair_share = 0.6;
   check_value("M7.repair", 0.0, apart_after(1, scene, scene, setting(), reversed), 1e-12, "m", where());
 }
@@ -282,12 +284,13 @@ TEST_P(Invariance, M10_watching) {
 
 TEST_P(Invariance, M11_no_friction) {
   SceneDef scene = crowd(setting());
-  // mu = 1e-300 takes the path with friction, and its impulses vanish against every speed
+  // mu = 1e-300 takes the path with friction, but its impulses vanish against every speed.
   scene.ice.friction_ice = scene.ice.friction_structure = 1e-300;
   SceneDef frictionless = scene;
   frictionless.ice.friction_ice = frictionless.ice.friction_structure = 0.0;
   if (setting().engine == "reference" && setting().coupled()) {
-    // its equations have more unknowns, and rounding of their own: 1e-13 of the speeds in one time step, as in M7
+    // The equations with friction have more unknowns and other rounding: 1e-13 of the speeds in one time step, as in
+    // M7.
     const auto as_it_is = [](const Bodies& b) { return b; };
     const double apart = apart_after(1, settled(scene), settled(frictionless), setting(), as_it_is);
     check_value("M11.corners", 0.0, apart, 1e-12, "m", where());
@@ -309,7 +312,7 @@ TEST_P(Invariance, M12_time_reversal) {
   SceneDef scene = crowd(setting());
   scene.water.drag_law = DragLaw::none;
   scene.platform.start_offset_m = {1.0, 0.5};
-  // far enough apart never to touch
+  // far enough apart that they never touch
   for (FloeDef& floe : scene.floe) floe.position_m = 4.0 * floe.position_m;
   scene.fixed.clear();
   const std::int64_t steps = 400;
@@ -323,7 +326,7 @@ TEST_P(Invariance, M12_time_reversal) {
   run.engine->restore(state);
   run.advance(steps);
   for (const StepQuality& quality : run.log.quality) ASSERT_EQ(quality.contacts, 0);
-  // 1e-12 of places up to 320 m: 800 sums rounded to 2.8e-14 m each stay below it
+  // 1e-12 of positions up to 320 m: 800 sums, each rounded to 2.8e-14 m, stay below it.
   check_value("M12.corners", 0.0, farthest_apart(before, run.bodies()), 1e-12 * 320.0, "m", where());
 }
 

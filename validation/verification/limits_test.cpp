@@ -1,4 +1,4 @@
-// What the methods are known to leave, measured: V52 the elastic stress gives speed back.
+// Known limits of the methods, measured: V52, the elastic stress gives speed back.
 #include <cmath>
 
 #include "validation/verification/scenes.h"
@@ -24,8 +24,8 @@ TEST_P(Limits, V52_elastic_stress_gives_speed_back) {
     for (const StepQuality& quality : run.log.quality) touched += quality.contacts > 0;
     EXPECT_GT(touched, 0) << "the floes never met";
     const double parting = run.bodies().velocity[2].x - run.bodies().velocity[1].x;
-    // independent sees the floes as deep as a time step brings them; the stress of that depth then pushes with nothing
-    // against it, and a contact does not pull: no later time step takes the speed back
+    // independent sees the floes as deep as one time step brings them. The stress of that depth then pushes without
+    // resistance, and a contact does not pull, so no later time step takes the speed back.
     const double phase = dt * std::sqrt(1e6 / 22500.0);
     const double given_back = setting().coupled() ? 0.0 : std::pow(phase / (1.0 + phase), 2);
     check_value("V52.dt_" + std::to_string(dt).substr(0, 5), given_back, parting / closing,

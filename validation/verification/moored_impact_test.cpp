@@ -1,4 +1,4 @@
-// A floe that meets the moored platform and stays pressed against it: V10.
+// A floe hits the moored platform and stays pressed against it: V10.
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +23,7 @@ TEST_P(MooredImpact, V10_floe_on_the_moored_platform) {
   const double impulse = run.log.platform[0].ice_impulse.x;
   check("V10.J", impulse, rounding, where());
   check("V10.v", impulse / platform_mass, rounding, where());
-  // a remainder of 0.25 m/s
+  // A difference of speeds of 0.25 m/s.
   check_absolute("V10.v", run.bodies().velocity[1].x, 0.25 * 1e-15, where());
   check("V10.dE", -run.engine->ledger()[Channel::impact].energy, rounding, where());
 
@@ -35,8 +35,8 @@ TEST_P(MooredImpact, V10_floe_on_the_moored_platform) {
     peak = std::max(peak, run.bodies().position[0].x);
     lowest = std::min(lowest, run.bodies().position[0].x);
   }
-  // the floe lags the platform's half time steps by one dt: omega dt m / M = 3e-7 of the swing, sampling (omega dt)^2 /
-  // 8
+  // The floe lags the platform's half time steps by one dt: omega dt m / M = 3e-7 of the amplitude. Sampling: (omega
+  // dt)^2 / 8.
   const double lag = 4e-7;
   check("V10.xpeak", peak, lag, where());
   check("V10.xpeak_up", -lowest, lag, where());

@@ -16,7 +16,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, Platform, ::testing::ValuesIn(all_settings()),
 constexpr double mass = 1e8, stiffness = 5e5;
 const double omega = std::sqrt(stiffness / mass);
 
-/// A platform alone, 100 m wide, moored with 5e5 N/m.
+/// A single platform, 100 m wide, moored with 5e5 N/m.
 SceneDef platform_alone(Vec2 offset, double dt) {
   SceneDef scene = quiet_scene();
   scene.platform.present = true;
@@ -25,16 +25,16 @@ SceneDef platform_alone(Vec2 offset, double dt) {
   return scene;
 }
 
-/// The flow is exact; its coefficients, products, sums and the sum with the anchor are rounded to 1.1e-16 each, twice a
-/// time step: 8.9e-16 a time step of the largest value. The outline's corners are rounded at 50 m to 7e-15 m, and with
-/// them the centroid that the position means, by up to three of them.
+/// The flow is exact. Its coefficients, products, sums and the sum with the anchor are rounded to 1.1e-16 each, twice
+/// per time step: 8.9e-16 of the largest value per time step. The outline's corners at 50 m are rounded to 7e-15 m, and
+/// so is the centroid that the position refers to, by up to three roundings.
 double exact_flow(double steps) { return 8.9e-16 * steps; }
 constexpr double placed = 2e-14;
 
 Vec2 place(Simulation& run) { return run.bodies().position[0]; }
 Vec2 speed(Simulation& run) { return run.bodies().velocity[0]; }
 
-/// Period of the undamped flow over `duration` seconds; sin(angle) keeps all digits of a small angle.
+/// Period of the undamped flow over `duration` seconds. sin(angle) keeps all digits of a small angle.
 double period_of(double k, double m, double duration) {
   const MooringFlow flow = mooring_flow(k, m, 0.0, duration);
   const double sine = std::sqrt(-flow.xv * flow.vx);
@@ -45,7 +45,7 @@ TEST(PlatformLaw, V39_period) {
   check("V39.T", period_of(stiffness, mass, 0.025), rounding);
   check("V39.omega", 2.0 * M_PI / period_of(stiffness, mass, 0.025), rounding);
   check("V39.T50k", period_of(5e4, mass, 0.025), rounding);
-  // the stiffness or mass that would swing in 72 s
+  // The stiffness or mass that would give a period of 72 s.
   check_value("V39.k72", 72.0, period_of(value_of("V39.k72"), mass, 0.025), 72.0 * rounding, "s");
   check_value("V39.M72", 72.0, period_of(stiffness, value_of("V39.M72"), 0.025), 72.0 * rounding, "s");
 }
@@ -64,7 +64,7 @@ TEST_P(Platform, V39_free_swing) {
 TEST_P(Platform, V39_period_over_many_swings) {
   const double dt = 0.05;
   Simulation run = start(platform_alone({1.0, 0.0}, dt), setting());
-  // time of every second zero crossing, by the phase of the time step after it
+  // Times of every second zero crossing, from the phase of the time step after it.
   std::vector<double> crossings;
   double last = 1.0;
   while (crossings.size() < 101 && run.engine->step() < 400000) {
@@ -76,7 +76,7 @@ TEST_P(Platform, V39_period_over_many_swings) {
     last = x;
   }
   ASSERT_EQ(crossings.size(), 101u);
-  // the stated bar; the phase itself walks off by 4.4e-16 a time step of 3.5e-3 rad: 1.3e-13
+  // The stated tolerance. The phase itself drifts by 4.4e-16 per time step of 3.5e-3 rad: 1.3e-13.
   check("V39.T", (crossings.back() - crossings.front()) / 100.0, 1e-9 / value_of("V39.T"), where());
 }
 
@@ -124,7 +124,7 @@ TEST_P(Platform, V40_damped_swing) {
 }
 
 TEST_P(Platform, V41_step_of_force) {
-  // a steady force F is an anchor moved by F / k: the platform starts at x = 0
+  // A constant force F is an anchor shifted by F / k: the platform starts at x = 0.
   const double shift = 1e4 / stiffness, dt = 0.05;
   check("V41.static", shift, rounding, where());
   for (const double ratio : {0.0, 0.05}) {
@@ -139,13 +139,13 @@ TEST_P(Platform, V41_step_of_force) {
       if (i + 1 == 600 && ratio == 0.0)
         check_absolute("V41.x30", place(run).x, placed + 2.0 * shift * exact_flow(600), where());
     }
-    // the peak between two samples is missed by at most (omega dt / 2)^2 / 2 of the swing
+    // The peak between two samples is missed by at most (omega dt / 2)^2 / 2 of the amplitude.
     const double missed = shift * 0.125 * omega * omega * dt * dt;
     check_absolute(ratio == 0.0 ? "V41.peak" : "V41.peak_z05", peak, missed, where());
   }
 }
 
-/// Adds velocity to the platform through the engine's own state.
+/// Adds velocity to the platform through the engine's state.
 void kick(Simulation& run, double change) {
   EngineState state = run.engine->save();
   state.bodies.velocity[0].x += change;
@@ -155,7 +155,7 @@ void kick(Simulation& run, double change) {
 TEST_P(Platform, V42_impulses) {
   const double impulse = 11250.0, change = impulse / mass;
   const double period = value_of("V39.T"), dt = period / 2000.0;
-  // one impulse, and then one more a period: it grows by the same each time
+  // One impulse, then one more per period: the amplitude grows by equal amounts.
   Simulation grow = start(platform_alone({}, dt), setting());
   double last = 0.0;
   for (int i = 0; i < 4; ++i) {
@@ -166,7 +166,7 @@ TEST_P(Platform, V42_impulses) {
     last = place(grow).x;
     grow.advance(1500);
   }
-  // a train: one period of it brings the state back
+  // A train of impulses: after one interval the state repeats.
   for (const auto& [key, interval] : {std::pair{"V42.T20", 20.0}, std::pair{"V42.T60", 60.0}}) {
     const std::string name = key;
     const double time_step = 0.02;
@@ -184,14 +184,14 @@ TEST_P(Platform, V42_impulses) {
     const double scale = value_of("V42.one"), walked = placed + scale * exact_flow(steps);
     check_absolute(name + ".x0", place(run).x, walked, where());
     check_absolute(name + ".v0", speed(run).x, omega * walked, where());
-    // between two samples: (omega dt)^2 / 8 of the swing; the trapezium rule: (omega dt)^2 / 12
+    // Between two samples: (omega dt)^2 / 8 of the amplitude. Trapezium rule: (omega dt)^2 / 12.
     const double sampled = scale * omega * omega * time_step * time_step / 8.0;
     check_absolute(name + ".max", most, sampled, where());
     check_absolute(name + ".mean", sum / steps, sampled, where());
   }
 }
 
-/// A platform with quadratic drag of rate 0.006 1/m in still water, let go 5 m from its anchor.
+/// A platform with quadratic drag of rate 0.006 1/m in still water, released 5 m from its anchor.
 SceneDef platform_with_drag(double dt) {
   SceneDef scene = platform_alone({5.0, 0.0}, dt);
   scene.platform_drag.present = true;
@@ -201,7 +201,7 @@ SceneDef platform_with_drag(double dt) {
   return scene;
 }
 
-/// Its amplitudes at the turns.
+/// Its amplitudes at the turning points.
 std::vector<double> turns(double dt, const Setting& setting) {
   Simulation run = start(platform_with_drag(dt), setting);
   std::vector<double> amplitude;
@@ -209,7 +209,7 @@ std::vector<double> turns(double dt, const Setting& setting) {
   while (amplitude.size() < 7 && run.engine->step() < 200000) {
     run.advance(1);
     const double v = speed(run).x;
-    // at most dt from the turn the drag's work is of order b (omega^2 A dt)^3 dt: nothing
+    // Within dt of the turning point the work of the drag is of order b (omega^2 A dt)^3 dt, which is negligible.
     if (before * v < 0.0) amplitude.push_back(std::hypot(place(run).x, v / omega));
     before = v;
   }
@@ -221,13 +221,13 @@ TEST_P(Platform, V43_quadratic_drag) {
   const double dt = 0.05;
   const std::vector<double> fine = turns(dt, setting());
   ASSERT_EQ(fine.size(), 7u);
-  // a symmetric split perturbs the damping by (omega dt)^2 relative
+  // A symmetric split changes the damping by (omega dt)^2 relative.
   const double share = omega * omega * dt * dt;
   check_absolute("V43.A1", fine[0], share * (5.0 - fine[0]), where());
   check_absolute("V43.A2", fine[1], share * (5.0 - fine[1]), where());
   check_absolute("V43.A6", fine[5], share * (5.0 - fine[5]), where());
-  // second order: half the time step, a quarter of the difference; the turns of speed inside a time step blur it by
-  // some %
+  // Second order: half the time step gives a quarter of the difference. Reversals of speed within a time step blur it
+  // by a few percent.
   const auto after_100_s = [&](double step) {
     Simulation run = start(platform_with_drag(step), setting());
     run.advance(static_cast<std::int64_t>(100.0 / step));
@@ -259,7 +259,7 @@ TEST(PlatformLaw, V45_no_period_error_of_its_own) {
   const double period = value_of("V39.T");
   for (const auto& [name, dt] :
        {std::pair{"dt0p001", 1e-3}, std::pair{"dt0p01", 1e-2}, std::pair{"dt0p1", 1e-1}, std::pair{"dt1", 1.0}}) {
-    // where kick-drift is off by (omega dt)^2 / 24 and explicit Euler grows, the exact flow is off by rounding only
+    // Where kick-drift has an error of (omega dt)^2 / 24 and explicit Euler grows, the exact flow has only rounding.
     check_value("V45.relT_exact_flow_" + std::string(name), 0.0, period_of(stiffness, mass, 0.5 * dt) / period - 1.0,
                 rounding, "-");
     const MooringFlow flow = mooring_flow(stiffness, mass, 0.0, 0.5 * dt);

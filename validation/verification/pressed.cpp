@@ -1,4 +1,4 @@
-// Scenes pressed by the current, and what is asked of them.
+// Scenes pressed by the current, and their checks.
 #include "validation/verification/pressed.h"
 
 #include <algorithm>

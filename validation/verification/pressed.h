@@ -7,7 +7,7 @@
 
 namespace gem::verification {
 
-/// The closed forms call C_d what is 2 C_s here.
+/// The C_d of the closed forms is 2 C_s here.
 constexpr double skin = 0.5 * 0.005;
 
 /// Skin coefficient that gives a floe 0.5 m thick the rate k [1/m].
@@ -16,17 +16,17 @@ double skin_for(double k);
 /// A quiet scene with a current, skin drag and friction of ice, in time steps of `dt`.
 SceneDef pressed_scene(Vec2 current, double skin_coefficient, double friction, double dt);
 
-/// A floor 4 km long, turned about the origin.
+/// A floor 4 km long, rotated about the origin.
 FixedDef long_floor(double angle);
 
-/// Force of the fixed bodies on the floes over the next time steps [N].
+/// Force of the fixed bodies on the floes over the next `steps` time steps [N].
 Vec2 force_of_fixed(Simulation& run, std::int64_t steps, double dt);
 
-/// A floe held by a wall is let go by the drag for one time step at a time, so that its drag falls short by k |w| dt.
+/// Relative shortfall of the drag on a floe held by a wall, k |w| dt: the drag acts before the wall stops the floe.
 double let_go(double k, double slip, double dt);
 
-/// The books of a scene within `reach` metres of the origin. Twists of a held floe cancel, so the ledger's own scale of
-/// angular momentum may be next to nothing.
+/// Checks the books of a scene within `reach` metres of the origin. The moments on a held floe cancel, so the ledger's
+/// own scale of angular momentum may be close to zero.
 void expect_held_books(Simulation& run, double reach);
 
 }  // namespace gem::verification

@@ -1,4 +1,4 @@
-// Rows of floes: columns pressed on a wall or the platform, jams that grow floe by floe (V33, V34, V38, V47).
+// Rows of floes: columns pressed against a wall or the platform, and jams that grow floe by floe (V33, V34, V38, V47).
 #include <algorithm>
 #include <cmath>
 
@@ -12,9 +12,9 @@ namespace {
 class Row : public OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, Row, ::testing::ValuesIn(all_settings()), setting_name);
 
-/// V33 and V34 as independent has them, without elastic stress: each time step a contact passes on M_e times its
-/// closing speed, so the row creeps just fast enough that the closing speeds carry the push: contact j from the wall
-/// closes at 2 (sum of the pushes behind it) dt / m, the one at the wall at half of that. The drag follows the creep.
+/// V33 and V34 for independent without elastic stress. In each time step a contact transmits M_e times its closing
+/// speed. So the row creeps at the speed at which the closing speeds carry the push: contact j from the wall closes at
+/// 2 (sum of the pushes behind it) dt / m, the contact at the wall at half of that. The drag follows the creep.
 double creeping_force(int count, double dt) {
   const double mass = 45000.0, k = 0.05, speed = 0.5;
   std::vector<double> creep(static_cast<std::size_t>(count), 0.0);
@@ -36,7 +36,7 @@ double creeping_force(int count, double dt) {
   return total;
 }
 
-/// V33 and V34: `count` squares in touch, pushed along x by 562.5 N each.
+/// V33 and V34: `count` touching squares, each pushed along x by 562.5 N.
 SceneDef column(int count, double dt) {
   SceneDef scene = pressed_scene({0.5, 0.0}, skin_for(0.05), 0.0, dt);
   for (int i = 0; i < count; ++i) scene.floe.push_back(square({-5.0 - (10.0 - touch) * i, 0.0}));
@@ -59,11 +59,11 @@ TEST_P(Row, V33_column_on_a_wall) {
     const double force = -force_of_fixed(run, 100, dt).x;
     const std::string key = count == 1 ? "V33.d" : "V33.F10";
     if (setting().coupled() || count == 1) {
-      // every floe's push falls short alike
+      // The push of every floe falls short by the same share.
       check(key, force, let_go(k, speed, dt) + 1e-6, where());
       check_value(key + ".overlap", 0.0, total_overlap(run.bodies()), 1e-3, "m", where());
     } else {
-      // the row still loses speed where it creeps together: 1 % of the 3 % that the creep costs
+      // The row still loses speed where it creeps together: 1 % of the 3 % that the creep costs.
       const double creeping = creeping_force(count, dt);
       check_value("V33.F10.creeping", creeping, force, 1e-3 * creeping, "N", where());
       EXPECT_GT(total_overlap(run.bodies()), 1e-3) << "independent holds the column as well";
@@ -81,7 +81,7 @@ TEST_P(Row, V34_column_on_the_moored_platform) {
   scene.mooring.damping_ratio = 0.5;
   Simulation run = start(scene, setting());
   run.log.wants_events = false;
-  // half the critical damping: e^-14 of the swing is left after 400 s
+  // Half of critical damping: e^-14 of the oscillation is left after 400 s.
   run.advance(8000);
   EXPECT_GT(run.log.platform.back().contacts, 0);
   if (setting().coupled()) {
@@ -92,9 +92,9 @@ TEST_P(Row, V34_column_on_the_moored_platform) {
   }
 }
 
-/// What a row that drifts onto a wall does: when its floes are struck, and what the wall gets.
+/// A row that drifts onto a wall: when its floes are hit, and the impulse on the wall.
 struct Jam {
-  double first = 0.0, last = 0.0;  // times at which the first and the last floe are struck [s]
+  double first = 0.0, last = 0.0;  // times at which the first and the last floe are hit [s]
   double impulse = 0.0;            // on the wall by all impacts but the first [N s]
   double strays = 0.0;             // speed left at the end [m/s]
 };
@@ -115,7 +115,7 @@ Jam jam_in_a_row(double pitch, int count, const Setting& setting) {
     if (jam.first == 0.0 && run.bodies().velocity[2].x < speed) jam.first = now;
     if (jam.last == 0.0 && run.bodies().velocity[static_cast<std::size_t>(count) + 1].x < speed) jam.last = now;
   }
-  // equal impacts, the first of which opens the time that is looked at
+  // All impacts are equal; the first one opens the observed time and is not counted.
   jam.impulse = -run.engine->ledger()[Channel::impact].momentum.x * (count - 1) / count;
   for (std::size_t i = 2; i < run.bodies().count(); ++i)
     jam.strays = std::max(jam.strays, length(run.bodies().velocity[i]));
@@ -127,8 +127,8 @@ TEST_P(Row, V38_one_dimensional_jam) {
   const int count = 10;
   const Jam jam = jam_in_a_row(25.0, count, setting());
   const double time = jam.last - jam.first;
-  // each strike is seen up to a time step late. Independent: a row that is struck takes row x dt / (1 - cos(pi / (row +
-  // 1))) to give its momentum away, and creeps on meanwhile at up to a share 1 / row of the speed
+  // Each hit is seen up to one time step late. Independent: a row that is hit takes row x dt / (1 - cos(pi / (row +
+  // 1))) to transmit its momentum, and creeps at up to 1 / row of the speed meanwhile.
   double late = 2.0 * 0.02;
   if (!setting().coupled())
     for (int row = 2; row <= count; ++row) late += 0.02 / (1.0 - std::cos(M_PI / (row + 1)));
@@ -138,7 +138,7 @@ TEST_P(Row, V38_one_dimensional_jam) {
 }
 
 TEST_P(Row, V47_a_plug_that_jams_at_nine_tenths) {
-  // squares of 10 m in lanes of 11.1 m: in touch they cover 0.9 of their lane, at a pitch of 22.5 m 0.4
+  // Squares of 10 m in lanes of 11.1 m: touching, they cover 0.9 of their lane; at a pitch of 22.5 m, 0.4.
   const int count = 10, lanes = 9;
   const Jam jam = jam_in_a_row(22.5, count, setting());
   const double time = jam.last - jam.first;

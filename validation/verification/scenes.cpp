@@ -21,7 +21,7 @@ double kinetic(const Bodies& b) {
   return sum;
 }
 
-/// The engines of every build, and the one that GEM_MORE_ENGINES names.
+/// The engines of every build, and the engine named by GEM_MORE_ENGINES.
 std::vector<std::string> engines() {
   std::vector<std::string> names = engine_names();
   const char* more = std::getenv("GEM_MORE_ENGINES");
@@ -126,7 +126,7 @@ double angular_momentum(const Bodies& b) {
 void expect_closed_books(Simulation& run, double tolerance, double momentum_seen) {
   const Ledger now = run.engine->ledger();
   const LedgerResidual left = residual(now);
-  // the ledger's scale is the largest momentum at the times when it was asked for
+  // The scale of the ledger is the largest momentum at the times when it was read.
   const double momentum_share = now.momentum_scale / std::max(now.momentum_scale, momentum_seen);
   EXPECT_LE(momentum_seen > 0.0 ? left.momentum * momentum_share : left.momentum, tolerance);
   EXPECT_LE(left.angular_momentum, tolerance);

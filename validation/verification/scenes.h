@@ -1,4 +1,4 @@
-// Parts of scenes for the closed-form cases, and the settings that every scene runs on.
+// Parts of scenes for the closed-form cases, and the settings that run every scene.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@
 
 namespace gem::verification {
 
-/// How deep touching bodies overlap at the start [m]. A power of two, so that a long row of floes stays exact; the
-/// contact point lies half of it off, which changes no closed form by more than 1e-13 relative.
+/// Overlap of touching bodies at the start [m]. A power of two, so that a long row of floes stays exact. The contact
+/// point is shifted by half of it, which changes no closed form by more than 1e-13 relative.
 constexpr double touch = 0x1p-40;
 
 /// One engine with one solver.
@@ -27,9 +27,9 @@ struct Setting {
   Where where() const { return {engine, coupled() ? "coupled" : "independent"}; }
 };
 
-/// Every engine by name with both solvers; with GEM_MORE_ENGINES=cuda that one too.
+/// Every engine with both solvers; with GEM_MORE_ENGINES=cuda also that engine.
 std::vector<Setting> all_settings();
-/// Every engine, coupled only.
+/// Every engine with the coupled solver.
 std::vector<Setting> coupled_settings();
 std::string setting_name(const ::testing::TestParamInfo<Setting>& info);
 
@@ -42,7 +42,7 @@ class OnEngines : public ::testing::TestWithParam<Setting> {
   Where where() const { return GetParam().where(); }
 };
 
-/// Nothing but contacts: still water without drag, no platform, no sides, no friction, resolved to rounding.
+/// Only contacts: still water without drag, no platform, no sides, no friction, solved to rounding.
 SceneDef quiet_scene();
 
 /// Rectangle about the origin, counter-clockwise [m].
@@ -78,20 +78,21 @@ struct Simulation {
   const Bodies& bodies() { return engine->bodies(); }
 };
 
-/// Makes the field and the engine of a scene with the setting's solver.
+/// Makes the field and the engine of a scene, with the solver of the setting.
 Simulation start(SceneDef scene, const Setting& setting);
 
 /// Angular momentum of all bodies about the world origin [N m s].
 double angular_momentum(const Bodies& b);
 
-/// The books must close. `momentum_seen` is for runs whose largest momentum lies between two looks at the ledger [N s].
+/// Checks that the books close. `momentum_seen` [N s] is for runs whose largest momentum lies between two readings of
+/// the ledger.
 void expect_closed_books(Simulation& run, double tolerance = 1e-13, double momentum_seen = 0.0);
 
-/// One side (1 or -1) of a notch that opens upwards: its face lies on a line through the origin, `angle` [rad] from the
+/// One side (1 or -1) of a notch that opens upwards. Its face lies on a line through the origin, `angle` [rad] from the
 /// vertical.
 FixedDef notch_side(double angle, double side);
 
-/// One time step of a scene whose bodies touch at the start. Fails without contact and unless the books close.
+/// One time step of a scene whose bodies touch at the start. Fails unless there are contacts and the books close.
 struct Impact {
   Bodies before, after;
   Ledger ledger;
@@ -101,7 +102,7 @@ struct Impact {
 
   Vec2 velocity(std::size_t floe) const { return after.velocity[first_floe + floe]; }
   double spin(std::size_t floe) const { return after.spin[first_floe + floe]; }
-  /// What a floe was given [N s].
+  /// Impulse on a floe [N s].
   Vec2 impulse(std::size_t floe) const;
   /// Kinetic energy lost in the time step [J].
   double energy_lost() const;

@@ -17,10 +17,10 @@ INSTANTIATE_TEST_SUITE_P(Engines, Stream, ::testing::ValuesIn(all_settings()), s
 
 constexpr double cover = 0.4, density = 900.0, thickness = 0.5, diameter = 100.0;
 
-/// Momentum that the stream carries onto a width [N].
+/// Momentum flux of the stream over a width [N].
 double carried(double speed, double width) { return density * thickness * cover * speed * speed * width; }
 
-/// 20-gon about the origin whose first corner stands at `turn` from the x axis.
+/// A 20-gon about the origin with its first corner at `turn` from the x axis.
 std::vector<Vec2> gon(double turn) {
   std::vector<Vec2> corners;
   for (int i = 0; i < 20; ++i)
@@ -28,9 +28,9 @@ std::vector<Vec2> gon(double turn) {
   return corners;
 }
 
-/// Width of a stream along x that would bring as much momentum if all of it were taken: the sum over the facets of
-/// their share of the stream's width, times the share of a small floe's momentum that its first impact takes. One floe
-/// is sent to the middle of each facet, its own face towards it.
+/// Width of a stream along x that carries the momentum which the platform takes: the sum over the facets of their width
+/// in the stream times the share of momentum that the first impact of a small floe transfers. One floe is sent to the
+/// middle of each facet, with its face parallel to it.
 double effective_width(double turn, const Setting& setting) {
   const std::vector<Vec2> corners = gon(turn);
   const double size = 0.5, speed = 0.25;
@@ -40,7 +40,7 @@ double effective_width(double turn, const Setting& setting) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2 a = corners[i], b = corners[(i + 1) % corners.size()];
     const Vec2 outward = (1.0 / length(b - a)) * turned_right(b - a);
-    if (outward.x > -1e-9) continue;  // not met by a stream along +x
+    if (outward.x > -1e-9) continue;  // not hit by a stream along +x
     FloeDef floe = square(0.5 * (a + b) + (0.5 * size - touch) * outward, {speed, 0.0});
     floe.outline_m = rectangle(size, size);
     floe.angle_rad = std::atan2(outward.y, outward.x);
@@ -55,7 +55,7 @@ double effective_width(double turn, const Setting& setting) {
 }
 
 TEST_P(Stream, V46_onto_twenty_sides) {
-  // corners and angles of facets are rounded to 1e-14 m; a face in touch over 0.5 m turns its floe by nothing
+  // Corners and angles of facets are rounded to 1e-14 m; a face in contact over 0.5 m keeps its floe from turning.
   const double facet = effective_width(std::numbers::pi / 20.0, setting()), vertex = effective_width(0.0, setting());
   check("V46.gon_facet.m", facet, 1e-11, where());
   check("V46.gon_facet.F", carried(0.25, facet), 1e-11, where());
@@ -78,7 +78,7 @@ double share_taken(double friction, double tangential_compliance) {
 }
 
 TEST(StreamLaw, V46_onto_a_circle) {
-  // midpoints: (pi / 2 / steps)^2 / 24 of slopes of order 1, and the kink at the least angle of slip
+  // Midpoint rule: (pi / 2 / steps)^2 / 24 for slopes of order 1, and the kink at the smallest angle of slip.
   const double quadrature = 1e-10;
   for (const auto& [key, speed] : {std::pair<std::string, double>{"0.25", 0.25}, {"0.5", 0.5}, {"1", 1.0}}) {
     check("V46.full_" + key, carried(speed, diameter) * share_taken(1e9, 1.0), quadrature);
@@ -95,11 +95,11 @@ TEST(StreamField, V47_numbers_of_the_field) {
   const Bodies field = make_field(scene);
   const FieldSummary summary = summarise(scene, field);
   const double mean_area = summary.cover * scene.floes.length_m * scene.floes.width_m / 4008.0;
-  // sizes are quantiles at the midpoints of 4008 shares: mean and deviation miss those of the law by 1e-4
+  // Sizes are quantiles at the midpoints of 4008 shares; their mean and deviation differ from those of the law by 1e-4.
   check("V47.EA", mean_area, 1e-3);
   check("V47.coverage", summary.cover, 1e-3);
   check("V47.rate", cover * scene.current.velocity_m_per_s.x * scene.platform.diameter_m / mean_area, 1e-3);
-  // the cover that a narrowing channel drives together shows in whole runs only
+  // How a narrowing channel raises the cover shows only in whole runs.
   not_offered("V47.C300");
   not_offered("V47.C200");
 }

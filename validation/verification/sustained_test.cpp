@@ -30,22 +30,22 @@ TEST_P(Sustained, V30_rest_and_slide_on_a_wall) {
   expect_held_books(rest, 1000.0);
 
   for (const auto& [key, friction] : {std::pair<std::string, double>{"V30.mu02", 0.2}, {"V30.mu05", 0.5}}) {
-    // drag and friction share the direction of the slip, so the speed they settle at is exact; it is reached within
-    // 1e-12 after 30 / (k U_y) = 13,000 s, or at once if it is the speed at the start
+    // Drag and friction act along the slip, so the steady speed is exact. It is reached to 1e-12 after 30 / (k U_y) =
+    // 13,000 s, or at once if it is the start speed.
     Simulation slide = on_wall(friction, value_of(key + ".v"));
     slide.advance(2000);
     check(key + ".v", slide.bodies().velocity[2].x, 1e-11, where());
     const double slip = 0.4 * std::sqrt(1.0 + friction * friction);
     check(key + ".N", force_of_fixed(slide, 200, dt).y, let_go(k, slip, dt), where());
     expect_held_books(slide, 1000.0);
-    // from a standstill the same speed is neared: half the difference is gone after ln 2 / (k U_y sqrt(1 + mu^2)),
-    // at the latest
+    // From rest the same speed is approached: half of the difference is gone after at most ln 2 / (k U_y sqrt(1 +
+    // mu^2)).
     Simulation begin = on_wall(friction, 0.0);
     begin.advance(static_cast<std::int64_t>(std::log(2.0) / (k * slip) / dt));
     EXPECT_GT(begin.bodies().velocity[2].x, 0.5 * value_of(key + ".v"));
     EXPECT_LT(begin.bodies().velocity[2].x, value_of(key + ".v"));
   }
-  // least friction that holds, by bisection: after a time step the held floe has no speed but what sweeps leave
+  // Smallest friction that holds, by bisection: after a time step the held floe has only the speed left by the sweeps.
   double slips = 0.7, sticks = 0.8;
   while (sticks - slips > 1e-7) {
     const double friction = 0.5 * (slips + sticks);
@@ -53,7 +53,7 @@ TEST_P(Sustained, V30_rest_and_slide_on_a_wall) {
     run.advance(1);
     (std::fabs(run.bodies().velocity[2].x) > 1e-10 ? slips : sticks) = friction;
   }
-  // friction that is short by x lets the floe go by x k |w| U_y dt = 5.7e-5 x in a time step
+  // If the friction is x too low, the floe moves at x k |w| U_y dt = 5.7e-5 x after one time step.
   check("V30.mu_static", sticks, 1e-5, where());
 }
 
@@ -69,7 +69,7 @@ TEST_P(Sustained, V31_slides_to_a_stop_and_stays) {
   check("V31.v50", run.bodies().velocity[2].x, 1e-11, where());
   while (run.bodies().velocity[2].x > 1e-9 && run.engine->step() < 10000) run.advance(1);
   check_absolute("V31.t", static_cast<double>(run.engine->step()) * dt, dt, where());
-  // a path of time steps at their last speed: short by dt / 2 of the 0.5 m/s that are lost
+  // The path sums time steps at their last speed: too short by dt / 2 of the 0.5 m/s that are lost.
   check_absolute("V31.x", run.bodies().position[2].x, 0.5 * dt * 0.5 * 1.01, where());
   const double stopped = run.bodies().position[2].x;
   run.advance(4000);
@@ -87,12 +87,12 @@ TEST_P(Sustained, V32_along_a_barrier) {
     floe.position_m = rotate(turn, {-1000.0, 5.0 - touch});
     scene.floe = {floe};
     Simulation run = start(scene, setting());
-    // what is missing at first falls by e in 1 / (k U sin angle): 30 of these, or none
+    // The initial difference falls by a factor e in 1 / (k U sin angle): 30 of these, or none.
     const double away = std::fabs(at_first - value_of(key + ".v"));
     const double settling = away > 0.0 ? 30.0 / (k * speed * std::sin(angle)) : 100.0;
     run.advance(static_cast<std::int64_t>(settling / dt));
     EXPECT_GT(run.log.quality.back().contacts + run.log.quality.back().iterations, 0);
-    // the floor's normal is known to 1e-16, and the floe leaves it by nothing
+    // The normal of the floor is accurate to 1e-16, and the floe does not leave the floor.
     check(key + ".v", dot(run.bodies().velocity[2], rotate(turn, {1.0, 0.0})), 1e-10, where());
     const double slip = speed * std::sin(angle) * std::sqrt(1.0 + friction * friction);
     const Vec2 force = force_of_fixed(run, 400, dt);
@@ -113,8 +113,8 @@ TEST_P(Sustained, V35_held_in_a_notch) {
   scene.floe = {square({0.0, 5.0 + 5.0 / std::tan(alpha) - touch})};
   Simulation run = start(scene, setting());
   run.advance(2000);
-  // by symmetry the walls share the push. Independent: each wall answers alone and the answers are added, so the floe
-  // is thrown back by as much as a time step's push d dt / m, and the drag follows by 2 / U of it
+  // By symmetry the walls share the push. Independent: each wall answers alone and the answers are added, so the floe
+  // is thrown back by up to a time step's push d dt / m, and the drag changes by 2 / U of it.
   const Vec2 force = force_of_fixed(run, 1000, dt);
   const double jitter = setting().coupled() ? 1e-6 : 2.0 * (562.5 * dt / 45000.0) / 0.5 * 2.0;
   check("V35.mu0", 0.5 * force.y / std::sin(alpha), let_go(0.05, 0.5, dt) + jitter, where());
@@ -143,8 +143,8 @@ TEST_P(Sustained, V36_two_pegs) {
   const double time = 4000 * dt;
   const double sum = (after[Channel::impact].momentum.y - before[Channel::impact].momentum.y) / time;
   const double twist = (after[Channel::impact].angular_momentum - before[Channel::impact].angular_momentum) / time;
-  // N1 + N2 = sum and 5 N2 - 3 N1 = twist. Independent: each peg answers alone, so the floe rocks, but over many
-  // time steps it is held; what is left is its momentum at both ends, a time step's push
+  // N1 + N2 = sum and 5 N2 - 3 N1 = twist. Independent: each peg answers alone, so the floe rocks, but over many time
+  // steps it is held. The error is its momentum at both ends, one time step's push.
   const double tolerance = let_go(0.05, 0.5, dt) + (setting().coupled() ? 1e-6 : 2.0 * dt / time * 5.0);
   check("V36.N1", (5.0 * sum - twist) / 8.0, tolerance, where());
   check("V36.N2", (3.0 * sum + twist) / 8.0, tolerance, where());
@@ -152,12 +152,12 @@ TEST_P(Sustained, V36_two_pegs) {
 }
 
 TEST(SustainedLaw, V35_sliding_in) {
-  // rigid walls stop a floe dead: nothing slides in, and the lock has nothing to hold
+  // Rigid walls stop a floe at once: nothing slides in, so there is nothing to lock.
   for (const char* what : {"in", "lock"}) not_offered("V35." + std::string(what));
 }
 
 TEST(SustainedLaw, V37_janssen_strip) {
-  // friction at the walls and none between floes: a scene has one friction for both
+  // Needs friction at the walls and none between floes; a scene has one friction for both.
   for (const char* what : {"lambda", "Finf", "F1", "F5", "F10", "F20"}) not_offered("V37." + std::string(what));
 }
 

@@ -1,4 +1,4 @@
-// Sorting and counting.
+// Counts exceedances and finds the peaks of cycles.
 #include "gem/analysis/extremes/exceedance.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<double> cycle_peaks(std::span<const double> signal) {
   std::vector<double> peaks;
   if (signal.empty()) return peaks;
   const double mean = moments(signal).mean;
-  bool whole = false;  // from the first up-crossing on
+  bool whole = false;  // true from the first up-crossing on
   double peak = 0.0;
   for (std::size_t i = 1; i < signal.size(); ++i) {
     if (signal[i - 1] < mean && signal[i] >= mean) {

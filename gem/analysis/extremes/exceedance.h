@@ -1,4 +1,4 @@
-// How often a level is exceeded: the curve of the samples or of the peak of every cycle, with its band.
+// Exceedance of levels: the curve with its confidence band, for independent values such as the peaks of cycles.
 #pragma once
 
 #include <span>
@@ -6,18 +6,18 @@
 
 namespace gem {
 
-/// Fraction of independent values above each level, and the band that holds the whole true curve.
+/// Fraction of independent values above each level, and the band that contains the whole true curve.
 struct ExceedanceCurve {
   std::vector<double> level;
   std::vector<double> probability;
   double band = 0.0;  // half height, at every level (Dvoretzky, Kiefer, Wolfowitz)
 };
 
-/// The curve of independent values (one per run, say) at each of them, in ascending order; probability counts values
-/// strictly above. Empty for no values.
+/// The curve at each of the independent values (for example one per run), in ascending order. Its probability is the
+/// share of values strictly above. Empty without values.
 ExceedanceCurve exceedance(std::span<const double> values, double confidence = 0.95);
 
-/// The largest value between each up-crossing of the mean and the next: one peak per cycle, however it wiggles.
+/// The largest value between each up-crossing of the mean and the next: one peak per cycle.
 std::vector<double> cycle_peaks(std::span<const double> signal);
 
 }  // namespace gem

@@ -19,8 +19,8 @@ TEST(Exceedance, ByHand) {
   EXPECT_TRUE(exceedance({}).level.empty());
 }
 
-// 300 samples of 200 uniform values: the band of 95 % holds the whole curve at least that often, one deviation is 1.3
-// %.
+// 300 samples of 200 uniform values: the 95 % band contains the whole curve in at least 95 % of them; one standard
+// deviation is 1.3 %.
 TEST(Exceedance, ItsBandHoldsTheTrueCurve) {
   int held = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -30,7 +30,7 @@ TEST(Exceedance, ItsBandHoldsTheTrueCurve) {
     const ExceedanceCurve curve = exceedance(values);
     double worst = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      // The curve jumps at its level: both sides of the step count.
+      // The curve jumps at its level, so both sides of the step count.
       const double truth = 1.0 - curve.level[i];
       worst = std::max({worst, std::abs(curve.probability[i] - truth), std::abs(curve.probability[i] + 0.005 - truth)});
     }

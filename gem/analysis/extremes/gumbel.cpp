@@ -20,7 +20,7 @@ Moments checked_moments(std::span<const double> maxima) {
   return about;
 }
 
-/// Mean of x weighted by exp(-x / scale), about the smallest value so that nothing overflows.
+/// Mean of x weighted by exp(-x / scale). Exponents are taken relative to the smallest value, so that none overflows.
 double weighted_mean(std::span<const double> maxima, double smallest, double scale) {
   double weight = 0.0;
   double sum = 0.0;
@@ -55,8 +55,8 @@ Gumbel fit_gumbel_by_moments(std::span<const double> maxima) {
 
 Gumbel fit_gumbel(std::span<const double> maxima) {
   const Moments about = checked_moments(maxima);
-  // The likelihood is largest where scale = mean - weighted_mean(scale). The difference grows with the scale, is
-  // negative near zero and positive at the range of the maxima: bisect.
+  // The likelihood is largest where scale = mean - weighted_mean(scale). The difference increases with the scale; it is
+  // negative near zero and positive at the range of the maxima. So bisection finds the root.
   double low = 0.0;
   double high = about.maximum - about.minimum;
   while (true) {
@@ -75,7 +75,7 @@ IntervalEstimate gumbel_quantile(std::span<const double> maxima, double p, doubl
       maxima,
       [p, factor](std::span<const double> values) {
         const Moments about = moments(values);
-        // A resample of one value alone stands for that value.
+        // A resample of one repeated value has no scale; its quantile is the value.
         return about.maximum > about.minimum ? fit_gumbel(values).over(factor).quantile(p) : about.mean;
       },
       resampling);

@@ -1,4 +1,4 @@
-// Gumbel's law of largest values: fits to block maxima, quantiles, and the change of duration.
+// The Gumbel law of largest values: fits to block maxima, quantiles, and the change of duration.
 #pragma once
 
 #include <cstdint>
@@ -16,22 +16,22 @@ struct Gumbel {
 
   double mean() const;
   double deviation() const;
-  /// The value that a maximum stays below with probability p in (0, 1).
+  /// The value that a maximum does not exceed with probability p in (0, 1).
   double quantile(double p) const;
   double probability_below(double x) const;
-  /// The law of the maximum over `factor` times the duration, of independent stretches.
+  /// The law of the maximum over `factor` times the duration, if stretches are independent.
   Gumbel over(double factor) const;
 };
 
-/// Mean and standard deviation matched. Needs two different maxima, otherwise std::invalid_argument.
+/// Fit by mean and standard deviation. Throws std::invalid_argument without two different maxima.
 Gumbel fit_gumbel_by_moments(std::span<const double> maxima);
 
-/// Maximum likelihood. Needs two different maxima, otherwise std::invalid_argument.
+/// Fit by maximum likelihood. Throws std::invalid_argument without two different maxima.
 Gumbel fit_gumbel(std::span<const double> maxima);
 
 /// Quantile p of the largest value over `factor` times the duration of a block, by maximum likelihood, with its
-/// interval by the bootstrap over blocks (one block per run: over runs). Needs five maxima, not all alike, otherwise
-/// std::invalid_argument.
+/// interval by the bootstrap over blocks (with one block per run: over runs). Throws std::invalid_argument with fewer
+/// than five maxima or if all are equal.
 IntervalEstimate gumbel_quantile(std::span<const double> maxima, double p, double factor = 1.0,
                                  const Resampling& resampling = {});
 

@@ -28,7 +28,7 @@ TEST(Gumbel, QuantileInvertsTheLawAndDurationMultipliesIt) {
   EXPECT_NEAR(law.deviation(), 2.0 * 1.2825498302, 1e-9);
 }
 
-// Large samples: var(mode) = 1.109 scale^2 / n, var(scale) = 0.608 scale^2 / n by likelihood; moments 1.17 and 1.10.
+// Large samples. Likelihood: var(mode) = 1.109 scale^2 / n, var(scale) = 0.608 scale^2 / n. Moments: 1.17 and 1.10.
 TEST(Gumbel, FitsFindTheParameters) {
   const std::vector<double> maxima = sample({10.0, 2.0}, 4000, 2);
   const Gumbel likely = fit_gumbel(maxima);
@@ -61,8 +61,8 @@ TEST(Gumbel, RefusesMaximaThatAreAllAlike) {
   EXPECT_THROW(gumbel_quantile(std::vector<double>{1.0, 2.0, 3.0, 4.0}, 0.9), std::invalid_argument);
 }
 
-// 300 intervals of 95 % from 30 runs each: one deviation is 1.3 %. A bootstrap of 30 values cannot see beyond its
-// largest one and its upper end lies low: a few percent of coverage are known to be lost.
+// 300 intervals of 95 % from 30 runs each: one standard deviation is 1.3 %. A bootstrap of 30 values never exceeds the
+// largest of them, so the upper end is too low and a few percent of coverage are lost.
 TEST(LongGumbel, IntervalOfTheNinetiethPercentileCovers) {
   const Gumbel law{10.0, 2.0};
   int covered = 0;

@@ -1,4 +1,4 @@
-// GSL's mixed-radix transforms behind a plain interface.
+// Wraps the mixed-radix transforms of GSL.
 #include "gem/analysis/spectra/fourier.h"
 
 #include <stdexcept>
@@ -12,7 +12,7 @@ bool is_fast(std::size_t length) {
   return length == 1;
 }
 
-/// The standard lets an array of complex numbers be read as pairs of reals.
+/// The C++ standard allows an array of complex numbers to be read as pairs of reals.
 double* pairs(Complexes& values) { return reinterpret_cast<double*>(values.data()); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Discrete Fourier transforms of any length, with their tables kept between calls.
+// Discrete Fourier transforms of any length; the tables are kept between calls.
 #pragma once
 
 #include <gsl/gsl_fft_complex.h>
@@ -13,17 +13,17 @@ namespace gem {
 
 using Complexes = std::vector<std::complex<double>>;
 
-/// The smallest length of at least `length` with no prime factor above 5: quick to transform.
+/// The smallest number not below `length` without prime factors above 5, which is fast to transform.
 std::size_t next_fast_length(std::size_t length);
 
-/// Transforms of one length. A prime length costs its square: take a fast one where the choice is free.
+/// Transforms of one length. A prime length costs its square, so use next_fast_length() where the length is free.
 class Fourier {
  public:
   explicit Fourier(std::size_t length);
 
   /// Sum of signal[i] exp(-2 pi i k / length); a shorter signal is padded with zeros.
   Complexes forward(std::span<const double> signal);
-  /// The inverse with its factor 1 / length. `values` has the length of the transform.
+  /// The inverse transform, with the factor 1 / length. `values` must have the length of the transform.
   Complexes inverse(Complexes values);
 
  private:

@@ -13,7 +13,7 @@
 namespace gem {
 namespace {
 
-/// The band from low to high without its negative frequencies: its modulus is the amplitude.
+/// The band from low to high without negative frequencies; its modulus is the amplitude.
 Complexes analytic_signal(std::span<const double> signal, double interval_s, double low, double high) {
   std::vector<double> centred(signal.begin(), signal.end());
   const double mean = moments(signal).mean;

@@ -30,8 +30,8 @@ TEST(HilbertEnvelope, KeepsOnlyItsBand) {
   EXPECT_THROW(hilbert_envelope(signal, 1.0, 0.04, 0.04), std::invalid_argument);
 }
 
-// A stiffening spring: the frequency rises from 0.010 to 0.012 Hz as the amplitude grows from 1 to 3 over 20 cycles.
-// The frequency of a slowly changing signal is right to (change per cycle)^2, the amplitude too.
+// A stiffening spring: the frequency rises from 0.010 to 0.012 Hz while the amplitude grows from 1 to 3 over 20 cycles.
+// Amplitude and frequency of a slowly changing signal have an error of order (change per cycle)^2.
 TEST(Backbone, FollowsTheAmplitude) {
   std::vector<double> signal(20000);
   double turns = 0.0;

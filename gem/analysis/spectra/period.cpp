@@ -1,4 +1,4 @@
-// Spectral peaks, zero crossings and local maxima.
+// Periods by spectral peaks, zero crossings and local maxima.
 #include "gem/analysis/spectra/period.h"
 
 #include <gsl/gsl_cdf.h>
@@ -12,7 +12,7 @@
 namespace gem {
 namespace {
 
-/// Index of the largest density above the lobe that surrounds zero frequency.
+/// Index of the largest density outside the lobe around zero frequency.
 std::size_t strongest(const Spectrum& spectrum) {
   const auto first = static_cast<std::size_t>(std::ceil(2.0 * spectrum.half_bandwidth / spectrum.step));
   if (first >= spectrum.density.size()) return 0;
@@ -20,7 +20,7 @@ std::size_t strongest(const Spectrum& spectrum) {
   return static_cast<std::size_t>(std::max_element(from, spectrum.density.end()) - spectrum.density.begin());
 }
 
-/// Power-weighted mean frequency within twice the half-bandwidth of `middle` [Hz].
+/// Power-weighted mean frequency within twice the half-bandwidth around `middle` [Hz].
 double lobe_centre(const Spectrum& spectrum, double middle) {
   const double reach = 2.0 * spectrum.half_bandwidth;
   const auto begin = static_cast<std::size_t>(std::ceil(std::max(0.0, middle - reach) / spectrum.step));
@@ -34,12 +34,12 @@ double lobe_centre(const Spectrum& spectrum, double middle) {
   return moment / power;
 }
 
-/// Centred twice: the maximum lies anywhere on the flat top, the second window lies evenly about it.
+/// Centred twice: the maximum may lie anywhere on the flat top, the second window is centred on the lobe.
 double peak_frequency(const Spectrum& spectrum, std::size_t maximum) {
   return lobe_centre(spectrum, lobe_centre(spectrum, spectrum.frequency(maximum)));
 }
 
-/// Half width of the 95 % interval of the peak's frequency from leaving out each taper in turn [Hz].
+/// Half width of the 95 % interval of the peak's frequency, by the jackknife over tapers [Hz].
 double jackknife_half_width(const std::vector<Spectrum>& spectra) {
   const auto count = static_cast<double>(spectra.size());
   std::vector<double> left_out;
@@ -53,7 +53,7 @@ double jackknife_half_width(const std::vector<Spectrum>& spectra) {
   return gsl_cdf_tdist_Pinv(0.975, count - 1.0) * std::sqrt(squares * (count - 1.0) / count);
 }
 
-/// When the mean-removed record crosses zero upwards [s].
+/// Times at which the mean-removed record crosses zero upwards [s].
 std::vector<double> crossing_times(std::span<const double> signal, double interval_s) {
   if (signal.empty()) return {};
   const double mean = std::accumulate(signal.begin(), signal.end(), 0.0) / static_cast<double>(signal.size());
@@ -66,13 +66,13 @@ std::vector<double> crossing_times(std::span<const double> signal, double interv
   return times;
 }
 
-/// When the record turns from rising to falling [s].
+/// Times at which the record turns from rising to falling [s].
 std::vector<double> maxima_times(std::span<const double> signal, double interval_s) {
   std::vector<double> times;
   bool rising = false;
   for (std::size_t i = 1; i < signal.size(); ++i) {
     if (signal[i] < signal[i - 1] && rising) times.push_back(static_cast<double>(i - 1) * interval_s);
-    // A level stretch keeps the direction: a flat top is one maximum.
+    // A level stretch keeps the direction, so a flat top is one maximum.
     if (signal[i] != signal[i - 1]) rising = signal[i] > signal[i - 1];
   }
   return times;
@@ -84,7 +84,8 @@ std::optional<PeriodEstimate> mean_gap(const std::vector<double>& times) {
   if (times.size() <= kFewestGaps) return std::nullopt;
   std::vector<double> gaps;
   for (std::size_t i = 1; i < times.size(); ++i) gaps.push_back(times[i] - times[i - 1]);
-  // A time measured late makes one gap long and the next one short: neighbours correlate, distant gaps do not.
+  // A crossing measured late makes one interval long and the next short. Neighbours are correlated, distant intervals
+  // are not.
   const auto lag = static_cast<std::size_t>(std::sqrt(static_cast<double>(gaps.size())));
   const IntervalEstimate mean = mean_by_effective_samples(gaps, lag);
   return PeriodEstimate{mean.value, mean.low, mean.high};
@@ -98,7 +99,7 @@ std::optional<PeriodEstimate> spectral_period(const std::vector<Spectrum>& eigen
   const std::size_t maximum = strongest(mean);
   if (maximum == 0 || !(mean.density[maximum] > 0.0)) return std::nullopt;
   const double frequency = peak_frequency(mean, maximum);
-  // The lobe must stand clear of zero frequency, where a drift would pull at its centre.
+  // The lobe must not reach zero frequency, where a drift would shift its centre.
   if (frequency < 2.0 * mean.half_bandwidth) return std::nullopt;
   const double half_width = jackknife_half_width(eigenspectra) + 0.5 / mean.duration;
   return PeriodEstimate{1.0 / frequency, 1.0 / (frequency + half_width),

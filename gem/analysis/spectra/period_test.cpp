@@ -1,4 +1,4 @@
-// Periods by crossings and by maxima on signals whose periods are known.
+// Periods by crossings and by maxima of signals whose periods are known.
 #include "gem/analysis/spectra/period.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,8 @@ namespace gem {
 namespace {
 
 TEST(CrossingPeriod, OfALineInNoise) {
-  // Noise of deviation 0.02 on a slope of 2 pi / 90 a sample shifts a crossing by 0.29 samples: no second crossing.
+  // Noise of deviation 0.02 on a slope of 2 pi / 90 per sample shifts a crossing by 0.29 samples, so no crossing is
+  // counted twice.
   const auto estimate = crossing_period(sum_of(sine(7200, 90.0), white_noise(7200, 0.02, 3)), 1.0);
   ASSERT_TRUE(estimate.has_value());
   EXPECT_LE(estimate->low, 90.0);
@@ -40,8 +41,8 @@ TEST(CrossingPeriod, IsEmptyWithFewCycles) {
   EXPECT_FALSE(crossing_period({}, 1.0).has_value());
 }
 
-// 2 h of an oscillator of 90 s with 0.5 % damping. 200 intervals of 95 %: one deviation is 1.5 %.
-// Both methods see the natural period; starting at rest costs a few percent of coverage at most.
+// 2 h of an oscillator of 90 s with 0.5 % damping. 200 intervals of 95 %: one standard deviation is 1.5 %. Both methods
+// measure the natural period. The start from rest costs at most a few percent of coverage.
 TEST(LongPeriods, CoverThePeriodOfADrivenOscillator) {
   int by_crossings = 0;
   int by_spectrum = 0;

@@ -1,4 +1,4 @@
-// Lines by the F-test of the tapered transforms.
+// Finds lines by the F-test of the tapered transforms.
 #include "gem/analysis/spectra/spectral_line.h"
 
 #include <gsl/gsl_cdf.h>
@@ -16,9 +16,9 @@
 namespace gem {
 namespace {
 
-constexpr std::size_t kPadding = 8;  // F is narrower than a resolution cell: the grid must not step over it
+constexpr std::size_t kPadding = 8;  // F is narrower than a resolution cell, so the grid must be finer
 
-/// The transforms of the record through each taper, and what each taper makes of a line of amplitude 1.
+/// The transforms of the record with each taper, and the response of each taper to a line of amplitude 1.
 struct TaperedTransforms {
   std::vector<Complexes> transform;
   std::vector<double> line;
@@ -37,7 +37,7 @@ TaperedTransforms tapered_transforms(std::span<const double> signal, const Multi
   return result;
 }
 
-/// A frequency is a candidate if its F is the largest within half a resolution cell.
+/// A frequency is a candidate if its F is the maximum within half a resolution cell.
 bool is_peak(const std::vector<double>& statistic, std::size_t i) {
   const std::size_t begin = i < kPadding / 2 ? 0 : i - kPadding / 2;
   const std::size_t end = std::min(statistic.size(), i + kPadding / 2 + 1);
@@ -73,7 +73,7 @@ LineTest line_test(std::span<const double> signal, double interval_s, const Mult
 
 std::vector<Line> find_lines(const LineTest& test, double level) {
   const double limit = level > 0.0 ? level : 1.0 / static_cast<double>(test.samples);
-  // Two cells from zero and from the Nyquist frequency the tapers see the mirror image of a line.
+  // Within two cells of zero or the Nyquist frequency the tapers pick up the mirror image of a line.
   const std::size_t margin = 2 * kPadding;
   std::vector<Line> lines;
   for (std::size_t i = margin; i + margin < test.statistic.size(); ++i)

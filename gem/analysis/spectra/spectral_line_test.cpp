@@ -1,4 +1,4 @@
-// The F-test finds a line in noise where it is, and finds none where there is none.
+// The F-test finds a line in noise at the right frequency, and finds none where there is none.
 #include "gem/analysis/spectra/spectral_line.h"
 
 #include <gtest/gtest.h>
@@ -11,13 +11,13 @@ namespace gem {
 namespace {
 
 TEST(LineTest, FindsALineInNoise) {
-  // Amplitude 0.5 in noise of deviation 1: 2048 samples make 23 times the line's threshold in power.
+  // Amplitude 0.5 in noise of deviation 1: with 2048 samples the power is 23 times the threshold for a line.
   const double period = 88.8577;
   const auto lines = find_lines(line_test(sum_of(sine(2048, period, 0.5, 0.4), white_noise(2048, 1.0, 9)), 1.0));
   ASSERT_FALSE(lines.empty());
-  // Deviation of the frequency of a line: sqrt(6) sigma / (pi A T sqrt(N)) = 1.7e-5 Hz; the grid adds 3e-5.
+  // Standard deviation of the frequency of a line: sqrt(6) sigma / (pi A T sqrt(N)) = 1.7e-5 Hz. The grid adds 3e-5.
   EXPECT_NEAR(lines.front().frequency, 1.0 / period, 8e-5);
-  // Of its amplitude: sigma sqrt(2 / N) = 0.03, a little more for the tapers.
+  // Standard deviation of its amplitude: sigma sqrt(2 / N) = 0.03, slightly more with tapers.
   EXPECT_NEAR(lines.front().amplitude, 0.5, 0.12);
   EXPECT_LT(lines.front().significance, 1.0 / 2048.0);
 }
@@ -37,8 +37,8 @@ TEST(LineTest, RefusesTooLittle) {
   EXPECT_THROW(line_test(std::vector<double>(64, 1.0), 1.0, {2.5, 1}), std::invalid_argument);
 }
 
-// The significance is a probability: among noise frequencies a share of 1 % lies below 1 %. 100 records of 512 samples
-// hold some 5e4 / 5 independent values of F: one deviation of the share is 0.1 %.
+// The significance is a probability: 1 % of noise frequencies have a significance below 1 %. 100 records of 512 samples
+// have about 5e4 / 5 independent values of F, so one standard deviation of the share is 0.1 %.
 TEST(LongLineTest, FindsLinesInNoiseAsOftenAsItSays) {
   double below = 0.0;
   double all = 0.0;

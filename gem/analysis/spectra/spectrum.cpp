@@ -1,4 +1,4 @@
-// Spectra by fast Fourier transform of windowed records.
+// Spectra by the fast Fourier transform of windowed records.
 #include "gem/analysis/spectra/spectrum.h"
 
 #include <gsl/gsl_fft_real.h>
@@ -20,13 +20,13 @@ std::vector<double> without_mean(std::span<const double> signal) {
   return centred;
 }
 
-/// One-sided density of signal times a window of unit energy, padded with zeros to `padded` (a power of two).
+/// One-sided density of the signal times a window of unit energy, zero-padded to `padded` samples (a power of two).
 std::vector<double> windowed_density(std::span<const double> signal, std::span<const double> window, std::size_t padded,
                                      double interval_s) {
   std::vector<double> work(padded, 0.0);
   for (std::size_t i = 0; i < signal.size(); ++i) work[i] = signal[i] * window[i];
   gsl_fft_real_radix2_transform(work.data(), 1, padded);
-  // Half-complex order: real parts up to the middle, imaginary parts mirrored from the end.
+  // Half-complex order: real parts in the first half, imaginary parts in reverse order from the end.
   const std::size_t half = padded / 2;
   std::vector<double> density(half + 1);
   density[0] = work[0] * work[0] * interval_s;
@@ -55,7 +55,7 @@ std::vector<Spectrum> eigenspectra(std::span<const double> signal, double interv
                                    const MultitaperOptions& options) {
   check(signal, interval_s);
   const std::vector<double> centred = without_mean(signal);
-  // Twice as long as needed: the padded spectrum is fine enough to place a peak.
+  // Padded to twice the needed length, so that the spectrum is fine enough to locate a peak.
   const std::size_t padded = 2 * std::bit_ceil(signal.size());
   std::vector<Spectrum> spectra;
   for (const std::vector<double>& taper : slepian_tapers(signal.size(), options.time_bandwidth, options.taper_count)) {

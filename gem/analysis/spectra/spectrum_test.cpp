@@ -35,13 +35,13 @@ TEST(SlepianTapers, AreOrthonormal) {
     ASSERT_EQ(tapers.size(), 4u);
     for (std::size_t a = 0; a < 4; ++a)
       for (std::size_t b = 0; b < 4; ++b)
-        // Rounding in the matrix grows as length^2 eps against gaps of order one: 1e-7 at 20000.
+        // Rounding in the matrix grows as length^2 eps against gaps of order one: 1e-7 at length 20000.
         EXPECT_NEAR(dot_product(tapers[a], tapers[b]), a == b ? 1.0 : 0.0, 1e-6) << length << ' ' << a << b;
   }
 }
 
-// Independent of the tridiagonal trick: the tapers are eigenvectors of the sinc kernel, whose eigenvalue is the share
-// of the energy inside the band.
+// Independent of the tridiagonal matrix: tapers are eigenvectors of the sinc kernel; the eigenvalue is the share of the
+// energy inside the band.
 TEST(SlepianTapers, SolveTheConcentrationProblem) {
   const std::size_t n = 128;
   const double half_band = 2.5 / static_cast<double>(n);
@@ -63,7 +63,7 @@ TEST(SlepianTapers, SolveTheConcentrationProblem) {
   }
 }
 
-// Parseval: with unit-energy windows the density integrates to the energy of the windowed signal, exactly.
+// Parseval: with unit-energy windows the density integrates exactly to the energy of the windowed signal.
 TEST(Multitaper, IntegratesToTheWindowedEnergy) {
   const std::vector<double> noise = normal_noise(1000, 1.0, 7);
   const double mean = std::accumulate(noise.begin(), noise.end(), 0.0) / 1000.0;
@@ -79,14 +79,15 @@ TEST(Multitaper, IntegratesToTheWindowedEnergy) {
 TEST(Multitaper, GivesTheLevelOfWhiteNoise) {
   const double interval = 0.5;
   const Spectrum spectrum = mean_spectrum(eigenspectra(normal_noise(16384, 3.0, 11), interval));
-  // One-sided level 2 sigma^2 dt; the mean over 16384 / 2 independent bins has a relative deviation of about 1 %.
+  // The one-sided level is 2 sigma^2 dt. The mean over 16384 / 2 independent bins has a relative deviation of about 1
+  // %.
   double level = 0.0;
   for (const double value : spectrum.density) level += value / static_cast<double>(spectrum.density.size());
   EXPECT_NEAR(level, 2.0 * 9.0 * interval, 0.04 * 9.0);
 }
 
 TEST(SpectralPeriod, FindsALineInNoise) {
-  // 2 h at 1 Hz as strong as the noise: the period of a 1e5 t platform on 500 kN/m.
+  // 2 h at 1 Hz, signal as strong as the noise: the period of a platform of 1e5 t on 500 kN/m.
   const double period = 88.8577;
   std::vector<double> signal = normal_noise(7200, 1.0, 5);
   for (std::size_t i = 0; i < signal.size(); ++i) signal[i] += std::sin(kTurn * static_cast<double>(i) / period + 0.3);
@@ -94,7 +95,7 @@ TEST(SpectralPeriod, FindsALineInNoise) {
   ASSERT_TRUE(estimate.has_value());
   EXPECT_LT(estimate->low, period);
   EXPECT_GT(estimate->high, period);
-  // The interval is useful too: 72 s lies far outside it.
+  // The interval is narrow enough to be useful: 72 s lies far outside.
   EXPECT_GT(estimate->low, 85.0);
   EXPECT_LT(estimate->high, 93.0);
 }

@@ -10,10 +10,10 @@
 namespace gem {
 namespace {
 
-// The tapers are the eigenvectors of a symmetric tridiagonal matrix that commutes with the concentration problem
-// (Slepian 1978). Only the few largest eigenvalues are wanted of a matrix of 1e5 rows:
+// The tapers are eigenvectors of a symmetric tridiagonal matrix that commutes with the concentration problem (Slepian
+// 1978). The matrix has up to 1e5 rows, and only its few largest eigenvalues are needed:
 //   1. bisection with Sturm counts finds each eigenvalue;
-//   2. inverse iteration from a sine of the same number of sign changes finds its vector.
+//   2. inverse iteration finds its vector, from a sine with the same number of sign changes.
 struct Tridiagonal {
   std::vector<double> diagonal;
   std::vector<double> beside;  // beside[i] couples i and i + 1
@@ -32,7 +32,7 @@ Tridiagonal slepian_matrix(std::size_t length, double time_bandwidth) {
   return matrix;
 }
 
-/// Number of eigenvalues above `value`: positive pivots of the factorised matrix minus `value`.
+/// Number of eigenvalues above `value`: the number of positive pivots of the factorised matrix minus `value`.
 std::size_t count_above(const Tridiagonal& matrix, double value) {
   std::size_t above = 0;
   double pivot = 1.0;
@@ -58,11 +58,11 @@ double eigenvalue_from_top(const Tridiagonal& matrix, std::size_t order) {
   }
 }
 
-/// Solves (matrix - shift) x = right, which becomes x: Gaussian elimination with exchange of neighbouring rows, which
-/// fills one more diagonal. The matrix is all but singular, and it may be: only the direction of x counts.
+/// Solves (matrix - shift) x = right; x replaces `right`. Gaussian elimination with exchange of neighbouring rows,
+/// which fills one more diagonal. The matrix may be almost singular, because only the direction of x counts.
 void solve_shifted(const Tridiagonal& matrix, double shift, std::vector<double>& right) {
   struct Row {
-    double at = 0.0, next = 0.0, after = 0.0;  // the entries on the diagonal and right of it
+    double at = 0.0, next = 0.0, after = 0.0;  // entries on the diagonal and to the right of it
   };
   const std::size_t n = matrix.diagonal.size();
   const auto beside = [&](std::size_t i) { return i + 1 < n ? matrix.beside[i] : 0.0; };
@@ -92,7 +92,7 @@ void solve_shifted(const Tridiagonal& matrix, double shift, std::vector<double>&
 }
 
 void normalise(std::vector<double>& vector) {
-  double greatest = 0.0;  // the length is taken of numbers of order one: squares of the solution may overflow
+  double greatest = 0.0;  // scaled first, because squares of the solution may overflow
   for (const double value : vector) greatest = std::max(greatest, std::abs(value));
   for (double& value : vector) value /= greatest;
   const double length = std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
@@ -108,7 +108,7 @@ std::vector<double> sine_guess(std::size_t n, std::size_t order) {
 
 std::vector<double> eigenvector(const Tridiagonal& matrix, std::size_t order) {
   const double value = eigenvalue_from_top(matrix, order);
-  // Just off the eigenvalue, so that the elimination finds pivots.
+  // Slightly off the eigenvalue, so that the elimination has non-zero pivots.
   const double shift = value + 1e-13 * std::max(1.0, std::abs(value));
   std::vector<double> vector = sine_guess(matrix.diagonal.size(), order);
   normalise(vector);
@@ -119,7 +119,7 @@ std::vector<double> eigenvector(const Tridiagonal& matrix, std::size_t order) {
   return vector;
 }
 
-/// The usual signs: symmetric tapers sum to a positive number, antisymmetric ones begin positive.
+/// The usual signs: symmetric tapers have a positive sum, antisymmetric ones start positive.
 bool wrong_sign(const std::vector<double>& taper, std::size_t order) {
   const auto end = order % 2 == 0 ? taper.end() : taper.begin() + static_cast<std::ptrdiff_t>(taper.size() / 2);
   return std::accumulate(taper.begin(), end, 0.0) < 0.0;

@@ -1,4 +1,4 @@
-// Resampling with stated seeds.
+// Resampling with fixed seeds.
 #include "gem/analysis/statistics/bootstrap.h"
 
 #include <gsl/gsl_cdf.h>
@@ -14,8 +14,8 @@
 namespace gem {
 namespace {
 
-/// The lower tail to cut off. Resampled means of n values scatter too little by sqrt((n - 1) / n) and have normal
-/// tails; the wider cut makes the interval of a mean as wide as Student's.
+/// The share to cut off at each end. Resampled means of n values have a deviation too small by sqrt((n - 1) / n) and
+/// normal tails. The smaller share makes the interval of a mean as wide as Student's.
 double tail(double confidence, std::size_t independent) {
   const auto n = static_cast<double>(independent);
   const double student = gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, n - 1.0);
@@ -104,8 +104,7 @@ IntervalEstimate moving_block_mean(std::span<const double> signal, std::size_t b
   }
   std::sort(means.begin(), means.end());
   const double value = sum.back() / static_cast<double>(signal.size());
-  // Blocks favour the middle of the record, so the resampled means scatter about another mean: only their scatter is
-  // used.
+  // Blocks favour the middle of the record, so the resampled means have another centre. Only their scatter is used.
   const double centre = gsl_stats_mean(means.data(), 1, means.size());
   const double cut = tail(resampling.confidence, blocks);
   return {value, value + quantile(means, cut) - centre, value + quantile(means, 1.0 - cut) - centre};

@@ -1,4 +1,4 @@
-// Intervals by resampling on samples whose true value is known: they repeat, and they cover.
+// Intervals by resampling of samples whose true value is known: they are repeatable and have the stated coverage.
 #include "gem/analysis/statistics/bootstrap.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(Bootstrap, TheSameSeedGivesTheSameInterval) {
   EXPECT_NE(once.low, other.low);
 }
 
-// The interval of a mean is Student's: 2.045 / sqrt(30) for 30 values; 4000 resamples place its ends to about 4 %.
+// The interval of a mean is Student's: 2.045 / sqrt(30) for 30 values. 4000 resamples find its ends to about 4 %.
 TEST(Bootstrap, OfAMeanIsAsWideAsStudents) {
   const std::vector<double> values = white_noise(30, 1.0, 4);
   double squares = 0.0;
@@ -45,8 +45,8 @@ TEST(Bootstrap, RefusesOneRunAndSillyOptions) {
   EXPECT_THROW(moving_block_mean(std::vector<double>(10, 1.0), 0), std::invalid_argument);
 }
 
-// 2000 intervals of 95 %: the count that hold the truth scatters by 10 about 1900; Student's t is exact for normal
-// runs.
+// 2000 intervals of 95 %: the number that contain the true mean is 1900 with a deviation of 10. Student's t is exact
+// for normal runs.
 TEST(MeanOfRuns, HoldsTheMeanOfAFewRuns) {
   for (const std::size_t runs : {2U, 3U, 4U, 9U}) {
     int covered = 0;
@@ -66,8 +66,8 @@ TEST(MeanOfRuns, IsStudentsOfAFewAndTheBootstrapOfMany) {
   EXPECT_THROW(mean_of_runs(std::vector<double>{1.0}), std::invalid_argument);
 }
 
-// 400 intervals of 95 %: the count that hold the truth scatters by 1.1 % about the true coverage; 91 to 98.5 % allows
-// three deviations beyond the 1 % that a percentile interval of 20 values may lack.
+// 400 intervals of 95 %: the share that contain the true mean has a deviation of 1.1 %. The limits 91 and 98.5 % allow
+// three deviations and 1 % that a percentile interval of 20 values may lack.
 TEST(LongBootstrap, CoversTheMeanOfTwentyRuns) {
   int covered = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed)
@@ -76,7 +76,7 @@ TEST(LongBootstrap, CoversTheMeanOfTwentyRuns) {
   EXPECT_LE(covered, 394);
 }
 
-// Memory 0.9 is forgotten in 10 samples. Blocks of 200 samples lack (10 / 200) of the variance, 2 % of the width.
+// A memory of 0.9 decays within 10 samples. Blocks of 200 samples miss 10 / 200 of the variance, 2 % of the width.
 TEST(LongBootstrap, MovingBlocksCoverTheMeanOfRedNoise) {
   int covered = 0;
   double width = 0.0;

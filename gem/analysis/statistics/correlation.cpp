@@ -1,4 +1,4 @@
-// Autocorrelation by fast Fourier transform, and what follows for the mean.
+// Autocorrelation by the fast Fourier transform, and the interval of the mean.
 #include "gem/analysis/statistics/correlation.h"
 
 #include <gsl/gsl_cdf.h>
@@ -17,7 +17,7 @@ std::vector<double> autocorrelation(std::span<const double> signal, std::size_t 
   const Moments about = moments(signal);
   std::vector<double> centred(signal.begin(), signal.end());
   for (double& value : centred) value -= about.mean;
-  // Room for the largest lag keeps the end of the record from meeting its beginning.
+  // Padding by the largest lag keeps the end of the record from wrapping onto its start.
   Fourier fourier(next_fast_length(signal.size() + maximum_lag));
   Complexes power = fourier.forward(centred);
   for (auto& value : power) value = std::norm(value);
@@ -42,7 +42,7 @@ IntervalEstimate mean_by_effective_samples(std::span<const double> signal, std::
   const Moments about = moments(signal);
   if (!(about.deviation > 0.0)) return {about.mean, about.mean, about.mean};
   const double share = static_cast<double>(maximum_lag) / static_cast<double>(signal.size());
-  // Removing the record's own mean takes this share of the variance out of the weighted sum.
+  // Removing the record's own mean removes this share of the variance from the weighted sum.
   const double variance = about.deviation * about.deviation / effective_samples(signal, maximum_lag) / (1.0 - share);
   const double half = gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, 1.5 / share) * std::sqrt(variance);
   return {about.mean, about.mean - half, about.mean + half};

@@ -1,4 +1,4 @@
-// Memory of records whose autocorrelation is known.
+// Records whose autocorrelation is known.
 #include "gem/analysis/statistics/correlation.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(Autocorrelation, IsTheSumOfProductsByHand) {
 }
 
 // Red noise of memory 0.8 has (1 - 0.8) / (1 + 0.8) independent samples per sample. The estimate from 20000 samples
-// with 200 lags has a relative deviation of sqrt(4/3 * 200 / 20000) = 12 %, the weights a bias of 2 %.
+// with 200 lags has a relative deviation of sqrt(4/3 * 200 / 20000) = 12 %; the weights add a bias of 2 %.
 TEST(EffectiveSamples, OfRedNoise) {
   double mean = 0.0;
   for (std::uint64_t seed = 0; seed < 10; ++seed)
@@ -46,7 +46,7 @@ TEST(MeanByEffectiveSamples, RefusesARecordOfFewLags) {
   EXPECT_THROW(autocorrelation(std::vector<double>(10, 2.5), 10), std::invalid_argument);
 }
 
-// 500 intervals of 95 %: one deviation is 1 %. Four of them, and 1 % less for the bias of the weights.
+// 500 intervals of 95 %: one deviation is 1 %. Allowed: four deviations, and 1 % for the bias of the weights.
 TEST(LongMeanByEffectiveSamples, CoversTheMeanOfRedNoise) {
   int covered = 0;
   for (std::uint64_t seed = 0; seed < 500; ++seed)

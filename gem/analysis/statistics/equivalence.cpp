@@ -1,4 +1,4 @@
-// Equivalence by two one-sided tests, and step-wise corrections of p values.
+// Equivalence by two one-sided tests, and stepwise corrections of p values.
 #include "gem/analysis/statistics/equivalence.h"
 
 #include <gsl/gsl_cdf.h>

@@ -1,4 +1,4 @@
-// Equivalence and corrections for many tests, against tables and by their error rates.
+// Equivalence and corrections for many tests: against tables, and by their error rates.
 #include "gem/analysis/statistics/equivalence.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(EquivalenceTest, OfIdenticalRuns) {
   EXPECT_FALSE(equivalence_test(a, std::vector<double>(5, 3.0), 0.1).equivalent);
 }
 
-// At a true difference of exactly the margin 5 % are called equivalent: of 2000, one deviation is 0.5 %.
+// If the true difference equals the margin, 5 % are called equivalent; of 2000 one standard deviation is 0.5 %.
 TEST(EquivalenceTest, IsWrongAsRarelyAsStated) {
   int wrong = 0;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
@@ -55,7 +55,7 @@ TEST(ManyTests, AdjustedByHand) {
 
 TEST(CombinedChance, FollowsFishersMethod) {
   EXPECT_NEAR(combined_chance(std::vector<double>{0.03}), 0.03, 1e-12);
-  // Two values: their product P has the chance P (1 - ln P).
+  // The product P of two p values has the probability P (1 - ln P).
   EXPECT_NEAR(combined_chance(std::vector<double>{0.1, 0.2}), 0.02 * (1.0 - std::log(0.02)), 1e-12);
   EXPECT_EQ(combined_chance(std::vector<double>{1.0, 1.0}), 1.0);
   EXPECT_EQ(combined_chance({}), 1.0);
@@ -64,7 +64,7 @@ TEST(CombinedChance, FollowsFishersMethod) {
 
 TEST(Widening, IsBonferronis) {
   EXPECT_EQ(widening(1), 1.0);
-  // 95 % over ten: 99.5 % each, 2.8070 deviations instead of 1.9600.
+  // 95 % for ten comparisons: 99.5 % each, 2.8070 deviations instead of 1.9600.
   EXPECT_NEAR(widening(10), 2.8070 / 1.9600, 1e-4);
   EXPECT_THROW(widening(0), std::invalid_argument);
 }

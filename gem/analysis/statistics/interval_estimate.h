@@ -1,4 +1,4 @@
-// A number with the interval that holds the true one with a stated confidence.
+// A number and the interval that contains the true value with a stated confidence.
 #pragma once
 
 namespace gem {

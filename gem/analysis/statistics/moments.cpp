@@ -1,4 +1,4 @@
-// Statistics of records, by GSL where it has them.
+// Statistics of records, with GSL where it has them.
 #include "gem/analysis/statistics/moments.h"
 
 #include <gsl/gsl_statistics_double.h>

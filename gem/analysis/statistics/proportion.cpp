@@ -18,7 +18,7 @@ IntervalEstimate wilson_share(std::size_t successes, std::size_t trials, double 
   const double middle = p + z * z / (2.0 * n);
   const double half = z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
   const double whole = 1.0 + z * z / n;
-  // of all or none one end is 1 or 0 but for its rounding
+  // if all or none succeed, one end is 1 or 0 except for rounding
   return {p, std::max(0.0, (middle - half) / whole), std::min(1.0, (middle + half) / whole)};
 }
 

@@ -1,4 +1,4 @@
-// How often something happens, from how often it happened.
+// Estimates a probability from the number of successes.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,9 @@
 
 namespace gem {
 
-/// The share of `trials` that succeeded with its interval by Wilson's score (Wilson 1927): the shares that a normal
-/// test would not reject. Sound for few trials and for shares of 0 and 1. Needs a trial, no more successes than trials
-/// and a confidence in (0, 1), otherwise std::invalid_argument.
+/// The share of successes among `trials` and its score interval (Wilson 1927): the probabilities that a normal test
+/// would not reject. Valid for few trials and for shares of 0 and 1. Throws std::invalid_argument without trials, for
+/// more successes than trials, or for a confidence outside (0, 1).
 IntervalEstimate wilson_share(std::size_t successes, std::size_t trials, double confidence = 0.95);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// Wilson's interval against printed values and its own definition.
+// Wilson's interval against printed values and against its definition.
 #include "gem/analysis/statistics/proportion.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The streams of random numbers of the analysis: one per purpose, so that no two share a number.
+// Random number streams of the analysis: one per purpose, so that none overlap.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Forked processes and their ends.
+// Forks processes and waits for their end.
 #include "gem/command/sweep/process_pool.h"
 
 #include <signal.h>
@@ -28,7 +28,7 @@ void ProcessPool::start(std::size_t job, const std::function<void()>& work) {
   sigaddset(&stops, SIGINT);
   sigaddset(&stops, SIGTERM);
   sigaddset(&stops, SIGHUP);
-  sigprocmask(SIG_BLOCK, &stops, &former);  // before the fork: no moment in which the new process obeys them
+  sigprocmask(SIG_BLOCK, &stops, &former);  // blocked before the fork, so that the new process never handles them
   const pid_t parent = getpid();
   const pid_t process = fork();
   if (process == 0) {
@@ -36,7 +36,7 @@ void ProcessPool::start(std::size_t job, const std::function<void()>& work) {
     try {
       if (getppid() == parent) work();
     } catch (...) {
-      std::abort();  // nothing of the parent's may be unwound here; it is told of the signal
+      std::abort();  // abort: the parent's stack must not be unwound here, and the parent sees the signal
     }
     _exit(0);
   }

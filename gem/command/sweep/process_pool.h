@@ -1,5 +1,4 @@
-// Jobs in processes of their own: a job that crashes takes no other with it, and libraries that are not safe for
-// threads need not be.
+// Jobs in processes of their own. A job that crashes stops no other job, and libraries need not be thread-safe.
 #pragma once
 
 #include <sys/types.h>
@@ -10,21 +9,21 @@
 
 namespace gem {
 
-/// Processes that die with this one, however it ends. They get no SIGINT, SIGTERM and SIGHUP: whoever starts them tells
-/// them to stop in another way. For a program without threads.
+/// Child processes that die with this process, however it ends. SIGINT, SIGTERM and SIGHUP are blocked in them; the
+/// owner must tell them to stop in another way. Only for a process without threads.
 class ProcessPool {
  public:
   ProcessPool() = default;
-  /// Kills what still runs.
+  /// Kills the processes that still run.
   ~ProcessPool();
   ProcessPool(const ProcessPool&) = delete;
   ProcessPool& operator=(const ProcessPool&) = delete;
 
-  /// Runs `work` in a new process, which then ends without another word. Throws Error(resource_limit) if the system
-  /// gives no process.
+  /// Runs `work` in a new process, which then exits without further output. Throws Error(resource_limit) if no process
+  /// can be started.
   void start(std::size_t job, const std::function<void()>& work);
   std::size_t running() const { return job_.size(); }
-  /// Tells of each process that has ended: its job, and the signal that killed it or 0.
+  /// Reports each process that has ended: its job, and the signal that killed it (0 if none).
   void reap(const std::function<void(std::size_t job, int killed_by)>& ended);
 
  private:

@@ -1,4 +1,4 @@
-// Several runs of a sweep in one process, as batches on a GPU.
+// Runs several members of a sweep in one process, as batches on a GPU.
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -12,7 +12,8 @@
 namespace gem {
 namespace {
 
-/// A run with its lock, which goes when the run's row is written; `listed` is what its field and engine are made of.
+/// A run and its lock, which is released when the run's row is written. `listed` is the scene with explicit floes;
+/// field and engine are made from it.
 struct Held {
   SweepTask task;
   SweepRow row;
@@ -27,7 +28,7 @@ class SweepBatch {
  public:
   SweepBatch(const SweepSettings& settings, const std::atomic<int>& stop) : settings_(settings), stop_(stop) {}
 
-  /// Keeps what is to be run, with its field.
+  /// Locks the runs that are to be made, and makes their fields.
   Group hold(const std::vector<SweepTask>& tasks) {
     Group group;
     for (const SweepTask& task : tasks) {
@@ -77,7 +78,7 @@ class SweepBatch {
   }
 
  private:
-  /// Makes the fields, several at a time; a run whose field cannot be made is over.
+  /// Makes the fields, several at a time. A run whose field cannot be made has failed.
   Group with_fields(Group group) {
     std::vector<std::exception_ptr> faults(group.size());
     std::atomic<std::size_t> next = 0;
@@ -92,7 +93,7 @@ class SweepBatch {
     };
     try {
       ThreadTeam(std::clamp(settings_.engine.threads, 1, std::max(1, static_cast<int>(group.size())))).run(make);
-    } catch (const Error&) {  // the system gives no threads
+    } catch (const Error&) {  // the system gives no more threads
       make(0);
     }
     Group made;
@@ -130,7 +131,8 @@ class SweepBatch {
     held.task.entry->outcome = outcome;
   }
 
-  /// Half of the runs at a time where the memory is too small; alone, and then as the choice of engine allows.
+  /// If the memory is too small, each half of the runs is tried. Otherwise each run is made by itself if the engine is
+  /// auto, and fails with `error` if not.
   void run_otherwise(Group group, const Error& error) {
     if (error.code() == ExitCode::resource_limit && group.size() > 1) {
       const auto middle = group.begin() + static_cast<std::ptrdiff_t>(group.size() / 2);
@@ -160,7 +162,7 @@ void run_sweep_batch(const std::vector<SweepTask>& tasks, const SweepSettings& s
   try {
     SweepBatch batch(settings, stop);
     batch.run(batch.hold(tasks));
-  } catch (...) {  // the folder itself fails: nothing can be written down any more
+  } catch (...) {  // the folder itself fails, so nothing can be written any more
     for (const SweepTask& task : tasks) {
       SweepRow row = row_of(*task.member);
       if (task.entry->outcome == Outcome::waiting || task.entry->outcome == Outcome::running)

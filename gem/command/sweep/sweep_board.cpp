@@ -1,4 +1,4 @@
-// A shared mapping.
+// Maps memory that forked processes share.
 #include "gem/command/sweep/sweep_board.h"
 
 #include <sys/mman.h>

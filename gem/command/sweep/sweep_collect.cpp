@@ -1,4 +1,4 @@
-// What each run came to, column by column.
+// Collects the results of each run into columns.
 #include "gem/command/sweep/sweep_collect.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// Columns in the order in which their names first come; NaN where a run says nothing.
+/// Columns in the order in which their names first appear; NaN where a run has no value.
 class Columns {
  public:
   explicit Columns(std::size_t runs) : runs_(runs) {}
@@ -65,7 +65,7 @@ void set_finding(Columns& columns, std::size_t run, const Finding& finding) {
   const std::string unit = unit_of(finding.name);
   const std::string words = in_words(finding.name);
   columns.set(run, finding.name, unit, words, finding.value.value_or(nothing));
-  // a main period that no run resolves keeps its columns, so that every summary can be read in the same way
+  // A main period keeps its columns even if no run resolves it, so that all summaries have the same columns.
   if (!finding.interval && finding.name.find("period_by") == std::string::npos) return;
   const IntervalEstimate interval = finding.interval.value_or(IntervalEstimate{nothing, nothing, nothing});
   columns.set(run, finding.name + "_low", unit, words + ", lower end of its 95 % interval", interval.low);
@@ -88,7 +88,7 @@ void set_platform(Columns& columns, std::size_t run, const RunData& data, double
               mean_length(series.ice_force_window_x, series.ice_force_window_y));
 }
 
-/// Over the whole run, whatever --from leaves out of the analysis.
+/// Quality of the whole run; --from does not apply.
 void set_quality(Columns& columns, std::size_t run, const RunData& data) {
   const RunFindings findings = run_findings(data);
   const RunQuality& quality = findings.quality;
@@ -150,12 +150,12 @@ void add_origin(Columns& columns, const std::vector<SweepRow>& rows, const std::
   columns.add_texts("resolution", "how contacts were resolved", solvers);
 }
 
-/// Over the whole run, whatever --from leaves out of the analysis.
+/// Displacement of the whole run; --from does not apply.
 RunSeries kept_series(const RunData& data) {
   return data.platform.time.size() < kSamplesForStatistics ? RunSeries{} : run_series(platform_series(data));
 }
 
-/// Rounded as it will be stored, or as it is with its velocity.
+/// The path rounded as the summary stores it, or exact with its velocity.
 PlatformPath kept_path(const std::string& file, const SweepCollectChoice& choice) {
   PlatformPath path = read_path(file, choice.interval_s);
   path.exact = choice.exact;
@@ -182,7 +182,7 @@ void check(const SweepCollectChoice& choice) {
                                            " (it is a run file, and a summary would replace it) choose another --out");
 }
 
-/// Between the samples of a run there is nothing to collect.
+/// A series cannot be collected at a shorter interval than the run was recorded at.
 void check_intervals(const SweepCollectChoice& choice, const std::vector<SweepRow>& rows) {
   constexpr double kRounding = 1e-9;
   if (choice.interval_s == 0.0) return;

@@ -1,4 +1,4 @@
-// gem sweep collect: the runs of a sweep as one table in one file.
+// gem sweep collect: writes the results of all runs of a sweep to one file.
 #pragma once
 
 #include <functional>
@@ -18,10 +18,10 @@ struct SweepCollectChoice {
   std::string folder;
   std::string output;
   std::string command_line;
-  std::string index;        // of the runs meant; empty: all
-  double from_s = 0.0;      // the analysis leaves out what is before
-  double interval_s = 1.0;  // of the displacement, no shorter than a run was recorded; 0: none
-  bool exact = false;       // displacement and velocity in double precision, for runs that are to be compared
+  std::string index;        // runs to collect; empty: all
+  double from_s = 0.0;      // the analysis leaves out earlier times
+  double interval_s = 1.0;  // interval of the displacement; not below the recorded one; 0: no displacement
+  bool exact = false;       // displacement and velocity in double precision, to compare runs exactly
   bool partial = false;
   bool overwrite = false;
 };
@@ -29,14 +29,14 @@ struct SweepCollectChoice {
 /// Adds the folder and all options but --from.
 void add_collect_options(CLI::App& command, SweepCollectChoice& choice);
 
-/// What another program adds to the summary: it looks at each run in turn, then adds its columns.
+/// An addition of another program to the summary: it sees each run in turn, then adds its columns.
 struct SummaryPart {
   std::function<void(const RunFile&, const RunData&)> look_at = {};
   std::function<void(SummaryTable&)> add_columns = {};
 };
 
-/// Writes the summary. Returns 0. Throws Error(file_system) if runs are not done (and not partial), Error(usage) for
-/// options that do not go together or with the runs.
+/// Writes the summary. Returns 0. Throws Error(file_system) if runs are not done (unless `partial`), and Error(usage)
+/// for options that contradict each other or the runs.
 int collect_sweep(const SweepCollectChoice& choice, const SummaryPart& part = {});
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// gem sweep: the runs of a sweep file.
+// gem sweep: its subcommands.
 #include <memory>
 
 #include "gem/base/error.h"

@@ -1,4 +1,4 @@
-// Sweeps as their users start them: interrupted, killed, failing in part, several processes on one folder.
+// Sweeps as users start them: interrupted, killed, partly failing, several processes on one folder.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
-/// Eight floes run onto a moored platform for two seconds, at three speeds of the current and with two masses.
+/// Eight floes drift onto a moored platform for two seconds, at three current speeds and with two masses.
 const char* const scene = R"([run]
 duration_s = 2.0
 [floes]
@@ -98,7 +98,7 @@ class SweepCommandTest : public testing::Test {
   }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// name -> a field of its row, as `gem sweep status` says it.
+  /// Maps each run's name to one field of its row in `gem sweep status`.
   std::map<std::string, std::string> status(const std::string& out, const std::string& field) {
     EXPECT_EQ(gem({"sweep", "status", out, "--json"}), 0) << text_of("err_");
     std::map<std::string, std::string> all;
@@ -111,7 +111,7 @@ class SweepCommandTest : public testing::Test {
     return found;
   }
 
-  /// Waits until a run is done and another is under way.
+  /// Waits until one run is done and another is running.
   void wait_for_first(const std::string& out) {
     for (int tries = 0; tries < 600; ++tries) {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -123,7 +123,7 @@ class SweepCommandTest : public testing::Test {
 
   ScratchFolder scratch_{"gem sweep"};
   const fs::path& folder_ = scratch_.path();
-  /// Makes each run last long enough to be interrupted.
+  /// Makes each run take long enough to be interrupted.
   const Words slow_ = {"--set", "numerics.time_step_s=2e-5", "--set", "output.platform_interval_s=0.02"};
 };
 
@@ -156,7 +156,7 @@ TEST_F(SweepCommandTest, AKilledSweepGoesOnToTheSameHashes) {
   wait_for_first("cut");
   kill(child, SIGKILL);
   ASSERT_EQ(ended(child), -SIGKILL);
-  // the workers die with the sweep, at once but not in the same instant
+  // The workers die with the sweep, but a little later.
   for (int tries = 0; tries < 200 && count("cut", "running") > 0; ++tries)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(count("cut", "running"), 0u);
@@ -182,7 +182,7 @@ TEST_F(SweepCommandTest, AnInterruptStopsAllRunsInOrder) {
 }
 
 TEST_F(SweepCommandTest, AFailingRunStopsNoOther) {
-  // A platform of 40 m stands on the floes: the field of those runs is refused.
+  // A platform of 40 m overlaps the floes, so the fields of those runs are refused.
   std::string text = sweep_text();
   const std::string slow = "set.speed.slow.current.velocity_m_per_s = [0.4, 0.0]\n";
   text.insert(text.find(slow), "set.speed.slow.platform.diameter_m = 40.0\n");

@@ -1,4 +1,4 @@
-// Locks on bytes of one file, the manifest as JSON, and what a run file says about its run.
+// Locks on bytes of one file, the manifest as JSON, and the state of a run read from its file.
 #include "gem/command/sweep/sweep_folder.h"
 
 #include <fcntl.h>
@@ -31,8 +31,8 @@ std::string system_reason(int code) { return std::generic_category().message(cod
 
 std::string manifest_path(const std::string& folder) { return folder + "/manifest.json"; }
 
-/// Byte 0 is the manifest's; two names that share a byte would only wait for each other.
-// bytes of the file of locks
+/// Bytes of the lock file: one for the manifest, one for the folder, then one per run name (by hash). Two names with
+/// the same byte only wait for each other.
 constexpr std::int64_t manifest_place = 0, folder_place = 1, first_run_place = 2;
 
 std::int64_t place_of(const std::string& run_name) {
@@ -67,7 +67,7 @@ Json list_of(const std::vector<SweepRow>& rows) {
   return list;
 }
 
-/// A reader sees the old text or the new one, never a part.
+/// Replaces the file atomically: a reader sees the old text or the new one.
 void write_at_one_stroke(const std::string& path, const std::string& text) {
   const std::string draft = path + "." + std::to_string(getpid());
   std::ofstream file(draft, std::ios::binary | std::ios::trunc);
@@ -86,7 +86,7 @@ double last_of(const RunFile& file, const std::string& dataset) {
   return values.empty() ? 0.0 : values.back();
 }
 
-/// All of gem's own engines give the same bits.
+/// All engines of gem compute the same bits.
 bool same_physics(const std::string& asked, const std::string& found) {
   return asked.empty() || asked == found || (!is_baseline(asked) && !is_baseline(found));
 }
@@ -119,8 +119,8 @@ int open_locks(const std::string& folder) {
               "cannot open " + shown(path) + " (" + system_reason(errno) + ") choose a folder that can be written");
 }
 
-/// Locks one byte (F_OFD_SETLK, F_OFD_SETLKW) or says who has it (F_OFD_GETLK), `kind` F_WRLCK for oneself or F_RDLCK
-/// with others; false: another process has it.
+/// Locks one byte (F_OFD_SETLK, F_OFD_SETLKW) or asks who holds it (F_OFD_GETLK). `kind` is F_WRLCK (exclusive) or
+/// F_RDLCK (shared). Returns false if another process holds it.
 bool lock_byte(int file, int command, std::int64_t place, const std::string& folder, short kind = F_WRLCK) {
   struct flock range {};
   range.l_type = kind;

@@ -17,23 +17,24 @@ struct SweepRow {
   std::string status = "missing";  // done | running | stopped | failed | other | missing
   std::string state_hash;
   std::string engine;
-  double duration_s = 0.0;   // asked for
+  double duration_s = 0.0;   // requested
   double time_s = 0.0;       // simulated
-  double wall_time_s = 0.0;  // that it took
-  std::string error;         // why it is not done; empty: nothing is known
+  double wall_time_s = 0.0;  // wall time of the run
+  std::string error;         // why it is not done; empty if unknown
 };
 
-/// A lock that ends with the object, and with the process however that ends. It is a lock of the operating system on
-/// one byte of FOLDER/.lock, so nothing is left behind to be cleaned up, also on a network file system.
+/// A lock that ends with the object, or with the process. It is a lock of the operating system on one byte of
+/// FOLDER/.lock. It needs no clean-up and works on network file systems.
 class SweepLock {
  public:
-  /// Nothing if another process holds it. Throws Error(file_system) if the file system has no locks.
+  /// Locks a run; empty if another process holds the lock. Throws Error(file_system) if the file system has no locks.
   static std::optional<SweepLock> try_run(const std::string& folder, const std::string& run_name);
-  /// Whether a process holds it now.
+  /// Whether a process holds the run's lock now.
   static bool is_held(const std::string& folder, const std::string& run_name);
-  /// The share of a sweep in its folder, for as long as it runs; nothing if `alone` and other sweeps run there.
+  /// Locks the folder for one sweep, shared with other sweeps unless `alone`. Empty if `alone` and another sweep runs
+  /// there.
   static std::optional<SweepLock> try_folder(const std::string& folder, bool alone);
-  /// The manifest's lock, waited for.
+  /// Locks the manifest; waits until it is free.
   static SweepLock wait_manifest(const std::string& folder);
   ~SweepLock();
   SweepLock(SweepLock&& other) noexcept;
@@ -46,27 +47,27 @@ class SweepLock {
 
 std::string run_path(const std::string& folder, const std::string& run_name);
 
-/// Rows of FOLDER/manifest.json by index; none if there is no manifest. Throws Error(file_system) if it is damaged.
+/// Rows of FOLDER/manifest.json by index; empty without a manifest. Throws Error(file_system) if it is damaged.
 std::vector<SweepRow> read_manifest(const std::string& folder);
 
-/// Puts these rows into the manifest in place of those with the same names; under its lock, and written at one stroke,
-/// so that any number of processes may do it. Throws Error(file_system).
+/// Replaces the rows of the manifest that have these names. Any number of processes may call this: it takes the
+/// manifest's lock and writes atomically. Throws Error(file_system).
 void update_manifest(const std::string& folder, const std::vector<SweepRow>& rows);
 
-/// The same at a sweep's start, but a row that the manifest has of the same name and case stays as it is. Returns the
-/// sweep's share in the folder, to be kept while it runs. Throws Error(file_system) if another sweep that runs there
-/// has other cases under these names.
+/// Called when a sweep starts. Adds the rows; an existing row of the same name and case is kept. Returns the sweep's
+/// lock on the folder, to be held while the sweep runs. Throws Error(file_system) if another sweep running there has
+/// other cases under these names.
 SweepLock enter_folder(const std::string& folder, const std::vector<SweepRow>& rows);
 
 /// The rows as JSON objects in a list.
 std::string rows_json(const std::vector<SweepRow>& rows);
 
-/// What is known of a run now: the lock tells whether it is running, else the run file is the truth, whatever the
-/// manifest says. A failure without a file is taken from `row`. `engine`: what is asked for; a run of another program's
-/// physics is another run. Empty: any.
+/// The state of a run now. The lock tells whether it is running; otherwise the run file decides, whatever the manifest
+/// says. Only a failure without a file is taken from `row`. `engine` is the requested engine (empty: any); a run made
+/// by an engine with other physics counts as another run.
 SweepRow look_at_run(const std::string& folder, SweepRow row, const std::string& engine = "");
 
-/// The same for the holder of the run's lock.
+/// The state of a run from its file alone, for the process that holds its lock.
 SweepRow look_at_file(const std::string& folder, SweepRow row, const std::string& engine);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// Rows, options and outcomes.
+// Rows, run options and outcomes of the members of a sweep.
 #include "gem/command/sweep/sweep_member.h"
 
 #include <new>
@@ -49,7 +49,7 @@ Outcome failure(SweepRow& row, SweepBoard::Entry& entry, const std::string& why,
   return Outcome::failed;
 }
 
-/// Whether a run is to be made by the holder of its lock; if not, `row` and the outcome say why.
+/// Whether the holder of the run's lock must make the run. If not, `row` and the outcome say why.
 std::optional<Outcome> reason_not_to(const SweepSettings& settings, SweepBoard::Entry& entry, SweepRow& row) {
   const SweepRow found = look_at_file(settings.folder, row, settings.engine.name);
   if (found.status == "done" && !settings.overwrite) {

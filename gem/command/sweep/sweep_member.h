@@ -1,4 +1,4 @@
-// The steps of one run of a sweep, from its place in the sweep file to its row in the manifest.
+// The steps of one run of a sweep, from the sweep file to the row in the manifest.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@
 
 namespace gem {
 
-/// How all runs of a sweep are made.
+/// Settings common to all runs of a sweep.
 struct SweepSettings {
   std::string folder;
   EngineOptions engine;
@@ -22,16 +22,16 @@ struct SweepSettings {
   std::string command_line;
 };
 
-/// The row of a run that nothing is known of yet.
+/// The row of a run before anything is known of it.
 SweepRow row_of(const SweepMember& member);
 
-/// Whether a run is not to be made by the holder of its lock; then `row` and the outcome say why.
+/// Empty if the holder of the run's lock must make the run; otherwise the outcome, and `row` says why.
 std::optional<Outcome> reason_not_to(const SweepSettings& settings, SweepBoard::Entry& entry, SweepRow& row);
 
-/// Puts it on the board and into the manifest that the run is under way.
+/// Reports on the board and in the manifest that the run has started.
 void say_running(const SweepSettings& settings, SweepBoard::Entry& entry, SweepRow& row);
 
-/// How the member is run into its file.
+/// The options with which the member is run.
 RunOptions options_of(const SweepMember& member, const SweepSettings& settings, SweepBoard::Entry& entry,
                       const std::atomic<int>& stop);
 
@@ -41,7 +41,7 @@ Outcome outcome_of(const RunSummary& summary, SweepRow& row);
 /// Fills the row with the reason of a failure.
 Outcome failure(SweepRow& row, SweepBoard::Entry& entry, const std::string& why, ExitCode code);
 
-/// The same of the exception that is being handled.
+/// Fills the row with the exception that is being handled.
 Outcome failure_now(SweepRow& row, SweepBoard::Entry& entry);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// Which runs are to do, how many at a time, and what that takes.
+// Plans a sweep: which runs remain, how many run at a time, and what they need.
 #include "gem/command/sweep/sweep_plan.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ int choose_jobs(const std::string& asked) {
   return jobs;
 }
 
-/// The processors are shared out: first among processes, which scale best, then among the threads of each.
+/// Divides the processors: first among processes, which scale best, then among the threads of each process.
 void share_processors(const SweepRunChoice& choice, SweepPlan& plan, RunLog& log) {
   const int machine = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const std::size_t at_once = plan.devices.empty() ? plan.batches.size() : plan.devices.size();
@@ -107,7 +107,7 @@ constexpr int most_devices = 64;
 /// Indices of the GPUs that can be used.
 std::vector<int> gpus_that_answer() {
   SweepBoard answer(most_devices);
-  ProcessPool probe;  // a process that has used a GPU cannot start others that do
+  ProcessPool probe;  // a process that has used a GPU cannot fork others that use one
   probe.start(0, [&answer] {
     std::string reason;
     for (const CudaDevice& device : cuda_devices(reason))
@@ -139,9 +139,9 @@ int open_jobs(int side_by_side, bool on_gpus, int processors, int threads) {
 }
 
 std::vector<std::vector<std::size_t>> share_runs(const std::vector<std::int64_t>& steps, std::size_t devices) {
-  constexpr std::size_t largest_batch = 66;  // runs; more find no room side by side on a large GPU
+  constexpr std::size_t largest_batch = 66;  // runs; a large GPU cannot hold more side by side
   const std::size_t runs = steps.size();
-  std::size_t count = runs;  // without a GPU each is made by itself
+  std::size_t count = runs;  // without a GPU each run is a batch of its own
   if (devices > 0) count = std::min(runs, std::max(devices, (runs + largest_batch - 1) / largest_batch));
   std::vector<std::size_t> longest_first(runs);
   std::iota(longest_first.begin(), longest_first.end(), std::size_t{0});

@@ -1,4 +1,4 @@
-// What a call of `gem sweep run` is going to do, settled before anything is computed.
+// What a call of `gem sweep run` will do, settled before anything is computed.
 #pragma once
 
 #include <cstddef>
@@ -12,34 +12,35 @@
 namespace gem {
 
 struct SweepPlan {
-  std::vector<SweepMember> members;               // all of the sweep
-  std::vector<std::size_t> chosen;                // places among them
-  std::vector<SweepRow> rows;                     // of the chosen, as they stand
-  std::vector<std::size_t> to_do;                 // places among `chosen`
-  std::vector<std::vector<std::size_t>> batches;  // places among `to_do` that one process makes together or alone
-  std::vector<int> devices;                       // GPUs, each for one batch at a time; none: each run by itself
+  std::vector<SweepMember> members;  // all members of the sweep
+  std::vector<std::size_t> chosen;   // positions in `members`
+  std::vector<SweepRow> rows;        // state of each chosen run
+  std::vector<std::size_t> to_do;    // positions in `chosen`
+  std::vector<std::vector<std::size_t>>
+      batches;               // positions in `to_do`; one process makes a batch, together or run by run
+  std::vector<int> devices;  // GPUs, one batch at a time on each; empty: each run by itself
   SweepSettings settings;
-  int jobs = 1;   // processes at a time, each with one batch
-  Estimate need;  // memory of the largest `jobs` batches at once, disk and time steps of all that is to do
+  int jobs = 1;   // processes at a time, one batch each
+  Estimate need;  // memory of the largest `jobs` batches together; disk and time steps of all runs to do
 };
 
-/// Reads the sweep file and the folder. Warnings are said in `log`. Throws Error(usage) for a choice that cannot be,
-/// Error(file_system) if a file of another case or engine stands where a run is to go.
+/// Reads the sweep file and the folder. Warnings go to `log`. Throws Error(usage) for an impossible choice, and
+/// Error(file_system) if the file of a run belongs to another case or engine.
 SweepPlan plan_sweep(const SweepRunChoice& choice, RunLog& log);
 
-/// Shares runs of so many time steps out among batches: on GPUs as even as their lengths allow, no batch too large,
-/// else each run by itself. A batch lists places among `steps`, ascending.
+/// Divides runs with the given numbers of time steps into batches. On GPUs the batches are as even as the run lengths
+/// allow and none is too large; without GPUs each run is a batch. A batch lists positions in `steps`, ascending.
 std::vector<std::vector<std::size_t>> share_runs(const std::vector<std::int64_t>& steps, std::size_t devices);
 
-/// Processes at a time where nobody asks for a number, for so many batches that could go side by side: on GPUs all of
-/// them, whatever the threads of each; otherwise as many as the processors feed with so many threads (0: one).
+/// Default number of processes for `side_by_side` batches. On GPUs: all of them. Otherwise as many as there are
+/// processors for `threads` threads each (0 counts as 1).
 int open_jobs(int side_by_side, bool on_gpus, int processors, int threads);
 
-/// For --dry-run.
+/// The text of --dry-run.
 std::string plan_text(const SweepPlan& plan);
 std::string plan_json(const SweepPlan& plan);
 
-/// The rows of all members as far as the manifest knows of the same cases, else as missing.
+/// The rows of all members: from the manifest where it has the same case, otherwise as missing.
 std::vector<SweepRow> known_rows(const std::string& folder, const std::vector<SweepMember>& members);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// How runs are shared out among batches.
+// How runs are divided into batches.
 #include "gem/command/sweep/sweep_plan.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The runs of a sweep in processes, their common progress line, and what they came to.
+// Runs the members of a sweep in processes, shows one progress line for all, and prints the results.
 #include "gem/command/sweep/sweep_run.h"
 
 #include <algorithm>
@@ -22,11 +22,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
-/// Where a sweep stands.
+/// Progress of a sweep.
 struct Count {
   std::size_t done = 0, already = 0, running = 0, failed = 0, stopped = 0, elsewhere = 0;
   double time = 0.0;  // simulated by this call [s]
-  double left = 0.0;  // still to be simulated [s]
+  double left = 0.0;  // remaining [s]
 };
 
 class SweepRun {
@@ -110,7 +110,7 @@ class SweepRun {
     });
   }
 
-  /// A worker says itself how its runs ended, unless it was killed.
+  /// A worker reports how its runs ended, unless it was killed.
   void ended(std::size_t place, int killed_by) {
     if (const auto device = device_of_.find(place); device != device_of_.end()) free_devices_.push_back(device->second);
     for (const std::size_t job : plan_.batches[place]) {
@@ -165,7 +165,7 @@ class SweepRun {
   ProcessPool pool_;
   std::size_t next_ = 0;
   std::vector<int> free_devices_;
-  std::map<std::size_t, int> device_of_;  // of the batches under way or over
+  std::map<std::size_t, int> device_of_;  // of batches that run or have ended
   int signal_ = 0;
   Clock::time_point start_;
 };

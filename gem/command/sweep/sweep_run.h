@@ -1,4 +1,4 @@
-// gem sweep run: the runs of a sweep file into a folder, several at a time.
+// gem sweep run: runs a sweep file into a folder, several runs at a time.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ struct SweepRunChoice {
   std::string path;
   std::vector<std::string> overrides;
   std::string folder;
-  std::string index;  // of the runs meant; empty: all
+  std::string index;  // runs to make; empty: all
   std::string engine = "auto";
   std::string jobs;     // processes at a time; empty: one per GPU with a batch, else one per processor
-  std::string threads;  // of each run; empty: what is left of the processors
+  std::string threads;  // per run; empty: the processors divided by the processes
   std::string progress = "auto";
   std::string log_format = "text";
   std::string command_line;
@@ -26,8 +26,8 @@ struct SweepRunChoice {
   bool json = false;
 };
 
-/// Runs what is not done yet. Returns the exit code: 0, that of a signal, ExitCode::some_failed, or for a single chosen
-/// run its own. Throws Error before anything is computed where the choice itself is at fault.
+/// Makes the runs that are not done yet. Returns 0, the exit code of a signal, ExitCode::some_failed, or for a single
+/// chosen run its own exit code. Throws Error before anything is computed if the choice itself is wrong.
 int run_sweep(const SweepRunChoice& choice);
 
 }  // namespace gem

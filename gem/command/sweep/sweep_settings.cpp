@@ -1,4 +1,4 @@
-// Options of several scenes side by side.
+// Compares the options of several scenes.
 #include "gem/command/sweep/sweep_settings.h"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ void add(std::vector<SummaryColumn>& columns, const Option<SceneDef>& option, co
       return;
     }
     case OptionType::outline:
-      return;  // no scene has one outside its lists
+      return;  // only lists have options of this type
   }
 }
 

@@ -1,4 +1,4 @@
-// The settings that tell the runs of a sweep apart, as columns of its summary.
+// The settings that distinguish the runs of a sweep, as columns of its summary.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace gem {
 
-/// Seed, current speed, gap and ice thickness (mean over the classes by their tenths) in any case, then every option in
-/// which the scenes differ, by its key; a pair as two columns KEY.x and KEY.y.
+/// Always: seed, current speed, gap and ice thickness (mean of the classes, weighted by their tenths). Then every
+/// option that differs between the scenes, named by its key; a pair gives two columns KEY.x and KEY.y.
 std::vector<SummaryColumn> setting_columns(const std::vector<SceneDef>& scenes);
 
 }  // namespace gem

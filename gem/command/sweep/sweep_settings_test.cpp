@@ -1,4 +1,4 @@
-// Which settings tell scenes apart.
+// Which settings distinguish the scenes.
 #include "gem/command/sweep/sweep_settings.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A table of runs; every state is looked up where it is true: in locks and run files.
+// Prints a table of runs. The state of a run is read from its lock and its file, not from the manifest.
 #include "gem/command/sweep/sweep_status.h"
 
 #include <algorithm>

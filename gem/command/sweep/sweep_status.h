@@ -1,4 +1,4 @@
-// gem sweep status: how the runs of a sweep stand.
+// gem sweep status: shows the state of each run of a sweep.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct SweepStatusChoice {
   bool json = false;
 };
 
-/// Prints one row per run. Returns 0 whatever the rows say. Throws Error if there is nothing to look at.
+/// Prints one row per run. Returns 0 whatever the states are. Throws Error if there is no sweep at `path`.
 int sweep_status(const SweepStatusChoice& choice);
 
 }  // namespace gem

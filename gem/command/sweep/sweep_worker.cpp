@@ -1,4 +1,4 @@
-// One run of a sweep in its process, from its lock to its row in the manifest.
+// Makes one run of a sweep in its process, from the lock to the row in the manifest.
 #include "gem/command/sweep/sweep_worker.h"
 
 #include "gem/command/command.h"

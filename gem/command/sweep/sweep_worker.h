@@ -8,18 +8,18 @@
 
 namespace gem {
 
-/// A run that a process is to make, and its entry of the board.
+/// A run that a process must make, and its entry on the board.
 struct SweepTask {
   const SweepMember* member;
   SweepBoard::Entry* entry;
 };
 
-/// Runs one member into its file unless that is done or another process is at it; writes its row and its entry. Never
-/// throws: a fault is the run's own.
+/// Runs one member into its file, unless it is done or another process is running it. Writes its row and its board
+/// entry. Never throws: an error belongs to the run.
 void run_sweep_member(const SweepTask& task, const SweepSettings& settings, const std::atomic<int>& stop);
 
-/// The same for several members, moved on together on a GPU; those that do not fit into its
-/// memory together are run in smaller batches, and with engine auto on the CPU where there is no other way.
+/// Runs several members together on a GPU. If they do not fit into its memory together, smaller batches are tried; with
+/// engine auto a run that does not fit alone goes to the CPU. Never throws.
 void run_sweep_batch(const std::vector<SweepTask>& tasks, const SweepSettings& settings, const std::atomic<int>& stop);
 
 }  // namespace gem

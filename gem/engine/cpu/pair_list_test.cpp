@@ -6,6 +6,7 @@
 
 #include "gem/engine/step/contact_stages.h"
 #include "gem/engine/step/solo_stages.h"
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/test_scenes.h"
 
 namespace gem {
@@ -83,9 +84,7 @@ TEST_P(PairListTest, FindsWhatAllPairsFind) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Manifolds, PairListTest, testing::Values(Manifold::chord_middle, Manifold::chord_ends),
-                         [](const auto& combination) {
-                           return combination.param == Manifold::chord_ends ? "chord_ends" : "chord_middle";
-                         });
+                         test::LawNames());
 
 TEST(PairList, ForgetsOnRequest) {
   const SceneDef scene = test::busy_scene(4);

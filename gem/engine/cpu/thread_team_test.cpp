@@ -137,7 +137,8 @@ TEST_P(ThreadTeamTest, ManyShortRuns) {
   for (const int c : calls) EXPECT_EQ(c, 300);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, ThreadTeamTest, testing::Values(1, 2, 3, 5, 8));
+INSTANTIATE_TEST_SUITE_P(Sizes, ThreadTeamTest, testing::Values(1, 2, 3, 5, 8),
+                         [](const auto& threads) { return std::to_string(threads.param) + "_threads"; });
 
 /// Asks for more threads than the address space allows. Exits with 0 if the error is reported and no thread is left.
 [[noreturn]] void start_too_many() {

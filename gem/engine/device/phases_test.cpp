@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "gem/engine/testing/host_scene.h"
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
 
@@ -61,14 +62,16 @@ INSTANTIATE_TEST_SUITE_P(Coupled, DevicePhases,
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
-                                          testing::Values(DragLaw::quadratic)));
+                                          testing::Values(DragLaw::quadratic)),
+                         test::LawNames());
 
 INSTANTIATE_TEST_SUITE_P(Independent, DevicePhases,
                          testing::Combine(testing::Values(ContactSolver::independent),
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
-                                          testing::Values(DragLaw::quadratic)));
+                                          testing::Values(DragLaw::quadratic)),
+                         test::LawNames());
 
 class DeviceStages : public testing::TestWithParam<ContactSolver> {};
 
@@ -190,10 +193,8 @@ TEST(DevicePhaseRounds, OfATightResidualAreMadeToTheirEnd) {
   EXPECT_GT(most->iterations, 64) << "no time step took three rounds";
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, DeviceStages, testing::Values(ContactSolver::independent, ContactSolver::coupled),
-                         [](const testing::TestParamInfo<ContactSolver>& solver) {
-                           return std::string(solver.param == ContactSolver::coupled ? "coupled" : "independent");
-                         });
+INSTANTIATE_TEST_SUITE_P(Solvers, DeviceStages, testing::Values(ContactSolver::independent, ContactSolver::coupled),
+                         test::LawNames());
 
 }  // namespace
 }  // namespace gem

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "gem/engine/testing/host_scene.h"
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
 
@@ -55,7 +56,8 @@ INSTANTIATE_TEST_SUITE_P(Combinations, DeviceTimeStepsTest,
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
-                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)));
+                                          testing::Values(DragLaw::quadratic, DragLaw::linear, DragLaw::none)),
+                         test::LawNames());
 
 class DeviceSolvers : public testing::TestWithParam<ContactSolver> {};
 
@@ -260,11 +262,8 @@ TEST_P(DeviceSolvers, WaitingForOtherScenesChangesNothing) {
   EXPECT_GT(test::contacts_in(expected), 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, DeviceSolvers, testing::Values(ContactSolver::independent, ContactSolver::coupled),
-                         [](const auto& solver) {
-                           return solver.param == ContactSolver::coupled ? std::string("coupled")
-                                                                         : std::string("independent");
-                         });
+INSTANTIATE_TEST_SUITE_P(Solvers, DeviceSolvers, testing::Values(ContactSolver::independent, ContactSolver::coupled),
+                         test::LawNames());
 
 }  // namespace
 }  // namespace gem

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "gem/base/error.h"
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/test_scenes.h"
 #include "gem/field/field.h"
 
@@ -62,15 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Combinations, LedgerTest,
                                           testing::Values(Manifold::chord_middle, Manifold::chord_ends),
                                           testing::Values(Yaw::free, Yaw::locked),
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction)),
-                         [](const auto& combination) {
-                           std::string name =
-                               std::get<0>(combination.param) == ContactSolver::coupled ? "coupled" : "independent";
-                           name +=
-                               std::get<1>(combination.param) == Manifold::chord_ends ? "_chord_ends" : "_chord_middle";
-                           name += std::get<2>(combination.param) == Yaw::free ? "_free" : "_locked";
-                           return name + (std::get<3>(combination.param) == FrictionLaw::one_step ? "_one_step"
-                                                                                                  : "_fixed_direction");
-                         });
+                         test::LawNames());
 
 TEST(Ledger, AForgedVelocityDoesNotCloseTheBooks) {
   const SceneDef scene = test::busy_scene(10);

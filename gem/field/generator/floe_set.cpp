@@ -1,4 +1,5 @@
-// Makes the floe set: sizes from the size law, shapes from the shape generator or a small library of copies.
+// Makes the floe set: sizes from the size law, shapes from the shape generator or from a small library of copied
+// shapes.
 #include "gem/field/generator/floe_set.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ OutlineSet shapes_of_sizes(const SceneDef& scene, const std::vector<double>& siz
   return set;
 }
 
-/// A few quantiles spread less than the law; this spreads them about the asked mean.
+/// A few quantiles have a smaller deviation than the law. Spreads them about the mean until the deviation is right.
 void spread(std::vector<double>& sizes, const FloesDef& floes) {
   const double n = static_cast<double>(sizes.size());
   const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / n;
@@ -58,7 +59,7 @@ OutlineSet copied_set(const SceneDef& scene, std::size_t count) {
   const OutlineSet library = shapes_of_sizes(scene, sizes);
   std::vector<std::size_t> which(count);
   const std::size_t full_rounds = count / library.size() * library.size();
-  // The last, incomplete round takes shapes evenly spread over the library, so that the mean size stays.
+  // The last, incomplete round takes shapes evenly from the whole library, which keeps the mean size.
   for (std::size_t i = 0; i < count; ++i)
     which[i] = i < full_rounds ? i % library.size()
                                : (2 * (i - full_rounds) + 1) * library.size() / (2 * (count - full_rounds));

@@ -1,4 +1,4 @@
-// The generated pack-ice fields.
+// Generates the pack-ice fields.
 #include "gem/field/generator/generator.h"
 
 #include <algorithm>
@@ -70,13 +70,13 @@ std::vector<FloeDef> tiled_floes(const SceneDef& scene, const std::vector<std::v
   const double block_length = f.length_m / static_cast<double>(blocks);
   const std::int64_t per_block = (f.count + blocks - 1) / blocks;
   PlacementTask task = task_for(scene, per_block, obstacles);
-  // Half a gap at both ends, so that a block clears the next one.
+  // Half a gap at both ends keeps the gap to the next block.
   task.region.low.x += 0.5 * f.gap_m;
   task.region.high.x = f.start_x_m + block_length - 0.5 * f.gap_m;
   const std::vector<Pose> poses = place(task);
   std::vector<FloeDef> floes;
   for (std::int64_t block = 0; block < blocks; ++block) {
-    // The last blocks leave out one floe each where count does not divide.
+    // If the blocks do not divide count, each of the last ones leaves out one floe.
     const bool short_block = block >= blocks - (per_block * blocks - f.count);
     const auto floes_here = static_cast<std::size_t>(per_block - (short_block ? 1 : 0));
     const Vec2 shift = {block_length * static_cast<double>(block), 0.0};
@@ -100,7 +100,7 @@ std::vector<FloeDef> generate_floes(const SceneDef& scene, const std::vector<std
   check(scene);
   const bool tiled = scene.floes.source == FloeSource::copied && scene.floes.placement == Placement::tiled;
   std::vector<FloeDef> floes = tiled ? tiled_floes(scene, obstacles) : scattered_floes(scene, obstacles);
-  // Engines go through floes by number and stay in the cache where neighbours have near numbers.
+  // Neighbours with near numbers keep the engine's accesses in the cache.
   std::stable_sort(floes.begin(), floes.end(),
                    [](const FloeDef& a, const FloeDef& b) { return a.position_m.x < b.position_m.x; });
   return floes;

@@ -1,4 +1,4 @@
-// A uniform grid over outlines: which of them may be near a box.
+// A uniform grid over outlines, to find those near a box.
 #pragma once
 
 #include <algorithm>
@@ -35,10 +35,10 @@ inline Box box_of(const std::vector<Vec2>& outline) {
   return box;
 }
 
-/// Boxes filed by the cells they cover; what lies outside the domain is filed in the outermost cells.
+/// Boxes stored in the cells that they cover. A box outside the domain goes to the outermost cells.
 class OutlineGrid {
  public:
-  /// `cell` is enlarged where it would take millions of cells [m].
+  /// Cell size in m; enlarged if the grid would have millions of cells.
   OutlineGrid(const Box& domain, double cell) : low_(domain.low) {
     const Vec2 size = domain.high - domain.low;
     inverse_cell_ = 1.0 / std::max({cell, std::sqrt(size.x * size.y / 2e6), size.x / 1e5, size.y / 1e5});
@@ -56,7 +56,7 @@ class OutlineGrid {
     });
   }
 
-  /// Calls visit(id) for every inserted box that meets `box`, possibly more than once; stops when visit returns false.
+  /// Calls visit(id) for every stored box that meets `box`, possibly more than once. Stops when visit returns false.
   template <class Visit>
   bool for_each_near(const Box& box, Visit&& visit) const {
     return for_each_cell(box, [&](std::size_t c) {

@@ -1,10 +1,10 @@
-// Packing by growth: shrunk floes grow in steps while overlaps push them apart.
+// Packing by growth: shrunk floes grow in steps while overlapping floes push each other apart.
 //
-//   place the floes shrunk to a cover where random placement is easy
+//   place the floes, shrunk to a cover at which random placement is easy
 //   for each growth step up to full size:
-//     sweep until no pair is nearer than the gap: every pair too near is moved apart and turned
-//     now and then a floe that stays squeezed jumps to the best of some random places
-//   refuse if the last step leaves a pair too near
+//     sweep until every pair keeps the gap: move and turn the pairs that do not
+//     from time to time move a floe that stays squeezed to the best of some random positions
+//   fail if the last step leaves a pair closer than the gap
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,14 +25,15 @@ constexpr int sweeps_per_step = 30;
 constexpr int sweeps_at_end = 6000;
 constexpr int sweeps_per_jump = 30;
 constexpr int places_per_jump = 400;
-constexpr double squeezed = 0.1;  // overlap in sizes from which a floe may jump [-]
+constexpr double squeezed = 0.1;  // overlap over size from which a floe may jump [-]
 constexpr int sweeps_per_list = 6;
 constexpr double list_margin = 0.6;
-constexpr double largest_move = 0.05;  // of one correction [m]: a list stays good for its sweeps
+constexpr double largest_move =
+    0.05;  // largest displacement per correction [m]: the pair list stays valid for its sweeps
 
 struct PackedBody {
   std::vector<Vec2> shape;    // at full size, centred
-  std::vector<Vec2> outline;  // at the present size and pose, world
+  std::vector<Vec2> outline;  // at the current size and pose, world
   Pose pose;
   Box box;
   double size = 0.0;  // sqrt(area) at full size [m]
@@ -46,7 +47,7 @@ void place_outline(PackedBody& body, double scale) {
   body.box = box_of(body.outline);
 }
 
-/// Turns by about `angle` without trigonometry: exact rotation for the half-angle tangent angle / 2.
+/// Turns by about `angle` without trigonometry: the exact rotation whose half-angle tangent is angle / 2.
 Rotation turned_by(Rotation q, double angle) {
   const double t = 0.5 * angle;
   const double scale = 1.0 / (1.0 + t * t);
@@ -70,7 +71,7 @@ class Packing {
     domain_ = task.region;
   }
 
-  /// True once every pair is at least the gap apart.
+  /// True if every pair keeps the gap.
   bool relax(double scale, int sweeps) {
     for (std::size_t i = 0; i < floe_count_; ++i) place_outline(bodies_[i], scale);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -94,14 +95,14 @@ class Packing {
  private:
   void add_floe(const std::vector<Vec2>& shape, const Pose& pose) {
     const PolygonMoments moments = polygon_moments(shape);
-    // Weight grows with size, not area: a small floe between two large ones still moves them.
+    // The weight grows with the size, not the area, so that a small floe between two large ones can still move them.
     const double size = std::sqrt(moments.area);
     bodies_.push_back({shape, shape, pose, {}, size, 1.0 / size, size / moments.second_moment});
   }
   void add_obstacle(const std::vector<Vec2>& outline) {
     bodies_.push_back({{}, outline, {}, box_of(outline), 0.0, 0.0, 0.0});
   }
-  /// The gap need not be kept from the region's edge, so the walls stand back by it.
+  /// No gap is needed at the region's edge, so the walls stand back by the gap.
   void add_region_walls(const Box& region) {
     constexpr double depth = 50.0;
     const Vec2 low = region.low - Vec2{gap_, gap_};
@@ -140,7 +141,7 @@ class Packing {
     });
   }
 
-  /// Deepest overlap of floe i with any other body [m]; stops early beyond `enough`.
+  /// Deepest overlap of floe i with any other body [m]. Stops early above `enough`.
   double overlap(const OutlineGrid& grid, std::size_t i, const PackedBody& body, double enough) const {
     double deepest = 0.0;
     grid.for_each_near(body.box, [&](std::size_t j) {
@@ -201,7 +202,7 @@ class Packing {
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;
 };
 
-/// The floes shrunk until random placement succeeds, and by how much.
+/// Shrinks the floes until random placement succeeds. Returns their poses and the scale.
 std::optional<std::pair<std::vector<Pose>, double>> place_shrunk(const PlacementTask& task) {
   double floe_area = 0.0;
   for (const auto& outline : task.outlines) floe_area += polygon_moments(outline).area;

@@ -8,11 +8,12 @@
 
 namespace gem {
 
-/// Separation is at most the distance (less where corner faces corner) and the overlap depth when negative.
+/// Negative separation is the overlap depth. Positive separation is at most the distance, and less where corner faces
+/// corner.
 struct SeparatingAxis {
   double separation = -std::numeric_limits<double>::infinity();  // [m]
   Vec2 normal;                                                   // unit, from a to b
-  Vec2 point;  // the corner that is nearest to the other outline, world [m]
+  Vec2 point;                                                    // the corner nearest to the other outline, world [m]
 };
 
 namespace detail {
@@ -40,7 +41,7 @@ inline bool improve_axis(SeparatingAxis& best, const std::vector<Vec2>& a, const
 
 }  // namespace detail
 
-/// Stops early once the outlines are found `enough` apart.
+/// Stops early once the outlines are at least `enough` apart.
 inline SeparatingAxis separating_axis(const std::vector<Vec2>& a, const std::vector<Vec2>& b,
                                       double enough = std::numeric_limits<double>::infinity()) {
   SeparatingAxis best;

@@ -65,7 +65,7 @@ bool well_shaped(const std::vector<Vec2>& outline) {
 
 std::vector<Vec2> random_shape(RandomSequence& numbers) {
   const std::size_t sides = random_side_count(numbers);
-  // Many-sided rings are seldom convex when strongly jittered; each refusal asks for a little less.
+  // Strong jitter seldom gives a convex ring with many sides, so each failed try reduces the jitter a little.
   for (double jitter = 1.0;; jitter *= 0.95) {
     const auto outline = centred_with_area_one(stretched_and_turned(ring(sides, jitter, numbers), numbers));
     if (well_shaped(outline)) return outline;

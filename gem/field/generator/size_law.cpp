@@ -1,4 +1,4 @@
-// Solves and inverts the truncated size laws by Gauss quadrature on panels equal in ln x.
+// Solves and inverts the truncated size laws by Gauss quadrature on panels of equal width in ln x.
 #include "gem/field/generator/size_law.h"
 
 #include <algorithm>
@@ -75,7 +75,7 @@ TruncatedSizeLaw::Moments TruncatedSizeLaw::moments(double location, double scal
   return {mean_ + shift, std::sqrt(second / total)};
 }
 
-/// Newton in (location, ln scale) with halved steps; leaves scale_ at 0 if it finds no solution.
+/// Newton's method in (location, ln scale) with halved steps. Leaves scale_ at 0 if it finds no solution.
 void TruncatedSizeLaw::solve(double mean, double deviation) {
   const double variation = (deviation / mean) * (deviation / mean);
   double p = law_ == SizeLaw::gamma ? 1.0 / variation : strict::log(mean) - 0.5 * strict::log(1.0 + variation);
@@ -128,12 +128,13 @@ double TruncatedSizeLaw::quantile(double probability) const {
   const std::size_t p =
       std::min<std::size_t>(panels, std::max<std::size_t>(1, static_cast<std::size_t>(above - cumulative_.begin()))) -
       1;
-  // A panel is under 1 % wide in size: a density linear across it is good to about 1e-6 of the size.
+  // A panel is less than 1 % wide in size, so a linear density over it is accurate to about 1e-6 of the size.
   const double share = (probability - cumulative_[p]) / (cumulative_[p + 1] - cumulative_[p]);
   const double log_low = strict::log(edge_[p]);
   const double log_high = strict::log(edge_[p + 1]);
   const double at_low = strict::exp(log_density(log_low, location_, scale_) - log_density(log_high, location_, scale_));
-  // Density at_low + (1 - at_low) t over the panel: solve its integral = share of the whole for t.
+  // The density at t in [0, 1] is at_low + (1 - at_low) t, relative to the upper edge. Solve for the t below which the
+  // panel has `share` of its probability.
   const double slope = 1.0 - at_low;
   const double t = share * (1.0 + at_low) / (at_low + std::sqrt(at_low * at_low + slope * (1.0 + at_low) * share));
   return edge_[p] + t * (edge_[p + 1] - edge_[p]);

@@ -1,4 +1,4 @@
-// The truncated size laws of the floes, solved for the asked mean and deviation.
+// The truncated size laws of the floes, solved for the requested mean and deviation.
 #pragma once
 
 #include <array>
@@ -8,18 +8,18 @@
 
 namespace gem {
 
-/// A law on [minimum, maximum] whose two parameters give exactly the asked moments. Sizes in m.
+/// A law on [minimum, maximum] whose two parameters give exactly the requested mean and deviation. Sizes in m.
 ///   lognormal: density ~ exp(-(ln x - location)^2 / (2 scale^2)) / x    (location = mu_ln, scale = sigma_ln)
 ///   gamma:     density ~ x^(location - 1) exp(-x / scale)               (location = k, scale = theta [m])
 /// A deviation of 0 gives every floe the mean size.
 class TruncatedSizeLaw {
  public:
-  /// Throws Error(scene_rejected) if no parameters of the law have these moments.
+  /// Throws Error(scene_rejected) if no parameters give the mean and deviation.
   explicit TruncatedSizeLaw(const FloesDef& floes);
 
   double location() const { return location_; }
   double scale() const { return scale_; }
-  /// Size that a share `probability` in (0, 1) of the floes stays below [m].
+  /// The size [m] below which the share `probability` in (0, 1) of the floes lies.
   double quantile(double probability) const;
 
  private:
@@ -36,9 +36,9 @@ class TruncatedSizeLaw {
   double mean_;
   double location_ = 0.0;
   double scale_ = 0.0;
-  std::vector<double> node_;        // ln x at the Gauss points, four per panel, panels equal in ln x
-  std::vector<double> node_size_;   // x there
-  std::vector<double> weight_;      // dx there
+  std::vector<double> node_;        // ln x at the Gauss points, four per panel
+  std::vector<double> node_size_;   // x at the Gauss points [m]
+  std::vector<double> weight_;      // weight dx of each Gauss point [m]
   std::vector<double> edge_;        // panel edges [m]
   std::vector<double> cumulative_;  // probability below each edge
 };

@@ -1,4 +1,4 @@
-// The size laws against the parameters that reproduce the asked moments, and their quantiles against quadrature.
+// The size laws: their parameters reproduce the requested moments, and their quantiles agree with quadrature.
 #include "gem/field/generator/size_law.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(SizeLaw, QuantilesHaveTheAskedMoments) {
     FloesDef floes;
     floes.size_law = kind;
     const SampleMoments m = sample(TruncatedSizeLaw(floes), 100000);
-    // Midpoints err by O(1/n^2), the panels by about 1e-6 of the size.
+    // Midpoints have an error O(1/n^2), the panels about 1e-6 of the size.
     EXPECT_NEAR(m.mean, 6.9, 1e-5);
     EXPECT_NEAR(m.deviation, 3.9, 1e-5);
   }

@@ -1,4 +1,4 @@
-// How well the run kept its books: unexplained momentum and energy, and overlap.
+// Figures of the books: unexplained momentum and energy, and overlap.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -11,7 +11,7 @@
 namespace gem {
 namespace {
 
-/// Zero has no place on a logarithmic axis: exact books are drawn just below rounding.
+/// A logarithmic axis has no zero, so a residual of zero is drawn just below rounding.
 double drawable(double residual) { return std::max(std::abs(residual), 1e-18); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Pictures of the field to scale: outlines in metres, coloured by speed on one scale.
+// Pictures of the field to scale: outlines in metres, with one colour scale for speed.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,7 +20,7 @@ bool inside(const View& view, double x, double y, double margin) {
   return x > view.x_low - margin && x < view.x_high + margin && y > view.y_low - margin && y < view.y_high + margin;
 }
 
-/// Everything that floes and platform reach in any frame, with a rim that shows the inner edge of the boundary.
+/// The area that floes and platform cover in any frame, with a margin that shows the inner edge of the boundary.
 View channel_view(const RunData& run) {
   View view{0.0, 0.0, 0.0, 0.0};
   for (const Vec2 p : run.platform_outline)
@@ -35,7 +35,7 @@ View channel_view(const RunData& run) {
   return {view.x_low - rim, view.x_high + rim, view.y_low - rim, view.y_high + rim};
 }
 
-/// One colour scale for all pictures: zero to the speed that 99.5 % of the floes stay below, at least the current.
+/// One colour scale for all pictures: from zero to the 99.5 % quantile of floe speeds, but at least the current speed.
 double speed_scale(const RunData& run) {
   double top = run.current_speed;
   for (const FloeFrame& frame : run.frames) {
@@ -56,7 +56,7 @@ Csv floes_csv(const RunData& run, const FloeFrame& frame, const View& view) {
     if (!std::isfinite(frame.x[i]) || !inside(view, frame.x[i], frame.y[i], 20.0)) continue;
     const Rotation turn{std::cos(frame.theta[i]), std::sin(frame.theta[i])};
     const Corners& outline = run.floe_outlines[i];
-    // The first corner comes again at the end, so that the same rows draw a closed line.
+    // The first corner is repeated at the end, so that the rows draw a closed line.
     for (std::size_t c = 0; c <= outline.size(); ++c) {
       const Vec2 p = Vec2{frame.x[i], frame.y[i]} + rotate(turn, outline[c % outline.size()]);
       csv.row({p.x, p.y, frame.speed[i]});
@@ -100,7 +100,7 @@ struct FieldPicture {
   View view;
   PlotSize size;
   std::string fixed = "fixed";  // name of the file of the fixed bodies
-  bool floe_edges = false;      // thin white lines between floes: only where a floe is many pixels wide
+  bool floe_edges = false;      // thin white lines between floes, only if a floe is many pixels wide
 };
 
 Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture& picture, double top_speed,
@@ -127,7 +127,7 @@ Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture
   return folder.draw({picture.name, picture.title, "", ""}, picture.size, commands.str());
 }
 
-/// Height that leaves no empty band above or below a view drawn with equal axes.
+/// Height that leaves no empty band above or below a view with equal axes.
 PlotSize channel_size(const View& view) {
   const double drawn_width = 1000.0 - 175.0;
   const double height = drawn_width * (view.y_high - view.y_low) / (view.x_high - view.x_low) + 85.0;

@@ -1,4 +1,4 @@
-// The figures of a run report. Each writes its numbers and script into the folder and returns the picture.
+// The figures of a run report. Each writes its data and script into the folder and returns the picture.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace gem {
 
-/// The whole channel at start, middle and end, coloured by speed, and the surroundings of the platform at the middle.
+/// The whole channel at the start, middle and end, coloured by speed, and the area around the platform at the middle.
 std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder);
 
-/// The whole channel at the middle of the run under a name of its own. Needs the three frames of a run.
+/// The whole channel at the middle of the run, as a figure of the given name. Needs the three frames of a run.
 Figure field_figure(const RunData& run, const std::string& name, const std::string& title, const PlotFolder& folder);
 
 /// x(t), y(t), the orbit and the spectra of both.
@@ -22,7 +22,7 @@ std::vector<Figure> motion_figures(const RunData& run, const RunFindings& findin
 /// Net ice force with a window around its largest value, and ice against mooring force.
 std::vector<Figure> force_figures(const RunData& run, const PlotFolder& folder);
 
-/// What the books leave unexplained, and overlap, against time.
+/// Residuals of the books, and overlap, against time.
 std::vector<Figure> book_figures(const RunData& run, const PlotFolder& folder);
 
 }  // namespace gem

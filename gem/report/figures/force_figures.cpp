@@ -1,4 +1,4 @@
-// What the platform feels: net ice force with a short window, and ice against mooring.
+// Forces on the platform: net ice force with a short extract, and ice against mooring.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -20,7 +20,7 @@ struct Window {
   double to;
 };
 
-/// The window around the record's largest ice force, moved inside the record.
+/// The window around the largest ice force of the record, shifted to lie inside the record.
 Window window_around_largest(const RunData& run) {
   const PlatformRecord& p = run.platform;
   const double middle = p.time[maximum_excursion(p.ice_force_x).sample];
@@ -37,11 +37,11 @@ void write_whole(const RunData& run, const std::vector<double>& force, const std
   folder.write_csv(name, csv);
 }
 
-/// Whether the mean over the window says more than that over a sample.
+/// Whether the force window is longer than a sample, so that its mean differs from that of a sample.
 bool has_window(const RunData& run) { return run.force_window_s > 1.5 * sample_interval(run.platform.time); }
 
-/// The extract at full resolution, and the crushing peaks of its impacts. Means are recorded at the end of what they
-/// are over: that over the window is moved to its middle.
+/// The extract at full resolution, and the crushing peaks of its impacts. A mean is recorded at the end of its window;
+/// it is drawn at the middle.
 void write_window(const RunData& run, const Window& window, const Unit& unit, const Unit& peak_unit,
                   const PlotFolder& folder) {
   const PlatformRecord& p = run.platform;
@@ -56,7 +56,7 @@ void write_window(const RunData& run, const Window& window, const Unit& unit, co
   Csv peaks("t [s],x component of the crushing peak [" + peak_unit.name + "]");
   for (const std::size_t i : opening_events(run.events))
     if (run.events.time[i] >= window.from && run.events.time[i] <= window.to)
-      // The normal points into the ice; the platform feels the opposite.
+      // The normal points into the ice; the force on the platform points the other way.
       peaks.row({run.events.time[i], -run.events.nx[i] * run.events.force_peak[i] / peak_unit.size});
   folder.write_csv("ice_force_peaks", peaks);
 }
@@ -65,7 +65,7 @@ std::string range_text(const Window& window, double unit) {
   return "set xrange [" + rounded_text(window.from / unit, 7) + ":" + rounded_text(window.to / unit, 7) + "]\n";
 }
 
-/// Upper two panels: the impacts' crushing peaks above the impulses, each on its own axis.
+/// The upper two panels: crushing peaks of the impacts, and impulses below them, each with its own axis.
 std::string window_plots(const RunData& run, const Window& window, const std::string& sample, const Unit& unit,
                          const Unit& peak_unit) {
   std::ostringstream commands;

@@ -1,4 +1,4 @@
-// How the platform moves: both coordinates against time, the orbit, the spectra.
+// Motion of the platform: both coordinates against time, the orbit, the spectra.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kCurvePoints = 6000;
 constexpr double kOrbitShape = 1.45;        // width over height of the orbit's frame
-constexpr std::size_t kOrbitPoints = 6000;  // each is a path of its own in the picture
+constexpr std::size_t kOrbitPoints = 6000;  // each point is an SVG path of its own
 
 struct AxisCurve {
   std::string name;    // of the figure
@@ -38,7 +38,7 @@ Figure draw_axis(const RunData& run, const AxisCurve& curve, const std::vector<d
                      {1000, 300}, commands.str());
 }
 
-/// The smallest frame of the fixed shape that holds the orbit and the rest position, from rest [m].
+/// The smallest frame of the fixed shape that contains the orbit and the rest position [m].
 struct OrbitFrame {
   Vec2 middle;
   double half_width;
@@ -80,7 +80,7 @@ Figure draw_orbit(const RunData& run, const Unit& length, const PlotFolder& fold
       {1000, 610}, commands.str());
 }
 
-/// Highest frequency worth showing: five times the natural or, without mooring, the main frequency [Hz].
+/// Highest frequency shown: five times the natural frequency or, without mooring, the main frequency [Hz].
 double frequency_limit(const RunData& run, const RunFindings& findings) {
   double base = run.natural_period_s > 0.0 ? 1.0 / run.natural_period_s : 0.0;
   if (findings.x.spectral) base = std::max(base, 1.0 / findings.x.spectral->period);
@@ -94,7 +94,7 @@ Figure draw_spectra(const RunData& run, const RunFindings& findings, const PlotF
   Csv csv("f [mHz],S_x [m2/Hz],S_y [m2/Hz]");
   double largest = 0.0;
   for (std::size_t i = 1; i < x.density.size() && x.frequency(i) <= limit; ++i) {
-    // A density of zero has no place on a logarithmic axis.
+    // A logarithmic axis has no zero.
     csv.row({1e3 * x.frequency(i), std::max(x.density[i], 1e-30), std::max(y.density[i], 1e-30)});
     largest = std::max({largest, x.density[i], y.density[i]});
   }

@@ -1,4 +1,4 @@
-// Scripts in the house style, run through gnuplot, and pictures made fit for one page.
+// Writes gnuplot scripts in one style, runs gnuplot, and prepares the pictures for one page.
 #include "gem/report/figures/plot_folder.h"
 
 #include <charconv>
@@ -12,7 +12,7 @@
 namespace gem {
 namespace {
 
-// Quiet axes, a light grid, viridis; ls 1-4 are the colours of lines on white.
+// Plain axes, a light grid, the palette viridis; ls 1-4 are the colours of lines on white.
 constexpr const char* kPlotStyle = R"(set encoding utf8
 set datafile separator ','
 set datafile columnheaders
@@ -55,7 +55,7 @@ void remove_between(std::string& text, const std::string& open, const std::strin
   text = result.append(text, done, std::string::npos);
 }
 
-/// Fit for several pictures on one page: no XML prologue, no tooltips, names of symbols that cannot clash.
+/// Makes several pictures fit for one page: no XML prologue, no tooltips, unique symbol names.
 std::string tidy_svg(std::string svg, const Figure& figure) {
   svg.erase(0, svg.find("<svg"));
   remove_between(svg, "<title>", "</title>");
@@ -86,7 +86,7 @@ void Csv::row(std::initializer_list<double> values) {
   for (const double value : values) {
     text_ += separator;
     separator = ",";
-    // Seven digits draw any picture; an empty field is a gap for gnuplot.
+    // Seven digits are enough for a picture. An empty field is a gap for gnuplot.
     if (std::isfinite(value))
       text_.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 7).ptr);
   }
@@ -95,7 +95,7 @@ void Csv::row(std::initializer_list<double> values) {
 
 PlotFolder::PlotFolder(std::filesystem::path folder, std::string stamp)
     : folder_(std::move(folder)), stamp_(std::move(stamp)) {
-  // Asked before anything is written.
+  // Checked before anything is written.
   if (!run_program({"gnuplot", "--version"}, ".").found) throw no_gnuplot();
   std::error_code failed;
   std::filesystem::create_directories(folder_, failed);

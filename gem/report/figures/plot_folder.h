@@ -1,4 +1,4 @@
-// A folder of figures: for each one the numbers (CSV), the gnuplot script and the picture (SVG).
+// A folder of figures: for each the data (CSV), the gnuplot script and the picture (SVG).
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace gem {
 
-/// Rows of numbers under a header, with blank lines between outlines.
+/// Rows of numbers under a header; blank lines separate outlines.
 class Csv {
  public:
   explicit Csv(const std::string& header) : text_(header + "\n") {}
@@ -20,10 +20,10 @@ class Csv {
   std::string text_;
 };
 
-/// A finished figure on its way to the page.
+/// A finished figure for the page.
 struct Figure {
   std::string name;     // of its files
-  std::string title;    // what a reader who cannot see it is told
+  std::string title;    // the alternative text of the picture
   std::string caption;  // HTML
   std::string svg;
 };
@@ -35,12 +35,12 @@ struct PlotSize {
 
 class PlotFolder {
  public:
-  /// Makes the folder. `stamp` is printed small on every figure: case and commit. Throws Error(file_system) if gnuplot
+  /// Makes the folder. `stamp` (case and commit) is printed small on every figure. Throws Error(file_system) if gnuplot
   /// is missing or the folder cannot be made.
   PlotFolder(std::filesystem::path folder, std::string stamp);
   void write_csv(const std::string& name, const Csv& csv) const;
   /// Writes NAME.gp, runs gnuplot on it and returns the picture. `commands` may use the line styles and the palette of
-  /// the house. Throws Error(file_system) if gnuplot is missing or fails, or a file cannot be written.
+  /// the common style. Throws Error(file_system) if gnuplot is missing or fails, or a file cannot be written.
   Figure draw(Figure figure, PlotSize size, const std::string& commands) const;
 
  private:

@@ -1,4 +1,4 @@
-// Starting and awaiting a process by POSIX calls.
+// Starts a process and waits for it, by POSIX calls.
 #include "gem/report/figures/run_program.h"
 
 #include <fcntl.h>
@@ -15,7 +15,7 @@
 namespace gem {
 namespace {
 
-/// Everything that the pipe delivers, on one line.
+/// Reads the pipe to its end, as one line.
 std::string read_line_of(int pipe_end) {
   std::string text;
   std::array<char, 4096> buffer{};

@@ -13,8 +13,8 @@ struct ProgramResult {
   std::string output;  // stdout and stderr on one line, at most 300 characters
 };
 
-/// Starts `command` (name looked up in PATH) in `folder` and waits for it. Throws Error(resource_limit) if no process
-/// can be started.
+/// Starts `command` (found in PATH) in `folder` and waits for it. Throws Error(resource_limit) if no process can be
+/// started.
 ProgramResult run_program(const std::vector<std::string>& command, const std::filesystem::path& folder);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// Choosing the samples that are drawn.
+// Chooses the samples that are drawn.
 #include "gem/report/figures/series.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Records made thin enough to draw without losing what the eye would see.
+// Thins records for drawing without visible loss.
 #pragma once
 
 #include <cstddef>
@@ -7,14 +7,14 @@
 
 namespace gem {
 
-/// Indices of at most 2 * bins samples that keep the smallest and the largest of each bin, in time order: extremes
-/// survive. A record of at most 2 * bins samples keeps all.
+/// Indices, in time order, of the smallest and the largest sample of each of `bins` bins, so that extremes survive. A
+/// record of at most 2 * bins samples is kept whole.
 std::vector<std::size_t> envelope(std::span<const double> signal, std::size_t bins);
 
-/// At most `count` evenly spaced indices, the last sample included: for smooth curves.
+/// At most `count` evenly spaced indices including the last sample, for smooth curves.
 std::vector<std::size_t> every(std::size_t samples, std::size_t count);
 
-/// First and one-past-last sample within [from, to] of ascending times.
+/// First sample and one past the last sample within [from, to], for ascending times.
 struct SampleRange {
   std::size_t begin = 0;
   std::size_t end = 0;

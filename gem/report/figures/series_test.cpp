@@ -1,4 +1,4 @@
-// Thinned records keep what the eye would see, and numbers read well.
+// Thinned records keep their extremes, and numbers are formatted well.
 #include "gem/report/figures/series.h"
 
 #include <gtest/gtest.h>

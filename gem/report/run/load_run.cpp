@@ -1,4 +1,4 @@
-// From the datasets of a run file to plain arrays.
+// Reads the datasets of a run file into plain arrays.
 #include "gem/report/run/load_run.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ RunIdentity identity(const RunFile& file, const SceneDef& scene) {
   return id;
 }
 
-/// Empty if the run has no such record, e.g. no platform.
+/// Empty if the run has no such record, for example without a platform.
 std::vector<double> column(const RunFile& file, const std::string& dataset) {
   return file.has(dataset) ? file.column(dataset) : std::vector<double>{};
 }

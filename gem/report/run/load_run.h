@@ -7,8 +7,8 @@
 
 namespace gem {
 
-/// Three frames of the floes (start, middle, end) and all of the other records. Throws Error(file_system) if the file
-/// cannot be read, is no run file, or is not complete (unless `allow_incomplete`).
+/// Three frames of the floes (start, middle, end) and all other records. Throws Error(file_system) if the file cannot
+/// be read, is not a run file, or is incomplete (unless `allow_incomplete`).
 RunData load_run(const std::string& run_file, bool allow_incomplete);
 
 }  // namespace gem

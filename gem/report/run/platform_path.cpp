@@ -1,4 +1,4 @@
-// Samples of a run file picked by time.
+// Picks samples of a run file by time.
 #include "gem/report/run/platform_path.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace gem {
 namespace {
 
-/// Samples at or before each time; sample times are rounded sums.
+/// Index of the last sample at or before each time. Sample times are sums and therefore rounded.
 std::vector<std::size_t> samples_at(const std::vector<double>& time, double interval_s) {
   std::vector<std::size_t> samples;
   for (double at = 0.0; at <= time.back() + 1e-6 * (1.0 + at); at = interval_s * static_cast<double>(samples.size())) {

@@ -1,4 +1,4 @@
-// Ends of columns, less the place of rest.
+// Takes the ends of columns, measured from the rest position.
 #include "gem/report/run/platform_series.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace gem {
 namespace {
 
-/// The end of a column from a sample on, less a constant.
+/// The end of a column from a sample on, minus a constant.
 std::vector<double> tail(const std::vector<double>& column, std::size_t first, double less = 0.0) {
   std::vector<double> kept(column.begin() + static_cast<std::ptrdiff_t>(first), column.end());
   for (double& value : kept) value -= less;

@@ -1,4 +1,4 @@
-// Moments and extremes of each stretch.
+// Moments and extremes of each block.
 #include "gem/report/run/run_blocks.h"
 
 #include <cmath>

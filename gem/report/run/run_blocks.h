@@ -1,4 +1,4 @@
-// A run cut into stretches of equal length: what grows, and how large the largest of a stretch is.
+// A run divided into blocks of equal length: shows growth, and the largest value per block.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,16 @@
 
 namespace gem {
 
-inline constexpr double kBlockLength = 600.0;  // [s]: about seven natural periods, so blocks are nearly independent
+inline constexpr double kBlockLength =
+    600.0;  // [s]: about seven natural periods, so that blocks are nearly independent
 
-/// One value per stretch; a stretch that the run does not fill is left out.
+/// One value per block; an incomplete block at the end is left out.
 struct RunBlocks {
   std::vector<double> mean_x;             // [m]
-  std::vector<double> deviation_x;        // about the mean of the stretch [m]
+  std::vector<double> deviation_x;        // about the mean of the block [m]
   std::vector<double> deviation_y;        // [m]
   std::vector<double> largest_excursion;  // distance from rest [m]
-  std::vector<double> largest_ice_force;  // size of the window mean [N]
+  std::vector<double> largest_ice_force;  // magnitude of the window mean [N]
 
   std::size_t count() const { return mean_x.size(); }
 };

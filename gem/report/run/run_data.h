@@ -1,4 +1,4 @@
-// What a report needs of one run, in plain arrays: filled from a run file, or by a test.
+// The data of one run for a report, in plain arrays: read from a run file, or made by a test.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace gem {
 
-/// Where a run comes from; empty text or 0 where the file does not say.
+/// Origin of a run. Texts are empty and numbers 0 if the file does not say.
 struct RunIdentity {
   std::string name;
   std::string status;  // running | complete | stopped:<reason>
@@ -18,8 +18,8 @@ struct RunIdentity {
   std::string state_hash;
   std::string seed;
   std::string source;   // program, version and commit
-  std::string build;    // the same with build type and compiler
-  std::string history;  // when and by which command
+  std::string build;    // program, version and commit with build type and compiler
+  std::string history;  // time and command of the run
   std::string engine;
   std::string solver;
   std::string threads;
@@ -69,14 +69,14 @@ struct RunData {
   double natural_period_s = 0.0;  // 2 pi sqrt(M / k); 0 without mooring
   double current_speed = 0.0;     // [m/s]
   double force_window_s = 0.0;    // of ice_force_mean
-  Vec2 rest;                      // where the mooring pulls nothing [m]
+  Vec2 rest;                      // rest position of the mooring [m]
   PlatformRecord platform;
   EventRecord events;
   StatsRecord stats;
   Corners platform_outline;            // about its centre
   std::vector<Corners> fixed;          // world
   std::vector<Corners> floe_outlines;  // about the centroid
-  std::vector<FloeFrame> frames;       // start, middle, end; fewer where no three were recorded
+  std::vector<FloeFrame> frames;       // start, middle, end; fewer if the run recorded fewer than three
 };
 
 }  // namespace gem

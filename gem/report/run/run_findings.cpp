@@ -1,4 +1,4 @@
-// From the records of a run to the numbers of its report.
+// Computes the numbers of a report from the records of a run.
 #include "gem/report/run/run_findings.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ double largest_of(const std::vector<double>& values) {
   return largest;
 }
 
-/// NaN where an engine does not measure it.
+/// NaN if the engine does not measure it.
 double largest_measured(const std::vector<double>& values) {
   const bool measured = std::none_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
   return measured ? largest_of(values) : std::numeric_limits<double>::quiet_NaN();

@@ -21,37 +21,37 @@ struct AxisMotion {
   Spectrum spectrum;
 };
 
-/// Three ice load channels that are never mixed, and the mooring. Largest values are magnitudes in the plane.
+/// Three ice load channels, never mixed, and the mooring. Largest values are magnitudes in the plane.
 struct PlatformLoads {
   double sample_s = 0.0;                      // one sample of the platform record [s]
-  double sample_impulse_largest = 0.0;        // net ice impulse of one sample [N s]
+  double sample_impulse_largest = 0.0;        // net ice impulse in one sample [N s]
   double event_impulse_largest = 0.0;         // normal impulse of one event [N s]
-  double ice_window_largest = 0.0;            // of the window average [N]
-  double ice_window_end_s = 0.0;              // when the window of that ended [s]
+  double ice_window_largest = 0.0;            // of the window mean [N]
+  double ice_window_end_s = 0.0;              // end of that window [s]
   double ice_mean_x = 0.0, ice_mean_y = 0.0;  // over the run [N]
-  double crushing_largest = 0.0;              // closed-form peak among the events that open a touch [N]
+  double crushing_largest = 0.0;              // closed-form peak among events that begin a contact [N]
   double crushing_median = 0.0;
   double crushing_of_any = 0.0;  // among all events [N]
   double mooring_largest = 0.0;  // [N]
   double contact_fraction = 0.0;
   std::size_t events = 0;
-  std::size_t touches = 0;   // events that follow at least kTouchGap without one of the same floe
+  std::size_t touches = 0;   // events after at least kTouchGap without an event of the same floe
   std::size_t arrivals = 0;  // distinct floes that hit the platform
 };
 
-/// How well the run kept its books, and how fast it went. Complementarity, cone excess and energy created are NaN where
-/// the engine does not measure them.
+/// Quality of the books and speed of the run. Complementarity, cone excess and energy created are NaN if the engine
+/// does not measure them.
 struct RunQuality {
-  double residual_momentum = 0.0, residual_angular_momentum = 0.0, residual_energy = 0.0;  // largest of the run
-  double maximum_overlap = 0.0, most_overlap = 0.0;  // of the run, and of 99.9 % of its overlaps [m]
-  double maximum_share = 0.0, most_share = 0.0;      // the same over the size of the smaller body
+  double residual_momentum = 0.0, residual_angular_momentum = 0.0, residual_energy = 0.0;  // largest over the run
+  double maximum_overlap = 0.0, most_overlap = 0.0;  // largest over the run, and bound on 99.9 % of the overlaps [m]
+  double maximum_share = 0.0, most_share = 0.0;      // relative to the size of the smaller body
   double complementarity = 0.0;                      // [m/s]
   double cone_excess = 0.0;                          // [N s]
   double energy_created = 0.0;                       // in one time step [J]
   double speed = 0.0;                                // simulated over wall time
 };
 
-/// What single samples and events say. What needs an interval is in the analysis.
+/// Results of single samples and events. Results with an interval are in the analysis.
 struct RunFindings {
   AxisMotion x, y;
   double radial_excursion = 0.0;  // [m]
@@ -60,20 +60,20 @@ struct RunFindings {
   RunQuality quality;
 };
 
-/// Platform records shorter than this have no spectrum and no interval of the mean.
+/// Shorter platform records have no spectrum and no interval of the mean.
 inline constexpr std::size_t kSamplesForStatistics = 64;
 
-/// A floe that rests against the platform has an event in every time step; only the first one is an impact.
+/// A floe that rests against the platform has an event in every time step; only the first counts as an impact.
 inline constexpr double kTouchGap = 1.0;  // [s]
 std::vector<std::size_t> opening_events(const EventRecord& events);
 
-/// Computes everything that the run's records allow; the rest stays zero or empty.
+/// Computes everything that the records of the run allow; the rest stays zero or empty.
 RunFindings run_findings(const RunData& run);
 
-/// What analyse_platform() says of the whole run; empty for a record too short to analyse.
+/// The result of analyse_platform() for the whole run; empty for a record too short to analyse.
 std::vector<Finding> whole_run_analysis(const RunData& run);
 
-/// Interval of evenly sampled times [s]. Throws Error(file_system) if the samples are not even to 1e-6.
+/// Interval of evenly spaced times [s]. Throws Error(file_system) if they are not even to 1e-6.
 double sample_interval(const std::vector<double>& time);
 
 }  // namespace gem

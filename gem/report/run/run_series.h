@@ -1,4 +1,4 @@
-// What a summary keeps of the platform's motion besides single numbers.
+// The series that a summary keeps of the platform's motion, besides single numbers.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 namespace gem {
 
 struct RunSeries {
-  std::vector<double> excursion_peaks;  // of the distance from rest, one per natural period [m]
+  std::vector<double> excursion_peaks;  // largest distance from rest per natural period [m]
   RunBlocks blocks;
   std::optional<PlatformPath> path;
 };
 
-/// Peaks and blocks of a record; the path is left out.
+/// Peaks and blocks of a record, without the path.
 RunSeries run_series(const PlatformSeries& series);
 
 }  // namespace gem

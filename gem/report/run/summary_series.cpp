@@ -1,4 +1,4 @@
-// The series of a summary, and how they become its columns.
+// Lists the series of a summary and adds them as columns.
 #include "gem/report/run/summary_series.h"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ const std::vector<SeriesEntry>& summary_series() {
 }
 
 void add_series(SummaryTable& table, const std::vector<RunSeries>& given) {
-  std::vector<RunSeries> runs = given;  // an entry gives a place to write to as well
+  std::vector<RunSeries> runs = given;  // a copy, because an entry may also write to its run
   double interval_s = 0.0;
   bool exact = true;
   for (const RunSeries& run : runs) {

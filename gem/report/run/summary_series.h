@@ -9,19 +9,19 @@
 
 namespace gem {
 
-/// A series of the summary and where its values lie in a run.
+/// A series of the summary and where a run keeps its values.
 struct SeriesEntry {
   const char* axis;  // time, cycle or block
   const char* name;
   const char* units;
   const char* long_name;
-  std::function<std::vector<double>&(RunSeries&)> values;  // makes room for a path where there is none
+  std::function<std::vector<double>&(RunSeries&)> values;  // makes an empty path if there is none
 };
 
 /// All series that a summary may hold.
 const std::vector<SeriesEntry>& summary_series();
 
-/// Adds to a table with one row for each of `runs`, in their order, what the runs have.
+/// Adds the series of the runs to a table that has one row per run, in the same order.
 void add_series(SummaryTable& table, const std::vector<RunSeries>& runs);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// The option table as a JSON Schema, for editors: draft 4, whose exclusive bounds are flags.
+// Writes the option table as a JSON Schema for editors. Draft 4: exclusive bounds are flags.
 #include <cmath>
 #include <nlohmann/json.hpp>
 

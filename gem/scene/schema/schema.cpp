@@ -1,11 +1,11 @@
-// The table of options, section by section. Ranges catch absurd values and slips of unit; check_scene.cpp compares
-// options with one another.
+// The table of options, section by section. Ranges catch absurd values and mistaken units. check_scene.cpp compares
+// options with each other.
 #include "gem/scene/schema/schema.h"
 
 #include "gem/scene/schema/schema_builder.h"
 #include "gem/scene/toml/toml_text.h"
 
-// The accessor of one member, for const and mutable scenes alike.
+// Accessor of one member, for const and mutable scenes.
 #define GEM_FIELD(member) \
   [](auto& s) -> auto& { return s.member; }
 

@@ -1,4 +1,4 @@
-// The one table of options: it drives reading, defaults, checks, messages, `explain` and the JSON Schema.
+// The only table of options. Reading, defaults, checks, messages, `explain` and the JSON Schema use it.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace gem {
 
 enum class OptionType { number, integer, text, choice, flag, pair, outline };
 
-/// Allowed values; for a pair of each component, for an outline of each coordinate.
+/// Allowed values. A pair has one range for both components, an outline one for all coordinates.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -32,10 +32,10 @@ inline constexpr Range thickness_range = {0.01, 10.0};   // of ice [m]
 /// "[0, 1)" with the unit.
 std::string range_text(const Range& range, const std::string& unit);
 
-/// In the order of OptionType; text and choice are both strings.
+/// Alternatives in the order of OptionType; text and choice are both strings.
 using OptionValue = std::variant<double, std::int64_t, std::string, bool, Vec2, std::vector<Vec2>>;
 
-/// What an option is, apart from where it is kept.
+/// An option without its place in a scene.
 struct OptionInfo {
   std::string path;  ///< "section.key" of the scene; the bare key in a list
   OptionType type = OptionType::number;
@@ -43,7 +43,7 @@ struct OptionInfo {
   Range range;
   std::vector<std::string> choices;
   std::string doc;
-  std::string why = "";  ///< reason of the range, for the message; may be empty
+  std::string why = "";  ///< reason for the range, for the message; may be empty
 };
 
 template <class T>
@@ -52,7 +52,7 @@ struct Option : OptionInfo {
   std::function<void(T&, const OptionValue&)> set;
 };
 
-/// Every option of a scene outside its lists, sections together, in the order of SceneDef.
+/// Every option of a scene except those in lists, grouped by section, in the order of SceneDef.
 const std::vector<Option<SceneDef>>& scene_options();
 
 /// The lists [[ice.class]], [[floe]] and [[fixed]].
@@ -60,11 +60,11 @@ const std::vector<Option<IceClassDef>>& ice_class_options();
 const std::vector<Option<FloeDef>>& floe_options();
 const std::vector<Option<FixedDef>>& fixed_options();
 
-/// Longest outline that a list may give, by its range of coordinates and this count.
+/// Allowed number of corners of a listed outline.
 inline constexpr std::size_t outline_vertices_minimum = 3;
 inline constexpr std::size_t outline_vertices_maximum = 256;
 
-/// A key that had another name in older files. Both are read; a run says so in one line.
+/// A key that had another name in older files. Both names are read; a run reports the old one in a line.
 struct RenamedKey {
   const char *section, *old_name, *name;
 };

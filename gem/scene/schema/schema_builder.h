@@ -1,4 +1,4 @@
-// Short forms in which the option table is written: one call per option.
+// Helpers that write the option table with one call per option.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Each draft of the sweep is laid over the rest of the file and read as a scene of its own.
+// Each draft of a sweep is merged over the rest of the file and read as a scene.
 #include "gem/scene/sweep/sweep.h"
 
 #include <algorithm>

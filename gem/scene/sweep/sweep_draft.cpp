@@ -1,4 +1,4 @@
-// Takes the sweep table apart: every mistake in it is reported where it stands.
+// Reads the sweep table. Every mistake is reported with its place.
 #include "gem/scene/sweep/sweep_draft.h"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ std::vector<std::string> split(const std::string& text) {
   return parts;
 }
 
-/// The table of a product sweep, taken apart and checked.
+/// Reads and checks the table of a product sweep.
 class ProductSweep {
  public:
   explicit ProductSweep(const TomlNode& sweep) : sweep_(sweep) {
@@ -217,7 +217,7 @@ std::int64_t seed_number(const TomlNode& seeds, const std::string& key, std::int
   return node->integer;
 }
 
-/// Repeats every draft for each seed; with more than one, the name says which.
+/// Repeats every draft for each seed; with several seeds the name gets the seed.
 std::vector<Draft> with_seeds(std::vector<Draft> drafts, const TomlNode& sweep) {
   const TomlNode* seeds = sweep.find("seeds");
   if (seeds == nullptr) return drafts;

@@ -1,4 +1,4 @@
-// The first stage of a sweep: its table becomes a list of names and settings.
+// First stage of a sweep: its table becomes a list of names and settings.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace gem {
 
-/// One run before it is read: settings to lay over the rest of the file.
+/// One run before it is read: settings to merge over the rest of the file.
 struct SweepDraft {
   std::string name;
   TomlNode settings;

@@ -1,4 +1,4 @@
-// Sweeps give exactly the paper's runs; every shipped case is accepted; the schema is consistent.
+// Sweeps give exactly the paper's runs, every shipped case is accepted, and the schema is consistent.
 #include "gem/scene/sweep/sweep.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Table1, NamesDurationsAndParametersAreThePapers) {
         }
         hours += m.scene.run.duration_s / 3600.0;
       }
-  // With the five repeats of two hours: the paper's "about 72 hours".
+  // With the five repeats of two hours this is the paper's "about 72 hours".
   EXPECT_NEAR(hours + 5 * 2.0, 72.0, 0.5);
 }
 

@@ -1,4 +1,4 @@
-// Explanations and listings, all read off the option table.
+// Explanations and listings, all generated from the option table.
 #include "gem/scene/toml/case_text.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One row of the table with its default, whatever struct it belongs to.
+/// One row of the table with its default, for any struct.
 struct Row {
   OptionInfo info;
   std::string default_text;
@@ -68,7 +68,7 @@ std::string allowed_text(const OptionInfo& info) {
   return range_text(info.range, "");
 }
 
-/// What may stand there, as a cell of a Markdown table, where | parts the cells.
+/// The allowed values as a cell of a Markdown table, with | escaped.
 std::string markdown_range(const OptionInfo& info) {
   if (info.type == OptionType::flag) return "`true`, `false`";
   if (info.type == OptionType::text) return "any text";

@@ -1,4 +1,4 @@
-// Includes are followed depth first, each file parsed once per place where it is named.
+// Includes are followed depth first. A file is parsed once for each place that includes it.
 #include "gem/scene/toml/document.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::string read_text(const std::string& path) {
   if (!file)
     throw Error(ExitCode::file_system,
                 "cannot read " + quoted_text(path) + " (" + std::strerror(errno) + ") check the path");
-  // One byte more than allowed is enough to refuse the file, however large it is.
+  // Reading one byte more than allowed is enough to refuse a file of any size.
   std::string text(toml_bytes_maximum + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
@@ -36,7 +36,7 @@ std::string read_text(const std::string& path) {
   return text;
 }
 
-/// Makes every floes.path in the document relative to where the document lies.
+/// Makes every floes.path in the document relative to the document's folder.
 void anchor_paths(TomlNode& node, const fs::path& folder) {
   for (auto& [key, value] : node.entries) {
     anchor_paths(value, folder);
@@ -47,18 +47,18 @@ void anchor_paths(TomlNode& node, const fs::path& folder) {
   for (TomlNode& item : node.items) anchor_paths(item, folder);
 }
 
-/// The dotted name that a path has today.
+/// The current name of a dotted path.
 std::string current_path(const std::string& path) {
   for (const RenamedKey& key : renamed_keys())
     if (path == std::string(key.section) + "." + key.old_name) return std::string(key.section) + "." + key.name;
   return path;
 }
 
-/// Gives older keys their names of today, wherever in the document their section stands, and remembers the old ones.
+/// Replaces old keys by their current names, wherever their section stands, and records the old names.
 void rename_old_keys(TomlNode& node) {
   for (auto& [section, table] : node.entries) {
     rename_old_keys(table);
-    if (section == "map" && table.kind == TomlKind::table)  // of a sweep: from axes to the paths of options
+    if (section == "map" && table.kind == TomlKind::table)  // of a sweep: maps axes to paths of options
       for (auto& entry : table.entries) entry.second.text = current_path(entry.second.text);
     for (auto& [name, value] : table.entries)
       for (const RenamedKey& key : renamed_keys())
@@ -70,7 +70,7 @@ void rename_old_keys(TomlNode& node) {
   for (TomlNode& item : node.items) rename_old_keys(item);
 }
 
-/// Parses a text and brings its keys up to date.
+/// Parses a text and replaces old keys.
 TomlNode parse_document(const std::string& text, const std::string& origin) {
   TomlNode document = parse_toml(text, origin);
   rename_old_keys(document);
@@ -127,14 +127,14 @@ TomlNode load_text(const std::string& text, const std::string& origin) {
 
 namespace {
 
-/// An override is one line that the user has before him: its option says enough.
+/// An override is one line and its message names the option, so line numbers would not help.
 void forget_lines(TomlNode& node) {
   node.place.line = node.key_place.line = 0;
   for (auto& entry : node.entries) forget_lines(entry.second);
   for (TomlNode& item : node.items) forget_lines(item);
 }
 
-/// `key=word` with the quotes that a shell takes away: a word is text unless TOML knows it.
+/// Adds the quotes that a shell removes from `key="word"`: an unquoted word is a text unless it is a TOML value.
 std::string with_quotes(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals + 1 == assignment.size()) return assignment;

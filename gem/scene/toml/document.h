@@ -1,4 +1,4 @@
-// A case document: one file with its includes and overrides laid over one another, not yet interpreted.
+// A case document: one file merged with its includes and overrides, not yet interpreted.
 #pragma once
 
 #include <string>
@@ -8,19 +8,18 @@
 
 namespace gem {
 
-/// Reads a case file; files named in `include` (relative to the including file) come first, later ones win.
+/// Reads a case file. Files named in `include` (relative to the including file) are merged first; later values win.
 /// `floes.path` becomes relative to the working directory. Throws Error(file_system) or Error(scene_rejected).
 TomlNode load_document(const std::string& path);
 
-/// The same from text, whose includes and paths are relative to the working directory.
+/// Reads a document from text; its includes and paths are relative to the working directory.
 TomlNode load_text(const std::string& text, const std::string& origin);
 
-/// One override "key.path=value" in TOML syntax as a document of its own; a text of one word needs no quotes. Messages
-/// name it "--set key.path=value"; an override "--option key.path=value" stands for that option and is named "--option
-/// value".
+/// Parses one override "key.path=value" in TOML syntax; a text of one word needs no quotes. Messages call it "--set
+/// key.path=value". An override "--option key.path=value" comes from that option; messages call it "--option value".
 TomlNode parse_override(const std::string& text);
 
-/// Lays overrides over the document, in order.
+/// Merges overrides over the document, in order.
 void apply_overrides(TomlNode& document, const std::vector<std::string>& overrides);
 
 }  // namespace gem

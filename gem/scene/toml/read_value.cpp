@@ -1,4 +1,4 @@
-// One value against one row of the option table.
+// Checks one value against one row of the option table.
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +31,7 @@ std::string expectation(const OptionInfo& info) {
   return "";
 }
 
-/// Adds problems to the right place while one value is taken apart.
+/// Reads one value and adds problems with their places.
 class ValueReader {
  public:
   ValueReader(const OptionInfo& info, const std::string& key, Problems& problems)
@@ -59,7 +59,7 @@ class ValueReader {
       return reject(node, "not finite (value " + describe(node) + ", allowed " + range_text(info_.range, info_.unit) +
                               ") give a finite number");
     if (!info_.range.contains(value)) return reject(node, out_of_range(node));
-    return value + 0.0;  // -0 is written as 0: one value, one text, one hash
+    return value + 0.0;  // -0 becomes 0, so that one value has one text and one hash
   }
 
   std::optional<std::int64_t> integer(const TomlNode& node) {

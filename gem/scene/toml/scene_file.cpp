@@ -1,4 +1,4 @@
-// Reading and writing whole scenes: documents in, the resolved text out.
+// Reads whole scenes from documents and writes their resolved text.
 #include "gem/scene/toml/scene_file.h"
 
 #include "gem/base/sha256.h"
@@ -39,7 +39,7 @@ std::string resolved_toml(const SceneDef& scene) {
     const std::string section = option.path.substr(0, dot);
     if (section != open_section) {
       text += (text.empty() ? "[" : "\n[") + section + "]\n";
-      // Left out, an empty list would come back as the default.
+      // If left out, an empty list would be read as the default.
       if (section == "ice" && scene.floes.classes.empty()) text += "class = []\n";
       open_section = section;
     }

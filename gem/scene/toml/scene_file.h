@@ -13,11 +13,11 @@ namespace gem {
 /// file:line:column, Error(file_system) if a file cannot be read.
 SceneDef read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// The same from text; `origin` is the name used in messages.
+/// Reads a scene from text; `origin` is the name used in messages.
 SceneDef parse_scene(const std::string& text, const std::string& origin,
                      const std::vector<std::string>& overrides = {});
 
-/// Every key with its value, in schema order: the form that is hashed and stored. Reading it gives the same scene.
+/// Every key with its value, in schema order. This text is hashed and stored. Reading it gives the same scene.
 std::string resolved_toml(const SceneDef& scene);
 
 /// SHA-256 of resolved_toml, 64 hex digits: the identity of a case.

@@ -1,4 +1,4 @@
-// Reading and writing agree: the resolved text comes back as itself, in any locale, and defaults have one source.
+// Reading and writing agree: the resolved text is read back unchanged, in any locale, and defaults have one source.
 #include "gem/scene/toml/scene_file.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(SceneFile, ScenesWithNothingInThemAreValid) {
 }
 
 TEST(SceneFile, EveryOptionIsReadBackFromItsOwnText) {
-  // Sets each option to a value that differs from its default and looks for it in the scene that is read.
+  // Sets each option to a value other than its default and checks it in the scene that is read.
   for (const auto& option : scene_options()) {
     SceneDef scene;
     OptionValue value = option.get(scene);
@@ -59,7 +59,7 @@ TEST(SceneFile, EveryOptionIsReadBackFromItsOwnText) {
   }
 }
 
-/// A random double whose digits are as awkward as they come, inside the range.
+/// A random double in the range, with many digits.
 double awkward(const Range& range, std::mt19937_64& random) {
   const double low = std::max(range.low, -1e3);
   const double high = std::min(range.high, 1e3);
@@ -92,7 +92,7 @@ TEST(SceneFile, ResolvedTextComesBackAsItself) {
 }
 
 TEST(SceneFile, DamagedTextIsRefusedOrStillAScene) {
-  // Truncations, and random bytes put anywhere: an Error or a scene that comes back as itself, nothing else.
+  // Truncated texts and random bytes must give an Error or a scene that is written and read back unchanged.
   const std::string whole = resolved_toml(SceneDef{});
   std::mt19937_64 random(11);
   int refused = 0;

@@ -1,4 +1,4 @@
-// Walks a document beside the option table.
+// Reads a document with the option table.
 #include "gem/scene/toml/scene_tree.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ const Option<T>* find_option(const std::vector<Option<T>>& options, const std::s
   return found == options.end() ? nullptr : &*found;
 }
 
-/// One [[list]] entry. `key` is "floe[0]" and the like.
+/// Reads one [[list]] entry. `key` is e.g. "floe[0]".
 template <class T>
 T read_entry(const TomlNode& node, const std::string& key, const std::vector<Option<T>>& options, Problems& problems) {
   T out;
@@ -114,7 +114,7 @@ SceneDef scene_from_tree(const TomlNode& document, Problems& problems) {
 SceneDef checked_scene(const TomlNode& document) {
   Problems problems;
   SceneDef scene = scene_from_tree(document, problems);
-  // Comparisons of values that were not read would only repeat the same fault in other words.
+  // Options that could not be read are not compared: that would repeat the same error in other words.
   problems.throw_if_any();
   for (const SceneProblem& problem : check_scene(scene)) {
     const TomlNode* node = find_path(document, problem.key);

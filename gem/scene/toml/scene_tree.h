@@ -1,4 +1,4 @@
-// From a document to a scene: every key is looked up in the option table, every problem is collected.
+// Reads a scene from a document: every key is looked up in the option table and all problems are collected.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace gem {
 
-/// The value of one option if it has the right type and lies in its range; otherwise adds a problem.
-/// `key` is the full name used in messages.
+/// The value of one option if it has the right type and lies in its range; otherwise adds a problem. `key` is the full
+/// name used in messages.
 std::optional<OptionValue> read_value(const OptionInfo& info, const std::string& key, const TomlNode& node,
                                       Problems& problems);
 
-/// Reads all options and lists that the document gives; what it leaves out keeps its default.
+/// Reads all options and lists of the document. What it leaves out keeps its default.
 SceneDef scene_from_tree(const TomlNode& document, Problems& problems);
 
-/// The same with the comparisons of check_scene. Throws Error(scene_rejected) with every problem.
+/// Reads the scene and applies check_scene. Throws Error(scene_rejected) with every problem.
 SceneDef checked_scene(const TomlNode& document);
 
 /// Every name that a case file may contain, for suggestions.

@@ -1,4 +1,4 @@
-// Values as TOML text, by std::to_chars.
+// Writes values as TOML text with std::to_chars.
 #include "gem/scene/toml/toml_text.h"
 
 #include <array>
@@ -14,7 +14,7 @@ std::string plain_number_text(double value) {
 
 std::string toml_number_text(double value) {
   std::string text = plain_number_text(value);
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";  // n: inf and nan
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";  // "n" is in inf and nan
   return text;
 }
 

@@ -1,4 +1,4 @@
-// Values as TOML text, whatever the locale: the shortest digits that read back to the same bits.
+// Values as TOML text, in any locale: the shortest digits that read back to the same bits.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace gem {
 /// A TOML float: always with a point or an exponent.
 std::string toml_number_text(double value);
 
-/// A number for people: the same digits, whole numbers without ".0".
+/// A number for people: the shortest digits, whole numbers without ".0".
 std::string plain_number_text(double value);
 
 /// "[x, y]".

@@ -1,4 +1,4 @@
-// Parses TOML through toml++ and copies the result into the plain tree, with limits checked first.
+// Checks the limits of a text, parses it with toml++ and copies the result into the plain tree.
 #include "gem/scene/toml/toml_tree.h"
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include "gem/base/error.h"
 #include "gem/scene/toml/toml_text.h"
 
-// Header-only with std::from_chars: the packaged library reads numbers through a stream.
-// Its assertions are left out in every build: bad input reaches them, and the code behind them reports it in order.
+// Header-only, because it then reads numbers with std::from_chars; the packaged library reads them through a stream.
+// Its assertions are off in every build: bad input reaches them, and the code behind them reports it properly.
 #define TOML_HEADER_ONLY 1
 #define TOML_ASSERT(expr) static_assert(true)
 #define TOML_FLOAT_CHARCONV 1
@@ -31,7 +31,7 @@ std::string trimmed(std::string_view text) {
   return std::string(text);
 }
 
-/// The dotted key that the given line assigns, found without parsing: a syntax error still names its value.
+/// The dotted key assigned in the given line, found without parsing, so that a syntax error can name its key.
 std::string key_near_line(std::string_view text, std::uint32_t line) {
   std::string section;
   std::string key;
@@ -56,7 +56,7 @@ std::string key_near_line(std::string_view text, std::uint32_t line) {
   return section + "." + key;
 }
 
-/// Refuses what would cost stack or memory before the library sees it: deep brackets, long dotted keys, long strings.
+/// Refuses deep brackets, long dotted keys and long strings before the library spends stack or memory on them.
 class LimitScanner {
  public:
   explicit LimitScanner(const File& file) : place_{file, 1, 0} {}
@@ -128,7 +128,7 @@ void fill_table(TomlNode& out, const toml::table& table, const File& file) {
     out.entries.emplace_back(std::string(key.str()), converted(value, file));
     out.entries.back().second.key_place = place_of(key.source(), file);
   }
-  // The library keeps keys by alphabet; a sweep needs them as written.
+  // The library sorts keys alphabetically; a sweep needs them in the order of the file.
   std::sort(out.entries.begin(), out.entries.end(), [](const auto& a, const auto& b) {
     const TomlPlace& p = a.second.key_place;
     const TomlPlace& q = b.second.key_place;

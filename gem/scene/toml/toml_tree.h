@@ -1,4 +1,5 @@
-// A TOML document as a plain tree that remembers where every value stands; the only door to the TOML library.
+// A TOML document as a plain tree that knows the place of every value. Only this file and its source use the TOML
+// library.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 
 namespace gem {
 
-/// Where a key or value stands in its text. Line and column count from 1; 0 is unknown.
+/// Place of a key or value in its text. Line and column count from 1; 0 means unknown.
 struct TomlPlace {
   std::shared_ptr<const std::string> file;
   std::uint32_t line = 0;
@@ -24,8 +25,8 @@ enum class TomlKind { table, list, text, integer, number, flag, date };
 struct TomlNode {
   TomlKind kind = TomlKind::table;
   TomlPlace place;      ///< of the value
-  TomlPlace key_place;  ///< of its key; the value's place for items of a list
-  std::string old_key;  ///< the name that the document gives it, where that is an older one
+  TomlPlace key_place;  ///< of its key; for items of a list, the place of the value
+  std::string old_key;  ///< the old name used in the document; empty if the name is current
   std::string text;
   std::int64_t integer = 0;
   double number = 0.0;
@@ -37,7 +38,7 @@ struct TomlNode {
   TomlNode* find(const std::string& key);
 };
 
-/// Limits on a document, so that a hostile one costs neither memory nor stack.
+/// Limits on a document, so that no input can exhaust memory or stack.
 inline constexpr std::size_t toml_bytes_maximum = 16u << 20;
 inline constexpr int toml_depth_maximum = 16;
 inline constexpr std::size_t toml_text_maximum = 4096;
@@ -46,7 +47,7 @@ inline constexpr std::size_t toml_text_maximum = 4096;
 /// Throws Error(scene_rejected) "origin:line:column: key: problem" at the first fault of syntax.
 TomlNode parse_toml(const std::string& text, const std::string& origin);
 
-/// Lays `later` over `base`: tables are merged key by key, anything else is replaced.
+/// Merges `later` over `base`: tables key by key, anything else is replaced.
 void merge_toml(TomlNode& base, const TomlNode& later);
 
 /// The node at a dotted path, or null.
@@ -55,7 +56,7 @@ const TomlNode* find_path(const TomlNode& root, const std::string& path);
 /// A document in which only the dotted path is given.
 TomlNode nested_toml(const std::string& path, const TomlNode& value);
 
-/// The value as a person would write it, shortened: for messages.
+/// The value as a person would write it, shortened, for messages.
 std::string describe(const TomlNode& node);
 
 }  // namespace gem

@@ -1,10 +1,10 @@
-// Run 1 beside itself with one floe moved by a hair: how far the ice of the two is apart, over time.
+// Run 1 beside copies in which one floe is shifted slightly: the distance between the ice of both, over time.
 //
 // Usage: ice_distances CASE SECONDS THREADS DISTANCES.csv
-//   The rows in validation/paper: cases/004_400_25.toml 1800 2 validation/paper/ice_distances.csv;
-//   scripts/paper_report.sh reads them. DISTANCES  one row per 2 s, one column per pair "contacts:moved:seed": root
-//   mean square over the floes that are left in
-//              both of the distance between their places [m]; the last row names the commit
+//   The rows in validation/paper are from: cases/004_400_25.toml 1800 2 validation/paper/ice_distances.csv.
+//   scripts/paper_report.sh reads them.
+//   DISTANCES  one row per 2 s, one column per pair "contacts:moved:seed": root mean square distance between the floes
+//              that are active in both runs [m]; the last row names the commit
 #include <atomic>
 #include <cmath>
 #include <iostream>
@@ -29,7 +29,7 @@ constexpr double kInterval = 2.0;  // between samples [s]
 constexpr int kSeeds = 5;
 const std::vector<std::string> kMoves = {"1e-9", "1e-7", "1e-5", "1e-3"};  // [m]
 
-/// One field with its disturbed copies, one for each of kMoves.
+/// One field and its disturbed copies, one for each of kMoves.
 struct Planned {
   std::string contacts;  // independent or coupled
   int seed = 1;
@@ -109,7 +109,7 @@ int run(const std::vector<std::string>& arguments) {
   std::vector<Planned> plans;
   for (const char* contacts : {"coupled", "independent"})
     for (int seed = 1; seed <= kSeeds; ++seed) plans.push_back({contacts, seed});
-  scene_of(plans.front(), kMoves.front(), arguments[0]);  // a fault in the case shows here, not on a thread
+  scene_of(plans.front(), kMoves.front(), arguments[0]);  // an error in the case shows here, not in a thread
   std::vector<Distances> done(plans.size());
   std::atomic<std::size_t> next{0};
   std::vector<std::jthread> team;

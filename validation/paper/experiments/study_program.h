@@ -1,4 +1,4 @@
-// What the programs of the studies beside the paper's runs share: their arguments, their files and how they end.
+// What the study programs have in common: arguments, files and exit codes.
 #pragma once
 
 #include <fstream>
@@ -26,7 +26,7 @@ inline void write(const std::string& name, const std::string& text) {
     throw Error(ExitCode::file_system, "cannot write " + name + " (disk full or no permission) choose another");
 }
 
-/// The exit code of a program that calls run(arguments); says on standard error what was wrong.
+/// The exit code of a program that calls run(arguments). Errors are reported on standard error.
 template <class Run>
 int exit_code_of(const char* program, int count, char** words, Run run) {
   try {

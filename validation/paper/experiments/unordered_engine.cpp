@@ -33,7 +33,7 @@ void shuffle(std::vector<SingleMotion>& pushes, RandomSequence& random) {
 UnorderedEngine::UnorderedEngine(const SceneDef& scene, Bodies bodies, SumStart start, std::uint64_t repeat)
     : CpuEngine(scene, std::move(bodies), 1, EngineOptions{}.contacts_worth_a_thread), start_(start), repeat_(repeat) {}
 
-// On one thread, as the constructor asks.
+// On one thread, as requested by the constructor.
 void UnorderedEngine::before_contact_events() { keep_motions(); }
 
 void UnorderedEngine::after_contact_events() {

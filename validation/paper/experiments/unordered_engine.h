@@ -1,5 +1,5 @@
-// The CPU engine with sums like those of atomic additions in single precision: what contacts push a body is added up in
-// an order that changes from step to step. For the study of repeated runs; no run is made with it otherwise.
+// The cpu engine with sums like those of atomic additions in single precision: the impulses of contacts on a body are
+// added in an order that changes from step to step. Only for the study of repeated runs.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace gem::repeats {
 
-/// What the pushes are added to, one after the other.
+/// Start value of the sum of the impulses on a body.
 enum class SumStart {
-  zero,      // their sum, which the velocity takes up in double precision
-  velocity,  // the velocity itself: two pushes are enough for their order to matter
+  zero,      // the sum starts at zero; the velocity takes it up in double precision
+  velocity,  // the sum starts at the velocity: two impulses are enough for their order to matter
 };
 
 /// A body's velocity and spin in single precision.
@@ -24,29 +24,29 @@ struct SingleMotion {
 };
 SingleMotion operator+(SingleMotion a, SingleMotion b);
 
-/// `start` and then the pushes in the order in which they stand.
+/// `start` plus the pushes in the given order.
 SingleMotion sum_of(SingleMotion start, const std::vector<SingleMotion>& pushes);
 
-/// Puts the pushes into an order that is one of all orders with equal chance.
+/// Puts the pushes into a random order; all orders have equal probability.
 void shuffle(std::vector<SingleMotion>& pushes, RandomSequence& random);
 
-/// How far sums in single precision lay apart over all time steps so far. Differences are of velocity, relative to the
-/// sum of the lengths of what was added.
+/// Differences of sums in single precision over all time steps so far. Differences are of velocity, relative to the sum
+/// of the magnitudes of the terms.
 struct SumStatistics {
-  std::int64_t sums = 0;       // of bodies that were pushed, one a time step
-  std::int64_t several = 0;    // of them with enough terms for their order to matter
-  std::int64_t changed = 0;    // of them with other bits than in the order of the contacts
-  double order_squares = 0.0;  // against that order, over `several`
+  std::int64_t sums = 0;       // number of sums: one per pushed body and time step
+  std::int64_t several = 0;    // sums with enough terms for their order to matter
+  std::int64_t changed = 0;    // sums whose bits differ from those in the order of the contacts
+  double order_squares = 0.0;  // against the order of the contacts, over `several`
   double order_largest = 0.0;
   double rounding_squares = 0.0;  // against the sum in double precision, over `sums`
   double rounding_largest = 0.0;
-  std::int64_t platform_sums = 0;  // the platform's of `several`
-  double platform_squares = 0.0;   // its velocity against the order of the contacts [m2/s2]
+  std::int64_t platform_sums = 0;  // sums of the platform among `several`
+  double platform_squares = 0.0;   // platform velocity against that in the order of the contacts [m2/s2]
 };
 
 class UnorderedEngine : public CpuEngine {
  public:
-  /// `repeat` is the seed of the orders: the same repeat gives the same bits.
+  /// `repeat` is the seed of the orders: equal repeats give equal bits.
   UnorderedEngine(const SceneDef& scene, Bodies bodies, SumStart start, std::uint64_t repeat);
 
   std::string method() const override { return "sums in single precision in no fixed order"; }
@@ -68,9 +68,9 @@ class UnorderedEngine : public CpuEngine {
 
   SumStart start_;
   std::uint64_t repeat_;
-  std::vector<Vec2> velocity_;  // before the events
+  std::vector<Vec2> velocity_;  // before the contact events
   std::vector<double> spin_;
-  std::vector<Entry> entry_;  // by body, then in the order of the contacts
+  std::vector<Entry> entry_;  // sorted by body, then by contact
   std::vector<SingleMotion> pushes_;
   SumStatistics statistics_;
 };

@@ -1,5 +1,5 @@
-// Sums in no fixed order: the order counts in single precision, a repeat can be made again, and one time step of sums
-// is the ordered one but for rounding.
+// Sums without a fixed order: the order matters in single precision, a repeat is reproducible, and one time step equals
+// the ordered one except for rounding.
 #include "validation/paper/experiments/unordered_engine.h"
 
 #include <gtest/gtest.h>
@@ -7,12 +7,20 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ostream>
 #include <tuple>
 
+#include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
 
 namespace gem::repeats {
+
+/// Names a parameterised test by the start of its sums.
+inline void PrintTo(SumStart start, std::ostream* out) {
+  *out << (start == SumStart::zero ? "from_zero" : "from_velocity");
+}
+
 namespace {
 
 constexpr double kUnit = 0x1p-24;  // half a unit in the last place of 1 in single precision
@@ -49,7 +57,7 @@ TEST(SumOfPushes, EveryOrderComesAsOften) {
     ++seen[{pushes[0].x, pushes[1].x, pushes[2].x}];
   }
   ASSERT_EQ(seen.size(), 6U);
-  // five deviations of a binomial count of mean 1000
+  // Five standard deviations of a binomial count of mean 1000.
   for (const auto& [order, count] : seen) EXPECT_NEAR(count, draws / 6, 145);
 }
 
@@ -93,25 +101,20 @@ TEST_P(UnorderedSums, ATimeStepIsTheOrderedOneButForRounding) {
   }
   const SumStatistics& s = unordered.statistics();
   ASSERT_GT(s.several, 0);
-  // Of n terms each is rounded, and each of n additions is off by half a unit of at most the whole: (n + 1) units in
-  // each of two components. A body here has at most twelve neighbours with two points each, and its velocity.
+  // Each of n terms is rounded, and each of n additions has an error of half a unit of at most the whole: (n + 1) units
+  // in each of two components. A body here has at most twelve neighbours with two points each, and its velocity.
   constexpr double terms = 25.0;
   EXPECT_LE(s.rounding_largest, 2.0 * terms * kUnit);
   EXPECT_LE(s.order_largest, 4.0 * terms * kUnit);
   EXPECT_GT(largest, 0.0);
-  // pushes on one floe add up to at most 10 m/s here, where nothing is faster than 3 m/s
+  // The pushes on a floe add up to at most 10 m/s here; no speed exceeds 3 m/s.
   EXPECT_LT(largest, 2.0 * terms * kUnit * 10.0);
 }
 
-std::string name_of(const testing::TestParamInfo<std::tuple<ContactSolver, SumStart>>& info) {
-  return std::string(std::get<0>(info.param) == ContactSolver::coupled ? "coupled" : "independent") +
-         (std::get<1>(info.param) == SumStart::zero ? "_from_zero" : "_from_velocity");
-}
-
-INSTANTIATE_TEST_SUITE_P(Both, UnorderedSums,
+INSTANTIATE_TEST_SUITE_P(Sums, UnorderedSums,
                          testing::Combine(testing::Values(ContactSolver::independent, ContactSolver::coupled),
                                           testing::Values(SumStart::zero, SumStart::velocity)),
-                         name_of);
+                         test::LawNames());
 
 }  // namespace
 }  // namespace gem::repeats

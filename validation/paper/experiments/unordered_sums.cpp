@@ -1,12 +1,15 @@
-// Repeats of one case whose sums are taken in single precision in no fixed order, beside the case as it is and with one
-// floe moved by a hair: how far their platforms are apart, and how large what parts them is in a time step.
+// Repeats of one case with sums in single precision without a fixed order, beside the unchanged case and copies in
+// which one floe is shifted slightly: the distance between their platforms over time, and the size of the differences
+// in a time step.
 //
 // Usage: unordered_sums CASE SECONDS THREADS RUNS.csv DISTANCES.csv
-//   The rows in validation/paper: cases/004_400_25.toml 7200 2 and unordered_runs.csv, unordered_distances.csv there;
-//   took 26 minutes on two cores busy with other work. scripts/paper_report.sh reads them.
-//   RUNS       one row per run: settings, state hash, swing, what its sums in single precision missed (SumStatistics)
+//   The rows in validation/paper are from: cases/004_400_25.toml 7200 2, written to unordered_runs.csv and
+//   unordered_distances.csv; 26 minutes on two busy cores. scripts/paper_report.sh reads them.
+//   RUNS       one row per run: settings, state hash, swing, differences of its sums in single precision
+//   (SumStatistics)
 //   DISTANCES  one row per 2 s, one column per pair "contacts:sums:run-run" (run 0: sums in double precision, in
-//              order): distance of the platforms in place and in velocity over the natural frequency [m]
+//   order):
+//              distance of the platforms in position and in velocity over the natural frequency [m]
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -34,13 +37,13 @@ constexpr const char* kMoved = "1e-9";  // [m]
 struct Planned {
   std::string contacts;  // independent or coupled
   std::string sums;      // ordered; zero or velocity (SumStart); "moved 1e-9": ordered, one floe moved so far [m]
-  int run = 0;           // repeat; the floe that is moved, counted from the platform; 0: as it is
+  int run = 0;           // number of the repeat, or of the shifted floe counted from the platform; 0: unchanged
 };
 
 bool moved(const Planned& run) { return run.sums.starts_with("moved"); }
 
 struct Path {
-  std::vector<Vec2> place, velocity;  // [m], velocity over the natural frequency [m]
+  std::vector<Vec2> place, velocity;  // position [m], velocity over the natural frequency [m]
 };
 
 struct Done {
@@ -61,7 +64,7 @@ std::vector<Planned> plan() {
   return runs;
 }
 
-/// What the paper states, or where it is silent what `independent` needs: gem/manual/user_guide.md, "the paper's
+/// The paper's settings; where it is silent, those that `independent` needs: gem/manual/user_guide.md, "the paper's
 /// method".
 SceneDef scene_of(const Planned& run, const std::string& file) {
   std::vector<std::string> settings = {"ice.friction_ice=0.1", "contact.solver=\"" + run.contacts + "\""};
@@ -133,8 +136,9 @@ struct Pair {
   std::size_t a, b;
 };
 
-/// Runs against the one in order, and repeats against each other, none in two of these pairs. Adding to the velocity
-/// differs from the run in order by rounding from the start, which says nothing about repeats: only these are paired.
+/// Pairs of runs to compare: each with the ordered run, and repeats with each other, each repeat in one such pair. Runs
+/// that add to the velocity differ from the ordered run by rounding from the start, which says nothing about repeats;
+/// they are only paired with each other.
 std::vector<Pair> pairs_of(const std::vector<Planned>& runs) {
   std::vector<Pair> pairs;
   std::size_t ordered = 0;
@@ -171,7 +175,7 @@ int run(const std::vector<std::string>& arguments) {
     throw Error(ExitCode::usage, "wrong arguments (not CASE SECONDS THREADS RUNS.csv DISTANCES.csv) give these five");
   const double seconds = study::positive(arguments[1]), threads = study::positive(arguments[2]);
   const std::vector<Planned> runs = plan();
-  for (const Planned& one : runs) scene_of(one, arguments[0]);  // a fault in the case shows here, not on a thread
+  for (const Planned& one : runs) scene_of(one, arguments[0]);  // an error in the case shows here, not in a thread
   std::vector<Done> done(runs.size());
   std::atomic<std::size_t> next{0};
   std::vector<std::jthread> team;

@@ -1,4 +1,4 @@
-// Numbers and intervals inside tables.
+// Cells of tables: numbers and intervals.
 #include <cmath>
 
 #include "gem/report/display.h"

@@ -1,4 +1,4 @@
-// The parts of the page that answer one question each.
+// Sections of the page, one question each.
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -26,7 +26,7 @@ std::string rate_text(const IntervalEstimate& rate) {
   return rounded_text(rate.value, 3) + " (" + end_text(rate.low) + " … " + end_text(rate.high) + ")";
 }
 
-/// Growth by how far the floe was moved.
+/// Growth rates by the shift of the floe.
 std::string growth_table(const DivergenceStudy& study) {
   std::ostringstream text;
   text << "| moved by [m] | growth rate [1/s] | early half | late half | from [s] | to [s] |\n"
@@ -45,7 +45,7 @@ std::string growth_table(const DivergenceStudy& study) {
   return text.str();
 }
 
-/// How the onset shifts with the size of the move; `level`: at what the onset is.
+/// How the onset shifts with the size of the disturbance; `level` says which distance counts as onset.
 std::string shift_text(const DivergenceStudy& study, const std::string& level) {
   if (!study.shift) return "";
   std::string text = " Onset (" + level + ") over ln(moved), each field with an onset of its own: slope " +
@@ -58,7 +58,7 @@ std::string shift_text(const DivergenceStudy& study, const std::string& level) {
   return text + ".";
 }
 
-/// On which side of a candidate's predictions the measured spectral periods lie; `free` names the run without ice.
+/// On which side of a candidate's predictions the measured spectral periods lie. `free` names the run without ice.
 std::string side_text(const Candidate& candidate, const std::string& free) {
   std::size_t runs = 0, slower = 0;
   double least = 0.0, most = 0.0;

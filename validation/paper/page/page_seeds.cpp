@@ -1,4 +1,4 @@
-// The sections about many seeds of one condition.
+// Sections on many seeds of one condition.
 #include <sstream>
 
 #include "gem/report/display.h"

@@ -1,4 +1,4 @@
-// The part of the page on repeats whose sums are taken in no fixed order.
+// The section on repeats with sums without a fixed order.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -19,7 +19,7 @@ std::string differs_text(const UnorderedPairs& pairs) {
   return pairs.sums == "zero" ? sums + ", against order and double precision" : sums;
 }
 
-/// When the distances reach a level: the middle one, the first and the last, and how many do.
+/// Times at which the distances reach a level: median, first and last, and how many do.
 std::string reach_text(const UnorderedPairs& pairs, double interval_s, double level_m) {
   std::vector<double> times;
   for (const std::vector<double>& distance : pairs.distances)
@@ -34,7 +34,7 @@ std::string reach_text(const UnorderedPairs& pairs, double interval_s, double le
   return text;
 }
 
-/// Of repeats, the steady rate at which the distances would come from where they begin to half the deviation at
+/// For repeats: the constant rate at which the distance would grow from its start to half the deviation at time
 /// kPaperParting [1/s].
 std::string asked_text(const UnorderedPairs& pairs, double interval_s) {
   if (!pairs.repeats) return "";

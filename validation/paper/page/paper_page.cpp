@@ -1,4 +1,4 @@
-// Tables in Markdown, rows in CSV.
+// Writes the page: tables in Markdown.
 #include "validation/paper/page/paper_page.h"
 
 #include <set>

@@ -1,4 +1,4 @@
-// The page of the reproduction: judged statements, tables, period, choices, divergence, figures; and all rows as CSV.
+// The report page: judged statements, tables, period, choices, divergence, figures; and all rows as CSV.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@
 namespace gem {
 
 struct Reproduction {
-  std::vector<std::string> mixed;  // settings that should be alike and are not
+  std::vector<std::string> mixed;  // settings that should be equal and are not
   std::vector<JudgedRow> statements;
   std::vector<JudgedSettings> settings;
   std::vector<Candidate> period;
@@ -33,10 +33,10 @@ struct Reproduction {
   std::vector<PaperFigure> figures;
 };
 
-/// Markdown; pictures are named relative to `root`.
+/// The page in Markdown; paths of pictures are relative to `root`.
 std::string page_text(const PaperFolder& folder, const Reproduction& result, const std::filesystem::path& root);
 
-/// One row per check: case, metric, expected, source, tolerance and kind, result, interval, verdict.
+/// One CSV row per check: case, metric, expected, source, tolerance and kind, result, interval, verdict.
 std::string rows_text(const Reproduction& result);
 
 }  // namespace gem

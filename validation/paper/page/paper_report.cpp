@@ -1,4 +1,4 @@
-// Read, judge, draw, write.
+// Reads the runs, judges them, draws the figures and writes the page.
 #include "validation/paper/page/paper_report.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
                 "cannot write " + path.string() + " (disk full or no permission) choose another output folder");
 }
 
-/// A report of nothing would replace one of something.
+/// Refuses a folder without runs: an empty report would replace a good one.
 void check_runs(const PaperFolder& folder) {
   if (!folder.conditions.empty()) return;
   const std::string reason = folder.refused.empty() ? "no file *.h5 is there" : folder.refused.front();
@@ -46,7 +46,7 @@ std::vector<std::string> of_tables_and_days(const PaperFolder& folder, const Cat
   return names;
 }
 
-/// Pictures of an earlier report that this one does not draw would stand beside its page.
+/// Removes pictures of an earlier report, which this report may not draw again.
 void remove_pictures(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> old;
   std::error_code failed;

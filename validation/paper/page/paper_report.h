@@ -11,11 +11,10 @@ struct PaperReportSummary {
 };
 
 /// Reads every run file and summary of `runs` (folders or files), judges the statements of `statements`
-/// (validation/paper/paper.json), beside which the rows of build/unordered_sums and build/ice_distances may
-/// lie, and writes OUT/README.md, OUT/rows.csv and OUT/figures, whose pictures, scripts and numbers of an earlier
-/// report it removes. Any subset of the runs will do; the page says what is missing. Throws Error(file_system) if not
-/// one run could be read, before anything is removed, if something else cannot be read or written, or gnuplot is
-/// missing.
+/// (validation/paper/paper.json), and writes OUT/README.md, OUT/rows.csv and OUT/figures. Rows of build/unordered_sums
+/// and build/ice_distances are used if they lie beside `statements`. Figures of an earlier report are removed. Any
+/// subset of the runs is accepted; the page says what is missing. Throws Error(file_system) if no run can be read
+/// (before anything is removed), if another file cannot be read or written, or if gnuplot is missing.
 PaperReportSummary write_paper_report(const std::vector<std::string>& runs, const std::string& out,
                                       const std::string& statements);
 

@@ -1,4 +1,4 @@
-// All checks as rows of a CSV file.
+// Writes all checks as rows of a CSV file.
 #include <cmath>
 
 #include "gem/base/number_text.h"

@@ -15,7 +15,7 @@ namespace {
 
 struct Sheet {
   std::string number;
-  std::string ice;  // the name's first part
+  std::string ice;  // the first part of the condition's name
   std::string meaning;
 };
 
@@ -42,7 +42,7 @@ PaperFigure draw(const Sheet& sheet, const std::vector<ExcursionPoint>& points, 
   for (auto line = lines.rbegin(); line != lines.rend(); ++line, ++style) {
     const std::string name = "excursion_" + sheet.ice + "_" + number_text(line->first);
     plots.write_csv(name, line->second);
-    // Bars side by side: the gaps share their currents.
+    // Bars side by side, because the gaps have the same currents.
     const std::string x = "($1" + std::string(style == 1 ? "-0.006" : style == 3 ? "+0.006" : "") + ")";
     plot << (style == 1 ? "" : ", ") << quoted(name + ".csv") << " using 1:2 with lines linestyle " << style
          << " notitle, '' using " << x << ":2:3:4 with yerrorbars linestyle " << style

@@ -1,4 +1,4 @@
-// What the paper's figures of run 1 do not show.
+// Figures of run 1 that the paper does not have.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -20,7 +20,7 @@ constexpr std::size_t kPoints = 3000;
 constexpr const char* kCondition = "004_400_25";
 const Unit kMillimetre{"mm", 1e-3};
 
-/// Envelope of both axes about the natural period, without its disturbed ends.
+/// Envelope of both axes around the natural period, without its disturbed ends.
 PaperFigure draw_envelope(const PaperRun& run, const PlatformSeries& series, const std::filesystem::path& out) {
   const PlotFolder plots(out, conditions_text(run));
   const double low = 0.5 / series.natural_period;
@@ -42,7 +42,7 @@ PaperFigure draw_envelope(const PaperRun& run, const PlatformSeries& series, con
   return {"-", "Amplitude about the natural period over time; the dashed line is one hour", out / "envelope"};
 }
 
-/// How often the peak of a swing exceeds a level, all seeds, beside a normal process of the same size (Rayleigh).
+/// Exceedance of the peaks of swings over all seeds, with the Rayleigh curve of a normal process of equal deviation.
 PaperFigure draw_exceedance(const std::vector<PaperRun>& runs, const std::filesystem::path& out) {
   std::vector<double> peaks;
   for (const PaperRun& run : runs) peaks.insert(peaks.end(), run.excursion_peaks.begin(), run.excursion_peaks.end());

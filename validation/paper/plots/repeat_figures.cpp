@@ -1,4 +1,4 @@
-// Runs that should do the same, in one picture; and how their distance grows.
+// Runs that should be equal in one picture, and the growth of their distance.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kPoints = 4000;
 constexpr double kInterval = 1.0;  // [s]
-constexpr double kFloor = 1e-16;   // where a distance of nothing stands on a scale of logarithms [m]
+constexpr double kFloor = 1e-16;   // where a distance of zero is drawn on a logarithmic axis [m]
 const std::vector<std::string> kMovedAlone = {"floes.moved_floe", "floes.moved_by_m"};
 
 struct Curve {
@@ -24,7 +24,7 @@ struct Curve {
   std::string title;
 };
 
-/// Run 1, the same again, and the run with the smallest move of a floe of the same seed.
+/// Run 1, its repetition, and the run of the same seed with the smallest shift of a floe.
 std::vector<Curve> curves(const PaperFolder& folder) {
   std::vector<Curve> list;
   if (folder.of("004_400_25").empty()) return list;
@@ -79,14 +79,14 @@ std::string conditions(const PaperFolder& folder) {
   return "";
 }
 
-/// The pairs whose floe was moved by so much, those that it never reached too.
+/// The pairs by the shift of their floe, including those that the disturbance never reached.
 std::map<double, std::vector<const DivergingPair*>> by_move(const DivergenceStudy& study) {
   std::map<double, std::vector<const DivergingPair*>> groups;
   for (const DivergingPair& pair : study.pairs) groups[pair.moved_m].push_back(&pair);
   return groups;
 }
 
-/// Time at which the middle pair of each group is apart, the latest of all groups [s].
+/// Time at which the median pair of each group has parted; the latest of all groups [s].
 double latest_parting(const DivergenceStudy& study) {
   double latest = 0.0;
   for (const auto& [moved, pairs] : by_move(study)) {
@@ -99,7 +99,7 @@ double latest_parting(const DivergenceStudy& study) {
   return latest;
 }
 
-/// Middle distance of the pairs over time and what eight of ten lie between; no rows while most are at nothing.
+/// Median distance of the pairs over time, and the range of eight pairs of ten. No rows while most distances are zero.
 Csv middle_distance(const std::vector<const DivergingPair*>& pairs, double interval_s, double until_s) {
   Csv csv("t [min],middle [m],tenth [m],nine tenths [m]");
   const auto count = static_cast<std::size_t>(until_s / interval_s);
@@ -115,9 +115,9 @@ Csv middle_distance(const std::vector<const DivergingPair*>& pairs, double inter
   return csv;
 }
 
-/// What a picture of distances shows.
+/// Labels of a picture of distances.
 struct DistanceLabels {
-  std::string name, title, axis, level;  // level: what the line at the study's swing is
+  std::string name, title, axis, level;  // level: meaning of the line at the swing
 };
 
 PaperFigure draw_distances(const DivergenceStudy& study, const DistanceLabels& labels, const std::string& stamp,

@@ -1,4 +1,4 @@
-// What many seeds of one condition show: growth of the motion with time, and of its largest value with duration.
+// Figures of many seeds of one condition: growth of the motion with time, and of its largest value with duration.
 #include <cmath>
 #include <optional>
 
@@ -17,7 +17,7 @@ constexpr double kMillimetre = 1e-3;
 
 double hours(double blocks) { return blocks * kBlockLength / 3600.0; }
 
-/// Mean over the seeds of each stretch, in its middle, with its interval [mm].
+/// Mean over the seeds of each block with its interval, at the middle of the block [mm].
 void write_band(const PlotFolder& plots, const std::string& name, const std::vector<IntervalEstimate>& values) {
   Csv csv("t [h],mean [mm],low [mm],high [mm]");
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -80,7 +80,7 @@ PaperFigure draw_convergence(const std::vector<PaperRun>& runs, const std::strin
   return {"-", "Largest excursion against the duration of the run, one line per seed", out / "convergence"};
 }
 
-/// Swing of x over a day, one line per condition; nothing without such runs.
+/// Swing of x over a day, one line per condition; empty without such runs.
 std::optional<PaperFigure> draw_day(const PaperFolder& folder, const std::filesystem::path& out) {
   std::vector<const PaperRun*> days;
   for (const auto& [condition, runs] : folder.conditions)

@@ -1,4 +1,4 @@
-// How far repeats are apart whose sums are taken in no fixed order.
+// Distance between repeats with sums without a fixed order.
 #include "gem/base/number_text.h"
 #include "gem/report/figures/plot_folder.h"
 #include "gem/report/figures/series.h"
@@ -8,9 +8,9 @@ namespace gem {
 namespace {
 
 constexpr std::size_t kPoints = 2000;
-constexpr double kHour = 3600.0;  // after about which the paper's repeat parts [s]
+constexpr double kHour = 3600.0;  // time after which the paper's repeat parts, roughly [s]
 
-/// In the picture: repeats, and what a hair does. Against the run in order there is rounding besides.
+/// Drawn are repeats and shifted floes. Pairs with the ordered run also contain rounding.
 bool drawn(const UnorderedPairs& pairs) { return pairs.repeats || pairs.sums.starts_with("moved"); }
 
 std::string title_of(const UnorderedPairs& pairs) {

@@ -1,4 +1,4 @@
-// Is there more in the motion than in a linear oscillator that is hit at random?
+// Compares the motion with a linear oscillator that is hit at random times.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,8 +16,8 @@ namespace gem {
 namespace {
 
 constexpr std::size_t kFewestSamples = 110;  // of the thinned record: the 0-1 test needs 100
-constexpr std::size_t kRecords = 99;         // of the null model: the least chance is 0.02 two-sided
-constexpr double kMostDamping = 0.5;         // of a record that forgets all in one period
+constexpr std::size_t kRecords = 99;         // of the null model: the smallest two-sided p is 0.02
+constexpr double kMostDamping = 0.5;         // of a record that loses its memory within one period
 constexpr std::size_t kPerPeriod = 4;        // samples of the thinned record
 
 std::vector<double> without_mean(std::vector<double> signal) {
@@ -26,13 +26,13 @@ std::vector<double> without_mean(std::vector<double> signal) {
   return signal;
 }
 
-/// Where the amplitude changes most between before and after, in samples, and how clearly.
+/// The time at which the amplitude changes most, in samples, and how clearly.
 struct Change {
   std::size_t sample = 0;
-  double size = 0.0;  // of the sum of deviations from the mean logarithm, over sqrt(n) deviations
+  double size = 0.0;  // sum of deviations from the mean logarithm, over sqrt(n) standard deviations
 };
 
-/// Largest cumulative sum of the logarithm of the amplitude about the natural period, one value per period.
+/// Largest cumulative sum of the logarithm of the amplitude around the natural period, with one value per period.
 Change amplitude_change(std::span<const double> signal) {
   const HilbertEnvelope envelope = hilbert_envelope(signal, 1.0, 0.5 / kPerPeriod, 1.5 / kPerPeriod);
   std::vector<double> level;
@@ -49,7 +49,7 @@ Change amplitude_change(std::span<const double> signal) {
   return change;
 }
 
-/// Damping ratio of a linear oscillator that forgets as much in one period as the record does.
+/// Damping ratio of a linear oscillator whose correlation decays as much in one period as that of the record.
 double damping_by_memory(std::span<const double> signal) {
   const double left = autocorrelation(signal, kPerPeriod).back();
   return left > 0.0 ? -std::log(left) / (2.0 * std::numbers::pi) : kMostDamping;
@@ -89,7 +89,7 @@ void add_chaos_numbers(const NumberSource& source, Numbers& numbers) {
   const std::size_t samples = (series.x.size() + every - 1) / every;
   for (const auto& [axis, motion] : {std::pair("x", &series.x), std::pair("y", &series.y)}) {
     const std::vector<double> signal = without_mean(every_nth(*motion, every));
-    // The plug damps more than single floes do; the null model may not lose for that reason.
+    // Dense ice damps more than single floes. The null model must not be rejected for that reason alone.
     ImpulseOscillator damped = *model;
     damped.damping_ratio = std::clamp(damping_by_memory(signal), model->damping_ratio, kMostDamping);
     numbers.add(std::string(axis) + "_null_damping_ratio", damped.damping_ratio);

@@ -1,4 +1,4 @@
-// Cover on grids of cells from the frames of a run.
+// Ice cover on grids of cells, from the frames of a run.
 #include "validation/paper/runs/field_numbers.h"
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 namespace gem {
 namespace {
 
-constexpr std::size_t kFrames = 60;  // that are looked at
+constexpr std::size_t kFrames = 60;  // number of frames that are read
 constexpr double kFineCell = 10.0;   // ahead of the platform [m]
-constexpr double kWideCell = 20.0;   // a few floes each: their covers tell clusters from an even spread [m]
+constexpr double kWideCell = 20.0;   // a few floes each: the scatter of their covers shows clusters [m]
 
 using Outlines = std::vector<std::vector<Vec2>>;
 
@@ -67,7 +67,7 @@ double median_speed(const FrameView& frame) {
   return percentile(speeds, 0.5);
 }
 
-/// The part of the field that is still far upstream at `time`, if the ice drifts with the current.
+/// The part of the field that is still far upstream at `time` if the ice drifts with the current.
 Rectangle upstream(const SceneDef& scene, double time) {
   const double tail = scene.floes.start_x_m + scene.current.velocity_m_per_s.x * time;
   const double half = 0.5 * scene.floes.width_m - kWideCell;
@@ -79,7 +79,7 @@ double spread(const std::vector<double>& covers) {
   return about.deviation / about.mean;
 }
 
-/// The time by which half of the floes drift with nine tenths of the current, over the run's duration.
+/// Time by which half of the floes drift at nine tenths of the current speed, over the duration of the run.
 void add_spin_up(const RunFile& file, const SceneDef& scene, Numbers& numbers) {
   const double wanted = 0.9 * length(scene.current.velocity_m_per_s);
   for (std::size_t i = 0; i < file.frame_count(); ++i) {
@@ -89,7 +89,7 @@ void add_spin_up(const RunFile& file, const SceneDef& scene, Numbers& numbers) {
   }
 }
 
-/// The plug ahead of the platform, and the crowd across the channel there: the largest cover of any frame.
+/// Largest cover of any frame just upstream of the platform, and over the width of the channel there.
 void add_crowding(const RunFile& file, const SceneDef& scene, const Outlines& outlines, Numbers& numbers) {
   const double radius = 0.5 * scene.platform.diameter_m;
   const double bow = scene.platform.anchor_m.x - radius;
@@ -109,7 +109,8 @@ void add_crowding(const RunFile& file, const SceneDef& scene, const Outlines& ou
   if (const auto start = numbers.find("cover_start")) numbers.add("plug_over_start", plug / start->value);
 }
 
-/// At mid run: is the ice upstream still as evenly spread as it was, and that behind the platform less evenly?
+/// At mid run: whether the ice upstream is as evenly spread as at the start, and the ice downstream of the platform
+/// less.
 void add_spreading(const RunFile& file, const SceneDef& scene, const Outlines& outlines, Numbers& numbers) {
   const FrameView first = file.frame(0);
   const FrameView middle = file.frame(file.frame_count() / 2);

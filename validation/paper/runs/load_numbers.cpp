@@ -1,4 +1,4 @@
-// Loads against each other, and what the ice does to the energy of the motion.
+// Ratios of loads, and the energy that the ice adds to or takes from the motion.
 #include <cmath>
 
 #include "gem/analysis/statistics/moments.h"
@@ -15,7 +15,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   return sum / (static_cast<double>(a.size()) * of_a.deviation * of_b.deviation);
 }
 
-/// Work of the ice on the platform, sample by sample: what it puts in, and what it takes out.
+/// Work of the ice on the platform, sample by sample: the part added and the part removed.
 void add_work(const PlatformSeries& series, Numbers& numbers) {
   double put_in = 0.0;
   double taken = 0.0;

@@ -1,4 +1,4 @@
-// How the platform moves, as numbers that the paper's sentences are about.
+// Numbers on the platform's motion that the paper's sentences refer to.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace gem {
 namespace {
 
 constexpr double kHour = 3600.0;
-constexpr double kShort = 600.0;  // what one might simulate if only the natural period mattered [s]
+constexpr double kShort = 600.0;  // duration that would be enough if only the natural period mattered [s]
 
 void add_findings(const PlatformSeries& series, Numbers& numbers) {
   for (const Finding& finding : analyse_platform(series)) {
@@ -36,7 +36,7 @@ double deviation_between(const PlatformSeries& series, const std::vector<double>
   return moments(std::span(signal).subspan(at(from), at(to) - at(from))).deviation;
 }
 
-/// Size of the offset over the size of the motion about it. An offset whose interval holds zero may be none at all.
+/// Offset over the deviation of the motion about it. An offset whose interval contains zero may be zero.
 void add_offset_share(Numbers& numbers) {
   const auto offset = numbers.find("x_offset_m");
   const auto deviation = numbers.find("x_deviation_m");
@@ -73,7 +73,7 @@ void add_orbit_change(const PlatformSeries& series, Numbers& numbers) {
   numbers.add("orbit_turning_range", *most - *least);
 }
 
-/// The largest excursion of the whole run over that of a typical short one cut out of it.
+/// Largest excursion of the whole run over that of a typical short part of it.
 void add_short_runs(const PlatformSeries& series, Numbers& numbers) {
   const auto length = static_cast<std::size_t>(kShort / series.interval);
   if (series.x.size() < 3 * length) return;
@@ -94,8 +94,8 @@ void add_hours(const PlatformSeries& series, Numbers& numbers) {
         deviation_between(series, *signal, 0.0, kHour) / deviation_between(series, *signal, kHour, 2.0 * kHour));
 }
 
-/// A wiggle counts or not according to how finely the record is sampled: the period of all local maxima for each
-/// sampling interval.
+/// Whether a small maximum is counted depends on the sampling: the mean time between all local maxima for each sampling
+/// interval.
 void add_counted_periods(const PlatformSeries& series, Numbers& numbers) {
   for (const int seconds : {1, 2, 5, 10, 20}) {
     const auto step = static_cast<std::size_t>(std::llround(seconds / series.interval));

@@ -1,4 +1,4 @@
-// Parameters of the oscillator from the scene.
+// Computes the parameters of the oscillator from the scene.
 #include "validation/paper/runs/null_model.h"
 
 #include <cmath>
@@ -7,7 +7,7 @@
 namespace gem {
 
 std::optional<ImpulseOscillator> null_model(const SceneDef& scene, double touches_per_s) {
-  double depth = 0.0;  // thickness times cover [m]
+  double depth = 0.0;  // equivalent thickness: thickness times cover [m]
   for (const IceClassDef& ice : scene.floes.classes) depth += ice.thickness_m * ice.tenths / 10.0;
   const double stiffness = scene.mooring.stiffness_N_per_m;
   if (!(stiffness > 0.0) || !(depth > 0.0) || !(touches_per_s > 0.0)) return std::nullopt;

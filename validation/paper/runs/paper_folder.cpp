@@ -1,4 +1,4 @@
-// Run files and summaries to conditions.
+// Sorts run files and summaries by condition.
 #include <algorithm>
 #include <filesystem>
 
@@ -25,7 +25,7 @@ std::vector<fs::path> files_of(const std::string& name) {
   return files;
 }
 
-/// The same run recorded twice: what the first lacks is taken from the other.
+/// One run recorded twice: adds to the first what only the other has.
 void complete(PaperRun& run, PaperRun other) {
   for (const auto& [name, number] : other.numbers.all())
     if (!run.numbers.find(name)) run.numbers.add(name, number);

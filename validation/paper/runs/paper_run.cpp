@@ -1,4 +1,4 @@
-// A run file to a condition and numbers.
+// Reads the condition and the numbers of a run file.
 #include "validation/paper/runs/paper_run.h"
 
 #include "gem/analysis/statistics/moments.h"

@@ -1,4 +1,4 @@
-// One run as the reproduction of the paper sees it: its condition, its seed, and a list of named numbers.
+// One run as the judge sees it: condition, seed, and a list of named numbers.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ namespace gem {
 /// Named numbers; a name ends in its unit. Numbers that are not finite are left out.
 class Numbers {
  public:
-  /// A single draw: the run alone gives no interval.
+  /// A single draw: one run gives no interval.
   void add(const std::string& name, double value) { add(name, {value, value, value, false}); }
   void add(const std::string& name, const RunNumber& number) {
     if (std::isfinite(number.value)) numbers_[name] = number;
@@ -36,7 +36,7 @@ class Numbers {
 };
 
 struct PaperRun : RunSeries {
-  std::string file;       // empty for a run that only a summary knows
+  std::string file;       // empty for a run known only from a summary
   std::string condition;  // the run's name without its seed
   std::uint64_t seed = 0;
   SceneDef scene;
@@ -44,17 +44,17 @@ struct PaperRun : RunSeries {
   Numbers numbers;
 };
 
-/// The runs of a folder by condition, in order of their seeds.
+/// The runs of a folder by condition, ordered by seed.
 struct PaperFolder {
   std::map<std::string, std::vector<PaperRun>> conditions;
-  std::vector<std::string> refused;  // files and runs that could not be used, and why
-  std::size_t repeated = 0;          // runs that were found again with the same state hash
+  std::vector<std::string> refused;  // files and runs that could not be used, with the reason
+  std::size_t repeated = 0;          // runs found a second time with the same state hash
 
-  /// Empty if there is none.
+  /// The runs of a condition; empty if there are none.
   const std::vector<PaperRun>& of(const std::string& condition) const;
-  /// The named number of each run of a condition that has it.
+  /// The number with this name for each run of a condition that has it.
   std::vector<RunNumber> numbers(const std::string& condition, const std::string& name) const;
-  /// The first run of a condition whose run file is there; null without one.
+  /// The first run of a condition that has its run file; null if there is none.
   const PaperRun* with_file(const std::string& condition) const;
 };
 
@@ -64,24 +64,24 @@ std::string condition_of(const std::string& name, std::uint64_t seed);
 /// Whether the record is compared with a hundred records of the null model, which takes most of the time.
 enum class NullModel { compared, left_out };
 
-/// Reads one run file. Throws Error(file_system) for a file that is no complete run.
+/// Reads one run file. Throws Error(file_system) unless it is a complete run.
 PaperRun read_paper_run(const std::string& file, NullModel null_model = NullModel::compared);
 
-/// The same from what is read already.
+/// Makes the run from data already read.
 PaperRun paper_run(const RunFile& records, const RunData& data, NullModel null_model);
 
-/// Every run file and summary (*.h5) of folders and their folders; a name may also be that of a file. What cannot be
-/// used is listed, not fatal. A run that is found again adds what the first lacks if it has the same state hash, and is
-/// refused otherwise. Throws Error(file_system) if a folder or file is not there.
+/// Reads every run file and summary (*.h5) in `folders`, including subfolders; an entry may also be a file. Files that
+/// cannot be used are listed in `refused`. A run that is found twice adds what the first lacks if both have the same
+/// state hash; otherwise it is refused. Throws Error(file_system) if a folder or file does not exist.
 PaperFolder read_paper_folders(const std::vector<std::string>& folders);
 
-/// Platform's path at an interval [s], or at the longer one that a summary kept; empty where nothing was kept.
+/// Path of the platform at an interval [s], or at the longer interval of its summary; empty if no path was kept.
 PlatformPath path_of(const PaperRun& run, double interval_s);
 
-/// The same path at a longer interval; as it is where that is no multiple of its own.
+/// The path at a longer interval; unchanged if that is not a multiple of its own.
 PlatformPath thinned(const PlatformPath& path, double interval_s);
 
-/// What the numbers of one run are made from.
+/// The data from which the numbers of one run are computed.
 struct NumberSource {
   const RunData& data;
   const SceneDef& scene;
@@ -89,11 +89,11 @@ struct NumberSource {
   const PlatformLoads& loads;
 };
 
-// Each adds its numbers where the record allows them.
+// Each function adds its numbers if the record allows them.
 
-/// Motion, periods and loads of the analysis, amplitude, hour mark, orbit, extremes.
+/// Motion, periods and loads of the analysis; amplitude, state after an hour, orbit, extremes.
 void add_motion_numbers(const NumberSource& source, Numbers& numbers);
-/// Peaks against means, work of the ice, likeness of ice and mooring force.
+/// Peaks against means, work of the ice, correlation of ice and mooring force.
 void add_load_numbers(const NumberSource& source, Numbers& numbers);
 /// The record against records of the null model: 0-1 test, predictability, changes of amplitude.
 void add_chaos_numbers(const NumberSource& source, Numbers& numbers);

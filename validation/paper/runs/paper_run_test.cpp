@@ -1,4 +1,4 @@
-// Run files become conditions and numbers; files that are none are listed; disturbed runs find their partner.
+// Run files become conditions and numbers, other files are listed, and disturbed runs find their partner.
 #include "validation/paper/runs/paper_run.h"
 
 #include <gtest/gtest.h>
@@ -126,7 +126,8 @@ TEST_F(PaperRunFiles, DisturbedRunsFindThePartnerOfTheirSeed) {
   EXPECT_TRUE(numbers.contains("parted_share_0.001"));
 }
 
-/// Three pairs for each size of the move, whose distances grow at 0.05/s from `start(size)` and scatter a little.
+/// Three pairs for each size of the disturbance. Their distances grow at 0.05/s from `start(size)` with a small
+/// scatter.
 DivergenceStudy growing_study(double (*start)(double)) {
   DivergenceStudy study;
   study.swing_m = 1e-2;
@@ -167,7 +168,7 @@ TEST(NullModel, IsDampedAsByFloesThatHitOnce) {
   const auto model = null_model(scene, 0.2);
   ASSERT_TRUE(model);
   EXPECT_NEAR(model->natural_period, 88.857658763, 1e-9);
-  EXPECT_NEAR(model->damping_ratio, 4.3e-4, 0.2e-4);  // e-fold about 9 h
+  EXPECT_NEAR(model->damping_ratio, 4.3e-4, 0.2e-4);  // the amplitude decays by e in about 9 h
   EXPECT_EQ(model->impulse_rate, 0.2);
   scene.mooring.stiffness_N_per_m = 0.0;
   EXPECT_FALSE(null_model(scene, 0.2));

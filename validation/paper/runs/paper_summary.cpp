@@ -1,4 +1,4 @@
-// Columns from runs; runs from columns and series.
+// Writes runs as columns of a summary, and reads them back.
 #include "validation/paper/runs/paper_summary.h"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ void read_numbers(const SummaryTable& table, std::vector<PaperRun>& runs) {
   throw Error(ExitCode::file_system, "cannot read " + shown(origin) + " (" + problem + ") collect the runs again");
 }
 
-/// Of the path; 0 where one sample alone was kept.
+/// Interval of the path; 0 if only one sample was kept.
 double interval_of(const SummaryTable& table, const std::string& origin) {
   const SummaryAxis* axis = table.axis("time");
   if (axis == nullptr || axis->values.size() < 2) return 0.0;
@@ -104,7 +104,7 @@ void check_lengths(PaperRun& run, const std::string& origin) {
   for (const SeriesEntry& entry : summary_series()) {
     if (std::string(entry.axis) == "time" && !run.path) continue;
     const std::size_t own = entry.values(run).size();
-    const bool velocity = std::string(entry.name).starts_with("velocity");  // not kept with every path
+    const bool velocity = std::string(entry.name).starts_with("velocity");  // some paths are kept without velocity
     if (velocity && own == 0) continue;
     if (length.insert({entry.axis, own}).first->second != own)
       reject(origin, std::string(entry.name) + " differs in length from the series beside it");

@@ -1,4 +1,4 @@
-// Runs as the rows of a summary, and back: what the reproduction needs of a run without its run file.
+// Runs as rows of a summary, and back: everything that the judge needs of a run without its run file.
 #pragma once
 
 #include <string>
@@ -9,12 +9,11 @@
 
 namespace gem {
 
-/// Adds to a summary's table, with one row for each of `runs` in their order, the case and every number with its
-/// interval; a column that is there already stays.
+/// Adds the case and every number with its interval to a summary's table, which has one row for each of `runs` in their
+/// order. Existing columns stay.
 void add_paper_part(SummaryTable& table, const std::vector<PaperRun>& runs);
 
-/// The runs of a summary. Throws Error(file_system) if it lacks their cases or origin, or if its series do not fit
-/// together.
+/// The runs of a summary. Throws Error(file_system) if cases or origin are missing, or if its series are inconsistent.
 std::vector<PaperRun> paper_runs(const SummaryTable& table, const std::string& origin);
 
 }  // namespace gem

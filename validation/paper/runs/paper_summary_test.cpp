@@ -1,4 +1,4 @@
-// Runs survive the way through a summary, and a run that is known twice counts once.
+// Runs are read back from a summary unchanged, and a run that is found twice counts once.
 #include "validation/paper/runs/paper_summary.h"
 
 #include <gtest/gtest.h>

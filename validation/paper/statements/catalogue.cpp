@@ -1,4 +1,4 @@
-// JSON to rows and statements.
+// Reads rows and statements from JSON.
 #include "validation/paper/statements/catalogue.h"
 
 #include <fstream>

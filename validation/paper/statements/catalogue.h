@@ -1,4 +1,4 @@
-// What the paper says, as data: the rows of its tables and its statements, each with the rule that judges it.
+// The paper's content as data: the rows of its tables and its statements, each with the rule that judges it.
 #pragma once
 
 #include <string>
@@ -23,16 +23,16 @@ struct TableRow {
 struct Statement {
   std::string id;
   std::string source;     // "p. 5, Fig. 9"
-  std::string says;       // in our words
-  std::string condition;  // of the runs; empty for a number of the whole folder
-  std::string against;    // the number is the ratio to this condition's, if not empty
+  std::string says;       // the statement in our words
+  std::string condition;  // of the runs; empty for a number of all runs together
+  std::string against;    // if not empty, the number is the ratio to that of this condition
   std::string metric;
   Over over = Over::mean;
   Rule rule;
-  double share = 0.5;   // of the runs that must obey a statement about each run
-  bool alike = false;   // set by the case or its generator, so that every seed tells the same: one run decides
-  std::string why;      // this rule and this tolerance
-  bool choice = false;  // is asked again for every modelling choice
+  double share = 0.5;   // for a statement about each run: smallest share of runs that must obey it
+  bool alike = false;   // determined by the case or its generator and equal for every seed: one run decides
+  std::string why;      // reason for this rule and this tolerance
+  bool choice = false;  // judged again for every modelling choice
 };
 
 struct Catalogue {
@@ -40,9 +40,9 @@ struct Catalogue {
   std::vector<Statement> statements;
 };
 
-/// Reads validation/paper/paper.json. Throws Error(file_system) that names what is missing or wrong.
+/// Reads validation/paper/paper.json. Throws Error(file_system) that says what is missing or wrong.
 Catalogue read_catalogue(const std::string& path);
-/// The same from text.
+/// Reads a catalogue from text; `origin` is its name in messages.
 Catalogue parse_catalogue(const std::string& text, const std::string& origin);
 
 }  // namespace gem

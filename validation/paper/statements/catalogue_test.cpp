@@ -1,4 +1,4 @@
-// The paper's statements are read, and a fault in the file is named.
+// The paper's statements are read, and mistakes in the file are reported.
 #include "validation/paper/statements/catalogue.h"
 
 #include <gtest/gtest.h>

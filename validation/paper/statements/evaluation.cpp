@@ -1,4 +1,4 @@
-// Statement to measurement to verdict.
+// Finds the measurement of each statement and judges it.
 #include "validation/paper/statements/evaluation.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 constexpr double kTenth = 1e-6;                             // shares are typed numbers
 constexpr double kThick = 1.2, kMedium = 0.7, kThin = 0.5;  // of the paper's classes [m]
 
-/// Both intervals at their worst, so that the ratio's interval is too wide rather than too narrow.
+/// Ratio of the worst ends of both intervals: its interval is too wide rather than too narrow.
 Measured ratio(const Measured& a, const Measured& b) {
   const double infinity = std::numeric_limits<double>::infinity();
   if (!(b.high > 0.0)) return {a.value / b.value, -infinity, infinity, a.interval + " / " + b.interval};
@@ -20,7 +20,7 @@ Measured ratio(const Measured& a, const Measured& b) {
   return {a.value / b.value, a.low / b.high, positive ? a.high / b.low : infinity, a.interval + " / " + b.interval};
 }
 
-/// One condition over another, seed by seed; empty without a common seed.
+/// Ratio of two conditions, seed by seed; empty without a common seed.
 std::optional<Measured> ratio_by_seed(const PaperFolder& folder, const std::string& over, const std::string& under,
                                       const std::string& metric) {
   std::vector<RunNumber> ratios;

@@ -1,4 +1,4 @@
-// The statements of the paper against the runs: one judged row each.
+// Judges the statements of the paper: one row each.
 #pragma once
 
 #include <optional>
@@ -18,17 +18,17 @@ struct JudgedRow {
   std::optional<HeldShare> share = {};  // of several runs
   Verdict verdict = Verdict::undecidable;
   std::string note = {};  // why there is no measurement
-  bool one_seed = false;  // though seeds differ
+  bool one_seed = false;  // only one seed, although seeds differ
 };
 
-/// One statement. The mean over the runs is judged by its interval; a statement about each run by the share of runs
-/// that obey it, and undecidable with fewer than kRunsForShare runs unless all runs are alike in it. A ratio of two
-/// conditions about each run pairs their seeds. `prefix` stands before the names of its conditions: the same statement
-/// under another choice.
+/// Judges one statement. The mean over the runs is judged by its interval. A statement about each run is judged by the
+/// share of runs that obey it; with fewer than kRunsForShare runs it is undecidable unless all runs are alike. A ratio
+/// of two conditions about each run pairs their seeds. `prefix` is put before the names of the conditions, to judge a
+/// statement under another modelling choice.
 JudgedRow evaluate(const Statement& statement, const PaperFolder& folder, const FolderNumbers& numbers,
                    const std::string& prefix = "");
 
-/// Whether the runs of a row of the tables are there and have the settings that the paper prints.
+/// Whether the runs of a table row exist and have the settings that the paper prints.
 struct JudgedSettings {
   TableRow row;
   std::size_t runs = 0;

@@ -1,4 +1,5 @@
-// Statements meet runs: by condition, as a ratio of two, under another choice; and settings meet the printed tables.
+// Statements are judged by condition, as a ratio of two, and under another choice; settings are compared with the
+// tables.
 #include "validation/paper/statements/evaluation.h"
 
 #include <gtest/gtest.h>
@@ -121,7 +122,7 @@ TEST(Evaluation, TheShareOfSeedsDecidesAboutEachRun) {
 TEST(Evaluation, TheMeanDecidesAboutAnAverageWhateverTheShare) {
   Statement mean = statement(RuleKind::above, 1.0);
   mean.over = Over::mean;
-  // nine of ten runs lie above 1, but not clearly their mean
+  // Nine of ten runs lie above 1, but their mean does not clearly.
   EXPECT_EQ(evaluate(mean, seeds({2, 2, 2, 2, 2, 2, 2, 2, 2, -9}), {}).verdict, Verdict::undecidable);
   EXPECT_EQ(evaluate(mean, seeds({0.9, 0.8, 0.7, 0.9, 0.8}), {}).verdict, Verdict::not_reproduced);
   EXPECT_EQ(evaluate(mean, seeds({1.4, 1.6, 1.5, 1.3}), {}).verdict, Verdict::reproduced);
@@ -130,7 +131,7 @@ TEST(Evaluation, TheMeanDecidesAboutAnAverageWhateverTheShare) {
 TEST(Evaluation, ARatioAboutEachRunPairsTheSeeds) {
   Statement ratio = statement(RuleKind::above, 1.0);
   ratio.against = "b";
-  // every seed alone obeys, though the smallest of a lies far below the largest of b
+  // Every seed obeys, although the smallest of a lies far below the largest of b.
   const JudgedRow row = evaluate(ratio, seeds({2, 4, 6, 8, 10}, {1, 3, 5, 7, 9}), {});
   ASSERT_TRUE(row.share);
   EXPECT_EQ(row.share->holds, 5U);
@@ -213,10 +214,10 @@ TEST(Evaluation, TrendsOverTheConditionsOfTable1) {
   EXPECT_NEAR(numbers.at("excursion_exponent_current").value, 1.0, 1e-9);
   EXPECT_EQ(numbers.at("thicker_is_larger_share").value, 1.0);
   EXPECT_EQ(numbers.at("narrower_is_larger_share").value, 1.0);
-  // all of 27 pairs: Wilson's interval ends at n / (n + z^2), it is not a point
+  // For all of 27 pairs Wilson's interval is not a point: its end is n / (n + z^2).
   EXPECT_NEAR(numbers.at("thicker_is_larger_share").low, 27.0 / (27.0 + 1.959964 * 1.959964), 1e-6);
   EXPECT_NEAR(numbers.at("thicker_is_larger_share").high, 1.0, 1e-12);
-  EXPECT_FALSE(numbers.contains("simulated_h"));  // no wall times: nothing is said about speed
+  EXPECT_FALSE(numbers.contains("simulated_h"));  // without wall times nothing is said about speed
 }
 
 TEST(SettingsCheck, SaysWhatShouldBeAlikeAndIsNot) {
@@ -225,7 +226,7 @@ TEST(SettingsCheck, SaysWhatShouldBeAlikeAndIsNot) {
   a.run = "a";
   b.run = "b";
   EXPECT_TRUE(mixed_settings(folder, {a, b}).empty());
-  folder.conditions["b"][0].scene.boundary.gap_m = 200.0;  // the tables vary this
+  folder.conditions["b"][0].scene.boundary.gap_m = 200.0;  // an option that the tables vary
   folder.conditions["b"][0].scene.run.name = "b";
   EXPECT_TRUE(mixed_settings(folder, {a, b}).empty());
   folder.conditions["b"][0].scene.ice.friction_ice = 0.0;

@@ -34,7 +34,7 @@ std::set<std::string> names_of(const std::vector<TableRow>& rows) {
   return names;
 }
 
-/// One seed of each run of the tables: the paper ran each once. A total needs all of them.
+/// Uses one seed of each run of the tables, because the paper ran each once. A total needs all of them.
 void add_totals(const PaperFolder& folder, const std::set<std::string>& names, FolderNumbers& numbers) {
   double simulated = 0.0;
   double wall = 0.0;
@@ -78,14 +78,14 @@ void add_trend(const std::vector<ExcursionPoint>& points, FolderNumbers& numbers
     numbers["excursion_exponent_current"] = from(model.slopes[2], what);
     numbers["excursion_scatter"] = exact(model.scatter, std::to_string(excursion.size()) + " conditions");
   } catch (const std::invalid_argument&) {
-    // Too few conditions to tell the three apart: no trend is stated.
+    // Too few conditions to separate the three exponents, so no trend is stated.
   }
   if (seeds.size() > 1)
     numbers["excursion_scatter_of_seeds"] =
         from(mean_of_runs(seeds), "95 % over " + std::to_string(seeds.size()) + " conditions");
 }
 
-/// Neighbours differ in one property and agree in the others.
+/// Pairs of conditions that differ in one property and agree in the others.
 template <typename Property, typename Others>
 void add_share(const std::vector<ExcursionPoint>& points, const std::string& name, Property more, Others same,
                FolderNumbers& numbers) {
@@ -122,7 +122,7 @@ void add_repetition(const PaperFolder& folder, FolderNumbers& numbers) {
   if (folder.of(kRunOne).empty() || folder.of(kRunOneAgain).empty()) return;
   const PaperRun& one = folder.of(kRunOne).front();
   const PaperRun& again = folder.of(kRunOneAgain).front();
-  // The same case or no repetition at all.
+  // Only a run of the same case counts as a repetition.
   if (one.seed != again.seed || !differing_options(one.scene, again.scene).empty()) return;
   const PlatformPath a = path_of(one, kSecond);
   const PlatformPath b = path_of(again, kSecond);

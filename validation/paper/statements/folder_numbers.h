@@ -1,4 +1,4 @@
-// Numbers that only many runs have: trends over the conditions, scatter, totals, repeated runs, the tail.
+// Numbers that need many runs: trends over the conditions, scatter, totals, repeated runs, the tail.
 #pragma once
 
 #include <map>
@@ -25,12 +25,12 @@ struct ExcursionPoint {
   std::vector<double> largest_m;  // one per seed
 
   double mean() const;
-  /// Of the mean over the seeds, 95 %; empty for one.
+  /// 95 % interval of the mean over the seeds; empty for one seed.
   std::optional<IntervalEstimate> mean_interval() const;
 };
 std::vector<ExcursionPoint> excursion_points(const PaperFolder& folder, const std::vector<TableRow>& rows);
 
-/// What the folder allows; the rest is left out:
+/// The numbers that the runs of the folder allow:
 ///   simulated_h, real_time_factor_mean, real_time_factor_best   over the runs of both tables, one seed of each
 ///   excursion_exponent_thickness, _gap, _current                of ln(excursion) over the logarithms, uniform ice
 ///   excursion_scatter, excursion_scatter_of_seeds               of ln(excursion) about that model; between seeds

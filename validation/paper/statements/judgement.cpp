@@ -1,4 +1,4 @@
-// Interval against rule, and numbers of runs to an interval.
+// Judges an interval by a rule, and combines the numbers of several runs.
 #include "validation/paper/statements/judgement.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Measured mean_over(const std::vector<RunNumber>& runs, const std::vector<double>
   return {only.value, -kInfinity, kInfinity, "1 run, no interval", values};
 }
 
-/// Of numbers that may be infinite.
+/// Median of numbers that may be infinite.
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;

@@ -1,4 +1,4 @@
-// Verdicts: the whole interval, none of it, or a part of it obeys the rule.
+// Verdicts: the whole interval, none of it, or part of it obeys the rule.
 #include "validation/paper/statements/judgement.h"
 
 #include <gtest/gtest.h>

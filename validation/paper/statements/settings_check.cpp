@@ -1,4 +1,4 @@
-// Options compared as text, as a case file would hold them.
+// Compares options as text, in the form of a case file.
 #include "validation/paper/statements/settings_check.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace gem {
 namespace {
 
-/// What the rows of the tables differ in, with the lengths that follow from them.
+/// The options in which the rows of the tables differ, and the lengths that depend on them.
 const std::set<std::string>& varied_by_tables() {
   static const std::set<std::string> options = {
       "boundary.gap_m",        "current.velocity_m_per_s", "mooring.stiffness_N_per_m",

@@ -1,4 +1,4 @@
-// Hours of a day compared.
+// Compares the hours of a day.
 #include "validation/paper/studies/day_study.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace gem {
 namespace {
 
 constexpr std::string_view kDay = "day_";
-constexpr std::size_t kStretches = 6;  // in an hour
+constexpr std::size_t kStretches = 6;  // per hour
 static_assert(kStretches * kBlockLength == 3600.0);
 constexpr std::size_t kFirstHours = 2, kLeastHours = 6;
 

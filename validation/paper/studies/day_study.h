@@ -1,5 +1,5 @@
-// Runs of a day: does the motion go on growing after the hours of the paper's runs, and how large is the largest of a
-// day?
+// Runs of a day: whether the motion still grows after the duration of the paper's runs, and the largest excursion of a
+// day.
 #pragma once
 
 #include <string>
@@ -10,17 +10,18 @@
 
 namespace gem {
 
-/// One run. A swing is the deviation of x within 600 s, root mean square over an hour; means over the hours of a part
-/// of the day, which are taken as independent, with their 95 % (mean_of_runs).
+/// One run. The swing is the deviation of x within 600 s, root mean square over an hour. Means are over the hours of a
+/// part of the day, which count as independent, with 95 % intervals (mean_of_runs).
 struct DayRow {
   std::string day, condition;  // the condition of the tables: without "day_"
   double hours = 0.0;
-  IntervalEstimate first, middle, last;  // swing of the first two hours, of half of the others, of the other half [m]
-  IntervalEstimate mean_x;               // after the first two hours [m]
-  double largest_excursion = 0.0;        // [m]
+  IntervalEstimate first, middle,
+      last;  // swing of the first two hours, of the first half of the remaining hours, of their second half [m]
+  IntervalEstimate mean_x;         // after the first two hours [m]
+  double largest_excursion = 0.0;  // [m]
 };
 
-/// The first run of each condition "day_..." that is at least six hours long.
+/// The first run of each condition "day_..." that lasts at least six hours.
 std::vector<DayRow> day_study(const PaperFolder& folder);
 
 }  // namespace gem

@@ -1,4 +1,4 @@
-// Pairs of run files to distances, and distances to rates.
+// Computes distances of pairs of runs, and their growth rates.
 #include "validation/paper/studies/divergence_study.h"
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 namespace gem {
 namespace {
 
-constexpr double kOnset = 0.1;    // of the swing: growth is still exponential
-constexpr double kParting = 0.5;  // of the swing: the eye sees two curves
+constexpr double kOnset = 0.1;    // share of the swing at which growth is still exponential
+constexpr double kParting = 0.5;  // share of the swing at which two curves look different
 
 struct Path {
   std::vector<double> x, y, u, v;  // velocities over the natural frequency [m]
 };
 
-/// Empty where velocities or full precision were not kept: the distances begin far below single precision.
+/// Empty if velocities or double precision were not kept: distances start far below single precision.
 Path scaled_path(const PaperRun& run, double interval_s) {
   const PlatformPath motion = thinned(path_of(run, interval_s), interval_s);
   if (!motion.exact || motion.vx.empty() || motion.interval_s != interval_s) return {};
@@ -33,7 +33,7 @@ Path scaled_path(const PaperRun& run, double interval_s) {
   return path;
 }
 
-/// The longest interval at which any of the runs was kept; a second where all have their files.
+/// The longest interval at which any of the paths was kept; a second if all runs have their files.
 double common_interval(const std::vector<const PaperRun*>& runs) {
   double interval_s = 1.0;
   for (const PaperRun* run : runs)
@@ -53,14 +53,14 @@ std::vector<double> distance(const Path& a, const Path& b) {
 
 double moved(const PaperRun& run) { return length(run.scene.floes.moved_by_m); }
 
-/// Each distance from the time on at which the disturbance has arrived, as long as the shortest of them. One that it
-/// never reached says nothing and is left out.
+/// Each distance from the arrival of the disturbance on, cut to the length of the shortest. Distances of zero
+/// throughout are left out.
 std::vector<std::vector<double>> reached(const std::vector<std::vector<double>>& distances) {
   std::vector<std::vector<double>> result;
   std::size_t shortest = SIZE_MAX;
   for (const std::vector<double>& distance : distances) {
     if (distance.empty() || !(distance.back() > 0.0)) continue;
-    // From the last zero on: two paths may meet again to the last bit while they differ only by rounding.
+    // From the last zero on: while two paths differ only by rounding, they may become equal again.
     const auto zero = std::find(distance.rbegin(), distance.rend(), 0.0);
     result.emplace_back(zero.base(), distance.end());
     shortest = std::min(shortest, result.back().size());
@@ -168,7 +168,7 @@ void add_divergence_numbers(const DivergenceStudy& study, FolderNumbers& numbers
     numbers["divergence_rate_per_s"] = {rate.value, rate.low, rate.high, of_size};
     const IntervalEstimate& early = study.growth.begin()->second.early;
     const IntervalEstimate& late = study.growth.begin()->second.late;
-    // Both intervals at their worst.
+    // Ratio of the worst ends of both intervals.
     if (early.low > 0.0)
       numbers["divergence_late_over_early"] = {late.value / early.value, late.low / early.high, late.high / early.low,
                                                of_size};

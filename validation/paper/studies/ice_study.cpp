@@ -1,4 +1,4 @@
-// A file of distances to pairs of runs, and these to rates.
+// Reads a file of distances into pairs of runs and computes growth rates.
 #include "validation/paper/studies/ice_study.h"
 
 #include "validation/paper/studies/row_file.h"

@@ -1,4 +1,4 @@
-// How fast the ice of two runs parts that differ by the place of one floe (build/ice_distances).
+// Divergence of the ice of two runs in which one floe is shifted (build/ice_distances).
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,21 @@
 
 namespace gem {
 
-/// Root mean square over the floes of a field from which on their events are others: few of them are then apart by what
-/// lies between floes, the others as they were [m].
+/// Root mean square distance over the floes of a field above which their contacts are different. At that level a few
+/// floes are apart by about the gaps between floes and the others still agree [m].
 constexpr double kIceApart = 1e-2;
 
 struct IceStudy {
-  std::map<std::string, DivergenceStudy> of_contacts;  // coupled, independent; distances of the ice, swing kIceApart
+  std::map<std::string, DivergenceStudy>
+      of_contacts;  // coupled, independent; the swing of these distances is kIceApart
   std::string commit;
 };
 
-/// From ice_distances.csv in a folder; without it there is no study. Throws Error(file_system) naming file and line of
-/// what cannot be understood.
+/// Reads ice_distances.csv in a folder; without the file the study is empty. Throws Error(file_system) with file and
+/// line of a mistake.
 IceStudy read_ice_study(const std::filesystem::path& folder);
 
-/// ice_divergence_rate_<contacts>_per_s and ice_onset_shift_<contacts>: as add_divergence_numbers has them for
+/// Adds ice_divergence_rate_<contacts>_per_s and ice_onset_shift_<contacts>, as add_divergence_numbers does for
 /// platforms.
 void add_ice_numbers(const IceStudy& study, FolderNumbers& numbers);
 

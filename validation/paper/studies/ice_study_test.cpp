@@ -1,4 +1,4 @@
-// The rows of the ice's distances are read into pairs, and faults in them are named.
+// Rows of ice distances are read into pairs, and mistakes in them are reported.
 #include "validation/paper/studies/ice_study.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@
 namespace gem {
 namespace {
 
-/// Distances that grow at 0.05/s: `independent` from what was put in, `coupled` from the same for all.
+/// Distances that grow at 0.05/s: for `independent` from the size of the disturbance, for `coupled` from one size for
+/// all.
 std::string rows() {
   std::string text = "t_s";
   for (const char* contacts : {"independent", "coupled"})

@@ -1,4 +1,4 @@
-// Predictions from mass, mooring and current of each run.
+// Predicts periods from mass, mooring and current of each run.
 #include "validation/paper/studies/period_question.h"
 
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace gem {
 namespace {
 
-// Many seeds know a period to a tenth of a second; an explanation that is off by less than this share of what parts it
-// from its rival is not refuted by that.
+// Many seeds give a period to a tenth of a second. A candidate is not refuted by an error below this share of the
+// distance to its rival.
 constexpr double kMargin = 0.1;
 constexpr const char* kBase = "q_run1";
 constexpr const char* kSpectrum = "x_period_by_spectrum_s";
@@ -49,13 +49,14 @@ class Candidates {
     return candidate;
   }
 
-  /// Mass and mooring of each run that is there; of the base for one that is not.
+  /// The scene of a run if it exists, otherwise that of the base run.
   const SceneDef& scene(const std::string& condition) const {
     const auto& runs = folder_.of(condition);
     return runs.empty() ? base_ : runs.front().scene;
   }
 
-  /// What mass and mooring alone make of a run's metric, and the rival: shortened as the paper's period is.
+  /// The period that follows from mass and mooring alone, and the rival: shortened by the same factor as the paper's
+  /// period.
   Prediction natural_of(const std::string& condition, const std::string& metric) const {
     const double period = natural(scene(condition));
     return predict(condition, metric, period, shortened() * period);
@@ -92,7 +93,7 @@ class Candidates {
     return judged(candidate);
   }
 
-  /// Counted in the record as it is: to choose the sampling interval that fits best would be no test.
+  /// Counted in the record at its own sampling: choosing the best sampling interval would be no test.
   Candidate counted_wiggles() const {
     Candidate candidate{"wiggles counted as swings",
                         "spectrum and crossings have the natural period, the count of all local maxima has the paper's",

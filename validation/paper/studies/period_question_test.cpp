@@ -1,4 +1,4 @@
-// Candidates for the period are held or refuted by intervals, and by nothing else.
+// Candidates for the period hold or are refuted by intervals only.
 #include "validation/paper/studies/period_question.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 Measured between(double low, double high) { return {0.5 * (low + high), low, high, "test"}; }
 
-/// A folder in which every run swings with `period_s(scene)`, known to half a second.
+/// A folder in which every run oscillates with `period_s(scene)`, known to half a second.
 template <typename Period>
 PaperFolder folder_of(Period period_s) {
   PaperFolder folder;
@@ -75,7 +75,7 @@ TEST(PeriodQuestion, MissingRunsDecideNothing) {
 TEST(PeriodQuestion, AWideIntervalDecidesNothing) {
   PaperFolder folder = folder_of(natural);
   folder.conditions["q_run1"][0].numbers.add("x_period_by_maxima_s", RunNumber{77.0, 60.0, 94.0, true});
-  EXPECT_EQ(verdicts(folder)[3], Verdict::undecidable);  // holds 72 s and 88.9 s
+  EXPECT_EQ(verdicts(folder)[3], Verdict::undecidable);  // the interval contains 72 s and 88.9 s
   folder.conditions["q_run1"][0].numbers.add("x_period_by_maxima_s", RunNumber{72.5, 71.0, 74.0, true});
   EXPECT_EQ(verdicts(folder)[3], kHolds);
 }

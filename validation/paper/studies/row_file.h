@@ -1,4 +1,4 @@
-// Files of rows that studies beside the runs leave for the page.
+// Files of rows that study programs write for the page.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@
 
 namespace gem {
 
-/// A file of rows with commas, read one by one. What cannot be understood is Error(file_system) with file and line, and
-/// the script that makes the file again.
+/// Reads a file of comma-separated rows one by one. A mistake throws Error(file_system) with file and line, and with
+/// the script that writes the file.
 class RowFile {
  public:
   RowFile(const std::filesystem::path& path, const std::string& maker)

@@ -1,4 +1,4 @@
-// Fits over seeds, stretches and peaks.
+// Fits over seeds, blocks and peaks.
 #include "validation/paper/studies/seed_extremes.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ constexpr std::size_t kFewestRuns = 5;
 constexpr double kBelow = 0.9;
 constexpr Resampling kResampling{200, 0.95, 1};  // the fits of ACER take long
 
-/// Empty where the values are all alike or too few.
+/// Empty if all values are equal or there are too few.
 std::optional<IntervalEstimate> gumbel(const std::vector<double>& maxima, double factor) {
   try {
     return gumbel_quantile(maxima, kBelow, factor, kResampling);
@@ -39,7 +39,7 @@ std::optional<IntervalEstimate> by_acer(const std::vector<PaperRun>& runs) {
   question.peaks = static_cast<double>(peaks.front().size());
   try {
     const auto quantile = acer_quantile(peaks, question, kResampling);
-    // few seeds leave tails that some resamples cannot tell from a level line
+    // With few seeds some resamples have a tail that cannot be distinguished from a constant.
     const double absurd = 10.0 * *std::max_element(all.begin(), all.end());
     return quantile && quantile->high < absurd ? quantile : std::nullopt;
   } catch (const std::invalid_argument&) {
@@ -47,7 +47,7 @@ std::optional<IntervalEstimate> by_acer(const std::vector<PaperRun>& runs) {
   }
 }
 
-/// Runs may differ in length by less than a stretch.
+/// Runs may differ in length by less than a block.
 std::optional<IntervalEstimate> by_blocks(const std::vector<PaperRun>& runs) {
   std::vector<double> maxima;
   for (const PaperRun& run : runs)

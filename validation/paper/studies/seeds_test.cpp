@@ -1,4 +1,4 @@
-// Made-up seeds: growth, steadiness and extremes are found where they were put, and nothing where there is nothing.
+// Artificial seeds: growth, steadiness and extremes are found where they exist, and only there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace gem {
 namespace {
 
-/// Swings of 600 s blocks: the first as given, each next larger by a factor.
+/// The swings of 600 s blocks: the first is given, each next is larger by a factor.
 PaperRun growing(std::uint64_t seed, double first_m, double factor, std::size_t blocks) {
   PaperRun run;
   run.seed = seed;
@@ -64,7 +64,7 @@ TEST(Stationarity, SteadyAndUndecidedAreTwoThings) {
 TEST(Stationarity, BlocksOfASineHaveItsDeviationAndSize) {
   PlatformSeries series;
   series.interval = 0.5;
-  for (std::size_t i = 0; i < 3000; ++i) {  // 1500 s: two blocks and a rest
+  for (std::size_t i = 0; i < 3000; ++i) {  // 1500 s: two blocks and a remainder
     const double t = 0.5 * static_cast<double>(i);
     const double amplitude = t < 600.0 ? 1.0 : 2.0;
     series.x.push_back(0.25 + amplitude * std::sin(2.0 * std::numbers::pi * t / 60.0));
@@ -103,7 +103,7 @@ TEST(DayStudy, TellsTheFirstHoursFromTheRest) {
 }
 
 TEST(SeedExtremes, FindTheQuantileOfAGumbelLaw) {
-  // quantiles of a Gumbel law as the maxima of blocks: its p90 over a block is known, as is that over two
+  // Maxima of blocks that are quantiles of a Gumbel law: its p90 over one and over two blocks is known.
   PaperFolder folder;
   const std::size_t runs = 50;
   for (std::size_t i = 0; i < runs; ++i) {

@@ -1,4 +1,4 @@
-// The catalogue against the runs of each choice.
+// Judges the catalogue with the runs of each modelling choice.
 #include "validation/paper/studies/sensitivity.h"
 
 #include <algorithm>

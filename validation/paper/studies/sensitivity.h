@@ -1,4 +1,4 @@
-// Which statements survive which choice: the statements asked again of the runs of cases/sensitivity.toml.
+// Which statements hold under which modelling choice, judged with the runs of cases/sensitivity.toml.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Halves of runs compared, seed by seed.
+// Compares the halves of runs, seed by seed.
 #include "validation/paper/studies/stationarity.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ double root_mean_square(std::span<const double> values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// The halves of the runs of a condition; of an odd number of stretches the middle one belongs to neither.
+/// The halves of the runs of a condition. With an odd number of blocks the middle block belongs to neither half.
 struct Halves {
   std::vector<double> early_x, late_x, ratio_x, ratio_y, shift;
   std::size_t longest = 0;

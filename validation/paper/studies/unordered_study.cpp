@@ -1,4 +1,4 @@
-// Two files of rows to pairs of runs.
+// Reads two files of rows into pairs of runs.
 #include "validation/paper/studies/unordered_study.h"
 
 #include "validation/paper/studies/divergence_study.h"

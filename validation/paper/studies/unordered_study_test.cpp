@@ -1,4 +1,4 @@
-// The rows of repeats without order are read into pairs of their kind, and faults in them are named.
+// Rows of repeats without a fixed order are read into pairs by kind, and mistakes in them are reported.
 #include "validation/paper/studies/unordered_study.h"
 
 #include <gtest/gtest.h>

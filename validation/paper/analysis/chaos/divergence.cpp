@@ -1,4 +1,4 @@
-// Lines through logarithms of distances.
+// Fits lines to logarithms of distances.
 #include "validation/paper/analysis/chaos/divergence.h"
 
 #include <algorithm>
@@ -103,7 +103,7 @@ OnsetShift onset_shift(std::span<const double> sizes, std::span<const double> on
   }
   const IntervalEstimate shift = common_slope(log_size, onsets, field);
   const auto rate = [](double slope) { return slope < 0.0 ? -1.0 / slope : std::numeric_limits<double>::infinity(); };
-  // A steeper shift is slower growth.
+  // A steeper shift means slower growth, so low and high change places.
   return {shift, {rate(shift.value), rate(shift.low), rate(shift.high)}};
 }
 

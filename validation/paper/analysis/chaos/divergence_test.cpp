@@ -1,4 +1,4 @@
-// Growth rates of the Lorenz system and the logistic map by pairs and by onsets.
+// Growth rates of the Lorenz system and the logistic map, from pairs and from onsets.
 #include "validation/paper/analysis/chaos/divergence.h"
 
 #include <gtest/gtest.h>
@@ -43,8 +43,8 @@ std::vector<double> lorenz_distance(double start, double size, std::size_t sampl
   return distance;
 }
 
-// ln 2 per step. One step's ln|slope| has the deviation pi / sqrt(12); 100 pairs over 27 steps, whose steps correlate
-// little: 0.9 / sqrt(2700) = 0.02 if steps were independent.
+// The rate is ln 2 per step. ln|slope| of one step has the deviation pi / sqrt(12). 100 pairs over 27 almost
+// uncorrelated steps give a scatter of 0.9 / sqrt(2700) = 0.02.
 TEST(GrowthRate, OfTheLogisticMapIsLnTwo) {
   const auto growth = growth_rate(logistic_pairs(100, 1e-12, 60), 1.0, 1e-11, 1e-3, {200, 0.95, 1});
   ASSERT_TRUE(growth.has_value());
@@ -70,8 +70,8 @@ TEST(OnsetTime, LiesBetweenSamples) {
   EXPECT_EQ(*onset_time(std::vector<double>{0.0, 1.0}, 10.0, 0.5), 10.0);
 }
 
-// Sizes of 1e-12 to 1e-6 with 30 pairs each: an onset scatters by 0.9 sqrt(steps) / ln 2 = 6 steps, 120 of them over a
-// range of 14 in ln(size), deviation 5, place the slope to 8 %.
+// Sizes from 1e-12 to 1e-6 with 30 pairs each. An onset scatters by 0.9 sqrt(steps) / ln 2 = 6 steps. 120 onsets over a
+// range of 14 in ln(size), deviation 5, give the slope to 8 %.
 TEST(OnsetShift, OfTheLogisticMap) {
   std::vector<double> sizes;
   std::vector<double> onsets;
@@ -88,7 +88,7 @@ TEST(OnsetShift, OfTheLogisticMap) {
                std::invalid_argument);
 }
 
-// Onsets that do not depend on the size allow any rate: the interval says so.
+// Onsets that do not depend on the size allow any rate, so the interval has no upper end.
 TEST(OnsetShift, WithoutAShiftHasNoUpperEnd) {
   const OnsetShift shift = onset_shift(std::vector<double>{1e-9, 1e-7, 1e-5, 1e-3},
                                        std::vector<double>{5.0, 6.0, 5.5, 5.8}, std::vector<std::uint64_t>{1, 1, 1, 1});

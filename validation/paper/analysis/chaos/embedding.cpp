@@ -1,4 +1,4 @@
-// Neighbours by looking at all states: records here have some thousand samples.
+// Finds neighbours by comparing all states: records here have a few thousand samples.
 #include "validation/paper/analysis/chaos/embedding.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Exact motion from impulse to impulse.
+// Exact motion from one impulse to the next.
 #include "validation/paper/analysis/chaos/impulse_oscillator.h"
 
 #include <cmath>

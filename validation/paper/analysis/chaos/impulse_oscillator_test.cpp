@@ -17,15 +17,16 @@ TEST(ImpulseOscillator, SamplesOneMotionAtAnyInterval) {
   const auto coarse = impulse_oscillator(model, 100, 10.0, 5);
   const auto fine = impulse_oscillator(model, 1000, 1.0, 5);
   for (std::size_t i = 0; i < 100; ++i) {
-    // Rounding of some 100 exact steps of size 1e-3.
+    // Rounding of about 100 exact steps of size 1e-3.
     EXPECT_NEAR(coarse.position[i], fine.position[10 * i], 1e-13);
     EXPECT_NEAR(coarse.velocity[i], fine.velocity[10 * i], 1e-14);
   }
   EXPECT_NE(fine.position[500], impulse_oscillator(model, 1000, 1.0, 6).position[500]);
 }
 
-// Stationary: var x = rate E[v^2] / (4 zeta omega^3), mean x = rate E[v] / omega^2. 2e5 s are 200 memory times of
-// 1 / (zeta omega): the deviation scatters by 1 / (2 sqrt(100)) = 5 %, the mean by sqrt(rate E[v^2] / T) / omega^2.
+// Stationary state: var x = rate E[v^2] / (4 zeta omega^3), mean x = rate E[v] / omega^2. 2e5 s are 200 times the
+// memory 1 / (zeta omega). So the deviation scatters by 1 / (2 sqrt(100)) = 5 %, the mean by sqrt(rate E[v^2] / T) /
+// omega^2.
 TEST(ImpulseOscillator, HasCampbellsMoments) {
   ImpulseOscillator model;
   model.natural_period = 100.0;

@@ -1,4 +1,4 @@
-// Differences and neighbours.
+// Asymmetry from differences, predictability from neighbours.
 #include "validation/paper/analysis/chaos/nonlinearity.h"
 
 #include <cmath>
@@ -27,7 +27,7 @@ double prediction_error(std::span<const double> signal, const Prediction& predic
   if (states.count() < prediction.horizon + 2 || prediction.neighbours == 0 || !(deviation > 0.0))
     throw std::invalid_argument("the record is too short or too even to be predicted");
   const std::size_t known = states.count() - prediction.horizon;
-  // The newest coordinate of a state is the present; its future lies `horizon` samples on.
+  // The newest coordinate of a state is the present; its future lies `horizon` samples later.
   const std::size_t ahead = signal.size() - states.count() + prediction.horizon;
   double squares = 0.0;
   double count = 0.0;

@@ -1,4 +1,4 @@
-// Statistics that a linear normal process does not have: asymmetry in time, and predictability beyond its spectrum.
+// Statistics that are zero for a linear normal process: asymmetry in time, and predictability beyond the spectrum.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace gem {
 
-/// Skewness of the differences over `lag` samples: zero on average for a record that reads the same backwards, positive
-/// for slow falls and quick rises. 0 for a constant record. Needs more than `lag` samples, otherwise
-/// std::invalid_argument.
+/// Skewness of the differences over `lag` samples. Its mean is zero for a record that is statistically equal backwards,
+/// and positive for slow falls and quick rises. 0 for a constant record. Throws std::invalid_argument unless there are
+/// more than `lag` samples.
 double time_reversal_asymmetry(std::span<const double> signal, std::size_t lag);
 
 struct Prediction {
@@ -19,9 +19,9 @@ struct Prediction {
   std::size_t neighbours = 10;  // whose futures are averaged
 };
 
-/// Error of predicting each state's future by the mean future of its neighbours, over the record's standard deviation:
-/// 0 for a perfect prediction, about 1 for none. Needs a record longer than embedding and horizon and not constant,
-/// otherwise std::invalid_argument.
+/// Error of predicting each state's future by the mean future of its neighbours, over the standard deviation of the
+/// record: 0 is perfect, about 1 is no prediction. Throws std::invalid_argument for a constant record or one not longer
+/// than embedding and horizon.
 double prediction_error(std::span<const double> signal, const Prediction& prediction = {});
 
 }  // namespace gem

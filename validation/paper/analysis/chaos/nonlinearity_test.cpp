@@ -1,4 +1,4 @@
-// Asymmetry and predictability of records that are known.
+// Asymmetry and predictability of known records.
 #include "validation/paper/analysis/chaos/nonlinearity.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(TimeReversalAsymmetry, OfASawTooth) {
 
 TEST(PredictionError, OfAMapAndOfNoise) {
   EXPECT_LT(prediction_error(logistic_map(500, 4.0), {{1, 1, 1}, 1, 4}), 0.1);
-  // The mean of ten neighbours of independent values: sqrt(1 + 1/10).
+  // The mean of ten independent neighbours gives sqrt(1 + 1/10).
   EXPECT_NEAR(prediction_error(white_noise(800, 1.0, 2), {{3, 1, 1}, 1, 10}), 1.05, 0.08);
   EXPECT_THROW(prediction_error(std::vector<double>(100, 1.0)), std::invalid_argument);
   EXPECT_THROW(prediction_error(white_noise(8, 1.0, 1), {{3, 4, 1}, 1, 10}), std::invalid_argument);

@@ -1,4 +1,4 @@
-// Counting ranks.
+// Counts ranks.
 #include "validation/paper/analysis/chaos/null_hypothesis.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The test rejects chaos and passes records of its own hypothesis as often as it says.
+// The test rejects chaos, and rejects records of its own hypothesis as rarely as stated.
 #include "validation/paper/analysis/chaos/null_hypothesis.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(NullTest, RejectsChaos) {
   EXPECT_EQ(test.of_null.size(), 19u);
 }
 
-// 200 records, 39 of the same hypothesis each: a two-sided test rejects 5 %, one deviation is 1.5 %.
+// 200 records against 39 of the same hypothesis each: a two-sided test rejects 5 %; one standard deviation is 1.5 %.
 TEST(NullTest, PassesItsOwnHypothesis) {
   const auto asymmetry = [](std::span<const double> x) { return time_reversal_asymmetry(x, 1); };
   int rejected = 0;
@@ -34,8 +34,8 @@ TEST(NullTest, PassesItsOwnHypothesis) {
   EXPECT_LE(rejected, 22);
 }
 
-// The null model sampled eight times a period for 125 periods: linear, so 5 % are rejected; of 60, one deviation
-// is 1.7.
+// The null model, sampled eight times per period for 125 periods, is linear, so 5 % are rejected. Of 60 records one
+// standard deviation is 1.7.
 TEST(LongNullTest, PassesTheNullModel) {
   ImpulseOscillator model;
   model.natural_period = 80.0;

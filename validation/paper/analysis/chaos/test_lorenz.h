@@ -10,14 +10,14 @@ inline constexpr double kLorenzExponent = 0.9056;
 
 class Lorenz {
  public:
-  /// A state on the attractor; different `start` give different ones.
+  /// A state on the attractor; different `start` give different states.
   explicit Lorenz(double start) : state_{1.0 + start, 1.0, 20.0} { advance(20.0); }
 
   void disturb(double size) { state_[0] += size; }
   double distance(const Lorenz& other) const {
     return std::hypot(state_[0] - other.state_[0], state_[1] - other.state_[1], state_[2] - other.state_[2]);
   }
-  /// Runge-Kutta of fourth order in steps of about 0.005.
+  /// Fourth-order Runge-Kutta in steps of about 0.005.
   void advance(double time) {
     const auto steps = static_cast<int>(std::lround(time / 0.005));
     for (int i = 0; i < steps; ++i) step(time / steps);

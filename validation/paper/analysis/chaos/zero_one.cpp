@@ -1,4 +1,4 @@
-// Does the record, driven round a circle, spread like a random walk?
+// Drives the record around a circle and tests whether it spreads like a random walk.
 #include "validation/paper/analysis/chaos/zero_one.h"
 
 #include <gsl/gsl_statistics_double.h>
@@ -29,8 +29,8 @@ Walk walk_of(std::span<const double> signal, double turn) {
   return walk;
 }
 
-/// Correlation of the mean squared displacement with time. The oscillating part that the mean of the signal causes is
-/// known and taken out.
+/// Correlation of the mean squared displacement with time. The oscillating part caused by the mean of the signal is
+/// known and is removed.
 double growth_correlation(std::span<const double> signal, double mean, double turn) {
   const Walk walk = walk_of(signal, turn);
   const std::size_t longest = signal.size() / 10;

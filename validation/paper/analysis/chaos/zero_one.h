@@ -1,7 +1,7 @@
 // The 0-1 test for chaos, correlation version (Gottwald and Melbourne 2009): 0 for regular motion, 1 for chaos.
 //
-// It cannot tell chaos from noise: pair it with records of a null model. A record sampled finely looks regular: thin it
-// out to about one sample in a quarter of a period first, and have some thousand samples left.
+// It cannot distinguish chaos from noise, so compare with records of a null model. A finely sampled record looks
+// regular: first thin it out to about four samples per period, and keep some thousand samples.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,11 @@ struct ZeroOne {
   double lower_quartile = 0.0, upper_quartile = 0.0;  // of the frequencies
 };
 
-/// The test at `frequencies` random frequencies. Needs 100 samples, not all alike, otherwise std::invalid_argument.
+/// The test at `frequencies` random frequencies. Throws std::invalid_argument for fewer than 100 samples or a constant
+/// record.
 ZeroOne zero_one_test(std::span<const double> signal, std::size_t frequencies = 100, std::uint64_t seed = 1);
 
-/// Every n-th sample, from the first.
+/// Every n-th sample, starting with the first.
 std::vector<double> every_nth(std::span<const double> signal, std::size_t n);
 
 }  // namespace gem

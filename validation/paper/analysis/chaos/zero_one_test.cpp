@@ -10,7 +10,7 @@
 namespace gem {
 namespace {
 
-// The published values for 1000 and more samples of the logistic map are below 0.01 at 3.55 and above 0.99 at 3.97.
+// Published values for at least 1000 samples of the logistic map: below 0.01 at 3.55, above 0.99 at 3.97.
 TEST(ZeroOneTest, OfTheLogisticMap) {
   EXPECT_NEAR(zero_one_test(logistic_map(1000, 3.55), 40).k, 0.0, 0.05);
   EXPECT_NEAR(zero_one_test(logistic_map(1000, 3.97), 40).k, 1.0, 0.05);
@@ -21,7 +21,7 @@ TEST(ZeroOneTest, OfTwoFrequenciesAndOfNoise) {
   EXPECT_LT(regular.k, 0.1);
   EXPECT_LE(regular.lower_quartile, regular.k);
   EXPECT_GE(regular.upper_quartile, regular.k);
-  // Noise is 1 too: the test does not tell it from chaos.
+  // Noise gives 1 too: the test does not distinguish it from chaos.
   EXPECT_GT(zero_one_test(white_noise(1000, 1.0, 1), 40).k, 0.95);
 }
 

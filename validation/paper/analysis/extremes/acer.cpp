@@ -1,4 +1,4 @@
-// Counting conditional exceedances, and the fit of their tail.
+// Counts conditional exceedances and fits their tail.
 #include "validation/paper/analysis/extremes/acer.h"
 
 #include <gsl/gsl_multimin.h>
@@ -13,9 +13,9 @@
 namespace gem {
 namespace {
 
-/// Rate of one run: exceedances that follow k - 1 peaks below the level, per peak that has k - 1 before it.
+/// Rate in one run: exceedances that follow k - 1 peaks below the level, over peaks that have k - 1 peaks before them.
 double rate_of(const std::vector<double>& peaks, std::size_t order, double level) {
-  std::size_t below = 0;  // consecutive peaks up to here
+  std::size_t below = 0;  // number of consecutive peaks below the level up to here
   std::size_t count = 0;
   for (std::size_t i = 0; i < peaks.size(); ++i) {
     const bool above = peaks[i] > level;
@@ -25,7 +25,7 @@ double rate_of(const std::vector<double>& peaks, std::size_t order, double level
   return static_cast<double>(count) / static_cast<double>(peaks.size() - order + 1);
 }
 
-/// ln(rate) at the levels of the tail, with weights from the width of the intervals.
+/// ln(rate) at the levels of the tail, weighted by the width of the intervals.
 struct TailPoints {
   std::vector<double> level, log_rate, weight;
 };
@@ -38,7 +38,7 @@ TailPoints tail_points(const AcerCurve& curve, double tail_start) {
     const double spread = std::log((curve.rate[i] + curve.half_width[i]) / low);
     points.level.push_back(curve.level[i]);
     points.log_rate.push_back(std::log(curve.rate[i]));
-    // A rate that is the same in all runs still has an uncertainty.
+    // A rate that is equal in all runs still has an uncertainty.
     points.weight.push_back(1.0 / std::max(spread * spread, 1e-6));
   }
   return points;
@@ -71,7 +71,7 @@ Fitted fit_for(const TailPoints& points, double b, double c) {
   return fitted;
 }
 
-/// The search runs over the gap between b and the lowest level, in units of the range of levels, and over c.
+/// The search variables: the gap between b and the lowest level in units of the range of levels, and c.
 struct RateSearch {
   const TailPoints& points;
   double lowest, range;
@@ -155,7 +155,7 @@ std::optional<AcerTail> fit_acer_tail(const AcerCurve& curve, double tail_start)
   const TailPoints points = tail_points(curve, tail_start);
   if (points.level.size() < 4) return std::nullopt;
   RateSearch search{points, points.level.front(), points.level.back() - points.level.front()};
-  // Several starts: the misfit is a narrow curved valley in b and c.
+  // Several starts, because the misfit has a narrow curved valley in b and c.
   Fitted best;
   for (const double c : {1.0, 2.0, 3.0}) {
     const Fitted fitted = search_from(search, 0.0, c);
@@ -174,7 +174,7 @@ std::optional<IntervalEstimate> acer_quantile(const std::vector<std::vector<doub
       [&](std::span<const std::size_t> chosen) {
         std::vector<std::vector<double>> resample;
         for (const std::size_t run : chosen) resample.push_back(runs[run]);
-        // A resample whose tail cannot be fitted says nothing against the fit to all.
+        // A resample whose tail cannot be fitted counts as the fit to all runs.
         return quantile_of(resample, question).value_or(*all);
       },
       resampling);

@@ -42,7 +42,7 @@ TEST(AcerTail, OfACurveWithoutScatterIsExact) {
   }
   const auto tail = fit_acer_tail(curve, 1.0);
   ASSERT_TRUE(tail.has_value());
-  // The valley of b and c is flat, but every member of it has the same tail.
+  // The valley of b and c is flat, but all its points give the same tail.
   EXPECT_NEAR(tail->quantile(0.9, 1000.0), truth.quantile(0.9, 1000.0), 0.01 * truth.quantile(0.9, 1000.0));
   EXPECT_NEAR(truth.rate(truth.quantile(0.9, 1000.0)) * 1000.0, -std::log(0.9), 1e-12);
 }
@@ -58,7 +58,7 @@ TEST(AcerQuantile, OfRayleighPeaks) {
   EXPECT_FALSE(acer_quantile(rayleigh_runs(20, 100, 4), {1, 50.0, 40, 0.9, 300.0}).has_value());
 }
 
-// Every peak comes twice: order 2 counts each pair once, so its rate is half that of order 1.
+// Every peak occurs twice. Order 2 counts each pair once, so its rate is half that of order 1.
 TEST(Acer, SecondOrderSeesClusters) {
   auto runs = rayleigh_runs(20, 500, 8);
   for (auto& run : runs) {
@@ -70,7 +70,8 @@ TEST(Acer, SecondOrderSeesClusters) {
   EXPECT_NEAR(acer(runs, 2, levels).rate[0] / acer(runs, 1, levels).rate[0], 0.5, 0.03);
 }
 
-// 60 intervals of 95 %: one deviation is 2.8 %. The tail's form is not exact within its levels: some coverage is lost.
+// 60 intervals of 95 %: one standard deviation is 2.8 %. The form of the tail is not exact within its levels, so some
+// coverage is lost.
 TEST(LongAcerQuantile, IntervalOverRunsCovers) {
   const double truth = std::sqrt(2.0 * std::log(300.0 / -std::log(0.9)));
   int covered = 0;

@@ -14,15 +14,15 @@
 namespace gem {
 namespace {
 
-// With ratio = shape / scale the best shape for a given ratio is the mean of ln(1 + ratio y), and the log likelihood
-// that is left depends on the ratio alone.
+// With ratio = shape / scale, the best shape for a given ratio is the mean of ln(1 + ratio y). The log likelihood then
+// depends on the ratio alone.
 double shape_for(std::span<const double> excesses, double ratio) {
   double sum = 0.0;
   for (const double y : excesses) sum += std::log1p(ratio * y);
   return sum / static_cast<double>(excesses.size());
 }
 
-/// Log likelihood per excess, less a constant; minus infinity where the shape is not above -1.
+/// Log likelihood per excess without a constant; minus infinity if the shape is not above -1.
 double likelihood(std::span<const double> excesses, double ratio, double mean) {
   if (std::abs(ratio) * mean < 1e-9) return -std::log(mean) - 1.0;
   const double shape = shape_for(excesses, ratio);
@@ -36,13 +36,13 @@ struct RatioSearch {
 
   static double misfit(double ratio, void* search) {
     const auto* self = static_cast<RatioSearch*>(search);
-    // The minimiser wants finite numbers.
+    // The minimiser needs finite numbers.
     return std::min(1e30, -likelihood(self->excesses, ratio, self->mean));
   }
 };
 
-/// The ratio of the largest likelihood between low and high, by Brent's method from `middle`, or the best of the three
-/// if the largest is not between them.
+/// The ratio of largest likelihood between low and high, by Brent's method from `middle`; the best of the three if the
+/// maximum is not between them.
 double most_likely_ratio(RatioSearch& search, double low, double middle, double high) {
   const double at_low = RatioSearch::misfit(low, &search);
   const double at_middle = RatioSearch::misfit(middle, &search);
@@ -91,7 +91,7 @@ Pareto fit_pareto(std::span<const double> excesses) {
   const double largest = *std::max_element(excesses.begin(), excesses.end());
   const double mean = std::accumulate(excesses.begin(), excesses.end(), 0.0) / static_cast<double>(excesses.size());
   RatioSearch search{excesses, mean};
-  // A coarse search first, because the likelihood may have several humps.
+  // A coarse search first, because the likelihood may have several maxima.
   const std::vector<double> ratios = coarse_ratios(largest, mean);
   std::size_t best = 1;
   for (std::size_t i = 1; i + 1 < ratios.size(); ++i)

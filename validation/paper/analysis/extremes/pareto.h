@@ -1,4 +1,4 @@
-// The generalised Pareto law of what exceeds a high threshold.
+// The generalised Pareto law of excesses over a high threshold.
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@ struct Pareto {
   double excess_at(double p) const;
 };
 
-/// Maximum likelihood, with a shape above -1 (below it the likelihood has no largest value). Needs ten excesses, all
-/// positive, otherwise std::invalid_argument.
+/// Maximum likelihood with a shape above -1; below, the likelihood has no maximum. Throws std::invalid_argument for
+/// fewer than ten excesses or one that is not positive.
 Pareto fit_pareto(std::span<const double> excesses);
 
 }  // namespace gem

@@ -36,7 +36,7 @@ TEST(Pareto, FitFindsTheParameters) {
   }
 }
 
-// At the largest likelihood its slope is zero in both parameters: compare with neighbours.
+// At the maximum of the likelihood its slope is zero in both parameters, so neighbours are less likely.
 TEST(Pareto, FitIsTheMostLikely) {
   const std::vector<double> excesses = pareto_sample({0.2, 1.5}, 200, 3);
   const auto log_likelihood = [&](double shape, double scale) {
@@ -52,7 +52,7 @@ TEST(Pareto, FitIsTheMostLikely) {
   }
 }
 
-// Uniform values have shape -1, where the likelihood has no largest value: the fit stays at the edge of its range.
+// Uniform values have shape -1, where the likelihood has no maximum: the fit stays at the edge of its range.
 TEST(Pareto, FitOfABoundedSampleEndsAboveItsLargest) {
   const std::vector<double> excesses = pareto_sample({-1.0, 2.0}, 100, 5);
   const Pareto fit = fit_pareto(excesses);

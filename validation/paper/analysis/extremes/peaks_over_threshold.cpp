@@ -56,7 +56,7 @@ std::vector<ThresholdStability> threshold_stability(std::span<const RunPeaks> ru
     const std::vector<IntervalEstimate> numbers = bootstrap_together(
         runs.size(),
         [&](std::span<const std::size_t> chosen) {
-          // A resample with too few peaks says nothing against the fit to all.
+          // A resample with too few peaks counts as the fit to all runs.
           const ThresholdModel model = fit_chosen(runs, chosen, threshold).value_or(all);
           return std::vector<double>{model.law.shape, model.law.scale - model.law.shape * threshold,
                                      model.quantile(asked.p, asked.duration)};

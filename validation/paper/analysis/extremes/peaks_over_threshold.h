@@ -12,28 +12,28 @@
 
 namespace gem {
 
-/// The peaks of one run, far enough apart to be independent, and how long it lasted.
+/// The peaks of one run, far enough apart to be independent, and its duration.
 struct RunPeaks {
   std::vector<double> peaks;
   double duration = 0.0;  // [s]
 };
 
-/// Peaks above a threshold come at a rate and exceed it by a Pareto law.
+/// Peaks above a threshold occur at a rate, and their excesses have a Pareto law.
 struct ThresholdModel {
   double threshold = 0.0;
   double rate = 0.0;  // peaks per second [1/s]
   Pareto law;
 
-  /// The value that the maximum of `duration` [s] stays below with probability p in (0, 1); the threshold itself where
-  /// even that is less probable.
+  /// The value that the maximum over `duration` [s] does not exceed with probability p in (0, 1). The threshold itself
+  /// if it is exceeded with less than probability 1 - p.
   double quantile(double p, double duration) const;
 };
 
 /// One model for all runs, from their peaks above the threshold; empty with fewer than ten of them.
 std::optional<ThresholdModel> fit_threshold_model(std::span<const RunPeaks> runs, double threshold);
 
-/// What one threshold makes of the runs. Shape and modified scale (scale - shape threshold) stay level above the
-/// lowest threshold for which the law holds; intervals by the bootstrap over runs.
+/// Result for one threshold. Above the lowest threshold for which the law holds, the shape and the modified scale
+/// (scale - shape threshold) are constant. Intervals are by the bootstrap over runs.
 struct ThresholdStability {
   double threshold = 0.0;
   std::size_t peaks = 0;
@@ -43,12 +43,12 @@ struct ThresholdStability {
 };
 
 struct ReturnValue {
-  double p = 0.9;             // probability that the maximum stays below
+  double p = 0.9;             // probability that the maximum is not above the return value
   double duration = 10800.0;  // [s]
 };
 
-/// The table for several thresholds; those with fewer than 20 peaks are left out. Needs two runs, otherwise
-/// std::invalid_argument.
+/// Results for several thresholds; those with fewer than 20 peaks are left out. Throws std::invalid_argument with fewer
+/// than two runs.
 std::vector<ThresholdStability> threshold_stability(std::span<const RunPeaks> runs, std::span<const double> thresholds,
                                                     const ReturnValue& asked, const Resampling& resampling = {});
 

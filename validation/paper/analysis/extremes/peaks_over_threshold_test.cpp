@@ -27,15 +27,16 @@ TEST(ThresholdModel, HasTheRateAndTheQuantileOfItsLaw) {
   const auto model = fit_threshold_model(pareto_runs(law, 60, 5), 1.0);
   ASSERT_TRUE(model.has_value());
   EXPECT_DOUBLE_EQ(model->rate, 0.01);
-  // 108 peaks in 3 h: P(all below x) = exp(-108 P(above)). The likelihood's own deviation at 4320 peaks is 1 %.
+  // 108 peaks in 3 h: P(all below x) = exp(-108 P(above)). At 4320 peaks the likelihood estimate has a deviation of 1
+  // %.
   const double truth = 1.0 + law.excess_at(-std::log(0.9) / 108.0);
   EXPECT_NEAR(model->quantile(0.9, 10800.0), truth, 0.05 * truth);
   EXPECT_EQ(model->quantile(0.1, 1.0), 1.0);
   EXPECT_FALSE(fit_threshold_model(pareto_runs(law, 1, 5), 3.0).has_value());
 }
 
-// The excesses of a Pareto law over a higher threshold have the same shape and modified scale; for large samples
-// var(shape) = (1 + shape)^2 / n, var(scale) = 2 scale^2 (1 + shape) / n. Four deviations; widths of 20 resamples to 50
+// Excesses of a Pareto law over a higher threshold have the same shape and modified scale. For large samples var(shape)
+// = (1 + shape)^2 / n, var(scale) = 2 scale^2 (1 + shape) / n. Allowed: four deviations; widths from 20 resamples to 50
 // %.
 TEST(ThresholdStability, IsLevelForAParetoLaw) {
   const auto runs = pareto_runs({-0.2, 0.5}, 10, 6);
@@ -44,15 +45,15 @@ TEST(ThresholdStability, IsLevelForAParetoLaw) {
   for (const ThresholdStability& row : rows) {
     const double root = std::sqrt(static_cast<double>(row.peaks));
     EXPECT_NEAR(row.shape.value, -0.2, 4.0 * 0.8 / root) << row.threshold;
-    // Modified scale about the threshold 1 of the law: 0.5 + 0.2. Its scatter adds that of the shape times threshold.
+    // Modified scale about the threshold 1 of the law: 0.5 + 0.2. Its scatter adds that of shape times threshold.
     EXPECT_NEAR(row.modified_scale.value, 0.7, 4.0 * (0.5 * std::sqrt(1.6) + 0.8 * row.threshold) / root);
     EXPECT_NEAR(row.shape.high - row.shape.low, 2.0 * 2.2 * 0.8 / root, 2.2 * 0.8 / root) << row.threshold;
   }
   EXPECT_GT(rows[0].peaks, rows[1].peaks);
 }
 
-// 100 intervals of 95 % from 15 runs: one deviation is 2.2 %; the maximum likelihood shape of 1080 peaks is
-// biased by little: 87 of 100 are three and a half deviations.
+// 100 intervals of 95 % from 15 runs: one standard deviation is 2.2 %. The bias of the shape from 1080 peaks is small.
+// The limit of 87 is three and a half deviations.
 TEST(LongThresholdModel, IntervalOverRunsCovers) {
   const Pareto law{-0.1, 0.5};
   const double truth = 1.0 + law.excess_at(-std::log(0.9) / 108.0);

@@ -11,8 +11,8 @@
 namespace gem {
 namespace {
 
-/// When the record crosses from beyond `floor` on one side of rest to beyond it on the other [s]. Where noise crosses
-/// several times, their mean counts.
+/// Times at which the record crosses from beyond `floor` on one side of rest to beyond it on the other [s]. If noise
+/// crosses several times, their mean counts.
 std::vector<double> swing_crossings(std::span<const double> signal, double interval_s, double rest, double floor) {
   std::vector<double> times;
   double side = 0.0;
@@ -33,7 +33,7 @@ std::vector<double> swing_crossings(std::span<const double> signal, double inter
   return times;
 }
 
-/// The integral of the record about rest from its start to any time, by the trapezoidal rule.
+/// Integral of the record about rest from its start to any time, by the trapezoidal rule.
 class Integral {
  public:
   Integral(std::span<const double> signal, double interval_s, double rest)

@@ -1,4 +1,4 @@
-// Period and damping ratio of a free decay, from its swings.
+// Period and damping ratio of a free decay from its swings.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ struct FreeDecay {
   std::size_t half_cycles = 0;      // between the first and the last crossing
 };
 
-/// Fits the decay of a linear oscillator about `rest`. The time of the n-th crossing of rest grows by half a period,
-/// the logarithm of the area of the n-th swing falls by half the logarithmic decrement: two straight lines, whose
-/// scatter gives the intervals. Swings that stay within `floor` of rest are not seen: it must stand well above noise,
-/// which would otherwise count as swings. Empty with fewer than four crossings.
+/// Fits the decay of a linear oscillator about `rest`. The time of the n-th crossing of rest increases by half a
+/// period, and the logarithm of the area of the n-th swing decreases by half the logarithmic decrement. The scatter of
+/// these two straight lines gives the intervals. Swings that stay within `floor` of rest are ignored; it must lie well
+/// above the noise. Empty with fewer than four crossings.
 std::optional<FreeDecay> free_decay(std::span<const double> signal, double interval_s, double rest = 0.0,
                                     double floor = 0.0);
 

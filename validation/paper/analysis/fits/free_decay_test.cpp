@@ -1,4 +1,4 @@
-// Period and damping of decays whose parameters are known, clean and with noise.
+// Period and damping of known decays, with and without noise.
 #include "validation/paper/analysis/fits/free_decay.h"
 
 #include <gtest/gtest.h>
@@ -21,8 +21,8 @@ std::vector<double> decay(double natural_period, double ratio, double rest, std:
   return signal;
 }
 
-// A straight line between samples misplaces a crossing by zeta omega dt^2 / 4 = 2e-6 s, the trapezoidal rule all areas
-// by the same share, (omega dt)^2 / 12, up to the place of the crossing on the grid.
+// A straight line between samples shifts a crossing by zeta omega dt^2 / 4 = 2e-6 s. The trapezoidal rule changes all
+// areas by the same share, (omega dt)^2 / 12, except for the position of the crossing on the grid.
 TEST(FreeDecay, OfAMooredPlatform) {
   const auto fit = free_decay(decay(88.8577, 0.01, 0.2, 12000, 0.1), 0.1, 0.2);
   ASSERT_TRUE(fit.has_value());
@@ -44,7 +44,7 @@ TEST(FreeDecay, StopsAtTheFloor) {
   const std::vector<double> noisy = sum_of(decay(50.0, 0.05, 0.0, 8000, 0.1), white_noise(8000, 1e-3, 8));
   const auto fit = free_decay(noisy, 0.1, 0.0, 0.05);
   ASSERT_TRUE(fit.has_value());
-  // e^(-0.157 n) falls below 0.05 after 19 half cycles, the first of which has no crossing before it.
+  // e^(-0.157 n) falls below 0.05 after 19 half cycles; the first has no crossing before it.
   EXPECT_NEAR(static_cast<double>(fit->half_cycles), 18.0, 1.0);
   EXPECT_TRUE(fit->damping_ratio.holds(0.05));
   EXPECT_LT(fit->damping_ratio.high - fit->damping_ratio.low, 0.01);

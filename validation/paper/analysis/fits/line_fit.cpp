@@ -1,4 +1,4 @@
-// Least squares by GSL.
+// Least squares with GSL.
 #include "validation/paper/analysis/fits/line_fit.h"
 
 #include <gsl/gsl_cdf.h>

@@ -1,4 +1,4 @@
-// A slope common to groups, where each has a level of its own.
+// A slope common to groups that have different levels.
 #include "validation/paper/analysis/fits/line_fit.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ struct Points {
   std::vector<std::uint64_t> group;
 };
 
-/// Five groups of four points whose levels scatter a hundred times more than the points about the slope of -2.
+/// Five groups of four points. Their levels scatter a hundred times more than the points about the slope of -2.
 Points scattered(unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> noise;
@@ -39,7 +39,7 @@ TEST(CommonSlope, IsFoundBelowTheScatterOfTheLevels) {
     EXPECT_LT(slope.high - slope.low, 2.0);
     held += slope.holds(-2.0) ? 1 : 0;
   }
-  EXPECT_NEAR(held / 400.0, 0.95, 0.035);  // three deviations of a share of 400
+  EXPECT_NEAR(held / 400.0, 0.95, 0.035);  // three standard deviations of a share of 400
   const Points p = scattered(1);
   EXPECT_GT(fit_line(p.x, p.y).slope.high - fit_line(p.x, p.y).slope.low, 20.0);
 }

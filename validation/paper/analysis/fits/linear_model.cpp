@@ -1,4 +1,4 @@
-// Multiple regression by GSL (singular values, so that dependent columns are found out).
+// Multiple regression with GSL, by singular values, which reveal dependent columns.
 #include "validation/paper/analysis/fits/linear_model.h"
 
 #include <gsl/gsl_cdf.h>

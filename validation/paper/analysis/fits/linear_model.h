@@ -1,4 +1,4 @@
-// A number explained by several others at once: least squares with the intervals of every coefficient.
+// A linear model in several variables: least squares with the intervals of every coefficient.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@ struct LinearModel {
   double scatter = 0.0;  // standard deviation of the points about the model
 };
 
-/// y = intercept + sum of slope_c column_c. Independent errors of one size: Student's t with the degrees of freedom
-/// that are left. Needs two points more than coefficients and columns that are not multiples of each other, otherwise
-/// std::invalid_argument.
+/// y = intercept + sum of slope_c column_c, with independent errors of one size, by Student's t with the remaining
+/// degrees of freedom. Throws std::invalid_argument unless there are two more points than coefficients and the columns
+/// are independent.
 LinearModel fit_linear_model(const std::vector<std::vector<double>>& columns, std::span<const double> y,
                              double confidence = 0.95);
 

@@ -1,4 +1,4 @@
-// The regression finds a plane exactly, agrees with a line, and refuses what it cannot tell apart.
+// The regression fits a plane exactly, agrees with a line, and refuses dependent columns.
 #include "validation/paper/analysis/fits/linear_model.h"
 
 #include <gtest/gtest.h>

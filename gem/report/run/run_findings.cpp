@@ -99,9 +99,10 @@ double sample_interval(const std::vector<double>& time) {
   const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   for (std::size_t i = 0; i < time.size(); ++i)
     if (std::abs(time[i] - time.front() - static_cast<double>(i) * interval) > 1e-6 * time.back())
-      throw Error(ExitCode::file_system,
-                  "the platform record has uneven samples (output.platform_interval_s is no whole number of time steps, "
-                  "or the file is damaged) run the case with another interval");
+      throw Error(
+          ExitCode::file_system,
+          "the platform record has uneven samples (output.platform_interval_s is no whole number of time steps, "
+          "or the file is damaged) run the case with another interval");
   return interval;
 }
 

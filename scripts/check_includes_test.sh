@@ -119,7 +119,7 @@ plant gem/run/run_log.cpp <<'END'
 END
 plant gem/analysis/spectra/spectrum.cpp <<'END'
 #include <gsl/gsl_fft.h>
-#include <Eigen/Dense>
+#include <Eigen/Dense>  // PLANT eigen
 #include "gem/record/reader.h"
 #include "gem/engine/engine.h"  // PLANT analysis-sees
 #include <hdf5_hl.h>  // PLANT hdf5

@@ -116,5 +116,5 @@ def bars():
             "setting, and the bar is missed. Settings that drop an option are left out; nothing is interpolated. Box2D has one thread,",
             "gem one or two, whichever serves it. In brackets: 90 % of draws of the windows, if there are three or more. Floes that gem left",
             "touching begin inside Box2D's usual skin, which pushes them apart: windows count that as its error. The reference is gem's own",
-            "at a sixteenth of the moment.", "", f"Windows: {counts}.", ""
+            "at a sixteenth of the time step.", "", f"Windows: {counts}.", ""
             ] + usual_settings(regimes) + ["Against every setting of Box2D:", ""] + all_settings(regimes)

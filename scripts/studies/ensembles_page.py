@@ -143,14 +143,14 @@ def hits():
     body, changed = [], dict.fromkeys(wrapped(f"{since(c)}.") for c in commits if since(c))
     for setting in dict.fromkeys(r["setting"] for r in rows):
         seeds = len({r["seed"] for r in rows if r["setting"] == setting})
-        body.append([f"{setting} ({seeds})", rate(setting, 0.01, 1.0)] +
+        body.append([f"{setting.replace('moment', 'time step')} ({seeds})", rate(setting, 0.01, 1.0)] +
                     [rate(setting, 0.0, gap) for gap in (0.15, 0.3, 1.0, 3.0, 10.0)])
     return ["### Why Box2D has more hits and not more landings", "",
             "004_400_50 from 300 to 900 s, per second (in brackets: runs). A hit is a floe's first event faster than 0.01 m/s after a",
             "second without one; the other columns count a floe's first touch of any speed after so long without. Both engines agree on",
             "how often a floe comes to the platform (3 s and more). They differ in what floes do that lie there, pressed by those behind:",
             "with 8 velocity iterations started from the last step's impulses Box2D leaves closing speed in the rows, a floe's force on",
-            "the platform pauses and comes back with a jerk. Skin and pushing apart do not matter, the moment little: 50 iterations or cold",
+            "the platform pauses and comes back with a jerk. Skin and pushing apart do not matter, the time step little: 50 iterations or cold",
             "starts bring the pauses down towards gem's, gem held to 4 iterations has more of them than Box2D, and with 400 fewer than",
             "with its own 32. So rates of hits measure how far rows converge; landings measure how much ice arrives. Made by",
             f"`scripts/hits_study.sh` at commit 1044b66, rows of commit {', '.join(f'`{c}`' for c in commits)} (machine not recorded).", *changed, ""] + table(["setting (runs)", "hits", "touch after 0.15 s", "0.3 s", "1 s", "3 s: landings", "10 s"], body)

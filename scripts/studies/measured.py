@@ -71,7 +71,7 @@ def commit_of(run):
 
 
 # Changes of gem's results after commits whose rows are still shown; a commit that is not here has the results of today.
-CONTACTS_CHANGED = ("Since then gem's contacts have changed: no point is left out of the iterations any more, contacts reach 1.5 moments of "
+CONTACTS_CHANGED = ("Since then gem's contacts have changed: no point is left out of the iterations any more, contacts reach 1.5 time steps of "
                     "drift, and floes are numbered along the channel; runs of today have other bits, and these rows were not made again")
 CHANGED_SINCE = {"1fcea2322717": CONTACTS_CHANGED,
                  "d3be220d2d4d": CONTACTS_CHANGED + ". The commit is that of the program which counted; the runs are of it or older"}

@@ -1,4 +1,4 @@
-"""Time of each phase of moments on a GPU, from what Nsight Compute printed, as CSV: kernels one after the other.
+"""Time of each phase of time steps on a GPU, from what Nsight Compute printed, as CSV: kernels one after the other.
 
 usage: ncu --metrics gpu__time_duration.sum --csv -k regex:phase_of --launch-skip 64 -c 192 \\
          build/gem_cuda_speed cases profile 264 independent plug | python3 scripts/studies phase_times COMMIT DEVICE

@@ -77,7 +77,7 @@ def barrier_costs():
 
 
 def waiting(r, costs):
-    """What the barriers of a moment of one scene cost with nothing between them [us]; empty for batches, whose blocks change."""
+    """What the barriers of a time step of one scene cost with nothing between them [us]; empty for batches, whose blocks change."""
     if r["measure"] != "moment":
         return ""
     return f"{float(r['barriers']) * costs[int(r['blocks']), int(r['threads'])]:.1f}"

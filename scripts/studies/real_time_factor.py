@@ -15,7 +15,7 @@ import subprocess
 import tempfile
 
 CASES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "cases", "table1.toml")
-KEPT = ("engine", "time_s", "moments", "contacts", "maximum_overlap_m", "residual_momentum", "residual_energy",
+KEPT = ("engine", "time_s", "steps", "contacts", "maximum_overlap_m", "residual_momentum", "residual_energy",
         "peak_memory_bytes", "state_hash")
 
 

@@ -39,7 +39,7 @@ def part_a():
     chart.write_figure(FIGURES / "closed_form_errors.svg", panels, 2, 560, 340, stamp("closed_form"))
     lines += ["## A. Closed forms", "",
               "Mean over time of the error of place and velocity (velocities jump at impacts, so their largest error does",
-              "not shrink with the moment); impacts are spread evenly over a moment. Along each curve the moment is halved.",
+              "not shrink with the time step); impacts are spread evenly over a time step. Along each curve the time step is halved.",
               "V33 begins with touching floes, inside Box2D's skins, which push them apart: with the usual skin that is its error.", "", provenance("closed_form", rows), ""]
     return lines + figure("closed_form_errors", "Part A: error against cost on five closed forms.")
 
@@ -60,7 +60,7 @@ def part_c():
                 "that were made compare gem with Box2D: [README.md](README.md).", ""]
     lines = ["## C. Statistics", "",
              "Mean square error of an ensemble's mean, bias^2 + variance / N, against the cost of its N members; the bias is",
-             "the difference from the ensemble `fine` (a quarter of the moment, 400 iterations) and holds its own scatter,",
+             "the difference from the ensemble `fine` (a quarter of the time step, 400 iterations) and holds its own scatter,",
              "stated as noise. Cost is wall time on one core with recording.", "", provenance("ensembles"), ""]
     panels = []
     for case in dict.fromkeys(cases):
@@ -104,7 +104,7 @@ def part_paths():
             panels.append(panel)
     chart.write_figure(FIGURES / "paths.svg", panels, 2, 760, 360, stamp("paths"))
     return ["## Path by path, before runs part", "",
-            "All settings start from one identical state; the distance is from the same scene at a quarter of the moment,",
+            "All settings start from one identical state; the distance is from the same scene at a quarter of the time step,",
             "converged. Where the curves level off the paths are no longer the same and only statistics compare.", "",
             provenance("paths"), ""] + figure("paths", "Distance of floes and platform from the reference over time.")
 
@@ -116,7 +116,7 @@ def part_speed():
     lines = ["## Real-time factors", "",
              "Every engine runs the case from its beginning for the time stated, one thread each, in one process, taking turns block by",
              "block; recording is off. The factor is simulated time over the sum of wall times. Ratio: Box2D's wall time over gem's,",
-             "median over the blocks with its quartiles; above 1 gem is faster. gem and Box2D take the same moment here, so this is speed",
+             "median over the blocks with its quartiles; above 1 gem is faster. gem and Box2D take the same time step here, so this is speed",
              "without regard to error.", "", provenance("speed", rows), ""]
     body, middles = [], []
     for (case,), group in sorted(grouped([r for r in rows if r["case"] != "growth"], "case").items()):

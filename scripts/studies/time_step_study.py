@@ -1,4 +1,4 @@
-"""Writes the generated part of validation/time_step_study.md from the rows in bench/results/moment.
+"""Writes the generated part of validation/time_step_study.md from the rows in bench/results/time_step.
 
 scripts/studies time_step_windows and build/law_study make the rows."""
 import csv
@@ -7,7 +7,7 @@ import math
 from measured import table
 from pages import ROOT, replace_generated
 
-ROWS = ROOT / "bench" / "results" / "moment"
+ROWS = ROOT / "bench" / "results" / "time_step"
 PAGE = ROOT / "validation" / "time_step_study.md"
 EXACT = 1e-9  # errors below are rounding or what the iterations left [m, m/s]
 TODAY = "5 cm/32"
@@ -19,7 +19,7 @@ def read(name):
 
 
 def orders(errors):
-    """Observed order between neighbouring moments, each half of the one before."""
+    """Observed order between neighbouring time steps, each half of the one before."""
     return ", ".join("-" if min(a, b) < EXACT else f"{math.log2(a / b):.1f}" for a, b in zip(errors, errors[1:]))
 
 
@@ -98,10 +98,10 @@ def forces(name):
 def main():
     names = sorted(path.name for path in ROWS.glob("*.csv"))
     commits = sorted({row["commit"] for name in names for row in read(name)})
-    lines = ["`build/law_study cases > bench/results/moment/laws.csv`, `scripts/studies time_step_windows` and "
+    lines = ["`build/law_study cases > bench/results/time_step/laws.csv`, `scripts/studies time_step_windows` and "
              f"`scripts/studies time_step_study`, programs of commit {', '.join(commits)}, one thread. User times were taken on "
              "a shared machine and count for ratios only.", "", "### Each law", "",
-             "Mean over time and bodies of the distance to the closed form, or to a moment 64 times shorter than the "
+             "Mean over time and bodies of the distance to the closed form, or to a time step 64 times shorter than the "
              "shortest; orders between each dt and its half. Contacts resolved to 1e-10 of the speed.", "", *laws(),
              "### Windows restarted from one state", "",
              "The state is what the case's own settings lead to; each setting starts from the leader's impulses, scaled "

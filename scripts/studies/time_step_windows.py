@@ -1,6 +1,6 @@
-"""Runs bench/speed_against_error over the windows of the time step study and keeps its rows in bench/results/moment.
+"""Runs bench/speed_against_error over the windows of the time step study and keeps its rows in bench/results/time_step.
 
-Every length of the moment is given as the drift in it, U dt, so that a speed only changes the clock."""
+Every length of the time step is given as the drift in it, U dt, so that a speed only changes the clock."""
 import argparse
 import subprocess
 import sys
@@ -8,7 +8,7 @@ import tempfile
 
 from pages import ROOT
 
-OUT = ROOT / "bench" / "results" / "moment"
+OUT = ROOT / "bench" / "results" / "time_step"
 FINEST = 0.025 / 16.0  # U dt [m]
 REFERENCE = 2.0 * FINEST
 INDEPENDENT = 'contact.solver="independent" contact.manifold="chord_middle"'

@@ -12,15 +12,15 @@ PAPER = ((1.0 / 6.0, "2014: 6x"), (1.0 / 2.0, "2014: 2x"))
 COST = "wall time per simulated second [s/s]"
 # Curves: title, colour, settings that belong to it; what is left is drawn as points of its family.
 CURVES = (
-    ("gem coupled, moment", "gem", r"gem (dt/\d|dt|2dt)"),
+    ("gem coupled, time step", "gem", r"gem (dt/\d|dt|2dt)"),
     ("gem coupled, 2 threads", "gem2", r"gem (dt/\d|dt|2dt) 2 threads"),
     ("gem coupled, iterations", "iterations", r"gem dt( \d+ iterations)?"),
-    ("gem independent, moment", "independent", r"gem independent (dt/\d|dt|2dt)"),
+    ("gem independent, time step", "independent", r"gem independent (dt/\d|dt|2dt)"),
     ("gem independent, 2 threads", "independent2", r"gem independent (dt/\d|dt|2dt) 2 threads"),
     ("Box2D, iterations", "Box2D", r"Box2D \d+/\d+ dt"),
-    ("Box2D, moment", "Box2D moment", r"Box2D 8/3 (dt/\d|dt|2dt)"),
+    ("Box2D, time step", "Box2D moment", r"Box2D 8/3 (dt/\d|dt|2dt)"),
     ("Box2D thin skin, iterations", "thin", r"Box2D thin skin \d+/\d+ dt"),
-    ("Box2D thin skin, moment", "thin moment", r"Box2D thin skin 8/3 (dt/\d|dt|2dt)"),
+    ("Box2D thin skin, time step", "thin moment", r"Box2D thin skin 8/3 (dt/\d|dt|2dt)"),
 )
 # What is dropped, from which setting.
 DROPPED = (("friction", "gem dt", "gem without friction"), ("yaw", "gem dt", "gem without yaw"),
@@ -38,7 +38,7 @@ def cuda_points(group, points):
     for path in sorted((ROOT / "bench" / "results").glob("cuda*.csv")):
         with open(path, newline="", encoding="utf-8") as file:
             for row in csv.DictReader(file):
-                if row.get("arithmetic") != "strict" or row["measure"] not in ("moment", "copies") or CUDA_PHASES.get(row["phase"]) not in begins:
+                if row.get("arithmetic", "strict") != "strict" or row["measure"] not in ("moment", "copies") or CUDA_PHASES.get(row["phase"]) not in begins:
                     continue
                 if not all(same_results(row["commit"], commit) for commit in commits):
                     continue
@@ -137,7 +137,7 @@ def part_b():
     if not rows:
         return ["## B. Short windows", "", "Not measured.", ""]
     lines = ["## B. Short windows", "",
-             "The reference (a sixteenth of the case's moment, converged to 1e-6 of the current's speed) takes over from a run of",
+             "The reference (a sixteenth of the case's time step, converged to 1e-6 of the current's speed) takes over from a run of",
              "gem a quarter of a window before it begins, and every setting starts from its state there. Errors are the root of the mean",
              "square over time, over floes and platform and over all windows; the force's is relative to the reference's. Times are paired: the",
              "settings run one after the other in every window; stated is the median. Floes that gem left touching begin inside Box2D's",
@@ -156,7 +156,7 @@ def part_b():
         for name, (cost, error, commit) in cuda_points(group, places).items():
             beside = [f"{places[s][0] / cost:.3g} times as fast as {s} ({1e3 * places[s][1]:.3g} mm)" for s in JUDGED if s in places]
             lines += [wrapped(f"{name}: {1 / cost:.4g} x real time, {', '.join(beside)}; commit `{commit}`. Timed over 256 "
-                      f"moments from the first window's start; its bits are the processor's, so its error of {1e3 * error:.3g} mm is that of "
+                      f"time steps from the first window's start; its bits are the processor's, so its error of {1e3 * error:.3g} mm is that of "
                       "gem dt over these windows, and Box2D's time is that of the table."), ""]
     lines += dropped_table(regimes)
     chart.write_figure(FIGURES / "windows.svg", panels, 2, 760, 500, stamp("windows"))

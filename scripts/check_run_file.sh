@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs a case and reads its run file with ncdump, h5py and xarray, each if it is there. Exit code 77: none of them is.
+# Runs a case and reads its run file with ncdump, h5py and xarray, as far as they are installed. Exit code 77: none is.
 # Usage: check_run_file.sh GEM CASE.toml
 set -euo pipefail
 folder=$(mktemp -d)

@@ -92,12 +92,12 @@ target_compile_definitions(gem_sustained_survey PRIVATE GEM_SOURCE_DIR="${PROJEC
 add_test(NAME rules.keys COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_keys.sh $<TARGET_FILE:gem>)
 set_tests_properties(rules.keys PROPERTIES LABELS unit)
 
-# Reads a run file as users do. Skipped with the reason without python3 and h5py.
+# A run file read the way its users read it; without python3 and h5py this is skipped with its reason.
 add_test(NAME run_file_readers COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_run_file.sh $<TARGET_FILE:gem>
   ${PROJECT_SOURCE_DIR}/cases/analytic/V10_floe_on_moored_platform.toml)
 set_tests_properties(run_file_readers PROPERTIES LABELS unit SKIP_RETURN_CODE 77)
 
-# Runs and collects a sweep and opens the summary with xarray, as users do. Skipped with the reason without xarray.
+# A sweep, run and collected, opened by xarray as its users do; skipped with its reason without it.
 add_test(NAME sweep_summary_readers COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_summary.sh $<TARGET_FILE:gem>
   ${PROJECT_SOURCE_DIR}/cases/small_sweep.toml)
 set_tests_properties(sweep_summary_readers PROPERTIES LABELS unit SKIP_RETURN_CODE 77)

@@ -10,9 +10,9 @@
 namespace gem::bench {
 
 /// One line of a settings file: label | engine | options | scene overrides
-///   options: threads= velocity_iterations= position_iterations= skin= warm= moment_factor= and Box2D's experiments
+///   options: threads= velocity_iterations= position_iterations= skin= warm= step_factor= and Box2D's experiments
 ///   warm=1: starts from the leader's last impulses (only gem's coupled solver), scaled to its own time step
-///   moment_factor: factor on the time step of the case
+///   step_factor: factor on the time step of the case
 struct EngineSetting {
   std::string label;
   EngineOptions engine;

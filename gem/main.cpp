@@ -12,7 +12,8 @@ void add_moved_paper_command(CLI::App& app, gem::Chosen& chosen) {
   CLI::App* command = app.add_subcommand("paper", "")->group("")->prefix_command();
   command->callback([&chosen] {
     chosen.action = []() -> int {
-      throw gem::Error(gem::ExitCode::usage, "no command paper (it is a program of its own) call gem_paper judge");
+      throw gem::Error(gem::ExitCode::usage,
+                       "the command paper has moved (to the program gem_paper) call `gem_paper judge`");
     };
   });
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Fetches the sources of the Box2D that Debian packages (2.4.1) and unpacks them, for a build that links it into
-# one file: the package holds a shared library only, compiled with its assertions.
-# Needs apt and dpkg-source (package dpkg-dev); changes nothing in the system.
+# Fetches the sources of Debian's Box2D (2.4.1) and unpacks them, for a build that links Box2D statically. The package itself
+# holds only a shared library, compiled with assertions.
+# Needs apt and dpkg-source (package dpkg-dev). Changes nothing in the system.
 # Usage: scripts/box2d_source.sh FOLDER      then: cmake --preset portable -DGEM_BOX2D_SOURCE=FOLDER/box2d-2.4.1
 set -euo pipefail
 [ $# -eq 1 ] || {

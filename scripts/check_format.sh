@@ -19,7 +19,7 @@ fi
 mapfile -t files < <(find gem baseline_box2d validation bench -type f \
   \( -name '*.h' -o -name '*.cpp' -o -name '*.cu' -o -name '*.cuh' \) 2>/dev/null | sort)
 if ! "$tool" --dry-run --Werror --ferror-limit=1 "${files[@]}"; then
-  echo "layout: run '$tool -i' on the files named above"
+  echo "layout: run '$tool -i' on the files above"
   exit 1
 fi
 echo "layout: ${#files[@]} files follow .clang-format"

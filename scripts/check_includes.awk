@@ -1,4 +1,4 @@
-# The rules behind check_includes.sh. Comments and string literals are removed before anything is looked for.
+# The rules of check_includes.sh. Comments and string literals are removed before anything is searched.
 
 BEGIN {
   # A layer sees itself and the layers before it; run and command are one rank.
@@ -45,7 +45,7 @@ function report(rule, word, text) {
   faults++
 }
 
-# The layer of a path under gem/: its folder, or for a file directly in gem/ its name.
+# The layer of a path under gem/: its folder, or the file's name if it lies directly in gem/.
 function layer_of(path, parts, n) {
   n = split(path, parts, "/")
   if (n > 2) return parts[2]
@@ -54,7 +54,7 @@ function layer_of(path, parts, n) {
   return parts[2]
 }
 
-# Line without comments and without the content of literals. `in_comment` and `raw_end` live from line to line.
+# A line without comments and without the content of literals. `in_comment` and `raw_end` persist from line to line.
 function code_of(line, out, i, c, two, at) {
   out = ""
   for (i = 1; i <= length(line); i++) {
@@ -141,7 +141,7 @@ function check_words(code, n, words, i, word, next_is_call) {
   }
 }
 
-# A stream may be split into lines and words, but `stream >> real` obeys the locale.
+# A stream may be split into lines and words, but `stream >> real` depends on the locale.
 function check_streams(code, rest, name) {
   for (rest = code; match(rest, /(double|float)&? +[a-z_]+/); rest = substr(rest, RSTART + RLENGTH)) {
     name = substr(rest, RSTART, RLENGTH)
@@ -155,7 +155,7 @@ function check_streams(code, rest, name) {
   }
 }
 
-# Sums of doubles in an order that the machine chooses.
+# Sums of doubles in an order chosen by the machine.
 function check_order(code) {
   if (mine !~ /^(geometry|events|field|engine)$/) return
   if (code ~ /std::atomic<(double|float)>|std::atomic_ref<(double|float)>|atomicAdd *[(]/)

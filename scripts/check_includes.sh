@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Checks the rules that no compiler enforces: the one-way order of layers, where third parties may appear, and which
-# functions would make two machines or two locales disagree. Prints file:line: rule: text; exit code 1 when there is any.
+# Checks rules that no compiler enforces: the one-way order of layers, where third-party libraries may be included, and which
+# functions would make machines or locales disagree. Prints file:line: rule: text. Exit code 1: a rule is broken.
 # Usage: scripts/check_includes.sh [TREE]      scripts/check_includes.sh --rules
 set -euo pipefail
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
-# Exceptions: path, rule, word, reason. One that excuses nothing is itself reported.
+# Exceptions: path, rule, word, reason. An exception that is not needed is reported too.
 allowances=$(
   cat <<'END'
 gem/events/events.cpp bits exp once per run on the host; every engine is given the number

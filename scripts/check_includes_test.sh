@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Shows that check_includes.sh fails when it should: plants one fault of every kind and compares what is reported.
-# A line that ends in `// PLANT rule...` must be reported by exactly these rules, every other line by none.
+# Tests check_includes.sh: plants one fault of every kind and compares the reports. A line that ends in `// PLANT rule...` must
+# be reported by exactly these rules, every other line by none.
 set -euo pipefail
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 tree=$(mktemp -d)
@@ -158,7 +158,7 @@ plant validation/paper/runs/paper_run.cpp <<'END'
 #include <gsl/gsl_fit.h>  // PLANT gsl
 END
 
-# grep prints file:line:text; keep one "file:line: rule" for every rule that the marker names.
+# grep prints file:line:text; keep one "file:line: rule" for each rule named by the marker.
 expected=$(cd "$tree" && grep -rn '// PLANT' . | sed 's|^\./||; s|^\([^:]*:[0-9]*\):.*// PLANT |\1 |' |
   awk '{ for (i = 2; i <= NF; i++) print $1 ": " $i }' | sort)
 
@@ -172,13 +172,14 @@ if [ "$status" -ne 1 ] || [ "$expected" != "$reported" ]; then
   exit 1
 fi
 
-# A rule that nothing here breaks could be dead. A stale allowance needs one in the script, so it is not planted.
+# A rule that no planted fault breaks may be dead. A stale allowance would have to stand in the script itself, so it is not
+# planted.
 for rule in $("$scripts/check_includes.sh" --rules | grep -v '^allowance$'); do
-  grep -q ": $rule\$" <<<"$reported" || { echo "no planted fault breaks rule $rule" && exit 1; }
+  grep -q ": $rule\$" <<<"$reported" || { echo "rule $rule has no planted fault" && exit 1; }
 done
 
 rm -rf "$tree/gem" "$tree/validation"
 plant gem/base/vec2.h <<<'#pragma once'
 "$scripts/check_includes.sh" "$tree" >/dev/null || { echo "a clean tree is reported as faulty" && exit 1; }
 
-echo "all $(wc -l <<<"$expected") planted faults are reported, and nothing else"
+echo "all $(wc -l <<<"$expected") planted faults are reported and nothing else"

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Checks that the key reference of the manual is what the program says of its keys.
+# Checks that the key reference of the manual equals the output of the program.
 # Usage: scripts/check_keys.sh GEM
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 page=gem/manual/keys.md
 if ! "$1" case explain --markdown | diff -u "$page" -; then
-  echo "keys: $page is out of date (the lines with + are new); write it anew: $1 case explain --markdown > $page"
+  echo "keys: $page is out of date (lines with + are new); update it with: $1 case explain --markdown > $page"
   exit 1
 fi
-echo "keys: $page is what the program says"
+echo "keys: $page equals the output of the program"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks that every relative link of every page (*.md) leads to a file, and every #anchor to a heading of its page.
+# Checks that every relative link of every page (*.md) points to a file, and every #anchor to a heading of its page.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks that a program built with GEM_STATIC needs nothing but the C library, its mathematics and the loader.
+# Checks that a program built with GEM_STATIC needs only the C library, its mathematics library and the loader.
 # Usage: scripts/check_portable.sh PROGRAM
 set -euo pipefail
 needed=$(objdump -p "$1" | awk '$1 == "NEEDED" { print $2 }')

@@ -1,4 +1,4 @@
-# What run.sh and test.sh share: missing packages, configure and build, with the time that each phase took. Sourced, not run.
+# Shared by run.sh and test.sh: missing packages, configure and build, and the time of each phase. Sourced, not run.
 # shellcheck shell=bash
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -10,7 +10,7 @@ fail() {
   exit 1
 }
 
-# phase TITLE COMMAND...: says what happens, does it, keeps its time for the closing table.
+# phase TITLE COMMAND...: announces and runs the command, and keeps its time for the final table.
 phase() {
   local title=$1 start=$EPOCHREALTIME status=0
   shift
@@ -33,7 +33,7 @@ wanted_packages() {
   for set in "$@"; do awk -v set="$set" '!/^#/ && $2 == set { print $1 }' "$root/scripts/packages.txt"; done
 }
 
-# missing_packages SET...: those of them that are not installed.
+# missing_packages SET...: the wanted packages that are not installed.
 missing_packages() {
   local package
   for package in $(wanted_packages "$@"); do
@@ -62,34 +62,34 @@ apt_install() {
       as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends -o Dpkg::Use-Pty=0 "$@"
   } </dev/null >"$log" 2>&1 && return
   tail -n 20 "$log" >&2
-  say "by hand: apt-get install --no-install-recommends $*" >&2
+  say "install them by hand: apt-get install --no-install-recommends $*" >&2
   return 1
 }
 
-# install_missing SET...: installs what is missing and nothing else; silent when everything is there.
+# install_missing SET...: installs only the missing packages.
 install_missing() {
   mkdir -p "$root/build"
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    say "no apt here: install the counterparts of scripts/packages.txt by hand; going on with what is there"
+    say "apt is not available: install the packages of scripts/packages.txt by hand; continuing with what is installed"
     return
   fi
   local missing
   mapfile -t missing < <(missing_packages "$@")
   if [ "${#missing[@]}" -eq 0 ]; then
-    say "packages of set '$*': all $(wanted_packages "$@" | wc -l) are installed"
+    say "all $(wanted_packages "$@" | wc -l) packages of set '$*' are installed"
     return
   fi
   say "packages of set '$*': ${#missing[@]} missing: ${missing[*]}"
-  say "apt writes to $root/build/apt.log"
+  say "output of apt: $root/build/apt.log"
   phase "install packages" apt_install "${missing[@]}"
 }
 
-# program_only: options for a first configuration that looks for no packages of set `test`; nothing where tests are built.
+# program_only: options for a first configuration without the packages of set `test`; empty if tests are already built.
 program_only() {
   grep -qs '^GEM_TESTS:BOOL=ON' "$root/build/CMakeCache.txt" || printf "%s\n" -DGEM_TESTS=OFF -DGEM_BENCHMARKS=OFF
 }
 
-# build_targets [-DOPTION...] [TARGET...]: default preset in build/; all targets when none is named.
+# build_targets [-DOPTION...] [TARGET...]: builds the default preset in build/; all targets if none is named.
 build_targets() {
   local options=() targets=()
   while [[ ${1:-} == -D* ]]; do

@@ -1,5 +1,5 @@
-# Marks plain comments for Doxygen: the block that opens a file becomes the file's text as it stands, and `// ...` behind a
-# member becomes that member's text.
+# Marks plain comments for Doxygen: the first comment block becomes the text of the file, verbatim, and `// ...` after a member
+# becomes the text of that member.
 FNR == 1 { opening = 1 }
 opening && /^\/\// {
   if (!opened++) print "/** \\file\n\\verbatim"

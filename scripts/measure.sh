@@ -1,22 +1,22 @@
 #!/bin/sh
-# The whole measurement of speed against error, real-time factors and ensembles on a quiet machine. Needs sh and what
-# scripts/pack_measurements.sh packed; run it again to go on after a stop.
+# Measures speed against error, real-time factors and ensembles on a quiet machine. Needs sh and the files packed by
+# scripts/pack_measurements.sh. Run it again to continue after a stop.
 # Usage: scripts/measure.sh PROGRAMS OUT JOBS [PART...]
 #   PROGRAMS  folder with the programs that `gem_measurements` builds
-#   OUT       gets results.tar.gz: the tables in results/ and all that is finished. To go on elsewhere, unpack it in OUT first
+#   OUT       gets results.tar.gz: the tables in results/ and all finished tasks. To continue elsewhere, unpack it in OUT first
 #   JOBS      processors to use
-#   PART      closed_form paths windows speed ensembles; all of them, in this order, if left out. Ensembles come last in
-#             any case. ensembles:agreement and the like run one part of the plan
-# Environment: GEM_TIMED=14 processors for all that is timed, so that each has a core of its own; JOBS less two if not set
-#              GEM_WINDOWS=20 of each regime, GEM_WINDOW_S=32 long (a multiple of 4: all moments divide that)
-#              GEM_MINUTES=9 stop after so long, with what is finished
-#              GEM_DRIFT_M=600 speed over so much drift; GEM_WHOLE=1 speed over whole runs
-#              GEM_QUICK=1 a rehearsal in minutes, whose numbers mean nothing
+#   PART      closed_form paths windows speed ensembles; default: all, in this order. Ensembles always come last;
+#             ensembles:agreement and the like run one part of the plan
+# Environment: GEM_TIMED=14 processors for timed tasks, so that each has a core of its own; default: JOBS less two
+#              GEM_WINDOWS=20 of each regime, GEM_WINDOW_S=32 long (a multiple of 4, which all time steps divide)
+#              GEM_MINUTES=9 stop after this time, with what is finished
+#              GEM_DRIFT_M=600 drift distance for speed; GEM_WHOLE=1 speed over whole runs
+#              GEM_QUICK=1 a rehearsal in minutes; its numbers mean nothing
 #
-# What a task takes, s of one processor of a busy machine: a window of 8 s 320 to 380 (jam: its reference alone takes 22 a
-# second), 110 (plug), 15 (drift); of 32 s 1190, 300, 23. Closed forms 42. Speed over 240 m: 50 to 130 a run of the paper, 90
-# with 64128 floes. A member 30 to 95 (gem), 75 to 220 (Box2D); with 20 iterations 1.6 times that. With 28 processors, 14 for
-# speed, in 18 minutes:
+# Cost of the tasks in seconds of one processor of a busy machine. A window of 8 s: jam 320 to 380 (its reference alone takes 22
+# per second), plug 110, drift 15. A window of 32 s: 1190, 300, 23. Closed forms: 42. Speed over 240 m: 50 to 130 per run of the
+# paper, 90 with 64128 floes. A member of an ensemble: 30 to 95 (gem), 75 to 220 (Box2D), 1.6 times that with 20 iterations.
+# With 28 processors, 14 of them for speed, in 18 minutes:
 #   GEM_TIMED=14 GEM_DRIFT_M=240 GEM_MINUTES=6 scripts/measure.sh bin OUT 28 closed_form speed
 #   GEM_TIMED=28 GEM_WINDOW_S=8 GEM_MINUTES=12 scripts/measure.sh bin OUT 28 windows ensembles:agreement ensembles:experiment
 set -eu
@@ -50,7 +50,7 @@ conditions() {
   note "program $("$programs/gem" --version | tr '\n' ' ')"
 }
 
-# task LINE: name, program, then its arguments with tabs between; the files it writes are $out/tasks/NAME.*
+# task LINE: name, program and its arguments, separated by tabs; it writes the files $out/tasks/NAME.*
 task() {
   tab=$(printf '\t')
   name=${1%%"$tab"*}
@@ -77,7 +77,7 @@ in_tabs() {
   printf '%s\n' "$line"
 }
 
-# together RESULT FILE...: one table with one header, from the tasks that are finished
+# together RESULT FILE...: one table with one header from the finished tasks
 together() {
   result=$1
   shift
@@ -89,20 +89,20 @@ together() {
   done
 }
 
-# regimes: name, case, first start [s]; a window begins every 32 s, a task each
+# regimes: name, case, first start [s]; a window starts every 32 s, one task each
 regimes() {
   echo "jam cases/table1.toml#27 600"
   echo "plug cases/table1.toml#24 600"
   echo "drift cases/table1.toml#1 60"
 }
 
-# each part says its tasks
+# Each part prints its tasks.
 closed_form() {
   moments=$(choice 0.2,0.1 0.4,0.2,0.1,0.05,0.025,0.0125,0.00625)
   in_tabs closed_form closed_form_errors bench/closed_form_settings.txt "$moments" "$out/tasks/closed_form.csv"
 }
 
-# the regime with the longest tasks first, so that none is left over at the end
+# The regime with the longest tasks goes first, so that none is left at the end.
 windows() {
   seconds=${GEM_WINDOW_S:-32}
   regimes | while read -r regime case start; do
@@ -131,7 +131,7 @@ speed_of() {
   in_tabs "speed_$1" paired_speed "$2" bench/speed_pairs.txt "$(choice 2 24)" "$(choice 4 "$3")" "$out/tasks/speed_$1.csv"
 }
 
-# the same ice in fields of other sizes, the 36 runs of Table 1, and the other five of Table 2; the longest first
+# Ice of the main case in fields of other sizes, the 36 runs of Table 1, and the other five of Table 2; the longest first.
 speed() {
   drift=${GEM_DRIFT_M:-600}
   for size in $(choice "" "64128_6000_1600 16032_3000_800") 4008_1500_400 1002_750_200; do
@@ -170,14 +170,14 @@ ensembles() {
 }
 
 conditions "$@"
-# what is timed goes first and in one list, so that no core waits for the end of a part
+# Timed tasks go first and in one list, so that no core waits for the end of a part.
 : >"$out/tasks.txt"
 for part; do
   case $part in
   closed_form | windows | paths | speed) $part >>"$out/tasks.txt" ;;
   ensembles | ensembles:*) ;;
   *)
-    echo "measure.sh: no part '$part' (closed_form windows paths speed ensembles ensembles:PART)" >&2
+    echo "measure.sh: unknown part '$part' (parts: closed_form windows paths speed ensembles ensembles:PART)" >&2
     exit 2
     ;;
   esac
@@ -199,7 +199,7 @@ done
 [ "$wanted" = 0 ] || ensembles $parts
 note "left $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
 
-# what is still to be done, by name
+# The tasks still to be done, by name.
 {
   cut -f1 "$out/tasks.txt" | while IFS= read -r name; do [ -e "$out/tasks/$name" ] || echo "$name"; done
   [ ! -e "$out/ensembles/list.txt" ] || cut -f1 "$out/ensembles/list.txt" | while IFS= read -r name; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the programs that measure, each in one file, and packs them with their cases and settings for a machine that has
-# nothing: unpack there and run `sh scripts/measure.sh bin OUT JOBS`.
+# Builds the measuring programs as single files and packs them with their cases and settings for a machine without these
+# packages: unpack there and run `sh scripts/measure.sh bin OUT JOBS`.
 # Usage: scripts/pack_measurements.sh BOX2D_SOURCES OUT.tar.gz [CMAKE_OPTION...]
 #   BOX2D_SOURCES  the folder that scripts/box2d_source.sh prints
 set -euo pipefail
@@ -15,7 +15,7 @@ programs=(gem gem_ensembles window_errors closed_form_errors paired_speed)
 
 cmake --preset portable -DGEM_BOX2D_SOURCE="$sources" "$@" --log-level=WARNING
 cmake --build --preset portable --target gem_measurements
-# the same program with Box2D's slop at 1 mm: an experiment of its own
+# The same program with Box2D's slop at 1 mm, for one experiment.
 cmake --preset portable -B build-portable-slop -DGEM_BOX2D_SOURCE="$sources" -DGEM_BOX2D_SLOP=0.001 -DGEM_TESTS=OFF "$@" \
   --log-level=WARNING
 cmake --build build-portable-slop --target gem

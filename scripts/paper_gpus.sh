@@ -1,6 +1,6 @@
 #!/bin/bash
-# scripts/paper_runs.sh on several GPUs: each takes the next part that nobody has begun, and while one part is collected its GPU
-# runs another. Needs bash, flock and tar; run it again to go on after a stop: finished parts stay, others go on.
+# scripts/paper_runs.sh on several GPUs. Each GPU takes the next part that is free; while a part is collected, its GPU runs
+# another. Needs bash, flock and tar. Run it again to continue after a stop: finished parts stay, others continue.
 # Usage: scripts/paper_gpus.sh GEM OUT GPUS [PART...]
 #   GEM   the program gem; gem_paper lies beside it
 #   OUT   gets a folder for each part (seeds:1-3: seeds_1-3), as scripts/paper_runs.sh makes it; its file `done` says that it is

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Judges the paper's statements by run files and summaries: writes OUT/README.md, OUT/rows.csv, and under OUT/figures every
-# picture as SVG with a PNG preview, its numbers and its script. Any subset of the runs will do: the page says what is
-# missing. scripts/paper_runs.sh makes the runs and what `gem_paper collect` keeps of them; several seeds of a run may lie
-# side by side, and a run that is there twice counts once (with another state hash: not at all, the first is kept).
-# What is beside validation/paper/paper.json is read too: the rows of scripts/unordered_sums.sh.
+# Judges the paper's statements with run files and summaries. Writes OUT/README.md, OUT/rows.csv, and under OUT/figures every
+# picture as SVG with a PNG preview, its data and its script. Any subset of the runs is accepted; the page says what is missing.
+# scripts/paper_runs.sh makes the runs and their summaries (`gem_paper collect`). Several seeds of a run may be given. A run
+# given twice counts once; with another state hash the first is kept. The rows of scripts/unordered_sums.sh beside
+# validation/paper/paper.json are used too.
 # Usage: scripts/paper_report.sh [-o OUT] [-b BUILD_FOLDER] [FOLDER...]      The default of OUT is validation/paper.
 #   FOLDER  of run files and summaries, or of archives of them (*.tar.xz, needs xz); left out: bench/results/paper, whose
 #           summaries were made on a GPU. Pictures of fields need run files.
@@ -39,7 +39,7 @@ done
 [ -z "$(ls -A "$unpacked")" ] || folders+=("$unpacked")
 "$judge" judge "${folders[@]}" --out "$out" --statements "$source_folder/validation/paper/paper.json"
 
-# The same scripts draw the previews on gnuplot's other terminal.
+# The same scripts draw the previews with another terminal of gnuplot.
 if ! gnuplot -e 'set terminal pngcairo' >/dev/null 2>&1; then
   echo "no PNG previews: this gnuplot has no pngcairo terminal" >&2
   exit 0

@@ -68,7 +68,7 @@ fi
 
 note() { echo "$(date -u +%H:%M:%S) $*" | tee -a "$out/summaries/conditions.txt"; }
 
-# settings of a rehearsal: a small field close to the barge, long enough for a spectrum
+# Settings of a rehearsal: a small field close to the platform, long enough for a spectrum.
 quick_settings() {
   [ "$quick" = 1 ] || return 0
   duration=1200
@@ -83,7 +83,7 @@ quick_settings() {
 
 sweep_of() { case $1 in seeds:* | open:*) echo table1_seeds ;; *) echo "${1%%:*}" ;; esac; }
 
-# conditions of a part, counted from 0: in threes of 400, 300 and 200 m gap
+# Conditions of a part, counted from 0, in groups of three: gaps of 400, 300 and 200 m.
 conditions_of() {
   condition=0
   while [ "$condition" -lt 36 ]; do
@@ -92,7 +92,7 @@ conditions_of() {
   done
 }
 
-# runs of a part, as a list for --index; empty: all. A condition's thirty seeds follow each other.
+# Runs of a part as a list for --index; empty: all. The thirty seeds of a condition are consecutive.
 index_of() {
   case $1 in
   seeds:* | open:*)
@@ -105,7 +105,7 @@ index_of() {
   esac
 }
 
-# pieces PART RUNS OPTION...: a sweep collected by so many runs at a time, so that all processors collect
+# pieces PART RUNS OPTION...: collects a sweep in pieces of this many runs, so that all processors are busy
 pieces() {
   name=$1 step=$2
   shift 2
@@ -227,6 +227,6 @@ note "left: ${left:-nothing}"
 pack
 ls -l "$out"/paper_*.tar.gz
 [ -z "$left" ] || {
-  echo "not finished:$left; run this again to go on" >&2
+  echo "not finished:$left; run this again to continue" >&2
   exit 8
 }

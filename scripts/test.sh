@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Second command: installs what is missing, builds everything and runs every test except those labelled `long`.
+# Second command: installs missing packages, builds everything and runs all tests except those labelled `long`.
 # Arguments go to ctest, e.g. scripts/test.sh -L unit
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -15,8 +15,8 @@ if [ -n "${CI:-}" ]; then
 fi
 phase "tests" "${tests[@]}"
 print_phase_times
-# ctest names skipped tests but keeps their reasons to its own log: each once, with its number of tests.
+# ctest names skipped tests but writes their reasons only to its log. Print each reason once, with its number of tests.
 awk '/^skipped: / { ++seen[substr($0, 10)] } /: Skipped$/ { getline; ++seen[$0] }
   END { for (why in seen) print "[gem] skipped: " why " (" seen[why] (seen[why] == 1 ? " test)" : " tests)") }' \
   build/Testing/Temporary/LastTest.log | sort
-say "all selected tests passed; the long ones: ctest --test-dir build -L long"
+say "all selected tests passed; to run the long ones: ctest --test-dir build -L long"

@@ -1,14 +1,14 @@
 # shellcheck shell=sh
-# Work shared by several processes of one machine, in plain sh. Sourced, not run.
+# Distributes work among several processes of one machine, in plain sh. Sourced, not run.
 #
-# Environment: GEM_DEADLINE, seconds since 1970 at which to stop: nothing is begun after it, `limited` ends what runs.
+# Environment: GEM_DEADLINE, time in seconds since 1970. Nothing is started after it, and `limited` ends running commands.
 #
-# in_parallel JOBS LIST DONE FUNCTION: calls FUNCTION with each line of the file LIST, JOBS at a time. A line whose file
-# DONE/NAME (NAME: its first field, up to a tab) exists is left out, so a stopped run goes on where it was; FUNCTION makes
-# that file last. A failing call is told and leaves its line for the next time.
+# in_parallel JOBS LIST DONE FUNCTION: calls FUNCTION with each line of the file LIST, JOBS at a time. A line is skipped if
+# DONE/NAME exists (NAME: its first field, up to a tab), so a stopped run can continue. FUNCTION creates that file last. A
+# failed call is reported, and its line is tried again next time.
 in_parallel() {
   [ "$1" -ge 1 ] 2>/dev/null || {
-    echo "jobs: '$1' is no number above 0" >&2
+    echo "jobs: '$1' is not a number above 0" >&2
     exit 2
   }
   taken=$3/taken.$$

@@ -45,12 +45,12 @@ Run analysed(const std::string& path, const AnalyseOptions& options) {
   if (time.empty())
     throw Error(ExitCode::usage,
                 shown(path) + ": nothing to analyse (it has no samples of a platform: the case has " +
-                    "none, or the run ended before the first) see gem info, and gem report for the ice");
+                    "none, or the run ended before the first) see `gem info`; `gem report` shows the ice");
   const std::size_t first = sample_from(data, options.from_s);
   if (time.size() < first + kSamplesForStatistics)
     throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " +
-                                     std::to_string(kSamplesForStatistics) + " samples of a platform from --from " +
-                                     number_text(options.from_s) + " s on) choose an earlier start or a longer run");
+                                     std::to_string(kSamplesForStatistics) + " platform samples after --from " +
+                                     number_text(options.from_s) + " s) choose an earlier start or a longer run");
   return {path, data.identity.name, data.identity.state_hash, time.back() - time[first],
           analyse_platform(platform_series(data, first))};
 }
@@ -93,9 +93,9 @@ std::string text_of(const Run& run) {
     text += row_text(finding.name, {finding.value ? short_text(*finding.value) : "not resolved",
                                     finding.interval ? interval_text(*finding.interval) : "-"});
   return text +
-         "spells and gaps of contact that the record's ends cut count with what is seen: mean by all their time over "
+         "spells and gaps cut by an end of the record count with their observed part: mean = total time over "
          "the\n"
-         "ends seen (exponential), median by Kaplan-Meier, the longest a lower bound\n";
+         "observed ends (exponential), median by Kaplan-Meier, the longest is a lower bound\n";
 }
 
 /// The findings whose largest value is extrapolated over runs.
@@ -111,7 +111,7 @@ void check_exposure(const std::vector<Run>& runs) {
     if (std::abs(run.duration_s - runs.front().duration_s) > 1e-3 * runs.front().duration_s)
       throw Error(ExitCode::usage, shown(run.path) + ": lasts " + short_text(run.duration_s) + " s, the first run " +
                                        short_text(runs.front().duration_s) +
-                                       " s (a largest value grows with the duration) analyse runs of one length");
+                                       " s (the largest value grows with the duration) analyse runs of one length");
 }
 
 /// What defines the condition of a run: its case without name, length, start state and output, one line per option, and
@@ -141,9 +141,9 @@ void check_condition(const std::vector<Run>& runs) {
     const std::vector<std::string> other = condition_of(run.path);
     const auto [a, b] = std::mismatch(first.begin(), first.end(), other.begin(), other.end());
     if (a == first.end() && b == other.end()) continue;
-    throw Error(ExitCode::usage, shown(run.path) + ": another condition than " + shown(runs.front().path) + " (" +
+    throw Error(ExitCode::usage, shown(run.path) + ": not the same condition as " + shown(runs.front().path) + " (" +
                                      (b == other.end() ? "less" : *b) + "; there " + (a == first.end() ? "less" : *a) +
-                                     ") analyse runs that differ by seed or start only");
+                                     ") analyse runs that differ only in seed or start");
   }
 }
 
@@ -163,7 +163,7 @@ void check_different(const std::vector<Run>& runs) {
       if (same_run(runs[i], runs[j]))
         throw Error(ExitCode::usage, shown(runs[i].path) + ": the same run as " + shown(runs[j].path) + " (" +
                                          hash_clause(runs[i]) +
-                                         "several runs are taken as independent) give each run once");
+                                         "several runs count as independent) give each run once");
 }
 
 struct Combined {
@@ -207,8 +207,8 @@ std::string text_of(const std::vector<Run>& runs, const Combined& all) {
     text += row.mean ? row_text(row.name, {short_text(row.mean->value), short_text(row.deviation),
                                            std::to_string(row.runs), interval_text(*row.mean)})
                      : row_text(row.name, {"not resolved"});
-  if (all.extremes.empty()) return text + "extremes need five runs\n";
-  text += "largest of one exposure (Gumbel)\n" + row_text("", {"most probable", "90 % below", "95 % interval of that"});
+  if (all.extremes.empty()) return text + "extremes need at least five runs\n";
+  text += "largest of one exposure (Gumbel)\n" + row_text("", {"most probable", "90 % quantile", "its 95 % interval"});
   for (const RunsExtreme& extreme : all.extremes)
     text += row_text(extreme.name, {short_text(extreme.most_probable.value), short_text(extreme.p90.value),
                                     interval_text(extreme.p90)});
@@ -218,7 +218,7 @@ std::string text_of(const std::vector<Run>& runs, const Combined& all) {
 int analyse(const AnalyseOptions& options) {
   if (!(options.from_s >= 0.0))
     throw Error(ExitCode::usage,
-                "--from " + number_text(options.from_s) + " is no time of a run (it must be 0 s or more) give one");
+                "--from " + number_text(options.from_s) + " is not a valid time (it must be 0 s or more) correct it");
   std::vector<Run> runs;
   for (const std::string& path : options.paths) runs.push_back(analysed(path, options));
   if (runs.size() == 1) {
@@ -241,10 +241,10 @@ void add_analyse_command(CLI::App& app, Chosen& chosen) {
   const auto options = std::make_shared<AnalyseOptions>();
   CLI::App* command =
       app.add_subcommand("analyse", "periods, offset, orbit, contact and extremes of one or several run files");
-  command->add_option("files", options->paths, "run files; several are taken as independent runs of one condition")
+  command->add_option("files", options->paths, "run files; several count as independent runs of one condition")
       ->required();
-  command->add_option("--from", options->from_s, "leave out the time before this, until the ice is there [s]");
-  command->add_flag("--allow-incomplete", options->allow_incomplete, "analyse runs that did not end in order");
+  command->add_option("--from", options->from_s, "ignore the record before this time, e.g. until the ice arrives [s]");
+  command->add_flag("--allow-incomplete", options->allow_incomplete, "analyse incomplete runs");
   command->add_flag("--json", options->json, "as JSON");
   command->callback([options, &chosen] { chosen.action = [options] { return analyse(*options); }; });
 }

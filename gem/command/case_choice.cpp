@@ -15,17 +15,17 @@
 namespace gem {
 
 void add_case_options(CLI::App& command, CaseChoice& choice, bool required) {
-  auto* path = command.add_option("case", choice.path, "case file (TOML); without one the built-in case");
+  auto* path = command.add_option("case", choice.path, "case file (TOML); default: the built-in case");
   if (required) path->required();
   command.add_option("--set", choice.overrides, "override an option: key.path=value, repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--index", choice.index, "the run of a sweep file, see `gem sweep list`")->type_name("N");
+  command.add_option("--index", choice.index, "number of a run in a sweep file, see `gem sweep list`")->type_name("N");
 }
 
 SceneDef read_case(const CaseChoice& choice) {
   if (choice.path.empty()) {
-    if (choice.index) throw Error(ExitCode::usage, "--index needs a sweep file (none was given) name one");
+    if (choice.index) throw Error(ExitCode::usage, "--index needs a sweep file (no file was given) name one");
     return parse_scene("", "built-in case", choice.overrides);
   }
   if (!is_sweep(choice.path)) {
@@ -52,7 +52,7 @@ SceneDef with_floes_of_run_file(const SceneDef& scene) {
   std::vector<FloeDef> floes = floes_of_run_file(scene.floes.path);
   if (floes.empty())
     throw Error(ExitCode::scene_rejected,
-                scene.floes.path + ": no floes (that run had none) name another file or set floes.source = \"listed\"");
+                scene.floes.path + ": no floes (the run had none) name another file or set floes.source = \"listed\"");
   return with_listed_floes(scene, std::move(floes));
 }
 

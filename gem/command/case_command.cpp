@@ -47,7 +47,7 @@ std::string thickness_text(const FieldSummary& field) {
 }
 
 std::string check_text(const SceneDef& scene, const FieldSummary& field, const std::vector<std::string>& warnings) {
-  std::string text = scene.run.name + ": the case is good\n";
+  std::string text = scene.run.name + ": the case is valid\n";
   const auto line = [&](const std::string& name, const std::string& value) {
     text += "  " + name + std::string(18 - name.size(), ' ') + value + "\n";
   };
@@ -119,19 +119,19 @@ void add_case_command(CLI::App& app, Chosen& chosen) {
   group->require_subcommand(1);
   const auto options = std::make_shared<CaseOptions>();
 
-  CLI::App* check_case = group->add_subcommand("check", "read a case, make its field, print its statistics");
+  CLI::App* check_case = group->add_subcommand("check", "check a case, make its field and print its statistics");
   add_case_options(*check_case, options->chosen_case, false);
   check_case->add_flag("--json", options->json, "as JSON");
   check_case->callback([options, &chosen] { chosen.action = [options] { return check(*options); }; });
 
   CLI::App* resolve_case =
-      group->add_subcommand("resolve", "print a case with every option: what is hashed and stored");
+      group->add_subcommand("resolve", "print a case with every option, as it is hashed and stored");
   add_case_options(*resolve_case, options->chosen_case, false);
   resolve_case->add_flag("--json", options->json, "as JSON");
   resolve_case->callback([options, &chosen] { chosen.action = [options] { return resolve(*options); }; });
 
   CLI::App* explain_key = group->add_subcommand("explain", "explain the options of a case");
-  explain_key->add_option("key", options->key, "an option or a section; all if left out");
+  explain_key->add_option("key", options->key, "an option or a section; default: all");
   CLI::Option* as_json = explain_key->add_flag("--json", options->json, "as JSON");
   explain_key->add_flag("--markdown", options->markdown, "as Markdown: the page gem/manual/keys.md")->excludes(as_json);
   explain_key->callback([options, &chosen] { chosen.action = [options] { return explain_keys(*options); }; });

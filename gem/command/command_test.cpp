@@ -102,7 +102,7 @@ TEST_F(CommandTest, FaultsHaveTheirExitCodeOneLineAndNoFile) {
       {"gem run swing.toml --threads 0", 2, "--threads 0"},
       {"gem run swing.toml --threads -2", 2, "--threads -2"},
       {"gem run swing.toml --threads -99999999999999999999", 2, "--threads -99999999999999999999 is no count"},
-      {"gem run swing.toml --threads 2 --engine reference", 2, "--threads 2 says nothing to the engine reference"},
+      {"gem run swing.toml --threads 2 --engine reference", 2, "--threads 2 has no effect on the engine reference"},
       {"gem run swing.toml --until 10 --set run.duration_s=20", 2, "--until 10 and --set run.duration_s=20"},
       {"gem run swing.toml --index 1", 2, "single case"},
       {"gem run --index 1", 2, "--index"},
@@ -248,7 +248,7 @@ TEST_F(CommandTest, AnalyseRefusesWhatItCannotJudge) {
   EXPECT_EQ(shell("gem analyse missing.h5"), 4);
   ASSERT_EQ(shell("gem run swing.toml -q --threads 1 --out soft.h5 --set mooring.stiffness_N_per_m=5e4"), 0);
   EXPECT_EQ(shell("gem analyse swing.h5 soft.h5"), 2);
-  EXPECT_NE(text_of("err").find("another condition than swing.h5 (stiffness_N_per_m"), std::string::npos)
+  EXPECT_NE(text_of("err").find("not the same condition as swing.h5 (stiffness_N_per_m"), std::string::npos)
       << text_of("err");
   EXPECT_EQ(shell("gem analyse swing.h5 swing.h5"), 2);
   EXPECT_NE(text_of("err").find("the same run as swing.h5"), std::string::npos) << text_of("err");

@@ -51,7 +51,7 @@ std::string devices_json(unsigned threads) {
 
 void add_devices_command(CLI::App& app, Chosen& chosen) {
   const auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("devices", "list what the program can compute on");
+  CLI::App* command = app.add_subcommand("devices", "list the processors and GPUs that can be used");
   command->add_flag("--json", *json, "as JSON");
   command->callback([json, &chosen] {
     chosen.action = [json] {

@@ -10,7 +10,7 @@ namespace gem {
 namespace {
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why, std::size_t count) {
-  throw Error(ExitCode::usage, "--index " + text + " is no choice of runs (" + why + ") give numbers from 1 to " +
+  throw Error(ExitCode::usage, "--index " + text + " is not a list of runs (" + why + ") give numbers from 1 to " +
                                    std::to_string(count) + " as in 3 or 1-4,7; see `gem sweep list`");
 }
 
@@ -35,7 +35,7 @@ std::vector<std::size_t> parse_index_list(const std::string& text, std::size_t c
     const std::size_t dash = part.find('-');
     const std::size_t first = number(part.substr(0, dash), text, count);
     const std::size_t last = dash == std::string::npos ? first : number(part.substr(dash + 1), text, count);
-    if (last < first) refuse(text, "'" + part + "' runs backwards", count);
+    if (last < first) refuse(text, "'" + part + "' has its ends in the wrong order", count);
     for (std::size_t i = first; i <= last; ++i) chosen.insert(i - 1);
     begin = comma + 1;
   }

@@ -55,7 +55,7 @@ void add_info_command(CLI::App& app, Chosen& chosen) {
     bool json = false;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("info", "say what a run file holds");
+  CLI::App* command = app.add_subcommand("info", "describe a run file");
   command->add_option("file", options->path, "run file")->required();
   command->add_flag("--case", options->show_case, "print the case that was run");
   command->add_flag("--json", options->json, "as JSON");

@@ -92,14 +92,15 @@ int choose_threads(const std::string& asked, std::string& message) {
   int threads = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), threads);
   if (fault == std::errc::invalid_argument || end != text.data() + text.size()) {
-    if (from_option) throw Error(ExitCode::usage, what + " is not a whole number (1 or more) give a count of threads");
+    if (from_option) throw Error(ExitCode::usage, what + " is not a whole number (1 or more) give a number of threads");
     message = what + " is not a whole number, using " + std::to_string(machine);
     return machine;
   }
   const int limit = 4 * machine;
   if (fault == std::errc::result_out_of_range) threads = text.front() == '-' ? 0 : limit + 1;
   if (from_option && threads < 1)
-    throw Error(ExitCode::usage, what + " is no count of threads (it must be 1 or more) leave it out to use all");
+    throw Error(ExitCode::usage,
+                what + " is not a number of threads (it must be 1 or more) leave it out to use all processors");
   if (threads >= 1 && threads <= limit) return threads;
   const int used = threads < 1 ? machine : limit;
   message = what + " is out of range (1 to " + std::to_string(limit) + " here), using " + std::to_string(used);

@@ -40,11 +40,11 @@ void check_engine_options(const RunChoice& choice) {
   const std::string& engine = choice.engine.name;
   for (const CLI::Option* option : choice.baseline_options)
     if (option->count() > 0 && !is_baseline(engine))
-      throw Error(ExitCode::usage, option->get_name() + " says nothing to the engine " + engine + " (it is for " +
+      throw Error(ExitCode::usage, option->get_name() + " has no effect on the engine " + engine + " (it is for " +
                                        baseline_names().front() + ") leave it out");
   if (engine == "cpu" || engine == "auto" || choice.threads.empty() || choice.threads == "1") return;
-  throw Error(ExitCode::usage, "--threads " + choice.threads + " says nothing to the engine " + engine +
-                                   " (only the engine cpu has threads) leave it out");
+  throw Error(ExitCode::usage, "--threads " + choice.threads + " has no effect on the engine " + engine +
+                                   " (only the engine cpu uses threads) leave it out");
 }
 
 /// --until sets run.duration_s, which then must not be set by --set too.
@@ -54,11 +54,11 @@ void set_end(RunChoice& choice) {
   const char* const end = choice.until.data() + choice.until.size();
   if (const auto read = std::from_chars(choice.until.data(), end, seconds); read.ec != std::errc{} || read.ptr != end)
     throw Error(ExitCode::usage,
-                "--until " + shown(choice.until) + " is no number (it takes seconds) give --until 600");
+                "--until " + shown(choice.until) + " is not a number (it takes seconds) give e.g. --until 600");
   for (const std::string& text : choice.chosen_case.overrides)
     if (find_path(parse_override(text), "run.duration_s") != nullptr)
       throw Error(ExitCode::usage, "--until " + choice.until + " and --set " + text +
-                                       " both say when the run ends (one would be ignored) give one of them");
+                                       " both set the end of the run (one would be ignored) give only one");
   choice.chosen_case.overrides.push_back("--until run.duration_s=" + choice.until);
 }
 
@@ -145,7 +145,7 @@ void add_baseline_options(CLI::App& command, RunChoice& choice) {
   choice.baseline_options.push_back(
       command
           .add_option_function<std::vector<std::string>>(
-              "--experiment", choose, "one setting of " + baseline_names().front() + " changed: " + experiments)
+              "--experiment", choose, "one setting of " + baseline_names().front() + " to change: " + experiments)
           ->type_name("KEY=VALUE")
           ->allow_extra_args(false));
 }
@@ -156,19 +156,18 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   const auto choice = std::make_shared<RunChoice>();
   CLI::App* command = app.add_subcommand("run", "run a case and write a run file");
   add_case_options(*command, choice->chosen_case, false);
-  command->add_option("-o,--out", choice->options.output, "run file; the run's name with .h5 if left out");
+  command->add_option("-o,--out", choice->options.output, "run file; default: the run's name with .h5");
   choice->engine.name = "auto";
-  command
-      ->add_option("--engine", choice->engine.name,
-                   "engine that moves the field; auto: cuda where a GPU can take the case, else cpu")
+  command->add_option("--engine", choice->engine.name, "engine; auto: cuda if a GPU can take the case, else cpu")
       ->check(CLI::IsMember(engine_choices()))
       ->capture_default_str();
-  command->add_option("--threads", choice->threads, "threads of the cpu engine; all if left out")->type_name("N");
+  command->add_option("--threads", choice->threads, "threads of the cpu engine; default: one per processor")
+      ->type_name("N");
   add_baseline_options(*command, *choice);
-  command->add_option("--until", choice->until, "end at this time: sets run.duration_s")->type_name("SECONDS");
+  command->add_option("--until", choice->until, "end of the run; sets run.duration_s")->type_name("SECONDS");
   command->add_flag("--overwrite", choice->options.overwrite, "replace an existing run file");
-  command->add_flag("--dry-run", choice->dry_run, "check the case and say what the run needs; compute nothing");
-  command->add_flag("--force", choice->force, "run even if memory or disk look too small");
+  command->add_flag("--dry-run", choice->dry_run, "check the case and print what the run needs, without running it");
+  command->add_flag("--force", choice->force, "run even if memory or disk seem too small");
   command->add_option("--progress", choice->progress, "progress on standard error")
       ->check(CLI::IsMember({"auto", "none", "line", "json"}))
       ->capture_default_str();

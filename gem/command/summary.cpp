@@ -33,8 +33,8 @@ std::string summary_text(const RunSummary& s) {
   text += line("recorded", std::to_string(s.frames) + " floe frames, " + std::to_string(s.events) + " events");
   text += line("active floes", fixed_text(s.active_floes, 0));
   text += line("most contacts", std::to_string(s.worst.contacts));
-  text += line("most iterations", std::to_string(s.worst.iterations) + ", the limit in " + std::to_string(s.at_limit) +
-                                      " of " + std::to_string(s.steps) + " time steps");
+  text += line("most iterations", std::to_string(s.worst.iterations) + ", limit reached in " +
+                                      std::to_string(s.at_limit) + " of " + std::to_string(s.steps) + " time steps");
   text += line("largest overlap", number_text(s.worst.maximum_overlap, 3) + " m, " +
                                       number_text(100.0 * s.worst.maximum_share, 3) + " % of the smaller body");
   text += line("99.9 % of overlaps",
@@ -64,7 +64,7 @@ std::string summary_json(const RunSummary& s) {
                                          {"active_floes", s.active_floes},
                                          {"contacts", s.worst.contacts},
                                          {"iterations", s.worst.iterations},
-                                         {"moments_at_iteration_limit", s.at_limit},
+                                         {"steps_at_iteration_limit", s.at_limit},
                                          {"maximum_overlap_m", s.worst.maximum_overlap},
                                          {"maximum_overlap_share", s.worst.maximum_share},
                                          {"overlap_99_9_m", most_overlap(s)},

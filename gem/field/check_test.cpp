@@ -198,7 +198,7 @@ TEST_F(FloeFile, RefusesBadCsvWithTheLine) {
       {"floe,x,y,thickness\n1,0,0,1\n1,1,0,2\n", {":3: thickness differs"}},
       {"floe,x,y\n1,0,0\n1,1,0\n1,0,1\n2,5,5\n2,6,5\n2,5,6\n1,9,9\n", {":8: floe 1 comes a second time"}},
       {"floe,x,y\n1,0,0\n2,5,5\n1,1,0\n2,6,5\n",
-       {":4: floe 1 comes a second time (the rows of a floe stand together)"}},
+       {":4: floe 1 comes a second time (the rows of a floe must be together)"}},
       {"floe,x,y\n1,0,0\n1,1,0\n1,0,1\n2,5,5\n2,6,5\n", {":5: floe 2: 2 vertices"}},
       {"floe,x,y\n1,0,0\n1,4,0\n1,1,1\n1,0,4\n", {":2: floe 1: vertex 2", "turns inwards"}},
   };

@@ -114,9 +114,9 @@ std::vector<FloeDef> with_moved_floe(std::vector<FloeDef> floes, const SceneDef&
   if (def.moved_floe < 0) return floes;
   const auto rank = static_cast<std::size_t>(def.moved_floe);
   if (rank >= floes.size())
-    throw Error(ExitCode::scene_rejected,
-                "floes.moved_floe: there is no such floe (value " + std::to_string(def.moved_floe) +
-                    ", the field has " + std::to_string(floes.size()) + " floes, the first is 0) name one of them");
+    throw Error(ExitCode::scene_rejected, "floes.moved_floe: no such floe (value " + std::to_string(def.moved_floe) +
+                                              ", the field has " + std::to_string(floes.size()) +
+                                              " floes, counted from 0) choose one of them");
   std::vector<std::pair<double, std::size_t>> nearest;
   for (std::size_t i = 0; i < floes.size(); ++i)
     nearest.emplace_back(length(floes[i].position_m - scene.platform.anchor_m), i);

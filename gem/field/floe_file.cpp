@@ -105,7 +105,7 @@ class CsvReader {
 
   void start(const std::string& name) {
     if (!names_.insert(name).second)
-      refuse(where(), "floe " + name + " comes a second time (the rows of a floe stand together) rename or move it");
+      refuse(where(), "floe " + name + " comes a second time (the rows of a floe must be together) rename or move it");
     name_ = name;
     places_.push_back(where() + ": floe " + name);
     floes_.emplace_back();
@@ -203,10 +203,10 @@ std::vector<FloeDef> read_floe_file(const std::string& path) {
   } else if (ends_with(path, ".geojson")) {
     floes = read_geojson(path, read_text(path));
   } else {
-    refuse(path, "unknown kind of floe file (known are .csv, .geojson and run files) convert it");
+    refuse(path, "unknown kind of floe file (allowed are .csv, .geojson and run files) convert it");
   }
   if (floes.empty())
-    refuse(path, "no floes (the file ends before the first) add some or set floes.source = \"listed\"");
+    refuse(path, "no floes (the file has no rows after the header) add some or set floes.source = \"listed\"");
   return floes;
 }
 

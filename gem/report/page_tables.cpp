@@ -155,16 +155,16 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
       row("ice force averaged over " + window + ", largest", {force_text(l.ice_window_largest) + when}) +
       row("ice force averaged over the run, x", {mean_text(finding_of(analysis, "ice_force_x_mean_N"), mean_unit)}) +
       row("ice force averaged over the run, y", {mean_text(finding_of(analysis, "ice_force_y_mean_N"), mean_unit)}) +
-      row("crushing peak (closed form) of the event that opens an impact, largest",
+      row("crushing peak (closed form) of the first event of an impact, largest",
           {of_events(force_text(l.crushing_largest))}) +
-      row("the same, median", {of_events(force_text(l.crushing_median))}) +
+      row("crushing peak of the first event of an impact, median", {of_events(force_text(l.crushing_median))}) +
       row("crushing peak of any event, largest", {of_events(force_text(l.crushing_of_any))}) +
       row("mooring force, largest", {force_text(l.mooring_largest)}) +
       row("mooring force averaged over the run, x",
           {mean_text(mooring, force_unit(std::abs(mooring.value.value_or(0.0))))}) +
       row("events on the platform", {of_events(std::to_string(l.events))}) +
-      row("impacts (events that open a touch)", {of_events(std::to_string(l.touches))}) +
-      row("arrivals (different floes that hit it)", {of_events(std::to_string(l.arrivals))}) +
+      row("impacts (events that begin a contact)", {of_events(std::to_string(l.touches))}) +
+      row("arrivals (different floes that hit the platform)", {of_events(std::to_string(l.arrivals))}) +
       row("samples with contact", {contact_text(finding_of(analysis, "contact_fraction"))});
   return table("Loads on the platform", rows);
 }
@@ -178,9 +178,9 @@ std::string quality_html(const RunData& run, const RunFindings& findings) {
                    row("energy unexplained, relative", {exponent_text(q.residual_energy)}) +
                    row("deepest overlap", {with_share(q.maximum_overlap, q.maximum_share)}) +
                    row("99.9 % of the overlaps are below", {with_share(q.most_overlap, q.most_share)}) +
-                   row("complementarity missed by", {measured_text(q.complementarity, " m/s")}) +
+                   row("complementarity error", {measured_text(q.complementarity, " m/s")}) +
                    row("friction beyond Coulomb's bound", {measured_text(q.cone_excess, " N s")}) +
-                   row("energy given by the contacts of one time step", {measured_text(q.energy_created, " J")}) +
+                   row("energy created by the contacts of one time step", {measured_text(q.energy_created, " J")}) +
                    row("wall time", {with_unit(run.stats.wall_time.back(), Unit{"s", 1.0})}) +
                    row("speed", {rounded_text(q.speed, 3) + " &times; real time"}));
 }

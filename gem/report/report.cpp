@@ -26,7 +26,7 @@ void check_folder(const std::filesystem::path& page, const std::string& run) {
   std::ifstream old(page, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(old), std::istreambuf_iterator<char>()};
   if (text.empty() || text.find("<title>" + page_title(run) + "</title>") != std::string::npos) return;
-  throw Error(ExitCode::usage, page.string() + " is there already (it is not the report of " + run +
+  throw Error(ExitCode::usage, page.string() + " exists already (it is not the report of " + run +
                                    ") choose another folder with --out, or remove this one");
 }
 

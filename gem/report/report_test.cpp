@@ -118,8 +118,8 @@ TEST_F(Report, SaysWhatWasNotMeasured) {
   run.stats.complementarity = run.stats.cone_excess = {NAN, NAN, NAN};
   write_report(run, out(), false);
   const std::string html = page();
-  EXPECT_NE(html.find("complementarity missed by</th><td>not measured</td>"), std::string::npos);
-  EXPECT_NE(html.find("energy given by the contacts of one time step</th><td>3.0e+00 J</td>"), std::string::npos);
+  EXPECT_NE(html.find("complementarity error</th><td>not measured</td>"), std::string::npos);
+  EXPECT_NE(html.find("energy created by the contacts of one time step</th><td>3.0e+00 J</td>"), std::string::npos);
 }
 
 TEST_F(Report, SaysWhatTheAnalysisSays) {

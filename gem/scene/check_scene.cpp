@@ -60,7 +60,7 @@ void check_step(const SceneDef& s, List& out) {
   const double steps = s.run.duration_s / dt;
   if (steps > steps_maximum)
     out.push_back({"run.duration_s", "too many time steps (value " + number(s.run.duration_s) + ", allowed at most " +
-                                         number(steps_maximum * dt) + " s at this moment_s)"});
+                                         number(steps_maximum * dt) + " s with this time step)"});
 }
 
 void check_mooring(const SceneDef& s, List& out) {
@@ -92,10 +92,10 @@ void check_source(const SceneDef& s, List& out) {
   if (from_file && s.floes.path.empty())
     out.push_back({"floes.path", "missing (source = \"file\") name the floe file"});
   if (!from_file && !s.floes.path.empty())
-    out.push_back({"floes.path", "not used (value " + quoted_text(s.floes.path) +
+    out.push_back({"floes.path", "has no effect (value " + quoted_text(s.floes.path) +
                                      ", allowed only with floes.source = \"file\") remove it or change the source"});
   if (s.floes.source != FloeSource::listed && !s.floe.empty())
-    out.push_back({"floe", "floes are listed but not used (value " + std::to_string(s.floe.size()) +
+    out.push_back({"floe", "listed floes have no effect (value " + std::to_string(s.floe.size()) +
                                " floes) set floes.source = \"listed\""});
 }
 
@@ -110,7 +110,7 @@ void check_sizes(const SceneDef& s, List& out) {
   // On [a, b] with a given mean, the largest deviation has all weight at a and b.
   const double most = std::sqrt((f.size_mean_m - f.size_minimum_m) * (f.size_maximum_m - f.size_mean_m));
   if (f.size_deviation_m >= most)
-    out.push_back({"floes.size_deviation_m", "no distribution within the limits spreads so much (value " +
+    out.push_back({"floes.size_deviation_m", "no distribution within the limits has this deviation (value " +
                                                  number(f.size_deviation_m) + ", allowed below " + number(most) +
                                                  " m)"});
   const double mean_area = f.size_mean_m * f.size_mean_m + f.size_deviation_m * f.size_deviation_m;
@@ -128,7 +128,7 @@ void check_classes(const SceneDef& s, List& out) {
   for (const IceClassDef& c : s.floes.classes) sum += c.tenths;
   if (!(sum > 0.0) || sum > 9.0)
     out.push_back({"ice.class",
-                   "the tenths of all classes together are out of range (value " + number(sum) + ", allowed (0, 9])"});
+                   "the sum of the tenths of all classes is out of range (value " + number(sum) + ", allowed (0, 9])"});
   if (s.floes.classes.size() > 255)
     out.push_back(
         {"ice.class", "too many classes (value " + std::to_string(s.floes.classes.size()) + ", allowed at most 255)"});
@@ -143,7 +143,7 @@ void check_field_place(const SceneDef& s, List& out) {
     out.push_back({"floes.start_x_m", "the field reaches the platform (value " + number(f.start_x_m) +
                                           ", allowed at most " + number(bow - f.length_m) + " m)"});
   if (s.boundary.present && f.start_x_m < s.boundary.inlet_x_m)
-    out.push_back({"floes.start_x_m", "the field begins before the boundary (value " + number(f.start_x_m) +
+    out.push_back({"floes.start_x_m", "the field begins upstream of the boundary (value " + number(f.start_x_m) +
                                           ", allowed at least boundary.inlet_x_m = " + number(s.boundary.inlet_x_m) +
                                           " m)"});
   if (s.boundary.present && f.width_m > s.boundary.inlet_width_m)
@@ -170,7 +170,7 @@ void check_listed(const SceneDef& s, List& out) {
   if (s.floes.source != FloeSource::listed) return;
   for (std::size_t i = 0; i < s.floe.size(); ++i)
     if (s.floe[i].position_m.x > s.output.retire_x_m)
-      out.push_back({"output.retire_x_m", "floe[" + std::to_string(i) + "] starts behind the line (value " +
+      out.push_back({"output.retire_x_m", "floe[" + std::to_string(i) + "] starts downstream of the line (value " +
                                               number(s.output.retire_x_m) + ", allowed at least " +
                                               number(s.floe[i].position_m.x) + " m)"});
 }
@@ -224,8 +224,7 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
   const auto friction = [&](const char* key, double value) {
     if (value >= jamming_friction)
       warnings.push_back(std::string(key) + ": above the Painleve bound of compact floes (value " + number(value) +
-                         ", limit " + number(jamming_friction) +
-                         ") a sliding corner may jam; stick is then taken instead of slip");
+                         ", limit " + number(jamming_friction) + ") a sliding corner may jam; then it sticks instead");
   };
   friction("ice.friction_ice", scene.ice.friction_ice);
   friction("ice.friction_structure", scene.ice.friction_structure);
@@ -239,21 +238,21 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
     if (std::abs(cover - tenths) > 1.0)
       warnings.push_back("ice.class: the tenths differ from the cover of the field (value " + number(tenths) +
                          ", the floes cover " + number(std::round(10.0 * cover) / 10.0) +
-                         " tenths) the classes only set the shares");
+                         " tenths) only the ratio of the tenths is used");
   }
   const std::vector<IceClassDef>& classes = f.classes;
   const IceClassDef usual;
   if (f.source == FloeSource::listed &&
       (classes.size() != 1 || classes[0].thickness_m != usual.thickness_m || classes[0].tenths != usual.tenths))
-    warnings.push_back("ice.class: not used (floes that are listed have their own thickness_m) remove it");
+    warnings.push_back("ice.class: has no effect (listed floes have their own thickness_m) remove it");
   const double step = scene.numerics.time_step_s;
   const auto whole = [step](double time) { return std::abs(std::remainder(time, step)) <= 1e-9 * time; };
   const double ends = step * std::round(scene.run.duration_s / step);
   if (!whole(scene.run.duration_s))
-    warnings.push_back("run.duration_s: no whole number of time steps (value " + number(scene.run.duration_s) +
+    warnings.push_back("run.duration_s: not a whole number of time steps (value " + number(scene.run.duration_s) +
                        ") the run ends at " + number_text(ends, 9) + " s");
   if (scene.platform.present && !whole(scene.output.platform_interval_s))
-    warnings.push_back("output.platform_interval_s: no whole number of time steps (value " +
+    warnings.push_back("output.platform_interval_s: not a whole number of time steps (value " +
                        number(scene.output.platform_interval_s) +
                        ") samples will be uneven, and gem analyse and gem report need even ones; a time step is " +
                        number(step) + " s");

@@ -81,7 +81,7 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
 
 std::string suggestion_or_list(const std::string& name, const std::vector<std::string>& candidates) {
   const std::string near = suggestion(name, candidates);
-  return near.empty() ? " `gem case explain` lists what there is" : near;
+  return near.empty() ? " `gem case explain` lists all keys" : near;
 }
 
 }  // namespace gem

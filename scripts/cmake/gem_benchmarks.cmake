@@ -20,12 +20,12 @@ endif()
 add_executable(speed_against_error bench/speed_against_error.cpp bench/setting.cpp bench/overlaps.cpp)
 target_link_libraries(speed_against_error PRIVATE gem_command gem_baseline CLI11::CLI11)
 
-# What repeated runs do whose sums are taken in no fixed order: validation/paper/README.md.
+# Repeated runs with sums without a fixed order: validation/paper/README.md.
 add_executable(unordered_sums ${PROJECT_SOURCE_DIR}/validation/paper/experiments/unordered_sums.cpp
   ${PROJECT_SOURCE_DIR}/validation/paper/experiments/unordered_engine.cpp)
 target_link_libraries(unordered_sums PRIVATE gem_analysis)
 
-# How fast the ice of two runs parts that differ by the place of one floe: the same page.
+# Divergence of the ice of two runs in which one floe is shifted: the same page.
 add_executable(ice_distances ${PROJECT_SOURCE_DIR}/validation/paper/experiments/ice_distances.cpp)
 target_link_libraries(ice_distances PRIVATE gem_simulator)
 

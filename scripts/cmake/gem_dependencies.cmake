@@ -1,4 +1,4 @@
-# Finds the libraries. Everything comes from the distribution's packages; scripts/packages.txt lists them.
+# Finds the libraries. All come from packages of the distribution; scripts/packages.txt lists them.
 if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
   find_program(CCACHE ccache)
   if(CCACHE)
@@ -14,20 +14,20 @@ else()
 endif()
 find_package(Eigen3 3.4 REQUIRED CONFIG)
 find_package(Threads REQUIRED)
-# Header-only on purpose: the packaged library reads numbers through a stream instead of std::from_chars.
+# Header-only, because the packaged library reads numbers through a stream instead of std::from_chars.
 find_path(TOMLPLUSPLUS_INCLUDE_DIR toml++/toml.h REQUIRED)
 find_package(CLI11 REQUIRED CONFIG)
 find_package(nlohmann_json REQUIRED CONFIG)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 
-# The baseline's library is packaged as a shared one only: a static build needs its sources, and goes without otherwise.
+# The packaged Box2D is a shared library only. A static build needs its sources, or it is built without Box2D.
 if(GEM_BOX2D AND GEM_BOX2D_SOURCE)
   include(gem_box2d_source)
 elseif(GEM_BOX2D AND NOT GEM_STATIC)
   find_package(box2d 2.4.1 REQUIRED CONFIG)
 endif()
 
-# The CUDA engine is built where nvcc is found, also where it is installed but not on the path.
+# The CUDA engine is built if nvcc is found, on the path or in its usual folder.
 set(GEM_HAS_CUDA OFF)
 if(NOT GEM_CUDA STREQUAL OFF)
   if(NOT CMAKE_CUDA_COMPILER)

@@ -1,5 +1,5 @@
-# Programs that measure and are carried to a quiet machine: they need no benchmark library and no Python.
-# `cmake --build BUILD --target gem_measurements` makes them all; scripts/pack_measurements.sh packs them.
+# Programs for measurements on another, quiet machine: they need neither a benchmark library nor Python. `cmake --build BUILD
+# --target gem_measurements` builds them; scripts/pack_measurements.sh packs them.
 add_custom_target(gem_measurements)
 
 function(gem_measurement name)

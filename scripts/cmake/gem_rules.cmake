@@ -1,4 +1,4 @@
-# The rules of the tree as tests: who may include whom, which library stays where, how the code is laid out.
+# Rule checks as tests: the order of includes, the place of libraries, the layout of the code.
 add_test(NAME rules.includes COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_includes.sh)
 add_test(NAME rules.includes_self_test COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_includes_test.sh)
 add_test(NAME rules.format COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_format.sh)
@@ -9,7 +9,7 @@ if(GEM_STATIC)
   add_test(NAME rules.portable COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_portable.sh $<TARGET_FILE:gem>)
   set_tests_properties(rules.portable PROPERTIES LABELS unit)
 endif()
-# The doc comments of the public headers, by the settings of the target `manual` (gem_manual.cmake).
+# Checks the doc comments of the public headers with the settings of the target `manual` (gem_manual.cmake).
 if(DOXYGEN_FOUND)
   add_test(NAME rules.api_pages COMMAND Doxygen::doxygen ${PROJECT_BINARY_DIR}/Doxyfile.manual
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

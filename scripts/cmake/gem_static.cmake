@@ -1,4 +1,4 @@
-# Archives in place of shared libraries, so that one copied file runs on a machine without these packages.
+# Prefers static libraries, so that a single copied file runs on a machine without these packages.
 
 function(gem_static_library target file)
   find_library(GEM_STATIC_${file} NAMES lib${file}.a PATH_SUFFIXES hdf5/serial REQUIRED)
@@ -11,7 +11,7 @@ find_path(GEM_STATIC_HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)
 gem_static_library(aec aec)
 gem_static_library(sz sz aec)
 gem_static_library(z z)
-# The archive also names curl and crypto, but only in its network reader, which nothing here asks for.
+# The archive also depends on curl and crypto, but only in its network reader, which is not used here.
 gem_static_library(hdf5::hdf5 hdf5 sz z ${CMAKE_DL_LIBS} m)
 gem_static_library(hdf5::hdf5_hl hdf5_hl hdf5::hdf5)
 target_include_directories(hdf5::hdf5 INTERFACE ${GEM_STATIC_HDF5_INCLUDE})

@@ -1,11 +1,11 @@
-# One library per licence and audience: the simulator without GSL, the analysis with it, and the program.
+# One library per licence and audience: the simulator without GSL, the analysis with GSL, and the program.
 
-# Same bits everywhere: a*b+c is never contracted to a fused operation. g++ 12 fuses alternating sums in spite of this flag
-# where the instruction set has fused multiply-add, so that set stays off too: -march with avx2 needs -mno-fma beside it.
+# Same bits on every machine: a*b+c must not be contracted to a fused operation. g++ 12 fuses alternating sums in spite of this
+# flag if the instruction set has fused multiply-add. So -march with avx2 also needs -mno-fma.
 add_library(gem_flags INTERFACE)
 target_compile_options(gem_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
   -Wno-sign-conversion $<$<BOOL:${GEM_WERROR}>:-Werror>>)
-# g++ 12 warns about its own std::string at -O3: "text" + string.
+# g++ 12 warns about its own std::string at -O3 in "text" + string.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(gem_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
 endif()
@@ -29,15 +29,15 @@ function(gem_sources out)
   set(${out} ${found} PARENT_SCOPE)
 endfunction()
 
-# gem_cold(TARGET FOLDER...): what runs once per run or per output: light optimisation (the numbers do not hang on it), and
-# the files of each folder as one translation unit, so that the heavy headers (command line, JSON, TOML) are read once per
-# folder. Names without linkage must therefore differ within a folder; GEM_UNITY=OFF compiles file by file.
+# gem_cold(TARGET FOLDER...): code that runs once per run or output. It gets light optimisation, which no result depends on, and
+# the files of each folder are one translation unit, so that heavy headers (command line, JSON, TOML) are read once. Names
+# without linkage must therefore differ within a folder. GEM_UNITY=OFF compiles each file alone.
 function(gem_cold target)
   target_compile_options(${target} PRIVATE $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release>>:-O1>)
   gem_together(${target} ${ARGN})
 endfunction()
 
-# gem_together(TARGET FOLDER...): only the latter.
+# gem_together(TARGET FOLDER...): the files of each folder as one translation unit, without a change of optimisation.
 function(gem_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${GEM_UNITY} UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
@@ -49,7 +49,7 @@ function(gem_together target)
   endforeach()
 endfunction()
 
-# The build's identity is read at build time, so that a file never names an older commit.
+# The commit is read at build time, so that a run file never names an older one.
 add_custom_target(gem_version
   COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DOUTPUT=${PROJECT_BINARY_DIR}/generated/gem_version.h
     -DVERSION=${PROJECT_VERSION} -DBUILD_TYPE=${CMAKE_BUILD_TYPE}
@@ -73,13 +73,13 @@ else()
   set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/cuda/cuda_missing.cpp PROPERTIES COMPILE_DEFINITIONS
     "GEM_NO_CUDA_BECAUSE=\"${no_cuda_because}\"")
 endif()
-# The compiler tells how packs of numbers are passed although every function on them is inlined; the header's pragma does
-# not reach what is told at the end of the file.
+# The compiler warns about passing vectors of numbers although every function on them is inlined. The pragma in the header does
+# not reach warnings at the end of the file.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/solver/coupled_rounds.cpp PROPERTIES COMPILE_OPTIONS -Wno-psabi)
-# A false alarm of g++ 12, hundreds of lines: each use stands behind the condition under which it was filled.
+# A false warning of g++ 12: each use is under the condition under which the value was set.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/engine/device/resident_steps_test.cpp PROPERTIES COMPILE_OPTIONS
   -Wno-uninitialized)
-# Scenes and records are parts of the simulator with flags of their own.
+# Scenes and records are parts of the simulator with compile flags of their own.
 gem_sources(scene_and_record_sources gem/scene gem/record)
 add_library(gem_scene_and_record OBJECT ${scene_and_record_sources})
 add_dependencies(gem_scene_and_record gem_version)
@@ -111,7 +111,7 @@ add_library(gem_command STATIC ${command_sources})
 target_link_libraries(gem_command PUBLIC gem_simulator gem_analysis PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
 gem_cold(gem_command gem/run gem/command)
 
-# The same scenes in Box2D; without it the program knows one engine less.
+# The same scenes in Box2D; without it the program has one engine less.
 gem_sources(baseline_sources baseline_box2d)
 if(TARGET box2d::box2d)
   list(FILTER baseline_sources EXCLUDE REGEX "/without_box2d\\.cpp$")
@@ -125,7 +125,7 @@ add_executable(gem gem/main.cpp)
 target_link_libraries(gem PRIVATE gem_command gem_baseline CLI11::CLI11)
 gem_cold(gem)
 
-# The judge of the reference paper, a program of its own; experiments/ has the programs that make its rows.
+# The judge of the reference paper is a separate program. experiments/ has the programs that write its rows.
 gem_sources(paper_sources validation/paper)
 list(FILTER paper_sources EXCLUDE REGEX "/validation/paper/(experiments/.*|gem_paper)\\.cpp$")
 add_library(gem_paper_judge STATIC ${paper_sources})
@@ -136,7 +136,7 @@ add_executable(gem_paper validation/paper/gem_paper.cpp)
 target_link_libraries(gem_paper PRIVATE gem_paper_judge gem_command CLI11::CLI11)
 gem_cold(gem_paper)
 
-# Needs no benchmark library: it is carried to the machine that has the GPU.
+# Needs no benchmark library, because it is copied to the machine with the GPU.
 if(GEM_HAS_CUDA)
   add_executable(gem_cuda_speed bench/cuda_speed.cpp)
   target_link_libraries(gem_cuda_speed PRIVATE gem_simulator)

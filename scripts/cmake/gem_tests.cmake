@@ -1,4 +1,4 @@
-# Every *_test.cpp is found by name: those beside the code carry the label `unit`, those in validation/ their folder's label.
+# Every *_test.cpp is found by name. Tests beside the code get the label `unit`, tests in validation/ the label of their folder.
 find_package(GTest REQUIRED)
 include(GoogleTest)
 include(gem_rules)
@@ -27,7 +27,7 @@ function(gem_test_program name label)
   gtest_discover_tests(${name} TEST_FILTER "Long*:*/Long*" NO_PRETTY_VALUES PROPERTIES LABELS long TIMEOUT 14400 DISCOVERY_TIMEOUT 60)
 endfunction()
 
-# Names without linkage of these files are also those of others in their folder.
+# These files define names without linkage that other files of their folder also define.
 foreach(file IN ITEMS verification/platform_test verification/crushing_test verification/row_test hard/contact_residuals)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/validation/${file}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endforeach()
@@ -53,7 +53,7 @@ target_link_libraries(gem_paper_tests PRIVATE gem_paper_judge)
 target_compile_definitions(gem_paper_tests PRIVATE GEM_PAPER_PROGRAM="$<TARGET_FILE:gem_paper>")
 add_dependencies(gem_paper_tests gem_paper)
 
-# Clipper judges the overlap of outlines; without it that test is skipped with its reason.
+# Clipper checks the overlap of outlines. Without it that test is skipped with the reason.
 find_path(POLYCLIPPING_INCLUDE_DIR polyclipping/clipper.hpp)
 find_library(POLYCLIPPING_LIBRARY polyclipping)
 if(POLYCLIPPING_INCLUDE_DIR AND POLYCLIPPING_LIBRARY)
@@ -62,7 +62,7 @@ if(POLYCLIPPING_INCLUDE_DIR AND POLYCLIPPING_LIBRARY)
   target_link_libraries(gem_unit_tests PRIVATE ${POLYCLIPPING_LIBRARY})
 endif()
 
-# What the closed-form cases share (settings, checks, rows of a table of results) serves the hard cases too.
+# Shared parts of the closed-form cases (settings, checks, rows of results), also used by the hard cases.
 file(GLOB shared_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/verification/*.cpp)
 list(FILTER shared_sources EXCLUDE REGEX "_test\\.cpp$")
 
@@ -80,17 +80,17 @@ foreach(pair IN ITEMS verification:verify agreement:agree hard:hard regression:r
   endif()
 endforeach()
 
-# The runs of the regression table are tests by name: a changed list is listed anew.
+# The runs of the regression table are tests with their own names, so a changed list must be discovered again.
 set_target_properties(gem_regression_tests PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/validation/regression/runs.txt)
 
-# Tables beside a baseline: programs that print rows and judge nothing.
+# Programs that print tables for the comparison with a baseline; they judge nothing.
 file(GLOB verification_parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/validation/verification/*.cpp)
 list(FILTER verification_parts EXCLUDE REGEX "_test\\.cpp$")
 add_executable(gem_sustained_survey ${PROJECT_SOURCE_DIR}/validation/baseline/sustained_survey.cpp ${verification_parts})
 target_link_libraries(gem_sustained_survey PRIVATE gem_command gem_baseline GTest::gtest)
 target_compile_definitions(gem_sustained_survey PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 
-# The manual's key reference is the program's own text.
+# The manual's key reference must equal the output of the program.
 add_test(NAME rules.keys COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_keys.sh $<TARGET_FILE:gem>)
 set_tests_properties(rules.keys PROPERTIES LABELS unit)
 

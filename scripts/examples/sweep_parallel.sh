@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A sweep by GNU parallel: one run per job, two at a time, a log of what each took. Call it again to go on.
+# A sweep with GNU parallel: one run per job, two at a time, with a log of the times. Call it again to continue.
 # Usage: sweep_parallel.sh SWEEP.toml DIR    (gem on the PATH, or GEM=path/to/gem)
 set -euo pipefail
 gem=${GEM:-gem}

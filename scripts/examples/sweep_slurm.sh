@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A sweep as a Slurm array: one task per run. The array's range is the range of runs (`gem sweep list`):
+# A sweep as a Slurm array with one task per run. The range of the array is the range of runs (`gem sweep list`):
 #   sbatch --array=1-36 scripts/examples/sweep_slurm.sh cases/table1.toml runs/table1
-# A task that was cut off is redone by submitting again; done ones end at once. GEM=path/to/gem if gem is not on the PATH.
+# Submit again to redo tasks that were cut off; done runs end at once. GEM=path/to/gem if gem is not on the PATH.
 #SBATCH --job-name=gem-sweep
 #SBATCH --ntasks=1
 #SBATCH --cpus-per-task=1

@@ -36,7 +36,7 @@ Vec2 force_of_fixed(Simulation& run, std::int64_t steps, double dt) {
   return (1.0 / (static_cast<double>(steps) * dt)) * given;
 }
 
-double let_go(double k, double slip, double dt) { return 1.01 * k * slip * dt; }
+double drag_shortfall(double k, double slip, double dt) { return 1.01 * k * slip * dt; }
 
 void expect_held_books(Simulation& run, double reach) {
   const Ledger now = run.engine->ledger();

@@ -23,7 +23,7 @@ FixedDef long_floor(double angle);
 Vec2 force_of_fixed(Simulation& run, std::int64_t steps, double dt);
 
 /// Relative shortfall of the drag on a floe held by a wall, k |w| dt: the drag acts before the wall stops the floe.
-double let_go(double k, double slip, double dt);
+double drag_shortfall(double k, double slip, double dt);
 
 /// Checks the books of a scene within `reach` metres of the origin. The moments on a held floe cancel, so the ledger's
 /// own scale of angular momentum may be close to zero.

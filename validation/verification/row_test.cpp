@@ -60,7 +60,7 @@ TEST_P(Row, V33_column_on_a_wall) {
     const std::string key = count == 1 ? "V33.d" : "V33.F10";
     if (setting().coupled() || count == 1) {
       // The push of every floe falls short by the same share.
-      check(key, force, let_go(k, speed, dt) + 1e-6, where());
+      check(key, force, drag_shortfall(k, speed, dt) + 1e-6, where());
       check_value(key + ".overlap", 0.0, total_overlap(run.bodies()), 1e-3, "m", where());
     } else {
       // The row still loses speed where it creeps together: 1 % of the 3 % that the creep costs.
@@ -85,7 +85,7 @@ TEST_P(Row, V34_column_on_the_moored_platform) {
   run.advance(8000);
   EXPECT_GT(run.log.platform.back().contacts, 0);
   if (setting().coupled()) {
-    check("V34.offset", run.bodies().position[0].x - 50.0, let_go(0.05, 0.5, dt) + 2e-6, where());
+    check("V34.offset", run.bodies().position[0].x - 50.0, drag_shortfall(0.05, 0.5, dt) + 2e-6, where());
   } else {
     const double creeping = creeping_force(10, dt) / scene.mooring.stiffness_N_per_m;
     check_value("V34.offset.creeping", creeping, run.bodies().position[0].x - 50.0, 1e-2 * creeping, "m", where());

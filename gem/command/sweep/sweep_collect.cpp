@@ -84,7 +84,7 @@ void set_platform(Columns& columns, std::size_t run, const RunData& data, double
   const PlatformSeries series = platform_series(data, first);
   for (const Finding& finding : analyse_platform(series)) set_finding(columns, run, finding);
   columns.set(run, "ice_force_window_mean_N", "N",
-              "mean over the run of the size of the ice force, itself a mean over output.force_window_s",
+              "mean over the run of the magnitude of the ice force, averaged over output.force_window_s",
               mean_length(series.ice_force_window_x, series.ice_force_window_y));
 }
 
@@ -96,7 +96,7 @@ void set_quality(Columns& columns, std::size_t run, const RunData& data) {
     columns.set(run, name, units, words, value);
   };
   set("events", "1", "events on the platform", static_cast<double>(findings.loads.events));
-  set("impacts", "1", "events that open a touch: none of the same floe in the second before",
+  set("impacts", "1", "events that begin a contact: no event of the same floe in the second before",
       static_cast<double>(findings.loads.touches));
   set("arrivals", "1", "distinct floes that hit the platform", static_cast<double>(findings.loads.arrivals));
   set("maximum_overlap_m", "m", "deepest overlap", quality.maximum_overlap);
@@ -112,7 +112,7 @@ std::vector<SweepRow> done_rows(const SweepCollectChoice& choice) {
   std::vector<SweepRow> rows = read_manifest(choice.folder);
   if (rows.empty())
     throw Error(ExitCode::file_system, shown(choice.folder) +
-                                           " is no folder of a sweep (no manifest.json) name the "
+                                           " is not the folder of a sweep (it has no manifest.json) name the "
                                            "--out folder of `gem sweep run`");
   std::vector<SweepRow> meant;
   for (const std::size_t place : parse_index_list(choice.index, rows.size())) meant.push_back(rows[place]);
@@ -139,7 +139,7 @@ void add_origin(Columns& columns, const std::vector<SweepRow>& rows, const std::
     cases.push_back(rows[run].case_sha256);
     sources.push_back(identities[run].source);
     solvers.push_back(identities[run].solver);
-    columns.set(run, "index", "1", "place in the sweep file, from 1", static_cast<double>(rows[run].index));
+    columns.set(run, "index", "1", "number of the run in the sweep file, from 1", static_cast<double>(rows[run].index));
     columns.set(run, "duration_s", "s", "simulated time", rows[run].time_s);
     columns.set(run, "wall_time_s", "s", "wall time of the run", rows[run].wall_time_s);
   }
@@ -147,7 +147,7 @@ void add_origin(Columns& columns, const std::vector<SweepRow>& rows, const std::
   columns.add_texts("engine", "engine that made the run", engines);
   columns.add_texts("case_sha256", "hash of the case with all its options", cases);
   columns.add_texts("source", "program that made the run", sources);
-  columns.add_texts("resolution", "how contacts were resolved", solvers);
+  columns.add_texts("resolution", "contact solver with its settings", solvers);
 }
 
 /// Displacement of the whole run; --from does not apply.
@@ -168,13 +168,12 @@ PlatformPath kept_path(const std::string& file, const SweepCollectChoice& choice
 void check(const SweepCollectChoice& choice) {
   if (!(choice.from_s >= 0.0))
     throw Error(ExitCode::usage,
-                "--from " + number_text(choice.from_s) + " is no time of a run (it must be 0 s or more) give one");
+                "--from " + number_text(choice.from_s) + " is not a valid time (it must be 0 s or more) correct it");
   if (!(choice.interval_s >= 0.0))
     throw Error(ExitCode::usage, "--series " + number_text(choice.interval_s) +
-                                     " is no interval (it must be 0 s, for no series, or more) give one");
+                                     " is not a valid interval (it must be 0 s or more; 0 keeps no series) correct it");
   if (choice.exact && choice.interval_s == 0.0)
-    throw Error(ExitCode::usage,
-                "--exact keeps nothing (--series 0 leaves the displacement out) leave one of them out");
+    throw Error(ExitCode::usage, "--exact has no effect (--series 0 keeps no displacement) leave one of them out");
   check_output_path(choice.output, choice.overwrite);
   check_replaceable(choice.output);
   if (is_run_file(choice.output) && !is_summary(choice.output))
@@ -192,7 +191,7 @@ void check_intervals(const SweepCollectChoice& choice, const std::vector<SweepRo
     if (choice.interval_s < sampled_s * (1.0 - kRounding))
       throw Error(ExitCode::usage, "--series " + number_text(choice.interval_s) + " is too short (" + shown(row.name) +
                                        " was recorded every " + number_text(sampled_s) +
-                                       " s: output.platform_interval_s) give that or more, or 0 for no series");
+                                       " s, see output.platform_interval_s) give at least that, or 0 for no series");
   }
 }
 

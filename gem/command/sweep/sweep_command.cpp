@@ -41,28 +41,31 @@ void add_list(CLI::App& group, Chosen& chosen) {
 void add_run(CLI::App& group, Chosen& chosen) {
   const auto choice = std::make_shared<SweepRunChoice>();
   CLI::App* run = group.add_subcommand(
-      "run", "run what is not done yet, each run into DIR/NAME.h5; call it again to go on after any interruption");
+      "run",
+      "make the runs that are not done yet, each into DIR/NAME.h5; call it again to continue after an interruption");
   run->add_option("file", choice->path, "sweep file (TOML)")->required();
-  run->add_option("-o,--out", choice->folder, "folder of the run files and of manifest.json; made if missing")
+  run->add_option("-o,--out", choice->folder, "folder of the run files and of manifest.json; created if missing")
       ->type_name("DIR")
       ->required();
   add_overrides(*run, choice->overrides);
   run->add_option("--index", choice->index, "only these runs, counted from 1: 3 or 1-4,7; see `gem sweep list`")
       ->type_name("LIST");
-  run->add_option("--engine", choice->engine, "engine; auto: cuda where a GPU can take a run, else cpu")
+  run->add_option("--engine", choice->engine, "engine; auto: cuda if a GPU can take the run, else cpu")
       ->check(CLI::IsMember(engine_choices()))
       ->capture_default_str();
-  run->add_option(
-         "-j,--jobs", choice->jobs,
-         "processes at a time, each with one run, or with a batch of runs on a GPU; one per GPU, without GPUs one per "
-         "processor, if left out")
+  run->add_option("-j,--jobs", choice->jobs,
+                  "processes at a time, each with one run or with a batch of runs on a GPU; default: one per GPU, or "
+                  "without GPUs "
+                  "one per processor")
       ->type_name("J");
-  run->add_option("--threads", choice->threads,
-                  "threads of each run, of a batch on a GPU those that record; the processors over --jobs if left out")
+  run->add_option(
+         "--threads", choice->threads,
+         "threads of each run; for a batch on a GPU the threads that record; default: processors divided by --jobs")
       ->type_name("T");
-  run->add_flag("--overwrite", choice->overwrite, "run the done ones again and replace files of other cases");
-  run->add_flag("--dry-run", choice->dry_run, "say what would be run and what it needs; compute and write nothing");
-  run->add_flag("--force", choice->force, "run even if memory or disk look too small");
+  run->add_flag("--overwrite", choice->overwrite, "run again what is done, and replace files of other cases");
+  run->add_flag("--dry-run", choice->dry_run,
+                "print which runs would be made and what they need, without running or writing anything");
+  run->add_flag("--force", choice->force, "run even if memory or disk seem too small");
   run->add_option("--progress", choice->progress, "progress on standard error")
       ->check(CLI::IsMember({"auto", "none", "line", "json"}))
       ->capture_default_str();
@@ -70,10 +73,10 @@ void add_run(CLI::App& group, Chosen& chosen) {
   run->add_option("--log-format", choice->log_format, "messages on standard error")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
-  run->add_flag("--json", choice->json, "what it came to as JSON");
+  run->add_flag("--json", choice->json, "summary as JSON");
   run->footer(
-      "Several calls may share one DIR, on one machine or many: each takes runs that no other is at.\n"
-      "Exit code 8: some runs failed (the others were run); for a single chosen run its own code.");
+      "Several calls may share one DIR, on one machine or many: each takes runs that no other call has taken.\n"
+      "Exit code 8: some runs failed, all others were made. A single chosen run returns its own code.");
   run->callback([choice, &chosen] {
     choice->command_line = chosen.command_line;
     chosen.json_messages = choice->log_format == "json";
@@ -83,7 +86,7 @@ void add_run(CLI::App& group, Chosen& chosen) {
 
 void add_status(CLI::App& group, Chosen& chosen) {
   const auto choice = std::make_shared<SweepStatusChoice>();
-  CLI::App* status = group.add_subcommand("status", "say which runs are done, running, stopped, failed or missing");
+  CLI::App* status = group.add_subcommand("status", "show which runs are done, running, stopped, failed or missing");
   status->add_option("path", choice->path, "folder of a sweep, or a sweep file together with --out")->required();
   status->add_option("-o,--out", choice->folder, "folder of the sweep file's runs")->type_name("DIR");
   add_overrides(*status, choice->overrides);
@@ -96,7 +99,7 @@ void add_collect(CLI::App& group, Chosen& chosen) {
   CLI::App* collect = group.add_subcommand(
       "collect", "settings, findings and displacement of all runs as one HDF5 file that xarray opens");
   add_collect_options(*collect, *choice);
-  collect->add_option("--from", choice->from_s, "leave the time before this out of the findings [s]");
+  collect->add_option("--from", choice->from_s, "leave earlier times out of the findings [s]");
   collect->callback([choice, &chosen] {
     choice->command_line = chosen.command_line;
     chosen.action = [choice] { return collect_sweep(*choice); };
@@ -110,14 +113,13 @@ void add_collect_options(CLI::App& command, SweepCollectChoice& choice) {
   command.add_option("-o,--out", choice.output, "summary file, one row per run")->type_name("FILE")->required();
   command.add_option("--index", choice.index, "only these runs, counted from 1: 3 or 1-4,7")->type_name("LIST");
   command.add_option("--series", choice.interval_s, "interval of the displacement [s]; 0: none")->capture_default_str();
-  command.add_flag("--exact", choice.exact,
-                   "displacement and velocity in double precision: runs that part can be compared");
-  command.add_flag("--partial", choice.partial, "collect what is done even if runs are missing");
+  command.add_flag("--exact", choice.exact, "displacement and velocity in double precision, to compare diverging runs");
+  command.add_flag("--partial", choice.partial, "collect the runs that are done even if others are missing");
   command.add_flag("--overwrite", choice.overwrite, "replace an existing summary");
 }
 
 void add_sweep_command(CLI::App& app, Chosen& chosen) {
-  CLI::App* group = app.add_subcommand("sweep", "sweep files: one file, many runs");
+  CLI::App* group = app.add_subcommand("sweep", "run, watch and collect the runs of a sweep file");
   group->require_subcommand(1);
   add_list(*group, chosen);
   add_run(*group, chosen);

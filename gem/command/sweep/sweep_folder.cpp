@@ -76,8 +76,8 @@ void write_at_one_stroke(const std::string& path, const std::string& text) {
   if (!file || std::rename(draft.c_str(), path.c_str()) != 0) {
     const int fault = errno;
     unlink(draft.c_str());
-    throw Error(ExitCode::file_system,
-                "cannot write " + shown(path) + " (" + system_reason(fault) + ") make room or choose another --out");
+    throw Error(ExitCode::file_system, "cannot write " + shown(path) + " (" + system_reason(fault) +
+                                           ") free disk space or choose another --out");
   }
 }
 
@@ -98,8 +98,8 @@ void judge(SweepRow& row, const RunFile& file, const std::string& engine) {
     const bool other_case = file.attribute("gem_case_sha256") != row.case_sha256;
     row.status = "other";
     row.error = other_case ? "the file holds another case (" + file.attribute("gem_case_sha256").substr(0, 12) +
-                                 ", asked for " + row.case_sha256.substr(0, 12) + ")"
-                           : "the file is a run of the engine " + found;
+                                 ", requested " + row.case_sha256.substr(0, 12) + ")"
+                           : "the file was made by the engine " + found;
     return;
   }
   row.engine = found;
@@ -108,7 +108,7 @@ void judge(SweepRow& row, const RunFile& file, const std::string& engine) {
   row.state_hash = status == "running" ? "" : file.attribute("gem_state_hash");
   const bool failed = status.rfind("stopped:numerical", 0) == 0 || status.rfind("stopped:failure", 0) == 0;
   row.status = status == "complete" ? "done" : failed ? "failed" : "stopped";
-  row.error = status == "complete" ? "" : status == "running" ? "it was broken off" : status;
+  row.error = status == "complete" ? "" : status == "running" ? "the run was interrupted" : status;
 }
 
 int open_locks(const std::string& folder) {
@@ -205,7 +205,7 @@ std::vector<SweepRow> read_manifest(const std::string& folder) {
     return rows;
   } catch (const nlohmann::json::exception& fault) {
     throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + fault.what() +
-                                           ") remove it: the next `gem sweep run` makes it again from the run files");
+                                           ") remove it; the next `gem sweep run` makes it again from the run files");
   }
 }
 
@@ -227,7 +227,7 @@ SweepLock enter_folder(const std::string& folder, const std::vector<SweepRow>& r
   });
   if (other != all.end() && !SweepLock::try_folder(folder, true))
     throw Error(ExitCode::file_system, "another sweep runs in " + shown(folder) + " (its " + shown(other->name) +
-                                           " is another case than the one asked for) choose another --out");
+                                           " has another case than here) choose another --out");
   auto share = SweepLock::try_folder(folder, false);
   std::vector<SweepRow> added = rows;
   std::erase_if(added, [&known](const SweepRow& row) { return known.count({row.name, row.case_sha256}) > 0; });

@@ -36,7 +36,7 @@ int choose_jobs(const std::string& asked) {
   int jobs = 0;
   const auto [end, fault] = std::from_chars(asked.data(), asked.data() + asked.size(), jobs);
   if (fault != std::errc{} || end != asked.data() + asked.size() || jobs < 1 || jobs > 4096)
-    throw Error(ExitCode::usage, "--jobs " + asked + " is no count of processes at a time (1 to 4096) give one");
+    throw Error(ExitCode::usage, "--jobs " + asked + " is not a number of processes (1 to 4096) correct it");
   return jobs;
 }
 
@@ -92,7 +92,7 @@ void choose_what_to_do(const SweepRunChoice& choice, SweepPlan& plan) {
   for (std::size_t i = 0; i < plan.rows.size(); ++i) {
     const SweepRow& row = plan.rows[i];
     if (row.status == "other" && !choice.overwrite)
-      throw Error(ExitCode::file_system, shown(run_path(choice.folder, row.name)) + " is not this sweep's (" +
+      throw Error(ExitCode::file_system, shown(run_path(choice.folder, row.name)) + " does not belong to this sweep (" +
                                              row.error + ") use --overwrite or another --out");
     if (row.status != "done" || choice.overwrite) plan.to_do.push_back(i);
   }

@@ -126,8 +126,9 @@ class SweepRun {
   void note_killed(std::size_t job, int killed_by) {
     SweepRow row = row_of(member(job));
     row.status = "failed";
-    row.error = "its process was killed by signal " + std::to_string(killed_by) +
-                (killed_by == SIGKILL ? " (by a user, or for want of memory) use fewer --jobs" : " please report this");
+    row.error =
+        "its process was killed by signal " + std::to_string(killed_by) +
+        (killed_by == SIGKILL ? " (by a user, or because memory ran out) use fewer --jobs" : " please report this");
     row.time_s = board_[job].time;
     board_[job].exit_code = static_cast<int>(ExitCode::resource_limit);
     board_[job].outcome = Outcome::failed;
@@ -176,7 +177,7 @@ std::string count_text(const Count& all, double wall, std::size_t runs) {
   if (all.already > 0) text += " (" + std::to_string(all.already) + " before)";
   if (all.failed > 0) text += ", " + std::to_string(all.failed) + " failed";
   if (all.stopped > 0) text += ", " + std::to_string(all.stopped) + " stopped";
-  if (all.elsewhere > 0) text += ", " + std::to_string(all.elsewhere) + " with another process";
+  if (all.elsewhere > 0) text += ", " + std::to_string(all.elsewhere) + " in another process";
   return text + "\n  simulated " + number_text(all.time) + " s in " + fixed_text(wall, 2) + " s, " +
          fixed_text(wall > 0.0 ? all.time / wall : 0.0, 1) + " x real time\n";
 }
@@ -223,9 +224,8 @@ int run_sweep(const SweepRunChoice& choice) {
     if (const SweepRow& row = plan.rows[i]; row.status == "stopped" || row.status == "failed")
       log.message("info", shown(row.name) + " is run again: " + row.error);
   log.message("info", std::to_string(plan.to_do.size()) + " of " + std::to_string(plan.rows.size()) + " runs to do, " +
-                          std::to_string(plan.jobs) +
-                          (plan.devices.empty() ? " at a time" : " batches of them at a time") + " with " +
-                          std::to_string(plan.settings.engine.threads) + " threads, " +
+                          std::to_string(plan.jobs) + (plan.devices.empty() ? " at a time" : " batches at a time") +
+                          " with " + std::to_string(plan.settings.engine.threads) + " threads, " +
                           std::to_string(plan.devices.size()) + " GPUs, engine " + choice.engine + ", to " +
                           shown(choice.folder));
   SweepRun run(plan, log);

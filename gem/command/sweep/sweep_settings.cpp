@@ -76,11 +76,11 @@ std::vector<SummaryColumn> setting_columns(const Scenes& scenes) {
               [](const SceneDef& scene) { return static_cast<double>(scene.run.seed); }),
       numbers("current_speed_m_per_s", "m s-1", "speed of the current", scenes,
               [](const SceneDef& scene) { return length(scene.current.velocity_m_per_s); }),
-      numbers("gap_m", "m", "gap between the boundaries at the platform; none without boundaries", scenes,
+      numbers("gap_m", "m", "gap between the boundaries at the platform; NaN without boundaries", scenes,
               [](const SceneDef& scene) {
                 return scene.boundary.present ? scene.boundary.gap_m : std::numeric_limits<double>::quiet_NaN();
               }),
-      numbers("ice_thickness_m", "m", "mean thickness of the ice, over its classes by their tenths", scenes,
+      numbers("ice_thickness_m", "m", "mean ice thickness, weighted by the tenths of the classes", scenes,
               mean_thickness)};
   for (const auto& option : scene_options())
     if (option.path != "run.name" && varies(option, scenes)) add(columns, option, scenes);

@@ -18,7 +18,7 @@ std::vector<SweepRow> rows_of(const SweepStatusChoice& choice, const std::string
   std::vector<SweepRow> rows = read_manifest(folder);
   if (rows.empty())
     throw Error(ExitCode::file_system, shown(folder) +
-                                           " is no folder of a sweep (no manifest.json) name the sweep "
+                                           " is not the folder of a sweep (it has no manifest.json) name the sweep "
                                            "file and its folder with --out");
   return rows;
 }

@@ -86,11 +86,12 @@ std::vector<Pose> place(const PlacementTask& task) {
   double floe_area = 0.0;
   for (const double area : areas_of(task.outlines)) floe_area += area;
   const Vec2 size = task.region.high - task.region.low;
-  throw Error(ExitCode::scene_rejected,
-              "floes: " + std::to_string(task.outlines.size()) + " floes do not fit (they cover " +
-                  number_text(floe_area / (size.x * size.y), 3) +
-                  " of the field rectangle, less is free where the channel narrows; a cover of about 0.8 of the free "
-                  "water is the limit) lower floes.count or enlarge floes.length_m or floes.width_m");
+  throw Error(
+      ExitCode::scene_rejected,
+      "floes: " + std::to_string(task.outlines.size()) + " floes do not fit (they cover " +
+          number_text(floe_area / (size.x * size.y), 3) +
+          " of the field rectangle, and a narrowing channel has less free water; a cover of about 0.8 of the free "
+          "water is the limit) lower floes.count or enlarge floes.length_m or floes.width_m");
 }
 
 }  // namespace gem

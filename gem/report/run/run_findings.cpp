@@ -101,7 +101,7 @@ double sample_interval(const std::vector<double>& time) {
     if (std::abs(time[i] - time.front() - static_cast<double>(i) * interval) > 1e-6 * time.back())
       throw Error(
           ExitCode::file_system,
-          "the platform record has uneven samples (output.platform_interval_s is no whole number of time steps, "
+          "the platform record has uneven samples (output.platform_interval_s is not a whole number of time steps, "
           "or the file is damaged) run the case with another interval");
   return interval;
 }

@@ -20,7 +20,7 @@ SummaryAxis axis_of(const std::string& name, std::size_t length, double interval
     axis.long_name = "time since the start of the run";
     step = interval_s;
   } else if (name == "block") {
-    axis.long_name = "start of a stretch";
+    axis.long_name = "start of the block";
     step = kBlockLength;
   } else {
     axis.long_name = "natural periods since the start";
@@ -41,15 +41,14 @@ const std::vector<SeriesEntry>& summary_series() {
       {"time", "velocity_y", "m s-1", "platform velocity, y", [](RunSeries& r) -> Values& { return path_in(r).vy; }},
       {"cycle", "excursion_peak", "m", "largest distance from rest in each natural period",
        [](RunSeries& r) -> Values& { return r.excursion_peaks; }},
-      {"block", "block_mean_x", "m", "mean of x over a stretch",
-       [](RunSeries& r) -> Values& { return r.blocks.mean_x; }},
-      {"block", "block_deviation_x", "m", "standard deviation of x within a stretch",
+      {"block", "block_mean_x", "m", "mean of x over a block", [](RunSeries& r) -> Values& { return r.blocks.mean_x; }},
+      {"block", "block_deviation_x", "m", "standard deviation of x within a block",
        [](RunSeries& r) -> Values& { return r.blocks.deviation_x; }},
-      {"block", "block_deviation_y", "m", "standard deviation of y within a stretch",
+      {"block", "block_deviation_y", "m", "standard deviation of y within a block",
        [](RunSeries& r) -> Values& { return r.blocks.deviation_y; }},
-      {"block", "block_largest_excursion", "m", "largest distance from rest in a stretch",
+      {"block", "block_largest_excursion", "m", "largest distance from rest in a block",
        [](RunSeries& r) -> Values& { return r.blocks.largest_excursion; }},
-      {"block", "block_largest_ice_force", "N", "largest mean ice force over output.force_window_s in a stretch",
+      {"block", "block_largest_ice_force", "N", "largest mean ice force over output.force_window_s in a block",
        [](RunSeries& r) -> Values& { return r.blocks.largest_ice_force; }}};
   return list;
 }

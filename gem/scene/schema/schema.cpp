@@ -21,17 +21,17 @@ constexpr Range density_range = {1.0, 1e4};
 constexpr Range extent_range = {0.0, 1e6, true};
 
 void add_run(SceneTable& t) {
-  t.text("run.name", "name of the run: of its output file and in reports", GEM_FIELD(run.name));
+  t.text("run.name", "name of the run, for its output file and in reports", GEM_FIELD(run.name));
   t.number("run.duration_s", "s", {0.0, 1e8}, "simulated time", GEM_FIELD(run.duration_s));
-  t.integer("run.seed", {0.0, 9007199254740992.0}, "seed of every random number of the field", GEM_FIELD(run.seed));
+  t.integer("run.seed", {0.0, 9007199254740992.0}, "seed of all random numbers of the field", GEM_FIELD(run.seed));
 }
 
 void add_water(SceneTable& t) {
-  t.pair("current.velocity_m_per_s", "m/s", speed_range, "velocity of the water, the same everywhere",
+  t.pair("current.velocity_m_per_s", "m/s", speed_range, "velocity of the water, uniform",
          GEM_FIELD(current.velocity_m_per_s));
   t.number("water.density_kg_per_m3", "kg/m3", density_range, "density of the water",
            GEM_FIELD(water.density_kg_per_m3));
-  t.choice("water.drag_law", {"none", "quadratic", "linear"}, "how the water drags the floes",
+  t.choice("water.drag_law", {"none", "quadratic", "linear"}, "drag law of the floes in the water",
            GEM_FIELD(water.drag_law));
   t.number("water.form_coefficient", "", {0.0, 100.0}, "form drag C_f, on sqrt(area) x draft (quadratic law)",
            GEM_FIELD(water.form_coefficient));
@@ -48,7 +48,8 @@ void add_ice(SceneTable& t) {
            GEM_FIELD(ice.crushing_pressure_Pa));
   t.number("ice.pressure_area_exponent", "", {-0.9, 0.5}, "exponent of pressure on contact area",
            GEM_FIELD(ice.pressure_area_exponent));
-  const std::string why = "no ice has more, and rigid corners that slide may then have no answer (Painleve)";
+  const std::string why =
+      "ice has less friction, and above this a sliding corner of a rigid body may have no solution (Painleve)";
   t.number("ice.friction_ice", "", {0.0, 1.5}, "friction of floe on floe and floe on boundary",
            GEM_FIELD(ice.friction_ice), why);
   t.number("ice.friction_structure", "", {0.0, 1.5}, "friction of floe on platform", GEM_FIELD(ice.friction_structure),
@@ -60,7 +61,7 @@ void add_floe_source(SceneTable& t) {
            "where the floes come from: a generated field, copies of a few shapes, a file, or [[floe]]",
            GEM_FIELD(floes.source));
   t.text("floes.path",
-         "floe file for source = \"file\": .csv, .geojson or a run file (its start), relative to the case file",
+         "floe file for source = \"file\": .csv, .geojson or a run file (its initial floes), relative to the case file",
          GEM_FIELD(floes.path));
   t.integer("floes.count", {0.0, 1e7}, "number of floes", GEM_FIELD(floes.count));
   t.number("floes.length_m", "m", extent_range, "length of the field along the current", GEM_FIELD(floes.length_m));
@@ -78,17 +79,17 @@ void add_floe_sizes(SceneTable& t) {
            GEM_FIELD(floes.size_deviation_m));
   t.number("floes.gap_m", "m", {0.0, 100.0, true}, "smallest distance between floes at the start",
            GEM_FIELD(floes.gap_m));
-  t.choice("floes.placement", {"random", "tiled"}, "how copies are laid out (source = \"copied\")",
+  t.choice("floes.placement", {"random", "tiled"}, "arrangement of the copies (source = \"copied\")",
            GEM_FIELD(floes.placement));
   t.integer("floes.shape_count", {1.0, 1e5}, "number of shapes that are copied (source = \"copied\")",
             GEM_FIELD(floes.shape_count));
-  t.number("floes.tile_length_m", "m", extent_range, "about how long the repeated block is (placement = \"tiled\")",
+  t.number("floes.tile_length_m", "m", extent_range, "approximate length of the repeated block (placement = \"tiled\")",
            GEM_FIELD(floes.tile_length_m));
   t.integer("floes.moved_floe", {-1.0, 1e7},
-            "the floe that floes.moved_by_m moves: 0 is the nearest to platform.anchor_m, 1 the next; -1 is none",
+            "floe that is shifted by floes.moved_by_m: 0 is the nearest to platform.anchor_m, 1 the next; -1: none",
             GEM_FIELD(floes.moved_floe));
-  t.pair("floes.moved_by_m", "m", {-1.0, 1.0}, "disturbance of one floe's start, to see how fast it grows",
-         GEM_FIELD(floes.moved_by_m));
+  t.pair("floes.moved_by_m", "m", {-1.0, 1.0},
+         "shift of one floe's start position, to study how fast a disturbance grows", GEM_FIELD(floes.moved_by_m));
 }
 
 void add_boundary(SceneTable& t) {
@@ -98,7 +99,7 @@ void add_boundary(SceneTable& t) {
   t.number("boundary.inlet_width_m", "m", extent_range, "width of the channel upstream",
            GEM_FIELD(boundary.inlet_width_m));
   t.number("boundary.taper_start_x_m", "m", place_range,
-           "x where the channel begins to narrow; at or upstream of the inlet: over its whole length",
+           "x where the channel begins to narrow; at or upstream of the inlet the whole channel narrows",
            GEM_FIELD(boundary.taper_start_x_m));
   t.number("boundary.gap_m", "m", extent_range, "width of the channel from x = 0 on", GEM_FIELD(boundary.gap_m));
   t.number("boundary.outlet_x_m", "m", {0.0, 1e6, true}, "x of the downstream end of the boundary",
@@ -111,8 +112,7 @@ void add_platform(SceneTable& t) {
   t.number("platform.diameter_m", "m", {0.1, 1e4}, "diameter of the circle through the corners",
            GEM_FIELD(platform.diameter_m));
   t.number("platform.mass_kg", "kg", {1.0, 1e15}, "total inertia", GEM_FIELD(platform.mass_kg));
-  t.pair("platform.anchor_m", "m", place_range, "where the mooring holds the platform at rest",
-         GEM_FIELD(platform.anchor_m));
+  t.pair("platform.anchor_m", "m", place_range, "rest position of the mooring", GEM_FIELD(platform.anchor_m));
   t.pair("platform.start_offset_m", "m", {-1e3, 1e3}, "offset from the anchor at the start",
          GEM_FIELD(platform.start_offset_m));
   t.pair("platform.start_velocity_m_per_s", "m/s", speed_range, "velocity at the start",
@@ -121,7 +121,7 @@ void add_platform(SceneTable& t) {
 }
 
 void add_mooring(SceneTable& t) {
-  t.number("mooring.stiffness_N_per_m", "N/m", {0.0, 1e15}, "stiffness in x and in y; 0 is unmoored",
+  t.number("mooring.stiffness_N_per_m", "N/m", {0.0, 1e15}, "stiffness in x and in y; 0: unmoored",
            GEM_FIELD(mooring.stiffness_N_per_m));
   t.number("mooring.damping_ratio", "", {0.0, 1.0, false, true}, "fraction of critical damping",
            GEM_FIELD(mooring.damping_ratio));
@@ -129,25 +129,24 @@ void add_mooring(SceneTable& t) {
   t.number("platform_drag.coefficient", "", {0.0, 100.0}, "drag coefficient on diameter x draft",
            GEM_FIELD(platform_drag.coefficient));
   t.number("platform_drag.draft_m", "m", {0.0, 1e3, true}, "draft of the platform", GEM_FIELD(platform_drag.draft_m));
-  t.choice("platform_drag.water", {"still", "current"}, "the water against which the platform is dragged",
+  t.choice("platform_drag.water", {"still", "current"}, "whether the drag is relative to still water or to the current",
            GEM_FIELD(platform_drag.water));
 }
 
 void add_contact(SceneTable& t) {
   t.choice("contact.solver", {"independent", "coupled"},
-           "independent: every event of a time step once, as the paper does; coupled: all together",
+           "independent: each event of a time step once, as in the paper; coupled: all events together",
            GEM_FIELD(contact.solver));
   t.choice("contact.manifold", {"chord_middle", "chord_ends"}, "points where a contact acts",
            GEM_FIELD(contact.manifold));
   t.choice("contact.friction_law", {"one_step", "fixed_direction"},
-           "one_step: Coulomb's law on the velocity after; fixed_direction: on the direction before, as the paper does",
+           "one_step: Coulomb's law for the velocity after the event; fixed_direction: against the motion before it, "
+           "as in the paper",
            GEM_FIELD(contact.friction_law));
-  t.flag("contact.crushing_limit",
-         "coupled: whether the crushing force of the smaller body bounds what an event carries",
+  t.flag("contact.crushing_limit", "coupled: whether the crushing force of the smaller body limits an event",
          GEM_FIELD(contact.crushing_limit));
   t.number("contact.elastic_stiffness_N_per_m", "N/m", {0.0, 1e12},
-           "stiffness of the static event (independent); 0 leaves it out",
-           GEM_FIELD(contact.elastic_stiffness_N_per_m));
+           "independent: stiffness of the static event; 0: none", GEM_FIELD(contact.elastic_stiffness_N_per_m));
 }
 
 void add_numerics(SceneTable& t) {
@@ -155,17 +154,18 @@ void add_numerics(SceneTable& t) {
   t.number("numerics.residual_tolerance", "", {0.0, 1.0, true},
            "coupled: iterations end when no event asks for more than this share of the current speed",
            GEM_FIELD(numerics.residual_tolerance));
-  t.integer("numerics.iterations_maximum", {1.0, 1e5}, "coupled: most iterations in one time step",
+  t.integer("numerics.iterations_maximum", {1.0, 1e5}, "coupled: largest number of iterations in one time step",
             GEM_FIELD(numerics.iterations_maximum));
-  t.number("numerics.list_margin_m", "m", {0.0, 1e3}, "pairs closer than this are kept in the list of neighbours",
+  t.number("numerics.list_margin_m", "m", {0.0, 1e3}, "pairs closer than this are in the pair list",
            GEM_FIELD(numerics.list_margin_m));
   t.number("numerics.contact_reach", "steps", {0.0, 100.0},
-           "coupled: faces that the current could close in so many time steps are held apart, and their floes move by "
-           "their velocity after the events, not along the exact path of their drag",
+           "coupled: faces that the current could close within this many time steps count as contacts; their floes "
+           "move with "
+           "their velocity after the events, not along the exact path of the drag",
            GEM_FIELD(numerics.contact_reach));
-  t.number("numerics.repair_share", "", {0.0, 1.0}, "coupled: share of an overlap that is taken back in one time step",
+  t.number("numerics.repair_share", "", {0.0, 1.0}, "coupled: share of an overlap removed in one time step",
            GEM_FIELD(numerics.repair_share));
-  t.number("numerics.repair_speed_m_per_s", "m/s", {0.0, 1e3}, "coupled: overlaps are taken back no faster than this",
+  t.number("numerics.repair_speed_m_per_s", "m/s", {0.0, 1e3}, "coupled: largest speed at which an overlap is removed",
            GEM_FIELD(numerics.repair_speed_m_per_s));
 }
 
@@ -174,12 +174,12 @@ void add_output(SceneTable& t) {
            GEM_FIELD(output.platform_interval_s));
   t.number("output.floes_interval_s", "s", {0.0, 1e8, true}, "interval of the floe frames",
            GEM_FIELD(output.floes_interval_s));
-  t.number("output.force_window_s", "s", {0.0, 1e6, true}, "window of the average ice force",
+  t.number("output.force_window_s", "s", {0.0, 1e6, true}, "averaging window of the reported ice force",
            GEM_FIELD(output.force_window_s));
   t.flag("output.platform_events", "whether every event on the platform is recorded",
          GEM_FIELD(output.platform_events));
   t.number("output.event_speed_m_per_s", "m/s", {0.0, 10.0},
-           "slower closing is static stress: in the force channels, not in the events",
+           "slower contacts count as static load: in the force channels, not in the event list",
            GEM_FIELD(output.event_speed_m_per_s));
   t.number("output.retire_x_m", "m", place_range, "a floe whose centre passes this x is retired",
            GEM_FIELD(output.retire_x_m));
@@ -197,7 +197,7 @@ std::vector<Option<IceClassDef>> make_ice_class_options() {
   OptionTable<IceClassDef> t;
   t.text("name", "name of the class", GEM_FIELD(name));
   t.number("thickness_m", "m", thickness_range, "thickness of its floes", GEM_FIELD(thickness_m));
-  t.number("tenths", "", {0.0, 10.0}, "its share of the sea surface in tenths", GEM_FIELD(tenths));
+  t.number("tenths", "", {0.0, 10.0}, "share of the sea surface in tenths", GEM_FIELD(tenths));
   return t.options;
 }
 

@@ -42,7 +42,7 @@ std::string label(const TomlNode& value) {
     case TomlKind::number:
       return plain_number_text(value.number);
     default:
-      reject(value.place, "sweep", "an axis holds texts and numbers (value " + describe(value) + ")");
+      reject(value.place, "sweep", "values of an axis are texts and numbers (value " + describe(value) + ")");
   }
 }
 
@@ -128,7 +128,7 @@ class ProductSweep {
     for (const Axis& axis : axes_)
       if (!sets_something(axis.name))
         reject(axis.values.front().place, "sweep." + axis.name,
-               "the axis changes nothing; add map = { " + axis.name + " = \"section.key\" }");
+               "the axis has no effect; add map = { " + axis.name + " = \"section.key\" }");
   }
 
   bool sets_something(const std::string& axis) const {

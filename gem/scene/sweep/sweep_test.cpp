@@ -123,7 +123,7 @@ TEST(Sweep, FaultsAreNamedWithTheirPlace) {
       {"[sweep]\nmode = \"produkt\"\n", "bad.toml:2:8: sweep.mode: unknown choice"},
       {"[sweep]\nmode = \"product\"\nname = \"a\"\n", "no axis"},
       {"[sweep]\nmode = \"product\"\ngap = [1]\n", "sweep.name: missing"},
-      {"[sweep]\nmode = \"product\"\nname = \"{gap}\"\ngap = [300, 400]\n", "sweep.gap: the axis changes nothing"},
+      {"[sweep]\nmode = \"product\"\nname = \"{gap}\"\ngap = [300, 400]\n", "sweep.gap: the axis has no effect"},
       {"[sweep]\nmode = \"product\"\nname = \"a\"\ngap = []\n", "bad.toml:4:7: sweep.gap: the axis is empty"},
       {"[sweep]\nmode = \"product\"\nname = \"a\"\ngap = [true]\n", "bad.toml:4:8"},
       {"[sweep]\nmode = \"product\"\nname = \"a\"\ngap = [300, 400]\nmap.gap = \"boundary.gap_m\"\n",

@@ -54,7 +54,7 @@ std::vector<Row> rows_of(const std::string& key) {
   }
   if (found.empty())
     throw Error(ExitCode::usage,
-                "unknown key " + value_text(key) + " (not in the option table)" + suggestion_or_list(key, names));
+                "unknown key " + value_text(key) + " (no option has this name)" + suggestion_or_list(key, names));
   return found;
 }
 

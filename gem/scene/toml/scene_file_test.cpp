@@ -174,8 +174,8 @@ TEST(OlderKeys, AreReadAndNamedInOneLineEach) {
   EXPECT_EQ(scene.contact.solver, ContactSolver::independent);
   EXPECT_EQ(scene.numerics.time_step_s, 0.1);
   EXPECT_EQ(scene_warnings(scene), (std::vector<std::string>{
-                                       "contact.resolution is called contact.solver now; both are read",
-                                       "numerics.moment_s is called numerics.time_step_s now; both are read",
+                                       "contact.resolution is now called contact.solver; both names are read",
+                                       "numerics.moment_s is now called numerics.time_step_s; both names are read",
                                    }));
 }
 

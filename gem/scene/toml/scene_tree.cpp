@@ -71,7 +71,7 @@ void read_section(const std::string& section, const TomlNode& node, SceneDef& sc
     } else if (const auto* option = find_option(scene_options(), path)) {
       if (const auto read = read_value(*option, path, value, problems)) option->set(scene, *read);
       if (!value.old_key.empty())
-        scene.notes.push_back(section + "." + value.old_key + " is called " + path + " now; both are read");
+        scene.notes.push_back(section + "." + value.old_key + " is now called " + path + "; both names are read");
     } else {
       problems.add(value.key_place, path, "unknown key;" + suggestion_or_list(path, known_keys()));
     }
@@ -95,7 +95,7 @@ SceneDef scene_from_tree(const TomlNode& document, Problems& problems) {
     } else if (name == "fixed") {
       read_list(value, name, fixed_options(), scene.fixed, problems);
     } else if (name == "sweep") {
-      problems.add(value.key_place, name, "the file is a sweep of several runs; choose one of them by its index");
+      problems.add(value.key_place, name, "the file is a sweep of several runs; choose one with --index");
     } else if (!sections.contains(name)) {
       const bool table = value.kind == TomlKind::table;
       std::vector<std::string> candidates = known_keys();

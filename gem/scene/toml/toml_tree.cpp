@@ -70,7 +70,7 @@ class LimitScanner {
         inside_string(c);
       } else if (!comment_) {
         if (text.substr(i, 3) == "\"\"\"" || text.substr(i, 3) == "'''")
-          reject(place_, "a multi-line string (not used in scenes); write it on one line");
+          reject(place_, "multi-line strings are not allowed; write it on one line");
         outside_string(c);
       }
     }

@@ -101,13 +101,14 @@ TEST_F(CommandTest, FaultsHaveTheirExitCodeOneLineAndNoFile) {
       {"gem run swing.toml --threads two", 2, "--threads two"},
       {"gem run swing.toml --threads 0", 2, "--threads 0"},
       {"gem run swing.toml --threads -2", 2, "--threads -2"},
-      {"gem run swing.toml --threads -99999999999999999999", 2, "--threads -99999999999999999999 is no count"},
+      {"gem run swing.toml --threads -99999999999999999999", 2,
+       "--threads -99999999999999999999 is not a number of threads"},
       {"gem run swing.toml --threads 2 --engine reference", 2, "--threads 2 has no effect on the engine reference"},
       {"gem run swing.toml --until 10 --set run.duration_s=20", 2, "--until 10 and --set run.duration_s=20"},
       {"gem run swing.toml --index 1", 2, "single case"},
       {"gem run --index 1", 2, "--index"},
       {"gem run swing.toml --set run.duration=1", 3, "run.duration"},
-      {"gem run swing.toml --until 10min", 2, "--until 10min is no number"},
+      {"gem run swing.toml --until 10min", 2, "--until 10min is not a number"},
       {"gem run swing.toml --until nan", 3, "duration_s"},
       {"gem run swing.toml --until -1", 3, "--until -1: run.duration_s: out of range"},
       {"gem run swing.toml --until 1e12", 3, "duration_s"},
@@ -154,7 +155,7 @@ TEST_F(CommandTest, ABaselinesSettingsAreRefusedByOtherEngines) {
   if (shell("gem run --help | grep -q velocity-iterations") != 0) GTEST_SKIP() << "built without a baseline";
   for (const char* engine : {"cpu", "auto", "reference"}) {
     EXPECT_EQ(shell(std::string("gem run swing.toml --velocity-iterations 3 --engine ") + engine), 2);
-    EXPECT_NE(text_of("err").find("--velocity-iterations says nothing to the engine"), std::string::npos);
+    EXPECT_NE(text_of("err").find("--velocity-iterations has no effect on the engine"), std::string::npos);
   }
   EXPECT_EQ(shell("gem run swing.toml -q --velocity-iterations 3 --engine box2d"), 0) << text_of("err");
 }

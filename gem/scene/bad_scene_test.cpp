@@ -171,7 +171,7 @@ INSTANTIATE_TEST_SUITE_P(
             "retired_too_early", "[output]\nretire_x_m = 20\n", {"bad.toml:2:14: output.retire_x_m", "at least 50 m"}},
         BadScene{"ice_sinks", "[ice]\ndensity_kg_per_m3 = 1030\n", {"bad.toml:2:21", "does not float"}},
         BadScene{"file_without_path", "[floes]\nsource = \"file\"\n", {"bad.toml: floes.path: missing"}},
-        BadScene{"path_not_used", "[floes]\npath = \"a.csv\"\n", {"bad.toml:2:8: floes.path: not used"}},
+        BadScene{"path_not_used", "[floes]\npath = \"a.csv\"\n", {"bad.toml:2:8: floes.path: has no effect"}},
         BadScene{"floes_not_used", "[[floe]]\n" + square, {"bad.toml:1:1: floe:", "set floes.source = \"listed\""}},
         BadScene{"floe_too_large",
                  "[floes]\nsource = \"listed\"\n[[floe]]\n"

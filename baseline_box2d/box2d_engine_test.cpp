@@ -140,7 +140,7 @@ TEST(Box2dEngine, DragOfFreeFloesIsGemsToTheBit) {
   scene.water.drag_law = DragLaw::quadratic;
   scene.floe = {square(10.0, {0.0, 0.0}, {}), square(6.0, {30.0, 0.0}, {-0.2, 0.3})};
   scene.floe[1].spin_rad_per_s = 0.02;
-  const auto gems = make_engine(scene, make_field(scene), on("reference"));
+  const auto gems = make_engine(scene, make_field(scene), on("cpu"));
   const auto box2d = make_engine(scene, make_field(scene), on("box2d"));
   StepLog log;
   for (int k = 0; k < 10; ++k) {
@@ -165,7 +165,7 @@ TEST(Box2dEngine, V39_swingIsGemsToTheBit) {
   scene.platform.start_offset_m = {1.0, 0.0};
   scene.platform_drag.present = true;
   scene.mooring.damping_ratio = 0.01;
-  const auto gems = make_engine(scene, make_field(scene), on("reference"));
+  const auto gems = make_engine(scene, make_field(scene), on("cpu"));
   const auto box2d = make_engine(scene, make_field(scene), on("box2d"));
   StepLog log;
   gems->advance(2000, log);

@@ -33,8 +33,11 @@ void CpuEngine::advance(std::int64_t steps, StepLog& log) {
 }
 
 void CpuEngine::one_step(ThreadTeam& team, int rank, StepLog& log) {
+  bool goes_on = true;
   for_each_stage([&](auto stage) {
-    if (stage <= Stage::solo_events || !team.failed()) run<stage.value>(team, rank, log);
+    if (goes_on) run<stage.value>(team, rank, log);
+    // Asked only here, behind a barrier: elsewhere a thread could see a fault that another one does not see yet.
+    if (stage == Stage::solo_events) goes_on = !team.failed();
   });
 }
 

@@ -9,7 +9,7 @@ scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 allowances=$(
   cat <<'END'
 gem/events/events.cpp bits exp once per run on the host; every engine is given the number
-gem/geometry/polygon.cpp bits atan2 checks the outline that a user gave, before the first moment
+gem/geometry/polygon.cpp bits atan2 checks the outline that a user gave, before the first time step
 gem/events/mooring.h bits exp once per run on the host; every engine is given the coefficients
 gem/events/mooring.h bits cos once per run on the host; every engine is given the coefficients
 gem/events/mooring.h bits sin once per run on the host; every engine is given the coefficients

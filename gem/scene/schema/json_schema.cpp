@@ -42,7 +42,7 @@ Json type_schema(const OptionInfo& info) {
     case OptionType::pair:
       return list_of(number, 2, 2);
     case OptionType::outline:
-      return list_of(list_of(number, 2, 2), outline_vertices_minimum, outline_vertices_maximum);
+      return list_of(list_of(number, 2, 2), listed_corners_minimum, listed_corners_maximum);
   }
   return {};
 }

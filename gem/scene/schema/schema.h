@@ -60,9 +60,9 @@ const std::vector<Option<IceClassDef>>& ice_class_options();
 const std::vector<Option<FloeDef>>& floe_options();
 const std::vector<Option<FixedDef>>& fixed_options();
 
-/// Allowed number of corners of a listed outline.
-inline constexpr std::size_t outline_vertices_minimum = 3;
-inline constexpr std::size_t outline_vertices_maximum = 256;
+/// Allowed number of corners in a list of a case file. check_outline() then allows fewer, and names the body.
+inline constexpr std::size_t listed_corners_minimum = 3;
+inline constexpr std::size_t listed_corners_maximum = 256;
 
 /// A key that had another name in older files. Both names are read; a run reports the old one in a line.
 struct RenamedKey {

@@ -21,18 +21,18 @@ double time_reversal_asymmetry(std::span<const double> signal, std::size_t lag) 
   return squares > 0.0 ? cubes / count / std::pow(squares / count, 1.5) : 0.0;
 }
 
-double prediction_error(std::span<const double> signal, const Prediction& prediction) {
-  const States states(signal, prediction.embedding);
+double prediction_error(std::span<const double> signal, const NeighbourForecast& forecast) {
+  const States states(signal, forecast.embedding);
   const double deviation = moments(signal).deviation;
-  if (states.count() < prediction.horizon + 2 || prediction.neighbours == 0 || !(deviation > 0.0))
+  if (states.count() < forecast.horizon + 2 || forecast.neighbours == 0 || !(deviation > 0.0))
     throw std::invalid_argument("the record is too short or too even to be predicted");
-  const std::size_t known = states.count() - prediction.horizon;
+  const std::size_t known = states.count() - forecast.horizon;
   // The newest coordinate of a state is the present; its future lies `horizon` samples later.
-  const std::size_t ahead = signal.size() - states.count() + prediction.horizon;
+  const std::size_t ahead = signal.size() - states.count() + forecast.horizon;
   double squares = 0.0;
   double count = 0.0;
   for (std::size_t i = 0; i < known; ++i) {
-    const std::vector<std::size_t> neighbours = states.nearest(i, known, prediction.neighbours);
+    const std::vector<std::size_t> neighbours = states.nearest(i, known, forecast.neighbours);
     if (neighbours.empty()) continue;
     double mean = 0.0;
     for (const std::size_t n : neighbours) mean += signal[n + ahead] / static_cast<double>(neighbours.size());

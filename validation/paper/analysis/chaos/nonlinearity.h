@@ -13,15 +13,15 @@ namespace gem {
 /// more than `lag` samples.
 double time_reversal_asymmetry(std::span<const double> signal, std::size_t lag);
 
-struct Prediction {
+struct NeighbourForecast {
   Embedding embedding;
   std::size_t horizon = 1;      // samples ahead
   std::size_t neighbours = 10;  // whose futures are averaged
 };
 
 /// Error of predicting each state's future by the mean future of its neighbours, over the standard deviation of the
-/// record: 0 is perfect, about 1 is no prediction. Throws std::invalid_argument for a constant record or one not longer
+/// record: 0 is perfect, about 1 is no forecast. Throws std::invalid_argument for a constant record or one not longer
 /// than embedding and horizon.
-double prediction_error(std::span<const double> signal, const Prediction& prediction = {});
+double prediction_error(std::span<const double> signal, const NeighbourForecast& forecast = {});
 
 }  // namespace gem

@@ -187,7 +187,7 @@ class CudaScene {
     // read whole, even a second point that the contact lacks; `work` is read even beside stamps that mark it stale
     check_cuda(cudaMemset(device_.entry, 0, sizeof(RowEntry) * sizes_.rows), "clear the list");
     check_cuda(cudaMemset(device_.work, 0, sizeof(RowWork) * sizes_.rows), "clear the list");
-    check_cuda(cudaMemset(device_.row_event, 0, sizeof(EventRecord) * sizes_.platform_rows), "clear the list");
+    check_cuda(cudaMemset(device_.row_event, 0, sizeof(PlatformEventRecord) * sizes_.platform_rows), "clear the list");
     if (sizes_.coupled) {
       check_cuda(cudaMemset(device_.row_points, 0, sizeof(RowPoints) * sizes_.rows), "clear the list");
       check_cuda(cudaMemset(device_.progress, 0, sizeof(RoundsMade)), "clear the list");  // padding, as with pairs

@@ -141,7 +141,7 @@ struct PlatformTerm {
 };
 
 /// An event of the platform, with all data of its record.
-struct EventRecord {
+struct PlatformEventRecord {
   std::int64_t step = 0;
   Contact contact;
   Vec2 position_b, platform_position;

@@ -117,7 +117,7 @@ GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& w
         touched && s.wants_events && s.row_event_step[at] == step && (!coupled || is_event(*contact, s.event_speed));
     const unsigned pressing = warp.ballot(presses), recorded = warp.ballot(event);
     if (event) {
-      EventRecord& record = s.event[events + warp.count_below(recorded)];
+      PlatformEventRecord& record = s.event[events + warp.count_below(recorded)];
       record = s.row_event[at];
       if (coupled) record.contact = *contact;
     }

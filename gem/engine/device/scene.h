@@ -150,13 +150,13 @@ struct DeviceScene {
   std::uint32_t* near_large = nullptr;  // for each large body: a bit for each body near it
   ListCounters* counters = nullptr;
 
-  PlatformTerm* term = nullptr;      // two for each entry of the platform's row; used where shared memory is too small
-  EventRecord* row_event = nullptr;  // one for each entry of the platform's row
+  PlatformTerm* term = nullptr;  // two for each entry of the platform's row; used where shared memory is too small
+  PlatformEventRecord* row_event = nullptr;  // one for each entry of the platform's row
   std::int64_t* row_event_step = nullptr;
   PlatformStep* sample = nullptr;         // ring
   std::int32_t* overlap_count = nullptr;  // of the call: depths by class, then shares by class
   BlockQuality* quality = nullptr;        // ring: by time step, then by block
-  EventRecord* event = nullptr;           // ring
+  PlatformEventRecord* event = nullptr;   // ring
   BodyState* state = nullptr;
   DeviceStatus* status = nullptr;
 

@@ -66,7 +66,7 @@ class EventReader {
  public:
   explicit EventReader(const FieldState& f) : f_(f) {}
 
-  ContactEvent read(const EventRecord& record) {
+  ContactEvent read(const PlatformEventRecord& record) {
     const Contact& contact = record.contact;
     EventBodies bodies;
     bodies.mass_a = {f_.bodies.inverse_mass[contact.a], f_.bodies.inverse_inertia[contact.a]};

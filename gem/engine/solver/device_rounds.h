@@ -29,7 +29,7 @@ class SolverRounds {
   /// All rounds of a time step in one launch, by blocks with halos.
   GEM_DEVICE static void iterate(const DeviceScene& s, Group& group) {
     static_assert(Group::has_halos);
-    Progress progress = beginning(s);
+    RoundProgress progress = beginning(s);
     each_point(group, [&](std::int32_t i) { Visits::load(s, group, i, true); });
     const bool done = run_round(s, group, progress, true);
     finish(s, group, progress, done);
@@ -55,7 +55,7 @@ class SolverRounds {
       table[i].set_places(Visits::place_of(s, group, point.a), Visits::place_of(s, group, point.b));
     });
     group.barrier();  // another block must not write to shared memory before its owner has cleared it
-    Progress progress = beginning(s);
+    RoundProgress progress = beginning(s);
     const bool done = run_round_by_law(s, group, progress, true);
     each_point(group, [&](std::int32_t i) {
       if (table.is_fast(i)) table.at_rest(i).copy_additions(table[i]);
@@ -67,21 +67,21 @@ class SolverRounds {
   GEM_DEVICE static void run_rest(const DeviceScene& s, Group& group) {
     static_assert(!Group::reads_other_blocks);
     SolverList<Group>(s, group, 0, group.shared_bytes()).take_up();
-    Progress progress = s.progress->progress;
+    RoundProgress progress = s.progress->progress;
     finish(s, group, progress, s.progress->done);
   }
 
  private:
   using Visits = SolverVisits<Group>;
 
-  GEM_DEVICE static Progress beginning(const DeviceScene& s) {
+  GEM_DEVICE static RoundProgress beginning(const DeviceScene& s) {
     const StepConstants& c = s.constants;
     return {IterationControl(c.residual_speed, c.iterations_maximum, c.tight_residual, s.momentum_coefficients), 0.0F,
             0};
   }
 
   /// Ends a round, then runs further rounds until one was the last.
-  GEM_DEVICE static void finish(const DeviceScene& s, Group& group, Progress& progress, bool done) {
+  GEM_DEVICE static void finish(const DeviceScene& s, Group& group, RoundProgress& progress, bool done) {
     SolverBase<Group> base(s, group);
     for (;;) {
       each_point(group, [&](std::int32_t i) { Visits::add_to_base(s, group, i); });
@@ -100,11 +100,12 @@ class SolverRounds {
   }
 
   /// For kernels that do more than iterate: not inlined, to keep their code small.
-  GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Group& group, Progress& progress, bool fresh) {
+  GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Group& group, RoundProgress& progress,
+                                                bool fresh) {
     return run_round_by_law(s, group, progress, fresh);
   }
 
-  GEM_DEVICE GEM_INLINE static bool run_round_by_law(const DeviceScene& s, Group& group, Progress& progress,
+  GEM_DEVICE GEM_INLINE static bool run_round_by_law(const DeviceScene& s, Group& group, RoundProgress& progress,
                                                      bool fresh) {
     switch (s.constants.point_friction) {
       case PointFriction::none:
@@ -123,7 +124,7 @@ class SolverRounds {
   }
 
   GEM_DEVICE GEM_INLINE static void load_asked(const Group& group, std::uint32_t* asked, std::uint32_t most,
-                                               Progress& progress) {
+                                               RoundProgress& progress) {
     progress.residual = from_ordered_bits(most);
     // other threads may write to the next place already, so the one after it is cleared
     if (rank_of(group) == 0) asked[(progress.turn + 2) % 3] = 0;
@@ -132,11 +133,11 @@ class SolverRounds {
 
   /// Runs the iterations of one round. `fresh`: no point has pushed yet. Returns whether the round was the last.
   template <PointFriction law>
-  GEM_DEVICE GEM_INLINE static bool run_round_of(const DeviceScene& s, Group& outer, Progress& state, bool fresh) {
+  GEM_DEVICE GEM_INLINE static bool run_round_of(const DeviceScene& s, Group& outer, RoundProgress& state, bool fresh) {
     if constexpr (Group::has_halos)
       if (outer.shared().workspace.has_halo) return run_halo_round_of<law>(s, outer, state, fresh);
     Group group = outer;  // a copy in registers
-    Progress progress = state;
+    RoundProgress progress = state;
     const SolverWorkspace& workspace = group.shared().workspace;
     std::uint32_t* const asked = s.counters->asked;
     typename Visits::KeptPoints own;
@@ -170,9 +171,10 @@ class SolverRounds {
   /// records of iteration n + 2 only after it has read those of n + 1. Their writers had by then read all records of n
   /// that they need.
   template <PointFriction law>
-  GEM_DEVICE GEM_INLINE static bool run_halo_round_of(const DeviceScene& s, Group& outer, Progress& state, bool fresh) {
+  GEM_DEVICE GEM_INLINE static bool run_halo_round_of(const DeviceScene& s, Group& outer, RoundProgress& state,
+                                                      bool fresh) {
     Group group = outer;  // a copy in registers
-    Progress progress = state;
+    RoundProgress progress = state;
     const SolverWorkspace& workspace = group.shared().workspace;
     const HaloRecords<Group> records(s, group, workspace);
     const HaloMoves<Group> moves(s, group, workspace);

@@ -10,7 +10,7 @@
 namespace gem {
 
 /// Progress of the iterations of a time step.
-struct Progress {
+struct RoundProgress {
   IterationControl control;
   float residual = 0.0F;
   int turn = 0;  // index of the current one of three places for residuals
@@ -18,7 +18,7 @@ struct Progress {
 
 /// Progress between two launches.
 struct RoundsMade {
-  Progress progress;
+  RoundProgress progress;
   bool done;  // the last round is over
 };
 

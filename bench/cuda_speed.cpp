@@ -59,9 +59,9 @@ SceneDef scene_of(const Subject& subject, const std::string& run) {
 
 std::int64_t steps_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.time_step_s); }
 
-/// Ends a row with the kind of launches and the number of barriers in a time step.
+/// Ends a row with the route and the number of barriers in a time step.
 void end_row(const CudaBatch& batch) {
-  std::printf(",%s,%.2f\n", batch.launches() == Launches::phases ? "phases" : "moments", batch.barriers());
+  std::printf(",%s,%.2f\n", batch.route() == Route::phases ? "phases" : "resident", batch.barriers());
   std::fflush(stdout);
 }
 

@@ -36,7 +36,8 @@ void CpuEngine::one_step(ThreadTeam& team, int rank, StepLog& log) {
   bool goes_on = true;
   for_each_stage([&](auto stage) {
     if (goes_on) run<stage.value>(team, rank, log);
-    // Asked only here, behind a barrier: elsewhere a thread could see a fault that another one does not see yet.
+    // Checked only here, right after a barrier. Elsewhere one thread could already see a failure that another does not
+    // see yet.
     if (stage == Stage::solo_events) goes_on = !team.failed();
   });
 }
@@ -70,15 +71,15 @@ void CpuEngine::run(ThreadTeam& team, int rank, StepLog& log) {
 void CpuEngine::solo_events(ThreadTeam& team, int rank) {
   FieldState& f = field_;
   const Contacts contacts = pairs_.contacts();
-  team.first_alone(rank, [&] {
+  team.on_rank_zero(rank, [&] {
     before_ = platform_impulses(f);
     platform_first_half(f);
     quality_ = {};
     outcomes_.resize(contacts.size());
     if (f.constants.solver == ContactSolver::coupled) coupled_.lay_out(f, contacts, team.size());
   });
-  team.hand_out(static_cast<std::int64_t>(f.bodies.count()),
-                [&](std::int64_t begin, std::int64_t end) { kick_floes(f, begin, end); });
+  team.for_each_range(static_cast<std::int64_t>(f.bodies.count()),
+                      [&](std::int64_t begin, std::int64_t end) { kick_floes(f, begin, end); });
   team.barrier();
 }
 

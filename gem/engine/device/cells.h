@@ -129,10 +129,10 @@ struct ListCounters {
   std::int32_t floes, rows, pairs, placed;
   std::int32_t complete;                    // 1: the list is complete
   std::int32_t points, taken_points;        // coupled: of this time step; taken: assigned to a block
-  std::int32_t candidates, touching_count;  // of this time step; only by phases
-  std::int32_t arrived;                     // blocks that have moved their bodies; only by phases
-  std::uint32_t asked[3];                   // coupled: bits of the residual; three judged iterations use them in turn
-  std::uint32_t crowded;                    // coupled: 1: the halo of a block does not fit in shared memory
+  std::int32_t candidates, touching_count;  // of this time step; only on the phases route
+  std::int32_t arrived;                     // blocks that have moved their bodies; only on the phases route
+  std::uint32_t residual_bits[3];           // coupled: bits of the residual; three judged iterations use them in turn
+  std::uint32_t halo_overflow;              // coupled: 1: the halo of a block does not fit in shared memory
 };
 
 /// What one contact point does to the platform, to be added in order.

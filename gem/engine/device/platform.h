@@ -192,7 +192,7 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   s.after[0].velocity = sums.velocity;
   s.after[0].spin = sums.spin;
   write_mover(cell, mover);
-  if (workspace.shows) write_mover(s.body[0], mover);
+  if (workspace.writes_through) write_mover(s.body[0], mover);
 }
 
 /// The bodies phase of the platform, by its warp.

@@ -61,7 +61,7 @@ GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Group& group, const Wo
     shared.residual = shared.energy_created = 0.0;
     if (group.block() == 0) {
       s.counters->points = s.counters->taken_points = 0;
-      s.counters->crowded = 0;
+      s.counters->halo_overflow = 0;
     }
   }
   move_bodies<solver>(s, group, workspace, step);
@@ -75,7 +75,7 @@ GEM_DEVICE inline void close_work(const DeviceScene& s, Group& group, const Work
   group.barrier();
   if (group.thread() == 0) group.shared().touched = 0;
   for (std::int32_t i = workspace.first_body; i < workspace.bodies.end; i += workspace.body_step)
-    gather_work(s, i, workspace.motion[i], stamp);
+    add_row_work(s, i, workspace.motion[i], stamp);
 }
 
 /// Writes the state that the host fetches after a call.
@@ -91,7 +91,7 @@ GEM_DEVICE inline void write_state(const DeviceScene& s, const Group& group) {
 /// The life of the list of near pairs.
 struct ListLife {
   std::int64_t begin = 0;    // time step at whose start the list was built
-  std::int64_t horizon = 1;  // time steps that it was built for; if not valid, that the next one is built for
+  std::int64_t horizon = 1;  // planned life in time steps; if not valid: of the next list
   bool valid = false;
 
   GEM_DEVICE explicit ListLife(const DeviceStatus& status)
@@ -160,10 +160,10 @@ class ResidentSteps {
     load_bodies(s_, group_, workspace_);
     load_pairs(s_, group_, workspace_);
     group_.block_barrier();
-    if (!s_.status->half_way) first_solo_events(s_, group_, workspace_);
+    if (!s_.status->solo_events_done) first_solo_events(s_, group_, workspace_);
     group_.barrier();
     if (rank_of(group_) == 0) {
-      s_.status->half_way = 1;
+      s_.status->solo_events_done = 1;
       s_.status->events = 0;
     }
     for (std::int32_t k = rank_of(group_); k < 2 * OverlapCount::classes; k += size_of(group_)) s_.overlap_count[k] = 0;
@@ -218,10 +218,10 @@ class ResidentSteps {
     status.samples = done_;
     status.list_valid = list_.valid;
     status.horizon = list_.horizon;
-    status.half_way = done_ < steps_;
+    status.solo_events_done = done_ < steps_;
     status.barriers = group_.barriers();
     status.stop = stop_;
-    status.visits = 0;  // counted only by phases
+    status.visits = 0;  // counted only on the phases route
   }
 
   const DeviceScene& s_;

@@ -47,10 +47,10 @@ class SolverRounds {
   }
   /// The second launch: the first round, usually the only one.
   GEM_DEVICE static void run_first(const DeviceScene& s, Group& group) {
-    SolverList<Group>(s, group, 0, group.shared_bytes()).take_up();
+    SolverList<Group>(s, group, 0, group.shared_bytes()).load();
     const LoadedTable table(s, group.shared_memory(), group.shared().workspace);
     each_point(group, [&](std::int32_t i) {
-      if (table.is_fast(i)) table[i].copy_numbers(table.at_rest(i));
+      if (table.is_in_shared(i)) table[i].copy_numbers(table.in_global(i));
       const PointCell& point = s.taken_point[i];
       table[i].set_places(Visits::place_of(s, group, point.a), Visits::place_of(s, group, point.b));
     });
@@ -58,7 +58,7 @@ class SolverRounds {
     RoundProgress progress = beginning(s);
     const bool done = run_round_by_law(s, group, progress, true);
     each_point(group, [&](std::int32_t i) {
-      if (table.is_fast(i)) table.at_rest(i).copy_additions(table[i]);
+      if (table.is_in_shared(i)) table.in_global(i).copy_additions(table[i]);
     });
     if (rank_of(group) == 0) *s.progress = {progress, done};
   }
@@ -66,7 +66,7 @@ class SolverRounds {
   /// needs them), so these blocks use no shared memory.
   GEM_DEVICE static void run_rest(const DeviceScene& s, Group& group) {
     static_assert(!Group::reads_other_blocks);
-    SolverList<Group>(s, group, 0, group.shared_bytes()).take_up();
+    SolverList<Group>(s, group, 0, group.shared_bytes()).load();
     RoundProgress progress = s.progress->progress;
     finish(s, group, progress, s.progress->done);
   }
@@ -86,7 +86,7 @@ class SolverRounds {
     for (;;) {
       each_point(group, [&](std::int32_t i) { Visits::add_to_base(s, group, i); });
       group.barrier();
-      base.settle();
+      base.apply_base();
       group.barrier();
       if (done) break;
       each_point(group, [&](std::int32_t i) { Visits::load(s, group, i, false); });
@@ -117,17 +117,17 @@ class SolverRounds {
     }
   }
 
-  GEM_DEVICE static void note_asked(Group& group, std::uint32_t* asked, float most) {
+  GEM_DEVICE static void reduce_residual(Group& group, std::uint32_t* residual_bits, float most) {
     const auto warp = group.warp();
     const std::uint32_t all = warp.highest(ordered_bits(most));
-    if (warp.rank() == 0 && all != 0) group.highest(asked, all);
+    if (warp.rank() == 0 && all != 0) group.highest(residual_bits, all);
   }
 
-  GEM_DEVICE GEM_INLINE static void load_asked(const Group& group, std::uint32_t* asked, std::uint32_t most,
-                                               RoundProgress& progress) {
+  GEM_DEVICE GEM_INLINE static void read_residual(const Group& group, std::uint32_t* residual_bits, std::uint32_t most,
+                                                  RoundProgress& progress) {
     progress.residual = from_ordered_bits(most);
     // other threads may write to the next place already, so the one after it is cleared
-    if (rank_of(group) == 0) asked[(progress.turn + 2) % 3] = 0;
+    if (rank_of(group) == 0) residual_bits[(progress.turn + 2) % 3] = 0;
     progress.turn = (progress.turn + 1) % 3;
   }
 
@@ -139,7 +139,7 @@ class SolverRounds {
     Group group = outer;  // a copy in registers
     RoundProgress progress = state;
     const SolverWorkspace& workspace = group.shared().workspace;
-    std::uint32_t* const asked = s.counters->asked;
+    std::uint32_t* const residual_bits = s.counters->residual_bits;
     typename Visits::KeptPoints own;
     Visits::load(s, group, workspace, own);
     auto next = IterationControl::Next::iteration;
@@ -150,14 +150,14 @@ class SolverRounds {
         group.barrier();
       }
       if (progress.control.judged()) {
-        note_asked(
-            group, asked + progress.turn,
+        reduce_residual(
+            group, residual_bits + progress.turn,
             Visits::template visit_all<law, true>(s, group, workspace, own, momentum_coefficient, Visits::plain));
       } else {
         Visits::template visit_all<law, false>(s, group, workspace, own, momentum_coefficient, Visits::plain);
       }
       group.barrier();
-      if (progress.control.judged()) load_asked(group, asked, asked[progress.turn], progress);
+      if (progress.control.judged()) read_residual(group, residual_bits, residual_bits[progress.turn], progress);
       next = progress.control.after(progress.residual);
     }
     Visits::save(s, group, workspace, own);
@@ -178,12 +178,12 @@ class SolverRounds {
     const SolverWorkspace& workspace = group.shared().workspace;
     const HaloRecords<Group> records(s, group, workspace);
     const HaloMoves<Group> moves(s, group, workspace);
-    std::uint32_t* const asked = s.counters->asked;
+    std::uint32_t* const residual_bits = s.counters->residual_bits;
     typename Visits::KeptPoints own;
     Visits::load(s, group, workspace, own);
     std::uint32_t number = Visits::first_number;
     if (!fresh) {
-      records.bring(number);
+      records.fetch(number);
       group.block_barrier();
       moves.move();
       group.block_barrier();
@@ -195,25 +195,26 @@ class SolverRounds {
       const bool judged = progress.control.judged();
       ++number;
       if (judged) {
-        note_asked(group, &group.shared().asked,
-                   Visits::template visit_all<law, true>(s, group, workspace, own, momentum_coefficient, number));
-        group.arrive_asking(asked + progress.turn);
+        reduce_residual(group, &group.shared().block_residual,
+                        Visits::template visit_all<law, true>(s, group, workspace, own, momentum_coefficient, number));
+        group.arrive_with_residual(residual_bits + progress.turn);
         if (fresh)
-          group.wait_for_asked(asked + progress.turn);  // until all blocks have cleared the numbers of their records
+          // until all blocks have cleared the numbers of their records
+          group.wait_for_residual(residual_bits + progress.turn);
       } else {
         Visits::template visit_all<law, false>(s, group, workspace, own, momentum_coefficient, number);
       }
-      // arrive_asking() has this barrier too. Threads without points would otherwise poll memory and slow down the
-      // writers.
+      // arrive_with_residual() has this barrier too. Threads without points would otherwise poll memory and slow down
+      // the writers.
       if (!judged) group.block_barrier();
-      records.bring(number);
+      records.fetch(number);
       group.block_barrier();
       moves.move();  // done before the residual is known; after the last iteration the motions are not used
       if (judged && !fresh)
-        group.wait_for_asked(asked + progress.turn);
+        group.wait_for_residual(residual_bits + progress.turn);
       else
         group.block_barrier();
-      if (judged) load_asked(group, asked, group.shared().asked_by_all, progress);
+      if (judged) read_residual(group, residual_bits, group.shared().grid_residual, progress);
       next = progress.control.after(progress.residual);
     }
     group.barrier();  // all blocks have read the records of this round

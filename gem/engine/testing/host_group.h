@@ -141,19 +141,19 @@ class HostGroup {
     ++part().barriers;
     hall_.all.arrive_and_wait();
   }
-  void arrive_asking(std::uint32_t* asked) {
+  void arrive_with_residual(std::uint32_t* residual_bits) {
     block_barrier();
     if (thread() == 0) {
-      highest(asked, shared().asked);
-      shared().asked = 0;
+      highest(residual_bits, shared().block_residual);
+      shared().block_residual = 0;
     }
     ++part().barriers;
     part().arrived.emplace(hall_.all.arrive());
   }
-  void wait_for_asked(const std::uint32_t* asked) {
+  void wait_for_residual(const std::uint32_t* residual_bits) {
     hall_.all.wait(std::move(*part().arrived));
     part().arrived.reset();
-    if (thread() == 0) shared().asked_by_all = *asked;
+    if (thread() == 0) shared().grid_residual = *residual_bits;
     block_barrier();  // also orders what the threads did between arrival and wait
   }
   int barriers() const { return part().barriers; }

@@ -105,7 +105,8 @@ GEM_DEVICE inline void book_works(const DeviceScene& s, std::int32_t i, std::int
 }
 
 /// Books the work of the last time step's contacts. Entries with this `stamp` count.
-GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const BodyMotion& motion, std::int32_t stamp) {
+GEM_DEVICE inline void add_row_work(const DeviceScene& s, std::int32_t i, const BodyMotion& motion,
+                                    std::int32_t stamp) {
   for (std::int32_t first = 0; first < motion.lower_count; first += RowNews::stretch) {
     const std::int32_t row = motion.row_begin + first;
     const std::uint32_t works = row_news(s, row, motion.lower_count - first, stamp).works;
@@ -143,8 +144,8 @@ GEM_DEVICE inline bool add_entries(const DeviceScene& s, std::int32_t row, std::
 /// Adds the contacts of the time step by ascending id of the other body. Returns whether any acted. Coupled: the solver
 /// has added them already, so this only writes books.
 template <ContactSolver solver>
-GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
-                              std::int32_t step, BodyAfter& after) {
+GEM_DEVICE inline bool add_row(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
+                               std::int32_t step, BodyAfter& after) {
   const bool moves = solver == ContactSolver::independent && cell.kind == BodyKind::floe;
   const std::int32_t begin = motion.row_begin, lower = motion.lower_count;
   const std::int32_t places = moves ? motion.row_count : lower;
@@ -154,9 +155,9 @@ GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCe
     const RowNews news = row_news(s, row, places - first, step);
     book_works(s, i, row, news.works);
     if (moves) struck = add_entries(s, row, news.entries, after) || struck;
-    // large bodies, which include the fixed ones, come first in a row
-    for (std::int32_t k = 0; first + k < lower && first + k < s.large_bodies && k < RowNews::stretch; ++k)
-      if ((news.entries >> k & 1U) && s.row_other[row + k] < s.large_bodies) book_fixed_contact(s, i, cell, row + k);
+    // the platform and fixed bodies come first in a row
+    for (std::int32_t k = 0; first + k < lower && first + k < s.non_floes && k < RowNews::stretch; ++k)
+      if ((news.entries >> k & 1U) && s.row_other[row + k] < s.non_floes) book_fixed_contact(s, i, cell, row + k);
   }
   return struck;
 }

@@ -42,7 +42,7 @@ struct Subject {
   std::string cases = "cases";
   ContactSolver solver = ContactSolver::coupled;
   std::string phase = {};  // empty: all
-  const char* name() const { return solver == ContactSolver::coupled ? "coupled" : "independent"; }
+  const char* name() const { return solver_name(solver); }
 };
 
 /// A run of the paper with the default settings, or with independent contacts as in the results of that solver.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -136,7 +137,12 @@ struct EngineOptions {
   std::vector<std::string> baseline_settings = {};  // KEY=VALUE, for a registered baseline to read
 };
 
-/// Makes the named engine for a scene and its field. Throws Error(usage) for an unknown name.
+/// Throws Error(usage) if `solver` is none of those that the engine knows. Every engine calls it in its constructor: a
+/// solver that an engine lacks must not run as another one.
+void check_solver(ContactSolver solver, std::initializer_list<ContactSolver> known, const std::string& engine);
+
+/// Makes the named engine for a scene and its field. Throws Error(usage) for an unknown name, or for a contact solver
+/// that the engine does not have.
 std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options);
 
 /// Engines that run on every machine, for messages and tests. make_engine() also knows cuda.

@@ -13,6 +13,7 @@ namespace gem {
 
 CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread)
     : event_speed_(scene.output.event_speed_m_per_s), all_threads_(threads), coupled_(contacts_worth_a_thread) {
+  check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cpu");
   const StepConstants constants = step_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   ledger_.start = total(field_);

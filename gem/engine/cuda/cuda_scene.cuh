@@ -19,6 +19,7 @@ class CudaScene {
  public:
   /// `status`: where the scene's status stands on the device. `blocks`: the most blocks that ever work on the scene.
   CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status) : status_(status) {
+    check_solver(scene.scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cuda");
     const StepConstants constants = step_constants(scene.scene, scene.bodies);
     field_ = make_field_state(std::move(scene.bodies), constants);
     ledger_.start = total(field_);

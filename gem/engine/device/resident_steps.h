@@ -241,10 +241,14 @@ template <class Group>
 GEM_DEVICE inline void advance_scene(const DeviceScene& s, Group& group, std::int32_t steps) {
   // a scene that waits for others of its batch stays as it is
   if (steps == 0) return;
-  if (s.constants.solver == ContactSolver::coupled)
-    ResidentSteps<ContactSolver::coupled, Group>(s, group, steps).advance();
-  else
-    ResidentSteps<ContactSolver::independent, Group>(s, group, steps).advance();
+  switch (s.constants.solver) {  // others are refused by check_solver()
+    case ContactSolver::coupled:
+      ResidentSteps<ContactSolver::coupled, Group>(s, group, steps).advance();
+      break;
+    case ContactSolver::independent:
+      ResidentSteps<ContactSolver::independent, Group>(s, group, steps).advance();
+      break;
+  }
 }
 
 }  // namespace gem

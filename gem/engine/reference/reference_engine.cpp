@@ -19,6 +19,7 @@
 namespace gem {
 
 ReferenceEngine::ReferenceEngine(const SceneDef& scene, Bodies bodies) : rules_(reference::rules_of(scene, bodies)) {
+  check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "reference");
   state_.bodies = std::move(bodies);
   state_.ledger.start = total_of(rules_, state_.bodies);
 }

@@ -1,4 +1,4 @@
-// The bodies phase of a time step. Each body adds up its contacts, moves, and takes the solo events of the next time
+// The body stages of a time step. Each body adds up its contacts, moves, and takes the solo events of the next time
 // step.
 #pragma once
 
@@ -117,7 +117,7 @@ GEM_DEVICE inline bool is_finite(const Mover& mover, Vec2 velocity, double spin)
                    mover.rotation.sine);
 }
 
-/// The bodies phase of one floe or fixed body.
+/// The body stages of one floe or fixed body.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void move_body(const DeviceScene& s, Group& group, const Workspace& workspace, std::int32_t i,
                                  const StepIndex& step) {

@@ -47,8 +47,8 @@ struct BodyAfter {
 
 /// The state of the platform between the two halves of its time step.
 struct PlatformCell {
-  Vec2 moved;     // position after the first half [m]
-  Vec2 velocity;  // after the last half that was made [m/s]
+  Vec2 mid_position;  // after the first half [m]
+  Vec2 velocity;      // after the last half that was made [m/s]
   Quantity mooring_force;
   Vec2 mooring_before, drag_before;  // impulses summed since the start of the run, at the start of the time step [N s]
   std::int32_t row_begin = 0;        // copy of BodyMotion::row_begin

@@ -4,9 +4,9 @@
 // | stages                                   | made as                                                                |
 // |------------------------------------------|------------------------------------------------------------------------|
 // | list                                     | a new list of near pairs, when the list is stale                       |
-// | candidates, narrow_phase, contact_events | the pairs phase, one pass for each workspace of pairs; then a barrier  |
+// | candidates, narrow_phase, contact_events | the pair stages, one pass for each workspace of pairs; then a barrier  |
 // | gather, iterate, settle                  | the coupled solver, with barriers of its own                           |
-// | books, move, solo_events of the next     | the bodies phase, all three for one body after another; then a barrier |
+// | books, move, solo_events of the next     | the body stages, all three for one body after another; then a barrier  |
 #pragma once
 
 #include "gem/engine/device/bodies.h"
@@ -46,10 +46,10 @@ GEM_DEVICE inline void move_bodies(const DeviceScene& s, Group& group, const Wor
   if (workspace.platform) move_platform<solver>(s, group, workspace, step);
 }
 
-/// The bodies phase of one time step.
+/// The body stages of one time step.
 template <ContactSolver solver, class Group>
-GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Group& group, const Workspace& workspace,
-                                    const StepIndex& step) {
+GEM_DEVICE inline void body_stages(const DeviceScene& s, Group& group, const Workspace& workspace,
+                                   const StepIndex& step) {
   BlockCell& shared = group.shared();
   if (group.thread() == 0) {
     if (s.wants_samples)
@@ -140,7 +140,7 @@ class ResidentSteps {
       if (list_.is_over(step(), group_.alarms())) renew_list();
     }
     if constexpr (stage == Stage::candidates) {  // with narrow_phase and contact_events
-      pairs_phase<solver>(s_, group_, workspace_, step());
+      pair_stages<solver>(s_, group_, workspace_, step());
       group_.barrier();
     }
     if constexpr (stage == Stage::gather && coupled)  // with iterate and settle
@@ -148,7 +148,7 @@ class ResidentSteps {
     if constexpr (stage == Stage::move) {  // with books, and solo_events of the next time step
       carried_ = false;
       const double elapsed = static_cast<double>(step() + 1 - list_.begin) * s_.constants.dt;
-      bodies_phase<solver>(s_, group_, workspace_, {step(), done_, elapsed, done_ + 1 < steps_});
+      body_stages<solver>(s_, group_, workspace_, {step(), done_, elapsed, done_ + 1 < steps_});
       group_.barrier();
     }
   }

@@ -1,8 +1,8 @@
 // One scene in the memory of a device: plain arrays without an owner. CudaScene allocates and fills them.
 //
-// Who writes what in the two phases of a time step (a barrier follows each):
+// Who writes what in a time step of the resident route (a barrier follows each group of stages):
 //
-// | array               | pairs phase, owner of the pair          | bodies phase, owner of the body           |
+// | array               | pair stages, owner of the pair          | body stages, owner of the body            |
 // |---------------------|-----------------------------------------|-------------------------------------------|
 // | body, motion, after |                                         | position, velocity, rotation, corrections |
 // | pair                | axes and offset of its narrow phase     |                                           |
@@ -10,7 +10,7 @@
 // | entry, work, stamp  | the entries of the pair in both rows    |                                           |
 // | books               |                                         | those of the body                         |
 //
-// A coupled time step iterates between the two phases; device_solver.h says who writes what there.
+// A coupled time step iterates between the two groups; device_solver.h says who writes what there.
 #pragma once
 
 #include <cstdint>

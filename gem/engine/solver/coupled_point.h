@@ -82,7 +82,7 @@ GEM_HD GEM_INLINE Push<Real> push_of(const PointGeometry<Real>& g, const PointIm
 /// Sets the compliance of the point. `mass` is the sum of both inverse masses [1/kg], `turn_a` and `turn_b` are the
 /// inverse inertias [1/(kg m2)], each times the number of points on the body.
 template <class Real>
-GEM_HD GEM_INLINE void enter_compliance(PointGeometry<Real>& g, Real mass, Real turn_a, Real turn_b) {
+GEM_HD GEM_INLINE void set_compliance(PointGeometry<Real>& g, Real mass, Real turn_a, Real turn_b) {
   g.nn = mass + turn_a * g.lever_a_n * g.lever_a_n + turn_b * g.lever_b_n * g.lever_b_n;
   g.tt = mass + turn_a * g.lever_a_t * g.lever_a_t + turn_b * g.lever_b_t * g.lever_b_t;
   g.nt = turn_a * g.lever_a_n * g.lever_a_t + turn_b * g.lever_b_n * g.lever_b_t;

@@ -23,7 +23,7 @@ void CoupledRounds::resize(const CoupledLayout& layout) {
 void CoupledRounds::set_geometry(std::int32_t point, const PointGeometry<double>& g, std::int32_t entry_a,
                                  std::int32_t entry_b) {
   PointFrame<float> f;
-  enter_geometry(f, g);
+  set_geometry_values(f, g);
   Block& b = block_[point / float_lanes];
   const int lane = point % float_lanes;
   b.normal_x[lane] = f.normal_x, b.normal_y[lane] = f.normal_y;
@@ -38,7 +38,7 @@ void CoupledRounds::set_geometry(std::int32_t point, const PointGeometry<double>
 void CoupledRounds::set_base(std::int32_t point, const PointGeometry<double>& g, const PointImpulse<double>& base,
                              const Motion<double>& motion_a, const Motion<double>& motion_b) {
   PointFrame<float> f;
-  enter_base(f, g, base, motion_a, motion_b);
+  set_base_values(f, g, base, motion_a, motion_b);
   Block& b = block_[point / float_lanes];
   const int lane = point % float_lanes;
   b.excess[lane] = f.excess, b.slip[lane] = f.slip;

@@ -132,7 +132,7 @@ GEM_HD GEM_INLINE Real remaining_speed(const PointFrame<Real>& f, const PointImp
 }
 
 /// Sets the constants of a point for the time step.
-GEM_HD inline void enter_geometry(PointFrame<float>& f, const PointGeometry<double>& g) {
+GEM_HD inline void set_geometry_values(PointFrame<float>& f, const PointGeometry<double>& g) {
   f.normal_x = static_cast<float>(g.normal_x);
   f.normal_y = static_cast<float>(g.normal_y);
   f.lever_a_n = static_cast<float>(g.lever_a_n);
@@ -149,8 +149,8 @@ GEM_HD inline void enter_geometry(PointFrame<float>& f, const PointGeometry<doub
 constexpr double boundless = 1e30;
 
 /// Sets the data of a point at the base: impulses `p`, and the motions of both bodies after all base impulses.
-GEM_HD inline void enter_base(PointFrame<float>& f, const PointGeometry<double>& g, const PointImpulse<double>& p,
-                              const Motion<double>& a, const Motion<double>& b) {
+GEM_HD inline void set_base_values(PointFrame<float>& f, const PointGeometry<double>& g, const PointImpulse<double>& p,
+                                   const Motion<double>& a, const Motion<double>& b) {
   const double x = b.x - a.x, y = b.y - a.y;
   f.excess =
       static_cast<float>(x * g.normal_x + y * g.normal_y + b.spin * g.lever_b_n - a.spin * g.lever_a_n - g.target);

@@ -140,7 +140,7 @@ class StepSolver {
   std::int32_t step_;
 };
 
-/// Solves a coupled time step, between the pairs phase and the bodies phase.
+/// Solves a coupled time step, between the pair stages and the body stages.
 template <class Group>
 GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Group& group, const Workspace& workspace,
                                        std::int32_t step) {

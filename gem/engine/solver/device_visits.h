@@ -29,9 +29,9 @@ class SolverVisits {
       cell.load_additions(loaded);
     const PointCell& point = s.taken_point[i];
     const PointGeometry<double> geometry = s.points.geometry(i);
-    enter_geometry(loaded.frame, geometry);
-    enter_base(loaded.frame, geometry, s.points.impulse(i), solved_motion(s, point.a.body),
-               solved_motion(s, point.b.body));
+    set_geometry_values(loaded.frame, geometry);
+    set_base_values(loaded.frame, geometry, s.points.impulse(i), solved_motion(s, point.a.body),
+                    solved_motion(s, point.b.body));
     loaded.added = {0.0F, 0.0F, 0.0F};
   }
 

@@ -11,8 +11,8 @@
 #include "gem/engine/device/scene_image.h"
 #include "gem/engine/step/books.h"
 #include "gem/engine/testing/host_group.h"
+#include "gem/engine/testing/one_thread_group.h"
 #include "gem/engine/testing/same_bits.h"
-#include "gem/engine/testing/solo_crew.h"
 
 namespace gem::test {
 

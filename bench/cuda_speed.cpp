@@ -42,7 +42,7 @@ struct Subject {
   std::string cases = "cases";
   ContactSolver solver = ContactSolver::coupled;
   std::string phase = {};  // empty: all
-  const char* name() const { return solver == ContactSolver::coupled ? "coupled" : "independent"; }
+  const char* name() const { return solver_name(solver); }
 };
 
 /// A run of the paper with the default settings, or with independent contacts as in the results of that solver.
@@ -59,9 +59,9 @@ SceneDef scene_of(const Subject& subject, const std::string& run) {
 
 std::int64_t steps_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.time_step_s); }
 
-/// Ends a row with the kind of launches and the number of barriers in a time step.
+/// Ends a row with the route and the number of barriers in a time step.
 void end_row(const CudaBatch& batch) {
-  std::printf(",%s,%.2f\n", batch.launches() == Launches::phases ? "phases" : "moments", batch.barriers());
+  std::printf(",%s,%.2f\n", batch.route() == Route::phases ? "phases" : "resident", batch.barriers());
   std::fflush(stdout);
 }
 

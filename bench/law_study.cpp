@@ -158,9 +158,9 @@ void study(const Law& law, ContactSolver solver) {
         speed += length(run[k].velocity[i] - judge[k].velocity[i]);
       }
     const double count = static_cast<double>(run.size() * run[0].position.size());
-    std::cout << law.name << ',' << (solver == ContactSolver::coupled ? "coupled" : "independent") << ','
-              << (law.exact ? "closed form" : "1/64") << ',' << number_text(law.coarsest / divided_by, 6) << ','
-              << number_text(place / count, 6) << ',' << number_text(speed / count, 6) << ',' << GEM_COMMIT << '\n';
+    std::cout << law.name << ',' << solver_name(solver) << ',' << (law.exact ? "closed form" : "1/64") << ','
+              << number_text(law.coarsest / divided_by, 6) << ',' << number_text(place / count, 6) << ','
+              << number_text(speed / count, 6) << ',' << GEM_COMMIT << '\n';
   }
 }
 

@@ -2,7 +2,7 @@
 # Runs the ensembles of validation/baseline/ensembles.txt on any machine. Needs sh, the programs gem and gem_ensembles, and the
 # folders cases/ and validation/. Run it again to continue after a stop: finished members are kept.
 # Usage: scripts/ensembles.sh PROGRAMS OUT JOBS [PART...]
-# PROGRAMS  folder with gem and gem_ensembles, and gem_slop for the setting that needs it (left out without it)
+#   PROGRAMS  folder with gem and gem_ensembles, and gem_slop for the setting that needs it (left out without it)
 #   OUT       gets rows.csv, maps.csv, ensembles.csv, map_means.csv; OUT/members holds what is finished
 #   PART      of the plan: agreement, experiment, error, one after the other as given; all of them together if left out
 # Environment: GEM_PLAN another plan; GEM_KEEP=1 keeps the run files (some 10 MB each)

@@ -187,7 +187,7 @@ together "$results/closed_form_errors.csv" "$out"/tasks/closed_form.csv
 together "$results/windows.csv" "$out"/tasks/windows_*.errors
 together "$results/paths.csv" "$out"/tasks/paths_*.paths
 together "$results/speed.csv" "$out"/tasks/speed_*.csv
-note "timed parts left $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
+note "timed parts ended $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
 wanted=0 parts=
 for part; do # one list of all, so that no processor waits between parts
   case $part in
@@ -197,7 +197,7 @@ for part; do # one list of all, so that no processor waits between parts
 done
 # shellcheck disable=SC2086
 [ "$wanted" = 0 ] || ensembles $parts
-note "left $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
+note "ended $(date -u +%H:%M:%S), load $(cut -d' ' -f1-3 /proc/loadavg)"
 
 # The tasks still to be done, by name.
 {

@@ -10,30 +10,30 @@
 # Environment: GEM_JOBS=4 processes that collect a part;  GEM_RUN="--engine cuda" options of `gem sweep run`;  GEM_QUICK=1
 #              GEM_ANY_COMMIT=1 also a program whose sources are in no commit, so that nobody can make the runs again
 # For the page: each OUT/PART/summaries, packed by `tar -cJf bench/results/paper/PART.tar.xz PART/summaries`.
-# Exit code: 0 all is done, 2 wrong use, 8 something is left (OUT/PART.log says why): run it again.
+# Exit code: 0 all is done, 2 usage error, 8 some parts are not finished (OUT/PART.log says why): run it again.
 set -euo pipefail
 [ $# -ge 3 ] && [ "$3" -gt 0 ] 2>/dev/null || {
   sed -n '2,14s/^# //p' "$0" >&2
   exit 2
 }
-wrong() {
+usage_error() {
   echo "$1" >&2
   exit 2
 }
 program=$(realpath "$1") gpus=$3
-[ -x "$program" ] || wrong "$1 is no program (no such file or not executable) name the program gem"
+[ -x "$program" ] || usage_error "$1 is no program (no such file or not executable) name the program gem"
 judge=$(dirname "$program")/gem_paper
-[ -x "$judge" ] || wrong "no $judge (not built) build gem_paper and put it beside $program"
+[ -x "$judge" ] || usage_error "no $judge (not built) build gem_paper and put it beside $program"
 made_by="$("$program" --version | head -n 1); ${GEM_RUN:=--engine cuda}; quick ${GEM_QUICK:-0}"
 case ${GEM_ANY_COMMIT:-0}/$made_by in
-0/*-dirty*) wrong "$made_by (nobody can build that again) commit and build, or set GEM_ANY_COMMIT=1" ;;
+0/*-dirty*) usage_error "$made_by (nobody can build that again) commit and build, or set GEM_ANY_COMMIT=1" ;;
 esac
 IFS=, read -ra devices <<<"${CUDA_VISIBLE_DEVICES:-$(seq -s, 0 $((gpus - 1)))}"
-[ "${#devices[@]}" -ge "$gpus" ] || wrong "$gpus GPUs are asked for (CUDA_VISIBLE_DEVICES names ${#devices[@]}) ask for fewer"
+[ "${#devices[@]}" -ge "$gpus" ] || usage_error "$gpus GPUs are asked for (CUDA_VISIBLE_DEVICES names ${#devices[@]}) ask for fewer"
 mkdir -p "$2"
 out=$(realpath "$2")
 exec 9>"$out/lock"
-flock -n 9 || wrong "$out is in use (by another call of this script) wait for it or choose another folder"
+flock -n 9 || usage_error "$out is in use (by another call of this script) wait for it or choose another folder"
 shift 3
 [ $# -gt 0 ] || set -- day:1 day:2 day:3 table2 period_question sensitivity sensitivity_moment divergence seeds:1-3 seeds:4-6 \
   seeds:7-9 seeds:10-12 seeds:13-15 seeds:16-18 seeds:19-21 seeds:22-24 seeds:25-27 seeds:28-30

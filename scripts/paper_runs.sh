@@ -11,21 +11,21 @@
 # Environment: GEM_MINUTES=9 stop after so long, with what is finished packed
 #              GEM_RUN="--engine cuda" options of `gem sweep run`;  GEM_JOBS=16 processes that collect
 #              GEM_QUICK=1 a rehearsal with few floes in minutes on a CPU, whose numbers mean nothing
-# Exit code: 0 all is done, 2 wrong use, 8 something is left: run it again.
+# Exit code: 0 all is done, 2 usage error, 8 some parts are not finished: run it again.
 # Then, where the report is made: tar xzf each into DIR; scripts/paper_report.sh DIR [folders of run files]
 set -eu
 [ $# -ge 2 ] || {
   sed -n '2,17s/^# //p' "$0" >&2
   exit 2
 }
-wrong() {
+usage_error() {
   echo "$1" >&2
   exit 2
 }
-if [ ! -f "$1" ] || [ ! -x "$1" ]; then wrong "$1 is no program (no such file or not executable) name the program gem"; fi
+if [ ! -f "$1" ] || [ ! -x "$1" ]; then usage_error "$1 is no program (no such file or not executable) name the program gem"; fi
 program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 judge=$(dirname "$program")/gem_paper
-[ -x "$judge" ] || wrong "no $judge (not built) build gem_paper and put it beside $program"
+[ -x "$judge" ] || usage_error "no $judge (not built) build gem_paper and put it beside $program"
 folder=$2
 shift 2
 quick=${GEM_QUICK:-0}
@@ -51,7 +51,7 @@ is_part() {
   esac
 }
 for part; do
-  is_part "$part" || wrong "$part is no part (its name or its seeds, 1 to 30) see the top of $0"
+  is_part "$part" || usage_error "$part is no part (its name or its seeds, 1 to 30) see the top of $0"
 done
 
 mkdir -p "$folder/runs" "$folder/summaries" "$folder/lists"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,13 +50,13 @@ struct ContactEvent {
 
 /// How well the contacts of one time step were resolved.
 struct StepQuality {
-  std::int32_t contacts = 0;     // points that overlap at the start of the step or carry an impulse
-  std::int32_t iterations = 0;   // of the coupled solver
-  double residual = 0.0;         // largest speed that a point still asks for after the last iteration [m/s]
+  std::int32_t contacts = 0;    // points that overlap at the start of the step or carry an impulse
+  std::int32_t iterations = 0;  // of the coupled solver
+  double residual = 0.0;  // largest velocity correction still due at a contact point after the last iteration [m/s]
   double maximum_overlap = 0.0;  // deepest overlap depth at the start of the time step [m]
   double maximum_share = 0.0;    // largest overlap depth over the size (root of the area) of the smaller body [-]
   // After the events, see contact_quality.h. NaN where not measured: `independent` time steps of the cuda engine.
-  double complementarity = 0.0;  // largest change of normal velocity that a point still asks for [m/s]
+  double complementarity = 0.0;  // largest violation of the normal contact law, as a speed [m/s]
   double cone_excess = 0.0;      // largest friction impulse beyond Coulomb's bound [N s]
   double energy_created = 0.0;   // net work of all contacts if > 0, else 0; a gain at one contact can hide in it [J]
 
@@ -136,7 +137,12 @@ struct EngineOptions {
   std::vector<std::string> baseline_settings = {};  // KEY=VALUE, for a registered baseline to read
 };
 
-/// Makes the named engine for a scene and its field. Throws Error(usage) for an unknown name.
+/// Throws Error(usage) if `solver` is none of those that the engine knows. Every engine calls it in its constructor: a
+/// solver that an engine lacks must not run as another one.
+void check_solver(ContactSolver solver, std::initializer_list<ContactSolver> known, const std::string& engine);
+
+/// Makes the named engine for a scene and its field. Throws Error(usage) for an unknown name, or for a contact solver
+/// that the engine does not have.
 std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options);
 
 /// Engines that run on every machine, for messages and tests. make_engine() also knows cuda.

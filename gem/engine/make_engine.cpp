@@ -34,6 +34,12 @@ std::string joined(const std::vector<std::string>& names) {
 
 }  // namespace
 
+void check_solver(ContactSolver solver, std::initializer_list<ContactSolver> known, const std::string& engine) {
+  if (std::find(known.begin(), known.end(), solver) != known.end()) return;
+  throw Error(ExitCode::usage, "the engine " + engine + " cannot run contact.solver = \"" + solver_name(solver) +
+                                   "\" (it does not have this solver) choose another solver or engine");
+}
+
 std::vector<std::string> engine_names() { return {"reference", "cpu"}; }
 
 std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options) {

@@ -1,4 +1,4 @@
-// Options for the resolution of pair events.
+// Options of the pair events.
 #pragma once
 
 namespace gem {
@@ -8,6 +8,17 @@ enum class ContactSolver {
   independent,  ///< the paper: each pair event once, from the state at the start of the step
   coupled       ///< all events of the time step together, iterated to a residual
 };
+
+/// The solver as contact.solver names it.
+constexpr const char* solver_name(ContactSolver solver) {
+  switch (solver) {
+    case ContactSolver::independent:
+      return "independent";
+    case ContactSolver::coupled:
+      return "coupled";
+  }
+  return "unknown";
+}
 
 /// Where the impulses of one contact act.
 enum class Manifold {

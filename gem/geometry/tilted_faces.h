@@ -3,9 +3,8 @@
 //     g = cot(tilt) - cot(tilt + corner),     tan(tilt) = |s_1 - s_0| / w
 //
 //   s_0, s_1  separations at the two ends of the facing stretch [m]      w  its width [m]
-//   corner    inner angle of the corner that touches first. One side of it leaves the other body's face by the tilt,
-//   the
-//             other side by tilt + corner
+//   corner    inner angle of the corner that touches first. One side of it leaves the other body's face by the
+//             tilt, the other side by tilt + corner
 //
 // Exact for a straight face and a corner of either body; positive for any corner angle. Neglected: the end of the chord
 // where the other face ends beside the corner (corners that meet end to end).

@@ -17,15 +17,15 @@ using Clock = std::chrono::steady_clock;
 
 double fraction(double time, double duration) { return duration > 0.0 ? std::min(1.0, time / duration) : 1.0; }
 
-double rate(const Progress& p) { return p.wall_time > 0.0 ? p.time / p.wall_time : 0.0; }
+double rate(const RunProgress& p) { return p.wall_time > 0.0 ? p.time / p.wall_time : 0.0; }
 
 /// The simulated time, rounded to three significant digits of the duration.
-std::string time_text(const Progress& p) {
+std::string time_text(const RunProgress& p) {
   const double size = std::max(p.duration, 1e-6);
   return fixed_text(p.time, std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6));
 }
 
-double left(const Progress& p) { return rate(p) > 0.0 ? (p.duration - p.time) / rate(p) : 0.0; }
+double left(const RunProgress& p) { return rate(p) > 0.0 ? (p.duration - p.time) / rate(p) : 0.0; }
 
 }  // namespace
 
@@ -38,7 +38,7 @@ std::string clock_text(double seconds) {
 
 std::string rate_text(double rate) { return rate < 10.0 ? number_text(rate, 2) : fixed_text(rate, 0); }
 
-std::string progress_text(const Progress& p) {
+std::string progress_text(const RunProgress& p) {
   return fixed_text(std::floor(100.0 * fraction(p.time, p.duration)), 0) + " %  " + time_text(p) + " s  " +
          rate_text(rate(p)) + " x real time  " + std::to_string(p.contacts) + " contacts  energy residual " +
          number_text(p.energy_residual, 2) + "  " + clock_text(left(p)) + " left";
@@ -85,7 +85,7 @@ bool RunLog::wants(double time, double duration) const {
   return next_tenth || waited > 10.0;
 }
 
-void RunLog::show(const Progress& p) {
+void RunLog::show(const RunProgress& p) {
   const nlohmann::json object = {{"level", "progress"},
                                  {"fraction", fraction(p.time, p.duration)},
                                  {"time_s", p.time},

@@ -20,7 +20,7 @@ struct LogOptions {
 };
 
 /// Progress of a run.
-struct Progress {
+struct RunProgress {
   double time = 0.0;       // simulated [s]
   double duration = 0.0;   // [s]
   double wall_time = 0.0;  // [s]
@@ -38,7 +38,7 @@ class RunLog {
   void message(const std::string& level, const std::string& text);
   /// Whether show() would print now. If not, the caller need not prepare the progress text.
   bool wants(double time, double duration) const;
-  void show(const Progress& progress);
+  void show(const RunProgress& progress);
   /// Prints `line`, or `object` if progress is in JSON. `fraction` is the completed part of the run.
   void show(double fraction, const std::string& line, const std::string& object);
 
@@ -60,6 +60,6 @@ std::string clock_text(double seconds);
 std::string rate_text(double rate);
 
 /// Progress in one line for people. A `duration` of 0 counts as done.
-std::string progress_text(const Progress& progress);
+std::string progress_text(const RunProgress& progress);
 
 }  // namespace gem

@@ -30,10 +30,10 @@ double peak_memory() {
 }
 
 Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunOptions& options) {
-  const std::string asked = scene.contact.solver == ContactSolver::coupled ? "coupled" : "independent";
+  const std::string solver = solver_name(scene.contact.solver);
   return {scene.run.name,    resolved_toml(scene),
           scene_hash(scene), options.command_line,
-          engine.name(),     engine.method().empty() ? asked : engine.method(),
+          engine.name(),     engine.method().empty() ? solver : engine.method(),
           options.threads,   engine.method().empty() ? "strict" : "its own",
           engine.device()};
 }

@@ -73,9 +73,8 @@ struct PlatformDef {
 };
 
 struct NumericsDef {
-  double time_step_s = 0.05;  ///< dt
-  double residual_tolerance =
-      1e-5;  ///< coupled: largest velocity change still asked for by a contact, over the current speed
+  double time_step_s = 0.05;         ///< dt
+  double residual_tolerance = 1e-5;  ///< coupled: residual at which the iterations end, over the current speed
   std::int64_t iterations_maximum = 32;
   double contact_reach =
       1.5;  ///< coupled: faces that the current could close within this many time steps count as contacts

@@ -59,7 +59,7 @@ def tables(claims, rows):
             sys.exit(f"verification: case {row[0]} has no claim in claims.txt")
         rows_by_case.setdefault(row[0], []).append(row)
     return ["", "### Claims", "", *claims_table(claims, rows_by_case), "", "### Cases", "",
-            "Of each case the one number, over all engines and resolutions, that uses most of its tolerance; of equals the first.",
+            "For each case: the number, over all engines and solvers, that comes closest to its tolerance; of equals the first.",
             "", *cases_table(claimed, rows_by_case)]
 
 

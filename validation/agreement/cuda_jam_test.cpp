@@ -93,8 +93,8 @@ TEST_P(CudaJam, ThreadsThatNoBlockCanHaveAreRefused) {
 }
 
 TEST_P(CudaJam, AListTooSmallGrowsAndLosesNothing) {
-  for (const Launches launches : {Launches::steps, Launches::phases}) {
-    CudaBatch batch(copies(1), {.list_rows = 100, .launches = launches});
+  for (const Route route : {Route::resident, Route::phases}) {
+    CudaBatch batch(copies(1), {.list_rows = 100, .route = route});
     batch.restore(0, start_);
     std::vector<StepLog> logs(1);
     batch.advance(steps, &logs);
@@ -113,10 +113,10 @@ TEST_P(CudaJam, ManyScenesKeepTheirBitsPhaseByPhase) {
   std::vector<std::int64_t> some(count, steps);
   for (std::size_t k = 0; k < count; k += 15) some[k] = 7;
   batch.advance(some, &logs);
-  EXPECT_EQ(batch.launches(), Launches::phases);
+  EXPECT_EQ(batch.route(), Route::phases);
   for (std::int64_t& more : some) more = steps - more;
   batch.advance(some, &logs);
-  EXPECT_EQ(batch.launches(), Launches::steps) << "those that are left in the end are few";
+  EXPECT_EQ(batch.route(), Route::resident) << "those that are left in the end are few";
   for (std::size_t k = 0; k < count; ++k) {
     EXPECT_EQ(batch.state_hash(k), hash_) << "place " << k;
     test::expect_same_log(logs[k], expected_);
@@ -130,20 +130,20 @@ TEST_P(CudaJam, WholeTimeStepsAndPhasesTakeTurns) {
   for (std::size_t k = 0; k < count; ++k) batch.restore(k, start_);
   std::vector<std::int64_t> alone(count, 0), all(count, 5);
   for (const std::size_t k : {0, 50}) alone[k] = 5;
-  bool by_steps = false, by_phases = false;
+  bool resident = false, phases = false;
   for (std::int64_t left = steps; left > 0; left -= 10) {
     batch.advance(alone, nullptr);
-    by_steps |= batch.launches() == Launches::steps;
+    resident |= batch.route() == Route::resident;
     batch.advance(all, nullptr);
-    by_phases |= batch.launches() == Launches::phases;
+    phases |= batch.route() == Route::phases;
   }
-  EXPECT_TRUE(by_steps && by_phases);
+  EXPECT_TRUE(resident && phases);
   for (const std::size_t k : {0, 50}) EXPECT_EQ(batch.state_hash(k), hash_) << "place " << k;
 }
 
 TEST_P(CudaJam, ARestartChangesNothing) {
-  for (const Launches launches : {Launches::steps, Launches::phases}) {
-    const CudaOptions options{.launches = launches};
+  for (const Route route : {Route::resident, Route::phases}) {
+    const CudaOptions options{.route = route};
     auto engine = make_cuda_engine(scene_, field_, options);
     engine->restore(start_);
     StepLog log;
@@ -193,17 +193,17 @@ TEST_P(CudaJam, MoreScenesThanBlocksStayWithTheirBlocks) {
   cpu->restore(start_);
   StepLog expected;
   cpu->advance(few, expected);
-  CudaBatch batch(copies(count), {.launches = Launches::steps});
+  CudaBatch batch(copies(count), {.route = Route::resident});
   for (std::size_t k = 0; k < count; ++k) batch.restore(k, start_);
   batch.advance(few, nullptr);
-  EXPECT_EQ(batch.launches(), Launches::steps);
+  EXPECT_EQ(batch.route(), Route::resident);
   EXPECT_EQ(batch.blocks(), 1);
   for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(batch.state_hash(k), cpu->state_hash()) << "place " << k;
 }
 
 TEST_P(CudaJam, ScenesThatShareTheDeviceUnequallyKeepTheirBits) {
   std::vector<BatchScene> scenes = copies(26);
-  CudaBatch batch(scenes, {.ring_steps = 32, .launches = Launches::steps});
+  CudaBatch batch(scenes, {.ring_steps = 32, .route = Route::resident});
   std::vector<StepsAhead> ahead;
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     batch.restore(k, start_);

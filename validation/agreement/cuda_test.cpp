@@ -1,4 +1,4 @@
-// The cuda engine gives the bits of the cpu engine for every law, by time steps and by phases. It also reports faults.
+// The cuda engine gives the bits of the cpu engine for every law, by both routes. It also reports faults.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,14 +55,14 @@ TEST_P(CudaPhases, GiveTheBitsOfTheCpu) {
   std::tie(scene.contact.solver, scene.contact.manifold, scene.platform.yaw, scene.contact.friction_law,
            scene.water.drag_law) = GetParam();
   const auto cpu = test::busy_engine(scene, "cpu");
-  CudaBatch batch({{scene, test::busy_field(scene)}, {scene, test::busy_field(scene)}}, {.launches = Launches::phases});
+  CudaBatch batch({{scene, test::busy_field(scene)}, {scene, test::busy_field(scene)}}, {.route = Route::phases});
   StepLog expected;
   std::vector<StepLog> logs(2);
   for (int call = 0; call < 8; ++call) {
     cpu->advance(50, expected);
     batch.advance(50, &logs);
   }
-  EXPECT_EQ(batch.launches(), Launches::phases);
+  EXPECT_EQ(batch.route(), Route::phases);
   for (const std::size_t k : {0, 1}) {
     test::expect_same_bodies(batch.bodies(k), cpu->bodies());
     test::expect_same_log(logs[k], expected);
@@ -81,8 +81,7 @@ TEST_F(CudaPhasesBriefly, GiveTheBitsOfTheCpu) {
   for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled}) {
     SceneDef scene = test::busy_scene(8);
     scene.contact.solver = solver;
-    CudaBatch batch({{scene, test::busy_field(scene)}, {scene, test::busy_field(scene)}},
-                    {.launches = Launches::phases});
+    CudaBatch batch({{scene, test::busy_field(scene)}, {scene, test::busy_field(scene)}}, {.route = Route::phases});
     const auto cpu = test::busy_engine(scene, "cpu");
     std::vector<StepLog> expected(2), logs(2);
     std::vector<std::uint64_t> hash;
@@ -99,7 +98,7 @@ TEST_F(CudaPhasesBriefly, GiveTheBitsOfTheCpu) {
       EXPECT_GT(test::contacts_in(expected[k]), 50);
     }
     batch.advance(3, &logs);
-    EXPECT_EQ(batch.launches(), Launches::phases);
+    EXPECT_EQ(batch.route(), Route::phases);
     for (const std::size_t k : {0, 1}) {
       EXPECT_EQ(batch.state_hash(k), hash[k]) << "scene " << k;
       test::expect_same_log(logs[k], expected[k]);
@@ -116,11 +115,11 @@ TEST_F(OnGpu, RoundsOfATightResidualAreMadeToTheirEnd) {
   const auto cpu = test::busy_engine(scene, "cpu");
   StepLog expected;
   cpu->advance(40, expected);
-  for (const Launches launches : {Launches::steps, Launches::phases}) {
-    CudaBatch batch({{scene, test::busy_field(scene)}}, {.launches = launches});
+  for (const Route route : {Route::resident, Route::phases}) {
+    CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = route});
     std::vector<StepLog> logs(1);
     batch.advance(40, &logs);
-    EXPECT_EQ(batch.launches(), launches);
+    EXPECT_EQ(batch.route(), route);
     EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
     test::expect_same_log(logs[0], expected);
     test::expect_same_judgement(logs[0], expected);
@@ -155,11 +154,11 @@ TEST_F(OnGpu, AStateThatIsNoNumberStopsTheRun) {
   }
 }
 
-class OneOfABatch : public OnGpu, public testing::WithParamInterface<Launches> {};
+class OneOfABatch : public OnGpu, public testing::WithParamInterface<Route> {};
 
 TEST_P(OneOfABatch, ThatFailsOnTheGpuStopsNoOther) {
   SceneDef scene = test::busy_scene(12);
-  CudaBatch batch(std::vector<BatchScene>(4, {scene, test::busy_field(scene)}), {.launches = GetParam()});
+  CudaBatch batch(std::vector<BatchScene>(4, {scene, test::busy_field(scene)}), {.route = GetParam()});
   EngineState overflows = batch.save(0), no_number = overflows;
   overflows.bodies.position[20].x = 1e308;
   overflows.bodies.velocity[20].x = -1e308;
@@ -180,7 +179,7 @@ TEST_P(OneOfABatch, ThatFailsOnTheGpuStopsNoOther) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Launches, OneOfABatch, testing::Values(Launches::steps, Launches::phases),
+INSTANTIATE_TEST_SUITE_P(Routes, OneOfABatch, testing::Values(Route::resident, Route::phases),
                          testing::PrintToStringParamName());
 
 }  // namespace

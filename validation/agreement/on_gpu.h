@@ -23,9 +23,9 @@ class OnGpu : public testing::Test {
   }
 };
 
-/// Names a parameterised test by its kind of launches.
-inline void PrintTo(Launches launches, std::ostream* out) {
-  *out << (launches == Launches::chosen ? "chosen" : launches == Launches::steps ? "steps" : "phases");
+/// Names a parameterised test by its route.
+inline void PrintTo(Route route, std::ostream* out) {
+  *out << (route == Route::automatic ? "automatic" : route == Route::resident ? "resident" : "phases");
 }
 
 using Way = std::tuple<ContactSolver, Manifold>;

@@ -12,7 +12,7 @@ namespace gem::hard {
 using verification::Setting;
 using verification::Where;
 
-/// All engines except the naive reference, with both solvers: for scenes in which all pairs take too long.
+/// All engines except the reference engine, with both solvers: for scenes in which all pairs take too long.
 std::vector<Setting> large_settings();
 
 /// A case of cases/hard for a setting; independent gets the paper's contacts (chord middle, elastic stress).

@@ -126,7 +126,7 @@ std::vector<SweepRow> done_rows(const SweepCollectChoice& choice) {
   if (rows.empty() || (rows.size() < all && !choice.partial))
     throw Error(ExitCode::file_system, shown(choice.folder) + " holds " + std::to_string(rows.size()) +
                                            " done runs of " + std::to_string(all) + " (" + first_open +
-                                           ") finish them with `gem sweep " + "run`" +
+                                           ") finish them with `gem sweep run`" +
                                            (rows.empty() ? "" : " or collect with --partial"));
   return rows;
 }

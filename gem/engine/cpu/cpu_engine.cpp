@@ -13,6 +13,7 @@ namespace gem {
 
 CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread)
     : event_speed_(scene.output.event_speed_m_per_s), all_threads_(threads), coupled_(contacts_worth_a_thread) {
+  check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cpu");
   const StepConstants constants = step_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   ledger_.start = total(field_);
@@ -36,7 +37,8 @@ void CpuEngine::one_step(ThreadTeam& team, int rank, StepLog& log) {
   bool goes_on = true;
   for_each_stage([&](auto stage) {
     if (goes_on) run<stage.value>(team, rank, log);
-    // Asked only here, behind a barrier: elsewhere a thread could see a fault that another one does not see yet.
+    // Checked only here, right after a barrier. Elsewhere one thread could already see a failure that another does not
+    // see yet.
     if (stage == Stage::solo_events) goes_on = !team.failed();
   });
 }
@@ -70,15 +72,15 @@ void CpuEngine::run(ThreadTeam& team, int rank, StepLog& log) {
 void CpuEngine::solo_events(ThreadTeam& team, int rank) {
   FieldState& f = field_;
   const Contacts contacts = pairs_.contacts();
-  team.first_alone(rank, [&] {
+  team.on_rank_zero(rank, [&] {
     before_ = platform_impulses(f);
     platform_first_half(f);
     quality_ = {};
     outcomes_.resize(contacts.size());
     if (f.constants.solver == ContactSolver::coupled) coupled_.lay_out(f, contacts, team.size());
   });
-  team.hand_out(static_cast<std::int64_t>(f.bodies.count()),
-                [&](std::int64_t begin, std::int64_t end) { kick_floes(f, begin, end); });
+  team.for_each_range(static_cast<std::int64_t>(f.bodies.count()),
+                      [&](std::int64_t begin, std::int64_t end) { kick_floes(f, begin, end); });
   team.barrier();
 }
 

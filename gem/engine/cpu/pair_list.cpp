@@ -40,13 +40,13 @@ void PairList::note_places(const FieldState& f, ThreadTeam& team, int rank) {
   double farthest = 0.0, rim = 0.0;
   for (std::int64_t i = team.begin_of(rank, n); i < team.begin_of(rank + 1, n); ++i) {
     const Place place{f.bodies.position[i], f.bodies.radius[i] * f.turn_travel[i]};
-    const Vec2 way = place.position - place_[i].position - drift;
-    farthest = std::max(farthest, dot(way, way));
+    const Vec2 step = place.position - place_[i].position - drift;
+    farthest = std::max(farthest, dot(step, step));
     rim = std::max(rim, place.rim - place_[i].rim);
     place_[i] = place;
-    const Vec2 off = place.position - trajectory_[i].position - elapsed * velocity_[i];
-    const double left = allowed - (place.rim - trajectory_[i].rim);
-    strayed |= f.bodies.active[i] && !(left > 0.0 && dot(off, off) < left * left);
+    const Vec2 offset = place.position - trajectory_[i].position - elapsed * velocity_[i];
+    const double allowed_offset = allowed - (place.rim - trajectory_[i].rim);
+    strayed |= f.bodies.active[i] && !(allowed_offset > 0.0 && dot(offset, offset) < allowed_offset * allowed_offset);
   }
   part_[rank].strayed = strayed;
   part_[rank].farthest = std::sqrt(farthest);
@@ -111,9 +111,9 @@ void PairList::find_among(const FieldState& f, const std::int32_t* due, std::int
     const auto soon = [&](std::int64_t ahead) { return due[std::min(k + ahead, count - 1)]; };
     __builtin_prefetch(&pairs_[soon(16)]);
     __builtin_prefetch(&axes_[soon(8)]);
-    foresee_search(f, pairs_[soon(8)].b);
-    foresee_outline(f, pairs_[soon(4)].a);
-    foresee_outline(f, pairs_[soon(4)].b);
+    prefetch_search(f, pairs_[soon(8)].b);
+    prefetch_outline(f, pairs_[soon(4)].a);
+    prefetch_outline(f, pairs_[soon(4)].b);
     if (part.count == part.found.size()) part.found.resize(2 * part.count + 64);
     if (touches(f, due[k], part.found[part.count])) ++part.count;
   }

@@ -78,7 +78,7 @@ class PairList {
   Box box_of(const FieldState& f, std::size_t i) const;
   Box swept(std::size_t i) const;
   void fill_grid(const FieldState& f);
-  void pairs_of_large_bodies(const FieldState& f);
+  void pairs_of_non_floes(const FieldState& f);
   void pairs_of_floe(std::size_t i, Part& part) const;
   bool near(std::size_t a, std::size_t b) const;
   void keep_axes();

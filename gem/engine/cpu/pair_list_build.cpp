@@ -9,7 +9,7 @@
 namespace gem {
 namespace {
 
-bool large(const FieldState& f, std::size_t i) { return f.bodies.kind[i] != BodyKind::floe; }
+bool is_non_floe(const FieldState& f, std::size_t i) { return f.bodies.kind[i] != BodyKind::floe; }
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void PairList::fill_grid(const FieldState& f) {
   mean_velocity_ = {};
   std::int64_t floes = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    if (large(f, i) || !f.bodies.active[i]) continue;
+    if (is_non_floe(f, i) || !f.bodies.active[i]) continue;
     const Vec2 p = f.bodies.position[i];
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
@@ -61,7 +61,7 @@ void PairList::fill_grid(const FieldState& f) {
   if (floes == 0) return;
   mean_velocity_ = (1.0 / static_cast<double>(floes)) * mean_velocity_;
   for (std::size_t i = 0; i < n; ++i)
-    if (!large(f, i) && f.bodies.active[i]) fastest = std::max(fastest, length(velocity_[i] - mean_velocity_));
+    if (!is_non_floe(f, i) && f.bodies.active[i]) fastest = std::max(fastest, length(velocity_[i] - mean_velocity_));
   // floes that may come near each other within the horizon are in the same cell or in neighbouring cells
   cell_ = 2.0 * radius + margin_ + 2.0 * fastest * ahead_;
   // no more cells than about the number of floes, so that a scattered field needs no more memory than a dense one
@@ -72,7 +72,7 @@ void PairList::fill_grid(const FieldState& f) {
   rows_ = static_cast<std::int32_t>((high.y - low.y) / cell_) + 1;
   cell_begin_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
   for (std::size_t i = 0; i < n; ++i) {
-    if (large(f, i) || !f.bodies.active[i]) continue;
+    if (is_non_floe(f, i) || !f.bodies.active[i]) continue;
     const Vec2 p = f.bodies.position[i] - low;
     cell_of_[i] = static_cast<std::int32_t>(p.y / cell_) * columns_ + static_cast<std::int32_t>(p.x / cell_);
     ++cell_begin_[cell_of_[i] + 1];
@@ -89,9 +89,9 @@ void PairList::fill_grid(const FieldState& f) {
   }
 }
 
-void PairList::pairs_of_large_bodies(const FieldState& f) {
+void PairList::pairs_of_non_floes(const FieldState& f) {
   const std::size_t n = f.bodies.count();
-  for (std::size_t a = 0; a < n && large(f, a); ++a) {
+  for (std::size_t a = 0; a < n && is_non_floe(f, a); ++a) {
     if (!f.bodies.active[a]) continue;
     for (std::size_t b = a + 1; b < n; ++b) {
       if (!f.bodies.active[b] || (f.bodies.inverse_mass[a] == 0.0 && f.bodies.inverse_mass[b] == 0.0)) continue;
@@ -126,7 +126,7 @@ void PairList::pairs_of_floe(std::size_t i, Part& part) const {
 void PairList::note_trajectory(const FieldState& f) {
   trajectory_ = place_;
   velocity_ = f.bodies.velocity;
-  for (std::size_t i = 1; i < f.bodies.count() && large(f, i); ++i) velocity_[i] = {};
+  for (std::size_t i = 1; i < f.bodies.count() && is_non_floe(f, i); ++i) velocity_[i] = {};
   horizon_ = f.constants.list_horizon;
   ahead_ = static_cast<double>(horizon_) * f.constants.dt;
   margin_ = f.constants.list_margin + f.constants.contact_margin;
@@ -156,7 +156,7 @@ void PairList::build(const FieldState& f, ThreadTeam& team, int rank) {
     last_axes_.swap(axes_);
     pairs_.clear();
     fill_grid(f);
-    pairs_of_large_bodies(f);
+    pairs_of_non_floes(f);
   });
   part_[rank].near.clear();
   team.for_each(rank, n, [&](std::int64_t i) { pairs_of_floe(i, part_[rank]); });

@@ -26,7 +26,7 @@ inline void relax() {
 ThreadTeam::ThreadTeam(int threads) : size_(threads) {
   threads_.reserve(static_cast<std::size_t>(size_ - 1));
   try {
-    for (int rank = 1; rank < size_; ++rank) threads_.emplace_back([this, rank] { serve(rank); });
+    for (int rank = 1; rank < size_; ++rank) threads_.emplace_back([this, rank] { worker_loop(rank); });
   } catch (const std::system_error& error) {
     close();
     throw Error(ExitCode::resource_limit, "cannot start " + std::to_string(size_) + " threads (" + error.what() +
@@ -45,7 +45,7 @@ void ThreadTeam::close() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void ThreadTeam::serve(int rank) {
+void ThreadTeam::worker_loop(int rank) {
   std::uint64_t served = 0;
   for (;;) {
     const std::function<void(int)>* task = nullptr;
@@ -56,39 +56,39 @@ void ThreadTeam::serve(int rank) {
       served = calls_;
       task = task_;
     }
-    carry_out(*task, rank);
+    run_task(*task, rank);
   }
 }
 
-void ThreadTeam::carry_out(const std::function<void(int)>& task, int rank) {
+void ThreadTeam::run_task(const std::function<void(int)>& task, int rank) {
   try {
     task(rank);
     barrier();
-  } catch (const CalledOff&) {
-    gone_.fetch_add(1, std::memory_order_release);
+  } catch (const Aborted&) {
+    exited_.fetch_add(1, std::memory_order_release);
   } catch (...) {
-    note_left(std::current_exception());
-    gone_.fetch_add(1, std::memory_order_release);
+    abort_with(std::current_exception());
+    exited_.fetch_add(1, std::memory_order_release);
   }
 }
 
-/// The thread that left does not reach the barrier. The others wait there and see that the run is called off.
-void ThreadTeam::note_left(std::exception_ptr why) {
+/// The thread that left does not reach the barrier. The others wait there and see that the run is aborted.
+void ThreadTeam::abort_with(std::exception_ptr why) {
   const std::lock_guard lock(mutex_);
-  if (!left_by_) left_by_ = std::move(why);
-  called_off_.store(true, std::memory_order_release);
+  if (!first_exception_) first_exception_ = std::move(why);
+  aborted_.store(true, std::memory_order_release);
 }
 
-void ThreadTeam::gather_again() {
-  while (gone_.load(std::memory_order_acquire) < size_) std::this_thread::yield();
-  gone_.store(0, std::memory_order_relaxed);
+void ThreadTeam::rejoin_and_rethrow() {
+  while (exited_.load(std::memory_order_acquire) < size_) std::this_thread::yield();
+  exited_.store(0, std::memory_order_relaxed);
   arrived_.store(0, std::memory_order_relaxed);
-  handed_out_.store(0, std::memory_order_relaxed);
-  called_off_.store(false, std::memory_order_relaxed);
+  next_index_.store(0, std::memory_order_relaxed);
+  aborted_.store(false, std::memory_order_relaxed);
   const std::lock_guard lock(mutex_);
   // an exception of a thread may be a consequence of an earlier fault in single()
-  const std::exception_ptr why = fault_ ? fault_ : left_by_;
-  left_by_ = nullptr;
+  const std::exception_ptr why = fault_ ? fault_ : first_exception_;
+  first_exception_ = nullptr;
   std::rethrow_exception(why);
 }
 
@@ -102,8 +102,8 @@ void ThreadTeam::run(const std::function<void(int)>& task) {
     }
     wake_.notify_all();
   }
-  carry_out(task, 0);
-  if (called_off_.load(std::memory_order_acquire)) gather_again();
+  run_task(task, 0);
+  if (aborted_.load(std::memory_order_acquire)) rejoin_and_rethrow();
   if (fault_) std::rethrow_exception(fault_);
 }
 
@@ -111,15 +111,14 @@ void ThreadTeam::barrier() {
   const std::uint32_t phase = phase_.load(std::memory_order_acquire);
   if (size_ == 1 || arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
     arrived_.store(0, std::memory_order_relaxed);
-    handed_out_.store(0, std::memory_order_relaxed);
+    next_index_.store(0, std::memory_order_relaxed);
     phase_.store(phase + 1, std::memory_order_release);
     return;
   }
   for (int spin = 0; phase_.load(std::memory_order_acquire) == phase; ++spin) {
-    // A fast thread may already be in the next run and call it off while this thread is still here. So the phase is
+    // A fast thread may already be in the next run and abort it while this thread is still here. So the phase is
     // read again.
-    if (called_off_.load(std::memory_order_acquire) && phase_.load(std::memory_order_acquire) == phase)
-      throw CalledOff{};
+    if (aborted_.load(std::memory_order_acquire) && phase_.load(std::memory_order_acquire) == phase) throw Aborted{};
     if (spin < spins) {
       relax();
     } else {

@@ -26,7 +26,7 @@ class ThreadTeam {
   int size() const { return size_; }
 
   /// Runs task(rank) on every thread, rank 0 on the caller. Returns when all are done. Rethrows an exception thrown in
-  /// single(). If tasks throw, rethrows the first exception: the other threads are called off at their next barrier,
+  /// single(). If tasks throw, rethrows the first exception: the other threads abort at their next barrier,
   /// and the team can be used again.
   void run(const std::function<void(int)>& task);
 
@@ -43,10 +43,10 @@ class ThreadTeam {
   /// Inside run: calls visit(begin, end) for short ranges of [0, count), each on a free thread, without waiting at the
   /// end. At most once between two barriers. The length of a range was chosen by hand; it affects only speed.
   template <class Visit>
-  void hand_out(std::int64_t count, Visit&& visit) {
+  void for_each_range(std::int64_t count, Visit&& visit) {
     constexpr std::int64_t stretch = 256;
     for (;;) {
-      const std::int64_t begin = handed_out_.fetch_add(stretch, std::memory_order_relaxed);
+      const std::int64_t begin = next_index_.fetch_add(stretch, std::memory_order_relaxed);
       if (begin >= count) return;
       visit(begin, std::min(begin + stretch, count));
     }
@@ -55,7 +55,7 @@ class ThreadTeam {
   /// Inside run: calls work() on rank 0; the other threads go on. If it throws, failed() is true after the next
   /// barrier.
   template <class Work>
-  void first_alone(int rank, Work&& work) {
+  void on_rank_zero(int rank, Work&& work) {
     if (rank != 0) return;
     try {
       work();
@@ -64,10 +64,10 @@ class ThreadTeam {
     }
   }
 
-  /// Inside run: first_alone(), then waits for all threads.
+  /// Inside run: on_rank_zero(), then waits for all threads.
   template <class Work>
   void single(int rank, Work&& work) {
-    first_alone(rank, work);
+    on_rank_zero(rank, work);
     barrier();
   }
 
@@ -77,27 +77,27 @@ class ThreadTeam {
   std::int64_t begin_of(int rank, std::int64_t count) const { return count * rank / size_; }
 
  private:
-  struct CalledOff {};
+  struct Aborted {};
 
-  void serve(int rank);
+  void worker_loop(int rank);
   /// Stops and joins the threads.
   void close();
   /// Runs the task and the final barrier; keeps an exception of the task.
-  void carry_out(const std::function<void(int)>& task, int rank);
-  void note_left(std::exception_ptr why);
-  [[noreturn]] void gather_again();
+  void run_task(const std::function<void(int)>& task, int rank);
+  void abort_with(std::exception_ptr why);
+  [[noreturn]] void rejoin_and_rethrow();
 
   const int size_;
   std::atomic<int> arrived_{0};
   std::atomic<std::uint32_t> phase_{0};
-  std::atomic<std::int64_t> handed_out_{0};  // since the last barrier
-  std::atomic<bool> called_off_{false};      // a task has thrown
-  std::atomic<int> gone_{0};                 // threads that have left a task that was called off
+  std::atomic<std::int64_t> next_index_{0};  // since the last barrier
+  std::atomic<bool> aborted_{false};         // a task has thrown
+  std::atomic<int> exited_{0};               // threads that have left an aborted task
   std::exception_ptr fault_;
 
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::exception_ptr left_by_;  // exception of the first thread that left
+  std::exception_ptr first_exception_;  // exception of the first task that threw
   const std::function<void(int)>* task_ = nullptr;
   std::uint64_t calls_ = 0;
   bool closing_ = false;

@@ -66,8 +66,8 @@ TEST_P(ThreadTeamTest, WhatIsHandedOutIsVisitedOnceWhileTheFirstIsBusy) {
     constexpr int rounds = 20;
     team.run([&](int rank) {
       for (int round = 0; round < rounds; ++round) {
-        team.first_alone(rank, [&] { ++first; });
-        team.hand_out(count, [&](std::int64_t begin, std::int64_t end) {
+        team.on_rank_zero(rank, [&] { ++first; });
+        team.for_each_range(count, [&](std::int64_t begin, std::int64_t end) {
           for (std::int64_t i = begin; i < end; ++i) ++visits[i];
         });
         team.barrier();

@@ -51,7 +51,7 @@ std::vector<CudaDevice> cuda_devices(std::string& reason) {
     reason = cudaGetErrorString(result);
     return devices;
   }
-  if (count == 0) reason = "the driver knows no GPU";
+  if (count == 0) reason = "the driver reports no GPU";
   for (int k = 0; k < count; ++k) devices.push_back(describe(k));
   return devices;
 }

@@ -1,5 +1,5 @@
 // Batches of scenes on a GPU, by one of two routes. Resident: blocks stay with their scenes through many time steps and
-// meet at grid barriers. By phases: one kernel makes one stage of a time step of all scenes; this is for more work than
+// meet at grid barriers. Phases: one kernel makes one stage of a time step of all scenes; this is for more work than
 // resident blocks can hold.
 #include "gem/engine/cuda/cuda_engine.h"
 
@@ -34,9 +34,9 @@ int chosen_threads(int threads) {
 }  // namespace
 
 class CudaBatch::Work {
-  /// Phase blocks per multiprocessor from which the route by phases is faster: for one scene, which resident blocks
-  /// could have the whole GPU for; for several scenes, which share it; and for several that iterate, which wait longest
-  /// for their share.
+  /// The phases route is faster from this many phase blocks per multiprocessor on. The threshold is highest for one
+  /// scene, to which the resident route gives the whole GPU. It is lower for several scenes, which share the GPU, and
+  /// lowest for several coupled ones.
   static constexpr double phase_blocks_of_one = 5.0, phase_blocks_of_several = 3.5, phase_blocks_that_iterate = 1.75;
 
  public:
@@ -44,7 +44,7 @@ class CudaBatch::Work {
       : device_(on_device(options)),
         ring_steps_(options.ring_steps),
         chosen_blocks_(options.blocks),
-        launches_(options.launches),
+        route_(options.route),
         resident_(chosen_threads(options.threads), device_.multiprocessors),
         blocks_(scenes.size(), 1),
         visits_(scenes.size(), 0.0),
@@ -86,16 +86,16 @@ class CudaBatch::Work {
   }
   std::size_t size() const { return scenes_.size(); }
   const CudaDevice& device() const { return device_; }
-  Launches launches() const { return by_phases_ > by_steps_ ? Launches::phases : Launches::steps; }
-  int blocks() const { return launches() == Launches::phases ? scenes_.front().device().phase_blocks : blocks_[0]; }
-  int threads() const { return launches() == Launches::phases ? phase_threads : resident_.threads(); }
+  Route route() const { return phases_steps_ > resident_steps_ ? Route::phases : Route::resident; }
+  int blocks() const { return route() == Route::phases ? scenes_.front().device().phase_blocks : blocks_[0]; }
+  int threads() const { return route() == Route::phases ? phase_threads : resident_.threads(); }
   double device_time() const { return device_time_; }
   double barriers() const { return barriers_ / std::max(1.0, counted_steps_); }
 
  private:
   static CudaDevice on_device(const CudaOptions& options) {
     CudaDevice device = chosen_device(options.device);
-    check_cuda(cudaSetDevice(device.index), "be chosen");
+    check_cuda(cudaSetDevice(device.index), "select the device");
     return device;
   }
 
@@ -103,7 +103,7 @@ class CudaBatch::Work {
   void begin(std::vector<StepsAhead>& ahead, const std::vector<StepLog>* logs) {
     use();
     device_time_ = 0.0;
-    by_steps_ = by_phases_ = 0;
+    resident_steps_ = phases_steps_ = 0;
     faults_.assign(scenes_.size(), nullptr);
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
       if (ahead[k].most == 0) continue;
@@ -124,7 +124,7 @@ class CudaBatch::Work {
     }
   }
 
-  void use() const { check_cuda(cudaSetDevice(device_.index), "be chosen"); }
+  void use() const { check_cuda(cudaSetDevice(device_.index), "select the device"); }
 
   /// Moves each scene that has time steps ahead on by some of them, in about the same time for all. Takes what was done
   /// off `ahead`.
@@ -133,12 +133,12 @@ class CudaBatch::Work {
     for (std::size_t k = 0; k < ahead.size(); ++k)
       if (ahead[k].most > 0) active.push_back(k);
     if (active.empty()) return;
-    const bool phases = moves_by_phases(active);
+    const bool phases = takes_phases_route(active);
     if (phases)
-      move_by_phases(active, ahead);
+      advance_phases(active, ahead);
     else
-      move_by_steps(active, ahead);
-    for (const std::size_t k : active) (phases ? by_phases_ : by_steps_) += status_of(k).samples;
+      advance_resident(active, ahead);
+    for (const std::size_t k : active) (phases ? phases_steps_ : resident_steps_) += status_of(k).samples;
     collect(active, ahead, logs);
   }
 
@@ -147,8 +147,8 @@ class CudaBatch::Work {
     return chosen_blocks_ > 0 ? std::min(chosen_blocks_, static_cast<int>(bodies)) : useful_blocks(bodies);
   }
 
-  /// Moves scenes by resident blocks.
-  void move_by_steps(const std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
+  /// Advances scenes on the resident route.
+  void advance_resident(const std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
     std::vector<double> work;
     std::vector<int> most;
     for (const std::size_t k : active) {
@@ -160,7 +160,7 @@ class CudaBatch::Work {
     for (std::size_t at = 0; at < active.size(); ++at) blocks_[active[at]] = blocks[at];
     send(active, steps_of(active, ahead));
     time_.begin();
-    resident_.start({scenes_here(), wanted_here(), gates_here(), nullptr, 0}, blocks, time_.stream());
+    resident_.start({device_scenes(), device_steps(), device_barriers(), nullptr, 0}, blocks, time_.stream());
     finish();
   }
 
@@ -175,25 +175,25 @@ class CudaBatch::Work {
     return share_steps(all, next, ring_steps_);
   }
 
-  /// Whether these scenes go by phases: where they need more blocks than the device runs at a time.
-  bool moves_by_phases(const std::vector<std::size_t>& active) {
-    if (launches_ == Launches::steps || chosen_blocks_ > 0) return false;
+  /// Whether these scenes take the phases route: if they need more blocks than the device runs at a time.
+  bool takes_phases_route(const std::vector<std::size_t>& active) {
+    if (route_ == Route::resident || chosen_blocks_ > 0) return false;
     std::int64_t blocks = 0;
     double worth_it = active.size() == 1 ? phase_blocks_of_one : phase_blocks_of_several;
     for (const std::size_t k : active) {
       const DeviceScene& scene = scenes_[k].device();
       blocks += scene.phase_blocks;
-      if (!scene.wake) return false;  // its memory has no arrays for phases
+      if (!scene.wake) return false;  // its memory has no arrays for the phases route
       if (scene.constants.solver != ContactSolver::coupled) continue;
       if (!phases_.can_solve()) return false;
       if (active.size() > 1) worth_it = phase_blocks_that_iterate;
     }
-    return launches_ == Launches::phases || static_cast<double>(blocks) >= worth_it * device_.multiprocessors;
+    return route_ == Route::phases || static_cast<double>(blocks) >= worth_it * device_.multiprocessors;
   }
 
-  /// Moves scenes by phases. Scenes of one solver stand together; among them, those with a similar number of time
-  /// steps.
-  void move_by_phases(std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
+  /// Advances scenes on the phases route. Scenes of one solver stand together; among them, those with a similar number
+  /// of time steps.
+  void advance_phases(std::vector<std::size_t>& active, const std::vector<StepsAhead>& ahead) {
     const auto order = [&](std::size_t k) {
       return std::make_tuple(scenes_[k].field().constants.solver, -ahead[k].all, -visits_[k]);
     };
@@ -208,18 +208,18 @@ class CudaBatch::Work {
     }
     send(active, steps);
     PhaseLaunch work{};
-    work.scenes = scenes_here();
-    work.steps = wanted_here();
-    work.grid_barriers = gates_here();
+    work.scenes = device_scenes();
+    work.steps = device_steps();
+    work.grid_barriers = device_barriers();
     work.list_barriers = work.grid_barriers + scenes_.size();
     time_.begin();
     phases_.run(work, scenes, time_);
     finish();
   }
 
-  const DeviceScene* scenes_here() const { return reinterpret_cast<const DeviceScene*>(scene_memory_.data()); }
-  const std::int32_t* wanted_here() const { return reinterpret_cast<const std::int32_t*>(wanted_memory_.data()); }
-  GridBarrier* gates_here() const { return reinterpret_cast<GridBarrier*>(barrier_memory_.data()); }
+  const DeviceScene* device_scenes() const { return reinterpret_cast<const DeviceScene*>(scene_memory_.data()); }
+  const std::int32_t* device_steps() const { return reinterpret_cast<const std::int32_t*>(wanted_memory_.data()); }
+  GridBarrier* device_barriers() const { return reinterpret_cast<GridBarrier*>(barrier_memory_.data()); }
 
   /// Sends what the launches of a call work on: the active scenes in this order, and the time steps wanted of each.
   void send(const std::vector<std::size_t>& active, const std::vector<std::int64_t>& steps) {
@@ -230,10 +230,11 @@ class CudaBatch::Work {
       wanted[at] = static_cast<std::int32_t>(steps[at]);
     }
     const cudaStream_t stream = time_.stream();
-    check_cuda(cudaMemcpyAsync(scene_memory_.data(), scene, scene_.bytes(), cudaMemcpyHostToDevice, stream), "start");
+    check_cuda(cudaMemcpyAsync(scene_memory_.data(), scene, scene_.bytes(), cudaMemcpyHostToDevice, stream),
+               "start the work");
     check_cuda(cudaMemcpyAsync(wanted_memory_.data(), wanted, wanted_.bytes(), cudaMemcpyHostToDevice, stream),
-               "start");
-    check_cuda(cudaMemsetAsync(barrier_memory_.data(), 0, barrier_memory_.bytes(), stream), "start");
+               "start the work");
+    check_cuda(cudaMemsetAsync(barrier_memory_.data(), 0, barrier_memory_.bytes(), stream), "start the work");
   }
 
   /// Waits for the launches of a call and fetches the statuses.
@@ -241,8 +242,8 @@ class CudaBatch::Work {
     const cudaStream_t stream = time_.stream();
     time_.end();
     check_cuda(cudaMemcpyAsync(status_.data(), status_memory_.data(), status_.bytes(), cudaMemcpyDeviceToHost, stream),
-               "answer");
-    check_cuda(cudaStreamSynchronize(stream), "move the scenes");
+               "fetch the status");
+    check_cuda(cudaStreamSynchronize(stream), "advance the scenes");
     device_time_ += time_.seconds();
   }
 
@@ -295,12 +296,12 @@ class CudaBatch::Work {
 
   CudaDevice device_;
   int ring_steps_, chosen_blocks_;
-  Launches launches_;
-  std::int64_t by_steps_ = 0, by_phases_ = 0;  // time steps of all scenes in the last call, by route
+  Route route_;
+  std::int64_t resident_steps_ = 0, phases_steps_ = 0;  // time steps of all scenes in the last call, by route
   ResidentLaunch resident_;
-  /// Blocks of each scene in its last launch. By phases 1, as a time step then has one BlockQuality.
+  /// Blocks of each scene in its last launch. On the phases route 1, as a time step then has one BlockQuality.
   std::vector<int> blocks_;
-  std::vector<double> visits_;  // of the points of each scene in a time step, when last moved by phases
+  std::vector<double> visits_;  // of the points of each scene in a time step, when last on the phases route
   Timeline time_;
   PhaseStreams phases_{device_.multiprocessors};
   DeviceMemory status_memory_, scene_memory_, wanted_memory_, barrier_memory_;
@@ -335,7 +336,7 @@ std::uint64_t CudaBatch::state_hash(std::size_t scene) { return hash_of(step(sce
 const CudaDevice& CudaBatch::device() const { return work_->device(); }
 int CudaBatch::blocks() const { return work_->blocks(); }
 int CudaBatch::threads() const { return work_->threads(); }
-Launches CudaBatch::launches() const { return work_->launches(); }
+Route CudaBatch::route() const { return work_->route(); }
 double CudaBatch::device_time() const { return work_->device_time(); }
 double CudaBatch::barriers() const { return work_->barriers(); }
 

@@ -27,13 +27,14 @@ std::vector<CudaDevice> cuda_devices(std::string& reason);
 /// Most time steps of a scene in one launch.
 constexpr int most_launch_steps = 512;
 
-/// What one launch does.
-///   steps   many time steps of all scenes, by blocks that stay with them; for few scenes
-///   phases  one stage of a time step of all scenes; for many scenes, and for large independent ones
-///   chosen  whichever is faster
-/// A batch is moved by steps in any case if it has a coupled scene of more bodies than a cluster has threads, or if
-/// CudaOptions::blocks is given.
-enum class Launches { chosen, steps, phases };
+/// How scenes are advanced on the GPU.
+///   resident   one launch makes many time steps; its blocks stay with their scenes. For few scenes
+///   phases     one launch makes one stage of one time step of all scenes. For many scenes, and for large independent
+///              ones
+///   automatic  the faster of the two
+/// The resident route is always used for a batch that has a coupled scene of more bodies than a cluster has threads, or
+/// if CudaOptions::blocks is given.
+enum class Route { automatic, resident, phases };
 
 /// How the scenes of a batch are placed on the GPU. No option changes a result.
 struct CudaOptions {
@@ -43,7 +44,7 @@ struct CudaOptions {
   int ring_steps = most_launch_steps;  // most time steps of one launch
   int list_rows = 0;                   // entries of the list of near bodies at first; it grows on demand; 0: chosen
   bool samples = true;                 // record the platform in every time step
-  Launches launches = Launches::chosen;
+  Route route = Route::automatic;
 };
 
 /// A scene of a batch.
@@ -90,8 +91,8 @@ class CudaBatch {
   int blocks() const;
   /// Threads of a block in the last launch.
   int threads() const;
-  /// How most time steps of the last call were made: Launches::steps or Launches::phases.
-  Launches launches() const;
+  /// The route of most time steps of the last call: resident or phases.
+  Route route() const;
   /// Time that the GPU spent in kernels in the last advance [s].
   double device_time() const;
   /// Grid barriers that the first scene passed in a time step, mean since construction. Barriers within a block are not

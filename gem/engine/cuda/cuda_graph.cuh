@@ -34,7 +34,7 @@ class RecordedLaunches {
     cudaGraphDestroy(graph);
     check_cuda(made, "record launches");
   }
-  void start(cudaStream_t stream) const { check_cuda(cudaGraphLaunch(recorded_, stream), "start"); }
+  void start(cudaStream_t stream) const { check_cuda(cudaGraphLaunch(recorded_, stream), "start the work"); }
 
  private:
   void forget() {

@@ -29,18 +29,20 @@ class Timeline {
   Timeline& operator=(const Timeline&) = delete;
 
   cudaStream_t stream() const { return stream_; }
-  void begin() { check_cuda(cudaEventRecord(begin_, stream_), "be timed"); }
-  void end() { check_cuda(cudaEventRecord(end_, stream_), "be timed"); }
+  void begin() { check_cuda(cudaEventRecord(begin_, stream_), "record the time"); }
+  void end() { check_cuda(cudaEventRecord(end_, stream_), "record the time"); }
   /// Begins once `other` has begun.
   void begin_after(const Timeline& other) {
-    check_cuda(cudaStreamWaitEvent(stream_, other.begin_, 0), "start");
+    check_cuda(cudaStreamWaitEvent(stream_, other.begin_, 0), "start the work");
     begin();
   }
   /// Work that follows in this stream waits for the end of `other`.
-  void wait_for(const Timeline& other) const { check_cuda(cudaStreamWaitEvent(stream_, other.end_, 0), "start"); }
+  void wait_for(const Timeline& other) const {
+    check_cuda(cudaStreamWaitEvent(stream_, other.end_, 0), "start the work");
+  }
   double seconds() const {
     float milliseconds = 0.0F;
-    check_cuda(cudaEventElapsedTime(&milliseconds, begin_, end_), "be timed");
+    check_cuda(cudaEventElapsedTime(&milliseconds, begin_, end_), "record the time");
     return 1e-3 * static_cast<double>(milliseconds);
   }
 
@@ -57,9 +59,10 @@ class BlockTable {
     if (blocks != sent_) {
       sent_.clear();
       const std::size_t bytes = sizeof(SceneBlock) * blocks.size();
-      memory_.load(bytes);
-      check_cuda(cudaMemcpyAsync(memory_.data(), blocks.data(), bytes, cudaMemcpyHostToDevice, stream), "start");
-      check_cuda(cudaStreamSynchronize(stream), "start");
+      memory_.reserve(bytes);
+      check_cuda(cudaMemcpyAsync(memory_.data(), blocks.data(), bytes, cudaMemcpyHostToDevice, stream),
+                 "start the work");
+      check_cuda(cudaStreamSynchronize(stream), "start the work");
       sent_ = std::move(blocks);
     }
     return reinterpret_cast<const SceneBlock*>(memory_.data());
@@ -81,16 +84,16 @@ class ResidentLaunch {
   ResidentLaunch(int threads, int multiprocessors) : threads_(threads) {
     int device = 0, most = 0, together = 0;
     cudaFuncAttributes attributes{};
-    check_cuda(cudaGetDevice(&device), "be set up");
-    check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
-    check_cuda(cudaFuncGetAttributes(&attributes, advance_kernel()), "be set up");
+    check_cuda(cudaGetDevice(&device), "set up a kernel");
+    check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "set up a kernel");
+    check_cuda(cudaFuncGetAttributes(&attributes, advance_kernel()), "set up a kernel");
     shared_memory_ =
         std::min(most_shared_bytes, (static_cast<std::size_t>(most) - attributes.sharedSizeBytes) / 128 * 128);
     check_cuda(cudaFuncSetAttribute(advance_kernel(), cudaFuncAttributeMaxDynamicSharedMemorySize,
                                     static_cast<int>(shared_memory_)),
-               "be set up");
+               "set up a kernel");
     check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&together, advance_kernel(), threads_, shared_memory_),
-               "be set up");
+               "set up a kernel");
     blocks_ = together * multiprocessors;
   }
 
@@ -115,7 +118,7 @@ class ResidentLaunch {
     config.numAttrs = all.size() > blocks.size() ? 1 : 0;
     work.shared_bytes = shared_memory_;
     work.blocks = table_.send(std::move(all), stream);
-    check_cuda(cudaLaunchKernelEx(&config, advance_kernel(), work), "start");
+    check_cuda(cudaLaunchKernelEx(&config, advance_kernel(), work), "start the work");
   }
 
  private:

@@ -12,11 +12,11 @@
 
 namespace gem {
 
-/// Throws Error(device) if a CUDA call failed. `what` completes "the GPU failed to".
+/// Throws Error(device) if a CUDA call failed. `what` completes "the GPU call failed: cannot".
 inline void check_cuda(cudaError_t result, const char* what) {
   if (result == cudaSuccess) return;
   cudaGetLastError();  // clears the error for the next call
-  throw Error(ExitCode::device, std::string("the GPU failed to ") + what + " (" + cudaGetErrorString(result) +
+  throw Error(ExitCode::device, std::string("the GPU call failed: cannot ") + what + " (" + cudaGetErrorString(result) +
                                     ") see gem devices, or use --engine cpu");
 }
 
@@ -36,7 +36,7 @@ class DeviceMemory {
                                                 " more are needed, " + megabytes(free) + " of " + megabytes(total) +
                                                 " are free) use fewer scenes or floes, or --engine cpu");
     }
-    check_cuda(result, "give memory");
+    check_cuda(result, "allocate memory");
   }
   ~DeviceMemory() { cudaFree(data_); }
   DeviceMemory(DeviceMemory&& other) noexcept
@@ -48,8 +48,8 @@ class DeviceMemory {
   }
   std::byte* data() const { return static_cast<std::byte*>(data_); }
   std::size_t bytes() const { return bytes_; }
-  /// Ensures a size of at least `bytes`. The contents are lost if it grows.
-  void load(std::size_t bytes) {
+  /// Grows the memory to at least `bytes`. Growing discards the contents.
+  void reserve(std::size_t bytes) {
     if (bytes_ >= bytes) return;
     *this = DeviceMemory();  // free the old memory first
     *this = DeviceMemory(bytes);
@@ -65,7 +65,7 @@ class PinnedMemory {
  public:
   PinnedMemory() = default;
   explicit PinnedMemory(std::size_t bytes) : bytes_(bytes) {
-    check_cuda(cudaMallocHost(&data_, bytes), "give memory for transfers");
+    check_cuda(cudaMallocHost(&data_, bytes), "allocate pinned memory");
   }
   ~PinnedMemory() { cudaFreeHost(data_); }
   PinnedMemory(PinnedMemory&& other) noexcept

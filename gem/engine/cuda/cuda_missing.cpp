@@ -35,7 +35,7 @@ std::uint64_t CudaBatch::state_hash(std::size_t) { return 0; }
 const CudaDevice& CudaBatch::device() const { throw Error(ExitCode::device, missing); }
 int CudaBatch::blocks() const { return 0; }
 int CudaBatch::threads() const { return 0; }
-Launches CudaBatch::launches() const { return Launches::chosen; }
+Route CudaBatch::route() const { return Route::automatic; }
 double CudaBatch::device_time() const { return 0.0; }
 double CudaBatch::barriers() const { return 0.0; }
 

@@ -1,4 +1,4 @@
-// The launches of a call by phases, spread over streams.
+// The launches of a call on the phases route, spread over streams.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class PhaseStreams {
   explicit PhaseStreams(int multiprocessors) : multiprocessors_(multiprocessors) {}
 
   /// Whether the device can run the clusters that iterate coupled scenes.
-  bool can_solve() { return largest_cluster_here() > 0; }
+  bool can_solve() { return device_largest_cluster() > 0; }
 
   /// Starts a call between the beginning and the end of `call`. `work` says where the scenes are. Scenes of one solver
   /// stand together; among them, those with a similar number of time steps.
@@ -111,18 +111,18 @@ class PhaseStreams {
   /// The smallest power of two above `blocks`, at most the largest cluster. The largest cluster if `blocks` is 0:
   /// nothing is known yet.
   int worthwhile_blocks(double blocks) {
-    int some = largest_cluster_here();
+    int some = device_largest_cluster();
     while (blocks > 0.0 && some > 1 && 2.0 * blocks < some) some /= 2;
     return some;
   }
 
-  int largest_cluster_here() {
+  int device_largest_cluster() {
     if (largest_cluster_ < 0) largest_cluster_ = largest_solver();
     return largest_cluster_;
   }
 
   int multiprocessors_;
-  int largest_cluster_ = -1;  // set when coupled scenes first go by phases
+  int largest_cluster_ = -1;  // set when coupled scenes first take the phases route
   std::vector<std::unique_ptr<PhaseStream>> stream_;
 };
 

@@ -1,4 +1,4 @@
-// The launches of some scenes by phases, in a stream of their own.
+// The launches of a group of scenes on the phases route, in a stream of their own.
 #pragma once
 
 #include <algorithm>
@@ -48,18 +48,18 @@ constexpr std::size_t shared_bytes_of_solver(Stage stage) { return stage == Stag
 /// kernels that clusters need.
 int largest_solver() {
   int device = 0, most = 0, blocks = largest_cluster;
-  check_cuda(cudaGetDevice(&device), "be set up");
-  check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "be set up");
+  check_cuda(cudaGetDevice(&device), "set up a kernel");
+  check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "set up a kernel");
   for (const Stage stage : {Stage::gather, Stage::iterate, Stage::settle}) {
     const PhaseKernel kernel = stage_kernel(stage, ContactSolver::coupled);
     const std::size_t shared_memory = shared_bytes_of_solver(stage);
     cudaFuncAttributes attributes{};
-    check_cuda(cudaFuncGetAttributes(&attributes, kernel), "be set up");
+    check_cuda(cudaFuncGetAttributes(&attributes, kernel), "set up a kernel");
     if (shared_memory + attributes.sharedSizeBytes > static_cast<std::size_t>(most)) return 0;
     check_cuda(
         cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(shared_memory)),
-        "be set up");
-    check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "be set up");
+        "set up a kernel");
+    check_cuda(cudaFuncSetAttribute(kernel, cudaFuncAttributeNonPortableClusterSizeAllowed, 1), "set up a kernel");
     for (int clusters = 0; blocks > 0; blocks /= 2) {
       const SolverConfig config(1, blocks, shared_memory, nullptr);
       if (cudaOccupancyMaxActiveClusters(&clusters, kernel, &config.config) == cudaSuccess && clusters > 0) break;
@@ -69,9 +69,9 @@ int largest_solver() {
   return blocks;
 }
 
-/// Some scenes that go through the phases together in one stream. Other streams run beside it: while one waits, another
-/// works. All streams have the same priority. Blocks that build a list stay on the device while they wait for each
-/// other; blocks of a stream with priority could take the places that the others need.
+/// A group of scenes that share one stream. While one stream waits, another one works. All streams have the same
+/// priority: blocks that build a list spin at a grid barrier, and higher-priority blocks could keep the missing blocks
+/// of that barrier off the device.
 class PhaseStream {
  public:
   explicit PhaseStream(int multiprocessors) : multiprocessors_(multiprocessors) {}
@@ -91,14 +91,14 @@ class PhaseStream {
     work_ = work;
     work_.scene_count = static_cast<int>(scenes.size());
     solver_ = scenes.front().solver;
-    list_grid_ = std::max(1, list_blocks_together() / streams);
+    list_blocks_ = std::max(1, list_blocks_together() / streams);
     std::vector<SceneBlock> block;
     add_blocks(block, scenes, 1);
-    all_ = static_cast<int>(block.size());
-    add_blocks(block, scenes, std::max(1, all_ * streams / (pairs_blocks * multiprocessors_)));
-    some_ = static_cast<int>(block.size()) - all_;
+    body_blocks_ = static_cast<int>(block.size());
+    add_blocks(block, scenes, std::max(1, body_blocks_ * streams / (pairs_blocks * multiprocessors_)));
+    pair_blocks_ = static_cast<int>(block.size()) - body_blocks_;
     work_.blocks = table_.send(std::move(block), time_.stream());
-    queue_memory_.load(sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size());
+    queue_memory_.reserve(sizeof(ListQueue) + sizeof(std::int32_t) * scenes.size());
     work_.queue = reinterpret_cast<ListQueue*>(queue_memory_.data());
     std::int32_t steps = 0;
     for (const PhaseScene& scene : scenes) steps = std::max(steps, scene.steps);
@@ -130,13 +130,13 @@ class PhaseStream {
   struct Recorded {
     PhaseLaunch work{};
     ContactSolver solver = ContactSolver::independent;
-    int all = 0, some = 0, list_grid = 0;
+    int body_blocks = 0, pair_blocks = 0, list_blocks = 0;
     std::int32_t steps = 0;
     bool operator==(const Recorded&) const = default;
   };
 
   void record(std::int32_t steps) {
-    const Recorded wanted{work_, solver_, all_, some_, list_grid_, steps};
+    const Recorded wanted{work_, solver_, body_blocks_, pair_blocks_, list_blocks_, steps};
     if (wanted == recorded_) return;
     recorded_ = {};
     steps_.record(time_.stream(), [&] {
@@ -152,12 +152,12 @@ class PhaseStream {
       return;
     }
     PhaseLaunch work = work_;
-    int grid = all_, block = phase_threads;
+    int grid = body_blocks_, block = phase_threads;
     if (stage == Stage::open_call || stage == Stage::plan) grid = 1, block = plan_threads;
-    if (stage == Stage::list) grid = list_grid_;
+    if (stage == Stage::list) grid = list_blocks_;
     if (stage == Stage::candidates || stage == Stage::narrow_phase || stage == Stage::contact_events) {
-      grid = some_;
-      work.blocks += all_;
+      grid = pair_blocks_;
+      work.blocks += body_blocks_;
     }
     if (stage == Stage::candidates) work.shared_bytes = candidate_shared_bytes;
     if (stage == Stage::narrow_phase) work.shared_bytes = phase_threads / phase_lanes * sizeof(WorkspaceOutlines);
@@ -167,21 +167,21 @@ class PhaseStream {
     config.blockDim = dim3(static_cast<unsigned>(block));
     config.dynamicSmemBytes = work.shared_bytes;
     config.stream = time_.stream();
-    check_cuda(cudaLaunchKernelEx(&config, kernel_of_stage(stage), work), "start");
+    check_cuda(cudaLaunchKernelEx(&config, kernel_of_stage(stage), work), "start the work");
   }
 
   void launch_solver(Stage stage) {
     PhaseLaunch work = work_;
     work.shared_bytes = solve_shared_bytes;
     const SolverConfig solver(work.scene_count, work.solve_blocks, shared_bytes_of_solver(stage), time_.stream());
-    check_cuda(cudaLaunchKernelEx(&solver.config, kernel_of_stage(stage), work), "start");
+    check_cuda(cudaLaunchKernelEx(&solver.config, kernel_of_stage(stage), work), "start the work");
   }
 
   /// Blocks that build lists, of all streams. They meet at barriers, so all have to be on the device at a time.
   int list_blocks_together() const {
     int together = 0;
     check_cuda(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&together, kernel_of_stage(Stage::list), phase_threads, 0),
-               "be set up");
+               "set up a kernel");
     return std::min(list_blocks, together) * multiprocessors_;
   }
 
@@ -194,7 +194,7 @@ class PhaseStream {
 
   ContactSolver solver_ = ContactSolver::independent;
   int multiprocessors_;
-  int all_ = 0, some_ = 0, list_grid_ = 1;  // blocks that move bodies, that work on pairs, that build lists
+  int body_blocks_ = 0, pair_blocks_ = 0, list_blocks_ = 1;
   PhaseLaunch work_{};
   Timeline time_;
   RecordedLaunches steps_;

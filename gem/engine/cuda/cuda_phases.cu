@@ -184,8 +184,13 @@ __global__ void __launch_bounds__(plan_threads) phase_of_scenes(const PhaseLaunc
 
 template <Stage stage, int blocks>
 PhaseKernel by_solver(ContactSolver solver) {
-  return solver == ContactSolver::coupled ? phase_of_all<stage, blocks, ContactSolver::coupled>
-                                          : phase_of_all<stage, blocks, ContactSolver::independent>;
+  switch (solver) {  // others are refused by check_solver()
+    case ContactSolver::coupled:
+      return phase_of_all<stage, blocks, ContactSolver::coupled>;
+    case ContactSolver::independent:
+      return phase_of_all<stage, blocks, ContactSolver::independent>;
+  }
+  return nullptr;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class Recorders {
   /// Calls append(scene) for each of some scenes, by several threads if there are many.
   template <class Append>
   void record(const std::vector<std::size_t>& scenes, Append&& append) {
-    if (scenes.size() < 2 * scenes_worth_a_thread || !gather()) {
+    if (scenes.size() < 2 * scenes_worth_a_thread || !start_threads()) {
       for (const std::size_t k : scenes) append(k);
       return;
     }
@@ -38,7 +38,7 @@ class Recorders {
 
   /// Starts the threads if there are none. Returns whether there are some: if the system gives none, the caller does
   /// the work.
-  bool gather() {
+  bool start_threads() {
     if (team_ || threads_ < 2) return team_ != nullptr;
     try {
       team_ = std::make_unique<ThreadTeam>(static_cast<int>(threads_));

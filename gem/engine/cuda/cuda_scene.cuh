@@ -19,6 +19,7 @@ class CudaScene {
  public:
   /// `status`: where the scene's status stands on the device. `blocks`: the most blocks that ever work on the scene.
   CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status) : status_(status) {
+    check_solver(scene.scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cuda");
     const StepConstants constants = step_constants(scene.scene, scene.bodies);
     field_ = make_field_state(std::move(scene.bodies), constants);
     ledger_.start = total(field_);
@@ -52,7 +53,7 @@ class CudaScene {
   void note(const DeviceStatus& status) {
     step_ = status.step;
     carried_ = status.carried;
-    state_here_ = books_here_ = false;
+    host_state_valid_ = host_books_valid_ = false;
   }
 
   /// Begins to fetch the rings of the last call, which `blocks` blocks made.
@@ -67,7 +68,7 @@ class CudaScene {
   void append(const DeviceStatus& status, int blocks, StepLog& log) const {
     if (status.samples == 0) return;
     DeviceScene rings;
-    place_rings(rings, sizes_, ring_here_.data());
+    place_rings(rings, sizes_, host_ring_.data());
     append_log(field_, rings, status, blocks, log);
   }
 
@@ -82,26 +83,26 @@ class CudaScene {
   }
 
   const Bodies& bodies() {
-    if (!state_here_) {
+    if (!host_state_valid_) {
       check_cuda(cudaMemcpy(state_copy_.data(), device_.state, sizeof(BodyState) * field_.bodies.count(),
                             cudaMemcpyDeviceToHost),
                  "fetch the state");
       read_state(reinterpret_cast<const BodyState*>(state_copy_.data()), field_);
-      state_here_ = true;
+      host_state_valid_ = true;
     }
     return field_.bodies;
   }
 
   Ledger ledger() {
     bodies();
-    if (!books_here_) {
+    if (!host_books_valid_) {
       PlatformCell platform;
       check_cuda(cudaMemcpy(field_.books.data(), device_.books, sizeof(Quantity) * field_.books.size(),
                             cudaMemcpyDeviceToHost),
                  "fetch the books");
       check_cuda(cudaMemcpy(&platform, device_.platform, sizeof platform, cudaMemcpyDeviceToHost), "fetch the books");
       field_.mooring_force = platform.mooring_force;
-      books_here_ = true;
+      host_books_valid_ = true;
     }
     return closed_books(field_, ledger_);
   }
@@ -134,7 +135,7 @@ class CudaScene {
     const auto* const from = static_cast<const std::byte*>(begin);
     const std::size_t at = from - ring_memory_.data(), bytes = static_cast<const std::byte*>(end) - from;
     if (bytes == 0) return;
-    check_cuda(cudaMemcpyAsync(ring_here_.data() + at, from, bytes, cudaMemcpyDeviceToHost, stream),
+    check_cuda(cudaMemcpyAsync(host_ring_.data() + at, from, bytes, cudaMemcpyDeviceToHost, stream),
                "fetch the record");
   }
 
@@ -146,12 +147,13 @@ class CudaScene {
     write_field(field_, step_, here);
     status = *here.status;
     status.carried = carried_;
-    check_cuda(cudaMemcpy(field_memory_.data(), image.data(), image.size(), cudaMemcpyHostToDevice), "take the field");
-    check_cuda(cudaMemcpy(status_, &status, sizeof status, cudaMemcpyHostToDevice), "take the field");
+    check_cuda(cudaMemcpy(field_memory_.data(), image.data(), image.size(), cudaMemcpyHostToDevice),
+               "upload the field");
+    check_cuda(cudaMemcpy(status_, &status, sizeof status, cudaMemcpyHostToDevice), "upload the field");
     forget_list();
-    settle();
+    wait_for_copies();
     if (state_copy_.bytes() == 0) state_copy_ = PinnedMemory(sizeof(BodyState) * field_.bodies.count());
-    fresh_ = state_here_ = books_here_ = true;
+    fresh_ = host_state_valid_ = host_books_valid_ = true;
   }
 
   /// The impulses of the last time step's points; a coupled scene keeps them on the device.
@@ -167,8 +169,8 @@ class CudaScene {
     if (!sizes_.coupled || memory.empty()) return;
     check_cuda(
         cudaMemcpy(device_.carried, memory.data(), sizeof(CarriedMemory) * memory.size(), cudaMemcpyHostToDevice),
-        "take the impulses");
-    settle();
+        "upload the impulses");
+    wait_for_copies();
   }
 
   /// Resets stamps and counters: no stamp of an earlier list may equal that of a later time step.
@@ -187,7 +189,7 @@ class CudaScene {
     // read whole, even a second point that the contact lacks; `work` is read even beside stamps that mark it stale
     check_cuda(cudaMemset(device_.entry, 0, sizeof(RowEntry) * sizes_.rows), "clear the list");
     check_cuda(cudaMemset(device_.work, 0, sizeof(RowWork) * sizes_.rows), "clear the list");
-    check_cuda(cudaMemset(device_.row_event, 0, sizeof(EventRecord) * sizes_.platform_rows), "clear the list");
+    check_cuda(cudaMemset(device_.row_event, 0, sizeof(PlatformEventRecord) * sizes_.platform_rows), "clear the list");
     if (sizes_.coupled) {
       check_cuda(cudaMemset(device_.row_points, 0, sizeof(RowPoints) * sizes_.rows), "clear the list");
       check_cuda(cudaMemset(device_.progress, 0, sizeof(RoundsMade)), "clear the list");  // padding, as with pairs
@@ -199,15 +201,15 @@ class CudaScene {
       ring_memory_ = DeviceMemory(bytes);
       // fetched whole, even the parts that a call left empty
       check_cuda(cudaMemset(ring_memory_.data(), 0, bytes), "clear the record");
-      ring_here_ = PinnedMemory(bytes);
+      host_ring_ = PinnedMemory(bytes);
     }
     place_rings(device_, sizes_, ring_memory_.data());
     forget_list();
-    settle();
+    wait_for_copies();
   }
 
   /// Waits until all copies have arrived: the kernels run in another stream.
-  static void settle() { check_cuda(cudaDeviceSynchronize(), "take the field"); }
+  static void wait_for_copies() { check_cuda(cudaDeviceSynchronize(), "finish the copies"); }
 
   FieldState field_;
   Ledger ledger_;  // start values and scales
@@ -217,9 +219,9 @@ class CudaScene {
   DeviceStatus* status_;
   std::int32_t carried_ = 0;  // contacts in device_.carried
   DeviceMemory field_memory_, list_memory_, ring_memory_;
-  PinnedMemory ring_here_, state_copy_;
+  PinnedMemory host_ring_, state_copy_;
   bool fresh_ = true;  // not yet moved on from the state that was given
-  bool state_here_ = true, books_here_ = true;
+  bool host_state_valid_ = true, host_books_valid_ = true;
 };
 
 }  // namespace gem

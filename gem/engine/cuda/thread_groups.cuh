@@ -152,17 +152,18 @@ class GridGroup : public DeviceGroup {
   /// A barrier in two halves. Between them a block works without waiting for others. What it does there is visible to
   /// itself after the second half, but to no other block. The barrier also finds the largest residual of all blocks;
   /// one thread of each block passes it on.
-  __device__ void arrive_asking(std::uint32_t* asked) {
+  __device__ void arrive_with_residual(std::uint32_t* residual_bits) {
     __syncthreads();
     if (threadIdx.x == 0) {
-      highest(asked, shared_memory_.shared.asked);
-      shared_memory_.shared.asked = 0;
+      highest(residual_bits, shared_memory_.shared.block_residual);
+      shared_memory_.shared.block_residual = 0;
     }
     count_arrival();
   }
-  __device__ void wait_for_asked(const std::uint32_t* asked) {
+  __device__ void wait_for_residual(const std::uint32_t* residual_bits) {
     wait_at_grid_barrier();
-    if (threadIdx.x == 0) shared_memory_.shared.asked_by_all = *static_cast<const volatile std::uint32_t*>(asked);
+    if (threadIdx.x == 0)
+      shared_memory_.shared.grid_residual = *static_cast<const volatile std::uint32_t*>(residual_bits);
     __syncthreads();
   }
 

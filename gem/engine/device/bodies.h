@@ -1,8 +1,8 @@
-// The bodies phase of a time step. Each body adds up its contacts, moves, and takes the solo events of the next time
+// The body stages of a time step. Each body adds up its contacts, moves, and takes the solo events of the next time
 // step.
 #pragma once
 
-#include "gem/engine/device/gather.h"
+#include "gem/engine/device/row_sums.h"
 #include "gem/engine/step/body_repair.h"
 
 namespace gem {
@@ -61,9 +61,9 @@ GEM_DEVICE inline void turn_outline(const DeviceScene& s, std::int32_t begin, in
 /// list was built [s].
 GEM_DEVICE inline bool left_trajectory(const DeviceScene& s, const Mover& mover, double radius,
                                        const BodyMotion& motion, double elapsed) {
-  const Vec2 off = mover.position - motion.trajectory_position - elapsed * motion.trajectory_velocity;
-  const double left = 0.5 * s.constants.list_margin - radius * (mover.turn_travel - motion.trajectory_turned);
-  return !(left > 0.0 && dot(off, off) < left * left);
+  const Vec2 offset = mover.position - motion.trajectory_position - elapsed * motion.trajectory_velocity;
+  const double allowed_offset = 0.5 * s.constants.list_margin - radius * (mover.turn_travel - motion.trajectory_turned);
+  return !(allowed_offset > 0.0 && dot(offset, offset) < allowed_offset * allowed_offset);
 }
 
 /// The solo events of the next time step on a floe that moves as `after` says.
@@ -117,7 +117,7 @@ GEM_DEVICE inline bool is_finite(const Mover& mover, Vec2 velocity, double spin)
                    mover.rotation.sine);
 }
 
-/// The bodies phase of one floe or fixed body.
+/// The body stages of one floe or fixed body.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void move_body(const DeviceScene& s, Group& group, const Workspace& workspace, std::int32_t i,
                                  const StepIndex& step) {
@@ -128,7 +128,7 @@ GEM_DEVICE inline void move_body(const DeviceScene& s, Group& group, const Works
   Mover mover = mover_of(cell);
   BodyAfter after{mover.velocity, mover.spin};
   BodyRepair repair;
-  bool struck = gather<solver>(s, i, cell, motion, step.step, after);
+  bool struck = add_row<solver>(s, i, cell, motion, step.step, after);
   if (cell.kind != BodyKind::floe || !cell.active) return;
   if constexpr (solver == ContactSolver::coupled) {
     struck = load_solved(s, i, step.step, after, repair);
@@ -150,7 +150,7 @@ GEM_DEVICE inline void move_body(const DeviceScene& s, Group& group, const Works
   }
   write_mover(cell, mover);
   if (retires) s.body[i].active = cell.active = 0;
-  if (workspace.shows) write_mover(s.body[i], mover);
+  if (workspace.writes_through) write_mover(s.body[i], mover);
   s.after[i].velocity = after.velocity;
   s.after[i].spin = after.spin;
   Quantity& book = s.book(Channel::drag, i);

@@ -47,8 +47,8 @@ struct BodyAfter {
 
 /// The state of the platform between the two halves of its time step.
 struct PlatformCell {
-  Vec2 moved;     // position after the first half [m]
-  Vec2 velocity;  // after the last half that was made [m/s]
+  Vec2 mid_position;  // after the first half [m]
+  Vec2 velocity;      // after the last half that was made [m/s]
   Quantity mooring_force;
   Vec2 mooring_before, drag_before;  // impulses summed since the start of the run, at the start of the time step [N s]
   std::int32_t row_begin = 0;        // copy of BodyMotion::row_begin
@@ -129,10 +129,10 @@ struct ListCounters {
   std::int32_t floes, rows, pairs, placed;
   std::int32_t complete;                    // 1: the list is complete
   std::int32_t points, taken_points;        // coupled: of this time step; taken: assigned to a block
-  std::int32_t candidates, touching_count;  // of this time step; only by phases
-  std::int32_t arrived;                     // blocks that have moved their bodies; only by phases
-  std::uint32_t asked[3];                   // coupled: bits of the residual; three judged iterations use them in turn
-  std::uint32_t crowded;                    // coupled: 1: the halo of a block does not fit in shared memory
+  std::int32_t candidates, touching_count;  // of this time step; only on the phases route
+  std::int32_t arrived;                     // blocks that have moved their bodies; only on the phases route
+  std::uint32_t residual_bits[3];           // coupled: bits of the residual; three judged iterations use them in turn
+  std::uint32_t halo_overflow;              // coupled: 1: the halo of a block does not fit in shared memory
 };
 
 /// What one contact point does to the platform, to be added in order.
@@ -141,7 +141,7 @@ struct PlatformTerm {
 };
 
 /// An event of the platform, with all data of its record.
-struct EventRecord {
+struct PlatformEventRecord {
   std::int64_t step = 0;
   Contact contact;
   Vec2 position_b, platform_position;

@@ -7,11 +7,11 @@
 namespace gem {
 
 /// Maps a number to an integer above 0 with the same order. Integer maxima do not depend on the order of threads.
-GEM_DEVICE inline std::uint64_t ordered(double x) {
+GEM_DEVICE inline std::uint64_t to_ordered_key(double x) {
   const std::uint64_t bits = strict::bits_of(x);
   return bits >> 63 ? ~bits : bits | 0x8000000000000000U;
 }
-GEM_DEVICE inline double unordered(std::uint64_t key) {
+GEM_DEVICE inline double from_ordered_key(std::uint64_t key) {
   return strict::double_of(key >> 63 ? key & 0x7fffffffffffffffU : ~key);
 }
 
@@ -23,7 +23,8 @@ struct ListGrid {
   double ahead = 0.0;  // time that the list has to last [s]
 };
 
-GEM_DEVICE inline bool is_large(const DeviceScene& s, std::int32_t i) { return i < s.large_bodies; }
+/// Whether body i is the platform or a fixed body. These come first, whatever their size.
+GEM_DEVICE inline bool is_non_floe(const DeviceScene& s, std::int32_t i) { return i < s.non_floes; }
 
 template <class Group>
 GEM_DEVICE inline std::int32_t rank_of(const Group& group) {
@@ -72,7 +73,7 @@ GEM_DEVICE inline void note_extremes(const DeviceScene& s, Group& group, Extreme
     for (int step = 1; step < Group::Warp::size; step *= 2)
       found.most[k] = larger(found.most[k], warp.partner(found.most[k], step));
   if (floes == 0 || warp.rank() != 0) return;
-  for (int k = 0; k < Extremes::count; ++k) group.highest(&s.counters->extreme[k], ordered(found.most[k]));
+  for (int k = 0; k < Extremes::count; ++k) group.highest(&s.counters->extreme[k], to_ordered_key(found.most[k]));
   group.add(&s.counters->floes, floes);
 }
 
@@ -91,29 +92,29 @@ GEM_DEVICE inline void note_trajectories(const DeviceScene& s, Group& group) {
     motion.trajectory_velocity = velocity;
     motion.trajectory_turned = cell.turn_travel;
     s.box[i] = box_of(s, cell);
-    if (!is_large(s, i) && cell.active) found.widen(cell.position, velocity, cell.radius);
+    if (!is_non_floe(s, i) && cell.active) found.widen(cell.position, velocity, cell.radius);
   }
   note_extremes(s, group, found);
-  for (std::int32_t w = first; w < s.large_bodies * bit_words(s); w += step) s.near_large[w] = 0;
+  for (std::int32_t w = first; w < s.non_floes * bit_words(s); w += step) s.near_non_floe[w] = 0;
   for (std::int32_t c = first; c < s.grid_capacity; c += step) s.grid_count[c] = 0;
   for (std::int32_t k = first; s.sorted_place && k < sort_bins; k += step) s.bin_count[k] = 0;
 }
 
 /// Index of the bin along the field that x falls in.
-GEM_DEVICE inline std::int32_t stretch_at(const DeviceScene& s, double x) {
+GEM_DEVICE inline std::int32_t bin_at(const DeviceScene& s, double x) {
   const ListCounters& all = *s.counters;
   if (all.floes == 0) return 0;
-  const double low = -unordered(all.extreme[0]), extent = unordered(all.extreme[2]) - low;
+  const double low = -from_ordered_key(all.extreme[0]), extent = from_ordered_key(all.extreme[2]) - low;
   const double at = sort_bins * ((x - low) / extent);
   return at > 0.0 ? at < sort_bins - 1 ? static_cast<std::int32_t>(at) : sort_bins - 1 : 0;
 }
 
 /// Computes where each bin begins. Work of the first warp.
 template <class Group>
-GEM_DEVICE inline void begin_stretches(const DeviceScene& s, Group& group) {
+GEM_DEVICE inline void begin_bins(const DeviceScene& s, Group& group) {
   if (!s.sorted_place || rank_of(group) >= Group::Warp::size) return;
   const auto warp = group.warp();
-  std::int32_t sum = s.large_bodies;
+  std::int32_t sum = s.non_floes;
   for (std::int32_t first = 0; first < sort_bins; first += Group::Warp::size) {
     const std::int32_t k = first + warp.rank();
     const int mine = s.bin_count[k];
@@ -122,14 +123,14 @@ GEM_DEVICE inline void begin_stretches(const DeviceScene& s, Group& group) {
   }
 }
 
-/// Puts a body in its place in the order along the field; large bodies come first.
+/// Puts a body in its place in the order along the field; non-floes come first.
 template <class Group>
 GEM_DEVICE inline void sort_body(const DeviceScene& s, Group& group, std::int32_t i) {
   if (!s.sorted_place) return;
   std::int32_t sorted_place = i;
-  if (!is_large(s, i)) {
-    const std::int32_t stretch = stretch_at(s, s.body[i].position.x);
-    sorted_place = s.bin_begin[stretch] + group.add(&s.bin_count[stretch], -1) - 1;
+  if (!is_non_floe(s, i)) {
+    const std::int32_t bin = bin_at(s, s.body[i].position.x);
+    sorted_place = s.bin_begin[bin] + group.add(&s.bin_count[bin], -1) - 1;
   }
   s.sorted_place[i] = sorted_place;
   s.body_at[sorted_place] = i;
@@ -142,7 +143,7 @@ GEM_DEVICE inline ListGrid list_grid(const DeviceScene& s, double ahead) {
   ListGrid grid;
   grid.ahead = ahead;
   if (all.floes == 0) return grid;
-  const auto extreme = [&](int k) { return unordered(all.extreme[k]); };
+  const auto extreme = [&](int k) { return from_ordered_key(all.extreme[k]); };
   const Vec2 low{-extreme(0), -extreme(1)}, extent = Vec2{extreme(2), extreme(3)} - low;
   const Vec2 speeds{extreme(6) + extreme(4), extreme(7) + extreme(5)};
   grid.low = low;
@@ -161,7 +162,8 @@ GEM_DEVICE inline Vec2 list_drift(const DeviceScene& s) {
   const ListCounters& all = *s.counters;
   if (all.floes == 0) return {};
   const auto middle = [&](int lowest, int highest) {
-    return 0.5 * (smaller(-unordered(all.extreme[lowest]), 0.0) + larger(unordered(all.extreme[highest]), 0.0));
+    return 0.5 *
+           (smaller(-from_ordered_key(all.extreme[lowest]), 0.0) + larger(from_ordered_key(all.extreme[highest]), 0.0));
   };
   return {middle(4, 6), middle(5, 7)};
 }
@@ -198,14 +200,14 @@ GEM_DEVICE inline void begin_cells(const DeviceScene& s, Group& group, const Lis
 template <class Group>
 GEM_DEVICE inline void count_floes(const DeviceScene& s, Group& group, const ListGrid& grid) {
   const std::int32_t step = size_of(group);
-  for (std::int32_t i = s.large_bodies + rank_of(group); i < s.bodies; i += step) {
+  for (std::int32_t i = s.non_floes + rank_of(group); i < s.bodies; i += step) {
     const BodyCell& cell = s.body[i];
     const Vec2 p = cell.position - grid.low;
     const std::int32_t at = cell.active ? cell_at(grid, static_cast<std::int32_t>(p.y / grid.cell),
                                                   static_cast<std::int32_t>(p.x / grid.cell))
                                         : -1;
     s.grid_cell[i] = at;
-    if (s.sorted_place) group.add(&s.bin_count[stretch_at(s, cell.position.x)], 1);
+    if (s.sorted_place) group.add(&s.bin_count[bin_at(s, cell.position.x)], 1);
     if (at >= 0) group.add(&s.grid_count[at], 1);
   }
 }
@@ -215,7 +217,7 @@ template <class Group>
 GEM_DEVICE inline void place_floes(const DeviceScene& s, Group& group) {
   const std::int32_t first = rank_of(group), step = size_of(group);
   for (std::int32_t i = first; i < s.bodies; i += step) sort_body(s, group, i);
-  for (std::int32_t i = s.large_bodies + first; i < s.bodies; i += step) {
+  for (std::int32_t i = s.non_floes + first; i < s.bodies; i += step) {
     const std::int32_t at = s.grid_cell[i];
     if (at < 0) continue;
     GridFloe& floe = s.grid_floe[s.grid_begin[at] + group.add(&s.grid_count[at], -1) - 1];
@@ -233,7 +235,7 @@ GEM_DEVICE inline bool near(const DeviceScene& s, double ahead, const ListBox& a
          b.low.y < a.high.y + reach;
 }
 
-/// Calls visit(j, is_near) for the large bodies below i, and then, in no order, for the floes around body i. The lanes
+/// Calls visit(j, is_near) for the non-floes below i, and then, in no order, for the floes around body i. The lanes
 /// of a group share the calls. All lanes make the same number of calls; is_near is false where a lane has no body left.
 template <class Lanes, class Visit>
 GEM_DEVICE inline void each_near(const DeviceScene& s, const Lanes& lanes, const ListGrid& grid, std::int32_t i,
@@ -242,13 +244,14 @@ GEM_DEVICE inline void each_near(const DeviceScene& s, const Lanes& lanes, const
   if (!cell.active) return;
   const ListBox box = s.box[i];
   const Vec2 velocity = s.motion[i].trajectory_velocity;
-  const std::int32_t lower_large = is_large(s, i) ? i : s.large_bodies;
-  for (std::int32_t first = 0; first < lower_large; first += Lanes::size) {
+  const std::int32_t lower_non_floes = is_non_floe(s, i) ? i : s.non_floes;
+  for (std::int32_t first = 0; first < lower_non_floes; first += Lanes::size) {
     const std::int32_t j = first + lanes.rank();
-    const bool meets = j < lower_large && s.body[j].active && (cell.inverse_mass > 0.0 || s.body[j].inverse_mass > 0.0);
+    const bool meets =
+        j < lower_non_floes && s.body[j].active && (cell.inverse_mass > 0.0 || s.body[j].inverse_mass > 0.0);
     visit(j, meets && near(s, grid.ahead, s.box[j], s.motion[j].trajectory_velocity, box, velocity));
   }
-  if (is_large(s, i)) return;
+  if (is_non_floe(s, i)) return;
   const std::int32_t row = s.grid_cell[i] / (grid.columns + 1), column = s.grid_cell[i] % (grid.columns + 1);
   for (std::int32_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < grid.rows; ++r) {
     const std::int32_t begin = s.grid_begin[cell_at(grid, r, column > 0 ? column - 1 : 0)],

@@ -7,8 +7,9 @@
 //   2. count the floes of each cell of a grid
 //   3. give each row of cells a range of the array of floes
 //   4. put the floes in the range of their cell
-//   5. find the lower large bodies near each body and, for a floe, the floes in three ranges of cells; write its row
-//   6. write the row of each large body, with the higher bodies near it
+//   5. find the lower non-floes (platform, fixed bodies) near each body and, for a floe, the floes in three ranges of
+//   cells; write its row
+//   6. write the row of each non-floe, with the higher bodies near it
 //   7. make a pair for each near body with a higher id; it keeps its narrow-phase result if it was in the last list
 #pragma once
 
@@ -65,11 +66,11 @@ GEM_DEVICE inline void find_near(const DeviceScene& s, Group& group, const ListG
       const unsigned found = lanes.ballot(is_near), below = lanes.ballot(is_near && j < i);
       const std::int32_t at = count + lanes.count_below(found);
       if (is_near && at < kept_near) kept[at] = j;
-      if (is_near && is_large(s, j)) group.set_bit(&s.near_large[j * bit_words(s) + i / 32], 1U << (i % 32));
+      if (is_near && is_non_floe(s, j)) group.set_bit(&s.near_non_floe[j * bit_words(s) + i / 32], 1U << (i % 32));
       count += lanes.count(found);
       lower += lanes.count(below);
     });
-    if (is_large(s, i)) {
+    if (is_non_floe(s, i)) {
       if (lanes.rank() == 0) s.motion[i].lower_count = count;  // step 6 takes the row
       continue;
     }
@@ -94,14 +95,13 @@ GEM_DEVICE inline void find_near(const DeviceScene& s, Group& group, const ListG
   }
 }
 
-/// Step 6: a warp for each large body, a word of 32 bodies for each lane.
+/// Step 6: a warp for each non-floe, a word of 32 bodies for each lane.
 template <class Group>
-GEM_DEVICE inline void rows_of_large_bodies(const DeviceScene& s, Group& group) {
+GEM_DEVICE inline void rows_of_non_floes(const DeviceScene& s, Group& group) {
   const auto warp = group.warp();
   const std::int32_t words = bit_words(s);
-  for (std::int32_t i = rank_of(group) / Group::Warp::size; i < s.large_bodies;
-       i += size_of(group) / Group::Warp::size) {
-    const std::uint32_t* bits = s.near_large + i * words;
+  for (std::int32_t i = rank_of(group) / Group::Warp::size; i < s.non_floes; i += size_of(group) / Group::Warp::size) {
+    const std::uint32_t* bits = s.near_non_floe + i * words;
     const std::int32_t lower = s.motion[i].lower_count;
     std::int32_t count = 0;
     for (std::int32_t w = warp.rank(); w < words; w += Group::Warp::size) count += warp.count(bits[w]);
@@ -115,7 +115,7 @@ GEM_DEVICE inline void rows_of_large_bodies(const DeviceScene& s, Group& group) 
     std::int32_t* row = s.row_other + s.motion[i].row_begin;
     std::int32_t placed = 0;
     for (std::int32_t j = 0; j < i && warp.rank() == 0; ++j)
-      if (s.near_large[j * words + i / 32] >> (i % 32) & 1U) row[placed++] = j;
+      if (s.near_non_floe[j * words + i / 32] >> (i % 32) & 1U) row[placed++] = j;
     placed = lower;
     for (std::int32_t first = 0; first < words; first += Group::Warp::size) {
       const std::int32_t w = first + warp.rank();
@@ -196,12 +196,12 @@ GEM_DEVICE inline void make_pair(const DeviceScene& s, std::int32_t p, std::int3
   if (s.memory) s.memory[p].step = PairMemory::never;
 }
 
-/// Step 7: a group of lanes for each floe. All threads share the long rows of large bodies.
+/// Step 7: a group of lanes for each floe. All threads share the long rows of non-floes.
 template <class Group>
 GEM_DEVICE inline void make_pairs(const DeviceScene& s, Group& group) {
   const auto lanes = group.lanes();
   const std::int32_t lane_groups = size_of(group) / Group::Lanes::size;
-  for (std::int32_t i = s.large_bodies + rank_of(group) / Group::Lanes::size; i < s.bodies; i += lane_groups) {
+  for (std::int32_t i = s.non_floes + rank_of(group) / Group::Lanes::size; i < s.bodies; i += lane_groups) {
     const BodyMotion& motion = s.motion[i];
     const std::int32_t begin = motion.row_begin, lower = motion.lower_count, higher = motion.row_count - lower;
     if (higher == 0) continue;
@@ -209,7 +209,7 @@ GEM_DEVICE inline void make_pairs(const DeviceScene& s, Group& group) {
     p = lanes.from(p, 0);
     for (std::int32_t k = lanes.rank(); k < higher; k += Group::Lanes::size) make_pair(s, p + k, i, begin + lower + k);
   }
-  for (std::int32_t i = 0; i < s.large_bodies; ++i) {
+  for (std::int32_t i = 0; i < s.non_floes; ++i) {
     const BodyMotion& motion = s.motion[i];
     for (std::int32_t at = motion.lower_count + rank_of(group); at < motion.row_count; at += size_of(group))
       make_pair(s, group.add(&s.counters->pairs, 1), i, motion.row_begin + at);
@@ -234,13 +234,13 @@ GEM_DEVICE GEM_NOINLINE inline void build_list(const DeviceScene& s, Group& grou
   count_floes(s, group, grid);
   group.barrier();
   begin_cells(s, group, grid);
-  begin_stretches(s, group);
+  begin_bins(s, group);
   group.barrier();
   place_floes(s, group);
   group.barrier();
   find_near(s, group, grid);
   group.barrier();
-  rows_of_large_bodies(s, group);
+  rows_of_non_floes(s, group);
   group.barrier();
   if (one) s.status->rows_needed = s.counters->rows;
   if (group.alarms() & alarm_list_full) return;

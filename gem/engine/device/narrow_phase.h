@@ -25,9 +25,8 @@ GEM_DEVICE inline CandidateBody candidate_body(const BodyCell& cell) {
           cell.vertex_begin, cell.vertex_count, cell.active != 0};
 }
 
-/// Adds pair p to the candidates, at place(), unless its last narrow phase rules out that it touches now. Returns how
-/// far its bodies may still move against each other before the pair is a candidate again [m]; not above 0: it is one
-/// now.
+/// Adds pair p to the candidates, at place(), unless its last narrow phase rules out that it touches now. Returns the
+/// relative motion after which the pair becomes a candidate [m]; zero or less: it is a candidate now.
 template <class Place>
 GEM_DEVICE inline double choose_candidate(const DeviceScene& s, PairCell& pair, std::int32_t p, Place&& place) {
   const CandidateBody a = candidate_body(s.body[pair.a]), b = candidate_body(s.body[pair.b]);
@@ -190,7 +189,7 @@ GEM_DEVICE inline void narrow_phase_of(const DeviceScene& s, Group& group, PairC
   constexpr int of_warp = Group::Warp::size / Group::Lanes::size;
   const int lane_group = group.thread() / Group::Lanes::size;
   NarrowPhase<Group, Place&> narrow_phase(s, group, pair, outlines, items, place);
-  // a warp goes on as long as its first group has an item: all groups take part in its votes
+  // all lane groups of a warp take part in its ballots, so the warp loops while its first group has an item
   for (std::int32_t at = first; at - lane_group % of_warp < count; at += step)
     narrow_phase.check(at, count, lane_group);
 }

@@ -1,4 +1,4 @@
-// The pairs phase of a time step: choose the near pairs that may touch, find where they touch, resolve their events.
+// The pair stages of a time step: choose the near pairs that may touch, find where they touch, resolve their events.
 //
 //   1. each thread: can one pair touch, going by its last narrow phase?
 //   2. each group of lanes: turn the two outlines, follow the pair's axes, find the contact
@@ -109,7 +109,7 @@ GEM_DEVICE inline void open_touching(const DeviceScene& s, Group& group, const P
   Contact contact;
   open_contact(contact, pair.a, pair.b, touching.geometry, b.position - a.position);
   Vec2 shift;
-  if (pair.a == 0) shift = s.platform->moved - a.position;
+  if (pair.a == 0) shift = s.platform->mid_position - a.position;
   prepare(s.constants, pair_bodies(a, b), shift, contact);
   keep_open_contact(s.contact[touching.pair], contact);
   open_points(s, group, pair, touching, step);
@@ -127,7 +127,7 @@ GEM_DEVICE inline void resolve(const DeviceScene& s, Group& group, const PairCel
   open_contact(contact, pair.a, pair.b, touching.geometry, b.position - a.position);
   const PairBodies bodies = pair_bodies(a, b);
   Vec2 shift;
-  if (pair.a == 0) shift = s.platform->moved - a.position;
+  if (pair.a == 0) shift = s.platform->mid_position - a.position;
   prepare(s.constants, bodies, shift, contact);
   resolve_alone(s.constants, bodies.mass_a, bodies.mass_b, contact);
   keep_contact(s.contact[touching.pair], contact);
@@ -174,9 +174,9 @@ GEM_DEVICE inline void work_of_last_step(const DeviceScene& s, Group& group, con
   }
 }
 
-/// The pairs phase of one time step. A pass takes one pair for each thread of the block.
+/// The pair stages of one time step. A pass takes one pair for each thread of the block.
 template <ContactSolver solver, class Group>
-GEM_DEVICE inline void pairs_phase(const DeviceScene& s, Group& group, const Workspace& workspace, std::int32_t step) {
+GEM_DEVICE inline void pair_stages(const DeviceScene& s, Group& group, const Workspace& workspace, std::int32_t step) {
   BlockCell& shared = group.shared();
   const std::int32_t lane_groups = group.threads() / Group::Lanes::size;
   work_of_last_step(s, group, workspace, step);

@@ -33,7 +33,7 @@ namespace gem {
 /// Makes the solo events up to the first pair events of the call.
 template <class Group>
 GEM_DEVICE inline void begin_call(const DeviceScene& s, Group& group) {
-  if (!s.status->half_way) first_solo_events(s, group, share_bodies(s, group));
+  if (!s.status->solo_events_done) first_solo_events(s, group, share_bodies(s, group));
   for (std::int32_t k = rank_of(group); k < 2 * OverlapCount::classes; k += size_of(group)) s.overlap_count[k] = 0;
 }
 
@@ -58,7 +58,7 @@ GEM_DEVICE inline std::int32_t closing_stamp(const DeviceScene& s) {
 template <class Group>
 GEM_DEVICE inline void close_bodies(const DeviceScene& s, Group& group) {
   const std::int32_t stamp = closing_stamp(s);
-  for (std::int32_t i = rank_of(group); i < s.bodies; i += size_of(group)) gather_work(s, i, s.motion[i], stamp);
+  for (std::int32_t i = rank_of(group); i < s.bodies; i += size_of(group)) add_row_work(s, i, s.motion[i], stamp);
 }
 
 /// Builds a new list, by blocks that meet at barriers.
@@ -197,12 +197,12 @@ GEM_DEVICE inline Workspace bodies_workspace(const DeviceScene& s, Group& group)
   workspace.motion = reinterpret_cast<BodyMotion*>(shared_memory + cells) - workspace.bodies.begin;
   workspace.candidate = reinterpret_cast<CandidatePair*>(shared_memory + cells + motions);
   workspace.scratch_bytes = group.shared_bytes() - cells - motions;
-  workspace.shows = false;
+  workspace.writes_through = false;
   return workspace;
 }
 
 /// How far a body moved against the drift in this time step, plus how far its rim turned [m].
-GEM_DEVICE inline double way_of(const BodyCell& now, const BodyCell& before, Vec2 drift) {
+GEM_DEVICE inline double motion_of_rim(const BodyCell& now, const BodyCell& before, Vec2 drift) {
   return length(now.position - before.position - drift) + now.radius * (now.turn_travel - before.turn_travel);
 }
 
@@ -213,7 +213,7 @@ GEM_DEVICE inline void note_farthest(const DeviceScene& s, Group& group, const W
   const Vec2 drift = s.constants.dt * s.status->drift;
   double most = 0.0;
   for (std::int32_t i = workspace.bodies.begin + group.thread(); i < workspace.bodies.end; i += group.threads())
-    most = larger(most, way_of(workspace.body[i], s.body[i], drift));
+    most = larger(most, motion_of_rim(workspace.body[i], s.body[i], drift));
   for (int step = 1; step < Group::Warp::size; step *= 2) most = larger(most, warp.partner(most, step));
   if (warp.rank() == 0) group.highest(&s.status->farthest, strict::bits_of(most));
   group.block_barrier();

@@ -28,7 +28,7 @@ SceneDef scene_of(ContactSolver solver) {
 HostScene phase_scene(const SceneDef& scene, const Bodies& field, int blocks, int threads, std::int32_t rows = 0,
                       std::size_t solver_shared_memory = 1 << 20) {
   HostScene device(scene, field, blocks, threads, rows, bodies_shared_bytes);
-  device.by_phases(solver_shared_memory);
+  device.use_phases(solver_shared_memory);
   return device;
 }
 
@@ -108,9 +108,9 @@ TEST_P(DeviceStages, TakesTurnsWithWholeTimeSteps) {
     const auto builds = device.status().builds;
     const bool slept = call > 0 && device.asleep() > 0;
     if (phases)
-      device.by_phases();
+      device.use_phases();
     else
-      device.by_steps();
+      device.use_resident();
     device.advance(steps, log);
     if (!phases && slept && device.status().builds == builds) ++survived;
   }

@@ -66,7 +66,7 @@ GEM_DEVICE inline bool plan_step(const DeviceScene& s, std::uint32_t& alarms) {
   forget_counts(s);
   const bool last = status.samples == status.wanted;
   status.stop = stop_of(s, alarms, last);
-  status.half_way = !last;
+  status.solo_events_done = !last;
   const bool ends = last || status.stop != DeviceStop::done;
   ListLife list(status);
   const bool lists = !ends && list.is_over(status.step, alarms);

@@ -1,4 +1,4 @@
-// The platform's part of the bodies phase, by one warp. The lanes compute the terms of its contacts, which are then
+// The platform's part of the body stages, by one warp. The lanes compute the terms of its contacts, which are then
 // added in order.
 #pragma once
 
@@ -23,7 +23,7 @@ struct PlatformLoaded {
 GEM_DEVICE inline PlatformLoaded load_platform(const DeviceScene& s) {
   const PlatformCell& p = *s.platform;
   PlatformLoaded loaded;
-  loaded.cell.moved = p.moved;
+  loaded.cell.mid_position = p.mid_position;
   loaded.cell.velocity = p.velocity;
   loaded.cell.mooring_force = p.mooring_force;
   loaded.cell.mooring_before = p.mooring_before;
@@ -35,7 +35,7 @@ GEM_DEVICE inline PlatformLoaded load_platform(const DeviceScene& s) {
 
 GEM_DEVICE inline void store_platform(const DeviceScene& s, const PlatformLoaded& loaded) {
   PlatformCell& p = *s.platform;
-  p.moved = loaded.cell.moved;
+  p.mid_position = loaded.cell.mid_position;
   p.velocity = loaded.cell.velocity;
   p.mooring_force = loaded.cell.mooring_force;
   p.mooring_before = loaded.cell.mooring_before;
@@ -45,8 +45,12 @@ GEM_DEVICE inline void store_platform(const DeviceScene& s, const PlatformLoaded
 }
 
 GEM_DEVICE inline PlatformMotion platform_motion(double mass, PlatformLoaded& loaded) {
-  return {
-      mass, loaded.cell.moved, loaded.cell.velocity, loaded.drag_book, loaded.mooring_book, loaded.cell.mooring_force};
+  return {mass,
+          loaded.cell.mid_position,
+          loaded.cell.velocity,
+          loaded.drag_book,
+          loaded.mooring_book,
+          loaded.cell.mooring_force};
 }
 
 /// Moves the platform up to the pair events of the next time step. `spin` is its present spin [rad/s].
@@ -55,7 +59,7 @@ GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded&
   PlatformCell& p = loaded.cell;
   p.mooring_before = p.mooring_force.momentum;
   p.drag_before = loaded.drag_book.momentum;
-  p.moved = mover.position;
+  p.mid_position = mover.position;
   platform_events_before(s.constants.events, platform_motion(mass, loaded));
   mover.velocity = p.velocity;
   mover.spin = spin;
@@ -89,7 +93,7 @@ GEM_DEVICE inline PlatformTerm platform_term(const BodyCell& cell, const Contact
 /// Writes the terms of all contact points of the time step in order, and platform events to the ring. Returns the
 /// number of terms. `pressed` counts the floes that push.
 template <ContactSolver solver, class Warp>
-GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& warp, const BodyCell& cell,
+GEM_DEVICE inline std::int32_t collect_terms(const DeviceScene& s, const Warp& warp, const BodyCell& cell,
                                              const BodyMotion& motion, std::int32_t step, PlatformTerm* term,
                                              std::int32_t& pressed) {
   DeviceStatus& status = *s.status;
@@ -117,7 +121,7 @@ GEM_DEVICE inline std::int32_t line_up_terms(const DeviceScene& s, const Warp& w
         touched && s.wants_events && s.row_event_step[at] == step && (!coupled || is_event(*contact, s.event_speed));
     const unsigned pressing = warp.ballot(presses), recorded = warp.ballot(event);
     if (event) {
-      EventRecord& record = s.event[events + warp.count_below(recorded)];
+      PlatformEventRecord& record = s.event[events + warp.count_below(recorded)];
       record = s.row_event[at];
       if (coupled) record.contact = *contact;
     }
@@ -178,9 +182,9 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   const Events& e = s.constants.events;
   if (e.platform_present) {
     platform_events_after(e, platform_motion(motion.mass, loaded));
-    mover.position = p.moved + repair.shift;
+    mover.position = p.mid_position + repair.shift;
     if constexpr (solver == ContactSolver::coupled)
-      book_platform_shift(e, motion.mass, p.moved, p.velocity, repair.shift, s.book(Channel::repair, 0));
+      book_platform_shift(e, motion.mass, p.mid_position, p.velocity, repair.shift, s.book(Channel::repair, 0));
     turn(mover, s.constants.dt * sums.spin + repair.turn);
   }
   if (cell.active && !is_finite(mover, p.velocity, sums.spin)) group.raise(alarm_not_finite);
@@ -192,10 +196,10 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   s.after[0].velocity = sums.velocity;
   s.after[0].spin = sums.spin;
   write_mover(cell, mover);
-  if (workspace.shows) write_mover(s.body[0], mover);
+  if (workspace.writes_through) write_mover(s.body[0], mover);
 }
 
-/// The bodies phase of the platform, by its warp.
+/// The body stages of the platform, by its warp.
 template <ContactSolver solver, class Group>
 GEM_DEVICE inline void move_platform(const DeviceScene& s, Group& group, const Workspace& workspace,
                                      const StepIndex& step) {
@@ -203,7 +207,7 @@ GEM_DEVICE inline void move_platform(const DeviceScene& s, Group& group, const W
   const BodyCell& cell = workspace.body[0];
   std::int32_t pressed = 0;
   PlatformTerm* const term = term_memory(s, workspace, workspace.motion[0].row_count);
-  const std::int32_t terms = line_up_terms<solver>(s, warp, cell, workspace.motion[0], step.step, term, pressed);
+  const std::int32_t terms = collect_terms<solver>(s, warp, cell, workspace.motion[0], step.step, term, pressed);
   PlatformSums start;
   BodyAfter after{cell.velocity, cell.spin};
   BodyRepair repair;

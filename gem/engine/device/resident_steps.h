@@ -4,9 +4,9 @@
 // | stages                                   | made as                                                                |
 // |------------------------------------------|------------------------------------------------------------------------|
 // | list                                     | a new list of near pairs, when the list is stale                       |
-// | candidates, narrow_phase, contact_events | the pairs phase, one pass for each workspace of pairs; then a barrier  |
+// | candidates, narrow_phase, contact_events | the pair stages, one pass for each workspace of pairs; then a barrier  |
 // | gather, iterate, settle                  | the coupled solver, with barriers of its own                           |
-// | books, move, solo_events of the next     | the bodies phase, all three for one body after another; then a barrier |
+// | books, move, solo_events of the next     | the body stages, all three for one body after another; then a barrier  |
 #pragma once
 
 #include "gem/engine/device/bodies.h"
@@ -46,10 +46,10 @@ GEM_DEVICE inline void move_bodies(const DeviceScene& s, Group& group, const Wor
   if (workspace.platform) move_platform<solver>(s, group, workspace, step);
 }
 
-/// The bodies phase of one time step.
+/// The body stages of one time step.
 template <ContactSolver solver, class Group>
-GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Group& group, const Workspace& workspace,
-                                    const StepIndex& step) {
+GEM_DEVICE inline void body_stages(const DeviceScene& s, Group& group, const Workspace& workspace,
+                                   const StepIndex& step) {
   BlockCell& shared = group.shared();
   if (group.thread() == 0) {
     if (s.wants_samples)
@@ -61,7 +61,7 @@ GEM_DEVICE inline void bodies_phase(const DeviceScene& s, Group& group, const Wo
     shared.residual = shared.energy_created = 0.0;
     if (group.block() == 0) {
       s.counters->points = s.counters->taken_points = 0;
-      s.counters->crowded = 0;
+      s.counters->halo_overflow = 0;
     }
   }
   move_bodies<solver>(s, group, workspace, step);
@@ -75,7 +75,7 @@ GEM_DEVICE inline void close_work(const DeviceScene& s, Group& group, const Work
   group.barrier();
   if (group.thread() == 0) group.shared().touched = 0;
   for (std::int32_t i = workspace.first_body; i < workspace.bodies.end; i += workspace.body_step)
-    gather_work(s, i, workspace.motion[i], stamp);
+    add_row_work(s, i, workspace.motion[i], stamp);
 }
 
 /// Writes the state that the host fetches after a call.
@@ -91,7 +91,7 @@ GEM_DEVICE inline void write_state(const DeviceScene& s, const Group& group) {
 /// The life of the list of near pairs.
 struct ListLife {
   std::int64_t begin = 0;    // time step at whose start the list was built
-  std::int64_t horizon = 1;  // time steps that it was built for; if not valid, that the next one is built for
+  std::int64_t horizon = 1;  // planned life in time steps; if not valid: of the next list
   bool valid = false;
 
   GEM_DEVICE explicit ListLife(const DeviceStatus& status)
@@ -140,7 +140,7 @@ class ResidentSteps {
       if (list_.is_over(step(), group_.alarms())) renew_list();
     }
     if constexpr (stage == Stage::candidates) {  // with narrow_phase and contact_events
-      pairs_phase<solver>(s_, group_, workspace_, step());
+      pair_stages<solver>(s_, group_, workspace_, step());
       group_.barrier();
     }
     if constexpr (stage == Stage::gather && coupled)  // with iterate and settle
@@ -148,7 +148,7 @@ class ResidentSteps {
     if constexpr (stage == Stage::move) {  // with books, and solo_events of the next time step
       carried_ = false;
       const double elapsed = static_cast<double>(step() + 1 - list_.begin) * s_.constants.dt;
-      bodies_phase<solver>(s_, group_, workspace_, {step(), done_, elapsed, done_ + 1 < steps_});
+      body_stages<solver>(s_, group_, workspace_, {step(), done_, elapsed, done_ + 1 < steps_});
       group_.barrier();
     }
   }
@@ -160,10 +160,10 @@ class ResidentSteps {
     load_bodies(s_, group_, workspace_);
     load_pairs(s_, group_, workspace_);
     group_.block_barrier();
-    if (!s_.status->half_way) first_solo_events(s_, group_, workspace_);
+    if (!s_.status->solo_events_done) first_solo_events(s_, group_, workspace_);
     group_.barrier();
     if (rank_of(group_) == 0) {
-      s_.status->half_way = 1;
+      s_.status->solo_events_done = 1;
       s_.status->events = 0;
     }
     for (std::int32_t k = rank_of(group_); k < 2 * OverlapCount::classes; k += size_of(group_)) s_.overlap_count[k] = 0;
@@ -218,10 +218,10 @@ class ResidentSteps {
     status.samples = done_;
     status.list_valid = list_.valid;
     status.horizon = list_.horizon;
-    status.half_way = done_ < steps_;
+    status.solo_events_done = done_ < steps_;
     status.barriers = group_.barriers();
     status.stop = stop_;
-    status.visits = 0;  // counted only by phases
+    status.visits = 0;  // counted only on the phases route
   }
 
   const DeviceScene& s_;
@@ -241,10 +241,14 @@ template <class Group>
 GEM_DEVICE inline void advance_scene(const DeviceScene& s, Group& group, std::int32_t steps) {
   // a scene that waits for others of its batch stays as it is
   if (steps == 0) return;
-  if (s.constants.solver == ContactSolver::coupled)
-    ResidentSteps<ContactSolver::coupled, Group>(s, group, steps).advance();
-  else
-    ResidentSteps<ContactSolver::independent, Group>(s, group, steps).advance();
+  switch (s.constants.solver) {  // others are refused by check_solver()
+    case ContactSolver::coupled:
+      ResidentSteps<ContactSolver::coupled, Group>(s, group, steps).advance();
+      break;
+    case ContactSolver::independent:
+      ResidentSteps<ContactSolver::independent, Group>(s, group, steps).advance();
+      break;
+  }
 }
 
 }  // namespace gem

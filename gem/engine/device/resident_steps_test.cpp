@@ -185,7 +185,7 @@ TEST(DeviceHalo, IsNoneWhereverTheMemoryEndsAndChangesNothing) {
   test::expect_same_coupled(device.device, device.log, *cpu, expected);
 }
 
-/// Floes at the platform, and rows longer than RowNews::stretch and kept_near.
+/// Floes at the platform, and rows longer than RowChanges::stretch and kept_near.
 TEST_P(DeviceSolvers, LongRowsAndThePlatformByManyThreadsChangeNothing) {
   constexpr std::int64_t steps = 6;
   SceneDef scene = test::busy_scene(8);
@@ -213,7 +213,7 @@ TEST_P(DeviceSolvers, LongRowsAndThePlatformByManyThreadsChangeNothing) {
   test::expect_same_bodies(device.bodies(), cpu->bodies());
   test::expect_same_log(log, expected);
   test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
-  EXPECT_GT(device.longest_lower_row(), RowNews::stretch);
+  EXPECT_GT(device.longest_lower_row(), RowChanges::stretch);
 }
 
 TEST_P(DeviceSolvers, AHorizonFollowsTheLifeOfListsInShortCallsToo) {

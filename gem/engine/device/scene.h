@@ -1,8 +1,8 @@
 // One scene in the memory of a device: plain arrays without an owner. CudaScene allocates and fills them.
 //
-// Who writes what in the two phases of a time step (a barrier follows each):
+// Who writes what in a time step of the resident route (a barrier follows each group of stages):
 //
-// | array               | pairs phase, owner of the pair          | bodies phase, owner of the body           |
+// | array               | pair stages, owner of the pair          | body stages, owner of the body            |
 // |---------------------|-----------------------------------------|-------------------------------------------|
 // | body, motion, after |                                         | position, velocity, rotation, corrections |
 // | pair                | axes and offset of its narrow phase     |                                           |
@@ -10,7 +10,7 @@
 // | entry, work, stamp  | the entries of the pair in both rows    |                                           |
 // | books               |                                         | those of the body                         |
 //
-// A coupled time step iterates between the two phases; device_solver.h says who writes what there.
+// A coupled time step iterates between the two groups; device_solver.h says who writes what there.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ namespace gem {
 /// Bins along the field by which bodies are sorted.
 constexpr std::int32_t sort_bins = 512;
 
-/// Near bodies of a body that are kept when they are counted. A body with more is searched twice.
+/// Near bodies of one body that the counting pass stores. A body that has more needs a second search.
 constexpr std::int32_t kept_near = 24;
 
 /// Most corners of an outline that is turned in the workspace. Longer ones are turned in the scene's memory.
@@ -36,15 +36,15 @@ constexpr int workspace_vertices = 12;
 constexpr int phase_threads = 128, phase_lanes = 4;
 /// Blocks per multiprocessor that build lists; threads that plan, one for each scene.
 constexpr int list_blocks = 4, plan_threads = 512;
-/// By phases, one cluster of blocks iterates a coupled scene. Largest number of its blocks, threads of a block, and
-/// shared memory of a block, which is most of a multiprocessor's [bytes].
+/// On the phases route, one cluster of blocks iterates a coupled scene. Largest number of its blocks, threads of a
+/// block, and shared memory of a block, which is most of a multiprocessor's [bytes].
 constexpr int largest_cluster = 16, solve_threads = 512;
 constexpr std::size_t solve_shared_bytes = 200 * 1024;
-/// Most bodies of a coupled scene that goes by phases: the threads of the largest cluster. Larger scenes are moved by
-/// resident blocks, all of which iterate.
+/// Largest coupled scene, in bodies, for the phases route: the threads of the largest cluster. Larger scenes are moved
+/// by resident blocks, all of which iterate.
 constexpr std::int32_t most_cluster_bodies = largest_cluster * solve_threads;
 
-/// What a scene does in the planned time step when it goes by phases; see plan.h.
+/// What a scene does in the planned time step on the phases route; see plan.h.
 enum class PhaseStep : std::int32_t { ended, begins, moves, moves_on_new_list };
 
 /// Why a call ended.
@@ -53,17 +53,17 @@ enum class DeviceStop : std::int32_t { done, list_full, ring_full, not_finite };
 struct DeviceStatus {
   std::int64_t step = 0;
   std::int64_t list_step = 0;  // time step at whose start the list was built
-  std::int64_t horizon = 1;    // time steps that the list was built for, or that the next one is built for
+  std::int64_t horizon = 1;    // planned life of the list in time steps; without a valid list: of the next one
   std::int64_t builds = 0;
   std::int32_t list_valid = 0;
-  std::int32_t half_way = 0;                          // the solo events of the next time step are done
+  std::int32_t solo_events_done = 0;                  // the solo events of the next time step are done
   std::int32_t samples = 0;                           // time steps in the ring of this call
   std::int32_t events = 0;                            // platform events in the ring of this call
   std::int32_t carried = 0;                           // contacts in DeviceScene::carried
   std::int32_t barriers = 0;                          // grid barriers in this call
   std::int32_t rows_needed = 0, platform_needed = 0;  // entries of all rows, of the platform's row
   DeviceStop stop = DeviceStop::done;
-  // the following only by phases
+  // the following only on the phases route
   std::int32_t wanted = 0;   // time steps of the call
   std::int32_t touched = 0;  // contacts of the last time step whose work is not in the books
   std::int64_t visits = 0;   // coupled: sum of points times iterations in this call
@@ -79,10 +79,10 @@ struct DeviceScene {
   StepConstants constants;
   double event_speed = 0.0;
   std::int64_t horizon = 1;  // longest life of a list [time steps]
-  std::int32_t bodies = 0, large_bodies = 0, rows_capacity = 0, platform_capacity = 0, grid_capacity = 0;
+  std::int32_t bodies = 0, non_floes = 0, rows_capacity = 0, platform_capacity = 0, grid_capacity = 0;
   std::int32_t events_capacity = 0;
   std::int32_t wants_events = 0, wants_samples = 0;
-  std::int32_t phase_blocks = 0;  // that share a stage, by phases
+  std::int32_t phase_blocks = 0;  // that share a stage, on the phases route
 
   BodyCell* body = nullptr;
   BodyMotion* motion = nullptr;
@@ -98,9 +98,9 @@ struct DeviceScene {
   RowWork* work = nullptr;
   PairCell* pair = nullptr;
   Contact* contact = nullptr;        // by pair
-  std::int32_t* touched = nullptr;   // pairs; each block has its own range, by phases all blocks share one
+  std::int32_t* touched = nullptr;   // pairs; each block has its own range; phases route: all share one
   TouchingPair* touching = nullptr;  // as `touched`
-  // only by phases, by pair
+  // only on the phases route, by pair
   CandidatePair* candidate = nullptr;
   float* wake = nullptr;  // the pair sleeps while the clock is below [m]
 
@@ -134,10 +134,10 @@ struct DeviceScene {
   std::int32_t* taken_in_row = nullptr;  // index in `point`, by row; a body's begin at the place of its records
   TakenPoints* taken_of = nullptr;       // by index of solver_entry
   std::int32_t points_capacity = 0;
-  std::int32_t push_capacity = 0;                // records
-  double *given = nullptr, *answered = nullptr;  // by SolverEntry::rank [J]
-  double* work_created = nullptr;                // by body: of its contacts as B, or as A with a fixed B [J]
-  double* partial_sum = nullptr;                 // of each block
+  std::int32_t push_capacity = 0;                                // records
+  double *linear_energy = nullptr, *quadratic_energy = nullptr;  // by SolverEntry::rank [J]
+  double* work_created = nullptr;  // by body: of its contacts as B, or as A with a fixed B [J]
+  double* partial_sum = nullptr;   // of each block
 
   RowPlace* last_row = nullptr;  // row of each body in the last list
   std::int32_t *last_other = nullptr, *last_pair = nullptr;
@@ -146,17 +146,17 @@ struct DeviceScene {
   ListBox* box = nullptr;
   std::int32_t *grid_cell = nullptr, *grid_count = nullptr, *grid_begin = nullptr;
   GridFloe* grid_floe = nullptr;
-  std::int32_t* near_first = nullptr;   // for each body: the first kept_near near bodies
-  std::uint32_t* near_large = nullptr;  // for each large body: a bit for each body near it
+  std::int32_t* near_first = nullptr;      // for each body: the first kept_near near bodies
+  std::uint32_t* near_non_floe = nullptr;  // for each non-floe: a bit for each body near it
   ListCounters* counters = nullptr;
 
-  PlatformTerm* term = nullptr;      // two for each entry of the platform's row; used where shared memory is too small
-  EventRecord* row_event = nullptr;  // one for each entry of the platform's row
+  PlatformTerm* term = nullptr;  // two for each entry of the platform's row; used where shared memory is too small
+  PlatformEventRecord* row_event = nullptr;  // one for each entry of the platform's row
   std::int64_t* row_event_step = nullptr;
   PlatformStep* sample = nullptr;         // ring
   std::int32_t* overlap_count = nullptr;  // of the call: depths by class, then shares by class
   BlockQuality* quality = nullptr;        // ring: by time step, then by block
-  EventRecord* event = nullptr;           // ring
+  PlatformEventRecord* event = nullptr;   // ring
   BodyState* state = nullptr;
   DeviceStatus* status = nullptr;
 

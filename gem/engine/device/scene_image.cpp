@@ -66,7 +66,7 @@ class EventReader {
  public:
   explicit EventReader(const FieldState& f) : f_(f) {}
 
-  ContactEvent read(const EventRecord& record) {
+  ContactEvent read(const PlatformEventRecord& record) {
     const Contact& contact = record.contact;
     EventBodies bodies;
     bodies.mass_a = {f_.bodies.inverse_mass[contact.a], f_.bodies.inverse_inertia[contact.a]};
@@ -141,8 +141,8 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(s.taken, 2 * pairs);
   placer.place(s.taken_in_row, 2 * rows);
   placer.place(s.taken_of, n);
-  placer.place(s.given, n);
-  placer.place(s.answered, n);
+  placer.place(s.linear_energy, n);
+  placer.place(s.quadratic_energy, n);
   placer.place(s.work_created, n);
   placer.place(s.partial_sum, blocks * 4 * ((n + sum_width - 1) / sum_width + 1));
 }
@@ -153,7 +153,7 @@ SceneSizes scene_sizes(const FieldState& f) {
   const Bodies& b = f.bodies;
   SceneSizes sizes;
   sizes.bodies = static_cast<std::int32_t>(b.count());
-  sizes.large_bodies = static_cast<std::int32_t>(
+  sizes.non_floes = static_cast<std::int32_t>(
       std::count_if(b.kind.begin(), b.kind.end(), [](BodyKind kind) { return kind != BodyKind::floe; }));
   sizes.vertices = static_cast<std::int32_t>(b.vertex.size());
   sizes.rows = 8 * sizes.bodies + 256;
@@ -221,7 +221,7 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
   placer.place(s.near_first, kept_near * n);
   placer.place(s.grid_count, s.grid_capacity);
   placer.place(s.grid_begin, s.grid_capacity);
-  placer.place(s.near_large, static_cast<std::size_t>(sizes.large_bodies) * ((n + 31) / 32));
+  placer.place(s.near_non_floe, static_cast<std::size_t>(sizes.non_floes) * ((n + 31) / 32));
   placer.place(s.counters, 1);
   placer.place(s.term, 2 * static_cast<std::size_t>(sizes.platform_rows));
   placer.place(s.row_event, sizes.platform_rows);
@@ -247,7 +247,7 @@ DeviceScene scene_constants(const FieldState& f, double event_speed) {
   s.event_speed = event_speed;
   s.horizon = f.constants.list_horizon;
   s.bodies = sizes.bodies;
-  s.large_bodies = sizes.large_bodies;
+  s.non_floes = sizes.non_floes;
   return s;
 }
 

@@ -13,15 +13,15 @@ namespace gem {
 
 /// Sizes of a scene's arrays.
 struct SceneSizes {
-  std::int32_t bodies = 0, large_bodies = 0, vertices = 0;
+  std::int32_t bodies = 0, non_floes = 0, vertices = 0;
   std::int32_t rows = 0;           // entries in the rows of all bodies; grows on demand
   std::int32_t platform_rows = 0;  // entries in the platform's row; grows on demand
   std::int32_t samples = 0;        // time steps in the ring
   std::int32_t blocks = 1;         // most blocks that work on the scene
-  std::int32_t phase_blocks = 1;   // blocks that work on it by phases
+  std::int32_t phase_blocks = 1;   // blocks that work on it on the phases route
   bool coupled = false;
   std::size_t momentum_coefficients = 0;  // numbers
-  bool phases = true;                     // the scene can go by phases
+  bool phases = true;                     // the scene can take the phases route
 };
 
 /// Sizes for a field, with a first guess for the list; `samples` and `blocks` are left to the caller.

@@ -15,7 +15,8 @@
 // | shared_memory_of(block)                | where reads_other_blocks: that memory                                   |
 // | has_halos                              | whether a block moves all bodies that its points meet (device_halo.h)   |
 // | write_whole(), read_whole(), pause()   | where has_halos: exchange of records without a barrier                  |
-// | arrive_asking(), wait_for_asked()      | where has_halos: a barrier in two halves, with the largest residual     |
+// | arrive_with_residual(),                | where has_halos: a split barrier that also reduces the largest          |
+// | wait_for_residual()                    | residual of all blocks                                                  |
 // | kept_points                            | points that a thread keeps in registers while it iterates               |
 // | raise(), alarms(), lower_alarms()      | see Alarm                                                               |
 // | add(), highest(), set_bit()            | atomic operations                                                       |
@@ -43,8 +44,8 @@ struct BlockCell {
   std::int32_t points, first_point;  // points that the block found; index of the first among all
   std::int32_t records;              // records in the block's shared memory
   std::int32_t taken, first_taken;   // points that the block iterates; index of the first
-  std::uint32_t asked;               // with halos: bits of the largest residual of the block's points
-  std::uint32_t asked_by_all;        // with halos: the same over all blocks
+  std::uint32_t block_residual;      // bits of the largest residual of the block's points, with halos
+  std::uint32_t grid_residual;       // bits of the largest residual of all blocks, with halos
   std::int32_t iterations;
   double residual, energy_created;
   std::uint64_t share, complementarity, cone_excess;  // bits of the largest, numbers >= 0

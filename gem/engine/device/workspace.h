@@ -25,7 +25,7 @@ struct Workspace {
   Stretch bodies{}, pairs{};
   std::int32_t first_body = 0, body_step = 1;  // of the thread; the platform's warp moves no floes
   bool platform = false;                       // the thread belongs to the platform's warp
-  bool shows = true;                           // moved bodies are written to the scene at once, not at the end
+  bool writes_through = true;                  // moved bodies are also written to the scene at once
   BodyCell* body = nullptr;
   BodyMotion* motion = nullptr;
   PairCell* pair = nullptr;

@@ -64,10 +64,10 @@ class Solver {
   void keep_better(const Vector& x);
   void approach(double spring, int steps);
   void finish();
-  void run_of_steps(double little, Reach reach);
+  void run_of_steps(double damping, Reach reach);
   Guess guess_from(const Vector& from) const;
-  double share_within(const Guess& guess, const Vector& change) const;
-  Vector newton_step(const Vector& from, double little, Reach reach) const;
+  double step_fraction(const Guess& guess, const Vector& change) const;
+  Vector newton_step(const Vector& from, double damping, Reach reach) const;
 
   const BoundedProblem& p_;
   const Vector own_;  // diagonal of K
@@ -78,7 +78,7 @@ class Solver {
   double left_;  // residual of x_ [m/s]
 };
 
-/// Largest change of w that an unknown asks for within its bounds [m/s].
+/// Largest change of w that an unknown still needs within its bounds [m/s].
 double Solver::residual(const Vector& x) const {
   const Vector w = left_over(x);
   double largest = 0.0;
@@ -154,8 +154,8 @@ Solver::Guess Solver::guess_from(const Vector& from) const {
   return guess;
 }
 
-/// The share of a change that takes no free unknown past a bound, at most all of it.
-double Solver::share_within(const Guess& guess, const Vector& change) const {
+/// Largest step fraction, at most 1, that keeps all free unknowns within their bounds.
+double Solver::step_fraction(const Guess& guess, const Vector& change) const {
   double share = 1.0;
   const auto keep_gap = [&](double gap, double growth) {
     if (growth < 0.0) share = std::min(share, std::max(gap, 0.0) / -growth);
@@ -170,30 +170,30 @@ double Solver::share_within(const Guess& guess, const Vector& change) const {
   return share;
 }
 
-/// The free unknowns make their w zero, held back by `little` of their own response; all the way, or until the first of
-/// them is at a bound. Empty if there is no answer.
-Vector Solver::newton_step(const Vector& from, double little, Reach reach) const {
+/// One Newton step: solves w = 0 for the free unknowns, with `damping` times their diagonal added. Takes the full step,
+/// or stops at the first bound. Returns an empty vector if the equations are singular.
+Vector Solver::newton_step(const Vector& from, double damping, Reach reach) const {
   const Guess guess = guess_from(from);
   Vector x = guess.x;
   if (guess.picks.rows() > 0) {
     Matrix equations = guess.picks * p_.response * guess.follows;
-    equations.diagonal() += little * (guess.picks * own_);
+    equations.diagonal() += damping * (guess.picks * own_);
     equations.makeCompressed();
     const Factors factors(equations);
     if (factors.info() != Eigen::Success) return {};
     const Vector change = -(guess.follows * Vector(factors.solve(Vector(guess.picks * left_over(x)))));
-    x += (reach == Reach::first_bound ? share_within(guess, change) : 1.0) * change;
+    x += (reach == Reach::first_bound ? step_fraction(guess, change) : 1.0) * change;
   }
   for (int i = 0; i < size(); ++i) x[i] = within(x[i], bounds_of(p_, x, i));
   return x;
 }
 
-/// Steps from the best so far. A step may leave more than there was on the way to less.
-void Solver::run_of_steps(double little, Reach reach) {
+/// Up to eight Newton steps from the best solution so far. The residual may rise before it falls.
+void Solver::run_of_steps(double damping, Reach reach) {
   constexpr int most = 8;
   Vector x = x_;
   for (int step = 0; step < most && !solved(); ++step) {
-    x = newton_step(x, little, reach);
+    x = newton_step(x, damping, reach);
     if (x.size() == 0) return;
     keep_better(x);
   }
@@ -204,8 +204,8 @@ void Solver::finish() {
   double before = 2.0 * left_;
   while (!solved() && left_ < worth_it * before) {
     before = left_;
-    for (const double little : {1e-10, 1e-13, 1e-8, 1e-6, 1e-4, 1e-2}) run_of_steps(little, Reach::all);
-    for (const double little : {1e-10, 1e-13}) run_of_steps(little, Reach::first_bound);
+    for (const double damping : {1e-10, 1e-13, 1e-8, 1e-6, 1e-4, 1e-2}) run_of_steps(damping, Reach::all);
+    for (const double damping : {1e-10, 1e-13}) run_of_steps(damping, Reach::first_bound);
   }
 }
 
@@ -226,18 +226,18 @@ BoundedSolution Solver::solve(int most_rounds) {
   return {x_, left_, steps, false};
 }
 
-/// An answer where every unknown answers to itself a little more than it does, and the most that is not met [m/s].
-struct Yielded {
+/// Solution of the regularised problem, and its largest violation [m/s].
+struct Regularised {
   BoundedSolution solution;
-  double unmet = 0.0;
+  double violation = 0.0;
 };
 
-Yielded yielded(const BoundedProblem& problem, double softness) {
-  BoundedProblem soft = problem;
+Regularised regularised(const BoundedProblem& problem, double term) {
+  BoundedProblem regular = problem;
   const Vector own = problem.response.diagonal();
-  soft.response.diagonal() += softness * own;
-  const BoundedSolution solution = solve(soft);
-  return {solution, softness * own.cwiseProduct(solution.x).maxCoeff()};
+  regular.response.diagonal() += term * own;
+  const BoundedSolution solution = solve(regular);
+  return {solution, term * own.cwiseProduct(solution.x).maxCoeff()};
 }
 
 }  // namespace
@@ -252,12 +252,12 @@ BoundedSolution solve(const BoundedProblem& problem) {
                   " steps (with friction there may be none); try the engine cpu or a smaller numerics.time_step_s");
 }
 
-BoundedSolution solve_or_yield(const BoundedProblem& problem) {
-  constexpr double soft = 1e-4, less_soft = 1e-6;
+BoundedSolution solve_regularised(const BoundedProblem& problem) {
+  constexpr double large_term = 1e-4, small_term = 1e-6;
   constexpr int few_rounds = 20;
-  const Yielded first = yielded(problem, soft), second = yielded(problem, less_soft);
-  // what can be met is met a hundred times better by the second
-  if (second.unmet > 0.5 * first.unmet) return first.solution;
+  const Regularised first = regularised(problem, large_term), second = regularised(problem, small_term);
+  // in a feasible problem the smaller term has a hundredth of the violation
+  if (second.violation > 0.5 * first.violation) return first.solution;
   const BoundedSolution exact = Solver(problem).solve(few_rounds);
   return exact.found ? exact : second.solution;
 }

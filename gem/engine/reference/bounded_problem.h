@@ -26,19 +26,19 @@ struct BoundedSolution {
   Eigen::VectorXd x;
   double residual = 0.0;  // largest |w| that is left, past what the bounds allow [m/s]
   int steps = 0;          // of the approach
-  bool found = false;     // what is left is rounding
+  bool found = false;     // the residual is at rounding level
 };
 
-/// A solution has a residual below this share of the largest sum of absolute terms of w, as rounding has ...
+/// Accepted residual, relative to the largest sum of absolute terms of w: rounding level ...
 constexpr double bounded_tolerance = 1e-13;
-/// ... and below this share of the largest |b|: impulses without end that cancel are no answer.
+/// ... and relative to the largest |b|. The second bound rejects huge impulses that cancel each other.
 constexpr double bounded_share = 1e-8;
 
 /// Solves the problem. Throws Error(numerical_stop) if it cannot.
 BoundedSolution solve(const BoundedProblem& problem);
 
-/// The same where there may be no answer, as where bodies lie in a box too small for them: what cannot be met is shared
-/// out, every unknown answering to itself a little more than it does.
-BoundedSolution solve_or_yield(const BoundedProblem& problem);
+/// As solve(), for problems that may be infeasible, such as bodies in a box that is too small for them. A small
+/// multiple of the diagonal of K is added to K, which spreads the violation over all unknowns.
+BoundedSolution solve_regularised(const BoundedProblem& problem);
 
 }  // namespace gem::reference

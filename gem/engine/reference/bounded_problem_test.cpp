@@ -99,7 +99,7 @@ TEST(BoundedProblem, WithoutAnAnswerItSaysSo) {
 
 TEST(BoundedProblem, WhatCannotBeMetIsSharedOut) {
   const Eigen::Matrix2d k{{1.0, -1.0}, {-1.0, 1.0}};
-  const BoundedSolution s = solve_or_yield(problem_of(k, Eigen::Vector2d{-1.0, -1.0}));
+  const BoundedSolution s = solve_regularised(problem_of(k, Eigen::Vector2d{-1.0, -1.0}));
   const Eigen::Vector2d left = k * s.x - Eigen::Vector2d{1.0, 1.0};
   EXPECT_NEAR(left[0], -1.0, 1e-6);  // neither is served at the other's cost
   EXPECT_NEAR(left[1], -1.0, 1e-6);
@@ -107,7 +107,7 @@ TEST(BoundedProblem, WhatCannotBeMetIsSharedOut) {
 
 TEST(BoundedProblem, WhatCanBeMetIsMet) {
   const Eigen::Matrix2d k{{2.0, -1.0}, {-1.0, 1.0}};
-  const BoundedSolution s = solve_or_yield(problem_of(k, Eigen::Vector2d{-1.0, -1.0}));
+  const BoundedSolution s = solve_regularised(problem_of(k, Eigen::Vector2d{-1.0, -1.0}));
   EXPECT_NEAR(s.x[0], 2.0, 1e-12);
   EXPECT_NEAR(s.x[1], 3.0, 1e-12);
 }

@@ -140,13 +140,13 @@ void Group::read(const Eigen::VectorXd& x, std::vector<ContactImpulse>& impulse)
 }  // namespace
 
 ContactSolution solve_contacts(const std::vector<ProblemPoint>& points, const std::vector<ProblemBody>& bodies,
-                               FrictionLaw law, Unmet unmet) {
+                               FrictionLaw law, Infeasible infeasible) {
   ContactSolution all;
   all.impulse.resize(points.size());
   for (const Indices& members : groups_of(points, bodies)) {
     const Group group(members, points, bodies, law);
     const BoundedProblem problem = group.problem();
-    const BoundedSolution solution = unmet == Unmet::is_an_error ? solve(problem) : solve_or_yield(problem);
+    const BoundedSolution solution = infeasible == Infeasible::throws ? solve(problem) : solve_regularised(problem);
     group.read(solution.x, all.impulse);
     all.residual = std::max(all.residual, solution.residual);
     all.steps = std::max(all.steps, solution.steps);

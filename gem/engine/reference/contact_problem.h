@@ -42,14 +42,14 @@ struct ContactSolution {
   int steps = 0;                        // of the group with the most steps
 };
 
-/// What is done where not every target can be met.
-enum class Unmet {
-  is_an_error,   ///< Error(numerical_stop)
-  is_shared_out  ///< all points fall short of their targets
+/// What solve_contacts() does if not every target can be met.
+enum class Infeasible {
+  throws,     ///< Error(numerical_stop)
+  regularise  ///< all points fall short of their targets
 };
 
 /// Solves the problem. Points are independent of each other where no moving body joins them.
 ContactSolution solve_contacts(const std::vector<ProblemPoint>& points, const std::vector<ProblemBody>& bodies,
-                               FrictionLaw law, Unmet unmet = Unmet::is_an_error);
+                               FrictionLaw law, Infeasible infeasible = Infeasible::throws);
 
 }  // namespace gem::reference

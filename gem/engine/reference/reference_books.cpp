@@ -40,7 +40,7 @@ void book_point(State& s, const Touch& touch, const TouchPoint& p) {
     s.ledger.mooring_force.angular_momentum += cross(p.arm_a, world_impulse(touch, p));
 }
 
-/// Largest change of normal velocity that a point still asks for [m/s]. A point without impulse may part; a point at
+/// Largest violation of the normal contact law, as a speed [m/s]. A point without impulse may part; a point at
 /// its cap may close.
 double complementarity(const Bodies& b, const Touch& touch, const TouchPoint& p) {
   const double excess = dot(relative_velocity(b, touch, p), touch.normal) - p.target;

@@ -98,7 +98,7 @@ void find_repair(const Rules& rules, State& s, std::vector<Touch>& touches) {
     }
   std::vector<ProblemBody> at_rest = problem_bodies(s.bodies);
   for (ProblemBody& body : at_rest) body = {body.mass, {}, 0.0};
-  const ContactSolution solution = solve_contacts(points, at_rest, FrictionLaw::one_step, Unmet::is_shared_out);
+  const ContactSolution solution = solve_contacts(points, at_rest, FrictionLaw::one_step, Infeasible::regularise);
   at = 0;
   for (Touch& touch : touches)
     for (TouchPoint& p : touch.points) {

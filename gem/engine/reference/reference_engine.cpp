@@ -19,6 +19,7 @@
 namespace gem {
 
 ReferenceEngine::ReferenceEngine(const SceneDef& scene, Bodies bodies) : rules_(reference::rules_of(scene, bodies)) {
+  check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "reference");
   state_.bodies = std::move(bodies);
   state_.ledger.start = total_of(rules_, state_.bodies);
 }
@@ -76,8 +77,7 @@ void ReferenceEngine::check_finite() const {
     const double sum = b.position[i].x + b.position[i].y + b.rotation[i].cosine + b.rotation[i].sine + b.velocity[i].x +
                        b.velocity[i].y + b.spin[i];
     if (!b.active[i] || std::isfinite(sum)) continue;
-    throw Error(ExitCode::numerical_stop, "body " + std::to_string(i) +
-                                              " has a state that is no number after time step " +
+    throw Error(ExitCode::numerical_stop, "body " + std::to_string(i) + " has a non-finite state after time step " +
                                               std::to_string(state_.steps) +
                                               " (t = " + number_text(static_cast<double>(state_.steps) * rules_.dt, 9) +
                                               " s); try a smaller numerics.time_step_s");

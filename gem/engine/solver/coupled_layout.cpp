@@ -86,7 +86,7 @@ void CoupledLayout::list_points(Contacts contacts) {
   first_as_a_.assign(body_.size(), 0);
   end_as_a_.assign(body_.size(), 0);
   next_as_b_.assign(begin_as_b_.begin(), begin_as_b_.end());
-  as_b_.assign(begin_as_b_.back() + foreseen, 0);
+  as_b_.assign(begin_as_b_.back() + prefetch_padding, 0);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const std::int32_t a = entry_of_[contacts[c]->a], b = entry_of_[contacts[c]->b];
     const std::int32_t end = first_point_[c] + contacts[c]->count;

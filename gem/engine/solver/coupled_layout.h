@@ -20,7 +20,7 @@ class CoupledLayout {
     std::int32_t first, last, as_b, as_a;
   };
   /// Padding of points_as_b(), so that a prefetch may read past its end. The distance was chosen by hand.
-  static constexpr std::int32_t foreseen = 12;
+  static constexpr std::int32_t prefetch_padding = 12;
 
   void lay_out(const FieldState& f, Contacts contacts, int threads);
 

@@ -82,7 +82,7 @@ GEM_HD GEM_INLINE Push<Real> push_of(const PointGeometry<Real>& g, const PointIm
 /// Sets the compliance of the point. `mass` is the sum of both inverse masses [1/kg], `turn_a` and `turn_b` are the
 /// inverse inertias [1/(kg m2)], each times the number of points on the body.
 template <class Real>
-GEM_HD GEM_INLINE void enter_compliance(PointGeometry<Real>& g, Real mass, Real turn_a, Real turn_b) {
+GEM_HD GEM_INLINE void set_compliance(PointGeometry<Real>& g, Real mass, Real turn_a, Real turn_b) {
   g.nn = mass + turn_a * g.lever_a_n * g.lever_a_n + turn_b * g.lever_b_n * g.lever_b_n;
   g.tt = mass + turn_a * g.lever_a_t * g.lever_a_t + turn_b * g.lever_b_t * g.lever_b_t;
   g.nt = turn_a * g.lever_a_n * g.lever_a_t + turn_b * g.lever_b_n * g.lever_b_t;
@@ -96,26 +96,25 @@ GEM_HD GEM_INLINE Motion<Real> moved_by(const Push<Real>& sum, Real velocity_x, 
           inverse_mass * sum.shift_x,        inverse_mass * sum.shift_y,        inverse_inertia * sum.turn};
 }
 
-/// Work of the impulses on one body at its velocity before them (`given`), and twice the kinetic energy of the velocity
-/// change (`answered`).
-struct ImpulseWork {
-  double given, answered;  // [J]
+/// Change of a body's kinetic energy when its impulses are scaled by s: s * linear + s^2 / 2 * quadratic.
+struct EnergyChange {
+  double linear, quadratic;  // [J]
 };
 
-GEM_HD inline ImpulseWork work_on_body(const Motion<double>& after, double velocity_x, double velocity_y, double spin,
-                                       double mass, double inertia) {
+GEM_HD inline EnergyChange energy_change(const Motion<double>& after, double velocity_x, double velocity_y, double spin,
+                                         double mass, double inertia) {
   const double x = after.x - velocity_x, y = after.y - velocity_y, turned = after.spin - spin;
   return {mass * (x * velocity_x + y * velocity_y) + inertia * turned * spin,
           mass * (x * x + y * y) + inertia * turned * turned};
 }
 
-/// The share of the impulses that leaves the least energy, from 0 to 1. The warm start is scaled by it, so that old
-/// impulses do not throw back a heavy body that they have stopped. If the share is below one half, all impulses
-/// together would create energy. That happens if the iterations stop before they converge; the results are then scaled
-/// too.
-GEM_HD inline double best_share(const ImpulseWork& sum) {
-  if (!(sum.answered > 0.0)) return 1.0;
-  return smaller(larger(-sum.given / sum.answered, 0.0), 1.0);
+/// Scale factor for all impulses, 0 to 1, that leaves the least kinetic energy. The warm start is scaled by it:
+/// impulses that stopped a heavy body in the last time step would otherwise push it back in this one. If the factor is
+/// below one half, all impulses together would create energy. That happens if the iterations stop before they converge;
+/// the results are then scaled too.
+GEM_HD inline double best_share(const EnergyChange& sum) {
+  if (!(sum.quadratic > 0.0)) return 1.0;
+  return smaller(larger(-sum.linear / sum.quadratic, 0.0), 1.0);
 }
 
 }  // namespace gem

@@ -23,7 +23,7 @@ void CoupledRounds::resize(const CoupledLayout& layout) {
 void CoupledRounds::set_geometry(std::int32_t point, const PointGeometry<double>& g, std::int32_t entry_a,
                                  std::int32_t entry_b) {
   PointFrame<float> f;
-  enter_geometry(f, g);
+  set_geometry_values(f, g);
   Block& b = block_[point / float_lanes];
   const int lane = point % float_lanes;
   b.normal_x[lane] = f.normal_x, b.normal_y[lane] = f.normal_y;
@@ -38,18 +38,19 @@ void CoupledRounds::set_geometry(std::int32_t point, const PointGeometry<double>
 void CoupledRounds::set_base(std::int32_t point, const PointGeometry<double>& g, const PointImpulse<double>& base,
                              const Motion<double>& motion_a, const Motion<double>& motion_b) {
   PointFrame<float> f;
-  enter_base(f, g, base, motion_a, motion_b);
+  set_base_values(f, g, base, motion_a, motion_b);
   Block& b = block_[point / float_lanes];
   const int lane = point % float_lanes;
   b.excess[lane] = f.excess, b.slip[lane] = f.slip;
   b.least[lane] = f.least, b.most[lane] = f.most;
   b.slack_left[lane] = f.slack_left, b.slack_right[lane] = f.slack_right;
   b.repair_excess[lane] = f.repair_excess, b.repair_least[lane] = f.repair_least;
-  PointImpulse<FloatPack>&at = addition_[point / float_lanes].at, &carried = addition_[point / float_lanes].carried;
-  carried.normal[lane] -= at.normal[lane];
-  carried.tangential[lane] -= at.tangential[lane];
-  carried.repair[lane] -= at.repair[lane];
-  at.normal[lane] = at.tangential[lane] = at.repair[lane] = 0.0F;
+  PointImpulse<FloatPack>&added = addition_[point / float_lanes].added,
+  &extrapolated = addition_[point / float_lanes].extrapolated;
+  extrapolated.normal[lane] -= added.normal[lane];
+  extrapolated.tangential[lane] -= added.tangential[lane];
+  extrapolated.repair[lane] -= added.repair[lane];
+  added.normal[lane] = added.tangential[lane] = added.repair[lane] = 0.0F;
 }
 
 void CoupledRounds::set_body(std::int32_t entry, double inverse_mass, double inverse_inertia) {
@@ -62,10 +63,10 @@ PointImpulse<double> CoupledRounds::with_additions(PointFriction law, std::int32
                                                    const PointGeometry<double>& g,
                                                    const PointImpulse<double>& base) const {
   const Block& b = block_[point / float_lanes];
-  const PointImpulse<FloatPack>& at = addition_[point / float_lanes].at;
+  const PointImpulse<FloatPack>& added = addition_[point / float_lanes].added;
   const int lane = point % float_lanes;
-  return gem::with_additions(law, g, base, {at.normal[lane], at.tangential[lane], at.repair[lane]}, b.least[lane],
-                             b.most[lane], b.repair_least[lane]);
+  return gem::with_additions(law, g, base, {added.normal[lane], added.tangential[lane], added.repair[lane]},
+                             b.least[lane], b.most[lane], b.repair_least[lane]);
 }
 
 GEM_INLINE PointFrame<FloatPack> CoupledRounds::frame_of(const Block& b) {
@@ -93,7 +94,7 @@ GEM_INLINE Approach<FloatPack> CoupledRounds::approach_of(const Block& b) const 
 
 GEM_INLINE void CoupledRounds::write_push(std::int32_t block) {
   constexpr int half = float_lanes / 2;
-  const PointPush<FloatPack> push = push_of(frame_of(block_[block]), addition_[block].carried);
+  const PointPush<FloatPack> push = push_of(frame_of(block_[block]), addition_[block].extrapolated);
   FloatPack w[float_lanes] = {push.x,       push.y,      push.shift_x, push.shift_y,
                               push.twist_a, push.turn_a, push.twist_b, push.turn_b};
   transpose_halves(w);
@@ -118,8 +119,8 @@ GEM_INLINE float CoupledRounds::visit_range(std::int32_t begin, std::int32_t end
     BlockAddition& addition = addition_[i];
     const PointFrame<FloatPack> frame = frame_of(block_[i]);
     const PointImpulse<FloatPack> step =
-        visit_point<law>(frame, approach, pace, momentum_coefficient, addition.at, addition.carried);
-    if constexpr (judged) most = larger(speed_asked<law>(frame, step, pace), most);
+        visit_point<law>(frame, approach, pace, momentum_coefficient, addition.added, addition.extrapolated);
+    if constexpr (judged) most = larger(remaining_speed<law>(frame, step, pace), most);
     if (i > begin) write_push(i - 1);
   }
   write_push(end - 1);

@@ -34,7 +34,7 @@ class CoupledRounds {
   PointImpulse<double> with_additions(PointFriction law, std::int32_t point, const PointGeometry<double>& g,
                                       const PointImpulse<double>& base) const;
 
-  /// Visits the points of blocks [begin, end). Returns the largest speed that a point still asks for [m/s] if `judged`,
+  /// Visits the points of blocks [begin, end). Returns the largest velocity correction of a point [m/s] if `judged`,
   /// else 0.
   float visit(PointFriction law, bool judged, std::int32_t begin, std::int32_t end, StepLength<float> pace,
               float momentum_coefficient);
@@ -53,7 +53,7 @@ class CoupledRounds {
     std::int32_t a[float_lanes], b[float_lanes];  // offsets of the bodies' motions, in floats
   };
   struct alignas(32) BlockAddition {
-    PointImpulse<FloatPack> at, carried;
+    PointImpulse<FloatPack> added, extrapolated;
   };
 
   void move_body(std::int32_t entry, const FloatPack& to_b, const FloatPack& to_a);

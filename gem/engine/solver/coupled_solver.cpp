@@ -1,6 +1,6 @@
 // Algorithm of one time step:
 //   base: the impulses of the same contact points in the last time step, and the velocities from them
-//   rounds until no point asks for more than the residual, or until the largest number of iterations; each round:
+//   rounds until the residual is met, or until the largest number of iterations; each round:
 //     iterate from the base, in single precision:
 //       visit all points, eight at a time, from the same velocities; each point writes its pushes
 //       sum the pushes on each body in the order of its points: the velocities for the next visit
@@ -24,7 +24,7 @@ void CoupledSolver::restore(std::vector<std::uint64_t> keys, std::vector<PointIm
 }
 
 void CoupledSolver::lay_out(const FieldState& f, Contacts contacts, int threads) {
-  asked_.assign(threads, {});
+  thread_residual_.assign(threads, {});
   iterations_ = 0;
   residual_ = 0.0;
   layout_.lay_out(f, contacts, threads);
@@ -37,8 +37,8 @@ void CoupledSolver::make_space() {
   next_impulses_.resize(layout_.points());
   motion_.resize(1 + layout_.bodies());
   motion_[CoupledLayout::at_rest] = {};
-  given_.resize(layout_.bodies() + sum_width);
-  answered_.resize(layout_.bodies() + sum_width);
+  linear_energy_.resize(layout_.bodies() + sum_width);
+  quadratic_energy_.resize(layout_.bodies() + sum_width);
   rounds_.resize(layout_);
 }
 
@@ -62,7 +62,7 @@ void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::in
   std::size_t at = std::lower_bound(keys_.begin(), keys_.end(), first) - keys_.begin();
   for (std::int64_t c = begin; c < end; ++c) {
     Contact& contact = *contacts[c];
-    foresee_events(f, contacts[std::min(c + 8, end - 1)]->b);
+    prefetch_events(f, contacts[std::min(c + 8, end - 1)]->b);
     at = last_key_from(at, contact_key(contact.a, contact.b, 0));
     prepare_contact(f, contact);
     for (int k = 0; k < contact.count; ++k) {
@@ -96,7 +96,7 @@ void CoupledSolver::move_by_base(const FieldState& f, const Stretch& s) {
   for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
     Push<double> sum{};
     for (std::int32_t at = layout_.begin_as_b(k); at < layout_.begin_as_b(k + 1); ++at) {
-      const Point& soon = point_[as_b[at + CoupledLayout::foreseen]];
+      const Point& soon = point_[as_b[at + CoupledLayout::prefetch_padding]];
       __builtin_prefetch(&soon);
       __builtin_prefetch(&soon.geometry.target);
       const Point& p = point_[as_b[at]];
@@ -117,15 +117,15 @@ void CoupledSolver::keep_best_share(const FieldState& f, ThreadTeam& team, int r
   const Bodies& b = f.bodies;
   for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
     const std::int32_t i = layout_.body(k);
-    const ImpulseWork work =
-        work_on_body(motion_[k], b.velocity[i].x, b.velocity[i].y, b.spin[i], b.mass[i], b.inertia[i]);
-    given_[layout_.rank(k)] = work.given;
-    answered_[layout_.rank(k)] = work.answered;
+    const EnergyChange change =
+        energy_change(motion_[k], b.velocity[i].x, b.velocity[i].y, b.spin[i], b.mass[i], b.inertia[i]);
+    linear_energy_[layout_.rank(k)] = change.linear;
+    quadratic_energy_[layout_.rank(k)] = change.quadratic;
   }
   team.barrier();
   if (rank == 0)
-    share_ =
-        best_share({ordered_sum(given_.data(), layout_.bodies()), ordered_sum(answered_.data(), layout_.bodies())});
+    share_ = best_share({ordered_sum(linear_energy_.data(), layout_.bodies()),
+                         ordered_sum(quadratic_energy_.data(), layout_.bodies())});
   team.barrier();
   if (!(share_ < limit)) return;
   for (std::int32_t i = s.first_point; i < s.last_point; ++i) {
@@ -176,12 +176,12 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
     begin_round(f, team, s, control.iteration() == 0);
     for (next = IterationControl::Next::iteration; next == IterationControl::Next::iteration;) {
       const float momentum_coefficient = control.momentum_coefficient();
-      asked_[rank].speed =
+      thread_residual_[rank].speed =
           rounds_.visit(c.point_friction, control.judged(), s.first_block, s.last_block, pace, momentum_coefficient);
       team.barrier();
       if (control.judged()) {
         residual = 0.0;
-        for (const Asked& asked : asked_) residual = larger(residual, static_cast<double>(asked.speed));
+        for (const ThreadResidual& one : thread_residual_) residual = larger(residual, static_cast<double>(one.speed));
       }
       next = control.after(static_cast<float>(residual));
       if (next != IterationControl::Next::iteration) break;

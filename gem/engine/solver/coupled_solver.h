@@ -71,14 +71,14 @@ class CoupledSolver {
   CoupledLayout layout_;
   CoupledRounds rounds_;
   std::vector<Point> point_;
-  std::vector<Motion<double>> motion_;    // per entry: motion after the impulses of the base
-  std::vector<double> given_, answered_;  // per rank of an entry: see ImpulseWork [J]
+  std::vector<Motion<double>> motion_;                    // per entry: motion after the impulses of the base
+  std::vector<double> linear_energy_, quadratic_energy_;  // per rank of an entry: see EnergyChange [J]
   double share_ = 1.0;
 
-  struct alignas(64) Asked {  // one cache line per thread
+  struct alignas(64) ThreadResidual {  // one cache line per thread
     float speed = 0.0F;
   };
-  std::vector<Asked> asked_;
+  std::vector<ThreadResidual> thread_residual_;
   std::int32_t iterations_ = 0;
   double residual_ = 0.0;
   ThreadTeam alone_{1};

@@ -80,30 +80,30 @@ GEM_HD GEM_INLINE auto opposed(Real p, Real q) {
   return ((p < zero) & (q > zero)) | ((p > zero) & (q < zero));
 }
 
-/// One visit of a point. Reads the extrapolated additions `carried` and the velocities from all of them. Writes the
-/// next additions `at`, and `carried`: `at` plus `momentum_coefficient` times its change. Returns the steps relative to
-/// the old `carried`.
+/// One visit of a point. On entry `extrapolated` holds the extrapolated additions, and `w` the motion that all points'
+/// extrapolated additions give. On return `added` holds the new additions, and `extrapolated` is `added` plus
+/// `momentum_coefficient` times the change of `added`. Returns the new additions minus the old extrapolated ones.
 template <PointFriction law, class Real, class Scalar>
 GEM_HD GEM_INLINE PointImpulse<Real> visit_point(const PointFrame<Real>& f, const Approach<Real>& w,
                                                  StepLength<Scalar> pace, Scalar momentum_coefficient,
-                                                 PointImpulse<Real>& at, PointImpulse<Real>& carried) {
+                                                 PointImpulse<Real>& added, PointImpulse<Real>& extrapolated) {
   const Real zero{};
   const Real excess = w.x * f.normal_x + w.y * f.normal_y + w.spin_b * f.lever_b_n - w.spin_a * f.lever_a_n + f.excess;
-  const Real normal = smaller(larger(carried.normal - excess * f.inverse_nn, f.least), f.most);
-  const Real step_n = normal - carried.normal, change_n = normal - at.normal;
+  const Real normal = smaller(larger(extrapolated.normal - excess * f.inverse_nn, f.least), f.most);
+  const Real step_n = normal - extrapolated.normal, change_n = normal - added.normal;
 
   Real tangential = zero, step_t = zero, change_t = zero;
   if constexpr (law == PointFriction::coulomb) {
     const Real slip = w.y * f.normal_x - w.x * f.normal_y + w.spin_b * f.lever_b_t - w.spin_a * f.lever_a_t + f.slip;
     const Real wider = f.friction * normal;
-    tangential = carried.tangential - (slip + f.nt * step_n) * f.inverse_tt;
+    tangential = extrapolated.tangential - (slip + f.nt * step_n) * f.inverse_tt;
     tangential = larger(smaller(tangential, f.slack_left + wider), -(f.slack_right + wider));
   } else if constexpr (law == PointFriction::fixed_direction) {
     tangential = f.slack_left + f.friction * normal;
   }
   if constexpr (law != PointFriction::none) {
-    step_t = tangential - carried.tangential;
-    change_t = tangential - at.tangential;
+    step_t = tangential - extrapolated.tangential;
+    change_t = tangential - added.tangential;
   }
 
   // The shift also removes the overlap that the remaining closing velocity adds in this time step. At the cap it does
@@ -111,27 +111,28 @@ GEM_HD GEM_INLINE PointImpulse<Real> visit_point(const PointFrame<Real>& f, cons
   const Real shift = w.shift_x * f.normal_x + w.shift_y * f.normal_y + w.turn_b * f.lever_b_n - w.turn_a * f.lever_a_n +
                      f.repair_excess;
   const Real closing = pick(normal < f.most, smaller(excess, zero), zero);
-  const Real repair = larger(carried.repair - (shift + pace.dt * closing) * f.inverse_nn, f.repair_least);
-  const Real step_r = repair - carried.repair, change_r = repair - at.repair;
+  const Real repair = larger(extrapolated.repair - (shift + pace.dt * closing) * f.inverse_nn, f.repair_least);
+  const Real step_r = repair - extrapolated.repair, change_r = repair - added.repair;
 
   const Real along = zero + momentum_coefficient;
   const Real along_r = pick(opposed(step_r, change_r), zero, along);
-  at = {normal, tangential, repair};
-  carried = {normal + along * change_n, tangential + along * change_t, repair + along_r * change_r};
+  added = {normal, tangential, repair};
+  extrapolated = {normal + along * change_n, tangential + along * change_t, repair + along_r * change_r};
   return {step_n, step_t, step_r};
 }
 
-/// The largest speed that a point still asked for in a visit [m/s]. It costs two divisions, so it is not evaluated in
-/// every visit.
+/// The largest velocity correction that a point made in a visit [m/s]. It costs two divisions, so it is not evaluated
+/// in every visit.
 template <PointFriction law, class Real, class Scalar>
-GEM_HD GEM_INLINE Real speed_asked(const PointFrame<Real>& f, const PointImpulse<Real>& step, StepLength<Scalar> pace) {
+GEM_HD GEM_INLINE Real remaining_speed(const PointFrame<Real>& f, const PointImpulse<Real>& step,
+                                       StepLength<Scalar> pace) {
   const Real of_normal = larger(magnitude(step.normal), magnitude(step.repair) * pace.per_step) / f.inverse_nn;
   if constexpr (law == PointFriction::none) return of_normal;
   return larger(of_normal, magnitude(step.tangential) / f.inverse_tt);
 }
 
 /// Sets the constants of a point for the time step.
-GEM_HD inline void enter_geometry(PointFrame<float>& f, const PointGeometry<double>& g) {
+GEM_HD inline void set_geometry_values(PointFrame<float>& f, const PointGeometry<double>& g) {
   f.normal_x = static_cast<float>(g.normal_x);
   f.normal_y = static_cast<float>(g.normal_y);
   f.lever_a_n = static_cast<float>(g.lever_a_n);
@@ -148,8 +149,8 @@ GEM_HD inline void enter_geometry(PointFrame<float>& f, const PointGeometry<doub
 constexpr double boundless = 1e30;
 
 /// Sets the data of a point at the base: impulses `p`, and the motions of both bodies after all base impulses.
-GEM_HD inline void enter_base(PointFrame<float>& f, const PointGeometry<double>& g, const PointImpulse<double>& p,
-                              const Motion<double>& a, const Motion<double>& b) {
+GEM_HD inline void set_base_values(PointFrame<float>& f, const PointGeometry<double>& g, const PointImpulse<double>& p,
+                                   const Motion<double>& a, const Motion<double>& b) {
   const double x = b.x - a.x, y = b.y - a.y;
   f.excess =
       static_cast<float>(x * g.normal_x + y * g.normal_y + b.spin * g.lever_b_n - a.spin * g.lever_a_n - g.target);

@@ -8,9 +8,9 @@
 namespace gem {
 
 /// Allocates from the end of a block's shared memory. The rest stays free.
-class MemoryEnd {
+class TailAllocator {
  public:
-  GEM_DEVICE MemoryEnd(std::byte* shared_memory, std::size_t bytes) : shared_memory_(shared_memory), left_(bytes) {}
+  GEM_DEVICE TailAllocator(std::byte* shared_memory, std::size_t bytes) : shared_memory_(shared_memory), left_(bytes) {}
 
   /// Takes `count` elements. The caller has checked with holds() that they fit.
   template <class T>
@@ -35,18 +35,18 @@ template <class Group>
 class SolverHalo {
  public:
   GEM_DEVICE SolverHalo(const DeviceScene& s, Group& group, std::size_t shared_bytes)
-      : s_(s), group_(group), end_(group.shared_memory(), shared_bytes) {}
+      : s_(s), group_(group), tail_(group.shared_memory(), shared_bytes) {}
 
   /// Finds the bodies of the halo and their records. Call it when all blocks have listed their bodies and this one its
   /// points. If shared memory is too small for one block, no block has a halo in this time step.
   GEM_DEVICE void make() {
-    if (!find() && group_.thread() == 0) group_.set_bit(&s_.counters->crowded, 1U);
+    if (!find() && group_.thread() == 0) group_.set_bit(&s_.counters->halo_overflow, 1U);
   }
 
   /// Makes the halo the set of bodies that the block moves, if all blocks could make theirs. Call it after a grid
   /// barrier.
-  GEM_DEVICE void take_up() {
-    if (s_.counters->crowded != 0) return;
+  GEM_DEVICE void activate() {
+    if (s_.counters->halo_overflow != 0) return;
     if (group_.thread() == 0) {
       SolverWorkspace& workspace = group_.shared().workspace;
       workspace.has_halo = true;
@@ -73,7 +73,7 @@ class SolverHalo {
   GEM_DEVICE bool find() {
     const std::int32_t words = (group_.shared().workspace.bodies + 31) / 32;
     const std::size_t marks = (2 * words + 1) * sizeof(std::uint32_t);
-    if (!end_.holds(marks)) return false;
+    if (!tail_.holds(marks)) return false;
     auto* const met = reinterpret_cast<std::uint32_t*>(group_.shared_memory());
     auto* const before = reinterpret_cast<std::int32_t*>(met + words);
     for (std::int32_t w = group_.thread(); w < words; w += group_.threads()) met[w] = 0;
@@ -85,10 +85,10 @@ class SolverHalo {
     group_.block_barrier();
     HaloWorkspace halo{};
     halo.bodies = before[words];
-    if (!end_.holds(marks + end_.bytes_of<SolverEntry>(halo.bodies) + end_.bytes_of<AddedMotion>(halo.bodies)))
+    if (!tail_.holds(marks + tail_.bytes_of<SolverEntry>(halo.bodies) + tail_.bytes_of<AddedMotion>(halo.bodies)))
       return false;
-    halo.entry = end_.take<SolverEntry>(halo.bodies);
-    halo.motion = end_.take<AddedMotion>(halo.bodies);
+    halo.entry = tail_.take<SolverEntry>(halo.bodies);
+    halo.motion = tail_.take<AddedMotion>(halo.bodies);
     each_side([&](PointSide& side) {
       side.motion = before[side.motion / 32] + bits_in(met[side.motion / 32] & ((1U << (side.motion % 32)) - 1U));
     });
@@ -112,8 +112,8 @@ class SolverHalo {
     }
     group_.block_barrier();
     halo.records = group_.shared().records;
-    if (!end_.holds(end_.bytes_of<std::int32_t>(halo.records) + halo.records * sizeof(PushRecord))) return false;
-    halo.source = end_.take<std::int32_t>(halo.records);
+    if (!tail_.holds(tail_.bytes_of<std::int32_t>(halo.records) + halo.records * sizeof(PushRecord))) return false;
+    halo.source = tail_.take<std::int32_t>(halo.records);
     const auto lanes = group_.lanes();
     constexpr int size = Group::Lanes::size;
     for (std::int32_t k = group_.thread() / size; k < halo.bodies; k += group_.threads() / size) {
@@ -128,7 +128,7 @@ class SolverHalo {
 
   const DeviceScene& s_;
   Group& group_;
-  MemoryEnd end_;
+  TailAllocator tail_;
 };
 
 }  // namespace gem

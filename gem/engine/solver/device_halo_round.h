@@ -23,17 +23,17 @@ class HaloRecords {
   }
 
   /// Copies the records of iteration `number` as soon as they have been written.
-  GEM_DEVICE GEM_INLINE void bring(std::uint32_t number) const {
+  GEM_DEVICE GEM_INLINE void fetch(std::uint32_t number) const {
     if (thread_ >= halves_) return;
     if (halves_ <= 2 * threads_)
-      bring_some<2>(number, from_, thread_);
+      fetch_some<2>(number, from_, thread_);
     else
-      bring_some<kept>(number, from_, thread_);
+      fetch_some<kept>(number, from_, thread_);
     GEM_NO_UNROLL
     for (std::int32_t first = thread_ + kept * threads_; first < halves_; first += kept * threads_) {
       std::int32_t more[kept];
       for (int k = 0; k < kept; ++k) more[k] = from(first + k * threads_);
-      bring_some<kept>(number, more, first);
+      fetch_some<kept>(number, more, first);
     }
   }
 
@@ -52,7 +52,7 @@ class HaloRecords {
   /// Loads all halves together, and again until all have the right number. Each record must have a point that writes it
   /// in this round: otherwise the wait does not end.
   template <int together>
-  GEM_DEVICE GEM_INLINE void bring_some(std::uint32_t number, const std::int32_t* from, std::int32_t first) const {
+  GEM_DEVICE GEM_INLINE void fetch_some(std::uint32_t number, const std::int32_t* from, std::int32_t first) const {
     const NumberedHalf* const all = all_ + turn_ * static_cast<std::int32_t>(number % 2);
     NumberedHalf some[together];
     for (;;) {

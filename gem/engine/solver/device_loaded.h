@@ -11,7 +11,7 @@ namespace gem {
 /// A point while a round runs.
 struct LoadedPoint {
   PointFrame<float> frame;
-  PointImpulse<float> at, carried;
+  PointImpulse<float> added, extrapolated;
   LoadedPlace a, b;
 };
 
@@ -48,14 +48,14 @@ class LoadedCell {
 
   GEM_DEVICE GEM_INLINE void load_additions(LoadedPoint& loaded) const {
     const FloatQuad b = quad(0), c = quad(1);
-    loaded.at = {b.part[0], b.part[1], b.part[2]};
-    loaded.carried = {b.part[3], c.part[0], c.part[1]};
+    loaded.added = {b.part[0], b.part[1], b.part[2]};
+    loaded.extrapolated = {b.part[3], c.part[0], c.part[1]};
     loaded.frame.nt = c.part[2];
     loaded.frame.friction = c.part[3];
   }
   GEM_DEVICE GEM_INLINE void save_additions(const LoadedPoint& loaded) const {
-    quad(0) = {{loaded.at.normal, loaded.at.tangential, loaded.at.repair, loaded.carried.normal}};
-    quad(1) = {{loaded.carried.tangential, loaded.carried.repair, loaded.frame.nt, loaded.frame.friction}};
+    quad(0) = {{loaded.added.normal, loaded.added.tangential, loaded.added.repair, loaded.extrapolated.normal}};
+    quad(1) = {{loaded.extrapolated.tangential, loaded.extrapolated.repair, loaded.frame.nt, loaded.frame.friction}};
   }
 
   GEM_DEVICE GEM_INLINE void set_places(const LoadedPlace& a, const LoadedPlace& b) const {
@@ -88,22 +88,27 @@ class LoadedCell {
 class LoadedTable {
  public:
   GEM_DEVICE GEM_INLINE LoadedTable(const DeviceScene& s, std::byte* shared_memory, const SolverWorkspace& workspace)
-      : fast_(reinterpret_cast<FloatQuad*>(shared_memory + workspace.fast_from) - workspace.fast.begin),
-        all_(s.loaded),
-        fast_begin_(workspace.fast.begin),
-        fast_end_(workspace.fast.end),
+      : shared_(reinterpret_cast<FloatQuad*>(shared_memory + workspace.shared_points_offset) -
+                workspace.shared_points.begin),
+        global_(s.loaded),
+        shared_begin_(workspace.shared_points.begin),
+        shared_end_(workspace.shared_points.end),
         capacity_(s.points_capacity) {}
 
-  GEM_DEVICE GEM_INLINE LoadedCell operator[](std::int32_t i) const { return is_fast(i) ? fast(i) : at_rest(i); }
-  GEM_DEVICE GEM_INLINE bool is_fast(std::int32_t i) const { return i >= fast_begin_ && i < fast_end_; }
-  /// Point i in shared memory; requires is_fast(i).
-  GEM_DEVICE GEM_INLINE LoadedCell fast(std::int32_t i) const { return {fast_ + i, fast_end_ - fast_begin_}; }
+  GEM_DEVICE GEM_INLINE LoadedCell operator[](std::int32_t i) const {
+    return is_in_shared(i) ? in_shared(i) : in_global(i);
+  }
+  GEM_DEVICE GEM_INLINE bool is_in_shared(std::int32_t i) const { return i >= shared_begin_ && i < shared_end_; }
+  /// Point i in shared memory; requires is_in_shared(i).
+  GEM_DEVICE GEM_INLINE LoadedCell in_shared(std::int32_t i) const {
+    return {shared_ + i, shared_end_ - shared_begin_};
+  }
   /// Point i in the scene's memory, where it stays between rounds.
-  GEM_DEVICE GEM_INLINE LoadedCell at_rest(std::int32_t i) const { return {all_ + i, capacity_}; }
+  GEM_DEVICE GEM_INLINE LoadedCell in_global(std::int32_t i) const { return {global_ + i, capacity_}; }
 
  private:
-  FloatQuad *fast_, *all_;
-  std::int32_t fast_begin_, fast_end_, capacity_;
+  FloatQuad *shared_, *global_;
+  std::int32_t shared_begin_, shared_end_, capacity_;
 };
 
 }  // namespace gem

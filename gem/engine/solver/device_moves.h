@@ -63,7 +63,7 @@ class SolverMoves {
       record = shared_memory + parts * entry.shared_record;
     } else if (!Group::reads_other_blocks &&
                static_cast<std::size_t>(entry.count) * sizeof(PushRecord) <= workspace.stage_bytes) {
-      bring(warp, reinterpret_cast<FloatPair*>(shared_memory), s.push + entry.place, entry.count);
+      fetch(warp, reinterpret_cast<FloatPair*>(shared_memory), s.push + entry.place, entry.count);
       warp.sync();
       record = shared_memory;
     }
@@ -147,7 +147,7 @@ class SolverMoves {
 
   /// Copies a row to shared memory.
   template <class Warp>
-  GEM_DEVICE GEM_INLINE static void bring(const Warp& warp, FloatPair* to, const PushRecord* row,
+  GEM_DEVICE GEM_INLINE static void fetch(const Warp& warp, FloatPair* to, const PushRecord* row,
                                           std::int32_t records) {
     constexpr int together = 16;
     const auto* const from = reinterpret_cast<const FloatPair*>(row);

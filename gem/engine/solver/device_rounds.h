@@ -29,7 +29,7 @@ class SolverRounds {
   /// All rounds of a time step in one launch, by blocks with halos.
   GEM_DEVICE static void iterate(const DeviceScene& s, Group& group) {
     static_assert(Group::has_halos);
-    Progress progress = beginning(s);
+    RoundProgress progress = beginning(s);
     each_point(group, [&](std::int32_t i) { Visits::load(s, group, i, true); });
     const bool done = run_round(s, group, progress, true);
     finish(s, group, progress, done);
@@ -47,18 +47,18 @@ class SolverRounds {
   }
   /// The second launch: the first round, usually the only one.
   GEM_DEVICE static void run_first(const DeviceScene& s, Group& group) {
-    SolverList<Group>(s, group, 0, group.shared_bytes()).take_up();
+    SolverList<Group>(s, group, 0, group.shared_bytes()).load();
     const LoadedTable table(s, group.shared_memory(), group.shared().workspace);
     each_point(group, [&](std::int32_t i) {
-      if (table.is_fast(i)) table[i].copy_numbers(table.at_rest(i));
+      if (table.is_in_shared(i)) table[i].copy_numbers(table.in_global(i));
       const PointCell& point = s.taken_point[i];
       table[i].set_places(Visits::place_of(s, group, point.a), Visits::place_of(s, group, point.b));
     });
     group.barrier();  // another block must not write to shared memory before its owner has cleared it
-    Progress progress = beginning(s);
+    RoundProgress progress = beginning(s);
     const bool done = run_round_by_law(s, group, progress, true);
     each_point(group, [&](std::int32_t i) {
-      if (table.is_fast(i)) table.at_rest(i).copy_additions(table[i]);
+      if (table.is_in_shared(i)) table.in_global(i).copy_additions(table[i]);
     });
     if (rank_of(group) == 0) *s.progress = {progress, done};
   }
@@ -66,27 +66,27 @@ class SolverRounds {
   /// needs them), so these blocks use no shared memory.
   GEM_DEVICE static void run_rest(const DeviceScene& s, Group& group) {
     static_assert(!Group::reads_other_blocks);
-    SolverList<Group>(s, group, 0, group.shared_bytes()).take_up();
-    Progress progress = s.progress->progress;
+    SolverList<Group>(s, group, 0, group.shared_bytes()).load();
+    RoundProgress progress = s.progress->progress;
     finish(s, group, progress, s.progress->done);
   }
 
  private:
   using Visits = SolverVisits<Group>;
 
-  GEM_DEVICE static Progress beginning(const DeviceScene& s) {
+  GEM_DEVICE static RoundProgress beginning(const DeviceScene& s) {
     const StepConstants& c = s.constants;
     return {IterationControl(c.residual_speed, c.iterations_maximum, c.tight_residual, s.momentum_coefficients), 0.0F,
             0};
   }
 
   /// Ends a round, then runs further rounds until one was the last.
-  GEM_DEVICE static void finish(const DeviceScene& s, Group& group, Progress& progress, bool done) {
+  GEM_DEVICE static void finish(const DeviceScene& s, Group& group, RoundProgress& progress, bool done) {
     SolverBase<Group> base(s, group);
     for (;;) {
       each_point(group, [&](std::int32_t i) { Visits::add_to_base(s, group, i); });
       group.barrier();
-      base.settle();
+      base.apply_base();
       group.barrier();
       if (done) break;
       each_point(group, [&](std::int32_t i) { Visits::load(s, group, i, false); });
@@ -100,11 +100,12 @@ class SolverRounds {
   }
 
   /// For kernels that do more than iterate: not inlined, to keep their code small.
-  GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Group& group, Progress& progress, bool fresh) {
+  GEM_DEVICE GEM_NOINLINE static bool run_round(const DeviceScene& s, Group& group, RoundProgress& progress,
+                                                bool fresh) {
     return run_round_by_law(s, group, progress, fresh);
   }
 
-  GEM_DEVICE GEM_INLINE static bool run_round_by_law(const DeviceScene& s, Group& group, Progress& progress,
+  GEM_DEVICE GEM_INLINE static bool run_round_by_law(const DeviceScene& s, Group& group, RoundProgress& progress,
                                                      bool fresh) {
     switch (s.constants.point_friction) {
       case PointFriction::none:
@@ -116,29 +117,29 @@ class SolverRounds {
     }
   }
 
-  GEM_DEVICE static void note_asked(Group& group, std::uint32_t* asked, float most) {
+  GEM_DEVICE static void reduce_residual(Group& group, std::uint32_t* residual_bits, float most) {
     const auto warp = group.warp();
     const std::uint32_t all = warp.highest(ordered_bits(most));
-    if (warp.rank() == 0 && all != 0) group.highest(asked, all);
+    if (warp.rank() == 0 && all != 0) group.highest(residual_bits, all);
   }
 
-  GEM_DEVICE GEM_INLINE static void load_asked(const Group& group, std::uint32_t* asked, std::uint32_t most,
-                                               Progress& progress) {
+  GEM_DEVICE GEM_INLINE static void read_residual(const Group& group, std::uint32_t* residual_bits, std::uint32_t most,
+                                                  RoundProgress& progress) {
     progress.residual = from_ordered_bits(most);
     // other threads may write to the next place already, so the one after it is cleared
-    if (rank_of(group) == 0) asked[(progress.turn + 2) % 3] = 0;
+    if (rank_of(group) == 0) residual_bits[(progress.turn + 2) % 3] = 0;
     progress.turn = (progress.turn + 1) % 3;
   }
 
   /// Runs the iterations of one round. `fresh`: no point has pushed yet. Returns whether the round was the last.
   template <PointFriction law>
-  GEM_DEVICE GEM_INLINE static bool run_round_of(const DeviceScene& s, Group& outer, Progress& state, bool fresh) {
+  GEM_DEVICE GEM_INLINE static bool run_round_of(const DeviceScene& s, Group& outer, RoundProgress& state, bool fresh) {
     if constexpr (Group::has_halos)
       if (outer.shared().workspace.has_halo) return run_halo_round_of<law>(s, outer, state, fresh);
     Group group = outer;  // a copy in registers
-    Progress progress = state;
+    RoundProgress progress = state;
     const SolverWorkspace& workspace = group.shared().workspace;
-    std::uint32_t* const asked = s.counters->asked;
+    std::uint32_t* const residual_bits = s.counters->residual_bits;
     typename Visits::KeptPoints own;
     Visits::load(s, group, workspace, own);
     auto next = IterationControl::Next::iteration;
@@ -149,14 +150,14 @@ class SolverRounds {
         group.barrier();
       }
       if (progress.control.judged()) {
-        note_asked(
-            group, asked + progress.turn,
+        reduce_residual(
+            group, residual_bits + progress.turn,
             Visits::template visit_all<law, true>(s, group, workspace, own, momentum_coefficient, Visits::plain));
       } else {
         Visits::template visit_all<law, false>(s, group, workspace, own, momentum_coefficient, Visits::plain);
       }
       group.barrier();
-      if (progress.control.judged()) load_asked(group, asked, asked[progress.turn], progress);
+      if (progress.control.judged()) read_residual(group, residual_bits, residual_bits[progress.turn], progress);
       next = progress.control.after(progress.residual);
     }
     Visits::save(s, group, workspace, own);
@@ -170,18 +171,19 @@ class SolverRounds {
   /// records of iteration n + 2 only after it has read those of n + 1. Their writers had by then read all records of n
   /// that they need.
   template <PointFriction law>
-  GEM_DEVICE GEM_INLINE static bool run_halo_round_of(const DeviceScene& s, Group& outer, Progress& state, bool fresh) {
+  GEM_DEVICE GEM_INLINE static bool run_halo_round_of(const DeviceScene& s, Group& outer, RoundProgress& state,
+                                                      bool fresh) {
     Group group = outer;  // a copy in registers
-    Progress progress = state;
+    RoundProgress progress = state;
     const SolverWorkspace& workspace = group.shared().workspace;
     const HaloRecords<Group> records(s, group, workspace);
     const HaloMoves<Group> moves(s, group, workspace);
-    std::uint32_t* const asked = s.counters->asked;
+    std::uint32_t* const residual_bits = s.counters->residual_bits;
     typename Visits::KeptPoints own;
     Visits::load(s, group, workspace, own);
     std::uint32_t number = Visits::first_number;
     if (!fresh) {
-      records.bring(number);
+      records.fetch(number);
       group.block_barrier();
       moves.move();
       group.block_barrier();
@@ -193,25 +195,26 @@ class SolverRounds {
       const bool judged = progress.control.judged();
       ++number;
       if (judged) {
-        note_asked(group, &group.shared().asked,
-                   Visits::template visit_all<law, true>(s, group, workspace, own, momentum_coefficient, number));
-        group.arrive_asking(asked + progress.turn);
+        reduce_residual(group, &group.shared().block_residual,
+                        Visits::template visit_all<law, true>(s, group, workspace, own, momentum_coefficient, number));
+        group.arrive_with_residual(residual_bits + progress.turn);
         if (fresh)
-          group.wait_for_asked(asked + progress.turn);  // until all blocks have cleared the numbers of their records
+          // until all blocks have cleared the numbers of their records
+          group.wait_for_residual(residual_bits + progress.turn);
       } else {
         Visits::template visit_all<law, false>(s, group, workspace, own, momentum_coefficient, number);
       }
-      // arrive_asking() has this barrier too. Threads without points would otherwise poll memory and slow down the
-      // writers.
+      // arrive_with_residual() has this barrier too. Threads without points would otherwise poll memory and slow down
+      // the writers.
       if (!judged) group.block_barrier();
-      records.bring(number);
+      records.fetch(number);
       group.block_barrier();
       moves.move();  // done before the residual is known; after the last iteration the motions are not used
       if (judged && !fresh)
-        group.wait_for_asked(asked + progress.turn);
+        group.wait_for_residual(residual_bits + progress.turn);
       else
         group.block_barrier();
-      if (judged) load_asked(group, asked, group.shared().asked_by_all, progress);
+      if (judged) read_residual(group, residual_bits, group.shared().grid_residual, progress);
       next = progress.control.after(progress.residual);
     }
     group.barrier();  // all blocks have read the records of this round

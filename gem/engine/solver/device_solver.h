@@ -10,7 +10,7 @@
 // | visit                      | next additions, pushes, residual             |                               |
 // | end of a round             | additions enter the base, pushes of the base |                               |
 //
-// device_solver_list.h makes the list, device_settle.h keeps the base, device_rounds.h runs the rounds. Blocks with
+// device_solver_list.h makes the list, device_base.h keeps the base, device_rounds.h runs the rounds. Blocks with
 // halos (device_halo.h) have no barrier after a move. After a visit they have one only where the residual is judged.
 #pragma once
 
@@ -31,7 +31,7 @@ class StepSolver {
   GEM_DEVICE void solve() {
     SolverList<Group>(s_, group_, step_, shared_bytes_).make();
     begin_points();
-    SolverHalo<Group>(s_, group_, shared_bytes_).take_up();
+    SolverHalo<Group>(s_, group_, shared_bytes_).activate();
     SolverRounds<Group>::iterate(s_, group_);
     end();
   }
@@ -60,7 +60,7 @@ class StepSolver {
     clear_marks();
     if constexpr (Group::has_halos) SolverHalo<Group>(s_, group_, shared_bytes_).make();
     group_.barrier();
-    base.settle();
+    base.apply_base();
     group_.barrier();
     base.keep_best_share(1.0);
   }
@@ -69,7 +69,8 @@ class StepSolver {
     for (std::int32_t w = rank_of(group_); w < bit_words(s_); w += size_of(group_))
       s_.touched_bodies[w] = s_.touched_sorted[w] = 0;
     for (std::int32_t i = rank_of(group_); i < s_.bodies; i += size_of(group_)) s_.work_created[i] = 0.0;
-    if (rank_of(group_) == 0) s_.counters->asked[0] = s_.counters->asked[1] = s_.counters->asked[2] = 0;
+    if (rank_of(group_) == 0)
+      s_.counters->residual_bits[0] = s_.counters->residual_bits[1] = s_.counters->residual_bits[2] = 0;
   }
 
   GEM_DEVICE std::int32_t points_of(std::int32_t body) const {
@@ -139,7 +140,7 @@ class StepSolver {
   std::int32_t step_;
 };
 
-/// Solves a coupled time step, between the pairs phase and the bodies phase.
+/// Solves a coupled time step, between the pair stages and the body stages.
 template <class Group>
 GEM_DEVICE inline void resolve_coupled(const DeviceScene& s, Group& group, const Workspace& workspace,
                                        std::int32_t step) {

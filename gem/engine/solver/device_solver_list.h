@@ -49,7 +49,7 @@ class SolverList {
     if (group_.thread() == 0) s_.solver_workspace[group_.block()] = group_.shared().workspace;
   }
   /// Loads the list that an earlier launch made.
-  GEM_DEVICE void take_up() {
+  GEM_DEVICE void load() {
     SolverWorkspace workspace = s_.solver_workspace[group_.block()];
     place_entries(workspace);
     place_points(workspace);
@@ -125,8 +125,8 @@ class SolverList {
     const std::int32_t kept = Group::kept_points * group_.threads(),
                        first =
                            workspace.points.begin + (kept < workspace.points.count() ? kept : workspace.points.count());
-    workspace.fast = {first, first};
-    workspace.fast_from = 0;
+    workspace.shared_points = {first, first};
+    workspace.shared_points_offset = 0;
   }
 
   /// Leaves entries and motions in the scene's memory. Sets `fits` if shared memory can hold those of the block while
@@ -156,10 +156,10 @@ class SolverList {
       workspace.motion = reinterpret_cast<AddedMotion*>(group_.shared_memory()) - workspace.own.begin;
     }
     if (taken >= bytes) return;
-    const std::int32_t left = workspace.points.end - workspace.fast.begin;
+    const std::int32_t left = workspace.points.end - workspace.shared_points.begin;
     const auto fit = static_cast<std::int32_t>((bytes - taken) / loaded_bytes);
-    workspace.fast.end += left < fit ? left : fit;
-    workspace.fast_from = taken;
+    workspace.shared_points.end += left < fit ? left : fit;
+    workspace.shared_points_offset = taken;
   }
 
   /// Sort key of a body: longest rows first.
@@ -210,7 +210,7 @@ class SolverList {
   /// Whether the block of `body` iterates its points with `other`. Body A takes the points of two floes. The other body
   /// takes those of a large body, so the platform's points are spread over its floes.
   GEM_DEVICE bool takes(std::int32_t body, std::int32_t other, bool as_b) const {
-    return is_large(s_, other) || (!as_b && body != 0);
+    return is_non_floe(s_, other) || (!as_b && body != 0);
   }
 
   /// Some entries of a row, one for each step of a lane. They are loaded together to hide the latency of memory.

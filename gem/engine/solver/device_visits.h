@@ -2,8 +2,8 @@
 // the point pushes its bodies by.
 #pragma once
 
+#include "gem/engine/solver/device_base.h"
 #include "gem/engine/solver/device_loaded.h"
-#include "gem/engine/solver/device_settle.h"
 
 namespace gem {
 
@@ -19,20 +19,20 @@ class SolverVisits {
     return {motion_at(s, group, side), record_at(s, group, side.place, side.shared_record)};
   }
 
-  /// Computes the numbers of a point at the start of a round. `carried`, the extrapolated additions, continues from the
-  /// last round less what has entered the base.
+  /// Computes the numbers of a point at the start of a round. `extrapolated`, the extrapolated additions, continues
+  /// from the last round less what has entered the base.
   GEM_DEVICE GEM_INLINE static void enter(const DeviceScene& s, std::int32_t i, bool fresh, const LoadedCell& cell,
                                           LoadedPoint& loaded) {
     if (fresh)
-      loaded.carried = {0.0F, 0.0F, 0.0F};
+      loaded.extrapolated = {0.0F, 0.0F, 0.0F};
     else
       cell.load_additions(loaded);
     const PointCell& point = s.taken_point[i];
     const PointGeometry<double> geometry = s.points.geometry(i);
-    enter_geometry(loaded.frame, geometry);
-    enter_base(loaded.frame, geometry, s.points.impulse(i), solved_motion(s, point.a.body),
-               solved_motion(s, point.b.body));
-    loaded.at = {0.0F, 0.0F, 0.0F};
+    set_geometry_values(loaded.frame, geometry);
+    set_base_values(loaded.frame, geometry, s.points.impulse(i), solved_motion(s, point.a.body),
+                    solved_motion(s, point.b.body));
+    loaded.added = {0.0F, 0.0F, 0.0F};
   }
 
   /// Prepares a point in memory for a round, and pushes its bodies unless `fresh`.
@@ -61,11 +61,11 @@ class SolverVisits {
     LoadedPoint loaded = cell.load();
     const PointGeometry<double> g = s.points.geometry(i);
     write_base(s, i, s.taken_point[i], g,
-               with_additions(s.constants.point_friction, g, s.points.impulse(i), loaded.at, loaded.frame.least,
+               with_additions(s.constants.point_friction, g, s.points.impulse(i), loaded.added, loaded.frame.least,
                               loaded.frame.most, loaded.frame.repair_least));
-    loaded.carried.normal -= loaded.at.normal;
-    loaded.carried.tangential -= loaded.at.tangential;
-    loaded.carried.repair -= loaded.at.repair;
+    loaded.extrapolated.normal -= loaded.added.normal;
+    loaded.extrapolated.tangential -= loaded.added.tangential;
+    loaded.extrapolated.repair -= loaded.added.repair;
     cell.save_additions(loaded);
   }
 
@@ -99,8 +99,8 @@ class SolverVisits {
     const std::int32_t size = group.threads(), end = workspace.points.end;
     std::int32_t i = workspace.points.begin + group.thread() + kept * size;
     if constexpr (Group::reads_other_blocks)
-      for (; i < workspace.fast.end; i += size) visit_cell(table.fast(i));
-    for (; i < end; i += size) visit_cell(table.at_rest(i));
+      for (; i < workspace.shared_points.end; i += size) visit_cell(table.in_shared(i));
+    for (; i < end; i += size) visit_cell(table.in_global(i));
     return most;
   }
 
@@ -165,7 +165,7 @@ class SolverVisits {
   }
   /// Writes what a point pushes both bodies by. `number`: the iteration's with halos, else plain.
   GEM_DEVICE GEM_INLINE static void push(const DeviceScene& s, const LoadedPoint& loaded, std::uint32_t number) {
-    const PointPush<float> p = push_of(loaded.frame, loaded.carried);
+    const PointPush<float> p = push_of(loaded.frame, loaded.extrapolated);
     write(s, loaded.a.record, p, p.twist_a, p.turn_a, number);
     write(s, loaded.b.record, p, p.twist_b, p.turn_b, number);
   }
@@ -196,9 +196,9 @@ class SolverVisits {
                             turn_b.part[0],
                             turn_b.part[1]};
     const PointImpulse<float> step =
-        visit_point<law>(loaded.frame, w, pace, momentum_coefficient, loaded.at, loaded.carried);
+        visit_point<law>(loaded.frame, w, pace, momentum_coefficient, loaded.added, loaded.extrapolated);
     push(s, loaded, number);  // before the residual: other threads wait for the record
-    return judged ? speed_asked<law>(loaded.frame, step, pace) : 0.0F;
+    return judged ? remaining_speed<law>(loaded.frame, step, pace) : 0.0F;
   }
 };
 

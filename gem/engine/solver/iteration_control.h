@@ -42,17 +42,19 @@ class IterationControl {
   }
 
   /// Whether the residual of this iteration is evaluated: in the first two iterations, in every fourth and in the last,
-  /// as it costs two divisions per point. "Every fourth" was chosen by hand; up to three iterations are done in vain.
+  /// as it costs two divisions per point. "Every fourth" is a tuned value; up to three iterations may run after
+  /// convergence.
   GEM_HD bool judged() const { return judged_; }
 
-  /// What follows an iteration with residual `asked` [m/s], which counts only if judged().
-  GEM_HD Next after(float asked) {
-    if (of_round_ == 1) first_ = asked;
-    if (judged_) watch(asked);
-    const bool met = judged_ && static_cast<double>(asked) <= residual_;
+  /// What follows an iteration with residual `residual_now` [m/s], which counts only if judged().
+  GEM_HD Next after(float residual_now) {
+    if (of_round_ == 1) first_ = residual_now;
+    if (judged_) watch(residual_now);
+    const bool met = judged_ && static_cast<double>(residual_now) <= residual_;
     if (iteration_ >= most_ || (met && (!tight_ || of_round_ == 1))) return Next::end;
     if (of_round_ < longest_round &&
-        !(judged_ && tight_ && (met || static_cast<double>(asked) <= single_precision * static_cast<double>(first_))))
+        !(judged_ && tight_ &&
+          (met || static_cast<double>(residual_now) <= single_precision * static_cast<double>(first_))))
       return Next::iteration;
     of_round_ = 0;
     return Next::round;
@@ -67,14 +69,14 @@ class IterationControl {
 
   /// Restarts the extrapolation when the residual has grown well beyond its lowest value. The effect of the restart is
   /// in validation/solver_study.md ("restart by residual"); the factor 2 was chosen by hand.
-  GEM_HD void watch(float asked) {
+  GEM_HD void watch(float residual_now) {
     constexpr float well_beyond = 2.0F;
-    const bool overshot = lowest_ > 0.0F && asked > well_beyond * lowest_;
+    const bool overshot = lowest_ > 0.0F && residual_now > well_beyond * lowest_;
     if (overshot) {
       place_ = most_;
       next_coefficient_ = momentum_coefficients_[place_];
     }
-    if (overshot || lowest_ == 0.0F || asked < lowest_) lowest_ = asked;
+    if (overshot || lowest_ == 0.0F || residual_now < lowest_) lowest_ = residual_now;
   }
 
   double residual_;

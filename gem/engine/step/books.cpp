@@ -134,10 +134,10 @@ Ledger closed_books(const FieldState& f, Ledger& running) {
 void check_finite(const FieldState& f, std::int64_t step) {
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
     if (!finite_or_inactive(f.bodies, i))
-      throw Error(ExitCode::numerical_stop,
-                  "body " + std::to_string(i) + " has a state that is no number after time step " +
-                      std::to_string(step) + " (t = " + number_text(static_cast<double>(step) * f.constants.dt, 9) +
-                      " s); try a smaller numerics.time_step_s");
+      throw Error(ExitCode::numerical_stop, "body " + std::to_string(i) + " has a non-finite state after time step " +
+                                                std::to_string(step) +
+                                                " (t = " + number_text(static_cast<double>(step) * f.constants.dt, 9) +
+                                                " s); try a smaller numerics.time_step_s");
 }
 
 void retire(FieldState& f) {

@@ -9,7 +9,7 @@
 //   K_n     compliance of the pair at this point alone                     [1/kg]
 //   P_n P_t impulse on B along the normal and the normal turned left       [N s]
 //   cap     impulse that crushes the whole face                            [N s]
-// The complementarity is a speed: the largest change of u_n that the point still asks for.
+// The complementarity is a speed: the change of u_n that would satisfy the normal contact law.
 #pragma once
 
 #include "gem/base/choose.h"

@@ -27,7 +27,7 @@ inline CollisionMass collision_mass(const Bodies& b, std::int32_t i) {
 
 /// Prefetches what the narrow phase reads of a body. The bodies of listed pairs are scattered in memory if floes are
 /// not numbered along the channel.
-inline void foresee_search(const FieldState& f, std::int32_t i) {
+inline void prefetch_search(const FieldState& f, std::int32_t i) {
   __builtin_prefetch(&f.bodies.position[i]);
   __builtin_prefetch(&f.bodies.radius[i]);
   __builtin_prefetch(&f.turn_travel[i]);
@@ -35,7 +35,7 @@ inline void foresee_search(const FieldState& f, std::int32_t i) {
 }
 
 /// Prefetches the outline of a body.
-inline void foresee_outline(const FieldState& f, std::int32_t i) {
+inline void prefetch_outline(const FieldState& f, std::int32_t i) {
   const std::int32_t first = f.bodies.vertex_begin[i];
   constexpr std::int32_t line = 4;  // corners per cache line
   __builtin_prefetch(&f.corner[first]);
@@ -45,7 +45,7 @@ inline void foresee_outline(const FieldState& f, std::int32_t i) {
 }
 
 /// Prefetches what the events read of a body.
-inline void foresee_events(const FieldState& f, std::int32_t i) {
+inline void prefetch_events(const FieldState& f, std::int32_t i) {
   __builtin_prefetch(&f.bodies.velocity[i]);
   __builtin_prefetch(&f.bodies.spin[i]);
   __builtin_prefetch(&f.bodies.inverse_mass[i]);

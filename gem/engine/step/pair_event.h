@@ -136,7 +136,7 @@ GEM_HD inline PointGeometry<double> point_geometry(const StepConstants& c, const
   g.lever_a_t = cross(slot.arm_a, tangent);
   g.lever_b_n = cross(slot.arm_b, normal);
   g.lever_b_t = cross(slot.arm_b, tangent);
-  enter_compliance(g, a.inverse_mass + b.inverse_mass, a.inverse_inertia, b.inverse_inertia);
+  set_compliance(g, a.inverse_mass + b.inverse_mass, a.inverse_inertia, b.inverse_inertia);
   g.friction = contact.friction;
   if (c.point_friction == PointFriction::fixed_direction) {
     const double slip = slot.tangential_before;

@@ -20,7 +20,7 @@ struct StepConstants {
   Manifold manifold = Manifold::chord_ends;
   double contact_margin = 0.0;  // coupled: faces closer than this form a contact [m]
   PointFriction point_friction = PointFriction::coulomb;
-  double residual_speed = 0.0;  // coupled: iterations stop when no point asks for more [m/s]
+  double residual_speed = 0.0;  // coupled: iterations stop at this residual [m/s]
   bool tight_residual = false;  // the residual is below the resolution of single precision
   std::int64_t iterations_maximum = 0;
   double repair_share = 0.0;      // share of an overlap that is repaired in one time step [-]

@@ -24,7 +24,7 @@ namespace gem::test {
 constexpr int team_lanes = 2, team_warp = 4;
 
 template <int lanes>
-struct GroupHall {
+struct GroupExchange {
   std::barrier<> meet{lanes};
   alignas(16) std::byte value[lanes][64];
 };
@@ -34,17 +34,17 @@ class TeamLanes {
  public:
   static constexpr int size = lanes;
 
-  TeamLanes(GroupHall<lanes>& hall, int rank) : hall_(&hall), rank_(rank) {}
+  TeamLanes(GroupExchange<lanes>& exchange, int rank) : exchange_(&exchange), rank_(rank) {}
 
   int rank() const { return rank_; }
   template <class T>
   T from(const T& mine, int lane) const {
-    static_assert(sizeof(T) <= sizeof hall_->value[0]);
-    std::memcpy(hall_->value[rank_], &mine, sizeof(T));
-    hall_->meet.arrive_and_wait();
+    static_assert(sizeof(T) <= sizeof exchange_->value[0]);
+    std::memcpy(exchange_->value[rank_], &mine, sizeof(T));
+    exchange_->meet.arrive_and_wait();
     T theirs;
-    std::memcpy(&theirs, hall_->value[lane], sizeof(T));
-    hall_->meet.arrive_and_wait();
+    std::memcpy(&theirs, exchange_->value[lane], sizeof(T));
+    exchange_->meet.arrive_and_wait();
     return theirs;
   }
   template <class T>
@@ -56,7 +56,7 @@ class TeamLanes {
     for (int k = 0; k < size; ++k) bits |= from(mine, k) ? 1U << k : 0U;
     return bits;
   }
-  void sync() const { hall_->meet.arrive_and_wait(); }
+  void sync() const { exchange_->meet.arrive_and_wait(); }
   int count(unsigned bits) const { return std::popcount(bits); }
   int count_below(unsigned bits) const { return std::popcount(bits & ((1U << rank_) - 1U)); }
   int lowest(unsigned bits) const { return std::countr_zero(bits); }
@@ -80,13 +80,13 @@ class TeamLanes {
   }
 
  private:
-  GroupHall<lanes>* hall_;
+  GroupExchange<lanes>* exchange_;
   int rank_;
 };
 
 /// Barriers and shared data of a team.
-struct TeamHall {
-  TeamHall(int block_count, int thread_count, std::size_t shared_bytes)
+struct TeamState {
+  TeamState(int block_count, int thread_count, std::size_t shared_bytes)
       : blocks(block_count),
         threads(thread_count),
         all(block_count * thread_count),
@@ -95,15 +95,16 @@ struct TeamHall {
     for (int k = 0; k < block_count; ++k) block.push_back(std::make_unique<std::barrier<>>(thread_count));
     const int all_threads = block_count * thread_count;
     part.resize(std::size_t(all_threads));
-    for (int k = 0; k < all_threads / team_lanes; ++k) lane_group.push_back(std::make_unique<GroupHall<team_lanes>>());
-    for (int k = 0; k < all_threads / team_warp; ++k) warp.push_back(std::make_unique<GroupHall<team_warp>>());
+    for (int k = 0; k < all_threads / team_lanes; ++k)
+      lane_group.push_back(std::make_unique<GroupExchange<team_lanes>>());
+    for (int k = 0; k < all_threads / team_warp; ++k) warp.push_back(std::make_unique<GroupExchange<team_warp>>());
   }
 
   int blocks, threads;
   std::barrier<> all;
   std::vector<std::unique_ptr<std::barrier<>>> block;
-  std::vector<std::unique_ptr<GroupHall<team_lanes>>> lane_group;
-  std::vector<std::unique_ptr<GroupHall<team_warp>>> warp;
+  std::vector<std::unique_ptr<GroupExchange<team_lanes>>> lane_group;
+  std::vector<std::unique_ptr<GroupExchange<team_warp>>> warp;
   std::vector<BlockCell> cell;
   std::vector<std::vector<std::byte>> shared_memory;
   /// The state of one thread at the barrier of all threads.
@@ -124,47 +125,47 @@ class HostGroup {
   static constexpr bool reads_other_blocks = false;
   static constexpr bool has_halos = true;
 
-  HostGroup(TeamHall& hall, int block, int thread) : hall_(hall), block_(block), thread_(thread) {}
+  HostGroup(TeamState& state, int block, int thread) : state_(state), block_(block), thread_(thread) {}
 
   int block() const { return block_; }
-  int blocks() const { return hall_.blocks; }
+  int blocks() const { return state_.blocks; }
   int thread() const { return thread_; }
-  int threads() const { return hall_.threads; }
+  int threads() const { return state_.threads; }
   Lanes lanes() const {
-    return {*hall_.lane_group[std::size_t(block_ * threads() + thread_) / team_lanes], thread_ % team_lanes};
+    return {*state_.lane_group[std::size_t(block_ * threads() + thread_) / team_lanes], thread_ % team_lanes};
   }
   Wide wide() const { return lanes(); }
   Warp warp() const {
-    return {*hall_.warp[std::size_t(block_ * threads() + thread_) / team_warp], thread_ % team_warp};
+    return {*state_.warp[std::size_t(block_ * threads() + thread_) / team_warp], thread_ % team_warp};
   }
   void barrier() {
     ++part().barriers;
-    hall_.all.arrive_and_wait();
+    state_.all.arrive_and_wait();
   }
-  void arrive_asking(std::uint32_t* asked) {
+  void arrive_with_residual(std::uint32_t* residual_bits) {
     block_barrier();
     if (thread() == 0) {
-      highest(asked, shared().asked);
-      shared().asked = 0;
+      highest(residual_bits, shared().block_residual);
+      shared().block_residual = 0;
     }
     ++part().barriers;
-    part().arrived.emplace(hall_.all.arrive());
+    part().arrived.emplace(state_.all.arrive());
   }
-  void wait_for_asked(const std::uint32_t* asked) {
-    hall_.all.wait(std::move(*part().arrived));
+  void wait_for_residual(const std::uint32_t* residual_bits) {
+    state_.all.wait(std::move(*part().arrived));
     part().arrived.reset();
-    if (thread() == 0) shared().asked_by_all = *asked;
+    if (thread() == 0) shared().grid_residual = *residual_bits;
     block_barrier();  // also orders what the threads did between arrival and wait
   }
   int barriers() const { return part().barriers; }
-  void block_barrier() { hall_.block[std::size_t(block_)]->arrive_and_wait(); }
-  BlockCell& shared() { return hall_.cell[std::size_t(block_)]; }
-  std::byte* shared_memory() { return hall_.shared_memory[std::size_t(block_)].data(); }
-  std::size_t shared_bytes() const { return hall_.shared_memory[std::size_t(block_)].size(); }
+  void block_barrier() { state_.block[std::size_t(block_)]->arrive_and_wait(); }
+  BlockCell& shared() { return state_.cell[std::size_t(block_)]; }
+  std::byte* shared_memory() { return state_.shared_memory[std::size_t(block_)].data(); }
+  std::size_t shared_bytes() const { return state_.shared_memory[std::size_t(block_)].size(); }
   void raise(std::uint32_t alarms) {
-    for (BlockCell& cell : hall_.cell) std::atomic_ref(cell.alarms).fetch_or(alarms);
+    for (BlockCell& cell : state_.cell) std::atomic_ref(cell.alarms).fetch_or(alarms);
   }
-  std::uint32_t alarms() const { return std::atomic_ref(hall_.cell[std::size_t(block_)].alarms).load(); }
+  std::uint32_t alarms() const { return std::atomic_ref(state_.cell[std::size_t(block_)].alarms).load(); }
   void lower_alarms() {
     if (thread_ == 0) std::atomic_ref(shared().alarms).store(0);
   }
@@ -198,12 +199,12 @@ class HostGroup {
   static void set_bit(std::uint32_t* word, std::uint32_t bit) { std::atomic_ref(*word).fetch_or(bit); }
 
  protected:
-  TeamHall& hall() const { return hall_; }
+  TeamState& state() const { return state_; }
 
  private:
-  TeamHall::Part& part() const { return hall_.part[std::size_t(block_ * threads() + thread_)]; }
+  TeamState::Part& part() const { return state_.part[std::size_t(block_ * threads() + thread_)]; }
 
-  TeamHall& hall_;
+  TeamState& state_;
   int block_, thread_;
 };
 
@@ -213,7 +214,7 @@ class PhaseTeam : public HostGroup {
   using HostGroup::HostGroup;
   static constexpr int kept_points = 1;
   static constexpr bool reads_other_blocks = true, has_halos = false;
-  std::byte* shared_memory_of(int block) const { return hall().shared_memory[std::size_t(block)].data(); }
+  std::byte* shared_memory_of(int block) const { return state().shared_memory[std::size_t(block)].data(); }
   void raise_in(std::uint32_t& alarms) { alarms_ = &alarms; }
   void raise(std::uint32_t alarms) { std::atomic_ref(*alarms_).fetch_or(alarms); }
 
@@ -233,12 +234,12 @@ class SettleTeam : public PhaseTeam {
 /// Runs work(group) on every thread of a team; `threads` is a multiple of team_warp.
 template <class Group>
 void run_team(int blocks, int threads, std::size_t shared_bytes, const std::function<void(Group&)>& work) {
-  TeamHall hall(blocks, threads, shared_bytes);
+  TeamState state(blocks, threads, shared_bytes);
   std::vector<std::thread> team;
   for (int b = 0; b < blocks; ++b)
     for (int t = 0; t < threads; ++t)
       team.emplace_back([&, b, t] {
-        Group group(hall, b, t);
+        Group group(state, b, t);
         work(group);
       });
   for (std::thread& thread : team) thread.join();

@@ -11,8 +11,8 @@
 #include "gem/engine/device/scene_image.h"
 #include "gem/engine/step/books.h"
 #include "gem/engine/testing/host_group.h"
+#include "gem/engine/testing/one_thread_group.h"
 #include "gem/engine/testing/same_bits.h"
-#include "gem/engine/testing/solo_crew.h"
 
 namespace gem::test {
 
@@ -39,23 +39,23 @@ class HostScene {
   }
 
   /// Runs each phase separately from now on. `solver_shared_memory`: shared memory of the phases that iterate [bytes].
-  void by_phases(std::size_t solver_shared_memory = 1 << 20) {
-    by_phases_ = true;
+  void use_phases(std::size_t solver_shared_memory = 1 << 20) {
+    phases_ = true;
     solver_shared_memory_ = solver_shared_memory;
   }
-  void by_steps() { by_phases_ = false; }
+  void use_resident() { phases_ = false; }
   /// Sets the shared memory of each block from the next call on [bytes].
   void give_space(std::size_t bytes) { shared_memory_ = bytes; }
 
   void advance(std::int64_t steps, StepLog& log) {
     while (steps > 0) {
       const std::int32_t some = static_cast<std::int32_t>(std::min<std::int64_t>(steps, sizes_.samples));
-      if (by_phases_)
+      if (phases_)
         run_phases(some);
       else
         run_steps(some);
       const DeviceStatus& status = *scene_.status;
-      append_log(field_, scene_, status, by_phases_ ? 1 : sizes_.blocks, log);
+      append_log(field_, scene_, status, phases_ ? 1 : sizes_.blocks, log);
       steps -= status.samples;
       if (status.stop == DeviceStop::list_full) {
         sizes_.rows = std::max(sizes_.rows, status.rows_needed);
@@ -89,14 +89,14 @@ class HostScene {
   const Bodies& bodies() const { return field_.bodies; }
   const DeviceStatus& status() const { return *scene_.status; }
   int growths() const { return growths_; }
-  /// Number of pairs that sleep now, if the scene was run by phases.
+  /// Number of pairs that sleep now, if the scene was run on the phases route.
   std::int32_t asleep() const {
     std::int32_t count = 0;
     for (std::int32_t p = 0; p < scene_.counters->pairs; ++p)
       count += scene_.wake[p] > static_cast<float>(scene_.status->clock) ? 1 : 0;
     return count;
   }
-  /// The solver workspace of a block in the last time step, if the scene is coupled and was run by phases.
+  /// The solver workspace of a block in the last time step, if the scene is coupled and was run on the phases route.
   const SolverWorkspace& solver_workspace(int block) const { return scene_.solver_workspace[block]; }
   std::int32_t longest_lower_row() const {
     std::int32_t longest = 0;
@@ -191,9 +191,9 @@ class HostScene {
   DeviceScene scene_;
   int threads_;
   std::size_t shared_memory_, solver_shared_memory_ = 0;
-  bool by_phases_ = false;
-  bool lists_ = false;        // by phases: the next time step needs a new list
-  std::uint32_t alarms_ = 0;  // by phases
+  bool phases_ = false;
+  bool lists_ = false;        // phases route: the next time step needs a new list
+  std::uint32_t alarms_ = 0;  // phases route
   std::vector<std::byte> memory_[3];
   int growths_ = 0;
 };

@@ -12,9 +12,7 @@
 namespace gem {
 
 // GoogleTest finds PrintTo in the namespace of its argument.
-inline void PrintTo(ContactSolver solver, std::ostream* out) {
-  *out << (solver == ContactSolver::coupled ? "coupled" : "independent");
-}
+inline void PrintTo(ContactSolver solver, std::ostream* out) { *out << solver_name(solver); }
 
 inline void PrintTo(Manifold manifold, std::ostream* out) {
   *out << (manifold == Manifold::chord_ends ? "chord_ends" : "chord_middle");

@@ -48,9 +48,9 @@ PlatformRecord platform_record(const RunFile& file) {
           read("contacts")};
 }
 
-EventRecord event_record(const RunFile& file) {
+EventColumns event_record(const RunFile& file) {
   const auto read = [&file](const std::string& name) { return column(file, "events/" + name); };
-  EventRecord events{read("time"), {}, read("nx"), read("ny"), read("impulse"), read("force_peak")};
+  EventColumns events{read("time"), {}, read("nx"), read("ny"), read("impulse"), read("force_peak")};
   for (const double body : read("body_b")) events.body_b.push_back(static_cast<std::int32_t>(body));
   return events;
 }

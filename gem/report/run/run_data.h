@@ -36,7 +36,7 @@ struct PlatformRecord {
 };
 
 /// Events on the platform; the normal points from the platform into the ice.
-struct EventRecord {
+struct EventColumns {
   std::vector<double> time;
   std::vector<std::int32_t> body_b;
   std::vector<double> nx, ny;
@@ -71,7 +71,7 @@ struct RunData {
   double force_window_s = 0.0;    // of ice_force_mean
   Vec2 rest;                      // rest position of the mooring [m]
   PlatformRecord platform;
-  EventRecord events;
+  EventColumns events;
   StatsRecord stats;
   Corners platform_outline;            // about its centre
   std::vector<Corners> fixed;          // world

@@ -106,7 +106,7 @@ double sample_interval(const std::vector<double>& time) {
   return interval;
 }
 
-std::vector<std::size_t> opening_events(const EventRecord& events) {
+std::vector<std::size_t> opening_events(const EventColumns& events) {
   std::map<std::int32_t, double> last;
   std::vector<std::size_t> opening;
   for (std::size_t i = 0; i < events.time.size(); ++i) {

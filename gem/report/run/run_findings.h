@@ -65,7 +65,7 @@ inline constexpr std::size_t kSamplesForStatistics = 64;
 
 /// A floe that rests against the platform has an event in every time step; only the first counts as an impact.
 inline constexpr double kTouchGap = 1.0;  // [s]
-std::vector<std::size_t> opening_events(const EventRecord& events);
+std::vector<std::size_t> opening_events(const EventColumns& events);
 
 /// Computes everything that the records of the run allow; the rest stays zero or empty.
 RunFindings run_findings(const RunData& run);

@@ -152,7 +152,7 @@ void add_contact(SceneTable& t) {
 void add_numerics(SceneTable& t) {
   t.number("numerics.time_step_s", "s", {1e-6, 100.0}, "time step dt", GEM_FIELD(numerics.time_step_s));
   t.number("numerics.residual_tolerance", "", {0.0, 1.0, true},
-           "coupled: iterations end when no event asks for more than this share of the current speed",
+           "coupled: iterations end when the residual is below this share of the current speed",
            GEM_FIELD(numerics.residual_tolerance));
   t.integer("numerics.iterations_maximum", {1.0, 1e5}, "coupled: largest number of iterations in one time step",
             GEM_FIELD(numerics.iterations_maximum));

@@ -19,7 +19,7 @@ GEM_DEVICE inline void book_fixed_contact(const DeviceScene& s, std::int32_t i, 
 }
 
 /// Which entries in 32 entries of a row were written in this time step: a bit for each.
-struct RowNews {
+struct RowChanges {
   static constexpr int stretch = 32;
   std::uint32_t entries = 0, works = 0;
 };
@@ -27,18 +27,19 @@ struct RowNews {
 /// Entries that are loaded together to hide the latency of memory.
 constexpr int loaded_together = 2;
 
-GEM_DEVICE inline RowNews row_news(const DeviceScene& s, std::int32_t row, std::int32_t places, std::int32_t step) {
+GEM_DEVICE inline RowChanges row_changes(const DeviceScene& s, std::int32_t row, std::int32_t places,
+                                         std::int32_t step) {
   constexpr int together = 8;
-  RowNews news;
-  for (int first = 0; first < RowNews::stretch && first < places; first += together) {
+  RowChanges changes;
+  for (int first = 0; first < RowChanges::stretch && first < places; first += together) {
     RowStamp stamp[together];
     for (int k = 0; k < together; ++k) stamp[k] = first + k < places ? s.stamp[row + first + k] : RowStamp{};
     for (int k = 0; k < together; ++k) {
-      news.entries |= stamp[k].entry == step ? 1U << (first + k) : 0U;
-      news.works |= stamp[k].work == step ? 1U << (first + k) : 0U;
+      changes.entries |= stamp[k].entry == step ? 1U << (first + k) : 0U;
+      changes.works |= stamp[k].work == step ? 1U << (first + k) : 0U;
     }
   }
-  return news;
+  return changes;
 }
 
 /// Takes out the lowest set bits and holds their positions; -1 where no bit is left.
@@ -105,12 +106,13 @@ GEM_DEVICE inline void book_works(const DeviceScene& s, std::int32_t i, std::int
 }
 
 /// Books the work of the last time step's contacts. Entries with this `stamp` count.
-GEM_DEVICE inline void gather_work(const DeviceScene& s, std::int32_t i, const BodyMotion& motion, std::int32_t stamp) {
-  for (std::int32_t first = 0; first < motion.lower_count; first += RowNews::stretch) {
+GEM_DEVICE inline void add_row_work(const DeviceScene& s, std::int32_t i, const BodyMotion& motion,
+                                    std::int32_t stamp) {
+  for (std::int32_t first = 0; first < motion.lower_count; first += RowChanges::stretch) {
     const std::int32_t row = motion.row_begin + first;
-    const std::uint32_t works = row_news(s, row, motion.lower_count - first, stamp).works;
+    const std::uint32_t works = row_changes(s, row, motion.lower_count - first, stamp).works;
     book_works(s, i, row, works);
-    for (int k = 0; k < RowNews::stretch && works >> k != 0; ++k)
+    for (int k = 0; k < RowChanges::stretch && works >> k != 0; ++k)
       // the books may be closed once more before the next time step: this work must not count twice
       if (works >> k & 1U) s.stamp[row + k].work = -1;
   }
@@ -143,20 +145,20 @@ GEM_DEVICE inline bool add_entries(const DeviceScene& s, std::int32_t row, std::
 /// Adds the contacts of the time step by ascending id of the other body. Returns whether any acted. Coupled: the solver
 /// has added them already, so this only writes books.
 template <ContactSolver solver>
-GEM_DEVICE inline bool gather(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
-                              std::int32_t step, BodyAfter& after) {
+GEM_DEVICE inline bool add_row(const DeviceScene& s, std::int32_t i, const BodyCell& cell, const BodyMotion& motion,
+                               std::int32_t step, BodyAfter& after) {
   const bool moves = solver == ContactSolver::independent && cell.kind == BodyKind::floe;
   const std::int32_t begin = motion.row_begin, lower = motion.lower_count;
   const std::int32_t places = moves ? motion.row_count : lower;
   bool struck = false;
-  for (std::int32_t first = 0; first < places; first += RowNews::stretch) {
+  for (std::int32_t first = 0; first < places; first += RowChanges::stretch) {
     const std::int32_t row = begin + first;
-    const RowNews news = row_news(s, row, places - first, step);
-    book_works(s, i, row, news.works);
-    if (moves) struck = add_entries(s, row, news.entries, after) || struck;
-    // large bodies, which include the fixed ones, come first in a row
-    for (std::int32_t k = 0; first + k < lower && first + k < s.large_bodies && k < RowNews::stretch; ++k)
-      if ((news.entries >> k & 1U) && s.row_other[row + k] < s.large_bodies) book_fixed_contact(s, i, cell, row + k);
+    const RowChanges changes = row_changes(s, row, places - first, step);
+    book_works(s, i, row, changes.works);
+    if (moves) struck = add_entries(s, row, changes.entries, after) || struck;
+    // the platform and fixed bodies come first in a row
+    for (std::int32_t k = 0; first + k < lower && first + k < s.non_floes && k < RowChanges::stretch; ++k)
+      if ((changes.entries >> k & 1U) && s.row_other[row + k] < s.non_floes) book_fixed_contact(s, i, cell, row + k);
   }
   return struck;
 }

@@ -60,11 +60,11 @@ class OneThreadGroup {
   static void write_whole(NumberedHalf* to, const NumberedHalf& value) { *to = value; }
   static NumberedHalf read_whole(const NumberedHalf* from) { return *from; }
   static void pause() {}
-  void arrive_asking(std::uint32_t* asked) {
-    highest(asked, shared().asked);
-    shared().asked = 0;
+  void arrive_with_residual(std::uint32_t* residual_bits) {
+    highest(residual_bits, shared().block_residual);
+    shared().block_residual = 0;
   }
-  void wait_for_asked(const std::uint32_t* asked) { shared().asked_by_all = *asked; }
+  void wait_for_residual(const std::uint32_t* residual_bits) { shared().grid_residual = *residual_bits; }
   static int barriers() { return 0; }
   void raise(std::uint32_t alarms) { shared().alarms |= alarms; }
   std::uint32_t alarms() const { return own_->cell.alarms; }

@@ -7,8 +7,7 @@
 
 namespace gem {
 
-/// Part of a PushBase that holds the work of its point at the end of the time step, where the point's work is booked
-/// with this body [J].
+/// Index in PushBase::part of the work of the point, stored at the end of a time step with the body that books it [J].
 constexpr int solved_work = 7;
 
 /// Sets the base impulse of a point, and writes what it gives to both bodies.
@@ -30,7 +29,7 @@ class SolverBase {
   GEM_DEVICE SolverBase(const DeviceScene& s, Group& group) : s_(s), group_(group) {}
 
   /// Computes the velocities and shifts of the block's bodies under the base impulses, and the work on each body.
-  GEM_DEVICE void settle() {
+  GEM_DEVICE void apply_base() {
     const auto lanes = group_.lanes();
     constexpr int size = Group::Lanes::size, each = 8 / size, together = 4;
     for (std::int32_t e = workspace().own.begin + group_.thread() / size; e < workspace().own.end;
@@ -65,16 +64,16 @@ class SolverBase {
       const double x = lanes.from(sum[0], 0), y = lanes.from(sum[1 / size], 1 % size),
                    spin = lanes.from(sum[4 / size], 4 % size);
       if (lanes.rank() != 0) continue;
-      const ImpulseWork work =
-          work_on_body({x, y, spin, 0.0, 0.0, 0.0}, before.x, before.y, spin_before, mass, inertia);
-      s_.given[entry.rank] = work.given;
-      s_.answered[entry.rank] = work.answered;
+      const EnergyChange change =
+          energy_change({x, y, spin, 0.0, 0.0, 0.0}, before.x, before.y, spin_before, mass, inertia);
+      s_.linear_energy[entry.rank] = change.linear;
+      s_.quadratic_energy[entry.rank] = change.quadratic;
     }
   }
 
   /// As CoupledSolver::keep_best_share(): scales the base impulses if the best fraction is below `limit`.
   GEM_DEVICE void keep_best_share(double limit) {
-    const Sums work = ordered_sums<2>(s_.given, s_.answered, workspace().bodies);
+    const Sums work = ordered_sums<2>(s_.linear_energy, s_.quadratic_energy, workspace().bodies);
     const double share = best_share({work.first, work.second});
     if (!(share < limit)) return;
     each_point(group_, [&](std::int32_t i) {
@@ -84,7 +83,7 @@ class SolverBase {
       write_base(s_, i, s_.taken_point[i], s_.points.geometry(i), impulse);
     });
     group_.barrier();
-    settle();
+    apply_base();
     group_.barrier();
   }
 

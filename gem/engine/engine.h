@@ -111,7 +111,7 @@ class Engine {
   /// The accelerator it runs on, for the run file. Empty: none.
   virtual std::string device() const { return {}; }
   /// Advances the field by `steps` time steps and appends to `log`. Throws Error(numerical_stop) if the state is not
-  /// finite.
+  /// finite. After any exception the engine needs restore() before it can advance again.
   virtual void advance(std::int64_t steps, StepLog& log) = 0;
   /// Time steps done since t = 0; the time is step() * numerics.time_step_s.
   virtual std::int64_t step() const = 0;

@@ -25,7 +25,7 @@ void CpuEngine::advance(std::int64_t steps, StepLog& log) {
     ThreadTeam& team = choice_.all_threads() ? all_threads_ : one_thread_;
     choice_.start();
     team.run([&](int rank) {
-      for (std::int64_t i = 0; i < stretch && !team.failed(); ++i) one_step(team, rank, log);
+      for (std::int64_t i = 0; i < stretch; ++i) one_step(team, rank, log);
     });
     if (all_threads_.size() > 1) choice_.note(stretch);
     steps -= stretch;
@@ -33,12 +33,7 @@ void CpuEngine::advance(std::int64_t steps, StepLog& log) {
 }
 
 void CpuEngine::one_step(ThreadTeam& team, int rank, StepLog& log) {
-  bool goes_on = true;
-  for_each_stage([&](auto stage) {
-    if (goes_on) run<stage.value>(team, rank, log);
-    // Asked only here, behind a barrier: elsewhere a thread could see a fault that another one does not see yet.
-    if (stage == Stage::solo_events) goes_on = !team.failed();
-  });
+  for_each_stage([&](auto stage) { run<stage.value>(team, rank, log); });
 }
 
 template <Stage stage>

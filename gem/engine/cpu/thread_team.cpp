@@ -86,14 +86,10 @@ void ThreadTeam::gather_again() {
   handed_out_.store(0, std::memory_order_relaxed);
   called_off_.store(false, std::memory_order_relaxed);
   const std::lock_guard lock(mutex_);
-  // an exception of a thread may be a consequence of an earlier fault in single()
-  const std::exception_ptr why = fault_ ? fault_ : left_by_;
-  left_by_ = nullptr;
-  std::rethrow_exception(why);
+  std::rethrow_exception(std::exchange(left_by_, nullptr));
 }
 
 void ThreadTeam::run(const std::function<void(int)>& task) {
-  fault_ = nullptr;
   if (size_ > 1) {
     {
       const std::lock_guard lock(mutex_);
@@ -104,7 +100,6 @@ void ThreadTeam::run(const std::function<void(int)>& task) {
   }
   carry_out(task, 0);
   if (called_off_.load(std::memory_order_acquire)) gather_again();
-  if (fault_) std::rethrow_exception(fault_);
 }
 
 void ThreadTeam::barrier() {

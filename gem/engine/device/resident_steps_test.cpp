@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "gem/base/error.h"
 #include "gem/engine/testing/host_scene.h"
 #include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
@@ -88,6 +89,42 @@ TEST_P(DeviceSolvers, BlocksAndThreadsChangeNothing) {
     test::expect_same_log(log, expected);
     test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
     EXPECT_GT(device.status().builds, 0);
+  }
+}
+
+/// The last time steps that 32 bits can count: event times, stamps and lists as in the cpu engine, by both routes.
+TEST_P(DeviceSolvers, CountsToItsLastTimeStep) {
+  constexpr std::int64_t steps = 400, begin = device_steps_maximum - steps;
+  SceneDef scene = test::busy_scene(8);
+  scene.contact.solver = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  EngineState state = cpu->save();
+  state.step = begin;
+  cpu->restore(state);
+  StepLog expected;
+  cpu->advance(steps, expected);
+  ASSERT_GT(expected.events.size(), 2u);
+  for (const bool by_phases : {false, true}) {
+    HostScene device(scene, test::busy_field(scene));
+    device.begin_at(begin);
+    if (by_phases) device.by_phases();
+    StepLog log;
+    device.advance(steps, log);
+    EXPECT_EQ(device.status().step, device_steps_maximum);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  }
+}
+
+TEST(DeviceSteps, ALongerRunIsRefused) {
+  EXPECT_NO_THROW(check_device_steps(device_steps_maximum));
+  try {
+    check_device_steps(device_steps_maximum + 1);
+    FAIL() << "a run was taken that the device cannot count";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::usage);
+    EXPECT_NE(std::string(error.what()).find("(2147483646 time steps, allowed at most 2147483645)"), std::string::npos);
   }
 }
 

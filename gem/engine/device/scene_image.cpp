@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "gem/base/error.h"
 #include "gem/engine/solver/device_solver.h"
 #include "gem/engine/step/books.h"
 
@@ -148,6 +150,13 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
 }
 
 }  // namespace
+
+void check_device_steps(std::int64_t steps) {
+  if (steps > device_steps_maximum)
+    throw Error(ExitCode::usage, "the run is too long for engine cuda (" + std::to_string(steps) +
+                                     " time steps, allowed at most " + std::to_string(device_steps_maximum) +
+                                     ") use --engine cpu, or a longer time step");
+}
 
 SceneSizes scene_sizes(const FieldState& f) {
   const Bodies& b = f.bodies;

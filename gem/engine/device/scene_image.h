@@ -11,6 +11,12 @@
 
 namespace gem {
 
+/// Most time steps from t = 0 to the end of a run. The device counts them in 32 bits; stamps are kept apart from them.
+constexpr std::int64_t device_steps_maximum = (std::int64_t{1} << 31) - 3;
+
+/// Throws Error(usage) if a run of so many time steps, counted from t = 0, is too long for the device.
+void check_device_steps(std::int64_t steps);
+
 /// Sizes of a scene's arrays.
 struct SceneSizes {
   std::int32_t bodies = 0, large_bodies = 0, vertices = 0;

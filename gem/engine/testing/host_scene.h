@@ -38,6 +38,9 @@ class HostScene {
     write_field(field_, 0, scene_);
   }
 
+  /// Sets the number of time steps done since t = 0. Only before the first call.
+  void begin_at(std::int64_t step) { write_field(field_, step, scene_); }
+
   /// Runs each phase separately from now on. `solver_shared_memory`: shared memory of the phases that iterate [bytes].
   void by_phases(std::size_t solver_shared_memory = 1 << 20) {
     by_phases_ = true;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/engine/contact_key.h"
 #include "gem/engine/solver/coupled_point.h"
 #include "gem/engine/step/ledger.h"
 #include "gem/engine/step/overlap_count.h"
@@ -98,7 +99,7 @@ struct EngineState {
   std::int64_t step = 0;
   Bodies bodies;
   Ledger ledger;
-  std::vector<std::uint64_t> impulse_key;  // warm start of `coupled`: contact keys, ascending
+  std::vector<std::uint64_t> impulse_key;  // warm start of `coupled`: contact_key(), ascending by pair
   std::vector<PointImpulse<double>> impulse_value;
 };
 

@@ -28,7 +28,7 @@ inline void PrintTo(Launches launches, std::ostream* out) {
   *out << (launches == Launches::chosen ? "chosen" : launches == Launches::steps ? "steps" : "phases");
 }
 
-using Way = std::tuple<ContactSolver, Manifold>;
+using SolverAndManifold = std::tuple<ContactSolver, Manifold>;
 
 inline SceneDef resolved(SceneDef scene, ContactSolver solver, Manifold manifold) {
   scene.contact.solver = solver;

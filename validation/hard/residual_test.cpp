@@ -1,6 +1,7 @@
 // The laws of contact, checked in single time steps: complementarity, friction cone, dissipation.
 #include <cmath>
 
+#include "gem/engine/testing/speed_still_asked.h"
 #include "gem/field/field.h"
 #include "validation/agreement/jam.h"
 #include "validation/hard/contact_residuals.h"
@@ -28,10 +29,11 @@ void judge_moments(const std::string& id, const SceneDef& scene, const Setting& 
   });
   EXPECT_GT(worst.points, steps) << "too few contacts to judge";
   EXPECT_EQ(worst.without_point, 0);
-  // When a sweep changes no speed by more than the tolerance, each contact can still miss what its neighbours, up to
-  // ten, changed after it.
-  const double speed = length(scene.current.velocity_m_per_s);
-  const double allowed = 10.0 * scene.numerics.residual_tolerance * speed;
+  // For rectangles a point may still ask for 9 residuals, for other floes for a little more. For slip, where friction
+  // also answers the last normal step, the factor is chosen.
+  const double speed = length(scene.current.velocity_m_per_s), residual = scene.numerics.residual_tolerance * speed;
+  const double allowed = 10.0 * residual;
+  EXPECT_LE(test::speed_still_asked(before.bodies, residual), allowed) << "these floes need a larger factor";
   bound(id + ".pull", worst.pull, 1e-12 * speed, "m/s", run.where());
   bound(id + ".cone", worst.cone, 1e-12 * speed, "m/s", run.where());
   bound(id + ".closing", worst.closing, allowed, "m/s", run.where());

@@ -95,7 +95,7 @@ void CpuEngine::enter_books(ThreadTeam& team, int rank, StepLog& log) {
   const Contacts contacts = pairs_.contacts();
   team.for_each(rank, static_cast<std::int64_t>(contacts.size()),
                 [&](std::int64_t c) { find_outcome(f, *contacts[c], outcomes_[c]); });
-  if (rank == team.size() - 1) note_outcomes(f, outcomes_, quality_, log);
+  if (rank == team.size() - 1) note_outcomes(f, outcomes_, work_, quality_, log);
   team.single(rank, [&] {
     for (std::size_t c = 0; c < contacts.size(); ++c) book_contact(f, *contacts[c], outcomes_[c]);
     log_events(f, contacts, step_, event_speed_, log);

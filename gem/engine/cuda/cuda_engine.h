@@ -42,7 +42,7 @@ struct CudaOptions {
   int threads = 0;  // threads of a block: 32 to 256, a multiple of 32; 0: chosen
   int ring_steps = most_launch_steps;  // most time steps of one launch
   int list_rows = 0;                   // entries of the list of near bodies at first; it grows on demand; 0: chosen
-  bool samples = true;                 // record the platform in every time step
+  bool samples = true;                 // record platform, quality and overlaps; else a log gets events only
   Launches launches = Launches::chosen;
 };
 

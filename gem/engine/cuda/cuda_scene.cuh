@@ -70,6 +70,7 @@ class CudaScene {
   void append(const DeviceStatus& status, int blocks, StepLog& log) const {
     if (status.samples == 0) return;
     DeviceScene rings;
+    rings.wants_samples = device_.wants_samples;
     place_rings(rings, sizes_, ring_here_.data());
     append_log(field_, rings, status, blocks, log);
   }

@@ -52,7 +52,8 @@ void save_memory(std::vector<CarriedMemory> carried, EngineState& state);
 /// Copies the state that a call left into the field.
 void read_state(const BodyState* state, FieldState& f);
 
-/// Appends the rings of a call to `log`: samples and quality of its time steps, and its events.
+/// Appends the rings of a call to `log`: its events and, if the scene wants samples, the samples, quality and overlaps
+/// of its time steps.
 void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatus& status, int blocks, StepLog& log);
 
 }  // namespace gem

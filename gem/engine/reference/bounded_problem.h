@@ -6,6 +6,7 @@
 //   x  impulses [N s]       w  velocity after the impulses minus its target [m/s]
 //   K  response [1/kg]      b  w without impulses [m/s]
 //
+// The position repair is the same problem with x in kg m and w, b in m.
 // A normal impulse lies in [0, cap]. A tangential impulse lies in [-mu P_n, mu P_n], with P_n its normal impulse.
 #pragma once
 
@@ -38,7 +39,8 @@ constexpr double bounded_share = 1e-8;
 BoundedSolution solve(const BoundedProblem& problem);
 
 /// The same where there may be no answer, as where bodies lie in a box too small for them: what cannot be met is shared
-/// out, every unknown answering to itself a little more than it does.
+/// out, every unknown answering to itself a little more than it does. Throws Error(numerical_stop) if it cannot solve
+/// even that.
 BoundedSolution solve_or_yield(const BoundedProblem& problem);
 
 }  // namespace gem::reference

@@ -12,6 +12,7 @@
 
 #include "gem/engine/engine.h"
 #include "gem/field/field.h"
+#include "gem/record/run_writer.h"
 #include "gem/scene/toml/scene_file.h"
 #include "growth_field.h"
 
@@ -19,11 +20,6 @@ namespace gem {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::string hash_text(Engine& engine) {
-  char text[16];
-  return {text, std::to_chars(text, text + sizeof text, engine.state_hash(), 16).ptr};
-}
 
 /// Least mean time of a time step over `steps` time steps that always start from `start`. The first time step builds
 /// the lists and is left out.
@@ -42,7 +38,7 @@ double time_steps(benchmark::State& state, Engine& engine, const EngineState& st
   double contacts = 0.0;
   for (const StepQuality& quality : log.quality) contacts += quality.contacts / double(steps);
   state.counters["contacts"] = contacts;
-  state.SetLabel(hash_text(engine));
+  state.SetLabel(hash_text(engine.state_hash()));
   state.counters["least_us"] = 1e6 * least;
   return least;
 }

@@ -17,7 +17,8 @@ if [ -z "$tool" ]; then
 fi
 
 mapfile -t files < <(find gem baseline_box2d validation bench -type f \
-  \( -name '*.h' -o -name '*.cpp' -o -name '*.cu' -o -name '*.cuh' \) 2>/dev/null | sort)
+  \( -name '*.h' -o -name '*.cpp' -o -name '*.cu' -o -name '*.cuh' \) -print | sort)
+[ "${#files[@]}" -gt 0 ] || { echo "no C++ files under $PWD" >&2 && exit 2; }
 if ! "$tool" --dry-run --Werror --ferror-limit=1 "${files[@]}"; then
   echo "layout: run '$tool -i' on the files above"
   exit 1

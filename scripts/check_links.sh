@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Checks that every relative link of every page (*.md) points to a file, and every #anchor to a heading of its page.
+# Checks that every relative link of every page (*.md) points to a file, and every #anchor to a heading of its page. Checks
+# too that every script that any file names with its folder exists; a line that names a commit may name one that is gone.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -35,6 +36,21 @@ for page in "${pages[@]}"; do
     fi
   done < <(links "$page")
 done
+
+# file:line:text of each line that names a script
+named() {
+  grep -rnIE '(scripts|bench)/[A-Za-z0-9_/-]+\.(sh|py|awk)\b' ./*.md ./*.txt scripts bench gem validation baseline_box2d \
+    --exclude=CHANGELOG.md --exclude-dir=results --exclude-dir=__pycache__ | grep -v ' commit '
+}
+scripts=0
+while IFS=: read -r file line text; do
+  while IFS= read -r script; do
+    scripts=$((scripts + 1))
+    [ -e "$script" ] || { echo "${file#./}:$line: no script $script" && faults=$((faults + 1)); }
+  done < <(grep -oE '\b(scripts|bench)/[A-Za-z0-9_/-]+\.(sh|py|awk)\b' <<<"$text")
+done < <(named)
+[ "$scripts" -gt 0 ] || { echo "links: no script is named (the check is broken)"; exit 1; }
+
 [ "$count" -gt 0 ] || { echo "links: none found (the check is broken)"; exit 1; }
-echo "links: $count in ${#pages[@]} pages, $faults faults"
+echo "links: $count in ${#pages[@]} pages, $scripts names of scripts, $faults faults"
 [ "$faults" -eq 0 ]

@@ -6,9 +6,10 @@
 #   OUT       gets rows.csv, maps.csv, ensembles.csv, map_means.csv; OUT/members holds what is finished
 #   PART      of the plan: agreement, experiment, error, one after the other as given; all of them together if left out
 # Environment: GEM_PLAN another plan; GEM_KEEP=1 keeps the run files (some 10 MB each)
+# Exit code: 0 all members of these parts are done, 2 wrong use, 8 some are left: run it again.
 set -eu
 [ $# -ge 3 ] || {
-  sed -n '2,8s/^# //p' "$0" >&2
+  sed -n '2,9s/^# //p' "$0" >&2
   exit 2
 }
 mkdir -p "$2/members"
@@ -23,6 +24,8 @@ if [ $# -eq 0 ]; then
 else
   for part; do "$programs/gem_ensembles" members "$plan" "$part"; done >"$out/list.txt"
 fi
+# members that need gem_slop are left out without it
+[ -x "$programs/gem_slop" ] || sed -i '/@slop/d' "$out/list.txt"
 
 # one_member LINE: runs it, keeps its numbers and drops its run file
 one_member() {
@@ -32,7 +35,6 @@ one_member() {
   case $arguments in
   *@slop*)
     program=$programs/gem_slop arguments=${arguments%@slop*}
-    [ -x "$program" ] || return 0
     ;;
   esac
   set -f # --set values hold quotes, never blanks or patterns to expand
@@ -67,3 +69,5 @@ joined "case,setting,seed,moment_s,quantity,value" "$out/rows.csv" ""
 joined "case,setting,seed,column,row,share" "$out/maps.csv" ".map"
 "$programs/gem_ensembles" compare "$plan" "$out/rows.csv" "$out/maps.csv" "$out/ensembles.csv" "$out/map_means.csv"
 echo "ensembles: $(find "$out/members" -name '*.map' | wc -l) of $(wc -l <"$out/all.txt") members are done"
+cut -f1 "$out/list.txt" | while IFS= read -r name; do [ -e "$out/members/$name" ] || echo "$name"; done >"$out/unfinished.txt"
+[ ! -s "$out/unfinished.txt" ] || exit 8

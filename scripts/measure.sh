@@ -12,6 +12,7 @@
 #              GEM_MINUTES=9 stop after this time, with what is finished
 #              GEM_DRIFT_M=600 drift distance for speed; GEM_WHOLE=1 speed over whole runs
 #              GEM_QUICK=1 a rehearsal in minutes; its numbers mean nothing
+# Exit code: 0 all is done, 2 wrong use, 8 something is left: run it again.
 #
 # Cost of the tasks in seconds of one processor of a busy machine. A window of 8 s: jam 320 to 380 (its reference alone takes 22
 # per second), plug 110, drift 15. A window of 32 s: 1190, 300, 23. Closed forms: 42. Speed over 240 m: 50 to 130 per run of the
@@ -21,7 +22,7 @@
 #   GEM_TIMED=28 GEM_WINDOW_S=8 GEM_MINUTES=12 scripts/measure.sh bin OUT 28 windows ensembles:agreement ensembles:experiment
 set -eu
 [ $# -ge 3 ] || {
-  sed -n '2,14s/^# //p' "$0" >&2
+  sed -n '2,15s/^# //p' "$0" >&2
   exit 2
 }
 mkdir -p "$2/results"
@@ -164,7 +165,8 @@ ensembles() {
     GEM_PLAN=$out/plan.txt
     export GEM_PLAN
   fi
-  scripts/ensembles.sh "$programs" "$out/ensembles" "$jobs" "$@"
+  # what it leaves unfinished (8) is counted at the end
+  scripts/ensembles.sh "$programs" "$out/ensembles" "$jobs" "$@" || [ $? -eq 8 ]
   cp "$out/ensembles/ensembles.csv" "$out/ensembles/map_means.csv" "$results"
   cp "$out/ensembles/rows.csv" "$results/ensemble_rows.csv"
 }
@@ -210,3 +212,4 @@ mkdir -p "$out/tasks" "$out/ensembles"
 tar -C "$out" -czf "$out/results.tar.gz.part" --exclude='*.h5' --exclude='taken.*' results tasks ensembles
 mv "$out/results.tar.gz.part" "$out/results.tar.gz"
 echo "$(wc -l <"$out/unfinished.txt") tasks are not finished ($out/unfinished.txt); $out/results.tar.gz"
+[ ! -s "$out/unfinished.txt" ] || exit 8

@@ -2,7 +2,7 @@
 # Judges the paper's statements with run files and summaries. Writes OUT/README.md, OUT/rows.csv, and under OUT/figures every
 # picture as SVG with a PNG preview, its data and its script. Any subset of the runs is accepted; the page says what is missing.
 # scripts/paper_runs.sh makes the runs and their summaries (`gem_paper collect`). Several seeds of a run may be given. A run
-# given twice counts once; with another state hash the first is kept. The rows of build/unordered_sums beside
+# given twice counts once; with another state hash the first is kept. The rows of the program unordered_sums beside
 # validation/paper/paper.json are used too.
 # Usage: scripts/paper_report.sh [-o OUT] [-b BUILD_FOLDER] [FOLDER...]      The default of OUT is validation/paper.
 #   FOLDER  of run files and summaries, or of archives of them (*.tar.xz, needs xz); left out: bench/results/paper, whose

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/engine/contact_key.h"
 #include "gem/engine/solver/coupled_point.h"
 #include "gem/engine/step/ledger.h"
 #include "gem/engine/step/overlap_count.h"
@@ -99,7 +100,7 @@ struct EngineState {
   std::int64_t step = 0;
   Bodies bodies;
   Ledger ledger;
-  std::vector<std::uint64_t> impulse_key;  // warm start of `coupled`: contact keys, ascending
+  std::vector<std::uint64_t> impulse_key;  // warm start of `coupled`: contact_key(), ascending by pair
   std::vector<PointImpulse<double>> impulse_value;
 };
 
@@ -112,7 +113,7 @@ class Engine {
   /// The accelerator it runs on, for the run file. Empty: none.
   virtual std::string device() const { return {}; }
   /// Advances the field by `steps` time steps and appends to `log`. Throws Error(numerical_stop) if the state is not
-  /// finite.
+  /// finite. After any exception the engine needs restore() before it can advance again.
   virtual void advance(std::int64_t steps, StepLog& log) = 0;
   /// Time steps done since t = 0; the time is step() * numerics.time_step_s.
   virtual std::int64_t step() const = 0;

@@ -55,7 +55,7 @@ class SingleEngines : public EngineBatch {
     for (std::size_t k = 0; k < engines_.size(); ++k) {
       try {
         if (ahead[k].most > 0) engines_[k]->advance(ahead[k].most, logs[k]);
-      } catch (const Error&) {
+      } catch (const std::exception&) {
         faults[k] = std::current_exception();
       }
     }

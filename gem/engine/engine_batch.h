@@ -16,8 +16,8 @@ class EngineBatch {
   virtual ~EngineBatch() = default;
   virtual std::size_t size() const = 0;
   /// Advances scene k by at most ahead[k].most time steps and appends to logs[k]. It may do fewer steps where that
-  /// keeps the GPU busier. Returns one exception per scene: null, or Error(numerical_stop) if the state of that scene
-  /// is not finite.
+  /// keeps the GPU busier. Returns one exception per scene: null, or what ended it, e.g. Error(numerical_stop) if its
+  /// state is not finite.
   virtual std::vector<std::exception_ptr> advance(const std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs) = 0;
   /// One scene in its current state. Do not call its advance().
   virtual Engine& engine(std::size_t scene) = 0;

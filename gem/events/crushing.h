@@ -60,7 +60,7 @@ GEM_HD inline CrushingPeak crushing_flat(const CrushingIce& ice, double width, d
   return {force > 0.0 ? energy / force : 0.0, force};
 }
 
-/// Peak on a corner whose chord grows by `growth` per depth.
+/// Peak of an event of energy `energy` [J] on a corner whose chord grows by `growth` [-] per depth.
 GEM_HD inline CrushingPeak crushing_corner(const CrushingIce& ice, double growth, double energy) {
   if (!(energy > 0.0)) return {};
   const double n = 2.0 + ice.exponent;
@@ -69,7 +69,8 @@ GEM_HD inline CrushingPeak crushing_corner(const CrushingIce& ice, double growth
   return {depth, n * energy / depth};
 }
 
-/// Peak on a corner until its chord is `longest`, flat from there on. growth = 0 stands for a flat contact.
+/// Peak of an event of energy `energy` [J] on a corner until its chord is `longest` [m], flat from there on. The chord
+/// grows by `growth` [-] per depth; 0 stands for a flat contact.
 GEM_HD inline CrushingPeak crushing_peak(const CrushingIce& ice, double growth, double longest, double energy) {
   if (!(growth > 0.0)) return crushing_flat(ice, longest, energy);
   const double corner_depth = longest / growth;

@@ -1,4 +1,5 @@
-// The list of all events. Solo events act on one body, pair events on two. Engines include this file and no other law.
+// The list of all events. Solo events act on one body, pair events on two. The engines cpu and cuda include this file
+// and no other law. The reference engine calls each law by itself.
 //
 // A new law is a header in this folder with its definition, and a test. Here it gets one member (EventDefinitions) and
 // one call (floe_events, platform_events or pair_impulse); its keys go into the schema. No engine file changes: see

@@ -20,9 +20,12 @@ struct MooringDef {
   double damping_ratio = 0.0;
 };
 
-/// Coefficients of the exact solution for one duration.
+/// Coefficients of the exact solution for one duration: the first letter says what they give, the second from what.
 struct MooringFlow {
-  double xx = 1.0, xv = 0.0, vx = 0.0, vv = 1.0;
+  double xx = 1.0;  // offset from offset [-]
+  double xv = 0.0;  // offset from velocity [s]
+  double vx = 0.0;  // velocity from offset [1/s]
+  double vv = 1.0;  // velocity from velocity [-]
 };
 
 /// 2 pi sqrt(M / k) [s], without damping and added mass; 0 without mooring. Host only.
@@ -30,7 +33,7 @@ inline double natural_period(double stiffness, double mass) {
   return stiffness > 0.0 ? 2.0 * std::numbers::pi * std::sqrt(mass / stiffness) : 0.0;
 }
 
-/// Coefficients for `duration` [s]. Host only, once per run.
+/// Coefficients for `stiffness` [N/m], `mass` [kg] and `duration` [s]. Host only, once per run.
 inline MooringFlow mooring_flow(double stiffness, double mass, double damping_ratio, double duration) {
   if (!(stiffness > 0.0)) return {1.0, duration, 0.0, 1.0};
   const double natural = std::sqrt(stiffness / mass);
@@ -42,7 +45,7 @@ inline MooringFlow mooring_flow(double stiffness, double mass, double damping_ra
           decay * (cosine - rate / damped * sine)};
 }
 
-/// Advances offset from the anchor and velocity by one duration.
+/// Advances offset from the anchor [m] and velocity [m/s] by one duration.
 GEM_HD constexpr void apply(const MooringFlow& flow, Vec2& offset, Vec2& velocity) {
   const Vec2 moved = flow.xx * offset + flow.xv * velocity;
   velocity = flow.vx * offset + flow.vv * velocity;

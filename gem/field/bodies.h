@@ -47,11 +47,11 @@ struct BodyDef {
   std::vector<Vec2> outline;  // counter-clockwise, convex, any origin [m]
   Vec2 origin;                // where the outline's origin stands in the world [m]
   Rotation rotation;
-  Vec2 velocity;
-  double spin = 0.0;
-  double thickness = 0.5;
-  double density = 900.0;
-  double mass = 0.0;  // > 0: replaces density x area x thickness, e.g. for the platform
+  Vec2 velocity;           // [m/s]
+  double spin = 0.0;       // [rad/s]
+  double thickness = 0.5;  // [m]
+  double density = 900.0;  // [kg/m3]
+  double mass = 0.0;       // > 0: replaces density x area x thickness, e.g. for the platform [kg]
   std::uint8_t ice_class = 0;
   bool locked_yaw = false;
 };

@@ -86,7 +86,7 @@ class BatchRun {
     std::vector<std::exception_ptr> faults;
     try {
       faults = batch_.advance(ahead, logs_);
-    } catch (const Error&) {
+    } catch (const std::exception&) {
       faults.assign(ahead.size(), std::current_exception());
     }
     team_.run([&](int rank) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <new>
 
 #include "gem/engine/testing/test_scenes.h"
 #include "gem/record/fake_engine.h"
@@ -105,6 +106,61 @@ TEST(RunBatch, ASceneThatFailsStopsNoOther) {
     EXPECT_EQ(ends[k].summary.steps, steps_of(scene));
     EXPECT_EQ(RunFile(options[k].output).status(), "complete");
   }
+}
+
+/// A fake engine that has no memory for its first call if the seed is 2.
+class ForgetfulEngine : public FakeEngine {
+ public:
+  ForgetfulEngine(const SceneDef& scene, Bodies bodies)
+      : FakeEngine(scene, std::move(bodies)), fails_(scene.run.seed == 2) {}
+  void advance(std::int64_t steps, StepLog& log) override {
+    if (fails_) throw std::bad_alloc();
+    FakeEngine::advance(steps, log);
+  }
+
+ private:
+  bool fails_;
+};
+
+void expect_closed_without_memory(const BatchEnd& end, const RunOptions& options) {
+  EXPECT_EQ(end.code, ExitCode::resource_limit);
+  EXPECT_NE(end.fault.find("bad_alloc"), std::string::npos) << end.fault;
+  EXPECT_NE(RunFile(options.output, true).status().find("stopped:failure"), std::string::npos);
+}
+
+TEST(RunBatch, ASceneWithoutMemoryStopsNoOther) {
+  register_baseline("forgetful", [](const SceneDef& scene, Bodies bodies, const EngineOptions&) {
+    return std::make_unique<ForgetfulEngine>(scene, std::move(bodies));
+  });
+  std::vector<SceneDef> scenes(3);
+  std::vector<BatchScene> starts;
+  std::vector<RunOptions> options;
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    scenes[k].run.duration_s = 30.0;
+    scenes[k].run.seed = k + 1;
+    starts.push_back({scenes[k], fake_field(3)});
+    options.push_back(options_for("memory_" + std::to_string(k)));
+  }
+  const auto batch = make_engine_batch(starts, {"forgetful"});
+  const std::vector<BatchEnd> ends = run_batch(scenes, *batch, options, 2);
+  expect_closed_without_memory(ends[1], options[1]);
+  for (const std::size_t k : {std::size_t{0}, std::size_t{2}})
+    EXPECT_EQ(ends[k].summary.status, "complete") << ends[k].fault;
+}
+
+TEST(RunBatch, ACallWithoutMemoryClosesEveryFile) {
+  struct Forgetful : FakeBatch {
+    using FakeBatch::FakeBatch;
+    std::vector<std::exception_ptr> advance(const std::vector<StepsAhead>&, std::vector<StepLog>&) override {
+      throw std::bad_alloc();
+    }
+  };
+  SceneDef scene;
+  scene.run.duration_s = 30.0;
+  const std::vector<RunOptions> options = {options_for("a"), options_for("b")};
+  Forgetful batch(scene, 2, -1);
+  const std::vector<BatchEnd> ends = run_batch({scene, scene}, batch, options);
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) expect_closed_without_memory(ends[k], options[k]);
 }
 
 TEST(RunBatch, AStopEndsAllInOrder) {

@@ -148,7 +148,8 @@ void RunSteps::fail(const std::exception& error) {
   try {
     flush();
     writer_->finish("stopped:" + reason + ": " + error.what(), engine_.state_hash());
-  } catch (const Error&) {
+  } catch (const std::exception&) {
+    // the first error is the one to report
   }
 }
 

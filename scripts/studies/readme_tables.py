@@ -7,7 +7,7 @@ real_time_factor*.csv                     what scripts/studies real_time_factor 
 cuda_*.csv                                what gem_cuda_speed printed
 barriers_h200.csv                         what barriers cost with nothing between them; older than the rows of cuda_*.csv
 scenes.csv                                what scripts/studies scene_bench wrote
-speed_against_error/windows.csv           what scripts/studies measured (bench/measure.sh)
+speed_against_error/windows.csv           what scripts/studies measured (scripts/measure.sh)
 """
 import csv
 import glob

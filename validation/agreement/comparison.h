@@ -5,7 +5,8 @@
 // numerics.residual_tolerance; the reference solves it to rounding. Visits with shared masses contract the error of a
 // velocity by 1 - e at least, e being the smallest eigenvalue of the shared compliance: (pi / 2 n)^2 / p for n contacts
 // in a row between a free and a held end, each body's mass shared by its p points. So the error is at most
-// r p (2 n / pi)^2. `row` below is a bound on n; p is at most 8.
+// r p (2 n / pi)^2. `row` below is a bound on n, from the scene; p is counted in every time step. The factors before
+// roundings and relative errors of events are chosen, with room for what is not derived.
 #pragma once
 
 #include <functional>
@@ -23,7 +24,7 @@ struct Comparison {
   SceneDef scene;
   int steps = 100;
   int row = 1;                 // most contacts in a row
-  int contacts_of_a_body = 2;  // at most
+  int contacts_of_a_body = 2;  // at most; checked where the engine keeps them, for `coupled`
   double slack = 0.0;          // what the cpu engine's way adds to the differences of velocities in a time step [m/s]
   bool anew = false;           // every time step starts from the cpu engine's state, so that differences do not grow
   int contacts = 1;            // at least so many points over all time steps

@@ -18,7 +18,7 @@ namespace gem {
 namespace {
 
 /// The jam of 1,234 floes, and the cpu engine's result from it.
-class CudaJam : public OnGpu, public testing::WithParamInterface<Way> {
+class CudaJam : public OnGpu, public testing::WithParamInterface<SolverAndManifold> {
  protected:
   static constexpr std::int64_t steps = 60;
 

@@ -22,7 +22,7 @@ SceneDef member(const std::string& path, const std::string& name) {
   throw Error(ExitCode::usage, "no run " + name + " in " + path);
 }
 
-class LongCuda : public OnGpu, public testing::WithParamInterface<Way> {};
+class LongCuda : public OnGpu, public testing::WithParamInterface<SolverAndManifold> {};
 
 /// One time step from each of 100 states along a run of the paper, and its whole first 600 s.
 TEST_P(LongCuda, SixHundredSecondsOfTheDensestRun) {
@@ -54,8 +54,8 @@ TEST_P(LongCuda, SixHundredSecondsOfTheDensestRun) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, LongCuda,
-                         testing::Values(Way{ContactSolver::independent, Manifold::chord_middle},
-                                         Way{ContactSolver::coupled, Manifold::chord_ends}),
+                         testing::Values(SolverAndManifold{ContactSolver::independent, Manifold::chord_middle},
+                                         SolverAndManifold{ContactSolver::coupled, Manifold::chord_ends}),
                          test::LawNames());
 
 }  // namespace

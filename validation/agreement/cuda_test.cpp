@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "gem/engine/device/scene_image.h"
 #include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
@@ -152,6 +153,29 @@ TEST_F(OnGpu, AStateThatIsNoNumberStopsTheRun) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::numerical_stop) << error.what();
   }
+}
+
+TEST_F(OnGpu, ARunThatItCannotCountIsRefused) {
+  const auto expect_refused = [](const auto& run) {
+    try {
+      run();
+      ADD_FAILURE() << "went on";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::usage) << error.what();
+    }
+  };
+  SceneDef scene = test::busy_scene(12);
+  const auto engine = test::busy_engine(scene, "cuda");
+  EngineState state = engine->save();
+  state.step = device_steps_maximum - 10;
+  engine->restore(state);
+  StepLog log;
+  engine->advance(10, log);
+  EXPECT_EQ(engine->step(), device_steps_maximum);
+  expect_refused([&] { engine->advance(1, log); });
+  EXPECT_EQ(engine->step(), device_steps_maximum);
+  scene.run.duration_s = (device_steps_maximum + 1) * scene.numerics.time_step_s;
+  expect_refused([&] { test::busy_engine(scene, "cuda"); });
 }
 
 class OneOfABatch : public OnGpu, public testing::WithParamInterface<Route> {};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "gem/engine/engine.h"
@@ -50,14 +51,15 @@ inline Bodies drifting_field(const SceneDef& scene) {
   return bodies;
 }
 
-/// The jam, reached with the cpu engine: more than 1,000 contact points.
+/// The jam, reached with the cpu engine: more than 1,000 contact points. Throws std::runtime_error if no jam forms.
 inline EngineState jam(const SceneDef& scene, const Bodies& bodies) {
   const auto engine = make_engine(scene, bodies, on("cpu"));
   StepLog log;
   do {
     log.clear();
     engine->advance(20, log);
-  } while (log.quality.back().contacts <= 1000 && engine->step() < 4000);
+    if (engine->step() >= 4000) throw std::runtime_error("no jam after 4000 time steps");
+  } while (log.quality.back().contacts <= 1000);
   return engine->save();
 }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "gem/engine/cpu/cpu_engine.h"
 #include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
 
@@ -81,16 +82,18 @@ TEST_P(JamTest, ThreadsChangeNothing) {
   const std::uint64_t one = hash_after(*engine_in_jam(agreement::on("cpu", 1)), few);
   for (const int threads : {2, 3, 5, 8})
     EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu", threads)), few), one) << threads << " threads";
-  // Here the sweeps too are divided among threads, which pays only in larger jams.
+  // Here the iterations too are divided among threads, which pays only in larger jams.
   for (const int threads : {2, 3})
-    EXPECT_EQ(hash_after(*engine_in_jam({"cpu", threads, 0}), few), one) << threads << " threads in every sweep";
+    EXPECT_EQ(hash_after(*engine_in_jam({"cpu", threads, 0}), few), one) << threads << " threads in every iteration";
 }
 
 TEST_P(JamTest, GoingOnWithFewerThreadsChangesNothing) {
-  // Long enough for the engine to try both one thread and all threads.
+  // long enough for the engine to try one thread, and to decide
   constexpr std::int64_t many = 120;
   const std::uint64_t one = hash_after(*engine_in_jam(agreement::on("cpu", 1)), many, many);
-  EXPECT_EQ(hash_after(*engine_in_jam(agreement::on("cpu", 2)), many, many), one);
+  const auto engine = engine_in_jam(agreement::on("cpu", 2));
+  EXPECT_EQ(hash_after(*engine, many, many), one);
+  EXPECT_GE(dynamic_cast<const CpuEngine&>(*engine).team_changes(), 1);
 }
 
 TEST_P(JamTest, LoggingAndBlocksChangeNothing) {

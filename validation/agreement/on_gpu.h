@@ -28,7 +28,7 @@ inline void PrintTo(Route route, std::ostream* out) {
   *out << (route == Route::automatic ? "automatic" : route == Route::resident ? "resident" : "phases");
 }
 
-using Way = std::tuple<ContactSolver, Manifold>;
+using SolverAndManifold = std::tuple<ContactSolver, Manifold>;
 
 inline SceneDef resolved(SceneDef scene, ContactSolver solver, Manifold manifold) {
   scene.contact.solver = solver;

@@ -6,6 +6,7 @@
 
 #include "gem/base/random.h"
 #include "gem/engine/testing/same_bits.h"
+#include "gem/engine/testing/threads_asked.h"
 #include "gem/field/field.h"
 #include "gem/scene/check_scene.h"
 #include "validation/agreement/jam.h"
@@ -122,11 +123,6 @@ Setting setting_of_the_day(Setting setting) {
   return setting;
 }
 
-int threads_of_the_day() {
-  const char* threads = std::getenv("GEM_THREADS");
-  return threads ? std::atoi(threads) : 0;
-}
-
 /// Prints one line per simulated hour.
 void tell_hour(int hour, const JamWatch& watch, Watched& run) {
   std::printf("hour %2d: %zu points, overlap %.3g m at most in this half day, 99.9 %% of it %.3g m\n", hour,
@@ -137,7 +133,7 @@ void tell_hour(int hour, const JamWatch& watch, Watched& run) {
 TEST_P(LongHardJam, H7_day_of_jam) {
   const SceneDef scene = read_hard_case("H07_day_of_jam.toml", setting());
   const Bodies field = make_field(scene);
-  Watched run(scene, field, setting_of_the_day(setting()), threads_of_the_day());
+  Watched run(scene, field, setting_of_the_day(setting()), test::threads_asked(0));
   const auto hour = static_cast<std::int64_t>(3600.0 / scene.numerics.time_step_s);
   JamWatch first, last;
   for (int minute = 0; minute < 24 * 60; ++minute) {

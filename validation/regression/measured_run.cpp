@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "gem/base/number_text.h"
 #include "gem/field/field.h"
+#include "gem/record/run_writer.h"
 #include "gem/run/run_scene.h"
 
 namespace gem::regression {
@@ -59,12 +59,6 @@ std::int64_t active_floes(const Bodies& bodies) {
   std::int64_t count = 0;
   for (std::size_t i = 0; i < bodies.count(); ++i) count += bodies.active[i] && bodies.kind[i] == BodyKind::floe;
   return count;
-}
-
-std::string hash_text(std::uint64_t hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
 }
 
 /// Builds the cells of a row in order.

@@ -3,7 +3,6 @@
 // bit.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -14,6 +13,7 @@
 
 #include "gem/base/error.h"
 #include "gem/engine/cuda/cuda_engine.h"
+#include "gem/engine/testing/threads_asked.h"
 #include "gem/field/field.h"
 #include "validation/regression/measured_run.h"
 #include "validation/regression/run_list.h"
@@ -23,9 +23,8 @@ namespace gem::regression {
 namespace {
 
 EngineOptions cpu_options() {
-  const char* threads = std::getenv("GEM_THREADS");
   EngineOptions options;
-  options.threads = threads ? std::atoi(threads) : 1;
+  options.threads = test::threads_asked(1);
   return options;
 }
 
@@ -106,6 +105,18 @@ TEST(RegressionTable, IsReadAsItWasWritten) {
   EXPECT_EQ(table_text(parse_table(text, "golden.csv")), text);
 }
 
+TEST(RegressionTable, AFullDiskIsAnError) {
+  if (!std::ofstream("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  EXPECT_THROW(write_text("/dev/full", "run,state_hash\n"), std::runtime_error);
+  EXPECT_THROW(write_text(testing::TempDir() + "no_such_folder/golden.csv", "run\n"), std::runtime_error);
+}
+
+TEST(RegressionThreads, AreANumberOrRefused) {
+  EXPECT_EQ(test::threads_in(nullptr, 1), 1);
+  EXPECT_EQ(test::threads_in("2", 1), 2);
+  for (const char* text : {"two", "", "0", "-1", "2x", "2.5"}) EXPECT_THROW(test::threads_in(text, 1), Error) << text;
+}
+
 TEST(RegressionTable, ShowsEachChange) {
   const Row golden{"jam", {{"state_hash", "00ff"}, {"steps", "10"}, {"force_N", "200"}, {"drag_J", "0"}}};
   EXPECT_EQ(difference(golden, golden), "");
@@ -149,7 +160,7 @@ int write_table() {
     changed += changes.empty() ? 0 : 1;
     std::cout << changes;
   }
-  std::ofstream(table_path()) << table_text(rows);
+  write_text(table_path(), table_text(rows));
   std::cout << rows.size() << " rows written, " << changed << " of them new or changed\n";
   return 0;
 }

@@ -59,6 +59,13 @@ std::string text_of(const std::string& path) {
   return text.str();
 }
 
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error(path + " cannot be written");
+}
+
 std::vector<Row> parse_table(const std::string& text, const std::string& origin) {
   std::istringstream lines(text);
   std::string line;

@@ -27,6 +27,9 @@ std::string table_path();
 /// The contents of a text file. Throws std::runtime_error if it cannot be read.
 std::string text_of(const std::string& path);
 
+/// Writes a text file. Throws std::runtime_error if it cannot be written whole.
+void write_text(const std::string& path, const std::string& text);
+
 /// Rows from CSV: a header `run,COLUMN,...` and one line per run. Throws std::runtime_error with the line of a mistake.
 std::vector<Row> parse_table(const std::string& text, const std::string& origin);
 

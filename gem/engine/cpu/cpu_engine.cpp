@@ -26,7 +26,7 @@ void CpuEngine::advance(std::int64_t steps, StepLog& log) {
     ThreadTeam& team = choice_.all_threads() ? all_threads_ : one_thread_;
     choice_.start();
     team.run([&](int rank) {
-      for (std::int64_t i = 0; i < stretch && !team.failed(); ++i) one_step(team, rank, log);
+      for (std::int64_t i = 0; i < stretch; ++i) one_step(team, rank, log);
     });
     if (all_threads_.size() > 1) choice_.note(stretch);
     steps -= stretch;
@@ -34,13 +34,7 @@ void CpuEngine::advance(std::int64_t steps, StepLog& log) {
 }
 
 void CpuEngine::one_step(ThreadTeam& team, int rank, StepLog& log) {
-  bool goes_on = true;
-  for_each_stage([&](auto stage) {
-    if (goes_on) run<stage.value>(team, rank, log);
-    // Checked only here, right after a barrier. Elsewhere one thread could already see a failure that another does not
-    // see yet.
-    if (stage == Stage::solo_events) goes_on = !team.failed();
-  });
+  for_each_stage([&](auto stage) { run<stage.value>(team, rank, log); });
 }
 
 template <Stage stage>
@@ -102,7 +96,7 @@ void CpuEngine::enter_books(ThreadTeam& team, int rank, StepLog& log) {
   const Contacts contacts = pairs_.contacts();
   team.for_each(rank, static_cast<std::int64_t>(contacts.size()),
                 [&](std::int64_t c) { find_outcome(f, *contacts[c], outcomes_[c]); });
-  if (rank == team.size() - 1) note_outcomes(f, outcomes_, quality_, log);
+  if (rank == team.size() - 1) note_outcomes(f, outcomes_, work_, quality_, log);
   team.single(rank, [&] {
     for (std::size_t c = 0; c < contacts.size(); ++c) book_contact(f, *contacts[c], outcomes_[c]);
     log_events(f, contacts, step_, event_speed_, log);

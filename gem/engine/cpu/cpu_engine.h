@@ -28,6 +28,9 @@ class CpuEngine : public Engine {
   EngineState save() override;
   void restore(const EngineState& state) override;
 
+  /// How often it has changed between all threads and one.
+  std::int64_t team_changes() const { return choice_.changes(); }
+
  protected:
   /// Hooks for studies, called by every thread before and after the pair events of a time step.
   virtual void before_contact_events() {}
@@ -55,6 +58,7 @@ class CpuEngine : public Engine {
   PairList pairs_;
   CoupledSolver coupled_;
   std::vector<ContactOutcome> outcomes_;  // of the contacts of this time step
+  std::vector<double> work_;              // scratch memory of note_outcomes()
   std::atomic<bool> lost_{false};         // the state of a floe is not finite
   StepQuality quality_;
   PlatformImpulses before_;  // platform impulses at the start of the time step

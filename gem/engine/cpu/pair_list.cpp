@@ -18,12 +18,6 @@
 #include "gem/engine/step/contact_stages.h"
 
 namespace gem {
-namespace {
-
-/// Safety factor for the clock, which is compared in single precision (rounding 6e-8).
-constexpr double surely = 1.0 - 1e-6;
-
-}  // namespace
 
 void PairList::clear() {
   valid_ = false;
@@ -78,7 +72,7 @@ void PairList::list_due(std::int64_t begin, std::int64_t end, Part& part) {
     const Place &a = place_[pair.a], &b = place_[pair.b];
     const double left = pair.free - (a.rim + b.rim);
     const double shifted = length(b.position - a.position - pair.offset);
-    wake_[i] = static_cast<float>(surely * (clock_ + (left - shifted)) - rounding);
+    wake_[i] = wake_clock(clock_, left - shifted);
     due[count] = i;
     count += !(shifted < left);
   }
@@ -99,7 +93,7 @@ bool PairList::touches(const FieldState& f, std::int32_t i, Contact& contact) {
   const double moved = shifted + far * (turned_a - last.turned_a + (turned_b - last.turned_b));
   const bool touching = find_contact(f, pair.a, pair.b, last.axes, moved, contact);
   pair.offset = offset;
-  pair.free = last.axes.first.distance - limit - rounding + (a.rim + b.rim);
+  pair.free = last.axes.first.distance - limit - motion_rounding + (a.rim + b.rim);
   last.turned_a = turned_a;
   last.turned_b = turned_b;
   return touching;

@@ -33,7 +33,7 @@ class PairList {
   /// A near pair at its last narrow phase. Tells whether the pair needs another one.
   struct Pair {
     std::int32_t a, b;
-    Vec2 offset;
+    Vec2 offset;  // of b from a at that time [m]
     // Gap beyond the contact margin, plus the rim travel of both bodies at that time [m]. The initial value makes the
     // pair due at once and fits into a float.
     double free = -1e30;

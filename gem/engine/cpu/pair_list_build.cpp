@@ -64,7 +64,7 @@ void PairList::fill_grid(const FieldState& f) {
     if (!is_non_floe(f, i) && f.bodies.active[i]) fastest = std::max(fastest, length(velocity_[i] - mean_velocity_));
   // floes that may come near each other within the horizon are in the same cell or in neighbouring cells
   cell_ = 2.0 * radius + margin_ + 2.0 * fastest * ahead_;
-  // no more cells than about the number of floes, so that a scattered field needs no more memory than a dense one
+  // at most (4 sqrt(n) + 1)^2 cells for n floes, so that a scattered field needs no more memory than a dense one
   const double extent = std::max(high.x - low.x, high.y - low.y);
   cell_ = std::max(cell_, extent / std::sqrt(4.0 * static_cast<double>(floes)) / 2.0);
   grid_origin_ = low;

@@ -18,6 +18,8 @@ class TeamChoice {
     return std::min<std::int64_t>(steps, on_trial_ && !all_threads_ ? 4 : 16);
   }
   bool all_threads() const { return all_threads_; }
+  /// How often the choice has changed.
+  std::int64_t changes() const { return changes_; }
 
   void start() { start_ = std::chrono::steady_clock::now(); }
 
@@ -28,14 +30,17 @@ class TeamChoice {
     const double now = seconds / static_cast<double>(steps);
     cost = cost > 0.0 ? 0.5 * (cost + now) : now;
     if (on_trial_) {
+      const bool was = all_threads_;
       const bool won = cost_[all_threads_ ? 1 : 0] < cost_[all_threads_ ? 0 : 1];
       wait_ = won ? shortest_wait : std::min(2 * wait_, longest_wait);
       all_threads_ = all_threads_ == won;
+      changes_ += all_threads_ != was;
       on_trial_ = false;
       waited_ = 0;
     } else if (++waited_ >= wait_) {
       cost_[all_threads_ ? 0 : 1] = 0.0;  // an old measurement says little
       all_threads_ = !all_threads_;
+      ++changes_;
       on_trial_ = true;
     }
   }
@@ -45,7 +50,7 @@ class TeamChoice {
 
   bool all_threads_ = true;
   bool on_trial_ = false;
-  std::int64_t wait_ = 4, waited_ = 0;
+  std::int64_t wait_ = 4, waited_ = 0, changes_ = 0;
   double cost_[2] = {0.0, 0.0};  // seconds per time step with one thread and with all
   std::chrono::steady_clock::time_point start_;
 };

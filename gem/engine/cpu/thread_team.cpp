@@ -86,14 +86,10 @@ void ThreadTeam::rejoin_and_rethrow() {
   next_index_.store(0, std::memory_order_relaxed);
   aborted_.store(false, std::memory_order_relaxed);
   const std::lock_guard lock(mutex_);
-  // an exception of a thread may be a consequence of an earlier fault in single()
-  const std::exception_ptr why = fault_ ? fault_ : first_exception_;
-  first_exception_ = nullptr;
-  std::rethrow_exception(why);
+  std::rethrow_exception(std::exchange(first_exception_, nullptr));
 }
 
 void ThreadTeam::run(const std::function<void(int)>& task) {
-  fault_ = nullptr;
   if (size_ > 1) {
     {
       const std::lock_guard lock(mutex_);
@@ -104,7 +100,6 @@ void ThreadTeam::run(const std::function<void(int)>& task) {
   }
   run_task(task, 0);
   if (aborted_.load(std::memory_order_acquire)) rejoin_and_rethrow();
-  if (fault_) std::rethrow_exception(fault_);
 }
 
 void ThreadTeam::barrier() {

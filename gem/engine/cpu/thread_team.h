@@ -25,9 +25,8 @@ class ThreadTeam {
 
   int size() const { return size_; }
 
-  /// Runs task(rank) on every thread, rank 0 on the caller. Returns when all are done. Rethrows an exception thrown in
-  /// single(). If tasks throw, rethrows the first exception: the other threads abort at their next barrier,
-  /// and the team can be used again.
+  /// Runs task(rank) on every thread, rank 0 on the caller. Returns when all are done. If tasks throw, rethrows the
+  /// first exception: the other threads abort at their next barrier, and the team can be used again.
   void run(const std::function<void(int)>& task);
 
   /// Inside run: waits for all threads. Throws an internal exception, which run() handles, if a thread has left.
@@ -52,16 +51,10 @@ class ThreadTeam {
     }
   }
 
-  /// Inside run: calls work() on rank 0; the other threads go on. If it throws, failed() is true after the next
-  /// barrier.
+  /// Inside run: calls work() on rank 0; the other threads go on.
   template <class Work>
   void on_rank_zero(int rank, Work&& work) {
-    if (rank != 0) return;
-    try {
-      work();
-    } catch (...) {
-      fault_ = std::current_exception();
-    }
+    if (rank == 0) work();
   }
 
   /// Inside run: on_rank_zero(), then waits for all threads.
@@ -70,8 +63,6 @@ class ThreadTeam {
     on_rank_zero(rank, work);
     barrier();
   }
-
-  bool failed() const { return fault_ != nullptr; }
 
   /// First index of the range of `rank` in [0, count).
   std::int64_t begin_of(int rank, std::int64_t count) const { return count * rank / size_; }
@@ -93,7 +84,6 @@ class ThreadTeam {
   std::atomic<std::int64_t> next_index_{0};  // since the last barrier
   std::atomic<bool> aborted_{false};         // a task has thrown
   std::atomic<int> exited_{0};               // threads that have left an aborted task
-  std::exception_ptr fault_;
 
   std::mutex mutex_;
   std::condition_variable wake_;

@@ -99,7 +99,7 @@ class CudaBatch::Work {
     return device;
   }
 
-  /// Begins a call. A scene whose state is not finite gets a fault and stays as it is.
+  /// Begins a call. A scene that cannot go on gets a fault and stays as it is.
   void begin(std::vector<StepsAhead>& ahead, const std::vector<StepLog>* logs) {
     use();
     device_time_ = 0.0;
@@ -108,7 +108,7 @@ class CudaBatch::Work {
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
       if (ahead[k].most == 0) continue;
       scenes_[k].want_events(logs && (*logs)[k].wants_events);
-      guarded(k, ahead[k], [&] { scenes_[k].check_start(); });
+      guarded(k, ahead[k], [&] { scenes_[k].check_start(ahead[k].most); });
     }
   }
 
@@ -119,9 +119,16 @@ class CudaBatch::Work {
       action();
     } catch (const Error& error) {
       if (error.code() == ExitCode::device) throw;
-      faults_[k] = std::current_exception();
-      ahead.most = 0;
+      end_scene(k, ahead);
+    } catch (const std::exception&) {  // e.g. no memory for its log
+      end_scene(k, ahead);
     }
+  }
+
+  /// Keeps the exception that ends the time steps of a scene.
+  void end_scene(std::size_t k, StepsAhead& ahead) {
+    faults_[k] = std::current_exception();
+    ahead.most = 0;
   }
 
   void use() const { check_cuda(cudaSetDevice(device_.index), "select the device"); }

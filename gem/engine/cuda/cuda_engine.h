@@ -43,7 +43,7 @@ struct CudaOptions {
   int threads = 0;  // threads of a block: 32 to 256, a multiple of 32; 0: chosen
   int ring_steps = most_launch_steps;  // most time steps of one launch
   int list_rows = 0;                   // entries of the list of near bodies at first; it grows on demand; 0: chosen
-  bool samples = true;                 // record the platform in every time step
+  bool samples = true;                 // record platform, quality and overlaps; else a log gets events only
   Route route = Route::automatic;
 };
 
@@ -60,8 +60,9 @@ struct StepsAhead {
 };
 
 /// Many scenes on one GPU, moved on together. Each gets the same bits as alone. No other batch of the process may move
-/// scenes on the same GPU at the same time. Throws Error(device) if no GPU answers or a call fails, and
-/// Error(resource_limit) if its memory is too small.
+/// scenes on the same GPU at the same time. Throws Error(device) if no GPU answers or a call fails,
+/// Error(resource_limit) if its memory is too small, and Error(usage) if a run has more than device_steps_maximum time
+/// steps.
 class CudaBatch {
  public:
   CudaBatch(std::vector<BatchScene> scenes, const CudaOptions& options);
@@ -77,7 +78,7 @@ class CudaBatch {
   void advance(std::int64_t steps, std::vector<StepLog>* logs);
   /// Moves scene k on by at most ahead[k].most time steps and appends to logs[k]. Scenes with more ahead advance more,
   /// so that the GPU stays busy until all end. Returns for each scene what stopped it, mostly null:
-  /// Error(numerical_stop) if its state is not finite.
+  /// Error(numerical_stop) if its state is not finite, Error(usage) if it would pass device_steps_maximum.
   std::vector<std::exception_ptr> advance_some(const std::vector<StepsAhead>& ahead, std::vector<StepLog>& logs);
   std::int64_t step(std::size_t scene) const;
   const Bodies& bodies(std::size_t scene);

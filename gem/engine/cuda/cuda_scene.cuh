@@ -4,6 +4,7 @@
 #include <cuda_runtime.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@ class CudaScene {
   /// `status`: where the scene's status stands on the device. `blocks`: the most blocks that ever work on the scene.
   CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status) : status_(status) {
     check_solver(scene.scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cuda");
+    check_device_steps(std::llround(scene.scene.run.duration_s / scene.scene.numerics.time_step_s));
     const StepConstants constants = step_constants(scene.scene, scene.bodies);
     field_ = make_field_state(std::move(scene.bodies), constants);
     ledger_.start = total(field_);
@@ -42,9 +44,10 @@ class CudaScene {
 
   void want_events(bool wanted) { device_.wants_events = wanted; }
 
-  /// Throws Error(numerical_stop) if a state that was given is not finite. Every engine checks this before it goes on
-  /// from such a state.
-  void check_start() {
+  /// Throws Error(usage) if the device cannot count `steps` more time steps, and Error(numerical_stop) if a state that
+  /// was given is not finite. Every engine checks such a state before it goes on from it.
+  void check_start(std::int64_t steps) {
+    check_device_steps(step_ + steps);
     if (fresh_) check_finite(field_, step_);
     fresh_ = false;
   }
@@ -68,6 +71,7 @@ class CudaScene {
   void append(const DeviceStatus& status, int blocks, StepLog& log) const {
     if (status.samples == 0) return;
     DeviceScene rings;
+    rings.wants_samples = device_.wants_samples;
     place_rings(rings, sizes_, host_ring_.data());
     append_log(field_, rings, status, blocks, log);
   }

@@ -21,22 +21,23 @@ struct alignas(128) BodyCell {
   std::int16_t vertex_count = 0;
   BodyKind kind = BodyKind::floe;
   std::uint8_t active = 0;
-  Vec2 velocity;      // after the solo events of the time step [m/s]
-  double spin = 0.0;  // [rad/s]
-  double inverse_mass = 0.0, inverse_inertia = 0.0, thickness = 0.0;
+  Vec2 velocity;                                                      // after the solo events of the time step [m/s]
+  double spin = 0.0;                                                  // [rad/s]
+  double inverse_mass = 0.0, inverse_inertia = 0.0, thickness = 0.0;  // [1/kg], [1/(kg m2)], [m]
 };
 
 /// What only the thread that moves a body reads.
 struct alignas(128) BodyMotion {
-  double mass = 0.0, inertia = 0.0, drag = 0.0, spin_drag = 0.0;
-  Vec2 path_correction;
-  double angle_correction = 0.0;
+  double mass = 0.0, inertia = 0.0;    // [kg], [kg m2]
+  double drag = 0.0, spin_drag = 0.0;  // as in Bodies
+  Vec2 path_correction;                // exact path under drag minus velocity x dt [m]
+  double angle_correction = 0.0;       // the same for the angle [rad]
   // the row of the body: one entry for each near body, by ascending id
   std::int32_t row_begin = 0, row_count = 0;
   std::int32_t lower_count = 0;  // entries of bodies with a lower id
   // the straight path that the list assumes: state when the list was built
-  Vec2 trajectory_position, trajectory_velocity;
-  double trajectory_turned = 0.0;
+  Vec2 trajectory_position, trajectory_velocity;  // [m], [m/s]
+  double trajectory_turned = 0.0;                 // BodyCell::turn_travel then [rad]
 };
 
 /// A body's motion after the pair events of the last time step.

@@ -148,7 +148,7 @@ GEM_DEVICE inline ListGrid list_grid(const DeviceScene& s, double ahead) {
   const Vec2 speeds{extreme(6) + extreme(4), extreme(7) + extreme(5)};
   grid.low = low;
   grid.cell = 2.0 * extreme(8) + s.constants.list_margin + s.constants.contact_margin + length(speeds) * ahead;
-  // bound the number of cells by that of floes, so that a scattered field takes no more memory than a dense one
+  // at most (4 sqrt(n) + 1)^2 cells for n floes, so that a scattered field takes no more memory than a dense one
   const double widest = extent.x > extent.y ? extent.x : extent.y;
   const double finest = widest / (4.0 * std::sqrt(static_cast<double>(all.floes)));
   if (finest > grid.cell) grid.cell = finest;

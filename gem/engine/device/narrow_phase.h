@@ -3,12 +3,10 @@
 
 #include "gem/engine/device/lane_geometry.h"
 #include "gem/engine/device/workspace.h"
+#include "gem/engine/step/motion_bound.h"
 #include "gem/engine/step/pair_event.h"
 
 namespace gem {
-
-/// Allowance for rounding in the bound on motion that lets a pair skip the narrow phase [m].
-constexpr double narrow_rounding = 1e-9;
 
 /// What choose_candidate() needs of a body.
 struct CandidateBody {
@@ -34,7 +32,7 @@ GEM_DEVICE inline double choose_candidate(const DeviceScene& s, PairCell& pair, 
   const Vec2 offset = b.position - a.position;
   const Vec2 shifted = offset - pair.offset;
   const double turned_a = a.turn_travel - pair.turned_a, turned_b = b.turn_travel - pair.turned_b;
-  const double left = pair.axes.first.distance - limit - narrow_rounding - (a.radius * turned_a + b.radius * turned_b);
+  const double left = pair.axes.first.distance - limit - motion_rounding - (a.radius * turned_a + b.radius * turned_b);
   if (left > 0.0 && dot(shifted, shifted) < left * left) return left - length(shifted);
   if (!a.active || !b.active) return 0.0;
   pair.offset = offset;
@@ -121,7 +119,7 @@ class NarrowPhase {
       axes = pair_[item.pair].axes;
       lanes.sync();
       known = lane::follow_two_axes(lanes, axes, outline(at, lane_group, 0), outline(at, lane_group, 1), item.offset,
-                                    item.moved + narrow_rounding, limit());
+                                    item.moved + motion_rounding, limit());
     }
     warp.sync();
     for (unsigned left = warp.ballot(!known && lanes.rank() == 0); left != 0; left &= left - 1) {

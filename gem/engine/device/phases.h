@@ -96,7 +96,6 @@ template <class Group>
 GEM_DEVICE inline void choose_pairs(const DeviceScene& s, Group& group) {
   close_contacts(s, group, static_cast<std::int32_t>(s.status->step), false);
   const auto next_candidate = [&]() -> CandidatePair& { return s.candidate[group.add(&s.counters->candidates, 1)]; };
-  constexpr double surely = 1.0 - 1e-6;  // the clock is compared in single precision
   const double clock = s.status->clock;
   auto* const awake = reinterpret_cast<std::int32_t*>(group.shared_memory());
   const std::int32_t pairs = s.counters->pairs, stretch = loaded_pairs * group.threads();
@@ -108,7 +107,7 @@ GEM_DEVICE inline void choose_pairs(const DeviceScene& s, Group& group) {
     for (std::int32_t k = group.thread(); k < group.shared().candidates; k += group.threads()) {
       const std::int32_t p = awake[k];
       const double spare = choose_candidate(s, s.pair[p], p, next_candidate);
-      if (spare > 0.0) s.wake[p] = static_cast<float>(surely * (clock + spare) - narrow_rounding);
+      if (spare > 0.0) s.wake[p] = wake_clock(clock, spare);
     }
     group.block_barrier();
   }

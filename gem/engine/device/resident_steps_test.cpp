@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "gem/base/error.h"
 #include "gem/engine/testing/host_scene.h"
 #include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
@@ -88,6 +89,68 @@ TEST_P(DeviceSolvers, BlocksAndThreadsChangeNothing) {
     test::expect_same_log(log, expected);
     test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
     EXPECT_GT(device.status().builds, 0);
+  }
+}
+
+/// The bodies of a scene some seconds after its start, when floes meet the platform.
+Bodies crowd_of(const SceneDef& scene) {
+  const auto engine = test::busy_engine(scene, "cpu");
+  StepLog log;
+  engine->advance(300, log);
+  return engine->bodies();
+}
+
+/// The last time steps that 32 bits can count: event times, stamps and lists as in the cpu engine, by both routes.
+TEST_P(DeviceSolvers, CountsToItsLastTimeStep) {
+  constexpr std::int64_t steps = 100, begin = device_steps_maximum - steps;
+  SceneDef scene = test::busy_scene(8);
+  scene.contact.solver = GetParam();
+  const Bodies crowd = crowd_of(scene);
+  const auto cpu = make_engine(scene, crowd, {"cpu", 1});
+  EngineState state = cpu->save();
+  state.step = begin;
+  cpu->restore(state);
+  StepLog expected;
+  cpu->advance(steps, expected);
+  ASSERT_GT(expected.events.size(), 0u);
+  for (const bool by_phases : {false, true}) {
+    HostScene device(scene, crowd, 1, by_phases ? test::team_warp : 1);
+    device.begin_at(begin);
+    if (by_phases) device.by_phases();
+    StepLog log;
+    device.advance(steps, log);
+    EXPECT_EQ(device.status().step, device_steps_maximum);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  }
+}
+
+/// A log without samples holds nothing that was not measured.
+TEST_P(DeviceSolvers, WithoutSamplesTheLogHasEventsOnly) {
+  SceneDef scene = test::busy_scene(8);
+  scene.contact.solver = GetParam();
+  for (const bool by_phases : {false, true}) {
+    HostScene device(scene, crowd_of(scene), 1, by_phases ? test::team_warp : 1);
+    device.without_samples();
+    if (by_phases) device.by_phases();
+    StepLog log;
+    device.advance(100, log);
+    EXPECT_GT(log.events.size(), 0u);
+    EXPECT_TRUE(log.platform.empty() && log.quality.empty());
+    EXPECT_EQ(log.overlap.count, OverlapCount{}.count);
+    EXPECT_EQ(log.overlap_share.count, OverlapCount{}.count);
+  }
+}
+
+TEST(DeviceSteps, ALongerRunIsRefused) {
+  EXPECT_NO_THROW(check_device_steps(device_steps_maximum));
+  try {
+    check_device_steps(device_steps_maximum + 1);
+    FAIL() << "a run was taken that the device cannot count";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::usage);
+    EXPECT_NE(std::string(error.what()).find("(2147483646 time steps, allowed at most 2147483645)"), std::string::npos);
   }
 }
 

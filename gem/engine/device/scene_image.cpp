@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "gem/base/error.h"
 #include "gem/engine/solver/device_solver.h"
 #include "gem/engine/step/books.h"
 
@@ -149,6 +151,13 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
 
 }  // namespace
 
+void check_device_steps(std::int64_t steps) {
+  if (steps > device_steps_maximum)
+    throw Error(ExitCode::usage, "the run is too long for engine cuda (" + std::to_string(steps) +
+                                     " time steps, allowed at most " + std::to_string(device_steps_maximum) +
+                                     ") use --engine cpu, or a longer time step");
+}
+
 SceneSizes scene_sizes(const FieldState& f) {
   const Bodies& b = f.bodies;
   SceneSizes sizes;
@@ -281,15 +290,13 @@ void write_field(const FieldState& f, std::int64_t step, const DeviceScene& s) {
 }
 
 std::vector<CarriedMemory> carried_memory(const EngineState& state) {
-  constexpr std::int32_t bodies = (1 << body_bits) - 1, features = (1 << feature_bits) - 1;
   std::vector<CarriedMemory> all;
   for (std::size_t k = 0; k < state.impulse_key.size(); ++k) {
     const std::uint64_t key = state.impulse_key[k];
-    const auto a = static_cast<std::int32_t>(key >> (body_bits + feature_bits));
-    const auto b = static_cast<std::int32_t>(key >> feature_bits) & bodies;
+    const std::int32_t a = body_a_of(key), b = body_b_of(key);
     const bool second = !all.empty() && all.back().a == a && all.back().b == b;
     if (!second) all.push_back({a, b, {-1, -1}, {}});
-    all.back().feature[second ? 1 : 0] = static_cast<std::int32_t>(key) & features;
+    all.back().feature[second ? 1 : 0] = feature_of(key);
     all.back().impulse[second ? 1 : 0] = state.impulse_value[k];
   }
   return all;
@@ -319,12 +326,14 @@ void read_state(const BodyState* state, FieldState& f) {
 }
 
 void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatus& status, int blocks, StepLog& log) {
-  log.platform.insert(log.platform.end(), rings.sample, rings.sample + status.samples);
-  for (std::int32_t m = 0; m < status.samples; ++m)
-    log.quality.push_back(quality_of(rings.quality + m * blocks, blocks, f.constants.solver));
-  for (int k = 0; k < OverlapCount::classes; ++k) {
-    log.overlap.count[k] += rings.overlap_count[k];
-    log.overlap_share.count[k] += rings.overlap_count[OverlapCount::classes + k];
+  if (rings.wants_samples) {
+    log.platform.insert(log.platform.end(), rings.sample, rings.sample + status.samples);
+    for (std::int32_t m = 0; m < status.samples; ++m)
+      log.quality.push_back(quality_of(rings.quality + m * blocks, blocks, f.constants.solver));
+    for (int k = 0; k < OverlapCount::classes; ++k) {
+      log.overlap.count[k] += rings.overlap_count[k];
+      log.overlap_share.count[k] += rings.overlap_count[OverlapCount::classes + k];
+    }
   }
   EventReader reader(f);
   for (std::int32_t k = 0; k < status.events; ++k) log.events.push_back(reader.read(rings.event[k]));

@@ -11,6 +11,12 @@
 
 namespace gem {
 
+/// Most time steps from t = 0 to the end of a run. The device counts them in 32 bits; stamps are kept apart from them.
+constexpr std::int64_t device_steps_maximum = (std::int64_t{1} << 31) - 3;
+
+/// Throws Error(usage) if a run of so many time steps, counted from t = 0, is too long for the device.
+void check_device_steps(std::int64_t steps);
+
 /// Sizes of a scene's arrays.
 struct SceneSizes {
   std::int32_t bodies = 0, non_floes = 0, vertices = 0;
@@ -46,7 +52,8 @@ void save_memory(std::vector<CarriedMemory> carried, EngineState& state);
 /// Copies the state that a call left into the field.
 void read_state(const BodyState* state, FieldState& f);
 
-/// Appends the rings of a call to `log`: samples and quality of its time steps, and its events.
+/// Appends the rings of a call to `log`: its events and, if the scene wants samples, the samples, quality and overlaps
+/// of its time steps.
 void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatus& status, int blocks, StepLog& log);
 
 }  // namespace gem

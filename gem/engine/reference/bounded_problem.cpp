@@ -74,7 +74,7 @@ class Solver {
   Vector bounded_;    // impulses of the approach, within bounds
   Vector pull_;       // extension of the springs (scaled multipliers)
   double spring_ = 1.0;
-  Vector x_;     // best solution so far
+  Vector x_;     // best solution since the last approach
   double left_;  // residual of x_ [m/s]
 };
 

@@ -6,6 +6,7 @@
 //   x  impulses [N s]       w  velocity after the impulses minus its target [m/s]
 //   K  response [1/kg]      b  w without impulses [m/s]
 //
+// The position repair is the same problem with x in kg m and w, b in m.
 // A normal impulse lies in [0, cap]. A tangential impulse lies in [-mu P_n, mu P_n], with P_n its normal impulse.
 #pragma once
 

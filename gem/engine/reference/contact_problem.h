@@ -20,13 +20,14 @@
 
 namespace gem::reference {
 
+/// A contact point. For the position repair: shifts [m] for velocities, and impulses in kg m.
 struct ProblemPoint {
   std::int32_t a = 0, b = 0;
-  Vec2 normal;        // from A to B
-  Vec2 arm_a, arm_b;  // from the centroids [m]
-  double target = 0.0;
-  double cap = std::numeric_limits<double>::infinity();
-  double friction = 0.0;  // mu
+  Vec2 normal;                                           // from A to B
+  Vec2 arm_a, arm_b;                                     // from the centroids [m]
+  double target = 0.0;                                   // smallest u_n [m/s]
+  double cap = std::numeric_limits<double>::infinity();  // largest P_n [N s]
+  double friction = 0.0;                                 // mu [-]
 };
 
 /// A body in the problem.

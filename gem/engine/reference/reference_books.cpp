@@ -8,8 +8,6 @@
 namespace gem::reference {
 namespace {
 
-CollisionMass mass_of(const Bodies& b, std::int32_t i) { return {b.inverse_mass[i], b.inverse_inertia[i]}; }
-
 /// Books an external impulse at a world point.
 void enter(Quantity& book, Vec2 point, Vec2 impulse) {
   book.momentum += impulse;

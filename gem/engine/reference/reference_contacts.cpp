@@ -13,8 +13,6 @@
 namespace gem::reference {
 namespace {
 
-CollisionMass mass_of(const Bodies& b, std::int32_t i) { return {b.inverse_mass[i], b.inverse_inertia[i]}; }
-
 ContactCompliance compliance_of(const Bodies& b, const Touch& touch, const TouchPoint& p) {
   return contact_compliance(mass_of(b, touch.a), p.arm_a, mass_of(b, touch.b), p.arm_b, touch.normal);
 }

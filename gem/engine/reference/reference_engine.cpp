@@ -64,9 +64,7 @@ void ReferenceEngine::keep_impulses(const std::vector<reference::Touch>& touches
   impulse_value_.clear();
   for (const reference::Touch& touch : touches)
     for (const reference::TouchPoint& p : touch.points) {
-      // the same key as in EngineState: 26 bits per body, 12 for the feature
-      const auto a = static_cast<std::uint64_t>(touch.a), b = static_cast<std::uint64_t>(touch.b);
-      impulse_key_.push_back(a << 38 | b << 12 | static_cast<std::uint64_t>(p.feature));
+      impulse_key_.push_back(contact_key(touch.a, touch.b, p.feature));
       impulse_value_.push_back({p.impulse.normal, p.impulse.tangential, p.repair});
     }
 }

@@ -1,6 +1,6 @@
-// The reference engine judges the other engines. It shares with them the laws (gem/events) and the contact geometry of
-// two outlines (gem/geometry), and no other code. It tests all pairs on one thread in double precision, and its own
-// solver has no warm start. It is slow, and short enough to be checked by hand.
+// The reference engine judges the other engines. It shares with them the laws (gem/events), the contact geometry of two
+// outlines (gem/geometry), the bounds on speeds of a scene (gem/scene), and no other code. It tests all pairs on one
+// thread in double precision, and its own solver has no warm start. It is slow, and short enough to be checked by hand.
 //
 // Its bits differ from those of the other engines. They agree to a tolerance that the test derives, on scenes whose
 // contact impulses are unique: always without friction; with friction if few contacts hold each floe.

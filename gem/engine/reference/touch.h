@@ -13,6 +13,8 @@
 
 namespace gem::reference {
 
+inline CollisionMass mass_of(const Bodies& b, std::int32_t i) { return {b.inverse_mass[i], b.inverse_inertia[i]}; }
+
 /// One point of a touch. "Tangential" is along the normal turned left. Impulses act on B; A gets the opposite.
 struct TouchPoint {
   Vec2 arm_a, arm_b;                                     // from the centroids [m]

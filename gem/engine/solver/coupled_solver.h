@@ -19,8 +19,8 @@ namespace gem {
 class CoupledSolver {
  public:
   /// Time steps with fewer contacts per thread are iterated by one thread, since barriers would cost more than the
-  /// other threads save. The default was chosen by hand and affects only speed.
-  explicit CoupledSolver(std::size_t contacts_worth_a_thread = 256)
+  /// other threads save.
+  explicit CoupledSolver(std::size_t contacts_worth_a_thread = EngineOptions{}.contacts_worth_a_thread)
       : contacts_worth_a_thread_(contacts_worth_a_thread) {}
 
   /// Allocates memory for the contacts (ascending in a, b) and divides them among `threads`. Reads no velocity and no

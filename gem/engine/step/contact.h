@@ -5,6 +5,7 @@
 #include <span>
 
 #include "gem/base/vec2.h"
+#include "gem/engine/contact_key.h"
 #include "gem/events/events.h"
 
 namespace gem {
@@ -37,12 +38,5 @@ struct Contact {
 
 /// The contacts of one time step, ascending in (a, b). Contacts of the platform come first.
 using Contacts = std::span<Contact* const>;
-
-/// Identifies a contact point across time steps. Keys ascend in (a, b, feature).
-constexpr int body_bits = 26, feature_bits = 12;
-constexpr std::uint64_t contact_key(std::int32_t a, std::int32_t b, std::int32_t feature) {
-  return static_cast<std::uint64_t>(a) << (body_bits + feature_bits) | static_cast<std::uint64_t>(b) << feature_bits |
-         static_cast<std::uint64_t>(feature);
-}
 
 }  // namespace gem

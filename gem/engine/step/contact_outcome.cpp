@@ -54,8 +54,9 @@ void book_contact(FieldState& f, const Contact& contact, const ContactOutcome& o
   }
 }
 
-void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes, StepQuality& quality, StepLog& log) {
-  std::vector<double> work(f.bodies.count() + sum_width, 0.0);  // per body B, or per body A where B is fixed
+void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes, std::vector<double>& work,
+                   StepQuality& quality, StepLog& log) {
+  work.assign(f.bodies.count() + sum_width, 0.0);  // per body B, or per body A where B is fixed
   for (const ContactOutcome& outcome : outcomes) {
     double& sum = work[f.bodies.inverse_mass[outcome.b] > 0.0 ? outcome.b : outcome.a];
     for (int k = 0; k < outcome.count; ++k) {

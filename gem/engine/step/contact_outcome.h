@@ -2,6 +2,8 @@
 // impulses, its overlap depth. Each contact is computed independently; the books are kept in the order of the contacts.
 #pragma once
 
+#include <vector>
+
 #include "gem/engine/engine.h"
 #include "gem/engine/step/contact.h"
 #include "gem/engine/step/contact_quality.h"
@@ -33,7 +35,9 @@ void find_outcome(const FieldState& f, const Contact& contact, ContactOutcome& o
 void book_contact(FieldState& f, const Contact& contact, const ContactOutcome& outcome);
 
 /// Adds to `quality` the number of contact points, the largest overlaps and the largest violations of the contact laws;
-/// counts the overlaps in `log`. The outcomes are those of one time step, ascending in (a, b).
-void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes, StepQuality& quality, StepLog& log);
+/// counts the overlaps in `log`. The outcomes are those of one time step, ascending in (a, b). `work` is scratch
+/// memory.
+void note_outcomes(const FieldState& f, std::span<const ContactOutcome> outcomes, std::vector<double>& work,
+                   StepQuality& quality, StepLog& log);
 
 }  // namespace gem

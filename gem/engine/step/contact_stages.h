@@ -12,14 +12,11 @@
 #include "gem/engine/step/body_repair.h"
 #include "gem/engine/step/contact.h"
 #include "gem/engine/step/field_state.h"
+#include "gem/engine/step/motion_bound.h"
 #include "gem/engine/step/pair_event.h"
 #include "gem/events/events.h"
 
 namespace gem {
-
-/// Allowance for rounding where a bound on motion lets the narrow phase skip a pair [m]. Far above the rounding of
-/// positions up to 100 km (1.5e-11 m) and far below any overlap that matters.
-constexpr double rounding = 1e-9;
 
 inline CollisionMass collision_mass(const Bodies& b, std::int32_t i) {
   return {b.inverse_mass[i], b.inverse_inertia[i]};
@@ -74,7 +71,7 @@ inline bool find_contact(const FieldState& f, std::int32_t a, std::int32_t b, Se
   const double limit = f.constants.contact_margin;
   const Outline outline_a = f.outline(a), outline_b = f.outline(b);
   const Vec2 offset = f.bodies.position[b] - f.bodies.position[a];
-  follow_axes(axes, outline_a, outline_b, offset, moved + rounding, limit);
+  follow_axes(axes, outline_a, outline_b, offset, moved + motion_rounding, limit);
   if (!(axes.first.distance < limit)) return false;
   const ContactGeometry geometry = f.constants.manifold == Manifold::chord_middle
                                        ? chord_contact(outline_a, outline_b, offset, axes.first)

@@ -21,12 +21,12 @@ struct FieldState {
   std::vector<Vec2> body_normal;    // outward unit normals of the edges in body axes
   std::vector<double> turn_travel;  // sum of the absolute angles turned so far [rad]
 
-  std::vector<Vec2> path_correction;  // exact path under drag minus velocity x dt [m]
-  std::vector<double> angle_correction;
-  std::vector<std::uint8_t> struck;  // does not follow the exact drag path in this time step: see book_contact()
-  std::vector<Vec2> repair_shift;    // position repair of this time step [m]
-  std::vector<double> repair_turn;   // [rad]
-  Vec2 platform_position;            // at the start of the time step [m]
+  std::vector<Vec2> path_correction;     // exact path under drag minus velocity x dt [m]
+  std::vector<double> angle_correction;  // the same for the angle [rad]
+  std::vector<std::uint8_t> struck;      // does not follow the exact drag path in this time step: see book_contact()
+  std::vector<Vec2> repair_shift;        // position repair of this time step [m]
+  std::vector<double> repair_turn;       // [rad]
+  Vec2 platform_position;                // at the start of the time step [m]
 
   std::vector<float> momentum_coefficients;  // coupled: see momentum_coefficients()
 

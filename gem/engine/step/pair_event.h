@@ -20,9 +20,9 @@ namespace gem {
 /// The two bodies of a contact at the time of the events.
 struct PairBodies {
   CollisionMass mass_a, mass_b;
-  Vec2 velocity_a, velocity_b;  // [m/s]
-  double spin_a = 0.0, spin_b = 0.0;
-  double thickness = 0.0;  // of the ice that crushes [m]
+  Vec2 velocity_a, velocity_b;        // [m/s]
+  double spin_a = 0.0, spin_b = 0.0;  // [rad/s]
+  double thickness = 0.0;             // of the ice that crushes [m]
 };
 
 /// Thickness of the ice that crushes: the thinner floe. A platform or a fixed body A does not crush [m].

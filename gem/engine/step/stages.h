@@ -1,4 +1,5 @@
-// The stages of a time step. Their order is defined here only; every engine takes it from here.
+// The stages of a time step. The engines cpu and cuda take their order from here. The reference engine, which judges
+// them, states its own.
 //
 // | stage          | what                                         | reads                 | writes                   |
 // |----------------|----------------------------------------------|-----------------------|--------------------------|

@@ -38,6 +38,11 @@ class HostScene {
     write_field(field_, 0, scene_);
   }
 
+  /// Records events only.
+  void without_samples() { scene_.wants_samples = 0; }
+  /// Sets the number of time steps done since t = 0. Only before the first call.
+  void begin_at(std::int64_t step) { write_field(field_, step, scene_); }
+
   /// Runs each phase separately from now on. `solver_shared_memory`: shared memory of the phases that iterate [bytes].
   void use_phases(std::size_t solver_shared_memory = 1 << 20) {
     phases_ = true;

@@ -12,7 +12,8 @@ namespace {
 constexpr double kTenth = 1e-6;                             // shares are typed numbers
 constexpr double kThick = 1.2, kMedium = 0.7, kThin = 0.5;  // of the paper's classes [m]
 
-/// Ratio of the worst ends of both intervals: its interval is too wide rather than too narrow.
+/// Ratio of the worst ends of both intervals, for quantities that are not negative: its interval is too wide rather
+/// than too narrow.
 Measured ratio(const Measured& a, const Measured& b) {
   const double infinity = std::numeric_limits<double>::infinity();
   if (!(b.high > 0.0)) return {a.value / b.value, -infinity, infinity, a.interval + " / " + b.interval};

@@ -116,7 +116,7 @@ TEST_P(DeviceSolvers, CountsToItsLastTimeStep) {
   for (const bool by_phases : {false, true}) {
     HostScene device(scene, crowd, 1, by_phases ? test::team_warp : 1);
     device.begin_at(begin);
-    if (by_phases) device.by_phases();
+    if (by_phases) device.use_phases();
     StepLog log;
     device.advance(steps, log);
     EXPECT_EQ(device.status().step, device_steps_maximum);
@@ -133,7 +133,7 @@ TEST_P(DeviceSolvers, WithoutSamplesTheLogHasEventsOnly) {
   for (const bool by_phases : {false, true}) {
     HostScene device(scene, crowd_of(scene), 1, by_phases ? test::team_warp : 1);
     device.without_samples();
-    if (by_phases) device.by_phases();
+    if (by_phases) device.use_phases();
     StepLog log;
     device.advance(100, log);
     EXPECT_GT(log.events.size(), 0u);

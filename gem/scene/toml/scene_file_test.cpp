@@ -170,7 +170,8 @@ TEST(SceneWarnings, TimesThatAreNoWholeTimeStepsAreNamed) {
 
 TEST(PlatformInterval, IsAWholeNumberOfTimeStepsUnlessGiven) {
   const auto interval = [](const std::string& step, const std::string& output = "") {
-    const SceneDef scene = parse_scene(output + "[numerics]\ntime_step_s = " + step + "\n", "t.toml");
+    const SceneDef scene =
+        parse_scene(output + "[run]\nduration_s = 84\n[numerics]\ntime_step_s = " + step + "\n", "t.toml");
     EXPECT_TRUE(scene_warnings(scene).empty() || !output.empty()) << step;
     EXPECT_EQ(parse_scene(resolved_toml(scene), "again.toml").output.platform_interval_s,
               scene.output.platform_interval_s);

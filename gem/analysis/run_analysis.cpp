@@ -19,6 +19,8 @@ namespace gem {
 namespace {
 
 constexpr std::size_t kFewestSamples = 64;
+// A platform that nothing touches moves by rounding. Its spectrum has a peak too, but that is no period.
+constexpr double kLeastDeviation = 1e-9;  // [m]
 
 class Findings {
  public:
@@ -96,10 +98,12 @@ std::vector<Finding> axis_findings(const std::string& prefix, const std::vector<
   add_mean(findings, "offset_m", signal, independent_samples(series));
   findings.add("deviation_m", std::optional<double>(moments(signal).deviation));
   findings.add("largest_m", std::optional<double>(maximum_excursion(signal).value));
-  const auto main = spectral_period(eigenspectra(signal, series.interval));
+  const bool moves = moments(signal).deviation >= kLeastDeviation;
+  const auto if_moving = [moves](std::optional<PeriodEstimate> period) { return moves ? period : std::nullopt; };
+  const auto main = if_moving(spectral_period(eigenspectra(signal, series.interval)));
   findings.add("period_by_spectrum_s", main);
-  findings.add("period_by_crossings_s", crossing_period(signal, series.interval));
-  findings.add("period_by_maxima_s", maxima_period(signal, series.interval));
+  findings.add("period_by_crossings_s", if_moving(crossing_period(signal, series.interval)));
+  findings.add("period_by_maxima_s", if_moving(maxima_period(signal, series.interval)));
   const std::vector<double> peaks = cycle_peaks(signal);
   findings.add("cycles", std::optional<double>(static_cast<double>(peaks.size())));
   findings.add("cycle_peak_p90_m", peaks.empty() ? std::nullopt : std::optional<double>(percentile(peaks, 0.9)));

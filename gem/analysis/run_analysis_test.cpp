@@ -96,6 +96,21 @@ TEST(CombineRuns, OfTwo) {
   EXPECT_NEAR(rows[0].mean->low, 2.0 - 12.7062, 1e-4);
 }
 
+TEST(CombineRuns, TakesTheSizeOfLargestExcursions) {
+  const auto rows = combine_runs({{{"x_largest_m", -1.0, std::nullopt}}, {{"x_largest_m", 3.0, std::nullopt}}});
+  EXPECT_DOUBLE_EQ(rows[0].mean->value, 2.0);
+  EXPECT_DOUBLE_EQ(rows[0].smallest, 1.0);
+}
+
+TEST(AnalysePlatform, FindsNoPeriodInRounding) {
+  PlatformSeries series = circling(2000);
+  for (double& x : series.x) x *= 1e-14;
+  const std::vector<Finding> findings = analyse_platform(series);
+  for (const char* name : {"x_period_by_spectrum_s", "x_period_by_crossings_s", "x_period_by_maxima_s"})
+    EXPECT_FALSE(finding_of(findings, name).value.has_value()) << name;
+  EXPECT_TRUE(finding_of(findings, "y_period_by_spectrum_s").value.has_value());
+}
+
 // Eight runs of a driven oscillator: the period has an interval over runs, and the extremes follow the Gumbel law.
 TEST(CombineRuns, OfADrivenOscillator) {
   std::vector<std::vector<Finding>> runs;

@@ -16,7 +16,10 @@ std::vector<double> values_of(const std::vector<std::vector<Finding>>& runs, std
   for (const std::vector<Finding>& run : runs) {
     if (run.size() != runs.front().size() || run[row].name != runs.front()[row].name)
       throw std::invalid_argument("the runs have different findings");
-    if (run[row].value) values.push_back(*run[row].value);
+    if (!run[row].value) continue;
+    // The sign of a largest excursion is that of one swing. Over runs its size counts.
+    const bool largest = run[row].name.ends_with("_largest_m");
+    values.push_back(largest ? std::abs(*run[row].value) : *run[row].value);
   }
   return values;
 }

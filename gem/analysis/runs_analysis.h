@@ -24,6 +24,7 @@ struct RunsFinding {
 };
 
 /// One row per name, in the order of the first run. All runs must have the same names, as from analyse_platform().
+/// Largest excursions (names ending in `_largest_m`) are combined by their absolute values.
 std::vector<RunsFinding> combine_runs(const std::vector<std::vector<Finding>>& runs);
 
 /// The largest value of one exposure by the Gumbel law, from the largest values of runs of that duration.

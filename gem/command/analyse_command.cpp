@@ -86,12 +86,31 @@ std::string interval_text(const IntervalEstimate& estimate) {
   return short_text(estimate.low) + " to " + short_text(estimate.high);
 }
 
+bool is_length_or_force(const std::string& name) { return name.ends_with("_m") || name.ends_with("_N"); }
+
+/// Whether no ice touched the platform and it did not move. Then its numbers are rounding.
+bool untouched(const std::vector<Finding>& findings) {
+  return finding_of(findings, "contact_fraction").value.value_or(0.0) == 0.0 &&
+         finding_of(findings, "ice_force_window_largest_N").value.value_or(0.0) == 0.0 &&
+         finding_of(findings, "orbit_largest_m").value.value_or(0.0) < kLeastMotion;
+}
+
+std::string value_text(const Finding& finding) {
+  if (!finding.value) return "not resolved";
+  const bool spectral = finding.name.ends_with("_period_by_spectrum_s") && finding.interval;
+  if (spectral && finding.interval->high > 2.0 * finding.interval->low) return "not resolved";
+  return short_text(*finding.value);
+}
+
 std::string text_of(const Run& run) {
   std::string text = shown(run.path) + ": " + run.name + ", " + short_text(run.duration_s) + " s\n" +
                      row_text("", {"value", "95 % interval"});
-  for (const Finding& finding : run.findings)
-    text += row_text(finding.name, {finding.value ? short_text(*finding.value) : "not resolved",
-                                    finding.interval ? interval_text(*finding.interval) : "-"});
+  const bool without_contact = untouched(run.findings);
+  for (const Finding& finding : run.findings) {
+    const bool rounding = without_contact && is_length_or_force(finding.name);
+    text += row_text(finding.name, {rounding ? "no contact" : value_text(finding),
+                                    finding.interval && !rounding ? interval_text(*finding.interval) : "-"});
+  }
   return text +
          "spells and gaps cut by an end of the record count with their observed part: mean = total time over "
          "the\n"

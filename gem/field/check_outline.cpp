@@ -16,7 +16,7 @@ namespace {
 }
 
 [[noreturn]] void refuse_vertex(const std::string& name, std::size_t vertex, const std::string& text) {
-  refuse_outline(name, "vertex " + std::to_string(vertex) + " " + text);
+  refuse_outline(name, "vertex " + std::to_string(vertex) + " (counted from 0) " + text);
 }
 
 void check_count(const std::vector<Vec2>& outline, const std::string& name) {

@@ -54,7 +54,7 @@ TEST(CheckOutline, RefusesWithTheVertexNamed) {
       {{{0, 0}, {1, 0}, {1, 0.0005}, {0, 1}}, {"vertex 1", "0.0005 m"}},
       {{{0, 0}, {1, 1}, {3, 3}}, {"zero area"}},
       {{{0, 0}, {1, 0}, {2, 0}, {1, 1}}, {"vertex 1", "on the line"}},
-      {{{0, 0}, {4, 0}, {1, 1}, {0, 4}}, {"vertex 2", "turns inwards"}},
+      {{{0, 0}, {4, 0}, {1, 1}, {0, 4}}, {"vertex 2 (counted from 0) turns inwards"}},
       {{{0, 4}, {1, 1}, {4, 0}, {0, 0}}, {"vertex 1", "turns inwards"}},
       {{{0, 0}, {2, 2}, {2, 0}, {0, 1}}, {"vertex", "crosses itself"}},
       {star, {"vertex", "second time"}},

@@ -144,6 +144,7 @@ TEST(Field, RefusesWhatCannotFit) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::scene_rejected);
     EXPECT_NE(std::string(error.what()).find("do not fit"), std::string::npos);
+    EXPECT_EQ(std::string(error.what()).find("boundary"), std::string::npos) << error.what();
   }
 }
 

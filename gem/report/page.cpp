@@ -61,8 +61,8 @@ width. It lasts about a tenth of a second or less and does not follow from the i
 side it is pressure times contact area whatever the speed, and lasts milliseconds: a bound on local load, not a load on
 the mooring. It is given for impacts, that is for events that follow at least a second without contact of the same
 floe.</p>
-<p>Means, periods and contact are those of <code>gem analyse</code>, with intervals of 95 %. A mean has the interval of
-so many independent samples as its memory leaves, from sixteen natural periods on. The spectral period carries a
+<p>Means, periods and contact are those of <code>gem analyse</code>, with intervals of 95 %. Intervals of
+means allow for correlation. They are given only for records of at least 16 natural periods. The spectral period carries a
 jackknife over the tapers and half a resolution cell; where that spans more than a factor of two, the run does not
 resolve a main period. The mean times between zero up-crossings of the record without its mean, and between local
 maxima, are given from twenty of them on. Maxima count every wiggle, so that counts by eye can be compared.</p>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <numbers>
 #include <utility>
 
 #include "gem/base/number_text.h"
@@ -49,8 +50,13 @@ std::string at_time(double time, double duration) { return " at " + with_unit(ti
 
 const Unit kSeconds{"s", 1.0};
 
+/// A period whose interval spans more than a factor of two is not resolved.
+bool is_resolved(const Finding& period) {
+  return period.value && period.interval && period.interval->high <= 2.0 * period.interval->low;
+}
+
 std::string period_text(const Finding& period) {
-  if (!period.value || !period.interval) return "not resolved";
+  if (!is_resolved(period)) return "not resolved";
   return with_unit(*period.value, kSeconds) + " (" + ends_text(*period.interval, kSeconds) + ")";
 }
 
@@ -65,16 +71,27 @@ std::string figure_of_run(const std::string& value, const std::string& meaning) 
   return "<div><strong>" + value + "</strong><span>" + meaning + "</span></div>\n";
 }
 
-/// A period whose interval spans more than a factor of two does not count as main period.
 std::string main_period_html(const RunData& run, const Finding& period) {
   if (!period.value || !period.interval) return "";
-  const bool resolved = period.interval->high <= 2.0 * period.interval->low;
   std::string meaning = "main period in x, " + ends_text(*period.interval, kSeconds);
   if (run.natural_period_s > 0.0) meaning += "; natural period " + with_unit(run.natural_period_s, kSeconds);
-  return figure_of_run(resolved ? with_unit(*period.value, kSeconds) : "not resolved", meaning);
+  return figure_of_run(is_resolved(period) ? with_unit(*period.value, kSeconds) : "not resolved", meaning);
 }
 
 std::string force_text(double force) { return with_unit(force, force_unit(std::abs(force))); }
+
+/// " at 487.4 s, 12 degrees from +x"; nothing without a force.
+std::string where_text(double force, const ForceAt& at, const std::string& before = " at ") {
+  if (force == 0.0) return "";
+  return before + number_text(at.time_s, 6) + " s, " + decimal_text(at.direction_rad * 180.0 / std::numbers::pi, 0) +
+         "&deg; from +x";
+}
+
+/// An excursion; rounding is no motion.
+std::string excursion_text(double excursion, const Unit& unit) {
+  return std::abs(excursion) < kLeastMotion ? "none" : with_unit(excursion, unit);
+}
+
 /// A length and its share of the size of a body.
 std::string with_share(double depth, double share) {
   return with_unit(depth, length_unit(depth)) + ", " + rounded_text(100.0 * share, 2) + " % of the smaller body";
@@ -86,11 +103,13 @@ std::string impulse_text(double impulse) { return with_unit(impulse, impulse_uni
 std::string headline_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis) {
   std::string html = "<section class=\"headline\">\n";
   if (!run.platform.time.empty()) {
-    html += figure_of_run(with_unit(findings.radial_excursion, length_unit(findings.radial_excursion)),
+    html += figure_of_run(excursion_text(findings.radial_excursion, length_unit(findings.radial_excursion)),
                           "largest excursion of the platform");
     html += main_period_html(run, finding_of(analysis, "x_period_by_spectrum_s"));
-    html += figure_of_run(force_text(findings.loads.mooring_largest), "largest mooring force");
-    html += figure_of_run(force_text(findings.loads.ice_window_largest),
+    const bool untouched = without_contact(run, findings.loads);
+    const bool still = untouched && findings.radial_excursion < kLeastMotion;
+    html += figure_of_run(still ? "no contact" : force_text(findings.loads.mooring_largest), "largest mooring force");
+    html += figure_of_run(untouched ? "no contact" : force_text(findings.loads.ice_window_largest),
                           "largest ice force averaged over " + number_text(run.force_window_s, 6) + " s");
   }
   if (findings.quality.speed > 0.0)
@@ -113,6 +132,8 @@ std::string identity_html(const RunData& run) {
 
 std::string motion_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis) {
   if (run.platform.time.empty()) return "";
+  if (findings.radial_excursion < kLeastMotion)
+    return table("Motion of the platform", row("largest excursion from rest", {"none"}));
   const AxisMotion& x = findings.x;
   const AxisMotion& y = findings.y;
   const Unit unit = length_unit(findings.radial_excursion);
@@ -141,27 +162,38 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
   if (run.platform.time.empty()) return "";
   const PlatformLoads& l = findings.loads;
   const std::string window = number_text(run.force_window_s, 6) + " s";
+  const std::string sample = number_text(l.sample_s, 6) + " s";
   const Unit mean_unit = force_unit(std::hypot(l.ice_mean_x, l.ice_mean_y));
   const Finding mooring = finding_of(analysis, "mooring_force_x_mean_N");
   // A killed run loses its last events, and all of them if there are few.
   const bool cut = run.identity.status == "running";
   const auto of_events = [cut](const std::string& text) { return cut ? "not known: the run was cut off" : text; };
-  const std::string when =
-      l.ice_window_largest > 0.0 ? " in the " + window + " up to " + number_text(l.ice_window_end_s, 6) + " s" : "";
+  const bool untouched = without_contact(run, l);
+  const bool still = untouched && findings.radial_excursion < kLeastMotion;
+  const auto of_ice = [untouched](const std::string& text) { return untouched ? "no contact" : text; };
+  const auto of_mooring = [still](const std::string& text) { return still ? "no contact" : text; };
+  const double sample_force = l.sample_s > 0.0 ? l.sample_impulse_largest / l.sample_s : 0.0;
   std::string rows =
-      row("event impulse, largest of one event", {of_events(impulse_text(l.event_impulse_largest))}) +
-      row("net impulse of one sample (" + number_text(l.sample_s, 6) + " s), largest",
-          {impulse_text(l.sample_impulse_largest)}) +
-      row("ice force averaged over " + window + ", largest", {force_text(l.ice_window_largest) + when}) +
-      row("ice force averaged over the run, x", {mean_text(finding_of(analysis, "ice_force_x_mean_N"), mean_unit)}) +
-      row("ice force averaged over the run, y", {mean_text(finding_of(analysis, "ice_force_y_mean_N"), mean_unit)}) +
+      row("event impulse, largest of one event", {of_ice(of_events(impulse_text(l.event_impulse_largest)))}) +
+      row("net impulse of one sample (" + sample + "), largest", {of_ice(impulse_text(l.sample_impulse_largest))}) +
+      row("ice force averaged over one sample (" + sample + "), largest",
+          {of_ice(force_text(sample_force) +
+                  where_text(sample_force, l.ice_sample_at, " in the " + sample + " up to "))}) +
+      row("ice force averaged over " + window + ", largest",
+          {of_ice(force_text(l.ice_window_largest) +
+                  where_text(l.ice_window_largest, l.ice_window_at, " in the " + window + " up to "))}) +
+      row("ice force averaged over the run, x",
+          {of_ice(mean_text(finding_of(analysis, "ice_force_x_mean_N"), mean_unit))}) +
+      row("ice force averaged over the run, y",
+          {of_ice(mean_text(finding_of(analysis, "ice_force_y_mean_N"), mean_unit))}) +
       row("crushing peak (closed form) of the first event of an impact, largest",
-          {of_events(force_text(l.crushing_largest))}) +
-      row("crushing peak of the first event of an impact, median", {of_events(force_text(l.crushing_median))}) +
-      row("crushing peak of any event, largest", {of_events(force_text(l.crushing_of_any))}) +
-      row("mooring force, largest", {force_text(l.mooring_largest)}) +
+          {of_ice(of_events(force_text(l.crushing_largest)))}) +
+      row("crushing peak of the first event of an impact, median", {of_ice(of_events(force_text(l.crushing_median)))}) +
+      row("crushing peak of any event, largest", {of_ice(of_events(force_text(l.crushing_of_any)))}) +
+      row("mooring force, largest",
+          {of_mooring(force_text(l.mooring_largest) + where_text(l.mooring_largest, l.mooring_at))}) +
       row("mooring force averaged over the run, x",
-          {mean_text(mooring, force_unit(std::abs(mooring.value.value_or(0.0))))}) +
+          {of_mooring(mean_text(mooring, force_unit(std::abs(mooring.value.value_or(0.0)))))}) +
       row("events on the platform", {of_events(std::to_string(l.events))}) +
       row("impacts (events that begin a contact)", {of_events(std::to_string(l.touches))}) +
       row("arrivals (different floes that hit the platform)", {of_events(std::to_string(l.arrivals))}) +

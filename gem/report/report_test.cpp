@@ -99,7 +99,7 @@ TEST(RunFindings, DescribeASwingingPlatform) {
   EXPECT_DOUBLE_EQ(findings.loads.ice_window_largest, 1e4);
   const PlatformRecord& p = run.platform;
   const auto at =
-      std::size_t(std::find(p.time.begin(), p.time.end(), findings.loads.ice_window_end_s) - p.time.begin());
+      std::size_t(std::find(p.time.begin(), p.time.end(), findings.loads.ice_window_at.time_s) - p.time.begin());
   ASSERT_LT(at, p.time.size());
   EXPECT_DOUBLE_EQ(std::hypot(p.ice_force_mean_x[at], p.ice_force_mean_y[at]), 1e4);
   EXPECT_DOUBLE_EQ(findings.loads.crushing_largest, 9e4);
@@ -150,6 +150,33 @@ TEST(Headline, AMainPeriodOfAFactorOfTwoIsNotResolved) {
   const std::vector<Finding> analysis = {{"x_period_by_spectrum_s", 117.0, IntervalEstimate{117.0, 86.0, 185.0}}};
   const std::string html = headline_html(run, run_findings(run), analysis);
   EXPECT_NE(html.find("<strong>not resolved</strong><span>main period in x, 86.0 to 185 s"), std::string::npos) << html;
+}
+
+TEST(Headline, ShowsNoNumbersWithoutContact) {
+  RunData run = swinging_platform();
+  for (auto* column : {&run.platform.ice_force_x, &run.platform.ice_force_mean_x, &run.platform.contacts})
+    std::fill(column->begin(), column->end(), 0.0);
+  run.events = {};
+  RunFindings findings = run_findings(run);
+  EXPECT_TRUE(without_contact(run, findings.loads));
+  // A platform that swings by itself loads its mooring.
+  EXPECT_NE(headline_html(run, findings, {}).find("<strong>150 kN</strong><span>largest mooring"), std::string::npos);
+  EXPECT_NE(headline_html(run, findings, {}).find("<strong>no contact</strong><span>largest ice"), std::string::npos);
+  for (double& x : run.platform.x) x = 1e-14;
+  for (double& y : run.platform.y) y = 0.0;
+  findings = run_findings(run);
+  EXPECT_NE(headline_html(run, findings, {}).find("<strong>no contact</strong><span>largest mooring"),
+            std::string::npos);
+  EXPECT_NE(motion_html(run, findings, {}).find("largest excursion from rest</th><td>none"), std::string::npos);
+}
+
+TEST(Loads, SayWhenAndWhere) {
+  const RunData run = swinging_platform();
+  const std::string html = loads_html(run, run_findings(run), {});
+  EXPECT_NE(html.find("one sample (0.5 s), largest</th><td>20.0 kN in the 0.5 s up to 200 s, 0&deg; from +x"),
+            std::string::npos)
+      << html;
+  EXPECT_NE(html.find("over 1 s, largest</th><td>10.0 kN in the 1 s up to 200 s, 0&deg; from +x"), std::string::npos);
 }
 
 TEST(RunFindings, RefuseUnevenSamples) {

@@ -1,6 +1,7 @@
 // Messages and the progress line. Failed writes are ignored, so that a run survives the loss of its terminal.
 #include "gem/run/run_log.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -25,6 +26,13 @@ std::string time_text(const RunProgress& p) {
   return fixed_text(p.time, std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6));
 }
 
+/// Columns of the terminal; asked each time, because a window may be resized.
+std::size_t columns_of_terminal() {
+  constexpr std::size_t usual = 80;
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
+}
+
 double left(const RunProgress& p) { return rate(p) > 0.0 ? (p.duration - p.time) / rate(p) : 0.0; }
 
 }  // namespace
@@ -40,8 +48,14 @@ std::string rate_text(double rate) { return rate < 10.0 ? number_text(rate, 2) :
 
 std::string progress_text(const RunProgress& p) {
   return fixed_text(std::floor(100.0 * fraction(p.time, p.duration)), 0) + " %  " + time_text(p) + " s  " +
-         rate_text(rate(p)) + " x real time  " + std::to_string(p.contacts) + " contacts  energy residual " +
-         number_text(p.energy_residual, 2) + "  " + clock_text(left(p)) + " left";
+         rate_text(rate(p)) + " x real time  " + std::to_string(p.contacts) + " contacts  " + clock_text(left(p)) +
+         " left";
+}
+
+std::string fitted_line(const std::string& text, std::size_t columns) {
+  std::string line = text;
+  line.resize(columns > 1 ? columns - 1 : 1, ' ');
+  return line;
 }
 
 RunLog::RunLog(const LogOptions& options)
@@ -103,9 +117,7 @@ void RunLog::show(double done, const std::string& text, const std::string& objec
   if (options_.progress == ProgressMode::json) {
     print(object + "\n");
   } else if (terminal_) {
-    std::string line = "\r" + text;
-    line.resize(std::max<std::size_t>(line.size(), 100), ' ');
-    print(line);
+    print("\r" + fitted_line(text, columns_of_terminal()));
     line_open_ = true;
   } else {
     print(text + "\n");

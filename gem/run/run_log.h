@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 namespace gem {
@@ -58,6 +59,10 @@ std::string clock_text(double seconds);
 
 /// Simulated over wall time for people: two significant digits below ten, whole numbers above.
 std::string rate_text(double rate);
+
+/// `text` cut or filled with spaces to one column less than the terminal has: a full line would wrap, and then the next
+/// one could not replace it.
+std::string fitted_line(const std::string& text, std::size_t columns);
 
 /// Progress in one line for people. A `duration` of 0 counts as done.
 std::string progress_text(const RunProgress& progress);

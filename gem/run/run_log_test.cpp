@@ -12,7 +12,13 @@ TEST(ProgressText, ASlowRunHasASpeed) {
   EXPECT_EQ(rate_text(0.0), "0");
   EXPECT_EQ(rate_text(136.4), "136");
   const std::string line = progress_text({450.0, 900.0, 1500.0, 7, 1e-15});
-  EXPECT_EQ(line.substr(0, line.find(" contacts")), "50 %  450 s  0.3 x real time  7") << line;
+  EXPECT_EQ(line, "50 %  450 s  0.3 x real time  7 contacts  25:00 left");
+}
+
+TEST(FittedLine, LeavesTheLastColumnFree) {
+  EXPECT_EQ(fitted_line("50 %", 8), "50 %   ");
+  EXPECT_EQ(fitted_line("50 %  450 s", 8), "50 %  4");
+  EXPECT_EQ(fitted_line("50 %", 1), "5");
 }
 
 TEST(ProgressText, AShortRunHasATime) {

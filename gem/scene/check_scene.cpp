@@ -33,6 +33,15 @@ constexpr double jamming_friction = 1.1;
 
 std::string number(double value) { return plain_number_text(value); }
 
+/// Four digits, for numbers that are only read.
+std::string short_number(double value) { return number_text(value, 4); }
+
+/// An upper limit with four digits, rounded down so that the printed number is allowed.
+std::string limit_number(double limit) {
+  const double unit = std::pow(10.0, std::floor(std::log10(limit)) - 3.0);
+  return short_number(std::floor(limit / unit * (1.0 + 1e-12)) * unit);
+}
+
 bool is_made(const FloesDef& floes) {
   return floes.source == FloeSource::generated || floes.source == FloeSource::copied;
 }
@@ -54,9 +63,9 @@ void check_step(const SceneDef& s, List& out) {
   const double largest = overlap_fraction * width / speed;
   if (std::isfinite(width) && speed > 0.0 && dt > largest)
     out.push_back({"numerics.time_step_s", "the time step is too long for the smallest floe (value " + number(dt) +
-                                               ", allowed at most " + number(largest) + " s: bodies closing at " +
-                                               number(speed) + " m/s would overlap by more than a tenth of " +
-                                               number(width) + " m) give a smaller time step"});
+                                               ", allowed at most " + limit_number(largest) + " s: bodies closing at " +
+                                               short_number(speed) + " m/s would overlap by more than a tenth of " +
+                                               short_number(width) + " m) give a smaller time step"});
   const double steps = s.run.duration_s / dt;
   if (steps > steps_maximum)
     out.push_back({"run.duration_s", "too many time steps (value " + number(s.run.duration_s) + ", allowed at most " +
@@ -69,7 +78,7 @@ void check_mooring(const SceneDef& s, List& out) {
   if (omega * s.numerics.time_step_s > mooring_phase_maximum)
     out.push_back({"numerics.time_step_s",
                    "the time step is too long for the mooring (value " + number(s.numerics.time_step_s) +
-                       ", allowed at most " + number(mooring_phase_maximum / omega) + " s: omega dt <= " +
+                       ", allowed at most " + limit_number(mooring_phase_maximum / omega) + " s: omega dt <= " +
                        number(mooring_phase_maximum) + ") give a smaller time step or check stiffness and mass"});
 }
 
@@ -103,23 +112,26 @@ void check_sizes(const SceneDef& s, List& out) {
   const FloesDef& f = s.floes;
   if (!is_made(f) || f.count == 0) return;
   if (!(f.size_minimum_m < f.size_mean_m && f.size_mean_m < f.size_maximum_m)) {
-    out.push_back({"floes.size_mean_m", "not between the limits (value " + number(f.size_mean_m) + ", allowed (" +
-                                            number(f.size_minimum_m) + ", " + number(f.size_maximum_m) + ") m)"});
+    out.push_back({"floes.size_mean_m", "not between the limits (value " + number(f.size_mean_m) +
+                                            ", allowed between floes.size_minimum_m = " + number(f.size_minimum_m) +
+                                            " and floes.size_maximum_m = " + number(f.size_maximum_m) + " m)"});
     return;
   }
   // On [a, b] with a given mean, the largest deviation has all weight at a and b.
   const double most = std::sqrt((f.size_mean_m - f.size_minimum_m) * (f.size_maximum_m - f.size_mean_m));
   if (f.size_deviation_m >= most)
     out.push_back({"floes.size_deviation_m", "no distribution within the limits has this deviation (value " +
-                                                 number(f.size_deviation_m) + ", allowed below " + number(most) +
-                                                 " m)"});
+                                                 number(f.size_deviation_m) + ", allowed below " + limit_number(most) +
+                                                 " m with size_mean_m = " + number(f.size_mean_m) +
+                                                 " between size_minimum_m = " + number(f.size_minimum_m) +
+                                                 " and size_maximum_m = " + number(f.size_maximum_m) + " m)"});
   const double mean_area = f.size_mean_m * f.size_mean_m + f.size_deviation_m * f.size_deviation_m;
   const double cover = static_cast<double>(f.count) * mean_area / (f.length_m * f.width_m);
   if (cover > cover_maximum)
-    out.push_back({"floes.count", "the floes do not fit into the field (value " + std::to_string(f.count) +
-                                      ", allowed at most " +
-                                      number(std::floor(cover_maximum * f.length_m * f.width_m / mean_area)) +
-                                      " for floes.length_m x floes.width_m)"});
+    out.push_back({"floes.count",
+                   "the floes do not fit into the field (value " + std::to_string(f.count) + ", they would cover " +
+                       short_number(cover) +
+                       " of its area; about 0.8 is the limit) lower it or enlarge floes.length_m or floes.width_m"});
 }
 
 void check_classes(const SceneDef& s, List& out) {
@@ -262,7 +274,7 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
         scene.platform.mass_kg / (std::numbers::pi * radius * radius * scene.water.density_kg_per_m3);
     if (draught < 0.1 || draught > 200.0)
       warnings.push_back("platform.mass_kg: unlikely for this diameter (value " + number(scene.platform.mass_kg) +
-                         ", it would float " + number(draught) + " m deep) give it in kg");
+                         ", it would float " + short_number(draught) + " m deep) give it in kg");
   }
   return warnings;
 }

@@ -22,7 +22,7 @@ struct RunDef {
   std::uint64_t seed = 1;
 };
 
-/// One class of ice: its thickness and its share of the sea surface in tenths, as the paper states it.
+/// One class of ice: its thickness and its tenths, as the paper states it. Only the ratio of the tenths is used.
 struct IceClassDef {
   std::string name = "thin";
   double thickness_m = 0.5;
@@ -84,7 +84,7 @@ struct NumericsDef {
 };
 
 struct OutputDef {
-  double platform_interval_s = 0.1;
+  double platform_interval_s = 0.1;  ///< if a case does not give it: the next whole number of time steps
   double floes_interval_s = 10.0;
   double force_window_s = 1.0;  ///< averaging window of the reported ice force
   bool platform_events = true;

@@ -1,6 +1,7 @@
 // Random sequential placement with a grid.
 #include "gem/field/generator/placement.h"
 
+#include <algorithm>
 #include <string>
 
 #include "gem/base/error.h"
@@ -53,6 +54,14 @@ class Placed {
   std::vector<std::vector<Vec2>> outlines_;
 };
 
+/// True if an obstacle's box reaches into the region, not only to its edge.
+bool reaches_into(const Box& region, const std::vector<Vec2>& obstacle) {
+  constexpr double touch = 1e-6;
+  Box box = box_of(obstacle);
+  box.grow(-touch);
+  return box.meets(region);
+}
+
 }  // namespace
 
 std::optional<std::vector<Pose>> place_at_random(const PlacementTask& task) {
@@ -86,12 +95,15 @@ std::vector<Pose> place(const PlacementTask& task) {
   double floe_area = 0.0;
   for (const double area : areas_of(task.outlines)) floe_area += area;
   const Vec2 size = task.region.high - task.region.low;
+  const bool taken = std::any_of(task.obstacles.begin(), task.obstacles.end(),
+                                 [&](const auto& obstacle) { return reaches_into(task.region, obstacle); });
   throw Error(
       ExitCode::scene_rejected,
       "floes: " + std::to_string(task.outlines.size()) + " floes do not fit (they cover " +
-          number_text(floe_area / (size.x * size.y), 3) +
-          " of the field rectangle, and a narrowing channel has less free water; a cover of about 0.8 of the free "
-          "water is the limit) lower floes.count or enlarge floes.length_m or floes.width_m");
+          number_text(floe_area / (size.x * size.y), 3) + " of the field rectangle" +
+          (taken ? ", part of which the boundary or an obstacle takes; about 0.8 of the free water is the limit)"
+                 : "; about 0.8 is the limit)") +
+          " lower floes.count or enlarge floes.length_m or floes.width_m");
 }
 
 }  // namespace gem

@@ -65,20 +65,18 @@ std::string range_text(const Window& window, double unit) {
   return "set xrange [" + rounded_text(window.from / unit, 7) + ":" + rounded_text(window.to / unit, 7) + "]\n";
 }
 
-/// The upper two panels: crushing peaks of the impacts, and impulses below them, each with its own axis.
-std::string window_plots(const RunData& run, const Window& window, const std::string& sample, const Unit& unit,
-                         const Unit& peak_unit) {
+/// The lower two panels, each with its own axis: impulses, and crushing peaks of the impacts below them.
+std::string window_plots(const RunData& run, const Window& window, const std::string& sample, const Unit& peak_unit) {
   std::ostringstream commands;
-  commands << range_text(window, 1.0) << "set xlabel\nset ylabel 'crushing peak, x [" << peak_unit.name
-           << "]'\nset yrange [*:*]\n"
-           << "plot 0 with lines lc rgb '#8a8f98' lw 0.8 notitle, 'ice_force_peaks.csv' using 1:2 with impulses lc rgb "
-              "'#d9b39c' lw 1.6 notitle, '' using 1:2 with points pt 7 ps 0.35 lc rgb '#c2571a' title 'each impact'\n"
-           << "unset label 99\nset xlabel 'time [s]' offset 0,0.4\nset ylabel 'ice force, x [" << unit.name
-           << "]'\nplot 'ice_force_window.csv' using 1:2 with fsteps linestyle 1 title 'over each " << sample << " s'";
+  commands << range_text(window, 1.0) << "set xlabel\nset yrange [*:*]\n"
+           << "plot 'ice_force_window.csv' using 1:2 with fsteps linestyle 1 title 'over each " << sample << " s'";
   if (has_window(run))
     commands << ", 'ice_force_window_mean.csv' using 1:2 with lines lc rgb '#440154' lw 1.8 title 'over "
              << number_text(run.force_window_s, 6) << " s'";
-  commands << '\n';
+  commands
+      << "\nset xlabel 'time [s]' offset 0,0.4\nset ylabel 'crushing peak, x [" << peak_unit.name
+      << "]'\nplot 0 with lines lc rgb '#8a8f98' lw 0.8 notitle, 'ice_force_peaks.csv' using 1:2 with impulses lc rgb "
+         "'#d9b39c' lw 1.6 notitle, '' using 1:2 with points pt 7 ps 0.35 lc rgb '#c2571a' title 'each impact'\n";
   return commands.str();
 }
 
@@ -93,18 +91,19 @@ Figure draw_ice_force(const RunData& run, const PlotFolder& folder) {
   const std::string sample = number_text(sample_interval(p.time), 6);
   std::ostringstream commands;
   commands << "set multiplot layout 3,1\nset xzeroaxis lc rgb '#8a8f98' lw 0.8 dt solid\n"
-           << window_plots(run, window, sample, unit, peak_unit) << range_text({0.0, run.duration_s}, time.size)
-           << "set xlabel 'time [" << time.name << "]' offset 0,0.4\nset object 1 rectangle from first "
+           << range_text({0.0, run.duration_s}, time.size) << "set ylabel 'ice force, x [" << unit.name
+           << "]'\nset xlabel 'time [" << time.name << "]' offset 0,0.4\nset object 1 rectangle from first "
            << rounded_text(window.from / time.size, 7) << ", graph 0 to first "
            << rounded_text(window.to / time.size, 7)
            << ", graph 1 behind fillcolor rgb '#f3d9c8' fillstyle solid noborder\n"
-           << "plot 'ice_force.csv' using 1:2 with lines linestyle 1 lw 0.7\nunset multiplot\n";
+           << "plot 'ice_force.csv' using 1:2 with lines linestyle 1 lw 0.7\nunset object 1\nunset label 99\n"
+           << window_plots(run, window, sample, peak_unit) << "unset multiplot\n";
   const std::string caption =
-      "Net x force of the ice on the platform. Bottom: the whole record, the impulse of each " + sample +
+      "Net x force of the ice on the platform. Top: the whole record, the impulse of each " + sample +
       " s divided by " + sample + " s. Middle: the " + number_text(window.to - window.from, 2) +
-      " s around the record's largest value (marked below)" +
+      " s around the record's largest value (marked above)" +
       (has_window(run) ? ", with the mean over the " + number_text(run.force_window_s, 6) + " s about each time" : "") +
-      ". Top: the closed-form crushing peaks of the impacts in that time, which no impulse over a sample can show.";
+      ". Bottom: the closed-form crushing peaks of the impacts in that time, which no impulse over a sample can show.";
   return folder.draw({"ice_force", "Net x force of the ice on the platform", caption, ""}, {1000, 780}, commands.str());
 }
 

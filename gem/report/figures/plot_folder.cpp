@@ -20,6 +20,7 @@ set key noautotitle
 set border 3 lc rgb '#8a8f98' lw 1
 set tics nomirror out scale 0.5 font ',12' textcolor rgb '#3c4149'
 set xtics offset 0,0.3
+set format '%g'
 set grid xtics ytics back lc rgb '#e6e8eb' lw 1 dt solid
 set key outside top left horizontal Left reverse width 1 samplen 1.6 spacing 1.15 textcolor rgb '#3c4149'
 set lmargin 11

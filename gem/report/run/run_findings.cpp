@@ -35,8 +35,12 @@ AxisMotion axis_motion(const RunData& run, const std::vector<double>& position, 
   return axis;
 }
 
-double largest_length(const std::vector<double>& x, const std::vector<double>& y) {
-  return maximum_radial_excursion(x, y).value;
+/// The largest length of a force in the plane. Sets where it acted if there is any.
+double largest_force(const std::vector<double>& time, const std::vector<double>& x, const std::vector<double>& y,
+                     ForceAt& at) {
+  const Excursion largest = maximum_radial_excursion(x, y);
+  if (!time.empty()) at = {time[largest.sample], std::atan2(y[largest.sample], x[largest.sample])};
+  return largest.value;
 }
 
 double largest_of(const std::vector<double>& values) {
@@ -55,13 +59,12 @@ PlatformLoads loads(const RunData& run) {
   const PlatformRecord& p = run.platform;
   PlatformLoads result;
   result.contact_fraction = intermittency(p.contacts);
-  const Excursion window = maximum_radial_excursion(p.ice_force_mean_x, p.ice_force_mean_y);
-  result.ice_window_largest = window.value;
-  if (!p.time.empty()) result.ice_window_end_s = p.time[window.sample];
-  result.mooring_largest = largest_length(p.mooring_force_x, p.mooring_force_y);
+  result.ice_window_largest = largest_force(p.time, p.ice_force_mean_x, p.ice_force_mean_y, result.ice_window_at);
+  result.mooring_largest = largest_force(p.time, p.mooring_force_x, p.mooring_force_y, result.mooring_at);
   if (p.time.size() >= kSamplesForStatistics) {
     result.sample_s = sample_interval(p.time);
-    result.sample_impulse_largest = largest_length(p.ice_force_x, p.ice_force_y) * result.sample_s;
+    result.sample_impulse_largest =
+        largest_force(p.time, p.ice_force_x, p.ice_force_y, result.ice_sample_at) * result.sample_s;
     result.ice_mean_x = moments(p.ice_force_x).mean;
     result.ice_mean_y = moments(p.ice_force_y).mean;
   }
@@ -115,6 +118,10 @@ std::vector<std::size_t> opening_events(const EventColumns& events) {
     entry->second = events.time[i];
   }
   return opening;
+}
+
+bool without_contact(const RunData& run, const PlatformLoads& loads) {
+  return run.events.time.empty() && loads.contact_fraction == 0.0 && loads.ice_window_largest == 0.0;
 }
 
 RunFindings run_findings(const RunData& run) {

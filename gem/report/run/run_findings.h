@@ -21,18 +21,26 @@ struct AxisMotion {
   Spectrum spectrum;
 };
 
+/// When a largest force acted, and its direction, counter-clockwise from +x.
+struct ForceAt {
+  double time_s = 0.0;
+  double direction_rad = 0.0;
+};
+
 /// Three ice load channels, never mixed, and the mooring. Largest values are magnitudes in the plane.
 struct PlatformLoads {
   double sample_s = 0.0;                      // one sample of the platform record [s]
   double sample_impulse_largest = 0.0;        // net ice impulse in one sample [N s]
   double event_impulse_largest = 0.0;         // normal impulse of one event [N s]
   double ice_window_largest = 0.0;            // of the window mean [N]
-  double ice_window_end_s = 0.0;              // end of that window [s]
+  ForceAt ice_window_at;                      // at the end of that window
+  ForceAt ice_sample_at;                      // of the largest sample, at its end
   double ice_mean_x = 0.0, ice_mean_y = 0.0;  // over the run [N]
   double crushing_largest = 0.0;              // closed-form peak among events that begin a contact [N]
   double crushing_median = 0.0;
   double crushing_of_any = 0.0;  // among all events [N]
   double mooring_largest = 0.0;  // [N]
+  ForceAt mooring_at;
   double contact_fraction = 0.0;
   std::size_t events = 0;
   std::size_t touches = 0;   // events after at least kTouchGap without an event of the same floe
@@ -66,6 +74,12 @@ inline constexpr std::size_t kSamplesForStatistics = 64;
 /// A floe that rests against the platform has an event in every time step; only the first counts as an impact.
 inline constexpr double kTouchGap = 1.0;  // [s]
 std::vector<std::size_t> opening_events(const EventColumns& events);
+
+/// Whether the record shows no contact of ice with the platform.
+bool without_contact(const RunData& run, const PlatformLoads& loads);
+
+/// An excursion below this is rounding, not motion.
+inline constexpr double kLeastMotion = 1e-9;  // [m]
 
 /// Computes everything that the records of the run allow; the rest stays zero or empty.
 RunFindings run_findings(const RunData& run);

@@ -63,7 +63,10 @@ void add_floe_source(SceneTable& t) {
   t.text("floes.path",
          "floe file for source = \"file\": .csv, .geojson or a run file (its initial floes), relative to the case file",
          GEM_FIELD(floes.path));
-  t.integer("floes.count", {0.0, 1e7}, "number of floes", GEM_FIELD(floes.count));
+  t.integer("floes.count", {0.0, 1e7},
+            "number of floes; it sets the concentration: count x (size_mean_m^2 + size_deviation_m^2) / "
+            "(length_m x width_m)",
+            GEM_FIELD(floes.count));
   t.number("floes.length_m", "m", extent_range, "length of the field along the current", GEM_FIELD(floes.length_m));
   t.number("floes.width_m", "m", extent_range, "width of the field", GEM_FIELD(floes.width_m));
   t.number("floes.start_x_m", "m", place_range, "x of the upstream end of the field", GEM_FIELD(floes.start_x_m));
@@ -170,7 +173,8 @@ void add_numerics(SceneTable& t) {
 }
 
 void add_output(SceneTable& t) {
-  t.number("output.platform_interval_s", "s", {0.0, 1e6, true}, "interval of the platform record",
+  t.number("output.platform_interval_s", "s", {0.0, 1e6, true},
+           "interval of the platform record; if not given, the smallest multiple of the time step from 0.1 s on",
            GEM_FIELD(output.platform_interval_s));
   t.number("output.floes_interval_s", "s", {0.0, 1e8, true}, "interval of the floe frames",
            GEM_FIELD(output.floes_interval_s));
@@ -197,7 +201,11 @@ std::vector<Option<IceClassDef>> make_ice_class_options() {
   OptionTable<IceClassDef> t;
   t.text("name", "name of the class", GEM_FIELD(name));
   t.number("thickness_m", "m", thickness_range, "thickness of its floes", GEM_FIELD(thickness_m));
-  t.number("tenths", "", {0.0, 10.0}, "share of the sea surface in tenths", GEM_FIELD(tenths));
+  t.number("tenths", "", {0.0, 10.0},
+           "weight of the class: its share of the ice area is tenths over the sum of all tenths; the concentration is "
+           "set by "
+           "floes.count",
+           GEM_FIELD(tenths));
   return t.options;
 }
 

@@ -119,6 +119,7 @@ class ProductSweep {
       for (const auto& [axis, target] : expect(*map, TomlKind::table, "sweep.map", "a table").entries) {
         check_axis(target.key_place, "sweep.map", axis);
         expect(target, TomlKind::text, "sweep.map." + axis, "the path of an option in quotes");
+        check_no_list(axis, target);
       }
     if (const TomlNode* set = sweep_.find("set"))
       for (const auto& [axes, table] : expect(*set, TomlKind::table, "sweep.set", "a table").entries) {
@@ -129,6 +130,20 @@ class ProductSweep {
       if (!sets_something(axis.name))
         reject(axis.values.front().place, "sweep." + axis.name,
                "the axis has no effect; add map = { " + axis.name + " = \"section.key\" }");
+  }
+
+  /// A list of tables has no single key that an axis could set.
+  void check_no_list(const std::string& axis, const TomlNode& target) const {
+    for (const char* list : {"ice.class", "floe", "fixed"})
+      if (target.text == list || target.text.starts_with(std::string(list) + "."))
+        reject(target.place, "sweep.map." + axis,
+               "map cannot address a list (value " + quoted_text(target.text) +
+                   ") give the list for each value: [sweep.set." + axis + "] with \"" + label(first_value(axis)) +
+                   "\"." + list + " = [{ ... }]");
+  }
+
+  const TomlNode& first_value(const std::string& axis) const {
+    return std::find_if(axes_.begin(), axes_.end(), [&](const Axis& a) { return a.name == axis; })->values.front();
   }
 
   bool sets_something(const std::string& axis) const {

@@ -134,6 +134,9 @@ TEST(Sweep, FaultsAreNamedWithTheirPlace) {
        "bad.toml:4:8: boundary.gp_m: unknown key; did you mean `boundary.gap_m`"},
       {"[sweep]\nmode = \"product\"\nname = \"{gap}\"\ngap = [50]\nmap.gap = \"boundary.gap_m\"\n",
        "bad.toml:4:8: boundary.gap_m: the platform does not fit"},
+      {"[sweep]\nmode = \"product\"\nname = \"{h}\"\nh = [0.5, 1.2]\nmap.h = \"ice.class.thickness_m\"\n",
+       "bad.toml:5:9: sweep.map.h: map cannot address a list (value \"ice.class.thickness_m\") give the list for each "
+       "value: [sweep.set.h] with \"0.5\".ice.class = [{ ... }]"},
       {"[sweep]\nmode = \"product\"\nname = \"{i}\"\ni = [\"a\"]\nset.i.b.run.seed = 1\n", "no settings for \"a\""},
       {"[sweep]\nmode = \"product\"\nname = \"{i}\"\ni = [\"a\"]\nset.i.a.run.seed = 1\nset.i.b.run.seed = 1\n",
        "bad.toml:6:7: sweep.set.i: no run has the value \"b\""},

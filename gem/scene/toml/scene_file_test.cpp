@@ -168,6 +168,25 @@ TEST(SceneWarnings, TimesThatAreNoWholeTimeStepsAreNamed) {
   EXPECT_TRUE(warned("[run]\nduration_s = 15200.0\n[numerics]\ntime_step_s = 0.1\n").empty());
 }
 
+TEST(PlatformInterval, IsAWholeNumberOfTimeStepsUnlessGiven) {
+  const auto interval = [](const std::string& step, const std::string& output = "") {
+    const SceneDef scene =
+        parse_scene(output + "[run]\nduration_s = 84\n[numerics]\ntime_step_s = " + step + "\n", "t.toml");
+    EXPECT_TRUE(scene_warnings(scene).empty() || !output.empty()) << step;
+    EXPECT_EQ(parse_scene(resolved_toml(scene), "again.toml").output.platform_interval_s,
+              scene.output.platform_interval_s);
+    return scene.output.platform_interval_s;
+  };
+  EXPECT_EQ(interval("0.05"), 0.1);
+  EXPECT_EQ(interval("0.1"), 0.1);
+  EXPECT_EQ(interval("0.0125"), 0.1);
+  EXPECT_EQ(interval("0.2"), 0.2);
+  EXPECT_EQ(interval("0.04"), 0.12);
+  EXPECT_EQ(interval("0.035"), 0.105);
+  EXPECT_EQ(interval("0.2", "[output]\nplatform_interval_s = 0.5\n"), 0.5);
+  EXPECT_EQ(interval("0.04", "[output]\nplatform_interval_s = 0.1\n"), 0.1);
+}
+
 TEST(OlderKeys, AreReadAndNamedInOneLineEach) {
   const SceneDef scene =
       parse_scene("[contact]\nresolution = \"independent\"\n", "old.toml", {"numerics.moment_s=0.1"});

@@ -2,6 +2,7 @@
 #include "gem/scene/toml/scene_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "gem/scene/check_scene.h"
@@ -78,6 +79,17 @@ void read_section(const std::string& section, const TomlNode& node, SceneDef& sc
   }
 }
 
+/// The smallest multiple of the time step that is at least `least`. Samples of a platform must be even.
+double whole_steps(double least, double time_step) {
+  constexpr double rounding = 1e-9;
+  const double steps = std::ceil(least / time_step * (1.0 - rounding));
+  if (steps <= 1.0) return std::max(least, time_step);
+  const double interval = steps * time_step;
+  if (std::abs(interval - least) <= rounding * least) return least;
+  constexpr double digits = 1e12;  // 3 steps of 0.035 s are 0.105 s, not 0.10500000000000001 s
+  return std::round(interval * digits) / digits;
+}
+
 }  // namespace
 
 std::vector<std::string> known_keys() {
@@ -108,6 +120,8 @@ SceneDef scene_from_tree(const TomlNode& document, Problems& problems) {
       read_section(name, value, scene, problems);
     }
   }
+  if (find_path(document, "output.platform_interval_s") == nullptr)
+    scene.output.platform_interval_s = whole_steps(scene.output.platform_interval_s, scene.numerics.time_step_s);
   return scene;
 }
 

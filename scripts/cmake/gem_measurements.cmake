@@ -17,3 +17,8 @@ foreach(program IN ITEMS window_errors paired_speed closed_form_errors)
   gem_measurement(${program} ${PROJECT_SOURCE_DIR}/bench/${program}.cpp ${PROJECT_SOURCE_DIR}/bench/setting.cpp
     ${PROJECT_SOURCE_DIR}/bench/overlaps.cpp)
 endforeach()
+
+# Operator splitting, a study of the next solver: bench/notebook.md.
+file(GLOB splitting CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/splitting/*.cpp)
+list(FILTER splitting EXCLUDE REGEX "_test[.]cpp$")
+gem_measurement(splitting_study ${PROJECT_SOURCE_DIR}/bench/splitting_study.cpp ${PROJECT_SOURCE_DIR}/bench/setting.cpp ${splitting})

@@ -1,7 +1,6 @@
 #include "bench/splitting/island_solver.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "gem/base/choose.h"
@@ -10,13 +9,14 @@
 namespace gem::bench {
 namespace {
 
-/// Stiffness over the compliance of a point, and for how many iterations. Chosen by hand in jams
-/// (bench/notebook.md, "Operator splitting").
-struct StiffnessStage {
-  float stiffness;
-  int iterations;
-};
-constexpr std::array<StiffnessStage, 2> stages{{{20.0F, 40}, {7.0F, 1 << 30}}};
+/// Stiffness over the compliance of a point at the start: chosen by hand in jams (bench/notebook.md, "Operator
+/// splitting").
+constexpr float first_stiffness = 20.0F;
+/// The stiffness follows the errors first after so many iterations, then after twice as many, and so on: a stiffness
+/// that changes for ever need not end.
+constexpr int first_balance = 20;
+/// Smaller changes of the stiffness are not worth a factor; larger ones are made in steps. Chosen by hand.
+constexpr float least_change = 1.5F, most_change = 5.0F;
 constexpr float relaxation = 1.6F;
 /// The error is estimated after so many iterations, and so often afterwards: it costs as much as half an iteration.
 constexpr int first_estimate = 5, estimate_interval = 10;
@@ -273,14 +273,16 @@ GEM_INLINE double IslandSolver::error_of_blocks(float per_step) {
       push_bodies<1>(q, wrong_, q.stiff_n * r, q.stiff_t * s);
     }
   }
-  float worst = 0.0F;
-  for (int lane = 0; lane < float_lanes; ++lane) worst = larger(worst, of_points[lane]);
+  float worst = 0.0F, all = 0.0F;
+  for (int lane = 0; lane < float_lanes; ++lane) all = larger(all, of_points[lane]);
   for (std::size_t k = 1; k < wrong_.size(); ++k) {
     const FloatPack of_body = magnitude(wrong_[k].lanes) * root_mass_[k - 1];
     worst = larger(worst, larger(of_body[0], of_body[1]));
     worst = larger(worst, per_step * larger(of_body[4], of_body[5]));
   }
-  return worst;
+  point_error_ = all;
+  body_error_ = worst;
+  return larger(worst, all);
 }
 
 GEM_CLONES void IslandSolver::push_velocities() { push_blocks<false>(); }
@@ -312,6 +314,14 @@ double IslandSolver::error(float per_step) {
   return repairs_ ? error_of_velocities_and_repairs(per_step) : error_of_velocities();
 }
 
+/// The factor of the stiffness that brings the errors of points and bodies closer. A row of bodies needs a high
+/// stiffness: its points soon agree with their neighbours, while their errors add up along the row.
+float IslandSolver::balance() const {
+  constexpr float tiny = 1e-30F;
+  const float change = std::sqrt(larger(point_error_, tiny) / larger(body_error_, tiny));
+  return smaller(larger(change, 1.0F / most_change), most_change);
+}
+
 void IslandSolver::add_to_base(std::span<const IslandPoint> points, PointFriction law) const {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Block& q = block_[k / float_lanes];
@@ -329,14 +339,11 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
   set_base(points);
   const auto per_step = static_cast<float>(1.0 / control.dt);
   IslandResult result;
-  std::size_t stage = 0;
-  int next_stage = 0, next_estimate = first_estimate;
+  float stiffness = first_stiffness;
+  int next_estimate = first_estimate, next_balance = first_balance;
+  stiffen(stiffness);
+  push_all();
   for (;; ++result.iterations) {
-    if (result.iterations == next_stage) {
-      stiffen(stages[stage].stiffness);
-      next_stage += stages[stage++].iterations;
-      push_all();
-    }
     unknown_.swap(sum_);
     float* const unknowns = reinterpret_cast<float*>(&unknown_[1]);
     repairs_ ? factor_.solve_both(unknowns) : factor_.solve_first(unknowns);
@@ -346,6 +353,11 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
       result.error = error(per_step);
       if (at_limit || result.error <= control.tolerance) break;
       next_estimate = result.iterations - result.iterations % estimate_interval + estimate_interval;
+      if (result.iterations >= next_balance) {
+        next_balance *= 2;
+        const float change = balance();
+        if (change > least_change || change * least_change < 1.0F) stiffen(stiffness *= change);
+      }
     }
     visit(control.friction);
   }

@@ -9,9 +9,8 @@
 //     P = a within the bounds of the law,  z = (P - a) / R
 //
 // (alternating directions, as in OSQP, Stellato et al. 2020; for frictional contact Tasora et al. 2021). R is diagonal:
-// `stiffness` over the compliance of the point. A high stiffness finds which points press, a low one ends faster. The
-// matrix is the same for all iterations of one stiffness, so it is factored once. The position repair has the same
-// matrix and is solved beside the velocities.
+// `stiffness` over the compliance of the point, and follows the errors. The matrix is the same for all iterations of
+// one stiffness, so it is factored once. The position repair has the same matrix and is solved beside the velocities.
 //
 // At the end of a round the impulses go to the base in double precision, and the next round starts from there: see
 // coupled_visit.h.
@@ -92,6 +91,7 @@ class IslandSolver {
   void push_all();
   void visit(PointFriction law);
   double error(float per_step);
+  float balance() const;
   template <PointFriction law, bool repairs>
   void visit_blocks();
   template <bool repairs>
@@ -119,7 +119,8 @@ class IslandSolver {
   std::vector<Row> unknown_, sum_, wrong_;  // by place + 1; entry 0 is fixed
   std::vector<Motion<double>> motion_;      // after the impulses of the base, by place
   std::vector<Push<double>> base_push_;
-  bool repairs_ = false;  // whether any point repairs an overlap
+  float point_error_ = 0.0F, body_error_ = 0.0F;  // parts of the last error() [m/s]
+  bool repairs_ = false;                          // whether any point repairs an overlap
 };
 
 }  // namespace gem::bench

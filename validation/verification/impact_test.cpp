@@ -211,7 +211,8 @@ TEST_P(Iterations, V13_common_velocity_of_a_row) {
 }
 
 TEST_P(Iterations, V13_iterations_grow_with_the_length_of_a_row) {
-  if (setting().engine == "reference") GTEST_SKIP() << "the reference solver factors its equations: its iterations do not grow with the row";
+  if (setting().engine == "reference")
+    GTEST_SKIP() << "the reference solver factors its equations: its iterations do not grow with the row";
   // Gauss-Seidel iterations grow with the square of the length: 84 times as many for 99 floes as for 10
   // (V13.sweeps_GS).
   const int few = row_impact(10, 1e-6, setting()).quality.iterations;

@@ -2,8 +2,8 @@
 //
 // A cut at constant x or y divides the bodies in two halves; the bodies of one half that touch the other half form the
 // separator, which is eliminated last. The halves are cut in the same way. Of all cuts that leave at least three tenths
-// on each side the one with the smallest separator is taken, weighted by the balance. In a contact graph, which is
-// plane, the factor then has O(n log n) blocks (George 1973; Lipton, Rose and Tarjan 1979).
+// on each side the one with the smallest separator is taken, weighted by the balance. A contact graph is
+// planar, so the factor has O(n log n) blocks (George 1973; Lipton, Rose and Tarjan 1979).
 #pragma once
 
 #include <cstdint>

@@ -12,8 +12,8 @@ namespace {
 /// Stiffness over the compliance of a point at the start: chosen by hand in jams (bench/notebook.md, "Operator
 /// splitting").
 constexpr float first_stiffness = 20.0F;
-/// The stiffness follows the errors first after so many iterations, then after twice as many, and so on: a stiffness
-/// that changes for ever need not end.
+/// The stiffness follows the errors first after so many iterations, then after twice as many, and so on. A stiffness
+/// that keeps changing need not converge.
 constexpr int first_balance = 20;
 /// Smaller changes of the stiffness are not worth a factor; larger ones are made in steps. Chosen by hand.
 constexpr float least_change = 1.5F, most_change = 5.0F;
@@ -21,7 +21,7 @@ constexpr float relaxation = 1.6F;
 /// The error is estimated after so many iterations, and so often afterwards: it costs as much as half an iteration.
 constexpr int first_estimate = 5, estimate_interval = 10;
 
-/// Iterates with room for one lane group: the four numbers of a half row of eight bodies, by component.
+/// The half rows of eight bodies, by component.
 template <int half, class Row>
 GEM_INLINE void load_motions(const std::vector<Row>& rows, const std::int32_t* place, FloatPack* motion) {
   const auto at = [&](int k) { return reinterpret_cast<const float*>(&rows[place[k]]) + 4 * half; };

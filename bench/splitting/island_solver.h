@@ -12,8 +12,8 @@
 // `stiffness` over the compliance of the point, and follows the errors. The matrix is the same for all iterations of
 // one stiffness, so it is factored once. The position repair has the same matrix and is solved beside the velocities.
 //
-// At the end of a round the impulses go to the base in double precision, and the next round starts from there: see
-// coupled_visit.h.
+// The iteration works on additions to a base, as coupled_visit.h does. There is one round: at its end the additions go
+// to the base in double precision.
 #pragma once
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 //   CASE       case file; a member of a sweep as FILE#INDEX
 //   REFERENCE, SETTING
 //              gradient:ITERATIONS:FACTOR   the cpu engine, to a residual of 1e-6 if ITERATIONS is above 100
-//              splitting:ITERATIONS:TOLERANCE:FACTOR   bench/splitting, tolerance in m/s
+//              splitting:ITERATIONS:TOLERANCE:FACTOR   numerics.iteration = "splitting", tolerance in m/s
 //              FACTOR times the time step of the case
 // The run goes to START_S with the numerics of the case; its last 20 time steps have 500 iterations. Each setting then
 // starts from there, with one thread. Rows are compared with the reference at the end of the window.
@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "bench/setting.h"
-#include "bench/splitting/splitting_engine.h"
 #include "gem/base/error.h"
+#include "gem/engine/cpu/cpu_engine.h"
 #include "gem/field/field.h"
 #include "gem_version.h"
 
@@ -29,7 +29,7 @@ namespace {
 struct Outcome {
   std::vector<Vec2> position;
   double force = 0.0;                   // mean of the ice on the platform, x [N]
-  double per_step = 0.0, all = 0.0;     // of the solver alone and of everything, processor time [s]
+  double per_step = 0.0;                // processor time of a time step [s]
   double iterations = 0.0;              // mean
   double overlap = 0.0, closing = 0.0;  // deepest [m]; largest speed that a point still asks for [m/s]
   std::uint64_t hash = 0;
@@ -59,17 +59,14 @@ Outcome outcome_of(const Setting& setting, SceneDef scene, EngineState start, co
   start.step = std::llround(static_cast<double>(start.step) / setting.factor);
   for (PointImpulse<double>& p : start.impulse_value)
     p = {p.normal * setting.factor, p.tangential * setting.factor, p.repair * setting.factor};
-  std::unique_ptr<CpuEngine> engine;
-  SplittingEngine* splitting = nullptr;
+  scene.numerics.iterations_maximum = setting.iterations;
   if (setting.splits) {
-    auto made = std::make_unique<SplittingEngine>(scene, field, setting.tolerance, setting.iterations);
-    splitting = made.get();
-    engine = std::move(made);
-  } else {
-    scene.numerics.iterations_maximum = setting.iterations;
-    if (setting.iterations > 100) scene.numerics.residual_tolerance = 1e-6;
-    engine = std::make_unique<CpuEngine>(scene, field, 1, 256);
+    scene.numerics.iteration = Iteration::splitting;
+    scene.numerics.residual_tolerance = setting.tolerance / length(scene.current.velocity_m_per_s);
+  } else if (setting.iterations > 100) {
+    scene.numerics.residual_tolerance = 1e-6;
   }
+  const auto engine = std::make_unique<CpuEngine>(scene, field, 1, 256);
   engine->restore(start);
   StepLog log;
   log.wants_events = false;
@@ -77,7 +74,7 @@ Outcome outcome_of(const Setting& setting, SceneDef scene, EngineState start, co
   const double before = processor_seconds();
   engine->advance(steps, log);
   Outcome o;
-  o.all = (processor_seconds() - before) / static_cast<double>(steps);
+  o.per_step = (processor_seconds() - before) / static_cast<double>(steps);
   o.position = engine->bodies().position;
   o.hash = engine->state_hash();
   for (const PlatformStep& step : log.platform) o.force += step.ice_impulse.x / window;
@@ -85,12 +82,6 @@ Outcome outcome_of(const Setting& setting, SceneDef scene, EngineState start, co
     o.iterations += quality.iterations / static_cast<double>(steps);
     o.overlap = std::max(o.overlap, quality.maximum_overlap);
     o.closing = std::max(o.closing, quality.complementarity);
-  }
-  if (splitting != nullptr) {
-    o.per_step = splitting->seconds() / static_cast<double>(steps);
-    o.iterations = 0.0;
-    for (const IslandResult& result : splitting->results())
-      o.iterations += result.iterations / static_cast<double>(steps);
   }
   return o;
 }
@@ -105,8 +96,8 @@ void row(const std::string& setting, const Outcome& o, const Outcome& reference,
     ++floes;
   }
   const double platform = length(o.position[0] - reference.position[0]);
-  std::printf("%s,%.1f,%.2f,%.2f,%.1f,%.1f,%.2f,%.3f,%.3f,%.3f,%.2e,%016llx,%s\n", setting.c_str(), o.iterations,
-              1e3 * o.per_step, 1e3 * o.all, 1e3 * o.all / dt, o.force / 1e3, 100.0 * (o.force / reference.force - 1.0),
+  std::printf("%s,%.1f,%.2f,%.1f,%.1f,%.2f,%.3f,%.3f,%.3f,%.2e,%016llx,%s\n", setting.c_str(), o.iterations,
+              1e3 * o.per_step, 1e3 * o.per_step / dt, o.force / 1e3, 100.0 * (o.force / reference.force - 1.0),
               1e3 * std::sqrt(squares / floes), 1e3 * platform, 1e3 * o.overlap, o.closing,
               static_cast<unsigned long long>(o.hash), GEM_COMMIT);
   std::fflush(stdout);
@@ -131,7 +122,7 @@ int run(const std::vector<std::string>& a) {
   settled.advance(settling, log);
   const EngineState state = settled.save();
   std::puts(
-      "setting,iterations,solver_ms_per_step,all_ms_per_step,all_ms_per_s,force_kN,force_off_percent,places_mm,"
+      "setting,iterations,ms_per_step,ms_per_s,force_kN,force_off_percent,places_mm,"
       "platform_mm,overlap_mm,closing_m_per_s,state_hash,commit");
   Outcome reference;
   for (std::size_t k = 3; k < a.size(); ++k) {

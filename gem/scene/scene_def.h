@@ -72,10 +72,17 @@ struct PlatformDef {
   Yaw yaw = Yaw::free;
 };
 
+/// How the impulses of a coupled time step are found.
+enum class Iteration {
+  gradient,  ///< projected gradient: cheap iterations, many to converge; every engine
+  splitting  ///< operator splitting with a factored matrix, each island by itself; cpu only
+};
+
 struct NumericsDef {
   double time_step_s = 0.05;         ///< dt
   double residual_tolerance = 1e-5;  ///< coupled: residual at which the iterations end, over the current speed
   std::int64_t iterations_maximum = 32;
+  Iteration iteration = Iteration::gradient;
   double contact_reach =
       1.5;  ///< coupled: faces that the current could close within this many time steps count as contacts
   double repair_share = 0.6;          ///< coupled: share of an overlap removed in one time step

@@ -18,7 +18,5 @@ foreach(program IN ITEMS window_errors paired_speed closed_form_errors)
     ${PROJECT_SOURCE_DIR}/bench/overlaps.cpp)
 endforeach()
 
-# Operator splitting, a study of the next solver: bench/notebook.md.
-file(GLOB splitting CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/splitting/*.cpp)
-list(FILTER splitting EXCLUDE REGEX "_test[.]cpp$")
-gem_measurement(splitting_study ${PROJECT_SOURCE_DIR}/bench/splitting_study.cpp ${PROJECT_SOURCE_DIR}/bench/setting.cpp ${splitting})
+# numerics.iteration in windows of jams: bench/notebook.md, "Operator splitting".
+gem_measurement(splitting_study ${PROJECT_SOURCE_DIR}/bench/splitting_study.cpp ${PROJECT_SOURCE_DIR}/bench/setting.cpp)

@@ -35,8 +35,7 @@ endforeach()
 file(GLOB_RECURSE unit_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/*_test.cpp)
 # The manual's examples need their patch: scripts/check_example_law.sh compiles them.
 list(FILTER unit_tests EXCLUDE REGEX "/gem/manual/")
-file(GLOB splitting CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/splitting/*.cpp)
-gem_test_program(gem_unit_tests unit ${unit_tests} ${splitting})
+gem_test_program(gem_unit_tests unit ${unit_tests})
 target_link_libraries(gem_unit_tests PRIVATE hdf5::hdf5 hdf5::hdf5_hl  # the tests of gem/record read what was written
   Eigen3::Eigen)  # and those of the reference engine's solver set up its problems
 

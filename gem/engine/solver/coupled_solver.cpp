@@ -74,7 +74,8 @@ void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::in
                                         point.impulse.normal);
       point.impulse.repair = repair_to_go_on(f.constants, point.impulse.repair, point.geometry.nn);
       slot.cap = point.geometry.cap;
-      rounds_.set_geometry(i, point.geometry, layout_.entry_of(contact.a), layout_.entry_of(contact.b));
+      if (f.constants.iteration == Iteration::gradient)
+        rounds_.set_geometry(i, point.geometry, layout_.entry_of(contact.a), layout_.entry_of(contact.b));
     }
   }
 }
@@ -162,7 +163,7 @@ void CoupledSolver::end_round(const FieldState& f, const Stretch& s) {
   }
 }
 
-void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
+void CoupledSolver::iterate_gradient(const FieldState& f, ThreadTeam& team, int rank) {
   const StepConstants& c = f.constants;
   const StepLength<float> pace{static_cast<float>(c.dt), static_cast<float>(1.0 / c.dt)};
   const Stretch s = stretch_of(team, rank);
@@ -200,6 +201,42 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
   keep_best_share(f, team, rank, s, 0.5);
 }
 
+/// Bodies ascend as in the field, and points as their contacts, for any number of threads.
+void CoupledSolver::hand_to_islands(const FieldState& f, Contacts contacts, int threads) {
+  const Bodies& b = f.bodies;
+  islands_.begin(layout_.bodies(), layout_.points(), threads);
+  for (std::int32_t k = 1; k <= layout_.bodies(); ++k) {
+    const std::int32_t i = layout_.body(k);
+    islands_.set_body(layout_.rank(k),
+                      {b.position[i], b.velocity[i], b.spin[i], {b.inverse_mass[i], b.inverse_inertia[i]}});
+  }
+  const auto rank_of = [&](std::int32_t entry) {
+    return entry == CoupledLayout::at_rest ? Islands::fixed : layout_.rank(entry);
+  };
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const std::int32_t of_a = rank_of(layout_.entry_of(contacts[c]->a));
+    const std::int32_t of_b = rank_of(layout_.entry_of(contacts[c]->b));
+    for (int k = 0; k < contacts[c]->count; ++k) {
+      const std::int32_t i = layout_.first_point(c) + k;
+      islands_.set_point(i, {of_a, of_b, &point_[i].geometry, &point_[i].impulse});
+    }
+  }
+  islands_.find();
+}
+
+void CoupledSolver::iterate_splitting(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
+  const StepConstants& c = f.constants;
+  team.single(rank, [&] { hand_to_islands(f, contacts, team.size()); });
+  islands_.solve({c.point_friction, c.residual_speed, c.dt, c.iterations_maximum}, rank);
+  team.barrier();
+  move_by_base(f, stretch_of(team, rank));
+  team.single(rank, [&] {
+    const IslandResult worst = islands_.worst();
+    iterations_ = static_cast<std::int32_t>(worst.iterations);
+    residual_ = worst.error;
+  });
+}
+
 void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
   const auto count = static_cast<std::int64_t>(contacts.size());
   for (std::int64_t c = team.begin_of(rank, count); c < team.begin_of(rank + 1, count); ++c) {
@@ -229,12 +266,19 @@ void CoupledSolver::gather(const FieldState& f, Contacts contacts, ThreadTeam& t
   team.barrier();
 }
 
+void CoupledSolver::iterate_with(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
+  if (f.constants.iteration == Iteration::splitting)
+    iterate_splitting(f, contacts, team, rank);
+  else
+    iterate_gradient(f, team, rank);
+}
+
 void CoupledSolver::iterate(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
   if (contacts.empty()) return;
   if (contacts.size() < contacts_worth_a_thread_ * team.size())
-    team.single(rank, [&] { iterate(f, alone_, 0); });
+    team.single(rank, [&] { iterate_with(f, contacts, alone_, 0); });
   else
-    iterate(f, team, rank);
+    iterate_with(f, contacts, team, rank);
 }
 
 void CoupledSolver::settle(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality) {

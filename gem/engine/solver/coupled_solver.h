@@ -10,6 +10,7 @@
 #include "gem/engine/solver/coupled_layout.h"
 #include "gem/engine/solver/coupled_point.h"
 #include "gem/engine/solver/coupled_rounds.h"
+#include "gem/engine/solver/splitting/islands.h"
 #include "gem/engine/step/contact.h"
 #include "gem/engine/step/field_state.h"
 
@@ -60,7 +61,10 @@ class CoupledSolver {
   void keep_best_share(const FieldState& f, ThreadTeam& team, int rank, const Stretch& s, double limit);
   void begin_round(const FieldState& f, ThreadTeam& team, const Stretch& s, bool first);
   void end_round(const FieldState& f, const Stretch& s);
-  void iterate(const FieldState& f, ThreadTeam& team, int rank);
+  void iterate_with(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
+  void iterate_gradient(const FieldState& f, ThreadTeam& team, int rank);
+  void iterate_splitting(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
+  void hand_to_islands(const FieldState& f, Contacts contacts, int threads);
   void hand_back(FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
 
   std::vector<std::uint64_t> keys_;
@@ -70,6 +74,7 @@ class CoupledSolver {
 
   CoupledLayout layout_;
   CoupledRounds rounds_;
+  Islands islands_;
   std::vector<Point> point_;
   std::vector<Motion<double>> motion_;                    // per entry: motion after the impulses of the base
   std::vector<double> linear_energy_, quadratic_energy_;  // per rank of an entry: see EnergyChange [J]

@@ -31,7 +31,7 @@ FieldState make_field_state(Bodies bodies, const StepConstants& constants) {
   f.struck.assign(n, 0);
   f.repair_shift.assign(n, {});
   f.repair_turn.assign(n, 0.0);
-  if (constants.solver == ContactSolver::coupled)
+  if (constants.solver == ContactSolver::coupled && constants.iteration == Iteration::gradient)
     f.momentum_coefficients = momentum_coefficients(constants.iterations_maximum);
   f.books.assign(n * static_cast<std::size_t>(Channel::count), {});
   return f;

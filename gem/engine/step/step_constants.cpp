@@ -37,6 +37,7 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
   c.residual_speed = scene.numerics.residual_tolerance * fastest;
   c.tight_residual = scene.numerics.residual_tolerance < IterationControl::single_precision;
   c.iterations_maximum = scene.numerics.iterations_maximum;
+  c.iteration = scene.numerics.iteration;
   const bool rough = scene.ice.friction_ice > 0.0 || scene.ice.friction_structure > 0.0;
   c.point_friction = !rough                                                ? PointFriction::none
                      : scene.contact.friction_law == FrictionLaw::one_step ? PointFriction::coulomb

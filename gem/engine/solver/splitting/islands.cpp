@@ -1,26 +1,29 @@
-#include "bench/splitting/split_iteration.h"
+#include "gem/engine/solver/splitting/islands.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "gem/base/choose.h"
 
-namespace gem::bench {
+namespace gem {
 
-void SplitIteration::begin(std::int32_t bodies, std::int32_t points) {
+void Islands::begin(std::int32_t bodies, std::int32_t points, int threads) {
   body_.resize(bodies);
   point_.resize(points);
+  solver_.resize(threads);
+  result_.assign(threads, {});
 }
 
-std::int32_t SplitIteration::root_of(std::int32_t body) {
+std::int32_t Islands::root_of(std::int32_t body) {
   while (parent_[body] != body) body = parent_[body] = parent_[parent_[body]];
   return body;
 }
 
-/// Sorts bodies and points by island, islands by their first body.
-void SplitIteration::find_islands() {
+/// Numbers islands by their first body. Returns how many there are.
+std::int32_t Islands::number_islands() {
   const auto bodies = static_cast<std::int32_t>(body_.size());
   parent_.resize(bodies);
-  for (std::int32_t i = 0; i < bodies; ++i) parent_[i] = i;
+  std::iota(parent_.begin(), parent_.end(), 0);
   for (const IslandPoint& p : point_) {
     if (p.a == fixed || p.b == fixed) continue;
     const std::int32_t a = root_of(p.a), b = root_of(p.b);
@@ -32,6 +35,12 @@ void SplitIteration::find_islands() {
     const std::int32_t root = root_of(i);
     island_[i] = root == i ? islands++ : island_[root];
   }
+  return islands;
+}
+
+void Islands::find() {
+  const std::int32_t islands = number_islands();
+  const auto bodies = static_cast<std::int32_t>(body_.size());
   const auto island_of = [this](const IslandPoint& p) { return island_[p.a == fixed ? p.b : p.a]; };
   first_body_.assign(islands + 1, 0);
   first_point_.assign(islands + 1, 0);
@@ -57,20 +66,36 @@ void SplitIteration::find_islands() {
     if (p.b != fixed) p.b = index_[p.b];
     island_point_[next[island]++] = p;
   }
+  // the largest first, so that no thread begins it last
+  by_size_.resize(islands);
+  std::iota(by_size_.begin(), by_size_.end(), 0);
+  std::stable_sort(by_size_.begin(), by_size_.end(), [this](std::int32_t k, std::int32_t j) {
+    return first_point_[k + 1] - first_point_[k] > first_point_[j + 1] - first_point_[j];
+  });
+  next_.store(0, std::memory_order_relaxed);
 }
 
-IslandResult SplitIteration::iterate(const IslandControl& control) {
-  find_islands();
-  IslandResult worst;
-  for (std::size_t k = 0; k + 1 < first_body_.size(); ++k) {
-    const std::int32_t body = first_body_[k], point = first_point_[k];
+void Islands::solve(const IslandControl& control, int rank) {
+  IslandResult& worst = result_[rank];
+  for (;;) {
+    const std::int32_t next = next_.fetch_add(1, std::memory_order_relaxed);
+    if (next >= static_cast<std::int32_t>(by_size_.size())) return;
+    const std::int32_t k = by_size_[next], body = first_body_[k], point = first_point_[k];
     const IslandResult result =
-        solver_.solve({&island_body_[body], static_cast<std::size_t>(first_body_[k + 1] - body)},
-                      {&island_point_[point], static_cast<std::size_t>(first_point_[k + 1] - point)}, control);
+        solver_[rank].solve({&island_body_[body], static_cast<std::size_t>(first_body_[k + 1] - body)},
+                            {&island_point_[point], static_cast<std::size_t>(first_point_[k + 1] - point)}, control);
     worst.iterations = std::max(worst.iterations, result.iterations);
     worst.error = larger(worst.error, result.error);
+  }
+}
+
+IslandResult Islands::worst() const {
+  IslandResult worst;
+  for (const IslandResult& one : result_) {
+    worst.iterations = std::max(worst.iterations, one.iterations);
+    worst.error = larger(worst.error, one.error);
   }
   return worst;
 }
 
-}  // namespace gem::bench
+}  // namespace gem

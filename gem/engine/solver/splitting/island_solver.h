@@ -1,0 +1,104 @@
+// Converged impulses of the contact points of one island: operator splitting with a factored matrix.
+//
+// An island is a set of moving bodies joined by contacts; fixed bodies do not join. The iteration alternates between
+// the bodies, whose velocities w obey the balance of momentum, and the points, whose impulses P and velocities z obey
+// the contact law (point_blocks.h):
+//
+//     (M + J^T R J) dw = J^T (P + R (z - u)) - M w,   w += dw,   u = e0 + J w
+//
+// The velocities u ask for the impulses of the result: P - R u within the bounds.
+//
+//   e0  velocity of the points with the impulses of the base, minus their target
+//   w   change of the velocities of the bodies since the base
+//
+// (alternating directions, as in OSQP, Stellato et al. 2020; for frictional contact Tasora et al. 2021). The matrix is
+// the same for all iterations of one stiffness, so it is factored once. The position repair has the same matrix and is
+// solved beside the velocities. Rounding of the factor does not change where the iteration ends, only how fast it gets
+// there.
+//
+// There is one round: at its end the additions go to the base in double precision.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "gem/base/vec2.h"
+#include "gem/engine/solver/coupled_point.h"
+#include "gem/engine/solver/splitting/dissection.h"
+#include "gem/engine/solver/splitting/front_factor.h"
+#include "gem/engine/solver/splitting/point_blocks.h"
+
+namespace gem {
+
+/// A moving body before the impulses of the time step.
+struct IslandBody {
+  Vec2 position;      // [m]
+  Vec2 velocity;      // [m/s]
+  double spin = 0.0;  // [rad/s]
+  InverseMass inverse;
+};
+
+/// A contact point: its bodies, its constants, and its impulse: the last one on entry, the result on return.
+struct IslandPoint {
+  std::int32_t a = 0, b = 0;  // IslandSolver::fixed: a fixed body
+  const PointGeometry<double>* geometry = nullptr;
+  PointImpulse<double>* impulse = nullptr;
+};
+
+struct IslandControl {
+  PointFriction friction = PointFriction::coulomb;
+  double tolerance = 1e-3;  // of the velocities [m/s]
+  double dt = 0.0;          // [s]
+  std::int64_t iterations_maximum = 200;
+};
+
+struct IslandResult {
+  std::int64_t iterations = 0;
+  double error = 0.0;  // estimate of the largest error of a velocity [m/s]
+};
+
+class IslandSolver {
+ public:
+  static constexpr std::int32_t fixed = -1;
+
+  /// Solves one island: `points` refer to `bodies` by index. The result depends on nothing else.
+  IslandResult solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
+                     const IslandControl& control);
+
+ private:
+  /// Largest differences, as speeds [m/s]. A shift counts as its speed over one time step.
+  struct Differences {
+    float points = 0.0F;  // between the velocities of the points and their copies
+    float bodies = 0.0F;  // between the velocities of the bodies and those that the impulses give
+    float change = 0.0F;  // of the velocities that the impulses give since the last time
+  };
+
+  void find_pairs(std::span<const IslandPoint> points, std::int32_t bodies);
+  void order_bodies(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
+  void set_points(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
+  void set_base(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
+  void stiffen();
+  bool change_stiffness(std::int64_t interval, const Differences& d);
+  void begin();
+  void step();
+  Differences compare(PointFriction law, float per_step);
+
+  Dissection dissection_;
+  EliminationTree tree_;
+  FrontFactor factor_;
+  ContactGraph graph_;
+  PointBlocks blocks_;
+  std::vector<Vec2> position_;
+  std::vector<std::int32_t> fill_;
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;
+  std::vector<std::int32_t> place_;                      // of each body in the order of elimination
+  std::vector<float> root_mass_;                         // root of the inverse mass, by place [kg^-1/2]
+  std::vector<BodyRow> now_, sum_, given_, last_given_;  // by place + 1; row 0 is fixed
+  std::vector<Motion<double>> motion_;                   // after the impulses of the base, by place
+  std::vector<Push<double>> push_;
+  float stiffness_ = 0.0F;  // over the compliance of a point
+};
+
+}  // namespace gem

@@ -1,0 +1,106 @@
+// The points of an island during the iterations of operator splitting, eight at a time.
+//
+// Every point keeps its impulse P and a copy z of its velocity, both along the normal and along the tangent. A visit
+// takes the velocity u that the bodies have now, and sets
+//
+//     x = 1.6 u - 0.6 z              over-relaxed
+//     a = P - R x
+//     P = a within the bounds of the law,  z = (P - a) / R
+//
+// It then asks the bodies for P + R (z - u): the step of the velocities that follows closes the gap between u and z.
+// R is `stiffness` over the compliance of the point. The repair of the overlap is treated in the same way, without
+// friction.
+//
+// Impulses are additions to a base, as in coupled_visit.h.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gem/base/pack.h"
+#include "gem/engine/solver/coupled_point.h"
+#include "gem/engine/solver/splitting/front_factor.h"
+
+namespace gem {
+
+/// Velocity and repair of a body, scaled by the roots of its masses: x, y, spin, 0 and the same of the repair.
+struct alignas(32) BodyRow {
+  FloatPack lanes;
+};
+
+/// Inverse masses of a body; zero for a fixed one.
+struct InverseMass {
+  double mass = 0.0;     // [1/kg]
+  double inertia = 0.0;  // [1/(kg m2)]
+};
+
+class PointBlocks {
+ public:
+  void resize(std::int32_t points);
+  /// Sets a point between the bodies in rows `a` and `b`; row 0 is for fixed bodies. `pair`: number of the pair in the
+  /// factor, if both move.
+  void set_point(std::int32_t k, const PointGeometry<double>& g, std::int32_t a, std::int32_t b, InverseMass of_a,
+                 InverseMass of_b, std::int32_t pair);
+  /// Sets the bounds of the additions, and copies of the velocities that obey the law with the impulses of the base.
+  /// `a`, `b`: motions that the base gives.
+  void set_base(std::int32_t k, const PointGeometry<double>& g, const PointImpulse<double>& impulse,
+                const Motion<double>& a, const Motion<double>& b);
+  /// Sets R of all points and adds J^T R J to the matrix.
+  void stiffen(float stiffness, FrontFactor& factor);
+
+  /// Adds what the points ask of the bodies to `sum`. `now`: motions of the bodies.
+  void push(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) const;
+  /// Visits all points, and adds what they ask of the bodies to `sum`.
+  void visit(PointFriction law, const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
+  /// Sets the impulses that the velocities ask for, without over-relaxation, and adds their pushes to `given`. Points
+  /// that stick get exactly what the bodies have.
+  void answer(PointFriction law, const std::vector<BodyRow>& now, std::vector<BodyRow>& given);
+  /// Largest difference between the velocities of the points and their copies [m/s]. A shift of the repair counts
+  /// `per_step` times [1/s].
+  float mismatch(const std::vector<BodyRow>& now, float per_step) const;
+  /// Counts how often in a row a point was asked with a difference above `tolerance` [m/s] that hardly falls.
+  void watch(const std::vector<BodyRow>& now, float tolerance);
+  /// Makes the points stiffer whose difference persists. A light body between heavy ones needs it: its own compliance
+  /// says nothing about the load that passes through it.
+  void raise();
+  /// Adds the last answer() of a point to its impulse.
+  void add_to(PointFriction law, std::int32_t k, const PointGeometry<double>& g, PointImpulse<double>& impulse) const;
+
+  bool repairs() const { return repairs_; }
+
+ private:
+  /// Eight points. Unused lanes have both bodies fixed and no bounds to reach.
+  struct alignas(64) Block {
+    FloatPack n_a[3], n_b[3], t_a[3], t_b[3];  // Jacobian times the roots of the inverse masses
+    FloatPack inverse_nn, inverse_tt, friction;
+    FloatPack stiff_n, stiff_t, soft_n, soft_t;  // R and 1 / R
+    FloatPack excess, slip, least, most, slack_left, slack_right, repair_excess, repair_least;
+    FloatPack normal, tangential, repair;    // additions to the base
+    FloatPack gap, slide, shift, shift_t;    // copies of the velocities and of the shift
+    FloatPack answer_n, answer_t, answer_r;  // additions to the base, as the result
+    // watch(): how much stiffer than others; the last difference; how often it persisted
+    FloatPack scale_n, scale_t, last_n, last_t, count_n, count_t;
+    std::int32_t a[float_lanes], b[float_lanes], pair[float_lanes];
+  };
+  template <int half>
+  static void push_bodies(const Block& q, std::vector<BodyRow>& to, FloatPack n, FloatPack t);
+  template <bool repairs>
+  void push_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) const;
+  template <PointFriction law, bool repairs>
+  void visit_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
+  template <PointFriction law>
+  void visit_law(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
+  template <PointFriction law, bool repairs>
+  void answer_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& given);
+  template <PointFriction law>
+  void answer_law(const std::vector<BodyRow>& now, std::vector<BodyRow>& given);
+  // Each is built for AVX2 too.
+  void visit_frictionless(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
+  void visit_coulomb(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
+  void visit_fixed_direction(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum);
+
+  std::vector<Block> block_;
+  bool repairs_ = false;  // whether any point repairs an overlap
+};
+
+}  // namespace gem

@@ -8,32 +8,25 @@
 namespace gem {
 namespace {
 
-/// Stiffness over the compliance of a point at the start. It falls later: a high stiffness soon brings the points
-/// together, a low one brings the impulses and the velocities of the bodies together. Chosen in jams
-/// (bench/notebook.md, "Operator splitting").
-constexpr float first_stiffness = 20.0F, fall = 0.1F;
-/// Points whose difference persists become stiffer every so many iterations, as long as the stiffness is high. It falls
-/// in the rounds after that; later still it follows the errors, after twice as many iterations every time. A stiffness
-/// that keeps changing need not converge.
-constexpr std::int64_t change_interval = 16, raises = 2, falls = 2;
-/// Smaller changes of the stiffness are not worth a factor; larger ones are made in steps. Chosen by hand.
-constexpr float least_change = 1.5F, most_change = 5.0F;
-/// The error is estimated after so many iterations, after twice as many, and then every time so many have passed.
+/// A round starts with this stiffness over the compliance of a point. It falls twice later: a high stiffness soon
+/// brings the points together, a low one brings the impulses and the velocities of the bodies together. These numbers
+/// and those below were chosen in jams (bench/notebook.md, "Operator splitting").
+constexpr float first_stiffness = 20.0F, fall = 0.1F, least_stiffness = 0.3F;
+/// The stiffness may change after so many iterations. Points whose difference persists become stiffer, in the first
+/// intervals and while points differ more than bodies. Otherwise all points become less stiff.
+constexpr std::int64_t change_interval = 16, raises = 2;
+/// Longest round. A round also ends when it has gained what single precision can hold.
+constexpr std::int64_t longest_round = 96;
+constexpr double round_gain = 1e-4;
+/// The error is estimated after so many iterations of a round, after twice as many, and then every time so many have
+/// passed.
 constexpr std::int64_t first_estimate = 4, estimate_interval = 8;
 
-/// The factor of the stiffness that brings both errors closer. A row of bodies needs a high stiffness: its points soon
-/// agree with their neighbours, while their errors add up along the row.
-float balance(float of_points, float of_bodies) {
-  constexpr float tiny = 1e-30F;
-  const float change = std::sqrt(larger(of_points, tiny) / larger(of_bodies, tiny));
-  return smaller(larger(change, 1.0F / most_change), most_change);
-}
-
 /// What is still missing from a sequence that moved by `change` since the last estimate and by `last_change` before
-/// that, if it goes on by the same ratio.
+/// that, if it goes on by the same ratio. Without a last change (zero) the slowest ratio is taken.
 double still_missing(double change, double last_change) {
-  constexpr double slowest = 0.95;
-  const double ratio = last_change > 0.0 ? smaller(change / last_change, slowest) : 0.0;
+  constexpr double slowest = 0.9;
+  const double ratio = last_change > 0.0 ? smaller(change / last_change, slowest) : slowest;
   return change * ratio / (1.0 - ratio);
 }
 
@@ -133,10 +126,11 @@ GEM_CLONES void IslandSolver::step() {
   for (std::size_t k = 1; k < now_.size(); ++k) now_[k].lanes += sum_[k].lanes;
 }
 
-GEM_CLONES IslandSolver::Differences IslandSolver::compare(PointFriction law, float per_step) {
+GEM_CLONES IslandSolver::Differences IslandSolver::compare(const IslandControl& control) {
+  const auto per_step = static_cast<float>(1.0 / control.dt);
   given_.swap(last_given_);
   std::fill(given_.begin(), given_.end(), BodyRow{});
-  blocks_.answer(law, now_, given_);
+  blocks_.answer(control.friction, now_, given_);
   Differences d;
   d.points = blocks_.mismatch(now_, per_step);
   const FloatPack one{1.0F, 1.0F, 1.0F, 1.0F, per_step, per_step, per_step, per_step};
@@ -154,59 +148,64 @@ GEM_CLONES IslandSolver::Differences IslandSolver::compare(PointFriction law, fl
   return d;
 }
 
-/// Changes the stiffness at the end of an interval of iterations. Returns whether it changed.
+/// Changes the stiffness at the end of interval number `interval` of a round. Returns whether it changed.
 bool IslandSolver::change_stiffness(std::int64_t interval, const Differences& d) {
-  float change = 1.0F;
-  if (interval <= raises) {
-    blocks_.raise();
+  if (interval <= raises || d.points > d.bodies) {
+    if (!blocks_.raise()) return false;
   } else {
-    change = interval <= raises + falls ? fall : balance(d.points, d.bodies);
-    if (change <= least_change && change * least_change >= 1.0F) return false;
+    if (stiffness_ <= least_stiffness) return false;
+    stiffness_ *= fall;
   }
-  stiffness_ *= change;
+  stiffen();
   return true;
+}
+
+/// Iterates from the base until the error is below the tolerance, the round has gained enough, or it is long enough.
+void IslandSolver::iterate_round(const IslandControl& control, IslandResult& result) {
+  for (std::vector<BodyRow>* rows : {&now_, &sum_, &given_, &last_given_}) rows->assign(place_.size() + 1, BodyRow{});
+  const std::int64_t last = std::min(longest_round, control.iterations_maximum - result.iterations);
+  std::int64_t next_estimate = first_estimate, interval = 1;
+  Differences d;
+  double last_change = 0.0, first_error = 0.0;
+  stiffness_ = first_stiffness;
+  stiffen();
+  blocks_.push(now_, sum_);
+  for (std::int64_t iteration = 1;; ++iteration) {
+    step();
+    const bool judged = iteration == next_estimate || iteration == last;
+    if (judged) {
+      d = compare(control);
+      result.error = larger(static_cast<double>(larger(d.points, d.bodies)), still_missing(d.change, last_change));
+      if (first_error == 0.0) first_error = result.error;
+      last_change = d.change;
+      next_estimate += next_estimate < estimate_interval ? next_estimate : estimate_interval;
+      if (iteration == last || result.error <= control.tolerance || result.error <= round_gain * first_error) {
+        result.iterations += iteration;
+        return;
+      }
+    }
+    begin();
+    blocks_.visit(control.friction, now_, sum_);
+    if (!judged) continue;
+    blocks_.watch(now_, static_cast<float>(0.25 * control.tolerance));
+    if (iteration < interval * change_interval || !change_stiffness(interval++, d)) continue;
+    last_change = 0.0;
+    begin();
+    blocks_.push(now_, sum_);
+  }
 }
 
 IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
                                  const IslandControl& control) {
   order_bodies(bodies, points);
   set_points(bodies, points);
-  set_base(bodies, points);
-  for (std::vector<BodyRow>* rows : {&now_, &sum_, &given_, &last_given_}) rows->assign(bodies.size() + 1, BodyRow{});
-  const auto per_step = static_cast<float>(1.0 / control.dt);
-  const auto watched = static_cast<float>(0.25 * control.tolerance);
-  stiffness_ = first_stiffness;
-  double last_change = 0.0;
-  std::int64_t next_estimate = first_estimate, interval = 1;
   IslandResult result;
-  stiffen();
-  blocks_.push(now_, sum_);
-  for (;;) {
-    step();
-    const bool at_limit = ++result.iterations >= control.iterations_maximum;
-    const bool judged = at_limit || result.iterations >= next_estimate;
-    Differences d;
-    if (judged) {
-      d = compare(control.friction, per_step);
-      result.error = larger(static_cast<double>(larger(d.points, d.bodies)), still_missing(d.change, last_change));
-      if (at_limit || result.error <= control.tolerance) break;
-    }
-    begin();
-    blocks_.visit(control.friction, now_, sum_);
-    if (!judged) continue;
-    last_change = d.change;
-    next_estimate += next_estimate < estimate_interval ? next_estimate : estimate_interval;
-    if (interval <= raises) blocks_.watch(now_, watched);
-    if (result.iterations < interval * change_interval) continue;
-    const bool changed = change_stiffness(interval, d);
-    interval = interval <= raises + falls ? interval + 1 : 2 * interval;
-    if (!changed) continue;
-    stiffen();
-    begin();
-    blocks_.push(now_, sum_);
-  }
-  for (std::size_t k = 0; k < points.size(); ++k)
-    blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, *points[k].impulse);
+  do {
+    set_base(bodies, points);
+    iterate_round(control, result);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, *points[k].impulse);
+  } while (result.iterations < control.iterations_maximum && result.error > control.tolerance);
   return result;
 }
 

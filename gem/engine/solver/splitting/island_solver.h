@@ -16,7 +16,7 @@
 // solved beside the velocities. Rounding of the factor does not change where the iteration ends, only how fast it gets
 // there.
 //
-// There is one round: at its end the additions go to the base in double precision.
+// At the end of a round the additions go to the base in double precision, and the next round starts from there.
 #pragma once
 
 #include <cstdint>
@@ -81,9 +81,10 @@ class IslandSolver {
   void set_base(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
   void stiffen();
   bool change_stiffness(std::int64_t interval, const Differences& d);
+  void iterate_round(const IslandControl& control, IslandResult& result);
   void begin();
   void step();
-  Differences compare(PointFriction law, float per_step);
+  Differences compare(const IslandControl& control);
 
   Dissection dissection_;
   EliminationTree tree_;

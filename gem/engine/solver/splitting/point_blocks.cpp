@@ -92,6 +92,8 @@ void PointBlocks::set_base(std::int32_t k, const PointGeometry<double>& g, const
   const bool slides = impulse.normal > 0.0 ? at_bound && frame.slip * impulse.tangential < 0.0 : true;
   q.slide[lane] = slides ? frame.slip : 0.0F;
   q.shift[lane] = impulse.repair > 0.0 ? 0.0F : larger(frame.repair_excess, 0.0F);
+  q.normal[lane] = q.tangential[lane] = q.repair[lane] = q.shift_t[lane] = 0.0F;
+  q.last_n[lane] = q.last_t[lane] = q.count_n[lane] = q.count_t[lane] = 0.0F;
   repairs_ = repairs_ || g.repair_target > 0.0 || impulse.repair > 0.0;
 }
 
@@ -258,17 +260,23 @@ GEM_CLONES void PointBlocks::watch(const std::vector<BodyRow>& now, float tolera
   }
 }
 
-void PointBlocks::raise() {
+bool PointBlocks::raise() {
   constexpr float often = 2.0F, stiffer = 4.0F, most = 1e4F;  // chosen by hand
   const FloatPack zero{};
+  FloatPack any{};
   const auto raised = [&](FloatPack& scale, FloatPack& times) {
-    scale = (times >= zero + often) & (scale < zero + most) ? stiffer * scale : scale;
-    times = zero;
+    const FloatPack next = (times >= zero + often) & (scale < zero + most) ? stiffer * scale : scale;
+    times = next > scale ? zero : times;
+    any = larger(any, next - scale);
+    scale = next;
   };
   for (Block& q : block_) {
     raised(q.scale_n, q.count_n);
     raised(q.scale_t, q.count_t);
   }
+  float most_raised = 0.0F;
+  for (int lane = 0; lane < float_lanes; ++lane) most_raised = larger(most_raised, any[lane]);
+  return most_raised > 0.0F;
 }
 
 GEM_CLONES float PointBlocks::mismatch(const std::vector<BodyRow>& now, float per_step) const {

@@ -41,7 +41,8 @@ class PointBlocks {
   /// factor, if both move.
   void set_point(std::int32_t k, const PointGeometry<double>& g, std::int32_t a, std::int32_t b, InverseMass of_a,
                  InverseMass of_b, std::int32_t pair);
-  /// Sets the bounds of the additions, and copies of the velocities that obey the law with the impulses of the base.
+  /// Begins a round: sets the bounds of the additions, and copies of the velocities that obey the law with the impulses
+  /// of the base.
   /// `a`, `b`: motions that the base gives.
   void set_base(std::int32_t k, const PointGeometry<double>& g, const PointImpulse<double>& impulse,
                 const Motion<double>& a, const Motion<double>& b);
@@ -61,8 +62,8 @@ class PointBlocks {
   /// Counts how often in a row a point was asked with a difference above `tolerance` [m/s] that hardly falls.
   void watch(const std::vector<BodyRow>& now, float tolerance);
   /// Makes the points stiffer whose difference persists. A light body between heavy ones needs it: its own compliance
-  /// says nothing about the load that passes through it.
-  void raise();
+  /// says nothing about the load that passes through it. Returns whether there were any.
+  bool raise();
   /// Adds the last answer() of a point to its impulse.
   void add_to(PointFriction law, std::int32_t k, const PointGeometry<double>& g, PointImpulse<double>& impulse) const;
 

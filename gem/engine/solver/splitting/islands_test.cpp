@@ -1,0 +1,103 @@
+// Iterations by operator splitting: a row at a wall, a light body in a load path, islands.
+#include "gem/engine/solver/splitting/islands.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gem {
+namespace {
+
+constexpr double mass = 2e4, inertia = 1e5, speed = 0.5;
+
+/// A row of bodies that runs into a wall on its left, each with one point towards its left neighbour.
+struct Row {
+  std::vector<IslandBody> bodies;
+  std::vector<PointGeometry<double>> geometry;
+  std::vector<PointImpulse<double>> impulse;
+
+  Row(int count, double offset) : geometry(count), impulse(count) {
+    for (int i = 0; i < count; ++i)
+      bodies.push_back({{offset + i, 0.0}, {-speed, 0.1 * speed}, 0.0, {1.0 / mass, 1.0 / inertia}});
+    for (PointGeometry<double>& g : geometry) {
+      g.normal_x = 1.0;
+      g.friction = 0.3;
+      g.cap = 1e30;
+    }
+  }
+
+  void add_to(Islands& islands, std::int32_t body, std::int32_t point) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const auto k = static_cast<std::int32_t>(i);
+      islands.set_body(body + k, bodies[i]);
+      islands.set_point(point + k, {k == 0 ? Islands::fixed : body + k - 1, body + k, &geometry[i], &impulse[i]});
+    }
+  }
+
+  /// Velocity of a body with the impulses of its points [m/s].
+  double velocity_after(std::size_t i) const {
+    const double behind = i + 1 < impulse.size() ? impulse[i + 1].normal : 0.0;
+    return bodies[i].velocity.x + (impulse[i].normal - behind) * bodies[i].inverse.mass;
+  }
+};
+
+IslandResult solve(Islands& islands, const IslandControl& control) {
+  islands.find();
+  islands.solve(control, 0);
+  return islands.worst();
+}
+
+class RowAtAWall : public testing::TestWithParam<double> {};
+
+TEST_P(RowAtAWall, StopsWithinItsTolerance) {
+  constexpr int count = 100;
+  const IslandControl control{PointFriction::coulomb, GetParam(), 0.2, 5000};
+  Row row(count, 0.0);
+  Islands islands;
+  islands.begin(count, count, 1);
+  row.add_to(islands, 0, 0);
+  const IslandResult result = solve(islands, control);
+  EXPECT_LE(result.error, control.tolerance);
+  EXPECT_LT(result.iterations, control.iterations_maximum);
+  // the tolerance holds for every body: the wall stops all of them, and so may be off by all of their masses
+  EXPECT_NEAR(row.impulse[0].normal, count * mass * speed, count * mass * control.tolerance);
+  for (int i = 0; i < count; ++i) EXPECT_NEAR(row.velocity_after(i), 0.0, control.tolerance) << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(Tolerances, RowAtAWall, testing::Values(1e-3, 1e-5, 1e-9, 1e-12),
+                         [](const testing::TestParamInfo<double>& one) {
+                           return "of_1e_" + std::to_string(std::lround(-std::log10(one.param)));
+                         });
+
+TEST(Islands, LoadPassesThroughALightBody) {
+  Row row(40, 0.0);
+  for (const int light : {7, 20, 33}) row.bodies[light].inverse = {1e3 / mass, 1e4 / inertia};
+  Islands islands;
+  islands.begin(40, 40, 1);
+  row.add_to(islands, 0, 0);
+  const IslandControl control{PointFriction::coulomb, 1e-3, 0.2, 5000};
+  const IslandResult result = solve(islands, control);
+  EXPECT_LE(result.error, control.tolerance);
+  for (int i = 0; i < 40; ++i) EXPECT_NEAR(row.velocity_after(i), 0.0, control.tolerance) << i;
+}
+
+TEST(Islands, DependOnThemselvesAlone) {
+  const IslandControl control{PointFriction::coulomb, 1e-5, 0.2, 2000};
+  Row alone(30, 0.0), here(30, 0.0), far(70, 5000.0);
+  Islands one, two;
+  one.begin(30, 30, 1);
+  alone.add_to(one, 0, 0);
+  solve(one, control);
+  two.begin(100, 100, 1);
+  far.add_to(two, 0, 0);
+  here.add_to(two, 70, 70);
+  solve(two, control);
+  for (int i = 0; i < 30; ++i) {
+    ASSERT_GT(alone.impulse[i].normal, 0.0);
+    EXPECT_EQ(alone.impulse[i].normal, here.impulse[i].normal);
+    EXPECT_EQ(alone.impulse[i].tangential, here.impulse[i].tangential);
+  }
+}
+
+}  // namespace
+}  // namespace gem

@@ -69,7 +69,7 @@ void add_info_command(CLI::App& app, Chosen& chosen) {
         return 0;
       }
       nlohmann::ordered_json object = describe(file);
-      const Verdict verdict = verdict_of(file);
+      const RunVerdict verdict = verdict_of(file);
       if (options->json) {
         object["verdict_criteria"] = criteria_json(verdict);
         print(object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

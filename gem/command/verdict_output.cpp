@@ -3,7 +3,7 @@
 
 namespace gem {
 
-std::string reasons_text(const Verdict& verdict, const std::string& indent) {
+std::string reasons_text(const RunVerdict& verdict, const std::string& indent) {
   std::string text;
   for (const Judgement& one : verdict.judgements) {
     if (one.grade == Grade::good) continue;
@@ -14,7 +14,7 @@ std::string reasons_text(const Verdict& verdict, const std::string& indent) {
   return text;
 }
 
-nlohmann::ordered_json criteria_json(const Verdict& verdict) {
+nlohmann::ordered_json criteria_json(const RunVerdict& verdict) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Judgement& one : verdict.judgements)
     list.push_back({{"criterion", one.criterion},
@@ -27,7 +27,7 @@ nlohmann::ordered_json criteria_json(const Verdict& verdict) {
   return list;
 }
 
-std::string criteria_of_grade(const Verdict& verdict, Grade grade) {
+std::string criteria_of_grade(const RunVerdict& verdict, Grade grade) {
   std::string names;
   for (const Judgement& one : verdict.judgements)
     if (one.grade == grade) names += (names.empty() ? "" : ", ") + one.criterion;

@@ -9,12 +9,12 @@
 namespace gem {
 
 /// One line per criterion that is not good: its grade, its name and its text.
-std::string reasons_text(const Verdict& verdict, const std::string& indent);
+std::string reasons_text(const RunVerdict& verdict, const std::string& indent);
 
 /// A list with one object per criterion. Numbers that are not finite are null.
-nlohmann::ordered_json criteria_json(const Verdict& verdict);
+nlohmann::ordered_json criteria_json(const RunVerdict& verdict);
 
 /// The criteria of one grade, for a message: "overlap, residual".
-std::string criteria_of_grade(const Verdict& verdict, Grade grade);
+std::string criteria_of_grade(const RunVerdict& verdict, Grade grade);
 
 }  // namespace gem

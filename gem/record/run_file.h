@@ -67,7 +67,7 @@ OverlapCount overlaps_of(const RunFile& file, const std::string& dataset);
 
 /// The verdict that the run ended with. Without judgements if the file has none: it is older, or the run still runs or
 /// was killed. Throws Error(file_system) if its lists differ in length.
-Verdict verdict_of(const RunFile& file);
+RunVerdict verdict_of(const RunFile& file);
 
 /// Whether the file begins with an HDF5 signature.
 bool is_run_file(const std::string& path);

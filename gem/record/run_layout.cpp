@@ -186,6 +186,6 @@ void RunLayout::set_text(const char* attribute, const std::string& text) {
   hdf5::write_text(file_.id(), attribute, text);
 }
 
-void RunLayout::set_verdict(const Verdict& verdict) { write_verdict(file_.id(), verdict); }
+void RunLayout::set_verdict(const RunVerdict& verdict) { write_verdict(file_.id(), verdict); }
 
 }  // namespace gem

@@ -87,7 +87,7 @@ class RunWriter::Thread {
     if (failed_) throw failure();
   }
 
-  void finish(const std::string& status, std::uint64_t state_hash, const Verdict& verdict) {
+  void finish(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
     stop();
     if (layout_ == nullptr) throw failure();
     guarded([&] {
@@ -243,7 +243,7 @@ void RunWriter::write(Slab slab) { thread_->put(std::move(slab)); }
 
 void RunWriter::check() const { thread_->check(); }
 
-void RunWriter::finish(const std::string& status, std::uint64_t state_hash, const Verdict& verdict) {
+void RunWriter::finish(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
   thread_->finish(status, state_hash, verdict);
 }
 

@@ -53,7 +53,7 @@ class RunWriter {
   /// Waits for the queue, sets the status ("complete" or "stopped:<reason>"), the state hash and the verdict (none if
   /// it has no judgements), and closes the file. After a failed write it sets them if the file allows it, and throws
   /// the failure.
-  void finish(const std::string& status, std::uint64_t state_hash, const Verdict& verdict = {});
+  void finish(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict = {});
 
  private:
   class Thread;

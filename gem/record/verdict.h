@@ -29,7 +29,7 @@ struct Judgement {
 };
 
 /// The worst grade of all criteria, and what each says.
-struct Verdict {
+struct RunVerdict {
   Grade grade = Grade::not_judged;
   std::vector<Judgement> judgements;
 };

@@ -50,7 +50,7 @@ std::vector<std::string> items(const std::string& text, char separator) {
 
 }  // namespace
 
-void write_verdict(hid_t file, const Verdict& verdict) {
+void write_verdict(hid_t file, const RunVerdict& verdict) {
   std::string criteria, grades, texts;
   for (const Judgement& one : verdict.judgements) {
     criteria += (criteria.empty() ? "" : " ") + one.criterion;
@@ -68,8 +68,8 @@ void write_verdict(hid_t file, const Verdict& verdict) {
   hdf5::write_text(file, "gem_verdict", grade_name(verdict.grade));  // last: whoever finds it finds all
 }
 
-Verdict verdict_of(const RunFile& file) {
-  Verdict verdict;
+RunVerdict verdict_of(const RunFile& file) {
+  RunVerdict verdict;
   const std::string grade = file.attribute("gem_verdict");
   if (grade.empty()) return verdict;
   verdict.grade = grade_of_word(grade);

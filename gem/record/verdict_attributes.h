@@ -14,6 +14,6 @@
 namespace gem {
 
 /// Writes the attributes, which the file must not have yet. Throws hdf5::Failure.
-void write_verdict(hid_t file, const Verdict& verdict);
+void write_verdict(hid_t file, const RunVerdict& verdict);
 
 }  // namespace gem

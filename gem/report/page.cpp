@@ -99,7 +99,7 @@ std::string warning(const RunIdentity& identity) {
          "). Everything below covers only the part that was recorded.</p>\n";
 }
 
-std::string bad_warning(const Verdict& verdict) {
+std::string bad_warning(const RunVerdict& verdict) {
   if (verdict.grade != Grade::bad) return "";
   return "<p class=\"warning\">The numbers of this run cannot be believed: its verdict is bad. The reasons are in the "
          "table Verdict.</p>\n";

@@ -118,7 +118,7 @@ std::string headline_html(const RunData& run, const RunFindings& findings, const
   return html + "</section>\n";
 }
 
-std::string verdict_html(const Verdict& verdict) {
+std::string verdict_html(const RunVerdict& verdict) {
   std::string rows = row("the run", {std::string("<strong>") + grade_name(verdict.grade) + "</strong>"});
   for (const Judgement& one : verdict.judgements) {
     std::string name = one.criterion;

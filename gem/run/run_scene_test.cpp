@@ -97,8 +97,8 @@ TEST_F(RunFileTest, EverythingComesBack) {
 }
 
 TEST_F(RunFileTest, TheVerdictComesBack) {
-  const Verdict verdict = run().verdict;
-  const Verdict read = verdict_of(RunFile(options_.output));
+  const RunVerdict verdict = run().verdict;
+  const RunVerdict read = verdict_of(RunFile(options_.output));
   EXPECT_NE(verdict.grade, Grade::not_judged);
   EXPECT_EQ(read.grade, verdict.grade);
   ASSERT_EQ(read.judgements.size(), verdict.judgements.size());
@@ -121,7 +121,7 @@ TEST_F(RunFileTest, AFileWithoutAVerdictIsNotJudged) {
     writer.write(Recorder(scene_, engine).take());
     writer.finish("complete", 0);
   }
-  const Verdict verdict = verdict_of(RunFile(options_.output));
+  const RunVerdict verdict = verdict_of(RunFile(options_.output));
   EXPECT_EQ(verdict.grade, Grade::not_judged);
   EXPECT_TRUE(verdict.judgements.empty());
 }
@@ -130,7 +130,7 @@ TEST_F(RunFileTest, ARunThatStopsByItselfIsBad) {
   FakeEngine engine(scene_, fake_field(3));
   engine.stop_at = 100;
   EXPECT_THROW(run_scene(scene_, engine, options_), Error);
-  const Verdict verdict = verdict_of(RunFile(options_.output, true));
+  const RunVerdict verdict = verdict_of(RunFile(options_.output, true));
   EXPECT_EQ(verdict.grade, Grade::bad);
   ASSERT_FALSE(verdict.judgements.empty());
   EXPECT_EQ(verdict.judgements.back().criterion, "stopped");

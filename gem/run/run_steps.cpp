@@ -155,7 +155,7 @@ void RunSteps::fail(const std::exception& error) {
   const auto* fault = dynamic_cast<const Error*>(&error);
   const bool numerical = fault && fault->code() == ExitCode::numerical_stop;
   const RunMeasures measures = watch_.measures();
-  const Verdict verdict = numerical ? judge_stopped_run(measures, error.what()) : judge_run(measures);
+  const RunVerdict verdict = numerical ? judge_stopped_run(measures, error.what()) : judge_run(measures);
   try {
     flush();
     const std::string reason = numerical ? "numerical" : "failure";

@@ -67,7 +67,7 @@ RunMeasures RunWatch::measures() const {
   RunMeasures m = measures_;
   m.nyquist_share = force_.value();
   m.loaded_steps = force_.loaded();
-  if (std::isnan(asked_residual_)) return m;
+  if (std::isnan(asked_residual_) || step_ == 0) return m;
   const auto steps = static_cast<double>(std::max<std::int64_t>(contact_steps_, 1));
   m.unfinished_share = static_cast<double>(unfinished_) / steps;
   // the upper edge of a class of the histogram may exceed the largest value

@@ -59,6 +59,7 @@ TEST_F(RunWatchTest, StepsAboveTheToleranceAreCountedAmongThoseWithContacts) {
 
 TEST_F(RunWatchTest, ARunWithoutContactsLeavesNothing) {
   RunWatch watch = this->watch();
+  EXPECT_TRUE(std::isnan(watch.measures().unfinished_share)) << "no time step, nothing measured";
   add(watch, quality(0, 0.0));
   EXPECT_EQ(watch.measures().unfinished_share, 0.0);
   EXPECT_EQ(watch.measures().residual_most, 0.0);

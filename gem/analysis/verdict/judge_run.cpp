@@ -13,23 +13,23 @@
 namespace gem {
 namespace {
 
-void add(Verdict& verdict, Judgement judgement) {
+void add(RunVerdict& verdict, Judgement judgement) {
   verdict.grade = std::max(verdict.grade, judgement.grade);
   verdict.judgements.push_back(std::move(judgement));
 }
 
 }  // namespace
 
-Verdict judge_run(const RunMeasures& run) {
-  Verdict verdict;
+RunVerdict judge_run(const RunMeasures& run) {
+  RunVerdict verdict;
   for (const auto criterion :
        {judge_overlap, judge_unfinished, judge_residual, judge_speed, judge_energy, judge_nyquist})
     add(verdict, criterion(run));
   return verdict;
 }
 
-Verdict judge_stopped_run(const RunMeasures& run, const std::string& why) {
-  Verdict verdict = judge_run(run);
+RunVerdict judge_stopped_run(const RunMeasures& run, const std::string& why) {
+  RunVerdict verdict = judge_run(run);
   Judgement stop;
   stop.criterion = "stopped";
   stop.grade = Grade::bad;

@@ -7,9 +7,9 @@
 namespace gem {
 
 /// The worst grade of the criteria that could be judged; not_judged if none could.
-Verdict judge_run(const RunMeasures& run);
+RunVerdict judge_run(const RunMeasures& run);
 
 /// A run that stopped by itself because its numbers had failed (`why`) is bad, whatever the other criteria say.
-Verdict judge_stopped_run(const RunMeasures& run, const std::string& why);
+RunVerdict judge_stopped_run(const RunMeasures& run, const std::string& why);
 
 }  // namespace gem

@@ -149,7 +149,7 @@ TEST(Verdict, WhatIsNotMeasuredDoesNotDecide) {
 }
 
 TEST(Verdict, ARunThatStoppedByItselfIsBad) {
-  const Verdict verdict = judge_stopped_run(healthy(), "floe 3 has a speed that is not finite");
+  const RunVerdict verdict = judge_stopped_run(healthy(), "floe 3 has a speed that is not finite");
   EXPECT_EQ(verdict.grade, Grade::bad);
   EXPECT_EQ(verdict.judgements.back().criterion, "stopped");
   EXPECT_EQ(verdict.judgements.back().text, "floe 3 has a speed that is not finite");

@@ -132,7 +132,7 @@ std::vector<SweepRow> done_rows(const SweepCollectChoice& choice) {
 }
 
 /// The verdict of each run, and the value of each criterion.
-void add_verdicts(Columns& columns, const std::vector<Verdict>& verdicts) {
+void add_verdicts(Columns& columns, const std::vector<RunVerdict>& verdicts) {
   std::vector<std::string> grades;
   for (std::size_t run = 0; run < verdicts.size(); ++run) {
     grades.push_back(grade_name(verdicts[run].grade));
@@ -219,7 +219,7 @@ int collect_sweep(const SweepCollectChoice& choice, const SummaryPart& part) {
   std::vector<RunIdentity> identities;
   std::vector<SceneDef> scenes;
   std::vector<RunSeries> series;
-  std::vector<Verdict> verdicts;
+  std::vector<RunVerdict> verdicts;
   for (std::size_t run = 0; run < rows.size(); ++run) {
     const std::string path = run_path(choice.folder, rows[run].name);
     table.runs.push_back(rows[run].name);

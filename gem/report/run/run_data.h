@@ -66,7 +66,7 @@ using Corners = std::vector<Vec2>;
 
 struct RunData {
   RunIdentity identity;
-  Verdict verdict;                // without judgements: not judged
+  RunVerdict verdict;             // without judgements: not judged
   double duration_s = 0.0;        // simulated
   double natural_period_s = 0.0;  // 2 pi sqrt(M / k); 0 without mooring
   double current_speed = 0.0;     // [m/s]

@@ -101,6 +101,7 @@ TEST_F(CommandTest, NonsenseIsBad) {
   for (const auto& row : rows) {
     ASSERT_EQ(shell(jam + "--overwrite --out bad.h5 " + row.change), 0) << text_of("err");
     EXPECT_NE(text_of("out").find("complete"), std::string::npos);
+    EXPECT_NE(text_of("err").find("warning: the run 400_200_100 is bad ("), std::string::npos) << text_of("err");
     EXPECT_NE(text_of("out").find("verdict               bad\n"), std::string::npos) << text_of("out");
     EXPECT_NE(text_of("out").find(std::string("bad         ") + row.reason), std::string::npos) << text_of("out");
     EXPECT_EQ(shell(jam + "--overwrite --out bad.h5 --strict --json -q " + row.change), 6) << text_of("err");

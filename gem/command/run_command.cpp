@@ -122,10 +122,13 @@ int run(RunChoice choice) {
   if (!engine->method().empty()) choice.options.books = reported_only;
   const RunSummary summary = run_scene(scene, *engine, choice.options);
   if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));
-  if (choice.strict && summary.verdict.grade == Grade::bad && summary.stop_signal == 0)
-    throw Error(ExitCode::numerical_stop, "the run " + scene.run.name + " is bad (" +
-                                              criteria_of_grade(summary.verdict, Grade::bad) +
-                                              ") see the verdict: gem info " + shown(summary.file));
+  if (summary.verdict.grade == Grade::bad) {
+    const std::string text = "the run " + scene.run.name + " is bad (" +
+                             criteria_of_grade(summary.verdict, Grade::bad) + ") see its verdict: gem info " +
+                             shown(summary.file);
+    if (choice.strict && summary.stop_signal == 0) throw Error(ExitCode::numerical_stop, text);
+    log.message("warning", text);
+  }
   return exit_code_of_signal(summary.stop_signal);
 }
 

@@ -126,6 +126,18 @@ TEST_F(RunFileTest, AFileWithoutAVerdictIsNotJudged) {
   EXPECT_TRUE(verdict.judgements.empty());
 }
 
+TEST_F(RunFileTest, ADamagedVerdictIsRefused) {
+  run();
+  {
+    const std::lock_guard library(hdf5::library_mutex());
+    const hdf5::Handle file =
+        hdf5::checked(H5Fopen(options_.output.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "open");
+    hdf5::write_text(file, "gem_verdict_grades", "good");  // one word for six criteria
+  }
+  const RunFile file(options_.output);
+  expect_error(ExitCode::file_system, "its verdict is damaged", [&] { verdict_of(file); });
+}
+
 TEST_F(RunFileTest, ARunThatStopsByItselfIsBad) {
   FakeEngine engine(scene_, fake_field(3));
   engine.stop_at = 100;

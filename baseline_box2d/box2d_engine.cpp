@@ -140,7 +140,7 @@ StepQuality Box2dEngine::quality() {
   StepQuality quality;
   quality.contacts = touches_.points();
   quality.iterations = options_.velocity_iterations;
-  quality.residual = quality.maximum_overlap = std::nan("");
+  quality.residual = quality.maximum_overlap = quality.maximum_share = std::nan("");
   for (const Touch& touch : touches_.touches()) {
     if (touch.a != 0) break;
     refresh_outline(touch.b);

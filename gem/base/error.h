@@ -12,7 +12,7 @@ enum class ExitCode : int {
   scene_rejected = 3,
   file_system = 4,
   device = 5,
-  numerical_stop = 6,
+  numerical_stop = 6,  // the numbers failed and the run stopped, or --strict found it bad
   resource_limit = 7,
   some_failed = 8,  // some of several runs failed; each has its own reason
 };

@@ -83,6 +83,58 @@ TEST_F(CommandTest, RunWritesAFileAndASummary) {
   EXPECT_NE(text_of("out").find("\"platform_samples\": 201"), std::string::npos) << text_of("out");
 }
 
+// The full jam before the platform, and what makes nonsense of it.
+const std::string jam = "gem run " GEM_SOURCE_DIR
+                        "/cases/table1.toml --index 27 --threads 1 --set floes.count=400 "
+                        "--set floes.length_m=300.0 --set floes.width_m=200.0 --set floes.start_x_m=-351.0 ";
+
+TEST_F(CommandTest, NonsenseIsBad) {
+  const struct {
+    const char* change;
+    const char* reason;
+  } rows[] = {
+      {"--until 60 --set numerics.iterations_maximum=1", "residual"},
+      {"--until 60 --set contact.solver=independent --set "
+       "'ice.class=[{name=\"thin\",thickness_m=0.01,tenths=4.0},{name=\"thick\",thickness_m=10.0,tenths=4.0}]'",
+       "floe_speed"},
+  };
+  for (const auto& row : rows) {
+    ASSERT_EQ(shell(jam + "--overwrite --out bad.h5 " + row.change), 0) << text_of("err");
+    EXPECT_NE(text_of("out").find("complete"), std::string::npos);
+    EXPECT_NE(text_of("err").find("warning: the run 400_200_100 is bad ("), std::string::npos) << text_of("err");
+    EXPECT_NE(text_of("out").find("verdict               bad\n"), std::string::npos) << text_of("out");
+    EXPECT_NE(text_of("out").find(std::string("bad         ") + row.reason), std::string::npos) << text_of("out");
+    EXPECT_EQ(shell(jam + "--overwrite --out bad.h5 --strict --json -q " + row.change), 6) << text_of("err");
+    EXPECT_EQ(nlohmann::json::parse(text_of("out")).at("verdict"), "bad");
+    EXPECT_NE(text_of("err").find("is bad ("), std::string::npos) << text_of("err");
+    EXPECT_NE(text_of("err").find(row.reason), std::string::npos) << text_of("err");
+    EXPECT_EQ(RunFile(path("bad.h5")).status(), "complete");
+    ASSERT_EQ(shell("gem info bad.h5 --json"), 0);
+    const auto info = nlohmann::json::parse(text_of("out"));
+    EXPECT_EQ(info.at("verdict"), "bad");
+    bool found = false;
+    for (const auto& one : info.at("verdict_criteria"))
+      if (one.at("criterion") == row.reason)
+        found = one.at("grade") == "bad" && one.at("value").get<double>() > one.at("bad_above").get<double>();
+    EXPECT_TRUE(found) << text_of("out");
+    ASSERT_EQ(shell("gem info bad.h5"), 0);
+    EXPECT_NE(text_of("out").find(std::string("bad         ") + row.reason), std::string::npos) << text_of("out");
+  }
+}
+
+TEST_F(CommandTest, AHealthyRunIsNotBad) {
+  EXPECT_EQ(
+      shell("gem run " GEM_SOURCE_DIR "/cases/004_400_25.toml --until 60 --threads 1 --strict --json --out run.h5"), 0)
+      << text_of("err");
+  const auto summary = nlohmann::json::parse(text_of("out"));
+  EXPECT_GT(summary.at("contacts"), 100);
+  EXPECT_EQ(summary.at("verdict"), "doubtful");  // two of three time steps end at the iteration limit
+  for (const auto& one : summary.at("verdict_criteria"))
+    EXPECT_EQ(one.at("grade") == "doubtful", one.at("criterion") == "unfinished_steps") << one;
+  EXPECT_EQ(shell("gem run swing.toml --strict"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("verdict               good\n"), std::string::npos) << text_of("out");
+}
+
 TEST_F(CommandTest, ThePathMayHoldAnyCharacter) {
   ASSERT_EQ(shell("mkdir -p 'a b' && gem run swing.toml -q --out $'a b/\xe6\xb5\xb7\\nice.h5'"), 0) << text_of("err");
   EXPECT_TRUE(exists("a b/\xe6\xb5\xb7\nice.h5"));
@@ -302,6 +354,7 @@ TEST_F(CommandTest, AKilledRunIsReadableToTheLastFlush) {
   }
   ASSERT_EQ(readable, 2);
   EXPECT_EQ(shell("gem info swing.h5"), 0);
+  EXPECT_NE(text_of("out").find("not judged"), std::string::npos) << text_of("out");
   // an incomplete run has no state hash, so the message names none
   const double late = RunFile(path("swing.h5"), true).column("platform/time").back() - 50.0;
   EXPECT_EQ(shell("gem analyse --allow-incomplete swing.h5 swing.h5 --from " + std::to_string(late)), 2);

@@ -5,6 +5,7 @@
 
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
+#include "gem/command/verdict_output.h"
 #include "gem/record/run_file.h"
 
 namespace gem {
@@ -32,6 +33,7 @@ nlohmann::ordered_json describe(const RunFile& file) {
   object["overlap_99_9_m"] = overlaps_of(file, "stats/overlap_count").quantile(0.999);
   object["overlap_largest_share"] = largest("stats/maximum_overlap_share");
   object["overlap_99_9_share"] = overlaps_of(file, "stats/overlap_share_count").quantile(0.999);
+  object["verdict"] = grade_name(verdict_of(file).grade);
   object["end_s"] = std::max(frames.empty() ? 0.0 : frames.back(), time.empty() ? 0.0 : time.back());
   return object;
 }
@@ -66,12 +68,14 @@ void add_info_command(CLI::App& app, Chosen& chosen) {
         print(file.attribute("gem_case_toml"));
         return 0;
       }
-      const nlohmann::ordered_json object = describe(file);
+      nlohmann::ordered_json object = describe(file);
+      const RunVerdict verdict = verdict_of(file);
       if (options->json) {
+        object["verdict_criteria"] = criteria_json(verdict);
         print(object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
         return 0;
       }
-      print(text_of(object));
+      print(text_of(object) + reasons_text(verdict, "  "));
       return 0;
     };
   });

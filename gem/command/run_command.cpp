@@ -8,6 +8,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
+#include "gem/command/verdict_output.h"
 #include "gem/field/field.h"
 #include "gem/record/output_path.h"
 #include "gem/run/run_signals.h"
@@ -30,6 +31,7 @@ struct RunChoice {
   bool dry_run = false;
   bool force = false;
   bool json = false;
+  bool strict = false;
   std::vector<const CLI::Option*> baseline_options;
 };
 
@@ -120,6 +122,13 @@ int run(RunChoice choice) {
   if (!engine->method().empty()) choice.options.books = reported_only;
   const RunSummary summary = run_scene(scene, *engine, choice.options);
   if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));
+  if (summary.verdict.grade == Grade::bad) {
+    const std::string text = "the run " + scene.run.name + " is bad (" +
+                             criteria_of_grade(summary.verdict, Grade::bad) + ") see its verdict: gem info " +
+                             shown(summary.file);
+    if (choice.strict && summary.stop_signal == 0) throw Error(ExitCode::numerical_stop, text);
+    log.message("warning", text);
+  }
   return exit_code_of_signal(summary.stop_signal);
 }
 
@@ -168,6 +177,7 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   command->add_flag("--overwrite", choice->options.overwrite, "replace an existing run file");
   command->add_flag("--dry-run", choice->dry_run, "check the case and print what the run needs, without running it");
   command->add_flag("--force", choice->force, "run even if memory or disk seem too small");
+  command->add_flag("--strict", choice->strict, "exit code 6 if the verdict on the run is bad");
   command->add_option("--progress", choice->progress, "progress on standard error")
       ->check(CLI::IsMember({"auto", "none", "line", "json"}))
       ->capture_default_str();
@@ -176,6 +186,8 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
   command->add_flag("--json", choice->json, "summary as JSON");
+  command->footer(
+      "Every run ends with a verdict: good, doubtful or bad, with its reasons. It is in the run file, see `gem info`.");
   command->callback([choice, &chosen] {
     choice->options.command_line = chosen.command_line;
     chosen.json_messages = choice->log_format == "json";

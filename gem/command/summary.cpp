@@ -1,11 +1,11 @@
 // The summary of a run, for people and as JSON.
 #include <algorithm>
 #include <cmath>
-
 #include <nlohmann/json.hpp>
 
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
+#include "gem/command/verdict_output.h"
 #include "gem/record/run_writer.h"
 
 namespace gem {
@@ -48,6 +48,7 @@ std::string summary_text(const RunSummary& s) {
   text += line("energy residual", number_text(s.residual.energy, 3));
   text += line("peak memory", size_text(s.peak_memory));
   text += line("state hash", hash_text(s.state_hash));
+  text += line("verdict", grade_name(s.verdict.grade)) + reasons_text(s.verdict, "    ");
   return text;
 }
 
@@ -77,7 +78,9 @@ std::string summary_json(const RunSummary& s) {
                                          {"residual_angular_momentum", s.residual.angular_momentum},
                                          {"residual_energy", s.residual.energy},
                                          {"peak_memory_bytes", s.peak_memory},
-                                         {"state_hash", hash_text(s.state_hash)}};
+                                         {"state_hash", hash_text(s.state_hash)},
+                                         {"verdict", grade_name(s.verdict.grade)},
+                                         {"verdict_criteria", criteria_json(s.verdict)}};
   return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

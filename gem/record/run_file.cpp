@@ -146,14 +146,23 @@ std::string RunFile::attribute(const std::string& name) const {
   });
 }
 
-double RunFile::number_attribute(const std::string& name) const {
+std::vector<double> RunFile::number_list(const std::string& name) const {
   return reading(path(), [&] {
     const Handle attribute = checked(H5Aopen(inside_->file, name.c_str(), H5P_DEFAULT), H5Aclose, name.c_str());
     const Handle space = checked(H5Aget_space(attribute), H5Sclose, name.c_str());
-    if (H5Sget_simple_extent_npoints(space) != 1) throw hdf5::Failure{name + ": not one number"};
-    double value = 0.0;
-    check(H5Aread(attribute, H5T_NATIVE_DOUBLE, &value), name.c_str());
-    return value;
+    const hssize_t size = H5Sget_simple_extent_npoints(space);
+    if (size < 0) throw hdf5::Failure{name + ": no numbers"};
+    std::vector<double> values(static_cast<std::size_t>(size));
+    if (size > 0) check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), name.c_str());
+    return values;
+  });
+}
+
+double RunFile::number_attribute(const std::string& name) const {
+  return reading(path(), [&] {
+    const std::vector<double> values = number_list(name);
+    if (values.size() != 1) throw hdf5::Failure{name + ": not one number"};
+    return values.front();
   });
 }
 

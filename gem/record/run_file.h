@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gem/engine/step/overlap_count.h"
+#include "gem/record/verdict.h"
 #include "gem/scene/scene_def.h"
 
 namespace gem {
@@ -33,6 +34,8 @@ class RunFile {
   /// A text attribute of the root, e.g. "gem_engine". "gem_case_toml" returns the whole case. Empty if there is none.
   std::string attribute(const std::string& name) const;
   double number_attribute(const std::string& name) const;
+  /// A list of numbers, or one number, of the root.
+  std::vector<double> number_list(const std::string& name) const;
   /// How contacts were solved; older files call it gem_resolution.
   std::string solver() const;
   /// A whole dataset by path, e.g. "platform/x". Two-dimensional data are row by row.
@@ -61,6 +64,10 @@ class RunFile {
 /// All overlaps of a run by size class, from stats/overlap_count or stats/overlap_share_count. Empty if the file has no
 /// such dataset.
 OverlapCount overlaps_of(const RunFile& file, const std::string& dataset);
+
+/// The verdict that the run ended with. Without judgements if the file has none: it is older, or the run still runs or
+/// was killed. Throws Error(file_system) if its lists differ in length.
+RunVerdict verdict_of(const RunFile& file);
 
 /// Whether the file begins with an HDF5 signature.
 bool is_run_file(const std::string& path);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "gem/record/verdict_attributes.h"
 #include "gem_version.h"
 
 namespace gem {
@@ -184,5 +185,7 @@ void RunLayout::append_rest() {
 void RunLayout::set_text(const char* attribute, const std::string& text) {
   hdf5::write_text(file_.id(), attribute, text);
 }
+
+void RunLayout::set_verdict(const RunVerdict& verdict) { write_verdict(file_.id(), verdict); }
 
 }  // namespace gem

@@ -26,6 +26,8 @@ class RunLayout {
   double saved_time() const { return saved_time_; }
   bool any_written() const { return any_written_; }
   void set_text(const char* attribute, const std::string& text);
+  /// Once per file; the attributes are gem_verdict and gem_verdict_*, see verdict_attributes.h.
+  void set_verdict(const RunVerdict& verdict);
   void flush() { file_.flush(); }
   void close() { file_.close(); }
   void abandon() { file_.abandon(); }

@@ -87,13 +87,14 @@ class RunWriter::Thread {
     if (failed_) throw failure();
   }
 
-  void finish(const std::string& status, std::uint64_t state_hash) {
+  void finish(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
     stop();
     if (layout_ == nullptr) throw failure();
     guarded([&] {
       if (!layout_->waiting().empty() && !has_room_for({}) && !failed_) remember("no room left on the disk");
       if (!failed_) layout_->append_rest();
       layout_->set_text("gem_state_hash", hash_text(state_hash));
+      if (!verdict.judgements.empty()) layout_->set_verdict(verdict);
       layout_->set_text("gem_status", failed_ ? "stopped:" + why_ : status);
       flush();
     });
@@ -242,6 +243,8 @@ void RunWriter::write(Slab slab) { thread_->put(std::move(slab)); }
 
 void RunWriter::check() const { thread_->check(); }
 
-void RunWriter::finish(const std::string& status, std::uint64_t state_hash) { thread_->finish(status, state_hash); }
+void RunWriter::finish(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
+  thread_->finish(status, state_hash, verdict);
+}
 
 }  // namespace gem

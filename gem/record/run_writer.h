@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gem/record/schema.h"
+#include "gem/record/verdict.h"
 
 namespace gem {
 
@@ -49,9 +50,10 @@ class RunWriter {
   void write(Slab slab);
   /// Throws the Error of the writer thread, if there is one. Cheap.
   void check() const;
-  /// Waits for the queue, sets the status ("complete" or "stopped:<reason>") and the state hash, and closes the file.
-  /// After a failed write it sets the status if the file allows it, and throws the failure.
-  void finish(const std::string& status, std::uint64_t state_hash);
+  /// Waits for the queue, sets the status ("complete" or "stopped:<reason>"), the state hash and the verdict (none if
+  /// it has no judgements), and closes the file. After a failed write it sets them if the file allows it, and throws
+  /// the failure.
+  void finish(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict = {});
 
  private:
   class Thread;

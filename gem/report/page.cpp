@@ -99,6 +99,12 @@ std::string warning(const RunIdentity& identity) {
          "). Everything below covers only the part that was recorded.</p>\n";
 }
 
+std::string bad_warning(const RunVerdict& verdict) {
+  if (verdict.grade != Grade::bad) return "";
+  return "<p class=\"warning\">The numbers of this run cannot be believed: its verdict is bad. The reasons are in the "
+         "table Verdict.</p>\n";
+}
+
 }  // namespace
 
 std::string page_title(const std::string& run) { return escaped(run) + " - run report"; }
@@ -111,10 +117,11 @@ std::string page_html(const RunData& run, const RunFindings& findings, const std
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       page_title(run.identity.name) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
   html += "<header><h1>" + name + "</h1>\n<p>Ice loads on a moored platform: report of one run</p></header>\n";
-  html += warning(run.identity) + headline_html(run, findings, analysis);
+  html += warning(run.identity) + bad_warning(run.verdict) + headline_html(run, findings, analysis);
   html += figures.field.empty() ? no_field_html(run) : section("The field", figures.field, false);
-  html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + motion_html(run, findings, analysis) +
-          loads_html(run, findings, analysis) + quality_html(run, findings) + identity_html(run) + "</section>\n";
+  html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + verdict_html(run.verdict) +
+          motion_html(run, findings, analysis) + loads_html(run, findings, analysis) + quality_html(run, findings) +
+          identity_html(run) + "</section>\n";
   html += section("Motion of the platform", figures.motion, true);
   html += section("Forces on the platform", figures.force, true);
   html += section("Books of the run", figures.books, false);

@@ -114,7 +114,18 @@ std::string headline_html(const RunData& run, const RunFindings& findings, const
   }
   if (findings.quality.speed > 0.0)
     html += figure_of_run(rounded_text(findings.quality.speed, 3) + " &times;", "real time");
+  html += figure_of_run(grade_name(run.verdict.grade), "verdict on the run");
   return html + "</section>\n";
+}
+
+std::string verdict_html(const RunVerdict& verdict) {
+  std::string rows = row("the run", {std::string("<strong>") + grade_name(verdict.grade) + "</strong>"});
+  for (const Judgement& one : verdict.judgements) {
+    std::string name = one.criterion;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    rows += row(escaped(name), {std::string(grade_name(one.grade)) + ": " + escaped(one.text)});
+  }
+  return table("Verdict", rows);
 }
 
 std::string identity_html(const RunData& run) {

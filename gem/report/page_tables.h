@@ -13,6 +13,7 @@ std::string headline_html(const RunData& run, const RunFindings& findings, const
 std::string identity_html(const RunData& run);
 std::string motion_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis);
 std::string loads_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis);
+std::string verdict_html(const RunVerdict& verdict);
 std::string quality_html(const RunData& run, const RunFindings& findings);
 
 }  // namespace gem

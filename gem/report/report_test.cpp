@@ -122,6 +122,23 @@ TEST_F(Report, SaysWhatWasNotMeasured) {
   EXPECT_NE(html.find("energy created by the contacts of one time step</th><td>3.0e+00 J</td>"), std::string::npos);
 }
 
+TEST_F(Report, ShowsTheVerdict) {
+  RunData run = swinging_platform();
+  run.verdict.grade = Grade::bad;
+  run.verdict.judgements.emplace_back();
+  run.verdict.judgements.back().criterion = "floe_speed";
+  run.verdict.judgements.back().grade = Grade::bad;
+  run.verdict.judgements.back().text = "fastest floe <19> m/s";
+  write_report(run, out(), false);
+  const std::string html = page();
+  EXPECT_NE(html.find("its verdict is bad"), std::string::npos);
+  EXPECT_NE(html.find("floe speed</th><td>bad: fastest floe &lt;19&gt; m/s</td>"), std::string::npos);
+  run.verdict.grade = Grade::doubtful;
+  write_report(run, out(), false);
+  EXPECT_EQ(page().find("its verdict is bad"), std::string::npos);
+  EXPECT_NE(page().find("<strong>doubtful</strong>"), std::string::npos);
+}
+
 TEST_F(Report, SaysWhatTheAnalysisSays) {
   const RunData run = swinging_platform();
   const std::vector<Finding> analysis = whole_run_analysis(run);
@@ -333,6 +350,7 @@ TEST_F(Report, ReadsARunFile) {
   const std::string html = page();
   EXPECT_NE(html.find("<h1>tiny</h1>"), std::string::npos);
   EXPECT_NE(html.find("0000000000001234"), std::string::npos);
+  EXPECT_NE(html.find("<strong>not judged</strong>"), std::string::npos) << "the file has no verdict";
   EXPECT_NE(html.find("88.86 s"), std::string::npos);
   EXPECT_LT(fs::file_size(folder_ / "report" / "figures" / "field_end.csv"),
             fs::file_size(folder_ / "report" / "figures" / "field_start.csv"));

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "gem/engine/engine.h"
+#include "gem/record/verdict.h"
 #include "gem/run/run_log.h"
 #include "gem/scene/scene_def.h"
 
@@ -51,6 +52,7 @@ struct RunSummary {
   std::int64_t at_limit = 0;   // coupled time steps that ended at the iteration limit
   OverlapCount overlap;        // of all time steps [m]
   OverlapCount overlap_share;  // depth over the size (root of the area) of the smaller body
+  RunVerdict verdict;
   double active_floes = 0.0;
   double peak_memory = 0.0;  // of the process [bytes]
 };

@@ -96,6 +96,59 @@ TEST_F(RunFileTest, EverythingComesBack) {
   EXPECT_DOUBLE_EQ(file.boundary_outlines()[0][0].y, -51.0);
 }
 
+TEST_F(RunFileTest, TheVerdictComesBack) {
+  const RunVerdict verdict = run().verdict;
+  const RunVerdict read = verdict_of(RunFile(options_.output));
+  EXPECT_NE(verdict.grade, Grade::not_judged);
+  EXPECT_EQ(read.grade, verdict.grade);
+  ASSERT_EQ(read.judgements.size(), verdict.judgements.size());
+  for (std::size_t i = 0; i < read.judgements.size(); ++i) {
+    const Judgement &one = read.judgements[i], &other = verdict.judgements[i];
+    EXPECT_EQ(one.criterion, other.criterion);
+    EXPECT_EQ(one.grade, other.grade);
+    EXPECT_EQ(one.text, other.text);
+    EXPECT_TRUE(one.value == other.value || (std::isnan(one.value) && std::isnan(other.value)));
+    EXPECT_EQ(one.doubtful_above, other.doubtful_above);
+    EXPECT_EQ(one.bad_above, other.bad_above);
+    EXPECT_TRUE(one.time_s == other.time_s || (std::isnan(one.time_s) && std::isnan(other.time_s)));
+  }
+}
+
+TEST_F(RunFileTest, AFileWithoutAVerdictIsNotJudged) {
+  FakeEngine engine(scene_, fake_field(3));
+  {
+    RunWriter writer(options_.output, false, scene_, engine.bodies(), {});
+    writer.write(Recorder(scene_, engine).take());
+    writer.finish("complete", 0);
+  }
+  const RunVerdict verdict = verdict_of(RunFile(options_.output));
+  EXPECT_EQ(verdict.grade, Grade::not_judged);
+  EXPECT_TRUE(verdict.judgements.empty());
+}
+
+TEST_F(RunFileTest, ADamagedVerdictIsRefused) {
+  run();
+  {
+    const std::lock_guard library(hdf5::library_mutex());
+    const hdf5::Handle file =
+        hdf5::checked(H5Fopen(options_.output.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "open");
+    hdf5::write_text(file, "gem_verdict_grades", "good");  // one word for six criteria
+  }
+  const RunFile file(options_.output);
+  expect_error(ExitCode::file_system, "its verdict is damaged", [&] { verdict_of(file); });
+}
+
+TEST_F(RunFileTest, ARunThatStopsByItselfIsBad) {
+  FakeEngine engine(scene_, fake_field(3));
+  engine.stop_at = 100;
+  EXPECT_THROW(run_scene(scene_, engine, options_), Error);
+  const RunVerdict verdict = verdict_of(RunFile(options_.output, true));
+  EXPECT_EQ(verdict.grade, Grade::bad);
+  ASSERT_FALSE(verdict.judgements.empty());
+  EXPECT_EQ(verdict.judgements.back().criterion, "stopped");
+  EXPECT_EQ(verdict.judgements.back().text, "floe 3 has a speed that is not finite");
+}
+
 TEST_F(RunFileTest, SchemaMatchesTheFile) {
   run();
   const RunFile file(options_.output);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 
+#include "gem/analysis/verdict/judge_run.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/scene/toml/scene_file.h"
@@ -48,7 +49,12 @@ void check_book(const char* what, double residual, double limit, double time) {
 }  // namespace
 
 RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& options)
-    : scene_(scene), engine_(engine), options_(options), log_(options.log), recorder_(scene, engine) {
+    : scene_(scene),
+      engine_(engine),
+      options_(options),
+      log_(options.log),
+      recorder_(scene, engine),
+      watch_(scene, engine) {
   last_step_ = steps_of(scene);
   if (options.step_limit > 0) last_step_ = std::min(last_step_, options.step_limit);
   summary_.frames = 1;
@@ -78,6 +84,7 @@ void RunSteps::last_frame() {
 
 void RunSteps::take(const StepLog& log) {
   recorder_.add(log, last_step_);
+  watch_.add(log);
   const bool coupled = scene_.contact.solver == ContactSolver::coupled;
   for (const StepQuality& quality : log.quality) {
     summary_.worst.worsen(quality);
@@ -94,6 +101,7 @@ void RunSteps::take(const StepLog& log) {
 
 void RunSteps::frame() {
   const StatsRow row = recorder_.add_frame(engine_, seconds_since(start_));
+  watch_.look_at(engine_.bodies(), row);
   frame_step_ = engine_.step();
   ++summary_.frames;
   LedgerResidual& worst = summary_.residual;
@@ -128,8 +136,9 @@ RunSummary RunSteps::finish(int stop_signal) {
                     : engine_.step() < steps_of(scene_) ? "stopped:time step limit"
                                                         : "complete";
   summary_.state_hash = engine_.state_hash();
+  summary_.verdict = judge_run(watch_.measures());
   flush();
-  if (writer_) writer_->finish(summary_.status, summary_.state_hash);
+  if (writer_) writer_->finish(summary_.status, summary_.state_hash, summary_.verdict);
   summary_.time = time();
   summary_.wall_time = seconds_since(start_);
   summary_.sim_rate = summary_.wall_time > 0.0 ? summary_.time / summary_.wall_time : 0.0;
@@ -144,10 +153,13 @@ RunSummary RunSteps::finish(int stop_signal) {
 void RunSteps::fail(const std::exception& error) {
   if (!writer_) return;
   const auto* fault = dynamic_cast<const Error*>(&error);
-  const std::string reason = fault && fault->code() == ExitCode::numerical_stop ? "numerical" : "failure";
+  const bool numerical = fault && fault->code() == ExitCode::numerical_stop;
+  const RunMeasures measures = watch_.measures();
+  const RunVerdict verdict = numerical ? judge_stopped_run(measures, error.what()) : judge_run(measures);
   try {
     flush();
-    writer_->finish("stopped:" + reason + ": " + error.what(), engine_.state_hash());
+    const std::string reason = numerical ? "numerical" : "failure";
+    writer_->finish("stopped:" + reason + ": " + error.what(), engine_.state_hash(), verdict);
   } catch (const std::exception&) {
     // the first error is the one to report
   }

@@ -7,6 +7,7 @@
 
 #include "gem/record/recorder.h"
 #include "gem/run/run_scene.h"
+#include "gem/run/run_watch.h"
 
 namespace gem {
 
@@ -44,6 +45,7 @@ class RunSteps {
   const RunOptions& options_;
   RunLog log_;
   Recorder recorder_;
+  RunWatch watch_;
   std::optional<RunWriter> writer_;
   RunSummary summary_;
   std::int64_t last_step_ = 0;

@@ -131,6 +131,17 @@ std::vector<SweepRow> done_rows(const SweepCollectChoice& choice) {
   return rows;
 }
 
+/// The verdict of each run, and the value of each criterion.
+void add_verdicts(Columns& columns, const std::vector<RunVerdict>& verdicts) {
+  std::vector<std::string> grades;
+  for (std::size_t run = 0; run < verdicts.size(); ++run) {
+    grades.push_back(grade_name(verdicts[run].grade));
+    for (const Judgement& one : verdicts[run].judgements)
+      columns.set(run, "verdict_" + one.criterion, "1", "value that was judged: " + in_words(one.criterion), one.value);
+  }
+  columns.add_texts("verdict", "how far the run can be believed: good, doubtful, bad or not judged", grades);
+}
+
 void add_origin(Columns& columns, const std::vector<SweepRow>& rows, const std::vector<RunIdentity>& identities) {
   std::vector<std::string> hashes, engines, cases, sources, solvers;
   for (std::size_t run = 0; run < rows.size(); ++run) {
@@ -208,12 +219,14 @@ int collect_sweep(const SweepCollectChoice& choice, const SummaryPart& part) {
   std::vector<RunIdentity> identities;
   std::vector<SceneDef> scenes;
   std::vector<RunSeries> series;
+  std::vector<RunVerdict> verdicts;
   for (std::size_t run = 0; run < rows.size(); ++run) {
     const std::string path = run_path(choice.folder, rows[run].name);
     table.runs.push_back(rows[run].name);
     const RunData data = load_run(path, false);
     const RunFile records(path);
     identities.push_back(data.identity);
+    verdicts.push_back(data.verdict);
     scenes.push_back(parse_scene(records.attribute("gem_case_toml"), path));
     set_quality(columns, run, data);
     set_platform(columns, run, data, choice.from_s);
@@ -221,6 +234,7 @@ int collect_sweep(const SweepCollectChoice& choice, const SummaryPart& part) {
     if (choice.interval_s > 0.0) series.back().path = kept_path(path, choice);
     if (part.look_at) part.look_at(records, data);
   }
+  add_verdicts(columns, verdicts);
   add_origin(columns, rows, identities);
   table.columns = setting_columns(scenes);
   table.columns.insert(table.columns.end(), columns.list.begin(), columns.list.end());

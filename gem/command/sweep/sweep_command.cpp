@@ -65,6 +65,7 @@ void add_run(CLI::App& group, Chosen& chosen) {
   run->add_flag("--overwrite", choice->overwrite, "run again what is done, and replace files of other cases");
   run->add_flag("--dry-run", choice->dry_run,
                 "print which runs would be made and what they need, without running or writing anything");
+  run->add_flag("--strict", choice->strict, "exit code 6 if the verdict on a chosen run is bad");
   run->add_flag("--force", choice->force, "run even if memory or disk seem too small");
   run->add_option("--progress", choice->progress, "progress on standard error")
       ->check(CLI::IsMember({"auto", "none", "line", "json"}))
@@ -76,7 +77,8 @@ void add_run(CLI::App& group, Chosen& chosen) {
   run->add_flag("--json", choice->json, "summary as JSON");
   run->footer(
       "Several calls may share one DIR, on one machine or many: each takes runs that no other call has taken.\n"
-      "Exit code 8: some runs failed, all others were made. A single chosen run returns its own code.");
+      "Exit code 8: some runs failed, all others were made. A single chosen run returns its own code.\n"
+      "Exit code 6 with --strict: all runs were made, and some are bad, also those that were done before.");
   run->callback([choice, &chosen] {
     choice->command_line = chosen.command_line;
     chosen.json_messages = choice->log_format == "json";

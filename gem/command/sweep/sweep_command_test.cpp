@@ -17,6 +17,7 @@
 #include "gem/command/index_list.h"
 #include "gem/command/sweep/sweep_folder.h"
 #include "gem/record/run_file.h"
+#include "gem/record/summary_file.h"
 
 namespace gem {
 namespace {
@@ -126,6 +127,27 @@ class SweepCommandTest : public testing::Test {
   /// Makes each run take long enough to be interrupted.
   const Words slow_ = {"--set", "numerics.time_step_s=2e-5", "--set", "output.platform_interval_s=0.02"};
 };
+
+TEST_F(SweepCommandTest, StrictCountsTheBadRuns) {
+  EXPECT_EQ(sweep("fine", {"--strict"}), 0) << text_of("err_");
+  const Json fine = Json::parse(text_of("out_"));
+  EXPECT_EQ(fine.at("bad"), 0);
+  EXPECT_EQ(fine.at("good").get<int>() + fine.at("doubtful").get<int>(), 6);
+  const Words once = {"--set", "numerics.iterations_maximum=1"};
+  EXPECT_EQ(sweep("nonsense", once), 0) << text_of("err_");
+  EXPECT_EQ(Json::parse(text_of("out_")).at("bad"), 6);
+  EXPECT_EQ(sweep("nonsense", {once[0], once[1], "--strict"}), 6) << "runs done before count too";
+  EXPECT_NE(text_of("err_").find("6 of 6 runs are bad"), std::string::npos) << text_of("err_");
+  for (const auto& [name, verdict] : status("nonsense", "verdict")) EXPECT_EQ(verdict, "bad") << name;
+  EXPECT_EQ(gem({"sweep", "status", "nonsense"}), 0);
+  EXPECT_NE(text_of("out_").find("bad"), std::string::npos) << text_of("out_");
+  ASSERT_EQ(gem({"sweep", "collect", "nonsense", "--out", "s.h5"}), 0) << text_of("err_");
+  const SummaryTable table = read_summary(path("s.h5"));
+  ASSERT_NE(table.column("verdict"), nullptr);
+  EXPECT_EQ(table.column("verdict")->texts, Words(6, "bad"));
+  ASSERT_NE(table.column("verdict_residual"), nullptr);
+  for (const double share : table.column("verdict_residual")->numbers) EXPECT_GT(share, 0.2);
+}
 
 TEST_F(SweepCommandTest, EveryRunHasTheBitsThatItHasAlone) {
   ASSERT_EQ(sweep("d"), 0) << text_of("err_");

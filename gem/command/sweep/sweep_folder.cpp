@@ -52,13 +52,14 @@ Json json_of(const SweepRow& row) {
           {"time_s", row.time_s},
           {"wall_time_s", row.wall_time_s},
           {"error", row.error},
+          {"verdict", row.verdict},
           {"case_sha256", row.case_sha256}};
 }
 
 SweepRow row_of(const Json& object) {
-  return {object.at("index"),       object.at("name"),   object.at("case_sha256"), object.at("status"),
-          object.at("state_hash"),  object.at("engine"), object.at("duration_s"),  object.at("time_s"),
-          object.at("wall_time_s"), object.at("error")};
+  return {object.at("index"),       object.at("name"),   object.at("case_sha256"),   object.at("status"),
+          object.at("state_hash"),  object.at("engine"), object.at("duration_s"),    object.at("time_s"),
+          object.at("wall_time_s"), object.at("error"),  object.value("verdict", "")};
 }
 
 Json list_of(const std::vector<SweepRow>& rows) {
@@ -103,6 +104,7 @@ void judge(SweepRow& row, const RunFile& file, const std::string& engine) {
     return;
   }
   row.engine = found;
+  row.verdict = grade_name(verdict_of(file).grade);
   row.time_s = last_of(file, "stats/time");
   row.wall_time_s = last_of(file, "stats/wall_time");
   row.state_hash = status == "running" ? "" : file.attribute("gem_state_hash");
@@ -258,6 +260,7 @@ SweepRow look_at_file(const std::string& folder, SweepRow row, const std::string
   }
   row.engine.clear();
   row.state_hash.clear();
+  row.verdict.clear();
   row.time_s = row.wall_time_s = 0.0;
   try {
     judge(row, RunFile(path, true), engine);

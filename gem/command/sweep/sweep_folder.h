@@ -21,6 +21,7 @@ struct SweepRow {
   double time_s = 0.0;       // simulated
   double wall_time_s = 0.0;  // wall time of the run
   std::string error;         // why it is not done; empty if unknown
+  std::string verdict;       // good | doubtful | bad | not judged; empty: no file
 };
 
 /// A lock that ends with the object, or with the process. It is a lock of the operating system on one byte of

@@ -35,6 +35,7 @@ Outcome outcome_of(const RunSummary& summary, SweepRow& row) {
   row.engine = summary.engine;
   row.time_s = summary.time;
   row.wall_time_s = summary.wall_time;
+  row.verdict = grade_name(summary.verdict.grade);
   const bool complete = summary.status == "complete";
   row.status = complete ? "done" : "stopped";
   row.error = complete ? "" : summary.status;

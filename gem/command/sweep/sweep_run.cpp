@@ -14,6 +14,7 @@
 #include "gem/command/sweep/process_pool.h"
 #include "gem/command/sweep/sweep_plan.h"
 #include "gem/record/output_path.h"
+#include "gem/record/verdict.h"
 #include "gem/run/run_signals.h"
 
 namespace gem {
@@ -171,7 +172,30 @@ class SweepRun {
   Clock::time_point start_;
 };
 
-std::string count_text(const Count& all, double wall, std::size_t runs) {
+/// The state of every chosen run now, from its file.
+std::vector<SweepRow> rows_now(const SweepPlan& plan) {
+  std::vector<SweepRow> rows = plan.rows;
+  for (SweepRow& row : rows) row = look_at_run(plan.settings.folder, row, plan.settings.engine.name);
+  return rows;
+}
+
+/// Number of done runs with this verdict.
+std::size_t with_verdict(const std::vector<SweepRow>& rows, const std::string& verdict) {
+  return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [&verdict](const SweepRow& row) {
+    return row.status == "done" && row.verdict == verdict;
+  }));
+}
+
+std::string verdicts_text(const std::vector<SweepRow>& rows) {
+  std::string text;
+  for (const Grade grade : {Grade::good, Grade::doubtful, Grade::bad, Grade::not_judged})
+    if (const std::size_t runs = with_verdict(rows, grade_name(grade)); runs > 0)
+      text += (text.empty() ? "  verdict: " : ", ") + std::to_string(runs) + " " + grade_name(grade);
+  return text.empty() ? "" : text + "\n";
+}
+
+std::string count_text(const Count& all, double wall, const std::vector<SweepRow>& rows) {
+  const std::size_t runs = rows.size();
   std::string text =
       std::to_string(runs) + (runs == 1 ? " run: " : " runs: ") + std::to_string(all.done + all.already) + " done";
   if (all.already > 0) text += " (" + std::to_string(all.already) + " before)";
@@ -179,13 +203,10 @@ std::string count_text(const Count& all, double wall, std::size_t runs) {
   if (all.stopped > 0) text += ", " + std::to_string(all.stopped) + " stopped";
   if (all.elsewhere > 0) text += ", " + std::to_string(all.elsewhere) + " in another process";
   return text + "\n  simulated " + number_text(all.time) + " s in " + fixed_text(wall, 2) + " s, " +
-         fixed_text(wall > 0.0 ? all.time / wall : 0.0, 1) + " x real time\n";
+         fixed_text(wall > 0.0 ? all.time / wall : 0.0, 1) + " x real time\n" + verdicts_text(rows);
 }
 
-std::string count_json(const Count& all, double wall, const SweepPlan& plan) {
-  std::vector<SweepRow> rows;
-  for (const SweepRow& row : plan.rows) rows.push_back(row);
-  for (SweepRow& row : rows) row = look_at_run(plan.settings.folder, row, plan.settings.engine.name);
+std::string count_json(const Count& all, double wall, const std::vector<SweepRow>& rows) {
   const Json object = {{"done", all.done + all.already},
                        {"done_before", all.already},
                        {"failed", all.failed},
@@ -193,8 +214,21 @@ std::string count_json(const Count& all, double wall, const SweepPlan& plan) {
                        {"elsewhere", all.elsewhere},
                        {"time_s", all.time},
                        {"wall_time_s", wall},
+                       {"good", with_verdict(rows, grade_name(Grade::good))},
+                       {"doubtful", with_verdict(rows, grade_name(Grade::doubtful))},
+                       {"bad", with_verdict(rows, grade_name(Grade::bad))},
                        {"runs", Json::parse(rows_json(rows))}};
   return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// Throws Error(numerical_stop) if a run is bad.
+void refuse_bad(const std::vector<SweepRow>& rows, const std::string& folder) {
+  const std::size_t bad = with_verdict(rows, grade_name(Grade::bad));
+  if (bad == 0) return;
+  throw Error(ExitCode::numerical_stop, std::to_string(bad) + " of " + std::to_string(rows.size()) +
+                                            (rows.size() == 1 ? " run is" : " runs are") +
+                                            " bad (by the verdict) see gem sweep status " + shown(folder) +
+                                            ", and gem info of each for the reasons");
 }
 
 void make_folder(const std::string& folder) {
@@ -231,9 +265,10 @@ int run_sweep(const SweepRunChoice& choice) {
   SweepRun run(plan, log);
   run.go();
   const Count came_to = run.count();
+  const std::vector<SweepRow> rows = rows_now(plan);
   if (!choice.quiet || choice.json)
-    print(choice.json ? count_json(came_to, run.wall_time(), plan)
-                      : count_text(came_to, run.wall_time(), plan.rows.size()));
+    print(choice.json ? count_json(came_to, run.wall_time(), rows) : count_text(came_to, run.wall_time(), rows));
+  if (run.exit_code() == 0 && choice.strict) refuse_bad(rows, choice.folder);
   return run.exit_code();
 }
 

@@ -24,10 +24,12 @@ struct SweepRunChoice {
   bool force = false;
   bool quiet = false;
   bool json = false;
+  bool strict = false;
 };
 
-/// Makes the runs that are not done yet. Returns 0, the exit code of a signal, ExitCode::some_failed, or for a single
-/// chosen run its own exit code. Throws Error before anything is computed if the choice itself is wrong.
+/// Makes the runs that are not done yet. Returns 0, the exit code of a signal, ExitCode::some_failed, for a single
+/// chosen run its own exit code, or if `strict` ExitCode::numerical_stop for a bad run among the chosen ones. Throws
+/// Error before anything is computed if the choice itself is wrong.
 int run_sweep(const SweepRunChoice& choice);
 
 }  // namespace gem

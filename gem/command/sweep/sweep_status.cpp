@@ -31,14 +31,14 @@ std::string table_text(const std::vector<SweepRow>& rows) {
     return text + "  ";
   };
   std::string text = cell("run", 5) + cell("name", width) + cell("status", 7) + cell("state hash", 16) +
-                     cell("engine", 6) + cell("simulated", 9) + cell("wall", 7) + "why\n";
+                     cell("engine", 6) + cell("simulated", 9) + cell("wall", 7) + cell("verdict", 10) + "why\n";
   std::map<std::string, int> count;
   for (const SweepRow& row : rows) {
     ++count[row.status];
     text += cell(std::to_string(row.index), 5) + cell(shown(row.name), width) + cell(row.status, 7) +
             cell(row.state_hash.empty() ? "-" : row.state_hash, 16) + cell(row.engine.empty() ? "-" : row.engine, 6) +
-            cell(number_text(row.time_s, 6) + " s", 9) + cell(fixed_text(row.wall_time_s, 1) + " s", 7) + row.error +
-            "\n";
+            cell(number_text(row.time_s, 6) + " s", 9) + cell(fixed_text(row.wall_time_s, 1) + " s", 7) +
+            cell(row.verdict.empty() ? "-" : row.verdict, 10) + row.error + "\n";
   }
   text += std::to_string(rows.size()) + " runs:";
   for (const auto& [status, runs] : count) text += " " + std::to_string(runs) + " " + status;

@@ -101,6 +101,7 @@ RunData load_run(const std::string& run_file, bool allow_incomplete) {
   const SceneDef scene = parse_scene(file.attribute("gem_case_toml"), run_file);
   RunData run;
   run.identity = identity(file, scene);
+  run.verdict = verdict_of(file);
   run.current_speed = length(scene.current.velocity_m_per_s);
   run.force_window_s = scene.output.force_window_s;
   run.rest = scene.platform.anchor_m;

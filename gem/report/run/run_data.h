@@ -7,6 +7,7 @@
 
 #include "gem/base/vec2.h"
 #include "gem/engine/step/overlap_count.h"
+#include "gem/record/verdict.h"
 
 namespace gem {
 
@@ -65,6 +66,7 @@ using Corners = std::vector<Vec2>;
 
 struct RunData {
   RunIdentity identity;
+  RunVerdict verdict;             // without judgements: not judged
   double duration_s = 0.0;        // simulated
   double natural_period_s = 0.0;  // 2 pi sqrt(M / k); 0 without mooring
   double current_speed = 0.0;     // [m/s]

@@ -8,15 +8,16 @@
 namespace gem {
 namespace {
 
-/// A round starts with this stiffness over the compliance of a point. It falls twice later: a high stiffness soon
-/// brings the points together, a low one brings the impulses and the velocities of the bodies together. These numbers
-/// and those below were chosen in jams (bench/notebook.md, "Operator splitting").
-constexpr float first_stiffness = 20.0F, fall = 0.1F, least_stiffness = 0.3F;
-/// The stiffness may change after so many iterations. Points whose difference persists become stiffer, in the first
-/// intervals and while points differ more than bodies. Otherwise all points become less stiff.
-constexpr std::int64_t change_interval = 16, raises = 2;
-/// Longest round. A round also ends when it has gained what single precision can hold.
-constexpr std::int64_t longest_round = 96;
+/// A round begins with a high stiffness (over the compliance of a point), which soon brings the points together. It
+/// ends with a low one, which brings the impulses and the velocities of the bodies together: after `fall`, for the last
+/// two intervals; points that were made stiffer are not any more then, since the velocities of light bodies are the
+/// last to settle. These numbers and those below were chosen in jams (bench/notebook.md, "Operator splitting").
+constexpr float first_stiffness = 20.0F, fall = 0.1F;
+/// The stiffness may change after so many iterations. Before it falls, points whose difference persists become stiffer.
+constexpr std::int64_t change_interval = 16;
+/// A round is no longer, and no shorter unless it ends with the error. Single precision holds no more than
+/// `round_gain`.
+constexpr std::int64_t longest_round = 96, shortest_round = 48;
 constexpr double round_gain = 1e-4;
 /// The error is estimated after so many iterations of a round, after twice as many, and then every time so many have
 /// passed.
@@ -109,7 +110,7 @@ void IslandSolver::set_base(std::span<const IslandBody> bodies, std::span<const 
 
 void IslandSolver::stiffen() {
   factor_.reset();
-  blocks_.stiffen(stiffness_, factor_);
+  blocks_.stiffen(stiffness_, stiffness_ >= first_stiffness, factor_);
   factor_.factor();
 }
 
@@ -148,12 +149,11 @@ GEM_CLONES IslandSolver::Differences IslandSolver::compare(const IslandControl& 
   return d;
 }
 
-/// Changes the stiffness at the end of interval number `interval` of a round. Returns whether it changed.
-bool IslandSolver::change_stiffness(std::int64_t interval, const Differences& d) {
-  if (interval <= raises || d.points > d.bodies) {
+/// Changes the stiffness where `left` iterations of the round are left. Returns whether it changed.
+bool IslandSolver::change_stiffness(std::int64_t left) {
+  if (left > 2 * change_interval) {
     if (!blocks_.raise()) return false;
   } else {
-    if (stiffness_ <= least_stiffness) return false;
     stiffness_ *= fall;
   }
   stiffen();
@@ -164,8 +164,7 @@ bool IslandSolver::change_stiffness(std::int64_t interval, const Differences& d)
 void IslandSolver::iterate_round(const IslandControl& control, IslandResult& result) {
   for (std::vector<BodyRow>* rows : {&now_, &sum_, &given_, &last_given_}) rows->assign(place_.size() + 1, BodyRow{});
   const std::int64_t last = std::min(longest_round, control.iterations_maximum - result.iterations);
-  std::int64_t next_estimate = first_estimate, interval = 1;
-  Differences d;
+  std::int64_t next_estimate = first_estimate;
   double last_change = 0.0, first_error = 0.0;
   stiffness_ = first_stiffness;
   stiffen();
@@ -174,7 +173,7 @@ void IslandSolver::iterate_round(const IslandControl& control, IslandResult& res
     step();
     const bool judged = iteration == next_estimate || iteration == last;
     if (judged) {
-      d = compare(control);
+      const Differences d = compare(control);
       result.error = larger(static_cast<double>(larger(d.points, d.bodies)), still_missing(d.change, last_change));
       if (first_error == 0.0) first_error = result.error;
       last_change = d.change;
@@ -186,9 +185,8 @@ void IslandSolver::iterate_round(const IslandControl& control, IslandResult& res
     }
     begin();
     blocks_.visit(control.friction, now_, sum_);
-    if (!judged) continue;
-    blocks_.watch(now_, static_cast<float>(0.25 * control.tolerance));
-    if (iteration < interval * change_interval || !change_stiffness(interval++, d)) continue;
+    if (judged) blocks_.watch(now_, static_cast<float>(0.25 * control.tolerance));
+    if ((last - iteration) % change_interval != 0 || !change_stiffness(last - iteration)) continue;
     last_change = 0.0;
     begin();
     blocks_.push(now_, sum_);
@@ -205,7 +203,7 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
     iterate_round(control, result);
     for (std::size_t k = 0; k < points.size(); ++k)
       blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, *points[k].impulse);
-  } while (result.iterations < control.iterations_maximum && result.error > control.tolerance);
+  } while (control.iterations_maximum - result.iterations >= shortest_round && result.error > control.tolerance);
   return result;
 }
 

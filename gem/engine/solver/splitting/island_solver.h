@@ -80,7 +80,7 @@ class IslandSolver {
   void set_points(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
   void set_base(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
   void stiffen();
-  bool change_stiffness(std::int64_t interval, const Differences& d);
+  bool change_stiffness(std::int64_t left);
   void iterate_round(const IslandControl& control, IslandResult& result);
   void begin();
   void step();

@@ -97,11 +97,11 @@ void PointBlocks::set_base(std::int32_t k, const PointGeometry<double>& g, const
   repairs_ = repairs_ || g.repair_target > 0.0 || impulse.repair > 0.0;
 }
 
-void PointBlocks::stiffen(float stiffness, FrontFactor& factor) {
+void PointBlocks::stiffen(float stiffness, bool raised, FrontFactor& factor) {
   const FloatPack zero{}, one = zero + 1.0F;
   for (Block& q : block_) {
-    q.stiff_n = stiffness * q.inverse_nn * q.scale_n;
-    q.stiff_t = stiffness * q.inverse_tt * q.scale_t;
+    q.stiff_n = stiffness * q.inverse_nn * (raised ? q.scale_n : one);
+    q.stiff_t = stiffness * q.inverse_tt * (raised ? q.scale_t : one);
     q.soft_n = q.stiff_n > zero ? one / q.stiff_n : zero;
     q.soft_t = q.stiff_t > zero ? one / q.stiff_t : zero;
     for (int lane = 0; lane < float_lanes; ++lane) {
@@ -261,7 +261,7 @@ GEM_CLONES void PointBlocks::watch(const std::vector<BodyRow>& now, float tolera
 }
 
 bool PointBlocks::raise() {
-  constexpr float often = 2.0F, stiffer = 4.0F, most = 1e4F;  // chosen by hand
+  constexpr float often = 2.0F, stiffer = 4.0F, most = 256.0F;  // chosen by hand
   const FloatPack zero{};
   FloatPack any{};
   const auto raised = [&](FloatPack& scale, FloatPack& times) {

@@ -46,8 +46,8 @@ class PointBlocks {
   /// `a`, `b`: motions that the base gives.
   void set_base(std::int32_t k, const PointGeometry<double>& g, const PointImpulse<double>& impulse,
                 const Motion<double>& a, const Motion<double>& b);
-  /// Sets R of all points and adds J^T R J to the matrix.
-  void stiffen(float stiffness, FrontFactor& factor);
+  /// Sets R of all points and adds J^T R J to the matrix. `raised`: whether those that raise() found are stiffer.
+  void stiffen(float stiffness, bool raised, FrontFactor& factor);
 
   /// Adds what the points ask of the bodies to `sum`. `now`: motions of the bodies.
   void push(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) const;

@@ -56,7 +56,7 @@ std::vector<Setting> large_settings() {
 }
 
 SceneDef resolved_as(SceneDef scene, const Setting& setting) {
-  scene.contact.solver = setting.solver;
+  setting.apply_to(scene);
   scene.contact.manifold = setting.coupled() ? Manifold::chord_ends : Manifold::chord_middle;
   return scene;
 }
@@ -75,6 +75,11 @@ SceneDef read_hard_member(const std::string& file, const std::string& name, cons
 SceneDef with_default_numerics(SceneDef scene) {
   scene.numerics.iterations_maximum = NumericsDef{}.iterations_maximum;
   scene.numerics.residual_tolerance = NumericsDef{}.residual_tolerance;
+  if (scene.numerics.iteration == Iteration::splitting) {
+    // as the user guide advises
+    scene.numerics.iterations_maximum = 192;
+    scene.numerics.residual_tolerance = 1e-3;
+  }
   return scene;
 }
 

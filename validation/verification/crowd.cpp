@@ -20,7 +20,7 @@ SceneDef crowd(const Setting& setting, Surroundings surroundings) {
   scene.water.drag_law = DragLaw::quadratic;
   scene.ice.friction_ice = 0.35;
   scene.ice.friction_structure = 0.1;
-  scene.contact.solver = setting.solver;
+  setting.apply_to(scene);
   scene.contact.manifold = setting.coupled() ? Manifold::chord_ends : Manifold::chord_middle;
   scene.contact.elastic_stiffness_N_per_m = 1e6;
   if (surroundings == Surroundings::walls_and_platform) {
@@ -55,7 +55,7 @@ SceneDef settled(SceneDef scene) {
 }
 
 Bodies pressed(const SceneDef& scene, const Setting& setting) {
-  Simulation run = start(scene, {"cpu", setting.solver});
+  Simulation run = start(scene, {"cpu", setting.solver, setting.iteration});
   run.advance(1600);
   return run.bodies();
 }

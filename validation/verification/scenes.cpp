@@ -37,12 +37,14 @@ std::vector<Setting> all_settings() {
   for (const std::string& engine : engines())
     for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled})
       settings.push_back({engine, solver});
+  settings.push_back({"cpu", ContactSolver::coupled, Iteration::splitting});
   return settings;
 }
 
 std::vector<Setting> coupled_settings() {
   std::vector<Setting> settings;
   for (const std::string& engine : engines()) settings.push_back({engine, ContactSolver::coupled});
+  settings.push_back({"cpu", ContactSolver::coupled, Iteration::splitting});
   return settings;
 }
 
@@ -110,7 +112,7 @@ SceneDef row_of_squares(int count, double speed) {
 }
 
 Simulation start(SceneDef scene, const Setting& setting) {
-  scene.contact.solver = setting.solver;
+  setting.apply_to(scene);
   Simulation run{make_engine(scene, make_field(scene), {setting.engine, 1}), {}, {}};
   run.first = run.engine->ledger();
   return run;

@@ -127,7 +127,6 @@ void FrontFactor::analyse(const EliminationTree& tree, std::span<const std::pair
 void FrontFactor::reset() {
   std::fill(below_.begin(), below_.end(), 0.0F);
   std::fill(diagonal_.begin(), diagonal_.end(), 0.0F);
-  for (std::size_t k = 0; k < diagonal_.size(); k += block) diagonal_[k] = diagonal_[k + 4] = diagonal_[k + 8] = 1.0F;
 }
 
 /// Adds the complement of a child, of which the part on and below the diagonal is set.

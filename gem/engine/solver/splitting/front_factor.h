@@ -30,7 +30,7 @@ class FrontFactor {
   /// Finds the fronts. `pairs`: bodies in contact, as places in the order of elimination, the earlier one first;
   /// ascending, each once.
   void analyse(const EliminationTree& tree, std::span<const std::pair<std::int32_t, std::int32_t>> pairs);
-  /// Sets the matrix to one.
+  /// Sets the matrix to zero.
   void reset();
   /// Block on the diagonal of the body at `place`, row by row.
   float* diagonal(std::int32_t place) { return &diagonal_[block * place]; }

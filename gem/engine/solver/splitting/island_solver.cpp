@@ -18,7 +18,7 @@ constexpr std::int64_t change_interval = 16;
 /// A round is no longer, and no shorter unless it ends with the error. Single precision holds no more than
 /// `round_gain`.
 constexpr std::int64_t longest_round = 96, shortest_round = 48;
-constexpr double round_gain = 1e-4;
+constexpr double round_gain = 1e-4, single_precision = 1e-6;
 /// The error is estimated after so many iterations of a round, after twice as many, and then every time so many have
 /// passed.
 constexpr std::int64_t first_estimate = 4, estimate_interval = 8;
@@ -83,9 +83,19 @@ void IslandSolver::set_points(std::span<const IslandBody> bodies, std::span<cons
                       p.b == fixed ? 0 : 1 + place_[p.b], p.a == fixed ? InverseMass{} : bodies[p.a].inverse,
                       p.b == fixed ? InverseMass{} : bodies[p.b].inverse, pair);
   }
-  root_mass_.resize(bodies.size());
-  for (std::size_t k = 0; k < bodies.size(); ++k)
-    root_mass_[place_[k]] = static_cast<float>(std::sqrt(bodies[k].inverse.mass));
+  scale_.resize(bodies.size());
+  mass_.resize(bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const InverseMass inverse = bodies[k].inverse;
+    const BodyScale scale = scale_of(inverse);
+    const bool turns = inverse.inertia > 0.0;
+    const auto x = static_cast<float>(scale.mass);
+    const auto m = static_cast<float>(scale.mass * scale.mass / inverse.mass);
+    const auto turn = turns ? static_cast<float>(std::sqrt(inverse.mass / inverse.inertia) * scale.inertia) : 0.0F;
+    const auto i = turns ? static_cast<float>(scale.inertia * scale.inertia / inverse.inertia) : 1.0F;
+    scale_[place_[k]].lanes = FloatPack{x, x, turn, 0.0F, x, x, turn, 0.0F};
+    mass_[place_[k]].lanes = FloatPack{m, m, i, 0.0F, m, m, i, 0.0F};
+  }
 }
 
 void IslandSolver::set_base(std::span<const IslandBody> bodies, std::span<const IslandPoint> points) {
@@ -110,14 +120,16 @@ void IslandSolver::set_base(std::span<const IslandBody> bodies, std::span<const 
 
 void IslandSolver::stiffen() {
   factor_.reset();
+  for (std::size_t k = 0; k < mass_.size(); ++k)
+    for (int c = 0; c < 3; ++c) factor_.diagonal(static_cast<std::int32_t>(k))[4 * c] = mass_[k].lanes[c];
   blocks_.stiffen(stiffness_, stiffness_ >= first_stiffness, factor_);
   factor_.factor();
 }
 
-/// The right side without the points: minus the motions.
+/// The right side without the points: minus the momentum of the motions.
 GEM_CLONES void IslandSolver::begin() {
   sum_[0] = BodyRow{};
-  for (std::size_t k = 1; k < now_.size(); ++k) sum_[k].lanes = -now_[k].lanes;
+  for (std::size_t k = 1; k < now_.size(); ++k) sum_[k].lanes = -(mass_[k - 1].lanes * now_[k].lanes);
 }
 
 /// Moves the bodies by the solution of the equations.
@@ -134,18 +146,25 @@ GEM_CLONES IslandSolver::Differences IslandSolver::compare(const IslandControl& 
   blocks_.answer(control.friction, now_, given_);
   Differences d;
   d.points = blocks_.mismatch(now_, per_step);
-  const FloatPack one{1.0F, 1.0F, 1.0F, 1.0F, per_step, per_step, per_step, per_step};
-  FloatPack bodies{}, change{};
+  const FloatPack speed{1.0F, 1.0F, 1.0F, 1.0F, per_step, per_step, per_step, per_step};
+  FloatPack bodies{}, change{}, motion{};
   for (std::size_t k = 1; k < now_.size(); ++k) {
-    bodies = larger(bodies, magnitude(given_[k].lanes - now_[k].lanes) * root_mass_[k - 1]);
-    change = larger(change, magnitude(given_[k].lanes - last_given_[k].lanes) * root_mass_[k - 1]);
+    const FloatPack scale = scale_[k - 1].lanes, mass = mass_[k - 1].lanes;
+    // lanes without a mass are not a number in a quotient, and stay out of it
+    const FloatPack inverse = mass > FloatPack{} ? (FloatPack{} + 1.0F) / mass : FloatPack{};
+    bodies = larger(bodies, magnitude(given_[k].lanes * inverse - now_[k].lanes) * scale);
+    change = larger(change, magnitude(given_[k].lanes - last_given_[k].lanes) * inverse * scale);
+    motion = larger(motion, magnitude(now_[k].lanes) * scale);
   }
-  bodies *= one;
-  change *= one;
-  for (int lane = 0; lane < float_lanes; ++lane) {
-    d.bodies = larger(d.bodies, bodies[lane]);
-    d.change = larger(d.change, change[lane]);
-  }
+  const auto largest = [&speed](FloatPack lanes) {
+    lanes *= speed;
+    float all = 0.0F;
+    for (int lane = 0; lane < float_lanes; ++lane) all = larger(all, lanes[lane]);
+    return all;
+  };
+  d.bodies = largest(bodies);
+  d.change = largest(change);
+  d.motion = largest(motion);
   return d;
 }
 
@@ -175,7 +194,10 @@ void IslandSolver::iterate_round(const IslandControl& control, IslandResult& res
     if (judged) {
       const Differences d = compare(control);
       result.error = larger(static_cast<double>(larger(d.points, d.bodies)), still_missing(d.change, last_change));
+      result.error = larger(result.error, single_precision * static_cast<double>(d.motion));
       if (first_error == 0.0) first_error = result.error;
+        printf("it %ld points %.2e bodies %.2e change %.2e motion %.2e stiff %.2f err %.2e\n", (long)iteration,
+               d.points, d.bodies, d.change, d.motion, stiffness_, result.error);
       last_change = d.change;
       next_estimate += next_estimate < estimate_interval ? next_estimate : estimate_interval;
       if (iteration == last || result.error <= control.tolerance || result.error <= round_gain * first_error) {
@@ -201,6 +223,7 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
   do {
     set_base(bodies, points);
     iterate_round(control, result);
+      printf("round its %ld error %.3e tol %.3e\n", (long)result.iterations, result.error, control.tolerance);
     for (std::size_t k = 0; k < points.size(); ++k)
       blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, *points[k].impulse);
   } while (control.iterations_maximum - result.iterations >= shortest_round && result.error > control.tolerance);

@@ -73,6 +73,7 @@ class IslandSolver {
     float points = 0.0F;  // between the velocities of the points and their copies
     float bodies = 0.0F;  // between the velocities of the bodies and those that the impulses give
     float change = 0.0F;  // of the velocities that the impulses give since the last time
+    float motion = 0.0F;  // of the bodies since the base
   };
 
   void find_pairs(std::span<const IslandPoint> points, std::int32_t bodies);
@@ -94,8 +95,8 @@ class IslandSolver {
   std::vector<Vec2> position_;
   std::vector<std::int32_t> fill_;
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;
-  std::vector<std::int32_t> place_;                      // of each body in the order of elimination
-  std::vector<float> root_mass_;                         // root of the inverse mass, by place [kg^-1/2]
+  std::vector<std::int32_t> place_;    // of each body in the order of elimination
+  std::vector<BodyRow> scale_, mass_;  // by place: scaled motions to speeds (a spin at the radius of gyration); masses
   std::vector<BodyRow> now_, sum_, given_, last_given_;  // by place + 1; row 0 is fixed
   std::vector<Motion<double>> motion_;                   // after the impulses of the base, by place
   std::vector<Push<double>> push_;

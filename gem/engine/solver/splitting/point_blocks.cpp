@@ -39,6 +39,15 @@ GEM_INLINE FloatPack along(const FloatPack* of_a, const FloatPack* of_b, const F
 
 }  // namespace
 
+BodyScale scale_of(InverseMass inverse) {
+  const auto near_root = [](double x) {
+    int exponent = 0;
+    std::frexp(x, &exponent);
+    return x > 0.0 ? std::ldexp(1.0, (exponent - (exponent & 1)) / 2) : 0.0;
+  };
+  return {near_root(inverse.mass), near_root(inverse.inertia)};
+}
+
 void PointBlocks::resize(std::int32_t points) {
   block_.assign((points + float_lanes - 1) / float_lanes, Block{});
   for (Block& q : block_) q.scale_n = q.scale_t = FloatPack{} + 1.0F;
@@ -53,7 +62,8 @@ void PointBlocks::set_point(std::int32_t k, const PointGeometry<double>& g, std:
   q.b[lane] = b;
   q.pair[lane] = pair;
   const auto set_side = [&](InverseMass m, double sign, double lever_n, double lever_t, FloatPack* n, FloatPack* t) {
-    const double by_mass = sign * std::sqrt(m.mass), by_inertia = sign * std::sqrt(m.inertia);
+    const BodyScale scale = scale_of(m);
+    const double by_mass = sign * scale.mass, by_inertia = sign * scale.inertia;
     n[0][lane] = static_cast<float>(by_mass * g.normal_x);
     n[1][lane] = static_cast<float>(by_mass * g.normal_y);
     n[2][lane] = static_cast<float>(by_inertia * lever_n);
@@ -86,12 +96,13 @@ void PointBlocks::set_base(std::int32_t k, const PointGeometry<double>& g, const
   q.slack_right[lane] = frame.slack_right;
   q.repair_excess[lane] = frame.repair_excess;
   q.repair_least[lane] = frame.repair_least;
-  q.gap[lane] = impulse.normal > 0.0 ? 0.0F : larger(frame.excess, 0.0F);
+  q.gap[lane] = (impulse.normal > 0.0 ? 0.0F : larger(frame.excess, 0.0F)) - frame.excess;
   // at the bound of friction but for rounding
-  const bool at_bound = magnitude(impulse.tangential) >= (1.0 - 1e-6) * g.friction * impulse.normal;
-  const bool slides = impulse.normal > 0.0 ? at_bound && frame.slip * impulse.tangential < 0.0 : true;
-  q.slide[lane] = slides ? frame.slip : 0.0F;
-  q.shift[lane] = impulse.repair > 0.0 ? 0.0F : larger(frame.repair_excess, 0.0F);
+  const float nearest = smaller(frame.slack_left, frame.slack_right);
+  const bool at_bound = nearest <= 1e-6F * (frame.slack_left + frame.slack_right);
+  const bool slides = impulse.normal <= 0.0 || (at_bound && frame.slip * impulse.tangential <= 0.0);
+  q.slide[lane] = slides ? 0.0F : -frame.slip;
+  q.shift[lane] = (impulse.repair > 0.0 ? 0.0F : larger(frame.repair_excess, 0.0F)) - frame.repair_excess;
   q.normal[lane] = q.tangential[lane] = q.repair[lane] = q.shift_t[lane] = 0.0F;
   q.last_n[lane] = q.last_t[lane] = q.count_n[lane] = q.count_t[lane] = 0.0F;
   repairs_ = repairs_ || g.repair_target > 0.0 || impulse.repair > 0.0;
@@ -139,12 +150,12 @@ GEM_INLINE void PointBlocks::push_blocks(const std::vector<BodyRow>& now, std::v
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    const FloatPack n = q.excess + along(q.n_a, q.n_b, a, b), t = q.slip + along(q.t_a, q.t_b, a, b);
+    const FloatPack n = along(q.n_a, q.n_b, a, b), t = along(q.t_a, q.t_b, a, b);
     push_bodies<0>(q, sum, q.normal + q.stiff_n * (q.gap - n), q.tangential + q.stiff_t * (q.slide - t));
     if constexpr (repairs) {
       load_motions<1>(now, q.a, a);
       load_motions<1>(now, q.b, b);
-      const FloatPack r = q.repair_excess + along(q.n_a, q.n_b, a, b), s = along(q.t_a, q.t_b, a, b);
+      const FloatPack r = along(q.n_a, q.n_b, a, b), s = along(q.t_a, q.t_b, a, b);
       push_bodies<1>(q, sum, q.repair + q.stiff_n * (q.shift - r), q.stiff_t * (q.shift_t - s));
     }
   }
@@ -156,25 +167,26 @@ GEM_INLINE void PointBlocks::visit_blocks(const std::vector<BodyRow>& now, std::
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    const FloatPack n = q.excess + along(q.n_a, q.n_b, a, b), t = q.slip + along(q.t_a, q.t_b, a, b);
-    const FloatPack wanted_n = q.normal - q.stiff_n * (relaxation * n + kept * q.gap);
-    const FloatPack wanted_t = q.tangential - q.stiff_t * (relaxation * t + kept * q.slide);
-    q.normal = smaller(larger(wanted_n, q.least), q.most);
-    q.gap = (q.normal - wanted_n) * q.soft_n;
+    const FloatPack n = along(q.n_a, q.n_b, a, b), t = along(q.t_a, q.t_b, a, b);
+    const FloatPack relaxed_n = relaxation * n + kept * q.gap, relaxed_t = relaxation * t + kept * q.slide;
+    const FloatPack last_n = q.normal, last_t = q.tangential;
+    q.normal = smaller(larger(last_n - q.stiff_n * (q.excess + relaxed_n), q.least), q.most);
+    q.gap = relaxed_n + (q.normal - last_n) * q.soft_n;
     const FloatPack wider = q.friction * q.normal;
     if constexpr (law == PointFriction::coulomb)
-      q.tangential = larger(smaller(wanted_t, q.slack_left + wider), -(q.slack_right + wider));
+      q.tangential =
+          larger(smaller(last_t - q.stiff_t * (q.slip + relaxed_t), q.slack_left + wider), -(q.slack_right + wider));
     else if constexpr (law == PointFriction::fixed_direction)
       q.tangential = q.slack_left + wider;
-    q.slide = (q.tangential - wanted_t) * q.soft_t;
+    q.slide = relaxed_t + (q.tangential - last_t) * q.soft_t;
     push_bodies<0>(q, sum, q.normal + q.stiff_n * (q.gap - n), q.tangential + q.stiff_t * (q.slide - t));
     if constexpr (repairs) {
       load_motions<1>(now, q.a, a);
       load_motions<1>(now, q.b, b);
-      const FloatPack r = q.repair_excess + along(q.n_a, q.n_b, a, b), s = along(q.t_a, q.t_b, a, b);
-      const FloatPack wanted = q.repair - q.stiff_n * (relaxation * r + kept * q.shift);
-      q.repair = larger(wanted, q.repair_least);
-      q.shift = (q.repair - wanted) * q.soft_n;
+      const FloatPack r = along(q.n_a, q.n_b, a, b), s = along(q.t_a, q.t_b, a, b);
+      const FloatPack relaxed_r = relaxation * r + kept * q.shift, last_r = q.repair;
+      q.repair = larger(last_r - q.stiff_n * (q.repair_excess + relaxed_r), q.repair_least);
+      q.shift = relaxed_r + (q.repair - last_r) * q.soft_n;
       q.shift_t = relaxation * s + kept * q.shift_t;
       push_bodies<1>(q, sum, q.repair + q.stiff_n * (q.shift - r), q.stiff_t * (q.shift_t - s));
     }
@@ -255,8 +267,8 @@ GEM_CLONES void PointBlocks::watch(const std::vector<BodyRow>& now, float tolera
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    count(q.excess + along(q.n_a, q.n_b, a, b) - q.gap, q.last_n, q.count_n);
-    count(q.slip + along(q.t_a, q.t_b, a, b) - q.slide, q.last_t, q.count_t);
+    count(along(q.n_a, q.n_b, a, b) - q.gap, q.last_n, q.count_n);
+    count(along(q.t_a, q.t_b, a, b) - q.slide, q.last_t, q.count_t);
   }
 }
 
@@ -285,12 +297,12 @@ GEM_CLONES float PointBlocks::mismatch(const std::vector<BodyRow>& now, float pe
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    const FloatPack n = q.excess + along(q.n_a, q.n_b, a, b) - q.gap, t = q.slip + along(q.t_a, q.t_b, a, b) - q.slide;
+    const FloatPack n = along(q.n_a, q.n_b, a, b) - q.gap, t = along(q.t_a, q.t_b, a, b) - q.slide;
     worst = larger(worst, larger(magnitude(n), magnitude(t)));
     if (!repairs_) continue;
     load_motions<1>(now, q.a, a);
     load_motions<1>(now, q.b, b);
-    const FloatPack r = q.repair_excess + along(q.n_a, q.n_b, a, b) - q.shift;
+    const FloatPack r = along(q.n_a, q.n_b, a, b) - q.shift;
     const FloatPack s = along(q.t_a, q.t_b, a, b) - q.shift_t;
     worst = larger(worst, per_step * larger(magnitude(r), magnitude(s)));
   }

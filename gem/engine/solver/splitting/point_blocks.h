@@ -4,14 +4,13 @@
 // takes the velocity u that the bodies have now, and sets
 //
 //     x = 1.6 u - 0.6 z              over-relaxed
-//     a = P - R x
-//     P = a within the bounds of the law,  z = (P - a) / R
+//     P' = P - R x within the bounds of the law,  z' = x + (P' - P) / R
 //
 // It then asks the bodies for P + R (z - u): the step of the velocities that follows closes the gap between u and z.
 // R is `stiffness` over the compliance of the point. The repair of the overlap is treated in the same way, without
 // friction.
 //
-// Impulses are additions to a base, as in coupled_visit.h.
+// Impulses and velocities are additions to a base, as in coupled_visit.h.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +22,7 @@
 
 namespace gem {
 
-/// Velocity and repair of a body, scaled by the roots of its masses: x, y, spin, 0 and the same of the repair.
+/// Velocity and repair of a body over its BodyScale: x, y, spin, 0 and the same of the repair.
 struct alignas(32) BodyRow {
   FloatPack lanes;
 };
@@ -33,6 +32,15 @@ struct InverseMass {
   double mass = 0.0;     // [1/kg]
   double inertia = 0.0;  // [1/(kg m2)]
 };
+
+/// Powers of two near the roots of the inverse masses of a body, so that all bodies have masses near one. Numbers times
+/// powers of two keep their bits.
+struct BodyScale {
+  double mass = 0.0;     // [kg^-1/2]
+  double inertia = 0.0;  // [kg^-1/2 m^-1]
+};
+
+BodyScale scale_of(InverseMass inverse);
 
 class PointBlocks {
  public:
@@ -72,7 +80,7 @@ class PointBlocks {
  private:
   /// Eight points. Unused lanes have both bodies fixed and no bounds to reach.
   struct alignas(64) Block {
-    FloatPack n_a[3], n_b[3], t_a[3], t_b[3];  // Jacobian times the roots of the inverse masses
+    FloatPack n_a[3], n_b[3], t_a[3], t_b[3];  // Jacobian times the scales of the bodies
     FloatPack inverse_nn, inverse_tt, friction;
     FloatPack stiff_n, stiff_t, soft_n, soft_t;  // R and 1 / R
     FloatPack excess, slip, least, most, slack_left, slack_right, repair_excess, repair_least;

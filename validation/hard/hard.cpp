@@ -77,8 +77,7 @@ SceneDef with_default_numerics(SceneDef scene) {
   scene.numerics.residual_tolerance = NumericsDef{}.residual_tolerance;
   if (scene.numerics.iteration == Iteration::splitting) {
     // as the user guide advises
-    scene.numerics.iterations_maximum = 192;
-    scene.numerics.residual_tolerance = 1e-3;
+    scene.numerics.iterations_maximum = 384;
   }
   return scene;
 }

@@ -98,7 +98,8 @@ void IslandSolver::set_points(std::span<const IslandBody> bodies, std::span<cons
   }
 }
 
-void IslandSolver::set_base(std::span<const IslandBody> bodies, std::span<const IslandPoint> points) {
+/// Sets the motions of the bodies after the impulses of the base.
+void IslandSolver::move_by_base(std::span<const IslandBody> bodies, std::span<const IslandPoint> points) {
   push_.assign(bodies.size(), Push<double>{});
   for (const IslandPoint& p : points) {
     const PointGeometry<double>& g = *p.geometry;
@@ -110,11 +111,33 @@ void IslandSolver::set_base(std::span<const IslandBody> bodies, std::span<const 
     const IslandBody& b = bodies[k];
     motion_[k] = moved_by(push_[k], b.velocity.x, b.velocity.y, b.spin, b.inverse.mass, b.inverse.inertia);
   }
+}
+
+/// Begins a round from the impulses of the base.
+void IslandSolver::set_base(std::span<const IslandPoint> points) {
   const Motion<double> rest{};
   for (std::size_t k = 0; k < points.size(); ++k) {
     const IslandPoint& p = points[k];
     blocks_.set_base(static_cast<std::int32_t>(k), *p.geometry, *p.impulse, p.a == fixed ? rest : motion_[p.a],
                      p.b == fixed ? rest : motion_[p.b]);
+  }
+}
+
+/// Scales the impulses by best_share() if all of them together would create energy.
+void IslandSolver::keep_best_share(std::span<const IslandBody> bodies, std::span<const IslandPoint> points) const {
+  EnergyChange sum{0.0, 0.0};
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const IslandBody& b = bodies[k];
+    const EnergyChange change = energy_change(motion_[k], b.velocity.x, b.velocity.y, b.spin, 1.0 / b.inverse.mass,
+                                              b.inverse.inertia > 0.0 ? 1.0 / b.inverse.inertia : 0.0);
+    sum.linear += change.linear;
+    sum.quadratic += change.quadratic;
+  }
+  const double share = best_share(sum);
+  if (share >= 0.5) return;
+  for (const IslandPoint& p : points) {
+    p.impulse->normal *= share;
+    p.impulse->tangential *= share;
   }
 }
 
@@ -196,8 +219,6 @@ void IslandSolver::iterate_round(const IslandControl& control, IslandResult& res
       result.error = larger(static_cast<double>(larger(d.points, d.bodies)), still_missing(d.change, last_change));
       result.error = larger(result.error, single_precision * static_cast<double>(d.motion));
       if (first_error == 0.0) first_error = result.error;
-        printf("it %ld points %.2e bodies %.2e change %.2e motion %.2e stiff %.2f err %.2e\n", (long)iteration,
-               d.points, d.bodies, d.change, d.motion, stiffness_, result.error);
       last_change = d.change;
       next_estimate += next_estimate < estimate_interval ? next_estimate : estimate_interval;
       if (iteration == last || result.error <= control.tolerance || result.error <= round_gain * first_error) {
@@ -219,14 +240,16 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
                                  const IslandControl& control) {
   order_bodies(bodies, points);
   set_points(bodies, points);
+  move_by_base(bodies, points);
   IslandResult result;
   do {
-    set_base(bodies, points);
+    set_base(points);
     iterate_round(control, result);
-      printf("round its %ld error %.3e tol %.3e\n", (long)result.iterations, result.error, control.tolerance);
     for (std::size_t k = 0; k < points.size(); ++k)
       blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, *points[k].impulse);
+    move_by_base(bodies, points);
   } while (control.iterations_maximum - result.iterations >= shortest_round && result.error > control.tolerance);
+  if (result.error > control.tolerance) keep_best_share(bodies, points);
   return result;
 }
 

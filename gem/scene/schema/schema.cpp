@@ -159,10 +159,11 @@ void add_numerics(SceneTable& t) {
            GEM_FIELD(numerics.residual_tolerance));
   t.integer("numerics.iterations_maximum", {1.0, 1e5}, "coupled: largest number of iterations in one time step",
             GEM_FIELD(numerics.iterations_maximum));
-  t.choice("numerics.iteration", {"gradient", "splitting"},
-           "coupled: gradient: cheap iterations, many to converge; splitting: iterations with a factored matrix, few to "
-           "converge, each island by itself; cpu only",
-           GEM_FIELD(numerics.iteration));
+  t.choice(
+      "numerics.iteration", {"gradient", "splitting"},
+      "coupled: gradient: cheap iterations, many to converge; splitting: iterations with a factored matrix, few to "
+      "converge, each island by itself; cpu only",
+      GEM_FIELD(numerics.iteration));
   t.number("numerics.list_margin_m", "m", {0.0, 1e3}, "pairs closer than this are in the pair list",
            GEM_FIELD(numerics.list_margin_m));
   t.number("numerics.contact_reach", "steps", {0.0, 100.0},

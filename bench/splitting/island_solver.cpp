@@ -166,7 +166,7 @@ void IslandSolver::set_base(std::span<const IslandPoint> points) {
     Block& q = block_[k / float_lanes];
     const auto lane = static_cast<int>(k % float_lanes);
     PointFrame<float> frame;
-    set_base_values(frame, *p.geometry, *p.impulse, p.a == fixed ? rest : motion_[place_[p.a]],
+    set_base_values(frame, *p.geometry, p.spare, *p.impulse, p.a == fixed ? rest : motion_[place_[p.a]],
                     p.b == fixed ? rest : motion_[place_[p.b]]);
     q.excess[lane] = frame.excess;
     q.slip[lane] = frame.slip;
@@ -179,7 +179,8 @@ void IslandSolver::set_base(std::span<const IslandPoint> points) {
     const double normal = p.impulse->normal, tangential = p.impulse->tangential;
     q.gap[lane] = normal > 0.0 ? 0.0F : larger(frame.excess, 0.0F);
     // at the bound of friction but for rounding
-    const bool at_bound = magnitude(tangential) >= (1.0 - 1e-6) * p.geometry->friction * normal;
+    const double spare = tangential > 0.0 ? p.spare.left : p.spare.right;
+    const bool at_bound = magnitude(tangential) >= (1.0 - 1e-6) * (p.geometry->friction * normal + spare);
     const bool slides = normal > 0.0 ? at_bound && frame.slip * tangential < 0.0 : true;
     q.slide[lane] = slides ? frame.slip : 0.0F;
     q.shift[lane] = p.impulse->repair > 0.0 ? 0.0F : larger(frame.repair_excess, 0.0F);
@@ -327,8 +328,9 @@ void IslandSolver::add_to_base(std::span<const IslandPoint> points, PointFrictio
     const Block& q = block_[k / float_lanes];
     const auto lane = static_cast<int>(k % float_lanes);
     PointImpulse<double>& p = *points[k].impulse;
-    p = with_additions(law, *points[k].geometry, p, {q.normal[lane], q.tangential[lane], q.repair[lane]}, q.least[lane],
-                       q.most[lane], q.repair_least[lane]);
+    p = with_additions(law, *points[k].geometry, points[k].spare, p,
+                       {q.normal[lane], q.tangential[lane], q.repair[lane]}, q.least[lane], q.most[lane],
+                       q.repair_least[lane]);
   }
 }
 

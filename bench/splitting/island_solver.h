@@ -26,6 +26,7 @@
 #include "gem/base/pack.h"
 #include "gem/base/vec2.h"
 #include "gem/engine/solver/coupled_point.h"
+#include "gem/events/friction_memory.h"
 
 namespace gem::bench {
 
@@ -43,6 +44,7 @@ struct IslandPoint {
   std::int32_t a = 0, b = 0;  // IslandSolver::fixed: a fixed body
   const PointGeometry<double>* geometry = nullptr;
   PointImpulse<double>* impulse = nullptr;
+  SpareFriction spare;  // [N s]
 };
 
 struct IslandControl {

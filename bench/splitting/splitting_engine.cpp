@@ -29,14 +29,14 @@ SplittingEngine::SplittingEngine(const SceneDef& scene, Bodies bodies, double to
 EngineState SplittingEngine::save() {
   EngineState state = CpuEngine::save();
   state.impulse_key = keys_;
-  state.impulse_value = impulses_;
+  state.impulse_value = memory_;
   return state;
 }
 
 void SplittingEngine::restore(const EngineState& state) {
   CpuEngine::restore(state);
   keys_ = state.impulse_key;
-  impulses_ = state.impulse_value;
+  memory_ = state.impulse_value;
 }
 
 void SplittingEngine::before_contact_events() {
@@ -45,13 +45,13 @@ void SplittingEngine::before_contact_events() {
 }
 
 /// Keys ascend by pair; the features of a pair stand in any order.
-PointImpulse<double> SplittingEngine::last_impulse(std::uint64_t key) const {
+PointMemory SplittingEngine::memory_of(std::uint64_t key) const {
   const std::uint64_t pair = key >> feature_bits << feature_bits;
   for (auto at = std::lower_bound(
            keys_.begin(), keys_.end(), pair,
            [](std::uint64_t one, std::uint64_t first) { return one >> feature_bits << feature_bits < first; });
        at != keys_.end() && *at >> feature_bits << feature_bits == pair; ++at)
-    if (*at == key) return impulses_[at - keys_.begin()];
+    if (*at == key) return memory_[at - keys_.begin()];
   return {};
 }
 
@@ -77,17 +77,21 @@ void SplittingEngine::gather() {
     iteration_.set_body(place_[i], {b.position[i], velocity_[i], spin_[i], b.inverse_mass[i], b.inverse_inertia[i]});
   geometry_.resize(points);
   next_keys_.resize(points);
-  next_impulses_.resize(points);
+  next_memory_.resize(points);
   std::int32_t point = 0;
-  for (const Contact* contact : contacts())
+  for (Contact* contact : contacts())
     for (int k = 0; k < contact->count; ++k, ++point) {
       const std::uint64_t key = contact_key(contact->a, contact->b, contact->slot[k].feature);
       next_keys_[point] = key;
-      next_impulses_[point] = last_impulse(key);
+      const PointMemory last = memory_of(key);
+      recall(f.constants, *contact, contact->slot[k], collision_mass(b, contact->a), collision_mass(b, contact->b),
+             last);
       PointGeometry<double>& g = geometry_[point];
-      g = point_of_contact(f, *contact, contact->slot[k], 1, 1, next_impulses_[point].normal);
-      next_impulses_[point].repair = repair_to_go_on(f.constants, next_impulses_[point].repair, g.nn);
-      iteration_.set_point(point, {place_[contact->a], place_[contact->b], &g, &next_impulses_[point]});
+      g = point_of_contact(f, *contact, contact->slot[k], 1, 1, last);
+      PointImpulse<double>& p = next_memory_[point].impulse;
+      p = last.impulse;
+      p.repair = repair_to_go_on(f.constants, p.repair, g.nn);
+      iteration_.set_point(point, {place_[contact->a], place_[contact->b], &g, &p, contact->slot[k].spare});
     }
 }
 
@@ -99,7 +103,8 @@ void SplittingEngine::settle() {
   for (Contact* contact : contacts())
     for (int k = 0; k < contact->count; ++k, ++point) {
       const PointGeometry<double>& g = geometry_[point];
-      const PointImpulse<double>& p = next_impulses_[point];
+      const PointImpulse<double>& p = next_memory_[point].impulse;
+      next_memory_[point].rise = rise_of_load(contact->slot[k].last_normal, p.normal);
       contact->slot[k].cap = g.cap;
       contact->slot[k].impulse = {p.normal, p.tangential};
       contact->slot[k].repair = p.repair;
@@ -115,7 +120,7 @@ void SplittingEngine::settle() {
     apply_repair(f, i, {{m.shift_x, m.shift_y}, m.turn});
   }
   keys_.swap(next_keys_);
-  impulses_.swap(next_impulses_);
+  memory_.swap(next_memory_);
 }
 
 void SplittingEngine::after_contact_events() {

@@ -28,7 +28,7 @@ class SplittingEngine : public CpuEngine {
   void after_contact_events() override;
 
  private:
-  PointImpulse<double> last_impulse(std::uint64_t key) const;
+  PointMemory memory_of(std::uint64_t key) const;
   void gather();
   void settle();
 
@@ -37,7 +37,7 @@ class SplittingEngine : public CpuEngine {
   std::vector<Vec2> velocity_;  // before the events, of each body
   std::vector<double> spin_;
   std::vector<std::uint64_t> keys_, next_keys_;  // ascending
-  std::vector<PointImpulse<double>> impulses_, next_impulses_;
+  std::vector<PointMemory> memory_, next_memory_;
   std::vector<PointGeometry<double>> geometry_;
   std::vector<std::int32_t> place_;  // of each body among the moving bodies with points
   std::vector<std::int32_t> moving_;

@@ -10,6 +10,7 @@
 #include "gem/events/crushing.h"         // pair: closed-form peak of an impact
 #include "gem/events/current_drag.h"     // solo: water drag on a floe
 #include "gem/events/elastic_contact.h"  // pair: static stress
+#include "gem/events/friction_memory.h"  // pair: friction of a hit that takes two time steps
 #include "gem/events/impact.h"           // pair: plastic impact with friction
 #include "gem/events/mass_reduction.h"   // pair: effective mass
 #include "gem/events/mooring.h"          // solo: platform on its mooring

@@ -297,7 +297,7 @@ std::vector<CarriedMemory> carried_memory(const EngineState& state) {
     const bool second = !all.empty() && all.back().a == a && all.back().b == b;
     if (!second) all.push_back({a, b, {-1, -1}, {}});
     all.back().feature[second ? 1 : 0] = feature_of(key);
-    all.back().impulse[second ? 1 : 0] = state.impulse_value[k];
+    all.back().point[second ? 1 : 0] = state.impulse_value[k];
   }
   return all;
 }
@@ -310,7 +310,7 @@ void save_memory(std::vector<CarriedMemory> carried, EngineState& state) {
     for (int k = 0; k < 2; ++k) {
       if (contact.feature[k] < 0) continue;
       state.impulse_key.push_back(contact_key(contact.a, contact.b, contact.feature[k]));
-      state.impulse_value.push_back(contact.impulse[k]);
+      state.impulse_value.push_back(contact.point[k]);
     }
 }
 

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/engine/solver/coupled_point.h"
+#include "gem/events/friction_memory.h"
 #include "gem/events/impact.h"
 #include "gem/field/bodies.h"
 #include "gem/geometry/convex_contact.h"
@@ -27,7 +29,10 @@ struct TouchPoint {
   ContactImpulse impulse;                                // [N s]
   double elastic = 0.0;                                  // part of the normal impulse that is elastic stress [N s]
   double repair = 0.0;                                   // impulse of the position repair [kg m]
+  PointMemory last;                                      // coupled: from the last time step
+  SpareFriction spare;                                   // that it left to this one [N s]
 
+  ContactImpulse last_impulse() const { return {last.impulse.normal, last.impulse.tangential}; }
   bool acted() const { return impulse.normal != 0.0 || impulse.tangential != 0.0 || repair != 0.0; }
 };
 

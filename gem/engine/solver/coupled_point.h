@@ -3,6 +3,7 @@
 // The impulses of all points together satisfy
 //     u_n >= target,  0 <= P_n <= cap,  (u_n - target) P_n = 0 below the cap      no overlap, fully inelastic, crushing
 //     |P_t| <= mu P_n,  P_t against the remaining slip                            Coulomb
+// The bounds of P_t are wider by the spare friction of the last time step: see friction_memory.h.
 // In addition, and without changing velocities, the bodies get the smallest shifts that remove a share of the overlap.
 //
 //   u_n, u_t  velocity of B relative to A along the normal and along the normal turned left    [m/s]
@@ -38,6 +39,12 @@ template <class Real>
 struct PointImpulse {
   Real normal, tangential;  // [N s]
   Real repair;              // [kg m]
+};
+
+/// What a point carries into the next time step.
+struct PointMemory {
+  PointImpulse<double> impulse = {};  // the warm start
+  double rise = 0.0;                  // of the normal impulse, see friction_memory.h [N s]
 };
 
 /// Constants of a point during a time step.

@@ -46,7 +46,7 @@ class StepSolver {
   /// Everything after the iterations.
   GEM_DEVICE void end() {
     SolverBase<Group> base(s_, group_);
-    base.keep_best_share(0.5);
+    base.keep_best_share(s_.constants.share_limit);
     each_point(group_, [&](std::int32_t i) { hand_back(i); });
     if (s_.wants_samples) base.add_work_created();
   }
@@ -89,16 +89,20 @@ class StepSolver {
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
     const BodyCell &a = s_.body[point.a.body], &b = s_.body[point.b.body];
-    PointImpulse<double> last = last_impulse(s_.memory[point.pair], slot.feature, step_);
-    const double cap = cap_of(contact, a, b, last.normal);
-    const PointGeometry<double> geometry = point_geometry(
-        s_.constants, contact, slot, shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(point.a.body)),
-        shared_mass({b.inverse_mass, b.inverse_inertia}, points_of(point.b.body)), cap);
-    last.repair = repair_to_go_on(s_.constants, last.repair, geometry.nn);
+    const PointMemory last = memory_of(s_.memory[point.pair], slot.feature, step_);
+    const CollisionMass mass_a{a.inverse_mass, a.inverse_inertia}, mass_b{b.inverse_mass, b.inverse_inertia};
+    recall(s_.constants, contact, slot, mass_a, mass_b, last);
+    const double cap = cap_of(contact, a, b, last.impulse.normal);
+    const PointGeometry<double> geometry =
+        point_geometry(s_.constants, contact, slot, shared_mass(mass_a, points_of(point.a.body)),
+                       shared_mass(mass_b, points_of(point.b.body)), last, cap);
+    PointImpulse<double> start = last.impulse;
+    start.repair = repair_to_go_on(s_.constants, start.repair, geometry.nn);
     slot.cap = cap;
     s_.points.set(i, geometry);
+    s_.points.set(i, slot.spare);
     s_.taken_point[i] = point;
-    write_base(s_, i, point, geometry, last);
+    write_base(s_, i, point, geometry, start);
   }
 
   /// Writes the impulse of a point to its contact.

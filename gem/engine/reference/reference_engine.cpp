@@ -66,7 +66,10 @@ void ReferenceEngine::recall_points(std::vector<reference::Touch>& touches) cons
     for (reference::TouchPoint& p : touch.points) {
       const std::uint64_t key = contact_key(touch.a, touch.b, p.feature);
       const auto found = std::find(impulse_key_.begin(), impulse_key_.end(), key);
-      if (found != impulse_key_.end()) p.last = impulse_value_[found - impulse_key_.begin()];
+      if (found == impulse_key_.end()) continue;
+      const PointMemory& last = impulse_value_[found - impulse_key_.begin()];
+      p.last = {last.impulse.normal, last.impulse.tangential};
+      p.rise = last.rise;
     }
 }
 
@@ -77,7 +80,7 @@ void ReferenceEngine::keep_impulses(const std::vector<reference::Touch>& touches
     for (const reference::TouchPoint& p : touch.points) {
       impulse_key_.push_back(contact_key(touch.a, touch.b, p.feature));
       impulse_value_.push_back(
-          {{p.impulse.normal, p.impulse.tangential, p.repair}, rise_of_load(p.last.impulse.normal, p.impulse.normal)});
+          {{p.impulse.normal, p.impulse.tangential, p.repair}, rise_of_load(p.last.normal, p.impulse.normal)});
     }
 }
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
-#include "gem/engine/solver/coupled_point.h"
 #include "gem/events/friction_memory.h"
 #include "gem/events/impact.h"
 #include "gem/field/bodies.h"
@@ -29,10 +28,10 @@ struct TouchPoint {
   ContactImpulse impulse;                                // [N s]
   double elastic = 0.0;                                  // part of the normal impulse that is elastic stress [N s]
   double repair = 0.0;                                   // impulse of the position repair [kg m]
-  PointMemory last;                                      // coupled: from the last time step
+  ContactImpulse last;                                   // impulse of the last time step [N s]
+  double rise = 0.0;                                     // of its normal impulse [N s]
   SpareFriction spare;                                   // that it left to this one [N s]
 
-  ContactImpulse last_impulse() const { return {last.impulse.normal, last.impulse.tangential}; }
   bool acted() const { return impulse.normal != 0.0 || impulse.tangential != 0.0 || repair != 0.0; }
 };
 

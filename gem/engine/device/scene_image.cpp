@@ -190,6 +190,7 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.body_normal, vertices);
   placer.place(s.area, n);
   if (!sizes.coupled) return placer.used();
+  placer.place(s.crushing, n);
   placer.place(s.added, n);
   placer.place(s.solved, n);
   placer.place(s.body_points, n);
@@ -274,6 +275,7 @@ void write_field(const FieldState& f, std::int64_t step, const DeviceScene& s) {
   }
   std::copy(f.bodies.area.begin(), f.bodies.area.end(), const_cast<double*>(s.area));
   if (s.added) {
+    std::copy(f.crushing.begin(), f.crushing.end(), const_cast<CrushingPowers*>(s.crushing));
     std::fill_n(s.added, f.bodies.count(), AddedMotion{});
     std::fill_n(s.solved, f.bodies.count(), SolvedMotion{});
     std::fill_n(s.body_points, f.bodies.count(), BodyPoints{});

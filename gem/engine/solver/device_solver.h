@@ -78,10 +78,11 @@ class StepSolver {
     return points.step == step_ ? points.count : 0;
   }
 
-  GEM_DEVICE double cap_of(const Contact& contact, const BodyCell& a, const BodyCell& b, double last) const {
+  GEM_DEVICE double cap_of(const Contact& contact, const BodyCell& a, const BodyCell& b) const {
     const bool ice = a.kind == BodyKind::floe || b.kind == BodyKind::floe;
-    return largest_impulse(s_.constants.events, ice, crushed_thickness(a.kind, a.thickness, b.thickness),
-                           smaller(s_.area[contact.a], s_.area[contact.b]), contact.count, last);
+    const CrushingPowers of_a = s_.crushing[contact.a], of_b = s_.crushing[contact.b];
+    return largest_impulse(s_.constants.events, ice, crushed_thickness(a.kind, of_a.thickness, of_b.thickness),
+                           smaller(of_a.width, of_b.width), contact.count);
   }
 
   GEM_DEVICE void begin_point(std::int32_t i) {
@@ -92,7 +93,7 @@ class StepSolver {
     const PointMemory last = memory_of(s_.memory[point.pair], slot.feature, step_);
     const CollisionMass mass_a{a.inverse_mass, a.inverse_inertia}, mass_b{b.inverse_mass, b.inverse_inertia};
     recall(s_.constants, contact, slot, mass_a, mass_b, last);
-    const double cap = cap_of(contact, a, b, last.impulse.normal);
+    const double cap = cap_of(contact, a, b);
     const PointGeometry<double> geometry =
         point_geometry(s_.constants, contact, slot, shared_mass(mass_a, points_of(point.a.body)),
                        shared_mass(mass_b, points_of(point.b.body)), last, cap);

@@ -25,7 +25,8 @@ struct PairBodies {
   double thickness = 0.0;             // of the ice that crushes [m]
 };
 
-/// Thickness of the ice that crushes: the thinner floe. A platform or a fixed body A does not crush [m].
+/// Thickness of the ice that crushes: the thinner floe. A platform or a fixed body A does not crush [m]. The same of
+/// any power of the thickness.
 GEM_HD inline double crushed_thickness(BodyKind kind_a, double thickness_a, double thickness_b) {
   return kind_a == BodyKind::floe && thickness_a < thickness_b ? thickness_a : thickness_b;
 }

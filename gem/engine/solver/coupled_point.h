@@ -124,4 +124,10 @@ GEM_HD inline double best_share(const EnergyChange& sum) {
   return smaller(larger(-sum.linear / sum.quadratic, 0.0), 1.0);
 }
 
+/// Results of the iterations are scaled by best_share() if it is smaller than this. fixed_direction may create energy,
+/// so there the energy says nothing about iterations that met their residual.
+GEM_HD inline double share_limit(PointFriction law, bool residual_met) {
+  return law == PointFriction::fixed_direction && residual_met ? 0.0 : 0.5;
+}
+
 }  // namespace gem

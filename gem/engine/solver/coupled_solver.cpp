@@ -203,7 +203,7 @@ void CoupledSolver::iterate(const FieldState& f, ThreadTeam& team, int rank) {
     iterations_ = static_cast<std::int32_t>(control.iteration());
     residual_ = residual;
   }
-  keep_best_share(f, team, rank, s, c.share_limit);
+  keep_best_share(f, team, rank, s, share_limit(c.point_friction, residual <= c.residual_speed));
 }
 
 void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {

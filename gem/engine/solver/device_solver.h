@@ -32,8 +32,7 @@ class StepSolver {
     SolverList<Group>(s_, group_, step_, shared_bytes_).make();
     begin_points();
     SolverHalo<Group>(s_, group_, shared_bytes_).activate();
-    SolverRounds<Group>::iterate(s_, group_);
-    end();
+    end(SolverRounds<Group>::iterate(s_, group_));
   }
 
   /// Everything before the iterations. They follow in a launch with the same number of blocks, each with `shared_bytes`
@@ -43,10 +42,10 @@ class StepSolver {
     begin_points();
   }
 
-  /// Everything after the iterations.
-  GEM_DEVICE void end() {
+  /// Everything after the iterations. `residual_met`: they met their residual.
+  GEM_DEVICE void end(bool residual_met) {
     SolverBase<Group> base(s_, group_);
-    base.keep_best_share(s_.constants.share_limit);
+    base.keep_best_share(share_limit(s_.constants.point_friction, residual_met));
     each_point(group_, [&](std::int32_t i) { hand_back(i); });
     if (s_.wants_samples) base.add_work_created();
   }

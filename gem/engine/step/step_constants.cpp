@@ -41,8 +41,6 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
   c.point_friction = !rough                                                ? PointFriction::none
                      : scene.contact.friction_law == FrictionLaw::one_step ? PointFriction::coulomb
                                                                            : PointFriction::fixed_direction;
-  // this law may add energy, so energy says nothing about the iterations
-  if (c.point_friction == PointFriction::fixed_direction) c.share_limit = 0.0;
   c.repair_share = scene.numerics.repair_share;
   c.repair_speed = scene.numerics.repair_speed_m_per_s;
   // the contact reach beyond the drift of one time step

@@ -23,7 +23,6 @@ struct StepConstants {
   double residual_speed = 0.0;  // coupled: iterations stop at this residual [m/s]
   bool tight_residual = false;  // the residual is below the resolution of single precision
   std::int64_t iterations_maximum = 0;
-  double share_limit = 0.5;       // coupled: results are scaled by best_share() if it is smaller [-]
   double repair_share = 0.0;      // share of an overlap that is repaired in one time step [-]
   double repair_speed = 0.0;      // largest speed of the repair [m/s]
   double repair_reach = 0.0;      // coupled: largest repair motion of any point of a body in one time step [m]

@@ -4,8 +4,9 @@
 //
 // Where an edge of B lies on the line of an edge of A, the outlines cross anywhere along both. Rounding would choose
 // the place, and tilt the chord by up to depth / width. So the crossings are then found twice, with A wider and
-// narrower by a small margin, and the mean is taken: the middle of the common stretch. The chord of aligned faces is
-// parallel to them, whatever the order, the orientation and the place of the bodies.
+// narrower by a small margin where inside is told from outside, and the mean is taken: the middle of the common
+// stretch. The chord of aligned faces is parallel to them, whatever the order, the orientation and the place of the
+// bodies.
 #pragma once
 
 #include "gem/geometry/contact_geometry.h"
@@ -20,31 +21,35 @@ constexpr double one_line = 1e-9;
 
 /// The part of edge p -> q inside all edges of `a`: its parameters, and the edges of `a` that cut it (-1: uncut).
 struct ClippedEdge {
-  double begin = 0.0, end = 1.0;
+  double begin = 0.0, end = 1.0;         // with the margin
+  double entry_at = 0.0, exit_at = 1.0;  // where the edge meets those that cut it, without the margin
   int entry = -1, exit = -1;
   bool on_line = false;  // p -> q lies on the line of an edge of `a`
 };
 
-/// `margin`: by which `a` is wider [m].
+/// `margin`: by which `a` is wider when inside is told from outside [m].
 GEM_HD inline ClippedEdge clip_edge(const Outline& a, Vec2 p, Vec2 q, double margin) {
   ClippedEdge clipped;
   for (int i = 0; i < a.count; ++i) {
-    const double at_p = dot(a.normal[i], p - a.corner[i]) - margin;
-    const double at_q = dot(a.normal[i], q - a.corner[i]) - margin;
-    if (at_p < one_line && at_p > -one_line && at_q < one_line && at_q > -one_line) clipped.on_line = true;
+    const double line_p = dot(a.normal[i], p - a.corner[i]), line_q = dot(a.normal[i], q - a.corner[i]);
+    if (line_p < one_line && line_p > -one_line && line_q < one_line && line_q > -one_line) clipped.on_line = true;
+    const double at_p = line_p - margin, at_q = line_q - margin;
     if (at_p > 0.0 && at_q > 0.0) {
       clipped.begin = 1.0;
       clipped.end = 0.0;
       return clipped;
     }
     if (!(at_p > 0.0 || at_q > 0.0)) continue;
-    const double t = at_p / (at_p - at_q);
+    const double t = at_p / (at_p - at_q), met = line_p / (line_p - line_q);
+    const double within = met < 0.0 ? 0.0 : met > 1.0 ? 1.0 : met;
     if (at_p > 0.0 && t > clipped.begin) {
       clipped.begin = t;
+      clipped.entry_at = within;
       clipped.entry = i;
     }
     if (!(at_p > 0.0) && t < clipped.end) {
       clipped.end = t;
+      clipped.exit_at = within;
       clipped.exit = i;
     }
   }
@@ -100,8 +105,8 @@ GEM_HD inline void add_exit(ChordSum& sum, Vec2 crossing, int edge_a, int edge_b
 struct CrossingEdge {
   Vec2 begin, end;
   detail::ClippedEdge clipped;
-  GEM_HD Vec2 entry() const { return begin + clipped.begin * (end - begin); }
-  GEM_HD Vec2 exit() const { return begin + clipped.end * (end - begin); }
+  GEM_HD Vec2 entry() const { return begin + clipped.entry_at * (end - begin); }
+  GEM_HD Vec2 exit() const { return begin + clipped.exit_at * (end - begin); }
   GEM_HD bool enters() const { return clipped.begin < clipped.end && clipped.entry >= 0; }
   GEM_HD bool leaves() const { return clipped.begin < clipped.end && clipped.exit >= 0; }
 };

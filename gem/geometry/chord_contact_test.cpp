@@ -51,7 +51,7 @@ TEST(ChordContact, CornerOnFace) {
 TEST(ChordContact, FaceOnFace) {
   const Shape square = rectangle(10.0, 10.0);
   const ContactGeometry equal = chord(square, square, {9.9, 0.0});
-  EXPECT_NEAR(equal.width, 10.0, 2e-9);  // the margin of aligned edges
+  EXPECT_NEAR(equal.width, 10.0, 1e-14);
   expect_near(equal.normal, {1.0, 0.0}, 1e-15);
   const ContactGeometry shifted = chord(square, square, {9.9, 1.0});
   EXPECT_NEAR(shifted.width, std::hypot(0.1, 9.0), 1e-13);
@@ -73,7 +73,7 @@ void expect_everywhere(const Shape& a, const Shape& b, Vec2 offset, const Contac
       const Shape turned_a = turned(a, q), turned_b = turned(b, q);
       const Vec2 apart = (place + rotate(q, offset)) - place;  // as positions of bodies give it
       const ContactGeometry forth = chord(turned_a, turned_b, apart), back = chord(turned_b, turned_a, -apart);
-      const double tolerance = 5e-9;  // 4 x the margin, and the rounding of a place
+      const double tolerance = 1e-13 * (10.0 + length(place));  // rounding of a place
       ASSERT_EQ(forth.count, 1);
       EXPECT_NEAR(forth.width, expected.width, tolerance) << k;
       EXPECT_NEAR(back.width, expected.width, tolerance) << k;

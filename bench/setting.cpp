@@ -49,8 +49,8 @@ void set_option(EngineSetting& setting, const std::string& option) {
 
 /// Scales the impulses to a time step of another length, so that the forces stay. The repair starts again from zero.
 void scale_impulses(EngineState& state, double ratio) {
-  for (PointImpulse<double>& impulse : state.impulse_value)
-    impulse = {ratio * impulse.normal, ratio * impulse.tangential, 0.0};
+  for (PointMemory& point : state.impulse_value)
+    point = {{ratio * point.impulse.normal, ratio * point.impulse.tangential, 0.0}, ratio * point.rise};
 }
 
 }  // namespace

@@ -57,8 +57,11 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 Outcome outcome_of(const Setting& setting, SceneDef scene, EngineState start, const Bodies& field, double window) {
   scene.numerics.time_step_s *= setting.factor;
   start.step = std::llround(static_cast<double>(start.step) / setting.factor);
-  for (PointImpulse<double>& p : start.impulse_value)
-    p = {p.normal * setting.factor, p.tangential * setting.factor, p.repair * setting.factor};
+  for (PointMemory& point : start.impulse_value) {
+    const PointImpulse<double>& p = point.impulse;
+    point = {{p.normal * setting.factor, p.tangential * setting.factor, p.repair * setting.factor},
+             point.rise * setting.factor};
+  }
   scene.numerics.iterations_maximum = setting.iterations;
   if (setting.splits) {
     scene.numerics.iteration = Iteration::splitting;

@@ -100,8 +100,8 @@ struct EngineState {
   std::int64_t step = 0;
   Bodies bodies;
   Ledger ledger;
-  std::vector<std::uint64_t> impulse_key;  // warm start of `coupled`: contact_key(), ascending by pair
-  std::vector<PointImpulse<double>> impulse_value;
+  std::vector<std::uint64_t> impulse_key;  // points of `coupled`: contact_key(), ascending by pair
+  std::vector<PointMemory> impulse_value;
 };
 
 class Engine {

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "gem/events/events.h"
+
 namespace gem {
 namespace {
 
@@ -86,6 +88,20 @@ TEST(Crushing, NothingForNoEnergyAndNoWidth) {
   EXPECT_EQ(crushing_peak(ice, 2.0, 1.0, 0.0).depth, 0.0);
   EXPECT_EQ(crushing_force(ice, 0.0), 0.0);
   EXPECT_EQ(crushing_flat(ice, 0.0, 10.0).depth, 0.0);
+}
+
+TEST(Crushing, TheCapIsTheLawOfTheWholeFace) {
+  EventDefinitions definitions;
+  const Events e = make_events(definitions, nullptr, 0.05);
+  for (const double thickness : {0.3, 1.2})
+    for (const double area : {4.0, 400.0}) {
+      const CrushingPowers powers = crushing_powers(e, thickness, area);
+      const double law = 0.05 * crushing_force(crushing_ice(e, thickness), std::sqrt(area));
+      EXPECT_NEAR(largest_impulse(e, true, powers.thickness, powers.width, 1) / law, 1.0, 1e-14);
+      EXPECT_NEAR(largest_impulse(e, true, powers.thickness, powers.width, 2) / law, 0.5, 1e-14);
+    }
+  EXPECT_EQ(largest_impulse(e, false, 1.0, 1.0, 1), no_cap);
+  EXPECT_EQ(crushing_powers(e, 0.0, 0.0).thickness, 0.0);  // a body that has no ice
 }
 
 }  // namespace

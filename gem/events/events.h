@@ -10,6 +10,7 @@
 #include "gem/events/crushing.h"         // pair: closed-form peak of an impact
 #include "gem/events/current_drag.h"     // solo: water drag on a floe
 #include "gem/events/elastic_contact.h"  // pair: static stress
+#include "gem/events/friction_memory.h"  // pair: friction of a hit that takes two time steps
 #include "gem/events/impact.h"           // pair: plastic impact with friction
 #include "gem/events/mass_reduction.h"   // pair: effective mass
 #include "gem/events/mooring.h"          // solo: platform on its mooring
@@ -207,17 +208,24 @@ GEM_HD inline double static_stress_speed(const Events& e, double depth, double c
   return asked < cap ? asked : cap;
 }
 
+/// The force that crushes a body across its whole size w is P0 h^(1+ex) w^(1+ex): its powers, evaluated once per run.
+struct CrushingPowers {
+  double thickness = 0.0;  // h^(1+ex)
+  double width = 0.0;      // w^(1+ex), with w the root of the area
+};
+
+/// The powers of a body of `thickness` [m] and `area` [m2].
+GEM_HD inline CrushingPowers crushing_powers(const Events& e, double thickness, double area) {
+  const double exponent = 1.0 + e.ice.pressure_area_exponent;
+  return {strict::power(thickness, exponent), strict::power(std::sqrt(area), exponent)};
+}
+
 /// Largest impulse of one of `points` points of a contact in a time step [N s]: the impulse that crushes the smaller
-/// body, of `smaller_area` [m2], across its whole size. `ice_crushes`: one of the bodies is a floe. The power in the
-/// law is evaluated only for a point whose last impulse was of this order. For other points a lower bound is enough.
-GEM_HD inline double largest_impulse(const Events& e, bool ice_crushes, double thickness, double smaller_area,
-                                     int points, double last_impulse) {
+/// body across its whole size. `thickness`: the power of the ice that crushes; `width`: of the smaller body.
+/// `ice_crushes`: one of the bodies is a floe.
+GEM_HD inline double largest_impulse(const Events& e, bool ice_crushes, double thickness, double width, int points) {
   if (!e.contact.crushing_limit || !ice_crushes) return no_cap;
-  const CrushingIce ice = crushing_ice(e, thickness);
-  const double width = std::sqrt(smaller_area);
-  const double share = e.dt / points;
-  const double least = share * crushing_force_at_least(ice, width);
-  return last_impulse < 0.5 * least ? least : share * crushing_force(ice, width);
+  return e.dt / points * e.ice.crushing_pressure_Pa * thickness * width;
 }
 
 }  // namespace gem

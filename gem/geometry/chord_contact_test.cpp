@@ -59,6 +59,60 @@ TEST(ChordContact, FaceOnFace) {
   expect_near(shifted.point[0].position, {4.95, 0.5}, 1e-13);
 }
 
+/// Checks the chord of two outlines whose overlap is `expected` when A is not turned: both orders, 60 orientations,
+/// places with other rounding.
+void expect_everywhere(const Shape& a, const Shape& b, Vec2 offset, const ContactGeometry& expected) {
+  const auto turned = [](const Shape& shape, Rotation q) {
+    std::vector<Vec2> corners;
+    for (const Vec2 p : shape.corner) corners.push_back(rotate(q, p));
+    return Shape(corners);
+  };
+  for (int k = 0; k < 60; ++k)
+    for (const Vec2 place : {Vec2{}, Vec2{1.3, -7.7}, Vec2{1e3, 333.3}, Vec2{-1e6, 7e5}}) {
+      const Rotation q = strict::rotation_of_turns(k / 60.0);
+      const Shape turned_a = turned(a, q), turned_b = turned(b, q);
+      const Vec2 apart = (place + rotate(q, offset)) - place;  // as positions of bodies give it
+      const ContactGeometry forth = chord(turned_a, turned_b, apart), back = chord(turned_b, turned_a, -apart);
+      const double tolerance = 1e-13 * (10.0 + length(place));  // rounding of a place
+      ASSERT_EQ(forth.count, 1);
+      EXPECT_NEAR(forth.width, expected.width, tolerance) << k;
+      EXPECT_NEAR(back.width, expected.width, tolerance) << k;
+      expect_near(forth.normal, rotate(q, expected.normal), tolerance);
+      expect_near(back.normal, -forth.normal, tolerance);
+      expect_near(forth.point[0].position, rotate(q, expected.point[0].position), tolerance);
+      expect_near(apart + back.point[0].position, forth.point[0].position, tolerance);
+      EXPECT_NEAR(forth.growth, expected.growth, 1e-6) << k;
+      EXPECT_NEAR(back.growth, expected.growth, 1e-6) << k;
+    }
+}
+
+ContactGeometry flat(double width, Vec2 normal, Vec2 middle) {
+  ContactGeometry contact;
+  contact.width = width;
+  contact.normal = normal;
+  contact.point[0].position = middle;
+  return contact;
+}
+
+TEST(ChordContact, AlignedFacesHaveOneChordInEveryOrientation) {
+  const Shape square = rectangle(10.0, 10.0);
+  for (const double depth : {0.5, 0.05, 1e-3, 1e-6})
+    expect_everywhere(square, square, {10.0 - depth, 0.0}, flat(10.0, {1.0, 0.0}, {5.0 - 0.5 * depth, 0.0}));
+}
+
+TEST(ChordContact, FacesAlignedAtOneEndHaveOneChordInEveryOrientation) {
+  // B is narrower, and its lower side continues that of A: there the chord begins half-way down the common stretch
+  const Shape large = rectangle(10.0, 10.0), small = rectangle(4.0, 6.0);
+  for (const double depth : {0.1, 1e-3}) {
+    const Vec2 from{5.0 - 0.5 * depth, -5.0}, to{5.0, 1.0};
+    const double width = length(to - from);
+    ContactGeometry expected = flat(width, (1.0 / width) * turned_right(to - from), 0.5 * (from + to));
+    expected.growth = chord(large, small, {7.0 - depth, -2.0}).growth;
+    EXPECT_LT(std::fabs(expected.growth), 0.2 * depth);
+    expect_everywhere(large, small, {7.0 - depth, -2.0}, expected);
+  }
+}
+
 TEST(ChordContact, CornerOnCorner) {
   const Shape square = rectangle(10.0, 10.0, 0.125);
   const double reach = 5.0 * std::sqrt(2.0);

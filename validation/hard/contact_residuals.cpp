@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "gem/engine/cpu/kick_floes.h"
 #include "gem/engine/step/contact_stages.h"
 #include "gem/engine/step/step_constants.h"
 
@@ -28,7 +29,7 @@ bool may_meet(const Bodies& bodies, std::int32_t a, std::int32_t b) {
 }
 
 ContactResiduals residuals_of(const FieldState& field, const Bodies& after, const Contact& contact, int k,
-                              ContactImpulse impulse) {
+                              ContactImpulse impulse, const PointMemory& last) {
   const StepConstants& c = field.constants;
   const ContactSlot& slot = contact.slot[k];
   const ContactCompliance compliance = contact_compliance(collision_mass(after, contact.a), slot.arm_a,
@@ -38,16 +39,26 @@ ContactResiduals residuals_of(const FieldState& field, const Bodies& after, cons
   const double u_n = dot(velocity, contact.normal) - target, u_t = dot(velocity, turned_left(contact.normal));
   const double friction = friction_of_pair(c.events, contact.a == 0);
   const double push = compliance.nn * impulse.normal, rub = compliance.tt * impulse.tangential;
-  const double bound = compliance.tt * friction * std::max(0.0, impulse.normal);
+  const double closing = target - dot(relative_velocity(field.bodies, contact, slot), contact.normal);
+  const SpareFriction spare =
+      spare_friction(friction, {last.impulse.normal, last.impulse.tangential}, last.rise, compliance, closing);
+  const double cone = friction * std::max(0.0, impulse.normal);
+  const double most = compliance.tt * (cone + spare.left), least = -compliance.tt * (cone + spare.right);
 
   ContactResiduals found;
   found.points = 1;
   found.pull = std::max(0.0, -push);
   found.closing = std::max(0.0, -u_n);
   found.complementarity = std::fabs(std::min(push, u_n));
-  found.cone = std::max(0.0, std::fabs(rub) - bound);
-  found.slip = std::fabs(rub - std::clamp(rub - u_t, -bound, bound));
+  found.cone = std::max({0.0, rub - most, least - rub});
+  found.slip = std::fabs(rub - std::clamp(rub - u_t, least, most));
   return found;
+}
+
+std::map<std::uint64_t, PointMemory> memory_by_key(const EngineState& state) {
+  std::map<std::uint64_t, PointMemory> memory;
+  for (std::size_t i = 0; i < state.impulse_key.size(); ++i) memory[state.impulse_key[i]] = state.impulse_value[i];
+  return memory;
 }
 
 }  // namespace
@@ -65,21 +76,25 @@ void ContactResiduals::merge(const ContactResiduals& other) {
 double ContactResiduals::worst() const { return std::max({pull, closing, complementarity, cone, slip}); }
 
 ContactResiduals contact_residuals(const SceneDef& scene, const EngineState& before, const EngineState& after) {
-  const FieldState field = make_field_state(before.bodies, step_constants(scene, before.bodies));
-  std::map<std::uint64_t, ContactImpulse> kept;
-  for (std::size_t i = 0; i < after.impulse_key.size(); ++i)
-    kept[after.impulse_key[i]] = {after.impulse_value[i].normal, after.impulse_value[i].tangential};
+  FieldState field = make_field_state(before.bodies, step_constants(scene, before.bodies));
+  const std::map<std::uint64_t, PointMemory> last = memory_by_key(before);
+  std::map<std::uint64_t, PointMemory> kept = memory_by_key(after);
+  const auto of = [](const std::map<std::uint64_t, PointMemory>& memory, std::uint64_t key) {
+    const auto found = memory.find(key);
+    return found == memory.end() ? PointMemory{} : found->second;
+  };
   ContactResiduals worst;
   const auto count = static_cast<std::int32_t>(before.bodies.count());
+  kick_floes(field, 0, count);  // the velocities before the contacts; positions and outlines stay
   Contact contact;
   for (std::int32_t a = 0; a < count; ++a)
     for (std::int32_t b = a + 1; b < count; ++b) {
       if (!may_meet(before.bodies, a, b) || !touching(field, a, b, contact)) continue;
       for (int k = 0; k < contact.count; ++k) {
-        const auto found = kept.find(contact_key(contact.a, contact.b, contact.slot[k].feature));
-        worst.merge(
-            residuals_of(field, after.bodies, contact, k, found == kept.end() ? ContactImpulse{} : found->second));
-        if (found != kept.end()) kept.erase(found);
+        const std::uint64_t key = contact_key(contact.a, contact.b, contact.slot[k].feature);
+        const PointImpulse<double> now = of(kept, key).impulse;
+        worst.merge(residuals_of(field, after.bodies, contact, k, {now.normal, now.tangential}, of(last, key)));
+        kept.erase(key);
       }
     }
   worst.without_point = static_cast<std::int64_t>(kept.size());

@@ -6,7 +6,7 @@
 //   pull              K_nn max(0, -P_n)                      a contact never pulls
 //   closing           max(0, -u_n)                           no point still closes
 //   complementarity   |min(K_nn P_n, u_n)|                   either no impulse or no separation
-//   cone              K_tt max(0, |P_t| - mu P_n)            Coulomb's bound
+//   cone              K_tt max(0, |P_t| - mu P_n)            Coulomb's bound, with the spare friction of the last step
 //   slip              |K_tt P_t - clamp(K_tt P_t - u_t)|     sticks, or slips against friction at its bound
 // For the time step: the energy that its events added, which must not be positive [J].
 #pragma once

@@ -66,7 +66,7 @@ TEST_P(HardResiduals, A_wrong_impulse_is_seen) {
   run.advance(1);
   EngineState after = run.engine().save();
   ASSERT_FALSE(after.impulse_value.empty());
-  after.impulse_value[0] = {
+  after.impulse_value[0].impulse = {
       -450.0, 900.0, 0.0};  // an impulse that pulls, and friction without a coefficient: 0.01 and 0.02 m/s on 45 t
   const ContactResiduals seen = contact_residuals(scene, before, after);
   EXPECT_GT(seen.pull, 0.005);

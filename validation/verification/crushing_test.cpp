@@ -1,4 +1,4 @@
-// Closed-form crushing of an impact, and what must not be called a peak load: V48 and V49.
+// Closed-form crushing of an impact, and what must not be called a peak load: V48, V49 and V54.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -83,6 +83,51 @@ TEST_P(CrushingEvents, V49_peak_is_not_impulse_over_step) {
     const double impulse_rate = event.impulse_normal / dt;
     check_value("V49.J_over_dt", mass * speed / dt, impulse_rate, 1e-6 * impulse_rate, "N", where());
     EXPECT_GT(std::fabs(std::log(event.peak_force / impulse_rate)), 0.1) << "a peak load that is J / dt";
+  }
+}
+
+class CrushingCap : public OnEngines {};
+INSTANTIATE_TEST_SUITE_P(Engines, CrushingCap, ::testing::ValuesIn(coupled_settings()), setting_name);
+
+TEST_P(CrushingCap, V54_a_face_crushes_with_its_force_from_the_first_step) {
+  for (const double face : {3.5, 12.0, 24.0}) {  // crushed area [m2]
+    const std::string key = "V54.face_" + number_text(face);
+    const double width = 10.0, thick = face / width, hit_mass = 900.0 * width * face;
+    SceneDef scene = quiet_scene();
+    scene.contact.crushing_limit = true;
+    scene.ice.crushing_pressure_Pa = 1e6;
+    scene.ice.pressure_area_exponent = -0.1;
+    scene.fixed = {floor_wall()};
+    FloeDef floe = on_floor(square({}, {0.0, -speed}));
+    floe.thickness_m = thick;
+    scene.floe = {floe};
+    const double force = crushing_force({1e6, -0.1, thick}, width), time = hit_mass * speed / force;
+    const double depth = 0.5 * hit_mass * speed * speed / force;
+    for (const double steps : {12.5, 100.5, 800.5}) {  // until the floe stands
+      scene.numerics.time_step_s = time / steps;
+      Simulation run = start(scene, setting());
+      const double before = run.bodies().position.back().y;
+      double last = -speed;
+      double weakest = 1e300, strongest = 0.0;
+      for (int k = 0; k < static_cast<int>(steps); ++k) {
+        run.advance(1);
+        const double now = run.bodies().velocity.back().y;
+        const double impulse = hit_mass * (now - last);
+        weakest = std::min(weakest, impulse), strongest = std::max(strongest, impulse);
+        last = now;
+      }
+      const std::string id = key + ".steps_" + number_text(steps);
+      const double whole = force * scene.numerics.time_step_s;
+      // a difference of speeds of 0.5 m/s, of which a step takes the share 1 / steps
+      check_value(id + ".weakest", 1.0, weakest / whole, rounding * steps, "-", where());
+      check_value(id + ".strongest", 1.0, strongest / whole, rounding * steps, "-", where());
+      run.advance(2);
+      check_value(id + ".speed", 0.0, run.bodies().velocity.back().y, rounding, "m/s", where());
+      // each time step moves with the speed at its end
+      const double sunk = before - run.bodies().position.back().y;
+      check_value(id + ".depth", 1.0, sunk / depth, 1.1 / steps, "-", where());
+      expect_closed_books(run);
+    }
   }
 }
 

@@ -115,7 +115,7 @@ TEST_P(Friction, V19_which_friction_law) {
     check(key + ".dE", impact.energy_lost(), rounding, where());
   };
   run("V19.moreau", FrictionLaw::one_step);
-  if (!setting().coupled()) run("V19.fixed", FrictionLaw::fixed_direction);
+  run("V19.fixed", FrictionLaw::fixed_direction);
 }
 
 TEST(FrictionLaw, V19_laws) {

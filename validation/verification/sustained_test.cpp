@@ -122,8 +122,8 @@ TEST_P(Sustained, V35_held_in_a_notch) {
   if (setting().coupled()) {
     const EngineState state = run.engine->save();
     ASSERT_EQ(state.impulse_value.size(), 2u);
-    for (const PointImpulse<double>& impulse : state.impulse_value)
-      check("V35.mu0", impulse.normal / dt, drag_shortfall(0.05, 0.5, dt) + 1e-6, where());
+    for (const PointMemory& point : state.impulse_value)
+      check("V35.mu0", point.impulse.normal / dt, drag_shortfall(0.05, 0.5, dt) + 1e-6, where());
   }
   expect_held_books(run, 10.0);
 }

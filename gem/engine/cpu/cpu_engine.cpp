@@ -119,7 +119,7 @@ void CpuEngine::move(ThreadTeam& team, int rank, StepLog& log) {
 Ledger CpuEngine::ledger() { return closed_books(field_, ledger_); }
 
 EngineState CpuEngine::save() {
-  return {step_, field_.bodies, closed_books(field_, ledger_), coupled_.keys(), coupled_.impulses()};
+  return {step_, field_.bodies, closed_books(field_, ledger_), coupled_.keys(), coupled_.memory()};
 }
 
 void CpuEngine::restore(const EngineState& state) {

@@ -106,14 +106,16 @@ GEM_DEVICE inline bool follow_two_axes(const Lanes& lanes, SeparatingAxes& axes,
   return lanes.from(axes.first.distance > limit || axes.first.distance > axes.others ? 1 : 0, 0) != 0;
 }
 
-/// The crossings of two outlines with an edge of B for each lane, added up in the order of the edges.
+/// Adds the crossings of two outlines with an edge of B for each lane, in the order of the edges. See crossings().
 template <class Lanes>
-GEM_DEVICE inline ChordSum chord_sum(const Lanes& lanes, const Outline& a, const Outline& b, Vec2 offset) {
-  ChordSum sum;
+GEM_DEVICE inline bool add_crossings(const Lanes& lanes, const Outline& a, const Outline& b, Vec2 offset, double margin,
+                                     ChordSum& sum) {
+  bool on_line = false;
   for (int first = 0; first < b.count; first += Lanes::size) {
     const int j = first + lanes.rank();
     CrossingEdge edge;
-    if (j < b.count) edge = crossing_edge(a, b, offset, j);
+    if (j < b.count) edge = crossing_edge(a, b, offset, j, margin);
+    on_line = on_line || lanes.ballot(j < b.count && edge.clipped.on_line) != 0;
     const bool enters = j < b.count && edge.enters(), leaves = j < b.count && edge.leaves();
     const unsigned all_enter = lanes.ballot(enters), all_leave = lanes.ballot(leaves);
     const Vec2 entry = edge.entry(), exit = edge.exit();
@@ -125,7 +127,12 @@ GEM_DEVICE inline ChordSum chord_sum(const Lanes& lanes, const Outline& a, const
         add_exit(sum, {lanes.from(exit.x, k), lanes.from(exit.y, k)}, lanes.from(edge.clipped.exit, k), first + k);
     }
   }
-  return sum;
+  return on_line;
+}
+
+template <class Lanes>
+GEM_DEVICE inline ChordSum chord_sum(const Lanes& lanes, const Outline& a, const Outline& b, Vec2 offset) {
+  return crossings([&](ChordSum& sum, double margin) { return add_crossings(lanes, a, b, offset, margin, sum); });
 }
 
 }  // namespace gem::lane

@@ -172,8 +172,8 @@ GEM_DEVICE inline void settle_points(const DeviceScene& s, Group& group) {
   BlockCell& shared = group.shared();
   if (group.thread() == 0) shared = {};
   group.block_barrier();
-  SolverRounds<Group>::run_rest(s, group);
-  StepSolver<Group>(s, group, static_cast<std::int32_t>(s.status->step), group.shared_bytes()).end();
+  const bool residual_met = SolverRounds<Group>::run_rest(s, group);
+  StepSolver<Group>(s, group, static_cast<std::int32_t>(s.status->step), group.shared_bytes()).end(residual_met);
   add_quality(s, group);
   if (rank_of(group) != 0) return;
   s.status->visits += static_cast<std::int64_t>(s.counters->points) * shared.iterations;

@@ -65,10 +65,11 @@ class DeviceSolvers : public testing::TestWithParam<ContactSolver> {};
 TEST(PairMemory, OfAPairThatIsNewHoldsNothingInAnyTimeStep) {
   PairMemory memory;
   memory.feature[0] = 3;  // what an earlier list left there
-  memory.impulse[0] = {1.0, 2.0, 3.0};
-  for (const std::int32_t step : {0, 1, 1000}) EXPECT_EQ(last_impulse(memory, 3, step).normal, 0.0) << step;
+  memory.point[0] = {{1.0, 2.0, 3.0}, 4.0};
+  for (const std::int32_t step : {0, 1, 1000}) EXPECT_EQ(memory_of(memory, 3, step).impulse.normal, 0.0) << step;
   memory.step = 999;
-  EXPECT_EQ(last_impulse(memory, 3, 1000).normal, 1.0);
+  EXPECT_EQ(memory_of(memory, 3, 1000).impulse.normal, 1.0);
+  EXPECT_EQ(memory_of(memory, 3, 1000).rise, 4.0);
 }
 
 TEST_P(DeviceSolvers, BlocksAndThreadsChangeNothing) {

@@ -108,6 +108,7 @@ struct DeviceScene {
 
   // the following only for coupled contacts
   const float* momentum_coefficients = nullptr;  // see iteration_control.h
+  const CrushingPowers* crushing = nullptr;      // of each body
   RowPoints* row_points = nullptr;
   PairMemory* memory = nullptr;      // by pair
   CarriedMemory* carried = nullptr;  // contacts of the time step before a list or call ended, in no order

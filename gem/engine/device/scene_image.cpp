@@ -190,6 +190,7 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.body_normal, vertices);
   placer.place(s.area, n);
   if (!sizes.coupled) return placer.used();
+  placer.place(s.crushing, n);
   placer.place(s.added, n);
   placer.place(s.solved, n);
   placer.place(s.body_points, n);
@@ -274,6 +275,7 @@ void write_field(const FieldState& f, std::int64_t step, const DeviceScene& s) {
   }
   std::copy(f.bodies.area.begin(), f.bodies.area.end(), const_cast<double*>(s.area));
   if (s.added) {
+    std::copy(f.crushing.begin(), f.crushing.end(), const_cast<CrushingPowers*>(s.crushing));
     std::fill_n(s.added, f.bodies.count(), AddedMotion{});
     std::fill_n(s.solved, f.bodies.count(), SolvedMotion{});
     std::fill_n(s.body_points, f.bodies.count(), BodyPoints{});
@@ -297,7 +299,7 @@ std::vector<CarriedMemory> carried_memory(const EngineState& state) {
     const bool second = !all.empty() && all.back().a == a && all.back().b == b;
     if (!second) all.push_back({a, b, {-1, -1}, {}});
     all.back().feature[second ? 1 : 0] = feature_of(key);
-    all.back().impulse[second ? 1 : 0] = state.impulse_value[k];
+    all.back().point[second ? 1 : 0] = state.impulse_value[k];
   }
   return all;
 }
@@ -310,7 +312,7 @@ void save_memory(std::vector<CarriedMemory> carried, EngineState& state) {
     for (int k = 0; k < 2; ++k) {
       if (contact.feature[k] < 0) continue;
       state.impulse_key.push_back(contact_key(contact.a, contact.b, contact.feature[k]));
-      state.impulse_value.push_back(contact.impulse[k]);
+      state.impulse_value.push_back(contact.point[k]);
     }
 }
 

@@ -29,6 +29,13 @@ struct Bounds {
 Bounds bounds_of(const BoundedProblem& p, const Vector& x, int i) {
   if (p.normal[i] == BoundedProblem::none) return {0.0, p.limit[i]};
   const double most = p.limit[i] * x[p.normal[i]];
+  return {-most - p.spare[i].right, most + p.spare[i].left};
+}
+
+/// Growth of the bounds when x grows by `change`.
+Bounds growth_of_bounds(const BoundedProblem& p, const Vector& change, int i) {
+  if (p.normal[i] == BoundedProblem::none) return {0.0, 0.0};
+  const double most = p.limit[i] * change[p.normal[i]];
   return {-most, most};
 }
 
@@ -141,8 +148,9 @@ Solver::Guess Solver::guess_from(const Vector& from) const {
     } else if (normal == BoundedProblem::none) {
       guess.x[i] = within(wanted, bounds);
     } else {
-      const double share = wanted > 0.0 ? p_.limit[i] : -p_.limit[i];
-      guess.x[i] = share * guess.x[normal];
+      const bool above = wanted > 0.5 * (bounds.lower + bounds.upper);
+      const double share = above ? p_.limit[i] : -p_.limit[i];
+      guess.x[i] = share * guess.x[normal] + (above ? p_.spare[i].left : -p_.spare[i].right);
       if (column[normal] >= 0) follow.emplace_back(i, column[normal], share);
     }
   }
@@ -162,10 +170,9 @@ double Solver::step_fraction(const Guess& guess, const Vector& change) const {
   };
   for (int i = 0; i < size(); ++i) {
     if (!guess.is_free[i]) continue;
-    const Bounds now = bounds_of(p_, guess.x, i), growth = bounds_of(p_, change, i);
-    const bool is_normal = p_.normal[i] == BoundedProblem::none;  // whose bounds stay
-    keep_gap(guess.x[i] - now.lower, change[i] - (is_normal ? 0.0 : growth.lower));
-    keep_gap(now.upper - guess.x[i], (is_normal ? 0.0 : growth.upper) - change[i]);
+    const Bounds now = bounds_of(p_, guess.x, i), growth = growth_of_bounds(p_, change, i);
+    keep_gap(guess.x[i] - now.lower, change[i] - growth.lower);
+    keep_gap(now.upper - guess.x[i], growth.upper - change[i]);
   }
   return share;
 }

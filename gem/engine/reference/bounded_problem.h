@@ -7,11 +7,14 @@
 //   K  response [1/kg]      b  w without impulses [m/s]
 //
 // The position repair is the same problem with x in kg m and w, b in m.
-// A normal impulse lies in [0, cap]. A tangential impulse lies in [-mu P_n, mu P_n], with P_n its normal impulse.
+// A normal impulse lies in [0, cap]. A tangential impulse lies in [-mu P_n - right, mu P_n + left], with P_n its normal
+// impulse, and left and right the spare friction of the last time step (friction_memory.h).
 #pragma once
 
 #include <Eigen/SparseCore>
 #include <vector>
+
+#include "gem/events/friction_memory.h"
 
 namespace gem::reference {
 
@@ -20,7 +23,8 @@ struct BoundedProblem {
   Eigen::SparseMatrix<double, Eigen::RowMajor> response;  // K
   Eigen::VectorXd start;                                  // b
   Eigen::VectorXd limit;                                  // normal: cap (infinity: none) [N s]; tangential: mu [-]
-  std::vector<int> normal;  // tangential: index of its normal impulse, which comes before it; else `none`
+  std::vector<int> normal;           // tangential: index of its normal impulse, which comes before it; else `none`
+  std::vector<SpareFriction> spare;  // tangential: beyond mu P_n [N s]
 };
 
 struct BoundedSolution {

@@ -19,6 +19,7 @@ BoundedProblem problem_of(const Eigen::MatrixXd& response, const Eigen::VectorXd
   p.start = start;
   p.limit = Eigen::VectorXd::Constant(start.size(), none);
   p.normal.assign(static_cast<std::size_t>(start.size()), BoundedProblem::none);
+  p.spare.resize(p.normal.size());
   return p;
 }
 
@@ -62,6 +63,18 @@ TEST(BoundedProblem, SticksWithinTheConeAndSlipsOnIt) {
   const BoundedSolution slip = solve(rough_point(k, start, 0.5));
   EXPECT_NEAR(slip.x[0], 1.0 / 1.75, 1e-14);
   EXPECT_NEAR(slip.x[1], -0.5 / 1.75, 1e-14);
+}
+
+TEST(BoundedProblem, SpareFrictionWidensTheConeOnItsSide) {
+  const Eigen::Matrix2d k{{2.0, 0.5}, {0.5, 1.0}};
+  BoundedProblem p = rough_point(k, Eigen::Vector2d{-1.0, 0.1}, 0.5);
+  p.spare[1] = {7.0, 0.02};  // only the side to which the point pulls counts
+  // t = -n/2 - 0.02: 1.75 n = 1.01
+  const BoundedSolution slip = solve(p);
+  EXPECT_NEAR(slip.x[0], 1.01 / 1.75, 1e-14);
+  EXPECT_NEAR(slip.x[1], -0.5 * 1.01 / 1.75 - 0.02, 1e-14);
+  p.spare[1].right = 1.0;
+  EXPECT_NEAR(solve(p).x[1], -0.4, 1e-14);  // sticks, as with a wide cone
 }
 
 TEST(BoundedProblem, TwoPointsInOnePlaceShareTheirImpulse) {

@@ -48,7 +48,7 @@ Vec2 velocity_before(const ProblemPoint& p, const std::vector<ProblemBody>& bodi
 
 /// P_t / P_n for the law fixed_direction; 0 where nothing slips or where friction would jam the corner (impact.h).
 double fixed_ratio(const ProblemPoint& p, const std::vector<ProblemBody>& bodies) {
-  const double slip = dot(velocity_before(p, bodies), turned_left(p.normal));
+  const double slip = slip_of_hit(dot(velocity_before(p, bodies), turned_left(p.normal)), p.last, p.rise);
   if (slip == 0.0) return 0.0;
   const double ratio = slip > 0.0 ? -p.friction : p.friction;
   const ContactCompliance k = contact_compliance(bodies[p.a].mass, p.arm_a, bodies[p.b].mass, p.arm_b, p.normal);
@@ -78,24 +78,28 @@ class Group {
  private:
   int unknowns() const { return static_cast<int>(start_.size()); }
   void add_point(const ProblemPoint& p, FrictionLaw law);
-  void add_unknown(const ProblemPoint& p, Vec2 measured, Vec2 given, double target, double limit, int normal);
+  void add_unknown(const ProblemPoint& p, Vec2 measured, Vec2 given, double target, double limit, int normal,
+                   SpareFriction spare = {});
 
   const Indices& members_;
   const std::vector<ProblemBody>& bodies_;
   std::map<std::int32_t, std::vector<Side>> sides_;  // by body
   std::vector<double> start_, limit_;                // see BoundedProblem
   std::vector<int> normal_;
+  std::vector<SpareFriction> spare_;
   std::vector<int> unknown_of_;  // per member: unknown of its normal impulse
   std::vector<double> ratio_;    // per member: P_t / P_n where the law fixes it
 };
 
-void Group::add_unknown(const ProblemPoint& p, Vec2 measured, Vec2 given, double target, double limit, int normal) {
+void Group::add_unknown(const ProblemPoint& p, Vec2 measured, Vec2 given, double target, double limit, int normal,
+                        SpareFriction spare) {
   const int unknown = unknowns();
   sides_[p.b].push_back({unknown, measured, given, cross(p.arm_b, measured), cross(p.arm_b, given)});
   sides_[p.a].push_back({unknown, -measured, -given, cross(p.arm_a, -measured), cross(p.arm_a, -given)});
   start_.push_back(dot(velocity_before(p, bodies_), measured) - target);
   limit_.push_back(limit);
   normal_.push_back(normal);
+  spare_.push_back(spare);
 }
 
 void Group::add_point(const ProblemPoint& p, FrictionLaw law) {
@@ -106,7 +110,7 @@ void Group::add_point(const ProblemPoint& p, FrictionLaw law) {
   unknown_of_.push_back(unknown);
   ratio_.push_back(ratio);
   add_unknown(p, p.normal, p.normal + ratio * tangent, p.target, p.cap, BoundedProblem::none);
-  if (rough && law == FrictionLaw::one_step) add_unknown(p, tangent, tangent, 0.0, p.friction, unknown);
+  if (rough && law == FrictionLaw::one_step) add_unknown(p, tangent, tangent, 0.0, p.friction, unknown, p.spare);
 }
 
 BoundedProblem Group::problem() const {
@@ -126,6 +130,7 @@ BoundedProblem Group::problem() const {
   problem.start = Eigen::Map<const Eigen::VectorXd>(start_.data(), unknowns());
   problem.limit = Eigen::Map<const Eigen::VectorXd>(limit_.data(), unknowns());
   problem.normal = normal_;
+  problem.spare = spare_;
   return problem;
 }
 

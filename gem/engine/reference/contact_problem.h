@@ -3,6 +3,7 @@
 //   u_n >= target,  0 <= P_n <= cap        u_n > target only where P_n = 0, u_n < target only where P_n = cap
 //   |P_t| <= mu P_n,  P_t against the remaining slip                  friction law one_step (Coulomb)
 //   P_t = -mu P_n sign(u_t before)                                    friction law fixed_direction
+// In the time step after a rise of the load both laws go on as friction_memory.h says.
 //
 //   u_n, u_t  velocity of B relative to A along the normal and along the normal turned left, after the impulses [m/s]
 //   P_n, P_t  impulse on B; the opposite acts on A                                                              [N s]
@@ -15,12 +16,13 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/events/friction_memory.h"
 #include "gem/events/impact.h"
 #include "gem/scene/scene_def.h"
 
 namespace gem::reference {
 
-/// A contact point. For the position repair: shifts [m] for velocities, and impulses in kg m.
+/// A contact point. For the position repair: shifts [m] for velocities, impulses in kg m, and no friction.
 struct ProblemPoint {
   std::int32_t a = 0, b = 0;
   Vec2 normal;                                           // from A to B
@@ -28,6 +30,9 @@ struct ProblemPoint {
   double target = 0.0;                                   // smallest u_n [m/s]
   double cap = std::numeric_limits<double>::infinity();  // largest P_n [N s]
   double friction = 0.0;                                 // mu [-]
+  SpareFriction spare;                                   // friction beyond mu P_n [N s]
+  ContactImpulse last;                                   // impulse of the last time step [N s]
+  double rise = 0.0;                                     // of its normal impulse [N s]
 };
 
 /// A body in the problem.

@@ -76,6 +76,35 @@ TEST(ContactProblem, FixedDirectionUsesAllOfTheFriction) {
   EXPECT_EQ(straight.impulse[0].tangential, 0.0);
 }
 
+TEST(ContactProblem, AHitInTwoStepsObeysTheLawOfOneImpact) {
+  const CollisionMass mass_a{0.5, 0.8}, mass_b{0.5, 0.6};
+  ProblemPoint p = right_of(0, 1);
+  p.arm_a = {1.0, 0.4};
+  p.arm_b = {-1.0, -0.3};
+  const ContactCompliance k = contact_compliance(mass_a, p.arm_a, mass_b, p.arm_b, p.normal);
+  for (const double slip : {-0.5, -0.02, 0.1})
+    for (const double mu : {0.05, 0.2, 0.6})
+      for (const double first : {-1.4, -0.7, -0.01}) {  // what the gap lets through
+        const ContactImpulse law = impact_one_step(k, -1.5, slip, 0.0, mu);
+        std::vector<ProblemBody> bodies{{mass_a, {1.0, -slip}, 0.0}, {mass_b, {-0.5, 0.0}, 0.0}};
+        p.friction = mu;
+        p.target = first;
+        p.spare = {};
+        const ContactImpulse one = solve_contacts({p}, bodies, FrictionLaw::one_step).impulse[0];
+        const Vec2 given{one.normal, one.tangential};
+        bodies[1].velocity += mass_b.inverse_mass * given;
+        bodies[1].spin += mass_b.inverse_inertia * cross(p.arm_b, given);
+        bodies[0].velocity -= mass_a.inverse_mass * given;
+        bodies[0].spin -= mass_a.inverse_inertia * cross(p.arm_a, given);
+        p.target = 0.0;
+        p.spare = spare_friction(mu, one, rise_of_load(0.0, one.normal), k, -first);
+        const ContactImpulse two = solve_contacts({p}, bodies, FrictionLaw::one_step).impulse[0];
+        EXPECT_GE(two.normal, 0.0);
+        EXPECT_NEAR(one.normal + two.normal, law.normal, 1e-12) << slip << ' ' << mu << ' ' << first;
+        EXPECT_NEAR(one.tangential + two.tangential, law.tangential, 1e-12) << slip << ' ' << mu << ' ' << first;
+      }
+}
+
 TEST(ContactProblem, OnePointObeysTheLawOfAnImpact) {
   const std::vector<ProblemBody> bodies{disc({1.0, 0.3}, 0.8), disc({-0.5, -0.2}, 0.6)};
   ProblemPoint p = right_of(0, 1);

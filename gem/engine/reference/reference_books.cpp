@@ -134,8 +134,7 @@ void judge_touches(const Bodies& b, const std::vector<Touch>& touches, StepQuali
     const double size = std::sqrt(std::min(b.area[touch.a], b.area[touch.b]));
     for (const TouchPoint& p : touch.points) {
       quality.complementarity = std::max(quality.complementarity, complementarity(b, touch, p));
-      quality.cone_excess =
-          std::max(quality.cone_excess, std::fabs(p.impulse.tangential) - touch.friction * p.impulse.normal);
+      quality.cone_excess = std::max(quality.cone_excess, beyond_friction(touch.friction, p.impulse, p.spare));
       work += work_of(b, touch, p);
       if (p.separation <= 0.0 || p.impulse.normal > 0.0) ++quality.contacts;
       if (!(p.separation < 0.0)) continue;

@@ -49,7 +49,8 @@ std::vector<ProblemPoint> problem_points(const std::vector<Touch>& touches) {
   std::vector<ProblemPoint> points;
   for (const Touch& touch : touches)
     for (const TouchPoint& p : touch.points)
-      points.push_back({touch.a, touch.b, touch.normal, p.arm_a, p.arm_b, p.target, p.cap, touch.friction});
+      points.push_back(
+          {touch.a, touch.b, touch.normal, p.arm_a, p.arm_b, p.target, p.cap, touch.friction, p.spare, p.last, p.rise});
   return points;
 }
 
@@ -136,6 +137,8 @@ void prepare_touches(const Rules& rules, const State& s, std::vector<Touch>& tou
       if (rules.coupled()) {
         p.target = p.separation > 0.0 ? -p.separation / rules.dt : 0.0;  // a gap may close but not overlap
         p.cap = crushing_cap(rules, b, touch);
+        p.spare =
+            spare_friction(touch.friction, p.last, p.rise, compliance_of(b, touch, p), p.target - p.normal_before);
       } else {
         p.target = elastic_target(rules, b, touch, p);
       }

@@ -7,6 +7,7 @@
 // | motion   | floes with their new velocities; second half of the platform's motion                     |
 #include "gem/engine/reference/reference_engine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -37,6 +38,7 @@ void ReferenceEngine::one_step(StepLog& log) {
   move_platform_before(rules_, state_);
 
   StepQuality quality;
+  if (rules_.coupled()) recall_points(touches);
   prepare_touches(rules_, state_, touches);
   if (rules_.coupled()) {
     resolve_together(rules_, state_, touches, quality);
@@ -59,13 +61,26 @@ void ReferenceEngine::one_step(StepLog& log) {
   log.quality.push_back(quality);
 }
 
+void ReferenceEngine::recall_points(std::vector<reference::Touch>& touches) const {
+  for (reference::Touch& touch : touches)
+    for (reference::TouchPoint& p : touch.points) {
+      const std::uint64_t key = contact_key(touch.a, touch.b, p.feature);
+      const auto found = std::find(impulse_key_.begin(), impulse_key_.end(), key);
+      if (found == impulse_key_.end()) continue;
+      const PointMemory& last = impulse_value_[found - impulse_key_.begin()];
+      p.last = {last.impulse.normal, last.impulse.tangential};
+      p.rise = last.rise;
+    }
+}
+
 void ReferenceEngine::keep_impulses(const std::vector<reference::Touch>& touches) {
   impulse_key_.clear();
   impulse_value_.clear();
   for (const reference::Touch& touch : touches)
     for (const reference::TouchPoint& p : touch.points) {
       impulse_key_.push_back(contact_key(touch.a, touch.b, p.feature));
-      impulse_value_.push_back({p.impulse.normal, p.impulse.tangential, p.repair});
+      impulse_value_.push_back(
+          {{p.impulse.normal, p.impulse.tangential, p.repair}, rise_of_load(p.last.normal, p.impulse.normal)});
     }
 }
 

@@ -1,6 +1,7 @@
 // The reference engine judges the other engines. It shares with them the laws (gem/events), the contact geometry of two
 // outlines (gem/geometry), the bounds on speeds of a scene (gem/scene), and no other code. It tests all pairs on one
-// thread in double precision, and its own solver has no warm start. It is slow, and short enough to be checked by hand.
+// thread in double precision, and its own solver has no warm start; from the last time step it takes only the spare
+// friction. It is slow, and short enough to be checked by hand.
 //
 // Its bits differ from those of the other engines. They agree to a tolerance that the test derives, on scenes whose
 // contact impulses are unique: always without friction; with friction if few contacts hold each floe.
@@ -31,13 +32,15 @@ class ReferenceEngine : public Engine {
 
  private:
   void one_step(StepLog& log);
+  /// Gives the points what they have from the last time step.
+  void recall_points(std::vector<reference::Touch>& touches) const;
   void keep_impulses(const std::vector<reference::Touch>& touches);
   void check_finite() const;
 
   reference::Rules rules_;
   reference::State state_;
-  std::vector<std::uint64_t> impulse_key_;  // of the last coupled time step, for readers of a saved state
-  std::vector<PointImpulse<double>> impulse_value_;
+  std::vector<std::uint64_t> impulse_key_;  // of the last coupled time step
+  std::vector<PointMemory> impulse_value_;
 };
 
 }  // namespace gem

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/events/friction_memory.h"
 #include "gem/events/impact.h"
 #include "gem/field/bodies.h"
 #include "gem/geometry/convex_contact.h"
@@ -27,6 +28,9 @@ struct TouchPoint {
   ContactImpulse impulse;                                // [N s]
   double elastic = 0.0;                                  // part of the normal impulse that is elastic stress [N s]
   double repair = 0.0;                                   // impulse of the position repair [kg m]
+  ContactImpulse last;                                   // impulse of the last time step [N s]
+  double rise = 0.0;                                     // of its normal impulse [N s]
+  SpareFriction spare;                                   // that it left to this one [N s]
 
   bool acted() const { return impulse.normal != 0.0 || impulse.tangential != 0.0 || repair != 0.0; }
 };

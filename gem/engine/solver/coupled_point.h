@@ -3,6 +3,7 @@
 // The impulses of all points together satisfy
 //     u_n >= target,  0 <= P_n <= cap,  (u_n - target) P_n = 0 below the cap      no overlap, fully inelastic, crushing
 //     |P_t| <= mu P_n,  P_t against the remaining slip                            Coulomb
+// The bounds of P_t are wider by the spare friction of the last time step: see friction_memory.h.
 // In addition, and without changing velocities, the bodies get the smallest shifts that remove a share of the overlap.
 //
 //   u_n, u_t  velocity of B relative to A along the normal and along the normal turned left    [m/s]
@@ -38,6 +39,12 @@ template <class Real>
 struct PointImpulse {
   Real normal, tangential;  // [N s]
   Real repair;              // [kg m]
+};
+
+/// What a point carries into the next time step.
+struct PointMemory {
+  PointImpulse<double> impulse = {};  // the warm start
+  double rise = 0.0;                  // of the normal impulse, see friction_memory.h [N s]
 };
 
 /// Constants of a point during a time step.
@@ -115,6 +122,12 @@ GEM_HD inline EnergyChange energy_change(const Motion<double>& after, double vel
 GEM_HD inline double best_share(const EnergyChange& sum) {
   if (!(sum.quadratic > 0.0)) return 1.0;
   return smaller(larger(-sum.linear / sum.quadratic, 0.0), 1.0);
+}
+
+/// Results of the iterations are scaled by best_share() if it is smaller than this. fixed_direction may create energy,
+/// so there the energy says nothing about iterations that met their residual.
+GEM_HD inline double share_limit(PointFriction law, bool residual_met) {
+  return law == PointFriction::fixed_direction && residual_met ? 0.0 : 0.5;
 }
 
 }  // namespace gem

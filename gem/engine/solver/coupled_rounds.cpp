@@ -16,7 +16,7 @@ void CoupledRounds::resize(const CoupledLayout& layout) {
   unused.nn = unused.tt = 1.0;
   for (std::int32_t point = layout.points(); point < blocks * float_lanes; ++point) {
     set_geometry(point, unused, CoupledLayout::at_rest, CoupledLayout::at_rest);
-    set_base(point, unused, {}, {}, {});
+    set_base(point, unused, {}, {}, {}, {});
   }
 }
 
@@ -35,10 +35,11 @@ void CoupledRounds::set_geometry(std::int32_t point, const PointGeometry<double>
   b.b[lane] = float_lanes * entry_b;
 }
 
-void CoupledRounds::set_base(std::int32_t point, const PointGeometry<double>& g, const PointImpulse<double>& base,
-                             const Motion<double>& motion_a, const Motion<double>& motion_b) {
+void CoupledRounds::set_base(std::int32_t point, const PointGeometry<double>& g, SpareFriction spare,
+                             const PointImpulse<double>& base, const Motion<double>& motion_a,
+                             const Motion<double>& motion_b) {
   PointFrame<float> f;
-  set_base_values(f, g, base, motion_a, motion_b);
+  set_base_values(f, g, spare, base, motion_a, motion_b);
   Block& b = block_[point / float_lanes];
   const int lane = point % float_lanes;
   b.excess[lane] = f.excess, b.slip[lane] = f.slip;
@@ -60,12 +61,12 @@ void CoupledRounds::set_body(std::int32_t entry, double inverse_mass, double inv
 }
 
 PointImpulse<double> CoupledRounds::with_additions(PointFriction law, std::int32_t point,
-                                                   const PointGeometry<double>& g,
+                                                   const PointGeometry<double>& g, SpareFriction spare,
                                                    const PointImpulse<double>& base) const {
   const Block& b = block_[point / float_lanes];
   const PointImpulse<FloatPack>& added = addition_[point / float_lanes].added;
   const int lane = point % float_lanes;
-  return gem::with_additions(law, g, base, {added.normal[lane], added.tangential[lane], added.repair[lane]},
+  return gem::with_additions(law, g, spare, base, {added.normal[lane], added.tangential[lane], added.repair[lane]},
                              b.least[lane], b.most[lane], b.repair_least[lane]);
 }
 

@@ -26,13 +26,13 @@ class CoupledRounds {
     return block_[point / float_lanes].b[point % float_lanes] / float_lanes;
   }
   /// Sets the base of the next round. The additions so far are part of it and become zero.
-  void set_base(std::int32_t point, const PointGeometry<double>& g, const PointImpulse<double>& base,
-                const Motion<double>& a, const Motion<double>& b);
+  void set_base(std::int32_t point, const PointGeometry<double>& g, SpareFriction spare,
+                const PointImpulse<double>& base, const Motion<double>& a, const Motion<double>& b);
   /// Sets inverse mass and inertia of a moving body and zeroes its added motion.
   void set_body(std::int32_t entry, double inverse_mass, double inverse_inertia);
   /// The base plus the additions of the round.
   PointImpulse<double> with_additions(PointFriction law, std::int32_t point, const PointGeometry<double>& g,
-                                      const PointImpulse<double>& base) const;
+                                      SpareFriction spare, const PointImpulse<double>& base) const;
 
   /// Visits the points of blocks [begin, end). Returns the largest velocity correction of a point [m/s] if `judged`,
   /// else 0.

@@ -18,9 +18,9 @@
 
 namespace gem {
 
-void CoupledSolver::restore(std::vector<std::uint64_t> keys, std::vector<PointImpulse<double>> impulses) {
+void CoupledSolver::restore(std::vector<std::uint64_t> keys, std::vector<PointMemory> memory) {
   keys_ = std::move(keys);
-  impulses_ = std::move(impulses);
+  memory_ = std::move(memory);
 }
 
 void CoupledSolver::lay_out(const FieldState& f, Contacts contacts, int threads) {
@@ -33,8 +33,9 @@ void CoupledSolver::lay_out(const FieldState& f, Contacts contacts, int threads)
 
 void CoupledSolver::make_space() {
   point_.resize(layout_.points());
+  spare_.resize(layout_.points());
   next_keys_.resize(layout_.points());
-  next_impulses_.resize(layout_.points());
+  next_memory_.resize(layout_.points());
   motion_.resize(1 + layout_.bodies());
   motion_[CoupledLayout::at_rest] = {};
   linear_energy_.resize(layout_.bodies() + sum_width);
@@ -48,11 +49,12 @@ std::size_t CoupledSolver::last_key_from(std::size_t at, std::uint64_t key) cons
   return at;
 }
 
-/// Impulse of a point in the last time step, or zero. `at`: index of the first key of its pair, if there is one.
-PointImpulse<double> CoupledSolver::last_impulse(std::uint64_t key, std::size_t at) const {
+/// What a point has carried from the last time step; zero if it did not exist then. `at`: index of the first key of its
+/// pair, if there is one.
+PointMemory CoupledSolver::memory_of(std::uint64_t key, std::size_t at) const {
   while (at < keys_.size() && keys_[at] != key && keys_[at] >> feature_bits == key >> feature_bits) ++at;
   if (at == keys_.size() || keys_[at] != key) return {};
-  return impulses_[at];
+  return memory_[at];
 }
 
 /// Prepares the points of contacts [begin, end).
@@ -69,9 +71,13 @@ void CoupledSolver::begin_points(const FieldState& f, Contacts contacts, std::in
       ContactSlot& slot = contact.slot[k];
       const std::int32_t i = layout_.first_point(c) + k;
       Point& point = point_[i];
-      point.impulse = last_impulse(contact_key(contact.a, contact.b, slot.feature), at);
-      point.geometry = point_of_contact(f, contact, slot, layout_.points_of(contact.a), layout_.points_of(contact.b),
-                                        point.impulse.normal);
+      const PointMemory last = memory_of(contact_key(contact.a, contact.b, slot.feature), at);
+      recall(f.constants, contact, slot, collision_mass(f.bodies, contact.a), collision_mass(f.bodies, contact.b),
+             last);
+      spare_[i] = slot.spare;
+      point.impulse = last.impulse;
+      point.geometry =
+          point_of_contact(f, contact, slot, layout_.points_of(contact.a), layout_.points_of(contact.b), last);
       point.impulse.repair = repair_to_go_on(f.constants, point.impulse.repair, point.geometry.nn);
       slot.cap = point.geometry.cap;
       if (f.constants.iteration == Iteration::gradient)
@@ -141,7 +147,7 @@ void CoupledSolver::keep_best_share(const FieldState& f, ThreadTeam& team, int r
 void CoupledSolver::begin_round(const FieldState& f, ThreadTeam& team, const Stretch& s, bool first) {
   for (std::int32_t i = s.first_point; i < s.last_point; ++i) {
     const Point& p = point_[i];
-    rounds_.set_base(i, p.geometry, p.impulse, motion_[rounds_.entry_a(i)], motion_[rounds_.entry_b(i)]);
+    rounds_.set_base(i, p.geometry, spare_[i], p.impulse, motion_[rounds_.entry_a(i)], motion_[rounds_.entry_b(i)]);
   }
   if (first) {
     for (std::int32_t k = s.first_entry; k < s.last_entry; ++k) {
@@ -159,7 +165,7 @@ void CoupledSolver::begin_round(const FieldState& f, ThreadTeam& team, const Str
 void CoupledSolver::end_round(const FieldState& f, const Stretch& s) {
   for (std::int32_t i = s.first_point; i < s.last_point; ++i) {
     Point& p = point_[i];
-    p.impulse = rounds_.with_additions(f.constants.point_friction, i, p.geometry, p.impulse);
+    p.impulse = rounds_.with_additions(f.constants.point_friction, i, p.geometry, spare_[i], p.impulse);
   }
 }
 
@@ -198,7 +204,7 @@ void CoupledSolver::iterate_gradient(const FieldState& f, ThreadTeam& team, int 
     iterations_ = static_cast<std::int32_t>(control.iteration());
     residual_ = residual;
   }
-  keep_best_share(f, team, rank, s, 0.5);
+  keep_best_share(f, team, rank, s, share_limit(c.point_friction, residual <= c.residual_speed));
 }
 
 /// Bodies ascend as in the field, and points as their contacts, for any number of threads.
@@ -218,7 +224,7 @@ void CoupledSolver::hand_to_islands(const FieldState& f, Contacts contacts, int 
     const std::int32_t of_b = rank_of(layout_.entry_of(contacts[c]->b));
     for (int k = 0; k < contacts[c]->count; ++k) {
       const std::int32_t i = layout_.first_point(c) + k;
-      islands_.set_point(i, {of_a, of_b, &point_[i].geometry, &point_[i].impulse});
+      islands_.set_point(i, {of_a, of_b, &point_[i].geometry, &point_[i].impulse, spare_[i]});
     }
   }
   islands_.find();
@@ -247,7 +253,7 @@ void CoupledSolver::hand_back(FieldState& f, Contacts contacts, ThreadTeam& team
       contact.slot[k].impulse = {p.normal, p.tangential};
       contact.slot[k].repair = p.repair;
       next_keys_[i] = contact_key(contact.a, contact.b, contact.slot[k].feature);
-      next_impulses_[i] = p;
+      next_memory_[i] = {p, rise_of_load(contact.slot[k].last_normal, p.normal)};
     }
   }
   team.for_each(rank, layout_.bodies(), [&](std::int64_t k) {
@@ -287,7 +293,7 @@ void CoupledSolver::settle(FieldState& f, Contacts contacts, ThreadTeam& team, i
     quality.iterations = iterations_;
     quality.residual = residual_;
     keys_.swap(next_keys_);
-    impulses_.swap(next_impulses_);
+    memory_.swap(next_memory_);
   });
 }
 

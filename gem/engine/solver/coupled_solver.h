@@ -38,8 +38,8 @@ class CoupledSolver {
   void resolve(FieldState& f, Contacts contacts, ThreadTeam& team, int rank, StepQuality& quality);
 
   const std::vector<std::uint64_t>& keys() const { return keys_; }
-  const std::vector<PointImpulse<double>>& impulses() const { return impulses_; }
-  void restore(std::vector<std::uint64_t> keys, std::vector<PointImpulse<double>> impulses);
+  const std::vector<PointMemory>& memory() const { return memory_; }
+  void restore(std::vector<std::uint64_t> keys, std::vector<PointMemory> memory);
 
  private:
   /// A point and its impulse in the base.
@@ -54,7 +54,7 @@ class CoupledSolver {
 
   void make_space();
   std::size_t last_key_from(std::size_t at, std::uint64_t key) const;
-  PointImpulse<double> last_impulse(std::uint64_t key, std::size_t at) const;
+  PointMemory memory_of(std::uint64_t key, std::size_t at) const;
   void begin_points(const FieldState& f, Contacts contacts, std::int64_t begin, std::int64_t end);
   Stretch stretch_of(const ThreadTeam& team, int rank) const;
   void move_by_base(const FieldState& f, const Stretch& s);
@@ -68,14 +68,15 @@ class CoupledSolver {
   void hand_back(FieldState& f, Contacts contacts, ThreadTeam& team, int rank);
 
   std::vector<std::uint64_t> keys_;
-  std::vector<PointImpulse<double>> impulses_;
+  std::vector<PointMemory> memory_;
   std::vector<std::uint64_t> next_keys_;  // of this time step, while those of the last step are still read
-  std::vector<PointImpulse<double>> next_impulses_;
+  std::vector<PointMemory> next_memory_;
 
   CoupledLayout layout_;
   CoupledRounds rounds_;
   Islands islands_;
   std::vector<Point> point_;
+  std::vector<SpareFriction> spare_;                      // per point
   std::vector<Motion<double>> motion_;                    // per entry: motion after the impulses of the base
   std::vector<double> linear_energy_, quadratic_energy_;  // per rank of an entry: see EnergyChange [J]
   double share_ = 1.0;

@@ -21,6 +21,7 @@
 #include "gem/base/choose.h"
 #include "gem/base/macros.h"
 #include "gem/engine/solver/coupled_point.h"
+#include "gem/events/friction_memory.h"
 
 namespace gem {
 
@@ -34,8 +35,8 @@ struct PointFrame {
   // at the base
   Real excess, slip;   // u_n - target, u_t [m/s]
   Real least, most;    // bounds of the addition to P_n: -P_n and cap - P_n [N s]
-  Real slack_left;     // mu P_n - P_t [N s]
-  Real slack_right;    // mu P_n + P_t [N s]
+  Real slack_left;     // mu P_n - P_t + spare friction [N s]
+  Real slack_right;    // mu P_n + P_t + spare friction [N s]
   Real repair_excess;  // shift along the normal minus the share of the overlap to remove [m]
   Real repair_least;   // lower bound of the addition to the repair [kg m]
 };
@@ -149,16 +150,16 @@ GEM_HD inline void set_geometry_values(PointFrame<float>& f, const PointGeometry
 constexpr double boundless = 1e30;
 
 /// Sets the data of a point at the base: impulses `p`, and the motions of both bodies after all base impulses.
-GEM_HD inline void set_base_values(PointFrame<float>& f, const PointGeometry<double>& g, const PointImpulse<double>& p,
-                                   const Motion<double>& a, const Motion<double>& b) {
+GEM_HD inline void set_base_values(PointFrame<float>& f, const PointGeometry<double>& g, SpareFriction spare,
+                                   const PointImpulse<double>& p, const Motion<double>& a, const Motion<double>& b) {
   const double x = b.x - a.x, y = b.y - a.y;
   f.excess =
       static_cast<float>(x * g.normal_x + y * g.normal_y + b.spin * g.lever_b_n - a.spin * g.lever_a_n - g.target);
   f.slip = static_cast<float>(y * g.normal_x - x * g.normal_y + b.spin * g.lever_b_t - a.spin * g.lever_a_t);
   f.least = static_cast<float>(-p.normal);
   f.most = static_cast<float>(smaller(g.cap - p.normal, boundless));
-  f.slack_left = static_cast<float>(g.friction * p.normal - p.tangential);
-  f.slack_right = static_cast<float>(g.friction * p.normal + p.tangential);
+  f.slack_left = static_cast<float>(g.friction * p.normal - p.tangential + spare.left);
+  f.slack_right = static_cast<float>(g.friction * p.normal + p.tangential + spare.right);
   f.repair_excess = static_cast<float>((b.shift_x - a.shift_x) * g.normal_x + (b.shift_y - a.shift_y) * g.normal_y +
                                        b.turn * g.lever_b_n - a.turn * g.lever_a_n - g.repair_target);
   f.repair_least = static_cast<float>(-p.repair);
@@ -174,13 +175,15 @@ GEM_HD inline double within_bounds(double p, float added, float least, float mos
 
 /// The base after the additions of a round; `least`, `most` and `repair_least` are those of the point's frame.
 GEM_HD inline PointImpulse<double> with_additions(PointFriction law, const PointGeometry<double>& g,
-                                                  const PointImpulse<double>& p, const PointImpulse<float>& added,
-                                                  float least, float most, float repair_least) {
+                                                  SpareFriction spare, const PointImpulse<double>& p,
+                                                  const PointImpulse<float>& added, float least, float most,
+                                                  float repair_least) {
   const double normal = within_bounds(p.normal, added.normal, least, most, g.cap);
   const double limit = g.friction * normal, wanted = p.tangential + static_cast<double>(added.tangential);
-  const double tangential = law == PointFriction::none      ? 0.0
-                            : law == PointFriction::coulomb ? larger(smaller(wanted, limit), -limit)
-                                                            : limit;
+  const double tangential = law == PointFriction::none ? 0.0
+                            : law == PointFriction::coulomb
+                                ? larger(smaller(wanted, limit + spare.left), -(limit + spare.right))
+                                : limit;
   const double repair = added.repair <= repair_least ? 0.0 : larger(p.repair + static_cast<double>(added.repair), 0.0);
   return {normal, tangential, repair};
 }

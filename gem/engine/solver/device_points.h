@@ -37,24 +37,19 @@ GEM_DEVICE inline void open_points(const DeviceScene& s, Group& group, const Pai
   mark_touched(s, group, pair.b, s.body[pair.b].inverse_mass);
 }
 
-/// The impulse of the point one time step ago; zero if it did not exist then.
-GEM_DEVICE inline PointImpulse<double> last_impulse(const PairMemory& memory, std::int32_t feature, std::int32_t step) {
-  if (memory.step != step - 1) return {0.0, 0.0, 0.0};
+/// What the point has carried from the last time step; zero if it did not exist then.
+GEM_DEVICE inline PointMemory memory_of(const PairMemory& memory, std::int32_t feature, std::int32_t step) {
+  if (memory.step != step - 1) return {};
   for (int k = 0; k < 2; ++k)
-    if (memory.feature[k] == feature) {
-      const PointImpulse<double>& last = memory.impulse[k];
-      return {last.normal, last.tangential, last.repair};
-    }
-  return {0.0, 0.0, 0.0};
+    if (memory.feature[k] == feature) return memory.point[k];
+  return {};
 }
 
-/// Keeps the impulse of point `slot` of a contact for the next time step.
+/// Keeps what point `slot` of a contact carries into the next time step.
 GEM_DEVICE inline void remember(PairMemory& memory, const Contact& contact, std::int32_t slot,
                                 const PointImpulse<double>& impulse, std::int32_t step) {
   memory.feature[slot] = contact.slot[slot].feature;
-  memory.impulse[slot].normal = impulse.normal;
-  memory.impulse[slot].tangential = impulse.tangential;
-  memory.impulse[slot].repair = impulse.repair;
+  memory.point[slot] = {impulse, rise_of_load(contact.slot[slot].last_normal, impulse.normal)};
   if (slot != 0) return;
   memory.step = step;
   if (contact.count < 2) memory.feature[1] = -1;
@@ -68,8 +63,8 @@ GEM_DEVICE inline void carry_pair(const DeviceScene& s, Group& group, const Pair
   carried.b = pair.b;
   for (int j = 0; j < 2; ++j) {
     carried.feature[j] = memory.feature[j];
-    // a contact of one point has no second impulse
-    carried.impulse[j] = carried.feature[j] < 0 ? PointImpulse<double>{} : memory.impulse[j];
+    // a contact of one point has no second
+    carried.point[j] = carried.feature[j] < 0 ? PointMemory{} : memory.point[j];
   }
 }
 
@@ -96,7 +91,7 @@ GEM_DEVICE inline void hand_out_memory(const DeviceScene& s, Group& group, std::
     memory.step = step - 1;
     for (int j = 0; j < 2; ++j) {
       memory.feature[j] = carried.feature[j];
-      memory.impulse[j] = carried.impulse[j];
+      memory.point[j] = carried.point[j];
     }
   }
 }

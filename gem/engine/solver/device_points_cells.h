@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "gem/engine/solver/coupled_point.h"
+#include "gem/events/friction_memory.h"
 
 namespace gem {
 
@@ -12,20 +13,20 @@ struct RowPoints {
   std::int32_t first = 0, count = 0;
 };
 
-/// The impulses of a pair's points at the end of a time step.
+/// What a pair's points carry into the next time step.
 struct PairMemory {
   static constexpr std::int32_t never = -2;  // the time step before the first is -1
   std::int32_t step = never;
   std::int32_t unused = 0;
   std::int32_t feature[2] = {-1, -1};
-  PointImpulse<double> impulse[2] = {};
+  PointMemory point[2] = {};
 };
 
 /// A PairMemory on its way to another list or to the host.
 struct CarriedMemory {
   std::int32_t a = 0, b = 0;
   std::int32_t feature[2] = {-1, -1};
-  PointImpulse<double> impulse[2] = {};
+  PointMemory point[2] = {};
 };
 
 /// Where a contact point finds the data of one of its bodies.
@@ -118,11 +119,11 @@ struct alignas(16) SolverEntry {
   std::int32_t rank = 0;
 };
 
-/// Geometry and base impulses of all points, a column for each number, so that neighbouring threads read neighbouring
-/// memory.
+/// Geometry, base impulses and spare friction of all points, a column for each number, so that neighbouring threads
+/// read neighbouring memory.
 class PointTable {
  public:
-  static constexpr int columns = 16;
+  static constexpr int columns = 18;
 
   PointTable() = default;
   PointTable(double* data, std::int32_t capacity) : data_(data), capacity_(capacity) {}
@@ -137,6 +138,10 @@ class PointTable {
     at(2, i) = g.lever_a_n, at(3, i) = g.lever_a_t, at(4, i) = g.lever_b_n, at(5, i) = g.lever_b_t;
     at(6, i) = g.nn, at(7, i) = g.tt, at(8, i) = g.nt;
     at(9, i) = g.target, at(10, i) = g.friction, at(11, i) = g.cap, at(12, i) = g.repair_target;
+  }
+  GEM_DEVICE GEM_INLINE SpareFriction spare(std::int32_t i) const { return {at(16, i), at(17, i)}; }
+  GEM_DEVICE GEM_INLINE void set(std::int32_t i, SpareFriction spare) const {
+    at(16, i) = spare.left, at(17, i) = spare.right;
   }
   GEM_DEVICE GEM_INLINE void set(std::int32_t i, const PointImpulse<double>& p) const {
     at(13, i) = p.normal, at(14, i) = p.tangential, at(15, i) = p.repair;

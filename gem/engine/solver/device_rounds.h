@@ -26,13 +26,13 @@ GEM_DEVICE inline float from_ordered_bits(std::uint32_t bits) {
 template <class Group>
 class SolverRounds {
  public:
-  /// All rounds of a time step in one launch, by blocks with halos.
-  GEM_DEVICE static void iterate(const DeviceScene& s, Group& group) {
+  /// All rounds of a time step in one launch, by blocks with halos. Returns whether they met the residual.
+  GEM_DEVICE static bool iterate(const DeviceScene& s, Group& group) {
     static_assert(Group::has_halos);
     RoundProgress progress = beginning(s);
     each_point(group, [&](std::int32_t i) { Visits::load(s, group, i, true); });
     const bool done = run_round(s, group, progress, true);
-    finish(s, group, progress, done);
+    return finish(s, group, progress, done);
   }
 
   /// The rounds in three launches: prepare(), run_first(), run_rest(). This is the first: it writes the points to the
@@ -63,12 +63,12 @@ class SolverRounds {
     if (rank_of(group) == 0) *s.progress = {progress, done};
   }
   /// The third launch: the end of the first round, and further rounds if any. They are rare (only a tight residual
-  /// needs them), so these blocks use no shared memory.
-  GEM_DEVICE static void run_rest(const DeviceScene& s, Group& group) {
+  /// needs them), so these blocks use no shared memory. Returns whether the residual was met.
+  GEM_DEVICE static bool run_rest(const DeviceScene& s, Group& group) {
     static_assert(!Group::reads_other_blocks);
     SolverList<Group>(s, group, 0, group.shared_bytes()).load();
     RoundProgress progress = s.progress->progress;
-    finish(s, group, progress, s.progress->done);
+    return finish(s, group, progress, s.progress->done);
   }
 
  private:
@@ -80,8 +80,8 @@ class SolverRounds {
             0};
   }
 
-  /// Ends a round, then runs further rounds until one was the last.
-  GEM_DEVICE static void finish(const DeviceScene& s, Group& group, RoundProgress& progress, bool done) {
+  /// Ends a round, then runs further rounds until one was the last. Returns whether that met the residual.
+  GEM_DEVICE static bool finish(const DeviceScene& s, Group& group, RoundProgress& progress, bool done) {
     SolverBase<Group> base(s, group);
     for (;;) {
       each_point(group, [&](std::int32_t i) { Visits::add_to_base(s, group, i); });
@@ -97,6 +97,7 @@ class SolverRounds {
       group.shared().iterations = static_cast<std::int32_t>(progress.control.iteration());
       group.shared().residual = static_cast<double>(progress.residual);
     }
+    return static_cast<double>(progress.residual) <= s.constants.residual_speed;
   }
 
   /// For kernels that do more than iterate: not inlined, to keep their code small.

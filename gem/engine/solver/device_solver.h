@@ -32,8 +32,7 @@ class StepSolver {
     SolverList<Group>(s_, group_, step_, shared_bytes_).make();
     begin_points();
     SolverHalo<Group>(s_, group_, shared_bytes_).activate();
-    SolverRounds<Group>::iterate(s_, group_);
-    end();
+    end(SolverRounds<Group>::iterate(s_, group_));
   }
 
   /// Everything before the iterations. They follow in a launch with the same number of blocks, each with `shared_bytes`
@@ -43,10 +42,10 @@ class StepSolver {
     begin_points();
   }
 
-  /// Everything after the iterations.
-  GEM_DEVICE void end() {
+  /// Everything after the iterations. `residual_met`: they met their residual.
+  GEM_DEVICE void end(bool residual_met) {
     SolverBase<Group> base(s_, group_);
-    base.keep_best_share(0.5);
+    base.keep_best_share(share_limit(s_.constants.point_friction, residual_met));
     each_point(group_, [&](std::int32_t i) { hand_back(i); });
     if (s_.wants_samples) base.add_work_created();
   }
@@ -78,10 +77,11 @@ class StepSolver {
     return points.step == step_ ? points.count : 0;
   }
 
-  GEM_DEVICE double cap_of(const Contact& contact, const BodyCell& a, const BodyCell& b, double last) const {
+  GEM_DEVICE double cap_of(const Contact& contact, const BodyCell& a, const BodyCell& b) const {
     const bool ice = a.kind == BodyKind::floe || b.kind == BodyKind::floe;
-    return largest_impulse(s_.constants.events, ice, crushed_thickness(a.kind, a.thickness, b.thickness),
-                           smaller(s_.area[contact.a], s_.area[contact.b]), contact.count, last);
+    const CrushingPowers of_a = s_.crushing[contact.a], of_b = s_.crushing[contact.b];
+    return largest_impulse(s_.constants.events, ice, crushed_thickness(a.kind, of_a.thickness, of_b.thickness),
+                           smaller(of_a.width, of_b.width), contact.count);
   }
 
   GEM_DEVICE void begin_point(std::int32_t i) {
@@ -89,16 +89,20 @@ class StepSolver {
     Contact& contact = s_.contact[point.pair];
     ContactSlot& slot = contact.slot[point.slot];
     const BodyCell &a = s_.body[point.a.body], &b = s_.body[point.b.body];
-    PointImpulse<double> last = last_impulse(s_.memory[point.pair], slot.feature, step_);
-    const double cap = cap_of(contact, a, b, last.normal);
-    const PointGeometry<double> geometry = point_geometry(
-        s_.constants, contact, slot, shared_mass({a.inverse_mass, a.inverse_inertia}, points_of(point.a.body)),
-        shared_mass({b.inverse_mass, b.inverse_inertia}, points_of(point.b.body)), cap);
-    last.repair = repair_to_go_on(s_.constants, last.repair, geometry.nn);
+    const PointMemory last = memory_of(s_.memory[point.pair], slot.feature, step_);
+    const CollisionMass mass_a{a.inverse_mass, a.inverse_inertia}, mass_b{b.inverse_mass, b.inverse_inertia};
+    recall(s_.constants, contact, slot, mass_a, mass_b, last);
+    const double cap = cap_of(contact, a, b);
+    const PointGeometry<double> geometry =
+        point_geometry(s_.constants, contact, slot, shared_mass(mass_a, points_of(point.a.body)),
+                       shared_mass(mass_b, points_of(point.b.body)), last, cap);
+    PointImpulse<double> start = last.impulse;
+    start.repair = repair_to_go_on(s_.constants, start.repair, geometry.nn);
     slot.cap = cap;
     s_.points.set(i, geometry);
+    s_.points.set(i, slot.spare);
     s_.taken_point[i] = point;
-    write_base(s_, i, point, geometry, last);
+    write_base(s_, i, point, geometry, start);
   }
 
   /// Writes the impulse of a point to its contact.

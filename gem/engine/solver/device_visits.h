@@ -30,7 +30,7 @@ class SolverVisits {
     const PointCell& point = s.taken_point[i];
     const PointGeometry<double> geometry = s.points.geometry(i);
     set_geometry_values(loaded.frame, geometry);
-    set_base_values(loaded.frame, geometry, s.points.impulse(i), solved_motion(s, point.a.body),
+    set_base_values(loaded.frame, geometry, s.points.spare(i), s.points.impulse(i), solved_motion(s, point.a.body),
                     solved_motion(s, point.b.body));
     loaded.added = {0.0F, 0.0F, 0.0F};
   }
@@ -61,8 +61,8 @@ class SolverVisits {
     LoadedPoint loaded = cell.load();
     const PointGeometry<double> g = s.points.geometry(i);
     write_base(s, i, s.taken_point[i], g,
-               with_additions(s.constants.point_friction, g, s.points.impulse(i), loaded.added, loaded.frame.least,
-                              loaded.frame.most, loaded.frame.repair_least));
+               with_additions(s.constants.point_friction, g, s.points.spare(i), s.points.impulse(i), loaded.added,
+                              loaded.frame.least, loaded.frame.most, loaded.frame.repair_least));
     loaded.extrapolated.normal -= loaded.added.normal;
     loaded.extrapolated.tangential -= loaded.added.tangential;
     loaded.extrapolated.repair -= loaded.added.repair;

@@ -23,6 +23,9 @@ struct ContactSlot {
   ContactImpulse impulse;  // [N s]
   double elastic = 0.0;    // part of impulse.normal that is elastic stress [N s]
   double repair = 0.0;     // position repair, as an impulse [N s]
+  // coupled: normal impulse of the last time step, and the friction that it left to this one [N s]
+  double last_normal = 0.0;
+  SpareFriction spare;
 };
 
 /// A touching pair. A has the lower id; the normal points from A to B.

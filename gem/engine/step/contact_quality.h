@@ -1,7 +1,7 @@
 // How well a contact point obeys the contact laws after the events of its time step.
 //
 //   complementarity   |clamp(u_n - target, K_n (P_n - cap), K_n P_n)|    parts without impulse, closes only at the cap
-//   cone excess       max(0, |P_t| - mu P_n)                             Coulomb's bound
+//   cone excess       max(0, |P_t| - mu P_n)                             Coulomb's bound, with spare friction
 //   work              P_n and P_t times the mean of the velocities before and after
 //
 //   u_n     velocity of B relative to A along the normal after the events  [m/s]
@@ -39,7 +39,7 @@ GEM_HD inline PointQuality point_quality(const Contact& contact, const ContactSl
       inverse_effective_mass(a, slot.arm_a, contact.normal) + inverse_effective_mass(b, slot.arm_b, contact.normal);
   const double least = compliance * (p.normal - slot.cap), most = compliance * p.normal;
   q.complementarity = magnitude(larger(smaller(excess, most), least));
-  q.cone_excess = larger(magnitude(p.tangential) - contact.friction * p.normal, 0.0);
+  q.cone_excess = beyond_friction(contact.friction, p, slot.spare);
   const double after_t = dot(velocity, turned_left(contact.normal));
   q.work =
       impulse_work(p.normal, slot.normal_before, after_n) + impulse_work(p.tangential, slot.tangential_before, after_t);

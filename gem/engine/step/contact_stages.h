@@ -48,7 +48,7 @@ inline void prefetch_events(const FieldState& f, std::int32_t i) {
   __builtin_prefetch(&f.bodies.inverse_mass[i]);
   __builtin_prefetch(&f.bodies.inverse_inertia[i]);
   __builtin_prefetch(&f.bodies.thickness[i]);
-  __builtin_prefetch(&f.bodies.area[i]);
+  __builtin_prefetch(&f.crushing[i]);
 }
 
 /// The properties of both bodies that the events of a pair read.
@@ -103,16 +103,19 @@ inline void prepare_contact(const FieldState& f, Contact& contact) {
 }
 
 /// A contact point as the coupled iterations see it. `points_of_a`, `points_of_b`: number of points among which the
-/// mass of each body is split; `last_impulse`: normal impulse of this point in the last time step [N s].
+/// mass of each body is split; `last`: what the point has from the last time step.
 inline PointGeometry<double> point_of_contact(const FieldState& f, const Contact& contact, const ContactSlot& slot,
-                                              std::int32_t points_of_a, std::int32_t points_of_b, double last_impulse) {
+                                              std::int32_t points_of_a, std::int32_t points_of_b,
+                                              const PointMemory& last) {
   const Bodies& b = f.bodies;
   const std::int32_t i = contact.a, j = contact.b;
   const bool ice = b.kind[i] == BodyKind::floe || b.kind[j] == BodyKind::floe;
-  const double cap = largest_impulse(f.constants.events, ice, crushed_thickness(f, contact),
-                                     smaller(b.area[i], b.area[j]), contact.count, last_impulse);
+  const CrushingPowers &of_a = f.crushing[i], &of_b = f.crushing[j];
+  const double cap =
+      largest_impulse(f.constants.events, ice, crushed_thickness(b.kind[i], of_a.thickness, of_b.thickness),
+                      smaller(of_a.width, of_b.width), contact.count);
   return point_geometry(f.constants, contact, slot, shared_mass(collision_mass(b, i), points_of_a),
-                        shared_mass(collision_mass(b, j), points_of_b), cap);
+                        shared_mass(collision_mass(b, j), points_of_b), last, cap);
 }
 
 inline void resolve_alone(const FieldState& f, Contact& contact) {

@@ -31,8 +31,12 @@ FieldState make_field_state(Bodies bodies, const StepConstants& constants) {
   f.struck.assign(n, 0);
   f.repair_shift.assign(n, {});
   f.repair_turn.assign(n, 0.0);
-  if (constants.solver == ContactSolver::coupled && constants.iteration == Iteration::gradient)
-    f.momentum_coefficients = momentum_coefficients(constants.iterations_maximum);
+  if (constants.solver == ContactSolver::coupled) {
+    if (constants.iteration == Iteration::gradient)
+      f.momentum_coefficients = momentum_coefficients(constants.iterations_maximum);
+    for (std::size_t i = 0; i < n; ++i)
+      f.crushing.push_back(crushing_powers(constants.events, f.bodies.thickness[i], f.bodies.area[i]));
+  }
   f.books.assign(n * static_cast<std::size_t>(Channel::count), {});
   return f;
 }

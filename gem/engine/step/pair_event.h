@@ -25,7 +25,8 @@ struct PairBodies {
   double thickness = 0.0;             // of the ice that crushes [m]
 };
 
-/// Thickness of the ice that crushes: the thinner floe. A platform or a fixed body A does not crush [m].
+/// Thickness of the ice that crushes: the thinner floe. A platform or a fixed body A does not crush [m]. The same of
+/// any power of the thickness.
 GEM_HD inline double crushed_thickness(BodyKind kind_a, double thickness_a, double thickness_b) {
   return kind_a == BodyKind::floe && thickness_a < thickness_b ? thickness_a : thickness_b;
 }
@@ -54,6 +55,8 @@ GEM_HD inline void open_contact(Contact& contact, std::int32_t a, std::int32_t b
     contact.slot[k].impulse = {};
     contact.slot[k].elastic = 0.0;
     contact.slot[k].repair = 0.0;
+    contact.slot[k].last_normal = 0.0;
+    contact.slot[k].spare = {};
   }
 }
 
@@ -124,10 +127,22 @@ GEM_HD inline CollisionMass shared_mass(CollisionMass mass, std::int32_t points)
   return {share * mass.inverse_mass, share * mass.inverse_inertia};
 }
 
-/// A contact point for the coupled iterations. `a` and `b` are masses divided among the points, see shared_mass().
+/// Sets what a point has from the last time step. `a` and `b` are the masses of the bodies.
+GEM_HD inline void recall(const StepConstants& c, const Contact& contact, ContactSlot& slot, CollisionMass a,
+                          CollisionMass b, const PointMemory& last) {
+  slot.last_normal = last.impulse.normal;
+  slot.spare = {};
+  const double closing = slot.target - slot.normal_before;
+  if (c.point_friction != PointFriction::coulomb || !(last.rise > 0.0 && closing > 0.0)) return;
+  slot.spare = spare_friction(contact.friction, {last.impulse.normal, last.impulse.tangential}, last.rise,
+                              contact_compliance(a, slot.arm_a, b, slot.arm_b, contact.normal), closing);
+}
+
+/// A contact point for the coupled iterations. `a` and `b` are masses divided among the points, see shared_mass();
+/// `last` is what it has from the last time step.
 GEM_HD inline PointGeometry<double> point_geometry(const StepConstants& c, const Contact& contact,
                                                    const ContactSlot& slot, CollisionMass a, CollisionMass b,
-                                                   double cap) {
+                                                   const PointMemory& last, double cap) {
   const Vec2 normal = contact.normal, tangent = turned_left(normal);
   PointGeometry<double> g{};
   g.normal_x = normal.x;
@@ -139,7 +154,7 @@ GEM_HD inline PointGeometry<double> point_geometry(const StepConstants& c, const
   set_compliance(g, a.inverse_mass + b.inverse_mass, a.inverse_inertia, b.inverse_inertia);
   g.friction = contact.friction;
   if (c.point_friction == PointFriction::fixed_direction) {
-    const double slip = slot.tangential_before;
+    const double slip = slip_of_hit(slot.tangential_before, {last.impulse.normal, last.impulse.tangential}, last.rise);
     g.friction = slip > 0.0 ? -contact.friction : slip < 0.0 ? contact.friction : 0.0;
     const double sliding = g.nn + g.friction * g.nt;
     if (sliding > 0.0)

@@ -118,7 +118,7 @@ void IslandSolver::set_base(std::span<const IslandPoint> points) {
   const Motion<double> rest{};
   for (std::size_t k = 0; k < points.size(); ++k) {
     const IslandPoint& p = points[k];
-    blocks_.set_base(static_cast<std::int32_t>(k), *p.geometry, *p.impulse, p.a == fixed ? rest : motion_[p.a],
+    blocks_.set_base(static_cast<std::int32_t>(k), *p.geometry, p.spare, *p.impulse, p.a == fixed ? rest : motion_[p.a],
                      p.b == fixed ? rest : motion_[p.b]);
   }
 }
@@ -246,7 +246,8 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
     set_base(points);
     iterate_round(control, result);
     for (std::size_t k = 0; k < points.size(); ++k)
-      blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, *points[k].impulse);
+      blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, points[k].spare,
+                     *points[k].impulse);
     move_by_base(bodies, points);
   } while (control.iterations_maximum - result.iterations >= shortest_round && result.error > control.tolerance);
   if (result.error > control.tolerance) keep_best_share(bodies, points);

@@ -45,6 +45,7 @@ struct IslandPoint {
   std::int32_t a = 0, b = 0;  // IslandSolver::fixed: a fixed body
   const PointGeometry<double>* geometry = nullptr;
   PointImpulse<double>* impulse = nullptr;
+  SpareFriction spare;
 };
 
 struct IslandControl {

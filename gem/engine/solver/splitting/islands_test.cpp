@@ -30,7 +30,7 @@ struct Row {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const auto k = static_cast<std::int32_t>(i);
       islands.set_body(body + k, bodies[i]);
-      islands.set_point(point + k, {k == 0 ? Islands::fixed : body + k - 1, body + k, &geometry[i], &impulse[i]});
+      islands.set_point(point + k, {k == 0 ? Islands::fixed : body + k - 1, body + k, &geometry[i], &impulse[i], {}});
     }
   }
 

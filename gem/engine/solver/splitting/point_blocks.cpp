@@ -82,12 +82,12 @@ void PointBlocks::set_point(std::int32_t k, const PointGeometry<double>& g, std:
   q.friction[lane] = static_cast<float>(g.friction);
 }
 
-void PointBlocks::set_base(std::int32_t k, const PointGeometry<double>& g, const PointImpulse<double>& impulse,
-                           const Motion<double>& a, const Motion<double>& b) {
+void PointBlocks::set_base(std::int32_t k, const PointGeometry<double>& g, SpareFriction spare,
+                           const PointImpulse<double>& impulse, const Motion<double>& a, const Motion<double>& b) {
   Block& q = block_[k / float_lanes];
   const std::int32_t lane = k % float_lanes;
   PointFrame<float> frame;
-  set_base_values(frame, g, impulse, a, b);
+  set_base_values(frame, g, spare, impulse, a, b);
   q.excess[lane] = frame.excess;
   q.slip[lane] = frame.slip;
   q.least[lane] = frame.least;
@@ -311,12 +311,12 @@ GEM_CLONES float PointBlocks::mismatch(const std::vector<BodyRow>& now, float pe
   return all;
 }
 
-void PointBlocks::add_to(PointFriction law, std::int32_t k, const PointGeometry<double>& g,
+void PointBlocks::add_to(PointFriction law, std::int32_t k, const PointGeometry<double>& g, SpareFriction spare,
                          PointImpulse<double>& impulse) const {
   const Block& q = block_[k / float_lanes];
   const std::int32_t lane = k % float_lanes;
-  impulse = with_additions(law, g, impulse, {q.answer_n[lane], q.answer_t[lane], q.answer_r[lane]}, q.least[lane],
-                           q.most[lane], q.repair_least[lane]);
+  impulse = with_additions(law, g, spare, impulse, {q.answer_n[lane], q.answer_t[lane], q.answer_r[lane]},
+                           q.least[lane], q.most[lane], q.repair_least[lane]);
 }
 
 }  // namespace gem

@@ -19,6 +19,7 @@
 #include "gem/base/pack.h"
 #include "gem/engine/solver/coupled_point.h"
 #include "gem/engine/solver/splitting/front_factor.h"
+#include "gem/events/friction_memory.h"
 
 namespace gem {
 
@@ -52,8 +53,8 @@ class PointBlocks {
   /// Begins a round: sets the bounds of the additions, and copies of the velocities that obey the law with the impulses
   /// of the base.
   /// `a`, `b`: motions that the base gives.
-  void set_base(std::int32_t k, const PointGeometry<double>& g, const PointImpulse<double>& impulse,
-                const Motion<double>& a, const Motion<double>& b);
+  void set_base(std::int32_t k, const PointGeometry<double>& g, SpareFriction spare,
+                const PointImpulse<double>& impulse, const Motion<double>& a, const Motion<double>& b);
   /// Sets R of all points and adds J^T R J to the matrix. `raised`: whether those that raise() found are stiffer.
   void stiffen(float stiffness, bool raised, FrontFactor& factor);
 
@@ -73,7 +74,8 @@ class PointBlocks {
   /// says nothing about the load that passes through it. Returns whether there were any.
   bool raise();
   /// Adds the last answer() of a point to its impulse.
-  void add_to(PointFriction law, std::int32_t k, const PointGeometry<double>& g, PointImpulse<double>& impulse) const;
+  void add_to(PointFriction law, std::int32_t k, const PointGeometry<double>& g, SpareFriction spare,
+              PointImpulse<double>& impulse) const;
 
   bool repairs() const { return repairs_; }
 

@@ -1,11 +1,13 @@
-// V53: the hits of V16 to V19 over an open gap. Wherever in a time step the gap closes, the limit for dt -> 0 is the
-// impulse of the whole hit.
+// V53: the hits of V16 to V19, and random ones, over an open gap. Wherever in a time step the gap closes, the limit for
+// dt -> 0 is the impulse of the whole hit.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "gem/base/number_text.h"
+#include "gem/base/random.h"
 #include "validation/verification/expected.h"
 #include "validation/verification/scenes.h"
 
@@ -127,6 +129,33 @@ TEST_P(GapPhase, V53_limit_of_a_frictional_hit) {
     if (errors.back() < rounding) continue;
     check_value("V53." + hit.name + ".order", 1.0, order_of(steps, errors), 0.2, "-", where());
   }
+}
+
+/// A rectangle over the floor with random size, motion and friction.
+Hit random_hit(RandomSequence& random) {
+  for (;;) {
+    const double size = random.uniform(4.0, 20.0), width = size * random.uniform(0.05, 1.0);
+    const double turn = random.uniform(0.0, 2.0 * std::numbers::pi), spin = random.uniform(-0.02, 0.02);
+    const Vec2 velocity{random.uniform(-0.5, 0.5), random.uniform(-0.5, -0.1)};
+    const FloeDef floe{rectangle(size, width), {}, turn, velocity, spin, 0.5};
+    const double closing = -(velocity.y + spin * lowest_corner(floe).x);
+    if (closing < 0.05) continue;
+    return {"random", "", hit_on_floor(floe, random.uniform(0.05, 0.5)), {0.0, 1.0}, closing, {1.0, 0.0}};
+  }
+}
+
+TEST_P(GapPhase, V53_random_hits_do_not_depend_on_the_phase) {
+  const double dt = 1e-3;
+  RandomSequence random(Random(5, 5));
+  double worst = 0.0;  // difference of two phases, as share of the impulse
+  for (int k = 0; k < 100; ++k) {
+    const Hit hit = random_hit(random);
+    const Vec2 early = impulse_over_gap(hit, 0.02, dt, setting());
+    for (const double phase : {0.1, 0.3, 0.5, 0.7, 0.9, 0.98})
+      worst = std::max(worst, length(impulse_over_gap(hit, phase, dt, setting()) - early) / length(early));
+  }
+  // The bodies turn at up to 0.2 rad/s after such hits. For both phases that changes levers and compliance.
+  check_value("V53.random_spread", 0.0, worst, 2.0 * 2.0 * 0.2 * dt, "-", where());
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ SceneDef quiet_scene() {
   scene.contact.elastic_stiffness_N_per_m = 0.0;
   scene.contact.crushing_limit = false;
   scene.numerics.time_step_s = 1e-6;
+  scene.run.duration_s = 600.0;  // few enough time steps for cuda
   scene.numerics.residual_tolerance = 1e-14;
   scene.numerics.iterations_maximum = 20000;
   scene.numerics.repair_share = 0.0;

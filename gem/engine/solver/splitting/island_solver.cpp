@@ -18,6 +18,10 @@ constexpr std::int64_t change_interval = 16;
 /// A round is no longer, and no shorter unless it ends with the error. Single precision holds no more than
 /// `round_gain`.
 constexpr std::int64_t longest_round = 96, shortest_round = 48;
+/// After so many iterations the stiffness stays at one value, since rounds that repeat its course may repeat their
+/// errors.
+constexpr std::int64_t scheduled_iterations = 4 * longest_round;
+constexpr float steady_stiffness = 2.0F;
 constexpr double round_gain = 1e-4, single_precision = 1e-6;
 /// The error is estimated after so many iterations of a round, after twice as many, and then every time so many have
 /// passed.
@@ -114,11 +118,11 @@ void IslandSolver::move_by_base(std::span<const IslandBody> bodies, std::span<co
 }
 
 /// Begins a round from the impulses of the base.
-void IslandSolver::set_base(std::span<const IslandPoint> points) {
+void IslandSolver::set_base(PointFriction law, std::span<const IslandPoint> points) {
   const Motion<double> rest{};
   for (std::size_t k = 0; k < points.size(); ++k) {
     const IslandPoint& p = points[k];
-    blocks_.set_base(static_cast<std::int32_t>(k), *p.geometry, p.spare, *p.impulse, p.a == fixed ? rest : motion_[p.a],
+    blocks_.set_base(law, static_cast<std::int32_t>(k), *p.geometry, p.spare, *p.impulse, p.a == fixed ? rest : motion_[p.a],
                      p.b == fixed ? rest : motion_[p.b]);
   }
 }
@@ -208,7 +212,8 @@ void IslandSolver::iterate_round(const IslandControl& control, IslandResult& res
   const std::int64_t last = std::min(longest_round, control.iterations_maximum - result.iterations);
   std::int64_t next_estimate = first_estimate;
   double last_change = 0.0, first_error = 0.0;
-  stiffness_ = first_stiffness;
+  const bool scheduled = result.iterations < scheduled_iterations;
+  stiffness_ = scheduled ? first_stiffness : steady_stiffness;
   stiffen();
   blocks_.push(now_, sum_);
   for (std::int64_t iteration = 1;; ++iteration) {
@@ -229,7 +234,7 @@ void IslandSolver::iterate_round(const IslandControl& control, IslandResult& res
     begin();
     blocks_.visit(control.friction, now_, sum_);
     if (judged) blocks_.watch(now_, static_cast<float>(0.25 * control.tolerance));
-    if ((last - iteration) % change_interval != 0 || !change_stiffness(last - iteration)) continue;
+    if (!scheduled || (last - iteration) % change_interval != 0 || !change_stiffness(last - iteration)) continue;
     last_change = 0.0;
     begin();
     blocks_.push(now_, sum_);
@@ -243,7 +248,7 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
   move_by_base(bodies, points);
   IslandResult result;
   do {
-    set_base(points);
+    set_base(control.friction, points);
     iterate_round(control, result);
     for (std::size_t k = 0; k < points.size(); ++k)
       blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, points[k].spare,

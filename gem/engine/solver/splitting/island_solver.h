@@ -81,7 +81,7 @@ class IslandSolver {
   void order_bodies(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
   void set_points(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
   void move_by_base(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
-  void set_base(std::span<const IslandPoint> points);
+  void set_base(PointFriction law, std::span<const IslandPoint> points);
   void keep_best_share(std::span<const IslandBody> bodies, std::span<const IslandPoint> points) const;
   void stiffen();
   bool change_stiffness(std::int64_t left);

@@ -53,7 +53,7 @@ class PointBlocks {
   /// Begins a round: sets the bounds of the additions, and copies of the velocities that obey the law with the impulses
   /// of the base.
   /// `a`, `b`: motions that the base gives.
-  void set_base(std::int32_t k, const PointGeometry<double>& g, SpareFriction spare,
+  void set_base(PointFriction law, std::int32_t k, const PointGeometry<double>& g, SpareFriction spare,
                 const PointImpulse<double>& impulse, const Motion<double>& a, const Motion<double>& b);
   /// Sets R of all points and adds J^T R J to the matrix. `raised`: whether those that raise() found are stiffer.
   void stiffen(float stiffness, bool raised, FrontFactor& factor);

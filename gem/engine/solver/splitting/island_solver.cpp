@@ -122,8 +122,8 @@ void IslandSolver::set_base(PointFriction law, std::span<const IslandPoint> poin
   const Motion<double> rest{};
   for (std::size_t k = 0; k < points.size(); ++k) {
     const IslandPoint& p = points[k];
-    blocks_.set_base(law, static_cast<std::int32_t>(k), *p.geometry, p.spare, *p.impulse, p.a == fixed ? rest : motion_[p.a],
-                     p.b == fixed ? rest : motion_[p.b]);
+    blocks_.set_base(law, static_cast<std::int32_t>(k), *p.geometry, p.spare, *p.impulse,
+                     p.a == fixed ? rest : motion_[p.a], p.b == fixed ? rest : motion_[p.b]);
   }
 }
 

@@ -100,8 +100,8 @@ void PointBlocks::set_base(PointFriction law, std::int32_t k, const PointGeometr
   // at the bound of friction but for rounding
   const float nearest = smaller(frame.slack_left, frame.slack_right);
   const bool at_bound = nearest <= 1e-6F * (frame.slack_left + frame.slack_right);
-  const bool slides = law != PointFriction::coulomb || impulse.normal <= 0.0 ||
-                      (at_bound && frame.slip * impulse.tangential <= 0.0);
+  const bool slides =
+      law != PointFriction::coulomb || impulse.normal <= 0.0 || (at_bound && frame.slip * impulse.tangential <= 0.0);
   q.slide[lane] = slides ? 0.0F : -frame.slip;
   q.shift[lane] = (impulse.repair > 0.0 ? 0.0F : larger(frame.repair_excess, 0.0F)) - frame.repair_excess;
   q.normal[lane] = q.tangential[lane] = q.repair[lane] = q.shift_t[lane] = 0.0F;

@@ -27,13 +27,6 @@ GEM_INLINE FloatHalf load_half(const float* from) {
 
 typedef std::int32_t HalfMask __attribute__((vector_size(16)));
 
-/// The three numbers of a body from `from` to `to`. The number behind them stays.
-GEM_INLINE void store_body(FloatHalf x, float* to) {
-  const HalfMask three{-1, -1, -1, 0};
-  x = three ? x : load_half(to);
-  __builtin_memcpy(to, &x, sizeof x);
-}
-
 }  // namespace
 
 /// The others of a front: later bodies in contact with its own, and the others of its children.
@@ -55,11 +48,11 @@ void FrontFactor::find_others(std::span<const std::pair<std::int32_t, std::int32
   f.others = static_cast<std::int32_t>(other_place_.size()) - f.first_other;
 }
 
-/// Row of a body in a front, counted in bodies; the others follow the own.
-std::int32_t FrontFactor::index_in(const Front& f, std::int32_t place) const {
-  if (place < f.place + f.own) return place - f.place;
+/// First row of a body in the columns of a front. The rows of the others follow those of the own bodies.
+std::int32_t FrontFactor::row_in(const Front& f, std::int32_t place) const {
+  if (place < f.place + f.own) return motions * (place - f.place);
   const auto begin = other_place_.begin() + f.first_other;
-  return f.own + static_cast<std::int32_t>(std::lower_bound(begin, begin + f.others, place) - begin);
+  return f.own_rows + motions * static_cast<std::int32_t>(std::lower_bound(begin, begin + f.others, place) - begin);
 }
 
 void FrontFactor::analyse(const EliminationTree& tree, std::span<const std::pair<std::int32_t, std::int32_t>> pairs) {
@@ -83,8 +76,7 @@ void FrontFactor::analyse(const EliminationTree& tree, std::span<const std::pair
     next_child_[k] = first_child_[parent];
     first_child_[parent] = k;
   }
-  slot_.resize(bodies);
-  std::int32_t slot = 0, most_rows = 0, most_others = 0, most_own = 0;
+  std::int32_t most_rows = 0, most_others = 0, most_own = 0;
   std::size_t forth = 0, back = 0;
   for (std::int32_t k = 0; k < nodes; ++k) {
     const EliminationNode& node = tree.node[k];
@@ -95,31 +87,24 @@ void FrontFactor::analyse(const EliminationTree& tree, std::span<const std::pair
     find_others(pairs, k);
     f.own_rows = whole_packs(motions * f.own);
     f.other_rows = whole_packs(motions * f.others);
-    f.slot = slot;
     f.forth = forth;
     f.back = back;
-    for (std::int32_t i = 0; i < f.own; ++i) slot_[f.place + i] = slot + motions * i;
-    slot += f.own_rows + f.other_rows;
     forth += static_cast<std::size_t>(f.other_rows) * motions * f.own;
     back += static_cast<std::size_t>(f.own_rows) * motions * (f.own + f.others);
     most_rows = std::max(most_rows, f.own_rows + f.other_rows);
     most_own = std::max(most_own, f.own);
     most_others = std::max(most_others, f.others);
   }
-  slot_in_parent_.resize(other_place_.size());
-  for (const Front& f : front_) {
-    for (std::int32_t k = 0; k < f.others; ++k) {
-      const Front& parent = front_[f.parent];
-      const std::int32_t index = index_in(parent, other_place_[f.first_other + k]);
-      slot_in_parent_[f.first_other + k] =
-          parent.slot + (index < parent.own ? motions * index : parent.own_rows + motions * (index - parent.own));
-    }
-  }
-  vector_numbers_ = slot + float_lanes;  // a body is read as four numbers
+  row_in_parent_.resize(other_place_.size());
+  for (const Front& f : front_)
+    for (std::int32_t k = 0; k < f.others; ++k)
+      row_in_parent_[f.first_other + k] = row_in(front_[f.parent], other_place_[f.first_other + k]);
   diagonal_.resize(block * bodies);
   below_.resize(block * pairs.size());
   forth_.resize(forth);
   back_.resize(back);
+  for (std::vector<float>& numbers : dense_) numbers.resize(most_rows + float_lanes);  // a body is copied as four
+  for (std::vector<float>& numbers : product_) numbers.resize(most_rows + float_lanes);
   own_columns_.resize(static_cast<std::size_t>(most_rows) * (motions * most_own + 1));
   other_columns_.resize(static_cast<std::size_t>(whole_packs(motions * most_others)) * motions * most_others);
 }
@@ -132,8 +117,7 @@ void FrontFactor::reset() {
 /// Adds the complement of a child, of which the part on and below the diagonal is set.
 void FrontFactor::add_child(const Front& child, const float* from, const Front& f) {
   const std::int32_t rows = f.own_rows + f.other_rows, from_rows = child.other_rows;
-  // row of a body of the child in the vector of this front
-  const auto row_of = [&](std::int32_t k) { return slot_in_parent_[child.first_other + k] - f.slot; };
+  const auto row_of = [&](std::int32_t k) { return row_in_parent_[child.first_other + k]; };
   for (std::int32_t j = 0; j < child.others; ++j) {
     const std::int32_t to_column = row_of(j);
     for (std::int32_t c = 0; c < motions; ++c) {
@@ -166,8 +150,7 @@ void FrontFactor::assemble(std::int32_t node) {
     };
     add_block(motions * i, diagonal(place));
     for (std::int32_t k = first_pair_[place]; k < first_pair_[place + 1]; ++k) {
-      const std::int32_t index = index_in(f, later_[k]);
-      add_block(index < f.own ? motions * index : f.own_rows + motions * (index - f.own), below(k));
+      add_block(row_in(f, later_[k]), below(k));
     }
   }
   const std::int32_t first = first_child_[node];
@@ -285,72 +268,70 @@ GEM_INLINE void add_columns(const float* matrix, std::int32_t rows, std::int32_t
 
 GEM_INLINE FloatPack whole_sum(const FloatPack* part) { return (part[0] + part[1]) + (part[2] + part[3]); }
 
+/// Copies the numbers of a body from its row to place `k` of dense vectors. Each copy has one number too many.
+template <int vectors>
+GEM_INLINE void take_body(const float* row, std::int32_t k, float* const* to) {
+  for (int v = 0; v < vectors; ++v) {
+    const FloatHalf x = load_half(row + 4 * v);
+    __builtin_memcpy(to[v] + motions * k, &x, sizeof x);
+  }
+}
+
+/// The numbers of a body, from place `k` of a dense vector; the fourth is zero.
+GEM_INLINE FloatHalf body_of(const float* from, std::int32_t k) {
+  const HalfMask three{-1, -1, -1, 0};
+  const FloatHalf x = load_half(from + motions * k);
+  return three ? x : FloatHalf{};
+}
+
 }  // namespace
 
-/// The numbers of bodies without the gaps between them, for one vector or two.
 template <int vectors>
-struct Dense {
-  float* part[vectors];
-
-  GEM_INLINE void take(std::int32_t k, const float* row) {
-    for (int v = 0; v < vectors; ++v) {
-      const FloatHalf x = load_half(row + 4 * v);
-      __builtin_memcpy(part[v] + motions * k, &x, sizeof x);
-    }
-  }
-};
-
-template <int vectors>
-GEM_INLINE void FrontFactor::forth(const Front& f, float* x) const {
+GEM_INLINE void FrontFactor::forth(const Front& f, float* x) {
   if (f.others == 0) return;
-  float own_numbers[vectors][256], result[vectors][256];
-  Dense<vectors> own;
-  for (int v = 0; v < vectors; ++v) own.part[v] = own_numbers[v];
-  for (std::int32_t k = 0; k < f.own; ++k) own.take(k, x + row_numbers * (f.place + k));
+  float* const own[2] = {dense_[0].data(), dense_[1].data()};
+  float* const result[2] = {product_[0].data(), product_[1].data()};
+  for (std::int32_t k = 0; k < f.own; ++k) take_body<vectors>(x + row_numbers * (f.place + k), k, own);
   for (std::int32_t r = 0; r < f.other_rows; r += float_lanes) {
     FloatPack sum[vectors][4] = {};
-    add_columns<vectors>(&forth_[f.forth + r], f.other_rows, motions * f.own, own.part, sum);
+    add_columns<vectors>(&forth_[f.forth + r], f.other_rows, motions * f.own, own, sum);
     for (int v = 0; v < vectors; ++v) store_pack(whole_sum(sum[v]), result[v] + r);
   }
-  const HalfMask three{-1, -1, -1, 0};
   for (std::int32_t k = 0; k < f.others; ++k) {
     float* const row = x + row_numbers * other_place_[f.first_other + k];
     for (int v = 0; v < vectors; ++v) {
-      const FloatHalf sum = load_half(row + 4 * v) + load_half(result[v] + motions * k);
-      const FloatHalf kept = three ? sum : FloatHalf{};
-      __builtin_memcpy(row + 4 * v, &kept, sizeof kept);
+      const FloatHalf sum = load_half(row + 4 * v) + body_of(result[v], k);
+      __builtin_memcpy(row + 4 * v, &sum, sizeof sum);
     }
   }
 }
 
 template <int vectors>
-GEM_INLINE void FrontFactor::back(const Front& f, float* x) const {
-  float numbers[vectors][512], result[vectors][256];
-  Dense<vectors> all;
-  for (int v = 0; v < vectors; ++v) all.part[v] = numbers[v];
-  for (std::int32_t k = 0; k < f.own; ++k) all.take(k, x + row_numbers * (f.place + k));
-  for (std::int32_t k = 0; k < f.others; ++k) all.take(f.own + k, x + row_numbers * other_place_[f.first_other + k]);
+GEM_INLINE void FrontFactor::back(const Front& f, float* x) {
+  float* const all[2] = {dense_[0].data(), dense_[1].data()};
+  float* const result[2] = {product_[0].data(), product_[1].data()};
+  for (std::int32_t k = 0; k < f.own; ++k) take_body<vectors>(x + row_numbers * (f.place + k), k, all);
+  for (std::int32_t k = 0; k < f.others; ++k)
+    take_body<vectors>(x + row_numbers * other_place_[f.first_other + k], f.own + k, all);
   for (std::int32_t r = 0; r < f.own_rows; r += float_lanes) {
     FloatPack sum[vectors][4] = {};
-    add_columns<vectors>(&back_[f.back + r], f.own_rows, motions * (f.own + f.others), all.part, sum);
+    add_columns<vectors>(&back_[f.back + r], f.own_rows, motions * (f.own + f.others), all, sum);
     for (int v = 0; v < vectors; ++v) store_pack(whole_sum(sum[v]), result[v] + r);
   }
-  const HalfMask three{-1, -1, -1, 0};
   for (std::int32_t k = 0; k < f.own; ++k)
     for (int v = 0; v < vectors; ++v) {
-      const FloatHalf sum = load_half(result[v] + motions * k);
-      const FloatHalf kept = three ? sum : FloatHalf{};
-      __builtin_memcpy(x + row_numbers * (f.place + k) + 4 * v, &kept, sizeof kept);
+      const FloatHalf x_of_body = body_of(result[v], k);
+      __builtin_memcpy(x + row_numbers * (f.place + k) + 4 * v, &x_of_body, sizeof x_of_body);
     }
 }
 
 template <int vectors>
-GEM_INLINE void FrontFactor::solve_all(float* x) const {
+GEM_INLINE void FrontFactor::solve_all(float* x) {
   for (const Front& f : front_) forth<vectors>(f, x);
   for (std::size_t k = front_.size(); k-- > 0;) back<vectors>(front_[k], x);
 }
 
-GEM_CLONES void FrontFactor::solve_first(float* x) const { solve_all<1>(x); }
-GEM_CLONES void FrontFactor::solve_both(float* x) const { solve_all<2>(x); }
+GEM_CLONES void FrontFactor::solve_first(float* x) { solve_all<1>(x); }
+GEM_CLONES void FrontFactor::solve_both(float* x) { solve_all<2>(x); }
 
 }  // namespace gem

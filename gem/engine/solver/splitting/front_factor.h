@@ -6,9 +6,9 @@
 //     G = [A^-1, -A^-1 C^T]      own numbers from the front's: the way back, from the last node to the first
 //     H = -C A^-1                others' numbers from the own: the way forth, from the first node to the last
 //
-// and hands C's complement to its parent (multifrontal method, Duff and Reid 1983). A node speaks with its parent and
-// its children only, and each step of it is one dense product. So a device needs two barriers for each level of the
-// tree. The matrix is symmetric and positive definite: no pivots are searched.
+// and hands C's complement to its parent (multifrontal method, Duff and Reid 1983). Each
+// step of a node is one dense product. So a device needs two barriers for each level of the tree. The matrix is
+// symmetric and positive definite: no pivots are searched.
 //
 // All sums have a fixed order: a product sums its columns in four parts, column k in part k mod 4.
 #pragma once
@@ -40,8 +40,8 @@ class FrontFactor {
 
   /// Solve in place, for rows of eight floats a body: three numbers and a zero in each half. solve_first() leaves the
   /// second half alone, solve_both() solves for both halves.
-  void solve_first(float* x) const;
-  void solve_both(float* x) const;
+  void solve_first(float* x);
+  void solve_both(float* x);
 
   std::size_t nodes() const { return front_.size(); }
   /// Numbers that a solution reads.
@@ -52,32 +52,30 @@ class FrontFactor {
     std::int32_t parent = -1;
     std::int32_t place = 0, own = 0, others = 0;  // first body, bodies
     std::int32_t own_rows = 0, other_rows = 0;    // three numbers for each body, filled up to whole packs
-    std::int32_t slot = 0;                        // of the own bodies in a vector; those of the others follow
     std::int32_t first_other = 0;                 // in other_place_
     std::size_t forth = 0, back = 0;              // H and G
   };
 
   void find_others(std::span<const std::pair<std::int32_t, std::int32_t>> pairs, std::int32_t node);
-  std::int32_t index_in(const Front& f, std::int32_t place) const;
+  std::int32_t row_in(const Front& f, std::int32_t place) const;
   void assemble(std::int32_t node);
   void add_child(const Front& child, const float* from, const Front& f);
   void invert_own(const Front& f);
   void set_products(const Front& f);
   template <int vectors>
-  void forth(const Front& f, float* x) const;
+  void forth(const Front& f, float* x);
   template <int vectors>
-  void back(const Front& f, float* x) const;
+  void back(const Front& f, float* x);
   template <int vectors>
-  void solve_all(float* x) const;
+  void solve_all(float* x);
 
   std::vector<Front> front_;
-  std::vector<std::int32_t> other_place_;     // of the others of each front, ascending
-  std::vector<std::int32_t> slot_in_parent_;  // of each of them
-  std::vector<std::int32_t> slot_;            // of each body
+  std::vector<std::int32_t> other_place_;    // of the others of each front, ascending
+  std::vector<std::int32_t> row_in_parent_;  // of each of them
   std::vector<std::int32_t> first_pair_, later_;
   std::vector<float> diagonal_, below_;
   std::vector<float> forth_, back_;
-  std::size_t vector_numbers_ = 0;
+  std::vector<float> dense_[2], product_[2];  // memory of a solution, for each vector
   // memory of analyse()
   std::vector<std::int32_t> mark_, first_child_, next_child_;
   // memory of factor(): the columns of the own bodies with all rows, those of the others with their own rows, and the

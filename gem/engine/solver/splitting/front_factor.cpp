@@ -155,7 +155,7 @@ void FrontFactor::assemble(std::int32_t node) {
   }
   const std::int32_t first = first_child_[node];
   for (std::int32_t child = first; child >= 0; child = next_child_[child])
-    add_child(front_[child], &waiting_[waiting_from_[child]], f);
+    add_child(front_[child], waiting_.data() + waiting_from_[child], f);
   if (first >= 0) waiting_.resize(waiting_from_[first]);
   for (std::int32_t c = 0; c < own; ++c)
     for (std::int32_t r = 0; r < c; ++r)
@@ -188,8 +188,8 @@ GEM_INLINE void FrontFactor::invert_own(const Front& f) {
 GEM_INLINE void FrontFactor::set_products(const Front& f) {
   const std::size_t rows = f.own_rows + f.other_rows;
   const std::int32_t own = motions * f.own, others = motions * f.others;
-  float* const g = &back_[f.back];
-  float* const h = &forth_[f.forth];
+  float* const g = back_.data() + f.back;
+  float* const h = forth_.data() + f.forth;
   for (std::int32_t k = 0; k < own; ++k)
     std::copy_n(&own_columns_[rows * k], f.own_rows, g + static_cast<std::size_t>(f.own_rows) * k);
   if (others == 0) return;
@@ -294,7 +294,7 @@ GEM_INLINE void FrontFactor::forth(const Front& f, float* x) {
   for (std::int32_t k = 0; k < f.own; ++k) take_body<vectors>(x + row_numbers * (f.place + k), k, own);
   for (std::int32_t r = 0; r < f.other_rows; r += float_lanes) {
     FloatPack sum[vectors][4] = {};
-    add_columns<vectors>(&forth_[f.forth + r], f.other_rows, motions * f.own, own, sum);
+    add_columns<vectors>(forth_.data() + f.forth + r, f.other_rows, motions * f.own, own, sum);
     for (int v = 0; v < vectors; ++v) store_pack(whole_sum(sum[v]), result[v] + r);
   }
   for (std::int32_t k = 0; k < f.others; ++k) {
@@ -315,7 +315,7 @@ GEM_INLINE void FrontFactor::back(const Front& f, float* x) {
     take_body<vectors>(x + row_numbers * other_place_[f.first_other + k], f.own + k, all);
   for (std::int32_t r = 0; r < f.own_rows; r += float_lanes) {
     FloatPack sum[vectors][4] = {};
-    add_columns<vectors>(&back_[f.back + r], f.own_rows, motions * (f.own + f.others), all, sum);
+    add_columns<vectors>(back_.data() + f.back + r, f.own_rows, motions * (f.own + f.others), all, sum);
     for (int v = 0; v < vectors; ++v) store_pack(whole_sum(sum[v]), result[v] + r);
   }
   for (std::int32_t k = 0; k < f.own; ++k)

@@ -6,9 +6,8 @@
 //     G = [A^-1, -A^-1 C^T]      own numbers from the front's: the way back, from the last node to the first
 //     H = -C A^-1                others' numbers from the own: the way forth, from the first node to the last
 //
-// and hands C's complement to its parent (multifrontal method, Duff and Reid 1983). Each
-// step of a node is one dense product. So a device needs two barriers for each level of the tree. The matrix is
-// symmetric and positive definite: no pivots are searched.
+// and hands C's complement to its parent (multifrontal method, Duff and Reid 1983). Each step of a node is one dense
+// product. The matrix is symmetric and positive definite: no pivots are searched.
 //
 // All sums have a fixed order: a product sums its columns in four parts, column k in part k mod 4.
 #pragma once

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "gem/base/choose.h"
 
@@ -174,7 +175,7 @@ GEM_CLONES IslandSolver::Differences IslandSolver::compare(const IslandControl& 
   Differences d;
   d.points = blocks_.mismatch(now_, per_step);
   const FloatPack speed{1.0F, 1.0F, 1.0F, 1.0F, per_step, per_step, per_step, per_step};
-  FloatPack bodies{}, change{}, motion{};
+  FloatPack bodies{}, change{}, motion{}, total{};
   for (std::size_t k = 1; k < now_.size(); ++k) {
     const FloatPack scale = scale_[k - 1].lanes, mass = mass_[k - 1].lanes;
     // lanes without a mass are not a number in a quotient, and stay out of it
@@ -182,6 +183,7 @@ GEM_CLONES IslandSolver::Differences IslandSolver::compare(const IslandControl& 
     bodies = larger(bodies, magnitude(given_[k].lanes * inverse - now_[k].lanes) * scale);
     change = larger(change, magnitude(given_[k].lanes - last_given_[k].lanes) * inverse * scale);
     motion = larger(motion, magnitude(now_[k].lanes) * scale);
+    total += magnitude(now_[k].lanes);
   }
   const auto largest = [&speed](FloatPack lanes) {
     lanes *= speed;
@@ -192,6 +194,10 @@ GEM_CLONES IslandSolver::Differences IslandSolver::compare(const IslandControl& 
   d.bodies = largest(bodies);
   d.change = largest(change);
   d.motion = largest(motion);
+  // the larger of two numbers forgets one that is not a number; their sum does not
+  float all = 0.0F;
+  for (int lane = 0; lane < float_lanes; ++lane) all += total[lane];
+  if (!(all < std::numeric_limits<float>::infinity())) d.points = std::numeric_limits<float>::infinity();
   return d;
 }
 
@@ -220,6 +226,7 @@ void IslandSolver::iterate_round(const IslandControl& control, IslandResult& res
     step();
     const bool judged = iteration == next_estimate || iteration == last;
     if (judged) {
+      if (iteration < next_estimate) last_change = 0.0;  // fewer iterations than the last change had
       const Differences d = compare(control);
       result.error = larger(static_cast<double>(larger(d.points, d.bodies)), still_missing(d.change, last_change));
       result.error = larger(result.error, single_precision * static_cast<double>(d.motion));
@@ -255,7 +262,10 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
                      *points[k].impulse);
     move_by_base(bodies, points);
   } while (control.iterations_maximum - result.iterations >= shortest_round && result.error > control.tolerance);
-  if (result.error > control.tolerance) keep_best_share(bodies, points);
+  if (result.error > control.tolerance) {
+    keep_best_share(bodies, points);
+    result.iterations = control.iterations_maximum;  // too few were left for another round
+  }
   return result;
 }
 

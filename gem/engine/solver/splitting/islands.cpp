@@ -10,7 +10,7 @@ namespace gem {
 void Islands::begin(std::int32_t bodies, std::int32_t points, int threads) {
   body_.resize(bodies);
   point_.resize(points);
-  solver_.resize(threads);
+  if (static_cast<int>(solver_.size()) < threads) solver_.resize(threads);
   result_.assign(threads, {});
 }
 
@@ -81,9 +81,9 @@ void Islands::solve(const IslandControl& control, int rank) {
     const std::int32_t next = next_.fetch_add(1, std::memory_order_relaxed);
     if (next >= static_cast<std::int32_t>(by_size_.size())) return;
     const std::int32_t k = by_size_[next], body = first_body_[k], point = first_point_[k];
-    const IslandResult result =
-        solver_[rank].solve({&island_body_[body], static_cast<std::size_t>(first_body_[k + 1] - body)},
-                            {&island_point_[point], static_cast<std::size_t>(first_point_[k + 1] - point)}, control);
+    const IslandResult result = solver_[rank].solve(
+        {island_body_.data() + body, static_cast<std::size_t>(first_body_[k + 1] - body)},
+        {island_point_.data() + point, static_cast<std::size_t>(first_point_[k + 1] - point)}, control);
     worst.iterations = std::max(worst.iterations, result.iterations);
     worst.error = larger(worst.error, result.error);
   }

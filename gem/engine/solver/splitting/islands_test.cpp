@@ -99,5 +99,15 @@ TEST(Islands, DependOnThemselvesAlone) {
   }
 }
 
+TEST(Islands, TakeNoAnswerThatIsNotANumber) {
+  Row row(5, 0.0);
+  row.bodies[3].velocity.x = std::nan("");
+  Islands islands;
+  islands.begin(5, 5, 1);
+  row.add_to(islands, 0, 0);
+  const IslandControl control{PointFriction::coulomb, 1e-3, 0.2, 96};
+  EXPECT_FALSE(solve(islands, control).error <= control.tolerance);
+}
+
 }  // namespace
 }  // namespace gem

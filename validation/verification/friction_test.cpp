@@ -11,14 +11,6 @@ namespace {
 class Friction : public OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, Friction, ::testing::ValuesIn(all_settings()), setting_name);
 
-SceneDef over_floor(const FloeDef& floe, double friction) {
-  SceneDef scene = quiet_scene();
-  scene.ice.friction_ice = friction;
-  scene.fixed = {floor_wall()};
-  scene.floe = {on_floor(floe)};
-  return scene;
-}
-
 /// Velocity of the lowest corner along x after the impact.
 double slip_left(const Impact& impact, const FloeDef& floe) {
   return (impact.velocity(0) + cross(impact.spin(0), lowest_corner(floe))).x;
@@ -76,14 +68,8 @@ TEST_P(Friction, V17_leaning_corner) {
 }
 
 TEST_P(Friction, V18_corner_on_a_face) {
-  FloeDef b{rectangle(8.0, 4.0), {}, degrees(20.0), {-0.6, 0.35}, 0.03, 0.5};
-  const double c = std::cos(b.angle_rad), s = std::sin(b.angle_rad);
-  b.position_m = Vec2{5.0 - touch, 2.0} - Vec2{-4.0 * c - 2.0 * s, -4.0 * s + 2.0 * c};
-  SceneDef scene = quiet_scene();
-  scene.floe = {square({}, {0.1, 0.0}, 0.0, -0.01), b};
   const auto run = [&](const std::string& key, double friction) {
-    scene.ice.friction_ice = friction;
-    const Impact impact = one_impact(scene, setting());
+    const Impact impact = one_impact(corner_on_face(friction), setting());
     check(key + ".Pn", impact.impulse(1).x, rounding, where());
     check(key + ".Pt", impact.impulse(1).y, rounding, where());
     check(key + ".Avx", impact.velocity(0).x, rounding, where());

@@ -26,24 +26,6 @@ struct Hit {
   Vec2 tangent;           // along which the closed form counts P_t
 };
 
-SceneDef hit_on_floor(const FloeDef& floe, double friction) {
-  SceneDef scene = quiet_scene();
-  scene.ice.friction_ice = friction;
-  scene.fixed = {floor_wall()};
-  scene.floe = {on_floor(floe)};
-  return scene;
-}
-
-SceneDef on_face(double friction) {
-  FloeDef b{rectangle(8.0, 4.0), {}, degrees(20.0), {-0.6, 0.35}, 0.03, 0.5};
-  const double c = std::cos(b.angle_rad), s = std::sin(b.angle_rad);
-  b.position_m = Vec2{5.0 - touch, 2.0} - Vec2{-4.0 * c - 2.0 * s, -4.0 * s + 2.0 * c};
-  SceneDef scene = quiet_scene();
-  scene.ice.friction_ice = friction;
-  scene.floe = {square({}, {0.1, 0.0}, 0.0, -0.01), b};
-  return scene;
-}
-
 /// The hit of a floe on the floor, turned to the middle of the platform's first face.
 Hit hit_on_platform(const std::string& key, FloeDef floe, double friction) {
   const double facing = degrees(9.0);
@@ -65,17 +47,17 @@ Hit hit_on_platform(const std::string& key, FloeDef floe, double friction) {
 std::vector<Hit> hits() {
   const FloeDef below = square({}, {0.6, -0.5}, degrees(45.0)), leaning = square({}, {-0.4, -0.5}, degrees(30.0));
   const FloeDef reversing = rod({}, {0.05, -0.5}, degrees(45.0));
-  SceneDef fixed = hit_on_floor(reversing, 0.2);
+  SceneDef fixed = over_floor(reversing, 0.2);
   fixed.contact.friction_law = FrictionLaw::fixed_direction;
   const Vec2 up{0.0, 1.0}, along{1.0, 0.0};
-  const double corner_on_face = -value_of("V09.un");
-  return {{"V16.slip", "V16.slip", hit_on_floor(below, 0.1), up, 0.5, along},
-          {"V16.stick", "V16.stick", hit_on_floor(below, 0.4), up, 0.5, along},
-          {"V17.slip", "V17.slip", hit_on_floor(leaning, 0.1), up, 0.5, along},
-          {"V17.stick", "V17.stick", hit_on_floor(leaning, 0.6), up, 0.5, along},
-          {"V18.mu005", "V18.mu005", on_face(0.05), along, corner_on_face, up},
-          {"V18.mu030", "V18.mu030", on_face(0.3), along, corner_on_face, up},
-          {"V19.moreau", "V19.moreau", hit_on_floor(reversing, 0.2), up, 0.5, along},
+  const double face_closing = -value_of("V09.un");
+  return {{"V16.slip", "V16.slip", over_floor(below, 0.1), up, 0.5, along},
+          {"V16.stick", "V16.stick", over_floor(below, 0.4), up, 0.5, along},
+          {"V17.slip", "V17.slip", over_floor(leaning, 0.1), up, 0.5, along},
+          {"V17.stick", "V17.stick", over_floor(leaning, 0.6), up, 0.5, along},
+          {"V18.mu005", "V18.mu005", corner_on_face(0.05), along, face_closing, up},
+          {"V18.mu030", "V18.mu030", corner_on_face(0.3), along, face_closing, up},
+          {"V19.moreau", "V19.moreau", over_floor(reversing, 0.2), up, 0.5, along},
           {"V19.fixed", "V19.fixed", fixed, up, 0.5, along},
           hit_on_platform("V17.slip", leaning, 0.1),
           hit_on_platform("V17.stick", leaning, 0.6)};
@@ -140,7 +122,7 @@ Hit random_hit(RandomSequence& random) {
     const FloeDef floe{rectangle(size, width), {}, turn, velocity, spin, 0.5};
     const double closing = -(velocity.y + spin * lowest_corner(floe).x);
     if (closing < 0.05) continue;
-    return {"random", "", hit_on_floor(floe, random.uniform(0.05, 0.5)), {0.0, 1.0}, closing, {1.0, 0.0}};
+    return {"random", "", over_floor(floe, random.uniform(0.05, 0.5)), {0.0, 1.0}, closing, {1.0, 0.0}};
   }
 }
 

@@ -15,13 +15,6 @@ INSTANTIATE_TEST_SUITE_P(Engines, Impacts, ::testing::ValuesIn(all_settings()), 
 class Iterations : public OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, Iterations, ::testing::ValuesIn(coupled_settings()), setting_name);
 
-SceneDef over_floor(const FloeDef& floe) {
-  SceneDef scene = quiet_scene();
-  scene.fixed = {floor_wall()};
-  scene.floe = {on_floor(floe)};
-  return scene;
-}
-
 TEST_P(Impacts, V04_flat_onto_a_wall) {
   const Impact impact = one_impact(over_floor(square({}, {0.0, -0.5})), setting());
   check("V04.J", impact.impulse(0).y, rounding, where());

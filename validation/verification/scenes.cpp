@@ -105,6 +105,24 @@ FloeDef on_floor(FloeDef floe) {
   return floe;
 }
 
+SceneDef over_floor(const FloeDef& floe, double friction) {
+  SceneDef scene = quiet_scene();
+  scene.ice.friction_ice = friction;
+  scene.fixed = {floor_wall()};
+  scene.floe = {on_floor(floe)};
+  return scene;
+}
+
+SceneDef corner_on_face(double friction) {
+  FloeDef b{rectangle(8.0, 4.0), {}, degrees(20.0), {-0.6, 0.35}, 0.03, 0.5};
+  const double c = std::cos(b.angle_rad), s = std::sin(b.angle_rad);
+  b.position_m = Vec2{5.0 - touch, 2.0} - Vec2{-4.0 * c - 2.0 * s, -4.0 * s + 2.0 * c};
+  SceneDef scene = quiet_scene();
+  scene.ice.friction_ice = friction;
+  scene.floe = {square({}, {0.1, 0.0}, 0.0, -0.01), b};
+  return scene;
+}
+
 SceneDef row_of_squares(int count, double speed) {
   SceneDef scene = quiet_scene();
   for (int i = 0; i < count; ++i) scene.floe.push_back(square({(10.0 - touch) * i, 0.0}));

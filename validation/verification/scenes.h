@@ -71,6 +71,12 @@ Vec2 lowest_corner(const FloeDef& floe);
 /// Moves a floe so that its lowest corner touches the line y = 0.
 FloeDef on_floor(FloeDef floe);
 
+/// A floe that hits the floor in its lowest corner.
+SceneDef over_floor(const FloeDef& floe, double friction = 0.0);
+
+/// A corner of a rectangle that hits the face of a square (V09, V18).
+SceneDef corner_on_face(double friction);
+
 /// A row of `count` touching square floes along x, the first moving with `speed`.
 SceneDef row_of_squares(int count, double speed);
 

@@ -1,4 +1,4 @@
-// Algorithm of one time step:
+// Algorithm of one time step with the default iteration (splitting/islands.h has the other one):
 //   base: the impulses of the same contact points in the last time step, and the velocities from them
 //   rounds until the residual is met, or until the largest number of iterations; each round:
 //     iterate from the base, in single precision:
@@ -28,16 +28,17 @@ void CoupledSolver::lay_out(const FieldState& f, Contacts contacts, int threads)
   iterations_ = 0;
   residual_ = 0.0;
   layout_.lay_out(f, contacts, threads);
-  make_space();
+  make_space(f.constants.iteration);
 }
 
-void CoupledSolver::make_space() {
+void CoupledSolver::make_space(Iteration iteration) {
   point_.resize(layout_.points());
   spare_.resize(layout_.points());
   next_keys_.resize(layout_.points());
   next_memory_.resize(layout_.points());
   motion_.resize(1 + layout_.bodies());
   motion_[CoupledLayout::at_rest] = {};
+  if (iteration == Iteration::splitting) return;
   linear_energy_.resize(layout_.bodies() + sum_width);
   quadratic_energy_.resize(layout_.bodies() + sum_width);
   rounds_.resize(layout_);

@@ -52,7 +52,7 @@ class CoupledSolver {
     std::int32_t first_block, last_block, first_point, last_point, first_entry, last_entry;
   };
 
-  void make_space();
+  void make_space(Iteration iteration);
   std::size_t last_key_from(std::size_t at, std::uint64_t key) const;
   PointMemory memory_of(std::uint64_t key, std::size_t at) const;
   void begin_points(const FieldState& f, Contacts contacts, std::int64_t begin, std::int64_t end);

@@ -81,7 +81,6 @@ void FrontFactor::analyse(const EliminationTree& tree, std::span<const std::pair
   for (std::int32_t k = 0; k < nodes; ++k) {
     const EliminationNode& node = tree.node[k];
     Front& f = front_[k];
-    f.parent = node.parent;
     f.place = node.begin;
     f.own = node.end - node.begin;
     find_others(pairs, k);
@@ -96,9 +95,11 @@ void FrontFactor::analyse(const EliminationTree& tree, std::span<const std::pair
     most_others = std::max(most_others, f.others);
   }
   row_in_parent_.resize(other_place_.size());
-  for (const Front& f : front_)
+  for (std::int32_t node = 0; node < nodes; ++node) {
+    const Front& f = front_[node];
     for (std::int32_t k = 0; k < f.others; ++k)
-      row_in_parent_[f.first_other + k] = row_in(front_[f.parent], other_place_[f.first_other + k]);
+      row_in_parent_[f.first_other + k] = row_in(front_[tree.node[node].parent], other_place_[f.first_other + k]);
+  }
   diagonal_.resize(block * bodies);
   below_.resize(block * pairs.size());
   forth_.resize(forth);
@@ -149,9 +150,8 @@ void FrontFactor::assemble(std::int32_t node) {
           own_columns_[static_cast<std::size_t>(rows) * (motions * i + c) + row + r] = from[motions * r + c];
     };
     add_block(motions * i, diagonal(place));
-    for (std::int32_t k = first_pair_[place]; k < first_pair_[place + 1]; ++k) {
+    for (std::int32_t k = first_pair_[place]; k < first_pair_[place + 1]; ++k)
       add_block(row_in(f, later_[k]), below(k));
-    }
   }
   const std::int32_t first = first_child_[node];
   for (std::int32_t child = first; child >= 0; child = next_child_[child])
@@ -264,6 +264,7 @@ GEM_INLINE void add_columns(const float* matrix, std::int32_t rows, std::int32_t
   if (k < columns) GEM_ADD_COLUMN(0)
   if (k + 1 < columns) GEM_ADD_COLUMN(1)
   if (k + 2 < columns) GEM_ADD_COLUMN(2)
+#undef GEM_ADD_COLUMN
 }
 
 GEM_INLINE FloatPack whole_sum(const FloatPack* part) { return (part[0] + part[1]) + (part[2] + part[3]); }

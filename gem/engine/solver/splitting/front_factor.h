@@ -48,7 +48,6 @@ class FrontFactor {
 
  private:
   struct Front {
-    std::int32_t parent = -1;
     std::int32_t place = 0, own = 0, others = 0;  // first body, bodies
     std::int32_t own_rows = 0, other_rows = 0;    // three numbers for each body, filled up to whole packs
     std::int32_t first_other = 0;                 // in other_place_

@@ -16,13 +16,15 @@ namespace {
 constexpr float first_stiffness = 20.0F, fall = 0.1F;
 /// The stiffness may change after so many iterations. Before it falls, points whose difference persists become stiffer.
 constexpr std::int64_t change_interval = 16;
-/// A round is no longer, and no shorter unless it ends with the error. Single precision holds no more than
-/// `round_gain`.
+/// A round that does not reach the tolerance has so many iterations, fewer at the limit of all. It is not begun if less
+/// than the shorter length is left.
 constexpr std::int64_t longest_round = 96, shortest_round = 48;
 /// After so many iterations the stiffness stays at one value, since rounds that repeat its course may repeat their
 /// errors.
 constexpr std::int64_t scheduled_iterations = 4 * longest_round;
 constexpr float steady_stiffness = 2.0F;
+/// Motions within a round are good to `single_precision` of themselves. A round ends when its error has fallen by
+/// `round_gain`, which leaves a margin.
 constexpr double round_gain = 1e-4, single_precision = 1e-6;
 /// The error is estimated after so many iterations of a round, after twice as many, and then every time so many have
 /// passed.
@@ -128,8 +130,9 @@ void IslandSolver::set_base(PointFriction law, std::span<const IslandPoint> poin
   }
 }
 
-/// Scales the impulses by best_share() if all of them together would create energy.
-void IslandSolver::keep_best_share(std::span<const IslandBody> bodies, std::span<const IslandPoint> points) const {
+/// Scales the impulses of unfinished iterations by best_share() if all of them together would create energy.
+void IslandSolver::keep_best_share(PointFriction law, std::span<const IslandBody> bodies,
+                                   std::span<const IslandPoint> points) const {
   EnergyChange sum{0.0, 0.0};
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const IslandBody& b = bodies[k];
@@ -139,7 +142,7 @@ void IslandSolver::keep_best_share(std::span<const IslandBody> bodies, std::span
     sum.quadratic += change.quadratic;
   }
   const double share = best_share(sum);
-  if (share >= 0.5) return;
+  if (share >= share_limit(law, false)) return;
   for (const IslandPoint& p : points) {
     p.impulse->normal *= share;
     p.impulse->tangential *= share;
@@ -263,7 +266,7 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
     move_by_base(bodies, points);
   } while (control.iterations_maximum - result.iterations >= shortest_round && result.error > control.tolerance);
   if (result.error > control.tolerance) {
-    keep_best_share(bodies, points);
+    keep_best_share(control.friction, bodies, points);
     result.iterations = control.iterations_maximum;  // too few were left for another round
   }
   return result;

@@ -52,7 +52,7 @@ struct IslandControl {
   PointFriction friction = PointFriction::coulomb;
   double tolerance = 1e-3;  // of the velocities [m/s]
   double dt = 0.0;          // [s]
-  std::int64_t iterations_maximum = 200;
+  std::int64_t iterations_maximum = 0;
 };
 
 struct IslandResult {
@@ -82,7 +82,8 @@ class IslandSolver {
   void set_points(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
   void move_by_base(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
   void set_base(PointFriction law, std::span<const IslandPoint> points);
-  void keep_best_share(std::span<const IslandBody> bodies, std::span<const IslandPoint> points) const;
+  void keep_best_share(PointFriction law, std::span<const IslandBody> bodies,
+                       std::span<const IslandPoint> points) const;
   void stiffen();
   bool change_stiffness(std::int64_t left);
   void iterate_round(const IslandControl& control, IslandResult& result);
@@ -101,7 +102,7 @@ class IslandSolver {
   std::vector<std::int32_t> place_;    // of each body in the order of elimination
   std::vector<BodyRow> scale_, mass_;  // by place: scaled motions to speeds (a spin at the radius of gyration); masses
   std::vector<BodyRow> now_, sum_, given_, last_given_;  // by place + 1; row 0 is fixed
-  std::vector<Motion<double>> motion_;                   // after the impulses of the base, by place
+  std::vector<Motion<double>> motion_;                   // of each body after the impulses of the base
   std::vector<Push<double>> push_;
   float stiffness_ = 0.0F;  // over the compliance of a point
 };

@@ -50,9 +50,9 @@ class PointBlocks {
   /// factor, if both move.
   void set_point(std::int32_t k, const PointGeometry<double>& g, std::int32_t a, std::int32_t b, InverseMass of_a,
                  InverseMass of_b, std::int32_t pair);
-  /// Begins a round: sets the bounds of the additions, and copies of the velocities that obey the law with the impulses
-  /// of the base.
-  /// `a`, `b`: motions that the base gives.
+  /// Begins a round: sets the bounds of the additions, and copies of the velocities that obey the law of friction and
+  /// contact with the impulses of the base (not the law of crushing: the first visit takes care of that). `a`, `b`:
+  /// motions that the base gives.
   void set_base(PointFriction law, std::int32_t k, const PointGeometry<double>& g, SpareFriction spare,
                 const PointImpulse<double>& impulse, const Motion<double>& a, const Motion<double>& b);
   /// Sets R of all points and adds J^T R J to the matrix. `raised`: whether those that raise() found are stiffer.
@@ -68,10 +68,11 @@ class PointBlocks {
   /// Largest difference between the velocities of the points and their copies [m/s]. A shift of the repair counts
   /// `per_step` times [1/s].
   float mismatch(const std::vector<BodyRow>& now, float per_step) const;
-  /// Counts how often in a row a point was asked with a difference above `tolerance` [m/s] that hardly falls.
+  /// Counts for each point how often in a row its velocity and the copy differed in the same direction, by more than
+  /// `tolerance` [m/s] and by more than half of the last difference. Repairs are left out.
   void watch(const std::vector<BodyRow>& now, float tolerance);
-  /// Makes the points stiffer whose difference persists. A light body between heavy ones needs it: its own compliance
-  /// says nothing about the load that passes through it. Returns whether there were any.
+  /// Makes the points stiffer whose difference persisted twice. A light body between heavy ones needs it: its own
+  /// compliance says nothing about the load that passes through it. Returns whether there were any.
   bool raise();
   /// Adds the last answer() of a point to its impulse.
   void add_to(PointFriction law, std::int32_t k, const PointGeometry<double>& g, SpareFriction spare,
@@ -83,11 +84,13 @@ class PointBlocks {
   /// Eight points. Unused lanes have both bodies fixed and no bounds to reach.
   struct alignas(64) Block {
     FloatPack n_a[3], n_b[3], t_a[3], t_b[3];  // Jacobian times the scales of the bodies
-    FloatPack inverse_nn, inverse_tt, friction;
-    FloatPack stiff_n, stiff_t, soft_n, soft_t;  // R and 1 / R
+    FloatPack inverse_nn, inverse_tt;          // [kg]
+    FloatPack friction;
+    FloatPack stiff_n, stiff_t, soft_n, soft_t;  // R [kg] and 1 / R
+    // of PointFrame: velocities [m/s], bounds [N s]; shift [m] and bound [kg m] of the repair
     FloatPack excess, slip, least, most, slack_left, slack_right, repair_excess, repair_least;
-    FloatPack normal, tangential, repair;    // additions to the base
-    FloatPack gap, slide, shift, shift_t;    // copies of the velocities and of the shift
+    FloatPack normal, tangential, repair;    // additions to the base [N s], [kg m]
+    FloatPack gap, slide, shift, shift_t;    // copies of the velocities [m/s] and of the shift [m]
     FloatPack answer_n, answer_t, answer_r;  // additions to the base, as the result
     // watch(): how much stiffer than others; the last difference; how often it persisted
     FloatPack scale_n, scale_t, last_n, last_t, count_n, count_t;

@@ -14,9 +14,11 @@
 namespace gem {
 namespace {
 
+/// Tests run at the same time, so the name of the file holds the name of the test.
 RunOptions options_for(const std::string& name) {
   RunOptions options;
-  options.output = testing::TempDir() + "gem_run_batch_" + name + ".h5";
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  options.output = testing::TempDir() + "gem_run_batch_" + test + "_" + name + ".h5";
   options.overwrite = true;
   options.log.progress = ProgressMode::none;
   return options;

@@ -46,6 +46,15 @@ void check_book(const char* what, double residual, double limit, double time) {
                                             number_text(limit) + ") choose a smaller numerics.time_step_s");
 }
 
+/// Does what can still be done after a failure.
+template <class Action>
+void attempt(Action action) {
+  try {
+    action();
+  } catch (const std::exception&) {
+  }
+}
+
 }  // namespace
 
 RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& options)
@@ -156,13 +165,10 @@ void RunSteps::fail(const std::exception& error) {
   const bool numerical = fault && fault->code() == ExitCode::numerical_stop;
   const RunMeasures measures = watch_.measures();
   const RunVerdict verdict = numerical ? judge_stopped_run(measures, error.what()) : judge_run(measures);
-  try {
-    flush();
-    const std::string reason = numerical ? "numerical" : "failure";
-    writer_->finish("stopped:" + reason + ": " + error.what(), engine_.state_hash(), verdict);
-  } catch (const std::exception&) {
-    // the first error is the one to report
-  }
+  const std::string reason = numerical ? "numerical" : "failure";
+  // The first error is the one to report. A writer that takes no more rows still writes the status.
+  attempt([&] { flush(); });
+  attempt([&] { writer_->finish("stopped:" + reason + ": " + error.what(), engine_.state_hash(), verdict); });
 }
 
 std::int64_t steps_of(const SceneDef& scene) { return std::llround(scene.run.duration_s / scene.numerics.time_step_s); }

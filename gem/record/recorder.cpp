@@ -44,7 +44,8 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
       platform_(scene.output.platform_interval_s, time_step_),
       frames_(scene.output.floes_interval_s, time_step_),
       window_steps_(
-          static_cast<std::size_t>(std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / time_step_)))) {
+          static_cast<std::size_t>(std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / time_step_)))),
+      hits_({scene.output.hit_release_s, scene.output.event_speed_m_per_s}, time_step_) {
   if (has_platform_) {
     const Bodies& b = engine.bodies();
     yaw_ = angle_of(b.rotation[0]);
@@ -76,8 +77,9 @@ void Recorder::add(const StepLog& log, std::int64_t last_step) {
   }
   overlap_ += log.overlap;
   overlap_share_ += log.overlap_share;
-  slab_.events.insert(slab_.events.end(), log.events.begin(), log.events.end());
-  events_seen_ += static_cast<std::int64_t>(log.events.size());
+  const std::size_t before = slab_.events.size();
+  hits_.add(log.events, step_, slab_.events);
+  hits_seen_ += static_cast<std::int64_t>(slab_.events.size() - before);
   slab_.time = double(step_) * time_step_;
 }
 
@@ -102,6 +104,12 @@ void Recorder::sample(const PlatformStep& now, std::int64_t step) {
   slab_.platform.push_back(row);
   since_sample_ = {};
   sample_step_ = step;
+}
+
+void Recorder::end_hits() {
+  const std::size_t before = slab_.events.size();
+  hits_.end_all(slab_.events);
+  hits_seen_ += static_cast<std::int64_t>(slab_.events.size() - before);
 }
 
 StatsRow Recorder::add_frame(Engine& engine, double wall_time) {

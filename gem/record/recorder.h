@@ -5,6 +5,7 @@
 #include <deque>
 #include <string>
 
+#include "gem/record/hits.h"
 #include "gem/record/run_writer.h"
 
 namespace gem {
@@ -33,10 +34,12 @@ class Recorder {
   /// Records all floes and the books after the last added time step. Returns the row of statistics.
   StatsRow add_frame(Engine& engine, double wall_time);
   std::int64_t next_frame() const { return frames_.next_after(frame_step_); }
+  /// Ends the hits of floes that still press. For the end of a run.
+  void end_hits();
   /// Returns what was recorded since the last call.
   Slab take();
   std::size_t frames_waiting() const { return slab_.floes.time.size(); }
-  std::int64_t events_seen() const { return events_seen_; }
+  std::int64_t hits_seen() const { return hits_seen_; }
 
  private:
   void sample(const PlatformStep& now, std::int64_t step);
@@ -51,13 +54,14 @@ class Recorder {
   std::int64_t step_ = 0;
   std::int64_t sample_step_ = 0;
   std::int64_t frame_step_ = 0;
-  std::int64_t events_seen_ = 0;
+  std::int64_t hits_seen_ = 0;
   double frame_wall_time_ = 0.0;
   double yaw_ = 0.0;
   PlatformStep since_sample_;  // sums since the last platform sample
   std::deque<Vec2> window_;    // ice impulses of the last time steps
   StepQuality worst_;          // since the last frame
   OverlapCount overlap_, overlap_share_;
+  Hits hits_;
   Slab slab_;
 };
 

@@ -94,8 +94,7 @@ void Box2dEngine::one_step(StepLog& log) {
 
   StepQuality quality = this->quality();
   PlatformStep row = ice_row(f, touches_.touches());
-  if (log.wants_events)
-    log_events(f, touches_.touches(), static_cast<double>(step_) * f.constants.dt, log.events);
+  if (log.wants_events) log_events(f, touches_.touches(), static_cast<double>(step_) * f.constants.dt, log.events);
   book_fixed_bodies();
   place_ = f.bodies.position;
   for (std::size_t i = 0; i < f.bodies.count(); ++i)

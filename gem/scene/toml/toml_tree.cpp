@@ -155,6 +155,13 @@ TomlNode converted(const toml::node& node, const File& file) {
 
 }  // namespace
 
+TomlNode::TomlNode() = default;
+TomlNode::TomlNode(const TomlNode&) = default;
+TomlNode::TomlNode(TomlNode&&) noexcept = default;
+TomlNode& TomlNode::operator=(const TomlNode&) = default;
+TomlNode& TomlNode::operator=(TomlNode&&) noexcept = default;
+TomlNode::~TomlNode() = default;
+
 std::string to_string(const TomlPlace& place) {
   const std::string file = place.file ? *place.file : std::string("scene");
   if (place.line == 0) return file;

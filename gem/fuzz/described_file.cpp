@@ -28,6 +28,12 @@ double number_of(const std::string& word) {
   return value;
 }
 
+/// A length; what is no number is 0.
+hsize_t size_of(const std::string& word) {
+  const double value = number_of(word);
+  return value > 0.0 ? static_cast<hsize_t>(std::min(value, 9e18)) : 0;
+}
+
 std::string with_line_breaks(std::string text) {
   for (std::size_t at = text.find("\\n"); at != std::string::npos; at = text.find("\\n", at + 1))
     text.replace(at, 2, "\n");
@@ -77,6 +83,7 @@ class Builder {
     std::string kind, path;
     line >> kind >> path;
     if (kind == "text" || kind == "number") add_attribute(kind, path, line);
+    if (kind == "texts") add_texts(path, line);
     if (kind == "data") add_numbers(path, line);
     if (kind == "strings") add_strings(path, items_of(line));
     if (kind == "fixed") add_fixed(path, items_of(line));
@@ -112,7 +119,7 @@ class Builder {
     std::string type, word;
     line >> type;
     std::vector<hsize_t> size;
-    while (line >> word && word != "=") size.push_back(static_cast<hsize_t>(std::clamp(number_of(word), 0.0, 9e18)));
+    while (line >> word && word != "=") size.push_back(size_of(word));
     const bool stored = word == "=";
     const Handle id = create(path, type_of(type), size, stored);
     std::vector<double> values = numbers_of(line);
@@ -135,15 +142,33 @@ class Builder {
     check(H5Dwrite(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), "write");
   }
 
-  void add_fixed(const std::string& path, const std::vector<std::string>& items) const {
+  /// Texts of one length: the type and the values.
+  static Handle fixed_length(const std::vector<std::string>& items, std::string& block) {
     std::size_t longest = 1;
     for (const std::string& item : items) longest = std::max(longest, item.size());
-    std::string block;
     for (const std::string& item : items) block += item + std::string(longest - item.size(), '\0');
-    const Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, "type");
+    Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, "type");
     check(H5Tset_size(type, longest), "type");
+    return type;
+  }
+
+  void add_fixed(const std::string& path, const std::vector<std::string>& items) const {
+    std::string block;
+    const Handle type = fixed_length(items, block);
     const Handle id = create(path, type, {items.size()}, true);
     check(H5Dwrite(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, block.data()), "write");
+  }
+
+  void add_texts(const std::string& path, std::istringstream& line) const {
+    std::string name, block;
+    line >> name;
+    const std::vector<std::string> items = items_of(line);
+    const Handle type = fixed_length(items, block);
+    const hsize_t size = items.size();
+    const Handle space = checked(H5Screate_simple(1, &size, nullptr), H5Sclose, "space");
+    const Handle id =
+        checked(H5Acreate2(open(path), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "create");
+    check(H5Awrite(id, type, block.data()), "write");
   }
 
   void attach(const std::string& path, std::istringstream& line) const {

@@ -10,6 +10,7 @@ namespace gem::fuzz {
 /// run files is there from the start. PATH is that of a dataset, or
 /// `/`.
 ///   text PATH NAME words to the end of the line     an attribute; \n stands for a line break
+///   texts PATH NAME first | second                  an attribute of several texts
 ///   number PATH NAME 1 2 nan                        an attribute: one number or a list
 ///   data PATH f8 3 2 = 0 1.5                        a dataset of 3 x 2 (types f4 f8 i4 u1); values continue evenly
 ///   data PATH f8 4000000000                         without values nothing is stored, whatever the size

@@ -15,11 +15,6 @@ void expect(bool condition, const char* message) {
   std::abort();
 }
 
-void check_message(const Error& error) {
-  for (const char* c = error.what(); *c != '\0'; ++c)
-    expect(*c == '\n' || (static_cast<unsigned char>(*c) >= 0x20 && *c != 0x7f), "control character in a message");
-}
-
 void check_round_trip(const SceneDef& scene) {
   const std::string written = resolved_toml(scene);
   expect(resolved_toml(parse_scene(written, "written case")) == written, "a written case reads as another case");

@@ -225,6 +225,15 @@ TEST_F(CommandTest, ClosedOutputsDoNotStopARun) {
   EXPECT_EQ(shell("gem case schema > /dev/full"), 4);
 }
 
+// A closed descriptor must not become the run file, into which messages would then be written.
+TEST_F(CommandTest, AnyStandardStreamMayBeClosed) {
+  for (const char* closed : {"<&-", ">&-", "2>&-", "<&- >&-", "<&- 2>&-", ">&- 2>&-", "<&- >&- 2>&-"}) {
+    EXPECT_EQ(shell(std::string("gem run swing.toml --overwrite --progress line ") + closed), 0) << closed;
+    EXPECT_EQ(shell("gem analyse swing.h5"), 0) << closed << "\n" << text_of("err");
+    EXPECT_EQ(RunFile(path("swing.h5")).column("platform/x").size(), 201u) << closed;
+  }
+}
+
 TEST_F(CommandTest, QuietAndJsonLogs) {
   EXPECT_EQ(shell("gem run swing.toml -q"), 0);
   EXPECT_EQ(text_of("err") + text_of("out"), "");

@@ -103,6 +103,12 @@ void check_source(const SceneDef& s, List& out) {
   if (!from_file && !s.floes.path.empty())
     out.push_back({"floes.path", "has no effect (value " + quoted_text(s.floes.path) +
                                      ", allowed only with floes.source = \"file\") remove it or change the source"});
+  const std::string& sha256 = s.floes.sha256;
+  if (!sha256.empty() && (sha256.size() != 64 || sha256.find_first_not_of("0123456789abcdef") != std::string::npos))
+    out.push_back({"floes.sha256", "not a SHA-256 (value " + quoted_text(sha256) +
+                                       ", allowed 64 digits 0-9 and a-f) leave it out to use any floes"});
+  if (!from_file && !sha256.empty())
+    out.push_back({"floes.sha256", "has no effect (allowed only with floes.source = \"file\") remove it"});
   if (s.floes.source != FloeSource::listed && !s.floe.empty())
     out.push_back({"floe", "listed floes have no effect (value " + std::to_string(s.floe.size()) +
                                " floes) set floes.source = \"listed\""});
@@ -225,6 +231,7 @@ SceneDef with_listed_floes(const SceneDef& scene, std::vector<FloeDef> floes) {
   SceneDef listed = scene;
   listed.floes.source = FloeSource::listed;
   listed.floes.path.clear();
+  listed.floes.sha256.clear();
   listed.floe = std::move(floes);
   for (const SceneProblem& problem : check_scene(listed))
     throw Error(ExitCode::scene_rejected, problem.key + ": " + problem.text);

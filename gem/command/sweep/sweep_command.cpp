@@ -31,7 +31,7 @@ void add_list(CLI::App& group, Chosen& chosen) {
   list->add_flag("--json", options->json, "as JSON");
   list->callback([options, &chosen] {
     chosen.action = [options] {
-      const std::vector<SweepMember> members = expand_sweep(options->path, options->overrides);
+      const std::vector<SweepMember> members = read_sweep(options->path, options->overrides);
       print(options->json ? sweep_list_json(members) : sweep_list_text(members));
       return 0;
     };

@@ -170,7 +170,7 @@ std::vector<SweepRow> known_rows(const std::string& folder, const std::vector<Sw
 
 SweepPlan plan_sweep(const SweepRunChoice& choice, RunLog& log) {
   SweepPlan plan;
-  plan.members = expand_sweep(choice.path, choice.overrides);
+  plan.members = read_sweep(choice.path, choice.overrides);
   check_files(plan.members);
   plan.chosen = parse_index_list(choice.index, plan.members.size());
   plan.settings.folder = choice.folder;

@@ -14,7 +14,7 @@ namespace gem {
 namespace {
 
 std::vector<SweepRow> rows_of(const SweepStatusChoice& choice, const std::string& folder) {
-  if (!choice.folder.empty()) return known_rows(folder, expand_sweep(choice.path, choice.overrides));
+  if (!choice.folder.empty()) return known_rows(folder, read_sweep(choice.path, choice.overrides));
   std::vector<SweepRow> rows = read_manifest(folder);
   if (rows.empty())
     throw Error(ExitCode::file_system, shown(folder) +

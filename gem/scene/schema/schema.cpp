@@ -63,6 +63,9 @@ void add_floe_source(SceneTable& t) {
   t.text("floes.path",
          "floe file for source = \"file\": .csv, .geojson or a run file (its initial floes), relative to the case file",
          GEM_FIELD(floes.path));
+  t.text("floes.sha256",
+         "SHA-256 of the floes that floes.path must hold: a file with other floes is refused. Stored cases have it",
+         GEM_FIELD(floes.sha256));
   t.integer("floes.count", {0.0, 1e7},
             "number of floes; it sets the concentration: count x (size_mean_m^2 + size_deviation_m^2) / "
             "(length_m x width_m)",

@@ -43,7 +43,9 @@ TomlNode without_sweep(TomlNode document) {
   return document;
 }
 
-std::vector<SweepMember> expand(TomlNode document, const std::vector<std::string>& overrides) {
+}  // namespace
+
+std::vector<SweepMember> expand_sweep(TomlNode document, const std::vector<std::string>& overrides) {
   apply_overrides(document, overrides);
   const TomlNode* sweep = document.find("sweep");
   if (sweep == nullptr) reject_sweep(document.place, "missing; the file is a single case, not a sweep");
@@ -73,17 +75,15 @@ std::vector<SweepMember> expand(TomlNode document, const std::vector<std::string
   return members;
 }
 
-}  // namespace
-
 bool is_sweep(const std::string& path) { return load_document(path).find("sweep") != nullptr; }
 
 std::vector<SweepMember> expand_sweep(const std::string& path, const std::vector<std::string>& overrides) {
-  return expand(load_document(path), overrides);
+  return expand_sweep(load_document(path), overrides);
 }
 
 std::vector<SweepMember> expand_sweep_text(const std::string& text, const std::string& origin,
                                            const std::vector<std::string>& overrides) {
-  return expand(load_text(text, origin), overrides);
+  return expand_sweep(load_text(text, origin), overrides);
 }
 
 }  // namespace gem

@@ -19,6 +19,13 @@
 
 namespace gem {
 
+CLI::Validator not_empty() {
+  return {[](const std::string& text) {
+            return text.empty() ? std::string("it is empty; give a name or leave the option out") : std::string();
+          },
+          ""};
+}
+
 void add_case_options(CLI::App& command, CaseChoice& choice, bool required) {
   auto* path = command.add_option("case", choice.path, "case file (TOML); default: the built-in case");
   if (required) path->required();

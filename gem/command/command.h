@@ -40,11 +40,14 @@ struct CaseChoice {
   std::optional<long long> index;  // of a sweep
 };
 
+/// Refuses an empty text: `--out ""` is a mistake in a script, not a wish for the default name.
+CLI::Validator not_empty();
+
 /// Adds the case file, --set and --index to a command.
 void add_case_options(CLI::App& command, CaseChoice& choice, bool required);
 
-/// Reads the chosen case, with named_floes(). Its file is read once, so that it may be a pipe. Throws Error(usage) for a
-/// sweep without --index and for a case with it.
+/// Reads the chosen case, with named_floes(). Its file is read once, so that it may be a pipe. Throws Error(usage) for
+/// a sweep without --index and for a case with it.
 SceneDef read_case(const CaseChoice& choice);
 
 /// The runs of a sweep file. Floe files are read and named as in named_floes().

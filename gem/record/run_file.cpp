@@ -9,11 +9,13 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <stdexcept>
 
 #include "gem/base/error.h"
 #include "gem/record/hdf5_handle.h"
 #include "gem/record/output_path.h"
 #include "gem/record/schema.h"
+#include "gem/record/untrusted_file.h"
 
 namespace gem {
 
@@ -22,6 +24,8 @@ using hdf5::checked;
 using hdf5::Handle;
 
 namespace {
+
+constexpr hssize_t number_list_maximum = 10000;
 
 [[noreturn]] void refuse_run_file(const std::string& path, const std::string& why, const std::string& hint) {
   throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + why + ") " + hint);
@@ -36,6 +40,9 @@ auto reading(const std::string& path, Body body) {
     if (failure.text.find(std::strerror(EAGAIN)) != std::string::npos)
       refuse_run_file(path, "a run is writing it", "wait for its end, or read a copy of the file");
     refuse_run_file(path, failure.text, "the file may be damaged or made by another program");
+  } catch (const std::out_of_range&) {
+    refuse_run_file(path, "a dataset has another shape than gem writes",
+                    "the file may be damaged or made by another program");
   }
 }
 
@@ -43,7 +50,18 @@ std::string text_of(hid_t object, const std::string& name) {
   if (H5Aexists(object, name.c_str()) <= 0) return "";
   const Handle attribute = checked(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, name.c_str());
   const Handle type = checked(H5Aget_type(attribute), H5Tclose, name.c_str());
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) return "";
+  if (H5Tget_class(type) != H5T_STRING) return "";
+  const Handle space = checked(H5Aget_space(attribute), H5Sclose, name.c_str());
+  if (H5Sget_simple_extent_npoints(space) != 1) throw hdf5::Failure{name + ": not one text"};
+  if (H5Tis_variable_str(type) > 0) {  // as other programs write them
+    char* words = nullptr;
+    check(H5Aread(attribute, type, &words), name.c_str());
+    std::string copy = words != nullptr ? words : "";
+    check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, &words), name.c_str());
+    if (copy.size() > hdf5::text_bytes_maximum) throw hdf5::Failure{name + ": the text is too long"};
+    return copy;
+  }
+  if (H5Tget_size(type) > hdf5::text_bytes_maximum) throw hdf5::Failure{name + ": the text is too long"};
   std::string text(H5Tget_size(type), '\0');
   check(H5Aread(attribute, type, text.data()), name.c_str());
   const auto end = text.find('\0');
@@ -55,7 +73,7 @@ std::vector<std::vector<Vec2>> split(const std::vector<double>& xy, const std::v
   std::size_t next = 0;
   for (const double count : counts) {
     auto& outline = outlines.emplace_back();
-    for (int n = 0; n < static_cast<int>(count) && next + 1 < xy.size(); ++n, next += 2) {
+    for (double n = 0.0; n < count && next + 1 < xy.size(); n += 1.0, next += 2) {
       outline.push_back({xy[next], xy[next + 1]});
     }
   }
@@ -102,7 +120,9 @@ RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::
   reading(path, [&] {
     const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
     check(H5Pset_file_locking(access, true, true), "file locking");
+    hdf5::refuse_plugins();
     inside_->file = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, "cannot open");
+    hdf5::check_untrusted(inside_->file);
     return 0;
   });
   const std::string version = attribute("gem_schema");
@@ -136,6 +156,7 @@ std::string RunFile::attribute(const std::string& name) const {
       const Handle type = checked(H5Dget_type(dataset), H5Tclose, name.c_str());
       const Handle space = checked(H5Dget_space(dataset), H5Sclose, name.c_str());
       if (H5Tis_variable_str(type) <= 0) return std::string();
+      if (H5Sget_simple_extent_npoints(space) != 1) throw hdf5::Failure{name + ": not one text"};
       char* text = nullptr;
       check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &text), name.c_str());
       const std::string copy = text != nullptr ? text : "";
@@ -151,7 +172,7 @@ std::vector<double> RunFile::number_list(const std::string& name) const {
     const Handle attribute = checked(H5Aopen(inside_->file, name.c_str(), H5P_DEFAULT), H5Aclose, name.c_str());
     const Handle space = checked(H5Aget_space(attribute), H5Sclose, name.c_str());
     const hssize_t size = H5Sget_simple_extent_npoints(space);
-    if (size < 0) throw hdf5::Failure{name + ": no numbers"};
+    if (size < 0 || size > number_list_maximum) throw hdf5::Failure{name + ": not a list of numbers"};
     std::vector<double> values(static_cast<std::size_t>(size));
     if (size > 0) check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), name.c_str());
     return values;
@@ -202,9 +223,13 @@ bool RunFile::has(const std::string& dataset) const {
   return H5Lexists(inside_->file, dataset.c_str(), H5P_DEFAULT) > 0;
 }
 
-std::size_t RunFile::floe_count() const { return shape("shape/vertex_count").at(0); }
+std::size_t RunFile::rows(const std::string& dataset) const {
+  return reading(path(), [&] { return static_cast<std::size_t>(inside_->extent(inside_->open(dataset)).at(0)); });
+}
 
-std::size_t RunFile::frame_count() const { return shape("floes/time").at(0); }
+std::size_t RunFile::floe_count() const { return rows("shape/vertex_count"); }
+
+std::size_t RunFile::frame_count() const { return rows("floes/time"); }
 
 FrameView RunFile::frame(std::size_t index) const {
   if (index >= frame_count()) {
@@ -250,7 +275,8 @@ OverlapCount overlaps_of(const RunFile& file, const std::string& dataset) {
   if (!file.has(dataset)) return sum;
   const std::vector<double> values = file.column(dataset);
   for (std::size_t i = 0; i < values.size(); ++i)
-    sum.count[i % OverlapCount::classes] += static_cast<std::int64_t>(values[i]);
+    if (values[i] > 0.0 && values[i] < 1e15)
+      sum.count[i % OverlapCount::classes] += static_cast<std::int64_t>(values[i]);
   return sum;
 }
 
@@ -265,16 +291,18 @@ std::vector<FloeDef> floes_of_run_file(const std::string& path) {
     refuse_run_file(path, "it holds no frame", "run it again for at least one floe frame");
   }
   const FrameView first = outlines.empty() ? FrameView{} : file.frame(0);
-  std::vector<FloeDef> floes(outlines.size());
-  for (std::size_t i = 0; i < floes.size(); ++i) {
-    floes[i].outline_m = outlines[i];
-    floes[i].position_m = {x.at(i), y.at(i)};
-    floes[i].angle_rad = theta.at(i);
-    floes[i].velocity_m_per_s = {first.vx.at(i), first.vy.at(i)};
-    floes[i].spin_rad_per_s = first.omega.at(i);
-    floes[i].thickness_m = thickness.at(i);
-  }
-  return floes;
+  return reading(path, [&] {
+    std::vector<FloeDef> floes(outlines.size());
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+      floes[i].outline_m = outlines[i];
+      floes[i].position_m = {x.at(i), y.at(i)};
+      floes[i].angle_rad = theta.at(i);
+      floes[i].velocity_m_per_s = {first.vx.at(i), first.vy.at(i)};
+      floes[i].spin_rad_per_s = first.omega.at(i);
+      floes[i].thickness_m = thickness.at(i);
+    }
+    return floes;
+  });
 }
 
 }  // namespace gem

@@ -10,6 +10,7 @@
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
 #include "gem/record/summary_file.h"
+#include "gem/record/untrusted_file.h"
 
 namespace gem {
 
@@ -21,7 +22,10 @@ namespace {
 
 Handle opened(const std::string& path) {
   hdf5::quiet_errors();
-  return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "cannot open");
+  hdf5::refuse_plugins();
+  Handle file = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "cannot open");
+  hdf5::check_untrusted(file);
+  return file;
 }
 
 std::vector<std::string> dataset_names(hid_t file) {
@@ -42,6 +46,9 @@ std::string attribute(hid_t object, const char* name) {
   const Handle id = checked(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, name);
   const Handle type = checked(H5Aget_type(id), H5Tclose, name);
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return "";
+  const Handle space = checked(H5Aget_space(id), H5Sclose, name);
+  if (H5Sget_simple_extent_npoints(space) != 1 || H5Tget_size(type) > hdf5::text_bytes_maximum)
+    throw hdf5::Failure{std::string(name) + ": not one text of a size that gem writes"};
   std::string text(H5Tget_size(type), '\0');
   check(H5Aread(id, type, text.data()), name);
   return text.substr(0, text.find('\0'));

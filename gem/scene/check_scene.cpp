@@ -48,8 +48,10 @@ bool is_made(const FloesDef& floes) {
 
 void check_name(const SceneDef& s, List& out) {
   const std::string& name = s.run.name;
-  const bool printable = std::none_of(
-      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '/'; });
+  bool printable = std::none_of(name.begin(), name.end(),
+                                [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '/'; });
+  for (std::size_t at = name.find('\xc2'); at != std::string::npos; at = name.find('\xc2', at + 1))
+    printable = printable && at + 1 < name.size() && static_cast<unsigned char>(name[at + 1]) >= 0xa0;  // U+0080...
   if (name.empty() || name.size() > name_bytes_maximum || name.front() == '.' || !printable)
     out.push_back({"run.name", "not fit for a file name (value " + quoted_text(name) + ", allowed 1 to " +
                                    std::to_string(name_bytes_maximum) +
@@ -186,11 +188,23 @@ void check_platform(const SceneDef& s, List& out) {
 
 void check_listed(const SceneDef& s, List& out) {
   if (s.floes.source != FloeSource::listed) return;
-  for (std::size_t i = 0; i < s.floe.size(); ++i)
-    if (s.floe[i].position_m.x > s.output.retire_x_m)
-      out.push_back({"output.retire_x_m", "floe[" + std::to_string(i) + "] starts downstream of the line (value " +
-                                              number(s.output.retire_x_m) + ", allowed at least " +
-                                              number(s.floe[i].position_m.x) + " m)"});
+  for (std::size_t i = 0; i < s.floe.size(); ++i) {
+    const FloeDef& floe = s.floe[i];
+    const double cosine = std::cos(floe.angle_rad), sine = std::sin(floe.angle_rad);
+    const PolygonMoments outline = polygon_moments(floe.outline_m);
+    if (!(std::abs(outline.area) > 0.0)) continue;  // reported with its corners when the field is made
+    // The centre: the origin of an outline may be anywhere, and is far away for floes of a file.
+    const Vec2 c = outline.centroid;
+    const Vec2 centre = floe.position_m + Vec2{cosine * c.x - sine * c.y, sine * c.x + cosine * c.y};
+    const std::string name = "floe[" + std::to_string(i) + "]";
+    if (!place_range.contains(centre.x) || !place_range.contains(centre.y))
+      out.push_back({"floe", name + ": its centre is out of range (value " + number(centre.x) + ", " +
+                                 number(centre.y) + ", allowed " + range_text(place_range, "m") + ") give it in m"});
+    else if (centre.x > s.output.retire_x_m)
+      out.push_back({"output.retire_x_m", name + " starts downstream of the line (value " +
+                                              number(s.output.retire_x_m) + ", allowed at least " + number(centre.x) +
+                                              " m)"});
+  }
 }
 
 /// Catches mistaken units, mostly mm for m. Floes of a file need it too, because no range table has checked them.
@@ -259,6 +273,10 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
                          ", the floes cover " + number(std::round(10.0 * cover) / 10.0) +
                          " tenths) only the ratio of the tenths is used");
   }
+  const FloesDef usual_floes;
+  if (!is_made(f) && f.count != usual_floes.count)
+    warnings.push_back("floes.count: has no effect (value " + std::to_string(f.count) +
+                       ", the floes that are given count) remove it");
   const std::vector<IceClassDef>& classes = f.classes;
   const IceClassDef usual;
   if (f.source == FloeSource::listed &&

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gem/record/run_file.h"
-#include "gem/scene/toml/scene_file.h"
+#include "gem/record/stored_case.h"
 
 namespace gem {
 namespace {
@@ -34,7 +34,7 @@ PlatformPath read_path(const std::string& run_file, double interval_s) {
   if (!file.has("platform/time") || !(interval_s > 0.0)) return path;
   const std::vector<double> time = file.column("platform/time");
   if (time.empty()) return path;
-  const Vec2 rest = parse_scene(file.attribute("gem_case_toml"), run_file).platform.anchor_m;
+  const Vec2 rest = stored_scene(file).platform.anchor_m;
   const std::vector<std::size_t> samples = samples_at(time, interval_s);
   path.x = picked(file.column("platform/x"), samples, rest.x);
   path.y = picked(file.column("platform/y"), samples, rest.y);

@@ -13,6 +13,8 @@
 namespace gem {
 namespace {
 
+constexpr std::size_t listed_maximum = 2'000'000;  // about 600 MB in memory
+
 [[noreturn]] void reject_sweep(const TomlPlace& place, const std::string& problem) {
   throw Error(ExitCode::scene_rejected, to_string(place) + ": sweep: " + problem);
 }
@@ -56,6 +58,7 @@ std::vector<SweepMember> expand_sweep(TomlNode document, const std::vector<std::
 
   std::vector<SweepMember> members;
   std::set<std::string> names;
+  std::size_t listed = 0;
   for (const SweepDraft& draft : make_sweep_drafts(*sweep)) {
     TomlNode tree = base;
     merge_toml(tree, draft.settings);
@@ -70,6 +73,10 @@ std::vector<SweepMember> expand_sweep(TomlNode document, const std::vector<std::
     merge_toml(tree, nested_toml("run.name", name));
     member.scene = checked_scene(tree);
     member.differences = differences(base_scene, member.scene);
+    listed += member.scene.floe.size() + member.scene.fixed.size();
+    if (listed > listed_maximum)
+      reject_sweep(sweep->key_place, "its runs list too many floes and fixed bodies together (allowed " +
+                                         std::to_string(listed_maximum) + ") keep the floes in a file");
     members.push_back(std::move(member));
   }
   return members;

@@ -255,8 +255,10 @@ std::vector<Crafted> crafted_structures() {
        [](hid_t f) { H5Lcreate_hard(f, "/platform/x", f, std::string(5000, 'n').c_str(), H5P_DEFAULT, H5P_DEFAULT); },
        "a name is too long"},
       {"name that climbs", [](hid_t f) { put_dataset(f, "..", {}); }},
-      {"corners without number", dataset("shape/vertex_count", {H5T_IEEE_F64LE, {2}, [](hid_t) {}, {nan, 1e300}})},
-      {"corners below zero", dataset("shape/vertex_count", {H5T_IEEE_F64LE, {2}, [](hid_t) {}, {-1.0, -2147483649.0}})},
+      {"corners without number", dataset("shape/vertex_count", {H5T_IEEE_F64LE, {2}, [](hid_t) {}, {nan, 1e300}}),
+       "has 0 corners"},
+      {"corners below zero", dataset("shape/vertex_count", {H5T_IEEE_F64LE, {2}, [](hid_t) {}, {-1.0, -2147483649.0}}),
+       "has 0 corners"},
       {"schema that is a number",
        [](hid_t f) {
          H5Adelete(f, "gem_schema");
@@ -310,7 +312,7 @@ class CraftedFile : public testing::Test {
     const std::string log = (scratch_.path() / "calls").string();
     if (has_strace_)
       for (const char* word :
-           {log.c_str(), "-o", "-e trace=execve,openat,open,creat,unlink,rename,connect", "-qq", "-f", "strace"})
+           {log.c_str(), "-o", "-etrace=execve,openat,open,creat,unlink,rename,connect", "-qq", "-f", "strace"})
         words.insert(words.begin(), word);
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
@@ -364,18 +366,23 @@ class CraftedFile : public testing::Test {
       EXPECT_TRUE(code == 0 || (code >= 2 && code <= 4)) << what << ": " << words[0] << ": " << code << "\n"
                                                          << text_of("err");
       EXPECT_EQ(wrong_calls(), "") << what << ": " << words[0];
+      if (has_strace_ && words[0] == "report" && code == 0) {
+        EXPECT_NE(text_of("calls").find("gnuplot"), std::string::npos) << "nothing was watched";
+      }
       const std::string error = text_of("err");
       EXPECT_EQ(code == 0, error.empty()) << what << ": " << words[0] << "\n" << error;
       EXPECT_LT(error.size(), 4000u) << what;
       for (const std::string& text : {error, words.back() == "--json" ? std::string() : text_of("out")})
         EXPECT_EQ(text.find_first_of("\x1b\x07"), std::string::npos) << what << ": " << words[0];
       refused = refused || (!message.empty() && error.find(message) != std::string::npos);
-      if (words[0] == "report" && message.empty()) EXPECT_EQ(code, 0) << what << "\n" << error;
+      if (words[0] == "report" && message.empty()) {
+        EXPECT_EQ(code, 0) << what << "\n" << error;
+      }
     }
     EXPECT_EQ(refused, !message.empty()) << what << ": nobody said \"" << message << "\"; the last: " << text_of("err");
     EXPECT_FALSE(fs::exists(folder() / "touched") || fs::exists(folder() / "page/figures/touched")) << what;
     const std::string page = read(folder() / "page/index.html");
-    for (const char* active : {"<script", "<img", "<a href=\"javascript", "onerror=alert(1)>"})
+    for (const char* active : {"<script", "<img", "<a href=\"javascript"})
       EXPECT_EQ(page.find(active), std::string::npos) << what;
     fs::remove_all(folder() / "page");
   }

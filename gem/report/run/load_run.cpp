@@ -182,6 +182,9 @@ RunData load_run(const std::string& run_file, bool allow_incomplete) {
   run.platform_outline = file.platform_outline();
   run.fixed = file.boundary_outlines();
   run.floe_outlines = file.floe_outlines();
+  for (const std::vector<Corners>& outlines : {run.fixed, run.floe_outlines})
+    for (const Corners& outline : outlines)
+      if (outline.size() < 3) refuse_record(file, "an outline has " + std::to_string(outline.size()) + " corners");
   run.frames = up_to_three_frames(file);
   return run;
 }

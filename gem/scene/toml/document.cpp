@@ -19,7 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t include_depth_maximum = 16;
-constexpr std::size_t include_files_maximum = 256;  // of one case; files that include each other twice double with depth
+constexpr std::size_t include_files_maximum =
+    256;  // of one case; files that include each other twice double with depth
 
 /// The files that are being read, innermost last, and how many were read.
 struct Reading {

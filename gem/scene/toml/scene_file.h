@@ -24,8 +24,8 @@ SceneDef parse_scene(const std::string& text, const std::string& origin,
 /// Every key with its value, in schema order. This text is hashed and stored. Reading it gives the same scene.
 std::string resolved_toml(const SceneDef& scene);
 
-/// The identity of a case from its resolved text: SHA-256, 64 hex digits. If the text names the floes of a file by their
-/// SHA-256, the line with the path of that file does not count: the floes matter, not where they lie.
+/// The identity of a case from its resolved text: SHA-256, 64 hex digits. If the text names the floes of a file by
+/// their SHA-256, the line with the path of that file does not count: the floes matter, not where they lie.
 std::string case_hash(const std::string& resolved_text);
 
 /// case_hash of resolved_toml.

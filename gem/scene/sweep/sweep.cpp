@@ -56,10 +56,17 @@ std::vector<SweepMember> expand_sweep(TomlNode document, const std::vector<std::
   const SceneDef base_scene = scene_from_tree(base, problems);
   problems.throw_if_any();
 
+  const std::vector<SweepDraft> drafts = make_sweep_drafts(*sweep);
+  const auto check_listed = [sweep](std::size_t bodies) {
+    if (bodies > listed_maximum)
+      reject_sweep(sweep->key_place, "its runs list too many floes and fixed bodies together (allowed " +
+                                         std::to_string(listed_maximum) + ") keep the floes in a file");
+  };
+  check_listed(drafts.size() * (base_scene.floe.size() + base_scene.fixed.size()));
   std::vector<SweepMember> members;
   std::set<std::string> names;
   std::size_t listed = 0;
-  for (const SweepDraft& draft : make_sweep_drafts(*sweep)) {
+  for (const SweepDraft& draft : drafts) {
     TomlNode tree = base;
     merge_toml(tree, draft.settings);
     for (const std::string& text : overrides) merge_toml(tree, without_sweep(parse_override(text)));
@@ -74,9 +81,7 @@ std::vector<SweepMember> expand_sweep(TomlNode document, const std::vector<std::
     member.scene = checked_scene(tree);
     member.differences = differences(base_scene, member.scene);
     listed += member.scene.floe.size() + member.scene.fixed.size();
-    if (listed > listed_maximum)
-      reject_sweep(sweep->key_place, "its runs list too many floes and fixed bodies together (allowed " +
-                                         std::to_string(listed_maximum) + ") keep the floes in a file");
+    check_listed(listed);
     members.push_back(std::move(member));
   }
   return members;

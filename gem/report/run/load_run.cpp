@@ -42,12 +42,13 @@ struct NamedColumn {
   std::vector<double>* values;
 };
 
-/// Checks that the times of a record ascend and that its columns are as long as these. `needed` columns must be there,
-/// and hold numbers.
+/// Checks that the times of a record ascend (those of events need not: an event is written at its end) and that its
+/// columns are as long as these. `needed` columns must be there, and hold numbers.
 void check_record(const RunFile& file, const std::string& record, const std::vector<double>& time,
                   const std::vector<NamedColumn>& needed, const std::vector<NamedColumn>& others = {}) {
+  const bool ascends = record != "events";
   for (std::size_t i = 0; i < time.size(); ++i)
-    if (!std::isfinite(time[i]) || (i > 0 && time[i] < time[i - 1]))
+    if (!std::isfinite(time[i]) || (ascends && i > 0 && time[i] < time[i - 1]))
       refuse_record(file, record + "/time does not ascend at row " + std::to_string(i));
   const auto check_length = [&](const NamedColumn& column) {
     if (column.values->size() != time.size())

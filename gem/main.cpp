@@ -1,6 +1,7 @@
 // The program gem: its commands.
 #include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
+#include "gem/base/standard_streams.h"
 #include "gem/command/command.h"
 #include "gem/record/run_writer.h"
 #include "gem/run/run_signals.h"
@@ -21,6 +22,7 @@ void add_moved_paper_command(CLI::App& app, gem::Chosen& chosen) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  gem::open_standard_streams();
   gem::ignore_write_signals();
   gem::baseline::register_box2d();
   gem::Chosen chosen;

@@ -13,6 +13,7 @@
 #include "gem/command/command.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
+#include "gem/record/stored_case.h"
 #include "gem/report/run/load_run.h"
 #include "gem/report/run/platform_series.h"
 #include "gem/report/run/run_findings.h"
@@ -137,7 +138,7 @@ void check_exposure(const std::vector<Run>& runs) {
 /// the engine whose mechanics moved it.
 std::vector<std::string> condition_of(const std::string& path) {
   const RunFile file(path, true);
-  SceneDef scene = parse_scene(file.attribute("gem_case_toml"), path);
+  SceneDef scene = stored_scene(file);
   scene.run = {};
   scene.output = {};
   scene.platform.start_offset_m = {};

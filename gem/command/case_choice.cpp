@@ -2,17 +2,29 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
+#include <map>
 #include <system_error>
 #include <utility>
 
 #include "gem/base/error.h"
 #include "gem/command/command.h"
+#include "gem/field/floe_file.h"
+#include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/sweep/sweep.h"
+#include "gem/scene/toml/document.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {
+
+CLI::Validator not_empty() {
+  return {[](const std::string& text) {
+            return text.empty() ? std::string("it is empty; give a name or leave the option out") : std::string();
+          },
+          ""};
+}
 
 void add_case_options(CLI::App& command, CaseChoice& choice, bool required) {
   auto* path = command.add_option("case", choice.path, "case file (TOML); default: the built-in case");
@@ -26,17 +38,21 @@ void add_case_options(CLI::App& command, CaseChoice& choice, bool required) {
 SceneDef read_case(const CaseChoice& choice) {
   if (choice.path.empty()) {
     if (choice.index) throw Error(ExitCode::usage, "--index needs a sweep file (no file was given) name one");
-    return parse_scene("", "built-in case", choice.overrides);
+    return named_floes(parse_scene("", "built-in case", choice.overrides));
   }
-  if (!is_sweep(choice.path)) {
+  TomlNode document = load_document(choice.path);
+  if (document.entries.empty())
+    throw Error(ExitCode::scene_rejected,
+                shown(choice.path) + ": no settings (the file is empty) leave it out to run the built-in case");
+  if (document.find("sweep") == nullptr) {
     if (choice.index) {
       throw Error(ExitCode::usage, choice.path + " is a single case (no [sweep] table) leave out --index");
     }
-    return read_scene(choice.path, choice.overrides);
+    return named_floes(scene_of(std::move(document), choice.overrides));
   }
-  const std::vector<SweepMember> members = expand_sweep(choice.path, choice.overrides);
+  const std::vector<SweepMember> members = expand_sweep(std::move(document), choice.overrides);
   for (const SweepMember& member : members) {
-    if (member.index == choice.index) return member.scene;
+    if (member.index == choice.index) return named_floes(member.scene);
   }
   const std::string range =
       members.empty() ? "none" : std::to_string(members.front().index) + " to " + std::to_string(members.back().index);
@@ -47,9 +63,36 @@ SceneDef read_case(const CaseChoice& choice) {
                                    ") see `gem sweep list`");
 }
 
+SceneDef named_floes(SceneDef scene) {
+  if (scene.floes.source != FloeSource::file) return scene;
+  std::string& path = scene.floes.path;
+  std::error_code fault;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, fault);
+  if (!fault) path = absolute.lexically_normal().string();
+  const std::vector<FloeDef> floes = is_run_file(path) ? floes_of_run_file(path) : read_floe_file(path);
+  check_same_floes(scene, floes);
+  scene.floes.sha256 = floes_sha256(floes);
+  return scene;
+}
+
+std::vector<SweepMember> read_sweep(const std::string& path, const std::vector<std::string>& overrides) {
+  std::vector<SweepMember> members = expand_sweep(path, overrides);
+  std::map<std::pair<std::string, std::string>, FloesDef> known;  // a sweep names few files in many members
+  for (SweepMember& member : members) {
+    FloesDef& floes = member.scene.floes;
+    if (floes.source != FloeSource::file) continue;
+    const auto [entry, is_new] = known.try_emplace({floes.path, floes.sha256});
+    if (is_new) entry->second = named_floes(member.scene).floes;
+    floes.path = entry->second.path;
+    floes.sha256 = entry->second.sha256;
+  }
+  return members;
+}
+
 SceneDef with_floes_of_run_file(const SceneDef& scene) {
   if (scene.floes.source != FloeSource::file || !is_run_file(scene.floes.path)) return scene;
   std::vector<FloeDef> floes = floes_of_run_file(scene.floes.path);
+  check_same_floes(scene, floes);
   if (floes.empty())
     throw Error(ExitCode::scene_rejected,
                 scene.floes.path + ": no floes (the run had none) name another file or set floes.source = \"listed\"");

@@ -62,7 +62,7 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
                                 " m, " + fixed_text(field.size_minimum, 2) + " to " +
                                 fixed_text(field.size_maximum, 2) + " m");
     if (scene.floes.source != FloeSource::listed) line("cover", fixed_text(field.cover, 4));
-    line("smallest gap", number_text(field.smallest_gap, 4) + " m");
+    line("smallest gap", std::isfinite(field.smallest_gap) ? number_text(field.smallest_gap, 4) + " m" : "one body");
     line("ice", number_text(field.ice_mass, 6) + " kg, " + thickness_text(field) + " thick, crushes at " +
                     number_text(1e-6 * scene.ice.crushing_pressure_Pa, 4) + " MPa on 1 m2");
     std::string sides;

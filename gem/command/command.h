@@ -10,6 +10,7 @@
 
 #include "gem/run/run_scene.h"
 #include "gem/scene/scene_def.h"
+#include "gem/scene/sweep/sweep.h"
 
 namespace gem {
 
@@ -39,11 +40,22 @@ struct CaseChoice {
   std::optional<long long> index;  // of a sweep
 };
 
+/// Refuses an empty text: `--out ""` is a mistake in a script, not a wish for the default name.
+CLI::Validator not_empty();
+
 /// Adds the case file, --set and --index to a command.
 void add_case_options(CLI::App& command, CaseChoice& choice, bool required);
 
-/// Reads the chosen case. Throws Error(usage) for a sweep without --index and for a case with it.
+/// Reads the chosen case, with named_floes(). Its file is read once, so that it may be a pipe. Throws Error(usage) for
+/// a sweep without --index and for a case with it.
 SceneDef read_case(const CaseChoice& choice);
+
+/// The runs of a sweep file. Floe files are read and named as in named_floes().
+std::vector<SweepMember> read_sweep(const std::string& path, const std::vector<std::string>& overrides);
+
+/// The scene with the absolute path and the SHA-256 of its floe file, if it has one, so that the case and its hash hold
+/// what the file holds. Throws Error if the file cannot be read, or holds other floes than the scene names.
+SceneDef named_floes(SceneDef scene);
 
 /// The scene with explicit floes if floes.source names a run file; otherwise the scene itself. Make fields and engines
 /// from this scene, because an engine's contact reach depends on the speed of listed floes. Throws

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "gem/base/error.h"
 #include "gem/command/command.h"
@@ -10,19 +11,19 @@
 namespace gem {
 namespace {
 
-/// A message may quote a hostile file. What would steer a terminal is escaped; lists of problems keep their lines.
+/// A message as it is printed: no control characters but the ends of its lines, which texts of files could bring in,
+/// and not longer than a screen of a patient reader.
 std::string printable(const std::string& message) {
+  constexpr std::size_t bytes_maximum = 20000;
   std::string text;
-  std::size_t begin = 0;
-  for (std::size_t end = message.find('\n'); end != std::string::npos; end = message.find('\n', begin)) {
-    text += shown(message.substr(begin, end - begin)) + '\n';
-    begin = end + 1;
-  }
-  return text + shown(message.substr(begin));
+  std::istringstream lines(message.substr(0, bytes_maximum));
+  for (std::string line; std::getline(lines, line);) text += (text.empty() ? "" : "\n") + shown(line);
+  return message.size() > bytes_maximum ? text + "..." : text;
 }
 
 /// Prints one line in the form of all other messages and returns the exit code.
-int fault(const CLI::App& app, const Chosen& chosen, const std::string& message, ExitCode code) {
+int fault(const CLI::App& app, const Chosen& chosen, const std::string& text, ExitCode code) {
+  const std::string message = printable(text);
   if (chosen.json_messages) {
     const nlohmann::ordered_json object = {
         {"level", "error"}, {"message", message}, {"exit_code", static_cast<int>(code)}};

@@ -180,6 +180,16 @@ TEST_F(CommandTest, FaultsHaveTheirExitCodeOneLineAndNoFile) {
       {"gem report missing.h5", 4, "missing.h5"},
       {"gem case check missing.toml", 4, "missing.toml"},
       {"gem sweep list swing.toml", 3, "sweep"},
+      {": > empty.toml; gem run empty.toml", 3, "empty.toml: no settings (the file is empty)"},
+      {"ln -sf b.toml a.toml; ln -sf a.toml b.toml; gem case check a.toml", 4, "Too many levels of symbolic links"},
+      {"ln -sf b.toml a.toml; ln -sf a.toml b.toml; gem sweep status a.toml", 2, "is not a folder"},
+      {"gem run swing.toml --out ''", 2, "--out: it is empty"},
+      {"gem report swing.toml --out ''", 2, "--out: it is empty"},
+      {"gem sweep run swing.toml --out ''", 2, "--out: it is empty"},
+      {"ln -sf nowhere.h5 link.h5; gem run swing.toml --out link.h5", 4, "a link to a file that does not exist"},
+      {"gem run swing.toml --set 'include=[\"a.toml\"]'", 3, "only a file can include others"},
+      {"gem case check swing.toml --set floe='[{outline_m=[[0,0],[1,0],[1,1]],angle_rad=45}]'", 3,
+       "angle_rad: out of range"},
   };
   for (const auto& row : rows) {
     EXPECT_EQ(shell(row.line), row.code) << row.line << "\n" << text_of("err");
@@ -230,6 +240,15 @@ TEST_F(CommandTest, ClosedOutputsDoNotStopARun) {
   EXPECT_EQ(RunFile(path("swing.h5")).status(), "complete");
   EXPECT_EQ(shell("set -o pipefail; gem run swing.toml --overwrite | true"), 0) << text_of("err");
   EXPECT_EQ(shell("gem case schema > /dev/full"), 4);
+}
+
+// A closed descriptor must not become the run file, into which messages would then be written.
+TEST_F(CommandTest, AnyStandardStreamMayBeClosed) {
+  for (const char* closed : {"<&-", ">&-", "2>&-", "<&- >&-", "<&- 2>&-", ">&- 2>&-", "<&- >&- 2>&-"}) {
+    EXPECT_EQ(shell(std::string("gem run swing.toml --overwrite --progress line ") + closed), 0) << closed;
+    EXPECT_EQ(shell("gem analyse swing.h5"), 0) << closed << "\n" << text_of("err");
+    EXPECT_EQ(RunFile(path("swing.h5")).column("platform/x").size(), 201u) << closed;
+  }
 }
 
 TEST_F(CommandTest, QuietAndJsonLogs) {
@@ -366,6 +385,60 @@ TEST_F(CommandTest, AKilledRunIsReadableToTheLastFlush) {
   const double late = RunFile(path("swing.h5"), true).column("platform/time").back() - 50.0;
   EXPECT_EQ(shell("gem analyse --allow-incomplete swing.h5 swing.h5 --from " + std::to_string(late)), 2);
   EXPECT_NE(text_of("err").find("the same run as swing.h5 (several runs"), std::string::npos) << text_of("err");
+}
+
+TEST_F(CommandTest, ACaseNamesTheIceOfItsFile) {
+  const std::string one = "floe,x,y\n1,-100,0\n1,-90,0\n1,-95,10\n", other = "floe,x,y\n1,-100,0\n1,-80,0\n1,-95,10\n";
+  std::ofstream(folder_ / "ice.csv") << one;
+  std::ofstream(folder_ / "sweep.toml") << "[run]\nduration_s = 5.0\n[floes]\nsource = \"file\"\npath = \"ice.csv\"\n"
+                                           "[boundary]\npresent = false\n[sweep]\nmode = \"product\"\nname = \"m{m}\"\n"
+                                           "m = [1, 2]\nmap = { m = \"run.seed\" }\n";
+  ASSERT_EQ(shell("gem sweep run sweep.toml -q --out runs"), 0) << text_of("err");
+  // the same from elsewhere, and with the same floes in another text
+  ASSERT_EQ(shell("sed -i 's/-100,0/-100.0, 0/' ice.csv && cd / && gem sweep run '" + path("sweep.toml") +
+                  "' --dry-run --out '" + path("runs") + "'"),
+            0)
+      << text_of("err");
+  EXPECT_NE(text_of("out").find("0 of 2 runs"), std::string::npos) << text_of("out");
+  std::ofstream(folder_ / "ice.csv") << other;
+  EXPECT_EQ(shell("gem sweep run sweep.toml -q --out runs"), 4);
+  EXPECT_NE(text_of("err").find("holds another case"), std::string::npos) << text_of("err");
+  EXPECT_NE(text_of("err").find("; sha256 = "), std::string::npos) << "says which setting differs\n" << text_of("err");
+  // the stored case runs elsewhere with the same ice, or says why not
+  ASSERT_EQ(shell("mkdir away && gem info runs/m1.h5 --case > away/again.toml"), 0);
+  EXPECT_EQ(shell("cd away && gem run again.toml -q"), 3);
+  EXPECT_NE(text_of("err").find("holds other floes than the case names"), std::string::npos) << text_of("err");
+  EXPECT_EQ(shell("mv ice.csv gone && cd away && gem run again.toml -q"), 4);
+  EXPECT_NE(text_of("err").find("ice.csv: cannot read the floes"), std::string::npos) << text_of("err");
+  EXPECT_FALSE(exists("away/m1.h5"));
+  std::ofstream(folder_ / "ice.csv") << one;
+  ASSERT_EQ(shell("cd away && gem run again.toml -q"), 0) << text_of("err");
+  for (const char* name : {"gem_state_hash", "gem_case_sha256"})
+    EXPECT_EQ(RunFile(path("away/m1.h5")).attribute(name), RunFile(path("runs/m1.h5")).attribute(name)) << name;
+}
+
+TEST_F(CommandTest, ASweepOnAMissingGpuIsRefusedAsARunIs) {
+  std::ofstream(folder_ / "sweep.toml")
+      << "[run]\nduration_s = 5.0\n[sweep]\nmode = \"list\"\n[[sweep.run]]\nname = \"a\"\n";
+  if (shell("gem run swing.toml --dry-run --engine cuda") == 0) GTEST_SKIP() << "there is a GPU";
+  for (const char* line : {"gem sweep run sweep.toml --dry-run --engine cuda --out runs",
+                           "gem sweep run sweep.toml --engine cuda --out runs"}) {
+    EXPECT_EQ(shell(line), 5) << line;
+    EXPECT_NE(text_of("err").find("no GPU"), std::string::npos) << text_of("err");
+    EXPECT_FALSE(exists("runs/a.h5"));
+  }
+}
+
+TEST_F(CommandTest, FloesThatAreGivenAreNotCounted) {
+  ASSERT_EQ(shell("gem case check swing.toml --set floes.count=100"), 0);
+  EXPECT_NE(text_of("out").find("floes.count: has no effect (value 100"), std::string::npos) << text_of("out");
+}
+
+TEST_F(CommandTest, ACaseMayComeThroughAPipe) {
+  for (const char* line : {"gem case check <(cat swing.toml)", "cat swing.toml | gem case check /dev/stdin",
+                           "cat swing.toml | gem run /dev/stdin -q"})
+    EXPECT_EQ(shell(line), 0) << line << "\n" << text_of("err");
+  EXPECT_TRUE(exists("swing.h5"));
 }
 
 TEST_F(CommandTest, CaseAndSweepCommands) {

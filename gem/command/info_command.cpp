@@ -8,6 +8,7 @@
 #include "gem/command/verdict_output.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
+#include "gem/record/stored_case.h"
 
 namespace gem {
 
@@ -25,7 +26,7 @@ nlohmann::ordered_json describe(const RunFile& file) {
   object["floes"] = file.floe_count();
   object["frames"] = frames.size();
   object["platform_samples"] = time.size();
-  object["events"] = file.shape("events/time").at(0);
+  object["events"] = file.rows("events/time");
   const auto largest = [&](const std::string& dataset) {
     const std::vector<double> values = file.has(dataset) ? file.column(dataset) : std::vector<double>{};
     return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
@@ -45,7 +46,7 @@ std::string text_of(const nlohmann::ordered_json& object) {
   std::string text;
   for (const auto& [name, value] : object.items())
     text += name + std::string(width - name.size(), ' ') +
-            (value.is_string() ? shown(value.get<std::string>()) : value.dump()) + "\n";
+            shown(value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
   return text;
 }
 
@@ -66,7 +67,7 @@ void add_info_command(CLI::App& app, Chosen& chosen) {
     chosen.action = [options] {
       const RunFile file(options->path, true);
       if (options->show_case) {
-        print(file.attribute("gem_case_toml"));
+        print(stored_case(file));
         return 0;
       }
       nlohmann::ordered_json object = describe(file);

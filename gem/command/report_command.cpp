@@ -16,7 +16,8 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("report", "write the report of a run file: one page with its figures");
   command->add_option("file", options->path, "run file")->required();
-  command->add_option("-o,--out", options->out, "folder of the report; default: NAME_report beside NAME.h5");
+  command->add_option("-o,--out", options->out, "folder of the report; default: NAME_report beside NAME.h5")
+      ->check(not_empty());
   command->add_flag("--allow-incomplete", options->allow_incomplete, "report an incomplete run");
   command->callback([options, &chosen] {
     chosen.action = [options] {

@@ -165,7 +165,8 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   const auto choice = std::make_shared<RunChoice>();
   CLI::App* command = app.add_subcommand("run", "run a case and write a run file");
   add_case_options(*command, choice->chosen_case, false);
-  command->add_option("-o,--out", choice->options.output, "run file; default: the run's name with .h5");
+  command->add_option("-o,--out", choice->options.output, "run file; default: the run's name with .h5")
+      ->check(not_empty());
   choice->engine.name = "auto";
   command->add_option("--engine", choice->engine.name, "engine; auto: cuda if a GPU can take the case, else cpu")
       ->check(CLI::IsMember(engine_choices()))

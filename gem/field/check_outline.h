@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/scene/schema/schema.h"
 
 namespace gem {
 
-inline constexpr std::size_t outline_vertices_maximum = 20;
+inline constexpr std::size_t outline_vertices_maximum = listed_corners_maximum;
 inline constexpr double outline_edge_minimum = 1e-3;  // [m]
 
 struct CheckedOutline {

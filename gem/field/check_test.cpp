@@ -13,6 +13,7 @@
 #include "gem/field/check_outline.h"
 #include "gem/field/field.h"
 #include "gem/field/floe_file.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 namespace {
@@ -170,6 +171,8 @@ TEST_F(FloeFile, RefusesSlipsOfUnit) {
   } rows[] = {
       {"floe,x,y\n1,-9000,0\n1,-2000,0\n1,-2000,7000\n", {"floe[0]: size", "allowed [0.1, 1000] m", "give it in m"}},
       {"floe,x,y,thickness\n1,-70,0,1200\n1,-60,0,1200\n1,-60,9,1200\n", {"floe[0]: thickness", "value 1200"}},
+      // the origin of an outline in a file is 0, so its centre is what counts
+      {"floe,x,y\n1,400,0\n1,410,0\n1,400,10\n", {"output.retire_x_m: floe[0] starts downstream", "value 300"}},
   };
   for (const auto& row : rows) {
     SceneDef scene;
@@ -193,6 +196,8 @@ TEST_F(FloeFile, RefusesBadCsvWithTheLine) {
       {"floe,x,y\n1,0,nan\n", {":2: y \"nan\""}},
       {"floe,x,y\n1,0,1e400\n", {":2: y \"1e400\""}},
       {"floe,x,y\n1,0,0x10\n", {":2: y \"0x10\""}},
+      {"floe,x,y\n1,0,1e300\n", {":2: a coordinate is out of range (value 1e+300", "give it in m"}},
+      {"floe,x,y\n1,-2e6,0\n", {":2: a coordinate is out of range"}},
       {"floe,x,y\n,0,0\n", {":2: no floe name"}},
       {"floe,x,y,thickness\n1,0,0,-1\n", {":2: thickness must be positive"}},
       {"floe,x,y,thickness\n1,0,0,1\n1,1,0,2\n", {":3: thickness differs"}},
@@ -237,11 +242,42 @@ TEST_F(FloeFile, RefusesBadGeoJson) {
       {feature("[[[0,0],[9,0],[0,0]]]"), {"feature 0: 2 vertices"}},
       {feature("[[[0,0],[9,0],[9,9],[0,0]]]", R"({"thickness":"x"})"), {"thickness is not a number"}},
       {feature("[[[0,0],[9,0],[9,9],[0,0]]]", R"({"thickness":0})"), {"thickness must be positive"}},
+      {feature("[[[0,0],[9,0],[9,9],[0,0]]]", R"({"thickness_m":2})"),
+       {"\"thickness_m\"", "did you mean `thickness`?"}},
+      {feature("[[[0,0],[9,0],[9,9],[0,0]]]", R"({"id":7,"Thickness":2})"), {"\"Thickness\"", "did you mean"}},
+      {feature("[[[0,0],[9,0],[9,9],[0,0]]]", R"({"thicknes":2})"), {"\"thicknes\"", "did you mean"}},
+      {feature("[[[0,0],[1e7,0],[9,9],[0,0]]]"), {"feature 0: a coordinate is out of range"}},
+      {std::string(100000, '['), {"nested too deep"}},
   };
   for (const auto& row : rows) {
     const std::string path = write(".geojson", row.text);
     expect_contains(message_of([&] { read_floe_file(path); }), row.parts);
   }
+}
+
+TEST_F(FloeFile, OtherPropertiesAreAllowed) {
+  const std::string properties = R"({"id":7,"area":50,"thickness":0.7,"source":"satellite"})";
+  EXPECT_EQ(read_floe_file(write(".geojson", feature("[[[0,0],[10,0],[10,10],[0,0]]]", properties))).size(), 1U);
+}
+
+TEST_F(FloeFile, MessagesAndFilesHaveLimits) {
+  const std::string path = write(".csv", "floe,x,y\n1," + std::string(10000000, '9') + "x,0\n");
+  const std::string message = message_of([&] { read_floe_file(path); });
+  EXPECT_LT(message.size(), 1000U);
+  expect_contains(message, {":2: x \"999", "is not a finite number"});
+  std::filesystem::resize_file(path, std::uintmax_t{1} << 40);
+  expect_contains(message_of([&] { read_floe_file(path); }), {"the file is too large (allowed 67108864 bytes)"});
+}
+
+TEST_F(FloeFile, AFileWithOtherFloesThanTheCaseNamesIsRefused) {
+  SceneDef scene;
+  scene.floes.source = FloeSource::file;
+  scene.floes.path = write(".csv", "floe,x,y\n1,-500,0\n1,-490,0\n1,-490,10\n");
+  scene.floes.sha256 = floes_sha256(read_floe_file(scene.floes.path));
+  EXPECT_EQ(make_field(scene).count(), 4U);
+  write(".csv", "floe,x,y\n1,-500,0\n1,-490,0\n1,-490,10.5\n");
+  expect_contains(message_of([&] { make_field(scene); }),
+                  {"holds other floes than the case names", scene.floes.sha256});
 }
 
 TEST(FloeFilePath, MissingFileAndUnknownKind) {

@@ -15,6 +15,7 @@
 #include "gem/field/generator/generator.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_scene.h"
+#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 namespace {
@@ -98,8 +99,11 @@ std::vector<FloeDef> floes_of(const SceneDef& scene, const std::vector<std::vect
   switch (scene.floes.source) {
     case FloeSource::listed:
       return scene.floe;
-    case FloeSource::file:
-      return with_listed_floes(scene, read_floe_file(scene.floes.path)).floe;
+    case FloeSource::file: {
+      std::vector<FloeDef> floes = read_floe_file(scene.floes.path);
+      check_same_floes(scene, floes);  // the file may have changed since the case was read
+      return with_listed_floes(scene, std::move(floes)).floe;
+    }
     case FloeSource::generated:
     case FloeSource::copied:
       break;

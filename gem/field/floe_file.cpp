@@ -1,18 +1,23 @@
 // Reads floes from CSV and GeoJSON files.
 #include "gem/field/floe_file.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <system_error>
 
 #include "gem/base/error.h"
+#include "gem/base/number_text.h"
 #include "gem/field/check_outline.h"
+#include "gem/scene/problems.h"
+#include "gem/scene/schema/schema.h"
 
 namespace gem {
 namespace {
@@ -21,13 +26,26 @@ namespace {
   throw Error(ExitCode::scene_rejected, where + ": " + text);
 }
 
-std::string read_text(const std::string& path) {
+// Enough for 250,000 floes. A parsed GeoJSON file takes about 20 times its size in memory.
+constexpr std::size_t floe_bytes_maximum = std::size_t{64} << 20;
+constexpr int json_depth_maximum = 16;
+
+/// The beginning of a field, for a message.
+std::string shortened(const std::string& field) { return field.size() <= 60 ? field : field.substr(0, 60) + "..."; }
+
+std::string read_floes_text(const std::string& path) {
   std::error_code ignored;
   std::ifstream file(path, std::ios::binary);
   if (!file.is_open() || std::filesystem::is_directory(path, ignored))
     throw Error(ExitCode::file_system,
                 path + ": cannot read the floes (missing, a folder or no permission) check the path");
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::string text;
+  std::array<char, 65536> block{};
+  while (text.size() <= floe_bytes_maximum && (file.read(block.data(), block.size()), file.gcount() > 0))
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  if (text.size() > floe_bytes_maximum)
+    refuse(path, "the file is too large (allowed " + std::to_string(floe_bytes_maximum) + " bytes) use fewer floes");
+  return text;
 }
 
 std::vector<std::string> split(const std::string& line) {
@@ -46,8 +64,15 @@ double number_of(const std::string& field, const std::string& where, const char*
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value))
-    refuse(where, std::string(column) + " \"" + field +
+    refuse(where, std::string(column) + " \"" + shortened(field) +
                       "\" is not a finite number (a decimal point is needed, no unit) correct it");
+  return value;
+}
+
+double coordinate_of(double value, const std::string& where) {
+  if (!place_range.contains(value))
+    refuse(where, "a coordinate is out of range (value " + number_text(value) + ", allowed " +
+                      range_text(place_range, "m") + ") give it in m");
   return value;
 }
 
@@ -97,17 +122,18 @@ class CsvReader {
                           ") correct the row");
     if (fields[0].empty()) refuse(where(), "no floe name (the first column is empty) number the floes");
     if (floes_.empty() || fields[0] != name_) start(fields[0]);
-    const double x = number_of(fields[1], where(), "x");
-    const double y = number_of(fields[2], where(), "y");
+    const double x = coordinate_of(number_of(fields[1], where(), "x"), where());
+    const double y = coordinate_of(number_of(fields[2], where(), "y"), where());
     floes_.back().outline_m.push_back({x, y});
     if (columns_ == 4) set_thickness(thickness_of(number_of(fields[3], where(), "thickness"), where()));
   }
 
   void start(const std::string& name) {
     if (!names_.insert(name).second)
-      refuse(where(), "floe " + name + " comes a second time (the rows of a floe must be together) rename or move it");
+      refuse(where(), "floe " + shortened(name) +
+                          " comes a second time (the rows of a floe must be together) rename or move it");
     name_ = name;
-    places_.push_back(where() + ": floe " + name);
+    places_.push_back(where() + ": floe " + shortened(name));
     floes_.emplace_back();
     floes_.back().thickness_m = 0.0;
   }
@@ -115,7 +141,8 @@ class CsvReader {
   void set_thickness(double thickness) {
     FloeDef& floe = floes_.back();
     if (floe.outline_m.size() > 1 && floe.thickness_m != thickness)
-      refuse(where(), "thickness differs from the rows above (floe " + name_ + " has one thickness) make them equal");
+      refuse(where(),
+             "thickness differs from the rows above (floe " + shortened(name_) + " has one thickness) make them equal");
     floe.thickness_m = thickness;
   }
 
@@ -138,7 +165,7 @@ using Json = nlohmann::json;
 Vec2 point_of(const Json& point, const std::string& where) {
   if (!point.is_array() || point.size() < 2 || !point[0].is_number() || !point[1].is_number())
     refuse(where, "a position is not [x, y] (two numbers in m are needed) correct it");
-  return {point[0].get<double>(), point[1].get<double>()};
+  return {coordinate_of(point[0].get<double>(), where), coordinate_of(point[1].get<double>(), where)};
 }
 
 /// Reads a ring, which GeoJSON closes by repeating the first corner; the repeated corner is dropped.
@@ -157,9 +184,21 @@ std::vector<Vec2> ring_of(const Json& feature, const std::string& where) {
   return outline;
 }
 
+/// A file may have any properties. One whose name looks like thickness must be that, or the ice would get another one.
+void check_property_name(const std::string& name, const std::string& where) {
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const bool alike = lower.find("thick") != std::string::npos || !nearest_name(lower, {"thickness"}).empty();
+  if (name != "thickness" && alike)
+    refuse(where, "unknown property \"" + shortened(name) +
+                      "\" (the thickness in m is called thickness) did you mean `thickness`?");
+}
+
 double feature_thickness(const Json& feature, const std::string& where) {
   if (!feature.contains("properties") || !feature["properties"].is_object()) return 0.0;
   const Json& properties = feature["properties"];
+  for (const auto& property : properties.items()) check_property_name(property.key(), where);
   if (!properties.contains("thickness")) return 0.0;
   if (!properties["thickness"].is_number()) refuse(where, "thickness is not a number (it is in m) correct it");
   return thickness_of(properties["thickness"].get<double>(), where);
@@ -168,12 +207,16 @@ double feature_thickness(const Json& feature, const std::string& where) {
 std::vector<FloeDef> read_geojson(const std::string& path, const std::string& text) {
   Json json;
   try {
-    json = Json::parse(text);
+    json = Json::parse(text, [&path](int depth, Json::parse_event_t, const Json&) {
+      if (depth > json_depth_maximum)
+        refuse(path, "values are nested too deep (allowed " + std::to_string(json_depth_maximum) + " levels)");
+      return true;
+    });
   } catch (const Json::exception& fault) {
     std::string why = fault.what();
     for (char& c : why)
       if (c == '\n') c = ' ';
-    refuse(path, "not valid JSON (" + why + ") correct the file");
+    refuse(path, "not valid JSON (" + why.substr(0, 300) + ") correct the file");
   }
   if (!json.is_object() || json.value("type", Json()) != "FeatureCollection" || !json.contains("features") ||
       !json["features"].is_array())
@@ -199,9 +242,9 @@ bool ends_with(const std::string& path, const std::string& ending) {
 std::vector<FloeDef> read_floe_file(const std::string& path) {
   std::vector<FloeDef> floes;
   if (ends_with(path, ".csv")) {
-    floes = CsvReader(path).read(read_text(path));
+    floes = CsvReader(path).read(read_floes_text(path));
   } else if (ends_with(path, ".geojson")) {
-    floes = read_geojson(path, read_text(path));
+    floes = read_geojson(path, read_floes_text(path));
   } else {
     refuse(path, "unknown kind of floe file (allowed are .csv, .geojson and run files) convert it");
   }

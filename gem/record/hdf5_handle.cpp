@@ -59,9 +59,16 @@ std::string read_text(hid_t object, const std::string& name) {
   const Handle attribute = checked(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, name.c_str());
   const Handle type = checked(H5Aget_type(attribute), H5Tclose, name.c_str());
   const Handle space = checked(H5Aget_space(attribute), H5Sclose, name.c_str());
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) return "";
+  if (H5Tget_class(type) != H5T_STRING) return "";
   const std::size_t size = H5Tget_size(type);
   if (element_count(object, space, size, name) != 1) return "";
+  if (H5Tis_variable_str(type) > 0) {  // as other programs write them
+    char* words = nullptr;
+    check(H5Aread(attribute, type, &words), name.c_str());
+    const std::string copy = words != nullptr ? words : "";
+    check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, &words), name.c_str());
+    return copy;
+  }
   std::string text(size, '\0');
   check(H5Aread(attribute, type, text.data()), name.c_str());
   return text.substr(0, text.find('\0'));

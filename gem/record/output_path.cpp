@@ -60,7 +60,11 @@ std::string shown(const std::string& path) {
   std::string text;
   for (const char c : path) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f) {
+    const bool wide_control = byte >= 0x80 && byte < 0xa0 && text.ends_with('\xc2');  // U+0080 to U+009F
+    if (wide_control) {
+      text.pop_back();
+      text += std::string("\\u00") + digits[byte >> 4] + digits[byte & 15];
+    } else if (byte < 0x20 || byte == 0x7f) {
       text += std::string("\\x") + digits[byte >> 4] + digits[byte & 15];
     } else {
       text += c;
@@ -80,6 +84,8 @@ void check_output_path(const std::string& path, bool overwrite) {
       refuse(path, system_reason(errno), "change its permissions or choose another --out");
   } else if (errno != ENOENT) {
     refuse(path, system_reason(errno), "choose another --out");
+  } else if (lstat(path.c_str(), &status) == 0) {
+    refuse(path, "it is a link to a file that does not exist", "remove the link or choose another --out");
   }
   if (path.back() == '/') refuse(path, "it names a directory", "give a file name with --out");
   test_write(path);

@@ -15,6 +15,7 @@
 #include "gem/record/hdf5_handle.h"
 #include "gem/record/output_path.h"
 #include "gem/record/schema.h"
+#include "gem/record/untrusted_file.h"
 
 namespace gem {
 
@@ -23,6 +24,8 @@ using hdf5::checked;
 using hdf5::Handle;
 
 namespace {
+
+constexpr hssize_t number_list_maximum = 10000;
 
 [[noreturn]] void refuse_run_file(const std::string& path, const std::string& why, const std::string& hint) {
   throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + why + ") " + hint);
@@ -98,7 +101,9 @@ RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::
   reading(path, [&] {
     const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
     check(H5Pset_file_locking(access, true, true), "file locking");
+    hdf5::refuse_plugins();
     inside_->file = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, "cannot open");
+    hdf5::check_untrusted(inside_->file);
     return 0;
   });
   const std::string version = attribute("gem_schema");
@@ -197,9 +202,13 @@ bool RunFile::has(const std::string& dataset) const {
   return H5Lexists(inside_->file, dataset.c_str(), H5P_DEFAULT) > 0;
 }
 
-std::size_t RunFile::floe_count() const { return shape("shape/vertex_count").at(0); }
+std::size_t RunFile::rows(const std::string& dataset) const {
+  return reading(path(), [&] { return static_cast<std::size_t>(inside_->extent(inside_->open(dataset)).at(0)); });
+}
 
-std::size_t RunFile::frame_count() const { return shape("floes/time").at(0); }
+std::size_t RunFile::floe_count() const { return rows("shape/vertex_count"); }
+
+std::size_t RunFile::frame_count() const { return rows("floes/time"); }
 
 FrameView RunFile::frame(std::size_t index) const {
   if (index >= frame_count()) {

@@ -42,6 +42,8 @@ class RunFile {
   std::vector<double> column(const std::string& dataset) const;
   /// Length of each dimension of a dataset.
   std::vector<std::size_t> shape(const std::string& dataset) const;
+  /// Length of the first dimension of a dataset.
+  std::size_t rows(const std::string& dataset) const;
   std::string units(const std::string& dataset) const;
   std::string long_name(const std::string& dataset) const;
   bool has(const std::string& dataset) const;

@@ -10,6 +10,7 @@
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
 #include "gem/record/summary_file.h"
+#include "gem/record/untrusted_file.h"
 
 namespace gem {
 
@@ -21,7 +22,10 @@ namespace {
 
 Handle opened(const std::string& path) {
   hdf5::quiet_errors();
-  return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "cannot open");
+  hdf5::refuse_plugins();
+  Handle file = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "cannot open");
+  hdf5::check_untrusted(file);
+  return file;
 }
 
 std::vector<std::string> dataset_names(hid_t file) {

@@ -2,6 +2,7 @@
 #include "gem/report/page.h"
 
 #include "gem/report/page_tables.h"
+#include "gem/report/plain_text.h"
 
 namespace gem {
 namespace {
@@ -130,7 +131,7 @@ std::string page_html(const RunData& run, const RunFindings& findings, const std
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : plain_text(text)) {
     if (c == '&')
       result += "&amp;";
     else if (c == '<')
@@ -139,6 +140,8 @@ std::string escaped(const std::string& text) {
       result += "&gt;";
     else if (c == '"')
       result += "&quot;";
+    else if (c == '\'')
+      result += "&#39;";
     else
       result += c;
   }

@@ -189,6 +189,27 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"name_with_slash", "[run]\nname = \"a/b\"\n", {"bad.toml:2:8: run.name"}},
         BadScene{"name_empty", "[run]\nname = \"\"\n", {"bad.toml:2:8: run.name"}},
         BadScene{"name_with_control", "[run]\nname = \"a\\u0007\"\n", {"bad.toml:2:8: run.name", "a\\u0007"}},
+        BadScene{"name_with_wide_control", "[run]\nname = \"a\\u009b\"\n", {"bad.toml:2:8: run.name"}},
+        BadScene{"text_that_includes", "include = [\"/etc/passwd\"]\n", {"bad.toml:1:11: include: only a file can"}},
+        BadScene{"include_in_a_section", "[run]\ninclude = [\"a\"]\n", {"bad.toml:2:1: run.include: unknown key"}},
+        BadScene{"hash_that_is_none",
+                 "[floes]\nsource = \"file\"\npath = \"a.csv\"\nsha256 = \"AB\"\n",
+                 {"bad.toml:4:10: floes.sha256: not a SHA-256", "64 digits"}},
+        BadScene{"hash_without_file",
+                 "[floes]\nsha256 = \"" + std::string(64, 'a') + "\"\n",
+                 {"bad.toml:2:10: floes.sha256: has no effect"}},
+        BadScene{"degrees_for_radians",
+                 "[floes]\nsource = \"listed\"\n[[floe]]\nangle_rad = 45\n" + square,
+                 {"bad.toml:4:13: floe[0].angle_rad: out of range", "45 degrees are 0.785"}},
+        BadScene{"too_many_corners",
+                 "[[fixed]]\noutline_m = [" +
+                     [] {
+                       std::string text;
+                       for (int i = 0; i < 30; ++i) text += "[" + std::to_string(i) + ", 0], ";
+                       return text;
+                     }() +
+                     "]\n",
+                 {"bad.toml:2:13: fixed[0].outline_m: wrong number of corners (value 30, allowed [3, 20])"}},
         BadScene{"sweep_as_case", "[sweep]\nmode = \"list\"\n", {"bad.toml:1:2: sweep", "index"}}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -288,6 +309,22 @@ TEST_F(SceneFiles, IncludeCycleIsRefused) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::scene_rejected);
     EXPECT_NE(std::string(error.what()).find("b.toml:1:12: include: the file includes itself"), std::string::npos)
+        << error.what();
+  }
+}
+
+// Each file includes the next one twice, so that the number of files doubles with the depth.
+TEST_F(SceneFiles, IncludesDoNotMultiply) {
+  for (int i = 0; i < 15; ++i) {
+    const std::string next = "\"f" + std::to_string(i + 1) + ".toml\"";
+    write("f" + std::to_string(i) + ".toml", "include = [" + next + ", " + next + "]\n");
+  }
+  write("f15.toml", "[run]\nseed = 2\n");
+  try {
+    read_scene((folder_ / "f0.toml").string());
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("include: too many files (allowed 256)"), std::string::npos)
         << error.what();
   }
 }

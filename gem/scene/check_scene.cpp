@@ -48,8 +48,10 @@ bool is_made(const FloesDef& floes) {
 
 void check_name(const SceneDef& s, List& out) {
   const std::string& name = s.run.name;
-  const bool printable = std::none_of(
-      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '/'; });
+  bool printable = std::none_of(name.begin(), name.end(),
+                                [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '/'; });
+  for (std::size_t at = name.find('\xc2'); at != std::string::npos; at = name.find('\xc2', at + 1))
+    printable = printable && at + 1 < name.size() && static_cast<unsigned char>(name[at + 1]) >= 0xa0;  // U+0080...
   if (name.empty() || name.size() > name_bytes_maximum || name.front() == '.' || !printable)
     out.push_back({"run.name", "not fit for a file name (value " + quoted_text(name) + ", allowed 1 to " +
                                    std::to_string(name_bytes_maximum) +
@@ -103,6 +105,12 @@ void check_source(const SceneDef& s, List& out) {
   if (!from_file && !s.floes.path.empty())
     out.push_back({"floes.path", "has no effect (value " + quoted_text(s.floes.path) +
                                      ", allowed only with floes.source = \"file\") remove it or change the source"});
+  const std::string& sha256 = s.floes.sha256;
+  if (!sha256.empty() && (sha256.size() != 64 || sha256.find_first_not_of("0123456789abcdef") != std::string::npos))
+    out.push_back({"floes.sha256", "not a SHA-256 (value " + quoted_text(sha256) +
+                                       ", allowed 64 digits 0-9 and a-f) leave it out to use any floes"});
+  if (!from_file && !sha256.empty())
+    out.push_back({"floes.sha256", "has no effect (allowed only with floes.source = \"file\") remove it"});
   if (s.floes.source != FloeSource::listed && !s.floe.empty())
     out.push_back({"floe", "listed floes have no effect (value " + std::to_string(s.floe.size()) +
                                " floes) set floes.source = \"listed\""});
@@ -180,11 +188,23 @@ void check_platform(const SceneDef& s, List& out) {
 
 void check_listed(const SceneDef& s, List& out) {
   if (s.floes.source != FloeSource::listed) return;
-  for (std::size_t i = 0; i < s.floe.size(); ++i)
-    if (s.floe[i].position_m.x > s.output.retire_x_m)
-      out.push_back({"output.retire_x_m", "floe[" + std::to_string(i) + "] starts downstream of the line (value " +
-                                              number(s.output.retire_x_m) + ", allowed at least " +
-                                              number(s.floe[i].position_m.x) + " m)"});
+  for (std::size_t i = 0; i < s.floe.size(); ++i) {
+    const FloeDef& floe = s.floe[i];
+    const double cosine = std::cos(floe.angle_rad), sine = std::sin(floe.angle_rad);
+    const PolygonMoments outline = polygon_moments(floe.outline_m);
+    if (!(std::abs(outline.area) > 0.0)) continue;  // reported with its corners when the field is made
+    // The centre: the origin of an outline may be anywhere, and is far away for floes of a file.
+    const Vec2 c = outline.centroid;
+    const Vec2 centre = floe.position_m + Vec2{cosine * c.x - sine * c.y, sine * c.x + cosine * c.y};
+    const std::string name = "floe[" + std::to_string(i) + "]";
+    if (!place_range.contains(centre.x) || !place_range.contains(centre.y))
+      out.push_back({"floe", name + ": its centre is out of range (value " + number(centre.x) + ", " +
+                                 number(centre.y) + ", allowed " + range_text(place_range, "m") + ") give it in m"});
+    else if (centre.x > s.output.retire_x_m)
+      out.push_back({"output.retire_x_m", name + " starts downstream of the line (value " +
+                                              number(s.output.retire_x_m) + ", allowed at least " + number(centre.x) +
+                                              " m)"});
+  }
 }
 
 /// Catches mistaken units, mostly mm for m. Floes of a file need it too, because no range table has checked them.
@@ -225,6 +245,7 @@ SceneDef with_listed_floes(const SceneDef& scene, std::vector<FloeDef> floes) {
   SceneDef listed = scene;
   listed.floes.source = FloeSource::listed;
   listed.floes.path.clear();
+  listed.floes.sha256.clear();
   listed.floe = std::move(floes);
   for (const SceneProblem& problem : check_scene(listed))
     throw Error(ExitCode::scene_rejected, problem.key + ": " + problem.text);
@@ -252,6 +273,10 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
                          ", the floes cover " + number(std::round(10.0 * cover) / 10.0) +
                          " tenths) only the ratio of the tenths is used");
   }
+  const FloesDef usual_floes;
+  if (!is_made(f) && f.count != usual_floes.count)
+    warnings.push_back("floes.count: has no effect (value " + std::to_string(f.count) +
+                       ", the floes that are given count) remove it");
   const std::vector<IceClassDef>& classes = f.classes;
   const IceClassDef usual;
   if (f.source == FloeSource::listed &&

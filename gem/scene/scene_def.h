@@ -32,7 +32,8 @@ struct IceClassDef {
 /// Where the floes come from, and how a field is generated.
 struct FloesDef {
   FloeSource source = FloeSource::generated;
-  std::string path;  ///< for `file`: .csv, .geojson or a run file; relative to the case file
+  std::string path;    ///< for `file`: .csv, .geojson or a run file; relative to the case file
+  std::string sha256;  ///< for `file`: of the floes that it must hold, see floes_sha256(); empty: not checked
   std::int64_t count = 4008;
   double length_m = 1500.0;  ///< along the current
   double width_m = 400.0;

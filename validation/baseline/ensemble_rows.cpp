@@ -9,7 +9,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/record/run_file.h"
-#include "gem/scene/toml/scene_file.h"
+#include "gem/record/stored_case.h"
 #include "validation/baseline/platform_events.h"
 
 namespace gem::baseline {
@@ -34,7 +34,7 @@ std::vector<double> cut(const std::vector<double>& column, Span span) {
 class MemberFile {
  public:
   MemberFile(const std::string& path, const PlannedCase& chosen)
-      : file_(path), chosen_(chosen), scene_(parse_scene(file_.attribute("gem_case_toml"), path)) {
+      : file_(path), chosen_(chosen), scene_(stored_scene(file_)) {
     const std::vector<double> time = file_.column("platform/time");
     platform_ = span_of(time, chosen);
     if (platform_.last < platform_.first + 200 || time.back() < chosen.to_s - 1.0)

@@ -1,6 +1,7 @@
 // gem_paper judges the statements of the ICETECH 2014 paper from run files and summaries of gem.
 #include <memory>
 
+#include "gem/base/standard_streams.h"
 #include "gem/command/command.h"
 #include "gem/command/sweep/sweep_collect.h"
 #include "gem/record/run_writer.h"
@@ -76,6 +77,7 @@ void add_collect_command(CLI::App& app, Chosen& chosen) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  gem::open_standard_streams();
   gem::ignore_write_signals();
   Chosen chosen;
   CLI::App app("Judges the statements of the ICETECH 2014 paper by runs of gem.", "gem_paper");

@@ -14,6 +14,7 @@
 #include "gem/command/sweep/sweep_settings.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
+#include "gem/record/stored_case.h"
 #include "gem/record/summary_file.h"
 #include "gem/report/run/load_run.h"
 #include "gem/report/run/platform_series.h"
@@ -198,7 +199,7 @@ void check_intervals(const SweepCollectChoice& choice, const std::vector<SweepRo
   if (choice.interval_s == 0.0) return;
   for (const SweepRow& row : rows) {
     const std::string path = run_path(choice.folder, row.name);
-    const double sampled_s = parse_scene(RunFile(path).attribute("gem_case_toml"), path).output.platform_interval_s;
+    const double sampled_s = stored_scene(RunFile(path)).output.platform_interval_s;
     if (choice.interval_s < sampled_s * (1.0 - kRounding))
       throw Error(ExitCode::usage, "--series " + number_text(choice.interval_s) + " is too short (" + shown(row.name) +
                                        " was recorded every " + number_text(sampled_s) +
@@ -227,7 +228,7 @@ int collect_sweep(const SweepCollectChoice& choice, const SummaryPart& part) {
     const RunFile records(path);
     identities.push_back(data.identity);
     verdicts.push_back(data.verdict);
-    scenes.push_back(parse_scene(records.attribute("gem_case_toml"), path));
+    scenes.push_back(stored_scene(records));
     set_quality(columns, run, data);
     set_platform(columns, run, data, choice.from_s);
     series.push_back(kept_series(data));

@@ -31,7 +31,7 @@ void add_list(CLI::App& group, Chosen& chosen) {
   list->add_flag("--json", options->json, "as JSON");
   list->callback([options, &chosen] {
     chosen.action = [options] {
-      const std::vector<SweepMember> members = expand_sweep(options->path, options->overrides);
+      const std::vector<SweepMember> members = read_sweep(options->path, options->overrides);
       print(options->json ? sweep_list_json(members) : sweep_list_text(members));
       return 0;
     };
@@ -46,6 +46,7 @@ void add_run(CLI::App& group, Chosen& chosen) {
   run->add_option("file", choice->path, "sweep file (TOML)")->required();
   run->add_option("-o,--out", choice->folder, "folder of the run files and of manifest.json; created if missing")
       ->type_name("DIR")
+      ->check(not_empty())
       ->required();
   add_overrides(*run, choice->overrides);
   run->add_option("--index", choice->index, "only these runs, counted from 1: 3 or 1-4,7; see `gem sweep list`")
@@ -90,7 +91,9 @@ void add_status(CLI::App& group, Chosen& chosen) {
   const auto choice = std::make_shared<SweepStatusChoice>();
   CLI::App* status = group.add_subcommand("status", "show which runs are done, running, stopped, failed or missing");
   status->add_option("path", choice->path, "folder of a sweep, or a sweep file together with --out")->required();
-  status->add_option("-o,--out", choice->folder, "folder of the sweep file's runs")->type_name("DIR");
+  status->add_option("-o,--out", choice->folder, "folder of the sweep file's runs")
+      ->type_name("DIR")
+      ->check(not_empty());
   add_overrides(*status, choice->overrides);
   status->add_flag("--json", choice->json, "as JSON");
   status->callback([choice, &chosen] { chosen.action = [choice] { return sweep_status(*choice); }; });
@@ -112,7 +115,10 @@ void add_collect(CLI::App& group, Chosen& chosen) {
 
 void add_collect_options(CLI::App& command, SweepCollectChoice& choice) {
   command.add_option("folder", choice.folder, "folder of a sweep")->type_name("DIR")->required();
-  command.add_option("-o,--out", choice.output, "summary file, one row per run")->type_name("FILE")->required();
+  command.add_option("-o,--out", choice.output, "summary file, one row per run")
+      ->type_name("FILE")
+      ->check(not_empty())
+      ->required();
   command.add_option("--index", choice.index, "only these runs, counted from 1: 3 or 1-4,7")->type_name("LIST");
   command.add_option("--series", choice.interval_s, "interval of the displacement [s]; 0: none")->capture_default_str();
   command.add_flag("--exact", choice.exact, "displacement and velocity in double precision, to compare diverging runs");

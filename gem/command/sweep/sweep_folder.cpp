@@ -11,7 +11,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -80,6 +80,20 @@ void write_at_one_stroke(const std::string& path, const std::string& text) {
     throw Error(ExitCode::file_system, "cannot write " + shown(path) + " (" + system_reason(fault) +
                                            ") free disk space or choose another --out");
   }
+}
+
+// A row takes about 400 bytes, and a sweep has at most 100,000 runs.
+constexpr std::size_t manifest_bytes_maximum = std::size_t{256} << 20;
+constexpr int manifest_depth_maximum = 4;
+
+std::string manifest_text(std::istream& file) {
+  std::string text;
+  std::vector<char> block(65536);
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())), file.gcount() > 0) {
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > manifest_bytes_maximum) throw std::length_error("the file is too large");
+  }
+  return text;
 }
 
 double last_of(const RunFile& file, const std::string& dataset) {
@@ -198,14 +212,16 @@ std::vector<SweepRow> read_manifest(const std::string& folder) {
   const std::string path = manifest_path(folder);
   std::ifstream file(path, std::ios::binary);
   if (!file) return {};
-  std::ostringstream text;
-  text << file.rdbuf();
   try {
+    const std::string text = manifest_text(file);
     std::vector<SweepRow> rows;
-    const Json document = Json::parse(text.str());
+    const Json document = Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
+      if (depth > manifest_depth_maximum) throw std::length_error("values are nested too deep");
+      return true;
+    });
     for (const Json& object : document.at("runs")) rows.push_back(row_of(object));
     return rows;
-  } catch (const nlohmann::json::exception& fault) {
+  } catch (const std::exception& fault) {  // of JSON, or a limit
     throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + fault.what() +
                                            ") remove it; the next `gem sweep run` makes it again from the run files");
   }
@@ -251,7 +267,8 @@ SweepRow look_at_run(const std::string& folder, SweepRow row, const std::string&
 
 SweepRow look_at_file(const std::string& folder, SweepRow row, const std::string& engine) {
   const std::string path = run_path(folder, row.name);
-  if (!std::filesystem::exists(path)) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
     if (row.status != "failed") {
       row.status = "missing";
       row.error.clear();

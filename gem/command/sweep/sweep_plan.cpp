@@ -14,6 +14,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/command/index_list.h"
+#include "gem/command/sweep/case_difference.h"
 #include "gem/command/sweep/process_pool.h"
 #include "gem/engine/cuda/cuda_engine.h"
 #include "gem/record/output_path.h"
@@ -92,8 +93,10 @@ void choose_what_to_do(const SweepRunChoice& choice, SweepPlan& plan) {
   for (std::size_t i = 0; i < plan.rows.size(); ++i) {
     const SweepRow& row = plan.rows[i];
     if (row.status == "other" && !choice.overwrite)
-      throw Error(ExitCode::file_system, shown(run_path(choice.folder, row.name)) + " does not belong to this sweep (" +
-                                             row.error + ") use --overwrite or another --out");
+      throw Error(ExitCode::file_system,
+                  shown(run_path(choice.folder, row.name)) + " does not belong to this sweep (" + row.error +
+                      case_difference(run_path(choice.folder, row.name), plan.members[plan.chosen[i]].scene) +
+                      ") use --overwrite or another --out");
     if (row.status != "done" || choice.overwrite) plan.to_do.push_back(i);
   }
 }
@@ -126,6 +129,8 @@ std::vector<int> gpus_that_answer() {
 void group(SweepPlan& plan) {
   const std::string& engine = plan.settings.engine.name;
   if (engine == "cuda" || engine == "auto") plan.devices = gpus_that_answer();
+  if (engine == "cuda" && plan.devices.empty())
+    throw Error(ExitCode::device, "no GPU answers (`gem devices` says why) use --engine cpu");
   std::vector<std::int64_t> steps;
   for (const std::size_t place : plan.to_do) steps.push_back(steps_of(plan.members[plan.chosen[place]].scene));
   plan.batches = share_runs(steps, plan.devices.size());
@@ -170,7 +175,7 @@ std::vector<SweepRow> known_rows(const std::string& folder, const std::vector<Sw
 
 SweepPlan plan_sweep(const SweepRunChoice& choice, RunLog& log) {
   SweepPlan plan;
-  plan.members = expand_sweep(choice.path, choice.overrides);
+  plan.members = read_sweep(choice.path, choice.overrides);
   check_files(plan.members);
   plan.chosen = parse_index_list(choice.index, plan.members.size());
   plan.settings.folder = choice.folder;

@@ -14,7 +14,7 @@ namespace gem {
 namespace {
 
 std::vector<SweepRow> rows_of(const SweepStatusChoice& choice, const std::string& folder) {
-  if (!choice.folder.empty()) return known_rows(folder, expand_sweep(choice.path, choice.overrides));
+  if (!choice.folder.empty()) return known_rows(folder, read_sweep(choice.path, choice.overrides));
   std::vector<SweepRow> rows = read_manifest(folder);
   if (rows.empty())
     throw Error(ExitCode::file_system, shown(folder) +
@@ -38,7 +38,7 @@ std::string table_text(const std::vector<SweepRow>& rows) {
     text += cell(std::to_string(row.index), 5) + cell(shown(row.name), width) + cell(row.status, 7) +
             cell(row.state_hash.empty() ? "-" : row.state_hash, 16) + cell(row.engine.empty() ? "-" : row.engine, 6) +
             cell(number_text(row.time_s, 6) + " s", 9) + cell(fixed_text(row.wall_time_s, 1) + " s", 7) +
-            cell(row.verdict.empty() ? "-" : row.verdict, 10) + row.error + "\n";
+            cell(row.verdict.empty() ? "-" : row.verdict, 10) + shown(row.error) + "\n";
   }
   text += std::to_string(rows.size()) + " runs:";
   for (const auto& [status, runs] : count) text += " " + std::to_string(runs) + " " + status;
@@ -48,7 +48,8 @@ std::string table_text(const std::vector<SweepRow>& rows) {
 }  // namespace
 
 int sweep_status(const SweepStatusChoice& choice) {
-  const bool is_folder = std::filesystem::is_directory(choice.path);
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(choice.path, ignored);
   if (!is_folder && choice.folder.empty())
     throw Error(ExitCode::usage, shown(choice.path) +
                                      " is not a folder (a sweep file needs the folder of its runs) "

@@ -10,6 +10,11 @@ namespace gem {
 
 namespace {
 
+/// Two corners that point at each other are farther apart than the narrow phase measures along the normals of their
+/// faces. So a list of pairs closer than the contact margin would miss contacts, and bits would depend on the list.
+/// This many contact margins more are enough where the two angles at the corners are above 30 degrees together.
+constexpr double corner_distance = 4.0;
+
 /// Largest speed of any point in the initial state or in the current [m/s]: the scale of the residual and of the
 /// contact margin.
 double fastest_of(const SceneDef& scene) {
@@ -46,7 +51,7 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
   c.repair_speed = scene.numerics.repair_speed_m_per_s;
   // the contact reach beyond the drift of one time step
   c.repair_reach = std::max((scene.numerics.contact_reach - 1.0) * fastest, c.repair_speed) * c.dt;
-  c.list_margin = scene.numerics.list_margin_m;
+  c.list_margin = std::max(scene.numerics.list_margin_m, corner_distance * c.contact_margin);
   // 400: chosen by hand; bounds the life of a list in slow water, affects only speed
   const double drift_speed = length(scene.current.velocity_m_per_s) + 1e-3;
   c.list_horizon = std::clamp<std::int64_t>(static_cast<std::int64_t>(c.list_margin / (drift_speed * c.dt)), 1, 400);

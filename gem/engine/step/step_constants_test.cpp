@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gem/engine/engine.h"
+#include "gem/engine/testing/test_scenes.h"
 #include "gem/field/field.h"
 #include "gem/scene/check_scene.h"
 
@@ -70,6 +71,24 @@ TEST(StepConstants, AnEndThatTurnsIsSeenBeforeItIsIn) {
     // from the straight path that the events stop, for both floes. The iterations leave their residual.
     EXPECT_LT(deepest, 2.0 * 0.5 * std::sqrt(50.0) * 0.25 * dt * dt + residual * dt) << "dt " << dt;
   }
+}
+
+// The list chooses which pairs are looked at, and never what is found. Corners that point at each other need the most
+// room.
+TEST(StepConstants, TheListMarginDoesNotChangeBits) {
+  SceneDef scene = test::busy_scene(1);
+  scene.contact.solver = ContactSolver::coupled;
+  scene.numerics.contact_reach = 10.0;
+  std::vector<std::uint64_t> hashes;
+  for (const double margin : {0.0, 0.01, 0.1, 2.5, 20.0}) {
+    scene.numerics.list_margin_m = margin;
+    const auto engine = make_engine(scene, make_field(scene), {"cpu", 1});
+    StepLog log;
+    engine->advance(400, log);
+    ASSERT_GT(test::contacts_in(log), 1000) << "margin " << margin;
+    hashes.push_back(engine->state_hash());
+  }
+  for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, hashes.back());
 }
 
 TEST(StepConstants, ATimeStepTooLongForASpinIsRefused) {

@@ -8,6 +8,7 @@
 
 #include "gem/base/error.h"
 #include "gem/report/figures/run_program.h"
+#include "gem/report/plain_text.h"
 
 namespace gem {
 namespace {
@@ -135,9 +136,17 @@ Figure PlotFolder::draw(Figure figure, PlotSize size, const std::string& command
   return figure;
 }
 
+// Between single quotes gnuplot knows no escapes and runs nothing. Only the quote itself and the end of the line end
+// the text, and neither is left in it. A doubled quote would not do: at the start of a text it ends an empty one.
 std::string quoted(const std::string& text) {
   std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
+  for (const char c : plain_text(text))
+    if (c == '\'')
+      result += "\u2019";
+    else if (c == '`')
+      result += "\u2018";
+    else
+      result += c;
   return result + "'";
 }
 

@@ -49,7 +49,7 @@ class PlotFolder {
   std::string stamp_;
 };
 
-/// Text between single quotes for gnuplot.
+/// Any text as a text of a gnuplot script, on one line between single quotes. Quotes in it become typographic ones.
 std::string quoted(const std::string& text);
 
 }  // namespace gem

@@ -9,7 +9,7 @@
 #include "gem/events/mooring.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
-#include "gem/scene/toml/scene_file.h"
+#include "gem/record/stored_case.h"
 
 namespace gem {
 namespace {
@@ -31,29 +31,42 @@ RunIdentity identity(const RunFile& file, const SceneDef& scene) {
   return id;
 }
 
+[[noreturn]] void refuse_record(const RunFile& file, const std::string& why) {
+  throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + why +
+                                         ") the file may be damaged or made by another program");
+}
+
+/// Columns of one record, by name. A column that a run did not record, or that older files lack, is empty.
+struct NamedColumn {
+  const char* name;
+  std::vector<double>* values;
+};
+
+/// Checks that the times of a record ascend (those of events need not: an event is written at its end) and that its
+/// columns are as long as these. `needed` columns must be there, and hold numbers.
+void check_record(const RunFile& file, const std::string& record, const std::vector<double>& time,
+                  const std::vector<NamedColumn>& needed, const std::vector<NamedColumn>& others = {}) {
+  const bool ascends = record != "events";
+  for (std::size_t i = 0; i < time.size(); ++i)
+    if (!std::isfinite(time[i]) || (ascends && i > 0 && time[i] < time[i - 1]))
+      refuse_record(file, record + "/time does not ascend at row " + std::to_string(i));
+  const auto check_length = [&](const NamedColumn& column) {
+    if (column.values->size() != time.size())
+      refuse_record(file, record + "/" + column.name + " has " + std::to_string(column.values->size()) + " rows, " +
+                              record + "/time " + std::to_string(time.size()));
+  };
+  for (const NamedColumn& column : needed) {
+    check_length(column);
+    if (!std::all_of(column.values->begin(), column.values->end(), [](double value) { return std::isfinite(value); }))
+      refuse_record(file, record + "/" + column.name + " holds a value that is not a number");
+  }
+  for (const NamedColumn& column : others)
+    if (!column.values->empty()) check_length(column);
+}
+
 /// Empty if the run has no such record, for example without a platform.
 std::vector<double> column(const RunFile& file, const std::string& dataset) {
   return file.has(dataset) ? file.column(dataset) : std::vector<double>{};
-}
-
-/// A record that is read by index must have columns of one length. In a run that was killed, some may be longer.
-void settle(const RunFile& file, const std::string& group, const std::vector<std::vector<double>*>& columns) {
-  std::size_t shortest = columns.front()->size();
-  for (const std::vector<double>* one : columns) shortest = std::min(shortest, one->size());
-  for (std::vector<double>* one : columns) {
-    if (one->size() != shortest && file.status() == "complete")
-      throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (the columns of " + group +
-                                             " differ in length) the file may be damaged");
-    one->resize(shortest);
-  }
-}
-
-void check_finite(const RunFile& file, const std::string& group, const std::vector<std::vector<double>*>& columns) {
-  for (const std::vector<double>* one : columns)
-    for (const double value : *one)
-      if (!std::isfinite(value))
-        throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + group +
-                                               " holds a value that is not a finite number) the file may be damaged");
 }
 
 PlatformRecord platform_record(const RunFile& file) {
@@ -68,18 +81,16 @@ PlatformRecord platform_record(const RunFile& file) {
                    read("mooring_force_x"),
                    read("mooring_force_y"),
                    read("contacts")};
-  const std::vector<std::vector<double>*> columns = {&p.time,
-                                                     &p.x,
-                                                     &p.y,
-                                                     &p.ice_force_x,
-                                                     &p.ice_force_y,
-                                                     &p.ice_force_mean_x,
-                                                     &p.ice_force_mean_y,
-                                                     &p.mooring_force_x,
-                                                     &p.mooring_force_y,
-                                                     &p.contacts};
-  settle(file, "platform", columns);
-  check_finite(file, "platform", columns);
+  check_record(file, "platform", p.time,
+               {{"x", &p.x},
+                {"y", &p.y},
+                {"ice_force_x", &p.ice_force_x},
+                {"ice_force_y", &p.ice_force_y},
+                {"ice_force_mean_x", &p.ice_force_mean_x},
+                {"ice_force_mean_y", &p.ice_force_mean_y},
+                {"mooring_force_x", &p.mooring_force_x},
+                {"mooring_force_y", &p.mooring_force_y},
+                {"contacts", &p.contacts}});
   return p;
 }
 
@@ -87,14 +98,15 @@ EventColumns event_record(const RunFile& file) {
   const auto read = [&file](const std::string& name) { return column(file, "events/" + name); };
   EventColumns events{read("time"), {}, read("nx"), read("ny"), read("impulse"), read("force_peak")};
   std::vector<double> bodies = read("body_b");
-  const std::vector<std::vector<double>*> columns = {&events.time, &bodies,         &events.nx,
-                                                     &events.ny,   &events.impulse, &events.force_peak};
-  settle(file, "events", columns);
-  check_finite(file, "events", columns);
+  check_record(file, "events", events.time,
+               {{"nx", &events.nx},
+                {"ny", &events.ny},
+                {"impulse", &events.impulse},
+                {"force_peak", &events.force_peak},
+                {"body_b", &bodies}});
   for (const double body : bodies) {
-    if (std::abs(body) > std::numeric_limits<std::int32_t>::max())
-      throw Error(ExitCode::file_system,
-                  "cannot read " + shown(file.path()) + " (events/body_b holds no body) the file may be damaged");
+    if (body < 0.0 || body > std::numeric_limits<std::int32_t>::max())
+      refuse_record(file, "events/body_b holds a number that no body has");
     events.body_b.push_back(static_cast<std::int32_t>(body));
   }
   return events;
@@ -115,13 +127,22 @@ StatsRecord stats_record(const RunFile& file) {
                 read("energy_created"),
                 overlaps_of(file, "stats/overlap_count"),
                 overlaps_of(file, "stats/overlap_share_count")};
-  settle(file, "stats",
-         {&s.time, &s.residual_momentum, &s.residual_angular_momentum, &s.residual_energy, &s.maximum_overlap,
-          &s.wall_time});
+  check_record(file, "stats", s.time, {{"residual_momentum", &s.residual_momentum}, {"wall_time", &s.wall_time}},
+               {{"residual_angular_momentum", &s.residual_angular_momentum},
+                {"residual_energy", &s.residual_energy},
+                {"maximum_overlap", &s.maximum_overlap},
+                {"sim_rate", &s.sim_rate},
+                {"maximum_overlap_share", &s.maximum_overlap_share},
+                {"complementarity", &s.complementarity},
+                {"cone_excess", &s.cone_excess},
+                {"energy_created", &s.energy_created}});
   return s;
 }
 
-FloeFrame floe_frame(const FrameView& view) {
+FloeFrame floe_frame(const RunFile& file, std::size_t index) {
+  const FrameView view = file.frame(index);
+  for (const std::vector<float>* values : {&view.y, &view.theta, &view.vx, &view.vy, &view.active})
+    if (values->size() != view.x.size()) refuse_record(file, "the columns of floes differ in length");
   FloeFrame frame;
   frame.time = view.time;
   for (std::size_t i = 0; i < view.x.size(); ++i) {
@@ -136,10 +157,9 @@ FloeFrame floe_frame(const FrameView& view) {
 
 std::vector<FloeFrame> up_to_three_frames(const RunFile& file) {
   const std::size_t count = file.frame_count();
-  if (count >= 3)
-    return {floe_frame(file.frame(0)), floe_frame(file.frame(count / 2)), floe_frame(file.frame(count - 1))};
+  if (count >= 3) return {floe_frame(file, 0), floe_frame(file, count / 2), floe_frame(file, count - 1)};
   std::vector<FloeFrame> frames;
-  for (std::size_t i = 0; i < count; ++i) frames.push_back(floe_frame(file.frame(i)));
+  for (std::size_t i = 0; i < count; ++i) frames.push_back(floe_frame(file, i));
   return frames;
 }
 
@@ -147,7 +167,7 @@ std::vector<FloeFrame> up_to_three_frames(const RunFile& file) {
 
 RunData load_run(const std::string& run_file, bool allow_incomplete) {
   const RunFile file(run_file, allow_incomplete);
-  const SceneDef scene = parse_scene(file.attribute("gem_case_toml"), run_file);
+  const SceneDef scene = stored_scene(file);
   RunData run;
   run.identity = identity(file, scene);
   run.verdict = verdict_of(file);
@@ -163,6 +183,9 @@ RunData load_run(const std::string& run_file, bool allow_incomplete) {
   run.platform_outline = file.platform_outline();
   run.fixed = file.boundary_outlines();
   run.floe_outlines = file.floe_outlines();
+  for (const std::vector<Corners>& outlines : {run.fixed, run.floe_outlines})
+    for (const Corners& outline : outlines)
+      if (outline.size() < 3) refuse_record(file, "an outline has " + std::to_string(outline.size()) + " corners");
   run.frames = up_to_three_frames(file);
   return run;
 }

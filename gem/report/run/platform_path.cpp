@@ -7,7 +7,7 @@
 #include "gem/base/error.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
-#include "gem/scene/toml/scene_file.h"
+#include "gem/record/stored_case.h"
 
 namespace gem {
 namespace {
@@ -45,7 +45,7 @@ PlatformPath read_path(const std::string& run_file, double interval_s) {
   if (!(time.back() / interval_s < samples_maximum) || !std::is_sorted(time.begin(), time.end()))
     throw Error(ExitCode::file_system,
                 "cannot read " + shown(run_file) + " (its platform record has no valid times) the file may be damaged");
-  const Vec2 rest = parse_scene(file.attribute("gem_case_toml"), run_file).platform.anchor_m;
+  const Vec2 rest = stored_scene(file).platform.anchor_m;
   const std::vector<std::size_t> samples = samples_at(time, interval_s);
   path.x = picked(file, "platform/x", samples, rest.x);
   path.y = picked(file, "platform/y", samples, rest.y);

@@ -15,7 +15,6 @@ namespace {
 using SceneTable = OptionTable<SceneDef>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range place_range = {-1e6, 1e6};
 constexpr Range speed_range = {-10.0, 10.0};
 constexpr Range density_range = {1.0, 1e4};
 constexpr Range extent_range = {0.0, 1e6, true};
@@ -63,6 +62,9 @@ void add_floe_source(SceneTable& t) {
   t.text("floes.path",
          "floe file for source = \"file\": .csv, .geojson or a run file (its initial floes), relative to the case file",
          GEM_FIELD(floes.path));
+  t.text("floes.sha256",
+         "SHA-256 of the floes that floes.path must hold: a file with other floes is refused. Stored cases have it",
+         GEM_FIELD(floes.sha256));
   t.integer("floes.count", {0.0, 1e7},
             "number of floes; it sets the concentration: count x (size_mean_m^2 + size_deviation_m^2) / "
             "(length_m x width_m)",
@@ -223,7 +225,8 @@ std::vector<Option<FloeDef>> make_floe_options() {
   t.outline("outline_m", {-1e3, 1e3}, "corners in body coordinates, any origin, either direction",
             GEM_FIELD(outline_m));
   t.pair("position_m", "m", place_range, "where the outline's origin stands", GEM_FIELD(position_m));
-  t.number("angle_rad", "rad", {-100.0, 100.0}, "rotation about the outline's origin", GEM_FIELD(angle_rad));
+  t.number("angle_rad", "rad", {-6.3, 6.3}, "rotation about the outline's origin", GEM_FIELD(angle_rad),
+           "one turn; 45 degrees are 0.785");
   t.pair("velocity_m_per_s", "m/s", speed_range, "velocity at the start", GEM_FIELD(velocity_m_per_s));
   t.number("spin_rad_per_s", "rad/s", {-10.0, 10.0}, "spin at the start", GEM_FIELD(spin_rad_per_s));
   t.number("thickness_m", "m", thickness_range, "thickness", GEM_FIELD(thickness_m));

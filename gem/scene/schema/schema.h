@@ -26,6 +26,7 @@ struct Range {
   }
 };
 
+inline constexpr Range place_range = {-1e6, 1e6};        // of a coordinate [m]
 inline constexpr Range floe_size_range = {0.1, 1000.0};  // root of the area [m]
 inline constexpr Range thickness_range = {0.01, 10.0};   // of ice [m]
 
@@ -60,9 +61,9 @@ const std::vector<Option<IceClassDef>>& ice_class_options();
 const std::vector<Option<FloeDef>>& floe_options();
 const std::vector<Option<FixedDef>>& fixed_options();
 
-/// Allowed number of corners in a list of a case file. check_outline() then allows fewer, and names the body.
+/// Allowed number of corners of an outline.
 inline constexpr std::size_t listed_corners_minimum = 3;
-inline constexpr std::size_t listed_corners_maximum = 256;
+inline constexpr std::size_t listed_corners_maximum = 20;
 
 /// A key that had another name in older files. Both names are read; a run reports the old one in a line.
 struct RenamedKey {

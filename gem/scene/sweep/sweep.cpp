@@ -13,6 +13,8 @@
 namespace gem {
 namespace {
 
+constexpr std::size_t listed_maximum = 2'000'000;  // about 600 MB in memory
+
 [[noreturn]] void reject_sweep(const TomlPlace& place, const std::string& problem) {
   throw Error(ExitCode::scene_rejected, to_string(place) + ": sweep: " + problem);
 }
@@ -43,7 +45,9 @@ TomlNode without_sweep(TomlNode document) {
   return document;
 }
 
-std::vector<SweepMember> expand(TomlNode document, const std::vector<std::string>& overrides) {
+}  // namespace
+
+std::vector<SweepMember> expand_sweep(TomlNode document, const std::vector<std::string>& overrides) {
   apply_overrides(document, overrides);
   const TomlNode* sweep = document.find("sweep");
   if (sweep == nullptr) reject_sweep(document.place, "missing; the file is a single case, not a sweep");
@@ -52,9 +56,17 @@ std::vector<SweepMember> expand(TomlNode document, const std::vector<std::string
   const SceneDef base_scene = scene_from_tree(base, problems);
   problems.throw_if_any();
 
+  const std::vector<SweepDraft> drafts = make_sweep_drafts(*sweep);
+  const auto check_listed = [sweep](std::size_t bodies) {
+    if (bodies > listed_maximum)
+      reject_sweep(sweep->key_place, "its runs list too many floes and fixed bodies together (allowed " +
+                                         std::to_string(listed_maximum) + ") keep the floes in a file");
+  };
+  check_listed(drafts.size() * (base_scene.floe.size() + base_scene.fixed.size()));
   std::vector<SweepMember> members;
   std::set<std::string> names;
-  for (const SweepDraft& draft : make_sweep_drafts(*sweep)) {
+  std::size_t listed = 0;
+  for (const SweepDraft& draft : drafts) {
     TomlNode tree = base;
     merge_toml(tree, draft.settings);
     for (const std::string& text : overrides) merge_toml(tree, without_sweep(parse_override(text)));
@@ -68,22 +80,22 @@ std::vector<SweepMember> expand(TomlNode document, const std::vector<std::string
     merge_toml(tree, nested_toml("run.name", name));
     member.scene = checked_scene(tree);
     member.differences = differences(base_scene, member.scene);
+    listed += member.scene.floe.size() + member.scene.fixed.size();
+    check_listed(listed);
     members.push_back(std::move(member));
   }
   return members;
 }
 
-}  // namespace
-
 bool is_sweep(const std::string& path) { return load_document(path).find("sweep") != nullptr; }
 
 std::vector<SweepMember> expand_sweep(const std::string& path, const std::vector<std::string>& overrides) {
-  return expand(load_document(path), overrides);
+  return expand_sweep(load_document(path), overrides);
 }
 
 std::vector<SweepMember> expand_sweep_text(const std::string& text, const std::string& origin,
                                            const std::vector<std::string>& overrides) {
-  return expand(load_text(text, origin), overrides);
+  return expand_sweep(load_text(text, origin), overrides);
 }
 
 }  // namespace gem

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gem/scene/scene_def.h"
+#include "gem/scene/toml/toml_tree.h"
 
 namespace gem {
 
@@ -40,6 +41,9 @@ bool is_sweep(const std::string& path);
 /// Overrides go to every member, or to the table itself ("sweep.seeds.count=20").
 /// Throws Error(scene_rejected) with the place of each fault.
 std::vector<SweepMember> expand_sweep(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// The same from a document of load_document().
+std::vector<SweepMember> expand_sweep(TomlNode document, const std::vector<std::string>& overrides);
 
 /// The same from text.
 std::vector<SweepMember> expand_sweep_text(const std::string& text, const std::string& origin,

@@ -13,6 +13,8 @@ namespace gem {
 namespace {
 
 constexpr std::size_t members_maximum = 100000;
+constexpr std::size_t name_pattern_maximum = 400;  // bytes; a name may have 200
+constexpr std::size_t label_maximum = 200;
 
 using Draft = SweepDraft;
 
@@ -36,6 +38,9 @@ const TomlNode& expect(const TomlNode& node, TomlKind kind, const std::string& k
 std::string label(const TomlNode& value) {
   switch (value.kind) {
     case TomlKind::text:
+      if (value.text.size() > label_maximum)
+        reject(value.place, "sweep",
+               "a value of an axis is too long (allowed " + std::to_string(label_maximum) + " bytes)");
       return value.text;
     case TomlKind::integer:
       return std::to_string(value.integer);
@@ -90,6 +95,8 @@ class ProductSweep {
     if (name == nullptr)
       reject(sweep.key_place, "sweep.name", "missing; give a pattern such as \"{" + axes_[0].name + "}\"");
     pattern_ = expect(*name, TomlKind::text, "sweep.name", "text").text;
+    if (pattern_.size() > name_pattern_maximum)
+      reject(name->place, "sweep.name", "too long (allowed " + std::to_string(name_pattern_maximum) + " bytes)");
     check_axis_names();
   }
 

@@ -116,6 +116,36 @@ struct BadSweep {
   const char* expected;
 };
 
+TEST(Sweep, SizesHaveLimits) {
+  const std::string product = "[sweep]\nmode = \"product\"\n", map = "map.gap = \"boundary.gap_m\"\n";
+  std::string hundreds = "[300";
+  for (int i = 1; i < 400; ++i) hundreds += ", " + std::to_string(300 + i);
+  std::string floes = "[floes]\nsource = \"listed\"\n";
+  for (int i = 0; i < 201; ++i) floes += "[[floe]]\noutline_m = [[0, 0], [9, 0], [9, 9]]\nposition_m = [-200, 0]\n";
+  const struct {
+    std::string text;
+    const char* expected;
+  } rows[] = {
+      {product + "name = \"{a}{gap}\"\ngap = " + hundreds + "]\na = " + hundreds + "]\n" + map +
+           "map.a = \"run.seed\"\n",
+       "sweep: too many runs (allowed 100000)"},
+      {product + "name = \"" + std::string(401, 'n') + "\"\ngap = [300]\n" + map, "sweep.name: too long"},
+      {product + "name = \"{gap}\"\ngap = [\"" + std::string(201, 'v') + "\"]\n" + map,
+       "a value of an axis is too long"},
+      {floes + "[sweep]\nmode = \"list\"\nseeds = { count = 10000 }\n[[sweep.run]]\nname = \"a\"\n",
+       "list too many floes and fixed bodies together"},
+  };
+  for (const auto& row : rows) {
+    try {
+      expand_sweep_text(row.text, "bad.toml");
+      ADD_FAILURE() << "accepted: " << row.expected;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(row.expected), std::string::npos)
+          << std::string(error.what()).substr(0, 300);
+    }
+  }
+}
+
 TEST(Sweep, FaultsAreNamedWithTheirPlace) {
   const std::vector<BadSweep> bad = {
       {"[run]\n", "bad.toml: sweep: missing"},

@@ -19,6 +19,21 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t include_depth_maximum = 16;
+constexpr std::size_t include_files_maximum =
+    256;  // of one case; files that include each other twice double with depth
+
+/// The files that are being read, innermost last, and how many were read.
+struct Reading {
+  std::vector<fs::path> open;
+  std::size_t files = 0;
+};
+
+/// The path without links. A pipe such as /dev/fd/63 and a loop of links have none; reading says what is wrong.
+fs::path resolved_path(const fs::path& path) {
+  std::error_code fault;
+  const fs::path resolved = fs::weakly_canonical(path, fault);
+  return fault ? path : resolved;
+}
 
 std::string read_text(const std::string& path) {
   std::error_code code;
@@ -77,14 +92,15 @@ TomlNode parse_document(const std::string& text, const std::string& origin) {
   return document;
 }
 
-TomlNode with_includes(TomlNode document, const fs::path& folder, std::vector<fs::path>& open);
+TomlNode with_includes(TomlNode document, const fs::path& folder, Reading& reading);
 
-TomlNode load_file(const fs::path& path, std::vector<fs::path>& open) {
-  open.push_back(fs::weakly_canonical(path));
+TomlNode load_file(const fs::path& path, Reading& reading) {
+  reading.open.push_back(resolved_path(path));
+  ++reading.files;
   TomlNode document = parse_document(read_text(path.string()), path.string());
   anchor_paths(document, path.parent_path());
-  document = with_includes(std::move(document), path.parent_path(), open);
-  open.pop_back();
+  document = with_includes(std::move(document), path.parent_path(), reading);
+  reading.open.pop_back();
   return document;
 }
 
@@ -92,7 +108,7 @@ TomlNode load_file(const fs::path& path, std::vector<fs::path>& open) {
   throw Error(ExitCode::scene_rejected, to_string(node.place) + ": include: " + problem);
 }
 
-TomlNode with_includes(TomlNode document, const fs::path& folder, std::vector<fs::path>& open) {
+TomlNode with_includes(TomlNode document, const fs::path& folder, Reading& reading) {
   const TomlNode* include = document.find("include");
   if (include == nullptr) return document;
   if (include->kind != TomlKind::list)
@@ -102,11 +118,13 @@ TomlNode with_includes(TomlNode document, const fs::path& folder, std::vector<fs
   for (const TomlNode& item : include->items) {
     if (item.kind != TomlKind::text) reject_include(item, "expected a file name, got " + describe(item));
     const fs::path path = folder / item.text;
-    if (std::find(open.begin(), open.end(), fs::weakly_canonical(path)) != open.end())
+    if (std::find(reading.open.begin(), reading.open.end(), resolved_path(path)) != reading.open.end())
       reject_include(item, "the file includes itself (value " + describe(item) + ")");
-    if (open.size() >= include_depth_maximum)
+    if (reading.open.size() >= include_depth_maximum)
       reject_include(item, "includes are nested too deep (allowed " + std::to_string(include_depth_maximum) + ")");
-    merge_toml(merged, load_file(path, open));
+    if (reading.files >= include_files_maximum)
+      reject_include(item, "too many files (allowed " + std::to_string(include_files_maximum) + ")");
+    merge_toml(merged, load_file(path, reading));
   }
   merge_toml(merged, document);
   std::erase_if(merged.entries, [](const auto& entry) { return entry.first == "include"; });
@@ -116,13 +134,15 @@ TomlNode with_includes(TomlNode document, const fs::path& folder, std::vector<fs
 }  // namespace
 
 TomlNode load_document(const std::string& path) {
-  std::vector<fs::path> open;
-  return load_file(path, open);
+  Reading reading;
+  return load_file(path, reading);
 }
 
 TomlNode load_text(const std::string& text, const std::string& origin) {
-  std::vector<fs::path> open;
-  return with_includes(parse_document(text, origin), {}, open);
+  TomlNode document = parse_document(text, origin);
+  if (const TomlNode* include = document.find("include"))
+    reject_include(*include, "only a file can include others; paths in a text from elsewhere are not opened");
+  return document;
 }
 
 namespace {
@@ -166,7 +186,12 @@ TomlNode parse_override(const std::string& text) {
 }
 
 void apply_overrides(TomlNode& document, const std::vector<std::string>& overrides) {
-  for (const std::string& text : overrides) merge_toml(document, parse_override(text));
+  for (const std::string& text : overrides) {
+    const TomlNode later = parse_override(text);
+    if (const TomlNode* include = later.find("include"))
+      reject_include(*include, "only a file can include others; write include in the case file");
+    merge_toml(document, later);
+  }
 }
 
 }  // namespace gem

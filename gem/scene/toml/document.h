@@ -12,7 +12,7 @@ namespace gem {
 /// `floes.path` becomes relative to the working directory. Throws Error(file_system) or Error(scene_rejected).
 TomlNode load_document(const std::string& path);
 
-/// Reads a document from text; its includes and paths are relative to the working directory.
+/// Reads a document from text. It opens no file: include is refused. Paths are relative to the working directory.
 TomlNode load_text(const std::string& text, const std::string& origin);
 
 /// Parses one override "key.path=value" in TOML syntax; a text of one word needs no quotes. Messages call it "--set

@@ -1,9 +1,11 @@
 // Reads whole scenes from documents and writes their resolved text.
 #include "gem/scene/toml/scene_file.h"
 
+#include "gem/base/error.h"
 #include "gem/base/sha256.h"
 #include "gem/scene/toml/document.h"
 #include "gem/scene/toml/scene_tree.h"
+#include "gem/scene/toml/toml_text.h"
 
 namespace gem {
 namespace {
@@ -19,16 +21,17 @@ void append_entries(std::string& text, const std::string& name, const std::vecto
 
 }  // namespace
 
-SceneDef read_scene(const std::string& path, const std::vector<std::string>& overrides) {
-  TomlNode document = load_document(path);
+SceneDef scene_of(TomlNode document, const std::vector<std::string>& overrides) {
   apply_overrides(document, overrides);
   return checked_scene(document);
 }
 
+SceneDef read_scene(const std::string& path, const std::vector<std::string>& overrides) {
+  return scene_of(load_document(path), overrides);
+}
+
 SceneDef parse_scene(const std::string& text, const std::string& origin, const std::vector<std::string>& overrides) {
-  TomlNode document = load_text(text, origin);
-  apply_overrides(document, overrides);
-  return checked_scene(document);
+  return scene_of(load_text(text, origin), overrides);
 }
 
 std::string resolved_toml(const SceneDef& scene) {
@@ -43,6 +46,8 @@ std::string resolved_toml(const SceneDef& scene) {
       if (section == "ice" && scene.floes.classes.empty()) text += "class = []\n";
       open_section = section;
     }
+    // Not written where it is not given, so that cases without a floe file keep their hash.
+    if (option.path == "floes.sha256" && scene.floes.sha256.empty()) continue;
     text += option.path.substr(dot + 1) + " = " + value_text(option.get(scene)) + "\n";
   }
   append_entries(text, "ice.class", scene.floes.classes, ice_class_options());
@@ -51,6 +56,30 @@ std::string resolved_toml(const SceneDef& scene) {
   return text;
 }
 
-std::string scene_hash(const SceneDef& scene) { return sha256_hex(resolved_toml(scene)); }
+std::string case_hash(const std::string& resolved_text) {
+  const std::size_t named = resolved_text.find("\nsha256 = ");
+  const std::size_t path = resolved_text.rfind("\npath = ", named);
+  if (named == std::string::npos || path == std::string::npos) return sha256_hex(resolved_text);
+  std::string without_path = resolved_text;
+  return sha256_hex(without_path.erase(path, resolved_text.find('\n', path + 1) - path));
+}
+
+std::string scene_hash(const SceneDef& scene) { return case_hash(resolved_toml(scene)); }
+
+std::string floes_sha256(const std::vector<FloeDef>& floes) {
+  std::string text;
+  append_entries(text, "floe", floes, floe_options());
+  return sha256_hex(text);
+}
+
+void check_same_floes(const SceneDef& scene, const std::vector<FloeDef>& floes) {
+  if (scene.floes.sha256.empty()) return;
+  const std::string found = floes_sha256(floes);
+  if (found == scene.floes.sha256) return;
+  throw Error(ExitCode::scene_rejected,
+              "floes.sha256: " + quoted_text(scene.floes.path) + " holds other floes than the case names (SHA-256 " +
+                  found + ", the case says " + scene.floes.sha256 +
+                  ") restore the file, or leave floes.sha256 out to run with the floes that it holds");
+}
 
 }  // namespace gem

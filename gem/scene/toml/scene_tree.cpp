@@ -108,6 +108,8 @@ SceneDef scene_from_tree(const TomlNode& document, Problems& problems) {
       read_list(value, name, fixed_options(), scene.fixed, problems);
     } else if (name == "sweep") {
       problems.add(value.key_place, name, "the file is a sweep of several runs; choose one with --index");
+    } else if (name == "include") {
+      problems.add(value.key_place, name, "stands only at the top of a file, before its sections");
     } else if (!sections.contains(name)) {
       const bool table = value.kind == TomlKind::table;
       std::vector<std::string> candidates = known_keys();

@@ -2,10 +2,10 @@
 #include "validation/paper/runs/paper_run.h"
 
 #include "gem/analysis/statistics/moments.h"
+#include "gem/record/stored_case.h"
 #include "gem/report/run/load_run.h"
 #include "gem/report/run/platform_series.h"
 #include "gem/report/run/run_findings.h"
-#include "gem/scene/toml/scene_file.h"
 #include "validation/paper/runs/field_numbers.h"
 
 namespace gem {
@@ -67,8 +67,8 @@ PlatformPath thinned(const PlatformPath& path, double interval_s) {
 PaperRun paper_run(const RunFile& records, const RunData& data, NullModel null_model) {
   PaperRun run;
   run.file = records.path();
-  run.case_toml = records.attribute("gem_case_toml");
-  run.scene = parse_scene(run.case_toml, run.file);
+  run.case_toml = stored_case(records);
+  run.scene = stored_scene(records);
   run.seed = run.scene.run.seed;
   run.condition = condition_of(run.scene.run.name, run.seed);
   run.source = data.identity.source;

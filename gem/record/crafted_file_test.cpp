@@ -223,7 +223,7 @@ std::vector<Crafted> crafted_structures() {
       {"place that is no number", dataset("platform/x", {H5T_IEEE_F64LE, {201}, [](hid_t) {}, with(ramp, 3, nan)}),
        "platform/x holds a value that is not a number"},
       {"floes with one dimension", dataset("floes/x", {H5T_IEEE_F32LE, {10}}), "another shape"},
-      {"fewer floes in one column", dataset("floes/theta", {H5T_IEEE_F32LE, {5, 1}}), "the columns of floes differ"},
+      {"fewer floes in one column", dataset("floes/theta", {H5T_IEEE_F32LE, {5, 1}}), "not one value for each floe"},
       {"group in place of a column",
        [](hid_t f) {
          H5Ldelete(f, "platform/x", H5P_DEFAULT);

@@ -141,8 +141,6 @@ StatsRecord stats_record(const RunFile& file) {
 
 FloeFrame floe_frame(const RunFile& file, std::size_t index) {
   const FrameView view = file.frame(index);
-  for (const std::vector<float>* values : {&view.y, &view.theta, &view.vx, &view.vy, &view.active})
-    if (values->size() != view.x.size()) refuse_record(file, "the columns of floes differ in length");
   FloeFrame frame;
   frame.time = view.time;
   for (std::size_t i = 0; i < view.x.size(); ++i) {

@@ -1,18 +1,19 @@
 // The writer thread: takes slabs from a short queue, writes and flushes them, and keeps the first failure.
 #include "gem/record/run_writer.h"
 
-#include <unistd.h>
+#include <sys/resource.h>
 
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <future>
 #include <mutex>
 #include <new>
 #include <thread>
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/record/memory_reserve.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_layout.h"
 #include "gem_version.h"
@@ -21,19 +22,8 @@ namespace gem {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-// A kill during the milliseconds of a flush may damage the index of the file, so flushes are at least this far apart.
-// Chosen by hand: a kill loses up to this much wall time more.
-constexpr auto flush_pause = std::chrono::seconds(2);
 constexpr std::size_t queue_limit = 2;         // slabs: one is written while the next is filled
-constexpr std::uint64_t spare_room = 1 << 20;  // for the index of the file and the final status
-
-std::uint64_t bytes(const Slab& slab) {
-  return slab.platform.size() * platform_columns().size() * 8 + slab.events.size() * event_columns().size() * 8 +
-         slab.stats.size() * (stats_columns().size() + count_columns().size() * OverlapCount::classes) * 8 +
-         slab.floes.x.size() * floe_columns().size() * 4;
-}
+constexpr std::uint64_t spare_room = 1 << 20;  // for the index of the file
 
 /// Stops the library from closing files at exit, which fails on a full disk. Switches off its error output, which is
 /// per thread.
@@ -61,26 +51,43 @@ std::string hash_text(std::uint64_t hash) {
 }
 
 class RunWriter::Thread {
+  struct QueuedSlab {
+    Slab slab;
+    bool flush;
+  };
+
  public:
   Thread(const std::string& path, bool overwrite, Start start)
       : path_(path), claim_(path, overwrite), thread_([this, start = std::move(start)]() mutable {
           begin(std::move(start));
+          begun_.set_value();
           work();
-        }) {}
+        }) {
+    // where memory is limited, nothing else may take it while the library builds the file
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) begun_.get_future().wait();
+  }
 
   ~Thread() {
     stop();
-    if (layout_ == nullptr) return;
-    close();
-    if (!any_written_ && !finished_) unlink(path_.c_str());
+    if (layout_ != nullptr) close();
+    if (claim_.published() && !any_written_ && !finished_) claim_.remove();
   }
 
-  void put(Slab slab) {
+  void put(Slab slab, bool flush) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return queue_.size() < queue_limit || failed_; });
     if (failed_) throw failure();
-    queue_.push_back(std::move(slab));
+    queue_.push_back({std::move(slab), flush});
     changed_.notify_all();
+  }
+
+  RowCount flush() {
+    put({}, true);
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return queue_.empty() || failed_; });
+    if (failed_) throw failure();
+    return layout_->visible();
   }
 
   void check() const {
@@ -91,29 +98,29 @@ class RunWriter::Thread {
     stop();
     if (layout_ == nullptr) throw failure();
     guarded([&] {
-      if (!layout_->waiting().empty() && !has_room_for({}) && !failed_) remember("no room left on the disk");
-      if (!failed_) layout_->append_rest();
-      layout_->set_text("gem_state_hash", hash_text(state_hash));
-      if (!verdict.judgements.empty()) layout_->set_verdict(verdict);
-      layout_->set_text("gem_status", failed_ ? "stopped:" + why_ : status);
-      flush();
+      if (failed_ || !ready_for({})) return;
+      layout_->append_rest();
+      if (any_appended_) show();
     });
-    close();
+    set_end(status, state_hash, verdict);
+    claim_.trim();
     finished_ = !failed_;
-    if (!finished_ && !any_written_) unlink(path_.c_str());
+    if (!finished_ && !any_written_) claim_.remove();
     if (failed_) throw failure();
   }
 
  private:
   /// Calls the library. After a failure, which is kept, nothing more is written.
   template <class Action>
-  void guarded(Action action) {
+  void guarded(Action action, std::size_t memory = MemoryReserve::to_write) {
     const std::lock_guard library(hdf5::library_mutex());
+    if (!has_memory(memory)) return;
     prepare_library();
     try {
       action();
     } catch (const hdf5::Failure& fault) {
       broken_ = true;
+      out_of_memory_ = out_of_memory_ || hdf5::is_memory(fault.text);
       remember(fault.text);
     } catch (const std::bad_alloc&) {
       broken_ = out_of_memory_ = true;
@@ -121,14 +128,11 @@ class RunWriter::Thread {
     }
   }
 
-  /// Creates the file and writes what is known at the start. This takes tens of milliseconds, for which the simulation
+  /// Creates the draft and writes what is known at the start. This takes tens of milliseconds, for which the simulation
   /// does not wait.
   void begin(const Start start) {
-    guarded([&] {
-      claim_.let_go();
-      layout_ = std::make_unique<RunLayout>(path_, start.scene, start.bodies, start.provenance);
-    });
-    if (layout_ == nullptr && claim_.made()) unlink(path_.c_str());
+    guarded([&] { layout_ = std::make_unique<RunLayout>(claim_.path(), start.scene, start.bodies, start.provenance); },
+            MemoryReserve::to_begin);
   }
 
   void work() {
@@ -136,39 +140,71 @@ class RunWriter::Thread {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [this] { return !queue_.empty() || stopping_; });
       if (queue_.empty()) return;
-      Slab slab = std::move(queue_.front());
+      QueuedSlab next = std::move(queue_.front());
       lock.unlock();
-      if (!failed_) write(std::move(slab));
+      if (!failed_) write(std::move(next));
       lock.lock();
       queue_.pop_front();
       changed_.notify_all();
     }
   }
 
-  /// A slab is written only if it surely fits, so that the file stays readable when the disk is full.
-  void write(Slab slab) {
+  void write(QueuedSlab next) {
     guarded([&] {
-      if (!has_room_for(slab)) {
-        flush();
-        return remember("no room left on the disk");
-      }
-      unflushed_ += bytes(slab);
-      layout_->append(std::move(slab));
-      if (Clock::now() - flushed_ >= flush_pause) flush();
+      if (!ready_for(next.slab)) return;
+      any_appended_ = any_appended_ || !next.slab.empty();
+      layout_->append(std::move(next.slab));
+      if (next.flush) show();
     });
   }
 
-  /// Rows that wait or are not flushed need disk space too.
-  bool has_room_for(const Slab& slab) const {
-    return room_at(path_) >= unflushed_ + bytes(slab) + bytes(layout_->waiting()) + spare_room;
+  /// Whether the library surely gets the memory that it needs. Else the failure is kept.
+  bool has_memory(std::size_t bytes) {
+    if (MemoryReserve::has(bytes)) return true;
+    reserve_.release();
+    out_of_memory_ = true;
+    remember("out of memory");
+    return false;
   }
 
-  void flush() {
-    layout_->flush();
-    flushed_ = Clock::now();
-    unflushed_ = 0;
-    any_written_ = layout_->any_written();
+  /// Whether the file stands in its place and the slab surely fits. Else the failure is kept and the file stays as it
+  /// is, readable.
+  bool ready_for(const Slab& slab) {
+    if (!has_memory(layout_->room_for(slab) + MemoryReserve::to_write)) return false;
+    if (claim_.is_cut()) {
+      lost_ = broken_ = true;
+      remember("it was truncated during the run");
+    } else if (!claim_.in_place()) {
+      lost_ = true;
+      remember("it was deleted, moved or replaced during the run");
+    } else if (!claim_.reserve(layout_->room_for(slab) + spare_room)) {
+      remember("no room left on the disk");
+      if (any_appended_) show();  // there is room for the slabs before
+    }
+    return !failed_;
+  }
+
+  /// Shows all rows to readers.
+  void show() {
+    layout_->flush([this] { need(claim_.sync()); });
+    if (!claim_.published()) need(claim_.publish());
+    any_written_ = true;
     saved_time_ = layout_->saved_time();
+  }
+
+  static void need(const std::string& fault) {
+    if (!fault.empty()) throw hdf5::Failure{fault};
+  }
+
+  /// Writes the attributes of the end, which stand in the file since its start and need no room, and closes the file.
+  /// If the library is stuck with what it could not write, they are written past it.
+  void set_end(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
+    reserve_.release();
+    const auto end = [&] { return failed_ ? "stopped:" + why_ : status; };
+    if (claim_.published() && !broken_)
+      guarded([&] { layout_->set_end(end(), state_hash, verdict); }, MemoryReserve::to_end);
+    if (close() || lost_ || !claim_.published()) return;
+    guarded([&] { set_end_of_broken(claim_.path(), end(), state_hash, verdict); }, MemoryReserve::to_end);
   }
 
   void remember(const std::string& why) {
@@ -187,20 +223,19 @@ class RunWriter::Thread {
     if (thread_.joinable()) thread_.join();
   }
 
-  void close() {
+  /// Returns whether the library could close the file.
+  bool close() {
     const std::lock_guard library(hdf5::library_mutex());
-    prepare_library();
+    if (!has_memory(MemoryReserve::to_end)) broken_ = true;
+    if (!broken_) prepare_library();
     try {
-      if (broken_) {
-        layout_->abandon();
-      } else {
-        layout_->close();
-      }
-    } catch (const hdf5::Failure& fault) {
-      layout_->abandon();
-      remember(fault.text);
+      if (!broken_) layout_->close();
+    } catch (const hdf5::Failure&) {
+      broken_ = true;
     }
+    if (broken_) layout_->abandon();
     layout_.reset();
+    return !broken_;
   }
 
   Error failure() const {
@@ -208,25 +243,30 @@ class RunWriter::Thread {
     if (out_of_memory_)
       return {ExitCode::resource_limit, "out of memory (while " + shown(path_) + " was written; " + saved +
                                             ") use fewer floes or a machine with more"};
+    if (lost_)
+      return {ExitCode::file_system,
+              "cannot write " + shown(path_) + " (" + why_ + ") leave the file in its place until the run ends"};
     return {ExitCode::file_system,
             "cannot write " + shown(path_) + " (" + why_ + "; " + saved + ") make room and run again"};
   }
 
   std::string path_;
   OutputClaim claim_;
+  MemoryReserve reserve_;
   std::unique_ptr<RunLayout> layout_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Slab> queue_;
+  std::deque<QueuedSlab> queue_;
   std::string why_;
-  Clock::time_point flushed_ = Clock::now();
+  std::promise<void> begun_;  // the file is laid out, or failed
   std::atomic<bool> failed_ = false;
   std::atomic<double> saved_time_ = 0.0;
   std::atomic<bool> any_written_ = false;
-  std::uint64_t unflushed_ = 0;
   std::atomic<bool> out_of_memory_ = false;
+  std::atomic<bool> lost_ = false;  // the file does not stand in its place
+  bool any_appended_ = false;
   bool finished_ = false;
-  bool broken_ = false;
+  bool broken_ = false;  // the library could not write, and cannot close the file
   bool stopping_ = false;
   std::thread thread_;  // last member: the thread uses all others
 };
@@ -239,7 +279,9 @@ RunWriter::RunWriter(const std::string& path, bool overwrite, const SceneDef& sc
 
 RunWriter::~RunWriter() = default;
 
-void RunWriter::write(Slab slab) { thread_->put(std::move(slab)); }
+void RunWriter::write(Slab slab, bool flush) { thread_->put(std::move(slab), flush); }
+
+RowCount RunWriter::flush() { return thread_->flush(); }
 
 void RunWriter::check() const { thread_->check(); }
 

@@ -4,6 +4,7 @@
 #include <hdf5_hl.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <sstream>
 
 #include "gem/engine/step/overlap_count.h"
@@ -59,9 +60,10 @@ hsize_t ChunkShape::rows_of(const std::string& group) const {
 ColumnFile::ColumnFile(const std::string& path, const std::map<std::string, hsize_t>& size, const ChunkShape& chunk)
     : size_(size), chunk_(chunk) {
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
-  check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "file format");
-  check(H5Pset_file_locking(access, true, true), "file locking");
-  // the index of the file is written to disk only by a flush
+  // needed to read the file while it is written
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "file format");
+  check(H5Pset_file_locking(access, false, true), "file locking");
+  // the index of the file is written only by a flush, so that it never names rows that are not on the disk
   H5AC_cache_config_t cache{};
   cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   check(H5Pget_mdc_config(access, &cache), "index cache");
@@ -95,7 +97,7 @@ void ColumnFile::add_dimension(hid_t group, const std::string& name, hsize_t siz
   char path[256] = "";
   H5Iget_name(id, path, sizeof path);
   if (unlimited) {
-    dataset_[path] = Dataset{checked(H5Dopen2(file_, path, H5P_DEFAULT), H5Dclose, path), 0, 1};
+    dataset_[path] = {checked(H5Dopen2(file_, path, H5P_DEFAULT), H5Dclose, path), 0, 1, chunk_.rows};
   }
   scale_[path] = std::move(id);
 }
@@ -122,9 +124,8 @@ void ColumnFile::add_column(const Column& column, const std::vector<double>* val
     check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), path.c_str());
     check(H5Pset_shuffle(creation), path.c_str());
     check(H5Pset_deflate(creation, 1), path.c_str());
-    // the cache holds a block of frames until it is full, so that no chunk is decompressed again to be completed
-    const hsize_t block = chunk_.frames * (size.back() + chunk_.floes) * sizeof(float) + 1048576;
-    check(H5Pset_chunk_cache(access, 12421, block, 1.0), path.c_str());
+    // without a cache a chunk is handed to the system when it is written, not later
+    check(H5Pset_chunk_cache(access, 1, 0, 1.0), path.c_str());
   }
   Handle id = checked(H5Dcreate2(file_, path.c_str(), file_type(column.stored), space, H5P_DEFAULT, creation, access),
                       H5Dclose, path.c_str());
@@ -133,7 +134,10 @@ void ColumnFile::add_column(const Column& column, const std::vector<double>* val
   if (values != nullptr && !values->empty()) {
     check(H5Dwrite(id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values->data()), path.c_str());
   }
-  if (grows(names.front())) dataset_[path] = Dataset{std::move(id), 0, names.size() > 1 ? size.back() : 1};
+  if (!grows(names.front())) return;
+  const bool wide = names.size() > 1;
+  dataset_[path] = {std::move(id), 0, wide ? size.back() : 1, chunk.front(), wide ? chunk.back() : 1,
+                    file_type(column.stored)};
 }
 
 void ColumnFile::describe(const Column& column, hid_t dataset) {
@@ -171,25 +175,74 @@ void ColumnFile::attach_scales(const Column& column, const std::vector<std::stri
   }
 }
 
-template <class Value>
-void ColumnFile::append(const std::string& path, const std::vector<Value>& values, hsize_t rows) {
-  if (rows == 0) return;
-  Dataset& dataset = dataset_.at(path);
-  const hsize_t start[2] = {dataset.rows, 0};
-  const hsize_t count[2] = {rows, dataset.width};
-  const hsize_t size[2] = {dataset.rows + rows, dataset.width};
-  dataset.rows += rows;
-  check(H5Dset_extent(dataset.id, size), path.c_str());
-  if (values.empty()) return;
-  const Handle file_space = checked(H5Dget_space(dataset.id), H5Sclose, path.c_str());
-  check(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, nullptr, count, nullptr), path.c_str());
-  const int rank = H5Sget_simple_extent_ndims(file_space);
-  const Handle memory_space = checked(H5Screate_simple(rank, count, nullptr), H5Sclose, path.c_str());
-  check(H5Dwrite(dataset.id, memory_type(Value{}), memory_space, file_space, H5P_DEFAULT, values.data()), path.c_str());
+void ColumnFile::start() {
+  scale_.clear();
+  check(H5Fstart_swmr_write(file_), "cannot let others read");
 }
 
-template void ColumnFile::append(const std::string&, const std::vector<double>&, hsize_t);
-template void ColumnFile::append(const std::string&, const std::vector<float>&, hsize_t);
+/// Writes one chunk along the time without compression. A chunk that grows is then overwritten in its place, and only
+/// its new rows differ: whatever part of it reaches the disk, the rows before stay whole.
+template <class Value>
+void ColumnFile::write_plain(const Dataset& dataset, const std::vector<Value>& values, hsize_t rows) {
+  const hsize_t cells = dataset.chunk_rows * dataset.chunk_width;
+  for (hsize_t first = 0; first < dataset.width; first += dataset.chunk_width) {
+    std::vector<Value> chunk(cells);
+    const hsize_t width = std::min(dataset.chunk_width, dataset.width - first);
+    for (hsize_t row = 0; row < rows; ++row)
+      std::copy_n(values.begin() + std::ptrdiff_t(row * dataset.width + first), width,
+                  chunk.begin() + std::ptrdiff_t(row * dataset.chunk_width));
+    check(H5Tconvert(memory_type(Value{}), dataset.stored, cells, chunk.data(), nullptr, H5P_DEFAULT), "convert");
+    constexpr std::uint32_t no_filters = 3;  // one bit for each of the two filters that are left out
+    const hsize_t place[2] = {dataset.rows, first};
+    check(H5Dwrite_chunk(dataset.id, H5P_DEFAULT, no_filters, place, cells * H5Tget_size(dataset.stored), chunk.data()),
+          "write chunk");
+  }
+}
+
+template <class Value>
+void ColumnFile::write_packed(const Dataset& dataset, const Value* values, hsize_t first, hsize_t rows) {
+  const hsize_t start[2] = {first, 0};
+  const hsize_t count[2] = {rows, dataset.width};
+  const Handle file_space = checked(H5Dget_space(dataset.id), H5Sclose, "rows");
+  check(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, nullptr, count, nullptr), "rows");
+  const int rank = H5Sget_simple_extent_ndims(file_space);
+  const Handle memory_space = checked(H5Screate_simple(rank, count, nullptr), H5Sclose, "rows");
+  check(H5Dwrite(dataset.id, memory_type(Value{}), memory_space, file_space, H5P_DEFAULT, values), "rows");
+}
+
+template <class Value>
+void ColumnFile::append(const std::string& path, const std::vector<Value>& values, hsize_t rows, Rows kind) {
+  if (rows == 0) return;
+  Dataset& dataset = dataset_.at(path);
+  const hsize_t size[2] = {dataset.rows + rows, dataset.width};
+  check(H5Dset_extent(dataset.id, size), path.c_str());
+  if (!values.empty()) {
+    // space that a chunk left is lost while others may read: a chunk that was written plain stays so
+    const hsize_t plain = kind == Rows::part ? rows : dataset.plain ? std::min(rows, dataset.chunk_rows) : 0;
+    if (plain > 0) write_plain(dataset, values, plain);
+    if (rows > plain)
+      write_packed(dataset, values.data() + plain * dataset.width, dataset.rows + plain, rows - plain);
+  }
+  dataset.plain = kind == Rows::part;
+  if (kind != Rows::part) dataset.rows += rows;
+}
+
+template void ColumnFile::append(const std::string&, const std::vector<double>&, hsize_t, Rows);
+template void ColumnFile::append(const std::string&, const std::vector<float>&, hsize_t, Rows);
+
+std::uint64_t ColumnFile::room_for(const std::string& path, hsize_t rows) const {
+  const Dataset& dataset = dataset_.at(path);
+  const auto chunks = [](hsize_t cells, hsize_t chunk) { return (cells + chunk - 1) / chunk; };
+  if (dataset.stored < 0) return 0;
+  return chunks(rows, dataset.chunk_rows) * chunks(dataset.width, dataset.chunk_width) * dataset.chunk_rows *
+         dataset.chunk_width * H5Tget_size(dataset.stored);
+}
+
+std::vector<std::string> ColumnFile::growing() const {
+  std::vector<std::string> paths;
+  for (const auto& [path, dataset] : dataset_) paths.push_back(path);
+  return paths;
+}
 
 void ColumnFile::flush() { check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "cannot flush"); }
 

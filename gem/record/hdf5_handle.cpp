@@ -2,15 +2,23 @@
 #include "gem/record/hdf5_handle.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 namespace gem::hdf5 {
 
 namespace {
 
+constexpr const char* out_of_memory = "out of memory";
+
 /// The deepest entry of the error stack comes first. An entry with a message of the system has priority.
 herr_t pick_reason(unsigned, const H5E_error2_t* entry, void* out) {
   auto& reason = *static_cast<std::string*>(out);
   const std::string text = entry->desc != nullptr ? entry->desc : "";
+  if (entry->maj_num == H5E_RESOURCE && text.find("memory") != std::string::npos) {
+    reason = out_of_memory;
+    return 1;
+  }
   const std::string key = "error message = '";
   if (const auto at = text.find(key); at != std::string::npos) {
     const auto from = at + key.size();
@@ -28,6 +36,24 @@ std::string last_reason() {
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, pick_reason, &reason);
   std::replace(reason.begin(), reason.end(), '\n', ' ');
   return reason.empty() ? "unknown reason" : reason;
+}
+
+bool is_memory(const std::string& reason) {
+  return reason.find(out_of_memory) != std::string::npos || reason.find(std::strerror(ENOMEM)) != std::string::npos;
+}
+
+Handle open_left_file(const std::string& path) {
+  const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
+  // a driver of its own, since the library gives the same file of the same driver only once
+  check(H5Pset_fapl_stdio(access), "file access");
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "file format");
+  // the two settings of the program h5clear: a file that was not closed is marked as open, and may be longer than it says
+  const hbool_t yes = true;
+  check(H5Pset(access, "clear_status_flags", &yes), "file access");
+  check(H5Pset(access, "skip_eof_check", &yes), "file access");
+  Handle file = checked(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose, "cannot open");
+  check(H5Fincrement_filesize(file, 0), "file size");
+  return file;
 }
 
 std::mutex& library_mutex() {
@@ -60,7 +86,9 @@ void write_numbers(hid_t object, const char* name, hid_t file_type, const std::v
   const Handle space = values.size() == 1 ? checked(H5Screate(H5S_SCALAR), H5Sclose, name)
                                           : checked(H5Screate_simple(1, &size, nullptr), H5Sclose, name);
   const Handle attribute =
-      checked(H5Acreate2(object, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
+      H5Aexists(object, name) > 0
+          ? checked(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, name)
+          : checked(H5Acreate2(object, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
   check(H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data()), name);
 }
 

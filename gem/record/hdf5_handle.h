@@ -16,6 +16,9 @@ std::string last_reason();
 /// Lock for all calls of the library, which is not thread-safe.
 std::mutex& library_mutex();
 
+/// Whether the reason of a failure is a lack of memory.
+bool is_memory(const std::string& reason);
+
 /// Switches off the library's own error output for the calling thread. Every thread that uses HDF5 calls this first.
 void quiet_errors();
 
@@ -58,7 +61,14 @@ inline Handle checked(hid_t id, Handle::Closer closer, const char* what) {
   return {id, closer};
 }
 
+/// Opens a file that a process left open or a full disk broke, to change attributes and lengths in their place.
+/// Independent of a handle of this process that could not be closed.
+Handle open_left_file(const std::string& path);
+
+/// Writes a text attribute. A new one gets `reserved` bytes or more; an existing one keeps its size, and a text that is
+/// too long is cut.
 void write_text(hid_t object, const char* name, const std::string& text, std::size_t reserved = 0);
+/// Writes an attribute of numbers: a new one, or an existing one of the same size.
 void write_numbers(hid_t object, const char* name, hid_t file_type, const std::vector<double>& values);
 
 }  // namespace gem::hdf5

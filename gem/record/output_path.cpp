@@ -2,7 +2,6 @@
 #include "gem/record/output_path.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
@@ -83,29 +82,6 @@ void check_output_path(const std::string& path, bool overwrite) {
   }
   if (path.back() == '/') refuse(path, "it names a directory", "give a file name with --out");
   test_write(path);
-}
-
-OutputClaim::OutputClaim(const std::string& path, bool overwrite) : path_(path) {
-  file_ = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  made_ = file_ >= 0;
-  if (!made_ && errno == EEXIST && !overwrite) refuse(path, "the file exists", "use --overwrite or another --out");
-  if (!made_ && errno == EEXIST) file_ = open(path.c_str(), O_RDWR | O_CLOEXEC);
-  if (file_ < 0) refuse(path, system_reason(errno), "choose another --out");
-  // HDF5 also works without locks on a file system that has none
-  if (flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-  close(file_);
-  refuse(path, "another process writes or reads it", "wait for that or choose another --out");
-}
-
-OutputClaim::~OutputClaim() {
-  if (file_ < 0) return;
-  if (made_) unlink(path_.c_str());
-  let_go();
-}
-
-void OutputClaim::let_go() {
-  close(file_);
-  file_ = -1;
 }
 
 void check_replaceable(const std::string& path) {

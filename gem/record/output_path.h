@@ -10,27 +10,50 @@ namespace gem {
 /// missing or does not accept a test file. Leaves no file behind.
 void check_output_path(const std::string& path, bool overwrite);
 
-/// Reserves a file for this process: creates it empty, or locks an existing file that is to be replaced. The destructor
-/// removes a created file unless let_go() was called.
+/// The output file of this process, locked against other processes that write. It begins as a draft, `.NAME.new` beside
+/// `path`, and gets its name when it can be read: a kill leaves a readable file or none. The destructor removes a draft.
+/// Others can read the file; `--overwrite` and programs that write are refused while it is claimed.
 class OutputClaim {
  public:
-  /// Throws Error(file_system) if the file exists (and not overwrite), cannot be created, or is locked by another
-  /// process, as by a run that writes it.
+  /// Throws Error(file_system) if the file exists (and not overwrite), the draft cannot be created, or another process
+  /// holds one of them, as a run that writes it.
   OutputClaim(const std::string& path, bool overwrite);
   ~OutputClaim();
   OutputClaim(const OutputClaim&) = delete;
   OutputClaim& operator=(const OutputClaim&) = delete;
 
-  /// Whether the file was created, that is, did not exist before.
-  bool made() const { return made_; }
-  /// Releases the file. To be called just before a library opens the file and locks it itself.
-  void let_go();
+  /// Path of the file now: of the draft, then of the output.
+  const std::string& path() const { return published_ ? path_ : draft_; }
+  /// Gives the draft its name. Returns the reason of a failure, or an empty text.
+  std::string publish();
+  bool published() const { return published_; }
+  /// Hands all that was written to the disk. Returns the reason of a failure, or an empty text.
+  std::string sync() const;
+  /// Whether the file stands where it was put, not shorter than at the last call. Returns what is wrong, or an empty text.
+  std::string fault_in_place();
+  /// Reserves so many bytes behind the end of the file, so that writing cannot find the disk full. Returns whether they
+  /// are there. On a file system without reservations it only asks for free space.
+  bool reserve(std::uint64_t bytes) const;
+  /// Gives back what was reserved and not used.
+  void trim() const;
+  /// Removes the file.
+  void remove() const;
 
  private:
-  std::string path_;
+  void hold_existing(bool overwrite);
+  void open_draft();
+
+  std::string path_, draft_;
+  bool overwrite_ = false;
+  bool published_ = false;
+  int former_ = -1;  // the file that is to be replaced
   int file_ = -1;
-  bool made_ = false;
+  std::uint64_t size_ = 0;  // at the last look
 };
+
+/// Fills the descriptors 0 to 2 where they are closed, with /dev/null: a file that is opened later must not get one,
+/// or what the program prints would go into it.
+void take_standard_streams();
 
 /// Throws Error(file_system) if --overwrite would replace a file that is neither HDF5 nor empty: a case, notes or a
 /// manifest. A kill may leave an empty file.

@@ -15,7 +15,7 @@ using hdf5::Handle;
 
 namespace {
 
-constexpr std::size_t attribute_limit = 60000;  // the HDF5 1.8 format holds 64 kB per attribute
+constexpr std::size_t attribute_limit = 60000;  // other readers expect at most 64 kB per attribute
 constexpr std::size_t status_size = 240;        // reserved, so that a later status fits
 
 std::string utc_now() {
@@ -66,7 +66,7 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
   for (const auto& entry : event_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : stats_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : count_columns()) file_.add_column(entry.column, nullptr);
-  file_.flush();
+  file_.start();
 }
 
 void RunLayout::write_header(const SceneDef& scene, const Bodies& bodies, const Provenance& provenance) {
@@ -77,6 +77,7 @@ void RunLayout::write_header(const SceneDef& scene, const Bodies& bodies, const 
   hdf5::write_text(file_.id(), "gem_schema", schema_version);
   hdf5::write_text(file_.id(), "gem_status", "running", status_size);
   hdf5::write_text(file_.id(), "gem_state_hash", "", 16);
+  reserve_verdict(file_.id());
   hdf5::write_text(file_.id(), "gem_case_sha256", provenance.case_sha256);
   hdf5::write_text(file_.id(), "gem_seed", std::to_string(scene.run.seed));
   hdf5::write_text(file_.id(), "gem_engine", provenance.engine);
@@ -118,46 +119,65 @@ void RunLayout::add_group(const std::string& group) {
 }
 
 template <class Row>
-void RunLayout::append_rows(const std::vector<RowColumn<Row>>& columns, std::vector<Row>& rows, std::size_t count) {
+void RunLayout::append_rows(const std::vector<RowColumn<Row>>& columns, const std::vector<Row>& rows,
+                            std::size_t count, Rows kind) {
   std::vector<double> values(count);
-  const auto end = rows.begin() + std::ptrdiff_t(count);
   for (const auto& entry : columns) {
-    std::transform(rows.begin(), end, values.begin(), entry.value);
-    file_.append("/" + entry.column.group + "/" + entry.column.name, values, count);
+    std::transform(rows.begin(), rows.begin() + std::ptrdiff_t(count), values.begin(), entry.value);
+    file_.append("/" + entry.column.group + "/" + entry.column.name, values, count, kind);
   }
-  rows.erase(rows.begin(), end);
-  any_written_ = any_written_ || count > 0;
 }
 
-void RunLayout::append_stats(std::size_t count) {
+void RunLayout::append_stats(std::size_t count, Rows kind) {
   for (const auto& entry : count_columns()) {
     std::vector<double> values;
     for (std::size_t i = 0; i < count; ++i)
       for (const std::int64_t n : (waiting_.stats[i].*(entry.counts)).count) values.push_back(double(n));
-    file_.append("/stats/" + entry.column.name, values, count);
+    file_.append("/stats/" + entry.column.name, values, count, kind);
   }
-  append_rows(stats_columns(), waiting_.stats, count);
+  append_rows(stats_columns(), waiting_.stats, count, kind);
 }
 
-void RunLayout::append_events(std::size_t count) {
-  append_rows(event_columns(), waiting_.events, count);
-  file_.append("/events/event", std::vector<double>{}, count);
+void RunLayout::append_events(std::size_t count, Rows kind) {
+  append_rows(event_columns(), waiting_.events, count, kind);
+  file_.append("/events/event", std::vector<double>{}, count, kind);
 }
 
-void RunLayout::append_frames(std::size_t count) {
-  if (count == 0) return;
-  FloeFrames& floes = waiting_.floes;
+void RunLayout::append_frames(std::size_t count, Rows kind) {
+  const FloeFrames& floes = waiting_.floes;
+  const auto values_in = std::ptrdiff_t(count * size_.at("floe"));
   for (const auto& entry : floe_columns()) {
-    std::vector<float>& all = floes.*(entry.values);
-    const auto end = all.begin() + std::ptrdiff_t(count * size_.at("floe"));
-    file_.append("/floes/" + entry.column.name, std::vector<float>(all.begin(), end), count);
-    all.erase(all.begin(), end);
+    const std::vector<float>& all = floes.*(entry.values);
+    file_.append("/floes/" + entry.column.name, std::vector<float>(all.begin(), all.begin() + values_in), count, kind);
   }
-  const auto end = floes.time.begin() + std::ptrdiff_t(count);
-  file_.append("/floes/time", std::vector<double>(floes.time.begin(), end), count);
-  saved_time_ = floes.time[count - 1];
-  floes.time.erase(floes.time.begin(), end);
-  any_written_ = true;
+  file_.append("/floes/time", std::vector<double>(floes.time.begin(), floes.time.begin() + std::ptrdiff_t(count)),
+               count, kind);
+}
+
+void RunLayout::append_waiting(const RowCount& count, Rows kind) {
+  append_rows(platform_columns(), waiting_.platform, count.platform, kind);
+  append_events(count.events, kind);
+  append_stats(count.stats, kind);
+  append_frames(count.frames, kind);
+}
+
+RowCount RunLayout::waiting() const {
+  return {waiting_.platform.size(), waiting_.events.size(), waiting_.stats.size(), waiting_.floes.time.size()};
+}
+
+void RunLayout::drop_waiting(const RowCount& count) {
+  const auto drop = [](auto& rows, std::size_t n) { rows.erase(rows.begin(), rows.begin() + std::ptrdiff_t(n)); };
+  FloeFrames& floes = waiting_.floes;
+  if (count.frames > 0) last_time_ = floes.time[count.frames - 1];
+  drop(waiting_.platform, count.platform);
+  drop(waiting_.events, count.events);
+  drop(waiting_.stats, count.stats);
+  drop(floes.time, count.frames);
+  for (const auto& entry : floe_columns()) drop(floes.*(entry.values), count.frames * size_.at("floe"));
+  written_.platform += count.platform;
+  written_.events += count.events;
+  written_.stats += count.stats;
+  written_.frames += count.frames;
 }
 
 void RunLayout::append(Slab slab) {
@@ -169,23 +189,67 @@ void RunLayout::append(Slab slab) {
   for (const auto& entry : floe_columns()) add(waiting_.floes.*(entry.values), slab.floes.*(entry.values));
 
   const auto whole = [](std::size_t rows, hsize_t chunk) { return rows - rows % chunk; };
-  append_rows(platform_columns(), waiting_.platform, whole(waiting_.platform.size(), chunk_.rows));
-  append_events(whole(waiting_.events.size(), chunk_.rows));
-  append_stats(whole(waiting_.stats.size(), chunk_.frames));
-  append_frames(whole(waiting_.floes.time.size(), chunk_.frames));
+  const RowCount all = waiting();
+  const RowCount full = {whole(all.platform, chunk_.rows), whole(all.events, chunk_.rows),
+                         whole(all.stats, chunk_.frames), whole(all.frames, chunk_.frames)};
+  append_waiting(full, Rows::whole);
+  drop_waiting(full);
 }
 
 void RunLayout::append_rest() {
-  append_rows(platform_columns(), waiting_.platform, waiting_.platform.size());
-  append_events(waiting_.events.size());
-  append_stats(waiting_.stats.size());
-  append_frames(waiting_.floes.time.size());
+  const RowCount rest = waiting();
+  append_waiting(rest, Rows::last);
+  drop_waiting(rest);
 }
 
-void RunLayout::set_text(const char* attribute, const std::string& text) {
-  hdf5::write_text(file_.id(), attribute, text);
+void RunLayout::flush(const std::function<void()>& sync) {
+  const RowCount rest = waiting();
+  append_waiting(rest, Rows::part);
+  sync();
+  file_.flush();
+  sync();
+  visible_ = {written_.platform + rest.platform, written_.events + rest.events, written_.stats + rest.stats,
+              written_.frames + rest.frames};
+  saved_time_ = rest.frames > 0 ? waiting_.floes.time.back() : last_time_;
 }
 
-void RunLayout::set_verdict(const RunVerdict& verdict) { write_verdict(file_.id(), verdict); }
+std::uint64_t RunLayout::room_for(const Slab& slab) const {
+  const RowCount now = waiting();
+  const auto rows_of = [&](const std::string& group) {
+    if (group == "platform") return now.platform + slab.platform.size();
+    if (group == "events") return now.events + slab.events.size();
+    if (group == "stats") return now.stats + slab.stats.size();
+    return now.frames + slab.floes.time.size();
+  };
+  std::uint64_t bytes = 0;
+  for (const std::string& path : file_.growing()) {
+    const std::string group = path.substr(1, path.find('/', 1) - 1);
+    bytes += file_.room_for(path, rows_of(group));
+  }
+  return bytes;
+}
+
+namespace {
+
+void write_end(hid_t file, const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
+  hdf5::write_text(file, "gem_state_hash", hash_text(state_hash));
+  if (!verdict.judgements.empty()) write_verdict(file, verdict);
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL), "cannot flush");  // whoever finds the status finds the rest
+  hdf5::write_text(file, "gem_status", status);
+}
+
+}  // namespace
+
+void RunLayout::set_end(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
+  write_end(file_.id(), status, state_hash, verdict);
+  file_.flush();
+}
+
+void set_end_of_broken(const std::string& path, const std::string& status, std::uint64_t state_hash,
+                       const RunVerdict& verdict) {
+  Handle file = hdf5::open_left_file(path);
+  write_end(file, status, state_hash, verdict);
+  if (!file.close()) throw hdf5::Failure{"cannot close: " + hdf5::last_reason()};
+}
 
 }  // namespace gem

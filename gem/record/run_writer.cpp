@@ -1,10 +1,7 @@
 // The writer thread: takes slabs from a short queue, writes and flushes them, and keeps the first failure.
 #include "gem/record/run_writer.h"
 
-#include <unistd.h>
-
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -21,19 +18,8 @@ namespace gem {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-// A kill during the milliseconds of a flush may damage the index of the file, so flushes are at least this far apart.
-// Chosen by hand: a kill loses up to this much wall time more.
-constexpr auto flush_pause = std::chrono::seconds(2);
 constexpr std::size_t queue_limit = 2;         // slabs: one is written while the next is filled
-constexpr std::uint64_t spare_room = 1 << 20;  // for the index of the file and the final status
-
-std::uint64_t bytes(const Slab& slab) {
-  return slab.platform.size() * platform_columns().size() * 8 + slab.events.size() * event_columns().size() * 8 +
-         slab.stats.size() * (stats_columns().size() + count_columns().size() * OverlapCount::classes) * 8 +
-         slab.floes.x.size() * floe_columns().size() * 4;
-}
+constexpr std::uint64_t spare_room = 1 << 20;  // for the index of the file
 
 /// Stops the library from closing files at exit, which fails on a full disk. Switches off its error output, which is
 /// per thread.
@@ -61,6 +47,11 @@ std::string hash_text(std::uint64_t hash) {
 }
 
 class RunWriter::Thread {
+  struct QueuedSlab {
+    Slab slab;
+    bool flush;
+  };
+
  public:
   Thread(const std::string& path, bool overwrite, Start start)
       : path_(path), claim_(path, overwrite), thread_([this, start = std::move(start)]() mutable {
@@ -70,17 +61,24 @@ class RunWriter::Thread {
 
   ~Thread() {
     stop();
-    if (layout_ == nullptr) return;
-    close();
-    if (!any_written_ && !finished_) unlink(path_.c_str());
+    if (layout_ != nullptr) close();
+    if (claim_.published() && !any_written_ && !finished_) claim_.remove();
   }
 
-  void put(Slab slab) {
+  void put(Slab slab, bool flush) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return queue_.size() < queue_limit || failed_; });
     if (failed_) throw failure();
-    queue_.push_back(std::move(slab));
+    queue_.push_back({std::move(slab), flush});
     changed_.notify_all();
+  }
+
+  RowCount flush() {
+    put({}, true);
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return queue_.empty() || failed_; });
+    if (failed_) throw failure();
+    return layout_->visible();
   }
 
   void check() const {
@@ -91,16 +89,15 @@ class RunWriter::Thread {
     stop();
     if (layout_ == nullptr) throw failure();
     guarded([&] {
-      if (!layout_->waiting().empty() && !has_room_for({}) && !failed_) remember("no room left on the disk");
-      if (!failed_) layout_->append_rest();
-      layout_->set_text("gem_state_hash", hash_text(state_hash));
-      if (!verdict.judgements.empty()) layout_->set_verdict(verdict);
-      layout_->set_text("gem_status", failed_ ? "stopped:" + why_ : status);
-      flush();
+      if (failed_ || !ready_for({})) return;
+      layout_->append_rest();
+      show();
     });
+    set_end(failed_ ? "stopped:" + why_ : status, state_hash, verdict);
     close();
+    claim_.trim();
     finished_ = !failed_;
-    if (!finished_ && !any_written_) unlink(path_.c_str());
+    if (!finished_ && !any_written_ && claim_.published()) claim_.remove();
     if (failed_) throw failure();
   }
 
@@ -114,6 +111,7 @@ class RunWriter::Thread {
       action();
     } catch (const hdf5::Failure& fault) {
       broken_ = true;
+      out_of_memory_ = out_of_memory_ || hdf5::is_memory(fault.text);
       remember(fault.text);
     } catch (const std::bad_alloc&) {
       broken_ = out_of_memory_ = true;
@@ -121,14 +119,12 @@ class RunWriter::Thread {
     }
   }
 
-  /// Creates the file and writes what is known at the start. This takes tens of milliseconds, for which the simulation
+  /// Creates the draft and writes what is known at the start. This takes tens of milliseconds, for which the simulation
   /// does not wait.
   void begin(const Start start) {
     guarded([&] {
-      claim_.let_go();
-      layout_ = std::make_unique<RunLayout>(path_, start.scene, start.bodies, start.provenance);
+      layout_ = std::make_unique<RunLayout>(claim_.path(), start.scene, start.bodies, start.provenance);
     });
-    if (layout_ == nullptr && claim_.made()) unlink(path_.c_str());
   }
 
   void work() {
@@ -136,39 +132,55 @@ class RunWriter::Thread {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [this] { return !queue_.empty() || stopping_; });
       if (queue_.empty()) return;
-      Slab slab = std::move(queue_.front());
+      QueuedSlab next = std::move(queue_.front());
       lock.unlock();
-      if (!failed_) write(std::move(slab));
+      if (!failed_) write(std::move(next));
       lock.lock();
       queue_.pop_front();
       changed_.notify_all();
     }
   }
 
-  /// A slab is written only if it surely fits, so that the file stays readable when the disk is full.
-  void write(Slab slab) {
+  void write(QueuedSlab next) {
     guarded([&] {
-      if (!has_room_for(slab)) {
-        flush();
-        return remember("no room left on the disk");
-      }
-      unflushed_ += bytes(slab);
-      layout_->append(std::move(slab));
-      if (Clock::now() - flushed_ >= flush_pause) flush();
+      if (!ready_for(next.slab)) return;
+      layout_->append(std::move(next.slab));
+      if (next.flush) show();
     });
   }
 
-  /// Rows that wait or are not flushed need disk space too.
-  bool has_room_for(const Slab& slab) const {
-    return room_at(path_) >= unflushed_ + bytes(slab) + bytes(layout_->waiting()) + spare_room;
+  /// Whether the file stands in its place and the slab surely fits. Else the failure is kept and the file stays as it
+  /// is, readable.
+  bool ready_for(const Slab& slab) {
+    if (const std::string fault = claim_.fault_in_place(); !fault.empty()) {
+      lost_ = broken_ = true;
+      remember(fault);
+    } else if (!claim_.reserve(layout_->room_for(slab) + spare_room)) {
+      remember("no room left on the disk");
+    }
+    return !failed_;
   }
 
-  void flush() {
-    layout_->flush();
-    flushed_ = Clock::now();
-    unflushed_ = 0;
-    any_written_ = layout_->any_written();
+  /// Shows all rows to readers.
+  void show() {
+    layout_->flush([this] { need(claim_.sync()); });
+    if (!claim_.published()) need(claim_.publish());
+    any_written_ = true;
     saved_time_ = layout_->saved_time();
+  }
+
+  static void need(const std::string& fault) {
+    if (!fault.empty()) throw hdf5::Failure{fault};
+  }
+
+  /// The attributes of the end stand in the file since its start, so that they need no room. If the library is stuck
+  /// with what it could not write, they are written past it.
+  void set_end(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
+    if (!claim_.published() || lost_) return;
+    if (!broken_) guarded([&] { layout_->set_end(status, state_hash, verdict); });
+    if (!broken_) return;
+    close();
+    guarded([&] { set_end_of_broken(claim_.path(), "stopped:" + why_, state_hash, verdict); });
   }
 
   void remember(const std::string& why) {
@@ -188,6 +200,7 @@ class RunWriter::Thread {
   }
 
   void close() {
+    if (layout_ == nullptr) return;
     const std::lock_guard library(hdf5::library_mutex());
     prepare_library();
     try {
@@ -208,6 +221,9 @@ class RunWriter::Thread {
     if (out_of_memory_)
       return {ExitCode::resource_limit, "out of memory (while " + shown(path_) + " was written; " + saved +
                                             ") use fewer floes or a machine with more"};
+    if (lost_)
+      return {ExitCode::file_system, "cannot write " + shown(path_) + " (" + why_ +
+                                         ") leave the file in its place until the run ends"};
     return {ExitCode::file_system,
             "cannot write " + shown(path_) + " (" + why_ + "; " + saved + ") make room and run again"};
   }
@@ -217,16 +233,15 @@ class RunWriter::Thread {
   std::unique_ptr<RunLayout> layout_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Slab> queue_;
+  std::deque<QueuedSlab> queue_;
   std::string why_;
-  Clock::time_point flushed_ = Clock::now();
   std::atomic<bool> failed_ = false;
   std::atomic<double> saved_time_ = 0.0;
   std::atomic<bool> any_written_ = false;
-  std::uint64_t unflushed_ = 0;
   std::atomic<bool> out_of_memory_ = false;
+  std::atomic<bool> lost_ = false;  // the file does not stand in its place
   bool finished_ = false;
-  bool broken_ = false;
+  bool broken_ = false;  // the library could not write, and cannot close the file
   bool stopping_ = false;
   std::thread thread_;  // last member: the thread uses all others
 };
@@ -239,7 +254,9 @@ RunWriter::RunWriter(const std::string& path, bool overwrite, const SceneDef& sc
 
 RunWriter::~RunWriter() = default;
 
-void RunWriter::write(Slab slab) { thread_->put(std::move(slab)); }
+void RunWriter::write(Slab slab, bool flush) { thread_->put(std::move(slab), flush); }
+
+RowCount RunWriter::flush() { return thread_->flush(); }
 
 void RunWriter::check() const { thread_->check(); }
 

@@ -34,7 +34,9 @@ struct Provenance {
   std::string device = "";            // accelerator of the engine; empty: none
 };
 
-/// A run file. It exists from construction on. The destructor removes it if nothing was written.
+struct RowCount;
+
+/// A run file. It gets its name with the first flush. The destructor removes it if nothing was written.
 class RunWriter {
  public:
   /// Throws Error(file_system) if the file exists (and not overwrite), another process writes it, or its folder does
@@ -45,9 +47,11 @@ class RunWriter {
   RunWriter(const RunWriter&) = delete;
   RunWriter& operator=(const RunWriter&) = delete;
 
-  /// Queues a slab. If an earlier slab could not be written, throws Error(file_system), or Error(resource_limit) if
-  /// memory was too small.
-  void write(Slab slab);
+  /// Queues a slab. With `flush` readers see all rows so far when it is written; without, only some of them. If an
+  /// earlier slab could not be written, throws Error(file_system), or Error(resource_limit) if memory was too small.
+  void write(Slab slab, bool flush = false);
+  /// Waits until all rows so far are on the disk and readers see them. Returns how many there are. Throws like write().
+  RowCount flush();
   /// Throws the Error of the writer thread, if there is one. Cheap.
   void check() const;
   /// Waits for the queue, sets the status ("complete" or "stopped:<reason>"), the state hash and the verdict (none if

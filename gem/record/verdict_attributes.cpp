@@ -16,6 +16,11 @@ constexpr std::pair<const char*, Numbers> number_lists[] = {{"gem_verdict_values
                                                             {"gem_verdict_bad_above", &Judgement::bad_above},
                                                             {"gem_verdict_times_s", &Judgement::time_s}};
 
+// Room for a verdict of any run, reserved at its start: no attribute can be added to a file that others read.
+constexpr std::size_t most_judgements = 16;
+constexpr std::size_t word_size = 32;
+constexpr std::size_t text_size = 500;
+
 /// A grade in a list whose items are separated by blanks.
 std::string grade_word(Grade grade) {
   std::string word = grade_name(grade);
@@ -23,9 +28,13 @@ std::string grade_word(Grade grade) {
   return word;
 }
 
+/// Without line breaks, and cut before a character that does not fit.
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+  if (text.size() < text_size) return text;
+  std::size_t end = text_size - 1;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  return text.substr(0, end);
 }
 
 Grade grade_of_word(std::string word) {
@@ -50,6 +59,15 @@ std::vector<std::string> items(const std::string& text, char separator) {
 
 }  // namespace
 
+void reserve_verdict(hid_t file) {
+  hdf5::write_text(file, "gem_verdict", "", word_size);
+  hdf5::write_text(file, "gem_verdict_criteria", "", most_judgements * word_size);
+  hdf5::write_text(file, "gem_verdict_grades", "", most_judgements * word_size);
+  hdf5::write_text(file, "gem_verdict_texts", "", most_judgements * text_size);
+  for (const auto& [name, member] : number_lists)
+    hdf5::write_numbers(file, name, H5T_IEEE_F64LE, std::vector<double>(most_judgements, std::nan("")));
+}
+
 void write_verdict(hid_t file, const RunVerdict& verdict) {
   std::string criteria, grades, texts;
   for (const Judgement& one : verdict.judgements) {
@@ -63,6 +81,7 @@ void write_verdict(hid_t file, const RunVerdict& verdict) {
   for (const auto& [name, member] : number_lists) {
     std::vector<double> values;
     for (const Judgement& one : verdict.judgements) values.push_back(one.*member);
+    values.resize(most_judgements, std::nan(""));
     hdf5::write_numbers(file, name, H5T_IEEE_F64LE, values);
   }
   hdf5::write_text(file, "gem_verdict", grade_name(verdict.grade));  // last: whoever finds it finds all
@@ -85,7 +104,7 @@ RunVerdict verdict_of(const RunFile& file) {
   }
   for (const auto& [name, member] : number_lists) {
     const std::vector<double> values = file.number_list(name);
-    if (values.size() != criteria.size()) refuse(file);
+    if (values.size() < criteria.size()) refuse(file);
     for (std::size_t i = 0; i < criteria.size(); ++i) verdict.judgements[i].*member = values[i];
   }
   return verdict;

@@ -25,7 +25,7 @@ struct RunOptions {
   bool overwrite = false;
   LogOptions log;
   BookLimits books;
-  double flush_interval_s = 5.0;     ///< wall time between two flushes
+  double flush_interval_s = 4.0;     ///< wall time between two flushes; a kill loses this much and what a flush takes
   std::int64_t step_limit = 0;       ///< > 0: stop after so many time steps
   std::string command_line = "gem";  ///< for the history attribute of the file
   int threads = 1;                   ///< for the history attribute of the file

@@ -22,6 +22,9 @@ using Clock = std::chrono::steady_clock;
 /// Floe frames per slab. Chosen by hand: bounds the memory of the rows that wait.
 constexpr std::size_t slab_frames = 64;
 
+/// Wall time from the start to the first flush [s], so that a run can be watched soon. Chosen by hand.
+constexpr double first_flush_s = 1.0;
+
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 double peak_memory() {
@@ -102,7 +105,9 @@ void RunSteps::take(const StepLog& log) {
   summary_.overlap += log.overlap;
   summary_.overlap_share += log.overlap_share;
   if (engine_.step() == recorder_.next_frame() || engine_.step() == last_step_) frame();
-  if (recorder_.frames_waiting() >= slab_frames || seconds_since(flushed_) >= options_.flush_interval_s) flush();
+  const double pause = flushes_ > 0 ? options_.flush_interval_s : std::min(options_.flush_interval_s, first_flush_s);
+  const bool due = seconds_since(flushed_) >= pause;
+  if (recorder_.frames_waiting() >= slab_frames || due) hand_over(due);
   if (writer_) writer_->check();
   if (options_.on_block) options_.on_block(time());
   progress(log);
@@ -125,10 +130,12 @@ void RunSteps::frame() {
   check_book("energy", row.residual.energy, options_.books.energy, row.time);
 }
 
-void RunSteps::flush() {
+void RunSteps::hand_over(bool flush) {
   Slab slab = recorder_.take();
-  if (writer_ && !slab.empty()) writer_->write(std::move(slab));
+  if (writer_ && (flush || !slab.empty())) writer_->write(std::move(slab), flush);
+  if (!flush) return;
   flushed_ = Clock::now();
+  ++flushes_;
 }
 
 void RunSteps::progress(const StepLog& log) {
@@ -146,7 +153,7 @@ RunSummary RunSteps::finish(int stop_signal) {
                                                         : "complete";
   summary_.state_hash = engine_.state_hash();
   summary_.verdict = judge_run(watch_.measures());
-  flush();
+  hand_over(false);
   if (writer_) writer_->finish(summary_.status, summary_.state_hash, summary_.verdict);
   summary_.time = time();
   summary_.wall_time = seconds_since(start_);
@@ -167,7 +174,7 @@ void RunSteps::fail(const std::exception& error) {
   const RunVerdict verdict = numerical ? judge_stopped_run(measures, error.what()) : judge_run(measures);
   const std::string reason = numerical ? "numerical" : "failure";
   // The first error is the one to report. A writer that takes no more rows still writes the status.
-  attempt([&] { flush(); });
+  attempt([&] { hand_over(false); });
   attempt([&] { writer_->finish("stopped:" + reason + ": " + error.what(), engine_.state_hash(), verdict); });
 }
 

@@ -37,7 +37,8 @@ class RunSteps {
  private:
   double time() const { return double(engine_.step()) * scene_.numerics.time_step_s; }
   void frame();
-  void flush();
+  /// Gives the recorded rows to the writer. With `flush` it shows them to readers.
+  void hand_over(bool flush);
   void progress(const StepLog& log);
 
   const SceneDef& scene_;
@@ -52,6 +53,7 @@ class RunSteps {
   std::int64_t frame_step_ = 0;
   std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point flushed_;
+  std::int64_t flushes_ = 0;
 };
 
 }  // namespace gem

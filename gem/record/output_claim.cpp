@@ -1,0 +1,165 @@
+// The output file of a run: its lock, its draft, its room on the disk.
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "gem/base/error.h"
+#include "gem/record/output_path.h"
+
+namespace gem {
+
+namespace {
+
+std::string reason_of(int code) { return std::generic_category().message(code); }
+
+[[noreturn]] void refuse_claim(const std::string& path, const std::string& why, const std::string& hint) {
+  throw Error(ExitCode::file_system, "cannot write " + shown(path) + " (" + why + ") " + hint);
+}
+
+[[noreturn]] void refuse_held(const std::string& path) {
+  refuse_claim(path, "another process writes or reads it", "wait for that or choose another --out");
+}
+
+/// A link is kept: the draft stands beside the file it leads to.
+std::string behind_links(const std::string& path) {
+  std::error_code fault;
+  if (!std::filesystem::is_symlink(path, fault)) return path;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path, fault);
+  return fault ? path : target.string();
+}
+
+std::string draft_of(const std::string& path) {
+  const auto slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
+  const std::string name = path.substr(folder.size());
+  constexpr std::size_t longest = 250;  // a name holds 255 bytes
+  return folder + "." + (name.size() <= longest ? name : name.substr(name.size() - 200)) + ".new";
+}
+
+/// Whether `file` is locked now. A file system without locks locks nothing and says so.
+bool lock(int file, int kind) { return flock(file, kind | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
+
+bool same_file(const struct stat& one, const struct stat& other) {
+  return one.st_dev == other.st_dev && one.st_ino == other.st_ino;
+}
+
+}  // namespace
+
+void take_standard_streams() {
+  int file = open("/dev/null", O_RDWR);
+  while (file >= 0 && file <= STDERR_FILENO) file = open("/dev/null", O_RDWR);
+  if (file >= 0) close(file);
+}
+
+OutputClaim::OutputClaim(const std::string& path, bool overwrite)
+    : path_(behind_links(path)), draft_(draft_of(path_)), overwrite_(overwrite) {
+  take_standard_streams();
+  hold_existing(overwrite);
+  try {
+    open_draft();
+  } catch (...) {
+    if (former_ >= 0) close(former_);
+    throw;
+  }
+}
+
+void OutputClaim::hold_existing(bool overwrite) {
+  former_ = open(path_.c_str(), O_RDWR | O_CLOEXEC);
+  if (former_ < 0 && errno == ENOENT) return;
+  if (former_ < 0) refuse_claim(path_, reason_of(errno), "choose another --out");
+  const bool free = lock(former_, LOCK_EX);
+  if (overwrite && free) return;
+  close(former_);
+  if (!overwrite) refuse_claim(path_, "the file exists", "use --overwrite or another --out");
+  refuse_held(path_);
+}
+
+void OutputClaim::open_draft() {
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    file_ = open(draft_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file_ < 0) refuse_claim(path_, reason_of(errno), "choose another --out");
+    struct stat held {}, named {};
+    const bool free = lock(file_, LOCK_EX);
+    // another process may have given the draft its name meanwhile
+    const bool stands = fstat(file_, &held) == 0 && stat(draft_.c_str(), &named) == 0 && same_file(held, named);
+    if (free && stands) return;
+    close(file_);
+    if (stands) break;
+  }
+  refuse_held(path_);
+}
+
+OutputClaim::~OutputClaim() {
+  if (!published_) unlink(draft_.c_str());
+  close(file_);
+  if (former_ >= 0) close(former_);
+}
+
+std::string OutputClaim::publish() {
+  lock(file_, LOCK_SH);  // from now on others may read
+  int fault = 0;
+  if (overwrite_) {
+    if (std::rename(draft_.c_str(), path_.c_str()) != 0) fault = errno;
+  } else if (renameat2(AT_FDCWD, draft_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {
+    fault = errno;
+    if (fault == EINVAL || fault == ENOSYS) {  // a file system without it
+      fault = link(draft_.c_str(), path_.c_str()) == 0 ? 0 : errno;
+      if (fault == 0) unlink(draft_.c_str());
+    }
+  }
+  if (fault != 0) return fault == EEXIST ? "another process made the file" : reason_of(fault);
+  published_ = true;
+  return "";
+}
+
+std::string OutputClaim::sync() const {
+  // some file systems cannot, and say EINVAL
+  return fdatasync(file_) == 0 || errno == EINVAL ? "" : reason_of(errno);
+}
+
+std::string OutputClaim::fault_in_place() {
+  struct stat held {}, named {};
+  if (fstat(file_, &held) != 0) return reason_of(errno);
+  if (stat(path().c_str(), &named) != 0) return "it was deleted or moved during the run";
+  if (!same_file(held, named)) return "another file took its place during the run";
+  const auto size = static_cast<std::uint64_t>(held.st_size);
+  if (size < size_) return "it was truncated during the run";
+  size_ = size;
+  return "";
+}
+
+bool OutputClaim::reserve(std::uint64_t bytes) const {
+  struct stat held {};
+  if (fstat(file_, &held) != 0) return false;
+  const auto size = static_cast<std::uint64_t>(held.st_size);
+  rlimit limit{};
+  if (getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && size + bytes > limit.rlim_cur)
+    return false;
+  constexpr std::uint64_t last_part = 1 << 20;  // the library may have left holes near the end of the file
+  const std::uint64_t from = size > last_part ? size - last_part : 0;
+  int fault = 0;
+  do {
+    fault = fallocate(file_, FALLOC_FL_KEEP_SIZE, static_cast<off_t>(from), static_cast<off_t>(size + bytes - from)) == 0
+                ? 0
+                : errno;
+  } while (fault == EINTR);
+  if (fault == EOPNOTSUPP || fault == ENOSYS || fault == EINVAL) return room_at(path_) >= bytes;
+  return fault == 0;
+}
+
+void OutputClaim::trim() const {
+  struct stat held {};
+  // the old size: frees what stands behind it
+  if (fstat(file_, &held) == 0 && ftruncate(file_, held.st_size) != 0) return;
+}
+
+void OutputClaim::remove() const { unlink(path().c_str()); }
+
+}  // namespace gem

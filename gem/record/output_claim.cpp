@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "gem/base/error.h"
 #include "gem/record/output_path.h"
@@ -97,7 +98,7 @@ void OutputClaim::open_draft() {
 }
 
 OutputClaim::~OutputClaim() {
-  if (!published_) unlink(draft_.c_str());
+  if (!published_ && !removed_) unlink(draft_.c_str());
   close(file_);
   if (former_ >= 0) close(former_);
 }
@@ -124,15 +125,16 @@ std::string OutputClaim::sync() const {
   return fdatasync(file_) == 0 || errno == EINVAL ? "" : reason_of(errno);
 }
 
-std::string OutputClaim::fault_in_place() {
+bool OutputClaim::in_place() const {
   struct stat held {}, named {};
-  if (fstat(file_, &held) != 0) return reason_of(errno);
-  if (stat(path().c_str(), &named) != 0) return "it was deleted or moved during the run";
-  if (!same_file(held, named)) return "another file took its place during the run";
+  return fstat(file_, &held) == 0 && stat(path().c_str(), &named) == 0 && same_file(held, named);
+}
+
+bool OutputClaim::is_cut() {
+  struct stat held {};
+  if (fstat(file_, &held) != 0) return true;
   const auto size = static_cast<std::uint64_t>(held.st_size);
-  if (size < size_) return "it was truncated during the run";
-  size_ = size;
-  return "";
+  return std::exchange(size_, size) > size;
 }
 
 bool OutputClaim::reserve(std::uint64_t bytes) const {
@@ -160,6 +162,9 @@ void OutputClaim::trim() const {
   if (fstat(file_, &held) == 0 && ftruncate(file_, held.st_size) != 0) return;
 }
 
-void OutputClaim::remove() const { unlink(path().c_str()); }
+void OutputClaim::remove() {
+  unlink(path().c_str());
+  removed_ = true;
+}
 
 }  // namespace gem

@@ -29,15 +29,17 @@ class OutputClaim {
   bool published() const { return published_; }
   /// Hands all that was written to the disk. Returns the reason of a failure, or an empty text.
   std::string sync() const;
-  /// Whether the file stands where it was put, not shorter than at the last call. Returns what is wrong, or an empty text.
-  std::string fault_in_place();
+  /// Whether the path still leads to the file: it was not deleted, moved or replaced.
+  bool in_place() const;
+  /// Whether the file became shorter since the last call.
+  bool is_cut();
   /// Reserves so many bytes behind the end of the file, so that writing cannot find the disk full. Returns whether they
   /// are there. On a file system without reservations it only asks for free space.
   bool reserve(std::uint64_t bytes) const;
   /// Gives back what was reserved and not used.
   void trim() const;
   /// Removes the file.
-  void remove() const;
+  void remove();
 
  private:
   void hold_existing(bool overwrite);
@@ -46,6 +48,7 @@ class OutputClaim {
   std::string path_, draft_;
   bool overwrite_ = false;
   bool published_ = false;
+  bool removed_ = false;
   int former_ = -1;  // the file that is to be replaced
   int file_ = -1;
   std::uint64_t size_ = 0;  // at the last look

@@ -9,10 +9,12 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 
 #include "gem/base/error.h"
 #include "gem/record/hdf5_handle.h"
 #include "gem/record/output_path.h"
+#include "gem/record/row_extent.h"
 #include "gem/record/schema.h"
 
 namespace gem {
@@ -22,6 +24,8 @@ using hdf5::checked;
 using hdf5::Handle;
 
 namespace {
+
+constexpr const char* growing_groups[] = {"floes", "platform", "events", "stats"};
 
 [[noreturn]] void refuse_run_file(const std::string& path, const std::string& why, const std::string& hint) {
   throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + why + ") " + hint);
@@ -34,7 +38,7 @@ auto reading(const std::string& path, Body body) {
     return body();
   } catch (const hdf5::Failure& failure) {
     if (failure.text.find(std::strerror(EAGAIN)) != std::string::npos)
-      refuse_run_file(path, "a run is writing it", "wait for its end, or read a copy of the file");
+      refuse_run_file(path, "another program changes it", "wait for its end");
     refuse_run_file(path, failure.text, "the file may be damaged or made by another program");
   }
 }
@@ -71,9 +75,47 @@ bool is_run_file(const std::string& path) {
   return file && std::string(head.data(), 8) == "\x89HDF\r\n\x1a\n";
 }
 
+namespace {
+
+/// Whether the header says that a program writes the file, or did when it ended.
+bool is_marked_open(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 12> head{};  // signature, version, two sizes, flags
+  file.read(head.data(), head.size());
+  return file && head[8] >= 3 && head[11] != 0;
+}
+
+}  // namespace
+
 struct RunFile::Inside {
   std::string path;
   Handle file;
+  std::map<std::string, std::uint64_t> rows;  // of the groups that grow, when the file was opened
+
+  /// A file that is written, or that a killed program left, can be opened only as one that somebody writes.
+  void open_file() {
+    const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
+    check(H5Pset_file_locking(access, true, true), "file locking");
+    // the library waits for an index that is half written, each time twice as long; 1 ms in all
+    check(H5Pset_metadata_read_attempts(access, 20), "file access");
+    const unsigned beside = is_marked_open(path) ? H5F_ACC_SWMR_READ : 0;
+    file = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY | beside, access), H5Fclose, "cannot open");
+  }
+
+  /// Datasets of one file may be seen at different lengths while it is written, or end in chunks that were lost. All
+  /// reading keeps to the rows that are there in all datasets of a group.
+  void count_rows() {
+    const std::uint64_t size = std::filesystem::file_size(path);
+    for (const char* group : growing_groups) rows[group] = hdf5::rows_of_group(file, group, size);
+  }
+
+  /// Length of a dataset in each dimension, as far as it is read.
+  std::vector<hsize_t> length(const std::string& dataset, hid_t id) const {
+    std::vector<hsize_t> size = extent(id);
+    const auto group = rows.find(dataset.substr(0, dataset.find('/')));
+    if (!size.empty() && group != rows.end()) size[0] = std::min<hsize_t>(size[0], group->second);
+    return size;
+  }
 
   Handle open(const std::string& dataset) const {
     Handle access = checked(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "access");
@@ -100,9 +142,7 @@ RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::
   if (!std::ifstream(path)) refuse_run_file(path, "no permission", "check the permissions");
   if (!is_run_file(path)) refuse_run_file(path, "not an HDF5 file", "name a file that `gem run` wrote");
   reading(path, [&] {
-    const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
-    check(H5Pset_file_locking(access, true, true), "file locking");
-    inside_->file = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, "cannot open");
+    inside_->open_file();
     return 0;
   });
   const std::string version = attribute("gem_schema");
@@ -115,6 +155,10 @@ RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::
     refuse_run_file(path, "its status is '" + status() + "', not 'complete'",
                     "use --allow-incomplete to read what is there");
   }
+  reading(path, [&] {
+    inside_->count_rows();
+    return 0;
+  });
 }
 
 RunFile::~RunFile() = default;
@@ -169,18 +213,26 @@ double RunFile::number_attribute(const std::string& name) const {
 std::vector<double> RunFile::column(const std::string& dataset) const {
   return reading(path(), [&] {
     const Handle id = inside_->open(dataset);
+    const std::vector<hsize_t> count = inside_->length(dataset, id);
     hsize_t total = 1;
-    for (const hsize_t size : inside_->extent(id)) total *= size;
+    for (const hsize_t size : count) total *= size;
     if (total > std::numeric_limits<std::uint32_t>::max()) throw hdf5::Failure{dataset + ": too large to read at once"};
     std::vector<double> values(total);
-    if (total > 0) check(H5Dread(id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), dataset.c_str());
+    if (total == 0) return values;
+    const Handle space = checked(H5Dget_space(id), H5Sclose, dataset.c_str());
+    const std::vector<hsize_t> start(count.size(), 0);
+    if (!count.empty())
+      check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), dataset.c_str());
+    const Handle memory =
+        checked(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, dataset.c_str());
+    check(H5Dread(id, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()), dataset.c_str());
     return values;
   });
 }
 
 std::vector<std::size_t> RunFile::shape(const std::string& dataset) const {
   return reading(path(), [&] {
-    const std::vector<hsize_t> size = inside_->extent(inside_->open(dataset));
+    const std::vector<hsize_t> size = inside_->length(dataset, inside_->open(dataset));
     return std::vector<std::size_t>(size.begin(), size.end());
   });
 }

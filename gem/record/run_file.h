@@ -19,7 +19,8 @@ struct FrameView {
   std::vector<float> active;  // 0 or 1
 };
 
-/// An open run file. Reading throws Error(file_system) that names the file and the dataset.
+/// An open run file, also one that is being written. It shows the rows that were there when it was opened: all datasets
+/// of a group have the same length. Reading throws Error(file_system) that names the file and the dataset.
 class RunFile {
  public:
   /// Throws Error(file_system) if the file cannot be read, is not a run file, has another schema version, or is not

@@ -97,7 +97,7 @@ class RunWriter::Thread {
     close();
     claim_.trim();
     finished_ = !failed_;
-    if (!finished_ && !any_written_ && claim_.published()) claim_.remove();
+    if (!finished_ && !any_written_) claim_.remove();
     if (failed_) throw failure();
   }
 
@@ -152,11 +152,15 @@ class RunWriter::Thread {
   /// Whether the file stands in its place and the slab surely fits. Else the failure is kept and the file stays as it
   /// is, readable.
   bool ready_for(const Slab& slab) {
-    if (const std::string fault = claim_.fault_in_place(); !fault.empty()) {
+    if (claim_.is_cut()) {
       lost_ = broken_ = true;
-      remember(fault);
+      remember("it was truncated during the run");
+    } else if (!claim_.in_place()) {
+      lost_ = true;
+      remember("it was deleted, moved or replaced during the run");
     } else if (!claim_.reserve(layout_->room_for(slab) + spare_room)) {
       remember("no room left on the disk");
+      show();  // there is room for the slabs before
     }
     return !failed_;
   }
@@ -176,9 +180,9 @@ class RunWriter::Thread {
   /// The attributes of the end stand in the file since its start, so that they need no room. If the library is stuck
   /// with what it could not write, they are written past it.
   void set_end(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
-    if (!claim_.published() || lost_) return;
+    if (!claim_.published()) return;
     if (!broken_) guarded([&] { layout_->set_end(status, state_hash, verdict); });
-    if (!broken_) return;
+    if (!broken_ || lost_) return;
     close();
     guarded([&] { set_end_of_broken(claim_.path(), "stopped:" + why_, state_hash, verdict); });
   }

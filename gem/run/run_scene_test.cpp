@@ -9,6 +9,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <mutex>
 
 #include "gem/base/error.h"
@@ -17,6 +18,7 @@
 #include "gem/record/hdf5_handle.h"
 #include "gem/record/output_path.h"
 #include "gem/record/recorder.h"
+#include "gem/record/run_layout.h"
 #include "gem/report/run/load_run.h"
 #include "gem/run/run_scene.h"
 
@@ -40,14 +42,6 @@ class RunFileTest : public testing::Test {
     return run_scene(scene_, engine, options_);
   }
   std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(folder_), {})); }
-
-  /// Waits until the writer thread has finished its current work, judged by the size of the file. Until then the thread
-  /// holds the library.
-  void wait_for_writer() const {
-    for (int n = 0; n < 1000 && fs::file_size(options_.output) == 0; ++n) usleep(10000);
-    ASSERT_GT(fs::file_size(options_.output), 0U);
-    const std::lock_guard library(hdf5::library_mutex());
-  }
 
   /// Runs `body`, which must throw Error with this code and with this text in its message.
   template <class Body>
@@ -244,19 +238,36 @@ TEST_F(RunFileTest, NothingStaysBehindWithoutATimeStep) {
   EXPECT_EQ(files(), 0U);
 }
 
+/// Rows of the platform and frames of two floes up to `time` [s].
+Slab two_floes(std::size_t rows, double time) {
+  Slab slab;
+  slab.time = time;
+  slab.platform.resize(rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    slab.platform[i].position.x = std::sin(double(i));
+    slab.platform[i].time = time * double(i + 1) / double(rows);
+  }
+  slab.floes.time.assign(1, time);
+  for (auto* values : {&slab.floes.x, &slab.floes.y, &slab.floes.theta, &slab.floes.vx, &slab.floes.vy,
+                       &slab.floes.omega, &slab.floes.active}) {
+    values->assign(2, 0.0F);
+  }
+  return slab;
+}
+
 TEST_F(RunFileTest, AFileThatAnotherRunWritesIsLeftToIt) {
   const auto refused = [&](bool overwrite, const std::string& why) {
     expect_error(ExitCode::file_system, why, [&] { RunWriter(options_.output, overwrite, scene_, fake_field(2), {}); });
   };
   RunWriter first(options_.output, false, scene_, fake_field(2), {});
-  ASSERT_NO_FATAL_FAILURE(wait_for_writer());
+  refused(true, "another process writes or reads it");
+  refused(false, "another process writes or reads it");  // a draft
+  first.write(two_floes(7, 5.0));
+  EXPECT_EQ(first.flush().platform, 7U);
   const auto size = fs::file_size(options_.output);
   refused(true, "another process writes or reads it");
   refused(false, "the file exists");
   EXPECT_EQ(fs::file_size(options_.output), size);
-  Slab slab;
-  slab.platform.resize(7);
-  first.write(slab);
   first.finish("complete", 0);
   EXPECT_EQ(RunFile(options_.output).column("platform/x").size(), 7U);
 }
@@ -278,33 +289,65 @@ TEST_F(RunFileTest, FullDiskIsOneClearErrorAndLeavesAReadableFile) {
   EXPECT_EQ(file.column("floes/x").size(), file.frame_count() * 50);
 }
 
-TEST_F(RunFileTest, AFailedWriteIsReportedWithTheReasonOfTheSystem) {
+TEST_F(RunFileTest, AFullFileKeepsWhatWasFlushedAndGetsItsStatus) {
   RunWriter writer(options_.output, false, scene_, fake_field(2), {});
-  ASSERT_NO_FATAL_FAILURE(wait_for_writer());
-  const auto empty_size = fs::file_size(options_.output);
-  Slab slab;
-  slab.time = 5.0;
-  slab.platform.resize(20480);
-  for (std::size_t i = 0; i < slab.platform.size(); ++i) slab.platform[i].position.x = std::sin(double(i));
-  slab.floes.time.assign(16, 5.0);
-  for (auto* values : {&slab.floes.x, &slab.floes.y, &slab.floes.theta, &slab.floes.vx, &slab.floes.vy,
-                       &slab.floes.omega, &slab.floes.active}) {
-    values->assign(32, 0.0F);
-  }
-  usleep(2100000);  // longer than the writer's pause between two flushes
-  writer.write(slab);
-  for (int n = 0; n < 500 && fs::file_size(options_.output) < empty_size + 100000; ++n) usleep(10000);
-  ASSERT_NO_FATAL_FAILURE(wait_for_writer());  // the writer is already writing
+  writer.write(two_floes(20480, 5.0));
+  EXPECT_EQ(writer.flush().platform, 20480U);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{16, before.rlim_max};
+  const rlimit small{fs::file_size(options_.output) + 1000, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
   testing::internal::CaptureStderr();
-  expect_error(ExitCode::file_system, "File too large; saved up to 5 s", [&] { writer.finish("complete", 0); });
+  writer.write(two_floes(20480, 6.0));
+  expect_error(ExitCode::file_system, "no room left on the disk; saved up to 5 s",
+               [&] { writer.finish("complete", 0); });
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "HDF5 told its own story";
   setrlimit(RLIMIT_FSIZE, &before);
-  EXPECT_EQ(RunFile(options_.output, true).column("platform/x")[7], std::sin(7.0));
+  const RunFile file(options_.output, true);
+  EXPECT_EQ(file.status(), "stopped:no room left on the disk");
+  EXPECT_EQ(file.column("platform/x").size(), 20480U);
+  EXPECT_EQ(file.column("platform/x")[7], std::sin(7.0));
+}
+
+TEST_F(RunFileTest, AFileThatLeavesItsPlaceIsAnError) {
+  const auto refused = [&](const std::string& why, const std::function<void()>& harm) {
+    RunWriter writer(options_.output, true, scene_, fake_field(2), {});
+    writer.write(two_floes(100, 5.0));
+    writer.flush();
+    harm();
+    expect_error(ExitCode::file_system, why, [&] {
+      writer.write(two_floes(100, 6.0));
+      writer.finish("complete", 0);
+    });
+  };
+  const std::string other = (folder_ / "moved.h5").string();
+  refused("deleted, moved", [&] { fs::remove(options_.output); });
+  EXPECT_EQ(files(), 0U);
+  refused("deleted, moved", [&] { fs::rename(options_.output, other); });
+  EXPECT_EQ(RunFile(other, true).column("platform/x").size(), 100U);
+  refused("or replaced", [&] {
+    fs::rename(options_.output, other);
+    std::ofstream(options_.output) << "mine";
+  });
+  EXPECT_EQ(fs::file_size(options_.output), 4U);
+  fs::remove(options_.output);
+  refused("truncated", [&] { fs::resize_file(options_.output, 1000); });
+}
+
+TEST_F(RunFileTest, AClosedStandardStreamStaysOutOfTheFile) {
+  const int kept = dup(STDERR_FILENO);
+  close(STDERR_FILENO);
+  {
+    RunWriter writer(options_.output, false, scene_, fake_field(2), {});
+    writer.write(two_floes(100, 5.0));
+    writer.flush();
+    for (int n = 0; n < 100; ++n) EXPECT_EQ(write(STDERR_FILENO, "progress", 8), 8);
+    writer.finish("complete", 0);
+  }
+  dup2(kept, STDERR_FILENO);
+  close(kept);
+  EXPECT_EQ(RunFile(options_.output).column("platform/x").size(), 100U);
 }
 
 TEST_F(RunFileTest, NoRoomForTheFirstSlabLeavesNothing) {

@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
   gem::add_sweep_command(app, chosen);
   gem::add_info_command(app, chosen);
   gem::add_report_command(app, chosen);
+  gem::add_repair_command(app, chosen);
   gem::add_analyse_command(app, chosen);
   gem::add_devices_command(app, chosen);
   add_moved_paper_command(app, chosen);

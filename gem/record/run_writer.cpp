@@ -91,7 +91,7 @@ class RunWriter::Thread {
     guarded([&] {
       if (failed_ || !ready_for({})) return;
       layout_->append_rest();
-      show();
+      if (any_appended_) show();
     });
     set_end(failed_ ? "stopped:" + why_ : status, state_hash, verdict);
     close();
@@ -144,6 +144,7 @@ class RunWriter::Thread {
   void write(QueuedSlab next) {
     guarded([&] {
       if (!ready_for(next.slab)) return;
+      any_appended_ = any_appended_ || !next.slab.empty();
       layout_->append(std::move(next.slab));
       if (next.flush) show();
     });
@@ -160,7 +161,7 @@ class RunWriter::Thread {
       remember("it was deleted, moved or replaced during the run");
     } else if (!claim_.reserve(layout_->room_for(slab) + spare_room)) {
       remember("no room left on the disk");
-      show();  // there is room for the slabs before
+      if (any_appended_) show();  // there is room for the slabs before
     }
     return !failed_;
   }
@@ -244,6 +245,7 @@ class RunWriter::Thread {
   std::atomic<bool> any_written_ = false;
   std::atomic<bool> out_of_memory_ = false;
   std::atomic<bool> lost_ = false;  // the file does not stand in its place
+  bool any_appended_ = false;
   bool finished_ = false;
   bool broken_ = false;  // the library could not write, and cannot close the file
   bool stopping_ = false;

@@ -278,7 +278,7 @@ TEST_F(RunFileTest, FullDiskIsOneClearErrorAndLeavesAReadableFile) {
   scene_.output.platform_interval_s = 0.05;
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit small{2 << 20, before.rlim_max};
+  const rlimit small{4 << 20, before.rlim_max};
   signal(SIGXFSZ, SIG_IGN);
   setrlimit(RLIMIT_FSIZE, &small);
   expect_error(ExitCode::file_system, "saved up to", [&] { run(50); });
@@ -326,6 +326,7 @@ TEST_F(RunFileTest, AFileThatLeavesItsPlaceIsAnError) {
   EXPECT_EQ(files(), 0U);
   refused("deleted, moved", [&] { fs::rename(options_.output, other); });
   EXPECT_EQ(RunFile(other, true).column("platform/x").size(), 100U);
+  EXPECT_NE(RunFile(other, true).status().find("moved"), std::string::npos);
   refused("or replaced", [&] {
     fs::rename(options_.output, other);
     std::ofstream(options_.output) << "mine";

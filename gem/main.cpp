@@ -1,4 +1,10 @@
 // The program gem: its commands.
+#include <unistd.h>
+
+#include <cstdlib>
+#include <exception>
+#include <new>
+
 #include "baseline_box2d/register_box2d.h"
 #include "gem/base/error.h"
 #include "gem/command/command.h"
@@ -6,6 +12,21 @@
 #include "gem/run/run_signals.h"
 
 namespace {
+
+/// Ends a process that has no memory where no exception can pass, as before main().
+[[noreturn]] void end_in_order() {
+  try {
+    if (std::current_exception()) std::rethrow_exception(std::current_exception());
+  } catch (const std::bad_alloc&) {
+    constexpr char text[] = "gem: error: out of memory (nothing more can be done) use a machine with more\n";
+    if (write(STDERR_FILENO, text, sizeof text - 1) < 0) std::abort();
+    _exit(static_cast<int>(gem::ExitCode::resource_limit));
+  } catch (...) {
+  }
+  std::abort();
+}
+
+[[gnu::constructor(101)]] void end_in_order_from_the_start() { std::set_terminate(end_in_order); }
 
 /// Earlier versions of gem had this command. It is now the program gem_paper.
 void add_moved_paper_command(CLI::App& app, gem::Chosen& chosen) {

@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 try:
     import h5py
@@ -16,6 +17,7 @@ try:
 except ImportError:
     h5py = None
 try:
+    import h5netcdf
     import h5netcdf.legacyapi as netcdf
     import xarray
 except ImportError:
@@ -69,6 +71,36 @@ def check_ncdump(path):
     print("ncdump: reads the file")
 
 
+def check_running(gem, case, folder):
+    """A file that is being written, then one whose writer was killed: no row of zeros, all columns readable."""
+    path = pathlib.Path(folder, "running.h5")
+    run = subprocess.Popen([gem, "run", case, "--quiet", "--until", "10000000", "--out", path])
+    try:
+        for _ in range(300):
+            if path.exists():
+                break
+            time.sleep(0.1)
+        for state in ("running", "killed"):
+            with h5py.File(path, "r", swmr=True) as file:
+                for group in ("floes", "platform", "stats"):
+                    times = file[group]["time"][...]
+                    assert len(times) > 0 and (numpy.diff(times) > 0).all(), f"{state}: {group}/time does not increase"
+                    for dataset in file[group].values():
+                        assert numpy.isfinite(dataset[...]).all(), dataset.name
+            info = json.loads(subprocess.run([gem, "info", path, "--json"], check=True, stdout=subprocess.PIPE).stdout)
+            assert info["gem_status"] == "running" and info["end_s"] > 0, info
+            if xarray:
+                with h5netcdf.File(path, "r", swmr=True) as file:
+                    data = xarray.open_dataset(xarray.backends.H5NetCDFStore(file, group="platform"))
+                    assert data.sizes["time"] > 0 and (numpy.diff(data["time"]) > 0).all(), state
+            print(f"{state}: read up to {info['end_s']} s")
+            run.kill()
+            run.wait()
+    finally:
+        run.kill()
+        run.wait()
+
+
 def run(gem, case, folder):
     path = f"{folder}/run.h5"
     subprocess.run([gem, "run", case, "--quiet", "--until", "20", "--out", path], check=True)
@@ -80,6 +112,8 @@ def run(gem, case, folder):
             check(path)
         else:
             print(f"not installed: {name}")
+    if h5py:
+        check_running(gem, case, folder)
     if not any(there for there, _ in readers.values()):
         print("skipped: no ncdump, h5py or xarray")
         return False

@@ -20,7 +20,8 @@ void add_repair_command(CLI::App& app, Chosen& chosen) {
   command->add_option("-o,--out", options->out, "mended copy; default: NAME_repaired.h5 beside NAME.h5");
   command->add_flag("--overwrite", options->overwrite, "replace an existing mended copy");
   command->footer(
-      "All datasets of a group get the length of the rows that they share, and zeros behind the last time are cut. A file "
+      "All datasets of a group get the length of the rows that they share, and zeros behind the last time are cut. A "
+      "file "
       "with status running gets the status stopped:killed. A file in which nothing is wrong is not copied.");
   command->callback([options, &chosen] {
     chosen.action = [options] {

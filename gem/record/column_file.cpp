@@ -136,7 +136,7 @@ void ColumnFile::add_column(const Column& column, const std::vector<double>* val
   }
   if (!grows(names.front())) return;
   const bool wide = names.size() > 1;
-  dataset_[path] = {std::move(id), 0, wide ? size.back() : 1, chunk.front(), wide ? chunk.back() : 1,
+  dataset_[path] = {std::move(id),           0, wide ? size.back() : 1, chunk.front(), wide ? chunk.back() : 1,
                     file_type(column.stored)};
 }
 
@@ -220,8 +220,7 @@ void ColumnFile::append(const std::string& path, const std::vector<Value>& value
     // space that a chunk left is lost while others may read: a chunk that was written plain stays so
     const hsize_t plain = kind == Rows::part ? rows : dataset.plain ? std::min(rows, dataset.chunk_rows) : 0;
     if (plain > 0) write_plain(dataset, values, plain);
-    if (rows > plain)
-      write_packed(dataset, values.data() + plain * dataset.width, dataset.rows + plain, rows - plain);
+    if (rows > plain) write_packed(dataset, values.data() + plain * dataset.width, dataset.rows + plain, rows - plain);
   }
   dataset.plain = kind == Rows::part;
   if (kind != Rows::part) dataset.rows += rows;

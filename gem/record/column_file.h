@@ -12,8 +12,8 @@
 
 namespace gem {
 
-/// Rows that are compressed together. Fields with more floes, whose frames take longer to simulate, get fewer frames per
-/// chunk (131 kB per chunk).
+/// Rows that are compressed together. Fields with more floes, whose frames take longer to simulate, get fewer frames
+/// per chunk (131 kB per chunk).
 struct ChunkShape {
   hsize_t frames = 16;
   hsize_t floes = 2048;

@@ -46,7 +46,8 @@ Handle open_left_file(const std::string& path) {
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
   // a driver of its own, since the library gives the same file of the same driver only once
   check(H5Pset_fapl_stdio(access), "file access");
-  // the two settings of the program h5clear: a file that was not closed is marked as open, and may be longer than it says
+  // the two settings of the program h5clear: a file that was not closed is marked as open, and may be longer than it
+  // says
   const hbool_t yes = true;
   check(H5Pset(access, "clear_status_flags", &yes), "file access");
   check(H5Pset(access, "skip_eof_check", &yes), "file access");

@@ -86,7 +86,8 @@ void OutputClaim::open_draft() {
   for (int attempt = 0; attempt < 10; ++attempt) {
     file_ = open(draft_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file_ < 0) refuse_claim(path_, reason_of(errno), "choose another --out");
-    struct stat held {}, named {};
+    struct stat held {
+    }, named{};
     const bool free = lock(file_, LOCK_EX);
     // another process may have given the draft its name meanwhile
     const bool stands = fstat(file_, &held) == 0 && stat(draft_.c_str(), &named) == 0 && same_file(held, named);
@@ -126,7 +127,8 @@ std::string OutputClaim::sync() const {
 }
 
 bool OutputClaim::in_place() const {
-  struct stat held {}, named {};
+  struct stat held {
+  }, named{};
   return fstat(file_, &held) == 0 && stat(path().c_str(), &named) == 0 && same_file(held, named);
 }
 
@@ -148,9 +150,10 @@ bool OutputClaim::reserve(std::uint64_t bytes) const {
   const std::uint64_t from = size > last_part ? size - last_part : 0;
   int fault = 0;
   do {
-    fault = fallocate(file_, FALLOC_FL_KEEP_SIZE, static_cast<off_t>(from), static_cast<off_t>(size + bytes - from)) == 0
-                ? 0
-                : errno;
+    fault =
+        fallocate(file_, FALLOC_FL_KEEP_SIZE, static_cast<off_t>(from), static_cast<off_t>(size + bytes - from)) == 0
+            ? 0
+            : errno;
   } while (fault == EINTR);
   if (fault == EOPNOTSUPP || fault == ENOSYS || fault == EINVAL) return room_at(path_) >= bytes;
   return fault == 0;

@@ -11,8 +11,8 @@ namespace gem {
 void check_output_path(const std::string& path, bool overwrite);
 
 /// The output file of this process, locked against other processes that write. It begins as a draft, `.NAME.new` beside
-/// `path`, and gets its name when it can be read: a kill leaves a readable file or none. The destructor removes a draft.
-/// Others can read the file; `--overwrite` and programs that write are refused while it is claimed.
+/// `path`, and gets its name when it can be read: a kill leaves a readable file or none. The destructor removes a
+/// draft. Others can read the file; `--overwrite` and programs that write are refused while it is claimed.
 class OutputClaim {
  public:
   /// Throws Error(file_system) if the file exists (and not overwrite), the draft cannot be created, or another process

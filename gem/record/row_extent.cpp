@@ -48,7 +48,9 @@ herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
 }
 
 /// A dimension of netCDF that holds no values.
-bool is_bare_dimension(const std::string& group, const std::string& name) { return group == "events" && name == "event"; }
+bool is_bare_dimension(const std::string& group, const std::string& name) {
+  return group == "events" && name == "event";
+}
 
 }  // namespace
 

@@ -8,8 +8,8 @@
 
 namespace gem::hdf5 {
 
-/// Rows along the first dimension whose chunks all stand in the file, which has `file_size` bytes. Fewer than the length
-/// of the dataset if the file was cut, or if a killed program wrote the length before the rows. Throws Failure.
+/// Rows along the first dimension whose chunks all stand in the file, which has `file_size` bytes. Fewer than the
+/// length of the dataset if the file was cut, or if a killed program wrote the length before the rows. Throws Failure.
 std::uint64_t rows_on_disk(hid_t dataset, std::uint64_t file_size);
 
 /// Rows of a column of increasing times, without zeros at its end. Throws Failure.

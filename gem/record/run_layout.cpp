@@ -119,8 +119,8 @@ void RunLayout::add_group(const std::string& group) {
 }
 
 template <class Row>
-void RunLayout::append_rows(const std::vector<RowColumn<Row>>& columns, const std::vector<Row>& rows,
-                            std::size_t count, Rows kind) {
+void RunLayout::append_rows(const std::vector<RowColumn<Row>>& columns, const std::vector<Row>& rows, std::size_t count,
+                            Rows kind) {
   std::vector<double> values(count);
   for (const auto& entry : columns) {
     std::transform(rows.begin(), rows.begin() + std::ptrdiff_t(count), values.begin(), entry.value);

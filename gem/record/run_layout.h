@@ -28,8 +28,8 @@ class RunLayout {
   /// Takes over a slab and writes the chunks that are full, compressed. Readers see them after flush().
   void append(Slab slab);
   /// Makes all rows visible to readers, also those that fill no chunk, which are written again with their chunk. `sync`
-  /// hands the file to the disk, and throws hdf5::Failure. Lengths are written after the rows that they count: a copy or
-  /// a kill at any moment finds no row that was not written.
+  /// hands the file to the disk, and throws hdf5::Failure. Lengths are written after the rows that they count: a copy
+  /// or a kill at any moment finds no row that was not written.
   void flush(const std::function<void()>& sync);
   /// Writes the remaining rows that fill no chunk, at the end of the run. Then flush().
   void append_rest();

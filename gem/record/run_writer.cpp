@@ -10,6 +10,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/record/memory_reserve.h"
 #include "gem/record/output_path.h"
 #include "gem/record/run_layout.h"
 #include "gem_version.h"
@@ -93,8 +94,7 @@ class RunWriter::Thread {
       layout_->append_rest();
       if (any_appended_) show();
     });
-    set_end(failed_ ? "stopped:" + why_ : status, state_hash, verdict);
-    close();
+    set_end(status, state_hash, verdict);
     claim_.trim();
     finished_ = !failed_;
     if (!finished_ && !any_written_) claim_.remove();
@@ -123,6 +123,7 @@ class RunWriter::Thread {
   /// does not wait.
   void begin(const Start start) {
     guarded([&] {
+      if (!has_memory(0)) return;
       layout_ = std::make_unique<RunLayout>(claim_.path(), start.scene, start.bodies, start.provenance);
     });
   }
@@ -150,9 +151,23 @@ class RunWriter::Thread {
     });
   }
 
+  /// Whether the library surely gets the memory that it needs. Else the failure is kept.
+  bool has_memory(std::uint64_t bytes) {
+    try {
+      MemoryReserve::ask(bytes);
+      return true;
+    } catch (const std::bad_alloc&) {
+      reserve_.release();
+      out_of_memory_ = true;
+      remember("out of memory");
+      return false;
+    }
+  }
+
   /// Whether the file stands in its place and the slab surely fits. Else the failure is kept and the file stays as it
   /// is, readable.
   bool ready_for(const Slab& slab) {
+    if (!has_memory(layout_->room_for(slab))) return false;
     if (claim_.is_cut()) {
       lost_ = broken_ = true;
       remember("it was truncated during the run");
@@ -178,14 +193,14 @@ class RunWriter::Thread {
     if (!fault.empty()) throw hdf5::Failure{fault};
   }
 
-  /// The attributes of the end stand in the file since its start, so that they need no room. If the library is stuck
-  /// with what it could not write, they are written past it.
+  /// Writes the attributes of the end, which stand in the file since its start and need no room, and closes the file.
+  /// If the library is stuck with what it could not write, they are written past it.
   void set_end(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
-    if (!claim_.published()) return;
-    if (!broken_) guarded([&] { layout_->set_end(status, state_hash, verdict); });
-    if (!broken_ || lost_) return;
-    close();
-    guarded([&] { set_end_of_broken(claim_.path(), "stopped:" + why_, state_hash, verdict); });
+    reserve_.release();
+    const auto end = [&] { return failed_ ? "stopped:" + why_ : status; };
+    if (claim_.published() && !broken_) guarded([&] { layout_->set_end(end(), state_hash, verdict); });
+    if (close() || lost_ || !claim_.published()) return;
+    guarded([&] { set_end_of_broken(claim_.path(), end(), state_hash, verdict); });
   }
 
   void remember(const std::string& why) {
@@ -204,21 +219,18 @@ class RunWriter::Thread {
     if (thread_.joinable()) thread_.join();
   }
 
-  void close() {
-    if (layout_ == nullptr) return;
+  /// Returns whether the library could close the file.
+  bool close() {
     const std::lock_guard library(hdf5::library_mutex());
     prepare_library();
     try {
-      if (broken_) {
-        layout_->abandon();
-      } else {
-        layout_->close();
-      }
-    } catch (const hdf5::Failure& fault) {
-      layout_->abandon();
-      remember(fault.text);
+      if (!broken_) layout_->close();
+    } catch (const hdf5::Failure&) {
+      broken_ = true;
     }
+    if (broken_) layout_->abandon();
     layout_.reset();
+    return !broken_;
   }
 
   Error failure() const {
@@ -227,14 +239,15 @@ class RunWriter::Thread {
       return {ExitCode::resource_limit, "out of memory (while " + shown(path_) + " was written; " + saved +
                                             ") use fewer floes or a machine with more"};
     if (lost_)
-      return {ExitCode::file_system, "cannot write " + shown(path_) + " (" + why_ +
-                                         ") leave the file in its place until the run ends"};
+      return {ExitCode::file_system,
+              "cannot write " + shown(path_) + " (" + why_ + ") leave the file in its place until the run ends"};
     return {ExitCode::file_system,
             "cannot write " + shown(path_) + " (" + why_ + "; " + saved + ") make room and run again"};
   }
 
   std::string path_;
   OutputClaim claim_;
+  MemoryReserve reserve_;
   std::unique_ptr<RunLayout> layout_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;

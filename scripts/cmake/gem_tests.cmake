@@ -113,3 +113,18 @@ function(gem_reader_test name what case)
 endfunction()
 gem_reader_test(run_file_readers run analytic/V10_floe_on_moored_platform)
 gem_reader_test(sweep_summary_readers summary small_sweep)
+
+# Failing system calls, kills, full disks, several processes: a short round as a test, the whole one with the label `long`.
+add_library(gem_fail_nth SHARED ${PROJECT_SOURCE_DIR}/scripts/faults/fail_nth.c)
+target_link_libraries(gem_fail_nth PRIVATE ${CMAKE_DL_LIBS})
+function(gem_faults_test name label timeout)
+  if(GEM_PYTHON AND NOT GEM_SANITIZE)
+    add_test(NAME ${name} COMMAND ${GEM_PYTHON} ${PROJECT_SOURCE_DIR}/scripts/faults/faults.py $<TARGET_FILE:gem>
+      $<TARGET_FILE:gem_fail_nth> ${ARGN})
+  else()
+    add_test(NAME ${name} COMMAND sh -c "echo skipped: no /usr/bin/python3, or a build with sanitizers; exit 77")
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS ${label} SKIP_RETURN_CODE 77 TIMEOUT ${timeout} PROCESSORS 2)
+endfunction()
+gem_faults_test(faults unit 300 --short)
+gem_faults_test(faults_long long 7200)

@@ -46,6 +46,7 @@ Handle open_left_file(const std::string& path) {
   const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
   // a driver of its own, since the library gives the same file of the same driver only once
   check(H5Pset_fapl_stdio(access), "file access");
+  check(H5Pset_file_locking(access, false, true), "file locking");  // the caller holds the lock
   // the two settings of the program h5clear: a file that was not closed is marked as open, and may be longer than it
   // says
   const hbool_t yes = true;

@@ -20,12 +20,16 @@ class MemoryReserve {
   MemoryReserve(const MemoryReserve&) = delete;
   MemoryReserve& operator=(const MemoryReserve&) = delete;
 
-  /// Throws std::bad_alloc if fewer than `bytes`, and what the library needs besides, are left.
-  static void ask(std::size_t bytes) {
-    const std::size_t all = bytes + library_bytes;
-    void* block = take(all);
-    if (block == MAP_FAILED) throw std::bad_alloc();
-    munmap(block, all);
+  /// What the library needs besides the rows: for writing, and for the end of a run. Chosen by hand.
+  static constexpr std::size_t to_write = std::size_t{24} << 20;
+  static constexpr std::size_t to_end = std::size_t{6} << 20;
+
+  /// Whether so many bytes can be had.
+  static bool has(std::size_t bytes) {
+    void* block = take(bytes);
+    if (block == MAP_FAILED) return false;
+    munmap(block, bytes);
+    return true;
   }
   void release() {
     if (block_ != MAP_FAILED) munmap(block_, held_bytes);
@@ -33,8 +37,6 @@ class MemoryReserve {
   }
 
  private:
-  // Chosen by hand.
-  static constexpr std::size_t library_bytes = std::size_t{24} << 20;
   static constexpr std::size_t held_bytes = std::size_t{8} << 20;
 
   static void* take(std::size_t bytes) {

@@ -104,8 +104,9 @@ class RunWriter::Thread {
  private:
   /// Calls the library. After a failure, which is kept, nothing more is written.
   template <class Action>
-  void guarded(Action action) {
+  void guarded(Action action, std::size_t memory = MemoryReserve::to_write) {
     const std::lock_guard library(hdf5::library_mutex());
+    if (!has_memory(memory)) return;
     prepare_library();
     try {
       action();
@@ -122,10 +123,7 @@ class RunWriter::Thread {
   /// Creates the draft and writes what is known at the start. This takes tens of milliseconds, for which the simulation
   /// does not wait.
   void begin(const Start start) {
-    guarded([&] {
-      if (!has_memory(0)) return;
-      layout_ = std::make_unique<RunLayout>(claim_.path(), start.scene, start.bodies, start.provenance);
-    });
+    guarded([&] { layout_ = std::make_unique<RunLayout>(claim_.path(), start.scene, start.bodies, start.provenance); });
   }
 
   void work() {
@@ -152,22 +150,18 @@ class RunWriter::Thread {
   }
 
   /// Whether the library surely gets the memory that it needs. Else the failure is kept.
-  bool has_memory(std::uint64_t bytes) {
-    try {
-      MemoryReserve::ask(bytes);
-      return true;
-    } catch (const std::bad_alloc&) {
-      reserve_.release();
-      out_of_memory_ = true;
-      remember("out of memory");
-      return false;
-    }
+  bool has_memory(std::size_t bytes) {
+    if (MemoryReserve::has(bytes)) return true;
+    reserve_.release();
+    out_of_memory_ = true;
+    remember("out of memory");
+    return false;
   }
 
   /// Whether the file stands in its place and the slab surely fits. Else the failure is kept and the file stays as it
   /// is, readable.
   bool ready_for(const Slab& slab) {
-    if (!has_memory(layout_->room_for(slab))) return false;
+    if (!has_memory(layout_->room_for(slab) + MemoryReserve::to_write)) return false;
     if (claim_.is_cut()) {
       lost_ = broken_ = true;
       remember("it was truncated during the run");
@@ -198,9 +192,10 @@ class RunWriter::Thread {
   void set_end(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
     reserve_.release();
     const auto end = [&] { return failed_ ? "stopped:" + why_ : status; };
-    if (claim_.published() && !broken_) guarded([&] { layout_->set_end(end(), state_hash, verdict); });
+    if (claim_.published() && !broken_)
+      guarded([&] { layout_->set_end(end(), state_hash, verdict); }, MemoryReserve::to_end);
     if (close() || lost_ || !claim_.published()) return;
-    guarded([&] { set_end_of_broken(claim_.path(), end(), state_hash, verdict); });
+    guarded([&] { set_end_of_broken(claim_.path(), end(), state_hash, verdict); }, MemoryReserve::to_end);
   }
 
   void remember(const std::string& why) {
@@ -222,7 +217,8 @@ class RunWriter::Thread {
   /// Returns whether the library could close the file.
   bool close() {
     const std::lock_guard library(hdf5::library_mutex());
-    prepare_library();
+    if (!has_memory(MemoryReserve::to_end)) broken_ = true;
+    if (!broken_) prepare_library();
     try {
       if (!broken_) layout_->close();
     } catch (const hdf5::Failure&) {

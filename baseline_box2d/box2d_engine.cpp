@@ -27,7 +27,7 @@ double work_on(const Bodies& b, std::size_t i, Vec2 velocity, double spin) {
 }  // namespace
 
 Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options)
-    : options_(options), event_speed_(scene.output.event_speed_m_per_s), touches_(field_, options_) {
+    : options_(options), touches_(field_, options_) {
   const StepConstants constants = step_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
   make_world();
@@ -94,8 +94,7 @@ void Box2dEngine::one_step(StepLog& log) {
 
   StepQuality quality = this->quality();
   PlatformStep row = ice_row(f, touches_.touches());
-  if (log.wants_events)
-    log_events(f, touches_.touches(), static_cast<double>(step_) * f.constants.dt, event_speed_, log.events);
+  if (log.wants_events) log_events(f, touches_.touches(), static_cast<double>(step_) * f.constants.dt, log.events);
   book_fixed_bodies();
   place_ = f.bodies.position;
   for (std::size_t i = 0; i < f.bodies.count(); ++i)

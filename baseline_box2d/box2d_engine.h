@@ -45,7 +45,6 @@ class Box2dEngine : public Engine {
   void disable_retired();
 
   Box2dOptions options_;
-  double event_speed_;
   FieldState field_;
   Ledger ledger_;
   std::int64_t step_ = 0;

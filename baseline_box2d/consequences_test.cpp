@@ -137,7 +137,8 @@ Hit hit_corner(int corner) {
     hit.sideways = std::max(hit.sideways, std::fabs(cross(step.ice_impulse, out)));
   }
   for (const StepQuality& quality : log.quality) hit.points = std::max(hit.points, quality.contacts);
-  hit.events = log.events.size();
+  // the floe stays pressed; only the hit closes
+  for (const ContactEvent& event : log.events) hit.events += event.closing_speed > 0.01;
   return hit;
 }
 

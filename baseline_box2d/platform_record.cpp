@@ -78,7 +78,7 @@ PlatformImpulse platform_impulse(const FieldState& f, const std::vector<Touch>& 
   return sum;
 }
 
-void log_events(const FieldState& f, const std::vector<Touch>& touches, double time, double event_speed,
+void log_events(const FieldState& f, const std::vector<Touch>& touches, double time,
                 std::vector<ContactEvent>& events) {
   const Touch* touch = touches.data();
   const Touch* const last = touch + touches.size();
@@ -87,7 +87,7 @@ void log_events(const FieldState& f, const std::vector<Touch>& touches, double t
     while (next != last && next->a == 0 && next->b == touch->b) ++next;
     if (f.bodies.kind[touch->b] == BodyKind::floe) {  // fixed bodies are not ice
       ContactEvent event = merged(f, touch, next);
-      if (event.impulse_normal > 0.0 && event.closing_speed > event_speed) {
+      if (event.impulse_normal > 0.0) {
         event.time = time;
         add_crushing(f, event);
         events.push_back(event);

@@ -20,8 +20,7 @@ PlatformImpulse platform_impulse(const FieldState& f, const std::vector<Touch>& 
 
 /// Appends one event for each floe that hit the platform. Touches of several fixtures are one event, at the
 /// impulse-weighted mean of their points. Needs velocities and outlines from before the step.
-void log_events(const FieldState& f, const std::vector<Touch>& touches, double time, double event_speed,
-                std::vector<ContactEvent>& events);
+void log_events(const FieldState& f, const std::vector<Touch>& touches, double time, std::vector<ContactEvent>& events);
 
 /// The ice's part of a row; the other members are filled at the end of the time step.
 PlatformStep ice_row(const FieldState& f, const std::vector<Touch>& touches);

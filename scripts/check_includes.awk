@@ -6,6 +6,7 @@ BEGIN {
   for (i in order) rank[order[i]] = i + 0
   rank["run"] = rank["command"]
   rank["main"] = rank["command"] + 1
+  rank["fuzz"] = rank["main"]
 
   # Headers of a third party and the only places that may include them.
   confined["cuda"] = "^(cuda|cub/|thrust/|cooperative_groups|device_launch|curand|nvtx)"
@@ -13,7 +14,7 @@ BEGIN {
   confined["toml"] = "^toml[+][+]/"
   home["toml"] = "^gem/scene/"
   confined["hdf5"] = "^(hdf5|H5)"
-  home["hdf5"] = "^gem/record/"
+  home["hdf5"] = "^gem/(record|fuzz)/"
   confined["gsl"] = "^gsl/"
   home["gsl"] = "^(gem|validation/paper)/analysis/"
   confined["eigen"] = "^(Eigen|eigen3)/"

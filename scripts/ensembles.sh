@@ -39,7 +39,8 @@ one_member() {
   esac
   set -f # --set values hold quotes, never blanks or patterns to expand
   # shellcheck disable=SC2086
-  limited "$program" run $arguments --set output.floes_interval_s=20 --set output.event_speed_m_per_s=0 --threads 1 --quiet --overwrite \
+  limited "$program" run $arguments --set output.floes_interval_s=20 --set output.event_speed_m_per_s=0 \
+    --set output.hit_release_s=0 --threads 1 --quiet --overwrite \
     --out "$base.h5" 2>"$base.log" || {
     cat "$base.log" >&2
     rm -f "$base.h5"

@@ -10,6 +10,17 @@
 namespace gem {
 namespace {
 
+/// A message may quote a hostile file. What would steer a terminal is escaped; lists of problems keep their lines.
+std::string printable(const std::string& message) {
+  std::string text;
+  std::size_t begin = 0;
+  for (std::size_t end = message.find('\n'); end != std::string::npos; end = message.find('\n', begin)) {
+    text += shown(message.substr(begin, end - begin)) + '\n';
+    begin = end + 1;
+  }
+  return text + shown(message.substr(begin));
+}
+
 /// Prints one line in the form of all other messages and returns the exit code.
 int fault(const CLI::App& app, const Chosen& chosen, const std::string& message, ExitCode code) {
   if (chosen.json_messages) {
@@ -17,7 +28,7 @@ int fault(const CLI::App& app, const Chosen& chosen, const std::string& message,
         {"level", "error"}, {"message", message}, {"exit_code", static_cast<int>(code)}};
     std::cerr << object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
   } else {
-    std::cerr << app.get_name() << ": error: " << message << '\n';
+    std::cerr << app.get_name() << ": error: " << printable(message) << '\n';
   }
   return static_cast<int>(code);
 }

@@ -74,6 +74,13 @@ class CommandTest : public testing::Test {
   const fs::path& folder_ = scratch_.path();
 };
 
+TEST_F(CommandTest, AMessageThatQuotesAFileDoesNotSteerTheTerminal) {
+  std::ofstream(path("f.csv")) << "floe,x,y\n1,\x1b[2J,0\n";
+  EXPECT_EQ(shell("gem case check swing.toml --set floes.source=file --set 'floes.path=\"f.csv\"'"), 3);
+  EXPECT_NE(text_of("err").find("\\x1b[2J"), std::string::npos) << text_of("err");
+  EXPECT_EQ(text_of("err").find('\x1b'), std::string::npos);
+}
+
 TEST_F(CommandTest, RunWritesAFileAndASummary) {
   ASSERT_EQ(shell("gem run swing.toml"), 0) << text_of("err");
   EXPECT_NE(text_of("out").find("state hash"), std::string::npos);

@@ -6,6 +6,7 @@
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
 #include "gem/command/verdict_output.h"
+#include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
 
 namespace gem {
@@ -44,7 +45,7 @@ std::string text_of(const nlohmann::ordered_json& object) {
   std::string text;
   for (const auto& [name, value] : object.items())
     text += name + std::string(width - name.size(), ' ') +
-            (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
+            (value.is_string() ? shown(value.get<std::string>()) : value.dump()) + "\n";
   return text;
 }
 

@@ -39,7 +39,7 @@ struct ContactEvent {
   std::int32_t body_b = 0;
   Vec2 point;  // in world axes [m]
   Vec2 normal;
-  double closing_speed = 0.0;       // before the event [m/s]
+  double closing_speed = 0.0;       // before the event, impulse-weighted mean of the points [m/s]
   double impulse_normal = 0.0;      // [N s]
   double impulse_tangential = 0.0;  // along the normal turned left [N s]
   double effective_mass = 0.0;      // [kg]
@@ -78,7 +78,8 @@ struct StepQuality {
   static double worse(double a, double b) { return a < b || b != b ? b : a; }
 };
 
-/// Filled by advance(): one entry of `platform` and `quality` per time step; events in order of time and body id.
+/// Filled by advance(): one entry of `platform` and `quality` per time step; an event for each floe that presses on the
+/// platform in a time step, in order of time and body id.
 struct StepLog {
   bool wants_events = true;
   std::vector<PlatformStep> platform;

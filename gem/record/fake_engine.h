@@ -60,6 +60,7 @@ class FakeEngine : public Engine {
         ContactEvent event;
         event.time = dt_ * double(step_ - 1);
         event.body_b = 2;
+        event.closing_speed = 0.1;
         event.impulse_normal = 4.5;
         log.events.push_back(event);
       }

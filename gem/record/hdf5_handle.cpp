@@ -64,6 +64,36 @@ std::mutex& library_mutex() {
 
 void quiet_errors() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
+std::size_t element_count(hid_t object, hid_t space, std::size_t stored, const std::string& name) {
+  const Handle file = checked(H5Iget_file_id(object), H5Fclose, name.c_str());
+  hsize_t bytes = 0;
+  check(H5Fget_filesize(file, &bytes), name.c_str());
+  constexpr hsize_t most_packed = 1032;  // bytes that deflate can pack into one
+  const hsize_t most = bytes * most_packed / std::max<hsize_t>(stored, 1);
+  std::vector<hsize_t> size(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
+  check(H5Sget_simple_extent_dims(space, size.data(), nullptr), name.c_str());
+  if (H5Sget_simple_extent_type(space) == H5S_NULL || std::count(size.begin(), size.end(), hsize_t{0}) > 0) return 0;
+  hsize_t count = 1;
+  for (const hsize_t length : size) {
+    if (length > most / count) throw Failure{name + ": larger than its file can hold"};
+    count *= length;
+  }
+  return count;
+}
+
+std::string read_text(hid_t object, const std::string& name) {
+  if (H5Aexists(object, name.c_str()) <= 0) return "";
+  const Handle attribute = checked(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, name.c_str());
+  const Handle type = checked(H5Aget_type(attribute), H5Tclose, name.c_str());
+  const Handle space = checked(H5Aget_space(attribute), H5Sclose, name.c_str());
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) return "";
+  const std::size_t size = H5Tget_size(type);
+  if (element_count(object, space, size, name) != 1) return "";
+  std::string text(size, '\0');
+  check(H5Aread(attribute, type, text.data()), name.c_str());
+  return text.substr(0, text.find('\0'));
+}
+
 void write_text(hid_t object, const char* name, const std::string& text, std::size_t reserved) {
   const std::size_t size = std::max({text.size(), reserved, std::size_t{1}});
   std::string padded = text;

@@ -3,6 +3,7 @@
 
 #include <hdf5.h>
 
+#include <cstddef>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -60,6 +61,13 @@ inline Handle checked(hid_t id, Handle::Closer closer, const char* what) {
   if (id < 0) throw Failure{std::string(what) + ": " + last_reason()};
   return {id, closer};
 }
+
+/// Number of elements of a dataset or attribute that is about to be read, each stored in `stored` bytes. Throws Failure
+/// if its file cannot hold as many: a damaged or hostile file may claim any size.
+std::size_t element_count(hid_t object, hid_t space, std::size_t stored, const std::string& name);
+
+/// A text attribute of fixed length; empty if there is none, or if it is of another kind.
+std::string read_text(hid_t object, const std::string& name);
 
 /// Opens a file that a process left open or a full disk broke, to change attributes and lengths in their place.
 /// Independent of a handle of this process that could not be closed.

@@ -44,7 +44,8 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
       platform_(scene.output.platform_interval_s, time_step_),
       frames_(scene.output.floes_interval_s, time_step_),
       window_steps_(
-          static_cast<std::size_t>(std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / time_step_)))) {
+          static_cast<std::size_t>(std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / time_step_)))),
+      hits_({scene.output.hit_release_s, scene.output.event_speed_m_per_s}, time_step_) {
   if (has_platform_) {
     const Bodies& b = engine.bodies();
     now_.yaw = angle_of(b.rotation[0]);
@@ -76,8 +77,9 @@ void Recorder::add(const StepLog& log, std::int64_t last_step) {
   }
   now_.overlap += log.overlap;
   now_.overlap_share += log.overlap_share;
-  slab_.events.insert(slab_.events.end(), log.events.begin(), log.events.end());
-  now_.events_seen += static_cast<std::int64_t>(log.events.size());
+  const std::size_t before = slab_.events.size();
+  hits_.add(log.events, now_.step, slab_.events);
+  now_.hits_seen += static_cast<std::int64_t>(slab_.events.size() - before);
   slab_.time = double(now_.step) * time_step_;
 }
 
@@ -106,6 +108,12 @@ void Recorder::sample(const PlatformStep& now, std::int64_t step) {
   slab_.platform.push_back(row);
   now_.since_sample = {};
   now_.sample_step = step;
+}
+
+void Recorder::end_hits() {
+  const std::size_t before = slab_.events.size();
+  hits_.end_all(slab_.events);
+  now_.hits_seen += static_cast<std::int64_t>(slab_.events.size() - before);
 }
 
 StatsRow Recorder::add_frame(Engine& engine, double wall_time) {
@@ -160,6 +168,7 @@ void Recorder::keep_stats(Engine& engine, double wall_time) {
 void Recorder::restore(const RecorderState& state) {
   now_ = state.now;
   window_.assign(state.window.begin(), state.window.end());
+  hits_.restore(state.hits);
   slab_ = {};
 }
 

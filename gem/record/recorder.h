@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gem/record/hits.h"
 #include "gem/record/run_writer.h"
 
 namespace gem {
@@ -29,7 +30,7 @@ struct RecorderState {
     std::int64_t step = 0;
     std::int64_t sample_step = 0;
     std::int64_t frame_step = 0;
-    std::int64_t events_seen = 0;
+    std::int64_t hits_seen = 0;
     double frame_wall_time = 0.0;
     double yaw = 0.0;
     PlatformStep since_sample;  // sums since the last platform sample
@@ -38,7 +39,8 @@ struct RecorderState {
     OverlapCount overlap, overlap_share;
   };
   Numbers now;
-  std::vector<Vec2> window;  // ice impulses of the last time steps, the oldest first
+  std::vector<Vec2> window;   // ice impulses of the last time steps, the oldest first
+  std::vector<OpenHit> hits;  // of floes that press
 };
 
 /// Samples one run. It does not write files: the recorded rows are taken from it as slabs.
@@ -55,12 +57,14 @@ class Recorder {
   /// Samples the platform at the last added time step if it is not sampled yet.
   void sample_rest();
   std::int64_t next_frame() const { return frames_.next_after(now_.frame_step); }
+  /// Ends the hits of floes that still press. For the end of a run.
+  void end_hits();
   /// Returns what was recorded since the last call.
   Slab take();
   std::size_t frames_waiting() const { return slab_.floes.time.size(); }
-  std::int64_t events_seen() const { return now_.events_seen; }
+  std::int64_t hits_seen() const { return now_.hits_seen; }
   /// The rows that were not taken are not part of the state.
-  RecorderState state() const { return {now_, {window_.begin(), window_.end()}}; }
+  RecorderState state() const { return {now_, {window_.begin(), window_.end()}, hits_.open()}; }
   /// Goes on from a state, without rows that wait.
   void restore(const RecorderState& state);
 
@@ -76,6 +80,7 @@ class Recorder {
   std::size_t window_steps_;
   RecorderState::Numbers now_;
   std::deque<Vec2> window_;  // ice impulses of the last time steps
+  Hits hits_;
   Slab slab_;
 };
 

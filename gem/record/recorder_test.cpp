@@ -14,6 +14,7 @@ SceneDef short_scene() {
   scene.output.platform_interval_s = 0.5;
   scene.output.floes_interval_s = 2.0;
   scene.output.force_window_s = 1.0;
+  scene.output.hit_release_s = 0.0;
   return scene;
 }
 

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <stdexcept>
 
 #include "gem/base/error.h"
 #include "gem/record/hdf5_handle.h"
@@ -40,18 +41,10 @@ auto reading(const std::string& path, Body body) {
     if (failure.text.find(std::strerror(EAGAIN)) != std::string::npos)
       refuse_run_file(path, "another program changes it", "wait for its end");
     refuse_run_file(path, failure.text, "the file may be damaged or made by another program");
+  } catch (const std::out_of_range&) {
+    refuse_run_file(path, "a dataset has another shape than a run file has",
+                    "the file may be damaged or made by another program");
   }
-}
-
-std::string text_of(hid_t object, const std::string& name) {
-  if (H5Aexists(object, name.c_str()) <= 0) return "";
-  const Handle attribute = checked(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, name.c_str());
-  const Handle type = checked(H5Aget_type(attribute), H5Tclose, name.c_str());
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) return "";
-  std::string text(H5Tget_size(type), '\0');
-  check(H5Aread(attribute, type, text.data()), name.c_str());
-  const auto end = text.find('\0');
-  return end == std::string::npos ? text : text.substr(0, end);
 }
 
 std::vector<std::vector<Vec2>> split(const std::vector<double>& xy, const std::vector<double>& counts) {
@@ -59,7 +52,7 @@ std::vector<std::vector<Vec2>> split(const std::vector<double>& xy, const std::v
   std::size_t next = 0;
   for (const double count : counts) {
     auto& outline = outlines.emplace_back();
-    for (int n = 0; n < static_cast<int>(count) && next + 1 < xy.size(); ++n, next += 2) {
+    for (double n = 0.0; n < count && next + 1 < xy.size(); ++n, next += 2) {
       outline.push_back({xy[next], xy[next + 1]});
     }
   }
@@ -123,6 +116,9 @@ struct RunFile::Inside {
     return checked(H5Dopen2(file, dataset.c_str(), access), H5Dclose, dataset.c_str());
   }
 
+  /// Size of one value in the file.
+  std::size_t stored_bytes(hid_t dataset) const { return H5Tget_size(checked(H5Dget_type(dataset), H5Tclose, "type")); }
+
   std::vector<hsize_t> extent(hid_t dataset) const {
     const Handle space = checked(H5Dget_space(dataset), H5Sclose, "extent");
     std::vector<hsize_t> size(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
@@ -179,14 +175,14 @@ std::string RunFile::attribute(const std::string& name) const {
       const Handle dataset = inside_->open(name);
       const Handle type = checked(H5Dget_type(dataset), H5Tclose, name.c_str());
       const Handle space = checked(H5Dget_space(dataset), H5Sclose, name.c_str());
-      if (H5Tis_variable_str(type) <= 0) return std::string();
+      if (H5Tis_variable_str(type) <= 0 || H5Sget_simple_extent_npoints(space) != 1) return std::string();
       char* text = nullptr;
       check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &text), name.c_str());
       const std::string copy = text != nullptr ? text : "";
       check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, &text), name.c_str());
       return copy;
     }
-    return text_of(inside_->file, name);
+    return hdf5::read_text(inside_->file, name);
   });
 }
 
@@ -194,10 +190,8 @@ std::vector<double> RunFile::number_list(const std::string& name) const {
   return reading(path(), [&] {
     const Handle attribute = checked(H5Aopen(inside_->file, name.c_str(), H5P_DEFAULT), H5Aclose, name.c_str());
     const Handle space = checked(H5Aget_space(attribute), H5Sclose, name.c_str());
-    const hssize_t size = H5Sget_simple_extent_npoints(space);
-    if (size < 0) throw hdf5::Failure{name + ": no numbers"};
-    std::vector<double> values(static_cast<std::size_t>(size));
-    if (size > 0) check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), name.c_str());
+    std::vector<double> values(hdf5::element_count(attribute, space, 1, name));
+    if (!values.empty()) check(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()), name.c_str());
     return values;
   });
 }
@@ -213,13 +207,14 @@ double RunFile::number_attribute(const std::string& name) const {
 std::vector<double> RunFile::column(const std::string& dataset) const {
   return reading(path(), [&] {
     const Handle id = inside_->open(dataset);
+    const Handle space = checked(H5Dget_space(id), H5Sclose, dataset.c_str());
+    hdf5::element_count(id, space, inside_->stored_bytes(id), dataset);
     const std::vector<hsize_t> count = inside_->length(dataset, id);
     hsize_t total = 1;
     for (const hsize_t size : count) total *= size;
     if (total > std::numeric_limits<std::uint32_t>::max()) throw hdf5::Failure{dataset + ": too large to read at once"};
     std::vector<double> values(total);
     if (total == 0) return values;
-    const Handle space = checked(H5Dget_space(id), H5Sclose, dataset.c_str());
     const std::vector<hsize_t> start(count.size(), 0);
     if (!count.empty())
       check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), dataset.c_str());
@@ -233,16 +228,17 @@ std::vector<double> RunFile::column(const std::string& dataset) const {
 std::vector<std::size_t> RunFile::shape(const std::string& dataset) const {
   return reading(path(), [&] {
     const std::vector<hsize_t> size = inside_->length(dataset, inside_->open(dataset));
+    if (size.empty()) throw hdf5::Failure{dataset + ": a single value, not rows"};
     return std::vector<std::size_t>(size.begin(), size.end());
   });
 }
 
 std::string RunFile::units(const std::string& dataset) const {
-  return reading(path(), [&] { return text_of(inside_->open(dataset), "units"); });
+  return reading(path(), [&] { return hdf5::read_text(inside_->open(dataset), "units"); });
 }
 
 std::string RunFile::long_name(const std::string& dataset) const {
-  return reading(path(), [&] { return text_of(inside_->open(dataset), "long_name"); });
+  return reading(path(), [&] { return hdf5::read_text(inside_->open(dataset), "long_name"); });
 }
 
 bool RunFile::has(const std::string& dataset) const {
@@ -270,15 +266,18 @@ FrameView RunFile::frame(std::size_t index) const {
         {"floes/vy", &view.vy}, {"floes/omega", &view.omega}, {"floes/active", &view.active}};
     for (const auto& [name, values] : fields) {
       const Handle id = inside_->open(name);
+      const Handle space = checked(H5Dget_space(id), H5Sclose, name);
+      hdf5::element_count(id, space, inside_->stored_bytes(id), name);
       const hsize_t count[2] = {1, inside_->extent(id).at(1)};
       const hsize_t start[2] = {index, 0};
       values->resize(count[1]);
       if (count[1] == 0) continue;
-      const Handle space = checked(H5Dget_space(id), H5Sclose, name);
       check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr), name);
       const Handle memory = checked(H5Screate_simple(2, count, nullptr), H5Sclose, name);
       check(H5Dread(id, H5T_NATIVE_FLOAT, memory, space, H5P_DEFAULT, values->data()), name);
     }
+    for (const auto& [name, values] : fields)
+      if (values->size() != view.x.size()) throw hdf5::Failure{std::string(name) + ": not one value for each floe"};
     view.time = column("floes/time").at(index);
     return view;
   });
@@ -301,6 +300,10 @@ OverlapCount overlaps_of(const RunFile& file, const std::string& dataset) {
   OverlapCount sum;
   if (!file.has(dataset)) return sum;
   const std::vector<double> values = file.column(dataset);
+  constexpr double count_maximum = 9007199254740992.0;  // whole numbers up to this are exact
+  for (const double value : values)
+    if (!(value >= 0.0 && value <= count_maximum))
+      refuse_run_file(file.path(), dataset + " holds a value that is no count", "the file may be damaged");
   for (std::size_t i = 0; i < values.size(); ++i)
     sum.count[i % OverlapCount::classes] += static_cast<std::int64_t>(values[i]);
   return sum;
@@ -317,16 +320,18 @@ std::vector<FloeDef> floes_of_run_file(const std::string& path) {
     refuse_run_file(path, "it holds no frame", "run it again for at least one floe frame");
   }
   const FrameView first = outlines.empty() ? FrameView{} : file.frame(0);
-  std::vector<FloeDef> floes(outlines.size());
-  for (std::size_t i = 0; i < floes.size(); ++i) {
-    floes[i].outline_m = outlines[i];
-    floes[i].position_m = {x.at(i), y.at(i)};
-    floes[i].angle_rad = theta.at(i);
-    floes[i].velocity_m_per_s = {first.vx.at(i), first.vy.at(i)};
-    floes[i].spin_rad_per_s = first.omega.at(i);
-    floes[i].thickness_m = thickness.at(i);
-  }
-  return floes;
+  return reading(path, [&] {
+    std::vector<FloeDef> floes(outlines.size());
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+      floes[i].outline_m = outlines[i];
+      floes[i].position_m = {x.at(i), y.at(i)};
+      floes[i].angle_rad = theta.at(i);
+      floes[i].velocity_m_per_s = {first.vx.at(i), first.vy.at(i)};
+      floes[i].spin_rad_per_s = first.omega.at(i);
+      floes[i].thickness_m = thickness.at(i);
+    }
+    return floes;
+  });
 }
 
 }  // namespace gem

@@ -14,7 +14,7 @@ namespace gem {
 /// The recorded rows since the last slab.
 struct Slab {
   std::vector<PlatformRow> platform;
-  std::vector<ContactEvent> events;
+  std::vector<Hit> events;
   std::vector<StatsRow> stats;
   FloeFrames floes;
   double time = 0.0;  // end of the recorded time [s]

@@ -56,33 +56,39 @@ const std::vector<RowColumn<PlatformRow>>& platform_columns() {
   return columns;
 }
 
-const std::vector<RowColumn<ContactEvent>>& event_columns() {
+const std::vector<RowColumn<Hit>>& event_columns() {
   const auto row = [](const char* name, Stored stored, const char* units, const char* long_name,
-                      std::function<double(const ContactEvent&)> value) {
-    return RowColumn<ContactEvent>{{"events", name, "event", stored, units, long_name, ""}, std::move(value)};
+                      std::function<double(const Hit&)> value) {
+    return RowColumn<Hit>{{"events", name, "event", stored, units, long_name, ""}, std::move(value)};
   };
-  using C = ContactEvent;
+  using C = Hit;
   static const std::vector<RowColumn<C>> columns = {
-      row("time", Stored::f8, "s", "start of the time step of the event", [](const C& e) { return e.time; }),
-      row("body_a", Stored::i4, "1", "body number of the platform", [](const C& e) { return double(e.body_a); }),
+      row("time", Stored::f8, "s", "start of the time step of the first touch",
+          [](const C& e) { return e.first.time; }),
+      row("body_a", Stored::i4, "1", "body number of the platform", [](const C& e) { return double(e.first.body_a); }),
       row("body_b", Stored::i4, "1", "body number of the floe; its floe index is body_b - gem_first_floe_body",
-          [](const C& e) { return double(e.body_b); }),
-      row("x", Stored::f4, "m", "contact point, x", [](const C& e) { return e.point.x; }),
-      row("y", Stored::f4, "m", "contact point, y", [](const C& e) { return e.point.y; }),
-      row("nx", Stored::f4, "1", "normal from the platform into the ice, x", [](const C& e) { return e.normal.x; }),
-      row("ny", Stored::f4, "1", "normal from the platform into the ice, y", [](const C& e) { return e.normal.y; }),
-      row("closing_speed", Stored::f4, "m s-1", "closing speed along the normal before the event",
-          [](const C& e) { return e.closing_speed; }),
-      row("impulse", Stored::f4, "N s", "normal impulse on the ice", [](const C& e) { return e.impulse_normal; }),
-      row("impulse_t", Stored::f4, "N s", "tangential impulse on the ice, along the normal turned left",
+          [](const C& e) { return double(e.first.body_b); }),
+      row("x", Stored::f4, "m", "point of the first touch, x", [](const C& e) { return e.first.point.x; }),
+      row("y", Stored::f4, "m", "point of the first touch, y", [](const C& e) { return e.first.point.y; }),
+      row("nx", Stored::f4, "1", "normal from the platform into the ice, x",
+          [](const C& e) { return e.first.normal.x; }),
+      row("ny", Stored::f4, "1", "normal from the platform into the ice, y",
+          [](const C& e) { return e.first.normal.y; }),
+      row("closing_speed", Stored::f4, "m s-1", "closing speed along the normal before the first touch",
+          [](const C& e) { return e.first.closing_speed; }),
+      row("impulse", Stored::f4, "N s", "normal impulse on the ice until release",
+          [](const C& e) { return e.impulse_normal; }),
+      row("impulse_t", Stored::f4, "N s", "tangential impulse on the ice until release, along the normal turned left",
           [](const C& e) { return e.impulse_tangential; }),
-      row("effective_mass", Stored::f4, "kg", "effective mass of the pair at the contact",
-          [](const C& e) { return e.effective_mass; }),
+      row("effective_mass", Stored::f4, "kg", "effective mass of the pair at the first touch",
+          [](const C& e) { return e.first.effective_mass; }),
       row("force_peak", Stored::f4, "N", "closed-form peak crushing force (Popov) of the closing speed",
-          [](const C& e) { return e.peak_force; }),
-      row("width", Stored::f4, "m", "width of the contact, 0 for a corner that only touches",
-          [](const C& e) { return e.width; }),
-      row("depth", Stored::f4, "m", "overlap depth", [](const C& e) { return e.depth; }),
+          [](const C& e) { return e.first.peak_force; }),
+      row("width", Stored::f4, "m", "width of the first touch, 0 for a corner that only touches",
+          [](const C& e) { return e.first.width; }),
+      row("depth", Stored::f4, "m", "largest overlap depth until release", [](const C& e) { return e.depth; }),
+      row("duration", Stored::f4, "s", "time from the first touch to the last time step in which the floe presses",
+          [](const C& e) { return e.duration; }),
   };
   return columns;
 }

@@ -9,6 +9,7 @@
 #include "gem/engine/engine.h"
 #include "gem/engine/step/ledger.h"
 #include "gem/field/bodies.h"
+#include "gem/record/hits.h"
 #include "gem/scene/scene_def.h"
 
 namespace gem {
@@ -98,7 +99,7 @@ struct ShapeColumn {
 };
 
 const std::vector<RowColumn<PlatformRow>>& platform_columns();
-const std::vector<RowColumn<ContactEvent>>& event_columns();
+const std::vector<RowColumn<Hit>>& event_columns();
 const std::vector<RowColumn<StatsRow>>& stats_columns();
 const std::vector<CountColumn>& count_columns();
 const std::vector<FloeColumn>& floe_columns();

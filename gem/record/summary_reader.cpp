@@ -37,16 +37,6 @@ std::vector<std::string> dataset_names(hid_t file) {
   return names;
 }
 
-std::string attribute(hid_t object, const char* name) {
-  if (H5Aexists(object, name) <= 0) return "";
-  const Handle id = checked(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, name);
-  const Handle type = checked(H5Aget_type(id), H5Tclose, name);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return "";
-  std::string text(H5Tget_size(type), '\0');
-  check(H5Aread(id, type, text.data()), name);
-  return text.substr(0, text.find('\0'));
-}
-
 class Dataset {
  public:
   Dataset(hid_t file, const std::string& name)
@@ -57,14 +47,13 @@ class Dataset {
     type_ = checked(H5Dget_type(id_), H5Tclose, name.c_str());
   }
 
-  std::string text(const char* attribute_name) const { return attribute(id_, attribute_name); }
+  std::string text(const char* attribute_name) const { return hdf5::read_text(id_, attribute_name); }
   bool is_text() const { return H5Tget_class(type_) == H5T_STRING; }
   bool is_scale() const { return H5DSis_scale(id_) > 0; }
   bool is_double() const { return H5Tget_size(type_) == sizeof(double); }
   std::size_t count() const {
-    std::size_t product = 1;
-    for (const hsize_t length : size) product *= length;
-    return product;
+    const Handle space = checked(H5Dget_space(id_), H5Sclose, name_.c_str());
+    return hdf5::element_count(id_, space, H5Tget_size(type_), name_);
   }
 
   /// Name of the scale of a dimension; empty if it has none.
@@ -97,9 +86,10 @@ class Dataset {
       return values;
     }
     const std::size_t length = H5Tget_size(type_);
-    std::string block(count() * length, '\0');
+    const std::size_t texts = count();
+    std::string block(texts * length, '\0');
     check(H5Dread(id_, type_, H5S_ALL, H5S_ALL, H5P_DEFAULT, block.data()), name_.c_str());
-    for (std::size_t i = 0; i < count(); ++i) {
+    for (std::size_t i = 0; i < texts; ++i) {
       const std::string one = block.substr(i * length, length);
       values.push_back(one.substr(0, one.find('\0')));
     }
@@ -177,8 +167,8 @@ SummaryTable read_summary(const std::string& path) {
     const Handle file = opened(path);
     if (H5Lexists(file, "run", H5P_DEFAULT) <= 0) throw hdf5::Failure{"it lists no runs"};
     SummaryTable table;
-    table.title = attribute(file, "title");
-    table.history = attribute(file, "history");
+    table.title = hdf5::read_text(file, "title");
+    table.history = hdf5::read_text(file, "history");
     std::set<std::string> settings;
     for (const std::string& name : dataset_names(file)) read_dataset(Dataset(file, name), name, table, settings);
     for (SummaryColumn& column : table.columns) column.is_setting = settings.contains(column.name);

@@ -73,7 +73,7 @@ void pass_parts(State& c, Part part) {
   part([&](auto& s) { s(c.serial, c.build, c.case_sha256, c.text_sha256, c.engine_name); });
   part([&](auto& s) { pass_engine(s, c.engine); });
   part([&](auto& s) { pass_floes(s, c.floes); });
-  part([&](auto& s) { s(c.recorder.now, c.recorder.window, c.watch, c.totals); });
+  part([&](auto& s) { s(c.recorder.now, c.recorder.window, c.recorder.hits, c.watch, c.totals); });
   part([&](auto& s) { pass_position(s, c.position); });
 }
 

@@ -32,6 +32,7 @@ class RunFileTest : public testing::Test {
   void SetUp() override {
     scene_.run.duration_s = 10.0;
     scene_.output.floes_interval_s = 2.0;
+    scene_.output.hit_release_s = 0.0;
     options_.output = (folder_ / "a run.h5").string();
     options_.log.quiet = true;
   }

@@ -174,6 +174,7 @@ RunSummary RunSteps::finish(int stop_signal) {
                                                       : "complete";
   summary_.state_hash = engine_.state_hash();
   summary_.verdict = judge_run(watch_.measures());
+  recorder_.end_hits();
   hand_over(false);
   if (writer_) writer_->finish(summary_.status, summary_.state_hash, summary_.verdict);
   if (writer_ && engine_.step() >= case_steps_) remove_checkpoints(options_.output);
@@ -181,7 +182,7 @@ RunSummary RunSteps::finish(int stop_signal) {
   summary_.wall_time = seconds_since(start_);
   summary_.sim_rate = summary_.wall_time > 0.0 ? summary_.time / summary_.wall_time : 0.0;
   summary_.steps = engine_.step();
-  summary_.events = recorder_.events_seen();
+  summary_.events = recorder_.hits_seen();
   const Bodies& b = engine_.bodies();
   summary_.active_floes = double(std::count(b.active.begin() + std::ptrdiff_t(first_floe(b)), b.active.end(), 1));
   summary_.peak_memory = peak_memory();
@@ -196,7 +197,10 @@ void RunSteps::fail(const std::exception& error) {
   const RunVerdict verdict = numerical ? judge_stopped_run(measures, error.what()) : judge_run(measures);
   const std::string reason = numerical ? "numerical" : "failure";
   // The first error is the one to report. A writer that takes no more rows still writes the status.
-  attempt([&] { hand_over(false); });
+  attempt([&] {
+    recorder_.end_hits();
+    hand_over(false);
+  });
   attempt([&] { writer_->finish("stopped:" + reason + ": " + error.what(), engine_.state_hash(), verdict); });
 }
 

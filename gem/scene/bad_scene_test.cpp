@@ -51,6 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadScene{"malformed", "[run]\nname = \n", {"bad.toml:2:", "run.name: malformed"}},
         BadScene{"garbage", "\n\n}{\n", {"bad.toml:3:1"}},
+        BadScene{"letter_outside_quotes", "[run]\nn\u00e4me = \"a\"\n", {"bad.toml:2:2", "outside ASCII"}},
         BadScene{
             "truncated_list", "[current]\nvelocity_m_per_s = [0.2", {"bad.toml:2:", "velocity_m_per_s", "end-of-file"}},
         BadScene{"truncated_header", "[platf", {"bad.toml:1:", "end-of-file"}},

@@ -96,8 +96,9 @@ struct OutputDef {
   double force_window_s = 1.0;  ///< averaging window of the reported ice force
   bool platform_events = true;
   double event_speed_m_per_s =
-      0.01;                   ///< slower contacts count as static load: in the force channels, not in the event list
-  double retire_x_m = 300.0;  ///< a floe whose centre passes this line is retired
+      0.01;                    ///< slower contacts count as static load: in the force channels, not in the event list
+  double hit_release_s = 3.0;  ///< a floe that has not pressed on the platform for this long hits anew
+  double retire_x_m = 300.0;   ///< a floe whose centre passes this line is retired
 };
 
 /// A floe or fixed body given by its outline (body coordinates, any origin, either direction).

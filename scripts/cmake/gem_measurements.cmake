@@ -20,3 +20,5 @@ endforeach()
 
 # numerics.iteration in windows of jams: bench/notebook.md, "Operator splitting".
 gem_measurement(splitting_study ${PROJECT_SOURCE_DIR}/bench/splitting_study.cpp ${PROJECT_SOURCE_DIR}/bench/setting.cpp)
+# Hits on the platform, with and without a release: bench/notebook.md, "Hits".
+gem_measurement(hit_study ${PROJECT_SOURCE_DIR}/bench/hit_study.cpp ${PROJECT_SOURCE_DIR}/bench/setting.cpp)

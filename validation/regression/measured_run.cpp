@@ -7,6 +7,7 @@
 
 #include "gem/base/number_text.h"
 #include "gem/field/field.h"
+#include "gem/record/hits.h"
 #include "gem/record/run_writer.h"
 #include "gem/run/run_scene.h"
 
@@ -18,7 +19,7 @@ struct Totals {
   std::int64_t contacts = 0;
   std::int64_t platform_contacts = 0;
   std::int64_t iterations = 0;
-  std::int64_t events = 0;
+  std::vector<Hit> hits;
   double deepest_overlap = 0.0;  // [m]
   Vec2 impulse;                  // of the ice on the platform [N s]
   double yaw_impulse = 0.0;      // about the platform's centre [N m s]
@@ -36,7 +37,6 @@ std::int64_t window_steps(const SceneDef& scene) {
 }
 
 void add(Totals& totals, const SceneDef& scene, std::int64_t first_step, const StepLog& log) {
-  totals.events += static_cast<std::int64_t>(log.events.size());
   for (const StepQuality& quality : log.quality) {
     totals.contacts += quality.contacts;
     totals.iterations += quality.iterations;
@@ -105,14 +105,17 @@ MeasuredRun measured(const ListedRun& run, const EngineOptions& options) {
   const auto engine = make_engine(scene, make_field(scene), options);
   Totals totals;
   StepLog log;
+  Hits hits({scene.output.hit_release_s, scene.output.event_speed_m_per_s}, scene.numerics.time_step_s);
   const std::int64_t steps = steps_of(scene);
   while (engine->step() < steps) {
     log.clear();
     const std::int64_t first_step = engine->step();
     engine->advance(std::min(block_steps, steps - first_step), log);
     add(totals, scene, first_step, log);
+    hits.add(log.events, engine->step(), totals.hits);
     engine->ledger();
   }
+  hits.end_all(totals.hits);
   Cells cells;
   cells.text("state_hash", hash_text(engine->state_hash()));
   cells.count("steps", steps);
@@ -120,7 +123,7 @@ MeasuredRun measured(const ListedRun& run, const EngineOptions& options) {
   cells.count("contacts", totals.contacts);
   cells.count("platform_contacts", totals.platform_contacts);
   cells.count("iterations", totals.iterations);
-  cells.count("events", totals.events);
+  cells.count("events", static_cast<std::int64_t>(totals.hits.size()));
   cells.count("active_floes", active_floes(engine->bodies()));
   cells.number("deepest_overlap_m", totals.deepest_overlap);
   add_platform(cells, scene, totals, *engine);

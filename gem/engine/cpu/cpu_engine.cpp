@@ -12,7 +12,7 @@
 namespace gem {
 
 CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread)
-    : event_speed_(scene.output.event_speed_m_per_s), all_threads_(threads), coupled_(contacts_worth_a_thread) {
+    : all_threads_(threads), coupled_(contacts_worth_a_thread) {
   check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cpu");
   const StepConstants constants = step_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
@@ -99,7 +99,7 @@ void CpuEngine::enter_books(ThreadTeam& team, int rank, StepLog& log) {
   if (rank == team.size() - 1) note_outcomes(f, outcomes_, work_, quality_, log);
   team.single(rank, [&] {
     for (std::size_t c = 0; c < contacts.size(); ++c) book_contact(f, *contacts[c], outcomes_[c]);
-    log_events(f, contacts, step_, event_speed_, log);
+    log_events(f, contacts, step_, log);
   });
 }
 

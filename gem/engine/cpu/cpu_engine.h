@@ -49,7 +49,6 @@ class CpuEngine : public Engine {
   void move(ThreadTeam& team, int rank, StepLog& log);
 
   FieldState field_;
-  double event_speed_;
   ThreadTeam all_threads_;
   ThreadTeam one_thread_{1};
   TeamChoice choice_;

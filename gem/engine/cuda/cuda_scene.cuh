@@ -26,7 +26,7 @@ class CudaScene {
     const StepConstants constants = step_constants(scene.scene, scene.bodies);
     field_ = make_field_state(std::move(scene.bodies), constants);
     ledger_.start = total(field_);
-    device_ = scene_constants(field_, scene.scene.output.event_speed_m_per_s);
+    device_ = scene_constants(field_);
     sizes_ = scene_sizes(field_);
     sizes_.samples = options.ring_steps;
     sizes_.blocks = std::max(blocks, largest_cluster);

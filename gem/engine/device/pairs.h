@@ -132,7 +132,7 @@ GEM_DEVICE inline void resolve(const DeviceScene& s, Group& group, const PairCel
   resolve_alone(s.constants, bodies.mass_a, bodies.mass_b, contact);
   keep_contact(s.contact[touching.pair], contact);
   write_rows(s, pair, bodies, contact, step);
-  if (s.wants_events && pair.a == 0 && b.kind == BodyKind::floe && is_event(contact, s.event_speed))
+  if (s.wants_events && pair.a == 0 && b.kind == BodyKind::floe && presses(contact))
     keep_event(s, pair.row_a - s.platform->row_begin, a, b, contact, step);
   for (int k = 0; k < 2 && k < contact.count; ++k)
     if (contact.slot[k].separation <= 0.0) group.add(&group.shared().contacts, 1);

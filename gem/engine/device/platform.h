@@ -118,7 +118,7 @@ GEM_DEVICE inline std::int32_t collect_terms(const DeviceScene& s, const Warp& w
       presses = presses || (ice && slot.impulse.normal > 0.0);
     }
     const bool event =
-        touched && s.wants_events && s.row_event_step[at] == step && (!coupled || is_event(*contact, s.event_speed));
+        touched && s.wants_events && s.row_event_step[at] == step && (!coupled || gem::presses(*contact));
     const unsigned pressing = warp.ballot(presses), recorded = warp.ballot(event);
     if (event) {
       PlatformEventRecord& record = s.event[events + warp.count_below(recorded)];

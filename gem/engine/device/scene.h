@@ -77,7 +77,6 @@ struct DeviceStatus {
 
 struct DeviceScene {
   StepConstants constants;
-  double event_speed = 0.0;
   std::int64_t horizon = 1;  // longest life of a list [time steps]
   std::int32_t bodies = 0, non_floes = 0, rows_capacity = 0, platform_capacity = 0, grid_capacity = 0;
   std::int32_t events_capacity = 0;

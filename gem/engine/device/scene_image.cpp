@@ -239,9 +239,13 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
   return placer.used();
 }
 
+/// Rows of events that a launch has room for, for each of its time steps. Chosen by hand: a few floes press in drift,
+/// about thirty in a jam; a full ring ends the launch early.
+constexpr std::int32_t platform_rows_a_step = 16;
+
 std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base) {
   Placer placer(base);
-  s.events_capacity = 2 * std::max(sizes.platform_rows, sizes.samples);
+  s.events_capacity = std::max(2 * sizes.platform_rows, platform_rows_a_step * sizes.samples);
   // in this order: one copy fetches everything from overlap_count to the last quality
   placer.place(s.overlap_count, 2 * OverlapCount::classes);
   placer.place(s.sample, sizes.samples);
@@ -250,11 +254,10 @@ std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   return placer.used();
 }
 
-DeviceScene scene_constants(const FieldState& f, double event_speed) {
+DeviceScene scene_constants(const FieldState& f) {
   DeviceScene s;
   const SceneSizes sizes = scene_sizes(f);
   s.constants = f.constants;
-  s.event_speed = event_speed;
   s.horizon = f.constants.list_horizon;
   s.bodies = sizes.bodies;
   s.non_floes = sizes.non_floes;

@@ -39,8 +39,8 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
 std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base);
 std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base);
 
-/// Returns a scene with its constants set and its arrays null. `event_speed` [m/s].
-DeviceScene scene_constants(const FieldState& f, double event_speed);
+/// Returns a scene with its constants set and its arrays null.
+DeviceScene scene_constants(const FieldState& f);
 
 /// Writes the field as it is at the start of `step`. The field memory of `s` must be on the host.
 void write_field(const FieldState& f, std::int64_t step, const DeviceScene& s);

@@ -63,14 +63,9 @@ void log_platform_events(const Rules& rules, const State& s, const std::vector<T
   if (!log.wants_events) return;
   for (const Touch& touch : touches) {
     if (touch.a != 0 || s.bodies.kind[touch.b] != BodyKind::floe) continue;
-    double pressed = 0.0, closing = 0.0;
-    for (const TouchPoint& p : touch.points) {
-      pressed += p.impulse.normal;
-      closing -= p.impulse.normal * p.normal_before;
-    }
-    // slower closing is static stress
-    if (pressed > 0.0 && closing > rules.scene.output.event_speed_m_per_s * pressed)
-      log.events.push_back(event_of(rules, s, touch, pressed));
+    double pressed = 0.0;
+    for (const TouchPoint& p : touch.points) pressed += p.impulse.normal;
+    if (pressed > 0.0) log.events.push_back(event_of(rules, s, touch, pressed));
   }
 }
 

@@ -159,14 +159,14 @@ void retire(FieldState& f) {
     if (f.bodies.kind[i] == BodyKind::floe) retire_floe(f, i);
 }
 
-void log_events(const FieldState& f, Contacts contacts, std::int64_t step, double event_speed, StepLog& log) {
+void log_events(const FieldState& f, Contacts contacts, std::int64_t step, StepLog& log) {
   if (!log.wants_events) return;
   const double time = static_cast<double>(step) * f.constants.dt;
   for (const Contact* at : contacts) {
     const Contact& contact = *at;
     if (contact.a != 0) break;
     if (f.bodies.kind[contact.b] != BodyKind::floe) continue;  // a wall is not ice
-    if (is_event(contact, event_speed)) log.events.push_back(event_of(contact, event_bodies(f, contact), time));
+    if (presses(contact)) log.events.push_back(event_of(contact, event_bodies(f, contact), time));
   }
 }
 

@@ -39,8 +39,8 @@ struct EventBodies {
 /// The platform event of one contact. Its point is the impulse-weighted mean of the contact points; `time` in [s].
 ContactEvent event_of(const Contact& contact, const EventBodies& bodies, double time);
 
-/// Appends the platform's events to `log`, before the floes move: one row per contact and time step.
-void log_events(const FieldState& f, Contacts contacts, std::int64_t step, double event_speed, StepLog& log);
+/// Appends the floes that press on the platform to `log`, before they move: one row per contact.
+void log_events(const FieldState& f, Contacts contacts, std::int64_t step, StepLog& log);
 
 /// Impulses of mooring and water drag on the platform since t = 0 [N s].
 struct PlatformImpulses {

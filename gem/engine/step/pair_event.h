@@ -195,15 +195,11 @@ GEM_HD inline bool acted(const ContactSlot& slot) {
   return slot.impulse.normal != 0.0 || slot.impulse.tangential != 0.0 || slot.repair != 0.0;
 }
 
-/// Whether a resolved contact enters the list of platform events: the impulse-weighted closing speed of its points is
-/// above `event_speed` [m/s].
-GEM_HD inline bool is_event(const Contact& contact, double event_speed) {
-  double carried = 0.0, pressed = 0.0;
-  for (int k = 0; k < 2 && k < contact.count; ++k) {
-    pressed += contact.slot[k].impulse.normal;
-    carried -= contact.slot[k].impulse.normal * contact.slot[k].normal_before;
-  }
-  return pressed > 0.0 && carried > event_speed * pressed;
+/// Whether a resolved contact presses.
+GEM_HD inline bool presses(const Contact& contact) {
+  for (int k = 0; k < 2 && k < contact.count; ++k)
+    if (contact.slot[k].impulse.normal > 0.0) return true;
+  return false;
 }
 
 /// Work of the impulses at one point, by kind; negative: energy lost [J].

@@ -23,7 +23,7 @@ class HostScene {
             std::size_t shared_memory = 1 << 20)
       : field_(make_field_state(bodies, step_constants(scene, bodies))),
         sizes_(scene_sizes(field_)),
-        scene_(scene_constants(field_, scene.output.event_speed_m_per_s)),
+        scene_(scene_constants(field_)),
         threads_(threads),
         shared_memory_(shared_memory) {
     sizes_.blocks = blocks;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "gem/base/error.h"
 #include "gem/events/mooring.h"
+#include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
 #include "gem/scene/toml/scene_file.h"
 
@@ -34,42 +36,89 @@ std::vector<double> column(const RunFile& file, const std::string& dataset) {
   return file.has(dataset) ? file.column(dataset) : std::vector<double>{};
 }
 
+/// A record that is read by index must have columns of one length. In a run that was killed, some may be longer.
+void settle(const RunFile& file, const std::string& group, const std::vector<std::vector<double>*>& columns) {
+  std::size_t shortest = columns.front()->size();
+  for (const std::vector<double>* one : columns) shortest = std::min(shortest, one->size());
+  for (std::vector<double>* one : columns) {
+    if (one->size() != shortest && file.status() == "complete")
+      throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (the columns of " + group +
+                                             " differ in length) the file may be damaged");
+    one->resize(shortest);
+  }
+}
+
+void check_finite(const RunFile& file, const std::string& group, const std::vector<std::vector<double>*>& columns) {
+  for (const std::vector<double>* one : columns)
+    for (const double value : *one)
+      if (!std::isfinite(value))
+        throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + group +
+                                               " holds a value that is not a finite number) the file may be damaged");
+}
+
 PlatformRecord platform_record(const RunFile& file) {
   const auto read = [&file](const std::string& name) { return column(file, "platform/" + name); };
-  return {read("time"),
-          read("x"),
-          read("y"),
-          read("ice_force_x"),
-          read("ice_force_y"),
-          read("ice_force_mean_x"),
-          read("ice_force_mean_y"),
-          read("mooring_force_x"),
-          read("mooring_force_y"),
-          read("contacts")};
+  PlatformRecord p{read("time"),
+                   read("x"),
+                   read("y"),
+                   read("ice_force_x"),
+                   read("ice_force_y"),
+                   read("ice_force_mean_x"),
+                   read("ice_force_mean_y"),
+                   read("mooring_force_x"),
+                   read("mooring_force_y"),
+                   read("contacts")};
+  const std::vector<std::vector<double>*> columns = {&p.time,
+                                                     &p.x,
+                                                     &p.y,
+                                                     &p.ice_force_x,
+                                                     &p.ice_force_y,
+                                                     &p.ice_force_mean_x,
+                                                     &p.ice_force_mean_y,
+                                                     &p.mooring_force_x,
+                                                     &p.mooring_force_y,
+                                                     &p.contacts};
+  settle(file, "platform", columns);
+  check_finite(file, "platform", columns);
+  return p;
 }
 
 EventColumns event_record(const RunFile& file) {
   const auto read = [&file](const std::string& name) { return column(file, "events/" + name); };
   EventColumns events{read("time"), {}, read("nx"), read("ny"), read("impulse"), read("force_peak")};
-  for (const double body : read("body_b")) events.body_b.push_back(static_cast<std::int32_t>(body));
+  std::vector<double> bodies = read("body_b");
+  const std::vector<std::vector<double>*> columns = {&events.time, &bodies,         &events.nx,
+                                                     &events.ny,   &events.impulse, &events.force_peak};
+  settle(file, "events", columns);
+  check_finite(file, "events", columns);
+  for (const double body : bodies) {
+    if (std::abs(body) > std::numeric_limits<std::int32_t>::max())
+      throw Error(ExitCode::file_system,
+                  "cannot read " + shown(file.path()) + " (events/body_b holds no body) the file may be damaged");
+    events.body_b.push_back(static_cast<std::int32_t>(body));
+  }
   return events;
 }
 
 StatsRecord stats_record(const RunFile& file) {
   const auto read = [&file](const std::string& name) { return column(file, "stats/" + name); };
-  return {read("time"),
-          read("residual_momentum"),
-          read("residual_angular_momentum"),
-          read("residual_energy"),
-          read("maximum_overlap"),
-          read("wall_time"),
-          read("sim_rate"),
-          read("maximum_overlap_share"),
-          read("complementarity"),
-          read("cone_excess"),
-          read("energy_created"),
-          overlaps_of(file, "stats/overlap_count"),
-          overlaps_of(file, "stats/overlap_share_count")};
+  StatsRecord s{read("time"),
+                read("residual_momentum"),
+                read("residual_angular_momentum"),
+                read("residual_energy"),
+                read("maximum_overlap"),
+                read("wall_time"),
+                read("sim_rate"),
+                read("maximum_overlap_share"),
+                read("complementarity"),
+                read("cone_excess"),
+                read("energy_created"),
+                overlaps_of(file, "stats/overlap_count"),
+                overlaps_of(file, "stats/overlap_share_count")};
+  settle(file, "stats",
+         {&s.time, &s.residual_momentum, &s.residual_angular_momentum, &s.residual_energy, &s.maximum_overlap,
+          &s.wall_time});
+  return s;
 }
 
 FloeFrame floe_frame(const FrameView& view) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gem/base/error.h"
+#include "gem/record/output_path.h"
 #include "gem/record/run_file.h"
 #include "gem/scene/toml/scene_file.h"
 
@@ -20,7 +22,12 @@ std::vector<std::size_t> samples_at(const std::vector<double>& time, double inte
   return samples;
 }
 
-std::vector<double> picked(const std::vector<double>& column, const std::vector<std::size_t>& samples, double less) {
+std::vector<double> picked(const RunFile& file, const std::string& dataset, const std::vector<std::size_t>& samples,
+                           double less) {
+  const std::vector<double> column = file.column(dataset);
+  if (column.size() <= samples.back())
+    throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + dataset +
+                                           " is shorter than platform/time) the file may be damaged");
   std::vector<double> values;
   for (const std::size_t i : samples) values.push_back(column[i] - less);
   return values;
@@ -34,12 +41,16 @@ PlatformPath read_path(const std::string& run_file, double interval_s) {
   if (!file.has("platform/time") || !(interval_s > 0.0)) return path;
   const std::vector<double> time = file.column("platform/time");
   if (time.empty()) return path;
+  constexpr double samples_maximum = 1e8;
+  if (!(time.back() / interval_s < samples_maximum) || !std::is_sorted(time.begin(), time.end()))
+    throw Error(ExitCode::file_system,
+                "cannot read " + shown(run_file) + " (its platform record has no valid times) the file may be damaged");
   const Vec2 rest = parse_scene(file.attribute("gem_case_toml"), run_file).platform.anchor_m;
   const std::vector<std::size_t> samples = samples_at(time, interval_s);
-  path.x = picked(file.column("platform/x"), samples, rest.x);
-  path.y = picked(file.column("platform/y"), samples, rest.y);
-  path.vx = picked(file.column("platform/vx"), samples, 0.0);
-  path.vy = picked(file.column("platform/vy"), samples, 0.0);
+  path.x = picked(file, "platform/x", samples, rest.x);
+  path.y = picked(file, "platform/y", samples, rest.y);
+  path.vx = picked(file, "platform/vx", samples, 0.0);
+  path.vy = picked(file, "platform/vy", samples, 0.0);
   return path;
 }
 

@@ -101,7 +101,7 @@ RunQuality quality(const StatsRecord& stats) {
 double sample_interval(const std::vector<double>& time) {
   const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   for (std::size_t i = 0; i < time.size(); ++i)
-    if (std::abs(time[i] - time.front() - static_cast<double>(i) * interval) > 1e-6 * time.back())
+    if (!(std::abs(time[i] - time.front() - static_cast<double>(i) * interval) <= 1e-6 * time.back()))
       throw Error(
           ExitCode::file_system,
           "the platform record has uneven samples (output.platform_interval_s is not a whole number of time steps, "

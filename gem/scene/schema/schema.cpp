@@ -188,8 +188,12 @@ void add_output(SceneTable& t) {
   t.flag("output.platform_events", "whether every event on the platform is recorded",
          GEM_FIELD(output.platform_events));
   t.number("output.event_speed_m_per_s", "m/s", {0.0, 10.0},
-           "slower contacts count as static load: in the force channels, not in the event list",
+           "first touches that close more slowly count as static load: in the force channels, not in the event list",
            GEM_FIELD(output.event_speed_m_per_s));
+  t.number(
+      "output.hit_release_s", "s", {0.0, 1e6},
+      "a floe that has not pressed on the platform for this long hits anew; 0: every time step is a hit of its own",
+      GEM_FIELD(output.hit_release_s));
   t.number("output.retire_x_m", "m", place_range, "a floe whose centre passes this x is retired",
            GEM_FIELD(output.retire_x_m));
 }

@@ -56,13 +56,15 @@ std::string key_near_line(std::string_view text, std::uint32_t line) {
   return section + "." + key;
 }
 
-/// Refuses deep brackets, long dotted keys and long strings before the library spends stack or memory on them.
+/// Refuses deep brackets, long dotted keys and long strings before the library spends stack or memory on them. Refuses
+/// letters outside ASCII where TOML has none: toml++ 3.3 has undefined behaviour there.
 class LimitScanner {
  public:
   explicit LimitScanner(const File& file) : place_{file, 1, 0} {}
 
   void scan(std::string_view text) {
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t byte_order_mark = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    for (std::size_t i = byte_order_mark; i < text.size(); ++i) {
       const char c = text[i];
       if (c == '\n') {
         new_line();
@@ -98,6 +100,8 @@ class LimitScanner {
 
   void outside_string(char c) {
     if (c == '#') comment_ = true;
+    if (static_cast<unsigned char>(c) > 0x7f)
+      reject(place_, "a character outside ASCII; it may stand only between quotes and in comments");
     if (c == '"' || c == '\'') quote_ = c, length_ = 0, escaped_ = false;
     if (c == '[' || c == '{') ++depth_;
     if (c == ']' || c == '}') --depth_;
@@ -154,6 +158,13 @@ TomlNode converted(const toml::node& node, const File& file) {
 }
 
 }  // namespace
+
+TomlNode::TomlNode() = default;
+TomlNode::TomlNode(const TomlNode&) = default;
+TomlNode::TomlNode(TomlNode&&) noexcept = default;
+TomlNode& TomlNode::operator=(const TomlNode&) = default;
+TomlNode& TomlNode::operator=(TomlNode&&) noexcept = default;
+TomlNode::~TomlNode() = default;
 
 std::string to_string(const TomlPlace& place) {
   const std::string file = place.file ? *place.file : std::string("scene");

@@ -34,6 +34,14 @@ struct TomlNode {
   std::vector<TomlNode> items;                            ///< of a list
   std::vector<std::pair<std::string, TomlNode>> entries;  ///< of a table, in the order of the file
 
+  // Defined where the pair is complete; clang 14 asks for that in C++20.
+  TomlNode();
+  TomlNode(const TomlNode&);
+  TomlNode(TomlNode&&) noexcept;
+  TomlNode& operator=(const TomlNode&);
+  TomlNode& operator=(TomlNode&&) noexcept;
+  ~TomlNode();
+
   const TomlNode* find(const std::string& key) const;
   TomlNode* find(const std::string& key);
 };

@@ -1,0 +1,26 @@
+// Writes an HDF5 file from a description in lines of text, so that seeds of the run file and summary readers can be
+// read, and a mutated seed is still a sound HDF5 file with other content.
+#pragma once
+
+#include <string>
+
+namespace gem::fuzz {
+
+/// Writes the file. One line makes one thing; a line that makes no sense is left out. The schema of
+/// run files is there from the start. PATH is that of a dataset, or
+/// `/`.
+///   text PATH NAME words to the end of the line     an attribute; \n stands for a line break
+///   texts PATH NAME first | second                  an attribute of several texts
+///   number PATH NAME 1 2 nan                        an attribute: one number or a list
+///   data PATH f8 3 2 = 0 1.5                        a dataset of 3 x 2 (types f4 f8 i4 u1); values continue evenly
+///   data PATH f8 4000000000                         without values nothing is stored, whatever the size
+///   strings PATH first | second                     a dataset of texts of any length
+///   fixed PATH first | second                       a dataset of texts of one length
+///   scale PATH                                      makes a dataset a dimension scale
+///   attach PATH 1 SCALE                             gives dimension 1 of a dataset its scale
+void write_described_file(const std::string& description, const std::string& path);
+
+/// The input as a file: an HDF5 file as it is, anything else as a description.
+std::string hdf5_input(const std::string& name, const std::string& input);
+
+}  // namespace gem::fuzz

@@ -1,0 +1,12 @@
+// Fuzz target: floes in a GeoJSON file.
+#include "gem/field/floe_file.h"
+#include "gem/fuzz/target.h"
+#include "gem/scene/check_scene.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string path = gem::fuzz::input_file("floes.geojson", gem::fuzz::text_of(data, size));
+  gem::SceneDef scene;
+  if (gem::fuzz::accepted([&] { scene = gem::with_listed_floes({}, gem::read_floe_file(path)); }))
+    gem::fuzz::make_listed_field(scene);
+  return 0;
+}

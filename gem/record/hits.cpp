@@ -1,0 +1,63 @@
+#include "gem/record/hits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gem {
+
+Hits::Hits(HitRule rule, double time_step_s)
+    : rule_(rule), time_step_(time_step_s), release_steps_(std::llround(rule.release_s / time_step_s)) {}
+
+void Hits::take(const ContactEvent& row, Released& released) {
+  const std::int64_t step = std::llround(row.time / time_step_);
+  const auto [at, is_new] = open_.try_emplace(row.body_b);
+  OpenHit& open = at->second;
+  const bool again = !is_new && step >= release_of(open);
+  if (again) released.push_back(open);
+  if (is_new || again) open = {{row, 0.0, 0.0, 0.0, 0.0}, step, step};
+  Hit& hit = open.hit;
+  hit.impulse_normal += row.impulse_normal;
+  hit.impulse_tangential += row.impulse_tangential;
+  hit.depth = std::max(hit.depth, row.depth);
+  open.end = step + 1;
+  hit.duration = static_cast<double>(open.end - open.begin) * time_step_;
+}
+
+void Hits::append(Released& released, std::vector<Hit>& ended) const {
+  std::sort(released.begin(), released.end(), [&](const OpenHit& a, const OpenHit& b) {
+    return a.end != b.end ? a.end < b.end : a.hit.first.body_b < b.hit.first.body_b;
+  });
+  for (const OpenHit& open : released)
+    if (open.hit.first.closing_speed > rule_.closing_speed_m_per_s) ended.push_back(open.hit);
+}
+
+void Hits::add(const std::vector<ContactEvent>& rows, std::int64_t step, std::vector<Hit>& ended) {
+  Released released;
+  for (const ContactEvent& row : rows) take(row, released);
+  for (auto at = open_.begin(); at != open_.end();) {
+    const bool over = release_of(at->second) <= step;
+    if (over) released.push_back(at->second);
+    at = over ? open_.erase(at) : std::next(at);
+  }
+  append(released, ended);
+}
+
+void Hits::end_all(std::vector<Hit>& ended) {
+  Released released;
+  for (const auto& [body, open] : open_) released.push_back(open);
+  open_.clear();
+  append(released, ended);
+}
+
+std::vector<OpenHit> Hits::open() const {
+  std::vector<OpenHit> all;
+  for (const auto& [body, open] : open_) all.push_back(open);
+  return all;
+}
+
+void Hits::restore(const std::vector<OpenHit>& open) {
+  open_.clear();
+  for (const OpenHit& one : open) open_[one.hit.first.body_b] = one;
+}
+
+}  // namespace gem

@@ -54,6 +54,7 @@ SceneDef scene_of(const Setting& setting) {
   }
   scene.output.floes_interval_s = 0.7;  // no multiple of the blocks of time steps
   scene.output.event_speed_m_per_s = 0.001;
+  scene.output.hit_release_s = 0.2;  // many hits, some of them open when the run stops
   return scene;
 }
 
@@ -72,7 +73,7 @@ RunSummary go_on_with(const std::string& run_file, const Setting& setting, RunOp
 /// All datasets, but for those of the wall clock.
 void expect_same_rows(const std::string& one, const std::string& other, const SceneDef& scene) {
   const RunFile a(one), b(other);
-  EXPECT_GT(a.shape("events/time").at(0), 3u);
+  EXPECT_GT(a.shape("events/time").at(0), 1u) << "no hits to compare";
   for (const Column& column : schema(scene)) {
     if (column.name == "wall_time" || column.name == "sim_rate") continue;
     const std::string path = column.group + "/" + column.name;

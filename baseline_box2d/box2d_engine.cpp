@@ -238,11 +238,11 @@ void Box2dEngine::disable_retired() {
 
 Ledger Box2dEngine::ledger() { return closed_books(field_, ledger_); }
 
-EngineState Box2dEngine::save() { return {step_, field_.bodies, closed_books(field_, ledger_), {}, {}}; }
+EngineState Box2dEngine::save() { return {step_, field_.bodies, saved_books(field_, ledger_), {}, {}, {}}; }
 
 void Box2dEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);
-  open_books(field_, state.ledger);
+  open_books(field_, state);
   ledger_ = state.ledger;
   step_ = state.step;
   make_world();

@@ -103,7 +103,7 @@ def check_running(gem, case, folder):
 
 def run(gem, case, folder):
     path = f"{folder}/run.h5"
-    subprocess.run([gem, "run", case, "--quiet", "--until", "20", "--out", path], check=True)
+    subprocess.run([gem, "run", case, "--quiet", "--set", "run.duration_s=20", "--out", path], check=True)
     readers = {"ncdump (package netcdf-bin)": (shutil.which("ncdump"), check_ncdump),
                "h5py (package python3-h5py)": (h5py, check_h5py),
                "xarray with h5netcdf (packages python3-xarray python3-h5netcdf)": (xarray and h5py, check_xarray)}

@@ -107,7 +107,7 @@ TEST_F(CommandTest, NonsenseIsBad) {
   };
   for (const auto& row : rows) {
     ASSERT_EQ(shell(jam + "--overwrite --out bad.h5 " + row.change), 0) << text_of("err");
-    EXPECT_NE(text_of("out").find("complete"), std::string::npos);
+    EXPECT_NE(text_of("out").find("stopped:until"), std::string::npos);
     EXPECT_NE(text_of("err").find("warning: the run 400_200_100 is bad ("), std::string::npos) << text_of("err");
     EXPECT_NE(text_of("out").find("verdict               bad\n"), std::string::npos) << text_of("out");
     EXPECT_NE(text_of("out").find(std::string("bad         ") + row.reason), std::string::npos) << text_of("out");
@@ -115,7 +115,7 @@ TEST_F(CommandTest, NonsenseIsBad) {
     EXPECT_EQ(nlohmann::json::parse(text_of("out")).at("verdict"), "bad");
     EXPECT_NE(text_of("err").find("is bad ("), std::string::npos) << text_of("err");
     EXPECT_NE(text_of("err").find(row.reason), std::string::npos) << text_of("err");
-    EXPECT_EQ(RunFile(path("bad.h5")).status(), "complete");
+    EXPECT_EQ(RunFile(path("bad.h5")).status(), "stopped:until");
     ASSERT_EQ(shell("gem info bad.h5 --json"), 0);
     const auto info = nlohmann::json::parse(text_of("out"));
     EXPECT_EQ(info.at("verdict"), "bad");
@@ -340,6 +340,57 @@ TEST_F(CommandTest, SillyThreadCountsAreClamped) {
   EXPECT_NE(text_of("err").find("OMP_NUM_THREADS=1000 is out of range"), std::string::npos) << text_of("err");
   EXPECT_EQ(shell("OMP_NUM_THREADS=0 gem run swing.toml --overwrite"), 0);
   EXPECT_NE(text_of("err").find("OMP_NUM_THREADS=0 is out of range"), std::string::npos) << text_of("err");
+}
+
+TEST_F(CommandTest, ARunGoesOnWhereItStopped) {
+  ASSERT_EQ(shell("gem run swing.toml --out whole.h5 -q && gem run swing.toml --until 7 --out parts.h5"), 0);
+  EXPECT_NE(text_of("err").find("it can go on: gem run --continue parts.h5"), std::string::npos) << text_of("err");
+  EXPECT_EQ(RunFile(path("parts.h5")).status(), "stopped:until");
+  EXPECT_EQ(RunFile(path("parts.h5")).column("platform/time").back(), 7.0);
+  ASSERT_EQ(shell("gem run --continue parts.h5 --until 12 -q && gem run --continue parts.h5"), 0) << text_of("err");
+  EXPECT_NE(text_of("err").find("goes on from 12 s to 20 s"), std::string::npos) << text_of("err");
+  const RunFile whole(path("whole.h5")), parts(path("parts.h5"));
+  EXPECT_EQ(parts.status(), "complete");
+  EXPECT_EQ(parts.attribute("gem_state_hash"), whole.attribute("gem_state_hash"));
+  EXPECT_EQ(parts.attribute("gem_case_sha256"), whole.attribute("gem_case_sha256"));
+  EXPECT_EQ(parts.column("platform/x"), whole.column("platform/x"));
+  EXPECT_FALSE(exists("parts.h5.checkpoint-a") || exists("parts.h5.checkpoint-b"));
+  EXPECT_EQ(shell("gem run --continue parts.h5"), 0);
+  EXPECT_NE(text_of("err").find("nothing to continue"), std::string::npos) << text_of("err");
+}
+
+TEST_F(CommandTest, WhatCannotGoOnSaysWhy) {
+  ASSERT_EQ(shell("gem run swing.toml --until 7 --out parts.h5 -q"), 0);
+  ASSERT_EQ(shell("gem run swing.toml --until 7 --out bare.h5 -q --checkpoint-every 0"), 0);
+  const struct {
+    const char* line;
+    int code;
+    const char* message;
+  } rows[] = {
+      {"gem run --continue missing.h5", 4, "no such file"},
+      {"gem run --continue swing.toml", 4, "not an HDF5 file"},
+      {"gem run --continue bare.h5", 4, "there is no checkpoint beside it"},
+      {"gem run --continue parts.h5 --until 5", 2, "allowed above 7, the time of the checkpoint, up to 20"},
+      {"gem run --continue parts.h5 --until 21", 2, "is not a time to go on to"},
+      {"gem run --continue parts.h5 --until soon", 2, "--until soon is not a number"},
+      {"gem run swing.toml --continue parts.h5", 2, "--continue"},
+      {"gem run --continue parts.h5 --set run.seed=2", 2, "--set"},
+      {"gem run --continue parts.h5 --out other.h5", 2, "--out"},
+      {"gem run --continue parts.h5 --checkpoint-every -1", 2, "--checkpoint-every"},
+  };
+  for (const auto& row : rows) {
+    EXPECT_EQ(shell(row.line), row.code) << row.line << "\n" << text_of("err");
+    EXPECT_NE(text_of("err").find(row.message), std::string::npos) << row.line << "\n" << text_of("err");
+  }
+  EXPECT_EQ(shell("gem run --continue parts.h5 -q"), 0) << text_of("err");
+}
+
+TEST_F(CommandTest, AnInterruptedRunGoesOn) {
+  ASSERT_TRUE(WIFEXITED(signalled(SIGTERM, 700)));
+  const double before = RunFile(path("swing.h5"), true).column("platform/time").back();
+  EXPECT_EQ(shell("gem run --continue swing.h5 -q --until " + std::to_string(before + 1.0)), 0) << text_of("err");
+  EXPECT_EQ(RunFile(path("swing.h5")).status(), "stopped:until");
+  EXPECT_GT(RunFile(path("swing.h5")).column("platform/time").back(), before);
 }
 
 TEST_F(CommandTest, FirstInterruptEndsInOrder) {

@@ -7,8 +7,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/command/command.h"
-#include "gem/command/verdict_output.h"
+#include "gem/command/run_choice.h"
 #include "gem/field/field.h"
 #include "gem/record/output_path.h"
 #include "gem/run/run_signals.h"
@@ -19,23 +18,6 @@
 namespace gem {
 
 namespace {
-
-struct RunChoice {
-  CaseChoice chosen_case;
-  std::string until;
-  std::string threads;
-  EngineOptions engine;
-  RunOptions options;
-  std::string progress = "auto";
-  std::string log_format = "text";
-  bool dry_run = false;
-  bool force = false;
-  bool json = false;
-  bool strict = false;
-  std::vector<const CLI::Option*> baseline_options;
-};
-
-std::string threads_text(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
 
 /// Options that the chosen engine would ignore are refused.
 void check_engine_options(const RunChoice& choice) {
@@ -49,19 +31,22 @@ void check_engine_options(const RunChoice& choice) {
                                    " (only the engine cpu uses threads) leave it out");
 }
 
-/// --until sets run.duration_s, which then must not be set by --set too.
-void set_end(RunChoice& choice) {
-  if (choice.until.empty()) return;
-  double seconds = 0.0;
-  const char* const end = choice.until.data() + choice.until.size();
-  if (const auto read = std::from_chars(choice.until.data(), end, seconds); read.ec != std::errc{} || read.ptr != end)
-    throw Error(ExitCode::usage,
-                "--until " + shown(choice.until) + " is not a number (it takes seconds) give e.g. --until 600");
+/// The case with its end. An --until beyond the end of the case moves that end; one before it stops the run there, so
+/// that it can go on later.
+SceneDef case_until(RunChoice& choice) {
+  if (choice.until.empty()) return read_case(choice.chosen_case);
+  const double seconds = until_of(choice);
   for (const std::string& text : choice.chosen_case.overrides)
     if (find_path(parse_override(text), "run.duration_s") != nullptr)
       throw Error(ExitCode::usage, "--until " + choice.until + " and --set " + text +
                                        " both set the end of the run (one would be ignored) give only one");
-  choice.chosen_case.overrides.push_back("--until run.duration_s=" + choice.until);
+  CaseChoice moved = choice.chosen_case;
+  moved.overrides.push_back("--until run.duration_s=" + choice.until);
+  SceneDef until = read_case(moved);
+  SceneDef whole = read_case(choice.chosen_case);
+  if (steps_of(until) >= steps_of(whole) || steps_of(until) == 0) return until;
+  choice.options.step_limit = std::llround(seconds / whole.numerics.time_step_s);
+  return whole;
 }
 
 /// `place` names the device or the threads that compute.
@@ -89,13 +74,13 @@ std::string dry_run_text(const SceneDef& scene, const Bodies& field, const Estim
 int run(RunChoice choice) {
   choice.options.log = {progress_mode(choice.progress), choice.options.log.quiet, choice.log_format == "json"};
   RunLog log(choice.options.log);
-  set_end(choice);
   std::string thread_message;
   choice.engine.threads = choose_threads(choice.threads, thread_message);
   check_engine_options(choice);
   if (!thread_message.empty()) log.message("warning", thread_message);
 
-  const SceneDef scene = read_case(choice.chosen_case);
+  if (!choice.continued.empty()) return continue_run(choice, log);
+  const SceneDef scene = case_until(choice);
   if (choice.chosen_case.path.empty()) log.message("info", "no case file: running the built-in case " + scene.run.name);
   for (const std::string& warning : scene_warnings(scene)) log.message("warning", warning);
   if (choice.options.output.empty()) choice.options.output = run_file_name(scene.run.name);
@@ -118,18 +103,8 @@ int run(RunChoice choice) {
   }
   log.message("info", scene.run.name + ": " + number_text(scene.run.duration_s) + " s, engine " + engine->name() +
                           ", " + place + ", to " + shown(choice.options.output));
-  choice.options.threads = choice.engine.threads;
-  if (!engine->method().empty()) choice.options.books = reported_only;
-  const RunSummary summary = run_scene(scene, *engine, choice.options);
-  if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));
-  if (summary.verdict.grade == Grade::bad) {
-    const std::string text = "the run " + scene.run.name + " is bad (" +
-                             criteria_of_grade(summary.verdict, Grade::bad) + ") see its verdict: gem info " +
-                             shown(summary.file);
-    if (choice.strict && summary.stop_signal == 0) throw Error(ExitCode::numerical_stop, text);
-    log.message("warning", text);
-  }
-  return exit_code_of_signal(summary.stop_signal);
+  if (scene.floe.empty()) choice.options.floes_of_engine = listed.floe;
+  return run_and_print(scene, *engine, choice, log);
 }
 
 /// Adds the options of the registered baselines.
@@ -159,6 +134,23 @@ void add_baseline_options(CLI::App& command, RunChoice& choice) {
           ->allow_extra_args(false));
 }
 
+/// Adds --continue and --checkpoint-every.
+void add_checkpoint_options(CLI::App& command, RunChoice& choice) {
+  CLI::Option* go_on = command.add_option("--continue", choice.continued,
+                                          "go on with a run that stopped or was killed, from its last checkpoint, to "
+                                          "the bits of a run that never stopped; its case and its end are in the file");
+  go_on->type_name("RUNFILE");
+  for (const char* other : {"case", "--set", "--index", "--out", "--overwrite", "--dry-run"})
+    go_on->excludes(command.get_option(other));
+  choice.options.checkpoint_interval_s = 60.0;
+  command
+      .add_option("--checkpoint-every", choice.options.checkpoint_interval_s,
+                  "wall time between two checkpoints, at most one hundredth of it spent on them; 0: none at all")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& app, Chosen& chosen) {
@@ -168,15 +160,21 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   command->add_option("-o,--out", choice->options.output, "run file; default: the run's name with .h5")
       ->check(not_empty());
   choice->engine.name = "auto";
-  command->add_option("--engine", choice->engine.name, "engine; auto: cuda if a GPU can take the case, else cpu")
-      ->check(CLI::IsMember(engine_choices()))
-      ->capture_default_str();
+  choice->engine_option =
+      command->add_option("--engine", choice->engine.name, "engine; auto: cuda if a GPU can take the case, else cpu")
+          ->check(CLI::IsMember(engine_choices()))
+          ->capture_default_str();
   command->add_option("--threads", choice->threads, "threads of the cpu engine; default: one per processor")
       ->type_name("N");
   add_baseline_options(*command, *choice);
-  command->add_option("--until", choice->until, "end of the run; sets run.duration_s")->type_name("SECONDS");
+  command
+      ->add_option("--until", choice->until,
+                   "end of the run; before the case's end the run stops there and can go on, beyond it sets "
+                   "run.duration_s")
+      ->type_name("SECONDS");
   command->add_flag("--overwrite", choice->options.overwrite, "replace an existing run file");
   command->add_flag("--dry-run", choice->dry_run, "check the case and print what the run needs, without running it");
+  add_checkpoint_options(*command, *choice);
   command->add_flag("--force", choice->force, "run even if memory or disk seem too small");
   command->add_flag("--strict", choice->strict, "exit code 6 if the verdict on the run is bad");
   command->add_option("--progress", choice->progress, "progress on standard error")

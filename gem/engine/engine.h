@@ -100,7 +100,8 @@ struct StepLog {
 struct EngineState {
   std::int64_t step = 0;
   Bodies bodies;
-  Ledger ledger;
+  Ledger ledger;                // its scales are those of the last call of ledger()
+  std::vector<Quantity> books;  // by channel, then by body, as FieldState::books; empty: only their sums are known
   std::vector<std::uint64_t> impulse_key;  // points of `coupled`: contact_key(), ascending by pair
   std::vector<PointMemory> impulse_value;
 };
@@ -122,6 +123,7 @@ class Engine {
   virtual const Bodies& bodies() = 0;
   /// The ledger since t = 0.
   virtual Ledger ledger() = 0;
+  /// Changes nothing: a run that is saved has the same bits, books included, as one that is not.
   virtual EngineState save() = 0;
   virtual void restore(const EngineState& state) = 0;
   /// Hash of the moving state, see hash_of().

@@ -15,8 +15,6 @@ using hdf5::check;
 using hdf5::checked;
 using hdf5::Handle;
 
-namespace {
-
 hid_t file_type(Stored stored) {
   switch (stored) {
     case Stored::f8:
@@ -30,6 +28,8 @@ hid_t file_type(Stored stored) {
   }
   return H5T_IEEE_F64LE;
 }
+
+namespace {
 
 hid_t memory_type(double) { return H5T_NATIVE_DOUBLE; }
 hid_t memory_type(float) { return H5T_NATIVE_FLOAT; }
@@ -57,9 +57,8 @@ hsize_t ChunkShape::rows_of(const std::string& group) const {
   return group == "floes" || group == "stats" ? frames : rows;
 }
 
-ColumnFile::ColumnFile(const std::string& path, const std::map<std::string, hsize_t>& size, const ChunkShape& chunk)
-    : size_(size), chunk_(chunk) {
-  const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
+Handle ColumnFile::file_access() {
+  Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
   // needed to read the file while it is written
   check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "file format");
   check(H5Pset_file_locking(access, false, true), "file locking");
@@ -72,6 +71,19 @@ ColumnFile::ColumnFile(const std::string& path, const std::map<std::string, hsiz
   cache.flash_incr_mode = H5C_flash_incr__off;
   cache.decr_mode = H5C_decr__off;
   check(H5Pset_mdc_config(access, &cache), "index cache");
+  return access;
+}
+
+Handle ColumnFile::dataset_access() {
+  Handle access = checked(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "dataset access");
+  // without a cache a chunk is handed to the system when it is written, not later
+  check(H5Pset_chunk_cache(access, 1, 0, 1.0), "chunk cache");
+  return access;
+}
+
+ColumnFile::ColumnFile(const std::string& path, const std::map<std::string, hsize_t>& size, const ChunkShape& chunk)
+    : ColumnFile(size, chunk) {
+  const Handle access = file_access();
   const Handle creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "file creation");
   file_ = checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "cannot create");
 }
@@ -119,16 +131,14 @@ void ColumnFile::add_column(const Column& column, const std::vector<double>* val
   const Handle space =
       checked(H5Screate_simple(static_cast<int>(size.size()), size.data(), maximum.data()), H5Sclose, path.c_str());
   const Handle creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path.c_str());
-  const Handle access = checked(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, path.c_str());
   if (chunked) {
     check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), path.c_str());
     check(H5Pset_shuffle(creation), path.c_str());
     check(H5Pset_deflate(creation, 1), path.c_str());
-    // without a cache a chunk is handed to the system when it is written, not later
-    check(H5Pset_chunk_cache(access, 1, 0, 1.0), path.c_str());
   }
-  Handle id = checked(H5Dcreate2(file_, path.c_str(), file_type(column.stored), space, H5P_DEFAULT, creation, access),
-                      H5Dclose, path.c_str());
+  Handle id =
+      checked(H5Dcreate2(file_, path.c_str(), file_type(column.stored), space, H5P_DEFAULT, creation, dataset_access()),
+              H5Dclose, path.c_str());
   describe(column, id);
   attach_scales(column, names, id);
   if (values != nullptr && !values->empty()) {

@@ -23,6 +23,9 @@ struct ChunkShape {
 };
 ChunkShape chunk_shape(std::size_t floes);
 
+/// The type of a column in the file.
+hid_t file_type(Stored stored);
+
 /// How rows are appended. `whole`: a multiple of a chunk, for good. `part`: less than a chunk; the next call for the
 /// column gives these rows again, with those that came after them. `last`: any number, for good.
 enum class Rows { whole, part, last };
@@ -33,6 +36,15 @@ class ColumnFile {
   /// Creates the file, or empties an existing one. `size` holds the lengths of the dimensions that do not grow. The
   /// caller holds the lock of the file.
   ColumnFile(const std::string& path, const std::map<std::string, hsize_t>& size, const ChunkShape& chunk);
+  /// Opens an existing file, closed or left by a process that died, to append to the columns that open_column() names.
+  static ColumnFile reopened(const std::string& path, const std::map<std::string, hsize_t>& size,
+                             const ChunkShape& chunk);
+  /// Opens a growing column whose rows are `width` wide. Returns its number of rows. Before start().
+  hsize_t open_column(const Column& column, hsize_t width);
+  /// Opens a dimension that grows. Returns its length. Before start().
+  hsize_t open_dimension(const std::string& path);
+  /// Cuts off the rows from `rows` on, a multiple of a chunk.
+  void cut(const std::string& path, hsize_t rows);
 
   hid_t id() const { return file_; }
   hdf5::Handle add_group(const std::string& group);
@@ -56,6 +68,10 @@ class ColumnFile {
   void abandon();
 
  private:
+  ColumnFile(const std::map<std::string, hsize_t>& size, const ChunkShape& chunk) : size_(size), chunk_(chunk) {}
+  static hdf5::Handle file_access();
+  static hdf5::Handle dataset_access();
+
   struct Dataset {
     hdf5::Handle id;
     hsize_t rows = 0;  // written for good

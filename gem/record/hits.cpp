@@ -11,7 +11,7 @@ Hits::Hits(HitRule rule, double time_step_s)
 void Hits::take(const ContactEvent& row, Released& released) {
   const std::int64_t step = std::llround(row.time / time_step_);
   const auto [at, is_new] = open_.try_emplace(row.body_b);
-  Open& open = at->second;
+  OpenHit& open = at->second;
   const bool again = !is_new && step >= release_of(open);
   if (again) released.push_back(open);
   if (is_new || again) open = {{row, 0.0, 0.0, 0.0, 0.0}, step, step};
@@ -24,10 +24,10 @@ void Hits::take(const ContactEvent& row, Released& released) {
 }
 
 void Hits::append(Released& released, std::vector<Hit>& ended) const {
-  std::sort(released.begin(), released.end(), [&](const Open& a, const Open& b) {
+  std::sort(released.begin(), released.end(), [&](const OpenHit& a, const OpenHit& b) {
     return a.end != b.end ? a.end < b.end : a.hit.first.body_b < b.hit.first.body_b;
   });
-  for (const Open& open : released)
+  for (const OpenHit& open : released)
     if (open.hit.first.closing_speed > rule_.closing_speed_m_per_s) ended.push_back(open.hit);
 }
 
@@ -47,6 +47,17 @@ void Hits::end_all(std::vector<Hit>& ended) {
   for (const auto& [body, open] : open_) released.push_back(open);
   open_.clear();
   append(released, ended);
+}
+
+std::vector<OpenHit> Hits::open() const {
+  std::vector<OpenHit> all;
+  for (const auto& [body, open] : open_) all.push_back(open);
+  return all;
+}
+
+void Hits::restore(const std::vector<OpenHit>& open) {
+  open_.clear();
+  for (const OpenHit& one : open) open_[one.hit.first.body_b] = one;
 }
 
 }  // namespace gem

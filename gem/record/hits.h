@@ -23,6 +23,12 @@ struct Hit {
   double duration = 0.0;            // from the first to the end of the last time step that presses [s]
 };
 
+/// A hit of a floe that still presses.
+struct OpenHit {
+  Hit hit;
+  std::int64_t begin = 0, end = 0;  // time steps that press: the first, and one after the last
+};
+
 struct HitRule {
   double release_s = 0.0;              // a floe that has not pressed for this long hits anew
   double closing_speed_m_per_s = 0.0;  // hits that do not close faster are left out
@@ -37,22 +43,22 @@ class Hits {
   void add(const std::vector<ContactEvent>& rows, std::int64_t step, std::vector<Hit>& ended);
   /// Appends the hits that are not released.
   void end_all(std::vector<Hit>& ended);
+  /// The hits that are not released, by body number.
+  std::vector<OpenHit> open() const;
+  /// Goes on with hits that are not released.
+  void restore(const std::vector<OpenHit>& open);
 
  private:
-  struct Open {
-    Hit hit;
-    std::int64_t begin = 0, end = 0;  // time steps that press: the first, and one after the last
-  };
-  using Released = std::vector<Open>;
+  using Released = std::vector<OpenHit>;
 
-  std::int64_t release_of(const Open& open) const { return open.end + release_steps_; }
+  std::int64_t release_of(const OpenHit& open) const { return open.end + release_steps_; }
   void take(const ContactEvent& row, Released& released);
   void append(Released& released, std::vector<Hit>& ended) const;
 
   HitRule rule_;
   double time_step_;
   std::int64_t release_steps_;
-  std::map<std::int32_t, Open> open_;  // by body number
+  std::map<std::int32_t, OpenHit> open_;  // by body number
 };
 
 }  // namespace gem

@@ -48,10 +48,10 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
       hits_({scene.output.hit_release_s, scene.output.event_speed_m_per_s}, time_step_) {
   if (has_platform_) {
     const Bodies& b = engine.bodies();
-    yaw_ = angle_of(b.rotation[0]);
+    now_.yaw = angle_of(b.rotation[0]);
     PlatformRow row;
     row.position = b.position[0];
-    row.yaw = yaw_;
+    row.yaw = now_.yaw;
     row.velocity = b.velocity[0];
     row.spin = b.spin[0];
     slab_.platform.push_back(row);
@@ -62,69 +62,73 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
 
 void Recorder::add(const StepLog& log, std::int64_t last_step) {
   for (std::size_t i = 0; i < log.quality.size(); ++i) {
-    ++step_;
-    worst_.worsen(log.quality[i]);
+    ++now_.step;
+    now_.worst.worsen(log.quality[i]);
     if (!has_platform_) continue;
-    const PlatformStep& now = log.platform[i];
-    since_sample_.ice_impulse += now.ice_impulse;
-    since_sample_.ice_yaw_impulse += now.ice_yaw_impulse;
-    since_sample_.mooring_impulse += now.mooring_impulse;
-    since_sample_.drag_impulse += now.drag_impulse;
-    since_sample_.contacts = std::max(since_sample_.contacts, now.contacts);
+    const PlatformStep& now = now_.last = log.platform[i];
+    now_.since_sample.ice_impulse += now.ice_impulse;
+    now_.since_sample.ice_yaw_impulse += now.ice_yaw_impulse;
+    now_.since_sample.mooring_impulse += now.mooring_impulse;
+    now_.since_sample.drag_impulse += now.drag_impulse;
+    now_.since_sample.contacts = std::max(now_.since_sample.contacts, now.contacts);
     window_.push_back(now.ice_impulse);
     if (window_.size() > window_steps_) window_.pop_front();
-    if (step_ == platform_.next_after(sample_step_) || step_ == last_step) sample(now, step_);
+    if (now_.step == platform_.next_after(now_.sample_step) || now_.step == last_step) sample(now, now_.step);
   }
-  overlap_ += log.overlap;
-  overlap_share_ += log.overlap_share;
+  now_.overlap += log.overlap;
+  now_.overlap_share += log.overlap_share;
   const std::size_t before = slab_.events.size();
-  hits_.add(log.events, step_, slab_.events);
-  hits_seen_ += static_cast<std::int64_t>(slab_.events.size() - before);
-  slab_.time = double(step_) * time_step_;
+  hits_.add(log.events, now_.step, slab_.events);
+  now_.hits_seen += static_cast<std::int64_t>(slab_.events.size() - before);
+  slab_.time = double(now_.step) * time_step_;
+}
+
+void Recorder::sample_rest() {
+  if (has_platform_ && now_.step > now_.sample_step) sample(now_.last, now_.step);
 }
 
 void Recorder::sample(const PlatformStep& now, std::int64_t step) {
-  const double per_second = 1.0 / (double(step - sample_step_) * time_step_);
+  const double per_second = 1.0 / (double(step - now_.sample_step) * time_step_);
   Vec2 window_impulse;
   for (const Vec2& impulse : window_) window_impulse += impulse;
-  yaw_ = unwrapped(now.rotation, yaw_);
+  now_.yaw = unwrapped(now.rotation, now_.yaw);
   PlatformRow row;
   row.time = double(step) * time_step_;
   row.position = now.position;
-  row.yaw = yaw_;
+  row.yaw = now_.yaw;
   row.velocity = now.velocity;
   row.spin = now.spin;
-  row.ice_impulse = since_sample_.ice_impulse;
-  row.ice_force = per_second * since_sample_.ice_impulse;
+  row.ice_impulse = now_.since_sample.ice_impulse;
+  row.ice_force = per_second * now_.since_sample.ice_impulse;
   row.ice_force_mean = (1.0 / (double(window_.size()) * time_step_)) * window_impulse;
-  row.mooring_force = per_second * since_sample_.mooring_impulse;
-  row.drag_force = per_second * since_sample_.drag_impulse;
-  row.ice_yaw_moment = per_second * since_sample_.ice_yaw_impulse;
-  row.contacts = since_sample_.contacts;
+  row.mooring_force = per_second * now_.since_sample.mooring_impulse;
+  row.drag_force = per_second * now_.since_sample.drag_impulse;
+  row.ice_yaw_moment = per_second * now_.since_sample.ice_yaw_impulse;
+  row.contacts = now_.since_sample.contacts;
   slab_.platform.push_back(row);
-  since_sample_ = {};
-  sample_step_ = step;
+  now_.since_sample = {};
+  now_.sample_step = step;
 }
 
 void Recorder::end_hits() {
   const std::size_t before = slab_.events.size();
   hits_.end_all(slab_.events);
-  hits_seen_ += static_cast<std::int64_t>(slab_.events.size() - before);
+  now_.hits_seen += static_cast<std::int64_t>(slab_.events.size() - before);
 }
 
 StatsRow Recorder::add_frame(Engine& engine, double wall_time) {
   keep_frame(engine.bodies());
   keep_stats(engine, wall_time);
-  frame_step_ = step_;
-  frame_wall_time_ = wall_time;
-  worst_ = {};
-  overlap_ = overlap_share_ = {};
+  now_.frame_step = now_.step;
+  now_.frame_wall_time = wall_time;
+  now_.worst = {};
+  now_.overlap = now_.overlap_share = {};
   return slab_.stats.back();
 }
 
 void Recorder::keep_frame(const Bodies& b) {
   FloeFrames& f = slab_.floes;
-  f.time.push_back(double(step_) * time_step_);
+  f.time.push_back(double(now_.step) * time_step_);
   for (std::size_t i = first_floe(b); i < b.count(); ++i) {
     f.x.push_back(static_cast<float>(b.position[i].x));
     f.y.push_back(static_cast<float>(b.position[i].y));
@@ -139,30 +143,37 @@ void Recorder::keep_frame(const Bodies& b) {
 void Recorder::keep_stats(Engine& engine, double wall_time) {
   const Bodies& b = engine.bodies();
   StatsRow row;
-  row.time = double(step_) * time_step_;
+  row.time = double(now_.step) * time_step_;
   row.ledger = engine.ledger();
   row.residual = residual(row.ledger);
   row.kinetic_energy = kinetic_energy(b);
-  row.contacts = worst_.contacts;
-  row.iterations = worst_.iterations;
-  row.closing_residual = worst_.residual;
-  row.maximum_overlap = worst_.maximum_overlap;
-  row.maximum_share = worst_.maximum_share;
-  row.complementarity = worst_.complementarity;
-  row.cone_excess = worst_.cone_excess;
-  row.energy_created = worst_.energy_created;
-  row.overlap = overlap_;
-  row.overlap_share = overlap_share_;
+  row.contacts = now_.worst.contacts;
+  row.iterations = now_.worst.iterations;
+  row.closing_residual = now_.worst.residual;
+  row.maximum_overlap = now_.worst.maximum_overlap;
+  row.maximum_share = now_.worst.maximum_share;
+  row.complementarity = now_.worst.complementarity;
+  row.cone_excess = now_.worst.cone_excess;
+  row.energy_created = now_.worst.energy_created;
+  row.overlap = now_.overlap;
+  row.overlap_share = now_.overlap_share;
   for (std::size_t i = first_floe(b); i < b.count(); ++i) row.active_floes += b.active[i] != 0 ? 1.0 : 0.0;
   row.wall_time = wall_time;
-  const double wall = wall_time - frame_wall_time_;
-  row.sim_rate = wall > 0.0 ? double(step_ - frame_step_) * time_step_ / wall : 0.0;
-  row.steps = double(step_);
+  const double wall = wall_time - now_.frame_wall_time;
+  row.sim_rate = wall > 0.0 ? double(now_.step - now_.frame_step) * time_step_ / wall : 0.0;
+  row.steps = double(now_.step);
   slab_.stats.push_back(row);
 }
 
+void Recorder::restore(const RecorderState& state) {
+  now_ = state.now;
+  window_.assign(state.window.begin(), state.window.end());
+  hits_.restore(state.hits);
+  slab_ = {};
+}
+
 Slab Recorder::take() {
-  slab_.time = double(step_) * time_step_;
+  slab_.time = double(now_.step) * time_step_;
   return std::exchange(slab_, Slab{});
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <vector>
 
 #include "gem/record/hits.h"
 #include "gem/record/run_writer.h"
@@ -22,6 +23,26 @@ class Cadence {
   double time_step_;
 };
 
+/// What a recorder carries from one time step to the next.
+struct RecorderState {
+  /// A part that can be copied byte by byte.
+  struct Numbers {
+    std::int64_t step = 0;
+    std::int64_t sample_step = 0;
+    std::int64_t frame_step = 0;
+    std::int64_t hits_seen = 0;
+    double frame_wall_time = 0.0;
+    double yaw = 0.0;
+    PlatformStep since_sample;  // sums since the last platform sample
+    PlatformStep last;          // the last time step
+    StepQuality worst;          // since the last frame
+    OverlapCount overlap, overlap_share;
+  };
+  Numbers now;
+  std::vector<Vec2> window;   // ice impulses of the last time steps, the oldest first
+  std::vector<OpenHit> hits;  // of floes that press
+};
+
 /// Samples one run. It does not write files: the recorded rows are taken from it as slabs.
 class Recorder {
  public:
@@ -33,13 +54,19 @@ class Recorder {
   void add(const StepLog& log, std::int64_t last_step);
   /// Records all floes and the books after the last added time step. Returns the row of statistics.
   StatsRow add_frame(Engine& engine, double wall_time);
-  std::int64_t next_frame() const { return frames_.next_after(frame_step_); }
+  /// Samples the platform at the last added time step if it is not sampled yet.
+  void sample_rest();
+  std::int64_t next_frame() const { return frames_.next_after(now_.frame_step); }
   /// Ends the hits of floes that still press. For the end of a run.
   void end_hits();
   /// Returns what was recorded since the last call.
   Slab take();
   std::size_t frames_waiting() const { return slab_.floes.time.size(); }
-  std::int64_t hits_seen() const { return hits_seen_; }
+  std::int64_t hits_seen() const { return now_.hits_seen; }
+  /// The rows that were not taken are not part of the state.
+  RecorderState state() const { return {now_, {window_.begin(), window_.end()}, hits_.open()}; }
+  /// Goes on from a state, without rows that wait.
+  void restore(const RecorderState& state);
 
  private:
   void sample(const PlatformStep& now, std::int64_t step);
@@ -51,16 +78,8 @@ class Recorder {
   Cadence platform_;
   Cadence frames_;
   std::size_t window_steps_;
-  std::int64_t step_ = 0;
-  std::int64_t sample_step_ = 0;
-  std::int64_t frame_step_ = 0;
-  std::int64_t hits_seen_ = 0;
-  double frame_wall_time_ = 0.0;
-  double yaw_ = 0.0;
-  PlatformStep since_sample_;  // sums since the last platform sample
-  std::deque<Vec2> window_;    // ice impulses of the last time steps
-  StepQuality worst_;          // since the last frame
-  OverlapCount overlap_, overlap_share_;
+  RecorderState::Numbers now_;
+  std::deque<Vec2> window_;  // ice impulses of the last time steps
   Hits hits_;
   Slab slab_;
 };

@@ -151,7 +151,7 @@ RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::
                     "name a file that `gem run` wrote (a summary of `gem sweep collect` is for xarray)");
   if (version != schema_version)
     refuse_run_file(path, "schema " + version + ", this program reads " + schema_version, "use a matching gem");
-  if (!allow_incomplete && status() != "complete") {
+  if (!allow_incomplete && !ended_as_asked(status())) {
     refuse_run_file(path, "its status is '" + status() + "', not 'complete'",
                     "use --allow-incomplete to read what is there");
   }

@@ -12,6 +12,12 @@
 
 namespace gem {
 
+/// The status of a run that ended before its case does, as `gem run --until` asks. It can go on.
+inline constexpr const char* until_status = "stopped:until";
+
+/// Whether a run with this status has all that it was asked for.
+inline bool ended_as_asked(const std::string& status) { return status == "complete" || status == until_status; }
+
 /// One frame of the floes.
 struct FrameView {
   double time = 0.0;

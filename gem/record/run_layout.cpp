@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "gem/record/run_layout_parts.h"
 #include "gem/record/verdict_attributes.h"
 #include "gem_version.h"
 
@@ -18,6 +19,8 @@ namespace {
 constexpr std::size_t attribute_limit = 60000;  // other readers expect at most 64 kB per attribute
 constexpr std::size_t status_size = 240;        // reserved, so that a later status fits
 
+}  // namespace
+
 std::string utc_now() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
@@ -27,7 +30,6 @@ std::string utc_now() {
   return text;
 }
 
-/// The dimensions that do not grow.
 std::map<std::string, hsize_t> sizes_of(const SceneDef& scene, const Bodies& bodies) {
   const auto vertices = [&](std::size_t first, std::size_t end) {
     return first < end ? static_cast<hsize_t>(bodies.vertex_begin[end] - bodies.vertex_begin[first]) : hsize_t{0};
@@ -43,7 +45,7 @@ std::map<std::string, hsize_t> sizes_of(const SceneDef& scene, const Bodies& bod
           {"platform_vertex", scene.platform.present ? vertices(0, fixed) : 0}};
 }
 
-}  // namespace
+Column floe_time_column() { return {"floes", "time", "time", Stored::f8, "s", "time since the start of the run", ""}; }
 
 RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodies& bodies, const Provenance& provenance)
     : size_(sizes_of(scene, bodies)), chunk_(chunk_shape(size_["floe"])), file_(path, size_, chunk_) {
@@ -60,7 +62,7 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
     const std::vector<double> values = entry.values(bodies);
     file_.add_column(entry.column, &values);
   }
-  file_.add_column({"floes", "time", "time", Stored::f8, "s", "time since the start of the run", ""}, nullptr);
+  file_.add_column(floe_time_column(), nullptr);
   for (const auto& entry : floe_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : platform_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : event_columns()) file_.add_column(entry.column, nullptr);

@@ -25,6 +25,9 @@ class RunLayout {
  public:
   /// Creates the file, or empties an existing one. The caller holds the lock of the file.
   RunLayout(const std::string& path, const SceneDef& scene, const Bodies& bodies, const Provenance& provenance);
+  /// Opens the file of a run that goes on from `from`, and cuts off the rows behind that.
+  RunLayout(const std::string& path, const SceneDef& scene, const Bodies& bodies, const Provenance& provenance,
+            const FilePosition& from);
   /// Takes over a slab and writes the chunks that are full, compressed. Readers see them after flush().
   void append(Slab slab);
   /// Makes all rows visible to readers, also those that fill no chunk, which are written again with their chunk. `sync`
@@ -39,12 +42,15 @@ class RunLayout {
   const RowCount& visible() const { return visible_; }
   /// Time of the last floe frame that readers see [s].
   double saved_time() const { return saved_time_; }
+  /// The rows that are written for good and those that wait.
+  FilePosition position() const;
   /// The attributes of the end of a run: state hash, verdict (none without judgements), then the status.
   void set_end(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict);
   void close() { file_.close(); }
   void abandon() { file_.abandon(); }
 
  private:
+  void renew_header(const Provenance& provenance);
   void write_header(const SceneDef& scene, const Bodies& bodies, const Provenance& provenance);
   void add_group(const std::string& group);
   template <class Row>

@@ -6,9 +6,12 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <filesystem>
 #include <future>
 #include <mutex>
 #include <new>
+#include <optional>
+#include <system_error>
 #include <thread>
 
 #include "gem/base/error.h"
@@ -38,6 +41,7 @@ struct Start {
   SceneDef scene;
   Bodies bodies;
   Provenance provenance;
+  std::optional<FilePosition> from;  // null: a new file
 };
 
 }  // namespace
@@ -94,6 +98,11 @@ class RunWriter::Thread {
     if (failed_) throw failure();
   }
 
+  FilePosition settle() {
+    flush();
+    return layout_->position();
+  }
+
   void finish(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
     stop();
     if (layout_ == nullptr) throw failure();
@@ -131,8 +140,23 @@ class RunWriter::Thread {
   /// Creates the draft and writes what is known at the start. This takes tens of milliseconds, for which the simulation
   /// does not wait.
   void begin(const Start start) {
-    guarded([&] { layout_ = std::make_unique<RunLayout>(claim_.path(), start.scene, start.bodies, start.provenance); },
-            MemoryReserve::to_begin);
+    guarded(
+        [&] {
+          if (start.from) copy_to_draft();
+          layout_ =
+              start.from
+                  ? std::make_unique<RunLayout>(claim_.path(), start.scene, start.bodies, start.provenance, *start.from)
+                  : std::make_unique<RunLayout>(claim_.path(), start.scene, start.bodies, start.provenance);
+          saved_time_ = layout_->saved_time();
+        },
+        MemoryReserve::to_begin);
+  }
+
+  /// The file that goes on stays as it is until the copy, cut and flushed, takes its place.
+  void copy_to_draft() {
+    std::error_code fault;
+    std::filesystem::copy_file(path_, claim_.path(), std::filesystem::copy_options::overwrite_existing, fault);
+    if (fault) throw hdf5::Failure{"copy: " + fault.message()};
   }
 
   void work() {
@@ -274,7 +298,13 @@ class RunWriter::Thread {
 RunWriter::RunWriter(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
                      const Provenance& provenance) {
   check_output_path(path, overwrite);
-  thread_ = std::make_unique<Thread>(path, overwrite, Start{scene, bodies, provenance});
+  thread_ = std::make_unique<Thread>(path, overwrite, Start{scene, bodies, provenance, std::nullopt});
+}
+
+RunWriter::RunWriter(const std::string& path, FilePosition from, const SceneDef& scene, const Bodies& bodies,
+                     const Provenance& provenance) {
+  check_output_path(path, true);
+  thread_ = std::make_unique<Thread>(path, true, Start{scene, bodies, provenance, std::move(from)});
 }
 
 RunWriter::~RunWriter() = default;
@@ -282,6 +312,8 @@ RunWriter::~RunWriter() = default;
 void RunWriter::write(Slab slab, bool flush) { thread_->put(std::move(slab), flush); }
 
 RowCount RunWriter::flush() { return thread_->flush(); }
+
+FilePosition RunWriter::settle() { return thread_->settle(); }
 
 void RunWriter::check() const { thread_->check(); }
 

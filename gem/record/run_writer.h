@@ -21,6 +21,13 @@ struct Slab {
   bool empty() const { return platform.empty() && events.empty() && stats.empty() && floes.time.empty(); }
 };
 
+/// How far a run file is written: its rows in whole chunks, and those behind them.
+struct FilePosition {
+  std::uint64_t platform = 0, events = 0, stats = 0, frames = 0;
+  double last_time = 0.0;  // of the last of these floe frames [s]
+  Slab waiting;
+};
+
 /// Origin of the file: program, command and engine.
 struct Provenance {
   std::string title;
@@ -43,6 +50,11 @@ class RunWriter {
   /// not accept files. Copies `scene` and `bodies`, which the thread writes later.
   RunWriter(const std::string& path, bool overwrite, const SceneDef& scene, const Bodies& bodies,
             const Provenance& provenance);
+  /// Goes on with the run file at `path` from `from`: rows behind it are cut off. The history gains a line. It works on
+  /// a copy, which takes the file's place with the first flush. Throws like the other constructor; a file that lacks
+  /// rows of `from`, and any other failure, comes with the first write.
+  RunWriter(const std::string& path, FilePosition from, const SceneDef& scene, const Bodies& bodies,
+            const Provenance& provenance);
   ~RunWriter();
   RunWriter(const RunWriter&) = delete;
   RunWriter& operator=(const RunWriter&) = delete;
@@ -52,6 +64,9 @@ class RunWriter {
   void write(Slab slab, bool flush = false);
   /// Waits until all rows so far are on the disk and readers see them. Returns how many there are. Throws like write().
   RowCount flush();
+  /// The same, with the rows that are written for good, and those that readers see but that wait for their chunk to
+  /// fill.
+  FilePosition settle();
   /// Throws the Error of the writer thread, if there is one. Cheap.
   void check() const;
   /// Waits for the queue, sets the status ("complete" or "stopped:<reason>"), the state hash and the verdict (none if

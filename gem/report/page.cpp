@@ -1,6 +1,7 @@
 // The frame of the page: style, sections, notes.
 #include "gem/report/page.h"
 
+#include "gem/record/run_file.h"
 #include "gem/report/page_tables.h"
 #include "gem/report/plain_text.h"
 
@@ -95,7 +96,7 @@ std::string section(const std::string& title, const std::vector<Figure>& figures
 }
 
 std::string warning(const RunIdentity& identity) {
-  if (identity.status == "complete") return "";
+  if (ended_as_asked(identity.status)) return "";
   return "<p class=\"warning\">This run is not complete (status: " + escaped(identity.status) +
          "). Everything below covers only the part that was recorded.</p>\n";
 }

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "gem/base/error.h"
+#include "gem/record/run_file.h"
 #include "gem/report/figures/figures.h"
 #include "gem/report/page.h"
 #include "gem/report/run/load_run.h"
@@ -37,7 +38,7 @@ void write_report(const std::string& run_file, const std::string& out_dir, bool 
 }
 
 void write_report(const RunData& run, const std::string& out_dir, bool allow_incomplete) {
-  if (run.identity.status != "complete" && !allow_incomplete)
+  if (!ended_as_asked(run.identity.status) && !allow_incomplete)
     throw Error(ExitCode::usage, "the run " + run.identity.name + " is not complete (status: " + run.identity.status +
                                      ") finish it, or ask for a report with --allow-incomplete");
   const std::filesystem::path folder(out_dir);

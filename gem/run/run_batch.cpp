@@ -62,7 +62,7 @@ class BatchRun {
   void finish(int stop, Over over) {
     for (std::size_t k = 0; k < runs_.size(); ++k) {
       if (!runs_[k] || !over(*runs_[k])) continue;
-      guarded(k, [&] { runs_[k]->last_frame(); });
+      guarded(k, [&] { runs_[k]->last_rows(); });
       if (const auto run = std::move(runs_[k])) guarded(k, [&] { ends_[k].summary = run->finish(stop); });
     }
   }

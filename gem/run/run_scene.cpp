@@ -22,7 +22,7 @@ RunSummary run_scene(const SceneDef& scene, Engine& engine, const RunOptions& op
       engine.advance(run.steps_ahead(), log);
       run.take(log);
     }
-    run.last_frame();
+    run.last_rows();
   } catch (const std::exception& error) {
     run.fail(error);
     throw;

@@ -210,7 +210,7 @@ TEST_F(RunFileTest, BooksThatDoNotCloseStopTheRun) {
 
 TEST_F(RunFileTest, TimeStepLimitStopsInOrder) {
   options_.step_limit = 50;
-  EXPECT_EQ(run().status, "stopped:time step limit");
+  EXPECT_EQ(run().status, "stopped:until");
   EXPECT_EQ(RunFile(options_.output, true).column("floes/time").back(), 2.5);
 }
 

@@ -11,6 +11,9 @@
 #include "gem/analysis/verdict/judge_run.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/base/sha256.h"
+#include "gem/record/run_file.h"
+#include "gem/run/checkpoint_file.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {
@@ -33,15 +36,6 @@ double peak_memory() {
   return 1024.0 * double(usage.ru_maxrss);
 }
 
-Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunOptions& options) {
-  const std::string solver = solver_name(scene.contact.solver);
-  return {scene.run.name,    resolved_toml(scene),
-          scene_hash(scene), options.command_line,
-          engine.name(),     engine.method().empty() ? solver : engine.method(),
-          options.threads,   engine.method().empty() ? "strict" : "its own",
-          engine.device()};
-}
-
 void check_book(const char* what, double residual, double limit, double time) {
   if (residual <= limit) return;
   throw Error(ExitCode::numerical_stop, std::string("the ") + what + " books do not close at " + number_text(time) +
@@ -60,6 +54,15 @@ void attempt(Action action) {
 
 }  // namespace
 
+Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunOptions& options) {
+  const std::string solver = solver_name(scene.contact.solver);
+  return {scene.run.name,    resolved_toml(scene),
+          scene_hash(scene), options.command_line,
+          engine.name(),     engine.method().empty() ? solver : engine.method(),
+          options.threads,   engine.method().empty() ? "strict" : "its own",
+          engine.device()};
+}
+
 RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& options)
     : scene_(scene),
       engine_(engine),
@@ -67,18 +70,33 @@ RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& opti
       log_(options.log),
       recorder_(scene, engine),
       watch_(scene, engine) {
-  last_step_ = steps_of(scene);
+  case_steps_ = last_step_ = steps_of(scene);
   if (options.step_limit > 0) last_step_ = std::min(last_step_, options.step_limit);
+  keeps_checkpoints_ = options.checkpoint_interval_s > 0.0 && !options.output.empty() && engine.method().empty();
+  checkpoint_pause_ = options.checkpoint_interval_s;
   summary_.frames = 1;
   summary_.file = options.output;
   summary_.engine = engine.name();
   summary_.residual = residual(engine.ledger());
-  if (!options.output.empty()) {
-    writer_.emplace(options.output, options.overwrite, scene, engine.bodies(), provenance_of(scene, engine, options));
+  if (options.from) {
+    go_on_from(*options.from);
+  } else if (!options.output.empty()) {
+    begin_file();
   }
 }
 
-void RunSteps::begin() { start_ = flushed_ = Clock::now(); }
+void RunSteps::begin_file() {
+  const Provenance provenance = provenance_of(scene_, engine_, options_);
+  case_sha256_ = provenance.case_sha256;
+  text_sha256_ = sha256_hex(provenance.case_toml);
+  writer_.emplace(options_.output, options_.overwrite, scene_, engine_.bodies(), provenance);
+  remove_checkpoints(options_.output);
+}
+
+void RunSteps::begin() {
+  flushed_ = checkpointed_ = Clock::now();
+  start_ = flushed_ - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(summary_.wall_time));
+}
 
 std::int64_t RunSteps::steps_ahead(std::int64_t most) const {
   const std::int64_t now = engine_.step();
@@ -90,12 +108,14 @@ void RunSteps::prepare(StepLog& log) const {
   log.wants_events = scene_.output.platform_events;
 }
 
-void RunSteps::last_frame() {
+void RunSteps::last_rows() {
+  if (engine_.step() < case_steps_) checkpoint();
+  if (engine_.step() >= last_step_) recorder_.sample_rest();
   if (engine_.step() > frame_step_) frame();
 }
 
 void RunSteps::take(const StepLog& log) {
-  recorder_.add(log, last_step_);
+  recorder_.add(log, case_steps_);
   watch_.add(log);
   const bool coupled = scene_.contact.solver == ContactSolver::coupled;
   for (const StepQuality& quality : log.quality) {
@@ -104,10 +124,11 @@ void RunSteps::take(const StepLog& log) {
   }
   summary_.overlap += log.overlap;
   summary_.overlap_share += log.overlap_share;
-  if (engine_.step() == recorder_.next_frame() || engine_.step() == last_step_) frame();
+  if (engine_.step() == recorder_.next_frame() || engine_.step() == case_steps_) frame();
   const double pause = flushes_ > 0 ? options_.flush_interval_s : std::min(options_.flush_interval_s, first_flush_s);
   const bool due = seconds_since(flushed_) >= pause;
   if (recorder_.frames_waiting() >= slab_frames || due) hand_over(due);
+  if (seconds_since(checkpointed_) >= checkpoint_pause_) checkpoint();
   if (writer_) writer_->check();
   if (options_.on_block) options_.on_block(time());
   progress(log);
@@ -146,16 +167,17 @@ void RunSteps::progress(const StepLog& log) {
 
 RunSummary RunSteps::finish(int stop_signal) {
   summary_.stop_signal = stop_signal;
-  summary_.status = summary_.stop_signal == SIGINT      ? "stopped:SIGINT"
-                    : summary_.stop_signal == SIGTERM   ? "stopped:SIGTERM"
-                    : summary_.stop_signal == SIGHUP    ? "stopped:SIGHUP"
-                    : engine_.step() < steps_of(scene_) ? "stopped:time step limit"
-                                                        : "complete";
+  summary_.status = summary_.stop_signal == SIGINT    ? "stopped:SIGINT"
+                    : summary_.stop_signal == SIGTERM ? "stopped:SIGTERM"
+                    : summary_.stop_signal == SIGHUP  ? "stopped:SIGHUP"
+                    : engine_.step() < case_steps_    ? until_status
+                                                      : "complete";
   summary_.state_hash = engine_.state_hash();
   summary_.verdict = judge_run(watch_.measures());
   recorder_.end_hits();
   hand_over(false);
   if (writer_) writer_->finish(summary_.status, summary_.state_hash, summary_.verdict);
+  if (writer_ && engine_.step() >= case_steps_) remove_checkpoints(options_.output);
   summary_.time = time();
   summary_.wall_time = seconds_since(start_);
   summary_.sim_rate = summary_.wall_time > 0.0 ? summary_.time / summary_.wall_time : 0.0;

@@ -11,6 +11,9 @@
 
 namespace gem {
 
+/// Origin of the run file.
+Provenance provenance_of(const SceneDef& scene, const Engine& engine, const RunOptions& options);
+
 /// Scene, engine and options must outlive this object.
 class RunSteps {
  public:
@@ -27,8 +30,9 @@ class RunSteps {
   void prepare(StepLog& log) const;
   /// Records and checks the time steps that the engine has done; `log` holds them. Throws like run_scene().
   void take(const StepLog& log);
-  /// Records the last state if it lies between two frames. Throws like run_scene().
-  void last_frame();
+  /// Records the last state if it lies between two frames. A run that stops early leaves a checkpoint first: what goes
+  /// on from there has no such rows. Throws like run_scene().
+  void last_rows();
   /// Closes the file; `stop_signal` is 0 at the end of the run. The run is over even if this throws.
   RunSummary finish(int stop_signal);
   /// Saves what is available, and writes the reason of the failure to the file.
@@ -36,9 +40,12 @@ class RunSteps {
 
  private:
   double time() const { return double(engine_.step()) * scene_.numerics.time_step_s; }
+  void begin_file();
+  void go_on_from(const Checkpoint& checkpoint);
   void frame();
   /// Gives the recorded rows to the writer. With `flush` it shows them to readers.
   void hand_over(bool flush);
+  void checkpoint();
   void progress(const StepLog& log);
 
   const SceneDef& scene_;
@@ -49,11 +56,19 @@ class RunSteps {
   RunWatch watch_;
   std::optional<RunWriter> writer_;
   RunSummary summary_;
-  std::int64_t last_step_ = 0;
+  std::int64_t case_steps_ = 0;  // of the whole case
+  std::int64_t last_step_ = 0;   // of this run
   std::int64_t frame_step_ = 0;
   std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point flushed_;
   std::int64_t flushes_ = 0;
+  // checkpoints
+  bool keeps_checkpoints_ = false;
+  bool said_no_checkpoint_ = false;
+  std::string case_sha256_, text_sha256_;
+  std::uint64_t next_checkpoint_ = 0;
+  double checkpoint_pause_ = 0.0;  // wall time between two [s]
+  std::chrono::steady_clock::time_point checkpointed_;
 };
 
 }  // namespace gem

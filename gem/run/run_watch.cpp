@@ -31,49 +31,49 @@ RunWatch::RunWatch(const SceneDef& scene, Engine& engine)
   const Bodies& bodies = engine.bodies();
   if (scene.contact.solver == ContactSolver::coupled && engine.method().empty())
     asked_residual_ = step_constants(scene, bodies).residual_speed;
-  measures_.speed_scale = speed_scale_of(scene, bodies);
+  now_.measures.speed_scale = speed_scale_of(scene, bodies);
   const IceDef& ice = scene.ice;
   const double other_side =
       scene.platform.present ? std::min(ice.friction_ice, ice.friction_structure) : ice.friction_ice;
-  measures_.squeeze_friction = 0.5 * (ice.friction_ice + other_side);
+  now_.measures.squeeze_friction = 0.5 * (ice.friction_ice + other_side);
 }
 
 void RunWatch::add(const StepLog& log) {
   for (std::size_t i = 0; i < log.quality.size(); ++i) {
-    add(log.quality[i], time_step_ * static_cast<double>(++step_));
-    if (has_platform_) force_.add(log.platform[i].ice_impulse);
+    add(log.quality[i], time_step_ * static_cast<double>(++now_.step));
+    if (has_platform_) now_.force.add(log.platform[i].ice_impulse);
   }
 }
 
 void RunWatch::add(const StepQuality& quality, double time) {
-  measures_.overlap_share.raise(quality.maximum_share, time);
-  energy_created_ += quality.energy_created;
+  now_.measures.overlap_share.raise(quality.maximum_share, time);
+  now_.energy_created += quality.energy_created;
   if (std::isnan(asked_residual_) || quality.contacts == 0) return;
-  ++contact_steps_;
-  residuals_.add(quality.residual);
-  measures_.residual.raise(quality.residual, time);
-  unfinished_ += quality.residual > asked_residual_;
+  ++now_.contact_steps;
+  now_.residuals.add(quality.residual);
+  now_.measures.residual.raise(quality.residual, time);
+  now_.unfinished += quality.residual > asked_residual_;
 }
 
 void RunWatch::look_at(const Bodies& bodies, const StatsRow& books) {
   for (std::size_t i = first_floe(bodies); i < bodies.count(); ++i)
-    if (bodies.active[i] != 0) measures_.floe_speed.raise(length(bodies.velocity[i]), books.time);
-  measures_.energy_largest = std::max(measures_.energy_largest, books.kinetic_energy);
-  measures_.energy_created = energy_created_;
-  measures_.energy_lost = energy_created_ - contact_energy(books.ledger);
+    if (bodies.active[i] != 0) now_.measures.floe_speed.raise(length(bodies.velocity[i]), books.time);
+  now_.measures.energy_largest = std::max(now_.measures.energy_largest, books.kinetic_energy);
+  now_.measures.energy_created = now_.energy_created;
+  now_.measures.energy_lost = now_.energy_created - contact_energy(books.ledger);
 }
 
 RunMeasures RunWatch::measures() const {
-  RunMeasures m = measures_;
-  m.nyquist_share = force_.value();
-  m.loaded_steps = force_.loaded();
-  if (std::isnan(asked_residual_) || step_ == 0) return m;
-  const auto steps = static_cast<double>(std::max<std::int64_t>(contact_steps_, 1));
-  m.unfinished_share = static_cast<double>(unfinished_) / steps;
+  RunMeasures m = now_.measures;
+  m.nyquist_share = now_.force.value();
+  m.loaded_steps = now_.force.loaded();
+  if (std::isnan(asked_residual_) || now_.step == 0) return m;
+  const auto steps = static_cast<double>(std::max<std::int64_t>(now_.contact_steps, 1));
+  m.unfinished_share = static_cast<double>(now_.unfinished) / steps;
   // the upper edge of a class of the histogram may exceed the largest value
-  const double worst = contact_steps_ > 0 ? m.residual.value : 0.0;
-  m.residual_median = std::min(residuals_.quantile(0.5), worst);
-  m.residual_most = std::min(residuals_.quantile(0.9), worst);
+  const double worst = now_.contact_steps > 0 ? m.residual.value : 0.0;
+  m.residual_median = std::min(now_.residuals.quantile(0.5), worst);
+  m.residual_most = std::min(now_.residuals.quantile(0.9), worst);
   return m;
 }
 

@@ -22,19 +22,26 @@ class RunWatch {
   /// Energies and speeds are those of the last look.
   RunMeasures measures() const;
 
+  /// What it has gathered. It can be copied byte by byte.
+  struct State {
+    std::int64_t step = 0;
+    std::int64_t contact_steps = 0;
+    std::int64_t unfinished = 0;
+    double energy_created = 0.0;  // NaN as soon as a time step does not measure it [J]
+    OverlapCount residuals;       // of the time steps with contact points [m/s]
+    NyquistShare force;
+    RunMeasures measures;
+  };
+  const State& state() const { return now_; }
+  void restore(const State& state) { now_ = state; }
+
  private:
   void add(const StepQuality& quality, double time);
 
   double time_step_;
   bool has_platform_;
   double asked_residual_;  // NaN: the solver does not iterate to a residual [m/s]
-  std::int64_t step_ = 0;
-  std::int64_t contact_steps_ = 0;
-  std::int64_t unfinished_ = 0;
-  double energy_created_ = 0.0;  // NaN as soon as a time step does not measure it [J]
-  OverlapCount residuals_;       // of the time steps with contact points [m/s]
-  NyquistShare force_;
-  RunMeasures measures_;
+  State now_;
 };
 
 }  // namespace gem

@@ -20,6 +20,7 @@ struct Held {
   SweepLock lock;
   SceneDef listed = {};
   Bodies field = {};
+  std::optional<Resumable> found = {};  // a checkpoint to go on from
 };
 
 using Group = std::vector<Held>;
@@ -43,7 +44,8 @@ class SweepBatch {
           end(held, *reason);
           continue;
         }
-        held.listed = with_floes_of_run_file(task.member->scene);
+        held.found = resumable_run(settings_, held.row);
+        held.listed = held.found ? held.found->engine_scene : with_floes_of_run_file(task.member->scene);
         group.push_back(std::move(held));
       } catch (...) {
         end(held, failure_now(held.row, *task.entry));
@@ -66,6 +68,10 @@ class SweepBatch {
       say_running(settings_, *held.task.entry, held.row);
       scenes.push_back(held.task.member->scene);
       options.push_back(options_of(*held.task.member, settings_, *held.task.entry, stop_));
+      if (held.found)
+        go_on(options.back(), *held.found);
+      else if (scenes.back().floe.empty())
+        options.back().floes_of_engine = held.listed.floe;
     }
     constexpr int useful_recorders = 16;
     const std::vector<BatchEnd> ends =
@@ -85,7 +91,8 @@ class SweepBatch {
     const auto make = [&](int) {
       for (std::size_t k = next++; k < group.size(); k = next++) {
         try {
-          group[k].field = make_field(group[k].listed);
+          const Held& held = group[k];
+          group[k].field = held.found ? held.found->from->engine.bodies : make_field(held.listed);
         } catch (...) {
           faults[k] = std::current_exception();
         }

@@ -64,6 +64,11 @@ void add_run(CLI::App& group, Chosen& chosen) {
          "threads of each run; for a batch on a GPU the threads that record; default: processors divided by --jobs")
       ->type_name("T");
   run->add_flag("--overwrite", choice->overwrite, "run again what is done, and replace files of other cases");
+  run->add_option("--checkpoint-every", choice->checkpoint_interval_s,
+                  "wall time between two checkpoints of a run, from which a later call goes on; 0: none at all")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
   run->add_flag("--dry-run", choice->dry_run,
                 "print which runs would be made and what they need, without running or writing anything");
   run->add_flag("--strict", choice->strict, "exit code 6 if the verdict on a chosen run is bad");
@@ -77,6 +82,7 @@ void add_run(CLI::App& group, Chosen& chosen) {
       ->capture_default_str();
   run->add_flag("--json", choice->json, "summary as JSON");
   run->footer(
+      "A run that stopped or was killed goes on from its last checkpoint, to the same bits.\n"
       "Several calls may share one DIR, on one machine or many: each takes runs that no other call has taken.\n"
       "Exit code 8: some runs failed, all others were made. A single chosen run returns its own code.\n"
       "Exit code 6 with --strict: all runs were made, and some are bad, also those that were done before.");

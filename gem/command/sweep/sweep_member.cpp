@@ -25,6 +25,7 @@ RunOptions options_of(const SweepMember& member, const SweepSettings& settings, 
   options.log.progress = ProgressMode::none;
   options.command_line = settings.command_line;
   options.threads = settings.engine.threads;
+  options.checkpoint_interval_s = settings.checkpoint_interval_s;
   options.stop = &stop;
   options.on_block = [&entry](double time) { entry.time = time; };
   return options;
@@ -60,6 +61,19 @@ std::optional<Outcome> reason_not_to(const SweepSettings& settings, SweepBoard::
   if (found.status == "other" && !settings.overwrite)
     return failure(row, entry, found.error + "; use --overwrite or another --out", ExitCode::file_system);
   return std::nullopt;
+}
+
+/// A run whose checkpoint cannot be used begins again: a sweep does not stop for it.
+std::optional<Resumable> resumable_run(const SweepSettings& settings, const SweepRow& row) {
+  if (settings.overwrite || look_at_file(settings.folder, row, settings.engine.name).status == "other")
+    return std::nullopt;
+  try {
+    Resumable run = resumable(run_path(settings.folder, row.name));
+    if ((run.from->engine_name == "reference") != (settings.engine.name == "reference")) return std::nullopt;
+    return run;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
 }
 
 void say_running(const SweepSettings& settings, SweepBoard::Entry& entry, SweepRow& row) {

@@ -9,6 +9,7 @@
 #include "gem/command/sweep/sweep_board.h"
 #include "gem/command/sweep/sweep_folder.h"
 #include "gem/engine/engine.h"
+#include "gem/run/resume.h"
 #include "gem/run/run_scene.h"
 #include "gem/scene/sweep/sweep.h"
 
@@ -20,6 +21,7 @@ struct SweepSettings {
   EngineOptions engine;
   bool overwrite = false;
   std::string command_line;
+  double checkpoint_interval_s = 60.0;  // wall time; 0: no checkpoints
 };
 
 /// The row of a run before anything is known of it.
@@ -30,6 +32,9 @@ std::optional<Outcome> reason_not_to(const SweepSettings& settings, SweepBoard::
 
 /// Reports on the board and in the manifest that the run has started.
 void say_running(const SweepSettings& settings, SweepBoard::Entry& entry, SweepRow& row);
+
+/// The checkpoint from which the holder of the run's lock can go on; empty if the run begins at t = 0.
+std::optional<Resumable> resumable_run(const SweepSettings& settings, const SweepRow& row);
 
 /// The options with which the member is run.
 RunOptions options_of(const SweepMember& member, const SweepSettings& settings, SweepBoard::Entry& entry,

@@ -256,7 +256,7 @@ int run_sweep(const SweepRunChoice& choice) {
   const SweepLock share = enter_folder(choice.folder, all);
   for (const std::size_t i : plan.to_do)
     if (const SweepRow& row = plan.rows[i]; row.status == "stopped" || row.status == "failed")
-      log.message("info", shown(row.name) + " is run again: " + row.error);
+      log.message("info", shown(row.name) + " is run again, from its last checkpoint if it has one: " + row.error);
   log.message("info", std::to_string(plan.to_do.size()) + " of " + std::to_string(plan.rows.size()) + " runs to do, " +
                           std::to_string(plan.jobs) + (plan.devices.empty() ? " at a time" : " batches at a time") +
                           " with " + std::to_string(plan.settings.engine.threads) + " threads, " +

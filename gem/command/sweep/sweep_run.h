@@ -19,6 +19,7 @@ struct SweepRunChoice {
   std::string progress = "auto";
   std::string log_format = "text";
   std::string command_line;
+  double checkpoint_interval_s = 60.0;  // wall time; 0: no checkpoints
   bool dry_run = false;
   bool overwrite = false;
   bool force = false;

@@ -8,11 +8,17 @@ namespace gem {
 namespace {
 
 RunSummary run_member(const SweepMember& member, const SweepSettings& settings, SweepBoard::Entry& entry,
-                      const std::atomic<int>& stop) {
+                      const std::atomic<int>& stop, const SweepRow& row) {
+  RunOptions options = options_of(member, settings, entry, stop);
+  if (const auto found = resumable_run(settings, row)) {
+    const auto engine = engine_for(found->engine_scene, found->from->engine.bodies, settings.engine);
+    go_on(options, *found);
+    return run_scene(found->scene, *engine, options);
+  }
   const SceneDef listed = with_floes_of_run_file(member.scene);
   const auto engine = engine_for(listed, make_field(listed), settings.engine);
-  RunOptions options = options_of(member, settings, entry, stop);
   if (!engine->method().empty()) options.books = reported_only;
+  if (member.scene.floe.empty()) options.floes_of_engine = listed.floe;
   return run_scene(member.scene, *engine, options);
 }
 
@@ -20,7 +26,7 @@ Outcome locked_run(const SweepMember& member, const SweepSettings& settings, Swe
                    const std::atomic<int>& stop, SweepRow& row) {
   if (const auto reason = reason_not_to(settings, entry, row)) return *reason;
   say_running(settings, entry, row);
-  return outcome_of(run_member(member, settings, entry, stop), row);
+  return outcome_of(run_member(member, settings, entry, stop, row), row);
 }
 
 }  // namespace

@@ -119,12 +119,12 @@ void CpuEngine::move(ThreadTeam& team, int rank, StepLog& log) {
 Ledger CpuEngine::ledger() { return closed_books(field_, ledger_); }
 
 EngineState CpuEngine::save() {
-  return {step_, field_.bodies, closed_books(field_, ledger_), coupled_.keys(), coupled_.memory()};
+  return {step_, field_.bodies, saved_books(field_, ledger_), field_.books, coupled_.keys(), coupled_.memory()};
 }
 
 void CpuEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);
-  open_books(field_, state.ledger);
+  open_books(field_, state);
   ledger_ = state.ledger;
   step_ = state.step;
   coupled_.restore(state.impulse_key, state.impulse_value);

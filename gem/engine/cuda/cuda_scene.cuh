@@ -99,29 +99,20 @@ class CudaScene {
   }
 
   Ledger ledger() {
-    bodies();
-    if (!host_books_valid_) {
-      PlatformCell platform;
-      check_cuda(cudaMemcpy(field_.books.data(), device_.books, sizeof(Quantity) * field_.books.size(),
-                            cudaMemcpyDeviceToHost),
-                 "fetch the books");
-      check_cuda(cudaMemcpy(&platform, device_.platform, sizeof platform, cudaMemcpyDeviceToHost), "fetch the books");
-      field_.mooring_force = platform.mooring_force;
-      host_books_valid_ = true;
-    }
+    fetch_books();
     return closed_books(field_, ledger_);
   }
 
   EngineState save() {
-    bodies();
-    EngineState state{step_, field_.bodies, ledger(), {}, {}};
+    fetch_books();
+    EngineState state{step_, field_.bodies, saved_books(field_, ledger_), field_.books, {}, {}};
     save_memory(carried(), state);
     return state;
   }
 
   void restore(const EngineState& state) {
     field_ = make_field_state(state.bodies, field_.constants);
-    open_books(field_, state.ledger);
+    open_books(field_, state);
     ledger_ = state.ledger;
     step_ = state.step;
     const std::vector<CarriedMemory> memory = carried_memory(state);
@@ -135,6 +126,19 @@ class CudaScene {
   }
 
  private:
+  /// Brings the copies of the state and the books on the host up to date.
+  void fetch_books() {
+    bodies();
+    if (host_books_valid_) return;
+    PlatformCell platform;
+    check_cuda(
+        cudaMemcpy(field_.books.data(), device_.books, sizeof(Quantity) * field_.books.size(), cudaMemcpyDeviceToHost),
+        "fetch the books");
+    check_cuda(cudaMemcpy(&platform, device_.platform, sizeof platform, cudaMemcpyDeviceToHost), "fetch the books");
+    field_.mooring_force = platform.mooring_force;
+    host_books_valid_ = true;
+  }
+
   /// Fetches a part of the rings.
   void fetch(const void* begin, const void* end, cudaStream_t stream) {
     const auto* const from = static_cast<const std::byte*>(begin);

@@ -127,6 +127,39 @@ TEST_P(DeviceSolvers, CountsToItsLastTimeStep) {
   }
 }
 
+/// A run that changes from engine to engine is the run of one engine: state, log, books and what points remember.
+TEST_P(DeviceSolvers, GoesOnWithTheStateOfTheCpuEngineAndBack) {
+  SceneDef scene = test::busy_scene(8);
+  scene.contact.solver = GetParam();
+  for (const bool by_phases : {false, true}) {
+    const auto whole = test::busy_engine(scene, "cpu"), first = test::busy_engine(scene, "cpu"),
+               last = test::busy_engine(scene, "cpu");
+    StepLog expected, log;
+    whole->advance(300, expected);
+    first->advance(300, log);
+    expected.clear();
+    log.clear();
+    HostScene device(scene, test::busy_field(scene), 1, by_phases ? test::team_warp : 1);
+    if (by_phases) device.use_phases();
+    device.restore(first->save());
+    const std::int64_t steps = by_phases ? 6 : 70;  // phases by host threads are slow
+    device.advance(steps, log);
+    last->restore(device.save());
+    last->advance(50, log);
+    whole->advance(steps + 50, expected);
+    ASSERT_GT(expected.events.size(), 0u);
+    EXPECT_EQ(last->state_hash(), whole->state_hash());
+    test::expect_same_bodies(last->bodies(), whole->bodies());
+    test::expect_same_log(log, expected);
+    test::expect_same_memory(last->save(), whole->save());
+    test::expect_same_books(last->ledger(), whole->ledger());
+    const Ledger a = last->ledger(), b = whole->ledger();
+    EXPECT_EQ(a.momentum_scale, b.momentum_scale);
+    EXPECT_EQ(a.angular_scale, b.angular_scale);
+    EXPECT_EQ(a.energy_scale, b.energy_scale);
+  }
+}
+
 /// A log without samples holds nothing that was not measured.
 TEST_P(DeviceSolvers, WithoutSamplesTheLogHasEventsOnly) {
   SceneDef scene = test::busy_scene(8);

@@ -102,7 +102,9 @@ Ledger ReferenceEngine::ledger() {
   return state_.ledger;
 }
 
-EngineState ReferenceEngine::save() { return {state_.steps, state_.bodies, ledger(), impulse_key_, impulse_value_}; }
+EngineState ReferenceEngine::save() {
+  return {state_.steps, state_.bodies, state_.ledger, {}, impulse_key_, impulse_value_};
+}
 
 void ReferenceEngine::restore(const EngineState& state) {
   state_.bodies = state.bodies;

@@ -93,9 +93,14 @@ Quantity total(const FieldState& f) {
   return sum;
 }
 
-void open_books(FieldState& f, const Ledger& ledger) {
-  for (std::size_t c = 0; c < ledger.channel.size(); ++c) f.book(static_cast<Channel>(c), 0) = ledger.channel[c];
+void open_books(FieldState& f, const EngineState& state) {
+  const Ledger& ledger = state.ledger;
   f.mooring_force = ledger.mooring_force;
+  if (state.books.size() == f.books.size()) {
+    f.books = state.books;
+    return;
+  }
+  for (std::size_t c = 0; c < ledger.channel.size(); ++c) f.book(static_cast<Channel>(c), 0) = ledger.channel[c];
 }
 
 Ledger closed_books(const FieldState& f, Ledger& running) {
@@ -129,6 +134,15 @@ Ledger closed_books(const FieldState& f, Ledger& running) {
   ledger.angular_scale = running.angular_scale;
   ledger.energy_scale = running.energy_scale;
   return ledger;
+}
+
+Ledger saved_books(const FieldState& f, const Ledger& running) {
+  Ledger closed = running;
+  closed = closed_books(f, closed);
+  closed.momentum_scale = running.momentum_scale;
+  closed.angular_scale = running.angular_scale;
+  closed.energy_scale = running.energy_scale;
+  return closed;
 }
 
 void check_finite(const FieldState& f, std::int64_t step) {

@@ -10,13 +10,16 @@ namespace gem {
 /// Total momentum, angular momentum and energy (mooring spring included) of the active bodies.
 Quantity total(const FieldState& f);
 
-/// Continues the books of a saved ledger. Its sums are stored with body 0.
-void open_books(FieldState& f, const Ledger& ledger);
+/// Continues saved books. If only their sums are known, these are stored with body 0.
+void open_books(FieldState& f, const EngineState& state);
 
 /// Returns the ledger: the books of all bodies summed in id order, and the current total `now`. The scales are the
 /// largest seen so far, so that rounding does not look large in a step where all bodies are nearly at rest. `running`
 /// keeps the scales and the start.
 Ledger closed_books(const FieldState& f, Ledger& running);
+
+/// The same for EngineState: the scales stay those of `running`.
+Ledger saved_books(const FieldState& f, const Ledger& running);
 
 /// Throws Error(numerical_stop) naming the first body whose state is not finite; `step` is for the message.
 void check_finite(const FieldState& f, std::int64_t step);

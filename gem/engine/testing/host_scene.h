@@ -89,6 +89,28 @@ class HostScene {
     return closed_books(field_, running);
   }
 
+  /// Goes on from a saved state. Like the cuda engine's.
+  void restore(const EngineState& state) {
+    field_ = make_field_state(state.bodies, field_.constants);
+    open_books(field_, state);
+    running_ = state.ledger;
+    const std::vector<CarriedMemory> carried = carried_memory(state);
+    sizes_.rows = std::max(sizes_.rows, static_cast<std::int32_t>(2 * carried.size()));
+    grow();
+    write_field(field_, state.step, scene_);
+    scene_.status->carried = static_cast<std::int32_t>(carried.size());
+    std::copy(carried.begin(), carried.end(), scene_.carried);
+  }
+
+  /// The state after restore() and some time steps. Like the cuda engine's.
+  EngineState save() {
+    field_.books.assign(scene_.books, scene_.books + field_.books.size());
+    field_.mooring_force = scene_.platform->mooring_force;
+    EngineState state{scene_.status->step, field_.bodies, saved_books(field_, running_), field_.books, {}, {}};
+    save_memory(memory(), state);
+    return state;
+  }
+
   std::vector<CarriedMemory> memory() const { return {scene_.carried, scene_.carried + scene_.status->carried}; }
 
   const Bodies& bodies() const { return field_.bodies; }
@@ -192,6 +214,7 @@ class HostScene {
   }
 
   FieldState field_;
+  Ledger running_;  // of the restored state
   SceneSizes sizes_;
   DeviceScene scene_;
   int threads_;

@@ -1,0 +1,40 @@
+#include "gem/command/run_choice.h"
+
+#include <charconv>
+
+#include "gem/base/error.h"
+#include "gem/command/verdict_output.h"
+#include "gem/record/output_path.h"
+#include "gem/run/run_signals.h"
+
+namespace gem {
+
+double until_of(const RunChoice& choice) {
+  double seconds = 0.0;
+  const char* const end = choice.until.data() + choice.until.size();
+  if (const auto read = std::from_chars(choice.until.data(), end, seconds); read.ec == std::errc{} && read.ptr == end)
+    return seconds;
+  throw Error(ExitCode::usage,
+              "--until " + shown(choice.until) + " is not a number (it takes seconds) give e.g. --until 600");
+}
+
+std::string threads_text(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
+
+int run_and_print(const SceneDef& scene, Engine& engine, RunChoice& choice, RunLog& log) {
+  choice.options.threads = choice.engine.threads;
+  if (!engine.method().empty()) choice.options.books = reported_only;
+  const RunSummary summary = run_scene(scene, engine, choice.options);
+  if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));
+  if (summary.status != "complete" && choice.options.checkpoint_interval_s > 0.0 && engine.method().empty())
+    log.message("info", "it can go on: gem run --continue " + shown(summary.file));
+  if (summary.verdict.grade == Grade::bad) {
+    const std::string text = "the run " + scene.run.name + " is bad (" +
+                             criteria_of_grade(summary.verdict, Grade::bad) + ") see its verdict: gem info " +
+                             shown(summary.file);
+    if (choice.strict && summary.stop_signal == 0) throw Error(ExitCode::numerical_stop, text);
+    log.message("warning", text);
+  }
+  return exit_code_of_signal(summary.stop_signal);
+}
+
+}  // namespace gem

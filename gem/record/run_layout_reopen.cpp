@@ -1,0 +1,100 @@
+// A run file that a later process goes on with.
+#include "gem/record/column_file.h"
+#include "gem/record/run_layout.h"
+#include "gem/record/run_layout_parts.h"
+#include "gem/record/verdict_attributes.h"
+
+namespace gem {
+
+using hdf5::check;
+using hdf5::checked;
+using hdf5::Handle;
+
+namespace {
+
+constexpr std::size_t history_limit = 60000;  // other readers expect at most 64 kB per attribute
+
+/// The growing columns of a group, and the width of their rows.
+struct Growing {
+  std::vector<Column> columns;
+  hsize_t width, rows;
+};
+
+std::vector<Growing> growing_columns(const std::map<std::string, hsize_t>& size, const FilePosition& from) {
+  const auto columns_of = [](const auto& entries) {
+    std::vector<Column> columns;
+    for (const auto& entry : entries) columns.push_back(entry.column);
+    return columns;
+  };
+  return {{{floe_time_column()}, 1, from.frames},
+          {columns_of(floe_columns()), size.at("floe"), from.frames},
+          {columns_of(platform_columns()), 1, from.platform},
+          {columns_of(event_columns()), 1, from.events},
+          {columns_of(stats_columns()), 1, from.stats},
+          {columns_of(count_columns()), size.at("overlap_class"), from.stats}};
+}
+
+void check_rows(const std::string& path, hsize_t rows, hsize_t needed) {
+  if (rows < needed)
+    throw hdf5::Failure{path + " has " + std::to_string(rows) + " rows, the checkpoint counts on " +
+                        std::to_string(needed)};
+}
+
+std::string text_attribute(hid_t file, const char* name) {
+  if (H5Aexists(file, name) <= 0) return "";
+  const Handle attribute = checked(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);
+  const Handle type = checked(H5Aget_type(attribute), H5Tclose, name);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) return "";
+  std::string text(H5Tget_size(type), '\0');
+  check(H5Aread(attribute, type, text.data()), name);
+  return text.c_str();
+}
+
+/// An attribute keeps the size of its first text, so a longer one needs a new attribute.
+void replace_text(hid_t file, const char* name, const std::string& text) {
+  if (H5Aexists(file, name) > 0) check(H5Adelete(file, name), name);
+  hdf5::write_text(file, name, text);
+}
+
+}  // namespace
+
+RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodies& bodies, const Provenance& provenance,
+                     const FilePosition& from)
+    : size_(sizes_of(scene, bodies)),
+      chunk_(chunk_shape(size_["floe"])),
+      file_(ColumnFile::reopened(path, size_, chunk_)),
+      waiting_(from.waiting),
+      written_{from.platform, from.events, from.stats, from.frames},
+      last_time_(from.last_time),
+      saved_time_(from.last_time) {
+  const std::vector<Growing> groups = growing_columns(size_, from);
+  check_rows("/events/event", file_.open_dimension("/events/event"), from.events);
+  for (const Growing& group : groups)
+    for (const Column& column : group.columns)
+      check_rows(path_of(column), file_.open_column(column, group.width), group.rows);
+  file_.cut("/events/event", from.events);
+  for (const Growing& group : groups)
+    for (const Column& column : group.columns) file_.cut(path_of(column), group.rows);
+  renew_header(provenance);
+  file_.flush();  // the file takes its shorter length now, not while others read
+  file_.start();
+}
+
+void RunLayout::renew_header(const Provenance& provenance) {
+  const std::string line = utc_now() + " " + provenance.command_line;
+  const std::string history = text_attribute(file_.id(), "history") + "\n" + line;
+  if (history.size() <= history_limit) replace_text(file_.id(), "history", history);
+  replace_text(file_.id(), "gem_engine", provenance.engine);
+  replace_text(file_.id(), "gem_threads", std::to_string(provenance.threads));
+  replace_text(file_.id(), "gem_device", provenance.device.empty() ? "none" : provenance.device);
+  replace_text(file_.id(), "gem_build", build_text());
+  hdf5::write_text(file_.id(), "gem_state_hash", "");
+  hdf5::write_text(file_.id(), "gem_status", "running");
+  reserve_verdict(file_.id());
+}
+
+FilePosition RunLayout::position() const {
+  return {written_.platform, written_.events, written_.stats, written_.frames, last_time_, waiting_};
+}
+
+}  // namespace gem

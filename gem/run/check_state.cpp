@@ -1,0 +1,57 @@
+#include "gem/run/check_state.h"
+
+#include <algorithm>
+
+#include "gem/engine/contact_key.h"
+
+namespace gem {
+namespace {
+
+bool all_of_length(const Bodies& b, std::size_t n) {
+  const auto fits = [n](const auto&... arrays) { return ((arrays.size() == n) && ...); };
+  return fits(b.kind, b.ice_class, b.radius, b.area, b.thickness, b.mass, b.inertia, b.inverse_mass, b.inverse_inertia,
+              b.drag, b.spin_drag, b.position, b.rotation, b.velocity, b.spin, b.active);
+}
+
+/// Every outline lies in the list of corners.
+bool outlines_fit(const Bodies& b) {
+  return b.vertex_begin.size() == b.count() + 1 && b.vertex_begin.front() == 0 &&
+         b.vertex_begin.back() == static_cast<std::int64_t>(b.vertex.size()) &&
+         std::is_sorted(b.vertex_begin.begin(), b.vertex_begin.end());
+}
+
+/// The platform, then fixed bodies, then floes.
+bool kinds_fit(const Bodies& b) {
+  return b.kind.front() == BodyKind::platform && std::is_sorted(b.kind.begin(), b.kind.end()) &&
+         std::count(b.kind.begin(), b.kind.end(), BodyKind::platform) == 1 && b.kind.back() <= BodyKind::floe;
+}
+
+bool impulses_fit(const EngineState& e) {
+  const auto bodies = static_cast<std::int64_t>(e.bodies.count());
+  return e.impulse_key.size() == e.impulse_value.size() &&
+         std::all_of(e.impulse_key.begin(), e.impulse_key.end(), [bodies](std::uint64_t key) {
+           return body_a_of(key) >= 0 && body_a_of(key) < body_b_of(key) && body_b_of(key) < bodies;
+         });
+}
+
+bool rows_fit(const Slab& rows, std::size_t floes) {
+  const std::size_t values = rows.floes.time.size() * floes;
+  const FloeFrames& f = rows.floes;
+  const auto fits = [values](const auto&... columns) { return ((columns.size() == values) && ...); };
+  return fits(f.x, f.y, f.theta, f.vx, f.vy, f.omega, f.active);
+}
+
+}  // namespace
+
+std::string fault_of(const Checkpoint& c) {
+  const Bodies& b = c.engine.bodies;
+  if (b.count() == 0 || !all_of_length(b, b.count())) return "its bodies are not complete";
+  if (!outlines_fit(b)) return "its outlines do not fit";
+  if (!kinds_fit(b)) return "its bodies are not in order";
+  if (!impulses_fit(c.engine)) return "its contacts do not fit";
+  if (!rows_fit(c.position.waiting, b.count() - first_floe(b))) return "its rows do not fit";
+  if (c.engine.step < 0 || c.engine.step != c.recorder.now.step) return "its time steps do not fit";
+  return "";
+}
+
+}  // namespace gem

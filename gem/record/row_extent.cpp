@@ -82,17 +82,20 @@ std::uint64_t rows_in_time(hid_t dataset, std::uint64_t rows) {
 
 std::uint64_t rows_of_group(hid_t file, const std::string& group, std::uint64_t file_size) {
   if (H5Lexists(file, group.c_str(), H5P_DEFAULT) <= 0) return 0;
-  const Handle folder = checked(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose, group.c_str());
+  const Handle folder(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose);
+  if (!folder.valid()) return 0;  // something else has the name
   std::vector<std::string> names;
   check(H5Literate(folder, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_name, &names), group.c_str());
   std::uint64_t rows = names.empty() ? 0 : std::numeric_limits<std::uint64_t>::max();
   for (const std::string& name : names) {
     if (is_bare_dimension(group, name)) continue;
-    const Handle dataset = checked(H5Dopen2(folder, name.c_str(), H5P_DEFAULT), H5Dclose, name.c_str());
+    const Handle dataset(H5Dopen2(folder, name.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!dataset.valid()) continue;
     rows = std::min(rows, rows_on_disk(dataset, file_size));
   }
   if (H5Lexists(folder, "time", H5P_DEFAULT) <= 0) return rows;
-  const Handle time = checked(H5Dopen2(folder, "time", H5P_DEFAULT), H5Dclose, "time");
+  const Handle time(H5Dopen2(folder, "time", H5P_DEFAULT), H5Dclose);
+  if (!time.valid() || shape_of(time).size.size() != 1) return rows;
   return rows_in_time(time, rows);
 }
 

@@ -202,8 +202,8 @@ class RunWriter::Thread {
       lost_ = true;
       remember("it was deleted, moved or replaced during the run");
     } else if (!claim_.reserve(layout_->room_for(slab) + spare_room)) {
-      remember("no room left on the disk");
       if (any_appended_) show();  // there is room for the slabs before
+      remember("no room left on the disk");
     }
     return !failed_;
   }

@@ -254,9 +254,7 @@ bool RunFile::has(const std::string& dataset) const {
   return H5Lexists(inside_->file, dataset.c_str(), H5P_DEFAULT) > 0;
 }
 
-std::size_t RunFile::rows(const std::string& dataset) const {
-  return reading(path(), [&] { return static_cast<std::size_t>(inside_->extent(inside_->open(dataset)).at(0)); });
-}
+std::size_t RunFile::rows(const std::string& dataset) const { return shape(dataset).at(0); }
 
 std::size_t RunFile::floe_count() const { return rows("shape/vertex_count"); }
 

@@ -356,7 +356,7 @@ TEST_F(Report, ReadsARunFile) {
             fs::file_size(folder_ / "report" / "figures" / "field_start.csv"));
 }
 
-TEST_F(Report, SaysThatARunIsStillWriting) {
+TEST_F(Report, SaysThatAnotherProgramHasLockedTheFile) {
   const std::string run_file = (folder_ / "tiny.h5").string();
   write_run_file(run_file, "running");
   const int writer = open(run_file.c_str(), O_RDONLY);
@@ -365,7 +365,7 @@ TEST_F(Report, SaysThatARunIsStillWriting) {
     write_report(run_file, out(), true);
     ADD_FAILURE() << "was read";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("a run is writing it"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("another program changes it"), std::string::npos) << error.what();
   }
   close(writer);
 }

@@ -186,7 +186,9 @@ TEST_F(SweepCommandTest, AKilledSweepGoesOnToTheSameHashes) {
   ASSERT_GE(done, 1u);
   ASSERT_LT(done, 6u) << "the kill came too late to cut anything";
   ASSERT_EQ(sweep("cut", slow_), 0) << text_of("err_");
-  EXPECT_NE(text_of("err_").find("is run again"), std::string::npos) << text_of("err_");
+  // a run that is killed in its first second leaves a draft only, which the next one takes over
+  for (const auto& entry : fs::recursive_directory_iterator(folder_ / "cut"))
+    EXPECT_NE(entry.path().extension(), ".new") << entry.path();
   EXPECT_EQ(Json::parse(text_of("out_")).at("done_before"), done);
   EXPECT_EQ(status("cut", "state_hash"), hashes);
 }

@@ -12,7 +12,7 @@
 
 #include "gem/engine/engine.h"
 #include "gem/field/field.h"
-#include "gem/record/run_writer.h"
+#include "gem/record/run_file/run_writer.h"
 #include "gem/scene/toml/scene_file.h"
 #include "growth_field.h"
 

@@ -9,7 +9,7 @@
 #include "gem/base/error.h"
 #include "gem/base/standard_streams.h"
 #include "gem/command/command.h"
-#include "gem/record/run_writer.h"
+#include "gem/record/run_file/run_writer.h"
 #include "gem/run/run_signals.h"
 
 namespace {

@@ -6,13 +6,13 @@
 
 #include "gem/base/error.h"
 #include "gem/command/command.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 
 namespace gem {
 namespace {
 
-/// A message as it is printed: no control characters but the ends of its lines, which texts of files could bring in,
-/// and not longer than a screen of a patient reader.
+/// A message as it is printed. It may quote a hostile file: control characters are escaped, but for the ends of lines,
+/// and a long message is cut.
 std::string printable(const std::string& message) {
   constexpr std::size_t bytes_maximum = 20000;
   std::string text;

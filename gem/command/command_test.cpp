@@ -1,78 +1,15 @@
-// The program as its users start it: exit codes, messages, signals, closed outputs, killed runs.
+// The program as its users start it: exit codes, messages, closed outputs.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
-#include <csignal>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <thread>
 
-#include "gem/base/error.h"
-#include "gem/base/scratch_folder.h"
-#include "gem/record/run_file.h"
+#include "gem/command/command_fixture.h"
+#include "gem/record/run_file/run_file.h"
 
 namespace gem {
 namespace {
-
-namespace fs = std::filesystem;
-
-class CommandTest : public testing::Test {
- protected:
-  void SetUp() override {
-    std::ofstream(folder_ / "swing.toml")
-        << "[run]\nname = \"swing\"\nduration_s = 20.0\n[floes]\nsource = \"listed\"\n"
-           "[boundary]\npresent = false\n[platform]\nstart_offset_m = [1.0, 0.0]\n";
-  }
-
-  /// Runs a shell line in the test's folder; `gem` is replaced by the program. Output goes to the files out and err.
-  int shell(const std::string& line) {
-    const std::string all = "cd '" + folder_.string() + "' && gem() { '" GEM_PROGRAM "' \"$@\"; } && { " + line +
-                            " ; } >'" + folder_.string() + "/out' 2>'" + folder_.string() + "/err'";
-    const int status = std::system(("bash -c \"" + escaped(all) + "\"").c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-  static std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-      if (c == '"' || c == '$' || c == '\\' || c == '`') out += '\\';
-      out += c;
-    }
-    return out;
-  }
-  std::string text_of(const std::string& name) const {
-    std::ifstream file(folder_ / name);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
-  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  /// Starts a run that would take hours and sends it a signal after wait_ms. Returns the wait status.
-  int signalled(int signal_number, int wait_ms) {
-    const pid_t child = fork();
-    if (child == 0) {
-      if (chdir(folder_.c_str()) != 0) _exit(99);
-      execl(GEM_PROGRAM, "gem", "run", "swing.toml", "--until", "1e8", "--quiet", "--force", "--threads", "1", "--set",
-            "output.floes_interval_s=1.0", "--set", "mooring.stiffness_N_per_m=0", "--set",
-            "platform.start_velocity_m_per_s=[0.01, 0]", nullptr);
-      _exit(99);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
-    kill(child, signal_number);
-    int status = 0;
-    waitpid(child, &status, 0);
-    return status;
-  }
-
-  ScratchFolder scratch_{"gem command \xc3\xbc"};
-  const fs::path& folder_ = scratch_.path();
-};
 
 TEST_F(CommandTest, AMessageThatQuotesAFileDoesNotSteerTheTerminal) {
   std::ofstream(path("f.csv")) << "floe,x,y\n1,\x1b[2J,0\n";
@@ -340,102 +277,6 @@ TEST_F(CommandTest, SillyThreadCountsAreClamped) {
   EXPECT_NE(text_of("err").find("OMP_NUM_THREADS=1000 is out of range"), std::string::npos) << text_of("err");
   EXPECT_EQ(shell("OMP_NUM_THREADS=0 gem run swing.toml --overwrite"), 0);
   EXPECT_NE(text_of("err").find("OMP_NUM_THREADS=0 is out of range"), std::string::npos) << text_of("err");
-}
-
-TEST_F(CommandTest, ARunGoesOnWhereItStopped) {
-  ASSERT_EQ(shell("gem run swing.toml --out whole.h5 -q && gem run swing.toml --until 7 --out parts.h5"), 0);
-  EXPECT_NE(text_of("err").find("it can go on: gem run --continue parts.h5"), std::string::npos) << text_of("err");
-  EXPECT_EQ(RunFile(path("parts.h5")).status(), "stopped:until");
-  EXPECT_EQ(RunFile(path("parts.h5")).column("platform/time").back(), 7.0);
-  ASSERT_EQ(shell("gem run --continue parts.h5 --until 12 -q && gem run --continue parts.h5"), 0) << text_of("err");
-  EXPECT_NE(text_of("err").find("goes on from 12 s to 20 s"), std::string::npos) << text_of("err");
-  const RunFile whole(path("whole.h5")), parts(path("parts.h5"));
-  EXPECT_EQ(parts.status(), "complete");
-  EXPECT_EQ(parts.attribute("gem_state_hash"), whole.attribute("gem_state_hash"));
-  EXPECT_EQ(parts.attribute("gem_case_sha256"), whole.attribute("gem_case_sha256"));
-  EXPECT_EQ(parts.column("platform/x"), whole.column("platform/x"));
-  EXPECT_FALSE(exists("parts.h5.checkpoint-a") || exists("parts.h5.checkpoint-b"));
-  EXPECT_EQ(shell("gem run --continue parts.h5"), 0);
-  EXPECT_NE(text_of("err").find("nothing to continue"), std::string::npos) << text_of("err");
-}
-
-TEST_F(CommandTest, WhatCannotGoOnSaysWhy) {
-  ASSERT_EQ(shell("gem run swing.toml --until 7 --out parts.h5 -q"), 0);
-  ASSERT_EQ(shell("gem run swing.toml --until 7 --out bare.h5 -q --checkpoint-every 0"), 0);
-  const struct {
-    const char* line;
-    int code;
-    const char* message;
-  } rows[] = {
-      {"gem run --continue missing.h5", 4, "no such file"},
-      {"gem run --continue swing.toml", 4, "not an HDF5 file"},
-      {"gem run --continue bare.h5", 4, "there is no checkpoint beside it"},
-      {"gem run --continue parts.h5 --until 5", 2, "allowed above 7, the time of the checkpoint, up to 20"},
-      {"gem run --continue parts.h5 --until 21", 2, "is not a time to go on to"},
-      {"gem run --continue parts.h5 --until soon", 2, "--until soon is not a number"},
-      {"gem run swing.toml --continue parts.h5", 2, "--continue"},
-      {"gem run --continue parts.h5 --set run.seed=2", 2, "--set"},
-      {"gem run --continue parts.h5 --out other.h5", 2, "--out"},
-      {"gem run --continue parts.h5 --checkpoint-every -1", 2, "--checkpoint-every"},
-  };
-  for (const auto& row : rows) {
-    EXPECT_EQ(shell(row.line), row.code) << row.line << "\n" << text_of("err");
-    EXPECT_NE(text_of("err").find(row.message), std::string::npos) << row.line << "\n" << text_of("err");
-  }
-  EXPECT_EQ(shell("gem run --continue parts.h5 -q"), 0) << text_of("err");
-}
-
-TEST_F(CommandTest, AnInterruptedRunGoesOn) {
-  ASSERT_TRUE(WIFEXITED(signalled(SIGTERM, 700)));
-  const double before = RunFile(path("swing.h5"), true).column("platform/time").back();
-  EXPECT_EQ(shell("gem run --continue swing.h5 -q --until " + std::to_string(before + 1.0)), 0) << text_of("err");
-  EXPECT_EQ(RunFile(path("swing.h5")).status(), "stopped:until");
-  EXPECT_GT(RunFile(path("swing.h5")).column("platform/time").back(), before);
-}
-
-TEST_F(CommandTest, FirstInterruptEndsInOrder) {
-  const int status = signalled(SIGINT, 700);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
-  EXPECT_EQ(RunFile(path("swing.h5"), true).status(), "stopped:SIGINT");
-}
-
-TEST_F(CommandTest, TerminateEndsInOrder) {
-  const int status = signalled(SIGTERM, 700);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 143);
-  EXPECT_EQ(RunFile(path("swing.h5"), true).status(), "stopped:SIGTERM");
-}
-
-TEST_F(CommandTest, HangUpEndsInOrder) {
-  const int status = signalled(SIGHUP, 700);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 129);
-  EXPECT_EQ(RunFile(path("swing.h5"), true).status(), "stopped:SIGHUP");
-}
-
-// How far a run gets before the kill depends on the machine's load, and the kill may hit the few milliseconds of a
-// flush. So each try gives the run more time, and two of six files must hold a first flush.
-TEST_F(CommandTest, AKilledRunIsReadableToTheLastFlush) {
-  int readable = 0;
-  for (int attempt = 1; attempt <= 6 && readable < 2; ++attempt) {
-    fs::remove(path("swing.h5"));
-    ASSERT_TRUE(WIFSIGNALED(signalled(SIGKILL, 2500 * attempt)));
-    try {
-      const RunFile file(path("swing.h5"), true);
-      EXPECT_EQ(file.status(), "running");
-      if (file.column("floes/time").size() >= 16 && file.column("platform/x").size() >= 1024) ++readable;
-    } catch (const Error&) {
-      continue;
-    }
-  }
-  ASSERT_EQ(readable, 2);
-  EXPECT_EQ(shell("gem info swing.h5"), 0);
-  EXPECT_NE(text_of("out").find("not judged"), std::string::npos) << text_of("out");
-  // an incomplete run has no state hash, so the message names none
-  const double late = RunFile(path("swing.h5"), true).column("platform/time").back() - 50.0;
-  EXPECT_EQ(shell("gem analyse --allow-incomplete swing.h5 swing.h5 --from " + std::to_string(late)), 2);
-  EXPECT_NE(text_of("err").find("the same run as swing.h5 (several runs"), std::string::npos) << text_of("err");
 }
 
 TEST_F(CommandTest, ACaseNamesTheIceOfItsFile) {

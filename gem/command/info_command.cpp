@@ -6,9 +6,9 @@
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
 #include "gem/command/verdict_output.h"
-#include "gem/record/output_path.h"
-#include "gem/record/run_file.h"
-#include "gem/record/stored_case.h"
+#include "gem/record/output/output_path.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/stored_case.h"
 
 namespace gem {
 

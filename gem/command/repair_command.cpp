@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "gem/command/command.h"
-#include "gem/record/output_path.h"
-#include "gem/record/run_repair.h"
+#include "gem/record/output/output_path.h"
+#include "gem/record/run_file/run_repair.h"
 
 namespace gem {
 

@@ -2,7 +2,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 #include "gem/record/schema.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "gem/base/error.h"
 #include "gem/command/verdict_output.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 #include "gem/run/run_signals.h"
 
 namespace gem {

@@ -9,7 +9,7 @@
 #include "gem/base/number_text.h"
 #include "gem/command/run_choice.h"
 #include "gem/field/field.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 #include "gem/run/run_signals.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/toml/document.h"

@@ -6,7 +6,7 @@
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
 #include "gem/command/verdict_output.h"
-#include "gem/record/run_writer.h"
+#include "gem/record/run_file/run_writer.h"
 
 namespace gem {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gem/fuzz/target.h"
-#include "gem/record/hdf5_handle.h"
+#include "gem/record/hdf5/hdf5_handle.h"
 #include "gem/record/schema.h"
 
 namespace gem::fuzz {

@@ -6,7 +6,7 @@
 #include "gem/command/command.h"
 #include "gem/fuzz/described_file.h"
 #include "gem/fuzz/target.h"
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 #include "gem/report/page.h"
 #include "gem/report/run/load_run.h"
 #include "gem/report/run/platform_path.h"

@@ -1,7 +1,7 @@
 // Fuzz target: the summary of a sweep.
 #include "gem/fuzz/described_file.h"
 #include "gem/fuzz/target.h"
-#include "gem/record/summary_file.h"
+#include "gem/record/summary/summary_file.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string path = gem::fuzz::hdf5_input("summary.h5", gem::fuzz::text_of(data, size));

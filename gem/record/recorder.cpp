@@ -77,9 +77,7 @@ void Recorder::add(const StepLog& log, std::int64_t last_step) {
   }
   now_.overlap += log.overlap;
   now_.overlap_share += log.overlap_share;
-  const std::size_t before = slab_.events.size();
   hits_.add(log.events, now_.step, slab_.events);
-  now_.hits_seen += static_cast<std::int64_t>(slab_.events.size() - before);
   slab_.time = double(now_.step) * time_step_;
 }
 
@@ -108,12 +106,6 @@ void Recorder::sample(const PlatformStep& now, std::int64_t step) {
   slab_.platform.push_back(row);
   now_.since_sample = {};
   now_.sample_step = step;
-}
-
-void Recorder::end_hits() {
-  const std::size_t before = slab_.events.size();
-  hits_.end_all(slab_.events);
-  now_.hits_seen += static_cast<std::int64_t>(slab_.events.size() - before);
 }
 
 StatsRow Recorder::add_frame(Engine& engine, double wall_time) {
@@ -173,6 +165,7 @@ void Recorder::restore(const RecorderState& state) {
 }
 
 Slab Recorder::take() {
+  now_.hits_taken += static_cast<std::int64_t>(slab_.events.size());
   slab_.time = double(now_.step) * time_step_;
   return std::exchange(slab_, Slab{});
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gem/record/hits.h"
-#include "gem/record/run_writer.h"
+#include "gem/record/run_file/run_writer.h"
 
 namespace gem {
 
@@ -30,7 +30,7 @@ struct RecorderState {
     std::int64_t step = 0;
     std::int64_t sample_step = 0;
     std::int64_t frame_step = 0;
-    std::int64_t hits_seen = 0;
+    std::int64_t hits_taken = 0;
     double frame_wall_time = 0.0;
     double yaw = 0.0;
     PlatformStep since_sample;  // sums since the last platform sample
@@ -58,11 +58,11 @@ class Recorder {
   void sample_rest();
   std::int64_t next_frame() const { return frames_.next_after(now_.frame_step); }
   /// Ends the hits of floes that still press. For the end of a run.
-  void end_hits();
+  void end_hits() { hits_.end_all(slab_.events); }
   /// Returns what was recorded since the last call.
   Slab take();
   std::size_t frames_waiting() const { return slab_.floes.time.size(); }
-  std::int64_t hits_seen() const { return now_.hits_seen; }
+  std::int64_t hits_seen() const { return now_.hits_taken + static_cast<std::int64_t>(slab_.events.size()); }
   /// The rows that were not taken are not part of the state.
   RecorderState state() const { return {now_, {window_.begin(), window_.end()}, hits_.open()}; }
   /// Goes on from a state, without rows that wait.

@@ -31,6 +31,9 @@ struct Column {
   std::string flag_meanings;  // for u1: one word per value 0, 1, ...
 };
 
+/// Path of a column in the file.
+inline std::string path_of(const Column& column) { return "/" + column.group + "/" + column.name; }
+
 /// One sample of the platform. Forces and impulses act on the platform. SI units.
 struct PlatformRow {
   double time = 0.0;

@@ -1,7 +1,7 @@
 // The frame of the page: style, sections, notes.
 #include "gem/report/page.h"
 
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 #include "gem/report/page_tables.h"
 #include "gem/report/plain_text.h"
 

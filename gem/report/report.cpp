@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "gem/base/error.h"
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 #include "gem/report/figures/figures.h"
 #include "gem/report/page.h"
 #include "gem/report/run/load_run.h"

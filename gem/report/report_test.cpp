@@ -16,7 +16,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/scratch_folder.h"
-#include "gem/record/run_writer.h"
+#include "gem/record/run_file/run_writer.h"
 #include "gem/report/display.h"
 #include "gem/report/figures/run_program.h"
 #include "gem/report/page_tables.h"

@@ -70,7 +70,7 @@ void pass_position(Stream& s, Position& p) {
 /// Hands the parts of a checkpoint to `part`, each as a function of a stream.
 template <class State, class Part>
 void pass_parts(State& c, Part part) {
-  part([&](auto& s) { s(c.serial, c.build, c.case_sha256, c.text_sha256, c.engine_name); });
+  part([&](auto& s) { s(c.serial, c.build, c.case_sha256, c.engine_name); });
   part([&](auto& s) { pass_engine(s, c.engine); });
   part([&](auto& s) { pass_floes(s, c.floes); });
   part([&](auto& s) { s(c.recorder.now, c.recorder.window, c.recorder.hits, c.watch, c.totals); });

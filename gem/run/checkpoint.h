@@ -17,7 +17,6 @@ struct Checkpoint {
   std::uint64_t serial = 0;  // counts the checkpoints of a run
   std::string build;         // of the program that wrote it, see build_text()
   std::string case_sha256;   // attribute gem_case_sha256 of the run file
-  std::string text_sha256;   // of attribute gem_case_toml
   std::string engine_name;
   EngineState engine;
   std::vector<FloeDef> floes;  // listed floes that the engine was made with, where the case names a run file for them

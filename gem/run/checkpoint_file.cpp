@@ -13,7 +13,7 @@
 
 #include "gem/base/byte_stream.h"
 #include "gem/base/error.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 
 namespace gem {
 namespace {

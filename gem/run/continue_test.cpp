@@ -11,7 +11,7 @@
 #include "gem/base/error.h"
 #include "gem/base/scratch_folder.h"
 #include "gem/engine/testing/test_scenes.h"
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 #include "gem/run/checkpoint_file.h"
 #include "gem/run/resume.h"
 #include "gem/run/run_batch.h"

@@ -2,11 +2,10 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/base/sha256.h"
-#include "gem/record/output_path.h"
-#include "gem/record/run_file.h"
+#include "gem/record/output/output_path.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/stored_case.h"
 #include "gem/run/checkpoint_file.h"
-#include "gem/scene/toml/scene_file.h"
 
 namespace gem {
 namespace {
@@ -19,7 +18,6 @@ namespace {
 /// Why the file does not fit to a checkpoint; empty if it does.
 std::string misfit(const RunFile& file, const Checkpoint& c) {
   if (file.attribute("gem_case_sha256") != c.case_sha256) return "its checkpoint belongs to another case";
-  if (sha256_hex(file.attribute("gem_case_toml")) != c.text_sha256) return "its case was changed after the run";
   const struct {
     const char* dataset;
     std::uint64_t needed;
@@ -39,6 +37,7 @@ std::string misfit(const RunFile& file, const Checkpoint& c) {
 Resumable resumable(const std::string& run_file) {
   const RunFile file(run_file, true);
   if (file.status() == "complete") refuse(run_file, "it is complete");
+  const SceneDef scene = stored_scene(file);
   FoundCheckpoints found = find_checkpoints(run_file);
   if (found.whole.empty() && found.faults.empty())
     refuse(run_file, "there is no checkpoint beside it: the run ended before its first one, or kept none");
@@ -50,7 +49,7 @@ Resumable resumable(const std::string& run_file) {
       continue;
     }
     Resumable run;
-    run.scene = run.engine_scene = parse_scene(file.attribute("gem_case_toml"), shown(run_file) + ": gem_case_toml");
+    run.scene = run.engine_scene = scene;
     if (!one.floes.empty()) run.engine_scene.floe = one.floes;
     if (!why.empty()) run.note = "an older checkpoint is used (" + why + ")";
     if (one.build != build_text())

@@ -8,8 +8,8 @@
 
 #include "gem/engine/testing/test_scenes.h"
 #include "gem/record/fake_engine.h"
-#include "gem/record/run_file.h"
-#include "gem/record/run_writer.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/run_writer.h"
 
 namespace gem {
 namespace {

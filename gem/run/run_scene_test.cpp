@@ -1,5 +1,5 @@
 // A run file is written and read back; every refusal of writer and reader.
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -15,10 +15,10 @@
 #include "gem/base/error.h"
 #include "gem/base/scratch_folder.h"
 #include "gem/record/fake_engine.h"
-#include "gem/record/hdf5_handle.h"
-#include "gem/record/output_path.h"
+#include "gem/record/hdf5/hdf5_handle.h"
+#include "gem/record/output/output_path.h"
 #include "gem/record/recorder.h"
-#include "gem/record/run_layout.h"
+#include "gem/record/run_file/run_layout.h"
 #include "gem/report/run/load_run.h"
 #include "gem/run/run_scene.h"
 
@@ -335,21 +335,6 @@ TEST_F(RunFileTest, AFileThatLeavesItsPlaceIsAnError) {
   EXPECT_EQ(fs::file_size(options_.output), 4U);
   fs::remove(options_.output);
   refused("truncated", [&] { fs::resize_file(options_.output, 1000); });
-}
-
-TEST_F(RunFileTest, AClosedStandardStreamStaysOutOfTheFile) {
-  const int kept = dup(STDERR_FILENO);
-  close(STDERR_FILENO);
-  {
-    RunWriter writer(options_.output, false, scene_, fake_field(2), {});
-    writer.write(two_floes(100, 5.0));
-    writer.flush();
-    for (int n = 0; n < 100; ++n) EXPECT_EQ(write(STDERR_FILENO, "progress", 8), 8);
-    writer.finish("complete", 0);
-  }
-  dup2(kept, STDERR_FILENO);
-  close(kept);
-  EXPECT_EQ(RunFile(options_.output).column("platform/x").size(), 100U);
 }
 
 TEST_F(RunFileTest, NoRoomForTheFirstSlabLeavesNothing) {

@@ -11,8 +11,7 @@
 #include "gem/analysis/verdict/judge_run.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/base/sha256.h"
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 #include "gem/run/checkpoint_file.h"
 #include "gem/scene/toml/scene_file.h"
 
@@ -88,7 +87,6 @@ RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& opti
 void RunSteps::begin_file() {
   const Provenance provenance = provenance_of(scene_, engine_, options_);
   case_sha256_ = provenance.case_sha256;
-  text_sha256_ = sha256_hex(provenance.case_toml);
   writer_.emplace(options_.output, options_.overwrite, scene_, engine_.bodies(), provenance);
   remove_checkpoints(options_.output);
 }

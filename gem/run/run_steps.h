@@ -65,7 +65,7 @@ class RunSteps {
   // checkpoints
   bool keeps_checkpoints_ = false;
   bool said_no_checkpoint_ = false;
-  std::string case_sha256_, text_sha256_;
+  std::string case_sha256_;
   std::uint64_t next_checkpoint_ = 0;
   double checkpoint_pause_ = 0.0;  // wall time between two [s]
   std::chrono::steady_clock::time_point checkpointed_;

@@ -23,7 +23,6 @@ void RunSteps::go_on_from(const Checkpoint& from) {
   frame_step_ = from.recorder.now.frame_step;
   next_checkpoint_ = from.serial + 1;
   case_sha256_ = from.case_sha256;
-  text_sha256_ = from.text_sha256;
   writer_.emplace(options_.output, from.position, scene_, engine_.bodies(), provenance_of(scene_, engine_, options_));
 }
 
@@ -36,7 +35,6 @@ void RunSteps::checkpoint() {
   now.serial = next_checkpoint_;
   now.build = build_text();
   now.case_sha256 = case_sha256_;
-  now.text_sha256 = text_sha256_;
   now.engine_name = engine_.name();
   now.engine = engine_.save();
   now.floes = options_.floes_of_engine;

@@ -128,3 +128,10 @@ function(gem_faults_test name label timeout)
 endfunction()
 gem_faults_test(faults unit 300 --short)
 gem_faults_test(faults_long long 7200)
+
+# Runs that are killed at random moments and go on to the same bits.
+if(GEM_PYTHON AND NOT GEM_SANITIZE)
+  add_test(NAME continue_kills COMMAND ${GEM_PYTHON} ${PROJECT_SOURCE_DIR}/scripts/check_continue.py $<TARGET_FILE:gem>
+    ${PROJECT_SOURCE_DIR}/cases/004_400_25.toml --kills 20 -- --set run.duration_s=300)
+  set_tests_properties(continue_kills PROPERTIES LABELS long SKIP_RETURN_CODE 77 TIMEOUT 1800)
+endif()

@@ -8,8 +8,8 @@
 #include "gem/analysis/statistics/moments.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/record/run_file.h"
-#include "gem/record/stored_case.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/stored_case.h"
 #include "validation/baseline/platform_events.h"
 
 namespace gem::baseline {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 
 namespace gem::baseline {
 

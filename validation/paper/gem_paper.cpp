@@ -4,7 +4,7 @@
 #include "gem/base/standard_streams.h"
 #include "gem/command/command.h"
 #include "gem/command/sweep/sweep_collect.h"
-#include "gem/record/run_writer.h"
+#include "gem/record/run_file/run_writer.h"
 #include "gem/run/run_signals.h"
 #include "validation/paper/page/paper_report.h"
 #include "validation/paper/runs/paper_summary.h"

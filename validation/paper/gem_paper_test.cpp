@@ -5,7 +5,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/scratch_folder.h"
-#include "gem/record/summary_file.h"
+#include "gem/record/summary/summary_file.h"
 #include "gem/report/figures/run_program.h"
 #include "validation/paper/runs/paper_run.h"
 #include "validation/paper/runs/paper_summary.h"

@@ -8,7 +8,7 @@
 #include "gem/base/number_text.h"
 #include "gem/field/field.h"
 #include "gem/record/hits.h"
-#include "gem/record/run_writer.h"
+#include "gem/record/run_file/run_writer.h"
 #include "gem/run/run_scene.h"
 
 namespace gem::regression {

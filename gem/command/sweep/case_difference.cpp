@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "gem/base/error.h"
-#include "gem/record/run_file.h"
-#include "gem/record/stored_case.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/stored_case.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {

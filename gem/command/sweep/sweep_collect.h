@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "gem/record/run_file.h"
-#include "gem/record/summary_file.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/summary/summary_file.h"
 #include "gem/report/run/run_data.h"
 
 namespace CLI {

@@ -16,8 +16,8 @@
 #include "gem/base/scratch_folder.h"
 #include "gem/command/index_list.h"
 #include "gem/command/sweep/sweep_folder.h"
-#include "gem/record/run_file.h"
-#include "gem/record/summary_file.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/summary/summary_file.h"
 
 namespace gem {
 namespace {

@@ -18,9 +18,9 @@
 #include "gem/base/error.h"
 #include "gem/base/hash.h"
 #include "gem/command/command.h"
-#include "gem/record/output_path.h"
-#include "gem/record/run_file.h"
-#include "gem/record/run_writer.h"
+#include "gem/record/output/output_path.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/run_writer.h"
 
 namespace gem {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <new>
 
-#include "gem/record/run_writer.h"
+#include "gem/record/run_file/run_writer.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {

@@ -17,7 +17,7 @@
 #include "gem/command/sweep/case_difference.h"
 #include "gem/command/sweep/process_pool.h"
 #include "gem/engine/cuda/cuda_engine.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 #include "gem/scene/check_scene.h"
 
 namespace gem {

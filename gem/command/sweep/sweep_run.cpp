@@ -13,7 +13,7 @@
 #include "gem/base/number_text.h"
 #include "gem/command/sweep/process_pool.h"
 #include "gem/command/sweep/sweep_plan.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 #include "gem/record/verdict.h"
 #include "gem/run/run_signals.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "gem/record/summary_file.h"
+#include "gem/record/summary/summary_file.h"
 #include "gem/scene/scene_def.h"
 
 namespace gem {

@@ -8,7 +8,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/command/sweep/sweep_plan.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 
 namespace gem {
 namespace {

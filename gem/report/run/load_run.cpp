@@ -7,9 +7,9 @@
 
 #include "gem/base/error.h"
 #include "gem/events/mooring.h"
-#include "gem/record/output_path.h"
-#include "gem/record/run_file.h"
-#include "gem/record/stored_case.h"
+#include "gem/record/output/output_path.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/stored_case.h"
 
 namespace gem {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "gem/base/error.h"
-#include "gem/record/output_path.h"
-#include "gem/record/run_file.h"
-#include "gem/record/stored_case.h"
+#include "gem/record/output/output_path.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/stored_case.h"
 
 namespace gem {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "gem/record/summary_file.h"
+#include "gem/record/summary/summary_file.h"
 #include "gem/report/run/run_series.h"
 
 namespace gem {

@@ -2,7 +2,7 @@
 // channel.
 #pragma once
 
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 #include "validation/paper/runs/paper_run.h"
 
 namespace gem {

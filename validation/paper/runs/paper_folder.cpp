@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "gem/base/error.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 #include "validation/paper/runs/paper_run.h"
 #include "validation/paper/runs/paper_summary.h"
 

@@ -2,7 +2,7 @@
 #include "validation/paper/runs/paper_run.h"
 
 #include "gem/analysis/statistics/moments.h"
-#include "gem/record/stored_case.h"
+#include "gem/record/run_file/stored_case.h"
 #include "gem/report/run/load_run.h"
 #include "gem/report/run/platform_series.h"
 #include "gem/report/run/run_findings.h"

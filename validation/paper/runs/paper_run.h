@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gem/analysis/run_analysis.h"
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 #include "gem/report/run/run_findings.h"
 #include "gem/report/run/run_series.h"
 #include "gem/scene/scene_def.h"

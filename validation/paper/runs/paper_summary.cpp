@@ -8,7 +8,7 @@
 #include <set>
 
 #include "gem/base/error.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 #include "gem/report/run/summary_series.h"
 #include "gem/scene/toml/scene_file.h"
 

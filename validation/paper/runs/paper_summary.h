@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/record/summary_file.h"
+#include "gem/record/summary/summary_file.h"
 #include "validation/paper/runs/paper_run.h"
 
 namespace gem {

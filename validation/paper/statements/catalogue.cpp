@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "gem/base/error.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 
 namespace gem {
 namespace {

@@ -1,5 +1,5 @@
 // A summary is written and read back through the library.
-#include "gem/record/summary_file.h"
+#include "gem/record/summary/summary_file.h"
 
 #include <gtest/gtest.h>
 #include <hdf5_hl.h>
@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "gem/base/error.h"
-#include "gem/record/hdf5_handle.h"
+#include "gem/record/hdf5/hdf5_handle.h"
 
 namespace gem {
 namespace {

@@ -6,11 +6,11 @@
 #include <sstream>
 
 #include "gem/base/error.h"
-#include "gem/record/hdf5_handle.h"
-#include "gem/record/output_path.h"
-#include "gem/record/run_file.h"
-#include "gem/record/summary_file.h"
-#include "gem/record/untrusted_file.h"
+#include "gem/record/hdf5/hdf5_handle.h"
+#include "gem/record/hdf5/untrusted_file.h"
+#include "gem/record/output/output_path.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/summary/summary_file.h"
 
 namespace gem {
 

@@ -7,8 +7,8 @@
 //   gem_verdict_texts                              one line per criterion
 #pragma once
 
-#include "gem/record/hdf5_handle.h"
-#include "gem/record/run_file.h"
+#include "gem/record/hdf5/hdf5_handle.h"
+#include "gem/record/run_file/run_file.h"
 #include "gem/record/verdict.h"
 
 namespace gem {

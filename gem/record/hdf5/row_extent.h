@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "gem/record/hdf5_handle.h"
+#include "gem/record/hdf5/hdf5_handle.h"
 
 namespace gem::hdf5 {
 

@@ -1,5 +1,5 @@
 // Writes the dimension scale `run`, one scale per axis, and one dataset per column and series.
-#include "gem/record/summary_file.h"
+#include "gem/record/summary/summary_file.h"
 
 #include <hdf5_hl.h>
 #include <unistd.h>
@@ -11,9 +11,9 @@
 #include <system_error>
 
 #include "gem/base/error.h"
-#include "gem/record/hdf5_handle.h"
-#include "gem/record/output_path.h"
-#include "gem/record/run_writer.h"
+#include "gem/record/hdf5/hdf5_handle.h"
+#include "gem/record/output/output_path.h"
+#include "gem/record/run_file/run_writer.h"
 
 namespace gem {
 

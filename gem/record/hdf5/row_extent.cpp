@@ -1,5 +1,5 @@
 // Looks up chunks and times at the end of datasets.
-#include "gem/record/row_extent.h"
+#include "gem/record/hdf5/row_extent.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-// HDF5 identifiers that close themselves, and reasons of failed calls. Included by gem/record only.
+// HDF5 identifiers that close themselves, and reasons of failed calls. Included by gem/record and gem/fuzz only.
 #pragma once
 
 #include <hdf5.h>
@@ -66,8 +66,12 @@ inline Handle checked(hid_t id, Handle::Closer closer, const char* what) {
 /// if its file cannot hold as many: a damaged or hostile file may claim any size.
 std::size_t element_count(hid_t object, hid_t space, std::size_t stored, const std::string& name);
 
-/// A text attribute of fixed length; empty if there is none, or if it is of another kind.
+/// A text attribute; empty if there is none, or if it is of another kind.
 std::string read_text(hid_t object, const std::string& name);
+
+/// Opens a file for writing that may not have been closed: it is then marked as open, and may be longer than it says.
+/// `access` is changed.
+Handle open_unclosed(const std::string& path, hid_t access);
 
 /// Opens a file that a process left open or a full disk broke, to change attributes and lengths in their place.
 /// Independent of a handle of this process that could not be closed.

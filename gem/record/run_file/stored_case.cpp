@@ -1,10 +1,10 @@
 // Checks the text against its hash, then parses it.
-#include "gem/record/stored_case.h"
+#include "gem/record/run_file/stored_case.h"
 
 #include <algorithm>
 
 #include "gem/base/error.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {

@@ -1,5 +1,5 @@
 // Checks the output path by asking the file system.
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -14,7 +14,7 @@
 #include <system_error>
 
 #include "gem/base/error.h"
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 
 namespace gem {
 

@@ -1,11 +1,11 @@
 // Writes and reads the attributes of the verdict.
-#include "gem/record/verdict_attributes.h"
+#include "gem/record/run_file/verdict_attributes.h"
 
 #include <algorithm>
 #include <sstream>
 
 #include "gem/base/error.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 
 namespace gem {
 namespace {

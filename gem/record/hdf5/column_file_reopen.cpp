@@ -1,5 +1,5 @@
 // Opens the columns of an existing file, cuts them, and goes on at their ends.
-#include "gem/record/column_file.h"
+#include "gem/record/hdf5/column_file.h"
 
 namespace gem {
 
@@ -10,19 +10,12 @@ using hdf5::Handle;
 ColumnFile ColumnFile::reopened(const std::string& path, const std::map<std::string, hsize_t>& size,
                                 const ChunkShape& chunk) {
   ColumnFile file(size, chunk);
-  const Handle access = file_access();
-  // the two settings of the program h5clear: a file that was not closed is marked as open, and may be longer than it
-  // says
-  const hbool_t yes = true;
-  check(H5Pset(access, "clear_status_flags", &yes), "file access");
-  check(H5Pset(access, "skip_eof_check", &yes), "file access");
-  file.file_ = checked(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose, "cannot open");
-  check(H5Fincrement_filesize(file.file_, 0), "file size");
+  file.file_ = hdf5::open_unclosed(path, file_access());
   return file;
 }
 
 hsize_t ColumnFile::open_column(const Column& column, hsize_t width) {
-  const std::string path = "/" + column.group + "/" + column.name;
+  const std::string path = path_of(column);
   Handle id = checked(H5Dopen2(file_, path.c_str(), dataset_access()), H5Dclose, path.c_str());
   const Handle space = checked(H5Dget_space(id), H5Sclose, path.c_str());
   const Handle creation = checked(H5Dget_create_plist(id), H5Pclose, path.c_str());

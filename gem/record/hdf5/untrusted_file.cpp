@@ -1,5 +1,5 @@
 // Walks over the links by hand: the walk of the library follows groups as deep as they go.
-#include "gem/record/untrusted_file.h"
+#include "gem/record/hdf5/untrusted_file.h"
 
 #include <array>
 #include <limits>

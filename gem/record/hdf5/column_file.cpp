@@ -1,5 +1,5 @@
 // Creates dimensions and columns with their attributes, and appends rows.
-#include "gem/record/column_file.h"
+#include "gem/record/hdf5/column_file.h"
 
 #include <hdf5_hl.h>
 
@@ -127,7 +127,7 @@ void ColumnFile::add_column(const Column& column, const std::vector<double>* val
     chunk.push_back(open ? wish : std::min(wish, now));
     chunked = chunked || open || now > 64;
   }
-  const std::string path = "/" + column.group + "/" + column.name;
+  const std::string path = path_of(column);
   const Handle space =
       checked(H5Screate_simple(static_cast<int>(size.size()), size.data(), maximum.data()), H5Sclose, path.c_str());
   const Handle creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path.c_str());
@@ -172,7 +172,7 @@ void ColumnFile::describe(const Column& column, hid_t dataset) {
 }
 
 void ColumnFile::attach_scales(const Column& column, const std::vector<std::string>& names, hid_t dataset) {
-  const std::string path = "/" + column.group + "/" + column.name;
+  const std::string path = path_of(column);
   if (names.front() == column.name) {
     check(H5DSset_scale(dataset, column.name.c_str()), path.c_str());
     scale_[path] = checked(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, path.c_str());

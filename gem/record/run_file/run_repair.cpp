@@ -1,5 +1,5 @@
 // The repair: a copy, then lengths and status in the copy.
-#include "gem/record/run_repair.h"
+#include "gem/record/run_file/run_repair.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -9,10 +9,11 @@
 #include <filesystem>
 
 #include "gem/base/error.h"
-#include "gem/record/hdf5_handle.h"
-#include "gem/record/output_path.h"
-#include "gem/record/row_extent.h"
-#include "gem/record/run_file.h"
+#include "gem/record/hdf5/hdf5_handle.h"
+#include "gem/record/hdf5/row_extent.h"
+#include "gem/record/output/output_claim.h"
+#include "gem/record/output/output_path.h"
+#include "gem/record/run_file/run_file.h"
 
 namespace gem {
 

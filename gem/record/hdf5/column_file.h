@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gem/record/hdf5_handle.h"
+#include "gem/record/hdf5/hdf5_handle.h"
 #include "gem/record/schema.h"
 
 namespace gem {

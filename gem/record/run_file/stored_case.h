@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 
 namespace gem {
 

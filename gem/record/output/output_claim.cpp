@@ -1,4 +1,5 @@
-// The output file of a run: its lock, its draft, its room on the disk.
+#include "gem/record/output/output_claim.h"
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/resource.h>
@@ -12,7 +13,7 @@
 #include <utility>
 
 #include "gem/base/error.h"
-#include "gem/record/output_path.h"
+#include "gem/record/output/output_path.h"
 
 namespace gem {
 
@@ -44,7 +45,7 @@ std::string draft_of(const std::string& path) {
   return folder + "." + (name.size() <= longest ? name : name.substr(name.size() - 200)) + ".new";
 }
 
-/// Whether `file` is locked now. A file system without locks locks nothing and says so.
+/// Returns whether nobody else holds the file. Where the file system has no locks, nobody does.
 bool lock(int file, int kind) { return flock(file, kind | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
 
 bool same_file(const struct stat& one, const struct stat& other) {
@@ -53,15 +54,8 @@ bool same_file(const struct stat& one, const struct stat& other) {
 
 }  // namespace
 
-void take_standard_streams() {
-  int file = open("/dev/null", O_RDWR);
-  while (file >= 0 && file <= STDERR_FILENO) file = open("/dev/null", O_RDWR);
-  if (file >= 0) close(file);
-}
-
 OutputClaim::OutputClaim(const std::string& path, bool overwrite)
     : path_(behind_links(path)), draft_(draft_of(path_)), overwrite_(overwrite) {
-  take_standard_streams();
   hold_existing(overwrite);
   try {
     open_draft();

@@ -1,5 +1,5 @@
 // Reads run files through the HDF5 C library; every call is checked.
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 
 #include <algorithm>
 #include <array>
@@ -13,11 +13,11 @@
 #include <stdexcept>
 
 #include "gem/base/error.h"
-#include "gem/record/hdf5_handle.h"
-#include "gem/record/output_path.h"
-#include "gem/record/row_extent.h"
+#include "gem/record/hdf5/hdf5_handle.h"
+#include "gem/record/hdf5/row_extent.h"
+#include "gem/record/hdf5/untrusted_file.h"
+#include "gem/record/output/output_path.h"
 #include "gem/record/schema.h"
-#include "gem/record/untrusted_file.h"
 
 namespace gem {
 

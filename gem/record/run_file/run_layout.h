@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "gem/record/column_file.h"
-#include "gem/record/run_writer.h"
+#include "gem/record/hdf5/column_file.h"
+#include "gem/record/run_file/run_writer.h"
 
 namespace gem {
 

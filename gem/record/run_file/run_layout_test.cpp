@@ -1,5 +1,5 @@
 // What readers see of a run file while it is written, and after a cut.
-#include "gem/record/run_layout.h"
+#include "gem/record/run_file/run_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "gem/base/scratch_folder.h"
 #include "gem/record/fake_engine.h"
 #include "gem/record/recorder.h"
-#include "gem/record/run_file.h"
+#include "gem/record/run_file/run_file.h"
 
 namespace gem {
 namespace {

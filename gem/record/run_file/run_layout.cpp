@@ -1,11 +1,11 @@
 // Contents of a run file: attributes, groups, columns and the rows of slabs.
-#include "gem/record/run_layout.h"
+#include "gem/record/run_file/run_layout.h"
 
 #include <algorithm>
 #include <ctime>
 
-#include "gem/record/run_layout_parts.h"
-#include "gem/record/verdict_attributes.h"
+#include "gem/record/run_file/run_layout_parts.h"
+#include "gem/record/run_file/verdict_attributes.h"
 #include "gem_version.h"
 
 namespace gem {
@@ -16,8 +16,7 @@ using hdf5::Handle;
 
 namespace {
 
-constexpr std::size_t attribute_limit = 60000;  // other readers expect at most 64 kB per attribute
-constexpr std::size_t status_size = 240;        // reserved, so that a later status fits
+constexpr std::size_t status_size = 240;  // reserved, so that a later status fits
 
 }  // namespace
 
@@ -126,7 +125,7 @@ void RunLayout::append_rows(const std::vector<RowColumn<Row>>& columns, const st
   std::vector<double> values(count);
   for (const auto& entry : columns) {
     std::transform(rows.begin(), rows.begin() + std::ptrdiff_t(count), values.begin(), entry.value);
-    file_.append("/" + entry.column.group + "/" + entry.column.name, values, count, kind);
+    file_.append(path_of(entry.column), values, count, kind);
   }
 }
 

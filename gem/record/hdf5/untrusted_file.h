@@ -1,7 +1,7 @@
 // Looks through an HDF5 file of unknown origin before anything is read from it. Included by gem/record only.
 #pragma once
 
-#include "gem/record/hdf5_handle.h"
+#include "gem/record/hdf5/hdf5_handle.h"
 
 namespace gem::hdf5 {
 

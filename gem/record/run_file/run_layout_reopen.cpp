@@ -1,18 +1,14 @@
 // A run file that a later process goes on with.
-#include "gem/record/column_file.h"
-#include "gem/record/run_layout.h"
-#include "gem/record/run_layout_parts.h"
-#include "gem/record/verdict_attributes.h"
+#include "gem/record/hdf5/column_file.h"
+#include "gem/record/run_file/run_layout.h"
+#include "gem/record/run_file/run_layout_parts.h"
+#include "gem/record/run_file/verdict_attributes.h"
 
 namespace gem {
 
 using hdf5::check;
-using hdf5::checked;
-using hdf5::Handle;
 
 namespace {
-
-constexpr std::size_t history_limit = 60000;  // other readers expect at most 64 kB per attribute
 
 /// The growing columns of a group, and the width of their rows.
 struct Growing {
@@ -38,16 +34,6 @@ void check_rows(const std::string& path, hsize_t rows, hsize_t needed) {
   if (rows < needed)
     throw hdf5::Failure{path + " has " + std::to_string(rows) + " rows, the checkpoint counts on " +
                         std::to_string(needed)};
-}
-
-std::string text_attribute(hid_t file, const char* name) {
-  if (H5Aexists(file, name) <= 0) return "";
-  const Handle attribute = checked(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);
-  const Handle type = checked(H5Aget_type(attribute), H5Tclose, name);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) return "";
-  std::string text(H5Tget_size(type), '\0');
-  check(H5Aread(attribute, type, text.data()), name);
-  return text.c_str();
 }
 
 /// An attribute keeps the size of its first text, so a longer one needs a new attribute.
@@ -82,8 +68,8 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
 
 void RunLayout::renew_header(const Provenance& provenance) {
   const std::string line = utc_now() + " " + provenance.command_line;
-  const std::string history = text_attribute(file_.id(), "history") + "\n" + line;
-  if (history.size() <= history_limit) replace_text(file_.id(), "history", history);
+  const std::string history = hdf5::read_text(file_.id(), "history") + "\n" + line;
+  if (history.size() <= attribute_limit) replace_text(file_.id(), "history", history);
   replace_text(file_.id(), "gem_engine", provenance.engine);
   replace_text(file_.id(), "gem_threads", std::to_string(provenance.threads));
   replace_text(file_.id(), "gem_device", provenance.device.empty() ? "none" : provenance.device);

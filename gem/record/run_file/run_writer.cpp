@@ -1,5 +1,5 @@
 // The writer thread: takes slabs from a short queue, writes and flushes them, and keeps the first failure.
-#include "gem/record/run_writer.h"
+#include "gem/record/run_file/run_writer.h"
 
 #include <sys/resource.h>
 
@@ -16,9 +16,10 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/record/memory_reserve.h"
-#include "gem/record/output_path.h"
-#include "gem/record/run_layout.h"
+#include "gem/record/output/memory_reserve.h"
+#include "gem/record/output/output_claim.h"
+#include "gem/record/output/output_path.h"
+#include "gem/record/run_file/run_layout.h"
 #include "gem_version.h"
 
 namespace gem {

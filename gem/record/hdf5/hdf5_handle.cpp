@@ -1,5 +1,5 @@
 // Reasons of failed HDF5 calls, and text attributes.
-#include "gem/record/hdf5_handle.h"
+#include "gem/record/hdf5/hdf5_handle.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -42,19 +42,21 @@ bool is_memory(const std::string& reason) {
   return reason.find(out_of_memory) != std::string::npos || reason.find(std::strerror(ENOMEM)) != std::string::npos;
 }
 
-Handle open_left_file(const std::string& path) {
-  const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
-  // a driver of its own, since the library gives the same file of the same driver only once
-  check(H5Pset_fapl_log(access, nullptr, 0, 0), "file access");
-  check(H5Pset_file_locking(access, false, true), "file locking");  // the caller holds the lock
-  // the two settings of the program h5clear: a file that was not closed is marked as open, and may be longer than it
-  // says
-  const hbool_t yes = true;
+Handle open_unclosed(const std::string& path, hid_t access) {
+  const hbool_t yes = true;  // the two settings of the program h5clear
   check(H5Pset(access, "clear_status_flags", &yes), "file access");
   check(H5Pset(access, "skip_eof_check", &yes), "file access");
   Handle file = checked(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose, "cannot open");
   check(H5Fincrement_filesize(file, 0), "file size");
   return file;
+}
+
+Handle open_left_file(const std::string& path) {
+  const Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
+  // a driver of its own, since the library gives the same file of the same driver only once
+  check(H5Pset_fapl_log(access, nullptr, 0, 0), "file access");
+  check(H5Pset_file_locking(access, false, true), "file locking");  // the caller holds the lock
+  return open_unclosed(path, access);
 }
 
 std::mutex& library_mutex() {

@@ -1,5 +1,5 @@
 // What the repair mends, and that it leaves the file itself alone.
-#include "gem/record/run_repair.h"
+#include "gem/record/run_file/run_repair.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include "gem/base/error.h"
 #include "gem/base/scratch_folder.h"
 #include "gem/record/fake_engine.h"
-#include "gem/record/hdf5_handle.h"
+#include "gem/record/hdf5/hdf5_handle.h"
 #include "gem/record/recorder.h"
-#include "gem/record/run_file.h"
-#include "gem/record/run_layout.h"
+#include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/run_layout.h"
 
 namespace gem {
 namespace {

@@ -1,14 +1,10 @@
-// Checks whether a run file can be written at a path, before anything is computed.
+// The output file of a run from its draft to its end: lock, name, room on the disk.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
 namespace gem {
-
-/// Throws Error(file_system) if the path is a directory or an existing file (and not overwrite), or if its folder is
-/// missing or does not accept a test file. Leaves no file behind.
-void check_output_path(const std::string& path, bool overwrite);
 
 /// The output file of this process, locked against other processes that write. It begins as a draft, `.NAME.new` beside
 /// `path`, and gets its name when it can be read: a kill leaves a readable file or none. The destructor removes a
@@ -53,20 +49,5 @@ class OutputClaim {
   int file_ = -1;
   std::uint64_t size_ = 0;  // at the last look
 };
-
-/// Fills the descriptors 0 to 2 where they are closed, with /dev/null: a file that is opened later must not get one,
-/// or what the program prints would go into it.
-void take_standard_streams();
-
-/// Throws Error(file_system) if --overwrite would replace a file that is neither HDF5 nor empty: a case, notes or a
-/// manifest. A kill may leave an empty file.
-void check_replaceable(const std::string& path);
-
-/// Bytes that can still be written in the folder of `path`: its free space, or the file size limit of the process if
-/// that is less.
-std::uint64_t room_at(const std::string& path);
-
-/// Path for messages. Control characters are escaped, so that a message stays on one line.
-std::string shown(const std::string& path);
 
 }  // namespace gem

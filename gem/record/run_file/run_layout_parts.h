@@ -4,15 +4,14 @@
 #include <map>
 #include <string>
 
-#include "gem/record/column_file.h"
+#include "gem/record/hdf5/column_file.h"
 
 namespace gem {
 
 /// Now, as YYYY-MM-DDThh:mm:ssZ.
 std::string utc_now();
 
-/// Path of a column in the file.
-inline std::string path_of(const Column& column) { return "/" + column.group + "/" + column.name; }
+inline constexpr std::size_t attribute_limit = 60000;  // other readers expect at most 64 kB per attribute
 
 /// Times of the floe frames.
 Column floe_time_column();

@@ -284,6 +284,17 @@ class Faults:
         self.report("sweep by three processes, two killed", [(n, one(n)) for n in range(2 if self.short else 20)])
 
 
+def can_mount(folder):
+    """Root in a container may lack the right."""
+    place = f"{folder}/probe"
+    os.mkdir(place)
+    mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=100k", "none", place], capture_output=True).returncode == 0
+    if mounted:
+        subprocess.run(["umount", "-l", place], capture_output=True)
+    os.rmdir(place)
+    return mounted
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("gem")
@@ -299,8 +310,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         faults = Faults(options.gem, options.library, folder, options.short)
         for name in ("two_writers", "sweeps", "memory", "nth_calls", "disks", "kills"):
-            if name == "disks" and os.geteuid() != 0:
-                print("disks: skipped, only root can mount a small disk")
+            if name == "disks" and not can_mount(folder):
+                print("disks: skipped, no right to mount a small disk")
             elif not options.only or name in options.only.split(","):
                 getattr(faults, name)()
         print("\n| fault | tried | survived | lost |\n|---|---:|---:|---:|")

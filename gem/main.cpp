@@ -9,7 +9,6 @@
 #include "gem/base/error.h"
 #include "gem/base/standard_streams.h"
 #include "gem/command/command.h"
-#include "gem/record/run_file/run_writer.h"
 #include "gem/run/run_signals.h"
 
 namespace {
@@ -48,16 +47,23 @@ int main(int argc, char** argv) {
   gem::baseline::register_box2d();
   gem::Chosen chosen;
   CLI::App app("Loads of drifting pack ice on a moored platform, by event mechanics.", "gem");
-  app.set_version_flag("--version", gem::build_text());
+  gem::add_version_option(app, chosen);
+  app.footer(
+      "Exit codes: 0 done; 2 usage; 3 the case is rejected; 4 file system; 5 device; 6 numerical stop, or with "
+      "--strict "
+      "a bad verdict; 7 memory or disk; 8 some of several runs failed; 129, 130, 143 stopped by SIGHUP, SIGINT, "
+      "SIGTERM.");
   app.require_subcommand(0, 1);  // not required here: the program itself names an unknown command
   gem::add_run_command(app, chosen);
   gem::add_case_command(app, chosen);
   gem::add_sweep_command(app, chosen);
   gem::add_info_command(app, chosen);
   gem::add_report_command(app, chosen);
+  gem::add_compare_command(app, chosen);
   gem::add_repair_command(app, chosen);
   gem::add_analyse_command(app, chosen);
   gem::add_devices_command(app, chosen);
+  gem::add_pages_commands(app, chosen);
   add_moved_paper_command(app, chosen);
   return gem::run_command_line(app, chosen, argc, argv);
 }

@@ -262,7 +262,8 @@ void add_analyse_command(CLI::App& app, Chosen& chosen) {
   CLI::App* command =
       app.add_subcommand("analyse", "periods, offset, orbit, contact and extremes of one or several run files");
   command->add_option("files", options->paths, "run files; several count as independent runs of one condition")
-      ->required();
+      ->required()
+      ->type_name("RUNFILE");
   command->add_option("--from", options->from_s, "ignore the record before this time, e.g. until the ice arrives [s]");
   command->add_flag("--allow-incomplete", options->allow_incomplete, "analyse incomplete runs");
   command->add_flag("--json", options->json, "as JSON");

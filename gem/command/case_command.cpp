@@ -131,7 +131,7 @@ void add_case_command(CLI::App& app, Chosen& chosen) {
   resolve_case->callback([options, &chosen] { chosen.action = [options] { return resolve(*options); }; });
 
   CLI::App* explain_key = group->add_subcommand("explain", "explain the options of a case");
-  explain_key->add_option("key", options->key, "an option or a section; default: all");
+  explain_key->add_option("key", options->key, "an option or a section; default: all")->type_name("KEY");
   CLI::Option* as_json = explain_key->add_flag("--json", options->json, "as JSON");
   explain_key->add_flag("--markdown", options->markdown, "as Markdown: the page gem/manual/keys.md")->excludes(as_json);
   explain_key->callback([options, &chosen] { chosen.action = [options] { return explain_keys(*options); }; });

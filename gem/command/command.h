@@ -30,9 +30,14 @@ void add_case_command(CLI::App& app, Chosen& chosen);
 void add_sweep_command(CLI::App& app, Chosen& chosen);
 void add_info_command(CLI::App& app, Chosen& chosen);
 void add_report_command(CLI::App& app, Chosen& chosen);
+void add_compare_command(CLI::App& app, Chosen& chosen);
 void add_repair_command(CLI::App& app, Chosen& chosen);
 void add_analyse_command(CLI::App& app, Chosen& chosen);
 void add_devices_command(CLI::App& app, Chosen& chosen);
+/// The commands completion and manual, made from all commands of `app` when they are called.
+void add_pages_commands(CLI::App& app, Chosen& chosen);
+/// --version, and --version --json.
+void add_version_option(CLI::App& app, Chosen& chosen);
 
 /// A case file and what is changed in it.
 struct CaseChoice {

@@ -60,7 +60,7 @@ void add_info_command(CLI::App& app, Chosen& chosen) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("info", "describe a run file");
-  command->add_option("file", options->path, "run file")->required();
+  command->add_option("file", options->path, "run file")->required()->type_name("RUNFILE");
   command->add_flag("--case", options->show_case, "print the case that was run");
   command->add_flag("--json", options->json, "as JSON");
   command->callback([options, &chosen] {

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "gem/base/number_text.h"
+
 namespace gem {
 namespace {
 
@@ -48,6 +50,11 @@ Unit length_unit(double largest) { return largest >= 1.0 ? Unit{"m", 1.0} : Unit
 Unit force_unit(double largest) { return scaled("N", largest); }
 Unit impulse_unit(double largest) { return scaled("N s", largest); }
 Unit time_unit(double duration_s) { return duration_s >= 3600.0 ? Unit{"h", 3600.0} : Unit{"s", 1.0}; }
+
+std::string time_text(double time_s) {
+  const Unit unit = time_unit(time_s);
+  return number_text(time_s / unit.size, 4) + " " + unit.name;
+}
 
 std::string with_unit(double value, const Unit& unit, int digits) {
   return rounded_text(value / unit.size, digits) + " " + unit.name;

@@ -24,6 +24,9 @@ Unit force_unit(double largest);    // N, kN or MN
 Unit impulse_unit(double largest);  // N s, kN s or MN s
 Unit time_unit(double duration_s);  // s, or h from one hour on
 
+/// "1.3 h" or "90 s", with up to four digits.
+std::string time_text(double time_s);
+
 /// "12.3 kN": the value in the given unit.
 std::string with_unit(double value, const Unit& unit, int digits = 3);
 

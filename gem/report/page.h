@@ -21,7 +21,4 @@ std::string page_html(const RunData& run, const RunFindings& findings, const std
 /// Title of the page of a run.
 std::string page_title(const std::string& run);
 
-/// Text escaped for HTML.
-std::string escaped(const std::string& text);
-
 }  // namespace gem

@@ -9,7 +9,7 @@
 
 #include "gem/base/number_text.h"
 #include "gem/report/display.h"
-#include "gem/report/page.h"
+#include "gem/report/page_frame.h"
 
 namespace gem {
 namespace {

@@ -27,6 +27,21 @@ elseif(GEM_BOX2D AND NOT GEM_STATIC)
   find_package(box2d 2.4.1 REQUIRED CONFIG)
 endif()
 
+# Name and version of the libraries that are only in the build, for `gem --version --json`.
+set(tomlplusplus_VERSION)
+foreach(part IN ITEMS MAJOR MINOR PATCH)
+  file(STRINGS ${TOMLPLUSPLUS_INCLUDE_DIR}/toml++/impl/version.h line REGEX "define TOML_LIB_${part}")
+  string(REGEX MATCH "[0-9]+$" number "${line}")
+  list(APPEND tomlplusplus_VERSION ${number})
+endforeach()
+list(JOIN tomlplusplus_VERSION "." tomlplusplus_VERSION)
+set(GEM_LIBRARIES "")
+foreach(library IN ITEMS CLI11 Eigen3 nlohmann_json tomlplusplus box2d)
+  if(${library}_VERSION)
+    string(APPEND GEM_LIBRARIES "${library} ${${library}_VERSION} ")
+  endif()
+endforeach()
+
 # The CUDA engine is built if nvcc is found, on the path or in its usual folder.
 set(GEM_HAS_CUDA OFF)
 if(NOT GEM_CUDA STREQUAL OFF)

@@ -3,13 +3,15 @@
 # Same bits on every machine: a*b+c must not be contracted to a fused operation. g++ 12 fuses alternating sums in spite of this
 # flag if the instruction set has fused multiply-add. So -march with avx2 also needs -mno-fma.
 add_library(gem_flags INTERFACE)
-target_compile_options(gem_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
-  -Wno-sign-conversion $<$<BOOL:${GEM_WERROR}>:-Werror>>)
+# Programs on an installed gem need the flag too: they compile functions of its headers again, and the linker keeps either.
+target_compile_options(gem_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>
+  $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion$<$<BOOL:${GEM_WERROR}>:;-Werror>>>)
 # g++ 12 warns about its own std::string at -O3 in "text" + string.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(gem_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
+  target_compile_options(gem_flags INTERFACE $<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>>)
 endif()
-target_include_directories(gem_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_features(gem_flags INTERFACE $<INSTALL_INTERFACE:cxx_std_20>)
+target_include_directories(gem_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include>)
 if(GEM_STATIC)
   target_link_options(gem_flags INTERFACE -static-libstdc++ -static-libgcc)
 endif()
@@ -54,6 +56,7 @@ add_custom_target(gem_version
   COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DOUTPUT=${PROJECT_BINARY_DIR}/generated/gem_version.h
     -DVERSION=${PROJECT_VERSION} -DBUILD_TYPE=${CMAKE_BUILD_TYPE}
     "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}"
+    "-DLIBRARIES=${GEM_LIBRARIES}" -DHAS_CUDA=$<IF:$<BOOL:${GEM_HAS_CUDA}>,true,false>
     -P ${PROJECT_SOURCE_DIR}/scripts/cmake/gem_version.cmake
   BYPRODUCTS ${PROJECT_BINARY_DIR}/generated/gem_version.h COMMENT "Reading the version of the tree" VERBATIM)
 
@@ -88,12 +91,16 @@ target_include_directories(gem_scene_and_record SYSTEM PRIVATE ${TOMLPLUSPLUS_IN
 target_link_libraries(gem_scene_and_record PRIVATE gem_flags nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
 gem_cold(gem_scene_and_record gem/scene gem/record)
 
-add_library(gem_simulator STATIC ${simulator_sources} $<TARGET_OBJECTS:gem_scene_and_record>)
+# A static library, or a shared one with -DBUILD_SHARED_LIBS=ON.
+add_library(gem_simulator ${simulator_sources} $<TARGET_OBJECTS:gem_scene_and_record>)
+set_target_properties(gem_simulator gem_scene_and_record PROPERTIES POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
+set_target_properties(gem_simulator PROPERTIES VERSION ${PROJECT_VERSION}
+  SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 add_dependencies(gem_simulator gem_version)
-target_include_directories(gem_simulator PUBLIC ${PROJECT_BINARY_DIR}/generated)
-target_include_directories(gem_simulator SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR})
-target_link_libraries(gem_simulator PUBLIC gem_flags Threads::Threads
-  PRIVATE Eigen3::Eigen nlohmann_json::nlohmann_json hdf5::hdf5 hdf5::hdf5_hl)
+target_include_directories(gem_simulator PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>)
+target_include_directories(gem_simulator SYSTEM PUBLIC $<BUILD_INTERFACE:${RANDOM123_INCLUDE_DIR}>)
+target_link_libraries(gem_simulator PUBLIC gem_flags Threads::Threads PRIVATE $<BUILD_INTERFACE:Eigen3::Eigen>
+  $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> hdf5::hdf5 hdf5::hdf5_hl)
 gem_together(gem_simulator gem/field)
 
 gem_sources(report_sources gem/report)

@@ -100,6 +100,12 @@ add_test(NAME manual.wind_example COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_ex
 set_tests_properties(manual.wind_example PROPERTIES LABELS unit PROCESSORS 2 TIMEOUT 600
   ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 
+# An installation, and the Debian package.
+add_test(NAME install.moved COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_install.sh ${PROJECT_BINARY_DIR} ${CMAKE_COMMAND}
+  ${CMAKE_CXX_COMPILER})
+add_test(NAME install.package COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_package.sh ${PROJECT_BINARY_DIR} ${CMAKE_CPACK_COMMAND})
+set_tests_properties(install.moved install.package PROPERTIES LABELS unit SKIP_RETURN_CODE 77 TIMEOUT 300)
+
 # A run file, and the summary of a sweep, read the way their users read them; skipped with the reason without the readers.
 find_program(GEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)  # the distribution's, which has the readers of its packages
 function(gem_reader_test name what case)

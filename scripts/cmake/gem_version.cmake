@@ -19,6 +19,8 @@ set(text "// Identity of this build.
 #define GEM_COMMIT \"${COMMIT}\"
 #define GEM_BUILD_TYPE \"${BUILD_TYPE}\"
 #define GEM_COMPILER \"${COMPILER}\"
+#define GEM_LIBRARIES \"${LIBRARIES}\"
+#define GEM_HAS_CUDA ${HAS_CUDA}
 ")
 if(EXISTS ${OUTPUT})
   file(READ ${OUTPUT} old)

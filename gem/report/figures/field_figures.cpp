@@ -89,11 +89,6 @@ Corners moved(const Corners& outline, Vec2 by) {
   return result;
 }
 
-std::string time_text(double time) {
-  const Unit unit = time_unit(time);
-  return "t = " + number_text(time / unit.size, 4) + " " + unit.name;
-}
-
 struct FieldPicture {
   std::string name;
   std::string title;
@@ -111,7 +106,7 @@ Figure draw_field(const RunData& run, const FloeFrame& frame, const FieldPicture
   std::ostringstream commands;
   commands
       << "set size ratio -1\nset lmargin 8\nset rmargin 1\nset border 15\nunset grid\n"
-      << "set label 1 " << quoted(time_text(frame.time)) << " at graph 0, graph 1 offset 0,0.8 front\n"
+      << "set label 1 " << quoted("t = " + time_text(frame.time)) << " at graph 0, graph 1 offset 0,0.8 front\n"
       << "set xlabel 'x [m]' offset 0,0.4\nset ylabel 'y [m]' offset 1,0\n"
       << "set xrange [" << rounded_text(picture.view.x_low, 5) << ':' << rounded_text(picture.view.x_high, 5)
       << "]\nset yrange [" << rounded_text(picture.view.y_low, 5) << ':' << rounded_text(picture.view.y_high, 5)
@@ -150,16 +145,41 @@ Figure field_figure(const RunData& run, const std::string& name, const std::stri
                     folder);
 }
 
+Figure small_field_figure(const RunData& run, const std::string& name, const std::string& title,
+                          const PlotFolder& folder) {
+  const View view = close_view(run);
+  const FloeFrame& frame = run.frames[1];
+  folder.write_csv(name, floes_csv(run, frame, view));
+  folder.write_csv(name + "_fixed", outlines_csv(run.fixed));
+  folder.write_csv(name + "_platform", outlines_csv({moved(run.platform_outline, platform_position(run, frame.time))}));
+  std::ostringstream commands;
+  commands << "set size ratio -1\nunset border\nunset tics\nunset grid\nunset colorbox\nset margins 0, 0, 0, 0\n"
+           << "set xrange [" << rounded_text(view.x_low, 5) << ':' << rounded_text(view.x_high, 5) << "]\nset yrange ["
+           << rounded_text(view.y_low, 5) << ':' << rounded_text(view.y_high, 5)
+           << "]\nset cbrange [0:" << rounded_text(speed_scale(run), 3) << "]\n"
+           << "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '#eef2f5' fillstyle solid "
+              "noborder\nset label 1 "
+           << quoted(time_text(frame.time))
+           << " at graph 0.02, graph 0.92 front font ',22' textcolor rgb '#3c4149'\nplot "
+           << quoted(name + "_fixed.csv") << " using 1:2 with filledcurves closed fillcolor rgb '#b9bec6', "
+           << quoted(name + ".csv") << " using 1:2:3 with filledcurves closed fillcolor palette, "
+           << quoted(name + "_platform.csv") << " using 1:2 with filledcurves closed fillcolor rgb '#c2571a'\n";
+  constexpr int width = 300;
+  const double height = width * (view.y_high - view.y_low) / (view.x_high - view.x_low);
+  return folder.draw({name, title, "", ""}, {width, static_cast<int>(height)}, commands.str());
+}
+
 std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder) {
   if (run.frames.size() < 3 || run.floe_outlines.empty()) return {};
   folder.write_csv("fixed", outlines_csv(run.fixed));
   const double top = speed_scale(run);
   const View whole = channel_view(run);
-  const char* names[] = {"field_start", "field_middle", "field_end"};
-  const char* moments_of_run[] = {"start", "middle", "end"};
+  const char* names[] = {"field_start", run.at_s ? "field_at" : "field_middle", "field_end"};
+  const std::string chosen = run.at_s ? "at " + time_text(run.frames[1].time) : "at the middle of the run";
+  const std::string when[] = {"at the start of the run", chosen, "at the end of the run"};
   std::vector<Figure> figures;
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::string title = std::string("The field at the ") + moments_of_run[i] + " of the run";
+    const std::string title = "The field " + when[i];
     figures.push_back(
         draw_field(run, run.frames[i], {names[i], title, whole, channel_size(whole), "fixed", false}, top, folder));
     figures.back().caption = title + ", to scale; floes coloured by speed, platform orange, fixed bodies grey.";
@@ -168,7 +188,7 @@ std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder) 
   figures.push_back(draw_field(
       run, run.frames[1], {"field_platform", "Ice around the platform", close_view(run), {1000, 760}, "fixed", true},
       top, folder));
-  figures.back().caption = "Ice around the platform at the middle of the run, on the same colour scale.";
+  figures.back().caption = "Ice around the platform " + chosen + ", on the same colour scale.";
   return figures;
 }
 

@@ -10,16 +10,21 @@
 
 namespace gem {
 
-/// The whole channel at the start, middle and end, coloured by speed, and the area around the platform at the middle.
+/// The whole channel at the start, at run.at_s (else the middle) and at the end, coloured by speed, and the area around
+/// the platform at the second time.
 std::vector<Figure> field_figures(const RunData& run, const PlotFolder& folder);
 
 /// The whole channel at the middle of the run, as a figure of the given name. Needs the three frames of a run.
 Figure field_figure(const RunData& run, const std::string& name, const std::string& title, const PlotFolder& folder);
 
+/// The ice around the platform in the second frame, small and without axes. Needs the three frames of a run.
+Figure small_field_figure(const RunData& run, const std::string& name, const std::string& title,
+                          const PlotFolder& folder);
+
 /// x(t), y(t), the orbit and the spectra of both.
 std::vector<Figure> motion_figures(const RunData& run, const RunFindings& findings, const PlotFolder& folder);
 
-/// Net ice force with a window around its largest value, and ice against mooring force.
+/// Net ice force with an extract (force_window.h), and ice against mooring force.
 std::vector<Figure> force_figures(const RunData& run, const PlotFolder& folder);
 
 /// Residuals of the books, and overlap, against time.

@@ -7,6 +7,7 @@
 #include "gem/base/number_text.h"
 #include "gem/report/display.h"
 #include "gem/report/figures/figures.h"
+#include "gem/report/figures/force_window.h"
 #include "gem/report/figures/series.h"
 
 namespace gem {
@@ -14,20 +15,6 @@ namespace {
 
 constexpr double kWindow = 33.0;  // length of the extract [s]
 constexpr std::size_t kBins = 2500;
-
-struct Window {
-  double from;
-  double to;
-};
-
-/// The window around the largest ice force of the record, shifted to lie inside the record.
-Window window_around_largest(const RunData& run) {
-  const PlatformRecord& p = run.platform;
-  const double middle = p.time[maximum_excursion(p.ice_force_x).sample];
-  const double last = p.time.back();
-  const double from = std::clamp(middle - 0.5 * kWindow, p.time.front(), std::max(p.time.front(), last - kWindow));
-  return {from, std::min(from + kWindow, last)};
-}
 
 void write_whole(const RunData& run, const std::vector<double>& force, const std::string& name, const Unit& unit,
                  const PlotFolder& folder) {
@@ -40,9 +27,22 @@ void write_whole(const RunData& run, const std::vector<double>& force, const std
 /// Whether the force window is longer than a sample, so that its mean differs from that of a sample.
 bool has_window(const RunData& run) { return run.force_window_s > 1.5 * sample_interval(run.platform.time); }
 
+std::vector<std::size_t> impacts_within(const RunData& run, const TimeWindow& window) {
+  std::vector<std::size_t> impacts;
+  for (const std::size_t i : opening_events(run.events))
+    if (run.events.time[i] >= window.from && run.events.time[i] <= window.to) impacts.push_back(i);
+  return impacts;
+}
+
+double largest_peak(const RunData& run, const TimeWindow& window) {
+  double largest = 0.0;
+  for (const std::size_t i : impacts_within(run, window)) largest = std::max(largest, run.events.force_peak[i]);
+  return largest;
+}
+
 /// The extract at full resolution, and the crushing peaks of its impacts. A mean is recorded at the end of its window;
 /// it is drawn at the middle.
-void write_window(const RunData& run, const Window& window, const Unit& unit, const Unit& peak_unit,
+void write_window(const RunData& run, const TimeWindow& window, const Unit& unit, const Unit& peak_unit,
                   const PlotFolder& folder) {
   const PlatformRecord& p = run.platform;
   const SampleRange range = samples_within(p.time, window.from, window.to);
@@ -54,19 +54,19 @@ void write_window(const RunData& run, const Window& window, const Unit& unit, co
     means.row({p.time[i] - 0.5 * run.force_window_s, p.ice_force_mean_x[i] / unit.size});
   if (has_window(run)) folder.write_csv("ice_force_window_mean", means);
   Csv peaks("t [s],x component of the crushing peak [" + peak_unit.name + "]");
-  for (const std::size_t i : opening_events(run.events))
-    if (run.events.time[i] >= window.from && run.events.time[i] <= window.to)
-      // The normal points into the ice; the force on the platform points the other way.
-      peaks.row({run.events.time[i], -run.events.nx[i] * run.events.force_peak[i] / peak_unit.size});
+  for (const std::size_t i : impacts_within(run, window))
+    // The normal points into the ice; the force on the platform points the other way.
+    peaks.row({run.events.time[i], -run.events.nx[i] * run.events.force_peak[i] / peak_unit.size});
   folder.write_csv("ice_force_peaks", peaks);
 }
 
-std::string range_text(const Window& window, double unit) {
+std::string range_text(const TimeWindow& window, double unit) {
   return "set xrange [" + rounded_text(window.from / unit, 7) + ":" + rounded_text(window.to / unit, 7) + "]\n";
 }
 
 /// The lower two panels, each with its own axis: impulses, and crushing peaks of the impacts below them.
-std::string window_plots(const RunData& run, const Window& window, const std::string& sample, const Unit& peak_unit) {
+std::string window_plots(const RunData& run, const TimeWindow& window, const std::string& sample,
+                         const Unit& peak_unit) {
   std::ostringstream commands;
   commands << range_text(window, 1.0) << "set xlabel\nset yrange [*:*]\n"
            << "plot 'ice_force_window.csv' using 1:2 with fsteps linestyle 1 title 'over each " << sample << " s'";
@@ -80,13 +80,19 @@ std::string window_plots(const RunData& run, const Window& window, const std::st
   return commands.str();
 }
 
+/// How the extract was chosen.
+std::string window_text(const RunData& run) {
+  if (run.at_s) return "around " + time_text(*run.at_s);
+  return run.events.time.empty() ? "around the record's largest value" : "with the most impacts";
+}
+
 Figure draw_ice_force(const RunData& run, const PlotFolder& folder) {
   const PlatformRecord& p = run.platform;
   const Unit unit = force_unit(std::abs(maximum_excursion(p.ice_force_x).value));
   const Unit time = time_unit(run.duration_s);
-  const Window window = window_around_largest(run);
+  const TimeWindow window = force_window(run, kWindow);
   write_whole(run, p.ice_force_x, "ice_force", unit, folder);
-  const Unit peak_unit = force_unit(maximum_excursion(run.events.force_peak).value);
+  const Unit peak_unit = force_unit(largest_peak(run, window));
   write_window(run, window, unit, peak_unit, folder);
   const std::string sample = number_text(sample_interval(p.time), 6);
   std::ostringstream commands;
@@ -100,8 +106,8 @@ Figure draw_ice_force(const RunData& run, const PlotFolder& folder) {
            << window_plots(run, window, sample, peak_unit) << "unset multiplot\n";
   const std::string caption =
       "Net x force of the ice on the platform. Top: the whole record, the impulse of each " + sample +
-      " s divided by " + sample + " s. Middle: the " + number_text(window.to - window.from, 2) +
-      " s around the record's largest value (marked above)" +
+      " s divided by " + sample + " s. Middle: the " + number_text(window.to - window.from, 2) + " s " +
+      window_text(run) + " (marked above)" +
       (has_window(run) ? ", with the mean over the " + number_text(run.force_window_s, 6) + " s about each time" : "") +
       ". Bottom: the closed-form crushing peaks of the impacts in that time, which no impulse over a sample can show.";
   return folder.draw({"ice_force", "Net x force of the ice on the platform", caption, ""}, {1000, 780}, commands.str());

@@ -153,9 +153,18 @@ FloeFrame floe_frame(const RunFile& file, std::size_t index) {
   return frame;
 }
 
-std::vector<FloeFrame> up_to_three_frames(const RunFile& file) {
+/// Index of the frame whose time is nearest to `time_s`.
+std::size_t frame_near(const RunFile& file, double time_s) {
+  const std::vector<double> times = file.column("floes/time");
+  const auto nearer = [time_s](double a, double b) { return std::abs(a - time_s) < std::abs(b - time_s); };
+  return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+}
+
+std::vector<FloeFrame> up_to_three_frames(const RunFile& file, std::optional<double> at_s) {
   const std::size_t count = file.frame_count();
-  if (count >= 3) return {floe_frame(file, 0), floe_frame(file, count / 2), floe_frame(file, count - 1)};
+  if (count >= 3)
+    return {floe_frame(file, 0), floe_frame(file, at_s ? frame_near(file, *at_s) : count / 2),
+            floe_frame(file, count - 1)};
   std::vector<FloeFrame> frames;
   for (std::size_t i = 0; i < count; ++i) frames.push_back(floe_frame(file, i));
   return frames;
@@ -163,7 +172,7 @@ std::vector<FloeFrame> up_to_three_frames(const RunFile& file) {
 
 }  // namespace
 
-RunData load_run(const std::string& run_file, bool allow_incomplete) {
+RunData load_run(const std::string& run_file, bool allow_incomplete, std::optional<double> at_s) {
   const RunFile file(run_file, allow_incomplete);
   const SceneDef scene = stored_scene(file);
   RunData run;
@@ -184,7 +193,8 @@ RunData load_run(const std::string& run_file, bool allow_incomplete) {
   for (const std::vector<Corners>& outlines : {run.fixed, run.floe_outlines})
     for (const Corners& outline : outlines)
       if (outline.size() < 3) refuse_record(file, "an outline has " + std::to_string(outline.size()) + " corners");
-  run.frames = up_to_three_frames(file);
+  run.at_s = at_s;
+  run.frames = up_to_three_frames(file, at_s);
   return run;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,7 +79,8 @@ struct RunData {
   Corners platform_outline;            // about its centre
   std::vector<Corners> fixed;          // world
   std::vector<Corners> floe_outlines;  // about the centroid
-  std::vector<FloeFrame> frames;       // start, middle, end; fewer if the run recorded fewer than three
+  std::optional<double> at_s = {};     // the time that the report shows; empty: the middle of the run
+  std::vector<FloeFrame> frames;       // start, at_s, end; fewer if the run recorded fewer than three
 };
 
 }  // namespace gem

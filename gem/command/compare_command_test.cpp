@@ -1,0 +1,134 @@
+// gem compare, and the chosen time of gem report.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "gem/base/error.h"
+#include "gem/command/command_fixture.h"
+#include "gem/command/time_option.h"
+
+namespace gem {
+namespace {
+
+TEST(TimeOption, ReadsUnits) {
+  EXPECT_DOUBLE_EQ(time_of_option("--at", "1.3h"), 4680.0);
+  EXPECT_DOUBLE_EQ(time_of_option("--at", "78min"), 4680.0);
+  EXPECT_DOUBLE_EQ(time_of_option("--at", "4680s"), 4680.0);
+  EXPECT_DOUBLE_EQ(time_of_option("--at", "4680"), 4680.0);
+  EXPECT_DOUBLE_EQ(time_of_option("--at", "0"), 0.0);
+  for (const char* wrong : {"", "h", "-1", "1.3 h", "1d", "nan", "inf", "1e999"})
+    EXPECT_THROW(time_of_option("--at", wrong), Error) << wrong;
+}
+
+class CompareCommand : public CommandTest {
+ protected:
+  /// Free swings of 200 s from 1 m and from 0.5 m on a softer mooring.
+  void make_runs() {
+    ASSERT_EQ(shell("gem run swing.toml -q --threads 1 --until 200 --out a.h5 && gem run swing.toml -q --threads 1 "
+                    "--until 200 --out b.h5 --set run.name=soft --set platform.start_offset_m=[0.5,0] --set "
+                    "mooring.stiffness_N_per_m=2.5e5"),
+              0)
+        << text_of("err");
+  }
+};
+
+TEST_F(CompareCommand, SetsNumbersSideBySide) {
+  make_runs();
+  ASSERT_EQ(shell("gem compare a.h5 b.h5 --json"), 0) << text_of("err");
+  const auto object = nlohmann::json::parse(text_of("out"));
+  const auto& differences = object.at("differences");
+  EXPECT_EQ(differences.size(), 2u) << differences;
+  EXPECT_EQ(differences.at("mooring.stiffness_N_per_m").at(1), "250000.0");
+  EXPECT_EQ(differences.at("platform.start_offset_m").at(1), "[0.5, 0.0]");
+  const auto& largest = object.at("numbers").at("x_largest_m").at("values");
+  EXPECT_NEAR(largest.at(0).at("value").get<double>(), 1.0, 1e-12);
+  EXPECT_NEAR(largest.at(1).at("value").get<double>(), 0.5, 1e-12);
+  EXPECT_EQ(object.at("runs").at(1).at("label"), "soft");
+  // cos(2 pi 190 / 88.86) = 0.64, then it falls: only the record from 190 s on counts
+  ASSERT_EQ(shell("gem compare a.h5 b.h5 --json --from 190s"), 0) << text_of("err");
+  const auto late = nlohmann::json::parse(text_of("out"));
+  EXPECT_LT(late.at("numbers").at("orbit_largest_m").at("values").at(0).at("value").get<double>(), 0.65);
+  ASSERT_EQ(shell("gem compare a.h5 b.h5"), 0);
+  EXPECT_NE(text_of("out").find("mooring.stiffness_N_per_m"), std::string::npos) << text_of("out");
+  EXPECT_NE(text_of("out").find("1000 mm"), std::string::npos) << text_of("out");
+}
+
+TEST_F(CompareCommand, ComparesARunWithItself) {
+  make_runs();
+  ASSERT_EQ(shell("cp a.h5 c.h5 && gem compare a.h5 c.h5"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("the same keys and values"), std::string::npos);
+  EXPECT_NE(text_of("out").find("c.h5"), std::string::npos) << "runs of one name are called by their files";
+}
+
+TEST_F(CompareCommand, WritesAPage) {
+  if (shell("command -v gnuplot") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  make_runs();
+  ASSERT_EQ(shell("gem compare a.h5 b.h5 --out page && gem compare a.h5 b.h5 --out page"), 0) << text_of("err");
+  EXPECT_EQ(text_of("out"), "page/index.html\npage/index.html\n");
+  const std::string html = text_of("page/index.html");
+  for (const char* figure : {"force", "exceedance", "motion_x", "motion_y", "spectrum_x"})
+    EXPECT_TRUE(exists(std::string("page/figures/") + figure + "_2.csv")) << figure;
+  EXPECT_NE(html.find("<code>mooring.stiffness_N_per_m</code>"), std::string::npos);
+  EXPECT_EQ(shell("gem compare b.h5 a.h5 --out page"), 2) << "another page is kept";
+  EXPECT_EQ(text_of("page/index.html"), html);
+}
+
+TEST_F(CompareCommand, EscapesTheNamesOfRuns) {
+  if (shell("command -v gnuplot") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_EQ(shell("for i in 1 2; do gem run swing.toml -q --threads 1 --out $i.h5 --set "
+                  "\"run.name=\\\"<b>'$i\\\"\" --set run.seed=$i; done; gem compare 1.h5 2.h5 --out page"),
+            0)
+      << text_of("err");
+  EXPECT_EQ(text_of("page/index.html").find("<b>"), std::string::npos);
+  EXPECT_NE(text_of("page/index.html").find("&lt;b&gt;&#39;1"), std::string::npos);
+}
+
+TEST_F(CompareCommand, RefusesWhatItCannotCompare) {
+  make_runs();
+  EXPECT_EQ(shell("gem compare a.h5"), 2);
+  EXPECT_NE(text_of("err").find("takes 2 to 12"), std::string::npos) << text_of("err");
+  EXPECT_EQ(shell("gem compare a.h5 missing.h5 --out page"), 4);
+  EXPECT_EQ(shell("gem compare a.h5 b.h5 --from 1h --out page"), 2);
+  EXPECT_NE(text_of("err").find("a.h5: nothing to compare"), std::string::npos) << text_of("err");
+  EXPECT_EQ(shell("gem compare a.h5 b.h5 --from soon"), 2);
+  EXPECT_FALSE(exists("page"));
+}
+
+TEST_F(CompareCommand, AReportShowsTheChosenTime) {
+  if (shell("command -v gnuplot") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_EQ(shell("gem run " GEM_SOURCE_DIR "/cases/small_sweep.toml --index 1 -q --threads 1 --out r.h5 && gem "
+                  "report r.h5 --at 1.4s --out page"),
+            0)
+      << text_of("err");
+  EXPECT_TRUE(exists("page/figures/field_at.svg"));
+  // frames are 0.5 s apart: the nearest to 1.4 s is that at 1.5 s
+  EXPECT_NE(text_of("page/figures/field_at.gp").find("'t = 1.5 s'"), std::string::npos);
+  EXPECT_NE(text_of("page/index.html").find("around 1.4 s (marked above)"), std::string::npos);
+  EXPECT_EQ(shell("gem report r.h5 --at 3s --out other"), 2);
+  EXPECT_NE(text_of("err").find("it lasts 2 s"), std::string::npos) << text_of("err");
+  EXPECT_FALSE(exists("other"));
+}
+
+TEST_F(CompareCommand, AReportOfASweepShowsItsRuns) {
+  if (shell("command -v gnuplot") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  EXPECT_EQ(shell("mkdir empty; gem report empty"), 4);
+  EXPECT_NE(text_of("err").find("has no manifest.json"), std::string::npos) << text_of("err");
+  ASSERT_EQ(
+      shell("gem sweep run " GEM_SOURCE_DIR "/cases/small_sweep.toml --index 2-6 -q --out runs && gem report runs/"), 0)
+      << text_of("err");
+  EXPECT_EQ(text_of("out"), "runs_report/index.html\n");
+  const std::string html = text_of("runs_report/index.html");
+  EXPECT_NE(html.find("5 of 6 runs of a sweep"), std::string::npos);
+  EXPECT_NE(html.find("<th scope=\"row\">slow</th><td><b>slow_4000000</b><p>missing</p></td><td><svg"),
+            std::string::npos)
+      << "the first run is missing, beside it is a picture";
+  EXPECT_TRUE(exists("runs_report/figures/run_6.svg"));
+  EXPECT_FALSE(exists("runs_report/figures/run_1.svg"));
+  EXPECT_EQ(shell("gem report runs --at 1s --out runs_report"), 0) << text_of("err");
+  EXPECT_NE(text_of("runs_report/index.html").find("around the platform at 1 s"), std::string::npos);
+  EXPECT_EQ(shell("gem report runs --at 1h --out other"), 2) << "no run has this time";
+  EXPECT_FALSE(exists("other/index.html"));
+}
+
+}  // namespace
+}  // namespace gem

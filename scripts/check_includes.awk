@@ -2,7 +2,7 @@
 
 BEGIN {
   # A layer sees itself and the layers before it; run and command are one rank.
-  split("base geometry events scene field engine record analysis report command", order, " ")
+  split("base geometry events scene field engine record analysis report view command", order, " ")
   for (i in order) rank[order[i]] = i + 0
   rank["run"] = rank["command"]
   rank["main"] = rank["command"] + 1
@@ -21,6 +21,10 @@ BEGIN {
   home["eigen"] = "^gem/engine/reference/"
   confined["box2d"] = "^box2d/"
   home["box2d"] = "^baseline_box2d/"
+  confined["httplib"] = "^httplib[.]h"
+  home["httplib"] = "^gem/view/server/"
+  confined["zlib"] = "^zlib[.]h"
+  home["zlib"] = "^gem/view/pack/"
   confined["cli11"] = "^CLI/"
   home["cli11"] = "^gem/(main[.]cpp$|command/)"
 

@@ -19,7 +19,7 @@ gem/engine/cuda/thread_groups.cuh order atomic counts of integers: any order giv
 END
 )
 
-rules=(layer unknown-layer events-sees analysis-sees cuda toml hdf5 gsl eigen box2d cli11 oracle locale bits order allowance)
+rules=(layer unknown-layer events-sees analysis-sees cuda toml hdf5 gsl eigen box2d httplib zlib cli11 oracle locale bits order allowance)
 if [ "${1:-}" = --rules ]; then
   printf '%s\n' "${rules[@]}"
   exit 0

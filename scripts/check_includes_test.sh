@@ -153,6 +153,15 @@ plant validation/paper/analysis/fits/line_fit.cpp <<'END'
 #include <gsl/gsl_fit.h>
 #include "gem/analysis/statistics/moments.h"
 END
+plant gem/view/page_text.cpp <<'END'
+#include "gem/report/page.h"
+#include "gem/run/run_scene.h"  // PLANT layer
+#include <httplib.h>  // PLANT httplib
+#include <zlib.h>  // PLANT zlib
+END
+plant gem/view/server/view_server.cpp <<'END'
+#include <httplib.h>
+END
 plant validation/paper/runs/paper_run.cpp <<'END'
 #include "gem/report/page.h"
 #include <gsl/gsl_fit.h>  // PLANT gsl

@@ -31,6 +31,7 @@ void add_sweep_command(CLI::App& app, Chosen& chosen);
 void add_info_command(CLI::App& app, Chosen& chosen);
 void add_report_command(CLI::App& app, Chosen& chosen);
 void add_compare_command(CLI::App& app, Chosen& chosen);
+void add_view_command(CLI::App& app, Chosen& chosen);
 void add_repair_command(CLI::App& app, Chosen& chosen);
 void add_analyse_command(CLI::App& app, Chosen& chosen);
 void add_devices_command(CLI::App& app, Chosen& chosen);

@@ -50,6 +50,7 @@ int continue_run(RunChoice& choice, RunLog& log) {
   if (!run.note.empty()) log.message("warning", run.note);
   choice.options.step_limit = limit_of(choice, run);
   choose_engine(choice, run, log);
+  start_live_view(choice, log);
   const auto engine = engine_for(run.engine_scene, run.from->engine.bodies, choice.engine);
   choice.engine.name = engine->name();
   if (choice.engine.name != "cpu") choice.engine.threads = 1;

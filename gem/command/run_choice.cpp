@@ -20,13 +20,19 @@ double until_of(const RunChoice& choice) {
 
 std::string threads_text(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
 
+void start_live_view(RunChoice& choice, RunLog& log) {
+  if (choice.view) choice.live = std::make_shared<LiveView>(choice.options.output, !choice.no_browser, log);
+}
+
 int run_and_print(const SceneDef& scene, Engine& engine, RunChoice& choice, RunLog& log) {
   choice.options.threads = choice.engine.threads;
   if (!engine.method().empty()) choice.options.books = reported_only;
+  if (choice.live) choice.live->join(choice.options, scene.run.duration_s);
   const RunSummary summary = run_scene(scene, engine, choice.options);
   if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));
   if (summary.status != "complete" && choice.options.checkpoint_interval_s > 0.0 && engine.method().empty())
     log.message("info", "it can go on: gem run --continue " + shown(summary.file));
+  if (choice.live) choice.live->end();
   if (summary.verdict.grade == Grade::bad) {
     const std::string text = "the run " + scene.run.name + " is bad (" +
                              criteria_of_grade(summary.verdict, Grade::bad) + ") see its verdict: gem info " +

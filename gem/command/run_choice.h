@@ -1,10 +1,12 @@
 // What `gem run` was asked, and the steps that a new run and one that goes on share.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "gem/command/command.h"
+#include "gem/command/live_view.h"
 
 namespace gem {
 
@@ -21,6 +23,9 @@ struct RunChoice {
   bool force = false;
   bool json = false;
   bool strict = false;
+  bool view = false;  // show the run while it goes on
+  bool no_browser = false;
+  std::shared_ptr<LiveView> live = nullptr;
   std::vector<const CLI::Option*> baseline_options;
   const CLI::Option* engine_option = nullptr;
 };
@@ -30,6 +35,9 @@ double until_of(const RunChoice& choice);
 
 /// "2 threads".
 std::string threads_text(int threads);
+
+/// With --view: starts the page of the run that writes `choice.options.output`.
+void start_live_view(RunChoice& choice, RunLog& log);
 
 /// Runs the scene, prints the summary and returns the exit code.
 int run_and_print(const SceneDef& scene, Engine& engine, RunChoice& choice, RunLog& log);

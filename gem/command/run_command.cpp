@@ -92,6 +92,7 @@ int run(RunChoice choice) {
   const Estimate need = estimate(listed);
   if (!choice.force) check_resources(need, choice.options.output);
 
+  if (!choice.dry_run) start_live_view(choice, log);
   const Bodies field = make_field(listed);
   const auto engine = engine_for(listed, field, choice.engine);
   choice.engine.name = engine->name();
@@ -175,6 +176,12 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   command->add_flag("--overwrite", choice->options.overwrite, "replace an existing run file");
   command->add_flag("--dry-run", choice->dry_run, "check the case and print what the run needs, without running it");
   add_checkpoint_options(*command, *choice);
+  command
+      ->add_flag("--view", choice->view,
+                 "show the run in the browser while it goes on; it can be paused and stopped there")
+      ->excludes(command->get_option("--dry-run"));
+  command->add_flag("--no-browser", choice->no_browser, "with --view: print the address and open nothing")
+      ->needs(command->get_option("--view"));
   command->add_flag("--force", choice->force, "run even if memory or disk seem too small");
   command->add_flag("--strict", choice->strict, "exit code 6 if the verdict on the run is bad");
   command->add_option("--progress", choice->progress, "progress on standard error")

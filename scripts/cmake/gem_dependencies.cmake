@@ -8,7 +8,16 @@ endif()
 
 if(GEM_STATIC)
   include(gem_static)
+  set(GEM_ZLIB z)
 else()
+  find_package(ZLIB REQUIRED)
+  set(GEM_ZLIB ZLIB::ZLIB)
+  # The server of `gem view`; without it pages are only written. Its flags must be those that the library was built with, and the
+  # packaged library is a shared one only.
+  find_package(PkgConfig)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(HTTPLIB IMPORTED_TARGET cpp-httplib)
+  endif()
   find_package(HDF5 REQUIRED COMPONENTS C HL)
   find_package(GSL REQUIRED)
 endif()

@@ -113,9 +113,28 @@ add_library(gem_analysis STATIC ${analysis_sources} $<TARGET_OBJECTS:gem_report>
 target_link_libraries(gem_analysis PUBLIC gem_simulator PRIVATE GSL::gsl GSL::gslcblas nlohmann_json::nlohmann_json)
 gem_together(gem_analysis gem/analysis)
 
+# The page of gem view, embedded in the program, and what packs a run for it.
+file(GLOB_RECURSE page_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/gem/view/page/*)
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/generated/gem_page.cpp
+  COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}/gem/view/page
+    -DOUTPUT=${PROJECT_BINARY_DIR}/generated/gem_page.cpp -P ${PROJECT_SOURCE_DIR}/scripts/cmake/gem_page.cmake
+  DEPENDS ${page_files} ${PROJECT_SOURCE_DIR}/scripts/cmake/gem_page.cmake VERBATIM)
+gem_sources(view_sources gem/view)
+if(TARGET PkgConfig::HTTPLIB)
+  list(FILTER view_sources EXCLUDE REGEX "/without_server\\.cpp$")
+else()
+  list(FILTER view_sources EXCLUDE REGEX "/view_server\\.cpp$")
+endif()
+add_library(gem_view STATIC ${view_sources} ${PROJECT_BINARY_DIR}/generated/gem_page.cpp)
+target_link_libraries(gem_view PUBLIC gem_simulator gem_analysis PRIVATE nlohmann_json::nlohmann_json ${GEM_ZLIB}
+  $<TARGET_NAME_IF_EXISTS:PkgConfig::HTTPLIB>)
+gem_cold(gem_view gem/view)
+# The header of the server library is large and defines many names.
+set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/view/server/view_server.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+
 gem_sources(command_sources gem/command gem/run)
 add_library(gem_command STATIC ${command_sources})
-target_link_libraries(gem_command PUBLIC gem_simulator gem_analysis PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
+target_link_libraries(gem_command PUBLIC gem_simulator gem_analysis PRIVATE gem_view CLI11::CLI11 nlohmann_json::nlohmann_json)
 gem_cold(gem_command gem/run gem/command)
 
 # The same scenes in Box2D; without it the program has one engine less.

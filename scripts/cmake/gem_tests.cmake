@@ -120,6 +120,17 @@ endfunction()
 gem_reader_test(run_file_readers run analytic/V10_floe_on_moored_platform)
 gem_reader_test(sweep_summary_readers summary small_sweep)
 
+# gem view from outside: its server, and its page in Chromium, where there is one.
+foreach(what IN ITEMS server browser)
+  if(GEM_PYTHON AND TARGET PkgConfig::HTTPLIB)
+    add_test(NAME view_${what} COMMAND ${GEM_PYTHON} ${PROJECT_SOURCE_DIR}/scripts/check_view.py ${what} $<TARGET_FILE:gem>
+      ${PROJECT_SOURCE_DIR}/cases)
+  else()
+    add_test(NAME view_${what} COMMAND sh -c "echo skipped: no /usr/bin/python3 or no libcpp-httplib-dev; exit 77")
+  endif()
+  set_tests_properties(view_${what} PROPERTIES LABELS unit SKIP_RETURN_CODE 77 TIMEOUT 300)
+endforeach()
+
 # Failing system calls, kills, full disks, several processes: a short round as a test, the whole one with the label `long`.
 add_library(gem_fail_nth SHARED ${PROJECT_SOURCE_DIR}/scripts/faults/fail_nth.c)
 target_link_libraries(gem_fail_nth PRIVATE ${CMAKE_DL_LIBS})

@@ -360,6 +360,7 @@ class CraftedFile : public testing::Test {
              {"info", file, "--case"},
              {"analyse", file, "--allow-incomplete"},
              {"report", file, "--allow-incomplete", "--out", "page"},
+             {"view", file, "--allow-incomplete", "--out", "page.html"},
              {"run", "../base.toml", "-q", "--dry-run", "--set", "floe=[]", "--set", "floes.source=\"file\"", "--set",
               "floes.path=\"" + std::string("crafted.h5") + "\""}}) {
       const int code = call(words);

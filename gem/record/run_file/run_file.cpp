@@ -129,6 +129,21 @@ struct RunFile::Inside {
     check(H5Sget_simple_extent_dims(space, size.data(), nullptr), "extent");
     return size;
   }
+
+  /// Rows `first` to `first + count - 1` of a dataset of rows, one after the other.
+  std::vector<float> float_rows(const char* name, std::size_t first, std::size_t count_of_rows) const {
+    const Handle id = open(name);
+    const Handle space = checked(H5Dget_space(id), H5Sclose, name);
+    hdf5::element_count(id, space, stored_bytes(id), name);
+    const hsize_t count[2] = {count_of_rows, extent(id).at(1)};
+    const hsize_t start[2] = {first, 0};
+    std::vector<float> values(count[0] * count[1]);
+    if (values.empty()) return values;
+    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr), name);
+    const Handle memory = checked(H5Screate_simple(2, count, nullptr), H5Sclose, name);
+    check(H5Dread(id, H5T_NATIVE_FLOAT, memory, space, H5P_DEFAULT, values.data()), name);
+    return values;
+  }
 };
 
 RunFile::RunFile(const std::string& path, bool allow_incomplete) : inside_(std::make_unique<Inside>()) {
@@ -260,32 +275,32 @@ std::size_t RunFile::floe_count() const { return rows("shape/vertex_count"); }
 
 std::size_t RunFile::frame_count() const { return rows("floes/time"); }
 
-FrameView RunFile::frame(std::size_t index) const {
-  if (index >= frame_count()) {
-    refuse_run_file(path(), "no frame " + std::to_string(index) + " of " + std::to_string(frame_count()),
+FrameView RunFile::frame(std::size_t index) const { return frames(index, 1).front(); }
+
+std::vector<FrameView> RunFile::frames(std::size_t first, std::size_t count) const {
+  if (count == 0) return {};
+  if (first >= frame_count() || count > frame_count() - first) {
+    refuse_run_file(path(), "no frame " + std::to_string(first + count - 1) + " of " + std::to_string(frame_count()),
                     "ask for an earlier one");
   }
   return reading(path(), [&] {
-    FrameView view;
-    const std::vector<std::pair<const char*, std::vector<float>*>> fields = {
-        {"floes/x", &view.x},   {"floes/y", &view.y},         {"floes/theta", &view.theta},  {"floes/vx", &view.vx},
-        {"floes/vy", &view.vy}, {"floes/omega", &view.omega}, {"floes/active", &view.active}};
+    std::vector<FrameView> views(count);
+    const std::pair<const char*, std::vector<float> FrameView::*> fields[] = {
+        {"floes/x", &FrameView::x},          {"floes/y", &FrameView::y},   {"floes/theta", &FrameView::theta},
+        {"floes/vx", &FrameView::vx},        {"floes/vy", &FrameView::vy}, {"floes/omega", &FrameView::omega},
+        {"floes/active", &FrameView::active}};
     for (const auto& [name, values] : fields) {
-      const Handle id = inside_->open(name);
-      const Handle space = checked(H5Dget_space(id), H5Sclose, name);
-      hdf5::element_count(id, space, inside_->stored_bytes(id), name);
-      const hsize_t count[2] = {1, inside_->extent(id).at(1)};
-      const hsize_t start[2] = {index, 0};
-      values->resize(count[1]);
-      if (count[1] == 0) continue;
-      check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr), name);
-      const Handle memory = checked(H5Screate_simple(2, count, nullptr), H5Sclose, name);
-      check(H5Dread(id, H5T_NATIVE_FLOAT, memory, space, H5P_DEFAULT, values->data()), name);
+      const std::vector<float> all = inside_->float_rows(name, first, count);
+      const std::size_t floes = all.size() / count;
+      if (name != fields[0].first && floes != views.front().x.size())
+        throw hdf5::Failure{std::string(name) + ": not one value for each floe"};
+      for (std::size_t n = 0; n < count; ++n)
+        (views[n].*values)
+            .assign(all.begin() + std::ptrdiff_t(n * floes), all.begin() + std::ptrdiff_t((n + 1) * floes));
     }
-    for (const auto& [name, values] : fields)
-      if (values->size() != view.x.size()) throw hdf5::Failure{std::string(name) + ": not one value for each floe"};
-    view.time = column("floes/time").at(index);
-    return view;
+    const std::vector<double> time = column("floes/time");
+    for (std::size_t n = 0; n < count; ++n) views[n].time = time.at(first + n);
+    return views;
   });
 }
 

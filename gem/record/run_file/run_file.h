@@ -58,6 +58,8 @@ class RunFile {
   std::size_t floe_count() const;
   std::size_t frame_count() const;
   FrameView frame(std::size_t index) const;
+  /// `count` frames from `first` on: faster than one by one, because frames are compressed together.
+  std::vector<FrameView> frames(std::size_t first, std::size_t count) const;
   /// Outlines of the floes about their centroids [m].
   std::vector<std::vector<Vec2>> floe_outlines() const;
   /// Outlines of the fixed bodies in the world [m].

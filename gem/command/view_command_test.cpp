@@ -1,0 +1,40 @@
+// gem view writes one page or refuses, and gem run --view ends by itself when nobody looks.
+#include <gtest/gtest.h>
+
+#include "gem/command/command_fixture.h"
+
+namespace gem {
+namespace {
+
+TEST_F(CommandTest, APageIsWrittenAndWrittenAgain) {
+  ASSERT_EQ(shell("gem run swing.toml --out swing.h5 -q && gem view swing.h5 --out page.html"), 0) << text_of("err");
+  EXPECT_EQ(text_of("out"), "page.html\n");
+  EXPECT_NE(text_of("page.html").find("<title>swing - gem view</title>"), std::string::npos);
+  EXPECT_EQ(shell("gem view swing.h5 --out page.html"), 0) << text_of("err");
+  EXPECT_FALSE(exists("page.html.new"));
+}
+
+TEST_F(CommandTest, WhatIsNoPageIsNotReplaced) {
+  ASSERT_EQ(shell("gem run swing.toml --out swing.h5 -q && echo notes > notes.html"), 0);
+  EXPECT_EQ(shell("gem view swing.h5 --out notes.html"), 4);
+  EXPECT_EQ(text_of("notes.html"), "notes\n");
+  EXPECT_EQ(shell("gem view swing.h5 --out notes.html --overwrite"), 0) << text_of("err");
+  EXPECT_EQ(shell("gem view swing.h5 --out missing/page.html"), 4);
+  EXPECT_EQ(shell("gem view swing.h5 --overwrite"), 2);
+  EXPECT_EQ(shell("gem view swing.toml --out page.html"), 4);
+  EXPECT_FALSE(exists("page.html"));
+}
+
+TEST_F(CommandTest, AShownRunEndsByItselfWhenNobodyLooks) {
+  ASSERT_EQ(shell("gem run swing.toml --out bare.h5 -q"), 0);
+  const int code = shell("gem run swing.toml --out seen.h5 --view --no-browser");
+  if (text_of("err").find("cannot be served") != std::string::npos) GTEST_SKIP() << "built without a server";
+  EXPECT_EQ(code, 0) << text_of("err");
+  EXPECT_NE(text_of("err").find("the run is shown at http://127.0.0.1:"), std::string::npos) << text_of("err");
+  ASSERT_EQ(shell("gem info bare.h5 | grep state_hash > a && gem info seen.h5 | grep state_hash > b && cmp a b"), 0);
+  EXPECT_EQ(shell("gem run swing.toml --no-browser"), 2);
+  EXPECT_EQ(shell("gem run swing.toml --view --dry-run"), 2);
+}
+
+}  // namespace
+}  // namespace gem

@@ -1,0 +1,83 @@
+// The description of a run for its page. Every text of the file passes plain_text().
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "gem/base/error.h"
+#include "gem/record/output/output_path.h"
+#include "gem/record/run_file/stored_case.h"
+#include "gem/report/plain_text.h"
+#include "gem/view/pack/pack_run.h"
+
+namespace gem::view {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json outline_json(const std::vector<Vec2>& outline) {
+  Json corners = Json::array();
+  for (const Vec2 corner : outline) corners.push_back({corner.x, corner.y});
+  return corners;
+}
+
+Json verdict_json(const RunFile& file) {
+  const RunVerdict verdict = verdict_of(file);
+  Json reasons = Json::array();
+  for (const Judgement& judgement : verdict.judgements)
+    if (judgement.grade == Grade::doubtful || judgement.grade == Grade::bad)
+      reasons.push_back(plain_text(judgement.text));
+  return {{"grade", grade_name(verdict.grade)}, {"reasons", reasons}};
+}
+
+Json origin_json(const RunFile& file) {
+  Json origin;
+  for (const char* name : {"source", "gem_build", "gem_engine", "gem_device", "gem_solver", "gem_seed",
+                           "gem_state_hash", "gem_case_sha256", "history"})
+    origin[name] = plain_text(file.attribute(name));
+  return origin;
+}
+
+Json platform_json(const RunFile& file, const SceneDef& scene) {
+  const std::vector<Vec2> outline = scene.platform.present ? file.platform_outline() : std::vector<Vec2>{};
+  return {{"present", !outline.empty()},
+          {"outline", outline_json(outline)},
+          {"mass_kg", scene.platform.mass_kg},
+          {"diameter_m", scene.platform.diameter_m},
+          {"anchor_m", {scene.platform.anchor_m.x, scene.platform.anchor_m.y}},
+          {"stiffness_N_per_m", scene.mooring.stiffness_N_per_m},
+          {"natural_period_s", natural_period(scene.mooring.stiffness_N_per_m, scene.platform.mass_kg)}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json describe_run(const RunFile& file, const PagePlan& plan) {
+  const SceneDef scene = stored_scene(file);
+  Json fixed = Json::array();
+  for (const auto& outline : file.boundary_outlines()) fixed.push_back(outline_json(outline));
+  Json classes = Json::array();
+  for (const IceClassDef& ice : scene.floes.classes) classes.push_back(plain_text(ice.name));
+  const Rounding& steps = plan.rounding;
+  return {{"name", plain_text(scene.run.name)},
+          {"status", plain_text(file.status())},
+          {"duration_s", scene.run.duration_s},
+          {"time_step_s", scene.numerics.time_step_s},
+          {"floes", file.floe_count()},
+          {"first_floe_body", file.number_attribute("gem_first_floe_body")},
+          {"force_window_s", scene.output.force_window_s},
+          {"events_recorded", scene.output.platform_events},
+          {"frame_stride", plan.frame_stride},
+          {"platform_bucket", plan.platform_bucket},
+          {"current_m_per_s", {scene.current.velocity_m_per_s.x, scene.current.velocity_m_per_s.y}},
+          {"platform", platform_json(file, scene)},
+          {"fixed", fixed},
+          {"classes", classes},
+          {"verdict", verdict_json(file)},
+          {"origin", origin_json(file)},
+          {"rounding",
+           {{"place_m", steps.place_m},
+            {"angle_rad", steps.angle_rad},
+            {"speed_m_per_s", steps.speed_m_per_s},
+            {"spin_rad_per_s", steps.spin_rad_per_s}}}};
+}
+
+}  // namespace gem::view

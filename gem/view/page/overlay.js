@@ -1,0 +1,167 @@
+// What lies over the floes: platform, channel, track, forces, marked floes, scale. Drawn by any 2D context.
+
+const trackSeconds = 600;
+
+function path(context, camera, outline, x = 0, y = 0, cosine = 1, sine = 0) {
+  context.beginPath();
+  for (const [cx, cy] of outline)
+    context.lineTo(...camera.toScreen(x + cosine * cx - sine * cy, y + sine * cx + cosine * cy));
+  context.closePath();
+}
+
+function arrow(context, from, to, colour, halo, label) {
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+  const size = Math.hypot(dx, dy);
+  if (size < 4) return;
+  const [ux, uy] = [dx / size, dy / size];
+  context.strokeStyle = context.fillStyle = colour;
+  context.lineWidth = 3;
+  context.beginPath();
+  context.moveTo(...from);
+  context.lineTo(to[0] - 8 * ux, to[1] - 8 * uy);
+  context.stroke();
+  context.beginPath();
+  context.moveTo(...to);
+  context.lineTo(to[0] - 12 * ux - 6 * uy, to[1] - 12 * uy + 6 * ux);
+  context.lineTo(to[0] - 12 * ux + 6 * uy, to[1] - 12 * uy - 6 * ux);
+  context.fill();
+  context.font = '12px sans-serif';
+  context.textAlign = ux < 0 ? 'right' : 'left';
+  const at = [to[0] + 8 * Math.sign(ux || 1), to[1] + 4];
+  context.strokeStyle = halo;
+  context.strokeText(label, ...at);
+  context.fillText(label, ...at);
+}
+
+export class Overlay {
+  constructor(view) {
+    this.view = view;
+  }
+
+  draw(context) {
+    const {camera, theme} = this.view;
+    context.lineJoin = 'round';
+    context.lineWidth = 1;
+    for (const outline of this.view.run.description.fixed) {
+      path(context, camera, outline);
+      context.fillStyle = theme.fixed;
+      context.strokeStyle = theme.ink;
+      context.fill();
+      context.stroke();
+    }
+    if (this.view.run.description.platform.present) this.drawPlatform(context);
+    this.drawMarks(context);
+    this.drawScale(context);
+  }
+
+  platformPose() {
+    const at = name => this.view.run.platformAt(name, this.view.time);
+    const psi = at('psi') || 0;
+    return {x: at('x') || 0, y: at('y') || 0, cosine: Math.cos(psi), sine: Math.sin(psi)};
+  }
+
+  drawPlatform(context) {
+    const {camera, theme, run, options} = this.view;
+    const pose = this.platformPose();
+    path(context, camera, run.description.platform.outline, pose.x, pose.y, pose.cosine, pose.sine);
+    context.fillStyle = theme.platform;
+    context.fill();
+    context.lineWidth = this.view.selected === 'platform' ? 4 : 1.5;
+    context.strokeStyle = this.view.selected === 'platform' ? theme.mark : theme.ink;
+    context.stroke();
+    if (options.track) this.drawTrack(context);
+    if (options.forces) this.drawForces(context, pose);
+  }
+
+  drawTrack(context) {
+    const {camera, theme, run, time} = this.view;
+    const times = run.column('platform', 'time'), x = run.column('platform', 'x'), y = run.column('platform', 'y');
+    context.strokeStyle = theme.track;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    let last = -Infinity;
+    for (let i = 0; i < times.length && times[i] <= time; ++i) {
+      if (times[i] < time - trackSeconds || times[i] - last < 0.5) continue;
+      last = times[i];
+      context.lineTo(...camera.toScreen(x[i], y[i]));
+    }
+    context.stroke();
+  }
+
+  // Arrows of the ice force and the mooring force: as long as the platform is wide at the largest force of the run.
+  drawForces(context, pose) {
+    const {camera, theme, run, time, largestForce} = this.view;
+    const platform = run.description.platform;
+    const metres = platform.diameter_m / Math.max(largestForce, 1);
+    const centre = camera.toScreen(pose.x, pose.y);
+    const force = name => ['x', 'y'].map(axis => run.platformAt(`${name}_${axis}`, time) || 0);
+    const show = ([fx, fy], colour, label) => {
+      const most = 2.5 * platform.diameter_m, size = Math.hypot(fx, fy) * metres, cut = size > most ? most / size : 1;
+      arrow(context, centre, camera.toScreen(pose.x + fx * metres * cut, pose.y + fy * metres * cut), colour, theme.panel, label);
+    };
+    show(force('mooring_force'), theme.mooring, 'mooring');
+    show(force('ice_force_mean'), theme.load, 'ice');
+    const [ax, ay] = camera.toScreen(...platform.anchor_m);
+    context.strokeStyle = theme.mooring;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    context.moveTo(ax - 6, ay);
+    context.lineTo(ax + 6, ay);
+    context.moveTo(ax, ay - 6);
+    context.lineTo(ax, ay + 6);
+    context.stroke();
+  }
+
+  floePath(context, i) {
+    const {camera, pose, run} = this.view, {start, xy} = run.shapes;
+    const outline = [];
+    for (let k = start[i]; k < start[i + 1]; ++k) outline.push([xy[2 * k], xy[2 * k + 1]]);
+    path(context, camera, outline, pose.x[i], pose.y[i], pose.cosine[i], pose.sine[i]);
+  }
+
+  // Floes that press on the platform now, those that made a load, and the selected one.
+  drawMarks(context) {
+    const {pose, theme, selected, causes, hits, time, options} = this.view;
+    const outline = (i, colour, width) => {
+      if (i < 0 || i >= pose.there.length || !pose.there[i]) return;
+      this.floePath(context, i);
+      context.strokeStyle = colour;
+      context.lineWidth = width;
+      context.stroke();
+    };
+    if (options.forces) for (const hit of hits.during(time, time)) outline(hits.floe[hit], theme.load, 2);
+    for (const floe of causes) outline(floe, theme.load, 3.5);
+    if (Number.isInteger(selected)) {
+      outline(selected, theme.mark, 4);
+      if (pose.there[selected]) this.ring(context, pose.x[selected], pose.y[selected]);
+    }
+  }
+
+  // A ring shows a marked floe that is too small to be seen.
+  ring(context, x, y) {
+    const {camera, theme} = this.view;
+    context.beginPath();
+    context.arc(...camera.toScreen(x, y), 18, 0, 2 * Math.PI);
+    context.strokeStyle = theme.mark;
+    context.lineWidth = 2;
+    context.stroke();
+  }
+
+  drawScale(context) {
+    const {camera, theme} = this.view;
+    const metres = 10 ** Math.floor(Math.log10(160 / camera.scale));
+    const length = [5, 2, 1].map(n => n * metres).find(m => m * camera.scale <= 160) ?? metres;
+    const right = camera.width - 16, y = camera.height - 16;
+    context.strokeStyle = context.fillStyle = theme.ink;
+    context.lineWidth = 2;
+    context.beginPath();
+    context.moveTo(right - length * camera.scale, y - 5);
+    context.lineTo(right - length * camera.scale, y);
+    context.lineTo(right, y);
+    context.lineTo(right, y - 5);
+    context.stroke();
+    context.font = '12px sans-serif';
+    context.textAlign = 'right';
+    context.fillText(length >= 1000 ? `${length / 1000} km` : `${Number(length.toPrecision(1))} m`, right, y - 9);
+  }
+}

@@ -130,6 +130,19 @@ foreach(what IN ITEMS server browser)
   endif()
   set_tests_properties(view_${what} PROPERTIES LABELS unit SKIP_RETURN_CODE 77 TIMEOUT 300)
 endforeach()
+# Exports read by VTK, run files by Octave, the Python package and its examples; each is skipped with the reason without them.
+function(gem_python_test name script timeout)
+  if(GEM_PYTHON)
+    add_test(NAME ${name} COMMAND ${GEM_PYTHON} ${PROJECT_SOURCE_DIR}/${script} ${ARGN})
+  else()
+    add_test(NAME ${name} COMMAND sh -c "echo skipped: no /usr/bin/python3; exit 77")
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS unit SKIP_RETURN_CODE 77 TIMEOUT ${timeout} ENVIRONMENT
+    "PYTHONPATH=${PROJECT_SOURCE_DIR}/gem/python;PYTHONDONTWRITEBYTECODE=1;GEM_PROGRAM=$<TARGET_FILE:gem>")
+endfunction()
+gem_python_test(export_readers scripts/check_export.py 120 $<TARGET_FILE:gem> ${PROJECT_SOURCE_DIR}/cases/first.toml)
+gem_python_test(octave_reader scripts/check_octave.py 120 $<TARGET_FILE:gem> ${PROJECT_SOURCE_DIR}/cases/first.toml)
+gem_python_test(python_package gem/python/tests 300)
 
 # Failing system calls, kills, full disks, several processes: a short round as a test, the whole one with the label `long`.
 add_library(gem_fail_nth SHARED ${PROJECT_SOURCE_DIR}/scripts/faults/fail_nth.c)

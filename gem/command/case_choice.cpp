@@ -5,13 +5,16 @@
 #include <filesystem>
 #include <map>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 #include "gem/base/error.h"
+#include "gem/base/number_text.h"
 #include "gem/command/command.h"
 #include "gem/field/floe_file.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/run_start.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/sweep/sweep.h"
 #include "gem/scene/toml/document.h"
@@ -38,7 +41,7 @@ void add_case_options(CLI::App& command, CaseChoice& choice, bool required) {
 SceneDef read_case(const CaseChoice& choice) {
   if (choice.path.empty()) {
     if (choice.index) throw Error(ExitCode::usage, "--index needs a sweep file (no file was given) name one");
-    return named_floes(parse_scene("", "built-in case", choice.overrides));
+    return begun_from(choice, parse_scene("", "built-in case", choice.overrides));
   }
   TomlNode document = load_document(choice.path);
   if (document.entries.empty())
@@ -48,11 +51,11 @@ SceneDef read_case(const CaseChoice& choice) {
     if (choice.index) {
       throw Error(ExitCode::usage, choice.path + " is a single case (no [sweep] table) leave out --index");
     }
-    return named_floes(scene_of(std::move(document), choice.overrides));
+    return begun_from(choice, scene_of(std::move(document), choice.overrides));
   }
   const std::vector<SweepMember> members = expand_sweep(std::move(document), choice.overrides);
   for (const SweepMember& member : members) {
-    if (member.index == choice.index) return named_floes(member.scene);
+    if (member.index == choice.index) return begun_from(choice, member.scene);
   }
   const std::string range =
       members.empty() ? "none" : std::to_string(members.front().index) + " to " + std::to_string(members.back().index);
@@ -69,7 +72,11 @@ SceneDef named_floes(SceneDef scene) {
   std::error_code fault;
   const std::filesystem::path absolute = std::filesystem::absolute(path, fault);
   if (!fault) path = absolute.lexically_normal().string();
-  const std::vector<FloeDef> floes = is_run_file(path) ? floes_of_run_file(path) : read_floe_file(path);
+  if (scene.floes.time_s != 0.0 && !is_run_file(path))
+    throw Error(ExitCode::scene_rejected, "floes.time_s: has no effect (value " + number_text(scene.floes.time_s) +
+                                              ", " + shown(path) + " is not a run file) remove it or name a run file");
+  const std::vector<FloeDef> floes =
+      is_run_file(path) ? floes_of_run_file(path, scene.floes.time_s).floes : read_floe_file(path);
   check_same_floes(scene, floes);
   scene.floes.sha256 = floes_sha256(floes);
   return scene;
@@ -77,11 +84,11 @@ SceneDef named_floes(SceneDef scene) {
 
 std::vector<SweepMember> read_sweep(const std::string& path, const std::vector<std::string>& overrides) {
   std::vector<SweepMember> members = expand_sweep(path, overrides);
-  std::map<std::pair<std::string, std::string>, FloesDef> known;  // a sweep names few files in many members
+  std::map<std::tuple<std::string, double, std::string>, FloesDef> known;  // a sweep names few files in many members
   for (SweepMember& member : members) {
     FloesDef& floes = member.scene.floes;
     if (floes.source != FloeSource::file) continue;
-    const auto [entry, is_new] = known.try_emplace({floes.path, floes.sha256});
+    const auto [entry, is_new] = known.try_emplace({floes.path, floes.time_s, floes.sha256});
     if (is_new) entry->second = named_floes(member.scene).floes;
     floes.path = entry->second.path;
     floes.sha256 = entry->second.sha256;
@@ -91,12 +98,14 @@ std::vector<SweepMember> read_sweep(const std::string& path, const std::vector<s
 
 SceneDef with_floes_of_run_file(const SceneDef& scene) {
   if (scene.floes.source != FloeSource::file || !is_run_file(scene.floes.path)) return scene;
-  std::vector<FloeDef> floes = floes_of_run_file(scene.floes.path);
-  check_same_floes(scene, floes);
-  if (floes.empty())
+  FloesStart start = floes_of_run_file(scene.floes.path, scene.floes.time_s);
+  check_same_floes(scene, start.floes);
+  if (start.floes.empty())
     throw Error(ExitCode::scene_rejected,
                 scene.floes.path + ": no floes (the run had none) name another file or set floes.source = \"listed\"");
-  return with_listed_floes(scene, std::move(floes));
+  SceneDef listed = with_listed_floes(scene, std::move(start.floes));
+  listed.floes.overlap = start.overlap;
+  return listed;
 }
 
 std::string run_file_name(const std::string& run_name) {

@@ -46,6 +46,7 @@ struct CaseChoice {
   std::string path;  // empty: the built-in case
   std::vector<std::string> overrides;
   std::optional<long long> index;  // of a sweep
+  std::string from;                // RUNFILE or RUNFILE@SECONDS that the floes and the platform come from; empty: none
 };
 
 /// Refuses an empty text: `--out ""` is a mistake in a script, not a wish for the default name.
@@ -64,6 +65,10 @@ std::vector<SweepMember> read_sweep(const std::string& path, const std::vector<s
 /// The scene with the absolute path and the SHA-256 of its floe file, if it has one, so that the case and its hash hold
 /// what the file holds. Throws Error if the file cannot be read, or holds other floes than the scene names.
 SceneDef named_floes(SceneDef scene);
+
+/// The scene with named_floes(). If the user chose a run to begin with, floes.source, path and time_s name it first,
+/// and the platform starts as it was there, but for what --set says. Throws Error if the file has no such frame.
+SceneDef begun_from(const CaseChoice& choice, SceneDef scene);
 
 /// The scene with explicit floes if floes.source names a run file; otherwise the scene itself. Make fields and engines
 /// from this scene, because an engine's contact reach depends on the speed of listed floes. Throws

@@ -40,13 +40,24 @@ nlohmann::ordered_json describe(const RunFile& file) {
   return object;
 }
 
+/// Text of several lines, such as the history of a run that went on: later lines begin under the first.
+std::string shown_lines(const std::string& text, std::size_t indent) {
+  std::string lines;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines += (begin == 0 ? "" : "\n" + std::string(indent, ' ')) + shown(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
 std::string text_of(const nlohmann::ordered_json& object) {
   std::size_t width = 0;
   for (const auto& entry : object.items()) width = std::max(width, entry.key().size() + 1);
   std::string text;
   for (const auto& [name, value] : object.items())
     text += name + std::string(width - name.size(), ' ') +
-            shown(value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
+            shown_lines(value.is_string() ? value.get<std::string>() : value.dump(), width) + "\n";
   return text;
 }
 

@@ -141,9 +141,9 @@ void add_checkpoint_options(CLI::App& command, RunChoice& choice) {
                                           "go on with a run that stopped or was killed, from its last checkpoint, to "
                                           "the bits of a run that never stopped; its case and its end are in the file");
   go_on->type_name("RUNFILE");
-  for (const char* other : {"case", "--set", "--index", "--out", "--overwrite", "--dry-run"})
+  for (const char* other : {"case", "--set", "--index", "--from", "--out", "--overwrite", "--dry-run"})
     go_on->excludes(command.get_option(other));
-  choice.options.checkpoint_interval_s = 60.0;
+  choice.options.checkpoint_interval_s = usual_checkpoint_interval_s;
   command
       .add_option("--checkpoint-every", choice.options.checkpoint_interval_s,
                   "wall time between two checkpoints, at most one hundredth of it spent on them; 0: none at all")
@@ -158,6 +158,11 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   const auto choice = std::make_shared<RunChoice>();
   CLI::App* command = app.add_subcommand("run", "run a case and write a run file");
   add_case_options(*command, choice->chosen_case, false);
+  command
+      ->add_option("--from", choice->chosen_case.from,
+                   "begin with the floes and the platform of a run, at its last recorded frame or at the one of a time")
+      ->type_name("RUNFILE[@SECONDS]")
+      ->check(not_empty());
   command->add_option("-o,--out", choice->options.output, "run file; default: the run's name with .h5")
       ->check(not_empty());
   choice->engine.name = "auto";

@@ -22,6 +22,10 @@ TEST_F(CommandTest, ARunGoesOnWhereItStopped) {
   EXPECT_EQ(parts.attribute("gem_case_sha256"), whole.attribute("gem_case_sha256"));
   EXPECT_EQ(parts.column("platform/x"), whole.column("platform/x"));
   EXPECT_FALSE(exists("parts.h5.checkpoint-a") || exists("parts.h5.checkpoint-b"));
+  ASSERT_EQ(shell("gem info parts.h5"), 0);
+  EXPECT_EQ(text_of("out").find("\\x0a"), std::string::npos) << text_of("out");
+  EXPECT_NE(text_of("out").find("\n                      20"), std::string::npos) << "lines of the history\n"
+                                                                                  << text_of("out");
   EXPECT_EQ(shell("gem run --continue parts.h5"), 0);
   EXPECT_NE(text_of("err").find("nothing to continue"), std::string::npos) << text_of("err");
 }

@@ -85,11 +85,12 @@ double channel_half_width(const BoundaryDef& boundary, double x) {
   return 0.5 * (boundary.inlet_width_m + (boundary.gap_m - boundary.inlet_width_m) * (x - start) / -start);
 }
 
-bool inside_channel(const BoundaryDef& boundary, const std::vector<Vec2>& outline) {
+bool inside_channel(const BoundaryDef& boundary, const std::vector<Vec2>& outline, double overlap) {
+  const double slack = rounding + overlap;
   if (!boundary.present) return true;
   return std::all_of(outline.begin(), outline.end(), [&](Vec2 p) {
     if (p.x > boundary.outlet_x_m) return true;
-    return p.x >= boundary.inlet_x_m - rounding && std::fabs(p.y) <= channel_half_width(boundary, p.x) + rounding;
+    return p.x >= boundary.inlet_x_m - slack && std::fabs(p.y) <= channel_half_width(boundary, p.x) + slack;
   });
 }
 

@@ -20,6 +20,6 @@ std::vector<std::vector<Vec2>> boundary_outlines(const BoundaryDef& boundary);
 double channel_half_width(const BoundaryDef& boundary, double x);
 
 /// False if a vertex lies more than a micrometre upstream of the inlet or inside a side. True without boundary.
-bool inside_channel(const BoundaryDef& boundary, const std::vector<Vec2>& outline);
+bool inside_channel(const BoundaryDef& boundary, const std::vector<Vec2>& outline, double overlap = 0.0);
 
 }  // namespace gem

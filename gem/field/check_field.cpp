@@ -26,11 +26,11 @@ std::string place_text(const Bodies& bodies, std::size_t i) {
   return "(" + number_text(bodies.position[i].x, 6) + ", " + number_text(bodies.position[i].y, 6) + ")";
 }
 
-void check_overlaps(const Bodies& bodies) {
+void check_overlaps(const Bodies& bodies, double allowed) {
   std::string listed, place;
   std::size_t count = 0;
   for (const NearPair& pair : near_pairs(bodies, 0.0)) {
-    if (pair.separation > -overlap_tolerance) continue;
+    if (pair.separation > -allowed) continue;
     if (count++ >= listed_maximum) continue;
     if (place.empty()) place = body_name(bodies, pair.b) + " is at " + place_text(bodies, pair.b);
     listed += (listed.empty() ? "" : ", ") + body_name(bodies, pair.a) + " and " + body_name(bodies, pair.b) + " by " +
@@ -45,7 +45,9 @@ void check_overlaps(const Bodies& bodies) {
 
 void check_channel(const SceneDef& scene, const Bodies& bodies) {
   for (std::size_t i = 0; i < bodies.count(); ++i) {
-    if (bodies.kind[i] != BodyKind::floe || inside_channel(scene.boundary, world_outline(bodies, i))) continue;
+    if (bodies.kind[i] != BodyKind::floe ||
+        inside_channel(scene.boundary, world_outline(bodies, i), scene.floes.overlap))
+      continue;
     throw Error(ExitCode::scene_rejected, "field: " + body_name(bodies, i) + " at " + place_text(bodies, i) +
                                               " m lies outside the channel (upstream of the inlet or beyond a side) " +
                                               "move it inside or set boundary.present = false");
@@ -94,7 +96,7 @@ std::vector<NearPair> near_pairs(const Bodies& bodies, double distance) {
 
 void check_field(const SceneDef& scene, const Bodies& bodies) {
   check_channel(scene, bodies);
-  check_overlaps(bodies);
+  check_overlaps(bodies, overlap_tolerance + scene.floes.overlap);
 }
 
 }  // namespace gem

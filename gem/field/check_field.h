@@ -22,8 +22,8 @@ struct NearPair {
 /// Every pair not farther apart than `distance` [m], sorted by a, then b. Uses a grid.
 std::vector<NearPair> near_pairs(const Bodies& bodies, double distance);
 
-/// Throws Error(scene_rejected) if bodies overlap (the message lists up to 10 pairs with their depth, and the number of
-/// pairs) or a floe lies outside the channel.
+/// Throws Error(scene_rejected) if bodies overlap by more than rounding and scene.floes.overlap (the message lists up
+/// to 10 pairs with their depth, and the number of pairs) or a floe lies outside the channel.
 void check_field(const SceneDef& scene, const Bodies& bodies);
 
 }  // namespace gem

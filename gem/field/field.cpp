@@ -45,7 +45,9 @@ void append_platform(Bodies& bodies, const SceneDef& scene) {
   if (scene.platform.present) {
     def.outline = platform_outline(scene.platform);
     def.origin = scene.platform.anchor_m + scene.platform.start_offset_m;
+    def.rotation = strict::rotation_of_angle(scene.platform.start_yaw_rad);
     def.velocity = scene.platform.start_velocity_m_per_s;
+    def.spin = scene.platform.start_spin_rad_per_s;
     def.mass = scene.platform.mass_kg;
     def.locked_yaw = scene.platform.yaw == Yaw::locked;
   }

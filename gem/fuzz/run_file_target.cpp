@@ -7,6 +7,7 @@
 #include "gem/fuzz/described_file.h"
 #include "gem/fuzz/target.h"
 #include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/run_start.h"
 #include "gem/report/page.h"
 #include "gem/report/run/load_run.h"
 #include "gem/report/run/platform_path.h"
@@ -37,6 +38,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     page_html(run, gem::run_findings(run), gem::whole_run_analysis(run), {figure, figure, figure, figure});
   });
   gem::fuzz::accepted([&] { gem::read_path(path, 0.5); });
-  gem::fuzz::accepted([&] { gem::fuzz::make_listed_field(gem::with_listed_floes({}, gem::floes_of_run_file(path))); });
+  gem::fuzz::accepted(
+      [&] { gem::fuzz::make_listed_field(gem::with_listed_floes({}, gem::floes_of_run_file(path).floes)); });
   return 0;
 }

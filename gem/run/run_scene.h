@@ -24,6 +24,10 @@ struct BookLimits {
   double energy = 1e-8;
 };
 
+/// Wall time between two checkpoints [s]. A run that is killed redoes this much, what a checkpoint takes, and what its
+/// cost adds, see RunSteps::checkpoint().
+inline constexpr double usual_checkpoint_interval_s = 4.0;
+
 struct RunOptions {
   std::string output;  ///< run file; empty: no file
   bool overwrite = false;

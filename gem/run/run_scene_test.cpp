@@ -1,5 +1,6 @@
 // A run file is written and read back; every refusal of writer and reader.
 #include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/run_start.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -172,7 +173,7 @@ TEST_F(RunFileTest, RunsWithoutFloesPlatformOrTime) {
   run(0);
   EXPECT_EQ(RunFile(options_.output).floe_count(), 0U);
   EXPECT_EQ(RunFile(options_.output).frame_count(), 6U);
-  EXPECT_TRUE(floes_of_run_file(options_.output).empty());
+  EXPECT_TRUE(floes_of_run_file(options_.output).floes.empty());
   run(2, false);
   EXPECT_TRUE(RunFile(options_.output).column("platform/time").empty());
   EXPECT_TRUE(RunFile(options_.output).platform_outline().empty());
@@ -185,7 +186,7 @@ TEST_F(RunFileTest, RunsWithoutFloesPlatformOrTime) {
 
 TEST_F(RunFileTest, FloesComeBackAsListedFloes) {
   run();
-  const std::vector<FloeDef> floes = floes_of_run_file(options_.output);
+  const std::vector<FloeDef> floes = floes_of_run_file(options_.output).floes;
   ASSERT_EQ(floes.size(), 3U);
   EXPECT_EQ(floes[2].position_m.x, 16.0);
   EXPECT_EQ(floes[2].outline_m.size(), 4U);

@@ -105,6 +105,9 @@ void check_source(const SceneDef& s, List& out) {
   if (!from_file && !s.floes.path.empty())
     out.push_back({"floes.path", "has no effect (value " + quoted_text(s.floes.path) +
                                      ", allowed only with floes.source = \"file\") remove it or change the source"});
+  if (!from_file && s.floes.time_s != 0.0)
+    out.push_back({"floes.time_s", "has no effect (value " + number(s.floes.time_s) +
+                                       ", allowed only with floes.source = \"file\") remove it or change the source"});
   const std::string& sha256 = s.floes.sha256;
   if (!sha256.empty() && (sha256.size() != 64 || sha256.find_first_not_of("0123456789abcdef") != std::string::npos))
     out.push_back({"floes.sha256", "not a SHA-256 (value " + quoted_text(sha256) +
@@ -245,6 +248,7 @@ SceneDef with_listed_floes(const SceneDef& scene, std::vector<FloeDef> floes) {
   SceneDef listed = scene;
   listed.floes.source = FloeSource::listed;
   listed.floes.path.clear();
+  listed.floes.time_s = 0.0;
   listed.floes.sha256.clear();
   listed.floe = std::move(floes);
   for (const SceneProblem& problem : check_scene(listed))

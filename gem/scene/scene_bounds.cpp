@@ -43,7 +43,8 @@ double platform_speed_bound(const SceneDef& scene) {
   if (!scene.platform.present) return 0.0;
   const double swing =
       std::sqrt(scene.mooring.stiffness_N_per_m / scene.platform.mass_kg) * length(scene.platform.start_offset_m);
-  return std::hypot(length(scene.platform.start_velocity_m_per_s), swing);
+  const double rim = 0.5 * scene.platform.diameter_m * std::abs(scene.platform.start_spin_rad_per_s);
+  return std::hypot(length(scene.platform.start_velocity_m_per_s), swing) + rim;
 }
 
 double closing_speed_bound(const SceneDef& scene) {

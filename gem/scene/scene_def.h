@@ -32,8 +32,9 @@ struct IceClassDef {
 /// Where the floes come from, and how a field is generated.
 struct FloesDef {
   FloeSource source = FloeSource::generated;
-  std::string path;    ///< for `file`: .csv, .geojson or a run file; relative to the case file
-  std::string sha256;  ///< for `file`: of the floes that it must hold, see floes_sha256(); empty: not checked
+  std::string path;     ///< for `file`: .csv, .geojson or a run file; relative to the case file
+  double time_s = 0.0;  ///< of the frame, where `path` is a run file; 0: its start
+  std::string sha256;   ///< for `file`: of the floes that it must hold, see floes_sha256(); empty: not checked
   std::int64_t count = 4008;
   double length_m = 1500.0;  ///< along the current
   double width_m = 400.0;
@@ -50,6 +51,7 @@ struct FloesDef {
   std::int64_t moved_floe = -1;  ///< floe that is shifted by moved_by_m, counted from the anchor from 0; -1: none
   Vec2 moved_by_m = {0.0, 0.0};  ///< small shift of the start position
   std::vector<IceClassDef> classes = {IceClassDef{}};
+  double overlap = 0.0;  ///< no option: how deep floes of a recorded frame may overlap at the start [m]
 };
 
 /// Two fixed bodies beside the channel, inlet_width apart upstream, straight to gap at x = 0, parallel after it.
@@ -70,6 +72,8 @@ struct PlatformDef {
   Vec2 anchor_m = {0.0, 0.0};
   Vec2 start_offset_m = {0.0, 0.0};
   Vec2 start_velocity_m_per_s = {0.0, 0.0};
+  double start_yaw_rad = 0.0;
+  double start_spin_rad_per_s = 0.0;
   Yaw yaw = Yaw::free;
 };
 

@@ -21,7 +21,7 @@ struct SweepSettings {
   EngineOptions engine;
   bool overwrite = false;
   std::string command_line;
-  double checkpoint_interval_s = 60.0;  // wall time; 0: no checkpoints
+  double checkpoint_interval_s = usual_checkpoint_interval_s;  // wall time; 0: no checkpoints
 };
 
 /// The row of a run before anything is known of it.

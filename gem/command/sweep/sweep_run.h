@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gem/run/run_log.h"
+#include "gem/run/run_scene.h"
 
 namespace gem {
 
@@ -19,7 +20,7 @@ struct SweepRunChoice {
   std::string progress = "auto";
   std::string log_format = "text";
   std::string command_line;
-  double checkpoint_interval_s = 60.0;  // wall time; 0: no checkpoints
+  double checkpoint_interval_s = usual_checkpoint_interval_s;  // wall time; 0: no checkpoints
   bool dry_run = false;
   bool overwrite = false;
   bool force = false;

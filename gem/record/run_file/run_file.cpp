@@ -330,29 +330,4 @@ OverlapCount overlaps_of(const RunFile& file, const std::string& dataset) {
   return sum;
 }
 
-std::vector<FloeDef> floes_of_run_file(const std::string& path) {
-  const RunFile file(path, true);
-  const auto outlines = file.floe_outlines();
-  const auto x = file.column("shape/start_x");
-  const auto y = file.column("shape/start_y");
-  const auto theta = file.column("shape/start_theta");
-  const auto thickness = file.column("shape/thickness");
-  if (file.frame_count() == 0 && !outlines.empty()) {
-    refuse_run_file(path, "it holds no frame", "run it again for at least one floe frame");
-  }
-  const FrameView first = outlines.empty() ? FrameView{} : file.frame(0);
-  return reading(path, [&] {
-    std::vector<FloeDef> floes(outlines.size());
-    for (std::size_t i = 0; i < floes.size(); ++i) {
-      floes[i].outline_m = outlines[i];
-      floes[i].position_m = {x.at(i), y.at(i)};
-      floes[i].angle_rad = theta.at(i);
-      floes[i].velocity_m_per_s = {first.vx.at(i), first.vy.at(i)};
-      floes[i].spin_rad_per_s = first.omega.at(i);
-      floes[i].thickness_m = thickness.at(i);
-    }
-    return floes;
-  });
-}
-
 }  // namespace gem

@@ -1,4 +1,4 @@
-// Reads a run file: for analysis, for `gem info`, and as the field of another run.
+// Reads a run file: for analysis and for `gem info`.
 #pragma once
 
 #include <cstddef>
@@ -82,8 +82,5 @@ RunVerdict verdict_of(const RunFile& file);
 
 /// Whether the file begins with an HDF5 signature.
 bool is_run_file(const std::string& path);
-
-/// The field of a run file at t = 0 as listed floes. The file may be incomplete.
-std::vector<FloeDef> floes_of_run_file(const std::string& path);
 
 }  // namespace gem

@@ -60,8 +60,12 @@ void add_floe_source(SceneTable& t) {
            "where the floes come from: a generated field, copies of a few shapes, a file, or [[floe]]",
            GEM_FIELD(floes.source));
   t.text("floes.path",
-         "floe file for source = \"file\": .csv, .geojson or a run file (its initial floes), relative to the case file",
+         "floe file for source = \"file\": .csv, .geojson or a run file (its floes at floes.time_s), relative to the "
+         "case file",
          GEM_FIELD(floes.path));
+  t.number("floes.time_s", "s", {0.0, 1e9},
+           "for a run file: time of the recorded frame that the floes are taken from; 0: the start of that run",
+           GEM_FIELD(floes.time_s));
   t.text("floes.sha256",
          "SHA-256 of the floes that floes.path must hold: a file with other floes is refused. Stored cases have it",
          GEM_FIELD(floes.sha256));
@@ -122,6 +126,10 @@ void add_platform(SceneTable& t) {
          GEM_FIELD(platform.start_offset_m));
   t.pair("platform.start_velocity_m_per_s", "m/s", speed_range, "velocity at the start",
          GEM_FIELD(platform.start_velocity_m_per_s));
+  t.number("platform.start_yaw_rad", "rad", {-3.1416, 3.1416}, "yaw at the start, counter-clockwise",
+           GEM_FIELD(platform.start_yaw_rad));
+  t.number("platform.start_spin_rad_per_s", "rad/s", {-10.0, 10.0}, "yaw rate at the start",
+           GEM_FIELD(platform.start_spin_rad_per_s));
   t.choice("platform.yaw", {"free", "locked"}, "whether the platform may turn", GEM_FIELD(platform.yaw));
 }
 

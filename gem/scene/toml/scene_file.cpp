@@ -19,6 +19,15 @@ void append_entries(std::string& text, const std::string& name, const std::vecto
   }
 }
 
+/// Younger options are not written where they are not given, so that cases without them keep their hash.
+bool is_written(const std::string& path, const SceneDef& scene) {
+  if (path == "floes.sha256") return !scene.floes.sha256.empty();
+  if (path == "floes.time_s") return scene.floes.time_s != 0.0;
+  if (path == "platform.start_yaw_rad") return scene.platform.start_yaw_rad != 0.0;
+  if (path == "platform.start_spin_rad_per_s") return scene.platform.start_spin_rad_per_s != 0.0;
+  return true;
+}
+
 }  // namespace
 
 SceneDef scene_of(TomlNode document, const std::vector<std::string>& overrides) {
@@ -46,8 +55,7 @@ std::string resolved_toml(const SceneDef& scene) {
       if (section == "ice" && scene.floes.classes.empty()) text += "class = []\n";
       open_section = section;
     }
-    // Not written where it is not given, so that cases without a floe file keep their hash.
-    if (option.path == "floes.sha256" && scene.floes.sha256.empty()) continue;
+    if (!is_written(option.path, scene)) continue;
     text += option.path.substr(dot + 1) + " = " + value_text(option.get(scene)) + "\n";
   }
   append_entries(text, "ice.class", scene.floes.classes, ice_class_options());

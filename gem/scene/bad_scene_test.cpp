@@ -52,6 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"malformed", "[run]\nname = \n", {"bad.toml:2:", "run.name: malformed"}},
         BadScene{"garbage", "\n\n}{\n", {"bad.toml:3:1"}},
         BadScene{"letter_outside_quotes", "[run]\nn\u00e4me = \"a\"\n", {"bad.toml:2:2", "outside ASCII"}},
+        BadScene{"quote_in_word", "[run]\nseed = 1'\u00e4'\n", {"bad.toml:2:9", "a quote in the middle"}},
         BadScene{
             "truncated_list", "[current]\nvelocity_m_per_s = [0.2", {"bad.toml:2:", "velocity_m_per_s", "end-of-file"}},
         BadScene{"truncated_header", "[platf", {"bad.toml:1:", "end-of-file"}},

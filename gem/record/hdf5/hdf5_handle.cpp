@@ -103,6 +103,25 @@ std::string read_text(hid_t object, const std::string& name) {
   return text.substr(0, text.find('\0'));
 }
 
+namespace {
+
+/// The attribute of this name, made anew if one of another kind or length has the name. A file that is mended or goes
+/// on may come from anybody, and the library would read as many values as the file asks for.
+Handle attribute_to_write(hid_t object, const char* name, hid_t type, hid_t space) {
+  if (H5Aexists(object, name) > 0) {
+    Handle found = checked(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, name);
+    const Handle stored = checked(H5Aget_type(found), H5Tclose, name);
+    const Handle extent = checked(H5Aget_space(found), H5Sclose, name);
+    if (H5Tget_class(stored) == H5Tget_class(type) && H5Tis_variable_str(stored) <= 0 &&
+        H5Sget_simple_extent_npoints(extent) == H5Sget_simple_extent_npoints(space))
+      return found;
+    check(H5Adelete(object, name), name);
+  }
+  return checked(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
+}
+
+}  // namespace
+
 void write_text(hid_t object, const char* name, const std::string& text, std::size_t reserved) {
   const std::size_t size = std::max({text.size(), reserved, std::size_t{1}});
   std::string padded = text;
@@ -112,10 +131,7 @@ void write_text(hid_t object, const char* name, const std::string& text, std::si
   check(H5Tset_strpad(type, H5T_STR_NULLPAD), "text padding");
   check(H5Tset_cset(type, H5T_CSET_UTF8), "text encoding");
   const Handle space = checked(H5Screate(H5S_SCALAR), H5Sclose, "text space");
-  const bool exists = H5Aexists(object, name) > 0;
-  const Handle attribute =
-      exists ? checked(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, name)
-             : checked(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
+  const Handle attribute = attribute_to_write(object, name, type, space);
   const Handle stored = checked(H5Aget_type(attribute), H5Tclose, name);
   padded.resize(H5Tget_size(stored), '\0');
   check(H5Awrite(attribute, stored, padded.data()), name);
@@ -125,10 +141,7 @@ void write_numbers(hid_t object, const char* name, hid_t file_type, const std::v
   const hsize_t size = values.size();
   const Handle space = values.size() == 1 ? checked(H5Screate(H5S_SCALAR), H5Sclose, name)
                                           : checked(H5Screate_simple(1, &size, nullptr), H5Sclose, name);
-  const Handle attribute =
-      H5Aexists(object, name) > 0
-          ? checked(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, name)
-          : checked(H5Acreate2(object, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, name);
+  const Handle attribute = attribute_to_write(object, name, file_type, space);
   check(H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data()), name);
 }
 

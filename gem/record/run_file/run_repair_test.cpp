@@ -87,6 +87,31 @@ TEST_F(RunRepairTest, LengthsAreEvenedAndZerosGo) {
   EXPECT_EQ(repair_run_file(mended_, (folder_.path() / "again.h5").string(), false).output, "");
 }
 
+// The library would take the letters of the new status for an address.
+TEST_F(RunRepairTest, AStatusOfVariableLengthIsReplaced) {
+  {
+    const hdf5::Handle file = hdf5::open_left_file(path_);
+    hdf5::check(H5Adelete(file, "gem_status"), "delete");
+    const hdf5::Handle type = hdf5::checked(H5Tcopy(H5T_C_S1), H5Tclose, "type");
+    hdf5::check(H5Tset_size(type, H5T_VARIABLE), "type");
+    const hdf5::Handle space = hdf5::checked(H5Screate(H5S_SCALAR), H5Sclose, "space");
+    const hdf5::Handle status =
+        hdf5::checked(H5Acreate2(file, "gem_status", type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "status");
+    const char* text = "running";
+    hdf5::check(H5Awrite(status, type, &text), "status");
+  }
+  EXPECT_EQ(RunFile(path_, true).status(), "running");
+  EXPECT_EQ(repair_run_file(path_, mended_, false).output, mended_);
+  EXPECT_EQ(RunFile(mended_, true).status(), "stopped:killed");
+}
+
+TEST_F(RunRepairTest, NumbersOfAnotherLengthAreReplaced) {
+  const hdf5::Handle file = hdf5::open_left_file(path_);
+  hdf5::write_numbers(file, "values", H5T_IEEE_F64LE, std::vector<double>(100, 1.0));
+  hdf5::write_numbers(file, "values", H5T_IEEE_F64LE, {2.0, 3.0});
+  EXPECT_EQ(H5Aget_storage_size(hdf5::checked(H5Aopen(file, "values", H5P_DEFAULT), H5Aclose, "values")), 16U);
+}
+
 TEST_F(RunRepairTest, NothingWrongNothingMade) {
   EXPECT_EQ(repair_run_file(complete_, mended_, false).output, "");
   EXPECT_FALSE(fs::exists(mended_));

@@ -222,13 +222,19 @@ class RunWriter::Thread {
   }
 
   /// Writes the attributes of the end, which stand in the file since its start and need no room, and closes the file.
-  /// If the library is stuck with what it could not write, they are written past it.
+  /// If the library is stuck with what it could not write, they are written past it. Once they are on the disk a close
+  /// that fails loses nothing: only the mark that the file is open stays in it, as after a kill.
   void set_end(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
     reserve_.release();
     const auto end = [&] { return failed_ ? "stopped:" + why_ : status; };
-    if (claim_.published() && !broken_)
-      guarded([&] { layout_->set_end(end(), state_hash, verdict); }, MemoryReserve::to_end);
-    if (close() || lost_ || !claim_.published()) return;
+    bool whole = false;
+    const auto write_end = [&] {
+      layout_->set_end(end(), state_hash, verdict);
+      need(claim_.sync());
+      whole = true;
+    };
+    if (claim_.published() && !broken_) guarded(write_end, MemoryReserve::to_end);
+    if (close() || whole || lost_ || !claim_.published()) return;
     guarded([&] { set_end_of_broken(claim_.path(), end(), state_hash, verdict); }, MemoryReserve::to_end);
   }
 

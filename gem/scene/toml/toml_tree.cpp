@@ -85,6 +85,7 @@ class LimitScanner {
     quote_ = 0;
     comment_ = false;
     dots_ = 0;
+    last_ = 0;
   }
 
   void inside_string(char c) {
@@ -98,11 +99,21 @@ class LimitScanner {
       quote_ = 0;
   }
 
+  /// The library reads on behind a quote in the middle of a word, as if no string began there.
+  void open_string(char quote) {
+    if (last_ != 0 && std::string_view("=,[{.").find(last_) == std::string_view::npos)
+      reject(place_, "a quote in the middle of a key or value; it may stand only at the beginning and at the end");
+    quote_ = quote;
+    length_ = 0;
+    escaped_ = false;
+  }
+
   void outside_string(char c) {
     if (c == '#') comment_ = true;
     if (static_cast<unsigned char>(c) > 0x7f)
       reject(place_, "a character outside ASCII; it may stand only between quotes and in comments");
-    if (c == '"' || c == '\'') quote_ = c, length_ = 0, escaped_ = false;
+    if (c == '"' || c == '\'') open_string(c);
+    if (c != ' ' && c != '\t' && c != '\r') last_ = c;
     if (c == '[' || c == '{') ++depth_;
     if (c == ']' || c == '}') --depth_;
     if (c == '.') ++dots_;
@@ -117,6 +128,7 @@ class LimitScanner {
   bool comment_ = false;
   int depth_ = 0;
   int dots_ = 0;
+  char last_ = 0;  // character of this line outside of strings that is no blank; 0: none
   std::size_t length_ = 0;
 };
 

@@ -145,9 +145,6 @@ struct EngineOptions {
 /// solver that an engine lacks must not run as another one.
 void check_solver(ContactSolver solver, std::initializer_list<ContactSolver> known, const std::string& engine);
 
-/// Throws Error(device) if the case asks for operator splitting, for an engine that does not have it.
-void check_iteration(const SceneDef& scene, const std::string& engine);
-
 /// Makes the named engine for a scene and its field. Throws Error(usage) for an unknown name, or for a contact solver
 /// that the engine does not have.
 std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options);

@@ -40,13 +40,6 @@ void check_solver(ContactSolver solver, std::initializer_list<ContactSolver> kno
                                    "\" (it does not have this solver) choose another solver or engine");
 }
 
-void check_iteration(const SceneDef& scene, const std::string& engine) {
-  if (scene.contact.solver != ContactSolver::coupled || scene.numerics.iteration == Iteration::gradient) return;
-  throw Error(ExitCode::device, "the engine " + engine +
-                                    " cannot run numerics.iteration = \"splitting\" (only cpu has it so far) choose "
-                                    "\"gradient\" or the engine cpu");
-}
-
 std::vector<std::string> engine_names() { return {"reference", "cpu"}; }
 
 std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options) {

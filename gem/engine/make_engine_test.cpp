@@ -23,21 +23,6 @@ TEST(MakeEngine, RefusesASolverThatTheEngineDoesNotHave) {
   }
 }
 
-TEST(MakeEngine, AutoCanTakeTheCpuWhereAnotherEngineLacksTheIteration) {
-  SceneDef scene;
-  EXPECT_NO_THROW(check_iteration(scene, "cuda"));
-  scene.numerics.iteration = Iteration::splitting;
-  try {
-    check_iteration(scene, "cuda");
-    ADD_FAILURE() << "cuda has no operator splitting";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ExitCode::device);  // what `auto` goes on from
-    EXPECT_NE(std::string(error.what()).find("numerics.iteration"), std::string::npos) << error.what();
-  }
-  scene.contact.solver = ContactSolver::independent;
-  EXPECT_NO_THROW(check_iteration(scene, "cuda")) << "independent has no iterations";
-}
-
 TEST(MakeEngine, RefusesAnUnknownName) {
   const SceneDef scene;
   EXPECT_THROW(make_engine(scene, make_field(scene), {.name = "none", .threads = 1}), Error);

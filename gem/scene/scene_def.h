@@ -80,7 +80,7 @@ struct PlatformDef {
 /// How the impulses of a coupled time step are found.
 enum class Iteration {
   gradient,  ///< projected gradient: cheap iterations, many to converge; every engine
-  splitting  ///< operator splitting with a factored matrix, each island by itself; cpu only
+  splitting  ///< operator splitting with a factored matrix, each island by itself
 };
 
 struct NumericsDef {

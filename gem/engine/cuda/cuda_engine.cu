@@ -134,13 +134,21 @@ class CudaBatch::Work {
   void use() const { check_cuda(cudaSetDevice(device_.index), "select the device"); }
 
   /// Moves each scene that has time steps ahead on by some of them, in about the same time for all. Takes what was done
-  /// off `ahead`.
+  /// off `ahead`. Scenes with operator splitting have only the phases route, so others are launched by themselves.
   void launch(std::vector<StepsAhead>& ahead, std::vector<StepLog>* logs) {
+    for (const bool splitting : {false, true}) launch_those(splitting, ahead, logs);
+  }
+
+  void launch_those(bool splitting, std::vector<StepsAhead>& ahead, std::vector<StepLog>* logs) {
     std::vector<std::size_t> active;
     for (std::size_t k = 0; k < ahead.size(); ++k)
-      if (ahead[k].most > 0) active.push_back(k);
+      if (ahead[k].most > 0 && is_splitting(scenes_[k].device()) == splitting) active.push_back(k);
     if (active.empty()) return;
-    const bool phases = takes_phases_route(active);
+    if (splitting && !phases_.can_solve())
+      throw Error(ExitCode::device,
+                  "the GPU cannot run numerics.iteration = \"splitting\" (it lacks clusters of blocks, or shared "
+                  "memory) use --engine cpu, or \"gradient\"");
+    const bool phases = splitting || takes_phases_route(active);
     if (phases)
       advance_phases(active, ahead);
     else
@@ -209,8 +217,8 @@ class CudaBatch::Work {
     std::vector<PhaseScene> scenes;
     for (std::size_t at = 0; at < active.size(); ++at) {
       const std::size_t k = active[at];
-      scenes.push_back({scenes_[k].field().constants.solver, scenes_[k].device().phase_blocks,
-                        static_cast<std::int32_t>(steps[at]), visits_[k]});
+      scenes.push_back({scenes_[k].field().constants.solver, is_splitting(scenes_[k].device()),
+                        scenes_[k].device().phase_blocks, static_cast<std::int32_t>(steps[at]), visits_[k]});
       blocks_[k] = 1;
     }
     send(active, steps);
@@ -276,7 +284,8 @@ class CudaBatch::Work {
     recorders_.record(active, [&](std::size_t k) {
       DeviceStatus status = status_of(k);
       // the time step that failed is not logged
-      if (status.stop == DeviceStop::not_finite && status.samples > 0) --status.samples;
+      if ((status.stop == DeviceStop::not_finite || status.stop == DeviceStop::solver_full) && status.samples > 0)
+        --status.samples;
       guarded(k, ahead[k], [&] { scenes_[k].append(status, blocks_[k], logs[k]); });
     });
   }
@@ -295,6 +304,10 @@ class CudaBatch::Work {
   /// Removes what stopped a scene, if possible; throws Error(numerical_stop) if its state is not finite.
   static void go_on(CudaScene& scene, const DeviceStatus& status, StepsAhead& ahead) {
     if (status.stop == DeviceStop::list_full) scene.grow(status);
+    if (status.stop == DeviceStop::solver_full)
+      throw Error(ExitCode::resource_limit,
+                  "the islands of contacts are too large for the memory that the GPU has set aside for them (floes "
+                  "touch very many others) use --engine cpu, or numerics.iteration = \"gradient\"");
     if (status.stop != DeviceStop::not_finite) return;
     ahead.most = 0;
     scene.bodies();

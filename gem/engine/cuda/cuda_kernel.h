@@ -48,7 +48,8 @@ struct PhaseLaunch {
   const SceneBlock* blocks;
   ListQueue* queue;
   int scene_count;
-  int solve_blocks;  // blocks of a cluster that iterates a scene
+  int solve_blocks;   // blocks of a cluster that iterates a scene
+  int island_groups;  // clusters that solve its islands, with operator splitting
   std::size_t shared_bytes;
   bool operator==(const PhaseLaunch&) const = default;
 };
@@ -62,5 +63,10 @@ using PhaseKernel = void (*)(const PhaseLaunch);
 
 /// The kernel of a stage; null for stages that go with `move`.
 PhaseKernel stage_kernel(Stage stage, ContactSolver solver);
+
+/// The kernel of stage `iterate` with operator splitting, and the shared memory of its blocks of `solve_threads`
+/// [bytes].
+PhaseKernel islands_kernel();
+constexpr std::size_t islands_kernel_bytes = islands_shared_bytes(solve_threads, 32);
 
 }  // namespace gem

@@ -62,7 +62,8 @@ class PhaseStreams {
     const std::size_t streams = streams_for(scenes);
     for (std::size_t k = 0; k < streams; ++k) bounds.push_back(scenes.size() * k / streams);
     for (std::size_t k = 1; k < scenes.size(); ++k)
-      if (scenes[k].solver != scenes[k - 1].solver) bounds.push_back(k);
+      if (scenes[k].solver != scenes[k - 1].solver || scenes[k].splitting != scenes[k - 1].splitting)
+        bounds.push_back(k);
     bounds.push_back(scenes.size());
     std::sort(bounds.begin(), bounds.end());
     bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());

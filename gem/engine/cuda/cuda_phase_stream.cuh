@@ -36,6 +36,7 @@ struct SolverConfig {
 /// A scene of a call, as its launches see it.
 struct PhaseScene {
   ContactSolver solver = ContactSolver::independent;
+  bool splitting = false;  // coupled, by operator splitting
   int blocks = 1;          // blocks that move its bodies
   std::int32_t steps = 0;  // time steps wanted
   double visits = 0.0;     // coupled: visits of its points in a time step; 0: not known yet
@@ -50,6 +51,11 @@ int largest_solver() {
   int device = 0, most = 0, blocks = largest_cluster;
   check_cuda(cudaGetDevice(&device), "set up a kernel");
   check_cuda(cudaDeviceGetAttribute(&most, cudaDevAttrMaxSharedMemoryPerBlockOptin, device), "set up a kernel");
+  check_cuda(cudaFuncSetAttribute(islands_kernel(), cudaFuncAttributeMaxDynamicSharedMemorySize,
+                                  static_cast<int>(islands_kernel_bytes)),
+             "set up a kernel");
+  check_cuda(cudaFuncSetAttribute(islands_kernel(), cudaFuncAttributeNonPortableClusterSizeAllowed, 1),
+             "set up a kernel");
   for (const Stage stage : {Stage::gather, Stage::iterate, Stage::settle}) {
     const PhaseKernel kernel = stage_kernel(stage, ContactSolver::coupled);
     const std::size_t shared_memory = shared_bytes_of_solver(stage);
@@ -91,6 +97,9 @@ class PhaseStream {
     work_ = work;
     work_.scene_count = static_cast<int>(scenes.size());
     solver_ = scenes.front().solver;
+    splitting_ = scenes.front().splitting;
+    const int each = multiprocessors_ / (streams * work_.scene_count * work_.solve_blocks);
+    work_.island_groups = splitting_ ? std::clamp(each, 1, most_island_groups) : 1;
     list_blocks_ = std::max(1, list_blocks_together() / streams);
     std::vector<SceneBlock> block;
     add_blocks(block, scenes, 1);
@@ -130,13 +139,14 @@ class PhaseStream {
   struct Recorded {
     PhaseLaunch work{};
     ContactSolver solver = ContactSolver::independent;
+    bool splitting = false;
     int body_blocks = 0, pair_blocks = 0, list_blocks = 0;
     std::int32_t steps = 0;
     bool operator==(const Recorded&) const = default;
   };
 
   void record(std::int32_t steps) {
-    const Recorded wanted{work_, solver_, body_blocks_, pair_blocks_, list_blocks_, steps};
+    const Recorded wanted{work_, solver_, splitting_, body_blocks_, pair_blocks_, list_blocks_, steps};
     if (wanted == recorded_) return;
     recorded_ = {};
     steps_.record(time_.stream(), [&] {
@@ -148,7 +158,10 @@ class PhaseStream {
   void launch(Stage stage) {
     if (goes_with_move(stage)) return;
     if (is_of_solver(stage)) {
-      if (solver_ == ContactSolver::coupled) launch_solver(stage);
+      if (splitting_ && stage == Stage::iterate)
+        launch_islands();
+      else if (solver_ == ContactSolver::coupled)
+        launch_solver(stage);
       return;
     }
     PhaseLaunch work = work_;
@@ -168,6 +181,14 @@ class PhaseStream {
     config.dynamicSmemBytes = work.shared_bytes;
     config.stream = time_.stream();
     check_cuda(cudaLaunchKernelEx(&config, kernel_of_stage(stage), work), "start the work");
+  }
+
+  void launch_islands() {
+    PhaseLaunch work = work_;
+    work.shared_bytes = islands_kernel_bytes;
+    const SolverConfig islands(work.scene_count * work.island_groups, work.solve_blocks, work.shared_bytes,
+                               time_.stream());
+    check_cuda(cudaLaunchKernelEx(&islands.config, islands_kernel(), work), "start the work");
   }
 
   void launch_solver(Stage stage) {
@@ -193,6 +214,7 @@ class PhaseStream {
   }
 
   ContactSolver solver_ = ContactSolver::independent;
+  bool splitting_ = false;
   int multiprocessors_;
   int body_blocks_ = 0, pair_blocks_ = 0, list_blocks_ = 1;
   PhaseLaunch work_{};

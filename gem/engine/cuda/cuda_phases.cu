@@ -147,6 +147,30 @@ __global__ void __launch_bounds__(solve_threads, blocks) phase_of_solvers(const 
   run_stage<stage, ContactSolver::coupled>(scene, group);
 }
 
+/// A cluster of blocks that solves islands.
+class IslandGroup : public SolveGroup {
+ public:
+  __device__ IslandGroup(const BlockMemory& shared_memory, bool alone, GridBarrier* grid_barrier)
+      : SolveGroup(shared_memory, alone), grid_barrier_(grid_barrier) {}
+  __device__ void raise(std::uint32_t alarms) { atomicOr(&grid_barrier_->alarms, alarms); }
+
+ private:
+  GridBarrier* grid_barrier_;
+};
+
+/// Stage `iterate` with operator splitting: the islands of all scenes, by clusters that do not meet.
+__global__ void __launch_bounds__(solve_threads, 1) phase_of_islands(const PhaseLaunch launch) {
+  __shared__ DeviceScene scene;
+  __shared__ BlockCell cell;
+  extern __shared__ __align__(128) std::byte shared_memory[];
+  const int cluster = static_cast<int>(blockIdx.x) / launch.solve_blocks, k = cluster / launch.island_groups;
+  if (launch.scenes[k].counters->points == 0) return;
+  load_scene(scene, launch.scenes + k);
+  IslandGroup group(BlockMemory{cell, shared_memory, launch.shared_bytes}, launch.solve_blocks == 1,
+                    launch.grid_barriers + k);
+  solve_islands(scene, group, cluster % launch.island_groups);
+}
+
 /// Builds new lists for the scenes in the queue; the blocks are divided evenly among them. The blocks of a list meet at
 /// barriers, so all have to be on the device at a time. The device can hold those of all streams. Whatever else runs
 /// there ends by itself, as long as no other batch makes time steps on the device.
@@ -194,6 +218,8 @@ PhaseKernel by_solver(ContactSolver solver) {
 }
 
 }  // namespace
+
+PhaseKernel islands_kernel() { return phase_of_islands; }
 
 PhaseKernel stage_kernel(Stage stage, ContactSolver solver) {
   switch (stage) {

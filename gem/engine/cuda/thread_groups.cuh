@@ -90,12 +90,18 @@ class DeviceGroup {
   }
 
   __device__ static std::int32_t add(std::int32_t* sum, std::int32_t value) { return atomicAdd(sum, value); }
+  __device__ static std::uint64_t add(std::uint64_t* sum, std::uint64_t value) {
+    return atomicAdd(reinterpret_cast<unsigned long long*>(sum), static_cast<unsigned long long>(value));
+  }
   __device__ static void highest(std::uint64_t* value, std::uint64_t other) {
     static_assert(sizeof(std::uint64_t) == sizeof(unsigned long long));
     atomicMax(reinterpret_cast<unsigned long long*>(value), static_cast<unsigned long long>(other));
   }
   __device__ static void highest(std::uint32_t* value, std::uint32_t other) { atomicMax(value, other); }
   __device__ static void set_bit(std::uint32_t* word, std::uint32_t bit) { atomicOr(word, bit); }
+  __device__ static bool exchange_if(std::int32_t* value, std::int32_t expected, std::int32_t wanted) {
+    return atomicCAS(value, expected, wanted) == expected;
+  }
 
  protected:
   BlockMemory shared_memory_;

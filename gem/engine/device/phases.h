@@ -27,6 +27,7 @@
 #include <cstddef>
 
 #include "gem/engine/device/plan.h"
+#include "gem/engine/solver/splitting/device_splitting.h"
 
 namespace gem {
 
@@ -47,7 +48,10 @@ GEM_DEVICE inline void close_contacts(const DeviceScene& s, Group& group, std::i
   }
 }
 
-GEM_DEVICE inline bool is_coupled(const DeviceScene& s) { return s.constants.solver == ContactSolver::coupled; }
+GEM_HD inline bool is_coupled(const DeviceScene& s) { return s.constants.solver == ContactSolver::coupled; }
+GEM_HD inline bool is_splitting(const DeviceScene& s) {
+  return is_coupled(s) && s.constants.iteration == Iteration::splitting;
+}
 
 /// Stamp of books that are closed between two time steps. No time step has it.
 GEM_DEVICE inline std::int32_t closing_stamp(const DeviceScene& s) {
@@ -157,12 +161,28 @@ GEM_DEVICE inline void resolve_touching(const DeviceScene& s, Group& group) {
   add_quality(s, group);
 }
 
+/// Whether a scene has nothing to do in a stage.
+template <Stage stage>
+GEM_DEVICE inline bool is_idle(const DeviceScene& s) {
+  if (is_of_solver(stage)) return s.counters->points == 0;
+  if (stage == Stage::first_solo_events) return s.status->phase_step == PhaseStep::ended;
+  if (stage == Stage::last_books || stage == Stage::close_call) return s.status->wanted == 0;
+  return !moves(s);
+}
+
 /// Assigns the points of a coupled time step to blocks and prepares them for the launch that iterates. That launch has
 /// the same number of blocks as this one, each with group.shared_bytes() of shared memory.
 template <class Group>
 GEM_DEVICE inline void gather_points(const DeviceScene& s, Group& group) {
   StepSolver<Group>(s, group, static_cast<std::int32_t>(s.status->step), group.shared_bytes()).begin_ahead();
-  SolverRounds<Group>::prepare(s, group);
+  if (s.constants.iteration == Iteration::gradient) SolverRounds<Group>::prepare(s, group);
+}
+
+/// Stage `iterate` with operator splitting, by one of several groups of blocks.
+template <class Group>
+GEM_DEVICE inline void solve_islands(const DeviceScene& s, Group& group, int group_index) {
+  if (is_idle<Stage::iterate>(s)) return;
+  IslandsOnDevice<Group>(s, group, s.island.cell[group_index]).solve();
 }
 
 /// Computes the result of the iterations. This launch has the same number of blocks as the one that iterates, but they
@@ -172,8 +192,11 @@ GEM_DEVICE inline void settle_points(const DeviceScene& s, Group& group) {
   BlockCell& shared = group.shared();
   if (group.thread() == 0) shared = {};
   group.block_barrier();
-  const bool residual_met = SolverRounds<Group>::run_rest(s, group);
-  StepSolver<Group>(s, group, static_cast<std::int32_t>(s.status->step), group.shared_bytes()).end(residual_met);
+  StepSolver<Group> solver(s, group, static_cast<std::int32_t>(s.status->step), group.shared_bytes());
+  if (s.constants.iteration == Iteration::splitting)
+    solver.end_islands();
+  else
+    solver.end(SolverRounds<Group>::run_rest(s, group));
   add_quality(s, group);
   if (rank_of(group) != 0) return;
   s.status->visits += static_cast<std::int64_t>(s.counters->points) * shared.iterations;
@@ -255,15 +278,6 @@ GEM_DEVICE inline void move_by_blocks(const DeviceScene& s, Group& group) {
 /// Shared memory of a block that moves bodies: copies of the bodies, and terms of a platform with a usual number of
 /// contacts [bytes].
 constexpr std::size_t bodies_shared_bytes = phase_threads * (sizeof(BodyCell) + sizeof(BodyMotion)) + 8 * 1024;
-
-/// Whether a scene has nothing to do in a stage.
-template <Stage stage>
-GEM_DEVICE inline bool is_idle(const DeviceScene& s) {
-  if (is_of_solver(stage)) return s.counters->points == 0;
-  if (stage == Stage::first_solo_events) return s.status->phase_step == PhaseStep::ended;
-  if (stage == Stage::last_books || stage == Stage::close_call) return s.status->wanted == 0;
-  return !moves(s);
-}
 
 /// Runs one stage of a scene by one block. Only contact_events and move depend on `solver`.
 template <Stage stage, ContactSolver solver, class Group>

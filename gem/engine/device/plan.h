@@ -47,6 +47,7 @@ GEM_DEVICE inline bool moves(const DeviceScene& s) {
 GEM_DEVICE inline DeviceStop stop_of(const DeviceScene& s, std::uint32_t alarms, bool last) {
   if (alarms & alarm_not_finite) return DeviceStop::not_finite;
   if (s.status->phase_step == PhaseStep::moves_on_new_list && !moves(s)) return DeviceStop::list_full;
+  if (alarms & alarm_solver_full) return DeviceStop::solver_full;
   return !last && (alarms & alarm_ring_full) ? DeviceStop::ring_full : DeviceStop::done;
 }
 

@@ -19,6 +19,7 @@
 #include "gem/engine/solver/device_points_cells.h"
 #include "gem/engine/solver/iteration_control.h"
 #include "gem/engine/solver/solver_workspace.h"
+#include "gem/engine/solver/splitting/island_memory.h"
 #include "gem/engine/step/overlap_count.h"
 
 namespace gem {
@@ -48,7 +49,7 @@ constexpr std::int32_t most_cluster_bodies = largest_cluster * solve_threads;
 enum class PhaseStep : std::int32_t { ended, begins, moves, moves_on_new_list };
 
 /// Why a call ended.
-enum class DeviceStop : std::int32_t { done, list_full, ring_full, not_finite };
+enum class DeviceStop : std::int32_t { done, list_full, ring_full, not_finite, solver_full };
 
 struct DeviceStatus {
   std::int64_t step = 0;
@@ -138,6 +139,7 @@ struct DeviceScene {
   double *linear_energy = nullptr, *quadratic_energy = nullptr;  // by SolverEntry::rank [J]
   double* work_created = nullptr;  // by body: of its contacts as B, or as A with a fixed B [J]
   double* partial_sum = nullptr;   // of each block
+  IslandMemory island;             // only with operator splitting
 
   RowPlace* last_row = nullptr;  // row of each body in the last list
   std::int32_t *last_other = nullptr, *last_pair = nullptr;

@@ -7,6 +7,7 @@
 
 #include "gem/base/error.h"
 #include "gem/engine/solver/device_solver.h"
+#include "gem/engine/solver/splitting/island_view.h"
 #include "gem/engine/step/books.h"
 
 namespace gem {
@@ -117,6 +118,40 @@ StepQuality quality_of(const BlockQuality* block, int blocks, ContactSolver solv
   return quality;
 }
 
+/// Other bodies of all fronts, and numbers of all factors, for each body and each halving of the scene. Fronts of
+/// islands in jams need a tenth of it.
+constexpr std::size_t slots_of_body = 8, numbers_of_body = 200;
+
+void place_islands(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
+  IslandMemory& m = s.island;
+  const std::size_t n = sizes.bodies, points = s.points_capacity, records = s.push_capacity;
+  const auto halvings = static_cast<std::size_t>(std::ceil(std::log2(static_cast<double>(n + 2))));
+  const std::size_t slots = slots_of_body * n * halvings, numbers = numbers_of_body * n * halvings;
+  m.slots_capacity = static_cast<std::int32_t>(std::min<std::size_t>(slots, std::numeric_limits<std::int32_t>::max()));
+  m.numbers_capacity = std::min<std::size_t>(numbers, std::numeric_limits<std::int32_t>::max());
+  placer.place(m.counters, 1);
+  placer.place(m.cell, most_island_groups);
+  for (std::int32_t** array :
+       {&m.joined, &m.root, &m.weight, &m.entry, &m.index, &m.rank, &m.island, &m.member, &m.place, &m.label,
+        &m.next_label, &m.order, &m.next_order, &m.side, &m.own_place, &m.parts_in, &m.first_in, &m.filled_in})
+    placer.place(*array, n);
+  placer.place(m.position, n);
+  placer.place(m.scaled, n);
+  for (FloatQuad** array : {&m.now, &m.sum, &m.solution, &m.given, &m.last_given}) placer.place(*array, 2 * n);
+  placer.place(m.pivot, n);
+  placer.place(m.share, n);
+  placer.place(m.node, 2 * n);
+  placer.place(m.level, 2 * n + 2);
+  for (std::int32_t** array : {&m.taken_of_record, &m.point_of, &m.neighbour}) placer.place(*array, records);
+  placer.place(m.push, 2 * records);
+  placer.place(m.where, points);
+  placer.place(m.point, points);
+  for (std::int32_t** array : {&m.draft, &m.other, &m.front, &m.row_above, &m.unsorted, &m.sorted})
+    placer.place(*array, slots);
+  placer.place(m.product, 2 * slots);
+  placer.place(m.numbers, numbers);
+}
+
 void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   const std::size_t n = sizes.bodies, rows = sizes.rows, pairs = sizes.rows / 2 + 1, blocks = sizes.blocks;
   placer.place(s.row_points, rows);
@@ -147,6 +182,7 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(s.quadratic_energy, n);
   placer.place(s.work_created, n);
   placer.place(s.partial_sum, blocks * 4 * ((n + sum_width - 1) / sum_width + 1));
+  if (sizes.splitting) place_islands(s, sizes, placer);
 }
 
 }  // namespace
@@ -170,7 +206,8 @@ SceneSizes scene_sizes(const FieldState& f) {
   sizes.phase_blocks = (sizes.bodies + phase_threads - 1) / phase_threads;
   sizes.coupled = f.constants.solver == ContactSolver::coupled;
   sizes.momentum_coefficients = f.momentum_coefficients.size();
-  sizes.phases = !sizes.coupled || sizes.bodies <= most_cluster_bodies;
+  sizes.splitting = sizes.coupled && f.constants.iteration == Iteration::splitting;
+  sizes.phases = !sizes.coupled || sizes.splitting || sizes.bodies <= most_cluster_bodies;
   return sizes;
 }
 

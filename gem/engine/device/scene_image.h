@@ -25,7 +25,7 @@ struct SceneSizes {
   std::int32_t samples = 0;        // time steps in the ring
   std::int32_t blocks = 1;         // most blocks that work on the scene
   std::int32_t phase_blocks = 1;   // blocks that work on it on the phases route
-  bool coupled = false;
+  bool coupled = false, splitting = false;
   std::size_t momentum_coefficients = 0;  // numbers
   bool phases = true;                     // the scene can take the phases route
 };

@@ -19,7 +19,8 @@
 // | wait_for_residual()                    | residual of all blocks                                                  |
 // | kept_points                            | points that a thread keeps in registers while it iterates               |
 // | raise(), alarms(), lower_alarms()      | see Alarm                                                               |
-// | add(), highest(), set_bit()            | atomic operations                                                       |
+// | add(), highest(), set_bit(),           | atomic operations                                                       |
+// | exchange_if()                          |                                                                         |
 #pragma once
 
 #include <cstddef>
@@ -31,7 +32,13 @@
 namespace gem {
 
 /// A bit is raised by any thread and seen by all after the next barrier.
-enum Alarm : std::uint32_t { alarm_strayed = 1, alarm_not_finite = 2, alarm_list_full = 4, alarm_ring_full = 8 };
+enum Alarm : std::uint32_t {
+  alarm_strayed = 1,
+  alarm_not_finite = 2,
+  alarm_list_full = 4,
+  alarm_ring_full = 8,
+  alarm_solver_full = 16
+};
 
 /// What the threads of one block share.
 struct BlockCell {

@@ -16,6 +16,7 @@
 
 #include "gem/engine/solver/device_halo.h"
 #include "gem/engine/solver/device_rounds.h"
+#include "gem/engine/solver/splitting/device_islands.h"
 #include "gem/engine/step/contact_quality.h"
 
 namespace gem {
@@ -39,18 +40,47 @@ class StepSolver {
   /// of shared memory.
   GEM_DEVICE void begin_ahead() {
     SolverList<Group>(s_, group_, step_, shared_bytes_).make_ahead();
-    begin_points();
+    if (s_.constants.iteration == Iteration::splitting)
+      begin_islands();
+    else
+      begin_points();
   }
 
   /// Everything after the iterations. `residual_met`: they met their residual.
   GEM_DEVICE void end(bool residual_met) {
-    SolverBase<Group> base(s_, group_);
-    base.keep_best_share(share_limit(s_.constants.point_friction, residual_met));
-    each_point(group_, [&](std::int32_t i) { hand_back(i); });
-    if (s_.wants_samples) base.add_work_created();
+    SolverBase<Group>(s_, group_).keep_best_share(share_limit(s_.constants.point_friction, residual_met));
+    hand_back_points();
+  }
+
+  /// Everything after the islands are solved.
+  GEM_DEVICE void end_islands() {
+    SolverList<Group>(s_, group_, step_, shared_bytes_).load();
+    SolverBase<Group>(s_, group_).apply_base();
+    group_.barrier();
+    if (rank_of(group_) == 0) {
+      group_.shared().iterations = static_cast<std::int32_t>(s_.island.counters->iterations);
+      group_.shared().residual = strict::double_of(s_.island.counters->error_bits);
+    }
+    hand_back_points();
   }
 
  private:
+  /// Sets the base to the impulses of the same points one time step ago, and finds the islands.
+  GEM_DEVICE void begin_islands() {
+    IslandFinder<Group> islands(s_, group_);
+    group_.barrier();
+    each_point(group_, [&](std::int32_t i) { begin_point(i); });
+    islands.begin();
+    clear_marks();
+    group_.barrier();
+    islands.find();
+  }
+
+  GEM_DEVICE void hand_back_points() {
+    each_point(group_, [&](std::int32_t i) { hand_back(i); });
+    if (s_.wants_samples) SolverBase<Group>(s_, group_).add_work_created();
+  }
+
   /// Sets the base to the impulses of the same points one time step ago.
   GEM_DEVICE void begin_points() {
     SolverBase<Group> base(s_, group_);

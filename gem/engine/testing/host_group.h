@@ -197,6 +197,10 @@ class HostGroup {
     }
   }
   static void set_bit(std::uint32_t* word, std::uint32_t bit) { std::atomic_ref(*word).fetch_or(bit); }
+  /// Sets a number that is `expected`; returns whether it was.
+  static bool exchange_if(std::int32_t* value, std::int32_t expected, std::int32_t wanted) {
+    return std::atomic_ref(*value).compare_exchange_strong(expected, wanted);
+  }
 
  protected:
   TeamState& state() const { return state_; }

@@ -49,6 +49,11 @@ class HostScene {
     solver_shared_memory_ = solver_shared_memory;
   }
   void use_resident() { phases_ = false; }
+  /// Sets from which size on islands are solved by a block and by all blocks (IslandMemory).
+  void divide_islands(std::int32_t small, std::int32_t large) {
+    scene_.island.small_island = small;
+    scene_.island.large_island = large;
+  }
   /// Sets the shared memory of each block from the next call on [bytes].
   void give_space(std::size_t bytes) { shared_memory_ = bytes; }
 
@@ -70,7 +75,7 @@ class HostScene {
         std::copy(carried.begin(), carried.end(), scene_.carried);
         ++growths_;
       }
-      if (status.stop == DeviceStop::not_finite) break;
+      if (status.stop == DeviceStop::not_finite || status.stop == DeviceStop::solver_full) break;
     }
     read_state(scene_.state, field_);
   }
@@ -153,6 +158,8 @@ class HostScene {
         renew_list_if_worn();
       else if (stage == Stage::move)
         move_and_plan();
+      else if (stage == Stage::iterate && is_splitting(scene_))
+        run_islands();
       else if (is_coupled(scene_) || !is_of_solver(stage))
         run_stage_now(stage);
     };
@@ -160,6 +167,13 @@ class HostScene {
     for (std::int32_t k = 0; k < steps; ++k)
       for (const Stage stage : time_step_stages) run(stage);
     for (const Stage stage : call_ends) run(stage);
+  }
+
+  void run_islands() {
+    run_team<PhaseTeam>(sizes_.blocks, threads_, islands_shared_bytes(threads_, team_warp), [&](PhaseTeam& group) {
+      group.raise_in(alarms_);
+      solve_islands(scene_, group, 0);
+    });
   }
 
   void move_and_plan() {

@@ -81,6 +81,11 @@ class OneThreadGroup {
     if (other > *value) *value = other;
   }
   static void set_bit(std::uint32_t* word, std::uint32_t bit) { *word |= bit; }
+  static bool exchange_if(std::int32_t* value, std::int32_t expected, std::int32_t wanted) {
+    if (*value != expected) return false;
+    *value = wanted;
+    return true;
+  }
 
  private:
   struct Own {

@@ -172,7 +172,7 @@ void add_numerics(SceneTable& t) {
   t.choice(
       "numerics.iteration", {"gradient", "splitting"},
       "coupled: gradient: cheap iterations, many to converge; splitting: iterations with a factored matrix, few to "
-      "converge, each island by itself; cpu only",
+      "converge, each island by itself",
       GEM_FIELD(numerics.iteration));
   t.number("numerics.list_margin_m", "m", {0.0, 1e3}, "pairs closer than this are in the pair list",
            GEM_FIELD(numerics.list_margin_m));

@@ -1,16 +1,13 @@
 #include "gem/engine/solver/splitting/dissection.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "gem/engine/solver/splitting/dissection_rules.h"
+
 namespace gem {
 namespace {
-
-/// Parts of so many bodies are not cut. Smaller ones give more and smaller nodes, larger ones fill more blocks of the
-/// factor with zeros (bench/notebook.md, "Operator splitting").
-constexpr std::int32_t largest_leaf = 6;
 
 double coordinate(Vec2 position, std::int32_t axis) { return axis == 0 ? position.x : position.y; }
 
@@ -38,10 +35,10 @@ void Dissection::set_bins(std::int32_t axis, std::int32_t begin, std::int32_t en
     least = std::min(least, at);
     most = std::max(most, at);
   }
-  const double scale = most > least ? bins / (most - least) : 0.0;
+  const CutStrips strips{least, most};
   for (std::int32_t k = begin; k < end; ++k) {
     const std::int32_t body = tree_->order[k];
-    bin_[body] = std::min(static_cast<std::int32_t>((coordinate(position_[body], axis) - least) * scale), bins - 1);
+    bin_[body] = strips.bin_of(coordinate(position_[body], axis));
   }
 }
 
@@ -67,20 +64,10 @@ void Dissection::consider(std::int32_t axis, bool balanced, std::int32_t begin, 
     ++change_above[nearest + 1];
     --change_above[bin + 1];
   }
-  std::int32_t below = 0, separator_below = 0, separator_above = 0;
-  for (std::int32_t bin = 1; bin < bins; ++bin) {
-    below += count[bin - 1];
-    separator_below += change_below[bin];
-    separator_above += change_above[bin];
-    if (balanced && (10 * below < 3 * n || 10 * below > 7 * n)) continue;
-    for (const bool from_below : {true, false}) {
-      const std::int32_t separator = from_below ? separator_below : separator_above;
-      const std::int32_t left = below - (from_below ? separator : 0), right = n - below - (from_below ? 0 : separator);
-      if (left <= 0 || right <= 0) continue;
-      const double cost = separator * (1.0 + std::abs(left - right) / static_cast<double>(n));
-      if (best.axis < 0 || cost < best.cost) best = {axis, bin, from_below, cost};
-    }
-  }
+  each_cut(count, change_below, change_above, n, [&](std::int32_t bin, bool below, bool in_balance, double cost) {
+    if (balanced && !in_balance) return;
+    if (best.axis < 0 || cost < best.cost) best = {axis, bin, below, cost};
+  });
 }
 
 Dissection::Cut Dissection::best_cut(std::int32_t begin, std::int32_t end) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/engine/solver/splitting/dissection_rules.h"
 
 namespace gem {
 
@@ -40,7 +41,7 @@ class Dissection {
   void order(std::span<const Vec2> position, const ContactGraph& graph, EliminationTree& tree);
 
  private:
-  static constexpr std::int32_t bins = 64;  // strips across a part
+  static constexpr std::int32_t bins = CutStrips::bins;
 
   struct Cut {
     std::int32_t axis = -1, bin = 0;  // the half below holds the bins below `bin`

@@ -7,39 +7,6 @@
 #include "gem/base/choose.h"
 
 namespace gem {
-namespace {
-
-/// A round begins with a high stiffness (over the compliance of a point), which soon brings the points together. It
-/// ends with a low one, which brings the impulses and the velocities of the bodies together: after `fall`, for the last
-/// two intervals; points that were made stiffer are not any more then, since the velocities of light bodies are the
-/// last to settle. These numbers and those below were chosen in jams (bench/notebook.md, "Operator splitting").
-constexpr float first_stiffness = 20.0F, fall = 0.1F;
-/// The stiffness may change after so many iterations. Before it falls, points whose difference persists become stiffer.
-constexpr std::int64_t change_interval = 16;
-/// A round that does not reach the tolerance has so many iterations, fewer at the limit of all. It is not begun if less
-/// than the shorter length is left.
-constexpr std::int64_t longest_round = 96, shortest_round = 48;
-/// After so many iterations the stiffness stays at one value, since rounds that repeat its course may repeat their
-/// errors.
-constexpr std::int64_t scheduled_iterations = 4 * longest_round;
-constexpr float steady_stiffness = 2.0F;
-/// Motions within a round are good to `single_precision` of themselves. A round ends when its error has fallen by
-/// `round_gain`, which leaves a margin.
-constexpr double round_gain = 1e-4, single_precision = 1e-6;
-/// The error is estimated after so many iterations of a round, after twice as many, and then every time so many have
-/// passed.
-constexpr std::int64_t first_estimate = 4, estimate_interval = 8;
-
-/// What is still missing from a sequence that moved by `change` since the last estimate and by `last_change` before
-/// that, if it goes on by the same ratio. Without a last change (zero) the slowest ratio is taken.
-double still_missing(double change, double last_change) {
-  constexpr double slowest = 0.9;
-  const double ratio = last_change > 0.0 ? smaller(change / last_change, slowest) : slowest;
-  return change * ratio / (1.0 - ratio);
-}
-
-}  // namespace
-
 void IslandSolver::find_pairs(std::span<const IslandPoint> points, std::int32_t bodies) {
   pairs_.clear();
   for (const IslandPoint& p : points)
@@ -93,15 +60,9 @@ void IslandSolver::set_points(std::span<const IslandBody> bodies, std::span<cons
   scale_.resize(bodies.size());
   mass_.resize(bodies.size());
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const InverseMass inverse = bodies[k].inverse;
-    const BodyScale scale = scale_of(inverse);
-    const bool turns = inverse.inertia > 0.0;
-    const auto x = static_cast<float>(scale.mass);
-    const auto m = static_cast<float>(scale.mass * scale.mass / inverse.mass);
-    const auto turn = turns ? static_cast<float>(std::sqrt(inverse.mass / inverse.inertia) * scale.inertia) : 0.0F;
-    const auto i = turns ? static_cast<float>(scale.inertia * scale.inertia / inverse.inertia) : 1.0F;
-    scale_[place_[k]].lanes = FloatPack{x, x, turn, 0.0F, x, x, turn, 0.0F};
-    mass_[place_[k]].lanes = FloatPack{m, m, i, 0.0F, m, m, i, 0.0F};
+    const ScaledBody b = scaled_body(bodies[k].inverse);
+    scale_[place_[k]].lanes = FloatPack{b.speed, b.speed, b.spin_speed, 0.0F, b.speed, b.speed, b.spin_speed, 0.0F};
+    mass_[place_[k]].lanes = FloatPack{b.mass, b.mass, b.inertia, 0.0F, b.mass, b.mass, b.inertia, 0.0F};
   }
 }
 
@@ -149,11 +110,11 @@ void IslandSolver::keep_best_share(PointFriction law, std::span<const IslandBody
   }
 }
 
-void IslandSolver::stiffen() {
+void IslandSolver::stiffen(const RoundControl& round) {
   factor_.reset();
   for (std::size_t k = 0; k < mass_.size(); ++k)
     for (int c = 0; c < 3; ++c) factor_.diagonal(static_cast<std::int32_t>(k))[4 * c] = mass_[k].lanes[c];
-  blocks_.stiffen(stiffness_, stiffness_ >= first_stiffness, factor_);
+  blocks_.stiffen(round.stiffness(), round.raised(), factor_);
   factor_.factor();
 }
 
@@ -170,12 +131,12 @@ GEM_CLONES void IslandSolver::step() {
   for (std::size_t k = 1; k < now_.size(); ++k) now_[k].lanes += sum_[k].lanes;
 }
 
-GEM_CLONES IslandSolver::Differences IslandSolver::compare(const IslandControl& control) {
+GEM_CLONES SplittingDifferences IslandSolver::compare(const IslandControl& control) {
   const auto per_step = static_cast<float>(1.0 / control.dt);
   given_.swap(last_given_);
   std::fill(given_.begin(), given_.end(), BodyRow{});
   blocks_.answer(control.friction, now_, given_);
-  Differences d;
+  SplittingDifferences d;
   d.points = blocks_.mismatch(now_, per_step);
   const FloatPack speed{1.0F, 1.0F, 1.0F, 1.0F, per_step, per_step, per_step, per_step};
   FloatPack bodies{}, change{}, motion{}, total{};
@@ -204,51 +165,36 @@ GEM_CLONES IslandSolver::Differences IslandSolver::compare(const IslandControl& 
   return d;
 }
 
-/// Changes the stiffness where `left` iterations of the round are left. Returns whether it changed.
-bool IslandSolver::change_stiffness(std::int64_t left) {
-  if (left > 2 * change_interval) {
-    if (!blocks_.raise()) return false;
-  } else {
-    stiffness_ *= fall;
-  }
-  stiffen();
+/// Changes the stiffness after an iteration. Returns whether it changed.
+bool IslandSolver::change_stiffness(RoundControl& round) {
+  const RoundControl::Change change = round.change();
+  if (change == RoundControl::Change::none) return false;
+  if (change == RoundControl::Change::raise && !blocks_.raise()) return false;
+  round.changed(change);
+  stiffen(round);
   return true;
 }
 
-/// Iterates from the base until the error is below the tolerance, the round has gained enough, or it is long enough.
+/// Iterates from the base until the round ends.
 void IslandSolver::iterate_round(const IslandControl& control, IslandResult& result) {
   for (std::vector<BodyRow>* rows : {&now_, &sum_, &given_, &last_given_}) rows->assign(place_.size() + 1, BodyRow{});
-  const std::int64_t last = std::min(longest_round, control.iterations_maximum - result.iterations);
-  std::int64_t next_estimate = first_estimate;
-  double last_change = 0.0, first_error = 0.0;
-  const bool scheduled = result.iterations < scheduled_iterations;
-  stiffness_ = scheduled ? first_stiffness : steady_stiffness;
-  stiffen();
+  RoundControl round(control.tolerance, control.iterations_maximum, result.iterations);
+  stiffen(round);
   blocks_.push(now_, sum_);
-  for (std::int64_t iteration = 1;; ++iteration) {
+  for (;;) {
+    round.begin_iteration();
     step();
-    const bool judged = iteration == next_estimate || iteration == last;
-    if (judged) {
-      if (iteration < next_estimate) last_change = 0.0;  // fewer iterations than the last change had
-      const Differences d = compare(control);
-      result.error = larger(static_cast<double>(larger(d.points, d.bodies)), still_missing(d.change, last_change));
-      result.error = larger(result.error, single_precision * static_cast<double>(d.motion));
-      if (first_error == 0.0) first_error = result.error;
-      last_change = d.change;
-      next_estimate += next_estimate < estimate_interval ? next_estimate : estimate_interval;
-      if (iteration == last || result.error <= control.tolerance || result.error <= round_gain * first_error) {
-        result.iterations += iteration;
-        return;
-      }
-    }
+    const bool judged = round.judged();
+    if (judged && round.ends(compare(control))) break;
     begin();
     blocks_.visit(control.friction, now_, sum_);
-    if (judged) blocks_.watch(now_, static_cast<float>(0.25 * control.tolerance));
-    if (!scheduled || (last - iteration) % change_interval != 0 || !change_stiffness(last - iteration)) continue;
-    last_change = 0.0;
+    if (judged) blocks_.watch(now_, round.watch_tolerance());
+    if (!change_stiffness(round)) continue;
     begin();
     blocks_.push(now_, sum_);
   }
+  result.error = round.error();
+  result.iterations += round.iteration();
 }
 
 IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
@@ -264,7 +210,7 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
       blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, points[k].spare,
                      *points[k].impulse);
     move_by_base(bodies, points);
-  } while (control.iterations_maximum - result.iterations >= shortest_round && result.error > control.tolerance);
+  } while (RoundControl::goes_on(control.tolerance, control.iterations_maximum, result.iterations, result.error));
   if (result.error > control.tolerance) {
     keep_best_share(control.friction, bodies, points);
     result.iterations = control.iterations_maximum;  // too few were left for another round

@@ -29,6 +29,7 @@
 #include "gem/engine/solver/splitting/dissection.h"
 #include "gem/engine/solver/splitting/front_factor.h"
 #include "gem/engine/solver/splitting/point_blocks.h"
+#include "gem/engine/solver/splitting/round_control.h"
 
 namespace gem {
 
@@ -69,14 +70,6 @@ class IslandSolver {
                      const IslandControl& control);
 
  private:
-  /// Largest differences, as speeds [m/s]. A shift counts as its speed over one time step.
-  struct Differences {
-    float points = 0.0F;  // between the velocities of the points and their copies
-    float bodies = 0.0F;  // between the velocities of the bodies and those that the impulses give
-    float change = 0.0F;  // of the velocities that the impulses give since the last time
-    float motion = 0.0F;  // of the bodies since the base
-  };
-
   void find_pairs(std::span<const IslandPoint> points, std::int32_t bodies);
   void order_bodies(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
   void set_points(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
@@ -84,12 +77,12 @@ class IslandSolver {
   void set_base(PointFriction law, std::span<const IslandPoint> points);
   void keep_best_share(PointFriction law, std::span<const IslandBody> bodies,
                        std::span<const IslandPoint> points) const;
-  void stiffen();
-  bool change_stiffness(std::int64_t left);
+  void stiffen(const RoundControl& round);
+  bool change_stiffness(RoundControl& round);
   void iterate_round(const IslandControl& control, IslandResult& result);
   void begin();
   void step();
-  Differences compare(const IslandControl& control);
+  SplittingDifferences compare(const IslandControl& control);
 
   Dissection dissection_;
   EliminationTree tree_;
@@ -104,7 +97,6 @@ class IslandSolver {
   std::vector<BodyRow> now_, sum_, given_, last_given_;  // by place + 1; row 0 is fixed
   std::vector<Motion<double>> motion_;                   // of each body after the impulses of the base
   std::vector<Push<double>> push_;
-  float stiffness_ = 0.0F;  // over the compliance of a point
 };
 
 }  // namespace gem

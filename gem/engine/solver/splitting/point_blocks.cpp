@@ -1,14 +1,7 @@
 #include "gem/engine/solver/splitting/point_blocks.h"
 
-#include <cmath>
-
-#include "gem/base/choose.h"
-#include "gem/engine/solver/coupled_visit.h"
-
 namespace gem {
 namespace {
-
-constexpr float relaxation = 1.6F, kept = 1.0F - relaxation;
 
 /// The half rows of eight bodies, by component.
 template <int half>
@@ -32,21 +25,7 @@ GEM_INLINE void add_pushes(std::vector<BodyRow>& rows, const std::int32_t* place
   }
 }
 
-/// The Jacobian of eight points times the motions of their bodies.
-GEM_INLINE FloatPack along(const FloatPack* of_a, const FloatPack* of_b, const FloatPack* a, const FloatPack* b) {
-  return (of_a[0] * a[0] + of_a[1] * a[1] + of_a[2] * a[2]) + (of_b[0] * b[0] + of_b[1] * b[1] + of_b[2] * b[2]);
-}
-
 }  // namespace
-
-BodyScale scale_of(InverseMass inverse) {
-  const auto near_root = [](double x) {
-    int exponent = 0;
-    std::frexp(x, &exponent);
-    return x > 0.0 ? std::ldexp(1.0, (exponent - (exponent & 1)) / 2) : 0.0;
-  };
-  return {near_root(inverse.mass), near_root(inverse.inertia)};
-}
 
 void PointBlocks::resize(std::int32_t points) {
   block_.assign((points + float_lanes - 1) / float_lanes, Block{});
@@ -61,61 +40,20 @@ void PointBlocks::set_point(std::int32_t k, const PointGeometry<double>& g, std:
   q.a[lane] = a;
   q.b[lane] = b;
   q.pair[lane] = pair;
-  const auto set_side = [&](InverseMass m, double sign, double lever_n, double lever_t, FloatPack* n, FloatPack* t) {
-    const BodyScale scale = scale_of(m);
-    const double by_mass = sign * scale.mass, by_inertia = sign * scale.inertia;
-    n[0][lane] = static_cast<float>(by_mass * g.normal_x);
-    n[1][lane] = static_cast<float>(by_mass * g.normal_y);
-    n[2][lane] = static_cast<float>(by_inertia * lever_n);
-    t[0][lane] = static_cast<float>(-by_mass * g.normal_y);
-    t[1][lane] = static_cast<float>(by_mass * g.normal_x);
-    t[2][lane] = static_cast<float>(by_inertia * lever_t);
-  };
-  set_side(of_a, -1.0, g.lever_a_n, g.lever_a_t, q.n_a, q.t_a);
-  set_side(of_b, 1.0, g.lever_b_n, g.lever_b_t, q.n_b, q.t_b);
-  // with the whole mass of each body, while g.nn and g.tt divide it among the points
-  const double mass = of_a.mass + of_b.mass;
-  q.inverse_nn[lane] = static_cast<float>(
-      1.0 / (mass + of_a.inertia * g.lever_a_n * g.lever_a_n + of_b.inertia * g.lever_b_n * g.lever_b_n));
-  q.inverse_tt[lane] = static_cast<float>(
-      1.0 / (mass + of_a.inertia * g.lever_a_t * g.lever_a_t + of_b.inertia * g.lever_b_t * g.lever_b_t));
-  q.friction[lane] = static_cast<float>(g.friction);
+  gem::set_point(q, lane, g, of_a, of_b);
 }
 
 void PointBlocks::set_base(PointFriction law, std::int32_t k, const PointGeometry<double>& g, SpareFriction spare,
                            const PointImpulse<double>& impulse, const Motion<double>& a, const Motion<double>& b) {
   Block& q = block_[k / float_lanes];
   const std::int32_t lane = k % float_lanes;
-  PointFrame<float> frame;
-  set_base_values(frame, g, spare, impulse, a, b);
-  q.excess[lane] = frame.excess;
-  q.slip[lane] = frame.slip;
-  q.least[lane] = frame.least;
-  q.most[lane] = frame.most;
-  q.slack_left[lane] = frame.slack_left;
-  q.slack_right[lane] = frame.slack_right;
-  q.repair_excess[lane] = frame.repair_excess;
-  q.repair_least[lane] = frame.repair_least;
-  q.gap[lane] = (impulse.normal > 0.0 ? 0.0F : larger(frame.excess, 0.0F)) - frame.excess;
-  // at the bound of friction but for rounding
-  const float nearest = smaller(frame.slack_left, frame.slack_right);
-  const bool at_bound = nearest <= 1e-6F * (frame.slack_left + frame.slack_right);
-  const bool slides =
-      law != PointFriction::coulomb || impulse.normal <= 0.0 || (at_bound && frame.slip * impulse.tangential <= 0.0);
-  q.slide[lane] = slides ? 0.0F : -frame.slip;
-  q.shift[lane] = (impulse.repair > 0.0 ? 0.0F : larger(frame.repair_excess, 0.0F)) - frame.repair_excess;
-  q.normal[lane] = q.tangential[lane] = q.repair[lane] = q.shift_t[lane] = 0.0F;
-  q.last_n[lane] = q.last_t[lane] = q.count_n[lane] = q.count_t[lane] = 0.0F;
-  repairs_ = repairs_ || g.repair_target > 0.0 || impulse.repair > 0.0;
+  gem::set_base(q, lane, law, g, spare, impulse, a, b);
+  repairs_ = repairs_ || gem::repairs(g, impulse);
 }
 
 void PointBlocks::stiffen(float stiffness, bool raised, FrontFactor& factor) {
-  const FloatPack zero{}, one = zero + 1.0F;
   for (Block& q : block_) {
-    q.stiff_n = stiffness * q.inverse_nn * (raised ? q.scale_n : one);
-    q.stiff_t = stiffness * q.inverse_tt * (raised ? q.scale_t : one);
-    q.soft_n = q.stiff_n > zero ? one / q.stiff_n : zero;
-    q.soft_t = q.stiff_t > zero ? one / q.stiff_t : zero;
+    stiffen_point(q, stiffness, raised);
     for (int lane = 0; lane < float_lanes; ++lane) {
       const std::int32_t a = q.a[lane], b = q.b[lane];
       const auto add_block = [&](float* to, const FloatPack* n, const FloatPack* t, const FloatPack* m,
@@ -132,64 +70,45 @@ void PointBlocks::stiffen(float stiffness, bool raised, FrontFactor& factor) {
   }
 }
 
-/// Pushes of eight points with normal part `n` and tangential part `t` on both bodies. The points of a body as B come
+/// Adds what eight points ask of both bodies. The points of a body as B come
 /// before its points as A, as in the order of the points.
 template <int half>
-GEM_INLINE void PointBlocks::push_bodies(const Block& q, std::vector<BodyRow>& to, FloatPack n, FloatPack t) {
+GEM_INLINE void PointBlocks::push_bodies(const Block& q, std::vector<BodyRow>& to, PointShare<FloatPack> share) {
   FloatPack push[4];
-  for (int c = 0; c < 3; ++c) push[c] = q.n_b[c] * n + q.t_b[c] * t;
+  for (int c = 0; c < 3; ++c) push[c] = q.n_b[c] * share.n + q.t_b[c] * share.t;
   push[3] = FloatPack{};
   add_pushes<half>(to, q.b, push);
-  for (int c = 0; c < 3; ++c) push[c] = q.n_a[c] * n + q.t_a[c] * t;
+  for (int c = 0; c < 3; ++c) push[c] = q.n_a[c] * share.n + q.t_a[c] * share.t;
   push[3] = FloatPack{};
   add_pushes<half>(to, q.a, push);
 }
 
 template <bool repairs>
-GEM_INLINE void PointBlocks::push_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) const {
+GEM_INLINE void PointBlocks::push_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& to) const {
   for (const Block& q : block_) {
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    const FloatPack n = along(q.n_a, q.n_b, a, b), t = along(q.t_a, q.t_b, a, b);
-    push_bodies<0>(q, sum, q.normal + q.stiff_n * (q.gap - n), q.tangential + q.stiff_t * (q.slide - t));
+    push_bodies<0>(q, to, push_of(q, a, b));
     if constexpr (repairs) {
       load_motions<1>(now, q.a, a);
       load_motions<1>(now, q.b, b);
-      const FloatPack r = along(q.n_a, q.n_b, a, b), s = along(q.t_a, q.t_b, a, b);
-      push_bodies<1>(q, sum, q.repair + q.stiff_n * (q.shift - r), q.stiff_t * (q.shift_t - s));
+      push_bodies<1>(q, to, repair_push_of(q, a, b));
     }
   }
 }
 
 template <PointFriction law, bool repairs>
-GEM_INLINE void PointBlocks::visit_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) {
+GEM_INLINE void PointBlocks::visit_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& to) {
   for (Block& q : block_) {
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    const FloatPack n = along(q.n_a, q.n_b, a, b), t = along(q.t_a, q.t_b, a, b);
-    const FloatPack relaxed_n = relaxation * n + kept * q.gap, relaxed_t = relaxation * t + kept * q.slide;
-    const FloatPack last_n = q.normal, last_t = q.tangential;
-    q.normal = smaller(larger(last_n - q.stiff_n * (q.excess + relaxed_n), q.least), q.most);
-    q.gap = relaxed_n + (q.normal - last_n) * q.soft_n;
-    const FloatPack wider = q.friction * q.normal;
-    if constexpr (law == PointFriction::coulomb)
-      q.tangential =
-          larger(smaller(last_t - q.stiff_t * (q.slip + relaxed_t), q.slack_left + wider), -(q.slack_right + wider));
-    else if constexpr (law == PointFriction::fixed_direction)
-      q.tangential = q.slack_left + wider;
-    q.slide = relaxed_t + (q.tangential - last_t) * q.soft_t;
-    push_bodies<0>(q, sum, q.normal + q.stiff_n * (q.gap - n), q.tangential + q.stiff_t * (q.slide - t));
+    push_bodies<0>(q, to, visit_point<law>(q, a, b));
     if constexpr (repairs) {
       load_motions<1>(now, q.a, a);
       load_motions<1>(now, q.b, b);
-      const FloatPack r = along(q.n_a, q.n_b, a, b), s = along(q.t_a, q.t_b, a, b);
-      const FloatPack relaxed_r = relaxation * r + kept * q.shift, last_r = q.repair;
-      q.repair = larger(last_r - q.stiff_n * (q.repair_excess + relaxed_r), q.repair_least);
-      q.shift = relaxed_r + (q.repair - last_r) * q.soft_n;
-      q.shift_t = relaxation * s + kept * q.shift_t;
-      push_bodies<1>(q, sum, q.repair + q.stiff_n * (q.shift - r), q.stiff_t * (q.shift_t - s));
+      push_bodies<1>(q, to, visit_repair(q, a, b));
     }
   }
 }
@@ -220,25 +139,16 @@ void PointBlocks::visit(PointFriction law, const std::vector<BodyRow>& now, std:
 }
 
 template <PointFriction law, bool repairs>
-GEM_INLINE void PointBlocks::answer_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& given) {
+GEM_INLINE void PointBlocks::answer_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& to) {
   for (Block& q : block_) {
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    const FloatPack n = q.excess + along(q.n_a, q.n_b, a, b), t = q.slip + along(q.t_a, q.t_b, a, b);
-    q.answer_n = smaller(larger(q.normal - q.stiff_n * n, q.least), q.most);
-    const FloatPack wider = q.friction * q.answer_n;
-    if constexpr (law == PointFriction::coulomb)
-      q.answer_t = larger(smaller(q.tangential - q.stiff_t * t, q.slack_left + wider), -(q.slack_right + wider));
-    else if constexpr (law == PointFriction::fixed_direction)
-      q.answer_t = q.slack_left + wider;
-    push_bodies<0>(q, given, q.answer_n, q.answer_t);
+    push_bodies<0>(q, to, answer_point<law>(q, a, b));
     if constexpr (repairs) {
       load_motions<1>(now, q.a, a);
       load_motions<1>(now, q.b, b);
-      const FloatPack r = q.repair_excess + along(q.n_a, q.n_b, a, b);
-      q.answer_r = larger(q.repair - q.stiff_n * r, q.repair_least);
-      push_bodies<1>(q, given, q.answer_r, FloatPack{});
+      push_bodies<1>(q, to, answer_repair(q, a, b));
     }
   }
 }
@@ -255,38 +165,17 @@ GEM_CLONES void PointBlocks::answer(PointFriction law, const std::vector<BodyRow
 }
 
 GEM_CLONES void PointBlocks::watch(const std::vector<BodyRow>& now, float tolerance) {
-  constexpr float persists = 0.5F;
-  const FloatPack zero{}, one = zero + 1.0F;
-  const auto count = [&](FloatPack difference, FloatPack& last, FloatPack& times) {
-    const auto same = ((difference > zero) & (last > zero)) | ((difference < zero) & (last < zero));
-    const auto large =
-        (magnitude(difference) > persists * magnitude(last)) & (magnitude(difference) > zero + tolerance);
-    times = same & large ? times + one : zero;
-    last = difference;
-  };
   for (Block& q : block_) {
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    count(along(q.n_a, q.n_b, a, b) - q.gap, q.last_n, q.count_n);
-    count(along(q.t_a, q.t_b, a, b) - q.slide, q.last_t, q.count_t);
+    watch_point(q, a, b, tolerance);
   }
 }
 
 bool PointBlocks::raise() {
-  constexpr float often = 2.0F, stiffer = 4.0F, most = 256.0F;  // chosen by hand
-  const FloatPack zero{};
   FloatPack any{};
-  const auto raised = [&](FloatPack& scale, FloatPack& times) {
-    const FloatPack next = (times >= zero + often) & (scale < zero + most) ? stiffer * scale : scale;
-    times = next > scale ? zero : times;
-    any = larger(any, next - scale);
-    scale = next;
-  };
-  for (Block& q : block_) {
-    raised(q.scale_n, q.count_n);
-    raised(q.scale_t, q.count_t);
-  }
+  for (Block& q : block_) any = larger(any, raise_point(q));
   float most_raised = 0.0F;
   for (int lane = 0; lane < float_lanes; ++lane) most_raised = larger(most_raised, any[lane]);
   return most_raised > 0.0F;
@@ -298,14 +187,11 @@ GEM_CLONES float PointBlocks::mismatch(const std::vector<BodyRow>& now, float pe
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    const FloatPack n = along(q.n_a, q.n_b, a, b) - q.gap, t = along(q.t_a, q.t_b, a, b) - q.slide;
-    worst = larger(worst, larger(magnitude(n), magnitude(t)));
+    worst = larger(worst, mismatch_of(q, a, b));
     if (!repairs_) continue;
     load_motions<1>(now, q.a, a);
     load_motions<1>(now, q.b, b);
-    const FloatPack r = along(q.n_a, q.n_b, a, b) - q.shift;
-    const FloatPack s = along(q.t_a, q.t_b, a, b) - q.shift_t;
-    worst = larger(worst, per_step * larger(magnitude(r), magnitude(s)));
+    worst = larger(worst, per_step * repair_mismatch_of(q, a, b));
   }
   float all = 0.0F;
   for (int lane = 0; lane < float_lanes; ++lane) all = larger(all, worst[lane]);
@@ -316,8 +202,7 @@ void PointBlocks::add_to(PointFriction law, std::int32_t k, const PointGeometry<
                          PointImpulse<double>& impulse) const {
   const Block& q = block_[k / float_lanes];
   const std::int32_t lane = k % float_lanes;
-  impulse = with_additions(law, g, spare, impulse, {q.answer_n[lane], q.answer_t[lane], q.answer_r[lane]},
-                           q.least[lane], q.most[lane], q.repair_least[lane]);
+  impulse = with_answer(q, lane, law, g, spare, impulse);
 }
 
 }  // namespace gem

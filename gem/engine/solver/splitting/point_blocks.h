@@ -1,25 +1,13 @@
-// The points of an island during the iterations of operator splitting, eight at a time.
-//
-// Every point keeps its impulse P and a copy z of its velocity, both along the normal and along the tangent. A visit
-// takes the velocity u that the bodies have now, and sets
-//
-//     x = 1.6 u - 0.6 z              over-relaxed
-//     P' = P - R x within the bounds of the law,  z' = x + (P' - P) / R
-//
-// It then asks the bodies for P + R (z - u): the step of the velocities that follows closes the gap between u and z.
-// R is `stiffness` over the compliance of the point. The repair of the overlap is treated in the same way, without
-// friction.
-//
-// Impulses and velocities are additions to a base, as in coupled_visit.h.
+// The points of an island during the iterations of operator splitting, eight at a time; split_point.h says what a point
+// does.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "gem/base/pack.h"
-#include "gem/engine/solver/coupled_point.h"
 #include "gem/engine/solver/splitting/front_factor.h"
-#include "gem/events/friction_memory.h"
+#include "gem/engine/solver/splitting/split_point.h"
 
 namespace gem {
 
@@ -27,21 +15,6 @@ namespace gem {
 struct alignas(32) BodyRow {
   FloatPack lanes;
 };
-
-/// Inverse masses of a body; zero for a fixed one.
-struct InverseMass {
-  double mass = 0.0;     // [1/kg]
-  double inertia = 0.0;  // [1/(kg m2)]
-};
-
-/// Powers of two near the roots of the inverse masses of a body, so that all bodies have masses near one. Numbers times
-/// powers of two keep their bits.
-struct BodyScale {
-  double mass = 0.0;     // [kg^-1/2]
-  double inertia = 0.0;  // [kg^-1/2 m^-1]
-};
-
-BodyScale scale_of(InverseMass inverse);
 
 class PointBlocks {
  public:
@@ -82,22 +55,11 @@ class PointBlocks {
 
  private:
   /// Eight points. Unused lanes have both bodies fixed and no bounds to reach.
-  struct alignas(64) Block {
-    FloatPack n_a[3], n_b[3], t_a[3], t_b[3];  // Jacobian times the scales of the bodies
-    FloatPack inverse_nn, inverse_tt;          // [kg]
-    FloatPack friction;
-    FloatPack stiff_n, stiff_t, soft_n, soft_t;  // R [kg] and 1 / R
-    // of PointFrame: velocities [m/s], bounds [N s]; shift [m] and bound [kg m] of the repair
-    FloatPack excess, slip, least, most, slack_left, slack_right, repair_excess, repair_least;
-    FloatPack normal, tangential, repair;    // additions to the base [N s], [kg m]
-    FloatPack gap, slide, shift, shift_t;    // copies of the velocities [m/s] and of the shift [m]
-    FloatPack answer_n, answer_t, answer_r;  // additions to the base, as the result
-    // watch(): how much stiffer than others; the last difference; how often it persisted
-    FloatPack scale_n, scale_t, last_n, last_t, count_n, count_t;
+  struct alignas(64) Block : SplitPoint<FloatPack> {
     std::int32_t a[float_lanes], b[float_lanes], pair[float_lanes];
   };
   template <int half>
-  static void push_bodies(const Block& q, std::vector<BodyRow>& to, FloatPack n, FloatPack t);
+  static void push_bodies(const Block& q, std::vector<BodyRow>& to, PointShare<FloatPack> share);
   template <bool repairs>
   void push_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) const;
   template <PointFriction law, bool repairs>

@@ -1,0 +1,104 @@
+// Speed of operator splitting on a GPU beside the other iteration, as CSV: drift, plug and jam of the paper's runs, one
+// scene and many copies. Times are the device's.
+//
+// Usage: gem_cuda_splitting CASES_FOLDER [copies]
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "gem/base/error.h"
+#include "gem/engine/cuda/cuda_engine.h"
+#include "gem/field/field.h"
+#include "gem/scene/sweep/sweep.h"
+#include "gem_version.h"
+
+namespace gem {
+namespace {
+
+constexpr double timed = 12.8;  // [s]
+
+struct Phase {
+  const char* name;
+  const char* run;
+  double time;  // [s]
+};
+constexpr Phase phases[] = {
+    {"drift", "004_400_25", 60.0}, {"plug", "004_400_25", 1800.0}, {"jam", "400_200_100", 600.0}};
+
+struct Setting {
+  const char* name;
+  Iteration iteration;
+  std::int64_t iterations;
+  double time_step;  // [s]
+};
+constexpr Setting settings[] = {{"gradient 32 0.05 s", Iteration::gradient, 32, 0.05},
+                                {"gradient 200 0.05 s", Iteration::gradient, 200, 0.05},
+                                {"splitting 96 0.2 s", Iteration::splitting, 96, 0.2},
+                                {"splitting 96 0.05 s", Iteration::splitting, 96, 0.05}};
+
+SceneDef scene_of(const std::string& cases, const std::string& run) {
+  for (const SweepMember& member : expand_sweep(cases + "/table1.toml"))
+    if (member.name == run) return member.scene;
+  throw Error(ExitCode::usage, "no run " + run + " in " + cases);
+}
+
+/// Moves copies of a state on and prints the milliseconds per simulated second of all of them.
+void time_setting(const Phase& phase, SceneDef scene, const Bodies& field, EngineState start, const Setting& setting,
+                  std::size_t copies) {
+  scene.numerics.iteration = setting.iteration;
+  scene.numerics.iterations_maximum = setting.iterations;
+  scene.numerics.time_step_s = setting.time_step;
+  if (setting.iteration == Iteration::splitting) scene.numerics.residual_tolerance = 1e-3;
+  start.step = std::llround(phase.time / setting.time_step);
+  CudaBatch batch(std::vector<BatchScene>(copies, {scene, field}), {});
+  const std::int64_t steps = std::llround(timed / setting.time_step);
+  std::vector<double> seconds;
+  std::vector<StepLog> logs(copies);
+  for (int repetition = 0; repetition < 4; ++repetition) {
+    for (std::size_t k = 0; k < copies; ++k) batch.restore(k, start);
+    batch.advance(2, nullptr);  // builds the list
+    for (StepLog& log : logs) log.clear();
+    batch.advance(steps, &logs);
+    if (repetition > 0) seconds.push_back(batch.device_time());
+  }
+  std::sort(seconds.begin(), seconds.end());
+  double contacts = 0.0, iterations = 0.0;
+  for (const StepQuality& quality : logs[0].quality) {
+    contacts += static_cast<double>(quality.contacts) / static_cast<double>(steps);
+    iterations += static_cast<double>(quality.iterations) / static_cast<double>(steps);
+  }
+  std::printf("%s,%s,%s,%s,%zu,%.3f,%.3f,%.0f,%.1f,%s,%016llx\n", GEM_COMMIT, batch.device().name.c_str(), phase.name,
+              setting.name, copies, 1e3 * seconds[seconds.size() / 2] / timed,
+              1e3 * (seconds.back() - seconds.front()) / timed, contacts, iterations,
+              batch.route() == Route::phases ? "phases" : "resident",
+              static_cast<unsigned long long>(batch.state_hash(0)));
+  std::fflush(stdout);
+}
+
+void time_all(const std::string& cases, std::size_t copies) {
+  std::printf("commit,device,phase,setting,scenes,ms_per_s,spread,contacts,iterations,route,state_hash\n");
+  for (const Phase& phase : phases) {
+    const SceneDef scene = scene_of(cases, phase.run);
+    const Bodies field = make_field(scene);
+    CudaBatch before({{scene, field}}, {.ring_steps = 4096, .samples = false});
+    before.advance(std::llround(phase.time / scene.numerics.time_step_s), nullptr);
+    for (const std::size_t count : {std::size_t{1}, copies})
+      for (const Setting& setting : settings) time_setting(phase, scene, field, before.save(0), setting, count);
+  }
+}
+
+}  // namespace
+}  // namespace gem
+
+int main(int count, char** argument) {
+  try {
+    gem::time_all(count > 1 ? argument[1] : "cases", count > 2 ? std::strtoul(argument[2], nullptr, 10) : 36);
+    return 0;
+  } catch (const gem::Error& error) {
+    std::fprintf(stderr, "gem_cuda_splitting: %s\n", error.what());
+    return static_cast<int>(error.code());
+  }
+}

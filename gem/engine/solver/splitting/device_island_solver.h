@@ -1,0 +1,333 @@
+// Converged impulses of the points of one island on a device, by the threads of a team: IslandSolver (island_solver.h)
+// with the same sums in the same order. One thread visits each point, and one sums what the points of a body ask of it.
+#pragma once
+
+#include "gem/engine/solver/device_base.h"
+#include "gem/engine/solver/splitting/device_front_factor.h"
+#include "gem/engine/solver/splitting/round_control.h"
+
+namespace gem {
+
+template <class Team>
+class DeviceIslandSolver {
+ public:
+  GEM_DEVICE DeviceIslandSolver(const DeviceScene& s, const Team& team, const IslandView& view, IslandCell& cell)
+      : s_(s), team_(team), v_(view), cell_(cell), factor_(team, view, s.solver_entry) {}
+
+  /// Solves the island and notes its iterations and its error. The fronts are set.
+  GEM_DEVICE void solve() {
+    const StepConstants& c = s_.constants;
+    factor_.place_blocks();
+    std::int64_t iterations = 0;
+    double error = 0.0;
+    move_by_base();
+    do {
+      begin_round();
+      iterate_round(iterations, error);
+      each_of(team_, 0, v_.points, [&](std::int32_t k) { add_to_base(k); });
+      team_.sync();
+      move_by_base();
+    } while (RoundControl::goes_on(c.residual_speed, c.iterations_maximum, iterations, error));
+    if (error > c.residual_speed) {
+      keep_best_share();
+      iterations = c.iterations_maximum;  // too few were left for another round
+    }
+    if (team_.rank() != 0) return;
+    Atomics::add(&s_.island.counters->solved, 1);
+    Atomics::highest(&s_.island.counters->iterations, static_cast<std::uint32_t>(iterations));
+    if (!(error <= 0.0)) Atomics::highest(&s_.island.counters->error_bits, strict::bits_of(error));
+  }
+
+ private:
+  using Atomics = typename Team::Atomics;
+  using Point = SplitPoint<float>;
+
+  GEM_DEVICE const SolverEntry& entry_of(std::int32_t body) const { return s_.solver_entry[v_.m.member[body]]; }
+
+  /// Sets the motions of the bodies after the impulses of the base.
+  GEM_DEVICE void move_by_base() {
+    each_of(team_, 0, v_.bodies, [&](std::int32_t i) {
+      const SolverEntry& entry = entry_of(i);
+      Push<double> sum{};
+      for (std::int32_t k = 0; k < entry.count; ++k) {
+        const PushBase& p = s_.push_base[entry.place + k];
+        add(sum, k < entry.as_b ? 1.0 : -1.0,
+            Push<double>{p.part[0], p.part[1], p.part[4], p.part[2], p.part[3], p.part[5]});
+      }
+      const BodyCell& b = s_.body[entry.body];
+      const Motion<double> m = moved_by(sum, b.velocity.x, b.velocity.y, b.spin, b.inverse_mass, b.inverse_inertia);
+      s_.solved[entry.body] = {{m.x, m.y, m.shift_x, m.shift_y, m.spin, m.turn, 0.0, 0.0}};
+    });
+    team_.sync();
+  }
+
+  GEM_DEVICE Motion<double> motion_of(const PointSide& side) const {
+    if (side.place < 0) return {};
+    const SolvedMotion& m = s_.solved[side.body];
+    return {m.part[0], m.part[1], m.part[4], m.part[2], m.part[3], m.part[5]};
+  }
+
+  /// Sets the points at the base; the additions of the bodies are zero.
+  GEM_DEVICE void begin_round() {
+    if (team_.rank() == 0) cell_.repairs = 0;
+    team_.sync();
+    each_of(team_, 0, v_.points, [&](std::int32_t k) {
+      const std::int32_t i = v_.m.where[k].taken;
+      const PointCell& cell = s_.taken_point[i];
+      const PointGeometry<double> g = s_.points.geometry(i);
+      const PointImpulse<double> impulse = s_.points.impulse(i);
+      set_base(v_.m.point[k], 0, s_.constants.point_friction, g, s_.points.spare(i), impulse, motion_of(cell.a),
+               motion_of(cell.b));
+      if (repairs(g, impulse)) Atomics::add(&cell_.repairs, 1);
+    });
+    each_of(team_, 0, 2 * v_.bodies,
+            [&](std::int32_t k) { v_.m.now[k] = v_.m.sum[k] = v_.m.given[k] = v_.m.last_given[k] = {}; });
+    team_.sync();
+    halves_ = repaired_ || cell_.repairs > 0 ? 2 : 1;
+    repaired_ = halves_ == 2;
+  }
+
+  GEM_DEVICE void iterate_round(std::int64_t& iterations, double& error) {
+    const StepConstants& c = s_.constants;
+    RoundControl round(c.residual_speed, c.iterations_maximum, iterations);
+    stiffen(round);
+    push();
+    for (;;) {
+      round.begin_iteration();
+      step();
+      const bool judged = round.judged();
+      if (judged && round.ends(compare())) break;
+      visit(judged, round.watch_tolerance());
+      if (!change_stiffness(round)) continue;
+      push();
+    }
+    iterations += round.iteration();
+    error = round.error();
+  }
+
+  /// Moves the bodies by the solution of the equations.
+  GEM_DEVICE void step() {
+    factor_.solve(halves_);
+    each_of(team_, 0, halves_ * v_.bodies, [&](std::int32_t k) {
+      const std::int32_t at = halves_ == 2 ? k : 2 * k;
+      for (int c = 0; c < 3; ++c) v_.m.now[at].part[c] += v_.m.solution[at].part[c];
+    });
+    team_.sync();
+  }
+
+  GEM_DEVICE void stiffen(const RoundControl& round) {
+    each_of(team_, 0, v_.points,
+            [&](std::int32_t k) { stiffen_point(v_.m.point[k], round.stiffness(), round.raised()); });
+    team_.sync();
+    factor_.factor(cell_.numbers);
+  }
+
+  GEM_DEVICE bool change_stiffness(RoundControl& round) {
+    const RoundControl::Change change = round.change();
+    if (change == RoundControl::Change::none) return false;
+    if (change == RoundControl::Change::raise && !raise()) return false;
+    round.changed(change);
+    stiffen(round);
+    return true;
+  }
+
+  GEM_DEVICE bool raise() {
+    if (team_.rank() == 0) cell_.raised = 0;
+    team_.sync();
+    each_of(team_, 0, v_.points, [&](std::int32_t k) {
+      if (raise_point(v_.m.point[k]) > 0.0F) Atomics::add(&cell_.raised, 1);
+    });
+    team_.sync();
+    return cell_.raised > 0;
+  }
+
+  GEM_DEVICE void load(std::int32_t place, int half, float* motion) const {
+    for (int c = 0; c < 3; ++c) motion[c] = place < 0 ? 0.0F : v_.m.now[2 * place + half].part[c];
+  }
+
+  /// Writes what a point asks of both bodies.
+  GEM_DEVICE void write_push(const IslandPointPlace& at, const Point& q, int half, PointShare<float> share) const {
+    const auto write = [&](std::int32_t record, const float* n, const float* t) {
+      if (record < 0) return;
+      FloatQuad push{};
+      for (int c = 0; c < 3; ++c) push.part[c] = n[c] * share.n + t[c] * share.t;
+      v_.m.push[2 * static_cast<std::int64_t>(record) + half] = push;
+    };
+    write(at.record_b, q.n_b, q.t_b);
+    write(at.record_a, q.n_a, q.t_a);
+  }
+
+  /// Calls of_velocity(point, a, b) and of_repair(point, a, b) for all points, and writes what they ask for.
+  template <class OfVelocity, class OfRepair>
+  GEM_DEVICE GEM_INLINE void each_push(OfVelocity&& of_velocity, OfRepair&& of_repair) {
+    each_of(team_, 0, v_.points, [&](std::int32_t k) {
+      const IslandPointPlace at = v_.m.where[k];
+      Point& q = v_.m.point[k];
+      float a[3], b[3];
+      load(at.a, 0, a);
+      load(at.b, 0, b);
+      write_push(at, q, 0, of_velocity(q, a, b));
+      if (halves_ == 1) return;
+      load(at.a, 1, a);
+      load(at.b, 1, b);
+      write_push(at, q, 1, of_repair(q, a, b));
+    });
+    team_.sync();
+  }
+
+  /// Sets the right side: minus the momentum of the motions, and what the points ask for.
+  GEM_DEVICE void sum_pushes() {
+    each_body_half([&](std::int32_t place, int half, const SolverEntry& entry) {
+      const ScaledBody& body = v_.m.scaled[place];
+      const FloatQuad now = v_.m.now[2 * place + half];
+      FloatQuad sum{{-(body.mass * now.part[0]), -(body.mass * now.part[1]), -(body.inertia * now.part[2]), 0.0F}};
+      add_pushes(entry, half, sum);
+      v_.m.sum[2 * place + half] = sum;
+    });
+    team_.sync();
+  }
+  template <class Work>
+  GEM_DEVICE GEM_INLINE void each_body_half(Work&& work) {
+    each_of(team_, 0, halves_ * v_.bodies, [&](std::int32_t k) {
+      const int half = k >= v_.bodies ? 1 : 0;
+      const std::int32_t place = k - half * v_.bodies;
+      work(place, half, entry_of(v_.m.order[place]));
+    });
+  }
+  GEM_DEVICE void add_pushes(const SolverEntry& entry, int half, FloatQuad& sum) const {
+    const FloatQuad* const push = v_.m.push + 2 * static_cast<std::int64_t>(entry.place) + half;
+    for (std::int32_t k = 0; k < entry.count; ++k) {
+      const FloatQuad some = push[2 * k];
+      for (int c = 0; c < 3; ++c) sum.part[c] += some.part[c];
+    }
+  }
+
+  GEM_DEVICE void push() {
+    each_push([](Point& q, const float* a, const float* b) { return push_of(q, a, b); },
+              [](Point& q, const float* a, const float* b) { return repair_push_of(q, a, b); });
+    sum_pushes();
+  }
+
+  /// Visits all points. `watches`: then counts what persists.
+  GEM_DEVICE void visit(bool watches, float tolerance) {
+    const PointFriction law = s_.constants.point_friction;
+    each_push(
+        [&](Point& q, const float* a, const float* b) {
+          const PointShare<float> share = law == PointFriction::none ? visit_point<PointFriction::none>(q, a, b)
+                                          : law == PointFriction::coulomb
+                                              ? visit_point<PointFriction::coulomb>(q, a, b)
+                                              : visit_point<PointFriction::fixed_direction>(q, a, b);
+          if (watches) watch_point(q, a, b, tolerance);
+          return share;
+        },
+        [](Point& q, const float* a, const float* b) { return visit_repair(q, a, b); });
+    sum_pushes();
+  }
+
+  GEM_DEVICE void raise_to(std::uint32_t* bits, float x) const {
+    if (x > 0.0F) Atomics::highest(bits, ordered_bits(x));
+  }
+  GEM_DEVICE static bool is_finite(float x) { return magnitude(x) <= 3.402823466e38F; }
+
+  /// Sets the answers of the points and measures the differences.
+  GEM_DEVICE SplittingDifferences compare() {
+    const PointFriction law = s_.constants.point_friction;
+    const auto per_step = static_cast<float>(1.0 / s_.constants.dt);
+    if (team_.rank() == 0)
+      cell_.points_bits = cell_.bodies_bits = cell_.change_bits = cell_.motion_bits = cell_.not_finite = 0;
+    team_.sync();
+    float points = 0.0F;
+    each_push(
+        [&](Point& q, const float* a, const float* b) {
+          points = larger(points, mismatch_of(q, a, b));
+          return law == PointFriction::none      ? answer_point<PointFriction::none>(q, a, b)
+                 : law == PointFriction::coulomb ? answer_point<PointFriction::coulomb>(q, a, b)
+                                                 : answer_point<PointFriction::fixed_direction>(q, a, b);
+        },
+        [&](Point& q, const float* a, const float* b) {
+          points = larger(points, per_step * repair_mismatch_of(q, a, b));
+          return answer_repair(q, a, b);
+        });
+    raise_to(&cell_.points_bits, points);
+    float bodies = 0.0F, change = 0.0F, motion = 0.0F;
+    bool finite = true;
+    each_body_half([&](std::int32_t place, int half, const SolverEntry& entry) {
+      FloatQuad given{};
+      add_pushes(entry, half, given);
+      const FloatQuad last = v_.m.given[2 * place + half], now = v_.m.now[2 * place + half];
+      v_.m.given[2 * place + half] = given;
+      const ScaledBody& body = v_.m.scaled[place];
+      const float speed = half == 0 ? 1.0F : per_step;
+      for (int c = 0; c < 3; ++c) {
+        const float mass = c < 2 ? body.mass : body.inertia, scale = c < 2 ? body.speed : body.spin_speed;
+        const float inverse = mass > 0.0F ? 1.0F / mass : 0.0F;
+        bodies = larger(bodies, magnitude(given.part[c] * inverse - now.part[c]) * scale * speed);
+        change = larger(change, magnitude(given.part[c] - last.part[c]) * inverse * scale * speed);
+        motion = larger(motion, magnitude(now.part[c]) * scale * speed);
+        finite = finite && is_finite(now.part[c]);
+      }
+    });
+    raise_to(&cell_.bodies_bits, bodies);
+    raise_to(&cell_.change_bits, change);
+    raise_to(&cell_.motion_bits, motion);
+    if (!finite) Atomics::add(&cell_.not_finite, 1);
+    team_.sync();
+    SplittingDifferences d{from_ordered_bits(cell_.points_bits), from_ordered_bits(cell_.bodies_bits),
+                           from_ordered_bits(cell_.change_bits), from_ordered_bits(cell_.motion_bits)};
+    if (cell_.not_finite > 0) d.points = from_ordered_bits(0x7f800000U);  // infinity
+    return d;
+  }
+
+  GEM_DEVICE void add_to_base(std::int32_t k) {
+    const std::int32_t i = v_.m.where[k].taken;
+    const PointGeometry<double> g = s_.points.geometry(i);
+    write_base(s_, i, s_.taken_point[i], g,
+               with_answer(v_.m.point[k], 0, s_.constants.point_friction, g, s_.points.spare(i), s_.points.impulse(i)));
+  }
+
+  /// Scales the impulses of unfinished iterations by best_share() if all of them together would create energy.
+  GEM_DEVICE void keep_best_share() {
+    // by body of the island; the scene's arrays have room for all islands
+    double* const linear = s_.linear_energy + cell_.base;
+    double* const quadratic = s_.quadratic_energy + cell_.base;
+    each_of(team_, 0, v_.bodies, [&](std::int32_t i) {
+      const std::int32_t body = entry_of(i).body;
+      const BodyCell& b = s_.body[body];
+      const SolvedMotion& m = s_.solved[body];
+      const EnergyChange change =
+          energy_change({m.part[0], m.part[1], m.part[4], 0.0, 0.0, 0.0}, b.velocity.x, b.velocity.y, b.spin,
+                        1.0 / b.inverse_mass, b.inverse_inertia > 0.0 ? 1.0 / b.inverse_inertia : 0.0);
+      linear[i] = change.linear;
+      quadratic[i] = change.quadratic;
+    });
+    team_.sync();
+    if (team_.rank() == 0) {
+      EnergyChange sum{0.0, 0.0};
+      for (std::int32_t i = 0; i < v_.bodies; ++i) {
+        sum.linear += linear[i];
+        sum.quadratic += quadratic[i];
+      }
+      cell_.share = best_share(sum);
+    }
+    team_.sync();
+    const double share = cell_.share;
+    if (share >= share_limit(s_.constants.point_friction, false)) return;
+    each_of(team_, 0, v_.points, [&](std::int32_t k) {
+      const std::int32_t i = v_.m.where[k].taken;
+      PointImpulse<double> impulse = s_.points.impulse(i);
+      impulse.normal *= share;
+      impulse.tangential *= share;
+      write_base(s_, i, s_.taken_point[i], s_.points.geometry(i), impulse);
+    });
+  }
+
+  const DeviceScene& s_;
+  const Team& team_;
+  const IslandView& v_;
+  IslandCell& cell_;
+  DeviceFactor<Team> factor_;
+  int halves_ = 1;  // 2: with the repair
+  bool repaired_ = false;
+};
+
+}  // namespace gem

@@ -1,0 +1,51 @@
+// Operator splitting on a device gives the bits of the cpu engine: state, log, books, warm start.
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "gem/engine/device/phases.h"
+#include "gem/engine/testing/host_scene.h"
+#include "gem/engine/testing/law_names.h"
+#include "gem/engine/testing/same_bits.h"
+#include "gem/engine/testing/test_scenes.h"
+
+namespace gem {
+namespace {
+
+using test::HostScene;
+using Choice = std::tuple<Manifold, FrictionLaw, int>;
+
+class DeviceSplitting : public testing::TestWithParam<Choice> {};
+
+TEST_P(DeviceSplitting, GivesTheBitsOfTheCpuEngine) {
+  SceneDef scene = test::busy_scene(7);
+  scene.contact.solver = ContactSolver::coupled;
+  scene.numerics.iteration = Iteration::splitting;
+  scene.numerics.iterations_maximum = 60;  // a round, and a rest that is too short for another
+  scene.numerics.time_step_s = 0.2;
+  int threads = 0;
+  std::tie(scene.contact.manifold, scene.contact.friction_law, threads) = GetParam();
+  const auto cpu = test::busy_engine(scene, "cpu");
+  HostScene device(scene, test::busy_field(scene), 2, threads, 0, bodies_shared_bytes);
+  device.use_phases();
+  device.divide_islands(16, 128);
+  StepLog expected, log;
+  for (int call = 0; call < 2; ++call) {
+    cpu->advance(2, expected);
+    device.advance(2, log);
+    test::expect_same_bodies(device.bodies(), cpu->bodies());
+    test::expect_same_log(log, expected);
+    if (HasFailure()) return;
+  }
+  test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+  test::expect_same_coupled(device, log, *cpu, expected);
+  EXPECT_GT(test::contacts_in(expected), 40);
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, DeviceSplitting,
+                         testing::Combine(testing::Values(Manifold::chord_ends, Manifold::chord_middle),
+                                          testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
+                                          testing::Values(test::team_warp)));
+
+}  // namespace
+}  // namespace gem

@@ -81,6 +81,21 @@ void IslandSolver::move_by_base(std::span<const IslandBody> bodies, std::span<co
   }
 }
 
+/// Largest speed that a point asks for at the base [m/s].
+float IslandSolver::speed_asked(const IslandControl& control, std::span<const IslandBody> bodies,
+                                std::span<const IslandPoint> points) const {
+  const auto per_step = static_cast<float>(1.0 / control.dt);
+  float most = 0.0F;
+  for (const IslandPoint& p : points) {
+    const InverseMass of_a = p.a == fixed ? InverseMass{} : bodies[p.a].inverse;
+    const InverseMass of_b = p.b == fixed ? InverseMass{} : bodies[p.b].inverse;
+    most = larger(most, speed_asked_at_base(control.friction, *p.geometry, inertia_of(*p.geometry, of_a, of_b),
+                                            p.spare, *p.impulse, p.a == fixed ? Motion<double>{} : motion_[p.a],
+                                            p.b == fixed ? Motion<double>{} : motion_[p.b], per_step));
+  }
+  return most;
+}
+
 /// Begins a round from the impulses of the base.
 void IslandSolver::set_base(PointFriction law, std::span<const IslandPoint> points) {
   const Motion<double> rest{};
@@ -199,10 +214,15 @@ void IslandSolver::iterate_round(const IslandControl& control, IslandResult& res
 
 IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
                                  const IslandControl& control) {
+  IslandResult result;
+  move_by_base(bodies, points);
+  const float asked = speed_asked(control, bodies, points);
+  if (RoundControl::settled(control.tolerance, asked)) {
+    result.error = static_cast<double>(asked);
+    return result;
+  }
   order_bodies(bodies, points);
   set_points(bodies, points);
-  move_by_base(bodies, points);
-  IslandResult result;
   do {
     set_base(control.friction, points);
     iterate_round(control, result);

@@ -31,6 +31,12 @@ class RoundControl {
         scheduled_(done < scheduled_iterations),
         stiffness_(scheduled_ ? first_stiffness : steady_stiffness) {}
 
+  /// Whether an island needs no iterations: its points ask for no more than `speed` [m/s] with the impulses of the last
+  /// time step. A quarter of the tolerance, since what its points ask for adds up.
+  GEM_HD static bool settled(double tolerance, float speed) {
+    return static_cast<double>(speed) <= 0.25 * tolerance;
+  }
+
   /// Whether another round follows one that ended with `error` [m/s] after `done` iterations of all rounds.
   GEM_HD static bool goes_on(double tolerance, std::int64_t iterations_maximum, std::int64_t done, double error) {
     return iterations_maximum - done >= shortest_round && error > tolerance;

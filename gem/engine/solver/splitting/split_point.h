@@ -214,6 +214,20 @@ GEM_HD GEM_INLINE float lane_of(const Real& numbers, int lane) {
   return reinterpret_cast<const float*>(&numbers)[lane];
 }
 
+/// Impulse for a speed of a point along its normal and along its tangent [kg], with the whole mass of each body, while
+/// g.nn and g.tt divide it among the points.
+struct PointInertia {
+  float normal, tangential;
+};
+
+GEM_HD inline PointInertia inertia_of(const PointGeometry<double>& g, InverseMass of_a, InverseMass of_b) {
+  const double mass = of_a.mass + of_b.mass;
+  return {static_cast<float>(
+              1.0 / (mass + of_a.inertia * g.lever_a_n * g.lever_a_n + of_b.inertia * g.lever_b_n * g.lever_b_n)),
+          static_cast<float>(
+              1.0 / (mass + of_a.inertia * g.lever_a_t * g.lever_a_t + of_b.inertia * g.lever_b_t * g.lever_b_t))};
+}
+
 /// Sets the constants of a point. Zero masses for a fixed body.
 template <class Real>
 GEM_HD inline void set_point(SplitPoint<Real>& q, int lane, const PointGeometry<double>& g, InverseMass of_a,
@@ -230,12 +244,9 @@ GEM_HD inline void set_point(SplitPoint<Real>& q, int lane, const PointGeometry<
   };
   set_side(of_a, -1.0, g.lever_a_n, g.lever_a_t, q.n_a, q.t_a);
   set_side(of_b, 1.0, g.lever_b_n, g.lever_b_t, q.n_b, q.t_b);
-  // with the whole mass of each body, while g.nn and g.tt divide it among the points
-  const double mass = of_a.mass + of_b.mass;
-  lane_of(q.inverse_nn, lane) = static_cast<float>(
-      1.0 / (mass + of_a.inertia * g.lever_a_n * g.lever_a_n + of_b.inertia * g.lever_b_n * g.lever_b_n));
-  lane_of(q.inverse_tt, lane) = static_cast<float>(
-      1.0 / (mass + of_a.inertia * g.lever_a_t * g.lever_a_t + of_b.inertia * g.lever_b_t * g.lever_b_t));
+  const PointInertia inertia = inertia_of(g, of_a, of_b);
+  lane_of(q.inverse_nn, lane) = inertia.normal;
+  lane_of(q.inverse_tt, lane) = inertia.tangential;
   lane_of(q.friction, lane) = static_cast<float>(g.friction);
   lane_of(q.scale_n, lane) = lane_of(q.scale_t, lane) = 1.0F;
   lane_of(q.answer_n, lane) = lane_of(q.answer_t, lane) = lane_of(q.answer_r, lane) = 0.0F;
@@ -273,6 +284,24 @@ GEM_HD inline void set_base(SplitPoint<Real>& q, int lane, PointFriction law, co
 /// Whether a point repairs an overlap.
 GEM_HD inline bool repairs(const PointGeometry<double>& g, const PointImpulse<double>& impulse) {
   return g.repair_target > 0.0 || impulse.repair > 0.0;
+}
+
+/// Largest speed that a point would change if it alone answered the motions `a` and `b` of the base [m/s]. A shift of
+/// the repair counts `per_step` times [1/s].
+GEM_HD inline float speed_asked_at_base(PointFriction law, const PointGeometry<double>& g, PointInertia inertia,
+                                        SpareFriction spare, const PointImpulse<double>& impulse,
+                                        const Motion<double>& a, const Motion<double>& b, float per_step) {
+  PointFrame<float> f;
+  set_base_values(f, g, spare, impulse, a, b);
+  const float normal = smaller(larger(-f.excess * inertia.normal, f.least), f.most);
+  const float repair = larger(-f.repair_excess * inertia.normal, f.repair_least);
+  const float wider = static_cast<float>(g.friction) * normal;
+  float tangential = 0.0F;
+  if (law == PointFriction::coulomb)
+    tangential = larger(smaller(-f.slip * inertia.tangential, f.slack_left + wider), -(f.slack_right + wider));
+  if (law == PointFriction::fixed_direction) tangential = f.slack_left + wider;
+  return larger(larger(magnitude(normal), per_step * magnitude(repair)) / inertia.normal,
+                magnitude(tangential) / inertia.tangential);
 }
 
 /// The impulse of a point with its last answer.

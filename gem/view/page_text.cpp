@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gem/base/sha256.h"
-#include "gem/report/page.h"
+#include "gem/report/page_frame.h"
 #include "gem/view/pack/packet.h"
 
 namespace gem::view {

@@ -1,6 +1,7 @@
 #include "gem/engine/device/scene_image.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -125,7 +126,7 @@ constexpr std::size_t slots_of_body = 8, numbers_of_body = 200;
 void place_islands(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   IslandMemory& m = s.island;
   const std::size_t n = sizes.bodies, points = s.points_capacity, records = s.push_capacity;
-  const auto halvings = static_cast<std::size_t>(std::ceil(std::log2(static_cast<double>(n + 2))));
+  const auto halvings = static_cast<std::size_t>(std::bit_width(n + 1));
   const std::size_t slots = slots_of_body * n * halvings, numbers = numbers_of_body * n * halvings;
   m.slots_capacity = static_cast<std::int32_t>(std::min<std::size_t>(slots, std::numeric_limits<std::int32_t>::max()));
   m.numbers_capacity = std::min<std::size_t>(numbers, std::numeric_limits<std::int32_t>::max());

@@ -8,6 +8,12 @@
 
 namespace gem {
 
+GEM_DEVICE inline InverseMass inverse_mass_of(const DeviceScene& s, const PointSide& side) {
+  if (side.place < 0) return {};
+  const BodyCell& body = s.body[side.body];
+  return {body.inverse_mass, body.inverse_inertia};
+}
+
 template <class Team>
 class DeviceIslandSolver {
  public:
@@ -32,10 +38,34 @@ class DeviceIslandSolver {
       keep_best_share();
       iterations = c.iterations_maximum;  // too few were left for another round
     }
-    if (team_.rank() != 0) return;
-    Atomics::add(&s_.island.counters->solved, 1);
-    Atomics::highest(&s_.island.counters->iterations, static_cast<std::uint32_t>(iterations));
-    if (!(error <= 0.0)) Atomics::highest(&s_.island.counters->error_bits, strict::bits_of(error));
+    note(iterations, error);
+  }
+
+  /// Whether the island needs no iterations; then notes its error. Needs no fronts.
+  GEM_DEVICE bool settled() {
+    const StepConstants& c = s_.constants;
+    const auto per_step = static_cast<float>(1.0 / c.dt);
+    move_by_base();
+    if (team_.rank() == 0) cell_.asked = 0;
+    team_.sync();
+    std::uint64_t asked = 0;
+    each_of(team_, 0, v_.points, [&](std::int32_t k) {
+      const std::int32_t i = v_.m.where[k].taken;
+      const PointCell& cell = s_.taken_point[i];
+      const PointGeometry<double> g = s_.points.geometry(i);
+      const PointInertia inertia = inertia_of(g, inverse_mass_of(s_, cell.a), inverse_mass_of(s_, cell.b));
+      const float speed = speed_asked_at_base(c.point_friction, g, inertia, s_.points.spare(i), s_.points.impulse(i),
+                                              motion_of(cell.a), motion_of(cell.b), per_step);
+      asked += RoundControl::asked(c.residual_speed, speed);
+    });
+    constexpr std::uint64_t too_many =
+        RoundControl::asked_units + 1;  // a sum of these of all threads does not overflow
+    if (asked > 0) Atomics::add(&cell_.asked, static_cast<std::int32_t>(asked < too_many ? asked : too_many));
+    team_.sync();
+    const double error = RoundControl::error_of_base(c.residual_speed, static_cast<std::uint64_t>(cell_.asked));
+    if (!(error <= c.residual_speed)) return false;
+    note(0, error);
+    return true;
   }
 
  private:
@@ -43,6 +73,13 @@ class DeviceIslandSolver {
   using Point = SplitPoint<float>;
 
   GEM_DEVICE const SolverEntry& entry_of(std::int32_t body) const { return s_.solver_entry[v_.m.member[body]]; }
+
+  GEM_DEVICE void note(std::int64_t iterations, double error) {
+    if (team_.rank() != 0) return;
+    Atomics::add(&s_.island.counters->solved, 1);
+    Atomics::highest(&s_.island.counters->iterations, static_cast<std::uint32_t>(iterations));
+    if (!(error <= 0.0)) Atomics::highest(&s_.island.counters->error_bits, strict::bits_of(error));
+  }
 
   /// Sets the motions of the bodies after the impulses of the base.
   GEM_DEVICE void move_by_base() {

@@ -30,7 +30,7 @@ class IslandsOnDevice {
     each_island(group, cell_, m_.counters->next_large, 0, large, [&](std::int32_t root) {
       if (group_.block() == 0) find_fronts(block, warp, warp_index, warps, of_block, root);
       group.sync();
-      if (cell_.overflow == 0) iterate(group, cell_);
+      if (cell_.iterates != 0) iterate(group, cell_);
     });
     of_block = memory_of(0);
     each_island(block, *of_block.cell, m_.counters->next_block, large, not_small, [&](std::int32_t root) {
@@ -74,14 +74,15 @@ class IslandsOnDevice {
             reinterpret_cast<std::int32_t*>(counts) + 3 * warp * Group::Warp::size};
   }
 
-  /// Prepares an island for its iterations. Returns false if its fronts do not fit in memory. `sub`: warp number
-  /// `sub_rank` of `subs` of the team.
+  /// Prepares an island for its iterations. Returns false if it needs none, or if its fronts do not fit in memory.
+  /// `sub`: warp number `sub_rank` of `subs` of the team.
   template <class Team, class Sub>
   GEM_DEVICE bool find_fronts(const Team& team, const Sub& sub, int sub_rank, int subs, const TeamMemory& memory,
                               std::int32_t root) {
     IslandView& view = memory.cell->view;
     gather_bodies(team, memory, view, root);
     gather_points(team, memory, view);
+    if (DeviceIslandSolver<Team>(s_, team, view, *memory.cell).settled()) return false;
     const std::int32_t levels = dissect(team, sub, sub_rank, subs, view.graph, memory);
     if (team.rank() == 0) {
       view.levels = levels;
@@ -90,11 +91,13 @@ class IslandsOnDevice {
     team.sync();
     FrontFinder<Team> fronts(team, view, m_, memory);
     const bool fit = fronts.find();
-    if (fit)
-      set_places(team, view);
-    else
+    if (!fit) {
       group_.raise(alarm_solver_full);
-    return fit;
+      return false;
+    }
+    if (team.rank() == 0) memory.cell->iterates = 1;
+    set_places(team, view);
+    return true;
   }
 
   /// Lists the bodies of an island by rank, and gives the island its part of the memory.
@@ -108,7 +111,7 @@ class IslandsOnDevice {
     if (team.rank() == 0) {
       cell.bodies = sums.all.part[0];
       cell.base = Group::add(&m_.counters->body_slots, cell.bodies);
-      cell.points = cell.overflow = 0;
+      cell.points = cell.overflow = cell.iterates = 0;
       view = {};
       view.bodies = cell.bodies;
       begin_arrays(view, cell.base);
@@ -197,15 +200,12 @@ class IslandsOnDevice {
       const auto place_of = [&](const PointSide& side) {
         return side.place < 0 ? -1 : view.m.place[m_.index[m_.rank[side.body]]];
       };
-      const auto mass_of = [&](const PointSide& side) {
-        const BodyCell& body = s_.body[side.body];
-        return side.place < 0 ? InverseMass{} : InverseMass{body.inverse_mass, body.inverse_inertia};
-      };
       at.a = place_of(point.a);
       at.b = place_of(point.b);
       if (point.slot == 0) at.row_length = 0;
       if (point.slot == 0 && at.b >= 0 && s_.contact[point.pair].count > 1) at.second = m_.point_of[point.b.place + 1];
-      set_point(view.m.point[k], 0, s_.points.geometry(at.taken), mass_of(point.a), mass_of(point.b));
+      set_point(view.m.point[k], 0, s_.points.geometry(at.taken), inverse_mass_of(s_, point.a),
+                inverse_mass_of(s_, point.b));
     });
     each_of(team, 0, view.bodies, [&](std::int32_t place) {
       const BodyCell& body = s_.body[s_.solver_entry[view.m.member[view.m.order[place]]].body];

@@ -81,19 +81,21 @@ void IslandSolver::move_by_base(std::span<const IslandBody> bodies, std::span<co
   }
 }
 
-/// Largest speed that a point asks for at the base [m/s].
-float IslandSolver::speed_asked(const IslandControl& control, std::span<const IslandBody> bodies,
-                                std::span<const IslandPoint> points) const {
+/// Estimate of the error of the impulses of the base [m/s].
+double IslandSolver::error_of_base(const IslandControl& control, std::span<const IslandBody> bodies,
+                                   std::span<const IslandPoint> points) const {
   const auto per_step = static_cast<float>(1.0 / control.dt);
-  float most = 0.0F;
+  std::uint64_t asked = 0;
   for (const IslandPoint& p : points) {
     const InverseMass of_a = p.a == fixed ? InverseMass{} : bodies[p.a].inverse;
     const InverseMass of_b = p.b == fixed ? InverseMass{} : bodies[p.b].inverse;
-    most = larger(most, speed_asked_at_base(control.friction, *p.geometry, inertia_of(*p.geometry, of_a, of_b),
-                                            p.spare, *p.impulse, p.a == fixed ? Motion<double>{} : motion_[p.a],
-                                            p.b == fixed ? Motion<double>{} : motion_[p.b], per_step));
+    const float speed = speed_asked_at_base(control.friction, *p.geometry, inertia_of(*p.geometry, of_a, of_b), p.spare,
+                                            *p.impulse, p.a == fixed ? Motion<double>{} : motion_[p.a],
+                                            p.b == fixed ? Motion<double>{} : motion_[p.b], per_step);
+    asked += RoundControl::asked(control.tolerance, speed);
+    if (asked > RoundControl::asked_units) break;
   }
-  return most;
+  return RoundControl::error_of_base(control.tolerance, asked);
 }
 
 /// Begins a round from the impulses of the base.
@@ -216,11 +218,8 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
                                  const IslandControl& control) {
   IslandResult result;
   move_by_base(bodies, points);
-  const float asked = speed_asked(control, bodies, points);
-  if (RoundControl::settled(control.tolerance, asked)) {
-    result.error = static_cast<double>(asked);
-    return result;
-  }
+  result.error = error_of_base(control, bodies, points);
+  if (result.error <= control.tolerance) return result;
   order_bodies(bodies, points);
   set_points(bodies, points);
   do {

@@ -74,8 +74,8 @@ class IslandSolver {
   void order_bodies(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
   void set_points(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
   void move_by_base(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
-  float speed_asked(const IslandControl& control, std::span<const IslandBody> bodies,
-                    std::span<const IslandPoint> points) const;
+  double error_of_base(const IslandControl& control, std::span<const IslandBody> bodies,
+                       std::span<const IslandPoint> points) const;
   void set_base(PointFriction law, std::span<const IslandPoint> points);
   void keep_best_share(PointFriction law, std::span<const IslandBody> bodies,
                        std::span<const IslandPoint> points) const;

@@ -50,7 +50,7 @@ struct IslandCell {
   std::int32_t base, first_point;
   std::int32_t first_slot, slots;
   std::uint64_t first_number, numbers;
-  std::int32_t repairs, overflow, raised, not_finite;
+  std::int32_t repairs, overflow, iterates, asked, raised, not_finite;
   std::uint32_t points_bits, bodies_bits, change_bits, motion_bits;
   double share;
   IslandView view;  // written by one thread

@@ -81,6 +81,31 @@ TEST(Islands, LoadPassesThroughALightBody) {
   for (int i = 0; i < 40; ++i) EXPECT_NEAR(row.velocity_after(i), 0.0, control.tolerance) << i;
 }
 
+TEST(Islands, KeepImpulsesThatStillHold) {
+  constexpr int count = 30;
+  Row row(count, 0.0);
+  Islands islands;
+  islands.begin(count, count, 1);
+  row.add_to(islands, 0, 0);
+  IslandControl control{PointFriction::coulomb, 1e-9, 0.2, 5000};
+  ASSERT_GT(solve(islands, control).iterations, 0);
+  const std::vector<PointImpulse<double>> solved = row.impulse;
+  // only the point at the wall asks for more
+  for (IslandBody& b : row.bodies) b.velocity.x *= 1.0 + 1e-5;
+  const double asked = 1e-5 * speed;
+  for (const double share : {0.9, 1.1}) {
+    row.impulse = solved;
+    control.tolerance = asked / share;
+    islands.begin(count, count, 1);
+    row.add_to(islands, 0, 0);
+    const IslandResult result = solve(islands, control);
+    EXPECT_LE(result.error, control.tolerance);
+    EXPECT_EQ(result.iterations == 0, share < 1.0) << share;
+    for (int i = 0; i < count; ++i) EXPECT_NEAR(row.velocity_after(i), 0.0, control.tolerance) << i;
+    EXPECT_EQ(row.impulse[0].normal == solved[0].normal, share < 1.0);
+  }
+}
+
 TEST(Islands, DependOnThemselvesAlone) {
   const IslandControl control{PointFriction::coulomb, 1e-5, 0.2, 2000};
   Row alone(30, 0.0), here(30, 0.0), far(70, 5000.0);

@@ -31,10 +31,16 @@ class RoundControl {
         scheduled_(done < scheduled_iterations),
         stiffness_(scheduled_ ? first_stiffness : steady_stiffness) {}
 
-  /// Whether an island needs no iterations: its points ask for no more than `speed` [m/s] with the impulses of the last
-  /// time step. A quarter of the tolerance, since what its points ask for adds up.
-  GEM_HD static bool settled(double tolerance, float speed) {
-    return static_cast<double>(speed) <= 0.25 * tolerance;
+  /// What a point asks for at the base, in parts of the tolerance; whole numbers, so that sums have no order.
+  static constexpr std::uint64_t asked_units = 1024;
+  GEM_HD static std::uint64_t asked(double tolerance, float speed) {
+    const double share = static_cast<double>(speed) / tolerance;
+    return share < 1.0 ? static_cast<std::uint64_t>(share * static_cast<double>(asked_units)) : asked_units + 1;
+  }
+  /// Estimate of the error of the base [m/s], from the sum of asked() over the points of an island: along a chain of
+  /// bodies they add up.
+  GEM_HD static double error_of_base(double tolerance, std::uint64_t asked) {
+    return tolerance * static_cast<double>(asked) / static_cast<double>(asked_units);
   }
 
   /// Whether another round follows one that ended with `error` [m/s] after `done` iterations of all rounds.

@@ -51,7 +51,7 @@ void add_export_command(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand("export", "write a run file for ParaView, as GeoJSON or as CSV");
   command->add_option("file", options->target.run_file, "run file")->required()->type_name("RUNFILE");
   command
-      ->add_option("-o,--out,out", options->target.output,
+      ->add_option("out", options->target.output,
                    "NAME.pvd: all frames for ParaView, with the folder NAME_vtp; NAME.geojson: the floes of one frame, "
                    "which is a floe file again; NAME.csv: a table")
       ->required()

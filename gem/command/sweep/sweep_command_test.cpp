@@ -255,7 +255,7 @@ TEST_F(SweepCommandTest, ASweepOfOtherCasesIsRefusedWhileOneRuns) {
   kill(child, SIGHUP);
   EXPECT_EQ(ended(child), 129);
   EXPECT_GE(count("d", "stopped"), 1u);
-  EXPECT_EQ(sweep("d", {"--set", "run.duration_s=1.0", "--index", "5-6"}), 0) << text_of("err_");
+  EXPECT_EQ(sweep("d", {"--set", "run.duration_s=1.0", "--index", "5-6", "--overwrite"}), 0) << text_of("err_");
 }
 
 TEST_F(SweepCommandTest, WhatIsNotThisSweepsIsKept) {

@@ -110,9 +110,10 @@ def _call(arguments: list[str], progress: Progress | None, accepted: tuple[int, 
     """Runs the program and returns its standard output. Raises ProgramError for another exit code."""
     messages = _Messages(progress)
     with tempfile.TemporaryFile("w+", encoding="utf-8") as output:
-        # Output goes to a file: a pipe that nobody reads would stop the program while its messages are read.
+        # Output goes to a file: a pipe that nobody reads would stop the program while its messages are read. A session of
+        # its own: Ctrl-C reaches the program once, from _stop(); a second signal would end it out of order.
         with subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.PIPE, encoding="utf-8",
-                              errors="replace") as process:
+                              errors="replace", start_new_session=True) as process:
             try:
                 lines: IO[str] | None = process.stderr
                 for line in lines or ():

@@ -112,6 +112,8 @@ std::optional<PlatformStart> platform_of_run_file(const std::string& path, doubl
     const std::vector<double> column = file.column(std::string("platform/") + name);
     if (column.size() != times.size())
       refuse(file, "its columns of the platform differ in length", "it may be damaged");
+    if (!std::isfinite(column[row - 1]))
+      refuse(file, std::string("platform/") + name + " is not a number there", "it may be damaged");
     return column[row - 1];
   };
   return PlatformStart{{value("x"), value("y")},

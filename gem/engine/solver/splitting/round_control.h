@@ -31,16 +31,18 @@ class RoundControl {
         scheduled_(done < scheduled_iterations),
         stiffness_(scheduled_ ? first_stiffness : steady_stiffness) {}
 
-  /// What a point asks for at the base, in parts of the tolerance; whole numbers, so that sums have no order.
-  static constexpr std::uint64_t asked_units = 1024;
+  /// What a point asks for at the base, in parts of the tolerance, rounded up; whole numbers, so that sums have no
+  /// order.
+  static constexpr std::uint64_t asked_units = 1 << 20;
   GEM_HD static std::uint64_t asked(double tolerance, float speed) {
     const double share = static_cast<double>(speed) / tolerance;
-    return share < 1.0 ? static_cast<std::uint64_t>(share * static_cast<double>(asked_units)) : asked_units + 1;
+    if (!(share < 1.0)) return asked_units + 1;
+    return static_cast<std::uint64_t>(share * static_cast<double>(asked_units)) + (speed > 0.0F ? 1 : 0);
   }
   /// Estimate of the error of the base [m/s], from the sum of asked() over the points of an island: along a chain of
-  /// bodies they add up.
+  /// bodies they add up. Four times the sum: with less, loads of run 1 were lower (bench/notebook.md).
   GEM_HD static double error_of_base(double tolerance, std::uint64_t asked) {
-    return tolerance * static_cast<double>(asked) / static_cast<double>(asked_units);
+    return 4.0 * tolerance * static_cast<double>(asked) / static_cast<double>(asked_units);
   }
 
   /// Whether another round follows one that ended with `error` [m/s] after `done` iterations of all rounds.

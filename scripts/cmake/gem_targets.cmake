@@ -67,7 +67,7 @@ if(GEM_HAS_CUDA)
   list(APPEND simulator_sources ${cuda_sources})
   # As on the host: a*b+c is never contracted.
   set_source_files_properties(${cuda_sources} PROPERTIES COMPILE_OPTIONS
-    "--fmad=false;-lineinfo;-Xcompiler=-ffp-contract=off")
+    "--fmad=false;-Xcompiler=-ffp-contract=off")
 else()
   set(no_cuda_because "no CUDA compiler was found when it was configured")
   if(GEM_CUDA STREQUAL OFF)

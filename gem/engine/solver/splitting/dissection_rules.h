@@ -1,4 +1,4 @@
-// What both forms of nested dissection have in common: strips, and what a cut costs.
+// What both forms of nested dissection and of the factor have in common: strips, what a cut costs, the order of sums.
 #pragma once
 
 #include <cmath>
@@ -11,6 +11,9 @@ namespace gem {
 /// Parts of so many bodies are not cut. Smaller ones give more and smaller nodes, larger ones fill more blocks of the
 /// factor with zeros (bench/notebook.md, "Operator splitting").
 constexpr std::int32_t largest_leaf = 6;
+
+/// Bodies of a part of a chunk, of which a product adds four (FrontFactor): on a device a thread takes a part.
+constexpr std::int32_t part_bodies = 2, chunk_bodies = 4 * part_bodies;
 
 /// Strips of equal width across a part.
 struct CutStrips {

@@ -3,11 +3,13 @@
 #include <algorithm>
 
 #include "gem/base/pack.h"
+#include "gem/engine/solver/splitting/dissection_rules.h"
 
 namespace gem {
 namespace {
 
 constexpr std::int32_t motions = 3;  // of a body
+constexpr std::int32_t part_columns = motions * part_bodies, chunk_columns = 4 * part_columns;
 
 std::int32_t whole_packs(std::int32_t numbers) { return (numbers + float_lanes - 1) / float_lanes * float_lanes; }
 
@@ -243,31 +245,40 @@ GEM_CLONES void FrontFactor::factor() {
 
 namespace {
 
-/// Adds the columns of a matrix, each times its number of every vector, in four parts.
-template <int vectors>
-GEM_INLINE void add_columns(const float* matrix, std::int32_t rows, std::int32_t columns, const float* const* x,
-                            FloatPack (&sum)[vectors][4]) {
-  std::int32_t k = 0;
-  const float* at = matrix;
-#define GEM_ADD_COLUMN(part)                                                   \
-  {                                                                            \
-    const FloatPack column = load_pack(at);                                    \
-    for (int v = 0; v < vectors; ++v) sum[v][part] += column * x[v][k + part]; \
-    at += rows;                                                                \
-  }
-  for (; k + 3 < columns; k += 4) {
-    GEM_ADD_COLUMN(0)
-    GEM_ADD_COLUMN(1)
-    GEM_ADD_COLUMN(2)
-    GEM_ADD_COLUMN(3)
-  }
-  if (k < columns) GEM_ADD_COLUMN(0)
-  if (k + 1 < columns) GEM_ADD_COLUMN(1)
-  if (k + 2 < columns) GEM_ADD_COLUMN(2)
-#undef GEM_ADD_COLUMN
+/// The products of some packs of rows and columns [first, first + count) of a chunk, in four parts.
+template <int vectors, int count>
+GEM_INLINE void add_chunk(const float* at, std::int32_t rows, const float* const* x, std::int32_t first,
+                          FloatPack (&total)[vectors]) {
+  FloatPack part[vectors][4] = {};
+  for (std::int32_t i = 0; i < part_columns; ++i)
+    for (std::int32_t p = 0; p < 4; ++p) {
+      const std::int32_t k = part_columns * p + i;
+      if (k >= count) continue;
+      const FloatPack column = load_pack(at + static_cast<std::ptrdiff_t>(rows) * k);
+      for (int v = 0; v < vectors; ++v) part[v][p] += column * x[v][first + k];
+    }
+  for (int v = 0; v < vectors; ++v) total[v] += (part[v][0] + part[v][1]) + (part[v][2] + part[v][3]);
 }
 
-GEM_INLINE FloatPack whole_sum(const FloatPack* part) { return (part[0] + part[1]) + (part[2] + part[3]); }
+/// Some packs of rows of a matrix times every vector: chunk by chunk of its columns.
+template <int vectors>
+GEM_INLINE void multiply(const float* matrix, std::int32_t rows, std::int32_t columns, const float* const* x,
+                         FloatPack (&total)[vectors]) {
+  std::int32_t k = 0;
+  for (; k + chunk_columns <= columns; k += chunk_columns)
+    add_chunk<vectors, chunk_columns>(matrix + static_cast<std::ptrdiff_t>(rows) * k, rows, x, k, total);
+  const float* const rest = matrix + static_cast<std::ptrdiff_t>(rows) * k;
+  switch ((columns - k) / motions) {
+    case 1: return add_chunk<vectors, 3>(rest, rows, x, k, total);
+    case 2: return add_chunk<vectors, 6>(rest, rows, x, k, total);
+    case 3: return add_chunk<vectors, 9>(rest, rows, x, k, total);
+    case 4: return add_chunk<vectors, 12>(rest, rows, x, k, total);
+    case 5: return add_chunk<vectors, 15>(rest, rows, x, k, total);
+    case 6: return add_chunk<vectors, 18>(rest, rows, x, k, total);
+    case 7: return add_chunk<vectors, 21>(rest, rows, x, k, total);
+    default: return;
+  }
+}
 
 /// Copies the numbers of a body from its row to place `k` of dense vectors. Each copy has one number too many.
 template <int vectors>
@@ -294,9 +305,9 @@ GEM_INLINE void FrontFactor::forth(const Front& f, float* x) {
   float* const result[2] = {product_[0].data(), product_[1].data()};
   for (std::int32_t k = 0; k < f.own; ++k) take_body<vectors>(x + row_numbers * (f.place + k), k, own);
   for (std::int32_t r = 0; r < f.other_rows; r += float_lanes) {
-    FloatPack sum[vectors][4] = {};
-    add_columns<vectors>(forth_.data() + f.forth + r, f.other_rows, motions * f.own, own, sum);
-    for (int v = 0; v < vectors; ++v) store_pack(whole_sum(sum[v]), result[v] + r);
+    FloatPack sum[vectors] = {};
+    multiply<vectors>(forth_.data() + f.forth + r, f.other_rows, motions * f.own, own, sum);
+    for (int v = 0; v < vectors; ++v) store_pack(sum[v], result[v] + r);
   }
   for (std::int32_t k = 0; k < f.others; ++k) {
     float* const row = x + row_numbers * other_place_[f.first_other + k];
@@ -315,9 +326,9 @@ GEM_INLINE void FrontFactor::back(const Front& f, float* x) {
   for (std::int32_t k = 0; k < f.others; ++k)
     take_body<vectors>(x + row_numbers * other_place_[f.first_other + k], f.own + k, all);
   for (std::int32_t r = 0; r < f.own_rows; r += float_lanes) {
-    FloatPack sum[vectors][4] = {};
-    add_columns<vectors>(back_.data() + f.back + r, f.own_rows, motions * (f.own + f.others), all, sum);
-    for (int v = 0; v < vectors; ++v) store_pack(whole_sum(sum[v]), result[v] + r);
+    FloatPack sum[vectors] = {};
+    multiply<vectors>(back_.data() + f.back + r, f.own_rows, motions * (f.own + f.others), all, sum);
+    for (int v = 0; v < vectors; ++v) store_pack(sum[v], result[v] + r);
   }
   for (std::int32_t k = 0; k < f.own; ++k)
     for (int v = 0; v < vectors; ++v) {

@@ -9,7 +9,8 @@
 // and hands C's complement to its parent (multifrontal method, Duff and Reid 1983). Each step of a node is one dense
 // product. The matrix is symmetric and positive definite: no pivots are searched.
 //
-// All sums have a fixed order: a product sums its columns in four parts, column k in part k mod 4.
+// All sums have a fixed order, the same on a device: a product adds chunks of the columns of eight bodies, one after
+// another. A chunk has four parts of two bodies each, and is (part 0 + part 1) + (part 2 + part 3).
 #pragma once
 
 #include <cstdint>

@@ -24,8 +24,10 @@ class LaneGroup {
     return bits;
   }
   __device__ int from(int mine, int lane) const { return __shfl_sync(mask(), mine, lane, lanes); }
+  __device__ float from(float mine, int lane) const { return __shfl_sync(mask(), mine, lane, lanes); }
   __device__ double from(double mine, int lane) const { return __shfl_sync(mask(), mine, lane, lanes); }
   __device__ int partner(int mine, int step) const { return __shfl_xor_sync(mask(), mine, step, lanes); }
+  __device__ float partner(float mine, int step) const { return __shfl_xor_sync(mask(), mine, step, lanes); }
   __device__ double partner(double mine, int step) const { return __shfl_xor_sync(mask(), mine, step, lanes); }
   __device__ void sync() const { __syncwarp(mask()); }
   __device__ int count(unsigned bits) const { return __popc(bits); }

@@ -134,19 +134,26 @@ void place_islands(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(m.cell, most_island_groups);
   for (std::int32_t** array :
        {&m.joined, &m.root, &m.weight, &m.entry, &m.index, &m.rank, &m.island, &m.member, &m.place, &m.label,
-        &m.next_label, &m.order, &m.next_order, &m.side, &m.own_place, &m.parts_in, &m.first_in, &m.filled_in})
+        &m.next_label, &m.home, &m.order, &m.next_order, &m.side, &m.own_place, &m.parts_in, &m.first_in, &m.filled_in})
     placer.place(*array, n);
   placer.place(m.position, n);
   placer.place(m.scaled, n);
-  for (FloatQuad** array : {&m.now, &m.sum, &m.solution, &m.given, &m.last_given}) placer.place(*array, 2 * n);
-  placer.place(m.pivot, n);
-  placer.place(m.share, n);
-  placer.place(m.node, 2 * n);
-  placer.place(m.level, 2 * n + 2);
+  for (FloatQuad** array : {&m.now, &m.sum, &m.solution, &m.given}) placer.place(*array, 2 * n);
+  placer.place(m.records, n);
+  placer.place(m.pivot, 3 * n);
+  placer.place(m.share, 3 * n);
+  const std::size_t trunks = records / least_large_island + 1;
+  m.bodies_capacity = static_cast<std::int32_t>(n);
+  placer.place(m.node, 2 * n + trunk_nodes * trunks);
+  placer.place(m.level, 2 * n + 2 + trunk_levels * trunks);
+  placer.place(m.forth_tile, slots);
+  placer.place(m.back_tile, n);
   for (std::int32_t** array : {&m.taken_of_record, &m.point_of, &m.neighbour}) placer.place(*array, records);
   placer.place(m.push, 2 * records);
+  placer.place(m.ends, points);
   placer.place(m.where, points);
-  placer.place(m.point, points);
+  m.points_capacity = static_cast<std::int64_t>(points);
+  placer.place(m.point, points * (sizeof(SplitPoint<float>) / sizeof(float)));
   for (std::int32_t** array : {&m.draft, &m.other, &m.front, &m.row_above, &m.unsorted, &m.sorted})
     placer.place(*array, slots);
   placer.place(m.product, 2 * slots);

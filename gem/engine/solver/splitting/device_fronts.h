@@ -1,8 +1,9 @@
 // The fronts of an island on a device: which bodies each front joins, and where its numbers stand. The same as
-// FrontFactor::analyse(), level by level.
+// FrontFactor::analyse(), level by level: first those of the branches, then those of the trunk.
 #pragma once
 
 #include "gem/engine/solver/splitting/device_dissection.h"
+#include "gem/engine/solver/splitting/solve_tiles.h"
 
 namespace gem {
 
@@ -27,65 +28,110 @@ GEM_DEVICE inline std::int32_t row_in(const IslandView& v, const IslandNode& f, 
   return f.own_rows() + 3 * lower_place(v.m.other + f.first_other, f.others, place);
 }
 
+/// Finds the fronts of the trunk or of a branch, by the threads of a block or a warp. Between its functions all threads
+/// of the island have to meet.
 template <class Team>
 class FrontFinder {
  public:
-  /// `scene`: the memory of the scene.
-  GEM_DEVICE FrontFinder(const Team& team, IslandView& view, const IslandMemory& scene, const TeamMemory& memory)
-      : team_(team), v_(view), scene_(scene), memory_(memory) {}
+  GEM_DEVICE FrontFinder(const Team& team, TreePart& part, const IslandView& view, IslandCell& cell,
+                         const TeamMemory& memory)
+      : team_(team), p_(part), v_(view), m_(view.m), cell_(cell), memory_(memory) {}
 
-  /// Sets the fronts, and the island's part of the slots and numbers. Returns false if they do not fit in the scene's
-  /// memory.
-  GEM_DEVICE bool find() {
-    each_of(team_, 0, v_.bodies, [&](std::int32_t p) { v_.m.place[v_.m.order[p]] = p; });
-    team_.sync();
-    for (std::int32_t level = v_.levels; level-- > 0;) {
-      each_of(team_, v_.first_node(level), v_.first_node(level + 1), [&](std::int32_t id) { draft_others(id); });
+  /// Sets the fronts, and the part's own slots and numbers. Raises the island's overflow if they do not fit in the
+  /// scene's memory. The fronts below are set, and the places of all bodies.
+  GEM_DEVICE void find() {
+    for (std::int32_t level = p_.levels; level-- > 0;) {
+      each_node(level, [&](std::int32_t id) { draft_others(id); });
       team_.sync();
     }
-    if (memory_.cell->overflow) return false;
-    place_nodes();
-    if (memory_.cell->overflow) return false;
-    each_of(team_, 0, v_.slots, [&](std::int32_t t) {
-      const IslandNode& f = v_.m.node[v_.m.front[t]];
-      v_.m.row_above[t] = row_in(v_, v_.m.node[f.parent], v_.m.other[t]);
+    if (cell_.overflow == 0) place_nodes();
+    team_.sync();
+  }
+
+  /// Sets the rows of the others in the fronts above, which are set, and counts the slots of the bodies.
+  GEM_DEVICE void count_parts() {
+    each_slot([&](std::int32_t t) {
+      const IslandNode& f = m_.node[m_.front[t]];
+      m_.row_above[t] = row_in(v_, m_.node[f.parent], m_.other[t]);
+      Atomics::add(&m_.parts_in[m_.other[t]], 1);
     });
-    sort_parts();
-    return true;
+  }
+  /// Gives the bodies their ranges of sorted slots.
+  GEM_DEVICE void place_parts() {
+    const TeamShare mine = share_of(team_, p_.first_own, p_.first_own + p_.owns);
+    TeamCount count;
+    for (std::int32_t k = mine.begin; k < mine.end; ++k) count.part[0] += m_.parts_in[m_.own_place[k]];
+    const TeamSums sums = sum_over<1>(team_, memory_.count, count);
+    if (team_.rank() == 0) {
+      p_.sorted = sums.all.part[0];
+      p_.first_sorted = Atomics::add(&m_.counters->sorted, p_.sorted);
+    }
+    team_.sync();
+    std::int32_t first = p_.first_sorted + sums.below.part[0];
+    for (std::int32_t k = mine.begin; k < mine.end; ++k) {
+      const std::int32_t place = m_.own_place[k];
+      m_.first_in[place] = first;
+      first += m_.parts_in[place];
+    }
+  }
+  GEM_DEVICE void fill_parts() {
+    each_slot([&](std::int32_t t) {
+      const std::int32_t p = m_.other[t];
+      m_.unsorted[m_.first_in[p] + Atomics::add(&m_.filled_in[p], 1)] = t;
+    });
+  }
+  /// Sorts the slots of each body into the order in which its sums are made.
+  GEM_DEVICE void sort_parts() {
+    each_of(team_, p_.first_sorted, p_.first_sorted + p_.sorted, [&](std::int32_t k) {
+      const std::int32_t t = m_.unsorted[k], p = m_.other[t], begin = m_.first_in[p];
+      std::int32_t before = 0;
+      for (std::int32_t j = begin; j < begin + m_.parts_in[p]; ++j)
+        before += comes_before(m_.front[m_.unsorted[j]], m_.front[t]) ? 1 : 0;
+      m_.sorted[begin + before] = t;
+    });
   }
 
  private:
   using Atomics = typename Team::Atomics;
 
+  template <class Work>
+  GEM_DEVICE void each_node(std::int32_t level, Work&& work) {
+    each_of(team_, m_.level[p_.level + level].node, m_.level[p_.level + level + 1].node, work);
+  }
+  template <class Work>
+  GEM_DEVICE void each_slot(Work&& work) {
+    each_of(team_, p_.first_slot, p_.first_slot + p_.slots, work);
+  }
+
   /// The others of a front, ascending: those of its children, and later bodies in contact with its own.
   GEM_DEVICE void draft_others(std::int32_t id) {
-    IslandNode& f = v_.m.node[id];
+    IslandNode& f = m_.node[id];
     IslandNode none;
-    const IslandNode& left = f.child >= 0 ? v_.m.node[f.child] : none;
-    const IslandNode& right = f.child >= 0 ? v_.m.node[f.child + 1] : none;
+    const IslandNode& left = f.child[0] >= 0 ? m_.node[f.child[0]] : none;
+    const IslandNode& right = f.child[1] >= 0 ? m_.node[f.child[1]] : none;
     std::int32_t most = left.others + right.others;
     for (std::int32_t p = f.own; p < f.end; ++p)
-      v_.graph.each_neighbour(v_.m.order[p], [&](std::int32_t body) { most += v_.m.place[body] >= f.end ? 1 : 0; });
-    f.draft = most > 0 ? Atomics::add(&scene_.counters->drafts, most) : 0;
+      v_.graph.each_neighbour(m_.order[p], [&](std::int32_t body) { most += m_.place[body] >= f.end ? 1 : 0; });
+    f.draft = most > 0 ? Atomics::add(&m_.counters->drafts, most) : 0;
     f.others = 0;
-    if (f.draft + most > scene_.slots_capacity) {
-      Atomics::add(&memory_.cell->overflow, 1);
+    if (f.draft < 0 || f.draft > m_.slots_capacity - most) {
+      Atomics::add(&cell_.overflow, 1);
       return;
     }
-    std::int32_t* const to = scene_.draft + f.draft;
+    std::int32_t* const to = m_.draft + f.draft;
     std::int32_t count = 0;
     for (std::int32_t i = 0, j = 0; i < left.others || j < right.others;) {
       const std::int32_t none_left = v_.bodies;
-      const std::int32_t p = i < left.others ? scene_.draft[left.draft + i] : none_left;
-      const std::int32_t q = j < right.others ? scene_.draft[right.draft + j] : none_left;
+      const std::int32_t p = i < left.others ? m_.draft[left.draft + i] : none_left;
+      const std::int32_t q = j < right.others ? m_.draft[right.draft + j] : none_left;
       const std::int32_t next = p < q ? p : q;
       i += p == next ? 1 : 0;
       j += q == next ? 1 : 0;
       if (next >= f.end) to[count++] = next;
     }
     for (std::int32_t p = f.own; p < f.end; ++p)
-      v_.graph.each_neighbour(v_.m.order[p], [&](std::int32_t body) {
-        const std::int32_t place = v_.m.place[body];
+      v_.graph.each_neighbour(m_.order[p], [&](std::int32_t body) {
+        const std::int32_t place = m_.place[body];
         if (place < f.end) return;
         const std::int32_t at = lower_place(to, count, place);
         if (at < count && to[at] == place) return;
@@ -96,100 +142,116 @@ class FrontFinder {
     f.others = count;
   }
 
-  /// Gives each node its slots, its own places and its numbers, in the order of the nodes.
+  GEM_DEVICE static TileShape forth_shape(const IslandNode& f) {
+    return tile_shape(f.owns() > 0 ? f.others : 0, f.owns(), Team::Warp::size);
+  }
+  GEM_DEVICE static TileShape back_shape(const IslandNode& f) {
+    return tile_shape(f.owns(), f.owns() + f.others, Team::Warp::size);
+  }
+
+  /// Gives each node its slots, its own places, its tiles and its numbers, in the order of the nodes.
   GEM_DEVICE void place_nodes() {
-    const TeamShare mine = share_of(team_, 0, v_.nodes);
+    const TeamShare mine = share_of(team_, p_.first_node, p_.first_node + p_.nodes);
     TeamCount count;
     std::int64_t numbers = 0;
     for (std::int32_t id = mine.begin; id < mine.end; ++id) {
-      IslandNode& f = v_.m.node[id];
+      IslandNode& f = m_.node[id];
       count.part[0] += f.others;
-      count.part[1] += f.end - f.own;
+      count.part[1] += f.owns();
+      count.part[2] += forth_shape(f).tiles;
+      count.part[3] += back_shape(f).tiles;
       f.numbers = 0;
-      numbers += f.end_of_numbers();
+      numbers += f.tiles() + forth_shape(f).numbers() + back_shape(f).numbers();
     }
-    count.part[2] = static_cast<std::int32_t>(numbers);  // below 2^31: else the capacity is exceeded
-    const TeamSums sums = sum_over(team_, memory_.count, count);
-    IslandCell& cell = *memory_.cell;
+    count.part[4] = static_cast<std::int32_t>(numbers);  // below 2^31: else the capacity is exceeded
+    const TeamSums sums = sum_over<5>(team_, memory_.count, count);
     if (team_.rank() == 0) {
-      cell.slots = sums.all.part[0];
-      cell.first_slot = Atomics::add(&scene_.counters->slots, cell.slots);
-      cell.numbers = static_cast<std::uint64_t>(sums.all.part[2]);
-      cell.first_number = Atomics::add(&scene_.counters->numbers, cell.numbers);
-      if (cell.first_slot + cell.slots > scene_.slots_capacity ||
-          cell.first_number + cell.numbers > scene_.numbers_capacity)
-        cell.overflow = 1;
-      v_.slots = cell.slots;
-      v_.m.other += cell.first_slot;
-      v_.m.front += cell.first_slot;
-      v_.m.row_above += cell.first_slot;
-      v_.m.unsorted += cell.first_slot;
-      v_.m.sorted += cell.first_slot;
-      v_.m.product += 2 * static_cast<std::int64_t>(cell.first_slot);
-      v_.m.numbers += cell.first_number;
+      p_.slots = sums.all.part[0];
+      p_.first_slot = Atomics::add(&m_.counters->slots, p_.slots);
+      p_.numbers = sums.all.part[4];
+      p_.first_number =
+          static_cast<std::int64_t>(Atomics::add(&m_.counters->numbers, static_cast<std::uint64_t>(p_.numbers)));
+      if (p_.first_slot > m_.slots_capacity - p_.slots || p_.numbers < 0 ||
+          p_.first_number + p_.numbers > static_cast<std::int64_t>(m_.numbers_capacity))
+        Atomics::add(&cell_.overflow, 1);
+      IslandLevel& end = m_.level[p_.level + p_.levels];
+      end.own = p_.first_own + p_.owns;
+      end.forth_tile = p_.first_slot + sums.all.part[2];
+      end.back_tile = p_.first_own + sums.all.part[3];
     }
     team_.sync();
-    if (cell.overflow) return;
-    std::int32_t slot = sums.below.part[0], own = sums.below.part[1];
-    std::int64_t number = sums.below.part[2];
-    for (std::int32_t id = mine.begin; id < mine.end; ++id) {
-      IslandNode& f = v_.m.node[id];
-      f.first_other = slot;
-      f.first_own = own;
-      f.numbers = number;
-      slot += f.others;
-      own += f.end - f.own;
-      number = f.end_of_numbers();
-      for (std::int32_t k = 0; k < f.others; ++k) {
-        v_.m.other[f.first_other + k] = scene_.draft[f.draft + k];
-        v_.m.front[f.first_other + k] = id;
-      }
-      for (std::int32_t p = f.own; p < f.end; ++p) v_.m.own_place[f.first_own + p - f.own] = p;
-    }
+    if (cell_.overflow != 0) return;
+    IslandNode at;
+    at.first_other = p_.first_slot + sums.below.part[0];
+    at.first_own = p_.first_own + sums.below.part[1];
+    at.forth_tile = p_.first_slot + sums.below.part[2];
+    at.back_tile = p_.first_own + sums.below.part[3];
+    at.numbers = p_.first_number + sums.below.part[4];
+    for (std::int32_t id = mine.begin; id < mine.end; ++id) place_node(m_.node[id], id, at);
     team_.sync();
+    each_of(team_, 0, p_.levels, [&](std::int32_t level) {
+      IslandLevel& l = m_.level[p_.level + level];
+      const IslandNode& f = m_.node[l.node];
+      l = {l.node, f.first_own, f.forth_tile, f.back_tile};
+    });
+  }
+
+  /// Places a node at `at`, and moves on behind it.
+  GEM_DEVICE void place_node(IslandNode& f, std::int32_t id, IslandNode& at) {
+    f.first_other = at.first_other;
+    f.first_own = at.first_own;
+    f.forth_tile = at.forth_tile;
+    f.back_tile = at.back_tile;
+    f.numbers = at.numbers;
+    for (std::int32_t k = 0; k < f.others; ++k) {
+      m_.other[f.first_other + k] = m_.draft[f.draft + k];
+      m_.front[f.first_other + k] = id;
+      if (f.owns() == 0)  // gives nothing, and has no tiles
+        m_.product[2 * (f.first_other + k)] = m_.product[2 * (f.first_other + k) + 1] = {};
+    }
+    for (std::int32_t p = f.own; p < f.end; ++p) m_.own_place[f.first_own + p - f.own] = p;
+    const TileShape forth = forth_shape(f), back = back_shape(f);
+    const std::int64_t forth_numbers = f.tiles(), back_numbers = forth_numbers + forth.numbers();
+    for (std::int32_t k = 0; k < forth.tiles; ++k)
+      m_.forth_tile[f.forth_tile + k] = {forth_numbers + k * forth.numbers_of_tile(),
+                                         f.first_other + k * forth.bodies,
+                                         forth.bodies_of(k, f.others),
+                                         forth.lanes,
+                                         f.own,
+                                         f.owns(),
+                                         0,
+                                         0,
+                                         0};
+    for (std::int32_t k = 0; k < back.tiles; ++k)
+      m_.back_tile[f.back_tile + k] = {back_numbers + k * back.numbers_of_tile(),
+                                       f.own + k * back.bodies,
+                                       back.bodies_of(k, f.owns()),
+                                       back.lanes,
+                                       f.own,
+                                       f.owns(),
+                                       f.first_other,
+                                       f.others,
+                                       0};
+    at.first_other += f.others;
+    at.first_own += f.owns();
+    at.forth_tile += forth.tiles;
+    at.back_tile += back.tiles;
+    at.numbers = back_numbers + back.numbers();
   }
 
   /// Whether the host's solver eliminates front `a` before `b`, two fronts below one body.
   GEM_DEVICE bool comes_before(std::int32_t a, std::int32_t b) const {
-    const IslandNode &f = v_.m.node[a], &g = v_.m.node[b];
+    const IslandNode &f = m_.node[a], &g = m_.node[b];
     if (f.own != g.own) return f.own < g.own;
     const bool own_f = f.end > f.own, own_g = g.end > g.own;
     return own_f != own_g ? own_g : f.depth > g.depth;
   }
 
-  /// Lists the slots of each body in the order in which its sums are made.
-  GEM_DEVICE void sort_parts() {
-    each_of(team_, 0, v_.bodies, [&](std::int32_t p) { v_.m.parts_in[p] = v_.m.filled_in[p] = 0; });
-    team_.sync();
-    each_of(team_, 0, v_.slots, [&](std::int32_t t) { Atomics::add(&v_.m.parts_in[v_.m.other[t]], 1); });
-    team_.sync();
-    const TeamShare mine = share_of(team_, 0, v_.bodies);
-    TeamCount count;
-    for (std::int32_t p = mine.begin; p < mine.end; ++p) count.part[0] += v_.m.parts_in[p];
-    std::int32_t first = sum_over(team_, memory_.count, count).below.part[0];
-    for (std::int32_t p = mine.begin; p < mine.end; ++p) {
-      v_.m.first_in[p] = first;
-      first += v_.m.parts_in[p];
-    }
-    team_.sync();
-    each_of(team_, 0, v_.slots, [&](std::int32_t t) {
-      const std::int32_t p = v_.m.other[t];
-      v_.m.unsorted[v_.m.first_in[p] + Atomics::add(&v_.m.filled_in[p], 1)] = t;
-    });
-    team_.sync();
-    each_of(team_, 0, v_.slots, [&](std::int32_t k) {
-      const std::int32_t t = v_.m.unsorted[k], p = v_.m.other[t], begin = v_.m.first_in[p];
-      std::int32_t before = 0;
-      for (std::int32_t j = begin; j < begin + v_.m.parts_in[p]; ++j)
-        before += comes_before(v_.m.front[v_.m.unsorted[j]], v_.m.front[t]) ? 1 : 0;
-      v_.m.sorted[begin + before] = t;
-    });
-    team_.sync();
-  }
-
   const Team& team_;
-  IslandView& v_;
-  const IslandMemory& scene_;
+  TreePart& p_;
+  const IslandView& v_;
+  const IslandMemory& m_;
+  IslandCell& cell_;
   const TeamMemory& memory_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "gem/engine/solver/device_base.h"
 #include "gem/engine/solver/splitting/device_front_factor.h"
+#include "gem/engine/solver/splitting/device_front_solve.h"
 #include "gem/engine/solver/splitting/round_control.h"
 
 namespace gem {
@@ -17,8 +18,15 @@ GEM_DEVICE inline InverseMass inverse_mass_of(const DeviceScene& s, const PointS
 template <class Team>
 class DeviceIslandSolver {
  public:
-  GEM_DEVICE DeviceIslandSolver(const DeviceScene& s, const Team& team, const IslandView& view, IslandCell& cell)
-      : s_(s), team_(team), v_(view), cell_(cell), factor_(team, view, s.solver_entry) {}
+  GEM_DEVICE DeviceIslandSolver(const DeviceScene& s, const Team& team, const TeamMemory& memory)
+      : s_(s),
+        team_(team),
+        part_(team.part()),
+        v_(memory.part->view),
+        p_(*memory.part),
+        cell_(*memory.cell),
+        factor_(team, memory),
+        fronts_(team, memory) {}
 
   /// Solves the island and notes its iterations and its error. The fronts are set.
   GEM_DEVICE void solve() {
@@ -70,6 +78,7 @@ class DeviceIslandSolver {
 
  private:
   using Atomics = typename Team::Atomics;
+  using Part = typename Team::Part;
   using Point = SplitPoint<float>;
 
   GEM_DEVICE const SolverEntry& entry_of(std::int32_t body) const { return s_.solver_entry[v_.m.member[body]]; }
@@ -113,12 +122,14 @@ class DeviceIslandSolver {
       const PointCell& cell = s_.taken_point[i];
       const PointGeometry<double> g = s_.points.geometry(i);
       const PointImpulse<double> impulse = s_.points.impulse(i);
-      set_base(v_.m.point[k], 0, s_.constants.point_friction, g, s_.points.spare(i), impulse, motion_of(cell.a),
-               motion_of(cell.b));
+      Point q = load_point(v_, k);
+      set_base(q, 0, s_.constants.point_friction, g, s_.points.spare(i), impulse, motion_of(cell.a), motion_of(cell.b));
+      store_point<point_fields::base>(v_, k, q);
+      store_point<point_fields::watch>(v_, k, q);
       if (repairs(g, impulse)) Atomics::add(&cell_.repairs, 1);
     });
     each_of(team_, 0, 2 * v_.bodies,
-            [&](std::int32_t k) { v_.m.now[k] = v_.m.sum[k] = v_.m.given[k] = v_.m.last_given[k] = {}; });
+            [&](std::int32_t k) { v_.m.now[k] = v_.m.sum[k] = v_.m.given[k] = {}; });
     team_.sync();
     halves_ = repaired_ || cell_.repairs > 0 ? 2 : 1;
     repaired_ = halves_ == 2;
@@ -144,19 +155,18 @@ class DeviceIslandSolver {
 
   /// Moves the bodies by the solution of the equations.
   GEM_DEVICE void step() {
-    factor_.solve(halves_);
-    each_of(team_, 0, halves_ * v_.bodies, [&](std::int32_t k) {
-      const std::int32_t at = halves_ == 2 ? k : 2 * k;
-      for (int c = 0; c < 3; ++c) v_.m.now[at].part[c] += v_.m.solution[at].part[c];
-    });
+    fronts_.solve(halves_);
     team_.sync();
   }
 
   GEM_DEVICE void stiffen(const RoundControl& round) {
-    each_of(team_, 0, v_.points,
-            [&](std::int32_t k) { stiffen_point(v_.m.point[k], round.stiffness(), round.raised()); });
+    each_of(team_, 0, v_.points, [&](std::int32_t k) {
+      Point q = load_point(v_, k);
+      stiffen_point(q, round.stiffness(), round.raised());
+      store_point<point_fields::stiffness>(v_, k, q);
+    });
     team_.sync();
-    factor_.factor(cell_.numbers);
+    factor_.factor();
   }
 
   GEM_DEVICE bool change_stiffness(RoundControl& round) {
@@ -172,7 +182,10 @@ class DeviceIslandSolver {
     if (team_.rank() == 0) cell_.raised = 0;
     team_.sync();
     each_of(team_, 0, v_.points, [&](std::int32_t k) {
-      if (raise_point(v_.m.point[k]) > 0.0F) Atomics::add(&cell_.raised, 1);
+      Point q = load_point(v_, k);
+      if (raise_point(q) > 0.0F) Atomics::add(&cell_.raised, 1);
+      store_point<point_fields::scale>(v_, k, q);
+      store_point<point_fields::watch>(v_, k, q);
     });
     team_.sync();
     return cell_.raised > 0;
@@ -183,7 +196,7 @@ class DeviceIslandSolver {
   }
 
   /// Writes what a point asks of both bodies.
-  GEM_DEVICE void write_push(const IslandPointPlace& at, const Point& q, int half, PointShare<float> share) const {
+  GEM_DEVICE void write_push(const IslandPointEnds& at, const Point& q, int half, PointShare<float> share) const {
     const auto write = [&](std::int32_t record, const float* n, const float* t) {
       if (record < 0) return;
       FloatQuad push{};
@@ -194,61 +207,74 @@ class DeviceIslandSolver {
     write(at.record_a, q.n_a, q.t_a);
   }
 
-  /// Calls of_velocity(point, a, b) and of_repair(point, a, b) for all points, and writes what they ask for.
-  template <class OfVelocity, class OfRepair>
-  GEM_DEVICE GEM_INLINE void each_push(OfVelocity&& of_velocity, OfRepair&& of_repair) {
+  /// Calls of_velocity(point, a, b) and of_repair(point, a, b) for all points, writes what they ask for, and stores the
+  /// fields in `changed`.
+  template <FieldRange changed, class OfVelocity, class OfRepair>
+  GEM_DEVICE GEM_INLINE void each_push(bool watches, OfVelocity&& of_velocity, OfRepair&& of_repair) {
     each_of(team_, 0, v_.points, [&](std::int32_t k) {
-      const IslandPointPlace at = v_.m.where[k];
-      Point& q = v_.m.point[k];
+      const IslandPointEnds at = v_.m.ends[k];
+      Point q = load_point(v_, k);
       float a[3], b[3];
       load(at.a, 0, a);
       load(at.b, 0, b);
       write_push(at, q, 0, of_velocity(q, a, b));
-      if (halves_ == 1) return;
-      load(at.a, 1, a);
-      load(at.b, 1, b);
-      write_push(at, q, 1, of_repair(q, a, b));
+      if (halves_ == 2) {
+        load(at.a, 1, a);
+        load(at.b, 1, b);
+        write_push(at, q, 1, of_repair(q, a, b));
+      }
+      store_point<changed>(v_, k, q);
+      if (watches) store_point<point_fields::watch>(v_, k, q);
     });
     team_.sync();
   }
 
   /// Sets the right side: minus the momentum of the motions, and what the points ask for.
   GEM_DEVICE void sum_pushes() {
-    each_body_half([&](std::int32_t place, int half, const SolverEntry& entry) {
+    each_body_half([&](std::int32_t place, int half, const BodyRecords& records) {
       const ScaledBody& body = v_.m.scaled[place];
       const FloatQuad now = v_.m.now[2 * place + half];
       FloatQuad sum{{-(body.mass * now.part[0]), -(body.mass * now.part[1]), -(body.inertia * now.part[2]), 0.0F}};
-      add_pushes(entry, half, sum);
+      add_pushes(records, half, sum);
       v_.m.sum[2 * place + half] = sum;
     });
-    team_.sync();
+    part_.sync();
   }
+  /// Calls work(place, half, records) for the bodies of the own branch; the first block also for those of the trunk.
   template <class Work>
   GEM_DEVICE GEM_INLINE void each_body_half(Work&& work) {
-    each_of(team_, 0, halves_ * v_.bodies, [&](std::int32_t k) {
-      const int half = k >= v_.bodies ? 1 : 0;
-      const std::int32_t place = k - half * v_.bodies;
-      work(place, half, entry_of(v_.m.order[place]));
-    });
+    const auto take = [&](std::int32_t place, int half) { work(place, half, v_.m.records[place]); };
+    each_of(part_, halves_ * p_.branch.begin, halves_ * p_.branch.end,
+            [&](std::int32_t k) { take(k / halves_, k % halves_); });
+    if (team_.part_index() != 0) return;
+    const TreePart& trunk = p_.trunk;
+    each_of(part_, halves_ * trunk.first_own, halves_ * (trunk.first_own + trunk.owns),
+            [&](std::int32_t k) { take(v_.m.own_place[k / halves_], k % halves_); });
   }
-  GEM_DEVICE void add_pushes(const SolverEntry& entry, int half, FloatQuad& sum) const {
-    const FloatQuad* const push = v_.m.push + 2 * static_cast<std::int64_t>(entry.place) + half;
-    for (std::int32_t k = 0; k < entry.count; ++k) {
-      const FloatQuad some = push[2 * k];
-      for (int c = 0; c < 3; ++c) sum.part[c] += some.part[c];
+  GEM_DEVICE void add_pushes(const BodyRecords& records, int half, FloatQuad& sum) const {
+    constexpr int together = 4;
+    const FloatQuad* const push = v_.m.push + 2 * static_cast<std::int64_t>(records.first) + half;
+    for (std::int32_t k = 0; k < records.count; k += together) {
+      FloatQuad some[together];
+      for (int j = 0; j < together; ++j) some[j] = k + j < records.count ? push[2 * (k + j)] : FloatQuad{};
+      for (int j = 0; j < together; ++j)
+        if (k + j < records.count)
+          for (int c = 0; c < 3; ++c) sum.part[c] += some[j].part[c];
     }
   }
 
   GEM_DEVICE void push() {
-    each_push([](Point& q, const float* a, const float* b) { return push_of(q, a, b); },
-              [](Point& q, const float* a, const float* b) { return repair_push_of(q, a, b); });
+    each_push<FieldRange{0, 0}>(
+        false, [](Point& q, const float* a, const float* b) { return push_of(q, a, b); },
+        [](Point& q, const float* a, const float* b) { return repair_push_of(q, a, b); });
     sum_pushes();
   }
 
   /// Visits all points. `watches`: then counts what persists.
   GEM_DEVICE void visit(bool watches, float tolerance) {
     const PointFriction law = s_.constants.point_friction;
-    each_push(
+    each_push<point_fields::moves>(
+        watches,
         [&](Point& q, const float* a, const float* b) {
           const PointShare<float> share = law == PointFriction::none ? visit_point<PointFriction::none>(q, a, b)
                                           : law == PointFriction::coulomb
@@ -261,9 +287,12 @@ class DeviceIslandSolver {
     sum_pushes();
   }
 
+  /// Raises a number of all threads to the largest of theirs; all call it.
   GEM_DEVICE void raise_to(std::uint32_t* bits, float x) const {
-    if (x > 0.0F) Atomics::highest(bits, ordered_bits(x));
+    const std::uint32_t most = warp_highest(x > 0.0F ? ordered_bits(x) : 0U);
+    if (most > 0 && part_.warp().rank() == 0) Atomics::highest(bits, most);
   }
+  GEM_DEVICE std::uint32_t warp_highest(std::uint32_t x) const { return part_.warp().highest(x); }
   GEM_DEVICE static bool is_finite(float x) { return magnitude(x) <= 3.402823466e38F; }
 
   /// Sets the answers of the points and measures the differences.
@@ -274,7 +303,8 @@ class DeviceIslandSolver {
       cell_.points_bits = cell_.bodies_bits = cell_.change_bits = cell_.motion_bits = cell_.not_finite = 0;
     team_.sync();
     float points = 0.0F;
-    each_push(
+    each_push<point_fields::answer>(
+        false,
         [&](Point& q, const float* a, const float* b) {
           points = larger(points, mismatch_of(q, a, b));
           return law == PointFriction::none      ? answer_point<PointFriction::none>(q, a, b)
@@ -288,9 +318,9 @@ class DeviceIslandSolver {
     raise_to(&cell_.points_bits, points);
     float bodies = 0.0F, change = 0.0F, motion = 0.0F;
     bool finite = true;
-    each_body_half([&](std::int32_t place, int half, const SolverEntry& entry) {
+    each_body_half([&](std::int32_t place, int half, const BodyRecords& records) {
       FloatQuad given{};
-      add_pushes(entry, half, given);
+      add_pushes(records, half, given);
       const FloatQuad last = v_.m.given[2 * place + half], now = v_.m.now[2 * place + half];
       v_.m.given[2 * place + half] = given;
       const ScaledBody& body = v_.m.scaled[place];
@@ -319,7 +349,7 @@ class DeviceIslandSolver {
     const std::int32_t i = v_.m.where[k].taken;
     const PointGeometry<double> g = s_.points.geometry(i);
     write_base(s_, i, s_.taken_point[i], g,
-               with_answer(v_.m.point[k], 0, s_.constants.point_friction, g, s_.points.spare(i), s_.points.impulse(i)));
+               with_answer(load_point(v_, k), 0, s_.constants.point_friction, g, s_.points.spare(i), s_.points.impulse(i)));
   }
 
   /// Scales the impulses of unfinished iterations by best_share() if all of them together would create energy.
@@ -360,9 +390,12 @@ class DeviceIslandSolver {
 
   const DeviceScene& s_;
   const Team& team_;
+  const Part part_;
   const IslandView& v_;
+  const PartCell& p_;
   IslandCell& cell_;
   DeviceFactor<Team> factor_;
+  FrontSolve<Team> fronts_;
   int halves_ = 1;  // 2: with the repair
   bool repaired_ = false;
 };

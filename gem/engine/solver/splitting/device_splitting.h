@@ -1,5 +1,5 @@
-// Operator splitting for all islands of a time step on a device. Groups of blocks take one large island after another:
-// one block finds the fronts, and all iterate. Then blocks take the others, and at last warps take the small ones.
+// Operator splitting for all islands of a time step on a device. Groups of blocks take one large island after another,
+// then blocks take the others, and at last warps take the small ones.
 #pragma once
 
 #include "gem/engine/solver/splitting/device_island_solver.h"
@@ -24,125 +24,141 @@ class IslandsOnDevice {
     const GroupTeam<Group> group(group_);
     const BlockTeam<Group> block(group_);
     const WarpTeam<Group> warp(group_);
-    const int warp_index = group_.thread() / Group::Warp::size, warps = group_.threads() / Group::Warp::size;
-    TeamMemory of_block = memory_of(0);
-    of_block.cell = &cell_;
-    each_island(group, cell_, m_.counters->next_large, 0, large, [&](std::int32_t root) {
-      if (group_.block() == 0) find_fronts(block, warp, warp_index, warps, of_block, root);
-      group.sync();
-      if (cell_.iterates != 0) iterate(group, cell_);
-    });
-    of_block = memory_of(0);
-    each_island(block, *of_block.cell, m_.counters->next_block, large, not_small, [&](std::int32_t root) {
-      if (find_fronts(block, warp, warp_index, warps, of_block, root)) iterate(block, *of_block.cell);
-    });
-    const TeamMemory of_warp = memory_of(warp_index);
-    each_island(warp, *of_warp.cell, m_.counters->next_small, not_small, all, [&](std::int32_t root) {
-      if (find_fronts(warp, warp, 0, 1, of_warp, root)) iterate(warp, *of_warp.cell);
-    });
+    TeamMemory of_group = memory_of(0, true);
+    of_group.cell = &cell_;
+    each_island(group, of_group, m_.counters->next_large, 0, large);
+    each_island(block, memory_of(0, true), m_.counters->next_block, large, not_small);
+    each_island(warp, memory_of(group_.thread() / Group::Warp::size, false), m_.counters->next_small, not_small, all);
   }
 
  private:
-  /// Calls work(root) for islands [begin, end), as long as there are any that no other team took.
-  template <class Team, class Work>
-  GEM_DEVICE void each_island(const Team& team, IslandCell& cell, std::int32_t& next, std::int32_t begin,
-                              std::int32_t end, Work&& work) {
+  /// Solves islands [begin, end), as long as there are any that no other team took.
+  template <class Team>
+  GEM_DEVICE void each_island(const Team& team, const TeamMemory& memory, std::int32_t& next, std::int32_t begin,
+                              std::int32_t end) {
     for (;;) {
-      if (team.rank() == 0) cell.taken = Group::add(&next, 1);
+      if (team.rank() == 0) memory.cell->taken = begin + Group::add(&next, 1);
       team.sync();
-      const std::int32_t taken = begin + cell.taken;
+      const std::int32_t taken = memory.cell->taken;
       team.sync();
       if (taken >= end) return;
-      work(m_.island[taken]);
+      if (find_fronts(team, memory, m_.island[taken])) DeviceIslandSolver<Team>(s_, team, memory).solve();
       team.sync();
     }
   }
 
-  template <class Team>
-  GEM_DEVICE void iterate(const Team& team, IslandCell& cell) {
-    DeviceIslandSolver<Team>(s_, team, cell.view, cell).solve();
-  }
-
-  /// Shared memory from a warp on.
-  GEM_DEVICE TeamMemory memory_of(int warp) const {
-    const int warps = group_.threads() / Group::Warp::size;
-    std::byte* const from = group_.shared_memory();
-    std::byte* const cuts = from + warps * TeamMemory::cell_bytes();
-    std::byte* const counts = cuts + warps * TeamMemory::cut_bytes();
-    return {reinterpret_cast<IslandCell*>(from + warp * TeamMemory::cell_bytes()),
-            reinterpret_cast<CutCell*>(cuts + warp * TeamMemory::cut_bytes()),
-            reinterpret_cast<std::int32_t*>(counts) + 3 * warp * Group::Warp::size};
+  /// Shared memory from a warp on; `all`: that of the block.
+  GEM_DEVICE TeamMemory memory_of(int warp, bool all) const {
+    return TeamMemory::of(group_.shared_memory(), warp, group_.threads() / Group::Warp::size, Group::Warp::size, all);
   }
 
   /// Prepares an island for its iterations. Returns false if it needs none, or if its fronts do not fit in memory.
-  /// `sub`: warp number `sub_rank` of `subs` of the team.
-  template <class Team, class Sub>
-  GEM_DEVICE bool find_fronts(const Team& team, const Sub& sub, int sub_rank, int subs, const TeamMemory& memory,
-                              std::int32_t root) {
-    IslandView& view = memory.cell->view;
-    gather_bodies(team, memory, view, root);
+  template <class Team>
+  GEM_DEVICE bool find_fronts(const Team& team, const TeamMemory& memory, std::int32_t root) {
+    IslandView& view = memory.part->view;
+    gather_bodies(team, memory, root);
     gather_points(team, memory, view);
-    if (DeviceIslandSolver<Team>(s_, team, view, *memory.cell).settled()) return false;
-    const std::int32_t levels = dissect(team, sub, sub_rank, subs, view.graph, memory);
-    if (team.rank() == 0) {
-      view.levels = levels;
-      view.nodes = memory.cell->nodes;
-    }
-    team.sync();
-    FrontFinder<Team> fronts(team, view, m_, memory);
-    const bool fit = fronts.find();
-    if (!fit) {
+    if (DeviceIslandSolver<Team>(s_, team, memory).settled()) return false;
+    TreeBuilder<Team>(team, view, *memory.cell, memory).build();
+    if (!set_fronts(team, memory)) {
       group_.raise(alarm_solver_full);
       return false;
     }
-    if (team.rank() == 0) memory.cell->iterates = 1;
     set_places(team, view);
     return true;
   }
 
-  /// Lists the bodies of an island by rank, and gives the island its part of the memory.
+  /// Returns false if the fronts do not fit.
   template <class Team>
-  GEM_DEVICE void gather_bodies(const Team& team, const TeamMemory& memory, IslandView& view, std::int32_t root) {
-    const TeamShare mine = share_of(team, root, m_.counters->bodies);
-    TeamCount count;
-    for (std::int32_t rank = mine.begin; rank < mine.end; ++rank) count.part[0] += m_.root[rank] == root ? 1 : 0;
-    const TeamSums sums = sum_over(team, memory.count, count);
-    IslandCell& cell = *memory.cell;
-    if (team.rank() == 0) {
-      cell.bodies = sums.all.part[0];
-      cell.base = Group::add(&m_.counters->body_slots, cell.bodies);
-      cell.points = cell.overflow = cell.iterates = 0;
-      view = {};
-      view.bodies = cell.bodies;
-      begin_arrays(view, cell.base);
-    }
+  GEM_DEVICE bool set_fronts(const Team& team, const TeamMemory& memory) {
+    using Part = typename Team::Part;
+    PartCell& p = *memory.part;
+    const IslandView& view = p.view;
+    const Part part = team.part();
+    team.sync();  // all orders are set
+    each_of(team, 0, view.bodies, [&](std::int32_t k) {
+      view.m.place[view.m.order[k]] = k;
+      view.m.parts_in[k] = view.m.filled_in[k] = 0;
+    });
     team.sync();
-    std::int32_t at = sums.below.part[0];
-    for (std::int32_t rank = mine.begin; rank < mine.end; ++rank) {
-      if (m_.root[rank] != root) continue;
-      const std::int32_t entry = m_.entry[rank];
-      m_.index[rank] = at;
-      view.m.member[at] = entry;
-      view.m.position[at] = s_.body[s_.solver_entry[entry].body].position;
-      ++at;
-    }
+    FrontFinder<Part> of_branch(part, p.branch, view, *memory.cell, memory);
+    FrontFinder<Part> of_trunk(part, p.trunk, view, *memory.cell, memory);
+    const bool has_branch = p.branch.levels > 0, has_trunk = p.trunk.levels > 0;
+    const bool finds_trunk = has_trunk && team.part_index() == 0;
+    if (has_branch) of_branch.find();
     team.sync();
+    if (has_trunk) {
+      if (finds_trunk) of_trunk.find();
+      if (finds_trunk && part.rank() == 0) memory.cell->trunk = p.trunk;
+      team.sync();
+      if (part.rank() == 0) p.trunk = memory.cell->trunk;
+      part.sync();
+    }
+    if (memory.cell->overflow != 0) return false;
+    if (has_branch) of_branch.count_parts();
+    if (finds_trunk) of_trunk.count_parts();
+    team.sync();
+    if (has_branch) of_branch.place_parts();
+    if (finds_trunk) of_trunk.place_parts();
+    team.sync();
+    if (has_branch) of_branch.fill_parts();
+    if (finds_trunk) of_trunk.fill_parts();
+    team.sync();
+    if (has_branch) of_branch.sort_parts();
+    if (finds_trunk) of_trunk.sort_parts();
+    team.sync();
+    return true;
   }
 
-  GEM_DEVICE void begin_arrays(IslandView& view, std::int32_t base) const {
+  /// Lists the bodies of an island by rank, and gives the island its part of the memory. Sets the views of all parts.
+  template <class Team>
+  GEM_DEVICE void gather_bodies(const Team& team, const TeamMemory& memory, std::int32_t root) {
+    const auto part = team.part();
+    IslandCell& cell = *memory.cell;
+    if (team.part_index() == 0) {
+      const TeamShare mine = share_of(part, root, m_.counters->bodies);
+      TeamCount count;
+      for (std::int32_t rank = mine.begin; rank < mine.end; ++rank) count.part[0] += m_.root[rank] == root ? 1 : 0;
+      const TeamSums sums = sum_over<1>(part, memory.count, count);
+      if (part.rank() == 0) {
+        cell.bodies = sums.all.part[0];
+        cell.base = Group::add(&m_.counters->body_slots, cell.bodies);
+        cell.points = cell.overflow = 0;
+      }
+      part.sync();
+      std::int32_t at = sums.below.part[0];
+      for (std::int32_t rank = mine.begin; rank < mine.end; ++rank) {
+        if (m_.root[rank] != root) continue;
+        const std::int32_t entry = m_.entry[rank];
+        m_.index[rank] = at;
+        m_.member[cell.base + at] = entry;
+        m_.position[cell.base + at] = s_.body[s_.solver_entry[entry].body].position;
+        ++at;
+      }
+    }
+    team.sync();
+    if (part.rank() == 0) begin_view(memory.part->view, cell);
+    part.sync();
+  }
+
+  GEM_DEVICE void begin_view(IslandView& view, const IslandCell& cell) const {
+    view.bodies = cell.bodies;
     IslandMemory& m = view.m = m_;
-    for (std::int32_t** array : {&m.member, &m.place, &m.label, &m.next_label, &m.order, &m.next_order, &m.side,
-                                 &m.own_place, &m.parts_in, &m.first_in, &m.filled_in})
+    const std::int32_t base = cell.base;
+    for (std::int32_t** array : {&m.member, &m.place, &m.label, &m.next_label, &m.home, &m.order, &m.next_order,
+                                 &m.side, &m.own_place, &m.parts_in, &m.first_in, &m.filled_in})
       *array += base;
     m.position += base;
     m.scaled += base;
-    m.pivot += base;
-    m.share += base;
-    for (FloatQuad** array : {&m.now, &m.sum, &m.solution, &m.given, &m.last_given}) *array += 2 * base;
+    m.records += base;
+    m.back_tile += base;
+    m.pivot += 3 * base;
+    m.share += 3 * base;
+    for (FloatQuad** array : {&m.now, &m.sum, &m.solution, &m.given}) *array += 2 * base;
     m.node += 2 * base;
     m.level += 2 * base;
-    view.graph = {view.bodies,  m.position, s_.solver_entry, m.member, m.neighbour, m.label,
-                  m.next_label, m.order,    m.next_order,    m.side,   m.node,      m.level};
+    view.graph = {view.bodies, m.position,   s_.solver_entry, m.member, m.neighbour, m.label,
+                  m.next_label, m.home,      m.order,         m.next_order, m.side,  m.node};
   }
 
   /// Calls work(record, taken point, whether the body is its B) for the points of a body.
@@ -158,22 +174,30 @@ class IslandsOnDevice {
   GEM_DEVICE void gather_points(const Team& team, const TeamMemory& memory, IslandView& view) {
     IslandCell& cell = *memory.cell;
     each_of(team, 0, view.bodies, [&](std::int32_t body) {
+      std::int32_t count = 0;
       each_record(view, body, [&](std::int32_t record, std::int32_t taken, bool as_b) {
         const PointCell& point = s_.taken_point[taken];
         const PointSide& other = as_b ? point.a : point.b;
         m_.neighbour[record] = other.place >= 0 ? m_.index[m_.rank[other.body]] : -1;
-        if (as_b || other.place < 0) Group::add(&cell.points, 1);
+        count += as_b || other.place < 0 ? 1 : 0;
       });
+      if (count > 0) Group::add(&cell.points, count);
     });
     team.sync();
+    const std::int32_t points = cell.points;
+    team.sync();
     if (team.rank() == 0) {
-      view.points = cell.points;
-      cell.first_point = Group::add(&m_.counters->point_slots, view.points);
+      cell.first_point = Group::add(&m_.counters->point_slots, points);
       cell.points = 0;
-      view.m.where += cell.first_point;
-      view.m.point += cell.first_point;
     }
     team.sync();
+    if (team.part().rank() == 0) {
+      view.points = points;
+      view.m.where += cell.first_point;
+      view.m.ends += cell.first_point;
+      view.m.point += cell.first_point;
+    }
+    team.part().sync();
     each_of(team, 0, view.bodies, [&](std::int32_t body) {
       each_record(view, body, [&](std::int32_t, std::int32_t taken, bool as_b) {
         const PointCell& point = s_.taken_point[taken];
@@ -181,11 +205,10 @@ class IslandsOnDevice {
         const std::int32_t k = Group::add(&cell.points, 1);
         if (point.a.place >= 0) m_.point_of[point.a.place] = k;
         if (point.b.place >= 0) m_.point_of[point.b.place] = k;
-        IslandPointPlace& at = view.m.where[k];
-        at = {};
-        at.taken = taken;
-        at.record_a = point.a.place;
-        at.record_b = point.b.place;
+        view.m.where[k] = {};
+        view.m.where[k].taken = taken;
+        view.m.ends[k].record_a = point.a.place;
+        view.m.ends[k].record_b = point.b.place;
       });
     });
     team.sync();
@@ -196,20 +219,25 @@ class IslandsOnDevice {
   GEM_DEVICE void set_places(const Team& team, IslandView& view) {
     each_of(team, 0, view.points, [&](std::int32_t k) {
       IslandPointPlace& at = view.m.where[k];
+      IslandPointEnds& ends = view.m.ends[k];
       const PointCell& point = s_.taken_point[at.taken];
       const auto place_of = [&](const PointSide& side) {
         return side.place < 0 ? -1 : view.m.place[m_.index[m_.rank[side.body]]];
       };
-      at.a = place_of(point.a);
-      at.b = place_of(point.b);
+      ends.a = place_of(point.a);
+      ends.b = place_of(point.b);
       if (point.slot == 0) at.row_length = 0;
-      if (point.slot == 0 && at.b >= 0 && s_.contact[point.pair].count > 1) at.second = m_.point_of[point.b.place + 1];
-      set_point(view.m.point[k], 0, s_.points.geometry(at.taken), inverse_mass_of(s_, point.a),
-                inverse_mass_of(s_, point.b));
+      if (point.slot == 0 && ends.b >= 0 && s_.contact[point.pair].count > 1)
+        at.second = m_.point_of[point.b.place + 1];
+      SplitPoint<float> q{};
+      set_point(q, 0, s_.points.geometry(at.taken), inverse_mass_of(s_, point.a), inverse_mass_of(s_, point.b));
+      store_point<point_fields::all>(view, k, q);
     });
     each_of(team, 0, view.bodies, [&](std::int32_t place) {
-      const BodyCell& body = s_.body[s_.solver_entry[view.m.member[view.m.order[place]]].body];
+      const SolverEntry& entry = s_.solver_entry[view.m.member[view.m.order[place]]];
+      const BodyCell& body = s_.body[entry.body];
       view.m.scaled[place] = scaled_body({body.inverse_mass, body.inverse_inertia});
+      view.m.records[place] = {entry.place, entry.count, entry.as_b, 0};
     });
     team.sync();
   }

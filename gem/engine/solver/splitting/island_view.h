@@ -1,4 +1,8 @@
 // An island under work on a device: its parts of the scene's memory.
+//
+// A group of blocks cuts the elimination tree of its island into a trunk (the highest separators) and a branch for each
+// block. Branches do not touch each other, so blocks meet only where the trunk begins and ends. A block or a warp has
+// one branch and no trunk.
 #pragma once
 
 #include "gem/engine/solver/splitting/island_memory.h"
@@ -12,9 +16,8 @@ struct IslandGraph {
   const SolverEntry* entry;       // of the scene
   const std::int32_t* member;     // entries of the bodies
   const std::int32_t* neighbour;  // by record of the scene: body of the island, -1: fixed
-  std::int32_t *label, *next_label, *order, *next_order, *side;
+  std::int32_t *label, *next_label, *home, *order, *next_order, *side;
   IslandNode* node;
-  std::int32_t* level;
 
   template <class Work>
   GEM_DEVICE GEM_INLINE void each_neighbour(std::int32_t body, Work&& work) const {
@@ -26,33 +29,44 @@ struct IslandGraph {
   }
 };
 
-/// An island under work: its parts of the scene's memory. Node, slot and place arrays begin with the island's own part;
-/// numbers and records are the scene's.
-struct IslandView {
-  std::int32_t bodies = 0, points = 0, nodes = 0, levels = 0, slots = 0;
-  IslandGraph graph{};
-  IslandMemory m;  // arrays by body, place, node, slot and point begin with the island's part
+/// The trunk or a branch of an elimination tree. Levels are counted from its top.
+struct TreePart {
+  std::int32_t begin = 0, end = 0;          // bodies of a branch: a range of the order
+  std::int32_t first_own = 0, owns = 0;     // bodies, in own_place
+  std::int32_t first_node = 0, nodes = 0;   // the top of a branch comes first
+  std::int32_t level = 0, levels = 0;       // in IslandMemory::level, which has one more
+  std::int32_t first_slot = 0, slots = 0;   // others of its fronts; slots are the scene's
+  std::int32_t first_sorted = 0, sorted = 0;  // slots of its bodies in fronts below them
+  std::int64_t first_number = 0, numbers = 0;
+};
 
-  GEM_DEVICE std::int32_t first_node(std::int32_t level) const { return graph.level[level]; }
-  GEM_DEVICE std::int32_t first_slot(std::int32_t level) const {
-    return level < levels ? m.node[graph.level[level]].first_other : slots;
-  }
-  GEM_DEVICE std::int32_t first_own(std::int32_t level) const {
-    return level < levels ? m.node[graph.level[level]].first_own : bodies;
-  }
+/// An island under work. Arrays by body, place, node and point begin with the island's part; numbers, slots and records
+/// are the scene's.
+struct IslandView {
+  std::int32_t bodies = 0, points = 0;
+  IslandGraph graph{};
+  IslandMemory m;
+
   GEM_DEVICE const IslandNode& node_at(std::int32_t place) const { return m.node[graph.label[m.order[place]]]; }
 };
 
-/// What the threads of an island share.
+/// What all threads of an island share.
 struct IslandCell {
   std::int32_t taken;  // island that the threads took
-  std::int32_t bodies, points, nodes;
+  std::int32_t bodies, points;
   std::int32_t base, first_point;
-  std::int32_t first_slot, slots;
-  std::uint64_t first_number, numbers;
-  std::int32_t repairs, overflow, iterates, asked, raised, not_finite;
+  std::int32_t repairs, overflow, asked, raised, not_finite;
   std::uint32_t points_bits, bodies_bits, change_bits, motion_bits;
   double share;
+  std::int32_t branches, trunk_bodies;
+  TreePart trunk;
+  std::int32_t branch[trunk_nodes / 2 + 1];  // node at the top of each branch
+};
+
+/// What the threads of a block share, or those of a warp.
+struct PartCell {
+  std::int32_t nodes;
+  TreePart branch, trunk;
   IslandView view;  // written by one thread
 };
 

@@ -277,7 +277,7 @@ class TreeBuilder {
 
   GEM_DEVICE void cut_trunk() {
     std::int32_t cuts = 0;
-    while ((1 << cuts) < team_.parts()) ++cuts;
+    while ((2 << cuts) <= team_.parts()) ++cuts;  // a branch for each block, or fewer
     const std::int32_t above = 2 * (v_.m.bodies_capacity - cell_.base) + cell_.taken * trunk_nodes;
     const std::int32_t level = 2 * (v_.m.bodies_capacity - cell_.base) + cell_.taken * trunk_levels;
     const std::int32_t top = cuts == 0 ? 0 : above;

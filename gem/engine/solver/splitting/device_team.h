@@ -50,7 +50,7 @@ class BlockTeam {
   Group& group_;
 };
 
-/// Threads of all blocks of a group; their number is a power of two.
+/// Threads of all blocks of a group.
 template <class Group>
 class GroupTeam {
  public:

@@ -204,8 +204,7 @@ class DeviceFactor {
     for (std::int32_t first = lane % tile.lanes; part_bodies * first < all; first += tile.lanes)
       for (std::int32_t i = 0; i < part_bodies; ++i)
         for (int e = 0; e < 9; ++e, to += warp_size)
-          if (part_bodies * first + i < all)
-            *to = take(tile.first + body, part_bodies * first + i, e / 3, e % 3);
+          if (part_bodies * first + i < all) *to = take(tile.first + body, part_bodies * first + i, e / 3, e % 3);
   }
   GEM_DEVICE void fill_forth(const SolveTile& tile, int lane) const {
     const IslandNode& f = v_.m.node[v_.m.front[tile.first]];

@@ -1,6 +1,6 @@
-// Solution of the equations of an island on a device: FrontFactor::solve_all(), level by level, with the same sums in the
-// same order. Each block goes forth through its branch; the first block goes forth and back through the trunk; and each
-// goes back through its branch. So blocks meet twice.
+// Solution of the equations of an island on a device: FrontFactor::solve_all(), level by level, with the same sums in
+// the same order. Each block goes forth through its branch; the first block goes forth and back through the trunk; and
+// each goes back through its branch. So blocks meet twice.
 #pragma once
 
 #include "gem/engine/solver/splitting/device_team.h"
@@ -16,9 +16,7 @@ class FrontSolve {
 
   /// Solves for `halves` (1: velocities, 2: with the repair), from `sum` to `solution`, and adds the solution to `now`.
   /// The sums of a part's own bodies were written by its threads. Ends without a barrier of the team.
-  GEM_DEVICE void solve(int halves) {
-    halves == 2 ? solve_halves<2>() : solve_halves<1>();
-  }
+  GEM_DEVICE void solve(int halves) { halves == 2 ? solve_halves<2>() : solve_halves<1>(); }
 
  private:
   using Part = typename Team::Part;
@@ -99,8 +97,7 @@ class FrontSolve {
   /// The rows of others in H times the own numbers.
   template <int halves>
   GEM_DEVICE GEM_INLINE void forth(const SolveTile& tile) {
-    const Rows<halves> total = rows_times<halves>(
-        tile, [&](std::int32_t j) { return v_.m.sum + 2 * (tile.own + j); });
+    const Rows<halves> total = rows_times<halves>(tile, [&](std::int32_t j) { return v_.m.sum + 2 * (tile.own + j); });
     each_result<halves>(tile, total, [&](std::int32_t slot, int half, const FloatQuad& result) {
       v_.m.product[2 * slot + half] = result;
     });
@@ -157,7 +154,8 @@ class FrontSolve {
       }
       numbers += tile_numbers * Warp::size;
       for (int h = 0; h < halves; ++h)
-        for (int r = 0; r < 3; ++r) add_chunks(tile.lanes, all - part_bodies * first, part.number[h][r], total.number[h][r]);
+        for (int r = 0; r < 3; ++r)
+          add_chunks(tile.lanes, all - part_bodies * first, part.number[h][r], total.number[h][r]);
     }
     return total;
   }

@@ -128,8 +128,7 @@ class DeviceIslandSolver {
       store_point<point_fields::watch>(v_, k, q);
       if (repairs(g, impulse)) Atomics::add(&cell_.repairs, 1);
     });
-    each_of(team_, 0, 2 * v_.bodies,
-            [&](std::int32_t k) { v_.m.now[k] = v_.m.sum[k] = v_.m.given[k] = {}; });
+    each_of(team_, 0, 2 * v_.bodies, [&](std::int32_t k) { v_.m.now[k] = v_.m.sum[k] = v_.m.given[k] = {}; });
     team_.sync();
     halves_ = repaired_ || cell_.repairs > 0 ? 2 : 1;
     repaired_ = halves_ == 2;
@@ -348,8 +347,9 @@ class DeviceIslandSolver {
   GEM_DEVICE void add_to_base(std::int32_t k) {
     const std::int32_t i = v_.m.where[k].taken;
     const PointGeometry<double> g = s_.points.geometry(i);
-    write_base(s_, i, s_.taken_point[i], g,
-               with_answer(load_point(v_, k), 0, s_.constants.point_friction, g, s_.points.spare(i), s_.points.impulse(i)));
+    write_base(
+        s_, i, s_.taken_point[i], g,
+        with_answer(load_point(v_, k), 0, s_.constants.point_friction, g, s_.points.spare(i), s_.points.impulse(i)));
   }
 
   /// Scales the impulses of unfinished iterations by best_share() if all of them together would create energy.

@@ -157,8 +157,8 @@ class IslandsOnDevice {
     for (FloatQuad** array : {&m.now, &m.sum, &m.solution, &m.given}) *array += 2 * base;
     m.node += 2 * base;
     m.level += 2 * base;
-    view.graph = {view.bodies, m.position,   s_.solver_entry, m.member, m.neighbour, m.label,
-                  m.next_label, m.home,      m.order,         m.next_order, m.side,  m.node};
+    view.graph = {view.bodies,  m.position, s_.solver_entry, m.member,     m.neighbour, m.label,
+                  m.next_label, m.home,     m.order,         m.next_order, m.side,      m.node};
   }
 
   /// Calls work(record, taken point, whether the body is its B) for the points of a body.

@@ -269,14 +269,22 @@ GEM_INLINE void multiply(const float* matrix, std::int32_t rows, std::int32_t co
     add_chunk<vectors, chunk_columns>(matrix + static_cast<std::ptrdiff_t>(rows) * k, rows, x, k, total);
   const float* const rest = matrix + static_cast<std::ptrdiff_t>(rows) * k;
   switch ((columns - k) / motions) {
-    case 1: return add_chunk<vectors, 3>(rest, rows, x, k, total);
-    case 2: return add_chunk<vectors, 6>(rest, rows, x, k, total);
-    case 3: return add_chunk<vectors, 9>(rest, rows, x, k, total);
-    case 4: return add_chunk<vectors, 12>(rest, rows, x, k, total);
-    case 5: return add_chunk<vectors, 15>(rest, rows, x, k, total);
-    case 6: return add_chunk<vectors, 18>(rest, rows, x, k, total);
-    case 7: return add_chunk<vectors, 21>(rest, rows, x, k, total);
-    default: return;
+    case 1:
+      return add_chunk<vectors, 3>(rest, rows, x, k, total);
+    case 2:
+      return add_chunk<vectors, 6>(rest, rows, x, k, total);
+    case 3:
+      return add_chunk<vectors, 9>(rest, rows, x, k, total);
+    case 4:
+      return add_chunk<vectors, 12>(rest, rows, x, k, total);
+    case 5:
+      return add_chunk<vectors, 15>(rest, rows, x, k, total);
+    case 6:
+      return add_chunk<vectors, 18>(rest, rows, x, k, total);
+    case 7:
+      return add_chunk<vectors, 21>(rest, rows, x, k, total);
+    default:
+      return;
   }
 }
 

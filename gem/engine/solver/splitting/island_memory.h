@@ -112,7 +112,7 @@ struct IslandMemory {
   std::int32_t *parts_in = nullptr, *first_in = nullptr, *filled_in = nullptr;  // slots of a body in fronts below it
   ScaledBody* scaled = nullptr;
   FloatQuad *now = nullptr, *sum = nullptr, *solution = nullptr, *given = nullptr;  // two each
-  float *pivot = nullptr, *share = nullptr;  // three for each
+  float *pivot = nullptr, *share = nullptr;                                         // three for each
   // twice as many as bodies, then those of trunks
   IslandNode* node = nullptr;
   IslandLevel* level = nullptr;

@@ -31,11 +31,11 @@ struct IslandGraph {
 
 /// The trunk or a branch of an elimination tree. Levels are counted from its top.
 struct TreePart {
-  std::int32_t begin = 0, end = 0;          // bodies of a branch: a range of the order
-  std::int32_t first_own = 0, owns = 0;     // bodies, in own_place
-  std::int32_t first_node = 0, nodes = 0;   // the top of a branch comes first
-  std::int32_t level = 0, levels = 0;       // in IslandMemory::level, which has one more
-  std::int32_t first_slot = 0, slots = 0;   // others of its fronts; slots are the scene's
+  std::int32_t begin = 0, end = 0;            // bodies of a branch: a range of the order
+  std::int32_t first_own = 0, owns = 0;       // bodies, in own_place
+  std::int32_t first_node = 0, nodes = 0;     // the top of a branch comes first
+  std::int32_t level = 0, levels = 0;         // in IslandMemory::level, which has one more
+  std::int32_t first_slot = 0, slots = 0;     // others of its fronts; slots are the scene's
   std::int32_t first_sorted = 0, sorted = 0;  // slots of its bodies in fronts below them
   std::int64_t first_number = 0, numbers = 0;
 };

@@ -15,6 +15,7 @@
 #include "gem/base/number_text.h"
 #include "gem/engine/step/books.h"
 #include "gem/engine/step/solo_stages.h"
+#include "gem/scene/scene_drive.h"
 
 namespace gem::baseline {
 namespace {
@@ -30,6 +31,7 @@ Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOption
     : options_(options), touches_(field_, options_) {
   const StepConstants constants = step_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
+  drives_ = drive_schedule(scene);
   make_world();
   ledger_.start = total(field_);
 }
@@ -78,6 +80,7 @@ void Box2dEngine::advance(std::int64_t steps, StepLog& log) {
 
 void Box2dEngine::one_step(StepLog& log) {
   FieldState& f = field_;
+  f.drive = drives_.at(step_);
   const PlatformImpulses before = platform_impulses(f);
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
     if (f.bodies.kind[i] == BodyKind::floe) kick_floe(f, i);

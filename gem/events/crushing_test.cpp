@@ -92,7 +92,7 @@ TEST(Crushing, NothingForNoEnergyAndNoWidth) {
 
 TEST(Crushing, TheCapIsTheLawOfTheWholeFace) {
   EventDefinitions definitions;
-  const Events e = make_events(definitions, nullptr, 0.05);
+  const Events e = make_events(definitions, nullptr, 0.05, false);
   for (const double thickness : {0.3, 1.2})
     for (const double area : {4.0, 400.0}) {
       const CrushingPowers powers = crushing_powers(e, thickness, area);

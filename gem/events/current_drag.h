@@ -6,11 +6,22 @@
 //   w   slip, current minus floe velocity [m/s]      k   (rho_w / m)(C_f W T / 2 + C_s A) [1/m]
 //   The spin follows the same equation with the slip -omega and k in 1 (one per radian).
 //
-// Exact because the direction of w does not change. Neglected: lift, wake of a neighbour, added mass.
+// Exact because the direction of w does not change. With a turning angle theta the force is turned from w, since the
+// current below the boundary layer of the ice, which w is measured against, is turned from that at the ice (Ekman):
+//
+//   turned      dw/dt = -k |w| R(theta) w     z = k cos(theta) |w| dt,   w' = R(-a) w / (1 + z),   a = tan(theta) ln(1
+//   + z)
+//               path of w = w dt ln(1 + z) / z R(-a/2) sin(a/2) / (a/2)
+//
+//   theta  counter-clockwise [rad]; about 0.4 on the northern hemisphere (McPhee, J. Phys. Oceanogr. 9, 1979)
+//
+// Exact up to the turn of motion.h, that is for a < 0.5. The whole drag is turned, that on the edges too. Neglected:
+// lift, wake of a neighbour, added mass.
 #pragma once
 
 #include "gem/base/strict_math.h"
 #include "gem/base/vec2.h"
+#include "gem/events/motion.h"
 
 namespace gem {
 
@@ -29,6 +40,7 @@ struct WaterDef {
   double skin_coefficient = 5e-3;  ///< C_s, on the area
   double linear_time_s = 100.0;    ///< tau of the linear law
   bool spin_drag = true;           ///< the drag also slows the spin
+  double turning_rad = 0.0;        ///< theta of the quadratic law
 };
 
 /// Slip after a time step, and the correction of its path.
@@ -70,6 +82,30 @@ GEM_HD inline DragSolution drag_quadratic(double k, Vec2 slip, double speed, dou
   const double z = drag_reach(k, speed, dt);
   if (!(z > 0.0)) return {slip, {}};
   return shared_out(drag_shares(z, strict::log1p(z), dt), slip);
+}
+
+/// The turning angle, by its cosine and tangent.
+struct Turning {
+  double cosine = 1.0, tangent = 0.0;
+};
+
+/// Host only, once per run.
+inline Turning turning_of(double angle) {
+  const Rotation q = strict::rotation_of_angle(angle);
+  return {q.cosine, q.sine / q.cosine};
+}
+
+/// Quadratic law with a force that is turned from the slip; `speed` is |slip|.
+GEM_HD inline DragSolution drag_turned(double k, Turning turning, Vec2 slip, double speed, double dt) {
+  const double z = drag_reach(k * turning.cosine, speed, dt);
+  if (!(z > 0.0)) return {slip, {}};
+  const double logarithm = strict::log1p(z);
+  const double angle = turning.tangent * logarithm;
+  const Vec2 after = rotate(turned({}, -angle), (1.0 / (1.0 + z)) * slip);
+  const double half = 0.5 * angle, square = half * half;
+  const double sinc = 1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0));
+  const Vec2 path = rotate(turned({}, -half), (dt * (logarithm / z) * sinc) * slip);
+  return {after, path - dt * after};
 }
 
 GEM_HD inline SpinDragSolution spin_drag_quadratic(double k, double spin, double dt) {

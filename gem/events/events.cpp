@@ -5,22 +5,36 @@
 
 namespace gem {
 
-Events make_events(const EventDefinitions& definitions, const PlatformInEvents* platform, double dt) {
+namespace {
+
+void set_floe_laws(Events& e, bool wind) {
+  e.linear_decay = std::exp(-e.dt / e.water.linear_time_s);
+  e.drag_is_turned = e.water.turning_rad != 0.0;
+  e.turning = turning_of(e.water.turning_rad);
+  e.wind_on_floes = wind;
+  e.floes_are_pushed = wind || e.coriolis.parameter_per_s != 0.0;
+  e.half_coriolis = coriolis_turn(e.coriolis.parameter_per_s, 0.5 * e.dt);
+  e.freeboard = 1.0 - e.ice.density_kg_per_m3 / e.water.density_kg_per_m3;
+}
+
+}  // namespace
+
+Events make_events(const EventDefinitions& definitions, const PlatformInEvents* platform, double dt, bool wind) {
   Events e;
   static_cast<EventDefinitions&>(e) = definitions;
   e.dt = dt;
-  e.linear_decay = std::exp(-dt / definitions.water.linear_time_s);
+  set_floe_laws(e, wind);
   e.platform_present = platform != nullptr;
   if (!platform) return e;
   const MooringDef& mooring = definitions.mooring;
   e.anchor = platform->anchor;
   e.mooring_damped = mooring.stiffness_N_per_m > 0.0 && mooring.damping_ratio > 0.0;
   e.half_mooring = mooring_flow(mooring.stiffness_N_per_m, platform->mass, mooring.damping_ratio, 0.5 * dt);
+  if (wind) e.platform_wind_rate = platform_wind_rate(definitions.wind, platform->mass);
   const PlatformDragDef& drag = definitions.platform_drag;
   if (!drag.present) return e;
   e.platform_drag_rate = platform_drag_rate(definitions.water.density_kg_per_m3, drag.coefficient, platform->diameter,
                                             drag.draft_m, platform->mass);
-  if (drag.water == DampingWater::current) e.platform_water = definitions.current.velocity_m_per_s;
   return e;
 }
 

@@ -7,8 +7,10 @@
 #pragma once
 
 #include "gem/events/contact_def.h"
+#include "gem/events/coriolis.h"         // solo: Coriolis force on a floe
 #include "gem/events/crushing.h"         // pair: closed-form peak of an impact
 #include "gem/events/current_drag.h"     // solo: water drag on a floe
+#include "gem/events/drive.h"            // velocities of water and air over time
 #include "gem/events/elastic_contact.h"  // pair: static stress
 #include "gem/events/friction_memory.h"  // pair: friction of a hit that takes two time steps
 #include "gem/events/impact.h"           // pair: plastic impact with friction
@@ -17,6 +19,7 @@
 #include "gem/events/motion.h"           // solo: motion
 #include "gem/events/platform_drag.h"    // solo: water drag on the platform
 #include "gem/events/quantity.h"
+#include "gem/events/wind.h"  // solo: wind on a floe and on the platform
 
 namespace gem {
 
@@ -28,6 +31,8 @@ struct EventDefinitions {
   MooringDef mooring;
   PlatformDragDef platform_drag;
   ContactDef contact;
+  WindDef wind;
+  CoriolisDef coriolis;
 };
 
 /// The platform's properties that the laws read.
@@ -41,17 +46,29 @@ struct PlatformInEvents {
 struct Events : EventDefinitions {
   double dt = 0.0;            // time step [s]
   double linear_decay = 1.0;  // e^(-dt/tau) of the linear drag
+  Turning turning;            // of the quadratic drag
+  bool drag_is_turned = false;
+  bool floes_are_pushed = false;  // by wind or Coriolis force, half before the drag and half after it
+  bool wind_on_floes = false;
+  Rotation half_coriolis;  // over dt / 2
+  double freeboard = 0.0;  // share of a floe's thickness above the water [-]
 
   bool platform_present = false;
   Vec2 anchor;               // [m]
   MooringFlow half_mooring;  // over dt / 2
   bool mooring_damped = false;
   double platform_drag_rate = 0.0;  // [1/m]; 0: none
-  Vec2 platform_water;              // velocity of the water around the platform, for its drag [m/s]
+  double platform_wind_rate = 0.0;  // [1/m]; 0: none
 };
 
-/// Returns the laws of a run. `platform`: null without a platform; `dt` in [s]. Host only, once per run.
-Events make_events(const EventDefinitions& definitions, const PlatformInEvents* platform, double dt);
+/// Returns the laws of a run. `platform`: null without a platform; `dt` in [s]; `wind`: there is wind at some time.
+/// Host only, once per run.
+Events make_events(const EventDefinitions& definitions, const PlatformInEvents* platform, double dt, bool wind);
+
+/// The drive of a run without tables.
+GEM_HD inline Drive steady_drive(const EventDefinitions& e) {
+  return {e.current.velocity_m_per_s, e.wind.velocity_m_per_s};
+}
 
 // ---- solo events of a floe
 
@@ -78,12 +95,31 @@ struct FloeDrag {
   SpinDragSolution spin;
 };
 
+/// Velocity of a floe after half a time step of wind.
+GEM_HD inline Vec2 half_blown(const Events& e, const Drive& drive, const FloeInEvents& floe, Vec2 velocity) {
+  if (!e.wind_on_floes) return velocity;
+  const double rate = floe_wind_rate(e.wind, e.freeboard, floe.thickness, floe.area, floe.mass);
+  return blown(rate, velocity, drive.air, 0.5 * e.dt);
+}
+
+/// Velocity of a floe after half a time step of Coriolis force.
+GEM_HD inline Vec2 half_turned(const Events& e, const Drive& drive, Vec2 velocity) {
+  return drive.water + rotate(e.half_coriolis, velocity - drive.water);
+}
+
+/// Velocity from which the water drags a floe: the events beside the drag act for half a time step before it.
+GEM_HD inline Vec2 velocity_before_drag(const Events& e, const Drive& drive, const FloeInEvents& floe) {
+  if (!e.floes_are_pushed) return floe.velocity;
+  return half_blown(e, drive, floe, half_turned(e, drive, floe.velocity));
+}
+
 /// Water drag by the law of the case.
-GEM_HD inline FloeDrag floe_drag(const Events& e, const FloeInEvents& floe) {
-  const Vec2 slip = e.current.velocity_m_per_s - floe.velocity;
+GEM_HD inline FloeDrag floe_drag(const Events& e, const Drive& drive, const FloeInEvents& floe) {
+  const Vec2 slip = drive.water - velocity_before_drag(e, drive, floe);
   FloeDrag drag{{slip, {}}, {floe.spin, 0.0}};
   if (e.water.drag_law == DragLaw::quadratic) {
-    drag.slip = drag_quadratic(floe.drag, slip, length(slip), e.dt);
+    drag.slip = e.drag_is_turned ? drag_turned(floe.drag, e.turning, slip, length(slip), e.dt)
+                                 : drag_quadratic(floe.drag, slip, length(slip), e.dt);
     if (floe.spin_drag > 0.0) drag.spin = spin_drag_quadratic(floe.spin_drag, floe.spin, e.dt);
   } else if (e.water.drag_law == DragLaw::linear) {
     drag.slip = drag_linear(floe.drag, slip, e.linear_decay, e.dt);
@@ -93,16 +129,28 @@ GEM_HD inline FloeDrag floe_drag(const Events& e, const FloeInEvents& floe) {
 }
 
 /// Whether floes have any solo event in this run.
-GEM_HD inline bool acts_on_floes(const Events& e) { return e.water.drag_law != DragLaw::none; }
+GEM_HD inline bool acts_on_floes(const Events& e) { return e.water.drag_law != DragLaw::none || e.floes_are_pushed; }
+
+/// Whether the drag of the water is the only solo event of floes, and quadratic.
+inline bool only_drags_floes(const Events& e) {
+  return e.water.drag_law == DragLaw::quadratic && !e.drag_is_turned && !e.floes_are_pushed;
+}
 
 /// All solo events of one floe over a time step, one call per law. `drag` is floe_drag() of the floe; a loop over many
 /// floes may compute it for several at a time.
-GEM_HD inline FloeKick floe_events(const Events& e, const FloeInEvents&, const FloeDrag& drag) {
-  return {e.current.velocity_m_per_s - drag.slip.slip, drag.spin.spin, -drag.slip.path_correction,
-          drag.spin.angle_correction};
+GEM_HD inline FloeKick floe_events(const Events& e, const Drive& drive, const FloeInEvents& floe,
+                                   const FloeDrag& drag) {
+  FloeKick kick{drive.water - drag.slip.slip, drag.spin.spin, -drag.slip.path_correction, drag.spin.angle_correction};
+  if (e.floes_are_pushed) {
+    // the floe moves on its path under the drag; what changes its velocity after it is no part of the path
+    const Vec2 dragged = kick.velocity;
+    kick.velocity = half_turned(e, drive, half_blown(e, drive, floe, dragged));
+    kick.path_correction += e.dt * (dragged - kick.velocity);
+  }
+  return kick;
 }
 
-/// Books what the water gave to a floe.
+/// Books what water, wind and Coriolis force gave to a floe.
 GEM_HD inline void book_kick(Quantity& book, const FloeInEvents& floe, const FloeKick& kick) {
   const Vec2 impulse = floe.mass * (kick.velocity - floe.velocity);
   const double twist = floe.inertia * (kick.spin - floe.spin);
@@ -123,15 +171,31 @@ struct PlatformMotion {
   Quantity& mooring_force;
 };
 
-/// Half a time step of water drag.
-GEM_HD inline void platform_in_water(const Events& e, const PlatformMotion& p) {
-  if (!(e.platform_drag_rate > 0.0)) return;
+/// Velocity of the water around the platform, for its drag [m/s].
+GEM_HD inline Vec2 platform_water(const Events& e, const Drive& drive) {
+  return e.platform_drag.water == DampingWater::current ? drive.water : Vec2{};
+}
+
+/// Sets the platform's velocity and books the change as drag.
+GEM_HD inline void push_platform(const PlatformMotion& p, Vec2 velocity) {
   const Vec2 before = p.velocity;
-  p.velocity = platform_drag(e.platform_drag_rate, before, e.platform_water, 0.5 * e.dt);
+  p.velocity = velocity;
   const Vec2 impulse = p.mass * (p.velocity - before);
   p.drag_book.momentum += impulse;
   p.drag_book.angular_momentum += cross(p.position, impulse);
   p.drag_book.energy += 0.5 * dot(impulse, p.velocity + before);
+}
+
+/// Half a time step of water drag.
+GEM_HD inline void platform_in_water(const Events& e, const Drive& drive, const PlatformMotion& p) {
+  if (!(e.platform_drag_rate > 0.0)) return;
+  push_platform(p, platform_drag(e.platform_drag_rate, p.velocity, platform_water(e, drive), 0.5 * e.dt));
+}
+
+/// Half a time step of wind.
+GEM_HD inline void platform_in_wind(const Events& e, const Drive& drive, const PlatformMotion& p) {
+  if (!(e.platform_wind_rate > 0.0)) return;
+  push_platform(p, blown(e.platform_wind_rate, p.velocity, drive.air, 0.5 * e.dt));
 }
 
 /// Half a time step on the mooring.
@@ -151,17 +215,19 @@ GEM_HD inline void platform_on_mooring(const Events& e, const PlatformMotion& p)
 }
 
 /// The platform's solo events up to the pair events: half a time step, drag first.
-GEM_HD inline void platform_events_before(const Events& e, const PlatformMotion& p) {
+GEM_HD inline void platform_events_before(const Events& e, const Drive& drive, const PlatformMotion& p) {
   if (!e.platform_present) return;
-  platform_in_water(e, p);
+  platform_in_water(e, drive, p);
+  platform_in_wind(e, drive, p);
   platform_on_mooring(e, p);
 }
 
 /// The platform's solo events after the pair events: half a time step, mooring first.
-GEM_HD inline void platform_events_after(const Events& e, const PlatformMotion& p) {
+GEM_HD inline void platform_events_after(const Events& e, const Drive& drive, const PlatformMotion& p) {
   if (!e.platform_present) return;
   platform_on_mooring(e, p);
-  platform_in_water(e, p);
+  platform_in_wind(e, drive, p);
+  platform_in_water(e, drive, p);
 }
 
 /// Books the change of mooring energy and angular momentum when the platform is shifted from `position`.

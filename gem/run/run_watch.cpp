@@ -5,13 +5,15 @@
 
 #include "gem/engine/step/step_constants.h"
 #include "gem/scene/scene_bounds.h"
+#include "gem/scene/scene_drive.h"
 
 namespace gem {
 namespace {
 
-/// Largest of the current, the floes' speeds at the start (with their spin) and the platform's free swing [m/s].
+/// Largest of the drift in current and wind, the floes' speeds at the start (with their spin) and the platform's free
+/// swing [m/s].
 double speed_scale_of(const SceneDef& scene, const Bodies& bodies) {
-  double scale = std::max(length(scene.current.velocity_m_per_s), platform_speed_bound(scene));
+  double scale = std::max(drive_speed(scene), platform_speed_bound(scene));
   for (std::size_t i = 1; i < bodies.count(); ++i)
     scale = std::max(scale, length(bodies.velocity[i]) + bodies.radius[i] * std::abs(bodies.spin[i]));
   return scale;

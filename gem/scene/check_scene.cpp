@@ -9,6 +9,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/geometry/polygon.h"
+#include "gem/scene/check_drive.h"
 #include "gem/scene/scene_bounds.h"
 #include "gem/scene/schema/schema.h"
 #include "gem/scene/toml/toml_text.h"
@@ -238,8 +239,9 @@ void check_floating(const SceneDef& s, List& out) {
 
 std::vector<SceneProblem> check_scene(const SceneDef& scene) {
   List problems;
-  for (const auto rule : {check_name, check_step, check_mooring, check_record, check_source, check_sizes, check_classes,
-                          check_field_place, check_platform, check_listed, check_listed_sizes, check_floating})
+  for (const auto rule :
+       {check_name, check_step, check_mooring, check_record, check_source, check_sizes, check_classes,
+        check_field_place, check_platform, check_listed, check_listed_sizes, check_floating, check_drive})
     rule(scene, problems);
   return problems;
 }
@@ -305,6 +307,7 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
       warnings.push_back("platform.mass_kg: unlikely for this diameter (value " + number(scene.platform.mass_kg) +
                          ", it would float " + short_number(draught) + " m deep) give it in kg");
   }
+  warn_of_drive(scene, warnings);
   return warnings;
 }
 

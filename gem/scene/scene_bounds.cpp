@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "gem/geometry/polygon.h"
+#include "gem/scene/scene_drive.h"
 
 namespace gem {
 namespace {
@@ -44,12 +45,11 @@ double platform_speed_bound(const SceneDef& scene) {
   const double swing =
       std::sqrt(scene.mooring.stiffness_N_per_m / scene.platform.mass_kg) * length(scene.platform.start_offset_m);
   const double rim = 0.5 * scene.platform.diameter_m * std::abs(scene.platform.start_spin_rad_per_s);
-  return std::hypot(length(scene.platform.start_velocity_m_per_s), swing) + rim;
+  return std::hypot(length(scene.platform.start_velocity_m_per_s), swing) + rim + platform_wind_speed(scene);
 }
 
 double closing_speed_bound(const SceneDef& scene) {
-  Vec2 low = {std::min(0.0, scene.current.velocity_m_per_s.x), std::min(0.0, scene.current.velocity_m_per_s.y)};
-  Vec2 high = {std::max(0.0, scene.current.velocity_m_per_s.x), std::max(0.0, scene.current.velocity_m_per_s.y)};
+  auto [low, high] = drive_velocities(scene);
   double fastest_rim = 0.0, next_rim = 0.0;
   for (const FloeDef& floe : scene.floe) {
     low = {std::min(low.x, floe.velocity_m_per_s.x), std::min(low.y, floe.velocity_m_per_s.y)};

@@ -8,12 +8,12 @@ namespace gem {
 /// Initial speed of the floe's farthest corner about its centroid, from its spin [m/s].
 double rim_speed(const FloeDef& floe);
 
-/// Largest speed of the platform's free swing from its start state [m/s]; 0 without a platform. The ice can push the
-/// platform no faster than the ice moves.
+/// Largest speed of the platform's free swing from its start state and in the wind [m/s]; 0 without a platform. The ice
+/// can push the platform no faster than the ice moves.
 double platform_speed_bound(const SceneDef& scene);
 
-/// Largest speed at which points of two bodies may approach each other [m/s]: from the current, fixed bodies, listed
-/// floes with the two largest rim speeds, and the platform's start state.
+/// Largest speed at which points of two bodies may approach each other [m/s]: from the current and the wind, fixed
+/// bodies, listed floes with the two largest rim speeds, and the platform's start state.
 double closing_speed_bound(const SceneDef& scene);
 
 /// Smallest width of any floe known before the field is made [m]; infinity without floes.

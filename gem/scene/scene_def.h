@@ -120,8 +120,8 @@ struct FixedDef {
   std::vector<Vec2> outline_m;  ///< world coordinates
 };
 
-/// The definitions of the events (current, water, ice, mooring, platform_drag, contact) stand with the laws in
-/// events.h.
+/// The definitions of the events (current, water, ice, mooring, platform_drag, contact, wind, coriolis) stand with the
+/// laws in events.h.
 struct SceneDef : EventDefinitions {
   RunDef run;
   FloesDef floes;
@@ -129,6 +129,7 @@ struct SceneDef : EventDefinitions {
   PlatformDef platform;
   NumericsDef numerics;
   OutputDef output;
+  DriveDef drive;                  ///< tables of current, tide and wind
   std::vector<FloeDef> floe;       ///< for source = listed
   std::vector<FixedDef> fixed;     ///< obstacles besides the boundary
   std::vector<std::string> notes;  ///< old key names that the file uses; not part of the scene

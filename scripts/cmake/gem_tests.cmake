@@ -98,9 +98,9 @@ add_test(NAME manual.guide_numbers COMMAND python3 ${PROJECT_SOURCE_DIR}/scripts
 set_tests_properties(manual.guide_numbers PROPERTIES LABELS unit PROCESSORS 2 TIMEOUT 300)
 
 # The manual's example of a new law: in a copy of the tree, with its patch, against closed form and against this program.
-add_test(NAME manual.wind_example COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_example_law.sh $<TARGET_FILE:gem>
-  ${PROJECT_BINARY_DIR}/wind_example ${PROJECT_SOURCE_DIR}/gem/manual/examples/wind)
-set_tests_properties(manual.wind_example PROPERTIES LABELS unit PROCESSORS 2 TIMEOUT 600
+add_test(NAME manual.slope_example COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_example_law.sh $<TARGET_FILE:gem>
+  ${PROJECT_BINARY_DIR}/slope_example ${PROJECT_SOURCE_DIR}/gem/manual/examples/slope)
+set_tests_properties(manual.slope_example PROPERTIES LABELS unit PROCESSORS 2 TIMEOUT 600
   ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
 
 # An installation, and the Debian package.

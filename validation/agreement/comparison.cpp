@@ -12,6 +12,7 @@
 #include "gem/engine/testing/test_scenes.h"
 #include "gem/field/field.h"
 #include "gem/scene/scene_bounds.h"
+#include "gem/scene/scene_drive.h"
 #include "validation/agreement/jam.h"
 
 namespace gem::agreement {
@@ -147,8 +148,7 @@ void expect_events(const StepLog& a, const StepLog& b, const Allowed& allowed) {
 
 Allowed allowed_in(const Comparison& c, const Bodies& bodies, int steps, int points_of_a_body) {
   Allowed allowed{};
-  allowed.speed =
-      std::max({1e-3, largest_speed(bodies), length(c.scene.current.velocity_m_per_s), platform_speed_bound(c.scene)});
+  allowed.speed = std::max({1e-3, largest_speed(bodies), drive_speed(c.scene), platform_speed_bound(c.scene)});
   allowed.mass = total_mass(bodies);
   allowed.lightest = allowed.smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < bodies.count(); ++i) {

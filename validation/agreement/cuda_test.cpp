@@ -74,6 +74,41 @@ TEST_P(CudaPhases, GiveTheBitsOfTheCpu) {
   EXPECT_GT(expected.events.size(), 2u);
 }
 
+/// Current and wind that change in every time step, by both routes, in calls and batches of several lengths.
+class CudaDrive : public OnGpu, public testing::WithParamInterface<ContactSolver> {};
+
+TEST_P(CudaDrive, GivesTheBitsOfTheCpu) {
+  SceneDef scene = test::driven_scene(8), other = test::busy_scene(9);
+  scene.contact.solver = other.contact.solver = GetParam();
+  for (const Route route : {Route::resident, Route::phases}) {
+    const auto cpu = test::busy_engine(scene, "cpu"), steady = test::busy_engine(other, "cpu");
+    CudaBatch batch({{scene, test::busy_field(scene)}, {other, test::busy_field(other)}}, {.route = route});
+    StepLog expected, ignored;
+    std::vector<StepLog> logs(2);
+    for (const std::int64_t steps : {1, 7, 150}) {
+      cpu->advance(steps, expected);
+      steady->advance(steps, ignored);
+      batch.advance(steps, &logs);
+    }
+    EXPECT_EQ(batch.route(), route);
+    EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
+    EXPECT_EQ(batch.state_hash(1), steady->state_hash()) << "beside a scene with a steady drive";
+    test::expect_same_log(logs[0], expected);
+    test::expect_same_books(batch.ledger(0), cpu->ledger());
+    EXPECT_GT(test::contacts_in(expected), 1000);
+
+    const EngineState half = batch.save(0);
+    cpu->restore(half);
+    batch.restore(0, half);
+    cpu->advance(40, expected);
+    batch.advance(40, &logs);
+    EXPECT_EQ(batch.state_hash(0), cpu->state_hash()) << "after a restart";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Solvers, CudaDrive, testing::Values(ContactSolver::independent, ContactSolver::coupled),
+                         test::LawNames());
+
 using CudaPhasesBriefly = OnGpu;
 
 /// Few time steps, with contacts, so that compute-sanitizer's racecheck can run them. Two scenes at different times of

@@ -273,6 +273,36 @@ TEST(ReferenceJudgesMotion, ThePlatformSwings) {
   }
 }
 
+TEST(ReferenceJudgesMotion, CurrentAndWindThatChange) {
+  for (const DampingWater water : {DampingWater::still, DampingWater::current}) {
+    const SceneDef driven = test::driven_scene(1);
+    SceneDef s = still_scene();
+    s.water = driven.water;
+    s.drive = driven.drive;
+    s.wind = driven.wind;
+    s.coriolis = driven.coriolis;
+    s.platform.present = true;
+    s.platform.start_offset_m = {1.0, -2.0};
+    s.platform_drag.present = true;
+    s.platform_drag.water = water;
+    s.floe = {floe(12.0, 9.0, {-100.0, 0.0}, {0.4, 0.0}, 0.3, 0.02),
+              floe(10.0, 8.0, {-140.0, 2.0}, {-0.3, 0.1}, 0.9, -0.3)};
+    compare({.scene = s, .steps = 400, .contacts = 0});
+  }
+}
+
+/// Two floes that wind and a turning current press against a wall.
+TEST(ReferenceJudgesMotion, ATurningCurrentPressesOnAWall) {
+  SceneDef s = still_scene();
+  s.drive = test::driven_scene(1).drive;
+  s.wind.form_coefficient = 0.5;
+  s.water.drag_law = DragLaw::quadratic;
+  s.water.turning_rad = 0.4;
+  s.fixed = {{{{20.0, -20.0}, {30.0, -20.0}, {30.0, 20.0}, {20.0, 20.0}}}};
+  s.floe = {floe(10.0, 10.0, {14.0, 0.0}, {0.5, 0.0}, 0.2), floe(9.0, 7.0, {3.5, 0.5}, {0.5, 0.0}, 0.1)};
+  compare({.scene = s, .steps = 100, .row = 2, .anew = true});
+}
+
 /// 300 time steps of a pack with the reference alone, in blocks of `block`, with or without events.
 std::uint64_t hash_of_pack(const SceneDef& scene, int block, bool events, bool restarts) {
   auto engine = make_engine(scene, test::busy_field(scene), agreement::on("reference"));

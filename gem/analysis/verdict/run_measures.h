@@ -20,7 +20,7 @@ struct Occurred {
 
 /// Gathered over all time steps of a run unless said otherwise. NaN: not measured by this engine or solver.
 struct RunMeasures {
-  double speed_scale = 0.0;                // largest of current, speeds at the start and the platform's swing [m/s]
+  double speed_scale = 0.0;  // largest of drift in current and wind, speeds at the start and the platform's swing [m/s]
   double squeeze_friction = 0.0;           // mean coefficient at a floe squeezed between two bodies, the least [-]
   Occurred overlap_share;                  // deepest overlap over the size (root of the area) of the smaller body [-]
   double unfinished_share = std::nan("");  // share of the time steps with contacts that end above the tolerance [-]

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "gem/base/vec2.h"
+#include "gem/scene/scene_drive.h"
 #include "gem/scene/schema/schema.h"
 
 namespace gem {
@@ -63,8 +64,9 @@ void add(std::vector<SummaryColumn>& columns, const Option<SceneDef>& option, co
       columns.push_back(column);
       return;
     }
-    case OptionType::outline:
-      return;  // only lists have options of this type
+    case OptionType::table:    // many numbers of one run
+    case OptionType::outline:  // only lists have options of this type
+      return;
   }
 }
 
@@ -74,8 +76,8 @@ std::vector<SummaryColumn> setting_columns(const Scenes& scenes) {
   std::vector<SummaryColumn> columns = {
       numbers("seed", "", "seed of the generated field", scenes,
               [](const SceneDef& scene) { return static_cast<double>(scene.run.seed); }),
-      numbers("current_speed_m_per_s", "m s-1", "speed of the current", scenes,
-              [](const SceneDef& scene) { return length(scene.current.velocity_m_per_s); }),
+      numbers("current_speed_m_per_s", "m s-1", "largest speed of the current", scenes,
+              [](const SceneDef& scene) { return largest_current(scene); }),
       numbers("gap_m", "m", "gap between the boundaries at the platform; NaN without boundaries", scenes,
               [](const SceneDef& scene) {
                 return scene.boundary.present ? scene.boundary.gap_m : std::numeric_limits<double>::quiet_NaN();

@@ -8,14 +8,16 @@
 #include "gem/engine/step/books.h"
 #include "gem/engine/step/contact_stages.h"
 #include "gem/engine/step/solo_stages.h"
+#include "gem/scene/scene_drive.h"
 
 namespace gem {
 
 CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread)
-    : all_threads_(threads), coupled_(contacts_worth_a_thread) {
+    : drives_(drive_schedule(scene)), all_threads_(threads), coupled_(contacts_worth_a_thread) {
   check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cpu");
   const StepConstants constants = step_constants(scene, bodies);
   field_ = make_field_state(std::move(bodies), constants);
+  field_.drive = drives_.at(step_);
   ledger_.start = total(field_);
 }
 
@@ -111,6 +113,7 @@ void CpuEngine::move(ThreadTeam& team, int rank, StepLog& log) {
   team.single(rank, [&] {
     platform_second_half(f);
     ++step_;
+    f.drive = drives_.at(step_);
     if (lost_.exchange(false) || !finite_or_inactive(f.bodies, 0)) check_finite(f, step_);
     log_step(f, pairs_.contacts(), before_, quality_, log);
   });
@@ -127,6 +130,7 @@ void CpuEngine::restore(const EngineState& state) {
   open_books(field_, state);
   ledger_ = state.ledger;
   step_ = state.step;
+  field_.drive = drives_.at(step_);
   coupled_.restore(state.impulse_key, state.impulse_value);
   pairs_.clear();
 }

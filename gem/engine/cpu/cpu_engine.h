@@ -49,6 +49,7 @@ class CpuEngine : public Engine {
   void move(ThreadTeam& team, int rank, StepLog& log);
 
   FieldState field_;
+  DriveSchedule drives_;
   ThreadTeam all_threads_;
   ThreadTeam one_thread_{1};
   TeamChoice choice_;

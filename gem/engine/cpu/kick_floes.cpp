@@ -28,11 +28,12 @@ struct BlockShares {
 
 GEM_CLONES void kick_block(FieldState& f, std::int64_t begin, int count) {
   const Events& e = f.constants.events;
+  const Vec2 water = f.drive.water;
   const Bodies& b = f.bodies;
   BlockShares slips, spins;
   for (int j = 0; j < count; ++j) {
     const std::int64_t i = begin + j;
-    slips.reach[j] = drag_reach(b.drag[i], length(e.current.velocity_m_per_s - b.velocity[i]), e.dt);
+    slips.reach[j] = drag_reach(b.drag[i], length(water - b.velocity[i]), e.dt);
     spins.reach[j] = drag_reach(b.spin_drag[i], magnitude(b.spin[i]), e.dt);
   }
   slips.work_out(count, e.dt);
@@ -40,7 +41,7 @@ GEM_CLONES void kick_block(FieldState& f, std::int64_t begin, int count) {
   for (int j = 0; j < count; ++j) {
     const std::int64_t i = begin + j;
     if (b.kind[i] != BodyKind::floe || !b.active[i]) continue;
-    const Vec2 slip = e.current.velocity_m_per_s - b.velocity[i];
+    const Vec2 slip = water - b.velocity[i];
     apply_kick(f, i,
                {slips.hold(j) ? shared_out(slips.shares[j], slip) : drag_quadratic(b.drag[i], slip, length(slip), e.dt),
                 spins.hold(j) ? shared_out(spins.shares[j], b.spin[i])
@@ -53,7 +54,7 @@ GEM_CLONES void kick_block(FieldState& f, std::int64_t begin, int count) {
 void kick_floes(FieldState& f, std::int64_t begin, std::int64_t end) {
   // skips the platform, which another thread may be moving
   while (begin < end && f.bodies.kind[begin] != BodyKind::floe) ++begin;
-  if (f.constants.events.water.drag_law == DragLaw::quadratic) {
+  if (only_drags_floes(f.constants.events)) {
     for (std::int64_t i = begin; i < end; i += block_size)
       kick_block(f, i, static_cast<int>(std::min<std::int64_t>(block_size, end - i)));
     return;

@@ -245,6 +245,7 @@ class CudaBatch::Work {
       wanted[at] = static_cast<std::int32_t>(steps[at]);
     }
     const cudaStream_t stream = time_.stream();
+    for (std::size_t at = 0; at < active.size(); ++at) scenes_[active[at]].send_drives(steps[at], stream);
     check_cuda(cudaMemcpyAsync(scene_memory_.data(), scene, scene_.bytes(), cudaMemcpyHostToDevice, stream),
                "start the work");
     check_cuda(cudaMemcpyAsync(wanted_memory_.data(), wanted, wanted_.bytes(), cudaMemcpyHostToDevice, stream),

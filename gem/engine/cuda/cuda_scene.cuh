@@ -13,6 +13,7 @@
 #include "gem/engine/cuda/cuda_memory.cuh"
 #include "gem/engine/device/scene_image.h"
 #include "gem/engine/step/books.h"
+#include "gem/scene/scene_drive.h"
 
 namespace gem {
 
@@ -23,11 +24,13 @@ class CudaScene {
     check_solver(scene.scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cuda");
     check_device_steps(std::llround(scene.scene.run.duration_s / scene.scene.numerics.time_step_s));
     const StepConstants constants = step_constants(scene.scene, scene.bodies);
+    drives_ = drive_schedule(scene.scene);
     field_ = make_field_state(std::move(scene.bodies), constants);
     ledger_.start = total(field_);
     device_ = scene_constants(field_);
     sizes_ = scene_sizes(field_);
     sizes_.samples = options.ring_steps;
+    sizes_.drives = drives_.varies();
     sizes_.blocks = std::max(blocks, largest_cluster);
     if (options.list_rows > 0) sizes_.rows = options.list_rows;
     device_.wants_samples = options.samples;
@@ -50,6 +53,15 @@ class CudaScene {
     check_device_steps(step_ + steps);
     if (fresh_) check_finite(field_, step_);
     fresh_ = false;
+  }
+
+  /// Sends what drives the bodies in the next `steps` time steps.
+  void send_drives(std::int64_t steps, cudaStream_t stream) {
+    if (!drives_.varies()) return;
+    write_drives(drives_, step_, steps, reinterpret_cast<Drive*>(drive_copy_.data()));
+    check_cuda(cudaMemcpyAsync(const_cast<Drive*>(device_.drive), drive_copy_.data(),
+                               sizeof(Drive) * (static_cast<std::size_t>(steps) + 1), cudaMemcpyHostToDevice, stream),
+               "send the drive");
   }
 
   /// Notes the status after a call. The copies on the host are stale then.
@@ -212,6 +224,8 @@ class CudaScene {
       host_ring_ = PinnedMemory(bytes);
     }
     place_rings(device_, sizes_, ring_memory_.data());
+    if (sizes_.drives && drive_copy_.bytes() == 0)
+      drive_copy_ = PinnedMemory(sizeof(Drive) * (static_cast<std::size_t>(sizes_.samples) + 1));
     forget_list();
     wait_for_copies();
   }
@@ -220,6 +234,7 @@ class CudaScene {
   static void wait_for_copies() { check_cuda(cudaDeviceSynchronize(), "finish the copies"); }
 
   FieldState field_;
+  DriveSchedule drives_;
   Ledger ledger_;  // start values and scales
   std::int64_t step_ = 0;
   SceneSizes sizes_;
@@ -227,7 +242,7 @@ class CudaScene {
   DeviceStatus* status_;
   std::int32_t carried_ = 0;  // contacts in device_.carried
   DeviceMemory field_memory_, list_memory_, ring_memory_;
-  PinnedMemory host_ring_, state_copy_;
+  PinnedMemory host_ring_, state_copy_, drive_copy_;
   bool fresh_ = true;  // not yet moved on from the state that was given
   bool host_state_valid_ = true, host_books_valid_ = true;
 };

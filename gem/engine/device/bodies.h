@@ -66,16 +66,17 @@ GEM_DEVICE inline bool left_trajectory(const DeviceScene& s, const Mover& mover,
   return !(allowed_offset > 0.0 && dot(offset, offset) < allowed_offset * allowed_offset);
 }
 
-/// The solo events of the next time step on a floe that moves as `after` says.
+/// The solo events of the next time step, number `sample` of the call, on a floe that moves as `after` says.
 GEM_DEVICE inline void kick_body(const DeviceScene& s, std::int32_t i, const BodyCell& cell, Mover& mover,
-                                 BodyMotion& motion, const BodyAfter& after, Quantity& drag_book) {
+                                 BodyMotion& motion, const BodyAfter& after, Quantity& drag_book, std::int32_t sample) {
   mover.velocity = after.velocity;
   mover.spin = after.spin;
   const Events& e = s.constants.events;
   if (!acts_on_floes(e)) return;
   const FloeInEvents floe{motion.mass,      motion.inertia, s.area[i],      cell.thickness, motion.drag,
                           motion.spin_drag, mover.position, after.velocity, after.spin};
-  const FloeKick kick = floe_events(e, floe, floe_drag(e, floe));
+  const Drive drive = s.drive_of(sample);
+  const FloeKick kick = floe_events(e, drive, floe, floe_drag(e, drive, floe));
   book_kick(drag_book, floe, kick);
   mover.velocity = kick.velocity;
   mover.spin = kick.spin;
@@ -143,7 +144,7 @@ GEM_DEVICE inline void move_body(const DeviceScene& s, Group& group, const Works
               quantity_of(motion.mass, motion.inertia, mover.position, after.velocity, after.spin));
   else if (left_trajectory(s, mover, cell.radius, motion, step.elapsed))
     group.raise(alarm_strayed);
-  if (step.kick_next && !retires) kick_body(s, i, cell, mover, motion, after, drag_book);
+  if (step.kick_next && !retires) kick_body(s, i, cell, mover, motion, after, drag_book, step.sample + 1);
   if (step.kick_next && retires) {
     mover.velocity = after.velocity;
     mover.spin = after.spin;

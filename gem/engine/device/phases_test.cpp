@@ -73,6 +73,27 @@ INSTANTIATE_TEST_SUITE_P(Independent, DevicePhases,
                                           testing::Values(DragLaw::quadratic)),
                          test::LawNames());
 
+TEST(DeviceDrive, GivesTheBitsOfTheCpuEngineOnBothRoutes) {
+  for (const bool phases : {false, true})
+    for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled}) {
+      SceneDef scene = test::driven_scene(7);
+      scene.contact.solver = solver;
+      const auto cpu = test::busy_engine(scene, "cpu", 2);
+      HostScene device(scene, test::busy_field(scene), 1, phases ? test::team_warp : 1, 0, bodies_shared_bytes);
+      if (phases) device.use_phases();
+      StepLog expected, log;
+      for (const std::int64_t steps : {1, 39}) {
+        cpu->advance(steps, expected);
+        device.advance(steps, log);
+        test::expect_same_bodies(device.bodies(), cpu->bodies());
+        test::expect_same_log(log, expected);
+        if (HasFailure()) return;
+      }
+      test::expect_same_books(device.ledger(cpu->ledger()), cpu->ledger());
+      EXPECT_GT(test::contacts_in(expected), 300);
+    }
+}
+
 class DeviceStages : public testing::TestWithParam<ContactSolver> {};
 
 TEST_P(DeviceStages, BlocksAndThreadsChangeNothing) {

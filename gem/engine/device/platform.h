@@ -53,14 +53,15 @@ GEM_DEVICE inline PlatformMotion platform_motion(double mass, PlatformLoaded& lo
           loaded.cell.mooring_force};
 }
 
-/// Moves the platform up to the pair events of the next time step. `spin` is its present spin [rad/s].
+/// Moves the platform up to the pair events of the next time step, which is number `sample` of the call. `spin` is its
+/// present spin [rad/s].
 GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded& loaded, Mover& mover, double mass,
-                                           double spin) {
+                                           double spin, std::int32_t sample) {
   PlatformCell& p = loaded.cell;
   p.mooring_before = p.mooring_force.momentum;
   p.drag_before = loaded.drag_book.momentum;
   p.mid_position = mover.position;
-  platform_events_before(s.constants.events, platform_motion(mass, loaded));
+  platform_events_before(s.constants.events, s.drive_of(sample), platform_motion(mass, loaded));
   mover.velocity = p.velocity;
   mover.spin = spin;
 }
@@ -181,7 +182,7 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   if (cell.inverse_inertia == 0.0) p.mooring_force.angular_momentum = sums.twist;
   const Events& e = s.constants.events;
   if (e.platform_present) {
-    platform_events_after(e, platform_motion(motion.mass, loaded));
+    platform_events_after(e, s.drive_of(step.sample), platform_motion(motion.mass, loaded));
     mover.position = p.mid_position + repair.shift;
     if constexpr (solver == ContactSolver::coupled)
       book_platform_shift(e, motion.mass, p.mid_position, p.velocity, repair.shift, s.book(Channel::repair, 0));
@@ -191,7 +192,7 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   if (s.wants_samples) write_sample(s, loaded, mover, sums, pressed, step.sample);
   if (cell.active && left_trajectory(s, mover, cell.radius, motion, step.elapsed)) group.raise(alarm_strayed);
   if (s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) group.raise(alarm_ring_full);
-  if (step.kick_next) platform_first_half(s, loaded, mover, motion.mass, sums.spin);
+  if (step.kick_next) platform_first_half(s, loaded, mover, motion.mass, sums.spin, step.sample + 1);
   store_platform(s, loaded);
   s.after[0].velocity = sums.velocity;
   s.after[0].spin = sums.spin;

@@ -18,20 +18,20 @@
 
 namespace gem {
 
-/// Makes the solo events up to the first pair events of a call.
+/// Makes the solo events up to the first pair events of a call: those of its time step 0.
 template <class Group>
 GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Group& group, const Workspace& workspace) {
   for (std::int32_t i = workspace.first_body; i < workspace.bodies.end; i += workspace.body_step) {
     if (i == 0 || workspace.body[i].kind != BodyKind::floe || !workspace.body[i].active) continue;
     Mover mover = mover_of(workspace.body[i]);
-    kick_body(s, i, workspace.body[i], mover, workspace.motion[i], s.after[i], s.book(Channel::drag, i));
+    kick_body(s, i, workspace.body[i], mover, workspace.motion[i], s.after[i], s.book(Channel::drag, i), 0);
     write_mover(workspace.body[i], mover);
     write_mover(s.body[i], mover);
   }
   if (!workspace.platform || group.warp().rank() != 0) return;
   Mover mover = mover_of(workspace.body[0]);
   PlatformLoaded loaded = load_platform(s);
-  platform_first_half(s, loaded, mover, workspace.motion[0].mass, s.after[0].spin);
+  platform_first_half(s, loaded, mover, workspace.motion[0].mass, s.after[0].spin, 0);
   store_platform(s, loaded);
   write_mover(workspace.body[0], mover);
   write_mover(s.body[0], mover);

@@ -105,6 +105,8 @@ struct DeviceScene {
   float* wake = nullptr;  // the pair sleeps while the clock is below [m]
 
   const double* area = nullptr;  // of each body [m2]
+  // of each time step of a call, and the one after it; null: the steady drive of the scene
+  const Drive* drive = nullptr;
 
   // the following only for coupled contacts
   const float* momentum_coefficients = nullptr;  // see iteration_control.h
@@ -161,6 +163,9 @@ struct DeviceScene {
   PlatformEventRecord* event = nullptr;   // ring
   BodyState* state = nullptr;
   DeviceStatus* status = nullptr;
+
+  /// What drives the bodies in a time step, counted from the begin of the call.
+  GEM_HD Drive drive_of(std::int32_t step) const { return drive ? drive[step] : steady_drive(constants.events); }
 
   GEM_HD Quantity& book(Channel channel, std::int32_t i) const {
     return books[static_cast<std::int64_t>(channel) * bodies + i];

@@ -296,7 +296,12 @@ std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.sample, sizes.samples);
   placer.place(s.quality, static_cast<std::size_t>(sizes.samples) * static_cast<std::size_t>(sizes.blocks));
   placer.place(s.event, s.events_capacity);
+  if (sizes.drives) placer.place(s.drive, static_cast<std::size_t>(sizes.samples) + 1);
   return placer.used();
+}
+
+void write_drives(const DriveSchedule& drives, std::int64_t first, std::int64_t steps, Drive* to) {
+  for (std::int64_t k = 0; k <= steps; ++k) to[k] = drives.at(first + k);
 }
 
 DeviceScene scene_constants(const FieldState& f) {

@@ -28,6 +28,7 @@ struct SceneSizes {
   bool coupled = false, splitting = false;
   std::size_t momentum_coefficients = 0;  // numbers
   bool phases = true;                     // the scene can take the phases route
+  bool drives = false;                    // current or wind change during the run
 };
 
 /// Sizes for a field, with a first guess for the list; `samples` and `blocks` are left to the caller.
@@ -38,6 +39,9 @@ SceneSizes scene_sizes(const FieldState& f);
 std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base);
 std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base);
 std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base);
+
+/// Writes the drive of `steps` time steps from `first` on, and of the one after them.
+void write_drives(const DriveSchedule& drives, std::int64_t first, std::int64_t steps, Drive* to);
 
 /// Returns a scene with its constants set and its arrays null.
 DeviceScene scene_constants(const FieldState& f);

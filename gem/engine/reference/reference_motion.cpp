@@ -15,11 +15,12 @@ FloeInEvents floe_in_events(const Bodies& b, std::size_t i) {
           b.spin_drag[i], b.position[i], b.velocity[i], b.spin[i]};
 }
 
-void drag_platform(const Rules& rules, State& s) {
-  if (!(rules.platform_drag_rate > 0.0)) return;
+/// Half a time step of a quadratic law in a stream of water or air.
+void drag_platform(const Rules& rules, State& s, double rate, Vec2 stream) {
+  if (!(rate > 0.0)) return;
   Bodies& b = s.bodies;
   const Vec2 before = b.velocity[0];
-  b.velocity[0] = platform_drag(rules.platform_drag_rate, before, rules.platform_water, 0.5 * rules.dt);
+  b.velocity[0] = platform_drag(rate, before, stream, 0.5 * rules.dt);
   const Vec2 impulse = b.mass[0] * (b.velocity[0] - before);
   s.drag_impulse += impulse;
   Quantity& book = s.ledger[Channel::platform_drag];
@@ -27,6 +28,13 @@ void drag_platform(const Rules& rules, State& s) {
   book.angular_momentum += cross(b.position[0], impulse);
   book.energy += 0.5 * dot(impulse, b.velocity[0] + before);
 }
+
+void in_water(const Rules& rules, State& s) {
+  const bool moves = rules.scene.platform_drag.water == DampingWater::current;
+  drag_platform(rules, s, rules.platform_drag_rate, moves ? s.drive.water : Vec2{});
+}
+
+void in_wind(const Rules& rules, State& s) { drag_platform(rules, s, rules.platform_wind_rate, s.drive.air); }
 
 /// Kinetic energy of the platform's drift and energy of its mooring [J].
 double swing_energy(const Rules& rules, const Bodies& b) {
@@ -84,7 +92,7 @@ void drive_floes(const Rules& rules, State& s) {
   for (std::size_t i = 0; i < b.count(); ++i) {
     if (!is_floe(b, i)) continue;
     const FloeInEvents floe = floe_in_events(b, i);
-    const FloeKick after = floe_events(rules.events, floe, floe_drag(rules.events, floe));
+    const FloeKick after = floe_events(rules.events, s.drive, floe, floe_drag(rules.events, s.drive, floe));
     b.velocity[i] = after.velocity;
     b.spin[i] = after.spin;
     s.path_correction[i] = after.path_correction;
@@ -100,14 +108,16 @@ void drive_floes(const Rules& rules, State& s) {
 
 void move_platform_before(const Rules& rules, State& s) {
   if (!rules.scene.platform.present) return;
-  drag_platform(rules, s);
+  in_water(rules, s);
+  in_wind(rules, s);
   swing_platform(rules, s);
 }
 
 void move_platform_after(const Rules& rules, State& s) {
   if (!rules.scene.platform.present) return;
   swing_platform(rules, s);
-  drag_platform(rules, s);
+  in_wind(rules, s);
+  in_water(rules, s);
   repair_platform(rules, s);
 }
 

@@ -4,13 +4,14 @@
 
 #include "gem/events/platform_drag.h"
 #include "gem/scene/scene_bounds.h"
+#include "gem/scene/scene_drive.h"
 
 namespace gem::reference {
 namespace {
 
-/// Largest speed of any point in the initial state or in the current [m/s].
+/// Largest speed of any point in the initial state or in current and wind [m/s].
 double fastest_of(const SceneDef& scene) {
-  double fastest = std::max({1e-3, length(scene.current.velocity_m_per_s), platform_speed_bound(scene)});
+  double fastest = std::max({1e-3, drive_speed(scene), platform_speed_bound(scene)});
   for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s) + rim_speed(floe));
   return fastest;
 }
@@ -21,24 +22,26 @@ Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
   Rules rules;
   rules.scene = scene;
   rules.dt = scene.numerics.time_step_s;
+  rules.drives = drive_schedule(scene);
   const double reach = scene.numerics.contact_reach, fastest = fastest_of(scene);
   if (rules.coupled() && scene.contact.manifold == Manifold::chord_ends)
     rules.contact_margin = reach * fastest * rules.dt;
   rules.repair_reach = std::max((reach - 1.0) * fastest, scene.numerics.repair_speed_m_per_s) * rules.dt;
   const double mass = scene.platform.present ? bodies.mass[0] : 0.0;
   const PlatformInEvents platform{scene.platform.anchor_m, mass, scene.platform.diameter_m};
-  rules.events = make_events(scene, scene.platform.present ? &platform : nullptr, rules.dt);
+  rules.events = make_events(scene, scene.platform.present ? &platform : nullptr, rules.dt, has_wind(scene));
   if (!scene.platform.present) return rules;
   rules.stiffness = scene.mooring.stiffness_N_per_m;
   rules.half_mooring = mooring_flow(rules.stiffness, mass, scene.mooring.damping_ratio, 0.5 * rules.dt);
+  if (has_wind(scene)) rules.platform_wind_rate = platform_wind_rate(scene.wind, mass);
   if (!scene.platform_drag.present) return rules;
   rules.platform_drag_rate = platform_drag_rate(scene.water.density_kg_per_m3, scene.platform_drag.coefficient,
                                                 scene.platform.diameter_m, scene.platform_drag.draft_m, mass);
-  if (scene.platform_drag.water == DampingWater::current) rules.platform_water = scene.current.velocity_m_per_s;
   return rules;
 }
 
-void State::begin_step() {
+void State::begin_step(const Rules& rules) {
+  drive = rules.drives.at(steps);
   const std::size_t count = bodies.count();
   path_correction.assign(count, {});
   angle_correction.assign(count, 0.0);

@@ -19,7 +19,8 @@ struct Rules {
   MooringFlow half_mooring;         // over dt / 2
   double stiffness = 0.0;           // of the mooring; 0 without platform [N/m]
   double platform_drag_rate = 0.0;  // [1/m]; 0: none
-  Vec2 platform_water;              // [m/s]
+  double platform_wind_rate = 0.0;  // [1/m]; 0: none
+  DriveSchedule drives;             // of each time step
 
   bool coupled() const { return scene.contact.solver == ContactSolver::coupled; }
 };
@@ -33,6 +34,7 @@ struct State {
   std::int64_t steps = 0;
 
   // of the current time step
+  Drive drive;
   std::vector<Vec2> path_correction;     // exact path of the solo events minus velocity x dt [m]
   std::vector<double> angle_correction;  // [rad]
   std::vector<std::uint8_t> struck;      // does not follow the exact path of its solo events
@@ -42,7 +44,7 @@ struct State {
   Vec2 mooring_impulse, drag_impulse;    // on the platform [N s]
 
   /// Clears the data of the last time step.
-  void begin_step();
+  void begin_step(const Rules& rules);
 };
 
 }  // namespace gem::reference

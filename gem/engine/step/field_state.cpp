@@ -14,6 +14,7 @@ FieldState make_field_state(Bodies bodies, const StepConstants& constants) {
   const std::size_t vertices = bodies.vertex.size();
   f.bodies = std::move(bodies);
   f.constants = constants;
+  f.drive = steady_drive(constants.events);
   f.corner.resize(vertices);
   f.normal.resize(vertices);
   f.body_normal.resize(vertices);

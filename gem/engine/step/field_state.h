@@ -15,6 +15,7 @@ namespace gem {
 struct FieldState {
   Bodies bodies;
   StepConstants constants;
+  Drive drive;  // of the time step that begins or is being made; its engine sets it
 
   std::vector<Vec2> corner;  // outline corners in world axes relative to the centroid, indexed as bodies.vertex [m]
   std::vector<Vec2> normal;  // outward unit normals of the edges in world axes

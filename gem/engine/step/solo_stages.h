@@ -25,7 +25,7 @@ inline FloeInEvents floe_in_events(const Bodies& b, std::size_t i) {
 inline void apply_kick(FieldState& f, std::size_t i, const FloeDrag& drag) {
   Bodies& b = f.bodies;
   const FloeInEvents floe = floe_in_events(b, i);
-  const FloeKick kick = floe_events(f.constants.events, floe, drag);
+  const FloeKick kick = floe_events(f.constants.events, f.drive, floe, drag);
   book_kick(f.book(Channel::drag, i), floe, kick);
   b.velocity[i] = kick.velocity;
   b.spin[i] = kick.spin;
@@ -36,7 +36,7 @@ inline void apply_kick(FieldState& f, std::size_t i, const FloeDrag& drag) {
 /// Solo events of floe i over the time step. Sets its velocity at the end of the step without contacts.
 inline void kick_floe(FieldState& f, std::size_t i) {
   if (!acts_on_floes(f.constants.events) || !f.bodies.active[i]) return;
-  apply_kick(f, i, floe_drag(f.constants.events, floe_in_events(f.bodies, i)));
+  apply_kick(f, i, floe_drag(f.constants.events, f.drive, floe_in_events(f.bodies, i)));
 }
 
 /// Rotates the outline of body i into world axes.
@@ -112,14 +112,14 @@ inline PlatformMotion platform_motion(FieldState& f) {
 /// Moves the platform up to the time of the pair events.
 inline void platform_first_half(FieldState& f) {
   f.platform_position = f.bodies.position[0];
-  platform_events_before(f.constants.events, platform_motion(f));
+  platform_events_before(f.constants.events, f.drive, platform_motion(f));
 }
 
 /// Moves the platform from the pair events to the end of the time step.
 inline void platform_second_half(FieldState& f) {
   const Events& e = f.constants.events;
   if (!e.platform_present) return;
-  platform_events_after(e, platform_motion(f));
+  platform_events_after(e, f.drive, platform_motion(f));
   f.struck[0] = 0;
   const Vec2 shift = f.repair_shift[0];
   book_platform_shift(e, f.bodies.mass[0], f.bodies.position[0], f.bodies.velocity[0], shift,

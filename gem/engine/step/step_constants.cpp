@@ -5,6 +5,7 @@
 
 #include "gem/engine/solver/iteration_control.h"
 #include "gem/scene/scene_bounds.h"
+#include "gem/scene/scene_drive.h"
 
 namespace gem {
 
@@ -15,11 +16,11 @@ namespace {
 /// This many contact margins more are enough where the two angles at the corners are above 30 degrees together.
 constexpr double corner_distance = 4.0;
 
-/// Largest speed of any point in the initial state or in the current [m/s]: the scale of the residual and of the
+/// Largest speed of any point in the initial state or in current and wind [m/s]: the scale of the residual and of the
 /// contact margin.
 double fastest_of(const SceneDef& scene) {
   constexpr double slowest_of_interest = 1e-3;  // [m/s]; chosen by hand, the scale of a scene at rest
-  double fastest = std::max(slowest_of_interest, length(scene.current.velocity_m_per_s));
+  double fastest = std::max(slowest_of_interest, drive_speed(scene));
   for (const FloeDef& floe : scene.floe) fastest = std::max(fastest, length(floe.velocity_m_per_s) + rim_speed(floe));
   return std::max(fastest, platform_speed_bound(scene));
 }
@@ -31,7 +32,7 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
   c.dt = scene.numerics.time_step_s;
   const PlatformDef& p = scene.platform;
   const PlatformInEvents platform{p.anchor_m, p.present ? bodies.mass[0] : 0.0, p.diameter_m};
-  c.events = make_events(scene, p.present ? &platform : nullptr, c.dt);
+  c.events = make_events(scene, p.present ? &platform : nullptr, c.dt, has_wind(scene));
 
   c.solver = scene.contact.solver;
   c.manifold = scene.contact.manifold;
@@ -53,7 +54,7 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
   c.repair_reach = std::max((scene.numerics.contact_reach - 1.0) * fastest, c.repair_speed) * c.dt;
   c.list_margin = std::max(scene.numerics.list_margin_m, corner_distance * c.contact_margin);
   // 400: chosen by hand; bounds the life of a list in slow water, affects only speed
-  const double drift_speed = length(scene.current.velocity_m_per_s) + 1e-3;
+  const double drift_speed = drive_speed(scene) + 1e-3;
   c.list_horizon = std::clamp<std::int64_t>(static_cast<std::int64_t>(c.list_margin / (drift_speed * c.dt)), 1, 400);
   c.retire_x = scene.output.retire_x_m;
   return c;

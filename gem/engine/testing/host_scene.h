@@ -13,6 +13,7 @@
 #include "gem/engine/testing/host_group.h"
 #include "gem/engine/testing/one_thread_group.h"
 #include "gem/engine/testing/same_bits.h"
+#include "gem/scene/scene_drive.h"
 
 namespace gem::test {
 
@@ -24,11 +25,13 @@ class HostScene {
       : field_(make_field_state(bodies, step_constants(scene, bodies))),
         sizes_(scene_sizes(field_)),
         scene_(scene_constants(field_)),
+        drives_(drive_schedule(scene)),
         threads_(threads),
         shared_memory_(shared_memory) {
     sizes_.blocks = blocks;
     if (rows > 0) sizes_.rows = rows;
     sizes_.samples = 32;
+    sizes_.drives = drives_.varies();
     scene_.wants_events = scene_.wants_samples = 1;
     memory_[0].resize(place_field(scene_, sizes_, nullptr));
     place_field(scene_, sizes_, memory_[0].data());
@@ -60,6 +63,7 @@ class HostScene {
   void advance(std::int64_t steps, StepLog& log) {
     while (steps > 0) {
       const std::int32_t some = static_cast<std::int32_t>(std::min<std::int64_t>(steps, sizes_.samples));
+      if (scene_.drive) write_drives(drives_, scene_.status->step, some, const_cast<Drive*>(scene_.drive));
       if (phases_)
         run_phases(some);
       else
@@ -231,6 +235,7 @@ class HostScene {
   Ledger running_;  // of the restored state
   SceneSizes sizes_;
   DeviceScene scene_;
+  DriveSchedule drives_;
   int threads_;
   std::size_t shared_memory_, solver_shared_memory_ = 0;
   bool phases_ = false;

@@ -40,6 +40,21 @@ inline SceneDef busy_scene(std::uint64_t seed) {
   return scene;
 }
 
+/// The busy scene with everything that drives it: a current that turns, tide, wind that changes, turned drag, Coriolis
+/// force, wind on the platform. All of it changes within a few seconds.
+inline SceneDef driven_scene(std::uint64_t seed) {
+  SceneDef scene = busy_scene(seed);
+  scene.drive.current_direction = {{0.0, 0.8, -0.3}, {4.0, 0.7, 0.6}, {20.0, 0.9, 1.2}};
+  scene.drive.tide = {{60.0, 0.1, 0.4, 0.2, 1.0}};
+  scene.drive.wind_velocity = {{1.0, 15.0, 5.0}, {6.0, -5.0, 12.0}};
+  scene.drive.start_time_s = 0.5;
+  scene.wind.form_coefficient = 0.5;
+  scene.wind.platform_area_m2 = 300.0;
+  scene.water.turning_rad = 0.4;
+  scene.coriolis.parameter_per_s = 1.4e-4;
+  return scene;
+}
+
 /// The field of a scene, with random velocities and spins of the floes.
 inline Bodies busy_field(const SceneDef& scene) {
   Bodies bodies = make_field(scene);

@@ -10,6 +10,7 @@
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
+#include "gem/scene/scene_drive.h"
 
 namespace gem {
 namespace {
@@ -178,7 +179,7 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
   RunData run;
   run.identity = identity(file, scene);
   run.verdict = verdict_of(file);
-  run.current_speed = length(scene.current.velocity_m_per_s);
+  run.current_speed = drive_speed(scene);
   run.force_window_s = scene.output.force_window_s;
   run.rest = scene.platform.anchor_m;
   run.natural_period_s = natural_period(scene.mooring.stiffness_N_per_m, scene.platform.mass_kg);

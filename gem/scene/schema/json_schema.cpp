@@ -26,6 +26,18 @@ Json list_of(Json items, std::size_t least, std::size_t most) {
   return {{"type", "array"}, {"items", std::move(items)}, {"minItems", least}, {"maxItems", most}};
 }
 
+Json table_row(const std::vector<OptionColumn>& columns) {
+  Json row = {{"type", "array"}, {"items", Json::array()}};
+  for (const OptionColumn& column : columns) {
+    Json cell = bounded({{"type", "number"}}, column.range);
+    cell["description"] = column.name + " [" + column.unit + "]";
+    row["items"].push_back(std::move(cell));
+  }
+  row["additionalItems"] = false;
+  row["minItems"] = columns.size();
+  return row;
+}
+
 Json type_schema(const OptionInfo& info) {
   const Json number = bounded({{"type", "number"}}, info.range);
   switch (info.type) {
@@ -43,6 +55,8 @@ Json type_schema(const OptionInfo& info) {
       return list_of(number, 2, 2);
     case OptionType::outline:
       return list_of(list_of(number, 2, 2), listed_corners_minimum, listed_corners_maximum);
+    case OptionType::table:
+      return list_of(table_row(info.columns), 0, table_rows_maximum);
   }
   return {};
 }
@@ -53,6 +67,7 @@ Json default_json(const OptionValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* flag = std::get_if<bool>(&value)) return *flag;
   if (const auto* pair = std::get_if<Vec2>(&value)) return Json::array({pair->x, pair->y});
+  if (std::holds_alternative<OptionRows>(value)) return Json::array();
   return nullptr;
 }
 

@@ -2,6 +2,8 @@
 // options with each other.
 #include "gem/scene/schema/schema.h"
 
+#include <algorithm>
+
 #include "gem/scene/schema/schema_builder.h"
 #include "gem/scene/toml/toml_text.h"
 
@@ -208,11 +210,78 @@ void add_output(SceneTable& t) {
            GEM_FIELD(output.retire_x_m));
 }
 
+const OptionColumn time_column = {"time", "s", {-1e9, 1e9}};
+const OptionColumn direction_column = {"direction", "rad", {-12.6, 12.6}};  // two turns
+
+void add_drive(SceneTable& t) {
+  const OptionColumn x = {"x", "m/s", speed_range}, y = {"y", "m/s", speed_range},
+                     speed = {"speed", "m/s", {0.0, 10.0}};
+  const Range phase = {-12.6, 12.6};
+  t.number("run.table_time_s", "s", time_column.range,
+           "time in the tables of current, tide and wind at t = 0 of the run", GEM_FIELD(drive.start_time_s));
+  t.table("current.velocity_table", {time_column, x, y},
+          "velocity of the water over time, linear between the rows, constant before and after them; in place of "
+          "velocity_m_per_s",
+          GEM_FIELD(drive.current_velocity));
+  t.table("current.direction_table", {time_column, speed, direction_column},
+          "the same by speed and direction, each linear between the rows; the direction counts from x "
+          "counter-clockwise, and is where the water flows to",
+          GEM_FIELD(drive.current_direction));
+  t.table("current.tide_table",
+          {{"period", "s", {60.0, 1e8}},
+           {"amplitude_x", "m/s", speed_range},
+           {"phase_x", "rad", phase},
+           {"amplitude_y", "m/s", speed_range},
+           {"phase_y", "rad", phase}},
+          "harmonics that are added to the current: amplitude cos(2 pi time / period - phase)", GEM_FIELD(drive.tide));
+  t.number("water.turning_rad", "rad", {-0.7, 0.7},
+           "angle by which the drag of the water is turned from the slip, counter-clockwise (quadratic law); about 0.4 "
+           "on the northern hemisphere where the current is that below the boundary layer of the ice",
+           GEM_FIELD(water.turning_rad));
+  t.number("coriolis.parameter_per_s", "1/s", {-1.46e-4, 1.46e-4},
+           "Coriolis parameter of the floes, 2 x 7.2921e-5 x sin(latitude); 0: none",
+           GEM_FIELD(coriolis.parameter_per_s), "that of the poles is 1.4584e-4");
+}
+
+void add_wind(SceneTable& t) {
+  const Range wind = {-100.0, 100.0};
+  t.pair("wind.velocity_m_per_s", "m/s", wind, "velocity of the wind 10 m above the ice, uniform; 0: none",
+         GEM_FIELD(wind.velocity_m_per_s));
+  t.table("wind.velocity_table", {time_column, {"x", "m/s", wind}, {"y", "m/s", wind}},
+          "velocity of the wind over time, as current.velocity_table", GEM_FIELD(drive.wind_velocity));
+  t.table("wind.direction_table", {time_column, {"speed", "m/s", {0.0, 100.0}}, direction_column},
+          "the same by speed and direction, as current.direction_table: where the wind blows to",
+          GEM_FIELD(drive.wind_direction));
+  t.number("wind.density_kg_per_m3", "kg/m3", {0.5, 2.0}, "density of the air", GEM_FIELD(wind.density_kg_per_m3));
+  t.number("wind.skin_coefficient", "", {0.0, 0.1}, "skin drag of the wind on the area of a floe",
+           GEM_FIELD(wind.skin_coefficient));
+  t.number("wind.form_coefficient", "", {0.0, 10.0}, "form drag of the wind on sqrt(area) x freeboard of a floe",
+           GEM_FIELD(wind.form_coefficient));
+  t.number("wind.platform_area_m2", "m2", {0.0, 1e6},
+           "projected area of the platform above the water; 0: no wind on it", GEM_FIELD(wind.platform_area_m2));
+  t.number("wind.platform_coefficient", "", {0.0, 10.0}, "drag coefficient of the platform on that area",
+           GEM_FIELD(wind.platform_coefficient));
+}
+
+std::string section_of(const Option<SceneDef>& option) { return option.path.substr(0, option.path.find('.')); }
+
+/// Younger options stand at the end of their sections, so that cases without them keep their text.
+void group_by_section(std::vector<Option<SceneDef>>& options) {
+  std::vector<std::string> order;
+  for (const auto& option : options)
+    if (std::find(order.begin(), order.end(), section_of(option)) == order.end()) order.push_back(section_of(option));
+  const auto place = [&](const Option<SceneDef>& o) { return std::find(order.begin(), order.end(), section_of(o)); };
+  std::stable_sort(options.begin(), options.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+}
+
 std::vector<Option<SceneDef>> make_scene_options() {
   SceneTable t;
   for (const auto section : {add_run, add_water, add_ice, add_floe_source, add_floe_sizes, add_boundary, add_platform,
                              add_mooring, add_contact, add_numerics, add_output})
     section(t);
+  t.opt_in = true;
+  for (const auto section : {add_drive, add_wind}) section(t);
+  group_by_section(t.options);
   return t.options;
 }
 
@@ -276,6 +345,12 @@ std::string range_text(const Range& range, const std::string& unit) {
   return unit.empty() ? text : text + " " + unit;
 }
 
+std::string columns_text(const std::vector<OptionColumn>& columns) {
+  std::string text;
+  for (const OptionColumn& column : columns) text += (text.empty() ? "[" : ", ") + column.name + " " + column.unit;
+  return text + "]";
+}
+
 const std::vector<RenamedKey>& renamed_keys() {
   static const std::vector<RenamedKey> keys = {{"numerics", "moment_s", "time_step_s"},
                                                {"contact", "resolution", "solver"}};
@@ -288,6 +363,7 @@ std::string value_text(const OptionValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return quoted_text(*text);
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* pair = std::get_if<Vec2>(&value)) return pair_text(*pair);
+  if (const auto* rows = std::get_if<OptionRows>(&value)) return rows_text(*rows);
   return outline_text(std::get<std::vector<Vec2>>(value));
 }
 
@@ -307,6 +383,8 @@ std::string type_name(OptionType type) {
       return "pair";
     case OptionType::outline:
       return "outline";
+    case OptionType::table:
+      return "table";
   }
   return "";
 }

@@ -12,7 +12,7 @@
 
 namespace gem {
 
-enum class OptionType { number, integer, text, choice, flag, pair, outline };
+enum class OptionType { number, integer, text, choice, flag, pair, outline, table };
 
 /// Allowed values. A pair has one range for both components, an outline one for all coordinates.
 struct Range {
@@ -33,8 +33,17 @@ inline constexpr Range thickness_range = {0.01, 10.0};   // of ice [m]
 /// "[0, 1)" with the unit.
 std::string range_text(const Range& range, const std::string& unit);
 
+/// OptionRows of a table, each with one number for each of its columns.
+using OptionRows = std::vector<std::vector<double>>;
+
+/// One column of a table.
+struct OptionColumn {
+  std::string name, unit;
+  Range range;
+};
+
 /// Alternatives in the order of OptionType; text and choice are both strings.
-using OptionValue = std::variant<double, std::int64_t, std::string, bool, Vec2, std::vector<Vec2>>;
+using OptionValue = std::variant<double, std::int64_t, std::string, bool, Vec2, std::vector<Vec2>, OptionRows>;
 
 /// An option without its place in a scene.
 struct OptionInfo {
@@ -44,7 +53,9 @@ struct OptionInfo {
   Range range;
   std::vector<std::string> choices;
   std::string doc;
-  std::string why = "";  ///< reason for the range, for the message; may be empty
+  std::string why = "";                    ///< reason for the range, for the message; may be empty
+  std::vector<OptionColumn> columns = {};  ///< of a table
+  bool opt_in = false;  ///< not written where it has its default, so that cases without it keep their hash
 };
 
 template <class T>
@@ -55,6 +66,12 @@ struct Option : OptionInfo {
 
 /// Every option of a scene except those in lists, grouped by section, in the order of SceneDef.
 const std::vector<Option<SceneDef>>& scene_options();
+
+/// Allowed number of rows of a table.
+inline constexpr std::size_t table_rows_maximum = 100000;
+
+/// "[time s, x m/s, y m/s]".
+std::string columns_text(const std::vector<OptionColumn>& columns);
 
 /// The lists [[ice.class]], [[floe]] and [[fixed]].
 const std::vector<Option<IceClassDef>>& ice_class_options();

@@ -1,6 +1,7 @@
 // Helpers that write the option table with one call per option.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@ namespace gem {
 template <class T>
 struct OptionTable {
   std::vector<Option<T>> options;
+  bool opt_in = false;  ///< of the options that are added next
 
   template <class Field>
   void number(std::string path, std::string unit, Range range, std::string doc, Field field, std::string why = "") {
@@ -43,6 +45,24 @@ struct OptionTable {
   void outline(std::string path, Range range, std::string doc, Field field) {
     add<std::vector<Vec2>>({std::move(path), OptionType::outline, "m", range, {}, std::move(doc)}, field);
   }
+  /// `Field` is a vector of arrays of numbers, as many as columns.
+  template <class Field>
+  void table(std::string path, std::vector<OptionColumn> columns, std::string doc, Field field) {
+    std::string unit;
+    for (const OptionColumn& column : columns) unit += (unit.empty() ? "" : ", ") + column.unit;
+    Option<T>& option = add_info({std::move(path), OptionType::table, unit, {}, {}, std::move(doc), "", columns});
+    option.get = [field](const T& t) {
+      OptionRows rows;
+      for (const auto& row : field(t)) rows.emplace_back(row.begin(), row.end());
+      return OptionValue(rows);
+    };
+    option.set = [field](T& t, const OptionValue& v) {
+      auto& target = field(t);
+      target.clear();
+      for (const std::vector<double>& row : std::get<OptionRows>(v))
+        std::copy(row.begin(), row.end(), target.emplace_back().begin());
+    };
+  }
   /// `names` are in the order of the enumerators.
   template <class Field>
   void choice(std::string path, std::vector<std::string> names, std::string doc, Field field) {
@@ -59,6 +79,7 @@ struct OptionTable {
   Option<T>& add_info(OptionInfo info) {
     options.emplace_back();
     static_cast<OptionInfo&>(options.back()) = std::move(info);
+    options.back().opt_in = opt_in;
     return options.back();
   }
   template <class Value, class Field>

@@ -58,6 +58,14 @@ std::vector<Row> rows_of(const std::string& key) {
   return found;
 }
 
+/// The columns of a table with their ranges.
+std::string table_text(const OptionInfo& info) {
+  std::string text;
+  for (const OptionColumn& column : info.columns)
+    text += (text.empty() ? "rows of " : ", ") + column.name + " " + range_text(column.range, "");
+  return text;
+}
+
 std::string allowed_text(const OptionInfo& info) {
   if (info.type == OptionType::choice) {
     std::string text;
@@ -65,6 +73,7 @@ std::string allowed_text(const OptionInfo& info) {
     return text;
   }
   if (info.type == OptionType::text || info.type == OptionType::flag) return "";
+  if (info.type == OptionType::table) return table_text(info);
   return range_text(info.range, "");
 }
 
@@ -73,6 +82,7 @@ std::string markdown_range(const OptionInfo& info) {
   if (info.type == OptionType::flag) return "`true`, `false`";
   if (info.type == OptionType::text) return "any text";
   if (info.type == OptionType::pair) return "two numbers in " + range_text(info.range, "");
+  if (info.type == OptionType::table) return table_text(info);
   if (info.type == OptionType::outline) return "pairs of numbers in " + range_text(info.range, "");
   if (info.type != OptionType::choice) return range_text(info.range, "");
   std::string text;

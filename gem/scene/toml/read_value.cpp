@@ -27,6 +27,8 @@ std::string expectation(const OptionInfo& info) {
       return "a pair of numbers [x, y]" + in_unit;
     case OptionType::outline:
       return "a list of corners [[x, y], ...]" + in_unit;
+    case OptionType::table:
+      return "a list of rows " + columns_text(info.columns);
   }
   return "";
 }
@@ -100,7 +102,32 @@ class ValueReader {
     return corners;
   }
 
+  std::optional<OptionRows> table(const TomlNode& node) {
+    if (node.kind != TomlKind::list) return wrong_type(node);
+    if (node.items.size() > table_rows_maximum)
+      return reject(node, "too many rows (value " + std::to_string(node.items.size()) + ", allowed at most " +
+                              std::to_string(table_rows_maximum) + ")");
+    OptionRows rows;
+    for (const TomlNode& item : node.items) {
+      if (item.kind != TomlKind::list || item.items.size() != info_.columns.size()) return wrong_type(item);
+      rows.emplace_back();
+      for (std::size_t k = 0; k < info_.columns.size(); ++k) {
+        const auto value = cell(item.items[k], info_.columns[k]);
+        if (!value) return std::nullopt;
+        rows.back().push_back(*value);
+      }
+    }
+    return rows;
+  }
+
  private:
+  /// A number of a table, read as an option of its own.
+  std::optional<double> cell(const TomlNode& node, const OptionColumn& column) {
+    const OptionInfo info = {key_, OptionType::number, column.unit, column.range, {}, ""};
+    const std::string name = key_ + "." + column.name;
+    return ValueReader(info, name, problems_).number(node);
+  }
+
   std::string out_of_range(const TomlNode& node) const {
     const std::string hint = info_.unit.empty() ? "" : " give it in " + info_.unit;
     return "out of range (value " + describe(node) + ", allowed " + range_text(info_.range, info_.unit) +
@@ -133,6 +160,8 @@ std::optional<OptionValue> read_value(const OptionInfo& info, const std::string&
       return widened(reader.pair(node));
     case OptionType::outline:
       return widened(reader.outline(node));
+    case OptionType::table:
+      return widened(reader.table(node));
     case OptionType::text:
       if (node.kind != TomlKind::text) return reader.wrong_type(node);
       return OptionValue(node.text);

@@ -20,7 +20,9 @@ void append_entries(std::string& text, const std::string& name, const std::vecto
 }
 
 /// Younger options are not written where they are not given, so that cases without them keep their hash.
-bool is_written(const std::string& path, const SceneDef& scene) {
+bool is_written(const Option<SceneDef>& option, const SceneDef& scene) {
+  const std::string& path = option.path;
+  if (option.opt_in) return value_text(option.get(scene)) != value_text(option.get(SceneDef{}));
   if (path == "floes.sha256") return !scene.floes.sha256.empty();
   if (path == "floes.time_s") return scene.floes.time_s != 0.0;
   if (path == "platform.start_yaw_rad") return scene.platform.start_yaw_rad != 0.0;
@@ -47,6 +49,7 @@ std::string resolved_toml(const SceneDef& scene) {
   std::string text;
   std::string open_section;
   for (const auto& option : scene_options()) {
+    if (!is_written(option, scene)) continue;
     const std::size_t dot = option.path.find('.');
     const std::string section = option.path.substr(0, dot);
     if (section != open_section) {
@@ -55,7 +58,6 @@ std::string resolved_toml(const SceneDef& scene) {
       if (section == "ice" && scene.floes.classes.empty()) text += "class = []\n";
       open_section = section;
     }
-    if (!is_written(option.path, scene)) continue;
     text += option.path.substr(dot + 1) + " = " + value_text(option.get(scene)) + "\n";
   }
   append_entries(text, "ice.class", scene.floes.classes, ice_class_options());

@@ -41,7 +41,7 @@ TEST(SceneFile, EveryOptionIsReadBackFromItsOwnText) {
     SceneDef scene;
     OptionValue value = option.get(scene);
     if (auto* number = std::get_if<double>(&value))
-      *number = option.range.high > 0.25 && option.range.high <= 1.0 ? 0.25 : *number + 0.5;
+      *number = option.range.high <= 0.25 ? 0.5 * option.range.high : option.range.high <= 1.0 ? 0.25 : *number + 0.5;
     if (auto* integer = std::get_if<std::int64_t>(&value)) *integer += 1;
     if (auto* text = std::get_if<std::string>(&value))
       *text = option.type == OptionType::choice ? *std::find_if(option.choices.begin(), option.choices.end(),
@@ -49,6 +49,10 @@ TEST(SceneFile, EveryOptionIsReadBackFromItsOwnText) {
                                                 : "other \"name\"";
     if (auto* flag = std::get_if<bool>(&value)) *flag = !*flag;
     if (auto* pair = std::get_if<Vec2>(&value)) *pair = {pair->x + 0.125, pair->y - 0.3};
+    if (auto* rows = std::get_if<OptionRows>(&value)) {
+      rows->emplace_back();
+      for (const OptionColumn& column : option.columns) rows->back().push_back(std::max(0.125, column.range.low));
+    }
     option.set(scene, value);
     EXPECT_EQ(value_text(option.get(scene)), value_text(value)) << option.path;
     EXPECT_NE(resolved_toml(scene), resolved_toml(SceneDef{})) << option.path;
@@ -57,6 +61,24 @@ TEST(SceneFile, EveryOptionIsReadBackFromItsOwnText) {
     const SceneDef again = parse_scene(resolved_toml(scene), "resolved.toml");
     EXPECT_EQ(value_text(option.get(again)), value_text(value)) << option.path;
   }
+}
+
+TEST(SceneFile, TablesComeBackAsTheyAreAndCasesWithoutThemKeepTheirText) {
+  const std::string plain = resolved_toml(SceneDef{});
+  for (const char* word : {"table", "[wind]", "[coriolis]", "turning"})
+    EXPECT_EQ(plain.find(word), std::string::npos) << word;
+  const SceneDef scene = parse_scene(
+      "[current]\ndirection_table = [[0, 0.25, -0.5], [3600.5, 0.1, 1.0]]\ntide_table = [[44714, 0.1, 0, 0.2, 1]]\n"
+      "[wind]\nvelocity_table = [[-60, 5, 1e-3]]\n[run]\ntable_time_s = 30\n",
+      "tables.toml");
+  EXPECT_EQ(scene.drive.current_direction[1][0], 3600.5);
+  EXPECT_EQ(scene.drive.tide[0][4], 1.0);
+  const SceneDef again = parse_scene(resolved_toml(scene), "again.toml");
+  EXPECT_EQ(again.drive.current_direction, scene.drive.current_direction);
+  EXPECT_EQ(again.drive.wind_velocity, scene.drive.wind_velocity);
+  EXPECT_EQ(again.drive.start_time_s, 30.0);
+  EXPECT_EQ(scene_hash(again), scene_hash(scene));
+  EXPECT_NE(scene_hash(scene), scene_hash(SceneDef{}));
 }
 
 /// A random double in the range, with many digits.

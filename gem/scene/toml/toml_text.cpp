@@ -33,6 +33,16 @@ std::string outline_text(const std::vector<Vec2>& outline) {
   return text + "]";
 }
 
+std::string rows_text(const std::vector<std::vector<double>>& rows) {
+  std::string text = "[";
+  for (const std::vector<double>& row : rows) {
+    text += text.size() > 1 ? ", [" : "[";
+    for (std::size_t k = 0; k < row.size(); ++k) text += (k > 0 ? ", " : "") + toml_number_text(row[k]);
+    text += "]";
+  }
+  return text + "]";
+}
+
 std::string quoted_text(const std::string& text) {
   constexpr const char* hex = "0123456789ABCDEF";
   std::string out = "\"";

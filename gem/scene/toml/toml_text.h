@@ -20,6 +20,9 @@ std::string pair_text(Vec2 value);
 /// "[[x, y], ...]".
 std::string outline_text(const std::vector<Vec2>& outline);
 
+/// "[[a, b, ...], ...]".
+std::string rows_text(const std::vector<std::vector<double>>& rows);
+
 /// A TOML basic string: quoted, with control characters escaped.
 std::string quoted_text(const std::string& text);
 

@@ -6,6 +6,7 @@
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/report/plain_text.h"
+#include "gem/scene/scene_drive.h"
 #include "gem/view/pack/pack_run.h"
 
 namespace gem::view {
@@ -67,7 +68,7 @@ nlohmann::ordered_json describe_run(const RunFile& file, const PagePlan& plan) {
           {"events_recorded", scene.output.platform_events},
           {"frame_stride", plan.frame_stride},
           {"platform_bucket", plan.platform_bucket},
-          {"current_m_per_s", {scene.current.velocity_m_per_s.x, scene.current.velocity_m_per_s.y}},
+          {"current_m_per_s", {drive_at_start(scene).water.x, drive_at_start(scene).water.y}},
           {"platform", platform_json(file, scene)},
           {"fixed", fixed},
           {"classes", classes},

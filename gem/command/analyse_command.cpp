@@ -267,7 +267,10 @@ void add_analyse_command(CLI::App& app, Chosen& chosen) {
   command->add_option("--from", options->from_s, "ignore the record before this time, e.g. until the ice arrives [s]");
   command->add_flag("--allow-incomplete", options->allow_incomplete, "analyse incomplete runs");
   command->add_flag("--json", options->json, "as JSON");
-  command->callback([options, &chosen] { chosen.action = [options] { return analyse(*options); }; });
+  command->callback([options, &chosen] {
+    chosen.reading = {options->paths};
+    chosen.action = [options] { return analyse(*options); };
+  });
 }
 
 }  // namespace gem

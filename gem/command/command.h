@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gem/record/reading/reading_child.h"
 #include "gem/run/run_scene.h"
 #include "gem/scene/scene_def.h"
 #include "gem/scene/sweep/sweep.h"
@@ -19,6 +20,8 @@ struct Chosen {
   std::string command_line;
   bool json_messages = false;  // messages on standard error are JSON, the final error too
   std::function<int()> action;
+  ReadInChild reading;   // files of strangers that the action reads: it runs in a child process then
+  bool in_child = true;  // false: never, so that a fuzz target sees a crash
 };
 
 /// Parses the command line, runs the chosen command and returns the exit code. Any error is reported in one line. A

@@ -45,6 +45,8 @@ int run_command_line(CLI::App& app, Chosen& chosen, int argc, char** argv) {
   chosen.command_line = joined(app.get_name(), argc, argv);
   try {
     app.parse(argc, argv);
+    if (chosen.action && chosen.in_child && !chosen.reading.files.empty())
+      if (const std::optional<int> code = left_to_child(chosen.reading)) return *code;
     if (chosen.action) return chosen.action();
     std::cerr << app.help();
     return static_cast<int>(ExitCode::usage);

@@ -130,7 +130,10 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
       ->type_name("FOLDER");
   command->add_flag("--allow-incomplete", options->allow_incomplete, "compare incomplete runs");
   command->add_flag("--json", options->json, "as JSON");
-  command->callback([options, &chosen] { chosen.action = [options] { return compare(*options); }; });
+  command->callback([options, &chosen] {
+    chosen.reading = {options->paths};
+    chosen.action = [options] { return compare(*options); };
+  });
 }
 
 }  // namespace gem

@@ -64,7 +64,10 @@ void add_export_command(CLI::App& app, Chosen& chosen) {
       ->check(CLI::IsMember({"platform", "events", "stats"}));
   command->add_flag("--overwrite", options->target.overwrite, "replace an earlier export");
   command->add_flag("--allow-incomplete", options->target.allow_incomplete, "export an incomplete run");
-  command->callback([options, &chosen] { chosen.action = [options] { return export_chosen(*options); }; });
+  command->callback([options, &chosen] {
+    chosen.reading = {{options->target.run_file}};
+    chosen.action = [options] { return export_chosen(*options); };
+  });
 }
 
 }  // namespace gem

@@ -75,6 +75,7 @@ void add_info_command(CLI::App& app, Chosen& chosen) {
   command->add_flag("--case", options->show_case, "print the case that was run");
   command->add_flag("--json", options->json, "as JSON");
   command->callback([options, &chosen] {
+    chosen.reading = {{options->path}};
     chosen.action = [options] {
       const RunFile file(options->path, true);
       if (options->show_case) {

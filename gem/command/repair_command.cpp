@@ -24,6 +24,7 @@ void add_repair_command(CLI::App& app, Chosen& chosen) {
       "file "
       "with status running gets the status stopped:killed. A file in which nothing is wrong is not copied.");
   command->callback([options, &chosen] {
+    chosen.reading = {{options->path}};
     chosen.action = [options] {
       std::string out = options->out;
       if (out.empty()) {

@@ -60,6 +60,7 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
       ->type_name("TIME");
   command->add_flag("--allow-incomplete", options->allow_incomplete, "report an incomplete run");
   command->callback([options, &chosen] {
+    chosen.reading = {{options->path}};
     chosen.action = [options] {
       const std::string out = options->out.empty() ? report_folder(options->path) : options->out;
       const auto at_s = options->at.empty() ? std::nullopt : std::optional(time_of_option("--at", options->at));

@@ -52,6 +52,7 @@ void add_view_command(CLI::App& app, Chosen& chosen) {
   command->add_flag("--no-browser", choice->no_browser, "print the address and open nothing")->excludes(out);
   command->footer("Without --out the page is served to this machine alone, until Ctrl-C.");
   command->callback([choice, &chosen] {
+    chosen.reading = {{choice->path}, !choice->out.empty()};
     chosen.action = [choice] {
       if (choice->out.empty()) return serve_page(*choice);
       view::write_page(choice->path, choice->out, choice->allow_incomplete, choice->overwrite);

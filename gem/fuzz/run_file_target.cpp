@@ -18,6 +18,7 @@ namespace {
 /// Runs `gem info`. It may fail, but not for a reason that it did not foresee.
 void describe(std::vector<std::string> words) {
   gem::Chosen chosen;
+  chosen.in_child = false;
   CLI::App app("", "gem");
   gem::add_info_command(app, chosen);
   std::vector<char*> arguments;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "gem/engine/cpu/thread_team.h"
+#include "gem/run/crash_message.h"
 #include "gem/run/run_signals.h"
 #include "gem/run/run_steps.h"
 
@@ -113,6 +114,7 @@ class BatchRun {
 
 std::vector<BatchEnd> run_batch(const std::vector<SceneDef>& scenes, EngineBatch& batch,
                                 const std::vector<RunOptions>& options, int recorders) {
+  const CrashMessage last_words(options.empty() ? std::string() : options.front().output);
   return BatchRun(scenes, batch, options, recorders).go();
 }
 

@@ -1,6 +1,7 @@
 // The time loop of one scene.
 #include "gem/run/run_scene.h"
 
+#include "gem/run/crash_message.h"
 #include "gem/run/run_signals.h"
 #include "gem/run/run_steps.h"
 
@@ -12,6 +13,7 @@ int stop_signal_of(const RunOptions& options) {
 }
 
 RunSummary run_scene(const SceneDef& scene, Engine& engine, const RunOptions& options) {
+  const CrashMessage last_words(options.output);
   RunSteps run(scene, engine, options);
   const StopSignals signals;
   run.begin();

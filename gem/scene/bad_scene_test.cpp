@@ -234,6 +234,8 @@ TEST(BadScene, OverridesNameThemselves) {
   EXPECT_NE(rejection("", {"--until run.duration_s=-5"}).find("--until -5: run.duration_s: out of range"),
             std::string::npos);
   EXPECT_NE(rejection("", {"contact.solver=coupled contacts"}).find("needs quotes"), std::string::npos);
+  EXPECT_NE(rejection("", {"ice.class[1].thickness_m=0.7"}).find("give the whole list"), std::string::npos);
+  EXPECT_EQ(rejection("", {"ice.class=[{name=\"thin\", thickness_m=0.7, tenths=4}]"}), "accepted");
   // An unquoted word is a text.
   EXPECT_NE(rejection("", {"contact.solver=couple"}).find("--set contact.solver=couple: contact.solver"),
             std::string::npos);

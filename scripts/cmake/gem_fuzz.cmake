@@ -5,7 +5,7 @@ if(GEM_FUZZ)
   gem_sources(reader_sources gem/base gem/geometry gem/events gem/field gem/scene gem/record gem/analysis gem/report)
   list(FILTER reader_sources EXCLUDE REGEX "/recorder\\.cpp$")
   add_library(gem_fuzz_readers STATIC ${reader_sources} gem/command/info_command.cpp gem/command/verdict_output.cpp
-    gem/command/case_choice.cpp gem/command/command_line.cpp gem/command/sweep/sweep_settings.cpp)
+    gem/command/case_choice.cpp gem/command/branch.cpp gem/command/time_option.cpp gem/command/command_line.cpp gem/command/sweep/sweep_settings.cpp)
   add_dependencies(gem_fuzz_readers gem_version)
   target_include_directories(gem_fuzz_readers PUBLIC ${PROJECT_BINARY_DIR}/generated)
   target_include_directories(gem_fuzz_readers SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR} PRIVATE ${TOMLPLUSPLUS_INCLUDE_DIR})

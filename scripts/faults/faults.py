@@ -243,8 +243,7 @@ class Faults:
             copy = f"{path}.copy{turn}.h5"
             shutil.copyfile(path, copy)
             fault = look(self.gem, copy)[1]
-            if not self.short:  # a known fault: the mended file may lack a chunk in its middle
-                fault = fault or cut(copy)
+            fault = fault or cut(copy)
             os.remove(copy)
             return fault
 

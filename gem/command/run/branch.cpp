@@ -1,13 +1,14 @@
 // gem run --from: a case that begins with the floes and the platform of another run.
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
+#include "gem/command/time_option.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/run_start.h"
+#include "gem/record/run_file/stored_case.h"
 #include "gem/scene/toml/document.h"
 
 namespace gem {
@@ -25,18 +26,49 @@ struct From {
 From from_of(const std::string& text) {
   const std::size_t at = text.rfind('@');
   if (at == std::string::npos || is_run_file(text)) return {text};
-  From from{text.substr(0, at), 0.0};
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data() + at + 1, end, from.time);
-  if (read.ec != std::errc{} || read.ptr != end || !std::isfinite(from.time) || from.time < 0.0)
-    refuse(text, "no time (after @ come seconds)", "give e.g. --from run.h5@3600");
-  return from;
+  return {text.substr(0, at), time_of_option("--from " + shown(text) + ": after @,", text.substr(at + 1))};
 }
 
 bool is_set(const CaseChoice& choice, const char* key) {
   for (const std::string& text : choice.overrides)
     if (find_path(parse_override(text), key) != nullptr) return true;
   return false;
+}
+
+/// Describes the ice as the case of the run does, because the floes come from there: the stored case, and `gem
+/// compare`, then show what the run really has. A note says what of the case counts for nothing. floes.moved_by_m
+/// stays: the floes of the run have been moved already.
+void take_ice(const CaseChoice& choice, const FloesDef& theirs, SceneDef& scene) {
+  std::string different;
+  const auto take = [&](const char* key, auto FloesDef::*member, bool is_same) {
+    if (is_set(choice, key))
+      refuse(choice.from, std::string("--set ") + key + " has no effect", "(the floes come from the run) leave it out");
+    if (!is_same) different += (different.empty() ? "" : ", ") + std::string(key);
+    scene.floes.*member = theirs.*member;
+  };
+  const auto take_value = [&](const char* key, auto FloesDef::*member) {
+    take(key, member, scene.floes.*member == theirs.*member);
+  };
+  take("ice.class", &FloesDef::classes,
+       std::equal(theirs.classes.begin(), theirs.classes.end(), scene.floes.classes.begin(), scene.floes.classes.end(),
+                  [](const IceClassDef& a, const IceClassDef& b) {
+                    return a.name == b.name && a.thickness_m == b.thickness_m && a.tenths == b.tenths;
+                  }));
+  take_value("floes.length_m", &FloesDef::length_m);
+  take_value("floes.width_m", &FloesDef::width_m);
+  take_value("floes.start_x_m", &FloesDef::start_x_m);
+  take_value("floes.size_law", &FloesDef::size_law);
+  take_value("floes.size_minimum_m", &FloesDef::size_minimum_m);
+  take_value("floes.size_maximum_m", &FloesDef::size_maximum_m);
+  take_value("floes.size_mean_m", &FloesDef::size_mean_m);
+  take_value("floes.size_deviation_m", &FloesDef::size_deviation_m);
+  take_value("floes.gap_m", &FloesDef::gap_m);
+  take_value("floes.placement", &FloesDef::placement);
+  take_value("floes.shape_count", &FloesDef::shape_count);
+  take_value("floes.tile_length_m", &FloesDef::tile_length_m);
+  if (!different.empty())
+    scene.notes.push_back("--from " + shown(choice.from) + ": the floes come from the run, so of the case count for " +
+                          "nothing: " + different + " (the stored case has those of the run)");
 }
 
 /// Only what both the run and the case have. The user's --set goes before.
@@ -61,6 +93,10 @@ SceneDef begun_from(const CaseChoice& choice, SceneDef scene) {
     if (is_set(choice, key))
       refuse(choice.from, std::string("so does --set ") + key, "(both choose floes) give only one");
   From from = from_of(choice.from);
+  tried_in_child({{from.path}}, [&] {
+    floes_of_run_file(from.path, from.time);
+    platform_of_run_file(from.path, from.time);
+  });
   const FloesStart start = floes_of_run_file(from.path, from.time);
   if (start.floes.empty()) refuse(choice.from, "no floes (the run had none)", "name another run");
   const FloesDef usual;
@@ -71,6 +107,7 @@ SceneDef begun_from(const CaseChoice& choice, SceneDef scene) {
   scene.floes.time_s = from.time;
   scene.floes.sha256.clear();
   scene.floes.count = usual.count;  // the run counts them
+  take_ice(choice, stored_scene(RunFile(from.path, true)).floes, scene);
   place_platform(choice, from, scene.platform);
   return named_floes(std::move(scene));
 }

@@ -73,6 +73,29 @@ TEST_F(BranchTest, TheCaseSaysWhereItBegan) {
   EXPECT_EQ(text("a.h5", "gem_state_hash"), text("whole.h5", "gem_state_hash"));
 }
 
+TEST_F(BranchTest, TimesHaveUnits) {
+  ASSERT_EQ(shell("gem run ice.toml -q --from ice.h5@0.5min --out a.h5 --until 1"), 0) << text_of("err");
+  EXPECT_EQ(RunFile(path("a.h5")).frame(0).x, RunFile(path("ice.h5")).frame(3).x);
+}
+
+TEST_F(BranchTest, TheIceOfTheRunIsInTheStoredCase) {
+  std::ofstream(folder_ / "other.toml") << text_of("ice.toml")
+                                        << "[[ice.class]]\nname = \"thick\"\nthickness_m = 2.0\ntenths = 8.0\n";
+  ASSERT_EQ(shell("sed -i s/size_mean_m\\ =\\ 5.0/size_mean_m\\ =\\ 4.5/ other.toml && "
+                  "gem run other.toml --from ice.h5@30 --out a.h5 --until 1"),
+            0)
+      << text_of("err");
+  EXPECT_NE(text_of("err").find("count for nothing: ice.class, floes.size_mean_m (the stored case"), std::string::npos)
+      << text_of("err");
+  const std::string stored = RunFile(path("a.h5")).attribute("gem_case_toml");
+  EXPECT_NE(stored.find("thickness_m = 0.5"), std::string::npos) << stored;
+  EXPECT_EQ(stored.find("thick\""), std::string::npos) << stored;
+  EXPECT_NE(stored.find("size_mean_m = 5.0"), std::string::npos) << stored;
+  ASSERT_EQ(shell("gem run ice.toml --from ice.h5@30 --out b.h5 --until 1"), 0) << text_of("err");
+  EXPECT_EQ(text_of("err").find("count for nothing"), std::string::npos) << text_of("err");
+  EXPECT_EQ(RunFile(path("b.h5")).attribute("gem_case_sha256"), RunFile(path("a.h5")).attribute("gem_case_sha256"));
+}
+
 TEST_F(BranchTest, ASweepBeginsWithAFrame) {
   ASSERT_EQ(shell("gem run ice.toml --from ice.h5@30 --set run.duration_s=5 --dry-run"), 0) << text_of("err");
   std::filesystem::rename(folder_ / "out", folder_ / "begun.toml");
@@ -98,8 +121,10 @@ TEST_F(BranchTest, WhatCannotBeginSaysWhy) {
   } rows[] = {
       {"--from ice.h5@31", 4, "no frame at 31 s; its 7 frames are from 0 s to 60 s) the nearest is at 30 s"},
       {"--from ice.h5@7200", 4, "the nearest is at 60 s"},
-      {"--from ice.h5@noon", 2, "after @ come seconds"},
-      {"--from ice.h5@-1", 2, "after @ come seconds"},
+      {"--from ice.h5@noon", 2, "--from ice.h5@noon: after @, noon is not a time"},
+      {"--from ice.h5@-1", 2, "-1 is not a time"},
+      {"--from ice.h5@0.55min", 4, "no frame at 33 s"},
+      {"--from ice.h5 --set floes.size_mean_m=4.5", 2, "--set floes.size_mean_m has no effect"},
       {"--from missing.h5", 4, "no such file"},
       {"--from ice.toml@30", 4, "not an HDF5 file"},
       {"--from swing.h5", 2, "no floes (the run had none)"},

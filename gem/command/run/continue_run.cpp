@@ -41,6 +41,7 @@ void choose_engine(RunChoice& choice, const Resumable& run, RunLog& log) {
 
 int continue_run(RunChoice& choice, RunLog& log) {
   const std::string& file = choice.options.output = choice.continued;
+  tried_in_child({{file}}, [&] { resumable(file); });
   if (is_complete(file)) {
     log.message("info", shown(file) + " is complete: nothing to continue");
     return 0;

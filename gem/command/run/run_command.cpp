@@ -160,8 +160,9 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   add_case_options(*command, choice->chosen_case, false);
   command
       ->add_option("--from", choice->chosen_case.from,
-                   "begin with the floes and the platform of a run, at its last recorded frame or at the one of a time")
-      ->type_name("RUNFILE[@SECONDS]")
+                   "begin with the floes and the platform of a run, at its last recorded frame or at the one of a "
+                   "time, e.g. @1.3h")
+      ->type_name("RUNFILE[@TIME]")
       ->check(not_empty());
   command->add_option("-o,--out", choice->options.output, "run file; default: the run's name with .h5")
       ->check(not_empty());

@@ -54,14 +54,17 @@ bool is_bare_dimension(const std::string& group, const std::string& name) {
 
 }  // namespace
 
-std::uint64_t rows_on_disk(hid_t dataset, std::uint64_t file_size) {
+std::uint64_t rows_on_disk(hid_t dataset, std::uint64_t file_size, std::uint64_t checked_chunks) {
   const Shape shape = shape_of(dataset);
   if (shape.chunk.empty()) return shape.size.empty() ? 0 : shape.size[0];
-  hsize_t rows = shape.size[0];
-  while (rows > 0) {
-    const hsize_t begin = (rows - 1) / shape.chunk[0] * shape.chunk[0];
-    if (stand(dataset, shape, begin, file_size)) break;
+  const hsize_t chunk = shape.chunk[0];
+  hsize_t rows = shape.size[0], whole = 0;  // the last `whole` chunks of the rows stand
+  while (rows > 0 && whole < checked_chunks && whole * chunk < rows) {
+    const hsize_t begin = (rows - 1) / chunk * chunk - whole * chunk;
+    ++whole;
+    if (stand(dataset, shape, begin, file_size)) continue;
     rows = begin;
+    whole = 0;
   }
   return rows;
 }
@@ -80,7 +83,8 @@ std::uint64_t rows_in_time(hid_t dataset, std::uint64_t rows) {
   return first + time.size();
 }
 
-std::uint64_t rows_of_group(hid_t file, const std::string& group, std::uint64_t file_size) {
+std::uint64_t rows_of_group(hid_t file, const std::string& group, std::uint64_t file_size,
+                            std::uint64_t checked_chunks) {
   if (H5Lexists(file, group.c_str(), H5P_DEFAULT) <= 0) return 0;
   const Handle folder(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose);
   if (!folder.valid()) return 0;  // something else has the name
@@ -91,7 +95,7 @@ std::uint64_t rows_of_group(hid_t file, const std::string& group, std::uint64_t 
     if (is_bare_dimension(group, name)) continue;
     const Handle dataset(H5Dopen2(folder, name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!dataset.valid()) continue;
-    rows = std::min(rows, rows_on_disk(dataset, file_size));
+    rows = std::min(rows, rows_on_disk(dataset, file_size, checked_chunks));
   }
   if (H5Lexists(folder, "time", H5P_DEFAULT) <= 0) return rows;
   const Handle time(H5Dopen2(folder, "time", H5P_DEFAULT), H5Dclose);

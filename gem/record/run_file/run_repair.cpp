@@ -59,7 +59,7 @@ hsize_t cut(hid_t group, const std::string& name, hsize_t rows) {
 /// Gives all datasets of a group the same length. Returns a line if one was longer.
 std::string even_out(hid_t file, const std::string& group, std::uint64_t file_size) {
   if (H5Lexists(file, group.c_str(), H5P_DEFAULT) <= 0) return "";
-  const hsize_t rows = hdf5::rows_of_group(file, group, file_size);
+  const hsize_t rows = hdf5::rows_of_group(file, group, file_size, hdf5::repaired_chunks);
   const Handle folder = checked(H5Gopen2(file, group.c_str(), H5P_DEFAULT), H5Gclose, group.c_str());
   std::vector<std::string> names;
   check(H5Literate(folder, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_member, &names), group.c_str());

@@ -9,6 +9,7 @@
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
+#include "gem/scene/schema/schema.h"
 
 namespace gem {
 namespace {
@@ -58,6 +59,24 @@ void check_lengths(const RunFile& file, std::size_t floes, std::initializer_list
   refuse(file, "its columns of floes differ in length", "the file may be damaged");
 }
 
+/// Throws if a value of the file lies beyond what a case may say.
+void check_range(const RunFile& file, const std::string& what, double value, const Range& range, const char* unit) {
+  if (range.contains(value)) return;
+  refuse(file, what + " is out of range (value " + number_text(value) + ", allowed " + range_text(range, unit) + ")",
+         "the file may be damaged");
+}
+
+/// Outlines and places are checked where the case is, as those of listed floes.
+void check_floes(const RunFile& file, const std::vector<FloeDef>& floes) {
+  for (std::size_t i = 0; i < floes.size(); ++i) {
+    const std::string name = "floe " + std::to_string(i) + ": ";
+    check_range(file, name + "thickness", floes[i].thickness_m, thickness_range, "m");
+    check_range(file, name + "speed", floes[i].velocity_m_per_s.x, speed_range, "m/s");
+    check_range(file, name + "speed", floes[i].velocity_m_per_s.y, speed_range, "m/s");
+    check_range(file, name + "spin", floes[i].spin_rad_per_s, spin_range, "rad/s");
+  }
+}
+
 /// The floes with outline, place, and the speeds of `frame`; all of them, also those that have left.
 std::vector<FloeDef> floes_at_start(const RunFile& file, const FrameView& frame) {
   const auto outlines = file.floe_outlines();
@@ -81,6 +100,7 @@ FloesStart floes_of_run_file(const std::string& path, double time) {
   const std::size_t index = frame_at(file, time);
   const FrameView frame = file.frame(index);
   FloesStart start{frame.time, floes_at_start(file, frame), 0.0};
+  check_floes(file, start.floes);
   if (index == 0) return start;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < start.floes.size(); ++i) {
@@ -116,10 +136,16 @@ std::optional<PlatformStart> platform_of_run_file(const std::string& path, doubl
       refuse(file, std::string("platform/") + name + " is not a number there", "it may be damaged");
     return column[row - 1];
   };
-  return PlatformStart{{value("x"), value("y")},
-                       std::remainder(value("psi"), 2.0 * std::numbers::pi),
-                       {value("vx"), value("vy")},
-                       value("r")};
+  const PlatformStart start{{value("x"), value("y")},
+                            std::remainder(value("psi"), 2.0 * std::numbers::pi),
+                            {value("vx"), value("vy")},
+                            value("r")};
+  check_range(file, "platform/x", start.position.x, place_range, "m");
+  check_range(file, "platform/y", start.position.y, place_range, "m");
+  check_range(file, "platform/vx", start.velocity.x, speed_range, "m/s");
+  check_range(file, "platform/vy", start.velocity.y, speed_range, "m/s");
+  check_range(file, "platform/r", start.spin, spin_range, "rad/s");
+  return start;
 }
 
 }  // namespace gem

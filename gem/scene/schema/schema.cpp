@@ -17,7 +17,6 @@ namespace {
 using SceneTable = OptionTable<SceneDef>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Range speed_range = {-10.0, 10.0};
 constexpr Range density_range = {1.0, 1e4};
 constexpr Range extent_range = {0.0, 1e6, true};
 
@@ -130,7 +129,7 @@ void add_platform(SceneTable& t) {
          GEM_FIELD(platform.start_velocity_m_per_s));
   t.number("platform.start_yaw_rad", "rad", {-3.1416, 3.1416}, "yaw at the start, counter-clockwise",
            GEM_FIELD(platform.start_yaw_rad));
-  t.number("platform.start_spin_rad_per_s", "rad/s", {-10.0, 10.0}, "yaw rate at the start",
+  t.number("platform.start_spin_rad_per_s", "rad/s", spin_range, "yaw rate at the start",
            GEM_FIELD(platform.start_spin_rad_per_s));
   t.choice("platform.yaw", {"free", "locked"}, "whether the platform may turn", GEM_FIELD(platform.yaw));
 }
@@ -305,7 +304,7 @@ std::vector<Option<FloeDef>> make_floe_options() {
   t.number("angle_rad", "rad", {-6.3, 6.3}, "rotation about the outline's origin", GEM_FIELD(angle_rad),
            "one turn; 45 degrees are 0.785");
   t.pair("velocity_m_per_s", "m/s", speed_range, "velocity at the start", GEM_FIELD(velocity_m_per_s));
-  t.number("spin_rad_per_s", "rad/s", {-10.0, 10.0}, "spin at the start", GEM_FIELD(spin_rad_per_s));
+  t.number("spin_rad_per_s", "rad/s", spin_range, "spin at the start", GEM_FIELD(spin_rad_per_s));
   t.number("thickness_m", "m", thickness_range, "thickness", GEM_FIELD(thickness_m));
   return t.options;
 }

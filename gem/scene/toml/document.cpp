@@ -180,8 +180,12 @@ TomlNode parse_override(const std::string& text) {
     forget_lines(tree);
     return tree;
   } catch (const Error& error) {
+    const bool is_indexed = assignment.substr(0, assignment.find('=')).find('[') != std::string::npos;
     throw Error(error.code(), std::string(error.what()) +
-                                  " (--set takes key=value in TOML syntax; text that is not one word needs quotes)");
+                                  (is_indexed ? " (--set cannot change one entry of a list) give the whole list, e.g. "
+                                                "'ice.class=[{name=\"thin\", thickness_m=0.7, tenths=4}]'"
+                                              : " (--set takes key=value in TOML syntax; text that is not one word "
+                                                "needs quotes)"));
   }
 }
 

@@ -62,6 +62,7 @@ int main(int argc, char** argv) {
   gem::add_compare_command(app, chosen);
   gem::add_view_command(app, chosen);
   gem::add_export_command(app, chosen);
+  gem::add_film_command(app, chosen);
   gem::add_repair_command(app, chosen);
   gem::add_analyse_command(app, chosen);
   gem::add_devices_command(app, chosen);

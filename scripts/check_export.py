@@ -20,6 +20,7 @@ except ImportError as missing:
 
 FLOES = {"floe": 1, "class": 1, "thickness": 1, "mass": 1, "velocity": 3, "speed": 1, "spin": 1}
 PLATFORM = {"velocity": 3, "yaw": 1, "spin": 1, "ice_force": 3, "ice_force_mean": 3, "mooring_force": 3, "drag_force": 3}
+FORCES = {"floe_a": 1, "floe_b": 1, "force": 3, "force_size": 1}
 HITS = {"time": 1, "floe": 1, "normal": 3, "closing_speed": 1, "impulse": 1, "force_peak": 1}
 
 
@@ -89,12 +90,35 @@ def check_platform(data, run, time):
     assert numpy.allclose(centre, [run["platform/x"][sample], run["platform/y"][sample]], atol=1e-4), "a regular outline"
 
 
+def check_forces(data, run, time):
+    """One line for each force of the frame, over the point of contact to the centroid of the second floe. Returns their number."""
+    here = run["contacts/time"][...] == time
+    assert data.GetNumberOfLines() == here.sum() == data.GetNumberOfCells(), "number of forces"
+    cells = arrays(data.GetCellData())
+    check_names(cells, FORCES, "contacts")
+    if here.sum() == 0:
+        return 0
+    first = int(run.attrs["gem_first_floe_body"])
+    b = run["contacts/body_b"][here] - first
+    a = run["contacts/body_a"][here]
+    assert (cells["floe_b"] == b).all() and (cells["floe_a"] == numpy.where(a >= first, a - first, -1 - a)).all()
+    for k, axis in enumerate("xy"):
+        assert (cells["force"][:, k] == run[f"contacts/force_{axis}"][here]).all(), "forces"
+    frame = int(numpy.searchsorted(run["floes/time"][...], time))
+    point = numpy.stack([run["contacts/x"][here], run["contacts/y"][here]], axis=1)
+    for i in (0, here.sum() // 2, here.sum() - 1):
+        line = vtk_to_numpy(data.GetCell(int(i)).GetPoints().GetData())[:, :2]
+        assert numpy.allclose(line[-2], point[i], rtol=1e-6)
+        assert numpy.allclose(line[-1], [run["floes/x"][frame][b[i]], run["floes/y"][frame][b[i]]], rtol=1e-6)
+    return int(here.sum())
+
+
 def check_film(folder, run):
     entries = {}
     for entry in xml.etree.ElementTree.parse(folder / "film.pvd").iter("DataSet"):
         entries.setdefault(entry.get("name"), []).append((float(entry.get("timestep")), folder / entry.get("file")))
     times = run["floes/time"][...]
-    assert set(entries) == {"floes", "platform", "hits", "track", "fixed"}, set(entries)
+    assert set(entries) == {"floes", "platform", "hits", "track", "fixed", "contacts"}, set(entries)
     for name, listed in entries.items():
         assert [time for time, _ in listed] == list(times), f"times of {name}"
     for frame in (0, len(times) // 2, len(times) - 1):
@@ -106,17 +130,19 @@ def check_film(folder, run):
     check_names(hits[0], HITS, "hits")
     impulse = sorted(numpy.concatenate([one["impulse"] for one in hits]))
     assert impulse == sorted(run["events/impulse"][...]) and len(impulse) > 0, "every hit once"
+    forces = sum(check_forces(read(path), run, time) for time, path in entries["contacts"])
+    assert forces == len(run["contacts/time"]) > 100, "every force once"
     track = read(entries["track"][0][1])
     assert track.GetNumberOfLines() == 1 and (arrays(track.GetPointData())["time"] == run["platform/time"][...]).all()
     assert read(entries["fixed"][0][1]).GetNumberOfCells() == len(run["boundary/vertex_count"])
-    print(f"VTK: {len(times)} frames, {len(impulse)} hits; cells, corners, arrays and bounds of three frames are the run's")
+    print(f"VTK: {len(times)} frames, {len(impulse)} hits, {forces} forces; cells, corners, arrays and bounds of three frames are the run's")
 
 
 def check_damaged(gem, folder):
     """A file that lies is refused, and nothing is written."""
     damages = {"floes/time": lambda data: data[::-1], "floes/x": lambda data: data * numpy.nan,
                "shape/vertex_count": lambda data: data + 1, "shape/thickness": lambda data: data * numpy.inf,
-               "platform/x": lambda data: data * numpy.nan}
+               "platform/x": lambda data: data * numpy.nan, "contacts/time": lambda data: data[::-1]}
     for dataset, damage in damages.items():
         path = folder / "damaged.h5"
         shutil.copy(folder / "run.h5", path)
@@ -133,7 +159,8 @@ def main():
     gem, case = sys.argv[1:3]
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        subprocess.run([gem, "run", case, "--quiet", "--set", "run.duration_s=120", "--out", folder / "run.h5"], check=True)
+        subprocess.run([gem, "run", case, "--quiet", "--set", "run.duration_s=120", "--set", "output.contact_forces=true",
+                        "--engine", "cpu", "--out", folder / "run.h5"], check=True)
         subprocess.run([gem, "export", folder / "run.h5", folder / "film.pvd"], check=True)
         with h5py.File(folder / "run.h5", "r") as run:
             check_film(folder, run)

@@ -2,7 +2,7 @@
 
 BEGIN {
   # A layer sees itself and the layers before it; run and command are one rank.
-  split("base geometry events scene field engine record analysis report view export command", order, " ")
+  split("base geometry events scene field engine record analysis report view export film command", order, " ")
   for (i in order) rank[order[i]] = i + 0
   rank["run"] = rank["command"]
   rank["main"] = rank["command"] + 1

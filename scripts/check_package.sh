@@ -23,7 +23,14 @@ gem analyse first.h5
 gem report first.h5 --at 4min --out first_report
 ls -l first_report/index.html first_report/figures/field_at.svg
 gem run /usr/share/gem/cases/first.toml --until 300 --threads 1 --overwrite --quiet --set run.seed=2 --out second.h5
-gem compare first.h5 second.h5 --out comparison'
+gem compare first.h5 second.h5 --out comparison
+gem view first.h5 --out first.html
+grep -q "gem view" first.html
+# without ffmpeg a film is refused with a reason, and nothing is left
+! command -v ffmpeg
+! gem film first.h5 first.mp4 2>film_err
+grep "ffmpeg was not found" film_err
+! ls first.mp4 .first.new.mp4'
 
 if [ "$1" = --root ]; then
   deb=$(realpath "$2")

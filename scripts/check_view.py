@@ -143,6 +143,38 @@ def check_pause(gem, case, folder):
     expect(hash_of(gem, still) == hash_of(gem, shown), "a pause does not change the run")
 
 
+def check_live(page, gem, case, folder):
+    """A run that takes the place of an earlier one, seen to its end through a lost network and a slow clock."""
+    file, whole = os.path.join(folder, "live.h5"), os.path.join(folder, "whole.h5")
+    run(gem, case, file, *JAM, "--set", "run.name=earlier")
+    run(gem, case, whole, *JAM)
+    server = Served([gem, "run", case, "--engine", "cpu", "--threads", "2", "--out", file, "--overwrite", "--view",
+                     "--no-browser", *JAM], from_errors=True)
+    page.open(f"http://{server.host}{server.base}")
+    page.until("window.gemView && 1", 40)
+    expect("earlier" not in page.value("document.querySelector('h1').textContent"), "the page shows the new run")
+    page.call("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=-1, uploadThroughput=-1)
+    page.until("document.querySelector('.live').textContent.includes('asking again')")
+    page.call("Network.emulateNetworkConditions", offline=False, latency=0, downloadThroughput=-1, uploadThroughput=-1)
+    page.until("!document.querySelector('.live').textContent.includes('asking again')")
+    # as in a hidden tab, whose timers ring once a minute
+    page.value("(() => { const ring = setTimeout; window.setTimeout = (f, ms) => ring(f, Math.max(ms, 60000)); })()")
+    expect(server.process.wait(40) == 0, "the run ends when the page has all of it")
+    expect("ended" in page.value("document.querySelector('.live').textContent"), "the page says that the run ended")
+    frames, steps = page.value("[gemView.run.frameCount, gemView.run.end]")
+    expect(frames == 19 and steps == 90, f"the page has the last frame: {frames}, {steps}")
+    expect(hash_of(gem, file) == hash_of(gem, whole), "the file is that of the run")
+
+
+def check_goodbye(page, gem, case, folder):
+    server = Served([gem, "run", case, "--engine", "cpu", "--out", os.path.join(folder, "left.h5"), "--view",
+                     "--no-browser", *JAM], from_errors=True)
+    page.open(f"http://{server.host}{server.base}")
+    page.until("window.gemView && 1", 40)
+    page.open("about:blank")
+    expect(server.process.wait(30) == 0, "a run whose page was closed does not wait for it")
+
+
 def check_server(gem, cases, folder):
     case = os.path.join(folder, "three.toml")
     with open(case, "w", encoding="utf-8") as file:
@@ -181,6 +213,33 @@ def check_numbers(page, file):
         shown = numpy.sort(page.value("Array.from(gemView.hits.impulse)"))
         expect(len(shown) == len(events), "number of hits")
         expect(not len(events) or numpy.abs(shown - events).max() <= 1e-5 * events.max(), "impulses of hits")
+
+
+def check_forces(page, file):
+    """The forces between bodies of a frame against the file: number, bodies, sum; and that they are drawn."""
+    import h5py
+    import numpy
+    with h5py.File(file) as data:
+        times, rows = data["floes/time"][:], data["contacts"]
+        frame = max(range(len(times)), key=lambda n: (rows["time"][:] == times[n]).sum())
+        here = rows["time"][:] == times[frame]
+        page.value(f"gemView.player.seek({float(times[frame])!r})")
+        shown = page.value("(() => { const f = gemView.run.contactsAt(gemView.time);"
+                           " return [Array.from(f.a), Array.from(f.b), Array.from(f.fx), Array.from(f.fy)]; })()")
+        expect(here.sum() > 10, "the jam has forces between floes")
+        expect(shown[0] == rows["body_a"][here].tolist() and shown[1] == rows["body_b"][here].tolist(), "pairs that press")
+        largest = max(abs(rows["force_x"][here]).max(), abs(rows["force_y"][here]).max())
+        for values, name in ((shown[2], "force_x"), (shown[3], "force_y")):
+            wrong = abs(numpy.array(values) - rows[name][here]).max()
+            expect(wrong <= largest / 2000 * 0.51, f"{name}: {wrong} of {largest}")
+    pixels = "(() => { gemView.draw(); return gemView.canvases.over.toDataURL(); })()"
+    page.value("gemView.fitAll()")
+    before = page.value(pixels)
+    page.value("document.getElementById('chains').click()")
+    expect(page.value(pixels) != before, "the button hides the chains")
+    page.value("document.getElementById('chains').click()")
+    page.value("gemView.colourBy('contact_force')")
+    expect(page.value("gemView.shares.some(s => s > 0.2)"), "floes are coloured by their forces")
 
 
 def check_play(page):
@@ -255,6 +314,8 @@ def check_page(page, gem, file, with_hits):
     check_play(page)
     check_click(page)
     check_colours(page)
+    if page.value("gemView.run.description.contacts_recorded"):
+        check_forces(page, file)
     if with_hits:
         page.value("document.getElementById('largest').click()")
         expect(page.value("gemView.time === gemView.largest.time && gemView.causes.length > 0"), "the largest load is shown")
@@ -278,7 +339,7 @@ def check_browser(gem, cases, folder):
     with open(case, "w", encoding="utf-8") as file:
         file.write(three_floes())
     run(gem, os.path.join(cases, "004_400_25.toml"), made["one"], "--until", "20")
-    run(gem, os.path.join(cases, "first.toml"), made["jam"], *JAM)
+    run(gem, os.path.join(cases, "first.toml"), made["jam"], *JAM, "--set", "output.contact_forces=true")
     run(gem, case, made["three"])
     with browser.Browser() as page:
         check_page(page, gem, made["one"], False)
@@ -286,6 +347,8 @@ def check_browser(gem, cases, folder):
         check_page(page, gem, made["three"], True)
         expect(page.value("document.querySelector('h1').textContent") == EVIL, "names are text")
         expect(page.value("document.querySelectorAll('b').length") == 0, "names are never HTML")
+        check_live(page, gem, os.path.join(cases, "first.toml"), folder)
+        check_goodbye(page, gem, os.path.join(cases, "first.toml"), folder)
 
 
 def skip(why):

@@ -42,6 +42,7 @@ Json json_of(const Comparison& comparison) {
     object["runs"].push_back({{"file", run.path}, {"name", run.data.identity.name}, {"label", run.label}});
   for (const CaseDifference& difference : comparison.differences)
     object["differences"][difference.key] = difference.values;
+  if (const auto reasons = missing_intervals(comparison); !reasons.empty()) object["no_intervals"] = reasons;
   for (const ComparedRow& row : comparison.rows) {
     Json& entry = object["numbers"][row.name] = {{"meaning", row.meaning}, {"values", Json::array()}};
     for (const ComparedCell& cell : row.cells) entry["values"].push_back(json_of(cell));
@@ -96,9 +97,12 @@ std::string text_of(const Comparison& comparison) {
     if (row.apart == Apart::yes) cells.push_back("apart");
     numbers.row(cells);
   }
+  std::string reasons;
+  for (const std::string& sentence : missing_intervals(comparison)) reasons += sentence + "\n";
   return (comparison.differences.empty() ? "the cases have the same keys and values\n"
                                          : "what differs in the cases\n" + keys.text()) +
-         "numbers, with 95 % intervals in brackets; apart: the intervals have no common part\n" + numbers.text();
+         "numbers, with 95 % intervals in brackets; apart: the intervals have no common part\n" + numbers.text() +
+         reasons;
 }
 
 int compare(const CompareOptions& options) {

@@ -60,6 +60,14 @@ TEST_F(CompareCommand, ComparesARunWithItself) {
   EXPECT_NE(text_of("out").find("c.h5"), std::string::npos) << "runs of one name are called by their files";
 }
 
+TEST_F(CompareCommand, SaysWhyThereAreNoIntervals) {
+  make_runs();
+  ASSERT_EQ(shell("gem compare a.h5 b.h5 --from 15s"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("natural periods), it has "), std::string::npos) << text_of("out");
+  ASSERT_EQ(shell("gem compare a.h5 b.h5 --from 15s --json"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("\"no_intervals\""), std::string::npos) << text_of("out");
+}
+
 TEST_F(CompareCommand, WritesAPage) {
   if (shell("command -v gnuplot") != 0) GTEST_SKIP() << "gnuplot is not installed";
   make_runs();
@@ -128,6 +136,13 @@ TEST_F(CompareCommand, AReportOfASweepShowsItsRuns) {
   EXPECT_NE(text_of("runs_report/index.html").find("around the platform at 1 s"), std::string::npos);
   EXPECT_EQ(shell("gem report runs --at 1h --out other"), 2) << "no run has this time";
   EXPECT_FALSE(exists("other/index.html"));
+  ASSERT_EQ(
+      shell("gem run " GEM_SOURCE_DIR
+            "/cases/small_sweep.toml --index 2 --until 1 -q --threads 1 --overwrite --out runs/slow_5000000.h5 && "
+            "gem report runs --allow-incomplete --at 1.5s --out runs_report"),
+      0)
+      << "one run that stopped before: " << text_of("err");
+  EXPECT_NE(text_of("runs_report/index.html").find("ends at 1 s"), std::string::npos);
 }
 
 }  // namespace

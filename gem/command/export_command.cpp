@@ -61,7 +61,7 @@ void add_export_command(CLI::App& app, Chosen& chosen) {
   command->add_option("--every", options->every, "of .pvd: time between two frames; default: every frame")
       ->type_name("TIME");
   command->add_option("--table", options->table, "of .csv: which one; default: platform")
-      ->check(CLI::IsMember({"platform", "events", "stats"}));
+      ->check(CLI::IsMember({"platform", "events", "stats", "contacts"}));
   command->add_flag("--overwrite", options->target.overwrite, "replace an earlier export");
   command->add_flag("--allow-incomplete", options->target.allow_incomplete, "export an incomplete run");
   command->callback([options, &chosen] {

@@ -74,6 +74,14 @@ TEST_F(ExportTest, ATableReadsBackExactly) {
     }
     EXPECT_EQ(read, wanted.size());
   }
+  // floes have the numbers that the page of gem view shows
+  const std::string header = text_of("hits.csv").substr(0, text_of("hits.csv").find('\n'));
+  EXPECT_TRUE(header.starts_with("time_s,floe,x_m,")) << header;
+  std::istringstream first(text_of("hits.csv").substr(header.size() + 1));
+  std::string cell;
+  std::getline(first, cell, ',');
+  std::getline(first, cell, ',');
+  EXPECT_EQ(parse_number(cell), run.column("events/body_b").at(0) - run.number_attribute("gem_first_floe_body"));
 }
 
 TEST_F(ExportTest, NothingIsReplacedUnasked) {

@@ -46,7 +46,7 @@ void add_view_command(CLI::App& app, Chosen& chosen) {
   CLI::Option* out =
       command->add_option("-o,--out", choice->out, "write one page with everything in it, which works offline")
           ->check(not_empty());
-  command->add_flag("--overwrite", choice->overwrite, "with --out: replace a file that is no page of gem view")
+  command->add_flag("--overwrite", choice->overwrite, "with --out: replace a file that is no page of this case")
       ->needs(out);
   command->add_flag("--allow-incomplete", choice->allow_incomplete, "show an incomplete run");
   command->add_flag("--no-browser", choice->no_browser, "print the address and open nothing")->excludes(out);

@@ -25,6 +25,17 @@ TEST_F(CommandTest, WhatIsNoPageIsNotReplaced) {
   EXPECT_FALSE(exists("page.html"));
 }
 
+TEST_F(CommandTest, ThePageOfAnotherRunIsNotReplaced) {
+  ASSERT_EQ(shell("gem run swing.toml --out swing.h5 -q && gem run swing.toml --out swing2.h5 -q --set run.name=other"),
+            0);
+  ASSERT_EQ(shell("gem view swing.h5 --out page.html && cp page.html kept.html"), 0);
+  EXPECT_EQ(shell("gem view swing2.h5 --out page.html"), 4);
+  EXPECT_NE(text_of("err").find("it is the page of another run"), std::string::npos) << text_of("err");
+  EXPECT_EQ(shell("cmp page.html kept.html"), 0);
+  EXPECT_EQ(shell("gem view swing2.h5 --out page.html --overwrite"), 0) << text_of("err");
+  EXPECT_EQ(shell("cmp page.html kept.html"), 1);
+}
+
 TEST_F(CommandTest, AShownRunEndsByItselfWhenNobodyLooks) {
   ASSERT_EQ(shell("gem run swing.toml --out bare.h5 -q"), 0);
   const int code = shell("gem run swing.toml --out seen.h5 --view --no-browser");

@@ -49,6 +49,14 @@ struct ContactEvent {
   double depth = 0.0;               // overlap depth [m]
 };
 
+/// Force between two bodies that touch, mean over one time step. It acts on `b`; `a`, with the lower id, gets the
+/// opposite.
+struct ContactForce {
+  std::int32_t a = 0, b = 0;
+  Vec2 point;  // mean of the contact points, weighted by their normal impulses, at the end of the step [m]
+  Vec2 force;  // in world axes [N]
+};
+
 /// How well the contacts of one time step were resolved.
 struct StepQuality {
   std::int32_t contacts = 0;    // points that overlap at the start of the step or carry an impulse
@@ -123,6 +131,11 @@ class Engine {
   virtual const Bodies& bodies() = 0;
   /// The ledger since t = 0.
   virtual Ledger ledger() = 0;
+  /// Whether contact_forces() is known.
+  virtual bool has_contact_forces() const { return false; }
+  /// The contacts that carried an impulse in the last time step, ascending in (a, b), without retired bodies. Empty
+  /// before the first time step and after restore().
+  virtual std::vector<ContactForce> contact_forces() { return {}; }
   /// Changes nothing: a run that is saved has the same bits, books included, as one that is not.
   virtual EngineState save() = 0;
   virtual void restore(const EngineState& state) = 0;

@@ -5,6 +5,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/export/contact_lines.h"
 #include "gem/export/export_output.h"
 #include "gem/export/export_run.h"
 #include "gem/export/floe_record.h"
@@ -16,14 +17,14 @@
 namespace gem {
 namespace {
 
-PolyData floe_cells(const FloeRecord& record, std::size_t frame) {
+PolyData floe_cells(const FloeRecord& record, const std::vector<FrameFloe>& floes, double time_s) {
   PolyData data;
-  data.time = record.times()[frame];
+  data.time = time_s;
   std::vector<std::int32_t> index;
   std::vector<std::uint8_t> ice_class;
   std::vector<float> thickness, mass, speed, spin;
   std::vector<Vec2> velocity;
-  for (const FrameFloe& floe : record.frame(frame)) {
+  for (const FrameFloe& floe : floes) {
     data.add_cell(placed(floe.outline, floe.position, 0.0));
     index.push_back(static_cast<std::int32_t>(floe.index));
     ice_class.push_back(static_cast<std::uint8_t>(record.ice_class(floe.index)));
@@ -116,7 +117,14 @@ class PartList {
 class Film {
  public:
   Film(const RunFile& file, const ExportFolder& folder, PartList& list)
-      : file_(file), record_(file), platform_(file), hits_(file), folder_(folder), list_(list) {}
+      : file_(file),
+        record_(file),
+        platform_(file),
+        hits_(file),
+        has_contacts_(ContactRecord::is_in(file)),
+        contacts_(file),
+        folder_(folder),
+        list_(list) {}
 
   std::size_t write(double every_s, const std::string& output) {
     const std::vector<std::size_t> frames = chosen_frames(record_.times(), every_s);
@@ -144,18 +152,22 @@ class Film {
       put(name + std::string(number), data);
       list_.add(time, part, name, name + std::string(number));
     };
-    add(0, "floes", floe_cells(record_, frame));
+    const std::vector<FrameFloe> floes = record_.frame(frame);
+    add(0, "floes", floe_cells(record_, floes, time));
     if (platform_.present()) add(1, "platform", platform_cell(platform_, time));
     add(2, "hits", hits_.between(before, time));
     if (platform_.present()) list_.add(time, 3, "track", "track.vtp");
     list_.add(time, 4, "fixed", "fixed.vtp");
+    if (has_contacts_) add(5, "contacts", contact_lines(contacts_, floes, platform_, time));
   }
 
   /// Every frame is at most as large as one with all floes.
   void check_room(std::size_t frames, const std::string& output) const {
-    constexpr double bytes_per_corner = 16.0, bytes_per_floe = 37.0, bytes_of_others = 12288.0;
+    constexpr double bytes_per_corner = 16.0, bytes_per_floe = 37.0, bytes_of_others = 12288.0,
+                     bytes_per_contact = 80.0;
     const double need = double(frames) * (bytes_per_corner * double(record_.corner_count()) +
-                                          bytes_per_floe * double(record_.count()) + bytes_of_others);
+                                          bytes_per_floe * double(record_.count()) + bytes_of_others) +
+                        bytes_per_contact * double(contacts_.rows());
     const double room = static_cast<double>(room_at(output));
     if (need > room)
       throw Error(ExitCode::resource_limit, "cannot write " + shown(output) + " (" + std::to_string(frames) +
@@ -168,6 +180,8 @@ class Film {
   FloeRecord record_;
   PlatformTrack platform_;
   HitPoints hits_;
+  bool has_contacts_;
+  ContactRecord contacts_;
   const ExportFolder& folder_;
   PartList& list_;
 };

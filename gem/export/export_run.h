@@ -18,9 +18,10 @@ struct ExportTarget {
 using ExportReport = std::string;
 
 /// Writes OUT.pvd and the folder OUT_vtp, which ParaView opens as a film: for every frame the floes with their speeds,
-/// the platform with its forces and the hits since the frame before; the track of the platform and the fixed bodies. A
-/// frame each `every_s` [s]; 0: every frame of the file. Throws Error(file_system) if the run file cannot be read or
-/// the output not be written, and Error(resource_limit) if the disk has too little room.
+/// the platform with its forces, the hits since the frame before, and the forces between bodies if they were recorded;
+/// the track of the platform and the fixed bodies. A frame each `every_s` [s]; 0: every frame of the file. Throws
+/// Error(file_system) if the run file cannot be read or the output not be written, and Error(resource_limit) if the
+/// disk has too little room.
 ExportReport export_paraview(const ExportTarget& target, double every_s);
 
 /// Writes the frame nearest to `at_s` [s] as GeoJSON, a floe file that a case may name: floes that overlap are drawn
@@ -28,8 +29,9 @@ ExportReport export_paraview(const ExportTarget& target, double every_s);
 /// and Error(usage) if the run ends before, or if floes overlap too deeply.
 ExportReport export_geojson(const ExportTarget& target, double at_s);
 
-/// Writes /platform, /events or /stats as CSV: one column for each dataset with its unit in the name, one row for each
-/// of its rows, numbers that read back exactly. What is not a number is left empty. Throws as above.
+/// Writes /platform, /events, /stats or /contacts as CSV: one column for each dataset with its unit in the name, one
+/// row for each of its rows, numbers that read back exactly. Bodies are numbered as by exported_body(). What is not a
+/// number is left empty. Throws as above.
 ExportReport export_table(const ExportTarget& target, const std::string& table);
 
 }  // namespace gem

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "gem/base/error.h"
+#include "gem/export/contact_lines.h"
 #include "gem/export/export_output.h"
 #include "gem/export/export_run.h"
 #include "gem/record/output/output_path.h"
@@ -43,7 +44,16 @@ std::vector<Column> columns_of(const std::vector<RowColumn<Row>>& rows) {
 std::vector<Column> columns_of(const std::string& table) {
   if (table == "platform") return columns_of(platform_columns());
   if (table == "events") return columns_of(event_columns());
+  if (table == "contacts") return columns_of(contact_columns());
   return columns_of(stats_columns());
+}
+
+/// Body numbers become those of floes, as on the page of gem view.
+void number_floes(const RunFile& file, const std::string& table, TableColumn& column) {
+  if (column.header != "body_a" && column.header != "body_b") return;
+  column.header = table == "events" ? "floe" : column.header == "body_a" ? "floe_a" : "floe_b";
+  const double first = file.number_attribute("gem_first_floe_body");
+  for (double& body : column.values) body = exported_body(body, first);
 }
 
 /// The columns of the schema that the file has; an older file has fewer.
@@ -52,7 +62,9 @@ std::vector<TableColumn> read_table(const RunFile& file, const std::string& tabl
   for (const Column& column : columns_of(table)) {
     const std::string dataset = column.group + "/" + column.name;
     if (!file.has(dataset)) continue;
+    if (dataset == "events/body_a") continue;  // always the platform
     columns.push_back({column.name + unit_suffix(column.units), column.stored, file.column(dataset)});
+    number_floes(file, table, columns.back());
     if (columns.back().values.size() != columns.front().values.size())
       throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + dataset +
                                              " is not as long as the columns beside it) the file may be damaged");

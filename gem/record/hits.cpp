@@ -6,7 +6,24 @@
 namespace gem {
 
 Hits::Hits(HitRule rule, double time_step_s)
-    : rule_(rule), time_step_(time_step_s), release_steps_(std::llround(rule.release_s / time_step_s)) {}
+    : rule_(rule), time_step_(time_step_s), release_steps_(std::llround(rule.release_s / time_step_s)) {
+  const std::int64_t window = std::max<std::int64_t>(1, std::llround(rule.window_s / time_step_s));
+  part_steps_ = (window + window_parts - 1) / window_parts;
+  parts_ = (window + part_steps_ - 1) / part_steps_;
+}
+
+void Hits::add_to_window(OpenHit& open, std::int64_t step, double impulse) const {
+  const std::int64_t now = step / part_steps_;
+  const auto at = [](std::int64_t n) { return static_cast<std::size_t>(n % window_parts); };
+  for (std::int64_t n = std::max(open.last_part + 1, now - window_parts + 1); n <= now; ++n) open.part[at(n)] = 0.0;
+  open.last_part = now;
+  open.part[at(now)] += impulse;
+  double sum = 0.0;
+  for (std::int64_t n = std::max<std::int64_t>(0, now - parts_ + 1); n <= now; ++n) sum += open.part[at(n)];
+  if (!(sum > open.hit.window_impulse)) return;
+  open.hit.window_impulse = sum;
+  open.hit.window_end = static_cast<double>((now + 1) * part_steps_) * time_step_;
+}
 
 void Hits::take(const ContactEvent& row, Released& released) {
   const std::int64_t step = std::llround(row.time / time_step_);
@@ -14,11 +31,12 @@ void Hits::take(const ContactEvent& row, Released& released) {
   OpenHit& open = at->second;
   const bool again = !is_new && step >= release_of(open);
   if (again) released.push_back(open);
-  if (is_new || again) open = {{row, 0.0, 0.0, 0.0, 0.0}, step, step};
+  if (is_new || again) open = {{row}, step, step, {}, step / part_steps_};
   Hit& hit = open.hit;
   hit.impulse_normal += row.impulse_normal;
   hit.impulse_tangential += row.impulse_tangential;
   hit.depth = std::max(hit.depth, row.depth);
+  add_to_window(open, step, row.impulse_normal);
   open.end = step + 1;
   hit.duration = static_cast<double>(open.end - open.begin) * time_step_;
 }

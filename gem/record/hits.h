@@ -6,6 +6,7 @@
 // time step, and a flat touch has a large crushing peak whatever its energy. So a floe hits anew only after a release.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -14,6 +15,9 @@
 
 namespace gem {
 
+/// A force window moves in so many parts at most, whatever the time step.
+inline constexpr std::int64_t window_parts = 16;
+
 /// A hit of one floe.
 struct Hit {
   ContactEvent first;               // the first time step
@@ -21,17 +25,23 @@ struct Hit {
   double impulse_tangential = 0.0;  // until release, along the normal turned left [N s]
   double depth = 0.0;               // largest overlap depth until release [m]
   double duration = 0.0;            // from the first to the end of the last time step that presses [s]
+  double window_impulse = 0.0;      // largest normal impulse in a force window [N s]
+  double window_end = 0.0;          // end of that window [s]
 };
 
 /// A hit of a floe that still presses.
 struct OpenHit {
   Hit hit;
   std::int64_t begin = 0, end = 0;  // time steps that press: the first, and one after the last
+  /// Normal impulse of the last parts of a window [N s]; part n of the run is at n % window_parts.
+  std::array<double, window_parts> part{};
+  std::int64_t last_part = 0;  // the newest of them
 };
 
 struct HitRule {
   double release_s = 0.0;              // a floe that has not pressed for this long hits anew
   double closing_speed_m_per_s = 0.0;  // hits that do not close faster are left out
+  double window_s = 1.0;               // force window
 };
 
 /// Hits come out in the order of their release, then of body numbers, however many time steps are added at once.
@@ -53,11 +63,13 @@ class Hits {
 
   std::int64_t release_of(const OpenHit& open) const { return open.end + release_steps_; }
   void take(const ContactEvent& row, Released& released);
+  void add_to_window(OpenHit& open, std::int64_t step, double impulse) const;
   void append(Released& released, std::vector<Hit>& ended) const;
 
   HitRule rule_;
   double time_step_;
   std::int64_t release_steps_;
+  std::int64_t part_steps_, parts_;       // of a force window
   std::map<std::int32_t, OpenHit> open_;  // by body number
 };
 

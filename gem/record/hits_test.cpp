@@ -53,6 +53,42 @@ TEST(Hits, WithoutReleaseEveryTimeStepIsAHit) {
   EXPECT_EQ(hits_of({row(5, 3), row(6, 3), row(7, 3)}, 100, {0.0, 0.01}).size(), 3u);
 }
 
+/// A floe that presses in every time step of [0, 60), hardest in steps 40 to 43.
+std::vector<ContactEvent> long_hit() {
+  std::vector<ContactEvent> rows;
+  for (std::int64_t step = 0; step < 60; ++step) {
+    rows.push_back(row(step, 3));
+    if (step >= 40 && step < 44) rows.back().impulse_normal = 50.0;
+  }
+  return rows;
+}
+
+TEST(Hits, TheHardestForceWindowIsKept) {
+  const std::vector<Hit> hits = hits_of(long_hit(), 100, {3.0, 0.01, 0.4});
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_DOUBLE_EQ(hits[0].window_impulse, 200.0);
+  EXPECT_DOUBLE_EQ(hits[0].window_end, 4.4);
+  EXPECT_DOUBLE_EQ(hits[0].impulse_normal, 200.0 + 56 * 2.0);
+}
+
+TEST(Hits, ALongForceWindowMovesInParts) {
+  // 40 steps in parts of 3: 14 parts, 42 steps
+  const std::vector<Hit> hits = hits_of(long_hit(), 100, {3.0, 0.01, 4.0});
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_DOUBLE_EQ(hits[0].window_impulse, 200.0 + 38 * 2.0);
+  EXPECT_GE(hits[0].window_end, 4.4);
+}
+
+TEST(Hits, AForceWindowIsOfOneHit) {
+  std::vector<ContactEvent> rows = {row(5, 3), row(36, 3), row(37, 4)};
+  rows[0].impulse_normal = 9.0;
+  const std::vector<Hit> hits = hits_of(rows, 100, {3.0, 0.01, 5.0});
+  ASSERT_EQ(hits.size(), 3u);
+  EXPECT_DOUBLE_EQ(hits[0].window_impulse, 9.0);
+  EXPECT_DOUBLE_EQ(hits[1].window_impulse, 2.0);
+  EXPECT_DOUBLE_EQ(hits[2].window_impulse, 2.0);
+}
+
 TEST(Hits, AGentleFirstTouchIsNoHit) {
   EXPECT_TRUE(hits_of({row(5, 3, 0.01), row(6, 3, 0.5)}, 100).empty());
   EXPECT_EQ(hits_of({row(5, 3, 0.0101)}, 100).size(), 1u);

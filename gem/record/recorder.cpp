@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace gem {
@@ -41,11 +42,12 @@ std::int64_t Cadence::next_after(std::int64_t step) const {
 Recorder::Recorder(const SceneDef& scene, Engine& engine)
     : time_step_(scene.numerics.time_step_s),
       has_platform_(scene.platform.present),
+      has_contacts_(scene.output.contact_forces),
       platform_(scene.output.platform_interval_s, time_step_),
       frames_(scene.output.floes_interval_s, time_step_),
       window_steps_(
           static_cast<std::size_t>(std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / time_step_)))),
-      hits_({scene.output.hit_release_s, scene.output.event_speed_m_per_s}, time_step_) {
+      hits_({scene.output.hit_release_s, scene.output.event_speed_m_per_s, scene.output.force_window_s}, time_step_) {
   if (has_platform_) {
     const Bodies& b = engine.bodies();
     now_.yaw = angle_of(b.rotation[0]);
@@ -111,6 +113,7 @@ void Recorder::sample(const PlatformStep& now, std::int64_t step) {
 StatsRow Recorder::add_frame(Engine& engine, double wall_time) {
   keep_frame(engine.bodies());
   keep_stats(engine, wall_time);
+  if (has_contacts_) keep_contacts(engine);
   now_.frame_step = now_.step;
   now_.frame_wall_time = wall_time;
   now_.worst = {};
@@ -130,6 +133,21 @@ void Recorder::keep_frame(const Bodies& b) {
     f.omega.push_back(static_cast<float>(b.spin[i]));
     f.active.push_back(b.active[i] != 0 ? 1.0F : 0.0F);
   }
+}
+
+void Recorder::keep_contacts(Engine& engine) {
+  std::vector<ContactForce> forces = engine.contact_forces();
+  if (forces.size() > contacts_of_frame_maximum) {
+    const auto larger = [](const ContactForce& p, const ContactForce& q) {
+      return dot(p.force, p.force) > dot(q.force, q.force);
+    };
+    std::nth_element(forces.begin(), forces.begin() + contacts_of_frame_maximum, forces.end(), larger);
+    forces.resize(contacts_of_frame_maximum);
+    std::sort(forces.begin(), forces.end(),
+              [](const ContactForce& p, const ContactForce& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
+  }
+  const double time = double(now_.step) * time_step_;
+  for (const ContactForce& contact : forces) slab_.contacts.push_back({time, contact});
 }
 
 void Recorder::keep_stats(Engine& engine, double wall_time) {

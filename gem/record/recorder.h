@@ -43,6 +43,10 @@ struct RecorderState {
   std::vector<OpenHit> hits;  // of floes that press
 };
 
+/// Most forces between bodies that are recorded of a floe frame: the largest. A frame of a jam has about two for each
+/// floe.
+inline constexpr std::size_t contacts_of_frame_maximum = 65536;
+
 /// Samples one run. It does not write files: the recorded rows are taken from it as slabs.
 class Recorder {
  public:
@@ -72,9 +76,11 @@ class Recorder {
   void sample(const PlatformStep& now, std::int64_t step);
   void keep_frame(const Bodies& bodies);
   void keep_stats(Engine& engine, double wall_time);
+  void keep_contacts(Engine& engine);
 
   double time_step_;
   bool has_platform_;
+  bool has_contacts_;  // the forces between bodies are recorded
   Cadence platform_;
   Cadence frames_;
   std::size_t window_steps_;

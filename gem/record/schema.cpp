@@ -89,6 +89,9 @@ const std::vector<RowColumn<Hit>>& event_columns() {
       row("depth", Stored::f4, "m", "largest overlap depth until release", [](const C& e) { return e.depth; }),
       row("duration", Stored::f4, "s", "time from the first touch to the last time step in which the floe presses",
           [](const C& e) { return e.duration; }),
+      row("window_impulse", Stored::f8, "N s", "largest normal impulse within a time of output.force_window_s",
+          [](const C& e) { return e.window_impulse; }),
+      row("window_end", Stored::f8, "s", "end of that time", [](const C& e) { return e.window_end; }),
   };
   return columns;
 }
@@ -188,6 +191,27 @@ std::vector<StatsColumn> make_stats_columns() {
 
 }  // namespace
 
+const std::vector<RowColumn<ContactRow>>& contact_columns() {
+  using C = ContactRow;
+  const auto row = [](const char* name, Stored stored, const char* units, const char* long_name,
+                      std::function<double(const C&)> value) {
+    return RowColumn<C>{{"contacts", name, "contact", stored, units, long_name, ""}, std::move(value)};
+  };
+  static const std::vector<RowColumn<C>> columns = {
+      row("time", Stored::f8, "s", "time of the floe frame", [](const C& c) { return c.time; }),
+      row("body_a", Stored::i4, "1", "body with the lower id; 0: the platform",
+          [](const C& c) { return double(c.contact.a); }),
+      row("body_b", Stored::i4, "1", "body with the higher id", [](const C& c) { return double(c.contact.b); }),
+      row("x", Stored::f4, "m", "mean contact point, x", [](const C& c) { return c.contact.point.x; }),
+      row("y", Stored::f4, "m", "mean contact point, y", [](const C& c) { return c.contact.point.y; }),
+      row("force_x", Stored::f4, "N", "force on body_b, mean over the last time step, x",
+          [](const C& c) { return c.contact.force.x; }),
+      row("force_y", Stored::f4, "N", "force on body_b, mean over the last time step, y",
+          [](const C& c) { return c.contact.force.y; }),
+  };
+  return columns;
+}
+
 const std::vector<RowColumn<StatsRow>>& stats_columns() {
   static const std::vector<StatsColumn> columns = make_stats_columns();
   return columns;
@@ -214,6 +238,8 @@ std::vector<Column> schema(const SceneDef& scene) {
   for (const auto& entry : platform_columns()) all.push_back(entry.column);
   for (const auto& entry : event_columns()) all.push_back(entry.column);
   for (const auto& entry : stats_columns()) all.push_back(entry.column);
+  if (scene.output.contact_forces)
+    for (const auto& entry : contact_columns()) all.push_back(entry.column);
   for (const auto& entry : count_columns()) all.push_back(entry.column);
   return all;
 }

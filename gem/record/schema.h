@@ -71,6 +71,12 @@ struct StatsRow {
   double steps = 0.0;
 };
 
+/// A force between two bodies at a floe frame. SI units.
+struct ContactRow {
+  double time = 0.0;
+  ContactForce contact;
+};
+
 /// Floe frames in sequence: the value of floe i in frame n is at [n * floe_count + i].
 struct FloeFrames {
   std::vector<double> time;
@@ -103,6 +109,7 @@ struct ShapeColumn {
 
 const std::vector<RowColumn<PlatformRow>>& platform_columns();
 const std::vector<RowColumn<Hit>>& event_columns();
+const std::vector<RowColumn<ContactRow>>& contact_columns();
 const std::vector<RowColumn<StatsRow>>& stats_columns();
 const std::vector<CountColumn>& count_columns();
 const std::vector<FloeColumn>& floe_columns();

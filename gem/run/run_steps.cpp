@@ -69,6 +69,10 @@ RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& opti
       log_(options.log),
       recorder_(scene, engine),
       watch_(scene, engine) {
+  if (scene.output.contact_forces && !engine.has_contact_forces())
+    throw Error(ExitCode::usage, "the engine " + engine.name() +
+                                     " cannot record output.contact_forces (it keeps the forces between bodies to "
+                                     "itself) use --engine cpu, or leave the key out");
   case_steps_ = last_step_ = steps_of(scene);
   if (options.step_limit > 0) last_step_ = std::min(last_step_, options.step_limit);
   keeps_checkpoints_ = options.checkpoint_interval_s > 0.0 && !options.output.empty() && engine.method().empty();

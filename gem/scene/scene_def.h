@@ -100,6 +100,7 @@ struct OutputDef {
   double floes_interval_s = 10.0;
   double force_window_s = 1.0;  ///< averaging window of the reported ice force
   bool platform_events = true;
+  bool contact_forces = false;  ///< with every floe frame: the forces between bodies
   double event_speed_m_per_s =
       0.01;                    ///< slower contacts count as static load: in the force channels, not in the event list
   double hit_release_s = 3.0;  ///< a floe that has not pressed on the platform for this long hits anew

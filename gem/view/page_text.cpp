@@ -39,9 +39,11 @@ std::size_t replace(std::string& text, std::size_t at, const std::string& mark, 
   return found + by.size();
 }
 
-std::string page_with(const std::string& title, const std::string& data, bool served, const std::string& more = "") {
+std::string page_with(const std::string& mark, const std::string& title, const std::string& data, bool served,
+                      const std::string& more = "") {
   std::string page = page_html;
-  std::size_t at = replace(page, 0, "@policy@", content_security_policy(served));
+  std::size_t at = replace(page, 0, "@mark@", mark);
+  at = replace(page, at, "@policy@", content_security_policy(served));
   at = replace(page, at, "@title@", escaped(title));
   at = replace(page, at, "@style@", page_style);
   at = replace(page, at, "@data@", data);
@@ -58,16 +60,20 @@ std::string content_security_policy(bool served) {
          (served ? "'self'" : "'none'");
 }
 
+std::string page_mark(const nlohmann::ordered_json& description) {
+  return sha256_hex(description.value(nlohmann::ordered_json::json_pointer("/origin/gem_case_sha256"), std::string()));
+}
+
 std::string whole_page(const nlohmann::ordered_json& description, const std::vector<std::string>& packets) {
   std::string data = data_tag("application/json", script_safe(json_text(description)));
   std::string more;
   for (std::size_t i = 0; i < packets.size(); ++i)
     (i < first_packets ? data : more) += data_tag("text/base64", base64(packets[i]));
-  return page_with(description.at("name").get<std::string>(), data, false, more);
+  return page_with(page_mark(description), description.at("name").get<std::string>(), data, false, more);
 }
 
 std::string served_page(const std::string& title, bool live) {
-  return page_with(title, data_tag("text/server", live ? "live" : "file"), true);
+  return page_with("served", title, data_tag("text/server", live ? "live" : "file"), true);
 }
 
 }  // namespace gem::view

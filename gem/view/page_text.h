@@ -10,6 +10,9 @@ namespace gem::view {
 /// Sources of the page, embedded in the program. gem_page.cmake makes them of gem/view/page.
 extern const std::string page_html, page_style, page_script;
 
+/// Names the case of a run, in hex digits: it stands in the first comment of a page, behind the words `gem view`.
+std::string page_mark(const nlohmann::ordered_json& description);
+
 /// A page with its data in it, which loads nothing: description and packets of pack/pack_run.h.
 std::string whole_page(const nlohmann::ordered_json& description, const std::vector<std::string>& packets);
 

@@ -15,23 +15,31 @@ namespace gem::view {
 
 namespace {
 
-constexpr const char* page_mark = "<!-- gem view -->";
-
-/// Whether a file begins as pages of gem view do.
-bool is_page(const std::string& path) {
+/// Whether a file begins as pages of gem view do, with this mark.
+bool is_page(const std::string& path, const std::string& mark) {
   std::ifstream file(path, std::ios::binary);
   std::string head(200, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head.find(page_mark) != std::string::npos;
+  return head.find("<!-- gem view " + mark) != std::string::npos;
+}
+
+/// Throws Error(file_system) if `out` would take the place of anything but an earlier page of the same case.
+void check_replaced(const std::string& out, const std::string& mark, bool overwrite) {
+  const bool same = is_page(out, mark);
+  if (!overwrite && !same && is_page(out, ""))
+    throw Error(ExitCode::file_system,
+                "cannot write " + shown(out) + " (it is the page of another run) use --overwrite or another --out");
+  check_output_path(out, overwrite || same);
 }
 
 }  // namespace
 
 void write_page(const std::string& run_file, const std::string& out, bool allow_incomplete, bool overwrite) {
-  check_output_path(out, overwrite || is_page(out));
   const RunFile file(run_file, allow_incomplete);
   const PagePlan plan = plan_for(file);
-  const std::string page = whole_page(describe_run(file, plan), pack_run(file, plan));
+  const nlohmann::ordered_json description = describe_run(file, plan);
+  check_replaced(out, page_mark(description), overwrite);
+  const std::string page = whole_page(description, pack_run(file, plan));
   const std::string draft = out + ".new";
   std::ofstream stream(draft, std::ios::binary);
   stream << page;

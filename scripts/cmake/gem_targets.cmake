@@ -103,10 +103,12 @@ target_link_libraries(gem_simulator PUBLIC gem_flags Threads::Threads PRIVATE $<
   $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> hdf5::hdf5 hdf5::hdf5_hl)
 gem_together(gem_simulator gem/field)
 
-gem_sources(report_sources gem/report gem/export)
+gem_sources(report_sources gem/report gem/export gem/film)
 add_library(gem_report OBJECT ${report_sources})
 target_link_libraries(gem_report PRIVATE gem_simulator nlohmann_json::nlohmann_json GSL::gsl)
-gem_cold(gem_report gem/report gem/export)
+gem_cold(gem_report gem/report gem/export gem/film)
+# every pixel of a film passes here
+set_source_files_properties(${PROJECT_SOURCE_DIR}/gem/film/canvas.cpp PROPERTIES COMPILE_OPTIONS -O2 SKIP_UNITY_BUILD_INCLUSION ON)
 
 gem_sources(analysis_sources gem/analysis)
 add_library(gem_analysis STATIC ${analysis_sources} $<TARGET_OBJECTS:gem_report>)

@@ -23,7 +23,11 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double flush_interval_s = 1.0;  // how far the page may lag behind
-constexpr auto page_is_gone_after = 10s;  // a page asks every second
+// A page asks every second; in a hidden tab some browsers let it do so only once a minute.
+constexpr auto page_is_gone_after = 75s;
+// A page that was closed, or that has all, asks no more: another page may still be reading.
+constexpr auto last_page_is_gone_after = 2s;
+constexpr auto said_after = 5s;
 constexpr auto server_begins_within = 10s;
 
 }  // namespace
@@ -77,17 +81,22 @@ void LiveView::join(RunOptions& options, double duration_s) {
   };
 }
 
-void LiveView::end() {
+void LiveView::end(RunLog& log) {
   control_->running = false;
   const StopSignals signals;
   long requests = control_->requests;
   auto asked = std::chrono::steady_clock::now();
-  while (requests > 0 && !control_->has_all && StopSignals::received() == 0) {
+  bool said = false;
+  while (requests > 0 && StopSignals::received() == 0) {
     std::this_thread::sleep_for(50ms);
     const auto now = std::chrono::steady_clock::now();
     if (control_->requests != requests) asked = now;
     requests = control_->requests;
-    if (now - asked > page_is_gone_after) break;
+    const bool done = control_->has_all || control_->gone;
+    if (now - asked > (done ? last_page_is_gone_after : page_is_gone_after)) break;
+    if (said || done || now - asked < said_after) continue;
+    log.message("info", "the page has not read the end of the run: waiting for it for a minute (Ctrl-C ends that)");
+    said = true;
   }
 }
 

@@ -24,9 +24,9 @@ class LiveView {
 
   /// Lets the page pause and stop the run. A pause only waits between two blocks of time steps.
   void join(RunOptions& options, double duration_s);
-  /// Tells the page that the run is over, and waits until the page has read all of it; at most until nobody asks any
-  /// more, or a signal comes.
-  void end();
+  /// Tells the page that the run is over, and waits until the page has read all of it; at most until it was closed,
+  /// nobody asked for more than a minute, or a signal comes.
+  void end(RunLog& log);
 
  private:
   void stop_server();

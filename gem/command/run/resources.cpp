@@ -46,14 +46,16 @@ Estimate estimate(const SceneDef& scene) {
   const double frames = 2.0 + duration / std::max(scene.output.floes_interval_s, scene.numerics.time_step_s);
   const double samples = 2.0 + duration / std::max(scene.output.platform_interval_s, scene.numerics.time_step_s);
   const double frame_bytes = floe_count(scene) * (6.0 * sizeof(float) + 1.0);
+  // a jam has about two contacts for each floe; a row of /contacts has 32 bytes
+  const double contact_bytes = scene.output.contact_forces ? 2.0 * floe_count(scene) * 32.0 : 0.0;
   Estimate need;
   need.steps = double(steps_of(scene));
-  need.memory =
-      base_memory + floe_count(scene) * bytes_per_floe + slabs_in_memory * std::min(frames, 64.0) * frame_bytes;
+  need.memory = base_memory + floe_count(scene) * bytes_per_floe +
+                slabs_in_memory * std::min(frames, 64.0) * (frame_bytes + contact_bytes);
   const double platform_bytes = samples * 8.0 * double(platform_columns().size());
   need.platform_disk = compression * platform_bytes;
-  need.disk = compression * (frames * frame_bytes + platform_bytes + frames * 8.0 * double(stats_columns().size()) +
-                             floe_count(scene) * 160.0) +
+  need.disk = compression * (frames * (frame_bytes + contact_bytes) + platform_bytes +
+                             frames * 8.0 * double(stats_columns().size()) + floe_count(scene) * 160.0) +
               1e6;
   return need;
 }

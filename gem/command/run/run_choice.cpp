@@ -32,7 +32,7 @@ int run_and_print(const SceneDef& scene, Engine& engine, RunChoice& choice, RunL
   if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));
   if (summary.status != "complete" && choice.options.checkpoint_interval_s > 0.0 && engine.method().empty())
     log.message("info", "it can go on: gem run --continue " + shown(summary.file));
-  if (choice.live) choice.live->end();
+  if (choice.live) choice.live->end(log);
   if (summary.verdict.grade == Grade::bad) {
     const std::string text = "the run " + scene.run.name + " is bad (" +
                              criteria_of_grade(summary.verdict, Grade::bad) + ") see its verdict: gem info " +

@@ -10,6 +10,7 @@
 #include "gem/engine/engine.h"
 #include "gem/engine/solver/coupled_solver.h"
 #include "gem/engine/step/books.h"
+#include "gem/engine/step/contact_forces.h"
 #include "gem/engine/step/contact_outcome.h"
 #include "gem/engine/step/field_state.h"
 #include "gem/engine/step/stages.h"
@@ -25,6 +26,8 @@ class CpuEngine : public Engine {
   std::int64_t step() const override { return step_; }
   const Bodies& bodies() override { return field_.bodies; }
   Ledger ledger() override;
+  bool has_contact_forces() const override { return true; }
+  std::vector<ContactForce> contact_forces() override { return gem::contact_forces(field_, pairs_.contacts()); }
   EngineState save() override;
   void restore(const EngineState& state) override;
 

@@ -21,6 +21,7 @@ namespace gem {
 
 void PairList::clear() {
   valid_ = false;
+  contacts_.clear();
   pairs_.clear();
   axes_.clear();
 }

@@ -59,6 +59,26 @@ void ReferenceEngine::one_step(StepLog& log) {
   retire_floes(rules_, state_);
   log.platform.push_back(platform_sample(state_, touches));
   log.quality.push_back(quality);
+  touches_ = std::move(touches);
+}
+
+std::vector<ContactForce> ReferenceEngine::contact_forces() {
+  std::vector<ContactForce> forces;
+  const Bodies& b = state_.bodies;
+  for (const reference::Touch& touch : touches_) {
+    if (!b.active[touch.a] || !b.active[touch.b]) continue;
+    Vec2 impulse, moment;
+    double pressed = 0.0;
+    for (const reference::TouchPoint& p : touch.points) {
+      impulse += p.impulse.normal * touch.normal + p.impulse.tangential * turned_left(touch.normal);
+      moment += p.impulse.normal * p.arm_b;
+      pressed += p.impulse.normal;
+    }
+    if (impulse.x == 0.0 && impulse.y == 0.0) continue;
+    const Vec2 arm = pressed > 0.0 ? (1.0 / pressed) * moment : touch.points[0].arm_b;
+    forces.push_back({touch.a, touch.b, b.position[touch.b] + arm, (1.0 / rules_.dt) * impulse});
+  }
+  return forces;
 }
 
 void ReferenceEngine::recall_points(std::vector<reference::Touch>& touches) const {
@@ -110,6 +130,7 @@ void ReferenceEngine::restore(const EngineState& state) {
   state_.bodies = state.bodies;
   state_.ledger = state.ledger;
   state_.steps = state.step;
+  touches_.clear();
   impulse_key_ = state.impulse_key;
   impulse_value_ = state.impulse_value;
 }

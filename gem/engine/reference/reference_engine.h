@@ -27,6 +27,8 @@ class ReferenceEngine : public Engine {
   std::int64_t step() const override { return state_.steps; }
   const Bodies& bodies() override { return state_.bodies; }
   Ledger ledger() override;
+  bool has_contact_forces() const override { return true; }
+  std::vector<ContactForce> contact_forces() override;
   EngineState save() override;
   void restore(const EngineState& state) override;
 
@@ -39,6 +41,7 @@ class ReferenceEngine : public Engine {
 
   reference::Rules rules_;
   reference::State state_;
+  std::vector<reference::Touch> touches_;   // of the last time step
   std::vector<std::uint64_t> impulse_key_;  // of the last coupled time step
   std::vector<PointMemory> impulse_value_;
 };

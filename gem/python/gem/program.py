@@ -48,8 +48,18 @@ def program(chosen: Path | None = None) -> str:
     return found
 
 
+def _toml_text(text: str) -> str:
+    """A text in TOML. JSON escapes the same characters, but for DEL; and its pairs for characters beyond 16 bits, as emoji,
+    are no TOML, so these stay as they are."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError as fault:
+        raise GemError(f"{text!r} cannot be written in a case ({fault.reason}) leave such characters out") from fault
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
 def _toml(value: Any) -> str:
-    """A value of a case in TOML. JSON has the same texts and lists."""
+    """A value of a case in TOML. JSON has the same lists."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if hasattr(value, "item") and not isinstance(value, (str, bytes)):
@@ -57,9 +67,9 @@ def _toml(value: Any) -> str:
     if isinstance(value, (int, float)):
         return repr(value)
     if isinstance(value, str):
-        return json.dumps(value)
+        return _toml_text(value)
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{json.dumps(str(key))} = {_toml(one)}" for key, one in value.items()) + "}"
+        return "{" + ", ".join(f"{_toml_text(str(key))} = {_toml(one)}" for key, one in value.items()) + "}"
     if isinstance(value, Sequence):
         return "[" + ", ".join(_toml(one) for one in value) + "]"
     raise GemError(f"{value!r} cannot be written in a case (allowed are numbers, texts, lists and tables) convert it")
@@ -138,13 +148,14 @@ def _json_of(text: str) -> Any:
 _MESSAGES = ["--json", "--progress", "json", "--log-format", "json"]
 
 
-def run(case: Path | None = None, out: Path | None = None, *, engine: str = "auto", threads: int | None = None,
-        overwrite: bool = False, strict: bool = False, progress: Progress | None = None, gem: Path | None = None,
-        **settings: Any) -> RunResult:
+def run(case: Path | None = None, out: Path | None = None, *, from_run: Path | None = None, from_time: float | None = None,
+        engine: str = "auto", threads: int | None = None, overwrite: bool = False, strict: bool = False,
+        progress: Progress | None = None, gem: Path | None = None, **settings: Any) -> RunResult:
     """Runs a case and returns its file and summary.
 
     `case`: a case file; None: the built-in case. `out`: the run file; by default the run's name with .h5 in the working
-    folder. `settings`: keys of the case, `section__key=value`, e.g. `run__duration_s=600.0`; lists and tables as in TOML.
+    folder. `from_run`: begins with the floes and the platform of that run file, at its frame at `from_time` [s], by default
+    the last. `settings`: keys of the case, `section__key=value`, e.g. `run__duration_s=600.0`; lists and tables as in TOML.
     `progress` is called with a dict for each line of progress: `fraction` (0 to 1), `time_s`, `wall_time_s`, `left_s`,
     `sim_rate`. `strict`: a bad verdict is an error. `gem`: the program.
 
@@ -155,6 +166,10 @@ def run(case: Path | None = None, out: Path | None = None, *, engine: str = "aut
     arguments += ["--threads", str(threads)] if threads is not None else []
     arguments += ["--overwrite"] if overwrite else []
     arguments += ["--strict"] if strict else []
+    if from_time is not None and from_run is None:
+        raise GemError("from_time needs from_run, the run that it is a time of; give both")
+    if from_run is not None:
+        arguments += ["--from", os.fspath(from_run) + ("" if from_time is None else f"@{float(from_time)!r}")]
     arguments += ["--out", os.fspath(out)] if out is not None else []
     arguments += ["--", os.fspath(case)] if case is not None else []
     summary = _json_of(_call(arguments, progress))

@@ -12,7 +12,7 @@ import xarray
 
 from .errors import GemError
 
-GROUPS = ("shape", "boundary", "floes", "platform", "events", "stats")
+GROUPS = ("shape", "boundary", "floes", "platform", "events", "stats", "contacts")
 SCHEMA = "1"
 
 
@@ -55,8 +55,8 @@ def _opened(path: str) -> h5py.File:
 class RunFile:
     """An open run file. Close it with `close()`, or use it in a `with` statement.
 
-    The groups `shape`, `boundary`, `floes`, `platform`, `events` and `stats` are `xarray.Dataset`s with the units and
-    long names of the file as attributes. `time` [s] is the coordinate of floes, platform and stats; rows of `floe`
+    The groups `shape`, `boundary`, `floes`, `platform`, `events`, `stats` and, where it was recorded, `contacts` are
+    `xarray.Dataset`s with the units and long names of the file as attributes. `time` [s] is the coordinate of floes, platform and stats; rows of `floe`
     and `event` count from 0. They are read when they are first asked for and then kept. `floes` reads every frame; `frame()` and
     `outlines()` read one.
     """
@@ -147,6 +147,7 @@ class RunFile:
     floes = property(lambda self: self.group("floes"), doc="Every frame of the floes: (time, floe).")
     platform = property(lambda self: self.group("platform"), doc="Motion of the platform and forces on it: (time,).")
     events = property(lambda self: self.group("events"), doc="Hits of floes on the platform: (event,).")
+    contacts = property(lambda self: self.group("contacts"), doc="Forces between bodies at the frames, where recorded: (contact,).")
     stats = property(lambda self: self.group("stats"), doc="Books and quality of the run: (time,).")
 
     def datasets(self) -> dict[str, xarray.Dataset]:
@@ -177,7 +178,7 @@ class RunFile:
         data = {key: (dimensions, item[tuple(slice(rows[d]) for d in dimensions)], _attributes(item))
                 for key, (dimensions, item) in variables.items()}
         dataset = xarray.Dataset(data, attrs={"run": self.name})
-        return dataset.set_coords("time") if "time" in data and data["time"][0] == ("event",) else dataset
+        return dataset.set_coords("time") if "time" in data and data["time"][0] in (("event",), ("contact",)) else dataset
 
     def _dimensions(self, item: h5py.Dataset) -> tuple[str, ...]:
         if h5py.h5ds.is_scale(item.id):

@@ -69,6 +69,30 @@ class ProgramTest(unittest.TestCase):
         with self.assertRaisesRegex(gem.GemError, "cannot be written"):
             setting_arguments({"run__seed": object()})
 
+    def test_texts_beyond_16_bits(self):
+        name = 'floes \U0001f9ca "a\\b"'
+        result = gem.run(out=self.folder / "a.h5", run__name=name, **SWING)
+        with result.open() as run:
+            self.assertEqual(run.case["run"]["name"], name)
+        self.assertEqual(setting_arguments({"run__name": "\n\x7f\x01"})[1], 'run.name="\\n\\u007f\\u0001"')
+        with self.assertRaisesRegex(gem.GemError, "cannot be written"):
+            setting_arguments({"run__name": "half a pair: \ud83e"})
+
+    def test_a_run_begins_with_another(self):
+        first = gem.run(CASES / "first.toml", self.folder / "a.h5", floes__count=30, run__duration_s=20.0,
+                        output__floes_interval_s=5.0, output__contact_forces=True)
+        second = gem.run(CASES / "first.toml", self.folder / "b.h5", from_run=first.path, from_time=10.0, run__duration_s=1.0)
+        with first.open() as before, second.open() as after:
+            numpy.testing.assert_allclose(after.frame(0.0).x, before.frame(10.0).x, atol=1e-3)
+            self.assertEqual(set(before.contacts) - {"time"}, {"body_a", "body_b", "x", "y", "force_x", "force_y"})
+            self.assertTrue(set(before.contacts.time.values) <= set(before.frame_times()))
+            self.assertNotIn("contacts", after.datasets())
+        last = gem.run(CASES / "first.toml", self.folder / "c.h5", from_run=first.path, run__duration_s=1.0)
+        with first.open() as before, last.open() as after:
+            numpy.testing.assert_allclose(after.frame(0.0).x, before.frame().x, atol=1e-3)
+        with self.assertRaisesRegex(gem.GemError, "needs from_run"):
+            gem.run(out=self.folder / "d.h5", from_time=1.0)
+
     def test_sweep_collect_and_analyse(self):
         lines = []
         runs = gem.sweep(CASES / "small_sweep.toml", self.folder / "runs", jobs=1, progress=lines.append)

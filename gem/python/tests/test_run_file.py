@@ -18,7 +18,8 @@ class RunFileTest(unittest.TestCase):
     def setUpClass(cls):
         cls.scratch = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.scratch.name)
-        cls.result = gem.run(CASES / "first.toml", cls.folder / "run.h5", threads=1, run__duration_s=120.0)
+        cls.result = gem.run(CASES / "first.toml", cls.folder / "run.h5", threads=1, run__duration_s=120.0,
+                             output__contact_forces=True)
         cls.file = cls.result.open()
 
     @classmethod

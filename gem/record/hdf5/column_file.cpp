@@ -41,7 +41,9 @@ std::vector<std::string> words(const std::string& text) {
   return list;
 }
 
-bool grows(const std::string& dimension) { return dimension == "time" || dimension == "event"; }
+bool grows(const std::string& dimension) {
+  return dimension == "time" || dimension == "event" || dimension == "contact";
+}
 
 }  // namespace
 

@@ -27,7 +27,7 @@ using hdf5::Handle;
 
 namespace {
 
-constexpr const char* growing_groups[] = {"floes", "platform", "events", "stats"};
+constexpr const char* growing_groups[] = {"floes", "platform", "events", "stats", "contacts"};
 constexpr hssize_t number_list_maximum = 10000;
 
 [[noreturn]] void refuse_run_file(const std::string& path, const std::string& why, const std::string& hint) {
@@ -239,6 +239,24 @@ std::vector<double> RunFile::column(const std::string& dataset) const {
       check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), dataset.c_str());
     const Handle memory =
         checked(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, dataset.c_str());
+    check(H5Dread(id, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()), dataset.c_str());
+    return values;
+  });
+}
+
+std::vector<double> RunFile::column_rows(const std::string& dataset, std::size_t first, std::size_t count) const {
+  return reading(path(), [&] {
+    const Handle id = inside_->open(dataset);
+    const Handle space = checked(H5Dget_space(id), H5Sclose, dataset.c_str());
+    hdf5::element_count(id, space, inside_->stored_bytes(id), dataset);
+    const std::vector<hsize_t> size = inside_->length(dataset, id);
+    if (size.size() != 1 || first > size[0] || count > size[0] - first)
+      throw hdf5::Failure{dataset + " has other rows than the columns beside it"};
+    std::vector<double> values(count);
+    if (count == 0) return values;
+    const hsize_t start = first, rows = count;
+    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &rows, nullptr), dataset.c_str());
+    const Handle memory = checked(H5Screate_simple(1, &rows, nullptr), H5Sclose, dataset.c_str());
     check(H5Dread(id, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()), dataset.c_str());
     return values;
   });

@@ -47,6 +47,8 @@ class RunFile {
   std::string solver() const;
   /// A whole dataset by path, e.g. "platform/x". Two-dimensional data are row by row.
   std::vector<double> column(const std::string& dataset) const;
+  /// `count` values from `first` on of a dataset of one dimension. Throws if they are not there.
+  std::vector<double> column_rows(const std::string& dataset, std::size_t first, std::size_t count) const;
   /// Length of each dimension of a dataset.
   std::vector<std::size_t> shape(const std::string& dataset) const;
   /// Length of the first dimension of a dataset.

@@ -47,7 +47,10 @@ std::map<std::string, hsize_t> sizes_of(const SceneDef& scene, const Bodies& bod
 Column floe_time_column() { return {"floes", "time", "time", Stored::f8, "s", "time since the start of the run", ""}; }
 
 RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodies& bodies, const Provenance& provenance)
-    : size_(sizes_of(scene, bodies)), chunk_(chunk_shape(size_["floe"])), file_(path, size_, chunk_) {
+    : size_(sizes_of(scene, bodies)),
+      chunk_(chunk_shape(size_["floe"])),
+      has_contacts_(scene.output.contact_forces),
+      file_(path, size_, chunk_) {
   write_header(scene, bodies, provenance);
   for (const char* name : {"floe", "vertex", "xy", "overlap_class"})
     file_.add_dimension(file_.id(), name, size_[name], false);
@@ -57,6 +60,7 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
   add_group("platform");
   add_group("events");
   add_group("stats");
+  if (has_contacts_) add_group("contacts");
   for (const auto& entry : shape_columns(scene)) {
     const std::vector<double> values = entry.values(bodies);
     file_.add_column(entry.column, &values);
@@ -67,6 +71,8 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
   for (const auto& entry : event_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : stats_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : count_columns()) file_.add_column(entry.column, nullptr);
+  if (has_contacts_)
+    for (const auto& entry : contact_columns()) file_.add_column(entry.column, nullptr);
   file_.start();
 }
 
@@ -112,6 +118,7 @@ void RunLayout::write_header(const SceneDef& scene, const Bodies& bodies, const 
 void RunLayout::add_group(const std::string& group) {
   const hdf5::Handle id = file_.add_group(group);
   if (group == "events") file_.add_dimension(id, "event", 0, true);
+  if (group == "contacts") file_.add_dimension(id, "contact", 0, true);
   if (group == "boundary") {
     file_.add_dimension(id, "boundary", size_["boundary"], false);
     file_.add_dimension(id, "boundary_vertex", size_["boundary_vertex"], false);
@@ -144,6 +151,12 @@ void RunLayout::append_events(std::size_t count, Rows kind) {
   file_.append("/events/event", std::vector<double>{}, count, kind);
 }
 
+void RunLayout::append_contacts(std::size_t count, Rows kind) {
+  if (!has_contacts_) return;
+  append_rows(contact_columns(), waiting_.contacts, count, kind);
+  file_.append("/contacts/contact", std::vector<double>{}, count, kind);
+}
+
 void RunLayout::append_frames(std::size_t count, Rows kind) {
   const FloeFrames& floes = waiting_.floes;
   const auto values_in = std::ptrdiff_t(count * size_.at("floe"));
@@ -159,11 +172,13 @@ void RunLayout::append_waiting(const RowCount& count, Rows kind) {
   append_rows(platform_columns(), waiting_.platform, count.platform, kind);
   append_events(count.events, kind);
   append_stats(count.stats, kind);
+  append_contacts(count.contacts, kind);
   append_frames(count.frames, kind);
 }
 
 RowCount RunLayout::waiting() const {
-  return {waiting_.platform.size(), waiting_.events.size(), waiting_.stats.size(), waiting_.floes.time.size()};
+  return {waiting_.platform.size(), waiting_.events.size(), waiting_.stats.size(), waiting_.floes.time.size(),
+          waiting_.contacts.size()};
 }
 
 void RunLayout::drop_waiting(const RowCount& count) {
@@ -173,12 +188,14 @@ void RunLayout::drop_waiting(const RowCount& count) {
   drop(waiting_.platform, count.platform);
   drop(waiting_.events, count.events);
   drop(waiting_.stats, count.stats);
+  drop(waiting_.contacts, count.contacts);
   drop(floes.time, count.frames);
   for (const auto& entry : floe_columns()) drop(floes.*(entry.values), count.frames * size_.at("floe"));
   written_.platform += count.platform;
   written_.events += count.events;
   written_.stats += count.stats;
   written_.frames += count.frames;
+  written_.contacts += count.contacts;
 }
 
 void RunLayout::append(Slab slab) {
@@ -186,13 +203,15 @@ void RunLayout::append(Slab slab) {
   add(waiting_.platform, slab.platform);
   add(waiting_.events, slab.events);
   add(waiting_.stats, slab.stats);
+  add(waiting_.contacts, slab.contacts);
   add(waiting_.floes.time, slab.floes.time);
   for (const auto& entry : floe_columns()) add(waiting_.floes.*(entry.values), slab.floes.*(entry.values));
 
   const auto whole = [](std::size_t rows, hsize_t chunk) { return rows - rows % chunk; };
   const RowCount all = waiting();
   const RowCount full = {whole(all.platform, chunk_.rows), whole(all.events, chunk_.rows),
-                         whole(all.stats, chunk_.frames), whole(all.frames, chunk_.frames)};
+                         whole(all.stats, chunk_.frames), whole(all.frames, chunk_.frames),
+                         whole(all.contacts, chunk_.rows)};
   append_waiting(full, Rows::whole);
   drop_waiting(full);
 }
@@ -210,7 +229,7 @@ void RunLayout::flush(const std::function<void()>& sync) {
   file_.flush();
   sync();
   visible_ = {written_.platform + rest.platform, written_.events + rest.events, written_.stats + rest.stats,
-              written_.frames + rest.frames};
+              written_.frames + rest.frames, written_.contacts + rest.contacts};
   saved_time_ = rest.frames > 0 ? waiting_.floes.time.back() : last_time_;
 }
 
@@ -219,6 +238,7 @@ std::uint64_t RunLayout::room_for(const Slab& slab) const {
   const auto rows_of = [&](const std::string& group) {
     if (group == "platform") return now.platform + slab.platform.size();
     if (group == "events") return now.events + slab.events.size();
+    if (group == "contacts") return now.contacts + slab.contacts.size();
     if (group == "stats") return now.stats + slab.stats.size();
     return now.frames + slab.floes.time.size();
   };

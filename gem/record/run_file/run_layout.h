@@ -18,6 +18,7 @@ struct RowCount {
   std::size_t events = 0;
   std::size_t stats = 0;
   std::size_t frames = 0;
+  std::size_t contacts = 0;
 };
 
 /// An open run file. Every failed call throws hdf5::Failure.
@@ -58,6 +59,7 @@ class RunLayout {
                    Rows kind);
   void append_stats(std::size_t count, Rows kind);
   void append_events(std::size_t count, Rows kind);
+  void append_contacts(std::size_t count, Rows kind);
   void append_frames(std::size_t count, Rows kind);
   void append_waiting(const RowCount& count, Rows kind);
   RowCount waiting() const;
@@ -65,6 +67,7 @@ class RunLayout {
 
   std::map<std::string, hsize_t> size_;  // of the dimensions that do not grow
   ChunkShape chunk_;
+  bool has_contacts_;  // the forces between bodies are recorded
   ColumnFile file_;
   Slab waiting_;      // rows of chunks that are not full
   RowCount written_;  // for good

@@ -16,18 +16,21 @@ struct Growing {
   hsize_t width, rows;
 };
 
-std::vector<Growing> growing_columns(const std::map<std::string, hsize_t>& size, const FilePosition& from) {
+std::vector<Growing> growing_columns(const std::map<std::string, hsize_t>& size, const FilePosition& from,
+                                     bool has_contacts) {
   const auto columns_of = [](const auto& entries) {
     std::vector<Column> columns;
     for (const auto& entry : entries) columns.push_back(entry.column);
     return columns;
   };
-  return {{{floe_time_column()}, 1, from.frames},
-          {columns_of(floe_columns()), size.at("floe"), from.frames},
-          {columns_of(platform_columns()), 1, from.platform},
-          {columns_of(event_columns()), 1, from.events},
-          {columns_of(stats_columns()), 1, from.stats},
-          {columns_of(count_columns()), size.at("overlap_class"), from.stats}};
+  std::vector<Growing> groups = {{{floe_time_column()}, 1, from.frames},
+                                 {columns_of(floe_columns()), size.at("floe"), from.frames},
+                                 {columns_of(platform_columns()), 1, from.platform},
+                                 {columns_of(event_columns()), 1, from.events},
+                                 {columns_of(stats_columns()), 1, from.stats},
+                                 {columns_of(count_columns()), size.at("overlap_class"), from.stats}};
+  if (has_contacts) groups.push_back({columns_of(contact_columns()), 1, from.contacts});
+  return groups;
 }
 
 void check_rows(const std::string& path, hsize_t rows, hsize_t needed) {
@@ -48,17 +51,20 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
                      const FilePosition& from)
     : size_(sizes_of(scene, bodies)),
       chunk_(chunk_shape(size_["floe"])),
+      has_contacts_(scene.output.contact_forces),
       file_(ColumnFile::reopened(path, size_, chunk_)),
       waiting_(from.waiting),
-      written_{from.platform, from.events, from.stats, from.frames},
+      written_{from.platform, from.events, from.stats, from.frames, from.contacts},
       last_time_(from.last_time),
       saved_time_(from.last_time) {
-  const std::vector<Growing> groups = growing_columns(size_, from);
+  const std::vector<Growing> groups = growing_columns(size_, from, has_contacts_);
   check_rows("/events/event", file_.open_dimension("/events/event"), from.events);
+  if (has_contacts_) check_rows("/contacts/contact", file_.open_dimension("/contacts/contact"), from.contacts);
   for (const Growing& group : groups)
     for (const Column& column : group.columns)
       check_rows(path_of(column), file_.open_column(column, group.width), group.rows);
   file_.cut("/events/event", from.events);
+  if (has_contacts_) file_.cut("/contacts/contact", from.contacts);
   for (const Growing& group : groups)
     for (const Column& column : group.columns) file_.cut(path_of(column), group.rows);
   renew_header(provenance);
@@ -80,7 +86,7 @@ void RunLayout::renew_header(const Provenance& provenance) {
 }
 
 FilePosition RunLayout::position() const {
-  return {written_.platform, written_.events, written_.stats, written_.frames, last_time_, waiting_};
+  return {written_.platform, written_.events, written_.stats, written_.frames, written_.contacts, last_time_, waiting_};
 }
 
 }  // namespace gem

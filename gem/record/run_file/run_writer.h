@@ -16,6 +16,7 @@ struct Slab {
   std::vector<PlatformRow> platform;
   std::vector<Hit> events;
   std::vector<StatsRow> stats;
+  std::vector<ContactRow> contacts;
   FloeFrames floes;
   double time = 0.0;  // end of the recorded time [s]
   bool empty() const { return platform.empty() && events.empty() && stats.empty() && floes.time.empty(); }
@@ -23,7 +24,7 @@ struct Slab {
 
 /// How far a run file is written: its rows in whole chunks, and those behind them.
 struct FilePosition {
-  std::uint64_t platform = 0, events = 0, stats = 0, frames = 0;
+  std::uint64_t platform = 0, events = 0, stats = 0, frames = 0, contacts = 0;
   double last_time = 0.0;  // of the last of these floe frames [s]
   Slab waiting;
 };

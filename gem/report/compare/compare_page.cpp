@@ -65,7 +65,10 @@ std::string numbers_html(const Comparison& comparison) {
                                       : "") +
             "</td></tr>\n";
   }
-  return html + "</table>\n";
+  html += "</table>\n";
+  for (const std::string& sentence : missing_intervals(comparison))
+    html += "<p class=\"notes\">" + escaped(sentence) + "</p>\n";
+  return html;
 }
 
 std::string title_of(const Comparison& comparison) {

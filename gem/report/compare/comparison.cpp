@@ -171,6 +171,29 @@ std::vector<ComparedRow> compared_rows(const std::vector<ComparedRun>& runs) {
   return rows.list;
 }
 
+std::vector<std::string> missing_intervals(const Comparison& comparison) {
+  constexpr double fewest_periods =
+      16.0;  // of the record: then it can be cut into stretches that are almost independent
+  std::vector<std::string> sentences;
+  for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
+    const auto has = [i](const ComparedRow& row) { return row.cells[i].interval.has_value(); };
+    if (std::any_of(comparison.rows.begin(), comparison.rows.end(), has)) continue;
+    const ComparedRun& run = comparison.runs[i];
+    const std::vector<double>& time = run.data.platform.time;
+    const double record = time.empty() ? 0.0 : time.back() - time.front(), period = run.data.natural_period_s;
+    const std::string start = "no intervals for " + shown(run.label) + ": ";
+    if (!(period > 0.0))
+      sentences.push_back(start + "it has no mooring, so no natural period to cut its record by");
+    else if (record < fewest_periods * period)
+      sentences.push_back(start + "they need a record of " + number_text(fewest_periods * period, 3) + " s (" +
+                          number_text(fewest_periods, 3) + " natural periods), it has " + number_text(record, 3) +
+                          " s");
+    else
+      sentences.push_back(start + "its record does not resolve them (the platform hardly moves, or no ice presses)");
+  }
+  return sentences;
+}
+
 Comparison compare_runs(const std::vector<std::string>& paths, double from_s, bool allow_incomplete) {
   if (paths.size() < 2 || paths.size() > kRunsCompared)
     throw Error(ExitCode::usage, "cannot compare " + std::to_string(paths.size()) +

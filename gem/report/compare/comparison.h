@@ -55,6 +55,9 @@ Comparison compare_runs(const std::vector<std::string>& paths, double from_s, bo
 /// The rows for runs in memory.
 std::vector<ComparedRow> compared_rows(const std::vector<ComparedRun>& runs);
 
+/// A sentence for each run that has no interval in any row, with the reason.
+std::vector<std::string> missing_intervals(const Comparison& comparison);
+
 /// The records from a time on: samples and events. What concerns the whole run stays.
 RunData since(RunData run, double from_s);
 

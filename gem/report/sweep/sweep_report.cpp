@@ -43,14 +43,24 @@ SweepPageCell page_cell(const SweepPageRun& run, std::size_t number, std::option
   cell.force_window_s = data.force_window_s;
   cell.source = data.identity.source;
   cell.analysis = whole_run_analysis(data);
-  if (at_s.value_or(0.0) > data.duration_s)
-    throw Error(ExitCode::usage, "the run " + run.name + " has no time " + time_text(*at_s) + " (it lasts " +
-                                     time_text(data.duration_s) + ") choose another --at");
+  // a run that stopped before has its numbers, and no picture
+  if (at_s.value_or(0.0) > data.duration_s) {
+    cell.run.status += ", ends at " + time_text(data.duration_s);
+    return cell;
+  }
   if (data.frames.size() < 3 || data.platform_outline.empty()) return cell;
   data = load_run(run.path, true, at_s.value_or(findings.loads.ice_window_at.time_s));
   cell.picture =
       small_field_figure(data, "run_" + std::to_string(number), "Ice around the platform, " + run.name, folder).svg;
   return cell;
+}
+
+void check_time_is_in_some(const std::vector<SweepPageCell>& cells, std::optional<double> at_s) {
+  double longest = 0.0;
+  for (const SweepPageCell& cell : cells) longest = std::max(longest, cell.duration_s);
+  if (at_s.value_or(0.0) > longest)
+    throw Error(ExitCode::usage, "no run has the time " + time_text(*at_s) + " (the longest ends at " +
+                                     time_text(longest) + ") choose another --at");
 }
 
 std::string share_bar(double value, double largest) {
@@ -176,6 +186,7 @@ void write_sweep_report(const std::string& sweep, const std::vector<SweepPageRun
   const PlotFolder plots(folder / "figures", "");
   std::vector<SweepPageCell> cells;
   for (const SweepPageRun& run : runs) cells.push_back(page_cell(run, cells.size() + 1, at_s, plots));
+  check_time_is_in_some(cells, at_s);
   const auto shown_runs =
       std::count_if(runs.begin(), runs.end(), [](const SweepPageRun& run) { return !run.path.empty(); });
   write_page(folder, html_page(title, "<header><h1>" + escaped(sweep) +

@@ -25,6 +25,7 @@ bool is_written(const Option<SceneDef>& option, const SceneDef& scene) {
   if (option.opt_in) return value_text(option.get(scene)) != value_text(option.get(SceneDef{}));
   if (path == "floes.sha256") return !scene.floes.sha256.empty();
   if (path == "floes.time_s") return scene.floes.time_s != 0.0;
+  if (path == "output.contact_forces") return scene.output.contact_forces;
   if (path == "platform.start_yaw_rad") return scene.platform.start_yaw_rad != 0.0;
   if (path == "platform.start_spin_rad_per_s") return scene.platform.start_spin_rad_per_s != 0.0;
   return true;

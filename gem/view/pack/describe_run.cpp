@@ -4,6 +4,7 @@
 
 #include "gem/base/error.h"
 #include "gem/record/output/output_path.h"
+#include "gem/record/run_file/contact_record.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/report/plain_text.h"
 #include "gem/scene/scene_drive.h"
@@ -66,6 +67,7 @@ nlohmann::ordered_json describe_run(const RunFile& file, const PagePlan& plan) {
           {"first_floe_body", file.number_attribute("gem_first_floe_body")},
           {"force_window_s", scene.output.force_window_s},
           {"events_recorded", scene.output.platform_events},
+          {"contacts_recorded", ContactRecord::is_in(file)},
           {"frame_stride", plan.frame_stride},
           {"platform_bucket", plan.platform_bucket},
           {"current_m_per_s", {drive_at_start(scene).water.x, drive_at_start(scene).water.y}},

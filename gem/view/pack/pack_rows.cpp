@@ -16,7 +16,7 @@ namespace {
 constexpr double parts = 131072.0;
 
 double step_of(const std::string& name, const std::vector<double>& values) {
-  if (name == "time") return 1e-6;
+  if (name == "time" || name == "window_end") return 1e-6;
   if (name == "contacts" || name == "body_b" || name == "active_floes" || name == "iterations") return 1.0;
   double largest = 0.0;
   for (const double value : values)

@@ -9,6 +9,7 @@
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/view/pack/byte_writer.h"
+#include "gem/view/pack/pack_contacts.h"
 #include "gem/view/pack/packet.h"
 
 namespace gem::view {
@@ -32,9 +33,9 @@ const std::vector<std::string> platform_columns = {"time",
                                                    "drag_force_y",
                                                    "ice_yaw_moment",
                                                    "contacts"};
-const std::vector<std::string> event_columns = {"time",       "body_b",        "x",       "y",         "nx",
-                                                "ny",         "closing_speed", "impulse", "impulse_t", "effective_mass",
-                                                "force_peak", "width",         "depth",   "duration"};
+const std::vector<std::string> event_columns = {
+    "time",      "body_b",         "x",          "y",     "nx",    "ny",       "closing_speed",  "impulse",
+    "impulse_t", "effective_mass", "force_peak", "width", "depth", "duration", "window_impulse", "window_end"};
 const std::vector<std::string> stats_columns = {"time",         "kinetic_energy", "contacts",
                                                 "iterations",   "residual",       "maximum_overlap",
                                                 "active_floes", "wall_time",      "sim_rate"};
@@ -58,8 +59,12 @@ PagePlan plan_for(const RunFile& file) {
   };
   const std::size_t frames = std::max(file.frame_count(), rows(scene.output.floes_interval_s));
   const std::size_t samples = rows(scene.output.platform_interval_s);
-  return {rounding_for(file.floe_outlines(), scene.output.floes_interval_s),
-          parts_of(frames * file.floe_count(), places_maximum), parts_of(samples, platform_rows_maximum)};
+  PagePlan plan;
+  plan.rounding = rounding_for(file.floe_outlines(), scene.output.floes_interval_s);
+  plan.frame_stride = parts_of(frames * file.floe_count(), places_maximum);
+  plan.contacts_of_frame = std::max<std::size_t>(1, contacts_maximum * plan.frame_stride / frames);
+  plan.platform_bucket = parts_of(samples, platform_rows_maximum);
+  return plan;
 }
 
 std::string pack_shapes(const RunFile& file, const PagePlan& plan) {
@@ -123,6 +128,8 @@ std::vector<std::string> pack_run(const RunFile& file, const PagePlan& plan) {
     if (i == 0) add_rows();
   }
   if (ranges.empty()) add_rows();
+  if (ContactRecord::is_in(file))
+    for (const FrameRange& range : ranges) packets.push_back(pack_contacts(file, range, plan.contacts_of_frame));
   return packets;
 }
 

@@ -28,10 +28,12 @@ export class LoadCard {
     const say = !last ? 'No listed hit pressed then: slow contacts alone made it.' :
         `${causes.length} ${causes.length === 1 ? 'floe' : 'floes'} pressed. The last to come was floe ` +
             `${view.hits.floe[last.hit]}, ${shortNumber(largest.time - view.hits.time[last.hit], 2)} s before. ` +
-            'Estimated shares, by the mean force of each hit:';
-    const list = causes.slice(0, 3).map(({hit, share}) => element('li', {}, [
+            `All hits together: ${Math.round(100 * causes.reduce((sum, one) => sum + one.share, 0))} % of the load, ` +
+            'slow contacts and friction the rest' +
+            `${view.hits.windowImpulse.length ? '' : ', estimated by the mean force of each hit'}; the largest:`;
+    const list = causes.slice(0, 3).map(({hit, share, impulse}) => element('li', {}, [
       button(`floe ${view.hits.floe[hit]}`, 'show this floe', () => this.goTo(largest.time, view.hits.floe[hit])),
-      ` ${Math.round(100 * share)} %, ${withUnit(view.hits.force[hit], 'N')}, hit at ` +
+      ` ${Math.round(100 * share)} %, ${withUnit(impulse / window, 'N')}, hit at ` +
           `${clockText(view.hits.time[hit])} with ${shortNumber(view.hits.closing[hit])} m/s`,
     ]));
     this.box.replaceChildren(

@@ -17,6 +17,8 @@ export class Hits {
     this.impulse = get('impulse');
     this.closing = get('closing_speed');
     this.peak = get('force_peak');
+    this.windowImpulse = get('window_impulse');  // older files have none
+    this.windowEnd = get('window_end');
     this.floe = Int32Array.from(get('body_b'), body => body - run.description.first_floe_body);
     this.end = Float64Array.from(time, (t, i) => t + this.lasts(i));
     this.force = Float64Array.from(time, (_, i) => this.impulse[i] / this.lasts(i));
@@ -69,15 +71,30 @@ export class Hits {
     return best < 0 ? null : {time: time[best], force: most, x: x[best], y: y[best]};
   }
 
-  // The hits that pressed in the force window before `time`, with their share of the impulse, largest first.
+  // Normal impulse of a hit between two times, as well as the file tells: its largest force window is known, the rest of
+  // it is spread evenly over the rest of its time [N s].
+  impulseBetween(i, from, to) {
+    const common = (a, b) => Math.max(0, Math.min(to, b) - Math.max(from, a));
+    const window = this.run.description.force_window_s, lasts = this.lasts(i);
+    const within = common(this.time[i], this.end[i]), peak = this.windowImpulse[i];
+    if (!(peak >= 0) || lasts <= window) return this.impulse[i] * within / lasts;
+    const begin = Math.max(this.time[i], this.windowEnd[i] - window), end = Math.min(this.end[i], this.windowEnd[i]);
+    const span = Math.max(end - begin, this.run.description.time_step_s), inPeak = Math.min(common(begin, end), within);
+    const rest = Math.max(0, this.impulse[i] - peak) * (within - inPeak) / Math.max(lasts - span, 1e-9);
+    return peak * inPeak / span + rest;
+  }
+
+  // The hits that pressed in the force window before `time`, largest first. `share`: of the load of that window, by the
+  // impulse along it. A hit that pushes against the load has a share below zero.
   causes(time) {
-    const from = time - this.run.description.force_window_s;
+    const {run} = this, window = run.description.force_window_s, from = time - window;
+    const x = run.platformAt('ice_force_mean_x', time), y = run.platformAt('ice_force_mean_y', time), size = Math.hypot(x, y);
+    const nx = run.column('events', 'nx'), ny = run.column('events', 'ny');
     const list = this.during(from, time).map(i => {
-      const within = Math.min(time, this.end[i]) - Math.max(from, this.time[i]);
-      return {hit: i, impulse: this.force[i] * Math.max(within, 0)};
+      const impulse = this.impulseBetween(i, from, time);
+      const along = size > 0 ? -(nx[i] * x + ny[i] * y) / size : 0;  // the normal points from the platform into the ice
+      return {hit: i, impulse, share: size > 0 ? along * impulse / (size * window) : 0};
     });
-    const sum = list.reduce((total, one) => total + one.impulse, 0);
-    for (const one of list) one.share = sum > 0 ? one.impulse / sum : 0;
-    return list.sort((a, b) => b.impulse - a.impulse);
+    return list.filter(one => one.impulse > 0).sort((a, b) => b.share - a.share);
   }
 }

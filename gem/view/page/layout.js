@@ -50,16 +50,17 @@ function colourChoice(view) {
   return select;
 }
 
-function toggle(text, title, view, key) {
+function toggle(text, title, view, key, settings = {}) {
   const made = button(text, title, () => {
     view.options[key] = !view.options[key];
     made.setAttribute('aria-pressed', view.options[key]);
     view.draw();
-  }, {'aria-pressed': view.options[key]});
+  }, {'aria-pressed': view.options[key], ...settings});
   return made;
 }
 
 function topBar(view, live) {
+  const {run} = view;
   const film = new Film(view);
   const filmButton = button('Film', Film.missing || 'records what is played, as WebM, until it is pressed again', () => {
     if (film.running) film.stop();
@@ -76,6 +77,9 @@ function topBar(view, live) {
     button('Largest load', 'go to the largest ice load (L)', () => view.showLargest(), {id: 'largest', className: 'main'}),
     button('Show all', 'the whole field (0)', () => view.fitAll()), view.followButton,
     toggle('Forces', 'arrows of ice and mooring force; floes that press', view, 'forces'),
+    toggle('Chains', run.description.contacts_recorded ? 'forces between bodies, the wider the larger' :
+      'forces between bodies: not recorded, run with --set output.contact_forces=true', view, 'chains',
+    {disabled: !run.description.contacts_recorded, id: 'chains'}),
     toggle('Track', 'path of the platform in the last ten minutes', view, 'track'),
     button('PNG', 'save the picture (S)', () => savePng(view), {id: 'save_png'}),
     button('SVG', 'save the picture as a drawing', () => saveSvg(view), {id: 'save_svg'}), filmButton,

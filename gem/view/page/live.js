@@ -3,44 +3,70 @@ import {button, clockText, element} from './dom.js';
 import {openPacket} from './unpack.js';
 
 const pause = milliseconds => new Promise(done => setTimeout(done, milliseconds));
+const mostFailures = 60;  // in a row, one a second: then nobody is there any more
+
+// Says whether it is worth to ask again: the run has no file yet, or the server does not answer.
+class Unanswered extends Error {
+  constructor(message, waits) {
+    super(message);
+    this.waits = waits;  // for the run: that may take long
+  }
+}
 
 // Paths are relative to the page, whose own path holds the token.
 async function ask(path, settings) {
-  const answer = await fetch(path, {cache: 'no-store', ...settings});
-  if (answer.status === 503) return null;  // the run has no file yet
+  let answer;
+  try {
+    answer = await fetch(path, {cache: 'no-store', ...settings});
+  } catch (error) {
+    throw new Unanswered(error.message, false);
+  }
+  if (answer.status === 503) throw new Unanswered(await answer.text(), true);
   if (!answer.ok) throw new Error(await answer.text());
   return answer;
 }
 
-export async function describedByServer(said) {
-  for (;;) {
-    const answer = await ask('description');
-    if (answer) return answer.json();
-    said('The run begins ...');
-    await pause(500);
+// What an action gives, which is done again while nobody answers.
+async function insist(action, said) {
+  for (let failures = 0; ;) {
+    try {
+      return await action();
+    } catch (error) {
+      if (!(error instanceof Unanswered)) throw error;
+      if (!error.waits && ++failures > mostFailures) throw error;
+      said(error.waits ? 'The run begins ...' : `No answer (${error.message}), asking again ...`);
+      await pause(error.waits ? 500 : 1000);
+    }
   }
 }
 
+export const describedByServer = said => insist(async () => (await ask('description')).json(), said);
+
 async function packetFrom(path) {
   const answer = await ask(path);
-  if (!answer || answer.status === 204) return null;
-  return openPacket(new Uint8Array(await answer.arrayBuffer()));
+  return answer.status === 204 ? null : openPacket(new Uint8Array(await answer.arrayBuffer()));
 }
 
-// Asks for what is new until nothing comes; returns whether anything came.
-export async function fetchNew(run) {
+// All that the file holds now.
+export const fetchAll = (run, said) => insist(() => fetchNew(run), said);
+
+// Asks for what is new until nothing comes; returns whether anything came. May be done again after a failure.
+async function fetchNew(run) {
   let any = false;
   if (!run.shapes) run.add(await packetFrom('shapes'));
   for (const group of ['platform', 'events', 'stats']) {
     const packet = await packetFrom(`rows?group=${group}&first=${run.nextRow[group]}`);
     if (packet && packet.count > 0) run.add(packet), any = true;
   }
-  for (;;) {
-    const packet = await packetFrom(`frames?first=${run.frameCount}`);
-    if (!packet || packet.count === 0) return any;
+  const take = async path => {
+    const packet = await packetFrom(path);
+    if (!packet || packet.count === 0) return false;
     run.add(packet);
-    any = true;
-  }
+    return any = true;
+  };
+  while (await take(`frames?first=${run.frameCount}`));
+  if (run.description.contacts_recorded) while (await take(`contacts?first=${run.contacts.length}`));
+  return any;
 }
 
 // The bar of a run that goes on: progress, pause, go on, stop.
@@ -57,8 +83,12 @@ export class LiveBar {
   }
 
   async send(what) {
-    await ask(what, {method: 'POST'});
-    this.show(await (await ask('state')).json());
+    try {
+      await ask(what, {method: 'POST'});
+      this.show(await (await ask('state')).json());
+    } catch (error) {
+      this.text.textContent = `not done (${error.message}): try again`;
+    }
   }
 
   show({time_s, duration_s, paused, running, stopping, message}) {
@@ -70,23 +100,30 @@ export class LiveBar {
     this.pause.disabled = this.stop.disabled = !running || stopping;
   }
 
-  // Follows the run to its end.
+  // Follows the run to its end. The server sets the pace: a browser slows down the clock of a page in a hidden tab.
   async follow(run, came) {
-    for (let running = true; running;) {
-      await pause(1000);
+    addEventListener('pagehide', () => navigator.sendBeacon('leave'));
+    for (let failures = 0; ;) {
       try {
-        const state = await (await ask('state')).json();
-        this.show(state);
-        running = state.running;
-        const description = await ask('description');
-        if (description) Object.assign(run.description, await description.json());
-        if (await fetchNew(run) || !running) came();
-        if (!running) await ask('has_all', {method: 'POST'});
+        if (await this.lookOnce(run, came)) return;
+        failures = 0;
       } catch (error) {
-        this.text.textContent = 'the run no longer answers: ' + error.message;
-        this.pause.disabled = this.stop.disabled = true;
-        return;
+        const again = error instanceof Unanswered && ++failures <= mostFailures;
+        this.text.textContent = again ? `no answer (${error.message}), asking again` : `the run no longer answers: ${error.message}`;
+        if (!again) break;
+        await pause(1000);
       }
     }
+    this.pause.disabled = this.stop.disabled = true;
+  }
+
+  // Takes what is new; returns whether the run is over and all of it was read.
+  async lookOnce(run, came) {
+    const state = await (await ask('wait')).json();
+    this.show(state);
+    Object.assign(run.description, await (await ask('description')).json());
+    if (await fetchNew(run) || !state.running) came();
+    if (!state.running) await ask('has_all', {method: 'POST'});
+    return !state.running;
   }
 }

@@ -1,4 +1,5 @@
 // What lies over the floes: platform, channel, track, forces, marked floes, scale. Drawn by any 2D context.
+import {eachChain} from './chains.js';
 
 const trackSeconds = 600;
 
@@ -49,9 +50,23 @@ export class Overlay {
       context.fill();
       context.stroke();
     }
+    if (this.view.options.chains) this.drawChains(context);
     if (this.view.run.description.platform.present) this.drawPlatform(context);
     this.drawMarks(context);
     this.drawScale(context);
+  }
+
+  drawChains(context) {
+    const {camera, theme} = this.view;
+    context.strokeStyle = theme.chain;
+    context.lineCap = 'round';
+    eachChain(this.view, (points, width) => {
+      context.lineWidth = width;
+      context.beginPath();
+      for (const [x, y] of points) context.lineTo(...camera.toScreen(x, y));
+      context.stroke();
+    });
+    context.lineCap = 'butt';
   }
 
   platformPose() {

@@ -1,5 +1,6 @@
 // Starts the page: reads the data, lays out the window, and keeps what is shown in step with the time.
 import {Camera, steerCamera} from './camera.js';
+import {strongForce} from './chains.js';
 import {Charts} from './charts.js';
 import {colourTable} from './colour_maps.js';
 import {element} from './dom.js';
@@ -7,7 +8,7 @@ import {FieldGl} from './field_gl.js';
 import {HitList, LoadCard} from './hit_list.js';
 import {Hits} from './hits.js';
 import {clockLine, layOut, Legend, setKeys, showBadge} from './layout.js';
-import {LiveBar, describedByServer, fetchNew} from './live.js';
+import {LiveBar, describedByServer, fetchAll} from './live.js';
 import {Overlay} from './overlay.js';
 import {Player} from './player.js';
 import {Properties} from './properties.js';
@@ -20,12 +21,12 @@ const themes = {
   dark: {
     water: [0.06, 0.11, 0.17], without: [0.42, 0.48, 0.54], outline: [0.03, 0.05, 0.08], ink: '#e6ebf0', panel: '#18212b',
     fixed: '#3a4653', platform: '#3c4a58', track: '#f5d76e', mark: '#ff4fd8', load: '#ff9f43', mooring: '#5ab4ff',
-    grid: '#2c3947', series_a: '#5ab4ff', series_b: '#f5d76e', legend: 'rgba(24, 33, 43, 0.85)',
+    grid: '#2c3947', chain: '#ff4f5e', series_a: '#5ab4ff', series_b: '#f5d76e', legend: 'rgba(24, 33, 43, 0.85)',
   },
   light: {
     water: [0.80, 0.88, 0.93], without: [0.97, 0.98, 0.99], outline: [0.25, 0.31, 0.37], ink: '#1f2530', panel: '#ffffff',
     fixed: '#a5afb9', platform: '#dfe5ea', track: '#8a4b00', mark: '#c4008f', load: '#d35400', mooring: '#0b63b5',
-    grid: '#e1e4e8', series_a: '#0b63b5', series_b: '#a05a00', legend: 'rgba(255, 255, 255, 0.85)',
+    grid: '#e1e4e8', chain: '#b3001b', series_a: '#0b63b5', series_b: '#a05a00', legend: 'rgba(255, 255, 255, 0.85)',
   },
 };
 
@@ -35,7 +36,7 @@ class View {
     this.time = 0;
     this.selected = null;  // a floe, 'platform' or null
     this.causes = [];      // floes that made a load
-    this.options = {forces: true, track: true};
+    this.options = {forces: true, track: true, chains: run.description.contacts_recorded};
     this.camera = new Camera();
     this.pose = new Pose(run);
     this.hits = new Hits(run);
@@ -47,6 +48,7 @@ class View {
     this.legend = new Legend(this);
     this.overlay = new Overlay(this);
     this.themeName = matchMedia('(prefers-color-scheme: light)').matches ? 'light' : 'dark';
+    this.strongForce = 1;   // between bodies: the widest line [N]
     this.largestForce = 1;  // of ice and mooring in the whole run [N]
     this.framesDrawn = 0;
     this.started = false;
@@ -91,6 +93,7 @@ class View {
     document.getElementById('largest').disabled = !this.largest;
     this.scrub.max = this.run.end;
     showBadge(this);
+    this.strongForce = strongForce(this.run);
     this.range = this.quantity.range(this.run, this.hits);
     for (const part of [this.card, this.list, this.charts, this.sides]) part.refresh();
     this.show(this.time);
@@ -297,7 +300,8 @@ async function startFile() {
 
 async function startServed(kind, said) {
   const run = new RunData(await describedByServer(said));
-  await fetchNew(run);
+  document.title = `${run.description.name} - gem view`;
+  await fetchAll(run, said);
   const live = kind === 'live' ? new LiveBar() : null;
   const view = new View(run);
   view.start(live);

@@ -1,4 +1,5 @@
 // What floes can be coloured by: value of each floe, range, unit; or the reason why this file cannot show it.
+import {forceOfFloes, strongForce} from './chains.js';
 
 const seconds = 600;  // range of the time since the last hit
 
@@ -85,7 +86,9 @@ export const quantities = [
     missing: () => 'run files hold no overlap of each floe, only the largest of all (see the properties)',
   },
   {
-    key: 'contact_force', label: 'Force between floes', unit: 'N', map: 'viridis',
-    missing: () => 'run files hold no forces between floes, only those on the platform',
+    key: 'contact_force', label: 'Contact force', unit: 'N', map: 'viridis',
+    missing: run => run.description.contacts_recorded ? '' : 'not recorded: run with --set output.contact_forces=true',
+    range: run => [0, 2 * strongForce(run)],
+    fill: (view, out) => forceOfFloes(view.run, view.run.contactsAt(view.time), out),
   },
 ];

@@ -1,4 +1,5 @@
 // All that the page knows of a run: description, shapes, frames, rows. Grows while packets come in.
+import {readContacts} from './chains.js';
 import {readFrames, readRows, readShapes} from './unpack.js';
 
 // Index of the last of ascending numbers that is not above `value`; 0 if all are.
@@ -19,6 +20,7 @@ export class RunData {
     this.blocks = [];       // of frames, in order
     this.blockOfFrame = [];
     this.frameTimes = [];
+    this.contacts = [];     // forces between bodies, of each frame
     this.platform = {};
     this.events = {};
     this.stats = {};
@@ -30,6 +32,7 @@ export class RunData {
     if (packet.kind === 'shapes') this.shapes = readShapes(packet);
     else if (packet.kind === 'frames') this.addFrames(packet);
     else if (packet.kind === 'rows') this.addRows(packet);
+    else if (packet.kind === 'contacts' && packet.first === this.contacts.length) this.contacts.push(...readContacts(packet));
     for (const tell of this.listeners) tell(packet);
   }
 
@@ -66,6 +69,12 @@ export class RunData {
   }
 
   get frameCount() { return this.frameTimes.length; }
+
+  // The forces between bodies in the frame nearest to a time; undefined if they were not recorded.
+  contactsAt(time) {
+    const {n, share} = this.between(time);
+    return this.contacts[n + (share >= 0.5 ? 1 : 0)] ?? this.contacts[n];
+  }
 
   get end() {
     const time = this.column('platform', 'time');

@@ -1,4 +1,5 @@
 // Saves the picture as PNG or SVG, and what is played as a film (WebM).
+import {eachChain} from './chains.js';
 import {tableColour} from './colour_maps.js';
 
 export function offer(blob, name) {
@@ -52,6 +53,9 @@ export function svgText(view) {
     const fill = Number.isFinite(shares[i]) ? tableColour(colours, shares[i]) : hexColour(theme.without);
     parts.push(polygon(turned(outline, pose.x[i], pose.y[i], pose.cosine[i], pose.sine[i]), fill));
   }
+  const chains = [];
+  if (view.options.chains) eachChain(view, (points, width) => chains.push(
+      `<polyline points="${points.map(([px, py]) => point(px, py)).join(' ')}" stroke-width="${width.toFixed(2)}"/>`));
   const fixed = run.description.fixed.map(outline => polygon(turned(outline, 0, 0, 1, 0), theme.fixed));
   const {x, y, cosine, sine} = view.overlay.platformPose();
   const platform = run.description.platform.present ?
@@ -59,7 +63,8 @@ export function svgText(view) {
   const title = `${run.description.name}, ${view.time.toFixed(1)} s, coloured by ${view.quantity.label}`;
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${camera.width} ${camera.height}">` +
       `<title>${escapedText(title)}</title><rect width="100%" height="100%" fill="${hexColour(theme.water)}"/>` +
-      `<g stroke="${hexColour(theme.outline)}" stroke-width="0.5">${parts.join('')}</g>${fixed.join('')}${platform}</svg>\n`;
+      `<g stroke="${hexColour(theme.outline)}" stroke-width="0.5">${parts.join('')}</g>${fixed.join('')}` +
+      `<g stroke="${theme.chain}" fill="none" stroke-linecap="round">${chains.join('')}</g>${platform}</svg>\n`;
 }
 
 export function saveSvg(view) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
+
 #include "gem/base/scratch_folder.h"
 #include "gem/view/server/site.h"
 
@@ -58,7 +61,36 @@ TEST(Site, CommandsOfThePageReachTheRun) {
   EXPECT_EQ(site.answer("POST", "stop", {}).status, 204);
   EXPECT_TRUE(control.stop);
   EXPECT_EQ(site.answer("POST", "delete", {}).status, 404);
-  EXPECT_EQ(site.answer("GET", "", {}).status, 503);
+  EXPECT_EQ(site.answer("GET", "", {}).status, 200);  // the page asks until the run has a file
+  EXPECT_EQ(site.answer("GET", "description", {}).status, 503);
+  EXPECT_EQ(site.answer("POST", "leave", {}).status, 204);
+  EXPECT_TRUE(control.gone);
+  EXPECT_EQ(site.answer("GET", "state", {}).status, 200);
+  EXPECT_FALSE(control.gone) << "another page still asks";
+}
+
+TEST(Site, TheStateIsSaidAtOnceWhenTheRunEnds) {
+  const ScratchFolder folder("gem site");
+  LiveControl control;
+  Site site((folder.path() / "none.h5").string(), true, &control);
+  const auto seconds = [&] {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(site.answer("GET", "wait", {}).status, 200);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  EXPECT_GE(seconds(), 0.9);
+  control.running = false;
+  EXPECT_LT(seconds(), 0.9);
+}
+
+TEST(Site, TheFileOfAnEarlierRunIsNotLookedAt) {
+  const ScratchFolder folder("gem site");
+  const std::string path = folder.write("run.h5", "of an earlier run");
+  LiveControl control;
+  Site site(path, true, &control);
+  EXPECT_NE(site.answer("GET", "description", {}).body.find("no file yet"), std::string::npos);
+  std::filesystem::rename(folder.write("new.h5", "of this run, and damaged"), path);
+  EXPECT_EQ(site.answer("GET", "description", {}).body.find("no file yet"), std::string::npos);
 }
 
 TEST(Site, AFileThatNobodyWritesTakesNoCommands) {

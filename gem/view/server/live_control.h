@@ -13,7 +13,8 @@ struct LiveControl {
   // from the page
   std::atomic<bool> paused = false;
   std::atomic<bool> stop = false;
-  std::atomic<bool> has_all = false;  ///< the page has read the run to its end
+  std::atomic<bool> has_all = false;  ///< a page has read the run to its end
+  std::atomic<bool> gone = false;     ///< the page that asked last was closed
   std::atomic<int> port = 0;          ///< of the server; 0: not yet; -1: it could not begin
   std::atomic<long> requests = 0;
 };

@@ -3,6 +3,8 @@
 
 #include <httplib.h>
 
+#include <atomic>
+#include <chrono>
 #include <thread>
 
 #include "gem/base/error.h"
@@ -25,6 +27,7 @@ struct ViewServer::Inside {
   Site& site;
   int port;
   Gate gate;
+  std::atomic<bool> ended = false;  // it answers no more, or never did
   std::thread thread;
 
   Inside(Site& served, const std::string& token)
@@ -42,7 +45,10 @@ struct ViewServer::Inside {
       answer(request, response);
       return httplib::Server::HandlerResponse::Handled;
     });
-    thread = std::thread([this] { server.listen_after_bind(); });
+    thread = std::thread([this] {
+      server.listen_after_bind();
+      ended = true;
+    });
   }
 
   void answer(const httplib::Request& request, httplib::Response& response) {
@@ -60,7 +66,8 @@ struct ViewServer::Inside {
 ViewServer::ViewServer(Site& site, const std::string& token) : inside_(std::make_unique<Inside>(site, token)) {}
 
 ViewServer::~ViewServer() {
-  while (!inside_->server.is_running()) std::this_thread::yield();  // it cannot be stopped before it has begun
+  // it cannot be stopped before it has begun
+  while (!inside_->server.is_running() && !inside_->ended) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   inside_->server.stop();
   inside_->thread.join();
 }

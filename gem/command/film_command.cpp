@@ -61,7 +61,10 @@ void add_film_command(CLI::App& app, Chosen& chosen) {
   command->add_flag("--overwrite", options.overwrite, "replace an existing file");
   command->add_flag("--allow-incomplete", options.allow_incomplete, "film an incomplete run");
   command->footer("Forces between bodies are drawn if the run recorded them (output.contact_forces).");
-  command->callback([choice, &chosen] { chosen.action = [choice] { return film_chosen(*choice); }; });
+  command->callback([choice, &chosen] {
+    chosen.reading = {{choice->options.run_file}, false};  // ffmpeg may take long
+    chosen.action = [choice] { return film_chosen(*choice); };
+  });
 }
 
 }  // namespace gem

@@ -1,6 +1,6 @@
 // Solution of the equations of an island on a device: FrontFactor::solve_all(), level by level, with the same sums in
-// the same order. Each block goes forth through its branch; the first block goes forth and back through the trunk; and
-// each goes back through its branch. So blocks meet twice.
+// the same order. Each block goes forth through its branch, all go forth and back through the trunk, and each goes back
+// through its branch.
 #pragma once
 
 #include "gem/engine/solver/splitting/device_team.h"
@@ -31,49 +31,52 @@ class FrontSolve {
 
   template <int halves>
   GEM_DEVICE void solve_halves() {
-    forth_all<halves>(p_.branch);
+    forth_all<halves>(part_, p_.branch);
     if (p_.trunk.levels > 0) {
       team_.sync();
-      if (team_.part_index() == 0) {
-        forth_all<halves>(p_.trunk);
-        back_all<halves>(p_.trunk);
-      }
-      team_.sync();
+      forth_all<halves>(team_, p_.trunk);
+      back_all<halves>(team_, p_.trunk);
     }
-    back_all<halves>(p_.branch);
+    back_all<halves>(part_, p_.branch);
   }
 
-  template <int halves>
-  GEM_DEVICE void forth_all(const TreePart& part) {
+  /// `some`: the threads of a block for a branch, those of all blocks for the trunk.
+  template <int halves, class Some>
+  GEM_DEVICE void forth_all(const Some& some, const TreePart& part) {
     if (part.levels == 0) return;
     IslandLevel end = v_.m.level[part.level + part.levels];
     for (std::int32_t level = part.levels; level-- > 0;) {
       const IslandLevel begin = v_.m.level[part.level + level];
-      each_of(part_, halves * begin.own, halves * end.own,
+      each_of(some, halves * begin.own, halves * end.own,
               [&](std::int32_t k) { add_parts(v_.m.own_place[k / halves], k % halves); });
-      part_.sync();
-      each_tile(v_.m.forth_tile, begin.forth_tile, end.forth_tile, [&](const SolveTile& tile) { forth<halves>(tile); });
-      part_.sync();
+      some.sync();
+      if (begin.forth_tile < end.forth_tile) {
+        each_tile(some, v_.m.forth_tile, begin.forth_tile, end.forth_tile,
+                  [&](const SolveTile& tile) { forth<halves>(tile); });
+        some.sync();
+      }
       end = begin;
     }
   }
-  template <int halves>
-  GEM_DEVICE void back_all(const TreePart& part) {
+  template <int halves, class Some>
+  GEM_DEVICE void back_all(const Some& some, const TreePart& part) {
     if (part.levels == 0) return;
     IslandLevel begin = v_.m.level[part.level];
     for (std::int32_t level = 0; level < part.levels; ++level) {
       const IslandLevel end = v_.m.level[part.level + level + 1];
-      each_tile(v_.m.back_tile, begin.back_tile, end.back_tile, [&](const SolveTile& tile) { back<halves>(tile); });
-      part_.sync();
+      each_tile(some, v_.m.back_tile, begin.back_tile, end.back_tile,
+                [&](const SolveTile& tile) { back<halves>(tile); });
+      some.sync();
       begin = end;
     }
   }
 
-  template <class Work>
-  GEM_DEVICE GEM_INLINE void each_tile(const SolveTile* tile, std::int32_t begin, std::int32_t end, Work&& work) const {
-    for (std::int32_t k = begin + part_.warp_index(); k < end; k += part_.warps()) {
-      const SolveTile some = tile[k];
-      work(some);
+  template <class Some, class Work>
+  GEM_DEVICE GEM_INLINE void each_tile(const Some& some, const SolveTile* tile, std::int32_t begin, std::int32_t end,
+                                       Work&& work) const {
+    for (std::int32_t k = begin + some.rank() / Warp::size; k < end; k += some.size() / Warp::size) {
+      const SolveTile own = tile[k];
+      work(own);
     }
   }
 
@@ -120,7 +123,7 @@ class FrontSolve {
   /// Calls take(row body, half, numbers), from one thread for each half of each body.
   template <int halves, class Take>
   GEM_DEVICE GEM_INLINE void each_result(const SolveTile& tile, const Rows<halves>& total, Take&& take) const {
-    const std::int32_t lane = warp_.rank() % tile.lanes, body = warp_.rank() / tile.lanes;
+    const std::int32_t lane = warp_.rank() & (tile.lanes - 1), body = warp_.rank() >> tile.shift;
     if (body >= tile.rows || lane >= halves) return;
     FloatQuad result{};
     for (int c = 0; c < 3; ++c) result.part[c] = lane == 0 ? total.number[0][c] : total.number[halves - 1][c];
@@ -131,8 +134,8 @@ class FrontSolve {
   /// lanes of a body get its sums.
   template <int halves, class X>
   GEM_DEVICE GEM_INLINE Rows<halves> rows_times(const SolveTile& tile, X&& x) const {
-    const std::int32_t lane = warp_.rank() % tile.lanes, all = tile.owns + tile.others;
-    const bool has_row = warp_.rank() / tile.lanes < tile.rows;
+    const std::int32_t lane = warp_.rank() & (tile.lanes - 1), all = tile.owns + tile.others;
+    const bool has_row = (warp_.rank() >> tile.shift) < tile.rows;
     const float* numbers = v_.m.numbers + tile.numbers + warp_.rank();
     Rows<halves> total{};
     for (std::int32_t first = 0; part_bodies * first < all; first += tile.lanes) {
@@ -153,23 +156,26 @@ class FrontSolve {
                 for (int r = 0; r < 3; ++r) part.number[h][r] += a[9 * i + 3 * r + c] * of_x[i][h].part[c];
       }
       numbers += tile_numbers * Warp::size;
-      for (int h = 0; h < halves; ++h)
-        for (int r = 0; r < 3; ++r)
-          add_chunks(tile.lanes, all - part_bodies * first, part.number[h][r], total.number[h][r]);
+      add_chunks<halves>(tile.lanes, all - part_bodies * first, part, total);
     }
     return total;
   }
 
   /// Adds the chunks of the lanes of a body: four lanes each, in the order of the chunks. `columns`: bodies from the
   /// first lane on.
-  GEM_DEVICE GEM_INLINE void add_chunks(std::int32_t lanes, std::int32_t columns, float part, float& total) const {
-    part += warp_.partner(part, 1);
-    part += warp_.partner(part, 2);
-    const std::int32_t from = warp_.rank() / lanes * lanes;
-    for (std::int32_t k = 0; 4 * k < lanes; ++k) {
-      const float chunk = warp_.from(part, from + 4 * k);
-      if (chunk_bodies * k < columns) total += chunk;
-    }
+  template <int halves>
+  GEM_DEVICE GEM_INLINE void add_chunks(std::int32_t lanes, std::int32_t columns, Rows<halves>& part,
+                                        Rows<halves>& total) const {
+    for (int step = 1; step < 4; step *= 2)
+      for (int h = 0; h < halves; ++h)
+        for (int r = 0; r < 3; ++r) part.number[h][r] += warp_.partner(part.number[h][r], step);
+    const std::int32_t from = warp_.rank() & ~(lanes - 1);
+    for (std::int32_t k = 0; 4 * k < lanes; ++k)  // the numbers side by side, since each takes long
+      for (int h = 0; h < halves; ++h)
+        for (int r = 0; r < 3; ++r) {
+          const float chunk = warp_.from(part.number[h][r], from + 4 * k);
+          if (chunk_bodies * k < columns) total.number[h][r] += chunk;
+        }
   }
 
   const Team& team_;

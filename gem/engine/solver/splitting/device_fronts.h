@@ -221,7 +221,7 @@ class FrontFinder {
                                          f.owns(),
                                          0,
                                          0,
-                                         0};
+                                         forth.shift};
     for (std::int32_t k = 0; k < back.tiles; ++k)
       m_.back_tile[f.back_tile + k] = {back_numbers + k * back.numbers_of_tile(),
                                        f.own + k * back.bodies,
@@ -231,7 +231,7 @@ class FrontFinder {
                                        f.owns(),
                                        f.first_other,
                                        f.others,
-                                       0};
+                                       back.shift};
     at.first_other += f.others;
     at.first_own += f.owns();
     at.forth_tile += forth.tiles;

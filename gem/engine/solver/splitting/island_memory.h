@@ -83,7 +83,7 @@ struct alignas(16) SolveTile {
   std::int32_t lanes = 0;
   std::int32_t own = 0, owns = 0;            // columns: own bodies of the front, by place
   std::int32_t first_other = 0, others = 0;  // and its others, by slot; none in H
-  std::int32_t unused = 0;
+  std::int32_t shift = 0;                    // lanes are 2 to this power
 };
 
 struct IslandCell;

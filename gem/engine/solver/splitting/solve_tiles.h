@@ -15,7 +15,7 @@ constexpr std::int32_t tile_numbers = 9 * part_bodies;
 /// The tiles of one front.
 struct TileShape {
   std::int32_t tiles, bodies;  // bodies (three rows each) of a tile
-  std::int32_t lanes;          // threads of a body, a power of two
+  std::int32_t lanes, shift;   // threads of a body: two to the power of `shift`
   std::int32_t passes;         // until the lanes have taken all columns
   std::int32_t warp;
 
@@ -30,10 +30,10 @@ struct TileShape {
 /// `rows`, `columns`: bodies. `warp`: its threads, a power of two, four at least.
 GEM_HD inline TileShape tile_shape(std::int32_t rows, std::int32_t columns, std::int32_t warp) {
   const std::int32_t parts = (columns + chunk_bodies - 1) / chunk_bodies * 4;
-  std::int32_t lanes = 4;
-  while (lanes < parts && lanes < warp) lanes *= 2;
+  std::int32_t lanes = 4, shift = 2;
+  while (lanes < parts && lanes < warp) lanes *= 2, ++shift;
   const std::int32_t bodies = warp / lanes;
-  return {(rows + bodies - 1) / bodies, bodies, lanes, (parts + lanes - 1) / lanes, warp};
+  return {(rows + bodies - 1) / bodies, bodies, lanes, shift, (parts + lanes - 1) / lanes, warp};
 }
 
 }  // namespace gem

@@ -99,9 +99,12 @@ class LimitScanner {
       quote_ = 0;
   }
 
-  /// The library reads on behind a quote in the middle of a word, as if no string began there.
+  bool begins_word() const { return last_ == 0 || std::string_view("=,[{").find(last_) != std::string_view::npos; }
+
+  /// The library reads on behind a quote in the middle of a word, as if no string began there. So a quote may not follow
+  /// a bracket there either.
   void open_string(char quote) {
-    if (last_ != 0 && std::string_view("=,[{.").find(last_) == std::string_view::npos)
+    if (!begins_word())
       reject(place_, "a quote in the middle of a key or value; it may stand only at the beginning and at the end");
     quote_ = quote;
     length_ = 0;
@@ -113,6 +116,8 @@ class LimitScanner {
     if (static_cast<unsigned char>(c) > 0x7f)
       reject(place_, "a character outside ASCII; it may stand only between quotes and in comments");
     if (c == '"' || c == '\'') open_string(c);
+    if ((c == '[' || c == '{') && !begins_word())
+      reject(place_, "a bracket in the middle of a key or value; it may stand only at the beginning");
     if (c != ' ' && c != '\t' && c != '\r') last_ = c;
     if (c == '[' || c == '{') ++depth_;
     if (c == ']' || c == '}') --depth_;

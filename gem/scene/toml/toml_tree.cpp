@@ -86,6 +86,7 @@ class LimitScanner {
     comment_ = false;
     dots_ = 0;
     last_ = 0;
+    if (open_.empty()) value_ = false;
   }
 
   void inside_string(char c) {
@@ -101,14 +102,29 @@ class LimitScanner {
 
   bool begins_word() const { return last_ == 0 || std::string_view("=,[{").find(last_) != std::string_view::npos; }
 
-  /// The library reads on behind a quote in the middle of a word, as if no string began there. So a quote may not follow
-  /// a bracket there either.
+  /// The library reads on behind a quote in the middle of a word, as if no string began there. A quote may follow a
+  /// point in a key only.
   void open_string(char quote) {
-    if (!begins_word())
+    if (!begins_word() && !(last_ == '.' && !value_))
       reject(place_, "a quote in the middle of a key or value; it may stand only at the beginning and at the end");
     quote_ = quote;
     length_ = 0;
     escaped_ = false;
+  }
+
+  /// A brace begins with a key. A bracket holds values, or the key of a header.
+  void open_bracket(char c) {
+    if (!begins_word()) reject(place_, "a bracket in the middle of a key or value; it may stand only at the beginning");
+    open_.push_back(c);
+    if (c == '{') value_ = false;
+  }
+
+  void close_bracket(char c) {
+    const char opening = c == ']' ? '[' : '{';
+    if (open_.empty() || open_.back() != opening)
+      reject(place_, std::string("malformed: '") + c + "' without its '" + opening + "'");
+    open_.pop_back();
+    value_ = true;
   }
 
   void outside_string(char c) {
@@ -116,14 +132,14 @@ class LimitScanner {
     if (static_cast<unsigned char>(c) > 0x7f)
       reject(place_, "a character outside ASCII; it may stand only between quotes and in comments");
     if (c == '"' || c == '\'') open_string(c);
-    if ((c == '[' || c == '{') && !begins_word())
-      reject(place_, "a bracket in the middle of a key or value; it may stand only at the beginning");
-    if (c != ' ' && c != '\t' && c != '\r') last_ = c;
-    if (c == '[' || c == '{') ++depth_;
-    if (c == ']' || c == '}') --depth_;
+    if (c == '[' || c == '{') open_bracket(c);
+    if (c == ']' || c == '}') close_bracket(c);
+    if (c == '=') value_ = true;
+    if (c == ',') value_ = !open_.empty() && open_.back() == '[';
     if (c == '.') ++dots_;
     if (c == '=' || c == ',' || c == '[' || c == '{') dots_ = 0;
-    if (depth_ > toml_depth_maximum || dots_ > toml_depth_maximum)
+    if (c != ' ' && c != '\t' && c != '\r') last_ = c;
+    if (open_.size() > toml_depth_maximum || dots_ > toml_depth_maximum)
       reject(place_, "values are nested too deep (allowed " + std::to_string(toml_depth_maximum) + " levels)");
   }
 
@@ -131,8 +147,9 @@ class LimitScanner {
   char quote_ = 0;
   bool escaped_ = false;
   bool comment_ = false;
-  int depth_ = 0;
-  int dots_ = 0;
+  bool value_ = false;  // what stands here is a value, not a key
+  std::string open_;    // brackets that are still open, the innermost last
+  std::size_t dots_ = 0;
   char last_ = 0;  // character of this line outside of strings that is no blank; 0: none
   std::size_t length_ = 0;
 };

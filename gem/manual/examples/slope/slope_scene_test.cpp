@@ -80,7 +80,7 @@ TEST_P(SlopeOnEngine, SlopeAndWaterBalanceAtTheDriftSpeed) {
     [slope]
     rise = [0.0, -1e-5]
   )");
-  const auto engine = after(scene, 20000);
+  const auto engine = after(scene, 60000);
   const Bodies& b = engine->bodies();
   // k v^2 = g S
   const double drag = b.drag[floe_id], drift = std::sqrt(9.81 * 1e-5 / drag);

@@ -35,9 +35,13 @@ class DeviceIslandSolver {
     std::int64_t iterations = 0;
     double error = 0.0;
     move_by_base();
+    RoundKind kind = RoundControl::first_kind(c.iterations_maximum, v_.bodies, v_.points);
     do {
       begin_round();
-      iterate_round(iterations, error);
+      iterate_round(kind, iterations, error);
+      const bool failed = kind == RoundKind::attempt && !(error <= c.residual_speed);
+      kind = RoundKind::full;
+      if (failed) continue;
       each_of(team_, 0, v_.points, [&](std::int32_t k) { add_to_base(k); });
       team_.sync();
       move_by_base();
@@ -134,9 +138,9 @@ class DeviceIslandSolver {
     repaired_ = halves_ == 2;
   }
 
-  GEM_DEVICE void iterate_round(std::int64_t& iterations, double& error) {
+  GEM_DEVICE void iterate_round(RoundKind kind, std::int64_t& iterations, double& error) {
     const StepConstants& c = s_.constants;
-    RoundControl round(c.residual_speed, c.iterations_maximum, iterations);
+    RoundControl round(kind, c.residual_speed, c.iterations_maximum, iterations);
     stiffen(round);
     push();
     for (;;) {

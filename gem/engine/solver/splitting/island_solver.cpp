@@ -193,9 +193,9 @@ bool IslandSolver::change_stiffness(RoundControl& round) {
 }
 
 /// Iterates from the base until the round ends.
-void IslandSolver::iterate_round(const IslandControl& control, IslandResult& result) {
+void IslandSolver::iterate_round(RoundKind kind, const IslandControl& control, IslandResult& result) {
   for (std::vector<BodyRow>* rows : {&now_, &sum_, &given_, &last_given_}) rows->assign(place_.size() + 1, BodyRow{});
-  RoundControl round(control.tolerance, control.iterations_maximum, result.iterations);
+  RoundControl round(kind, control.tolerance, control.iterations_maximum, result.iterations);
   stiffen(round);
   blocks_.push(now_, sum_);
   for (;;) {
@@ -222,9 +222,14 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
   if (result.error <= control.tolerance) return result;
   order_bodies(bodies, points);
   set_points(bodies, points);
+  RoundKind kind = RoundControl::first_kind(control.iterations_maximum, static_cast<std::int32_t>(bodies.size()),
+                                            static_cast<std::int32_t>(points.size()));
   do {
     set_base(control.friction, points);
-    iterate_round(control, result);
+    iterate_round(kind, control, result);
+    const bool failed = kind == RoundKind::attempt && !(result.error <= control.tolerance);
+    kind = RoundKind::full;
+    if (failed) continue;
     for (std::size_t k = 0; k < points.size(); ++k)
       blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, points[k].spare,
                      *points[k].impulse);

@@ -81,7 +81,7 @@ class IslandSolver {
                        std::span<const IslandPoint> points) const;
   void stiffen(const RoundControl& round);
   bool change_stiffness(RoundControl& round);
-  void iterate_round(const IslandControl& control, IslandResult& result);
+  void iterate_round(RoundKind kind, const IslandControl& control, IslandResult& result);
   void begin();
   void step();
   SplittingDifferences compare(const IslandControl& control);

@@ -16,6 +16,11 @@ struct SplittingDifferences {
   float motion = 0.0F;  // of the bodies since the base
 };
 
+/// An attempt takes every point for one that stays as it is, touching or not, sliding or not: it is so stiff that a
+/// push passes through a chain of any length at once, and it finds nothing where many points change. A full round finds
+/// what changes, and takes many iterations for a push through a long chain.
+enum class RoundKind { attempt, full };
+
 class RoundControl {
  public:
   enum class Change { none, raise, fall };
@@ -24,12 +29,23 @@ class RoundControl {
   /// less than the shorter length is left.
   static constexpr std::int64_t longest_round = 96, shortest_round = 48;
 
+  /// What an island of so many bodies and points begins with. An attempt serves a chain: few loops, many bodies. A
+  /// contact has up to two points.
+  GEM_HD static RoundKind first_kind(std::int64_t iterations_maximum, std::int32_t bodies, std::int32_t points) {
+    const bool chain = bodies >= least_chain && points <= 2 * bodies + bodies / 4;
+    return chain && iterations_maximum >= attempt_iterations + shortest_round ? RoundKind::attempt : RoundKind::full;
+  }
+
   /// `done`: iterations of earlier rounds. `tolerance` of the velocities [m/s].
-  GEM_HD RoundControl(double tolerance, std::int64_t iterations_maximum, std::int64_t done)
+  GEM_HD RoundControl(RoundKind kind, double tolerance, std::int64_t iterations_maximum, std::int64_t done)
       : tolerance_(tolerance),
-        last_(longest_round < iterations_maximum - done ? longest_round : iterations_maximum - done),
-        scheduled_(done < scheduled_iterations),
-        stiffness_(scheduled_ ? first_stiffness : steady_stiffness) {}
+        last_(kind == RoundKind::attempt                  ? attempt_iterations
+              : longest_round < iterations_maximum - done ? longest_round
+                                                          : iterations_maximum - done),
+        scheduled_(kind == RoundKind::full && done < scheduled_iterations),
+        stiffness_(kind == RoundKind::attempt ? attempt_stiffness
+                   : scheduled_               ? first_stiffness
+                                              : steady_stiffness) {}
 
   /// What a point asks for at the base, in parts of the tolerance, rounded up; whole numbers, so that sums have no
   /// order.
@@ -95,6 +111,10 @@ class RoundControl {
   /// errors.
   static constexpr std::int64_t scheduled_iterations = 4 * longest_round;
   static constexpr float steady_stiffness = 2.0F;
+  /// An attempt; the fewest bodies that it is made for.
+  static constexpr std::int64_t attempt_iterations = 8;
+  static constexpr float attempt_stiffness = 2e5F;
+  static constexpr std::int32_t least_chain = 16;
   /// Motions within a round are good to `single_precision` of themselves. A round ends when its error has fallen by
   /// `round_gain`, which leaves a margin.
   static constexpr double round_gain = 1e-4, single_precision = 1e-6;
@@ -105,7 +125,7 @@ class RoundControl {
   /// What is still missing from a sequence that moved by `change` since the last estimate and by `last_change` before
   /// that, if it goes on by the same ratio. Without a last change (zero) the slowest ratio is taken.
   GEM_HD static double still_missing(double change, double last_change) {
-    constexpr double slowest = 0.9;
+    constexpr double slowest = 0.99;
     const double ratio = last_change > 0.0 ? smaller(change / last_change, slowest) : slowest;
     return change * ratio / (1.0 - ratio);
   }

@@ -7,7 +7,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/command/run_choice.h"
+#include "gem/command/run/run_choice.h"
 #include "gem/field/field.h"
 #include "gem/record/output/output_path.h"
 #include "gem/run/run_signals.h"

@@ -1,4 +1,4 @@
-#include "gem/command/run_choice.h"
+#include "gem/command/run/run_choice.h"
 
 #include <charconv>
 

@@ -1,5 +1,5 @@
 // Forks the server, and waits in the run for the page.
-#include "gem/command/live_view.h"
+#include "gem/command/run/live_view.h"
 
 #include <signal.h>
 #include <sys/mman.h>

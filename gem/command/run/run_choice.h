@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gem/command/command.h"
-#include "gem/command/live_view.h"
+#include "gem/command/run/live_view.h"
 
 namespace gem {
 

@@ -3,7 +3,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
-#include "gem/command/run_choice.h"
+#include "gem/command/run/run_choice.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/run/resume.h"

@@ -6,19 +6,15 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "gem/base/error.h"
-#include "gem/engine/cuda/cuda_engine.h"
 #include "gem/field/field.h"
-#include "gem/scene/sweep/sweep.h"
-#include "gem/scene/toml/scene_file.h"
 #include "gem_version.h"
+#include "gpu_phases.h"
 #include "growth_field.h"
 
 namespace gem {
@@ -27,15 +23,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t timed_steps = 256;
-
-struct Phase {
-  const char* name;
-  const char* run;
-  double time;  // [s]
-};
-// Drift and plug of the paper's main run, and the jam of its densest run.
-constexpr Phase phases[] = {
-    {"drift", "004_400_25", 60.0}, {"plug", "004_400_25", 1800.0}, {"jam", "400_200_100", 600.0}};
 
 /// What is measured.
 struct Subject {
@@ -47,17 +34,11 @@ struct Subject {
 
 /// A run of the paper with the default settings, or with independent contacts as in the results of that solver.
 SceneDef scene_of(const Subject& subject, const std::string& run) {
-  for (const SweepMember& member : expand_sweep(subject.cases + "/table1.toml"))
-    if (member.name == run) {
-      SceneDef scene = member.scene;
-      scene.contact.solver = subject.solver;
-      if (subject.solver == ContactSolver::independent) scene.contact.manifold = Manifold::chord_middle;
-      return scene;
-    }
-  throw Error(ExitCode::usage, "no run " + run + " in " + subject.cases);
+  SceneDef scene = gem::scene_of(subject.cases, run);
+  scene.contact.solver = subject.solver;
+  if (subject.solver == ContactSolver::independent) scene.contact.manifold = Manifold::chord_middle;
+  return scene;
 }
-
-std::int64_t steps_in(const SceneDef& scene, double time) { return std::llround(time / scene.numerics.time_step_s); }
 
 /// Ends a row with the route and the number of barriers in a time step.
 void end_row(const CudaBatch& batch) {
@@ -74,13 +55,6 @@ void header() {
 struct Timing {
   double median = 0.0, spread = 0.0, wall = 0.0;
 };
-
-/// The state at the start of a phase.
-EngineState start_of(const Phase& phase, const SceneDef& scene, const Bodies& field) {
-  CudaBatch batch({{scene, field}}, {.ring_steps = 4096, .samples = false});
-  batch.advance(steps_in(scene, phase.time), nullptr);
-  return batch.save(0);
-}
 
 Timing time_steps(CudaBatch& batch, const EngineState& start, std::vector<StepLog>* logs, int repetitions) {
   std::vector<double> seconds;

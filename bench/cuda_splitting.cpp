@@ -9,24 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "gem/base/error.h"
-#include "gem/engine/cuda/cuda_engine.h"
 #include "gem/field/field.h"
-#include "gem/scene/sweep/sweep.h"
 #include "gem_version.h"
+#include "gpu_phases.h"
 
 namespace gem {
 namespace {
 
 constexpr double timed = 12.8;  // [s]
-
-struct Phase {
-  const char* name;
-  const char* run;
-  double time;  // [s]
-};
-constexpr Phase phases[] = {
-    {"drift", "004_400_25", 60.0}, {"plug", "004_400_25", 1800.0}, {"jam", "400_200_100", 600.0}};
 
 struct Setting {
   const char* name;
@@ -38,12 +28,6 @@ constexpr Setting settings[] = {{"gradient 32 0.05 s", Iteration::gradient, 32, 
                                 {"gradient 200 0.05 s", Iteration::gradient, 200, 0.05},
                                 {"splitting 96 0.2 s", Iteration::splitting, 96, 0.2},
                                 {"splitting 96 0.05 s", Iteration::splitting, 96, 0.05}};
-
-SceneDef scene_of(const std::string& cases, const std::string& run) {
-  for (const SweepMember& member : expand_sweep(cases + "/table1.toml"))
-    if (member.name == run) return member.scene;
-  throw Error(ExitCode::usage, "no run " + run + " in " + cases);
-}
 
 /// Moves copies of a state on and prints the milliseconds per simulated second of all of them.
 void time_setting(const Phase& phase, SceneDef scene, const Bodies& field, EngineState start, const Setting& setting,
@@ -83,10 +67,9 @@ void time_all(const std::string& cases, std::size_t copies) {
   for (const Phase& phase : phases) {
     const SceneDef scene = scene_of(cases, phase.run);
     const Bodies field = make_field(scene);
-    CudaBatch before({{scene, field}}, {.ring_steps = 4096, .samples = false});
-    before.advance(std::llround(phase.time / scene.numerics.time_step_s), nullptr);
+    const EngineState start = start_of(phase, scene, field);
     for (const std::size_t count : {std::size_t{1}, copies})
-      for (const Setting& setting : settings) time_setting(phase, scene, field, before.save(0), setting, count);
+      for (const Setting& setting : settings) time_setting(phase, scene, field, start, setting, count);
   }
 }
 

@@ -12,13 +12,14 @@ constexpr const char* kNotes = R"(<section><h2>How to read the numbers</h2>
 <div class="notes">
 <p>x points along the current, y to its left; motion is measured from where the mooring pulls nothing. Forces and
 impulses act on the platform.</p>
-<p>Ice loads are three quantities that are never mixed. An <em>event impulse</em> is what one collision gives in one
-time step; a floe that rests against the platform has one in every time step. An <em>average</em> is the impulse over a stated time, divided by that time. A <em>crushing peak</em> is the
-closed-form force of one event at the end of its crushing, from closing speed, effective mass, thickness and contact
-width. It lasts about a tenth of a second or less and does not follow from the impulse over a time step. Against a flat
-side it is pressure times contact area whatever the speed, and lasts milliseconds: a bound on local load, not a load on
-the mooring. It is given for impacts, that is for events that follow at least a second without contact of the same
-floe.</p>
+<p>Ice loads are three quantities that are never mixed. The <em>impulse of a hit</em> is what
+one floe gives from first touch to release; a floe that rests against the platform may press for minutes. An <em>average</em>
+is the impulse over a stated time, divided by that time. A <em>crushing peak</em> is the closed-form force at the end of the
+crushing of one hit, from closing speed, effective mass, thickness and contact width. It lasts about a tenth of a second or
+less and does not follow from the impulse over a time step. Against a flat side it is pressure times contact area whatever
+the speed, and lasts milliseconds: a bound on local load, not a load on the mooring. <em>Not converged</em> stands beside
+loads of a short time if the verdict doubts the run for its unfinished time steps: there the iterations ended above their
+tolerance, so that a contact gave part of its impulse later.</p>
 <p>Means, periods and contact are those of <code>gem analyse</code>, with intervals of 95 %. Intervals of
 means allow for correlation. They are given only for records of at least 16 natural periods. The spectral period carries a
 jackknife over the tapers and half a resolution cell; where that spans more than a factor of two, the run does not

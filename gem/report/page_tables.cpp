@@ -98,6 +98,13 @@ std::string with_share(double depth, double share) {
 }
 std::string impulse_text(double impulse) { return with_unit(impulse, impulse_unit(std::abs(impulse))); }
 
+/// Whether the verdict doubts a run for its unfinished time steps.
+bool stops_short(const RunVerdict& verdict) {
+  return std::any_of(verdict.judgements.begin(), verdict.judgements.end(), [](const Judgement& one) {
+    return one.criterion == "unfinished_steps" && one.grade == Grade::doubtful;
+  });
+}
+
 }  // namespace
 
 std::string headline_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis) {
@@ -182,32 +189,31 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
   const bool untouched = without_contact(run, l);
   const bool still = untouched && findings.radial_excursion < kLeastMotion;
   const auto of_ice = [untouched](const std::string& text) { return untouched ? "no contact" : text; };
+  // What one contact gives in a short time is wrong first where the iterations stop short.
+  const std::string doubt = untouched || !stops_short(run.verdict) ? "" : " (not converged)";
+  const auto of_short = [&](const std::string& text) { return of_ice(text) + doubt; };
   const auto of_mooring = [still](const std::string& text) { return still ? "no contact" : text; };
   const double sample_force = l.sample_s > 0.0 ? l.sample_impulse_largest / l.sample_s : 0.0;
   std::string rows =
-      row("event impulse, largest of one event", {of_ice(of_events(impulse_text(l.event_impulse_largest)))}) +
-      row("net impulse of one sample (" + sample + "), largest", {of_ice(impulse_text(l.sample_impulse_largest))}) +
+      row("impulse of one hit, largest", {of_short(of_events(impulse_text(l.event_impulse_largest)))}) +
       row("ice force averaged over one sample (" + sample + "), largest",
-          {of_ice(force_text(sample_force) +
-                  where_text(sample_force, l.ice_sample_at, " in the " + sample + " up to "))}) +
+          {of_short(force_text(sample_force) +
+                    where_text(sample_force, l.ice_sample_at, " in the " + sample + " up to "))}) +
       row("ice force averaged over " + window + ", largest",
-          {of_ice(force_text(l.ice_window_largest) +
-                  where_text(l.ice_window_largest, l.ice_window_at, " in the " + window + " up to "))}) +
+          {of_short(force_text(l.ice_window_largest) +
+                    where_text(l.ice_window_largest, l.ice_window_at, " in the " + window + " up to "))}) +
       row("ice force averaged over the run, x",
           {of_ice(mean_text(finding_of(analysis, "ice_force_x_mean_N"), mean_unit))}) +
       row("ice force averaged over the run, y",
           {of_ice(mean_text(finding_of(analysis, "ice_force_y_mean_N"), mean_unit))}) +
-      row("crushing peak (closed form) of the first event of an impact, largest",
-          {of_ice(of_events(force_text(l.crushing_largest)))}) +
-      row("crushing peak of the first event of an impact, median", {of_ice(of_events(force_text(l.crushing_median)))}) +
-      row("crushing peak of any event, largest", {of_ice(of_events(force_text(l.crushing_of_any)))}) +
+      row("crushing peak (closed form) of one hit, largest", {of_short(of_events(force_text(l.crushing_largest)))}) +
+      row("crushing peak of a hit, median", {of_short(of_events(force_text(l.crushing_median)))}) +
       row("mooring force, largest",
           {of_mooring(force_text(l.mooring_largest) + where_text(l.mooring_largest, l.mooring_at))}) +
       row("mooring force averaged over the run, x",
           {of_mooring(mean_text(mooring, force_unit(std::abs(mooring.value.value_or(0.0)))))}) +
-      row("events on the platform", {of_events(std::to_string(l.events))}) +
-      row("impacts (events that begin a contact)", {of_events(std::to_string(l.touches))}) +
-      row("arrivals (different floes that hit the platform)", {of_events(std::to_string(l.arrivals))}) +
+      row("hits on the platform, each from first touch to release", {of_events(std::to_string(l.events))}) +
+      row("different floes that hit the platform", {of_events(std::to_string(l.arrivals))}) +
       row("samples with contact", {contact_text(finding_of(analysis, "contact_fraction"))});
   return table("Loads on the platform", rows);
 }

@@ -114,9 +114,9 @@ void add_loads(Rows& rows) {
   rows.analysed("ice_force_x_mean_N", "ice force, mean, x");
   rows.analysed("ice_force_y_mean_N", "ice force, mean, y");
   rows.analysed("mooring_force_x_mean_N", "mooring force, mean, x");
-  rows.number("event_impulse_largest_N_s", "impulse of one event, largest",
+  rows.number("event_impulse_largest_N_s", "impulse of one hit, largest",
               [](const ComparedRun& run) { return run.findings.loads.event_impulse_largest; });
-  rows.number("crushing_peak_largest_N", "crushing peak of the first event of an impact, largest",
+  rows.number("crushing_peak_largest_N", "crushing peak of one hit, largest",
               [](const ComparedRun& run) { return run.findings.loads.crushing_largest; });
 }
 
@@ -135,9 +135,7 @@ void add_motion(Rows& rows) {
 
 void add_contact(Rows& rows) {
   rows.analysed("contact_fraction", "share of the samples with contact");
-  rows.number("events", "events on the platform", [](const ComparedRun& run) { return run.findings.loads.events; });
-  rows.number("impacts", "events that begin a contact",
-              [](const ComparedRun& run) { return run.findings.loads.touches; });
+  rows.number("events", "hits on the platform", [](const ComparedRun& run) { return run.findings.loads.events; });
   rows.number("arrivals", "different floes that hit the platform",
               [](const ComparedRun& run) { return run.findings.loads.arrivals; });
 }

@@ -71,12 +71,9 @@ PlatformLoads loads(const RunData& run) {
   result.events = run.events.time.size();
   result.arrivals = std::set<std::int32_t>(run.events.body_b.begin(), run.events.body_b.end()).size();
   result.event_impulse_largest = largest_of(run.events.impulse);
-  std::vector<double> peaks;
-  for (const std::size_t i : opening_events(run.events)) peaks.push_back(run.events.force_peak[i]);
-  result.touches = peaks.size();
-  result.crushing_largest = largest_of(peaks);
-  result.crushing_median = percentile(peaks, 0.5);
-  result.crushing_of_any = largest_of(run.events.force_peak);
+  result.touches = opening_events(run.events).size();
+  result.crushing_largest = largest_of(run.events.force_peak);
+  result.crushing_median = percentile(run.events.force_peak, 0.5);
   return result;
 }
 

@@ -31,14 +31,13 @@ struct ForceAt {
 struct PlatformLoads {
   double sample_s = 0.0;                      // one sample of the platform record [s]
   double sample_impulse_largest = 0.0;        // net ice impulse in one sample [N s]
-  double event_impulse_largest = 0.0;         // normal impulse of one event [N s]
+  double event_impulse_largest = 0.0;         // normal impulse of one hit [N s]
   double ice_window_largest = 0.0;            // of the window mean [N]
   ForceAt ice_window_at;                      // at the end of that window
   ForceAt ice_sample_at;                      // of the largest sample, at its end
   double ice_mean_x = 0.0, ice_mean_y = 0.0;  // over the run [N]
-  double crushing_largest = 0.0;              // closed-form peak among events that begin a contact [N]
+  double crushing_largest = 0.0;              // closed-form peak of one hit [N]
   double crushing_median = 0.0;
-  double crushing_of_any = 0.0;  // among all events [N]
   double mooring_largest = 0.0;  // [N]
   ForceAt mooring_at;
   double contact_fraction = 0.0;

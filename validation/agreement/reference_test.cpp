@@ -194,7 +194,6 @@ SceneDef pack_scene(ContactSolver solver, Manifold manifold, double friction) {
   scene.contact.manifold = manifold;
   scene.contact.crushing_limit = false;
   scene.ice.friction_ice = scene.ice.friction_structure = friction;
-  scene.numerics.iteration = Iteration::gradient;  // splitting with friction ends at 1e-10 of the speed at times
   scene.numerics.residual_tolerance = 1e-12;
   scene.numerics.iterations_maximum = 200000;
   return scene;

@@ -27,9 +27,14 @@ struct Setting {
   bool coupled() const { return solver == ContactSolver::coupled; }
   bool gradient() const { return coupled() && iteration == Iteration::gradient; }
   Where where() const { return {engine, gradient() ? "gradient" : coupled() ? "coupled" : "independent"}; }
+  /// What the scene leaves at the defaults of its iteration gets those of this one.
   void apply_to(SceneDef& scene) const {
+    NumericsDef& n = scene.numerics;
+    const IterationEnd before = default_end(n.iteration), now = default_end(iteration);
     scene.contact.solver = solver;
-    scene.numerics.iteration = iteration;
+    n.iteration = iteration;
+    if (n.residual_tolerance == before.residual_tolerance) n.residual_tolerance = now.residual_tolerance;
+    if (n.iterations_maximum == before.iterations_maximum) n.iterations_maximum = now.iterations_maximum;
   }
 };
 

@@ -20,9 +20,10 @@ struct Phase {
 inline constexpr Phase phases[] = {
     {"drift", "004_400_25", 60.0}, {"plug", "004_400_25", 1800.0}, {"jam", "400_200_100", 600.0}};
 
-/// A run of Table 1 by its name. Throws gem::Error if there is none.
+/// A run of Table 1 by its name, with the iteration "gradient", which the recorded results have. Throws gem::Error if
+/// there is none.
 inline SceneDef scene_of(const std::string& cases, const std::string& run) {
-  for (const SweepMember& member : expand_sweep(cases + "/table1.toml"))
+  for (const SweepMember& member : expand_sweep(cases + "/table1.toml", {"numerics.iteration=\"gradient\""}))
     if (member.name == run) return member.scene;
   throw Error(ExitCode::usage, "no run " + run + " in " + cases);
 }

@@ -68,7 +68,10 @@ const std::vector<Feature> features = {
     {"without_events", [](SceneDef&) {}, [](Bodies&) {}, false},
 };
 
-SceneDef main_case() { return read_scene(GEM_SOURCE_DIR "/cases/004_400_25.toml"); }
+/// With the iteration of the recorded results.
+SceneDef main_case() {
+  return read_scene(GEM_SOURCE_DIR "/cases/004_400_25.toml", {"numerics.iteration=\"gradient\""});
+}
 
 /// The main case when the ice has just reached the platform; made once.
 const EngineState& arrival() {

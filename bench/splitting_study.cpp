@@ -66,8 +66,10 @@ Outcome outcome_of(const Setting& setting, SceneDef scene, EngineState start, co
   if (setting.splits) {
     scene.numerics.iteration = Iteration::splitting;
     scene.numerics.residual_tolerance = setting.tolerance / length(scene.current.velocity_m_per_s);
-  } else if (setting.iterations > 100) {
-    scene.numerics.residual_tolerance = 1e-6;
+  } else {
+    scene.numerics.iteration = Iteration::gradient;
+    scene.numerics.residual_tolerance =
+        setting.iterations > 100 ? 1e-6 : default_end(Iteration::gradient).residual_tolerance;
   }
   const auto engine = std::make_unique<CpuEngine>(scene, field, 1, 256);
   engine->restore(start);

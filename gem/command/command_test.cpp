@@ -37,7 +37,7 @@ TEST_F(CommandTest, NonsenseIsBad) {
     const char* change;
     const char* reason;
   } rows[] = {
-      {"--until 60 --set numerics.iterations_maximum=1", "residual"},
+      {"--until 60 --set numerics.iteration=gradient --set numerics.iterations_maximum=1", "residual"},
       {"--until 60 --set contact.solver=independent --set "
        "'ice.class=[{name=\"thin\",thickness_m=0.01,tenths=4.0},{name=\"thick\",thickness_m=10.0,tenths=4.0}]'",
        "floe_speed"},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -69,6 +70,7 @@ struct RunSummary : RunTotals {
   std::int64_t steps = 0;
   std::int64_t events = 0;
   std::uint64_t state_hash = 0;
+  double asked_residual = std::nan("");  // that ends the iterations [m/s]; NaN: the solver has none
   RunVerdict verdict;
   double active_floes = 0.0;
   double peak_memory = 0.0;  // of the process [bytes]

@@ -175,6 +175,7 @@ RunSummary RunSteps::finish(int stop_signal) {
                     : engine_.step() < case_steps_    ? until_status
                                                       : "complete";
   summary_.state_hash = engine_.state_hash();
+  summary_.asked_residual = watch_.asked_residual();
   summary_.verdict = judge_run(watch_.measures());
   recorder_.end_hits();
   hand_over(false);

@@ -21,6 +21,8 @@ class RunWatch {
   void look_at(const Bodies& bodies, const StatsRow& books);
   /// Energies and speeds are those of the last look.
   RunMeasures measures() const;
+  /// The residual that ends the iterations [m/s]; NaN: the solver has none.
+  double asked_residual() const { return asked_residual_; }
 
   /// What it has gathered. It can be copied byte by byte.
   struct State {

@@ -79,15 +79,27 @@ struct PlatformDef {
 
 /// How the impulses of a coupled time step are found.
 enum class Iteration {
-  gradient,  ///< projected gradient: cheap iterations, many to converge; every engine
+  gradient,  ///< projected gradient: cheap iterations, many to converge
   splitting  ///< operator splitting with a factored matrix, each island by itself
 };
 
+/// When the iterations of a coupled time step end.
+struct IterationEnd {
+  double residual_tolerance;  ///< over the current speed
+  std::int64_t iterations_maximum;
+};
+
+/// The defaults of a case that gives neither. Splitting meets its tolerance; gradient, in a crowd, only its maximum.
+constexpr IterationEnd default_end(Iteration iteration) {
+  return iteration == Iteration::splitting ? IterationEnd{1e-3, 192} : IterationEnd{1e-5, 32};
+}
+
 struct NumericsDef {
-  double time_step_s = 0.05;         ///< dt
-  double residual_tolerance = 1e-5;  ///< coupled: residual at which the iterations end, over the current speed
-  std::int64_t iterations_maximum = 32;
-  Iteration iteration = Iteration::gradient;
+  double time_step_s = 0.05;  ///< dt
+  Iteration iteration = Iteration::splitting;
+  /// coupled: residual at which the iterations end, over the current speed
+  double residual_tolerance = default_end(Iteration::splitting).residual_tolerance;
+  std::int64_t iterations_maximum = default_end(Iteration::splitting).iterations_maximum;
   double contact_reach =
       1.5;  ///< coupled: faces that the current could close within this many time steps count as contacts
   double repair_share = 0.6;          ///< coupled: share of an overlap removed in one time step

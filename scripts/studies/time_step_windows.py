@@ -32,7 +32,7 @@ WINDOWS = {
 def setting(drift, iterations, speed, label=None):
     """One line of a settings file; 0 iterations: independent."""
     label = label or f"{100 * drift:.4g} cm/{iterations or 'independent'}"
-    how = f"numerics.iterations_maximum={iterations}" if iterations else INDEPENDENT
+    how = f'numerics.iteration="gradient" numerics.iterations_maximum={iterations}' if iterations else INDEPENDENT
     how = f"output.platform_interval_s=1 numerics.time_step_s={drift / speed:.10g} {how}"
     return f"{label} | cpu | warm={1 if iterations else 0} | {how}"
 

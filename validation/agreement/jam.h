@@ -7,6 +7,7 @@
 #include <string>
 
 #include "gem/engine/engine.h"
+#include "gem/engine/testing/test_scenes.h"
 #include "gem/field/field.h"
 
 namespace gem::agreement {
@@ -17,6 +18,7 @@ constexpr std::int32_t contacts_wanted = 500;
 /// A channel that narrows from 200 m to 60 m around a platform of 40 m, cover about 0.72, current 0.5 m/s.
 inline SceneDef jam_scene(ContactSolver solver) {
   SceneDef scene;
+  test::use_gradient(scene);
   scene.run.seed = 1234;
   scene.current.velocity_m_per_s = {0.5, 0.0};
   scene.floes.count = 1234;

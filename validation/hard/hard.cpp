@@ -73,12 +73,9 @@ SceneDef read_hard_member(const std::string& file, const std::string& name, cons
 }
 
 SceneDef with_default_numerics(SceneDef scene) {
-  scene.numerics.iterations_maximum = NumericsDef{}.iterations_maximum;
-  scene.numerics.residual_tolerance = NumericsDef{}.residual_tolerance;
-  if (scene.numerics.iteration == Iteration::splitting) {
-    // as the user guide advises
-    scene.numerics.iterations_maximum = 384;
-  }
+  const IterationEnd end = default_end(scene.numerics.iteration);
+  scene.numerics.iterations_maximum = end.iterations_maximum;
+  scene.numerics.residual_tolerance = end.residual_tolerance;
   return scene;
 }
 

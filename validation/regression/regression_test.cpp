@@ -70,8 +70,6 @@ class RunTest : public testing::Test {
     } catch (const Error& error) {
       GTEST_SKIP() << error.what();
     }
-    if (scene_of(listed_).numerics.iteration == Iteration::splitting)
-      GTEST_SKIP() << "cuda does not have numerics.iteration = \"splitting\"";
   }
   void TestBody() override { expect_golden_row(listed_, options_); }
 

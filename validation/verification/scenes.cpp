@@ -37,14 +37,14 @@ std::vector<Setting> all_settings() {
   for (const std::string& engine : engines())
     for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled})
       settings.push_back({engine, solver});
-  settings.push_back({"cpu", ContactSolver::coupled, Iteration::splitting});
+  settings.push_back({"cpu", ContactSolver::coupled, Iteration::gradient});
   return settings;
 }
 
 std::vector<Setting> coupled_settings() {
   std::vector<Setting> settings;
   for (const std::string& engine : engines()) settings.push_back({engine, ContactSolver::coupled});
-  settings.push_back({"cpu", ContactSolver::coupled, Iteration::splitting});
+  settings.push_back({"cpu", ContactSolver::coupled, Iteration::gradient});
   return settings;
 }
 

@@ -22,18 +22,23 @@ constexpr double touch = 0x1p-40;
 struct Setting {
   std::string engine;  // as make_engine knows it
   ContactSolver solver = ContactSolver::coupled;
-  Iteration iteration = Iteration::gradient;
+  Iteration iteration = Iteration::splitting;
 
   bool coupled() const { return solver == ContactSolver::coupled; }
-  bool splits() const { return coupled() && iteration == Iteration::splitting; }
-  Where where() const { return {engine, splits() ? "splitting" : coupled() ? "coupled" : "independent"}; }
+  bool gradient() const { return coupled() && iteration == Iteration::gradient; }
+  Where where() const { return {engine, gradient() ? "gradient" : coupled() ? "coupled" : "independent"}; }
+  /// What the scene leaves at the defaults of its iteration gets those of this one.
   void apply_to(SceneDef& scene) const {
+    NumericsDef& n = scene.numerics;
+    const IterationEnd before = default_end(n.iteration), now = default_end(iteration);
     scene.contact.solver = solver;
-    scene.numerics.iteration = iteration;
+    n.iteration = iteration;
+    if (n.residual_tolerance == before.residual_tolerance) n.residual_tolerance = now.residual_tolerance;
+    if (n.iterations_maximum == before.iterations_maximum) n.iterations_maximum = now.iterations_maximum;
   }
 };
 
-/// Every engine with both solvers, cpu also with operator splitting; with GEM_MORE_ENGINES=cuda also that engine.
+/// Every engine with both solvers, cpu also with the iteration "gradient"; with GEM_MORE_ENGINES=cuda also that engine.
 std::vector<Setting> all_settings();
 /// Every engine with the coupled solver.
 std::vector<Setting> coupled_settings();

@@ -4,7 +4,7 @@
 // A floe that comes with the driving speed U and keeps the residual r gave only 1 - r/U of its impulse. A single such
 // step does no harm, since the next one goes on from there; so the criterion asks what persists. Doubtful above 0.05: 5
 // % is what loads are wanted to. Bad above 0.2: chosen between what healthy and senseless runs leave (user guide, "The
-// verdict"): 0.09 at most with the default of 32 iterations, 0.23 and more with one or two.
+// verdict"): 0.09 at most with 32 iterations of "gradient", 0.23 and more with one or two.
 #pragma once
 
 #include "gem/analysis/verdict/criterion.h"

@@ -39,7 +39,9 @@ std::string summary_text(const RunSummary& s) {
                                       number_text(100.0 * s.worst.maximum_share, 3) + " % of the smaller body");
   text += line("99.9 % of overlaps",
                "below " + number_text(most_overlap(s), 3) + " m, " + number_text(100.0 * most_share(s), 3) + " %");
-  text += line("largest residual", number_text(s.worst.residual, 3) + " m/s left after the last iteration");
+  const std::string asked =
+      std::isnan(s.asked_residual) ? "" : ", " + number_text(1e3 * s.asked_residual, 3) + " mm/s asked for";
+  text += line("largest residual", number_text(1e3 * s.worst.residual, 3) + " mm/s left at a contact" + asked);
   text += line("complementarity", measured_text(s.worst.complementarity, " m/s"));
   text += line("friction cone", measured_text(s.worst.cone_excess, " N s beyond"));
   text += line("energy created", measured_text(s.worst.energy_created, " J"));

@@ -10,10 +10,18 @@
 
 namespace gem::test {
 
+/// Sets the iteration "gradient" with its defaults. Every route of a device has it; tests of splitting ask for it.
+inline void use_gradient(SceneDef& scene) {
+  scene.numerics.iteration = Iteration::gradient;
+  scene.numerics.residual_tolerance = default_end(Iteration::gradient).residual_tolerance;
+  scene.numerics.iterations_maximum = default_end(Iteration::gradient).iterations_maximum;
+}
+
 /// A free platform with damping and drag in a narrowing channel; 150 floes of three thicknesses; friction; a retire
 /// line.
 inline SceneDef busy_scene(std::uint64_t seed) {
   SceneDef scene;
+  use_gradient(scene);
   scene.run.seed = seed;
   scene.current.velocity_m_per_s = {0.8, 0.1};
   scene.floes.count = 150;

@@ -133,6 +133,22 @@ TEST(SceneFile, DamagedTextIsRefusedOrStillAScene) {
   EXPECT_GT(refused, 200);
 }
 
+TEST(SceneFile, TheIterationSetsTheEndOfIterationsThatACaseLeavesOut) {
+  const auto numerics = [](const std::string& keys) {
+    return parse_scene("[numerics]\n" + keys, "iteration.toml").numerics;
+  };
+  EXPECT_EQ(numerics("").iteration, Iteration::splitting);
+  EXPECT_EQ(numerics("").residual_tolerance, 1e-3);
+  EXPECT_EQ(numerics("").iterations_maximum, 192);
+  EXPECT_EQ(numerics("iteration = \"splitting\"").iterations_maximum, 192);
+  EXPECT_EQ(numerics("iteration = \"gradient\"").residual_tolerance, 1e-5);
+  EXPECT_EQ(numerics("iteration = \"gradient\"").iterations_maximum, 32);
+  const NumericsDef given = numerics("iterations_maximum = 192\nresidual_tolerance = 1e-3\niteration = \"gradient\"");
+  EXPECT_EQ(given.residual_tolerance, 1e-3) << "what a case gives stays";
+  EXPECT_EQ(given.iterations_maximum, 192);
+  EXPECT_EQ(parse_scene("", "iteration.toml", {"numerics.iteration=\"gradient\""}).numerics.iterations_maximum, 32);
+}
+
 TEST(SceneFile, HashIsThatOfTheResolvedValuesOnly) {
   const SceneDef a = parse_scene("# comment\n[platform]\nmass_kg = 100000000\n", "a.toml");
   const SceneDef b =

@@ -90,6 +90,16 @@ double whole_steps(double least, double time_step) {
   return std::round(interval * digits) / digits;
 }
 
+/// Gives the keys that a document leaves out the default that follows from its other keys.
+void follow_other_keys(const TomlNode& document, SceneDef& scene) {
+  const auto left_out = [&](const char* path) { return find_path(document, path) == nullptr; };
+  const IterationEnd end = default_end(scene.numerics.iteration);
+  if (left_out("numerics.residual_tolerance")) scene.numerics.residual_tolerance = end.residual_tolerance;
+  if (left_out("numerics.iterations_maximum")) scene.numerics.iterations_maximum = end.iterations_maximum;
+  if (left_out("output.platform_interval_s"))
+    scene.output.platform_interval_s = whole_steps(scene.output.platform_interval_s, scene.numerics.time_step_s);
+}
+
 }  // namespace
 
 std::vector<std::string> known_keys() {
@@ -122,8 +132,7 @@ SceneDef scene_from_tree(const TomlNode& document, Problems& problems) {
       read_section(name, value, scene, problems);
     }
   }
-  if (find_path(document, "output.platform_interval_s") == nullptr)
-    scene.output.platform_interval_s = whole_steps(scene.output.platform_interval_s, scene.numerics.time_step_s);
+  follow_other_keys(document, scene);
   return scene;
 }
 

@@ -18,7 +18,8 @@ void collect(std::set<std::string>& words, const std::vector<gem::Option<T>>& op
 }  // namespace
 
 int main() {
-  std::set<std::string> words = {"sweep", "mode", "product", "list", "name", "map", "set", "seeds", "count", "first"};
+  std::set<std::string> words = {"sweep", "mode",  "product", "list",     "name", "map",      "set",    "seeds",
+                                 "count", "first", "draw",    "variable", "law",  "sampling", "repeats"};
   words.insert({"nan", "inf", "-1", "1e300", "-1e300", "1e-320", "2147483648", "4294967296", "9223372036854775807"});
   words.insert({"floe,x,y,thickness", "FeatureCollection", "Polygon", "coordinates", "properties", "thickness"});
   words.insert(

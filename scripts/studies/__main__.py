@@ -17,6 +17,7 @@ COMMANDS = {
     "scene_bench": ("scene_bench", "measures features and growth with gem_bench; writes one CSV"),
     "phase_times": ("phase_times", "reads Nsight Compute's output; prints the time of each phase on a GPU as CSV"),
     "guide_numbers": ("guide_numbers", "runs the example of the user guide; writes its numbers into the page"),
+    "scatter": ("scatter_page", "reads the folder of cases/scatter.toml; writes validation/paper/scatter.md"),
     "readme_tables": ("readme_tables", "writes the tables of README.md from bench/results"),
 }
 

@@ -162,6 +162,25 @@ void add_origin(Columns& columns, const std::vector<SweepRow>& rows, const std::
   columns.add_texts("resolution", "contact solver with its settings", solvers);
 }
 
+/// The drawn numbers of each run, one column per variable.
+void add_draws(Columns& columns, const std::vector<SweepRow>& rows) {
+  const bool drawn = std::any_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.draw.draw > 0; });
+  if (!drawn) return;
+  std::vector<std::string> conditions, parts;
+  for (std::size_t run = 0; run < rows.size(); ++run) {
+    const SweepDraw& draw = rows[run].draw;
+    conditions.push_back(draw.condition);
+    parts.push_back(draw.part);
+    columns.set(run, "draw", "1", "number of the draw, from 1", static_cast<double>(draw.draw));
+    columns.set(run, "draw_repeat", "1", "repeat of the draw with another seed, from 1",
+                static_cast<double>(draw.repeat));
+    for (const DrawnValue& one : draw.values)
+      columns.set(run, "drawn_" + one.variable, "1", one.key + ", " + one.law, one.value);
+  }
+  columns.add_texts("draw_condition", "name of the run without its draw", conditions);
+  columns.add_texts("draw_part", "of a Saltelli design: A, B, or the variable that comes from B", parts);
+}
+
 /// Displacement of the whole run; --from does not apply.
 RunSeries kept_series(const RunData& data) {
   return data.platform.time.size() < kSamplesForStatistics ? RunSeries{} : run_series(platform_series(data));
@@ -237,6 +256,7 @@ int collect_sweep(const SweepCollectChoice& choice, const SummaryPart& part) {
   }
   add_verdicts(columns, verdicts);
   add_origin(columns, rows, identities);
+  add_draws(columns, rows);
   table.columns = setting_columns(scenes);
   table.columns.insert(table.columns.end(), columns.list.begin(), columns.list.end());
   if (part.add_columns) part.add_columns(table);

@@ -5,6 +5,7 @@
 #include "gem/command/command.h"
 #include "gem/command/sweep/sweep_collect.h"
 #include "gem/command/sweep/sweep_run.h"
+#include "gem/command/sweep/sweep_sensitivity.h"
 #include "gem/command/sweep/sweep_status.h"
 #include "gem/scene/sweep/sweep.h"
 #include "gem/scene/toml/case_text.h"
@@ -117,6 +118,26 @@ void add_collect(CLI::App& group, Chosen& chosen) {
   });
 }
 
+void add_sensitivity(CLI::App& group, Chosen& chosen) {
+  const auto choice = std::make_shared<SweepSensitivityChoice>();
+  CLI::App* command = group.add_subcommand(
+      "sensitivity", "how much of the scatter of the loads each drawn input makes: shares with intervals, and a page");
+  command->add_option("folder", choice->folder, "folder of a sweep with [sweep.draw]")->type_name("DIR")->required();
+  command->add_option("-o,--out", choice->output, "folder of the page; default: DIR_sensitivity")->check(not_empty());
+  command
+      ->add_option("--measure", choice->measures,
+                   "result to look at, as `gem analyse` names it, repeatable; default: mean and largest loads")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command->add_option("--from", choice->from_s, "leave earlier times out [s]");
+  command->add_flag("--partial", choice->partial, "use the runs that are done even if others are missing");
+  command->add_flag("--json", choice->json, "the shares as JSON");
+  command->callback([choice, &chosen] {
+    chosen.reading = {{choice->folder}};
+    chosen.action = [choice] { return sweep_sensitivity(*choice); };
+  });
+}
+
 }  // namespace
 
 void add_collect_options(CLI::App& command, SweepCollectChoice& choice) {
@@ -139,6 +160,7 @@ void add_sweep_command(CLI::App& app, Chosen& chosen) {
   add_run(*group, chosen);
   add_status(*group, chosen);
   add_collect(*group, chosen);
+  add_sensitivity(*group, chosen);
 }
 
 }  // namespace gem

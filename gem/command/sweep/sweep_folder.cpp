@@ -18,6 +18,7 @@
 #include "gem/base/error.h"
 #include "gem/base/hash.h"
 #include "gem/command/command.h"
+#include "gem/command/sweep/sweep_row_json.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/run_writer.h"
@@ -41,33 +42,6 @@ std::int64_t place_of(const std::string& run_name) {
   return first_run_place + static_cast<std::int64_t>(hash.value() >> 2);
 }
 
-Json json_of(const SweepRow& row) {
-  return {{"index", row.index},
-          {"name", row.name},
-          {"file", run_file_name(row.name)},
-          {"status", row.status},
-          {"state_hash", row.state_hash},
-          {"engine", row.engine},
-          {"duration_s", row.duration_s},
-          {"time_s", row.time_s},
-          {"wall_time_s", row.wall_time_s},
-          {"error", row.error},
-          {"verdict", row.verdict},
-          {"case_sha256", row.case_sha256}};
-}
-
-SweepRow row_of(const Json& object) {
-  return {object.at("index"),       object.at("name"),   object.at("case_sha256"),   object.at("status"),
-          object.at("state_hash"),  object.at("engine"), object.at("duration_s"),    object.at("time_s"),
-          object.at("wall_time_s"), object.at("error"),  object.value("verdict", "")};
-}
-
-Json list_of(const std::vector<SweepRow>& rows) {
-  Json list = Json::array();
-  for (const SweepRow& row : rows) list.push_back(json_of(row));
-  return list;
-}
-
 /// Replaces the file atomically: a reader sees the old text or the new one.
 void write_at_one_stroke(const std::string& path, const std::string& text) {
   const std::string draft = path + "." + std::to_string(getpid());
@@ -82,9 +56,9 @@ void write_at_one_stroke(const std::string& path, const std::string& text) {
   }
 }
 
-// A row takes about 400 bytes, and a sweep has at most 100,000 runs.
+// A row takes about 400 bytes and 150 for each drawn number, and a sweep has at most 100,000 runs.
 constexpr std::size_t manifest_bytes_maximum = std::size_t{256} << 20;
-constexpr int manifest_depth_maximum = 4;
+constexpr int manifest_depth_maximum = 8;
 
 std::string manifest_text(std::istream& file) {
   std::string text;
@@ -163,7 +137,7 @@ std::vector<SweepRow> laid_over(std::vector<SweepRow> all, const std::vector<Swe
 }
 
 void write_manifest(const std::string& folder, const std::vector<SweepRow>& rows) {
-  const Json document = {{"gem_build", build_text()}, {"runs", list_of(rows)}};
+  const Json document = {{"gem_build", build_text()}, {"runs", json_of(rows)}};
   write_at_one_stroke(manifest_path(folder), document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
@@ -219,7 +193,7 @@ std::vector<SweepRow> read_manifest(const std::string& folder) {
       if (depth > manifest_depth_maximum) throw std::length_error("values are nested too deep");
       return true;
     });
-    for (const Json& object : document.at("runs")) rows.push_back(row_of(object));
+    for (const Json& object : document.at("runs")) rows.push_back(row_of_json(object));
     return rows;
   } catch (const std::exception& fault) {  // of JSON, or a limit
     throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + fault.what() +
@@ -251,10 +225,6 @@ SweepLock enter_folder(const std::string& folder, const std::vector<SweepRow>& r
   std::erase_if(added, [&known](const SweepRow& row) { return known.count({row.name, row.case_sha256}) > 0; });
   if (!added.empty()) write_manifest(folder, laid_over(all, added));
   return std::move(*share);
-}
-
-std::string rows_json(const std::vector<SweepRow>& rows) {
-  return list_of(rows).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 SweepRow look_at_run(const std::string& folder, SweepRow row, const std::string& engine) {

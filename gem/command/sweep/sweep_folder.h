@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "gem/scene/sweep/sweep.h"
+
 namespace gem {
 
 /// One run of a sweep as the manifest lists it.
@@ -22,6 +24,7 @@ struct SweepRow {
   double wall_time_s = 0.0;  // wall time of the run
   std::string error;         // why it is not done; empty if unknown
   std::string verdict;       // good | doubtful | bad | not judged; empty: no file
+  SweepDraw draw = {};       // what was drawn for it
 };
 
 /// A lock that ends with the object, or with the process. It is a lock of the operating system on one byte of

@@ -14,6 +14,7 @@ SweepRow row_of(const SweepMember& member) {
   row.name = member.name;
   row.case_sha256 = scene_hash(member.scene);
   row.duration_s = member.scene.run.duration_s;
+  row.draw = member.draw;
   return row;
 }
 

@@ -169,6 +169,7 @@ std::vector<SweepRow> known_rows(const std::string& folder, const std::vector<Sw
     const bool same = found != known.end() && found->second.case_sha256 == row.case_sha256;
     rows.push_back(same ? found->second : row);
     rows.back().index = member.index;
+    rows.back().draw = member.draw;
   }
   return rows;
 }

@@ -23,22 +23,35 @@ std::vector<SweepRow> rows_of(const SweepStatusChoice& choice, const std::string
   return rows;
 }
 
+std::string drawn_text(const SweepDraw& draw) {
+  std::string text;
+  for (const DrawnValue& one : draw.values)
+    text += (text.empty() ? "" : " ") + shown(one.variable) + "=" + number_text(one.value, 6);
+  return text;
+}
+
 std::string table_text(const std::vector<SweepRow>& rows) {
   std::size_t width = 4;
-  for (const SweepRow& row : rows) width = std::max(width, shown(row.name).size());
+  std::size_t drawn_width = 0;  // 0: nothing is drawn
+  for (const SweepRow& row : rows) {
+    width = std::max(width, shown(row.name).size());
+    drawn_width = std::max(drawn_width, drawn_text(row.draw).size());
+  }
   const auto cell = [](std::string text, std::size_t size) {
     text.resize(std::max(size, text.size()), ' ');
     return text + "  ";
   };
   std::string text = cell("run", 5) + cell("name", width) + cell("status", 7) + cell("state hash", 16) +
-                     cell("engine", 6) + cell("simulated", 9) + cell("wall", 7) + cell("verdict", 10) + "why\n";
+                     cell("engine", 6) + cell("simulated", 9) + cell("wall", 7) + cell("verdict", 10) +
+                     (drawn_width > 0 ? cell("drawn", drawn_width) : "") + "why\n";
   std::map<std::string, int> count;
   for (const SweepRow& row : rows) {
     ++count[row.status];
     text += cell(std::to_string(row.index), 5) + cell(shown(row.name), width) + cell(row.status, 7) +
             cell(row.state_hash.empty() ? "-" : row.state_hash, 16) + cell(row.engine.empty() ? "-" : row.engine, 6) +
             cell(number_text(row.time_s, 6) + " s", 9) + cell(fixed_text(row.wall_time_s, 1) + " s", 7) +
-            cell(row.verdict.empty() ? "-" : row.verdict, 10) + shown(row.error) + "\n";
+            cell(row.verdict.empty() ? "-" : row.verdict, 10) +
+            (drawn_width > 0 ? cell(drawn_text(row.draw), drawn_width) : "") + shown(row.error) + "\n";
   }
   text += std::to_string(rows.size()) + " runs:";
   for (const auto& [status, runs] : count) text += " " + std::to_string(runs) + " " + status;

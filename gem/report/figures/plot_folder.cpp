@@ -82,7 +82,7 @@ Error no_gnuplot() {
 
 }  // namespace
 
-void Csv::row(std::initializer_list<double> values) {
+void Csv::row(const std::vector<double>& values) {
   char buffer[32];
   const char* separator = "";
   for (const double value : values) {

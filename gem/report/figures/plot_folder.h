@@ -12,7 +12,8 @@ namespace gem {
 class Csv {
  public:
   explicit Csv(const std::string& header) : text_(header + "\n") {}
-  void row(std::initializer_list<double> values);
+  void row(const std::vector<double>& values);
+  void row(std::initializer_list<double> values) { row(std::vector<double>(values)); }
   void gap() { text_ += "\n"; }
   const std::string& text() const { return text_; }
 

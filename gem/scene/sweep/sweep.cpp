@@ -2,9 +2,11 @@
 #include "gem/scene/sweep/sweep.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "gem/base/error.h"
+#include "gem/scene/sweep/member_draws.h"
 #include "gem/scene/sweep/sweep_draft.h"
 #include "gem/scene/toml/document.h"
 #include "gem/scene/toml/scene_tree.h"
@@ -45,6 +47,39 @@ TomlNode without_sweep(TomlNode document) {
   return document;
 }
 
+/// The case of a draft without its draws.
+TomlNode draft_tree(const TomlNode& base, const SweepDraft& draft, const std::vector<std::string>& overrides,
+                    const MemberDraws& draws) {
+  draws.check_unset(draft.settings);
+  TomlNode tree = base;
+  merge_toml(tree, draft.settings);
+  for (const std::string& text : overrides) {
+    const TomlNode settings = without_sweep(parse_override(text));
+    draws.check_unset(settings);
+    merge_toml(tree, settings);
+  }
+  return tree;
+}
+
+void set_name(TomlNode& tree, const std::string& text, const TomlPlace& place) {
+  TomlNode name;
+  name.kind = TomlKind::text;
+  name.text = text;
+  name.place = name.key_place = place;
+  merge_toml(tree, nested_toml("run.name", name));
+}
+
+/// A drawn value that does not fit the others shows in some of the runs only, so the message names the run.
+SceneDef read_member(const TomlNode& tree, const SweepMember& member) {
+  if (member.draw.draw == 0) return checked_scene(tree);
+  try {
+    return checked_scene(tree);
+  } catch (const Error& error) {
+    throw Error(error.code(), std::string(error.what()) + "\n  in run " + quoted_text(member.name) +
+                                  "; narrow the distributions of [sweep.draw] so that every draw is a case");
+  }
+}
+
 }  // namespace
 
 std::vector<SweepMember> expand_sweep(TomlNode document, const std::vector<std::string>& overrides) {
@@ -57,32 +92,31 @@ std::vector<SweepMember> expand_sweep(TomlNode document, const std::vector<std::
   problems.throw_if_any();
 
   const std::vector<SweepDraft> drafts = make_sweep_drafts(*sweep);
+  const MemberDraws draws(*sweep, drafts.size());
   const auto check_listed = [sweep](std::size_t bodies) {
     if (bodies > listed_maximum)
       reject_sweep(sweep->key_place, "its runs list too many floes and fixed bodies together (allowed " +
                                          std::to_string(listed_maximum) + ") keep the floes in a file");
   };
-  check_listed(drafts.size() * (base_scene.floe.size() + base_scene.fixed.size()));
+  check_listed(drafts.size() * draws.per_draft() * (base_scene.floe.size() + base_scene.fixed.size()));
   std::vector<SweepMember> members;
   std::set<std::string> names;
   std::size_t listed = 0;
   for (const SweepDraft& draft : drafts) {
-    TomlNode tree = base;
-    merge_toml(tree, draft.settings);
-    for (const std::string& text : overrides) merge_toml(tree, without_sweep(parse_override(text)));
-    SweepMember member{static_cast<std::int64_t>(members.size()) + 1, draft.name, {}, {}};
-    if (!names.insert(member.name).second)
-      reject_sweep(sweep->key_place, "two runs have the name " + quoted_text(member.name));
-    TomlNode name;
-    name.kind = TomlKind::text;
-    name.text = member.name;
-    name.place = name.key_place = sweep->place;
-    merge_toml(tree, nested_toml("run.name", name));
-    member.scene = checked_scene(tree);
-    member.differences = differences(base_scene, member.scene);
-    listed += member.scene.floe.size() + member.scene.fixed.size();
-    check_listed(listed);
-    members.push_back(std::move(member));
+    const TomlNode undrawn = draft_tree(base, draft, overrides, draws);
+    for (std::size_t i = 0; i < draws.per_draft(); ++i) {
+      TomlNode tree = undrawn;
+      SweepMember member{static_cast<std::int64_t>(members.size()) + 1, draft.name, {}, {}, {}};
+      draws.apply(i, member, tree);
+      if (!names.insert(member.name).second)
+        reject_sweep(sweep->key_place, "two runs have the name " + quoted_text(member.name));
+      set_name(tree, member.name, sweep->place);
+      member.scene = read_member(tree, member);
+      member.differences = differences(base_scene, member.scene);
+      listed += member.scene.floe.size() + member.scene.fixed.size();
+      check_listed(listed);
+      members.push_back(std::move(member));
+    }
   }
   return members;
 }

@@ -5,14 +5,13 @@
 #include <map>
 #include <set>
 
-#include "gem/base/error.h"
 #include "gem/scene/problems.h"
+#include "gem/scene/sweep/reject_key.h"
 #include "gem/scene/toml/toml_text.h"
 
 namespace gem {
 namespace {
 
-constexpr std::size_t members_maximum = 100000;
 constexpr std::size_t name_pattern_maximum = 400;  // bytes; a name may have 200
 constexpr std::size_t label_maximum = 200;
 
@@ -25,13 +24,9 @@ struct Axis {
 
 using Labels = std::map<std::string, std::string>;
 
-[[noreturn]] void reject(const TomlPlace& place, const std::string& key, const std::string& problem) {
-  throw Error(ExitCode::scene_rejected, to_string(place) + ": " + key + ": " + problem);
-}
-
 const TomlNode& expect(const TomlNode& node, TomlKind kind, const std::string& key, const std::string& expected) {
   if (node.kind != kind)
-    reject(node.place, key, "wrong type (value " + describe(node) + ", expected " + expected + ")");
+    reject_key(node.place, key, "wrong type (value " + describe(node) + ", expected " + expected + ")");
   return node;
 }
 
@@ -39,15 +34,15 @@ std::string label(const TomlNode& value) {
   switch (value.kind) {
     case TomlKind::text:
       if (value.text.size() > label_maximum)
-        reject(value.place, "sweep",
-               "a value of an axis is too long (allowed " + std::to_string(label_maximum) + " bytes)");
+        reject_key(value.place, "sweep",
+                   "a value of an axis is too long (allowed " + std::to_string(label_maximum) + " bytes)");
       return value.text;
     case TomlKind::integer:
       return std::to_string(value.integer);
     case TomlKind::number:
       return plain_number_text(value.number);
     default:
-      reject(value.place, "sweep", "values of an axis are texts and numbers (value " + describe(value) + ")");
+      reject_key(value.place, "sweep", "values of an axis are texts and numbers (value " + describe(value) + ")");
   }
 }
 
@@ -83,20 +78,20 @@ std::vector<std::string> split(const std::string& text) {
 class ProductSweep {
  public:
   explicit ProductSweep(const TomlNode& sweep) : sweep_(sweep) {
-    static const std::set<std::string> reserved = {"mode", "name", "map", "set", "seeds"};
+    static const std::set<std::string> reserved = {"mode", "name", "map", "set", "seeds", "draw"};
     for (const auto& [key, value] : sweep.entries) {
       if (reserved.contains(key)) continue;
       expect(value, TomlKind::list, "sweep." + key, "an axis: a list of values");
-      if (value.items.empty()) reject(value.place, "sweep." + key, "the axis is empty");
+      if (value.items.empty()) reject_key(value.place, "sweep." + key, "the axis is empty");
       axes_.push_back({key, value.items});
     }
-    if (axes_.empty()) reject(sweep.key_place, "sweep", "no axis; give a list of values");
+    if (axes_.empty()) reject_key(sweep.key_place, "sweep", "no axis; give a list of values");
     const TomlNode* name = sweep.find("name");
     if (name == nullptr)
-      reject(sweep.key_place, "sweep.name", "missing; give a pattern such as \"{" + axes_[0].name + "}\"");
+      reject_key(sweep.key_place, "sweep.name", "missing; give a pattern such as \"{" + axes_[0].name + "}\"");
     pattern_ = expect(*name, TomlKind::text, "sweep.name", "text").text;
     if (pattern_.size() > name_pattern_maximum)
-      reject(name->place, "sweep.name", "too long (allowed " + std::to_string(name_pattern_maximum) + " bytes)");
+      reject_key(name->place, "sweep.name", "too long (allowed " + std::to_string(name_pattern_maximum) + " bytes)");
     check_axis_names();
   }
 
@@ -105,7 +100,7 @@ class ProductSweep {
     for (const Axis& axis : axes_) {
       count *= axis.values.size();
       if (count > members_maximum)
-        reject(sweep_.key_place, "sweep", "too many runs (allowed " + std::to_string(members_maximum) + ")");
+        reject_key(sweep_.key_place, "sweep", "too many runs (allowed " + std::to_string(members_maximum) + ")");
     }
     std::vector<Draft> out;
     for (std::size_t i = 0; i < count; ++i) out.push_back(draft(i));
@@ -118,7 +113,7 @@ class ProductSweep {
     std::vector<std::string> names;
     for (const Axis& a : axes_) names.push_back(a.name);
     if (std::find(names.begin(), names.end(), axis) == names.end())
-      reject(place, key, "no axis has this name (value " + quoted_text(axis) + ")" + suggestion(axis, names));
+      reject_key(place, key, "no axis has this name (value " + quoted_text(axis) + ")" + suggestion(axis, names));
   }
 
   void check_axis_names() const {
@@ -135,18 +130,18 @@ class ProductSweep {
       }
     for (const Axis& axis : axes_)
       if (!sets_something(axis.name))
-        reject(axis.values.front().place, "sweep." + axis.name,
-               "the axis has no effect; add map = { " + axis.name + " = \"section.key\" }");
+        reject_key(axis.values.front().place, "sweep." + axis.name,
+                   "the axis has no effect; add map = { " + axis.name + " = \"section.key\" }");
   }
 
   /// A list of tables has no single key that an axis could set.
   void check_no_list(const std::string& axis, const TomlNode& target) const {
     for (const char* list : {"ice.class", "floe", "fixed"})
       if (target.text == list || target.text.starts_with(std::string(list) + "."))
-        reject(target.place, "sweep.map." + axis,
-               "map cannot address a list (value " + quoted_text(target.text) +
-                   ") give the list for each value: [sweep.set." + axis + "] with \"" + label(first_value(axis)) +
-                   "\"." + list + " = [{ ... }]");
+        reject_key(target.place, "sweep.map." + axis,
+                   "map cannot address a list (value " + quoted_text(target.text) +
+                       ") give the list for each value: [sweep.set." + axis + "] with \"" + label(first_value(axis)) +
+                       "\"." + list + " = [{ ... }]");
   }
 
   const TomlNode& first_value(const std::string& axis) const {
@@ -187,7 +182,7 @@ class ProductSweep {
     std::string values;
     for (const std::string& axis : split(axes)) values += (values.empty() ? "" : ",") + labels.at(axis);
     const TomlNode* found = table.find(values);
-    if (found == nullptr) reject(table.key_place, "sweep.set." + axes, "no settings for " + quoted_text(values));
+    if (found == nullptr) reject_key(table.key_place, "sweep.set." + axes, "no settings for " + quoted_text(values));
     used_.insert(found);
     return expect(*found, TomlKind::table, "sweep.set." + axes, "a table of settings");
   }
@@ -198,7 +193,7 @@ class ProductSweep {
     for (const auto& [axes, table] : set->entries)
       for (const auto& [values, settings] : table.entries)
         if (!used_.contains(&settings))
-          reject(settings.key_place, "sweep.set." + axes, "no run has the value " + quoted_text(values));
+          reject_key(settings.key_place, "sweep.set." + axes, "no run has the value " + quoted_text(values));
   }
 
   const TomlNode& sweep_;
@@ -209,22 +204,36 @@ class ProductSweep {
 
 std::vector<Draft> list_drafts(const TomlNode& sweep) {
   for (const auto& [key, value] : sweep.entries)
-    if (key != "mode" && key != "run" && key != "seeds")
-      reject(value.key_place, "sweep." + key,
-             "unknown key (known are mode, run and seeds)" + suggestion(key, {"mode", "run", "seeds"}));
+    if (key != "mode" && key != "run" && key != "seeds" && key != "draw")
+      reject_key(
+          value.key_place, "sweep." + key,
+          "unknown key (known are mode, run, seeds and draw)" + suggestion(key, {"mode", "run", "seeds", "draw"}));
   const TomlNode* runs = sweep.find("run");
-  if (runs == nullptr) reject(sweep.key_place, "sweep.run", "missing; give [[sweep.run]]");
+  if (runs == nullptr) reject_key(sweep.key_place, "sweep.run", "missing; give [[sweep.run]]");
   std::vector<Draft> out;
   for (const TomlNode& run : expect(*runs, TomlKind::list, "sweep.run", "[[sweep.run]]").items) {
     Draft draft;
     draft.settings = expect(run, TomlKind::table, "sweep.run", "a table");
     const TomlNode* name = run.find("name");
-    if (name == nullptr) reject(run.place, "sweep.run.name", "missing");
+    if (name == nullptr) reject_key(run.place, "sweep.run.name", "missing");
     draft.name = expect(*name, TomlKind::text, "sweep.run.name", "text").text;
     std::erase_if(draft.settings.entries, [](const auto& entry) { return entry.first == "name"; });
     out.push_back(std::move(draft));
   }
   return out;
+}
+
+/// The case itself; its draws make the runs. The name may be left out.
+std::vector<Draft> draw_drafts(const TomlNode& sweep) {
+  for (const auto& [key, value] : sweep.entries)
+    if (key != "mode" && key != "name" && key != "draw")
+      reject_key(value.key_place, "sweep." + key,
+                 "unknown key (known are mode, name and draw)" + suggestion(key, {"mode", "name", "draw"}));
+  if (sweep.find("draw") == nullptr) reject_key(sweep.key_place, "sweep.draw", "missing; give [sweep.draw]");
+  Draft draft;
+  draft.settings.place = sweep.place;
+  if (const TomlNode* name = sweep.find("name")) draft.name = expect(*name, TomlKind::text, "sweep.name", "text").text;
+  return {draft};
 }
 
 std::int64_t seed_number(const TomlNode& seeds, const std::string& key, std::int64_t low, std::int64_t high,
@@ -233,9 +242,9 @@ std::int64_t seed_number(const TomlNode& seeds, const std::string& key, std::int
   if (node == nullptr) return otherwise;
   expect(*node, TomlKind::integer, "sweep.seeds." + key, "an integer");
   if (node->integer < low || node->integer > high)
-    reject(node->place, "sweep.seeds." + key,
-           "out of range (value " + describe(*node) + ", allowed [" + std::to_string(low) + ", " +
-               std::to_string(high) + "])");
+    reject_key(node->place, "sweep.seeds." + key,
+               "out of range (value " + describe(*node) + ", allowed [" + std::to_string(low) + ", " +
+                   std::to_string(high) + "])");
   return node->integer;
 }
 
@@ -243,11 +252,16 @@ std::int64_t seed_number(const TomlNode& seeds, const std::string& key, std::int
 std::vector<Draft> with_seeds(std::vector<Draft> drafts, const TomlNode& sweep) {
   const TomlNode* seeds = sweep.find("seeds");
   if (seeds == nullptr) return drafts;
+  if (sweep.find("draw") != nullptr)
+    reject_key(
+        seeds->place, "sweep.seeds",
+        "not together with sweep.draw; draw run.seed as a variable, and set sweep.draw.repeats for several seeds "
+        "of each draw");
   expect(*seeds, TomlKind::table, "sweep.seeds", "{ count, first }");
   for (const auto& [key, value] : seeds->entries)
     if (key != "count" && key != "first")
-      reject(value.key_place, "sweep.seeds." + key,
-             "unknown key (known are count and first)" + suggestion(key, {"count", "first"}));
+      reject_key(value.key_place, "sweep.seeds." + key,
+                 "unknown key (known are count and first)" + suggestion(key, {"count", "first"}));
   const auto most = static_cast<std::int64_t>(members_maximum / std::max<std::size_t>(1, drafts.size()));
   const std::int64_t count = seed_number(*seeds, "count", 1, most, 1);
   const std::int64_t first = seed_number(*seeds, "first", 0, std::int64_t{1} << 52, 1);
@@ -266,13 +280,14 @@ std::vector<Draft> with_seeds(std::vector<Draft> drafts, const TomlNode& sweep) 
 std::vector<SweepDraft> make_sweep_drafts(const TomlNode& sweep) {
   expect(sweep, TomlKind::table, "sweep", "[sweep]");
   const TomlNode* mode = sweep.find("mode");
-  if (mode == nullptr) reject(sweep.key_place, "sweep.mode", "missing (allowed product, list)");
-  const std::string name = expect(*mode, TomlKind::text, "sweep.mode", "\"product\" or \"list\"").text;
+  if (mode == nullptr) reject_key(sweep.key_place, "sweep.mode", "missing (allowed product, list, draw)");
+  const std::string name = expect(*mode, TomlKind::text, "sweep.mode", "\"product\", \"list\" or \"draw\"").text;
   if (name == "product") return with_seeds(ProductSweep(sweep).drafts(), sweep);
   if (name == "list") return with_seeds(list_drafts(sweep), sweep);
-  reject(
-      mode->place, "sweep.mode",
-      "unknown choice (value " + describe(*mode) + ", allowed product, list)" + suggestion(name, {"product", "list"}));
+  if (name == "draw") return draw_drafts(sweep);
+  reject_key(mode->place, "sweep.mode",
+             "unknown choice (value " + describe(*mode) + ", allowed product, list, draw)" +
+                 suggestion(name, {"product", "list", "draw"}));
 }
 
 }  // namespace gem

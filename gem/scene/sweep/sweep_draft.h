@@ -8,6 +8,8 @@
 
 namespace gem {
 
+inline constexpr std::size_t members_maximum = 100000;  // of a sweep
+
 /// One run before it is read: settings to merge over the rest of the file.
 struct SweepDraft {
   std::string name;

@@ -174,7 +174,7 @@ TEST(Sweep, FaultsAreNamedWithTheirPlace) {
        "bad.toml:3:15: sweep.seeds.count: out of range"},
       {"[sweep]\nmode = \"list\"\n[[sweep.run]]\nmooring.stiffness_N_per_m = 1\n", "sweep.run.name: missing"},
       {"[sweep]\nmode = \"list\"\nrum = 1\n",
-       "bad.toml:3:1: sweep.rum: unknown key (known are mode, run and seeds) did you mean `run`"},
+       "bad.toml:3:1: sweep.rum: unknown key (known are mode, run, seeds and draw) did you mean `run`"},
   };
   for (const BadSweep& sweep : bad) {
     try {

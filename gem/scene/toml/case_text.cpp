@@ -162,14 +162,28 @@ std::string sweep_list_text(const std::vector<SweepMember>& members) {
   return text;
 }
 
+namespace {
+
+Json drawn_json(const SweepDraw& draw) {
+  Json values = Json::array();
+  for (const DrawnValue& one : draw.values)
+    values.push_back({{"variable", one.variable}, {"key", one.key}, {"law", one.law}, {"value", one.value}});
+  return values;
+}
+
+}  // namespace
+
 std::string sweep_list_json(const std::vector<SweepMember>& members) {
   Json list = Json::array();
-  for (const SweepMember& member : members)
-    list.push_back({{"index", member.index},
-                    {"name", member.name},
-                    {"duration_s", member.scene.run.duration_s},
-                    {"differences", member.differences},
-                    {"sha256", scene_hash(member.scene)}});
+  for (const SweepMember& member : members) {
+    Json entry = {{"index", member.index},
+                  {"name", member.name},
+                  {"duration_s", member.scene.run.duration_s},
+                  {"differences", member.differences},
+                  {"sha256", scene_hash(member.scene)}};
+    if (member.draw.draw > 0) entry["drawn"] = drawn_json(member.draw);
+    list.push_back(std::move(entry));
+  }
   return list.dump(2) + "\n";
 }
 

@@ -46,7 +46,7 @@ void add_fixtures(b2Body& body, const Bodies& bodies, std::size_t i, double skin
 b2Body* add_body(b2World& world, const Bodies& bodies, std::size_t i, double skin, bool bullet) {
   if (!bodies.active[i]) return nullptr;
   b2BodyDef def;
-  def.type = bodies.kind[i] == BodyKind::fixed ? b2_staticBody : b2_dynamicBody;
+  def.type = bodies.inverse_mass[i] == 0.0 ? b2_staticBody : b2_dynamicBody;
   def.position = to_box2d(bodies.position[i]);
   def.angle = static_cast<float>(std::atan2(bodies.rotation[i].sine, bodies.rotation[i].cosine));
   def.linearVelocity = to_box2d(bodies.velocity[i]);

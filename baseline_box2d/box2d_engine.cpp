@@ -218,6 +218,7 @@ void Box2dEngine::take_platform() {
   const double spin = b.spin[0] + b.inverse_inertia[0] * felt.yaw;
   field_.book(Channel::impact, 0).energy += work_on(b, 0, velocity, spin);
   if (b.inverse_inertia[0] == 0.0) field_.mooring_force.angular_momentum -= felt.yaw;
+  if (b.inverse_mass[0] == 0.0) field_.held_impulse = -felt.impulse;
   b.velocity[0] = velocity;
   b.spin[0] = spin;
 

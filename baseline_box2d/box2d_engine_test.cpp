@@ -242,6 +242,23 @@ TEST(Box2dEngine, IceForceIsWhatMovesThePlatformAndBooksCloseInFloat) {
   EXPECT_GT(left.momentum, 0.0);
 }
 
+TEST(Box2dEngine, ASteeredShipAndAFixedOneAreMirrored) {
+  for (const bool fixed : {false, true}) {
+    const SceneDef scene = test::ship_scene(3, fixed);
+    const Bodies start = test::busy_field(scene);
+    const auto engine = make_engine(scene, start, on("box2d"));
+    StepLog log;
+    engine->advance(300, log);
+    Vec2 ice, ground;
+    for (const PlatformStep& step : log.platform) ice += step.ice_impulse, ground += step.mooring_impulse;
+    EXPECT_GT(length(ice), 1e4);
+    const Bodies& b = engine->bodies();
+    EXPECT_EQ(b.position[0].x == start.position[0].x && b.position[0].y == start.position[0].y, fixed);
+    EXPECT_EQ(b.rotation[0].sine == start.rotation[0].sine, fixed);
+    if (fixed) EXPECT_LE(length(ice + ground), 1e-12 * length(ice)) << "the ground takes what the ice gives";
+  }
+}
+
 TEST(Box2dEngine, RestoredStateIsTheSameStateWithoutItsWarmStart) {
   const SceneDef scene = test::busy_scene(15);
   const auto engine = make_engine(scene, test::busy_field(scene), on("box2d"));

@@ -43,7 +43,7 @@ double time_steps(benchmark::State& state, Engine& engine, const EngineState& st
   return least;
 }
 
-/// A feature and how to remove it from the scene, and from the bodies if it is stored there too.
+/// A feature and how to remove it from the scene (or to add it), and from the bodies if it is stored there too.
 struct Feature {
   const char* name;
   std::function<void(SceneDef&)> leave_out;
@@ -63,6 +63,15 @@ const std::vector<Feature> features = {
          if (b.kind[i] == BodyKind::fixed) b.active[i] = 0;
      }},
     {"without_mooring", [](SceneDef& s) { s.mooring.stiffness_N_per_m = s.mooring.damping_ratio = 0.0; }},
+    {"with_heading",
+     [](SceneDef& s) {
+       s.heading = {1e8, 1e10};
+     }},
+    {"with_fixed_platform", [](SceneDef& s) { s.platform.fixed = true; },
+     [](Bodies& b) {
+       b.inverse_mass[0] = b.inverse_inertia[0] = b.spin[0] = 0.0;
+       b.velocity[0] = {};
+     }},
     {"without_crushing_limit", [](SceneDef& s) { s.contact.crushing_limit = false; }},
     {"without_repair", [](SceneDef& s) { s.numerics.repair_share = 0.0; }},
     {"without_events", [](SceneDef&) {}, [](Bodies&) {}, false},

@@ -8,6 +8,7 @@
 #include "gem/events/mooring.h"
 #include "gem/field/field.h"
 #include "gem/scene/check_scene.h"
+#include "gem/scene/platform_shape.h"
 #include "gem/scene/toml/case_text.h"
 #include "gem/scene/toml/scene_file.h"
 
@@ -36,8 +37,24 @@ std::string check_json(const SceneDef& scene, const FieldSummary& field, const s
 
 /// Natural period without damping and added mass, to compare with the known period of the platform.
 std::string mooring_text(const SceneDef& scene) {
-  const double period = natural_period(scene.mooring.stiffness_N_per_m, scene.platform.mass_kg);
+  if (scene.platform.fixed) return "fixed";
+  const double period = natural_period(mooring_stiffness(scene), scene.platform.mass_kg);
   return period > 0.0 ? "natural period " + number_text(period, 4) + " s" : "not moored";
+}
+
+std::string shape_text(const PlatformDef& platform) {
+  const std::size_t sides = platform_outline(platform).size();
+  const std::string area = ", " + number_text(platform_area(platform), 4) + " m2";
+  switch (platform.outline) {
+    case PlatformOutline::ship:
+      return "ship " + number_text(platform.length_m, 4) + " m x " + number_text(platform.beam_m, 4) + " m, " +
+             std::to_string(sides) + " sides" + area;
+    case PlatformOutline::listed:
+      return "listed outline, " + std::to_string(sides) + " sides" + area;
+    case PlatformOutline::regular:
+      break;
+  }
+  return std::to_string(sides) + " sides, diameter " + number_text(platform.diameter_m, 4) + " m";
 }
 
 std::string thickness_text(const FieldSummary& field) {
@@ -55,7 +72,8 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
   line("run", number_text(scene.run.duration_s) + " s, " + fixed_text(estimate(scene).steps, 0) + " time steps of " +
                   number_text(scene.numerics.time_step_s) + " s");
   if (scene.platform.present)
-    line("platform", "mass " + number_text(scene.platform.mass_kg) + " kg, " + mooring_text(scene));
+    line("platform",
+         shape_text(scene.platform) + ", mass " + number_text(scene.platform.mass_kg) + " kg, " + mooring_text(scene));
   line("floes", std::to_string(field.floe_count));
   if (field.floe_count > 0) {
     line("size sqrt(area)", "mean " + fixed_text(field.size_mean, 3) + " m, sd " + fixed_text(field.size_deviation, 3) +

@@ -17,6 +17,12 @@ void set_floe_laws(Events& e, bool wind) {
   e.freeboard = 1.0 - e.ice.density_kg_per_m3 / e.water.density_kg_per_m3;
 }
 
+/// No law for a platform that cannot turn.
+HeadingLaw heading_law(const HeadingDef& def, const PlatformInEvents& platform, double dt) {
+  if (!platform.turns || !(platform.inertia > 0.0)) return {};
+  return {def.moment_N_m, std::exp(-def.damping_N_m_s * 0.5 * dt / platform.inertia), 0.5 * dt};
+}
+
 }  // namespace
 
 Events make_events(const EventDefinitions& definitions, const PlatformInEvents* platform, double dt, bool wind) {
@@ -30,6 +36,7 @@ Events make_events(const EventDefinitions& definitions, const PlatformInEvents* 
   e.anchor = platform->anchor;
   e.mooring_damped = mooring.stiffness_N_per_m > 0.0 && mooring.damping_ratio > 0.0;
   e.half_mooring = mooring_flow(mooring.stiffness_N_per_m, platform->mass, mooring.damping_ratio, 0.5 * dt);
+  e.heading = heading_law(definitions.heading, *platform, dt);
   if (wind) e.platform_wind_rate = platform_wind_rate(definitions.wind, platform->mass);
   const PlatformDragDef& drag = definitions.platform_drag;
   if (!drag.present) return e;

@@ -13,6 +13,7 @@
 #include "gem/events/drive.h"            // velocities of water and air over time
 #include "gem/events/elastic_contact.h"  // pair: static stress
 #include "gem/events/friction_memory.h"  // pair: friction of a hit that takes two time steps
+#include "gem/events/heading.h"          // solo: heading control of the platform
 #include "gem/events/impact.h"           // pair: plastic impact with friction
 #include "gem/events/mass_reduction.h"   // pair: effective mass
 #include "gem/events/mooring.h"          // solo: platform on its mooring
@@ -33,13 +34,16 @@ struct EventDefinitions {
   ContactDef contact;
   WindDef wind;
   CoriolisDef coriolis;
+  HeadingDef heading;
 };
 
 /// The platform's properties that the laws read.
 struct PlatformInEvents {
   Vec2 anchor;            // [m]
   double mass = 0.0;      // [kg]
-  double diameter = 0.0;  // [m]
+  double diameter = 0.0;  // width on which the water drags [m]
+  double inertia = 0.0;   // [kg m2]
+  bool turns = false;     // its yaw is free
 };
 
 /// The laws of one run: their definitions and the constants derived from them. Plain values, copied to any device.
@@ -59,6 +63,7 @@ struct Events : EventDefinitions {
   bool mooring_damped = false;
   double platform_drag_rate = 0.0;  // [1/m]; 0: none
   double platform_wind_rate = 0.0;  // [1/m]; 0: none
+  HeadingLaw heading;
 };
 
 /// Returns the laws of a run. `platform`: null without a platform; `dt` in [s]; `wind`: there is wind at some time.
@@ -228,6 +233,26 @@ GEM_HD inline void platform_events_after(const Events& e, const Drive& drive, co
   platform_on_mooring(e, p);
   platform_in_wind(e, drive, p);
   platform_in_water(e, drive, p);
+}
+
+/// The yaw of the platform, for its heading control.
+struct PlatformYaw {
+  double inertia;  // [kg m2]
+  const Rotation& rotation;
+  double& spin;  // [rad/s]
+  Quantity& book;
+};
+
+/// Half a time step of heading control: before the pair events with `damps_first`, else at the end of the time step.
+GEM_HD inline void steer_platform(const Events& e, const Drive& drive, const PlatformYaw& p, bool damps_first) {
+  if (!e.platform_present || !e.heading.present()) return;
+  const double before = p.spin;
+  if (damps_first) p.spin *= e.heading.decay;
+  p.spin += e.heading.half_step * heading_moment(e.heading.moment, p.rotation, drive.water) / p.inertia;
+  if (!damps_first) p.spin *= e.heading.decay;
+  const double twist = p.inertia * (p.spin - before);
+  p.book.angular_momentum += twist;
+  p.book.energy += 0.5 * twist * (p.spin + before);
 }
 
 /// Books the change of mooring energy and angular momentum when the platform is shifted from `position`.

@@ -16,7 +16,7 @@ struct MassAndInertia {
 MassAndInertia mass_and_inertia(const BodyDef& def, const PolygonMoments& moments) {
   if (def.kind == BodyKind::fixed || moments.area <= 0.0) return {};
   const double mass = def.mass > 0.0 ? def.mass : def.density * moments.area * def.thickness;
-  return {mass, mass * (moments.second_moment / moments.area)};
+  return {mass, def.inertia > 0.0 ? def.inertia : mass * (moments.second_moment / moments.area)};
 }
 
 double append_outline(Bodies& bodies, const std::vector<Vec2>& outline, Vec2 centroid) {
@@ -42,8 +42,8 @@ void append(Bodies& bodies, const BodyDef& def) {
   bodies.thickness.push_back(def.thickness);
   bodies.mass.push_back(m.mass);
   bodies.inertia.push_back(m.inertia);
-  bodies.inverse_mass.push_back(m.mass > 0.0 ? 1.0 / m.mass : 0.0);
-  bodies.inverse_inertia.push_back(m.inertia > 0.0 && !def.locked_yaw ? 1.0 / m.inertia : 0.0);
+  bodies.inverse_mass.push_back(m.mass > 0.0 && !def.immovable ? 1.0 / m.mass : 0.0);
+  bodies.inverse_inertia.push_back(m.inertia > 0.0 && !def.locked_yaw && !def.immovable ? 1.0 / m.inertia : 0.0);
   bodies.drag.push_back(0.0);
   bodies.spin_drag.push_back(0.0);
   bodies.position.push_back(def.origin + rotate(def.rotation, moments.centroid));

@@ -25,8 +25,8 @@ struct Bodies {
   std::vector<double> thickness;     // [m]; contact height for a body that is not ice
   std::vector<double> mass;          // [kg]; 0 for fixed bodies
   std::vector<double> inertia;       // about the centroid [kg m2]; 0 for fixed bodies
-  std::vector<double> inverse_mass;  // [1/kg]; 0 for fixed bodies
-  std::vector<double> inverse_inertia;  // [1/(kg m2)]; 0 for fixed bodies and locked yaw
+  std::vector<double> inverse_mass;  // [1/kg]; 0 for fixed bodies and a fixed platform
+  std::vector<double> inverse_inertia;  // [1/(kg m2)]; 0 for fixed bodies, a fixed platform and locked yaw
   std::vector<double> drag;             // k of dw/dt = -k |w| w [1/m] (quadratic) or 1/tau [1/s] (linear)
   std::vector<double> spin_drag;        // k of dω/dt = -k |ω| ω [-] (quadratic) or 1/tau [1/s] (linear)
 
@@ -52,8 +52,10 @@ struct BodyDef {
   double thickness = 0.5;  // [m]
   double density = 900.0;  // [kg/m3]
   double mass = 0.0;       // > 0: replaces density x area x thickness, e.g. for the platform [kg]
+  double inertia = 0.0;    // > 0: replaces that of the mass spread over the outline [kg m2]
   std::uint8_t ice_class = 0;
   bool locked_yaw = false;
+  bool immovable = false;  // a platform that keeps its mass, but does not move
 };
 
 /// Appends a body. A platform without outline (absent) is allowed; fixed bodies get zero inverse mass and inertia.

@@ -19,12 +19,11 @@ namespace {
   refuse_outline(name, "vertex " + std::to_string(vertex) + " (counted from 0) " + text);
 }
 
-void check_count(const std::vector<Vec2>& outline, const std::string& name) {
+void check_count(const std::vector<Vec2>& outline, const std::string& name, std::size_t maximum) {
   const std::string count = std::to_string(outline.size());
   if (outline.size() < 3) refuse_outline(name, count + " vertices (an outline needs at least 3) add corners");
-  if (outline.size() > outline_vertices_maximum)
-    refuse_outline(
-        name, count + " vertices (at most " + std::to_string(outline_vertices_maximum) + " are allowed) simplify it");
+  if (outline.size() > maximum)
+    refuse_outline(name, count + " vertices (at most " + std::to_string(maximum) + " are allowed) simplify it");
 }
 
 void check_points(const std::vector<Vec2>& outline, const std::string& name) {
@@ -58,23 +57,24 @@ std::vector<double> turns_of(const std::vector<Vec2>& outline) {
   return turns;
 }
 
-void check_turns(const std::vector<double>& turns, double area, const std::string& name) {
+void check_turns(const std::vector<double>& turns, double area, const std::string& name, const char* where_concave) {
   if (std::all_of(turns.begin(), turns.end(), [](double t) { return t == 0.0; }))
     refuse_outline(name, "zero area (all vertices lie on one line) correct the outline");
   for (std::size_t i = 0; i < turns.size(); ++i)
     if (turns[i] == 0.0) refuse_vertex(name, i, "lies on the line of its neighbours (corners must turn) remove it");
   for (std::size_t i = 0; i < turns.size(); ++i)
     if ((turns[i] > 0.0) != (area > 0.0))
-      refuse_vertex(name, i, "turns inwards (the outline is not convex or crosses itself) split it into convex floes");
+      refuse_vertex(name, i,
+                    std::string("turns inwards (the outline is not convex or crosses itself) ") + where_concave);
 }
 
 }  // namespace
 
-CheckedOutline check_outline(const std::vector<Vec2>& outline, const std::string& name) {
-  check_count(outline, name);
+CheckedOutline check_outline(const std::vector<Vec2>& outline, const std::string& name, const OutlineRule& rule) {
+  check_count(outline, name, rule.corners_maximum);
   check_points(outline, name);
   const double area = polygon_moments(outline).area;
-  check_turns(turns_of(outline), area, name);
+  check_turns(turns_of(outline), area, name, rule.where_concave);
   CheckedOutline checked{outline, area < 0.0};
   if (checked.reversed) std::reverse(checked.outline.begin(), checked.outline.end());
   const int winding = first_non_convex_vertex(checked.outline);

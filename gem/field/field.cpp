@@ -15,6 +15,7 @@
 #include "gem/field/generator/generator.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_scene.h"
+#include "gem/scene/platform_shape.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {
@@ -29,13 +30,11 @@ std::uint8_t class_of_thickness(const std::vector<IceClassDef>& classes, double 
   return 0;
 }
 
-/// Regular polygon with its first corner on the x axis.
-std::vector<Vec2> platform_outline(const PlatformDef& platform) {
-  std::vector<Vec2> outline;
-  for (int i = 0; i < platform.sides; ++i)
-    outline.push_back(
-        rotate(strict::rotation_of_turns(static_cast<double>(i) / platform.sides), {0.5 * platform.diameter_m, 0.0}));
-  return outline;
+/// A listed outline as it is given, so that messages name its corners; a ship may have sides that are too short.
+void check_platform_outline(const PlatformDef& platform) {
+  const OutlineRule rule = {platform_corners_maximum, "give a convex outline: a platform is one convex piece"};
+  if (platform.outline == PlatformOutline::listed) check_outline(platform.outline_m, "platform.outline_m", rule);
+  if (platform.outline == PlatformOutline::ship) check_outline(platform_outline(platform), "platform (ship)", rule);
 }
 
 void append_platform(Bodies& bodies, const SceneDef& scene) {
@@ -43,13 +42,16 @@ void append_platform(Bodies& bodies, const SceneDef& scene) {
   def.kind = BodyKind::platform;
   def.thickness = scene.platform_drag.draft_m;
   if (scene.platform.present) {
+    check_platform_outline(scene.platform);
     def.outline = platform_outline(scene.platform);
     def.origin = scene.platform.anchor_m + scene.platform.start_offset_m;
     def.rotation = strict::rotation_of_angle(scene.platform.start_yaw_rad);
     def.velocity = scene.platform.start_velocity_m_per_s;
     def.spin = scene.platform.start_spin_rad_per_s;
     def.mass = scene.platform.mass_kg;
+    def.inertia = scene.platform.inertia_kg_m2;
     def.locked_yaw = scene.platform.yaw == Yaw::locked;
+    def.immovable = scene.platform.fixed;
   }
   append(bodies, def);
 }

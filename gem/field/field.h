@@ -11,7 +11,7 @@
 namespace gem {
 
 /// Builds body 0 (the platform), the fixed bodies and the floes of a scene. The same scene gives the same bits on every
-/// machine. The platform is a regular polygon with its first corner on the +x side; without platform, body 0 is
+/// machine. The centroid of the platform's outline stands at anchor + start offset; without platform, body 0 is
 /// inactive. Throws Error(scene_rejected) if the floes do not fit, overlap or lie outside the channel.
 Bodies make_field(const SceneDef& scene);
 

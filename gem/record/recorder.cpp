@@ -19,6 +19,10 @@ double unwrapped(Rotation q, double before) {
   return before + step - turn * std::round(step / turn);
 }
 
+std::vector<Vec2> platform_corners(const Bodies& b) {
+  return {b.vertex.begin(), b.vertex.begin() + b.vertex_begin[first_fixed(b)]};
+}
+
 double kinetic_energy(const Bodies& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < b.count(); ++i) {
@@ -43,11 +47,13 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
     : time_step_(scene.numerics.time_step_s),
       has_platform_(scene.platform.present),
       has_contacts_(scene.output.contact_forces),
+      has_hits_(scene.output.platform_events),
       platform_(scene.output.platform_interval_s, time_step_),
       frames_(scene.output.floes_interval_s, time_step_),
       window_steps_(
           static_cast<std::size_t>(std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / time_step_)))),
-      hits_({scene.output.hit_release_s, scene.output.event_speed_m_per_s, scene.output.force_window_s}, time_step_) {
+      hits_({scene.output.hit_release_s, scene.output.event_speed_m_per_s, scene.output.force_window_s}, time_step_),
+      sides_(scene.output.side_loads && has_platform_ ? platform_corners(engine.bodies()) : std::vector<Vec2>{}) {
   if (has_platform_) {
     const Bodies& b = engine.bodies();
     now_.yaw = angle_of(b.rotation[0]);
@@ -57,12 +63,14 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
     row.velocity = b.velocity[0];
     row.spin = b.spin[0];
     slab_.platform.push_back(row);
+    sides_.take(slab_.side_normal, slab_.side_friction);
   }
   keep_frame(engine.bodies());
   keep_stats(engine, 0.0);
 }
 
 void Recorder::add(const StepLog& log, std::int64_t last_step) {
+  auto row = log.events.begin();
   for (std::size_t i = 0; i < log.quality.size(); ++i) {
     ++now_.step;
     now_.worst.worsen(log.quality[i]);
@@ -72,6 +80,8 @@ void Recorder::add(const StepLog& log, std::int64_t last_step) {
     now_.since_sample.ice_yaw_impulse += now.ice_yaw_impulse;
     now_.since_sample.mooring_impulse += now.mooring_impulse;
     now_.since_sample.drag_impulse += now.drag_impulse;
+    for (; row != log.events.end() && std::llround(row->time / time_step_) < now_.step; ++row)
+      sides_.add(*row, now.position, now.rotation);
     now_.since_sample.contacts = std::max(now_.since_sample.contacts, now.contacts);
     window_.push_back(now.ice_impulse);
     if (window_.size() > window_steps_) window_.pop_front();
@@ -79,7 +89,7 @@ void Recorder::add(const StepLog& log, std::int64_t last_step) {
   }
   now_.overlap += log.overlap;
   now_.overlap_share += log.overlap_share;
-  hits_.add(log.events, now_.step, slab_.events);
+  if (has_hits_) hits_.add(log.events, now_.step, slab_.events);
   slab_.time = double(now_.step) * time_step_;
 }
 
@@ -106,6 +116,7 @@ void Recorder::sample(const PlatformStep& now, std::int64_t step) {
   row.ice_yaw_moment = per_second * now_.since_sample.ice_yaw_impulse;
   row.contacts = now_.since_sample.contacts;
   slab_.platform.push_back(row);
+  sides_.take(slab_.side_normal, slab_.side_friction);
   now_.since_sample = {};
   now_.sample_step = step;
 }
@@ -179,6 +190,7 @@ void Recorder::restore(const RecorderState& state) {
   now_ = state.now;
   window_.assign(state.window.begin(), state.window.end());
   hits_.restore(state.hits);
+  if (sides_.sides() > 0) sides_.restore(state.sides);
   slab_ = {};
 }
 

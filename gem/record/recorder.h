@@ -8,6 +8,7 @@
 
 #include "gem/record/hits.h"
 #include "gem/record/run_file/run_writer.h"
+#include "gem/record/side_loads.h"
 
 namespace gem {
 
@@ -41,6 +42,7 @@ struct RecorderState {
   Numbers now;
   std::vector<Vec2> window;   // ice impulses of the last time steps, the oldest first
   std::vector<OpenHit> hits;  // of floes that press
+  SideSums sides = {};        // empty unless they are recorded
 };
 
 /// Most forces between bodies that are recorded of a floe frame: the largest. A frame of a jam has about two for each
@@ -68,7 +70,7 @@ class Recorder {
   std::size_t frames_waiting() const { return slab_.floes.time.size(); }
   std::int64_t hits_seen() const { return now_.hits_taken + static_cast<std::int64_t>(slab_.events.size()); }
   /// The rows that were not taken are not part of the state.
-  RecorderState state() const { return {now_, {window_.begin(), window_.end()}, hits_.open()}; }
+  RecorderState state() const { return {now_, {window_.begin(), window_.end()}, hits_.open(), sides_.sums()}; }
   /// Goes on from a state, without rows that wait.
   void restore(const RecorderState& state);
 
@@ -81,12 +83,14 @@ class Recorder {
   double time_step_;
   bool has_platform_;
   bool has_contacts_;  // the forces between bodies are recorded
+  bool has_hits_;      // events are recorded
   Cadence platform_;
   Cadence frames_;
   std::size_t window_steps_;
   RecorderState::Numbers now_;
   std::deque<Vec2> window_;  // ice impulses of the last time steps
   Hits hits_;
+  SideLoads sides_;
   Slab slab_;
 };
 

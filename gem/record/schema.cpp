@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "gem/record/run_file/run_writer.h"
+
 namespace gem {
 
 std::size_t first_fixed(const Bodies& bodies) { return std::min<std::size_t>(1, bodies.count()); }
@@ -93,6 +95,17 @@ const std::vector<RowColumn<Hit>>& event_columns() {
           [](const C& e) { return e.window_impulse; }),
       row("window_end", Stored::f8, "s", "end of that time", [](const C& e) { return e.window_end; }),
   };
+  return columns;
+}
+
+const std::vector<SideColumn>& side_columns() {
+  static const std::vector<SideColumn> columns = {
+      {{"platform", "side_impulse", "time platform_side", Stored::f4, "N s",
+        "ice impulse since the last sample that presses on the side of the outline from corner k to corner k + 1", ""},
+       &Slab::side_normal},
+      {{"platform", "side_friction_impulse", "time platform_side", Stored::f4, "N s",
+        "ice impulse since the last sample along the side, from corner k to corner k + 1", ""},
+       &Slab::side_friction}};
   return columns;
 }
 
@@ -236,6 +249,8 @@ std::vector<Column> schema(const SceneDef& scene) {
   all.push_back({"floes", "time", "time", Stored::f8, "s", "time since the start of the run", ""});
   for (const auto& entry : floe_columns()) all.push_back(entry.column);
   for (const auto& entry : platform_columns()) all.push_back(entry.column);
+  if (scene.output.side_loads && scene.platform.present)
+    for (const auto& entry : side_columns()) all.push_back(entry.column);
   for (const auto& entry : event_columns()) all.push_back(entry.column);
   for (const auto& entry : stats_columns()) all.push_back(entry.column);
   if (scene.output.contact_forces)

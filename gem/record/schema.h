@@ -101,6 +101,14 @@ struct CountColumn {
   OverlapCount StatsRow::*counts;
 };
 
+struct Slab;
+
+/// A column of impulses on the sides of the platform.
+struct SideColumn {
+  Column column;
+  std::vector<float> Slab::*values;
+};
+
 /// A dataset that is known before the first time step.
 struct ShapeColumn {
   Column column;
@@ -108,6 +116,7 @@ struct ShapeColumn {
 };
 
 const std::vector<RowColumn<PlatformRow>>& platform_columns();
+const std::vector<SideColumn>& side_columns();
 const std::vector<RowColumn<Hit>>& event_columns();
 const std::vector<RowColumn<ContactRow>>& contact_columns();
 const std::vector<RowColumn<StatsRow>>& stats_columns();

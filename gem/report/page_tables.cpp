@@ -218,6 +218,32 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
   return table("Loads on the platform", rows);
 }
 
+std::string sides_html(const RunData& run) {
+  if (run.sides.empty()) return "";
+  constexpr std::size_t rows_maximum = 12;
+  std::vector<SideRecord> sides = run.sides;
+  double all = 0.0;
+  for (const SideRecord& side : sides) all += side.impulse;
+  const bool some = sides.size() > rows_maximum;
+  if (some) {
+    std::stable_sort(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.impulse > b.impulse; });
+    sides.resize(rows_maximum);
+  }
+  std::string rows =
+      "<tr><td></td><th scope=\"col\">length</th><th scope=\"col\">impulse that presses, share</th><th "
+      "scope=\"col\">largest mean of one sample</th></tr>\n";
+  for (const SideRecord& side : sides) {
+    const double share = all > 0.0 ? side.impulse / all : 0.0;
+    rows += row(escaped(side.name),
+                {with_unit(side.length, Unit{"m", 1.0}),
+                 side.impulse > 0.0 ? impulse_text(side.impulse) + ", " + with_unit(share, Unit{"%", 0.01}) : "none",
+                 side.largest_force > 0.0 ? force_text(side.largest_force) + at_time(side.largest_time, run.duration_s)
+                                          : "none"});
+  }
+  return table(some ? "Loads by side of the platform, the dozen that took most" : "Loads by side of the platform",
+               rows);
+}
+
 std::string quality_html(const RunData& run, const RunFindings& findings) {
   if (run.stats.time.empty()) return "";
   const RunQuality& q = findings.quality;

@@ -13,6 +13,8 @@ std::string headline_html(const RunData& run, const RunFindings& findings, const
 std::string identity_html(const RunData& run);
 std::string motion_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis);
 std::string loads_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis);
+/// Nothing if the run did not record loads by side. Of an outline with many sides, the dozen that took most.
+std::string sides_html(const RunData& run);
 std::string verdict_html(const RunVerdict& verdict);
 std::string quality_html(const RunData& run, const RunFindings& findings);
 

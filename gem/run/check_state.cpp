@@ -34,6 +34,17 @@ bool impulses_fit(const EngineState& e) {
          });
 }
 
+/// A side for each corner of the platform, or none.
+bool sides_fit(const Checkpoint& c) {
+  const SideSums& sums = c.recorder.sides;
+  const auto corners = static_cast<std::size_t>(c.engine.bodies.vertex_count(0));
+  const Slab& rows = c.position.waiting;
+  if (sums.normal.empty()) return sums.friction.empty() && rows.side_normal.empty() && rows.side_friction.empty();
+  const std::size_t values = rows.platform.size() * corners;
+  return sums.normal.size() == corners && sums.friction.size() == corners && rows.side_normal.size() == values &&
+         rows.side_friction.size() == values;
+}
+
 bool rows_fit(const Slab& rows, std::size_t floes) {
   const std::size_t values = rows.floes.time.size() * floes;
   const FloeFrames& f = rows.floes;
@@ -49,6 +60,7 @@ std::string fault_of(const Checkpoint& c) {
   if (!outlines_fit(b)) return "its outlines do not fit";
   if (!kinds_fit(b)) return "its bodies are not in order";
   if (!impulses_fit(c.engine)) return "its contacts do not fit";
+  if (!sides_fit(c)) return "its sides do not fit";
   if (!rows_fit(c.position.waiting, b.count() - first_floe(b))) return "its rows do not fit";
   if (c.engine.step < 0 || c.engine.step != c.recorder.now.step) return "its time steps do not fit";
   return "";

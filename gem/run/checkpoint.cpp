@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<char, 8> mark = {'g', 'e', 'm', 'c', 'h', 'e', 'c', 'k'};
 
 /// Raised with every change of a type below: a checkpoint of another version cannot be read.
-constexpr std::uint64_t version = 2;
+constexpr std::uint64_t version = 3;
 
 std::uint64_t checksum(const std::byte* bytes, std::size_t size) {
   Hash hash;
@@ -63,7 +63,7 @@ template <class Stream, class Position>
 void pass_position(Stream& s, Position& p) {
   s(p.platform, p.events, p.stats, p.frames, p.contacts, p.last_time);
   auto& w = p.waiting;
-  s(w.platform, w.events, w.stats, w.contacts, w.time);
+  s(w.platform, w.events, w.stats, w.contacts, w.side_normal, w.side_friction, w.time);
   s(w.floes.time, w.floes.x, w.floes.y, w.floes.theta, w.floes.vx, w.floes.vy, w.floes.omega, w.floes.active);
 }
 
@@ -73,7 +73,10 @@ void pass_parts(State& c, Part part) {
   part([&](auto& s) { s(c.serial, c.build, c.case_sha256, c.engine_name); });
   part([&](auto& s) { pass_engine(s, c.engine); });
   part([&](auto& s) { pass_floes(s, c.floes); });
-  part([&](auto& s) { s(c.recorder.now, c.recorder.window, c.recorder.hits, c.watch, c.totals); });
+  part([&](auto& s) {
+    s(c.recorder.now, c.recorder.window, c.recorder.hits, c.watch, c.totals);
+    s(c.recorder.sides.normal, c.recorder.sides.friction);
+  });
   part([&](auto& s) { pass_position(s, c.position); });
 }
 

@@ -107,7 +107,7 @@ std::int64_t RunSteps::steps_ahead(std::int64_t most) const {
 
 void RunSteps::prepare(StepLog& log) const {
   log.clear();
-  log.wants_events = scene_.output.platform_events;
+  log.wants_events = scene_.output.platform_events || scene_.output.side_loads;
 }
 
 void RunSteps::last_rows() {

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_drive.h"
+#include "gem/scene/check_platform.h"
+#include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_bounds.h"
 #include "gem/scene/schema/schema.h"
 #include "gem/scene/toml/toml_text.h"
@@ -76,8 +77,8 @@ void check_step(const SceneDef& s, List& out) {
 }
 
 void check_mooring(const SceneDef& s, List& out) {
-  if (!s.platform.present || s.mooring.stiffness_N_per_m == 0.0) return;
-  const double omega = std::sqrt(s.mooring.stiffness_N_per_m / s.platform.mass_kg);
+  if (mooring_stiffness(s) == 0.0) return;
+  const double omega = std::sqrt(mooring_stiffness(s) / s.platform.mass_kg);
   if (omega * s.numerics.time_step_s > mooring_phase_maximum)
     out.push_back({"numerics.time_step_s",
                    "the time step is too long for the mooring (value " + number(s.numerics.time_step_s) +
@@ -162,7 +163,7 @@ void check_field_place(const SceneDef& s, List& out) {
   const FloesDef& f = s.floes;
   if (!is_made(f) || f.count == 0) return;
   const double end = f.start_x_m + f.length_m;
-  const double bow = s.platform.anchor_m.x + s.platform.start_offset_m.x - 0.5 * s.platform.diameter_m;
+  const double bow = s.platform.anchor_m.x + s.platform.start_offset_m.x - platform_reach(s.platform).upstream;
   if (s.platform.present && end > bow)
     out.push_back({"floes.start_x_m", "the field reaches the platform (value " + number(f.start_x_m) +
                                           ", allowed at most " + number(bow - f.length_m) + " m)"});
@@ -174,20 +175,6 @@ void check_field_place(const SceneDef& s, List& out) {
     out.push_back({"floes.width_m",
                    "the field is wider than the channel (value " + number(f.width_m) +
                        ", allowed at most boundary.inlet_width_m = " + number(s.boundary.inlet_width_m) + " m)"});
-}
-
-void check_platform(const SceneDef& s, List& out) {
-  if (!s.platform.present) return;
-  const double radius = 0.5 * s.platform.diameter_m;
-  const Vec2 place = s.platform.anchor_m + s.platform.start_offset_m;
-  if (s.boundary.present && 0.5 * s.boundary.gap_m < std::abs(place.y) + radius)
-    out.push_back({"boundary.gap_m", "the platform does not fit between the boundaries (value " +
-                                         number(s.boundary.gap_m) + ", allowed at least " +
-                                         number(2.0 * (std::abs(place.y) + radius)) + " m)"});
-  if (s.output.retire_x_m < place.x + radius)
-    out.push_back({"output.retire_x_m", "floes would be retired before they pass the platform (value " +
-                                            number(s.output.retire_x_m) + ", allowed at least " +
-                                            number(place.x + radius) + " m)"});
 }
 
 void check_listed(const SceneDef& s, List& out) {
@@ -299,14 +286,7 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
                        number(scene.output.platform_interval_s) +
                        ") samples will be uneven, and gem analyse and gem report need even ones; a time step is " +
                        number(step) + " s");
-  if (scene.platform.present) {
-    const double radius = 0.5 * scene.platform.diameter_m;
-    const double draught =
-        scene.platform.mass_kg / (std::numbers::pi * radius * radius * scene.water.density_kg_per_m3);
-    if (draught < 0.1 || draught > 200.0)
-      warnings.push_back("platform.mass_kg: unlikely for this diameter (value " + number(scene.platform.mass_kg) +
-                         ", it would float " + short_number(draught) + " m deep) give it in kg");
-  }
+  warn_of_platform(scene, warnings);
   warn_of_drive(scene, warnings);
   return warnings;
 }

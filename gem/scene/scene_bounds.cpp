@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "gem/geometry/polygon.h"
+#include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_drive.h"
 
 namespace gem {
@@ -30,6 +32,25 @@ double outline_width(const std::vector<Vec2>& outline) {
   return smallest;
 }
 
+/// Largest rate at which the heading control turns the platform [rad/s]: that of the swing from the start to the
+/// current's direction, and of that direction between the rows of its table.
+double heading_rate(const SceneDef& scene) {
+  const PlatformDef& p = scene.platform;
+  const double inertia = platform_inertia(p);
+  if (!(scene.heading.moment_N_m > 0.0 && inertia > 0.0) || p.yaw == Yaw::locked) return 0.0;
+  constexpr double quarter = 0.5 * std::numbers::pi;
+  const Vec2 water = drive_at_start(scene).water;
+  const double direction = length(water) > 0.0 ? std::atan2(water.y, water.x) : p.start_yaw_rad;
+  const double off = std::abs(std::remainder(direction - p.start_yaw_rad, 4.0 * quarter));
+  const double work = off > quarter ? 1.0 + off - quarter : 1.0 - std::cos(off);
+  double turning = 0.0;
+  const std::vector<TimeRow>& rows = scene.drive.current_direction;
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    if (rows[k][0] > rows[k - 1][0])
+      turning = std::max(turning, std::abs(rows[k][2] - rows[k - 1][2]) / (rows[k][0] - rows[k - 1][0]));
+  return std::sqrt(2.0 * work * scene.heading.moment_N_m / inertia) + turning;
+}
+
 }  // namespace
 
 double rim_speed(const FloeDef& floe) {
@@ -41,10 +62,11 @@ double rim_speed(const FloeDef& floe) {
 }
 
 double platform_speed_bound(const SceneDef& scene) {
-  if (!scene.platform.present) return 0.0;
+  if (!scene.platform.present || scene.platform.fixed) return 0.0;
   const double swing =
       std::sqrt(scene.mooring.stiffness_N_per_m / scene.platform.mass_kg) * length(scene.platform.start_offset_m);
-  const double rim = 0.5 * scene.platform.diameter_m * std::abs(scene.platform.start_spin_rad_per_s);
+  const double rim =
+      platform_radius(scene.platform) * (std::abs(scene.platform.start_spin_rad_per_s) + heading_rate(scene));
   return std::hypot(length(scene.platform.start_velocity_m_per_s), swing) + rim + platform_wind_speed(scene);
 }
 

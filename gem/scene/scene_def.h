@@ -12,6 +12,7 @@
 namespace gem {
 
 enum class Yaw { free, locked };
+enum class PlatformOutline { regular, ship, listed };
 enum class Placement { random, tiled };
 enum class FloeSource { generated, copied, file, listed };
 enum class SizeLaw { lognormal, gamma };
@@ -66,8 +67,14 @@ struct BoundaryDef {
 
 struct PlatformDef {
   bool present = true;
+  PlatformOutline outline = PlatformOutline::regular;
   int sides = 20;
   double diameter_m = 100.0;  ///< of the circle through the corners
+  double length_m = 200.0;    ///< of a ship, over all
+  double beam_m = 40.0;
+  double bow_length_m = 50.0;    ///< from the stem to where the sides are parallel; 0: a flat bow
+  double stern_length_m = 30.0;  ///< from the end of the parallel sides to the transom; 0: all of it parallel
+  std::vector<Vec2> outline_m;   ///< for `listed`: convex, any origin, either direction
   double mass_kg = 1e8;
   Vec2 anchor_m = {0.0, 0.0};
   Vec2 start_offset_m = {0.0, 0.0};
@@ -75,6 +82,8 @@ struct PlatformDef {
   double start_yaw_rad = 0.0;
   double start_spin_rad_per_s = 0.0;
   Yaw yaw = Yaw::free;
+  double inertia_kg_m2 = 0.0;  ///< about the centroid; 0: of the mass spread over the outline
+  bool fixed = false;          ///< it does not move: the loads are the forces on it
 };
 
 /// How the impulses of a coupled time step are found.
@@ -113,6 +122,7 @@ struct OutputDef {
   double force_window_s = 1.0;  ///< averaging window of the reported ice force
   bool platform_events = true;
   bool contact_forces = false;  ///< with every floe frame: the forces between bodies
+  bool side_loads = false;      ///< with every platform sample: the impulse on each side of the outline
   double event_speed_m_per_s =
       0.01;                    ///< slower contacts count as static load: in the force channels, not in the event list
   double hit_release_s = 3.0;  ///< a floe that has not pressed on the platform for this long hits anew

@@ -101,7 +101,7 @@ VelocityBox drive_velocities(const SceneDef& scene) {
 
 double platform_wind_speed(const SceneDef& scene) {
   const PlatformDef& p = scene.platform;
-  if (!p.present || !has_wind(scene) || scene.wind.platform_area_m2 == 0.0) return 0.0;
+  if (!p.present || p.fixed || !has_wind(scene) || scene.wind.platform_area_m2 == 0.0) return 0.0;
   const double wind = largest_wind(scene), rate = platform_wind_rate(scene.wind, p.mass_kg);
   if (scene.mooring.stiffness_N_per_m == 0.0) return wind;
   return std::min(wind, rate * wind * wind / std::sqrt(scene.mooring.stiffness_N_per_m / p.mass_kg));

@@ -109,6 +109,34 @@ TEST_P(CudaDrive, GivesTheBitsOfTheCpu) {
 INSTANTIATE_TEST_SUITE_P(Solvers, CudaDrive, testing::Values(ContactSolver::independent, ContactSolver::coupled),
                          test::LawNames());
 
+/// A ship with heading control, and a fixed one, by both routes.
+class CudaShip : public OnGpu, public testing::WithParamInterface<ContactSolver> {};
+
+TEST_P(CudaShip, GivesTheBitsOfTheCpu) {
+  for (const bool fixed : {false, true})
+    for (const Route route : {Route::resident, Route::phases}) {
+      SceneDef scene = test::ship_scene(8, fixed);
+      scene.contact.solver = GetParam();
+      const auto cpu = test::busy_engine(scene, "cpu");
+      CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = route});
+      StepLog expected;
+      std::vector<StepLog> logs(1);
+      for (const std::int64_t steps : {1, 7, 292}) {
+        cpu->advance(steps, expected);
+        batch.advance(steps, &logs);
+      }
+      EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
+      test::expect_same_log(logs[0], expected);
+      test::expect_same_books(batch.ledger(0), cpu->ledger());
+      double felt = 0.0;
+      for (const PlatformStep& step : expected.platform) felt += length(step.ice_impulse);
+      EXPECT_GT(felt, 0.0);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Solvers, CudaShip, testing::Values(ContactSolver::independent, ContactSolver::coupled),
+                         test::LawNames());
+
 using CudaPhasesBriefly = OnGpu;
 
 /// Few time steps, with contacts, so that compute-sanitizer's racecheck can run them. Two scenes at different times of

@@ -292,6 +292,24 @@ TEST(ReferenceJudgesMotion, CurrentAndWindThatChange) {
   }
 }
 
+/// Floes hit a ship, steered or fixed, on its bow and beside it.
+TEST(ReferenceJudgesMotion, AShipIsHitOnTwoSides) {
+  for (const bool fixed : {false, true}) {
+    SceneDef s = still_scene();
+    s.platform = test::ship_scene(1, fixed).platform;
+    s.platform.start_velocity_m_per_s = {};
+    s.platform.start_offset_m = {};
+    s.platform.start_yaw_rad = 0.0;
+    s.platform.present = true;
+    s.platform.mass_kg = 4e5;
+    s.platform.inertia_kg_m2 = 4e7;
+    s.heading = {2e6, 1e7};
+    s.current.velocity_m_per_s = {0.3, 0.1};  // without drag it only says where the bow should point
+    s.floe = {floe(10.0, 9.0, {-26.0, 1.0}, {0.8, 0.0}, 0.3), floe(9.0, 7.0, {6.0, 12.0}, {0.0, -0.7}, 0.1)};
+    compare({.scene = s, .steps = 300, .row = 2, .anew = true});
+  }
+}
+
 /// Two floes that wind and a turning current press against a wall.
 TEST(ReferenceJudgesMotion, ATurningCurrentPressesOnAWall) {
   SceneDef s = still_scene();

@@ -80,9 +80,10 @@ void place_platform(const CaseChoice& choice, const From& from, PlatformDef& pla
     if (!is_set(choice, key)) mine = theirs;
   };
   take("platform.start_offset_m", platform.start_offset_m, start->position - platform.anchor_m);
-  take("platform.start_velocity_m_per_s", platform.start_velocity_m_per_s, start->velocity);
+  take("platform.start_velocity_m_per_s", platform.start_velocity_m_per_s, platform.fixed ? Vec2{} : start->velocity);
   take("platform.start_yaw_rad", platform.start_yaw_rad, start->yaw);
-  take("platform.start_spin_rad_per_s", platform.start_spin_rad_per_s, platform.yaw == Yaw::locked ? 0.0 : start->spin);
+  take("platform.start_spin_rad_per_s", platform.start_spin_rad_per_s,
+       platform.fixed || platform.yaw == Yaw::locked ? 0.0 : start->spin);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "gem/command/command.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/schema.h"
+#include "gem/scene/platform_shape.h"
 
 #include <algorithm>
 #include <charconv>
@@ -52,7 +53,10 @@ Estimate estimate(const SceneDef& scene) {
   need.steps = double(steps_of(scene));
   need.memory = base_memory + floe_count(scene) * bytes_per_floe +
                 slabs_in_memory * std::min(frames, 64.0) * (frame_bytes + contact_bytes);
-  const double platform_bytes = samples * 8.0 * double(platform_columns().size());
+  // two columns with four bytes for each side
+  const double side_bytes =
+      scene.output.side_loads && scene.platform.present ? 8.0 * double(platform_outline(scene.platform).size()) : 0.0;
+  const double platform_bytes = samples * (8.0 * double(platform_columns().size()) + side_bytes);
   need.platform_disk = compression * platform_bytes;
   need.disk = compression * (frames * (frame_bytes + contact_bytes) + platform_bytes +
                              frames * 8.0 * double(stats_columns().size()) + floe_count(scene) * 160.0) +

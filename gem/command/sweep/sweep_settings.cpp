@@ -64,8 +64,8 @@ void add(std::vector<SummaryColumn>& columns, const Option<SceneDef>& option, co
       columns.push_back(column);
       return;
     }
-    case OptionType::table:    // many numbers of one run
-    case OptionType::outline:  // only lists have options of this type
+    case OptionType::table:  // many numbers of one run, as an outline
+    case OptionType::outline:
       return;
   }
 }

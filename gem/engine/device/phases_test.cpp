@@ -94,6 +94,36 @@ TEST(DeviceDrive, GivesTheBitsOfTheCpuEngineOnBothRoutes) {
     }
 }
 
+TEST(DeviceShip, GivesTheBitsOfTheCpuEngineOnBothRoutes) {
+  for (const bool phases : {false, true})
+    for (const bool fixed : {false, true})
+      for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled}) {
+        SceneDef scene = test::ship_scene(7, fixed);
+        scene.contact.solver = solver;
+        const auto cpu = test::busy_engine(scene, "cpu", 2);
+        HostScene device(scene, test::busy_field(scene), 1, phases ? test::team_warp : 1, 0, bodies_shared_bytes);
+        if (phases) device.use_phases();
+        StepLog expected, log;
+        for (const std::int64_t steps : {1, 79}) {
+          cpu->advance(steps, expected);
+          device.advance(steps, log);
+          test::expect_same_bodies(device.bodies(), cpu->bodies());
+          test::expect_same_log(log, expected);
+          if (HasFailure()) return;
+        }
+        // what the platform's own laws entered
+        const Ledger theirs = cpu->ledger(), mine = device.ledger(theirs);
+        EXPECT_EQ(mine.mooring_force.momentum.x, theirs.mooring_force.momentum.x);
+        EXPECT_EQ(mine.mooring_force.momentum.y, theirs.mooring_force.momentum.y);
+        EXPECT_EQ(mine.mooring_force.angular_momentum, theirs.mooring_force.angular_momentum);
+        EXPECT_EQ(mine[Channel::platform_drag].angular_momentum, theirs[Channel::platform_drag].angular_momentum);
+        EXPECT_EQ(mine[Channel::platform_drag].energy, theirs[Channel::platform_drag].energy);
+        double felt = 0.0;
+        for (const PlatformStep& step : expected.platform) felt += length(step.ice_impulse);
+        EXPECT_GT(felt, 0.0);
+      }
+}
+
 class DeviceStages : public testing::TestWithParam<ContactSolver> {};
 
 TEST_P(DeviceStages, BlocksAndThreadsChangeNothing) {

@@ -55,13 +55,15 @@ GEM_DEVICE inline PlatformMotion platform_motion(double mass, PlatformLoaded& lo
 
 /// Moves the platform up to the pair events of the next time step, which is number `sample` of the call. `spin` is its
 /// present spin [rad/s].
-GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded& loaded, Mover& mover, double mass,
-                                           double spin, std::int32_t sample) {
+GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded& loaded, Mover& mover,
+                                           const BodyMotion& motion, double spin, std::int32_t sample) {
   PlatformCell& p = loaded.cell;
   p.mooring_before = p.mooring_force.momentum;
   p.drag_before = loaded.drag_book.momentum;
   p.mid_position = mover.position;
-  platform_events_before(s.constants.events, s.drive_of(sample), platform_motion(mass, loaded));
+  platform_events_before(s.constants.events, s.drive_of(sample), platform_motion(motion.mass, loaded));
+  steer_platform(s.constants.events, s.drive_of(sample), {motion.inertia, mover.rotation, spin, loaded.drag_book},
+                 true);
   mover.velocity = p.velocity;
   mover.spin = spin;
 }
@@ -153,14 +155,14 @@ GEM_DEVICE inline PlatformSums add_terms(const Warp& warp, const PlatformSums& s
 }
 
 /// Writes the sample of the time step to the ring.
-GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformLoaded& loaded, const Mover& mover,
+GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformLoaded& loaded, const Mover& mover, double spin,
                                     const PlatformSums& sums, std::int32_t pressed, std::int32_t at) {
   const PlatformCell& p = loaded.cell;
   PlatformStep& sample = s.sample[at];
   sample.position = mover.position;
   sample.rotation = mover.rotation;
   sample.velocity = p.velocity;
-  sample.spin = sums.spin;
+  sample.spin = spin;
   sample.ice_impulse = sums.ice_impulse;
   sample.ice_yaw_impulse = sums.ice_yaw;
   sample.mooring_impulse = p.mooring_force.momentum - p.mooring_before;
@@ -180,22 +182,28 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   Mover mover = mover_of(cell);
   p.velocity = sums.velocity;
   if (cell.inverse_inertia == 0.0) p.mooring_force.angular_momentum = sums.twist;
+  if (cell.active && cell.inverse_mass == 0.0) {  // a fixed platform: the ground holds it, see hold_platform()
+    p.mooring_force.momentum += -sums.ice_impulse;
+    p.mooring_force.angular_momentum += cross(mover.position, -sums.ice_impulse);
+  }
   const Events& e = s.constants.events;
+  double spin = sums.spin;  // it turns with the spin after the pair events
   if (e.platform_present) {
     platform_events_after(e, s.drive_of(step.sample), platform_motion(motion.mass, loaded));
     mover.position = p.mid_position + repair.shift;
     if constexpr (solver == ContactSolver::coupled)
       book_platform_shift(e, motion.mass, p.mid_position, p.velocity, repair.shift, s.book(Channel::repair, 0));
     turn(mover, s.constants.dt * sums.spin + repair.turn);
+    steer_platform(e, s.drive_of(step.sample), {motion.inertia, mover.rotation, spin, loaded.drag_book}, false);
   }
-  if (cell.active && !is_finite(mover, p.velocity, sums.spin)) group.raise(alarm_not_finite);
-  if (s.wants_samples) write_sample(s, loaded, mover, sums, pressed, step.sample);
+  if (cell.active && !is_finite(mover, p.velocity, spin)) group.raise(alarm_not_finite);
+  if (s.wants_samples) write_sample(s, loaded, mover, spin, sums, pressed, step.sample);
   if (cell.active && left_trajectory(s, mover, cell.radius, motion, step.elapsed)) group.raise(alarm_strayed);
   if (s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) group.raise(alarm_ring_full);
-  if (step.kick_next) platform_first_half(s, loaded, mover, motion.mass, sums.spin, step.sample + 1);
+  if (step.kick_next) platform_first_half(s, loaded, mover, motion, spin, step.sample + 1);
   store_platform(s, loaded);
   s.after[0].velocity = sums.velocity;
-  s.after[0].spin = sums.spin;
+  s.after[0].spin = spin;
   write_mover(cell, mover);
   if (workspace.writes_through) write_mover(s.body[0], mover);
 }

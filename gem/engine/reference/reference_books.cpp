@@ -36,6 +36,12 @@ void book_point(State& s, const Touch& touch, const TouchPoint& p) {
   // the yaw lock of the platform takes this moment
   if (touch.a == 0 && s.bodies.inverse_inertia[0] == 0.0)
     s.ledger.mooring_force.angular_momentum += cross(p.arm_a, world_impulse(touch, p));
+  if (touch.a != 0 || s.bodies.inverse_mass[0] > 0.0) return;
+  // a fixed platform hands everything on to the ground
+  const Vec2 impulse = world_impulse(touch, p);
+  s.mooring_impulse += impulse;
+  s.ledger.mooring_force.momentum += impulse;
+  s.ledger.mooring_force.angular_momentum += cross(s.bodies.position[0], impulse);
 }
 
 /// Largest violation of the normal contact law, as a speed [m/s]. A point without impulse may part; a point at

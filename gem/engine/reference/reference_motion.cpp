@@ -1,5 +1,7 @@
 #include "gem/engine/reference/reference_motion.h"
 
+#include <cmath>
+
 #include "gem/engine/reference/reference_books.h"
 #include "gem/events/events.h"
 #include "gem/events/motion.h"
@@ -58,6 +60,22 @@ void swing_platform(const Rules& rules, State& s) {
     s.ledger[Channel::mooring].energy += swing_energy(rules, b) - energy;
 }
 
+/// Half a time step of heading control.
+void steer(const Rules& rules, State& s, bool damps_first) {
+  Bodies& b = s.bodies;
+  const HeadingLaw& heading = rules.events.heading;
+  if (!heading.present()) return;
+  const double decay = heading.decay;
+  const double kick =
+      heading.half_step * heading_moment(heading.moment, b.rotation[0], s.drive.water) * b.inverse_inertia[0];
+  const double before = b.spin[0];
+  b.spin[0] = damps_first ? decay * before + kick : decay * (before + kick);
+  const double twist = b.inertia[0] * (b.spin[0] - before);
+  Quantity& book = s.ledger[Channel::platform_drag];
+  book.angular_momentum += twist;
+  book.energy += 0.5 * twist * (b.spin[0] + before);
+}
+
 void turn(Bodies& b, std::size_t i, double angle) {
   if (angle != 0.0) b.rotation[i] = turned(b.rotation[i], angle);
 }
@@ -107,18 +125,20 @@ void drive_floes(const Rules& rules, State& s) {
 }
 
 void move_platform_before(const Rules& rules, State& s) {
-  if (!rules.scene.platform.present) return;
+  if (!rules.platform_moves) return;
   in_water(rules, s);
   in_wind(rules, s);
   swing_platform(rules, s);
+  steer(rules, s, true);
 }
 
 void move_platform_after(const Rules& rules, State& s) {
-  if (!rules.scene.platform.present) return;
+  if (!rules.platform_moves) return;
   swing_platform(rules, s);
   in_wind(rules, s);
   in_water(rules, s);
   repair_platform(rules, s);
+  steer(rules, s, false);
 }
 
 void move_floes(const Rules& rules, State& s) {

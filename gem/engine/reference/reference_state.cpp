@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gem/events/platform_drag.h"
+#include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_bounds.h"
 #include "gem/scene/scene_drive.h"
 
@@ -28,15 +29,18 @@ Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
     rules.contact_margin = reach * fastest * rules.dt;
   rules.repair_reach = std::max((reach - 1.0) * fastest, scene.numerics.repair_speed_m_per_s) * rules.dt;
   const double mass = scene.platform.present ? bodies.mass[0] : 0.0;
-  const PlatformInEvents platform{scene.platform.anchor_m, mass, scene.platform.diameter_m};
-  rules.events = make_events(scene, scene.platform.present ? &platform : nullptr, rules.dt, has_wind(scene));
-  if (!scene.platform.present) return rules;
+  const double width = platform_drag_width(scene.platform);
+  const double inertia = scene.platform.present ? bodies.inertia[0] : 0.0;
+  const PlatformInEvents platform{scene.platform.anchor_m, mass, width, inertia, scene.platform.yaw == Yaw::free};
+  rules.platform_moves = scene.platform.present && !scene.platform.fixed;
+  rules.events = make_events(scene, rules.platform_moves ? &platform : nullptr, rules.dt, has_wind(scene));
+  if (!rules.platform_moves) return rules;
   rules.stiffness = scene.mooring.stiffness_N_per_m;
   rules.half_mooring = mooring_flow(rules.stiffness, mass, scene.mooring.damping_ratio, 0.5 * rules.dt);
   if (has_wind(scene)) rules.platform_wind_rate = platform_wind_rate(scene.wind, mass);
   if (!scene.platform_drag.present) return rules;
-  rules.platform_drag_rate = platform_drag_rate(scene.water.density_kg_per_m3, scene.platform_drag.coefficient,
-                                                scene.platform.diameter_m, scene.platform_drag.draft_m, mass);
+  rules.platform_drag_rate = platform_drag_rate(scene.water.density_kg_per_m3, scene.platform_drag.coefficient, width,
+                                                scene.platform_drag.draft_m, mass);
   return rules;
 }
 

@@ -17,6 +17,7 @@ struct Rules {
   double repair_reach = 0.0;        // coupled: largest repair motion of any point of a body in one time step [m]
   Events events;                    // the laws of the scene
   MooringFlow half_mooring;         // over dt / 2
+  bool platform_moves = false;      // present and not fixed
   double stiffness = 0.0;           // of the mooring; 0 without platform [N/m]
   double platform_drag_rate = 0.0;  // [1/m]; 0: none
   double platform_wind_rate = 0.0;  // [1/m]; 0: none

@@ -109,16 +109,28 @@ inline PlatformMotion platform_motion(FieldState& f) {
           f.mooring_force};
 }
 
+inline PlatformYaw platform_yaw(FieldState& f) {
+  return {f.bodies.inertia[0], f.bodies.rotation[0], f.bodies.spin[0], f.book(Channel::platform_drag, 0)};
+}
+
 /// Moves the platform up to the time of the pair events.
 inline void platform_first_half(FieldState& f) {
   f.platform_position = f.bodies.position[0];
   platform_events_before(f.constants.events, f.drive, platform_motion(f));
+  steer_platform(f.constants.events, f.drive, platform_yaw(f), true);
+}
+
+/// Books what the ground gives to a fixed platform. The device has only the sum over the contacts, so this adds it too.
+inline void hold_platform(FieldState& f) {
+  f.mooring_force.momentum += f.held_impulse;
+  f.mooring_force.angular_momentum += cross(f.bodies.position[0], f.held_impulse);
+  f.held_impulse = {};
 }
 
 /// Moves the platform from the pair events to the end of the time step.
 inline void platform_second_half(FieldState& f) {
   const Events& e = f.constants.events;
-  if (!e.platform_present) return;
+  if (!e.platform_present) return hold_platform(f);
   platform_events_after(e, f.drive, platform_motion(f));
   f.struck[0] = 0;
   const Vec2 shift = f.repair_shift[0];
@@ -128,6 +140,7 @@ inline void platform_second_half(FieldState& f) {
   f.repair_shift[0] = {};
   turn_body(f, 0, f.constants.dt * f.bodies.spin[0] + f.repair_turn[0]);
   f.repair_turn[0] = 0.0;
+  steer_platform(e, f.drive, platform_yaw(f), false);
 }
 
 }  // namespace gem

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gem/engine/solver/iteration_control.h"
+#include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_bounds.h"
 #include "gem/scene/scene_drive.h"
 
@@ -31,8 +32,9 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
   StepConstants c;
   c.dt = scene.numerics.time_step_s;
   const PlatformDef& p = scene.platform;
-  const PlatformInEvents platform{p.anchor_m, p.present ? bodies.mass[0] : 0.0, p.diameter_m};
-  c.events = make_events(scene, p.present ? &platform : nullptr, c.dt, has_wind(scene));
+  const PlatformInEvents platform{p.anchor_m, p.present ? bodies.mass[0] : 0.0, platform_drag_width(p),
+                                  p.present ? bodies.inertia[0] : 0.0, p.yaw == Yaw::free};
+  c.events = make_events(scene, p.present && !p.fixed ? &platform : nullptr, c.dt, has_wind(scene));
 
   c.solver = scene.contact.solver;
   c.manifold = scene.contact.manifold;

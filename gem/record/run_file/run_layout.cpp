@@ -41,8 +41,11 @@ std::map<std::string, hsize_t> sizes_of(const SceneDef& scene, const Bodies& bod
           {"overlap_class", OverlapCount::classes},
           {"boundary", floe - fixed},
           {"boundary_vertex", vertices(fixed, floe)},
-          {"platform_vertex", scene.platform.present ? vertices(0, fixed) : 0}};
+          {"platform_vertex", scene.platform.present ? vertices(0, fixed) : 0},
+          {"platform_side", scene.platform.present ? vertices(0, fixed) : 0}};
 }
+
+bool records_sides(const SceneDef& scene) { return scene.output.side_loads && scene.platform.present; }
 
 Column floe_time_column() { return {"floes", "time", "time", Stored::f8, "s", "time since the start of the run", ""}; }
 
@@ -50,10 +53,13 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
     : size_(sizes_of(scene, bodies)),
       chunk_(chunk_shape(size_["floe"])),
       has_contacts_(scene.output.contact_forces),
+      has_sides_(records_sides(scene)),
       file_(path, size_, chunk_) {
   write_header(scene, bodies, provenance);
   for (const char* name : {"floe", "vertex", "xy", "overlap_class"})
     file_.add_dimension(file_.id(), name, size_[name], false);
+  // not in /platform: there it would count as a column with rows
+  if (has_sides_) file_.add_dimension(file_.id(), "platform_side", size_["platform_side"], false);
   add_group("shape");
   add_group("boundary");
   add_group("floes");
@@ -68,6 +74,8 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
   file_.add_column(floe_time_column(), nullptr);
   for (const auto& entry : floe_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : platform_columns()) file_.add_column(entry.column, nullptr);
+  if (has_sides_)
+    for (const auto& entry : side_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : event_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : stats_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : count_columns()) file_.add_column(entry.column, nullptr);
@@ -136,6 +144,19 @@ void RunLayout::append_rows(const std::vector<RowColumn<Row>>& columns, const st
   }
 }
 
+/// The first `rows` rows of `width` values each.
+std::vector<float> first_rows(const std::vector<float>& all, std::size_t rows, hsize_t width) {
+  return {all.begin(), all.begin() + std::ptrdiff_t(rows * width)};
+}
+
+void RunLayout::append_platform(std::size_t count, Rows kind) {
+  append_rows(platform_columns(), waiting_.platform, count, kind);
+  if (!has_sides_) return;
+  for (const auto& entry : side_columns())
+    file_.append(path_of(entry.column), first_rows(waiting_.*(entry.values), count, size_.at("platform_side")), count,
+                 kind);
+}
+
 void RunLayout::append_stats(std::size_t count, Rows kind) {
   for (const auto& entry : count_columns()) {
     std::vector<double> values;
@@ -159,17 +180,15 @@ void RunLayout::append_contacts(std::size_t count, Rows kind) {
 
 void RunLayout::append_frames(std::size_t count, Rows kind) {
   const FloeFrames& floes = waiting_.floes;
-  const auto values_in = std::ptrdiff_t(count * size_.at("floe"));
-  for (const auto& entry : floe_columns()) {
-    const std::vector<float>& all = floes.*(entry.values);
-    file_.append("/floes/" + entry.column.name, std::vector<float>(all.begin(), all.begin() + values_in), count, kind);
-  }
+  for (const auto& entry : floe_columns())
+    file_.append("/floes/" + entry.column.name, first_rows(floes.*(entry.values), count, size_.at("floe")), count,
+                 kind);
   file_.append("/floes/time", std::vector<double>(floes.time.begin(), floes.time.begin() + std::ptrdiff_t(count)),
                count, kind);
 }
 
 void RunLayout::append_waiting(const RowCount& count, Rows kind) {
-  append_rows(platform_columns(), waiting_.platform, count.platform, kind);
+  append_platform(count.platform, kind);
   append_events(count.events, kind);
   append_stats(count.stats, kind);
   append_contacts(count.contacts, kind);
@@ -186,6 +205,8 @@ void RunLayout::drop_waiting(const RowCount& count) {
   FloeFrames& floes = waiting_.floes;
   if (count.frames > 0) last_time_ = floes.time[count.frames - 1];
   drop(waiting_.platform, count.platform);
+  if (has_sides_)
+    for (const auto& entry : side_columns()) drop(waiting_.*(entry.values), count.platform * size_.at("platform_side"));
   drop(waiting_.events, count.events);
   drop(waiting_.stats, count.stats);
   drop(waiting_.contacts, count.contacts);
@@ -201,6 +222,7 @@ void RunLayout::drop_waiting(const RowCount& count) {
 void RunLayout::append(Slab slab) {
   const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
   add(waiting_.platform, slab.platform);
+  for (const auto& entry : side_columns()) add(waiting_.*(entry.values), slab.*(entry.values));
   add(waiting_.events, slab.events);
   add(waiting_.stats, slab.stats);
   add(waiting_.contacts, slab.contacts);

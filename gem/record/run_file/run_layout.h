@@ -58,6 +58,7 @@ class RunLayout {
   void append_rows(const std::vector<RowColumn<Row>>& columns, const std::vector<Row>& rows, std::size_t count,
                    Rows kind);
   void append_stats(std::size_t count, Rows kind);
+  void append_platform(std::size_t count, Rows kind);
   void append_events(std::size_t count, Rows kind);
   void append_contacts(std::size_t count, Rows kind);
   void append_frames(std::size_t count, Rows kind);
@@ -68,6 +69,7 @@ class RunLayout {
   std::map<std::string, hsize_t> size_;  // of the dimensions that do not grow
   ChunkShape chunk_;
   bool has_contacts_;  // the forces between bodies are recorded
+  bool has_sides_;     // the impulses on the sides of the platform are recorded
   ColumnFile file_;
   Slab waiting_;      // rows of chunks that are not full
   RowCount written_;  // for good

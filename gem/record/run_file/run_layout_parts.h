@@ -16,6 +16,9 @@ inline constexpr std::size_t attribute_limit = 60000;  // other readers expect a
 /// Times of the floe frames.
 Column floe_time_column();
 
+/// Whether the impulses on the sides of the platform are recorded.
+bool records_sides(const SceneDef& scene);
+
 /// Lengths of the dimensions that do not grow.
 std::map<std::string, hsize_t> sizes_of(const SceneDef& scene, const Bodies& bodies);
 

@@ -10,6 +10,7 @@
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
+#include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_drive.h"
 
 namespace gem {
@@ -81,7 +82,8 @@ PlatformRecord platform_record(const RunFile& file) {
                    read("ice_force_mean_y"),
                    read("mooring_force_x"),
                    read("mooring_force_y"),
-                   read("contacts")};
+                   read("contacts"),
+                   read("psi")};
   check_record(file, "platform", p.time,
                {{"x", &p.x},
                 {"y", &p.y},
@@ -91,7 +93,8 @@ PlatformRecord platform_record(const RunFile& file) {
                 {"ice_force_mean_y", &p.ice_force_mean_y},
                 {"mooring_force_x", &p.mooring_force_x},
                 {"mooring_force_y", &p.mooring_force_y},
-                {"contacts", &p.contacts}});
+                {"contacts", &p.contacts}},
+               {{"psi", &p.yaw}});
   return p;
 }
 
@@ -182,13 +185,14 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
   run.current_speed = drive_speed(scene);
   run.force_window_s = scene.output.force_window_s;
   run.rest = scene.platform.anchor_m;
-  run.natural_period_s = natural_period(scene.mooring.stiffness_N_per_m, scene.platform.mass_kg);
+  run.natural_period_s = natural_period(mooring_stiffness(scene), scene.platform.mass_kg);
   run.platform = platform_record(file);
   run.events = event_record(file);
   run.stats = stats_record(file);
   for (const std::vector<double>* time : {&run.platform.time, &run.stats.time})
     if (!time->empty()) run.duration_s = std::max(run.duration_s, time->back());
   run.platform_outline = file.platform_outline();
+  run.sides = side_record(file, scene);
   run.fixed = file.boundary_outlines();
   run.floe_outlines = file.floe_outlines();
   for (const std::vector<Corners>& outlines : {run.fixed, run.floe_outlines})

@@ -9,6 +9,7 @@
 #include "gem/base/vec2.h"
 #include "gem/engine/step/overlap_count.h"
 #include "gem/record/verdict.h"
+#include "gem/report/run/side_record.h"
 
 namespace gem {
 
@@ -35,6 +36,7 @@ struct PlatformRecord {
   std::vector<double> ice_force_mean_x, ice_force_mean_y;
   std::vector<double> mooring_force_x, mooring_force_y;
   std::vector<double> contacts;
+  std::vector<double> yaw = {};  // [rad]
 };
 
 /// Events on the platform; the normal points from the platform into the ice.
@@ -80,6 +82,7 @@ struct RunData {
   std::vector<Corners> fixed;          // world
   std::vector<Corners> floe_outlines;  // about the centroid
   std::optional<double> at_s = {};     // the time that the report shows; empty: the middle of the run
+  std::vector<SideRecord> sides = {};  // of the platform; empty if not recorded
   std::vector<FloeFrame> frames;       // start, at_s, end; fewer if the run recorded fewer than three
 };
 

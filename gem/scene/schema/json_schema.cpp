@@ -54,7 +54,7 @@ Json type_schema(const OptionInfo& info) {
     case OptionType::pair:
       return list_of(number, 2, 2);
     case OptionType::outline:
-      return list_of(list_of(number, 2, 2), listed_corners_minimum, listed_corners_maximum);
+      return list_of(list_of(number, 2, 2), listed_corners_minimum, info.corners_maximum);
     case OptionType::table:
       return list_of(table_row(info.columns), 0, table_rows_maximum);
   }

@@ -116,6 +116,39 @@ void add_boundary(SceneTable& t) {
            GEM_FIELD(boundary.outlet_x_m));
 }
 
+void add_platform_outline(SceneTable& t) {
+  const Range extent = {0.1, 1e4};
+  t.choice("platform.outline", {"regular", "ship", "listed"},
+           "regular: polygon of sides and diameter_m; ship: waterline of a drillship, its bow at -x; listed: outline_m",
+           GEM_FIELD(platform.outline));
+  t.number("platform.length_m", "m", extent, "length over all (outline = \"ship\")", GEM_FIELD(platform.length_m));
+  t.number("platform.beam_m", "m", extent, "beam (outline = \"ship\")", GEM_FIELD(platform.beam_m));
+  t.number("platform.bow_length_m", "m", {0.0, 1e4},
+           "from the stem to where the sides are parallel; 0: a flat bow (outline = \"ship\")",
+           GEM_FIELD(platform.bow_length_m));
+  t.number("platform.stern_length_m", "m", {0.0, 1e4},
+           "from the end of the parallel sides to the transom, which is half the beam wide; 0: all of it parallel "
+           "(outline = \"ship\")",
+           GEM_FIELD(platform.stern_length_m));
+  t.outline("platform.outline_m", {-1e4, 1e4},
+            "corners of a convex outline in body axes, either direction; the platform's centre is their centroid "
+            "(outline = \"listed\")",
+            GEM_FIELD(platform.outline_m), platform_corners_maximum);
+  t.number("platform.inertia_kg_m2", "kg m2", {0.0, 1e20},
+           "moment of inertia about the centroid; 0: that of mass_kg spread evenly over the outline",
+           GEM_FIELD(platform.inertia_kg_m2));
+  t.flag("platform.fixed", "whether the platform stands still: a fixed structure, whose loads are the forces on it",
+         GEM_FIELD(platform.fixed));
+}
+
+void add_heading(SceneTable& t) {
+  t.number("heading.moment_N_m", "N m", {0.0, 1e15},
+           "largest moment of a heading control that turns the platform's bow against the current; 0: none",
+           GEM_FIELD(heading.moment_N_m));
+  t.number("heading.damping_N_m_s", "N m s", {0.0, 1e16}, "its damping of the yaw rate",
+           GEM_FIELD(heading.damping_N_m_s));
+}
+
 void add_platform(SceneTable& t) {
   t.flag("platform.present", "whether there is a platform", GEM_FIELD(platform.present));
   t.integer("platform.sides", {3.0, 256.0}, "sides of the regular polygon", GEM_FIELD(platform.sides));
@@ -132,6 +165,10 @@ void add_platform(SceneTable& t) {
   t.number("platform.start_spin_rad_per_s", "rad/s", spin_range, "yaw rate at the start",
            GEM_FIELD(platform.start_spin_rad_per_s));
   t.choice("platform.yaw", {"free", "locked"}, "whether the platform may turn", GEM_FIELD(platform.yaw));
+  t.opt_in = true;
+  add_platform_outline(t);
+  add_heading(t);
+  t.opt_in = false;
 }
 
 void add_mooring(SceneTable& t) {
@@ -212,6 +249,11 @@ void add_output(SceneTable& t) {
       GEM_FIELD(output.hit_release_s));
   t.number("output.retire_x_m", "m", place_range, "a floe whose centre passes this x is retired",
            GEM_FIELD(output.retire_x_m));
+  t.opt_in = true;
+  t.flag("output.side_loads",
+         "whether every platform sample records the impulse of the ice on each side of the outline",
+         GEM_FIELD(output.side_loads));
+  t.opt_in = false;
 }
 
 const OptionColumn time_column = {"time", "s", {-1e9, 1e9}};

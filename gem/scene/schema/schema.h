@@ -47,6 +47,11 @@ struct OptionColumn {
 /// Alternatives in the order of OptionType; text and choice are both strings.
 using OptionValue = std::variant<double, std::int64_t, std::string, bool, Vec2, std::vector<Vec2>, OptionRows>;
 
+/// Allowed number of corners of an outline.
+inline constexpr std::size_t listed_corners_minimum = 3;
+inline constexpr std::size_t listed_corners_maximum = 20;
+inline constexpr std::size_t platform_corners_maximum = 256;  // of the platform
+
 /// An option without its place in a scene.
 struct OptionInfo {
   std::string path;  ///< "section.key" of the scene; the bare key in a list
@@ -58,6 +63,7 @@ struct OptionInfo {
   std::string why = "";                    ///< reason for the range, for the message; may be empty
   std::vector<OptionColumn> columns = {};  ///< of a table
   bool opt_in = false;  ///< not written where it has its default, so that cases without it keep their hash
+  std::size_t corners_maximum = listed_corners_maximum;  ///< of an outline
 };
 
 template <class T>
@@ -79,10 +85,6 @@ std::string columns_text(const std::vector<OptionColumn>& columns);
 const std::vector<Option<IceClassDef>>& ice_class_options();
 const std::vector<Option<FloeDef>>& floe_options();
 const std::vector<Option<FixedDef>>& fixed_options();
-
-/// Allowed number of corners of an outline.
-inline constexpr std::size_t listed_corners_minimum = 3;
-inline constexpr std::size_t listed_corners_maximum = 20;
 
 /// A key that had another name in older files. Both names are read; a run reports the old one in a line.
 struct RenamedKey {

@@ -42,8 +42,10 @@ struct OptionTable {
     add<Vec2>({std::move(path), OptionType::pair, std::move(unit), range, {}, std::move(doc)}, field);
   }
   template <class Field>
-  void outline(std::string path, Range range, std::string doc, Field field) {
+  void outline(std::string path, Range range, std::string doc, Field field,
+               std::size_t corners_maximum = listed_corners_maximum) {
     add<std::vector<Vec2>>({std::move(path), OptionType::outline, "m", range, {}, std::move(doc)}, field);
+    options.back().corners_maximum = corners_maximum;
   }
   /// `Field` is a vector of arrays of numbers, as many as columns.
   template <class Field>

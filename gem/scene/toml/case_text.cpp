@@ -24,7 +24,8 @@ template <class T>
 void append_rows(std::vector<Row>& rows, const std::vector<Option<T>>& options, const std::string& prefix) {
   const T defaults;
   for (const auto& option : options) {
-    Row row{option, option.type == OptionType::outline ? "" : value_text(option.get(defaults))};
+    const bool needed = option.type == OptionType::outline && !option.opt_in;
+    Row row{option, needed ? "" : value_text(option.get(defaults))};
     row.info.path = prefix + option.path;
     rows.push_back(std::move(row));
   }

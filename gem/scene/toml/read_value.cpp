@@ -89,9 +89,9 @@ class ValueReader {
 
   std::optional<std::vector<Vec2>> outline(const TomlNode& node) {
     if (node.kind != TomlKind::list) return wrong_type(node);
-    if (node.items.size() < listed_corners_minimum || node.items.size() > listed_corners_maximum)
+    if (node.items.size() < listed_corners_minimum || node.items.size() > info_.corners_maximum)
       return reject(node, "wrong number of corners (value " + std::to_string(node.items.size()) + ", allowed [" +
-                              std::to_string(listed_corners_minimum) + ", " + std::to_string(listed_corners_maximum) +
+                              std::to_string(listed_corners_minimum) + ", " + std::to_string(info_.corners_maximum) +
                               "])");
     std::vector<Vec2> corners;
     for (const TomlNode& item : node.items) {

@@ -49,6 +49,7 @@ TEST(SceneFile, EveryOptionIsReadBackFromItsOwnText) {
                                                 : "other \"name\"";
     if (auto* flag = std::get_if<bool>(&value)) *flag = !*flag;
     if (auto* pair = std::get_if<Vec2>(&value)) *pair = {pair->x + 0.125, pair->y - 0.3};
+    if (auto* corners = std::get_if<std::vector<Vec2>>(&value)) *corners = {{0.0, 0.5}, {80.0, 0.5}, {0.0, 60.25}};
     if (auto* rows = std::get_if<OptionRows>(&value)) {
       rows->emplace_back();
       for (const OptionColumn& column : option.columns) rows->back().push_back(std::max(0.125, column.range.low));

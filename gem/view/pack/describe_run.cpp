@@ -7,6 +7,7 @@
 #include "gem/record/run_file/contact_record.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/report/plain_text.h"
+#include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_drive.h"
 #include "gem/view/pack/pack_run.h"
 
@@ -39,15 +40,30 @@ Json origin_json(const RunFile& file) {
   return origin;
 }
 
+/// What each side took in the whole run [N s]; null unless the run recorded it and is over.
+Json side_impulse_json(const RunFile& file, std::size_t sides) {
+  if (sides == 0 || file.status() == "running" || !file.has("platform/side_impulse")) return nullptr;
+  const std::vector<double> rows = file.column("platform/side_impulse");
+  if (rows.size() % sides != 0)
+    throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) +
+                                           " (platform/side_impulse does not fit the outline) the file may be damaged");
+  std::vector<double> sums(sides);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (std::isfinite(rows[i])) sums[i % sides] += rows[i];
+  return sums;
+}
+
 Json platform_json(const RunFile& file, const SceneDef& scene) {
   const std::vector<Vec2> outline = scene.platform.present ? file.platform_outline() : std::vector<Vec2>{};
   return {{"present", !outline.empty()},
           {"outline", outline_json(outline)},
+          {"side_names", platform_side_names(scene.platform)},
+          {"side_impulse", side_impulse_json(file, outline.size())},
           {"mass_kg", scene.platform.mass_kg},
-          {"diameter_m", scene.platform.diameter_m},
+          {"diameter_m", 2.0 * platform_radius(scene.platform)},
           {"anchor_m", {scene.platform.anchor_m.x, scene.platform.anchor_m.y}},
-          {"stiffness_N_per_m", scene.mooring.stiffness_N_per_m},
-          {"natural_period_s", natural_period(scene.mooring.stiffness_N_per_m, scene.platform.mass_kg)}};
+          {"stiffness_N_per_m", mooring_stiffness(scene)},
+          {"natural_period_s", natural_period(mooring_stiffness(scene), scene.platform.mass_kg)}};
 }
 
 }  // namespace

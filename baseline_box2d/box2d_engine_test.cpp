@@ -255,7 +255,9 @@ TEST(Box2dEngine, ASteeredShipAndAFixedOneAreMirrored) {
     const Bodies& b = engine->bodies();
     EXPECT_EQ(b.position[0].x == start.position[0].x && b.position[0].y == start.position[0].y, fixed);
     EXPECT_EQ(b.rotation[0].sine == start.rotation[0].sine, fixed);
-    if (fixed) EXPECT_LE(length(ice + ground), 1e-12 * length(ice)) << "the ground takes what the ice gives";
+    if (fixed) {
+      EXPECT_LE(length(ice + ground), 1e-12 * length(ice)) << "the ground takes what the ice gives";
+    }
   }
 }
 

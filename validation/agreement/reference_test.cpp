@@ -298,7 +298,7 @@ TEST(ReferenceJudgesMotion, AShipIsHitOnTwoSides) {
     SceneDef s = still_scene();
     s.platform = test::ship_scene(1, fixed).platform;
     s.platform.start_velocity_m_per_s = {};
-    s.platform.start_offset_m = {};
+    s.platform.anchor_m = s.platform.start_offset_m = {};
     s.platform.start_yaw_rad = 0.0;
     s.platform.present = true;
     s.platform.mass_kg = 4e5;

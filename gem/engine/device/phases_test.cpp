@@ -104,7 +104,7 @@ TEST(DeviceShip, GivesTheBitsOfTheCpuEngineOnBothRoutes) {
         HostScene device(scene, test::busy_field(scene), 1, phases ? test::team_warp : 1, 0, bodies_shared_bytes);
         if (phases) device.use_phases();
         StepLog expected, log;
-        for (const std::int64_t steps : {1, 79}) {
+        for (const std::int64_t steps : {1, 129}) {
           cpu->advance(steps, expected);
           device.advance(steps, log);
           test::expect_same_bodies(device.bodies(), cpu->bodies());

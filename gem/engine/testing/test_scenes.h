@@ -66,14 +66,14 @@ inline SceneDef driven_scene(std::uint64_t seed) {
 /// The busy scene around a ship whose bow is turned out of the ice and steered back; `fixed`: it does not move.
 inline SceneDef ship_scene(std::uint64_t seed, bool fixed) {
   SceneDef scene = busy_scene(seed);
-  scene.current.velocity_m_per_s = {1.6, 0.1};  // the ice is there within 4 s
+  scene.current.velocity_m_per_s = {1.6, 0.1};
   scene.platform.outline = PlatformOutline::ship;
   scene.platform.length_m = 30.0;
   scene.platform.beam_m = 9.0;
   scene.platform.bow_length_m = 8.0;
   scene.platform.stern_length_m = 5.0;
   scene.platform.start_yaw_rad = 0.3;
-  scene.platform.anchor_m = {-9.0, 0.0};  // close behind the ice
+  scene.platform.anchor_m = {-11.0, 0.0};  // close behind the ice: it is there within 6 s
   scene.platform.inertia_kg_m2 = 4e8;
   scene.heading = {2e7, 1e8};
   scene.platform.fixed = fixed;

@@ -166,10 +166,11 @@ GEM_CLONES SplittingDifferences IslandSolver::compare(const IslandControl& contr
     motion = larger(motion, magnitude(now_[k].lanes) * scale);
     total += magnitude(now_[k].lanes);
   }
-  const auto largest = [&speed](FloatPack lanes) {
-    lanes *= speed;
+  // by reference: a pack passed by value reads as another in a build that does not inline, since the clones for AVX2
+  // hand it over in another register
+  const auto largest = [&speed](const FloatPack& lanes) {
     float all = 0.0F;
-    for (int lane = 0; lane < float_lanes; ++lane) all = larger(all, lanes[lane]);
+    for (int lane = 0; lane < float_lanes; ++lane) all = larger(all, lanes[lane] * speed[lane]);
     return all;
   };
   d.bodies = largest(bodies);

@@ -72,9 +72,9 @@ TEST_F(CommandTest, AHealthyRunIsNotBad) {
       << text_of("err");
   const auto summary = nlohmann::json::parse(text_of("out"));
   EXPECT_GT(summary.at("contacts"), 100);
-  EXPECT_EQ(summary.at("verdict"), "doubtful");  // two of three time steps end at the iteration limit
+  EXPECT_EQ(summary.at("verdict"), "good");
   for (const auto& one : summary.at("verdict_criteria"))
-    EXPECT_EQ(one.at("grade") == "doubtful", one.at("criterion") == "unfinished_steps") << one;
+    EXPECT_TRUE(one.at("grade") != "doubtful" && one.at("grade") != "bad") << one;
   EXPECT_EQ(shell("gem run swing.toml --strict"), 0) << text_of("err");
   EXPECT_NE(text_of("out").find("verdict               good\n"), std::string::npos) << text_of("out");
 }

@@ -125,7 +125,7 @@ class SweepCommandTest : public testing::Test {
   ScratchFolder scratch_{"gem sweep"};
   const fs::path& folder_ = scratch_.path();
   /// Makes each run take long enough to be interrupted.
-  const Words slow_ = {"--set", "numerics.time_step_s=2e-5", "--set", "output.platform_interval_s=0.02"};
+  const Words slow_ = {"--set", "numerics.time_step_s=1.2e-5", "--set", "output.platform_interval_s=0.02"};
 };
 
 TEST_F(SweepCommandTest, StrictCountsTheBadRuns) {

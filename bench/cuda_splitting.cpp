@@ -1,5 +1,5 @@
-// Speed of operator splitting on a GPU beside the other iteration, as CSV: drift, plug and jam of the paper's runs, one
-// scene and many copies. Times are the device's.
+// Speed of operator splitting on a GPU beside the other iteration, as CSV: the regimes of speed against error
+// (scripts/measure.sh) at the start of their first window, one scene and many copies. Times are the device's.
 //
 // Usage: gem_cuda_splitting CASES_FOLDER [copies]
 #include <algorithm>
@@ -16,32 +16,33 @@
 namespace gem {
 namespace {
 
-constexpr double timed = 12.8;  // [s]
+constexpr double timed = 6.4;  // [s]
+constexpr Phase regimes[] = {{"drift", "004_400_25", 60.0}, {"plug", "400_300_100", 600.0}, {"jam", "400_200_100", 600.0}};
 
 struct Setting {
   const char* name;
   Iteration iteration;
   std::int64_t iterations;
-  double time_step;  // [s]
+  double steps;  ///< Time steps of the case that one takes, dt.
 };
-constexpr Setting settings[] = {{"gradient 32 0.05 s", Iteration::gradient, 32, 0.05},
-                                {"gradient 200 0.05 s", Iteration::gradient, 200, 0.05},
-                                {"splitting 96 0.2 s", Iteration::splitting, 96, 0.2},
-                                {"splitting 96 0.05 s", Iteration::splitting, 96, 0.05}};
+constexpr Setting settings[] = {{"gradient 32 dt", Iteration::gradient, 32, 1.0},
+                                {"gradient 200 dt", Iteration::gradient, 200, 1.0},
+                                {"splitting 192 dt", Iteration::splitting, 192, 1.0},
+                                {"splitting 96 4dt", Iteration::splitting, 96, 4.0}};
 
 /// Moves copies of a state on and prints the milliseconds per simulated second of all of them.
 void time_setting(const Phase& phase, SceneDef scene, const Bodies& field, EngineState start, const Setting& setting,
                   std::size_t copies) {
   scene.numerics.iteration = setting.iteration;
   scene.numerics.iterations_maximum = setting.iterations;
-  scene.numerics.time_step_s = setting.time_step;
+  scene.numerics.time_step_s *= setting.steps;
   if (setting.iteration == Iteration::splitting) scene.numerics.residual_tolerance = 1e-3;
-  start.step = std::llround(phase.time / setting.time_step);
+  start.step = steps_in(scene, phase.time);
   CudaBatch batch(std::vector<BatchScene>(copies, {scene, field}), {});
-  const std::int64_t steps = std::llround(timed / setting.time_step);
+  const std::int64_t steps = steps_in(scene, timed);
   std::vector<double> seconds;
   std::vector<StepLog> logs(copies);
-  for (int repetition = 0; repetition < 4; ++repetition) {
+  for (int repetition = 0; repetition < 3; ++repetition) {
     for (std::size_t k = 0; k < copies; ++k) batch.restore(k, start);
     batch.advance(2, nullptr);  // builds the list
     for (StepLog& log : logs) log.clear();
@@ -64,7 +65,7 @@ void time_setting(const Phase& phase, SceneDef scene, const Bodies& field, Engin
 
 void time_all(const std::string& cases, std::size_t copies) {
   std::printf("commit,device,phase,setting,scenes,ms_per_s,spread,contacts,iterations,route,state_hash\n");
-  for (const Phase& phase : phases) {
+  for (const Phase& phase : regimes) {
     const SceneDef scene = scene_of(cases, phase.run);
     const Bodies field = make_field(scene);
     const EngineState start = start_of(phase, scene, field);

@@ -9,8 +9,8 @@
 // Exact because the direction of w does not change. With a turning angle theta the force is turned from w, since the
 // current below the boundary layer of the ice, which w is measured against, is turned from that at the ice (Ekman):
 //
-//   turned      dw/dt = -k |w| R(theta) w     z = k cos(theta) |w| dt,   w' = R(-a) w / (1 + z),   a = tan(theta) ln(1
-//   + z)
+//   turned      dw/dt = -k |w| R(theta) w     z = k cos(theta) |w| dt,   w' = R(-a) w / (1 + z)
+//               a = tan(theta) ln(1 + z)
 //               path of w = w dt ln(1 + z) / z R(-a/2) sin(a/2) / (a/2)
 //
 //   theta  counter-clockwise [rad]; about 0.4 on the northern hemisphere (McPhee, J. Phys. Oceanogr. 9, 1979)

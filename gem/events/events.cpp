@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "gem/base/strict_math.h"
+
 namespace gem {
 
 namespace {
@@ -20,7 +22,7 @@ void set_floe_laws(Events& e, bool wind) {
 /// No law for a platform that cannot turn.
 HeadingLaw heading_law(const HeadingDef& def, const PlatformInEvents& platform, double dt) {
   if (!platform.turns || !(platform.inertia > 0.0)) return {};
-  return {def.moment_N_m, std::exp(-def.damping_N_m_s * 0.5 * dt / platform.inertia), 0.5 * dt};
+  return {def.moment_N_m, strict::exp(-def.damping_N_m_s * 0.5 * dt / platform.inertia), 0.5 * dt};
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-// The list of all events. Solo events act on one body, pair events on two. The engines cpu and cuda include this file
-// and no other law. The reference engine calls each law by itself.
+// The list of all events. Solo events act on one body, pair events on two. The engines include this file and no other
+// law.
 //
 // A new law is a header in this folder with its definition, and a test. Here it gets one member (EventDefinitions) and
-// one call (floe_events, platform_events or pair_impulse); its keys go into the schema. No engine file changes: see
+// one call; its keys go into the schema. A law of floes changes no engine file. One of the platform or of pairs may: see
 // "How to add a law" in gem/manual/architecture.md.
 #pragma once
 

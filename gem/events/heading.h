@@ -31,6 +31,9 @@ struct HeadingLaw {
   GEM_HD constexpr bool present() const { return moment > 0.0 || decay < 1.0; }
 };
 
+/// Work of the control over half a turn, over K [-]: 1 + pi / 2.
+constexpr double half_turn_work = 2.5707963267948966;
+
 /// M for a platform with yaw `q` in water of velocity `water`.
 GEM_HD inline double heading_moment(double moment, Rotation q, Vec2 water) {
   const double speed = length(water);
@@ -39,6 +42,15 @@ GEM_HD inline double heading_moment(double moment, Rotation q, Vec2 water) {
   const double sine = cross(ahead, water) / speed;
   if (dot(ahead, water) >= 0.0) return moment * sine;
   return sine < 0.0 ? -moment : moment;
+}
+
+/// Most work of the control on a platform at rest with yaw `start` until its bow meets the water, over K [-]. Beyond a
+/// right angle that of half a turn.
+GEM_HD inline double heading_work(Rotation start, Vec2 water) {
+  const double speed = length(water);
+  if (!(speed > 0.0)) return 0.0;
+  const double cosine = dot({start.cosine, start.sine}, water) / speed;
+  return cosine >= 0.0 ? 1.0 - cosine : half_turn_work;
 }
 
 }  // namespace gem

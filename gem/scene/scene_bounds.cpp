@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "gem/base/strict_math.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_drive.h"
@@ -32,23 +32,17 @@ double outline_width(const std::vector<Vec2>& outline) {
   return smallest;
 }
 
-/// Largest rate at which the heading control turns the platform [rad/s]: that of the swing from the start to the
-/// current's direction, and of that direction between the rows of its table.
+/// Largest rate at which the heading control turns a platform from rest [rad/s]: that of a swing from the start to the
+/// current's direction, or of half a turn where the current changes. Damping bounds it too.
 double heading_rate(const SceneDef& scene) {
   const PlatformDef& p = scene.platform;
+  const HeadingDef& heading = scene.heading;
   const double inertia = platform_inertia(p);
-  if (!(scene.heading.moment_N_m > 0.0 && inertia > 0.0) || p.yaw == Yaw::locked) return 0.0;
-  constexpr double quarter = 0.5 * std::numbers::pi;
-  const Vec2 water = drive_at_start(scene).water;
-  const double direction = length(water) > 0.0 ? std::atan2(water.y, water.x) : p.start_yaw_rad;
-  const double off = std::abs(std::remainder(direction - p.start_yaw_rad, 4.0 * quarter));
-  const double work = off > quarter ? 1.0 + off - quarter : 1.0 - std::cos(off);
-  double turning = 0.0;
-  const std::vector<TimeRow>& rows = scene.drive.current_direction;
-  for (std::size_t k = 1; k < rows.size(); ++k)
-    if (rows[k][0] > rows[k - 1][0])
-      turning = std::max(turning, std::abs(rows[k][2] - rows[k - 1][2]) / (rows[k][0] - rows[k - 1][0]));
-  return std::sqrt(2.0 * work * scene.heading.moment_N_m / inertia) + turning;
+  if (!(heading.moment_N_m > 0.0 && inertia > 0.0) || p.yaw == Yaw::locked) return 0.0;
+  const double work =
+      varies(scene.drive) ? half_turn_work : heading_work(rotation_of_angle(p.start_yaw_rad), drive_at_start(scene).water);
+  const double swing = std::sqrt(2.0 * work * heading.moment_N_m / inertia);
+  return heading.damping_N_m_s > 0.0 ? std::min(swing, heading.moment_N_m / heading.damping_N_m_s) : swing;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace gem {
 namespace {
 
 /// Parts of a stretch between two rows at which a table of directions is looked at. Chosen by hand: of a quarter turn
-/// between two rows they miss 2e-4.
+/// between two rows they miss 3e-4.
 constexpr int parts_of_stretch = 32;
 
 /// Largest speed of a table, which is linear between its rows [m/s].

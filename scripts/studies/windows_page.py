@@ -5,16 +5,18 @@ import re
 
 import chart
 from bars_page import JUDGED, KINDS, points_of
-from measured import FIGURES, ROOT, figure, grouped, provenance, read, rms, same_results, stamp, table, wrapped
+from measured import FIGURES, ROOT, figure, grouped, provenance, read, rms, stamp, table, wrapped
 
 # The paper's own speeds (ICETECH 2014, one GPU of that year): dated marks, other hardware.
 PAPER = ((1.0 / 6.0, "2014: 6x"), (1.0 / 2.0, "2014: 2x"))
 COST = "wall time per simulated second [s/s]"
 # Curves: title, colour, settings that belong to it; what is left is drawn as points of its family.
 CURVES = (
-    ("gem coupled, time step", "gem", r"gem (dt/\d|dt|2dt)"),
-    ("gem coupled, 2 threads", "gem2", r"gem (dt/\d|dt|2dt) 2 threads"),
-    ("gem coupled, iterations", "iterations", r"gem dt( \d+ iterations)?"),
+    ("gem, time step", "gem", r"gem (dt/\d|\d?dt)"),
+    ("gem, 2 threads", "gem2", r"gem (dt/\d|\d?dt) 2 threads"),
+    ("gem, 96 iterations", "iterations", r"gem \d?dt 96 iterations"),
+    ("gem gradient, time step", "gradient", r"gem gradient (dt/\d|\d?dt)"),
+    ("gem gradient, iterations", "gradient iterations", r"gem gradient dt( \d+ iterations)?"),
     ("gem independent, time step", "independent", r"gem independent (dt/\d|dt|2dt)"),
     ("gem independent, 2 threads", "independent2", r"gem independent (dt/\d|dt|2dt) 2 threads"),
     ("Box2D, iterations", "Box2D", r"Box2D \d+/\d+ dt"),
@@ -25,31 +27,21 @@ CURVES = (
 # What is dropped, from which setting.
 DROPPED = (("friction", "gem dt", "gem without friction"), ("yaw", "gem dt", "gem without yaw"),
            ("elastic stress", "gem independent dt", "gem independent without elastic stress"))
-# The phases of bench/cuda_speed.cpp: case and time from which it is timed. A regime whose windows begin there is the same scene.
-CUDA_PHASES = {"drift": ("004_400_25", 60.0), "plug": ("004_400_25", 1800.0), "jam": ("400_200_100", 600.0)}
+# Settings of bench/cuda_splitting.cpp and the same on the processor, by the case's own time step.
+CUDA_SETTINGS = {"gradient 32 dt": "gem gradient dt", "gradient 200 dt": "gem gradient dt 200 iterations",
+                 "splitting 192 dt": "gem dt", "splitting 96 4dt": "gem 4dt 96 iterations"}
 
 
-def cuda_points(group, points):
-    """The regime's scene on a GPU by its fastest layout, alone and as the fastest batch of copies, with the error of the same
-    settings on the processor: only where case and start agree and the commits have the same bits."""
-    commits = {r["commit"] for r in group}
-    begins = {(r["case"], float(r["start_s"])) for r in group}
-    fastest = {}
-    for path in sorted((ROOT / "bench" / "results").glob("cuda*.csv")):
-        with open(path, newline="", encoding="utf-8") as file:
-            for row in csv.DictReader(file):
-                if row.get("arithmetic", "strict") != "strict" or row["measure"] not in ("moment", "copies") or CUDA_PHASES.get(row["phase"]) not in begins:
-                    continue
-                if not all(same_results(row["commit"], commit) for commit in commits):
-                    continue
-                key, cost = (row["resolution"], row["measure"] == "copies"), 1.0 / float(row["x_real_time"])
-                if key not in fastest or cost < fastest[key][0]:
-                    fastest[key] = (cost, row["device"], row["commit"], row["scenes"])
+def cuda_points(regime, points):
+    """The regime's scene on a GPU, alone and as a batch of copies, with the error of the same settings on the processor."""
     found = {}
-    for (resolution, batch), (cost, device, commit, scenes) in fastest.items():
-        source = "gem dt" if resolution == "coupled" else "gem independent dt"
-        if source in points:
-            found[f"CUDA {resolution} dt, {f'{scenes} copies, ' if batch else ''}{device}"] = (cost, points[source][1], commit)
+    with open(ROOT / "bench" / "results" / "splitting" / "cuda.csv", newline="", encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            source = CUDA_SETTINGS[row["setting"]]
+            if row["phase"] == regime and source in points:
+                copies = int(row["scenes"])
+                name = f"CUDA {source.removeprefix('gem ')}, {f'{copies} copies, ' if copies > 1 else ''}{row['device'].split(' 80GB')[0]}"
+                found[name] = (1e-3 * float(row["ms_per_s"]) / copies, points[source][1], row["commit"])
     return found
 
 
@@ -74,7 +66,7 @@ def staircase(front):
 
 def panel_of(title, group, kind, what):
     points = points_of(group, kind)
-    gpu = cuda_points(group, points)
+    gpu = cuda_points(group[0]["regime"], points)
     panel = chart.Panel(title, COST, f"error of {what}")
     panel.key = "below Left reverse width -2 maxrows 5 font ',9'"
     drawn = set()
@@ -83,13 +75,13 @@ def panel_of(title, group, kind, what):
         drawn |= set(members)
         dashes = "" if " moment" in f" {colour}" or colour in ("gem", "independent") else " dt 2"
         panel.curve(name, chart.COLOURS[colour], sorted(members.values()), "linespoints pt 7 ps 0.5 lw 1.5" + dashes)
-    for family in ("gem", "dropped", "Box2D", "thin"):
+    for family in ("gem", "gradient", "dropped", "Box2D", "thin"):
         rest = [p for s, p in points.items() if s not in drawn and chart.family_of(s) == family]
         panel.curve(f"{chart.FAMILIES[family]}, other", chart.COLOURS[family], rest, "points pt 6 ps 0.7")
     for name, (cost, error, _) in gpu.items():
         label, point = ("a batch of copies", 11) if "copies" in name else ("one scene", 9)
-        resolution, filled = ("coupled", point) if "coupled" in name else ("independent", point - 1)
-        panel.curve(f"GPU {resolution}, {label}", chart.COLOURS["cuda"], [(cost, error)], f"points pt {filled} ps 1.2")
+        iteration, filled = ("gradient", point - 1) if "gradient" in name else ("splitting", point)
+        panel.curve(f"GPU {iteration}, {label}", chart.COLOURS["cuda"], [(cost, error)], f"points pt {filled} ps 1.2")
     front = pareto_front({s: p for s, p in points.items() if chart.family_of(s) != "dropped"})
     panel.curve("Pareto front of the processor", "#000000", staircase(front), "lines lw 1 dt 3")
     for setting, (cost, error) in front:
@@ -153,11 +145,10 @@ def part_b():
                   provenance("windows", group), ""]
         lines += settings_table(group, fronts)
         places = points_of(group, "places")
-        for name, (cost, error, commit) in cuda_points(group, places).items():
+        for name, (cost, error, commit) in cuda_points(regime, places).items():
             beside = [f"{places[s][0] / cost:.3g} times as fast as {s} ({1e3 * places[s][1]:.3g} mm)" for s in JUDGED if s in places]
-            lines += [wrapped(f"{name}: {1 / cost:.4g} x real time, {', '.join(beside)}; commit `{commit}`. Timed over 256 "
-                      f"time steps from the first window's start; its bits are the processor's, so its error of {1e3 * error:.3g} mm is that of "
-                      "gem dt over these windows, and Box2D's time is that of the table."), ""]
+            lines += [wrapped(f"{name}: {1 / cost:.4g} x real time, {', '.join(beside)}; commit `{commit}`. Its bits are the processor's, so its "
+                              f"error of {1e3 * error:.3g} mm is that of the same setting over these windows, and Box2D's time is that of the table."), ""]
     lines += dropped_table(regimes)
     chart.write_figure(FIGURES / "windows.svg", panels, 2, 760, 500, stamp("windows"))
     return lines + figure("windows", "Part B: error against cost in windows; dashed upright: the paper's speeds of 2014, 6 and 2 times "

@@ -41,8 +41,8 @@ constexpr int list_blocks = 4, plan_threads = 512;
 /// block, and shared memory of a block, which is most of a multiprocessor's [bytes].
 constexpr int largest_cluster = 16, solve_threads = 512;
 constexpr std::size_t solve_shared_bytes = 200 * 1024;
-/// Largest coupled scene, in bodies, for the phases route: the threads of the largest cluster. Larger scenes are moved
-/// by resident blocks, all of which iterate.
+/// Largest scene with the iteration "gradient", in bodies, for the phases route: the threads of the largest cluster.
+/// Larger ones are moved by resident blocks, all of which iterate.
 constexpr std::int32_t most_cluster_bodies = largest_cluster * solve_threads;
 
 /// What a scene does in the planned time step on the phases route; see plan.h.

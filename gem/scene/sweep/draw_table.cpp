@@ -173,6 +173,15 @@ void check_keys(const DrawTable& draw) {
                  "another variable draws " + variable.target.key + " already; draw it once");
 }
 
+/// The runs of a Saltelli design are named A, B and by the variables.
+void check_names(const DrawTable& draw) {
+  if (draw.design.sampling != Sampling::saltelli) return;
+  for (const DrawVariable& variable : draw.variables)
+    if (variable.name == "A" || variable.name == "B")
+      reject_key(variable.place, "sweep.draw.variable",
+                 "the name of a set of the saltelli design (value \"" + variable.name + "\") choose another name");
+}
+
 }  // namespace
 
 bool is_variable_name(const std::string& text) {
@@ -200,6 +209,7 @@ DrawTable read_draw_table(const TomlNode& node) {
                "wrong number of variables (value " + std::to_string(variables.entries.size()) + ", allowed [1, " +
                    std::to_string(variables_maximum) + "])");
   for (const auto& [name, variable] : variables.entries) draw.variables.push_back(read_variable(name, variable));
+  check_names(draw);
   check_keys(draw);
   check_repeats(table, draw);
   return draw;

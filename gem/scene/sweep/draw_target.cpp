@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "gem/base/number_text.h"
 #include "gem/scene/problems.h"
 #include "gem/scene/sweep/reject_key.h"
 #include "gem/scene/toml/toml_text.h"
@@ -76,7 +77,13 @@ std::optional<DrawTarget> in_pair(const std::string& key) {
   return target;
 }
 
-TomlNode number_node(double value, bool whole, const TomlPlace& place) {
+TomlNode number_node(double value, const DrawTarget& target, const TomlPlace& place) {
+  const bool whole = target.whole;
+  constexpr double largest_whole = 9007199254740992.0;  // 2^53: beyond it not every whole number is a double
+  if (!std::isfinite(value) || (whole && std::abs(value) > largest_whole))
+    reject_key(place, target.key,
+               "a draw is no number that the key can hold (value " + number_text(value) +
+                   ") choose a law or a factor with smaller numbers");
   TomlNode node;
   node.kind = whole ? TomlKind::integer : TomlKind::number;
   if (whole)
@@ -97,7 +104,7 @@ double held(const TomlNode* node, const DrawTarget& target) {
 
 TomlNode drawn_node(const TomlNode* old, const DrawTarget& target, double value, bool is_factor,
                     const TomlPlace& place) {
-  return number_node(is_factor ? value * held(old, target) : value, target.whole, place);
+  return number_node(is_factor ? value * held(old, target) : value, target, place);
 }
 
 void write_in_list(TomlNode& list, const DrawTarget& target, double value, bool is_factor, const TomlPlace& place) {

@@ -70,11 +70,9 @@ class DeviceIslandSolver {
                                               motion_of(cell.a), motion_of(cell.b), per_step);
       asked += RoundControl::asked(c.residual_speed, speed);
     });
-    constexpr std::uint64_t too_many =
-        RoundControl::asked_units + 1;  // a sum of these of all threads does not overflow
-    if (asked > 0) Atomics::add(&cell_.asked, static_cast<std::int32_t>(asked < too_many ? asked : too_many));
+    if (asked > 0) Atomics::add(&cell_.asked, asked);
     team_.sync();
-    const double error = RoundControl::error_of_base(c.residual_speed, static_cast<std::uint64_t>(cell_.asked));
+    const double error = RoundControl::error_of_base(c.residual_speed, cell_.asked);
     if (!(error <= c.residual_speed)) return false;
     note(0, error);
     return true;

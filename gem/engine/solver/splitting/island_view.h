@@ -55,7 +55,8 @@ struct IslandCell {
   std::int32_t taken;  // island that the threads took
   std::int32_t bodies, points;
   std::int32_t base, first_point;
-  std::int32_t repairs, overflow, asked, raised, not_finite;
+  std::int32_t repairs, overflow, raised, not_finite;
+  std::uint64_t asked;  // of all points: 32 bits are too few for a cluster of blocks
   std::uint32_t points_bits, bodies_bits, change_bits, motion_bits;
   double share;
   std::int32_t branches, trunk_bodies;

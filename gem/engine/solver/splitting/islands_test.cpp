@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "gem/engine/solver/splitting/island_view.h"
+#include "gem/engine/solver/splitting/round_control.h"
+
 namespace gem {
 namespace {
 
@@ -103,6 +106,16 @@ TEST(Islands, KeepImpulsesThatStillHold) {
     EXPECT_EQ(result.iterations == 0, share < 1.0) << share;
     for (int i = 0; i < count; ++i) EXPECT_NEAR(row.velocity_after(i), 0.0, control.tolerance) << i;
     EXPECT_EQ(row.impulse[0].normal == solved[0].normal, share < 1.0);
+  }
+}
+
+TEST(Islands, AreNotSettledByASumThatIsCutOff) {
+  // as the threads of the largest cluster of blocks add up
+  constexpr double tolerance = 1e-3;
+  for (const int threads : {4096, 8192}) {
+    decltype(IslandCell::asked) sum = 0;
+    for (int k = 0; k < threads; ++k) sum += RoundControl::asked(tolerance, 2e-3F);
+    EXPECT_GT(RoundControl::error_of_base(tolerance, sum), tolerance) << threads;
   }
 }
 

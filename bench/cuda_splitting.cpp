@@ -17,7 +17,8 @@ namespace gem {
 namespace {
 
 constexpr double timed = 6.4;  // [s]
-constexpr Phase regimes[] = {{"drift", "004_400_25", 60.0}, {"plug", "400_300_100", 600.0}, {"jam", "400_200_100", 600.0}};
+constexpr Phase regimes[] = {
+    {"drift", "004_400_25", 60.0}, {"plug", "400_300_100", 600.0}, {"jam", "400_200_100", 600.0}};
 
 struct Setting {
   const char* name;

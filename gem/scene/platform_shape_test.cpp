@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gem/base/strict_math.h"
+#include "gem/events/heading.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/scene_bounds.h"
@@ -104,6 +106,47 @@ TEST(PlatformShape, AFixedPlatformNeedsNoMooring) {
   EXPECT_EQ(mooring_stiffness(scene), 0.0);
   scene.mooring.stiffness_N_per_m = 1e15;  // would need a short time step
   EXPECT_TRUE(check_scene(scene).empty());
+}
+
+/// Fastest rim of a platform under heading control in a current that turns back at 600 s [m/s].
+double fastest_rim(const SceneDef& scene) {
+  constexpr double dt = 0.05;
+  const double inertia = platform_inertia(scene.platform);
+  double yaw = 1e-3, rate = 0.0, fastest = 0.0;
+  for (double time = 0.0; time < 1800.0; time += dt) {
+    const Vec2 water{time < 600.0 ? 0.25 : -0.25, 0.0};
+    const double moment = heading_moment(scene.heading.moment_N_m, strict::rotation_of_angle(yaw), water);
+    rate += dt * (moment - scene.heading.damping_N_m_s * rate) / inertia;
+    yaw += dt * rate;
+    fastest = std::max(fastest, std::abs(rate));
+  }
+  return platform_radius(scene.platform) * fastest;
+}
+
+TEST(PlatformShape, ACurrentThatTurnsBackSwingsAShipNoFasterThanItsBound) {
+  for (const double damping : {0.0, 6e9, 6e10}) {
+    SceneDef scene;
+    scene.platform = ship();
+    scene.heading = {8e7, damping};
+    const double slow = platform_speed_bound(scene);
+    scene.drive.current_velocity = {{0.0, 0.25, 0.0}, {599.0, 0.25, 0.0}, {600.0, -0.25, 0.0}};
+    const double rim = fastest_rim(scene), bound = platform_speed_bound(scene);
+    EXPECT_GT(rim, slow) << damping;
+    EXPECT_LT(rim, 1.001 * bound) << damping;  // 0.1 %: the time step of fastest_rim()
+    EXPECT_LT(bound, 1.6 * rim) << damping;
+    scene.drive.current_velocity.clear();
+    scene.drive.tide = {{44714.0, 0.5, 0.0, 0.0, 0.0}};
+    EXPECT_EQ(platform_speed_bound(scene), bound) << damping;
+  }
+}
+
+TEST(PlatformShape, ASlowTurnOfTheCurrentIsFollowedSlowly) {
+  SceneDef scene;
+  scene.platform = ship();
+  scene.heading = {8e7, 6e9};
+  const double still = platform_speed_bound(scene);
+  scene.drive.current_direction = {{0.0, 0.25, 0.0}, {3600.0, 0.25, 1.6}};
+  EXPECT_NEAR(platform_speed_bound(scene) - still, platform_radius(scene.platform) * 1.6 / 3600.0, 1e-12);
 }
 
 TEST(PlatformShape, CasesWithoutTheKeysKeepTheirText) {

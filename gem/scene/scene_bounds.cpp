@@ -32,17 +32,28 @@ double outline_width(const std::vector<Vec2>& outline) {
   return smallest;
 }
 
+/// Fastest turn of the current's direction between the rows of its table [rad/s].
+double turn_of_current(const std::vector<TimeRow>& direction) {
+  double turn = 0.0;
+  for (std::size_t k = 1; k < direction.size(); ++k)
+    if (direction[k][0] > direction[k - 1][0])
+      turn = std::max(turn, std::abs(direction[k][2] - direction[k - 1][2]) / (direction[k][0] - direction[k - 1][0]));
+  return turn;
+}
+
 /// Largest rate at which the heading control turns a platform from rest [rad/s]: that of a swing from the start to the
-/// current's direction, or of half a turn where the current changes. Damping bounds it too.
+/// current's direction, or of half a turn where the current turns back, and that of the current. Damping bounds it too.
 double heading_rate(const SceneDef& scene) {
   const PlatformDef& p = scene.platform;
   const HeadingDef& heading = scene.heading;
   const double inertia = platform_inertia(p);
   if (!(heading.moment_N_m > 0.0 && inertia > 0.0) || p.yaw == Yaw::locked) return 0.0;
-  const double work =
-      varies(scene.drive) ? half_turn_work : heading_work(rotation_of_angle(p.start_yaw_rad), drive_at_start(scene).water);
-  const double swing = std::sqrt(2.0 * work * heading.moment_N_m / inertia);
-  return heading.damping_N_m_s > 0.0 ? std::min(swing, heading.moment_N_m / heading.damping_N_m_s) : swing;
+  const double work = current_turns_back(scene)
+                          ? half_turn_work
+                          : heading_work(strict::rotation_of_angle(p.start_yaw_rad), drive_at_start(scene).water);
+  const double rate =
+      std::sqrt(2.0 * work * heading.moment_N_m / inertia) + turn_of_current(scene.drive.current_direction);
+  return heading.damping_N_m_s > 0.0 ? std::min(rate, heading.moment_N_m / heading.damping_N_m_s) : rate;
 }
 
 }  // namespace

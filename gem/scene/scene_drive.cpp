@@ -76,6 +76,25 @@ double largest_current(const SceneDef& scene) {
   return drive.tide.empty() ? fastest : fastest + length(tide_reach(scene));
 }
 
+bool current_turns_back(const SceneDef& scene) {
+  const DriveDef& drive = scene.drive;
+  double slowest = std::numeric_limits<double>::infinity();
+  bool back = false;
+  for (std::size_t k = 0; k < drive.current_velocity.size(); ++k) {
+    const Vec2 here{drive.current_velocity[k][1], drive.current_velocity[k][2]};
+    slowest = std::min(slowest, length(here));
+    if (k == 0) continue;
+    back = back || dot({drive.current_velocity[k - 1][1], drive.current_velocity[k - 1][2]}, here) <= 0.0;
+  }
+  for (std::size_t k = 0; k < drive.current_direction.size(); ++k) {
+    slowest = std::min(slowest, std::abs(drive.current_direction[k][1]));
+    back = back || (k > 0 && drive.current_direction[k - 1][1] * drive.current_direction[k][1] < 0.0);
+  }
+  if (drive.current_velocity.empty() && drive.current_direction.empty())
+    slowest = length(scene.current.velocity_m_per_s);
+  return back || (!drive.tide.empty() && length(tide_reach(scene)) >= slowest);
+}
+
 double largest_wind(const SceneDef& scene) {
   return fastest_row(scene.drive.wind_velocity, scene.drive.wind_direction, scene.wind.velocity_m_per_s);
 }

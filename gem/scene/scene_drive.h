@@ -18,6 +18,10 @@ bool has_wind(const SceneDef& scene);
 double largest_current(const SceneDef& scene);
 double largest_wind(const SceneDef& scene);
 
+/// Whether the direction of the current may change by more than a right angle at once: a tide or a table takes its
+/// velocity through zero or close past it.
+bool current_turns_back(const SceneDef& scene);
+
 /// Largest speed at which current and wind together drive a floe [m/s]. Coriolis force and the turn of the drag only
 /// turn the way through the water; a floe that starts at rest may be a few hundredths faster for a while.
 double drive_speed(const SceneDef& scene);

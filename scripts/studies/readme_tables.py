@@ -116,32 +116,41 @@ def root_of_mean_square(values):
     return math.sqrt(statistics.mean(value * value for value in values))
 
 
-def window_row(regime, title):
-    """gem's default setting on two threads in the windows of one regime: speed beside the distance from a fine reference."""
+def window_row(regime, title, iteration, setting):
+    """A setting of gem in the windows of one regime: speed beside the distance from a fine reference."""
     with open(os.path.join(RESULTS, "speed_against_error", "windows.csv"), newline="", encoding="utf-8") as file:
-        windows = [r for r in csv.DictReader(file) if r["regime"] == regime and r["setting"] == "gem dt 2 threads"]
+        windows = [r for r in csv.DictReader(file) if r["regime"] == regime and r["setting"] == setting]
 
     def of(name):
         return [float(r[name]) for r in windows]
 
     force = root_of_mean_square(a - b for a, b in zip(of("ice_force_x_N"), of("reference_ice_force_x_N")))
-    return (f"| {title} | Xeon, 2 threads | {1 / statistics.median(of('wall_s_per_s')):.0f} | "
+    return (f"| {title} | Xeon, 2 threads | {iteration} | {1 / statistics.median(of('wall_s_per_s')):.3g} | "
             f"{1e3 * root_of_mean_square(of('all_rms_m')):.3g} mm | "
             f"{100 * force / root_of_mean_square(of('reference_ice_force_x_N')):.2g} % | "
             f"{1e3 * max(of('overlap_maximum_m')):.2g} mm | {windows[0]['commit'][:7]} |")
 
 
+def gpu_result_row(phase, title, setting, iteration, scenes):
+    with open(os.path.join(RESULTS, "splitting", "cuda.csv"), newline="", encoding="utf-8") as file:
+        row = next(r for r in csv.DictReader(file)
+                   if (r["phase"], r["setting"], r["scenes"]) == (phase, setting, str(scenes)))
+    device = row["device"].replace("NVIDIA ", "").split(" ")[0]
+    return (f"| {title} | {device} | {iteration} | {1e3 * scenes / float(row['ms_per_s']):.3g} | as on the CPU, bit for bit | | | "
+            f"{row['commit'][:7]} |")
+
+
 def results_table():
     """Speed beside error. The rows of a GPU have the bits of the CPU, so its error."""
-    rows = ["| what | on | x real time | floes off after 8 s | ice force off | deepest overlap | commit |", "|" + "---|" * 7]
+    rows = ["| what | on | iteration | x real time | floes off after 8 s | ice force off | deepest overlap | commit |", "|" + "---|" * 8]
     for regime, title in (("drift", "open drift"), ("plug", "ice plug"), ("jam", "heavy jam")):
-        rows.append(window_row(regime, title))
-    for r in gpu_rows():
-        one_jam = r["measure"] == "moment" and r["phase"] == "jam"
-        if r["resolution"] == "coupled" and (one_jam or r["measure"] == "table1_recorded"):
-            what = "heavy jam" if one_jam else "36 runs of Table 1 together"
-            rows.append(f"| {what} | {r['device'].replace('NVIDIA ', '')} | {float(r['x_real_time']):.0f} | "
-                        f"as on the CPU, bit for bit | | | {r['commit'][:7]} |")
+        rows.append(window_row(regime, title, "splitting", "gem dt 2 threads"))
+        rows.append(window_row(regime, title, "gradient", "gem gradient dt 2 threads"))
+    for phase, title in (("drift", "open drift"), ("jam", "heavy jam")):
+        for scenes in (1, 36):
+            what = title if scenes == 1 else f"{title}, {scenes} copies together"
+            rows.append(gpu_result_row(phase, what, "splitting 192 dt", "splitting", scenes))
+            rows.append(gpu_result_row(phase, what, "gradient 32 dt", "gradient", scenes))
     return rows
 
 

@@ -32,8 +32,8 @@ constexpr int most_launch_steps = 512;
 ///   phases     one launch makes one stage of one time step of all scenes. For many scenes, and for large independent
 ///              ones
 ///   automatic  the faster of the two
-/// Scenes with the iteration "splitting" always take phases. Of the others the resident route is always used for a batch
-/// that has a coupled scene of more bodies than a cluster has threads, or if CudaOptions::blocks is given.
+/// Scenes with the iteration "splitting" always take phases. Of the others the resident route is always used for a
+/// batch that has a coupled scene of more bodies than a cluster has threads, or if CudaOptions::blocks is given.
 enum class Route { automatic, resident, phases };
 
 /// How the scenes of a batch are placed on the GPU. No option changes a result.

@@ -1,11 +1,17 @@
 # Fuzz targets of gem/fuzz. With GEM_FUZZ=ON (clang) libFuzzer drives them: scripts/fuzz. Without it a plain program runs the corpus
 # and a fixed number of changed inputs. Both are the tests fuzz.*.
+set(fuzzed_commands gem/command/info_command.cpp gem/command/verdict_output.cpp gem/command/case_choice.cpp gem/command/run/branch.cpp
+  gem/command/time_option.cpp gem/command/command_line.cpp gem/command/sweep/sweep_settings.cpp)
+foreach(source ${fuzzed_commands})  # so that a build without clang sees a file that was moved
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${source})
+    message(FATAL_ERROR "scripts/cmake/gem_fuzz.cmake: no ${source} (moved or renamed?)")
+  endif()
+endforeach()
 if(GEM_FUZZ)
   # The readers and what they need. Engines are left out: they read no files, and clang does not know all of their vector code.
   gem_sources(reader_sources gem/base gem/geometry gem/events gem/field gem/scene gem/record gem/analysis gem/report)
   list(FILTER reader_sources EXCLUDE REGEX "/recorder\\.cpp$")
-  add_library(gem_fuzz_readers STATIC ${reader_sources} gem/command/info_command.cpp gem/command/verdict_output.cpp
-    gem/command/case_choice.cpp gem/command/branch.cpp gem/command/time_option.cpp gem/command/command_line.cpp gem/command/sweep/sweep_settings.cpp)
+  add_library(gem_fuzz_readers STATIC ${reader_sources} ${fuzzed_commands})
   add_dependencies(gem_fuzz_readers gem_version)
   target_include_directories(gem_fuzz_readers PUBLIC ${PROJECT_BINARY_DIR}/generated)
   target_include_directories(gem_fuzz_readers SYSTEM PUBLIC ${RANDOM123_INCLUDE_DIR} PRIVATE ${TOMLPLUSPLUS_INCLUDE_DIR})

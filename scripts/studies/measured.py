@@ -76,14 +76,6 @@ CONTACTS_CHANGED = ("Since then gem's contacts have changed: no point is left ou
 CHANGED_SINCE = {"1fcea2322717": CONTACTS_CHANGED,
                  "d3be220d2d4d": CONTACTS_CHANGED + ". The commit is that of the program which counted; the runs are of it or older"}
 
-# Commits between which only how the work is shared out, tests and pages changed: runs have the same bits.
-SAME_RESULTS = ({"0625f162490c", "f46bce1e0847"}, {"4af374c18374", "955739b632d2", "4e93e10c64dd", "538051c0c655", "3d70c5ad100a"})
-
-
-def same_results(one, other):
-    return one == other or any({one, other} <= same for same in SAME_RESULTS)
-
-
 def since(commit):
     return CHANGED_SINCE.get(commit.removesuffix("-dirty"), "")
 

@@ -140,6 +140,19 @@ def gpu_result_row(phase, title, setting, iteration, scenes):
             f"{row['commit'][:7]} |")
 
 
+def iterations_table():
+    """Both iterations on a GPU, in the regimes of speed against error: milliseconds of the device per simulated second of all scenes."""
+    with open(os.path.join(RESULTS, "splitting", "cuda.csv"), newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    cell = {(r["setting"], r["phase"], r["scenes"]): f"{float(r['ms_per_s']):.3g}" for r in rows}
+    columns = [(phase, scenes) for phase in ("drift", "plug", "jam") for scenes in ("1", "36")]
+    table = ["| iterations, time step | " + " | ".join(f"{phase}, {scenes} scene{'s' if scenes != '1' else ''}" for phase, scenes in columns) + " |",
+             "|" + "---|" * 7]
+    for setting in dict.fromkeys(r["setting"] for r in rows):
+        table.append(f"| {setting} | " + " | ".join(cell[setting, phase, scenes] for phase, scenes in columns) + " |")
+    return table + ["", f"{rows[0]['device']}, commit {rows[0]['commit'][:7]}."]
+
+
 def results_table():
     """Speed beside error. The rows of a GPU have the bits of the CPU, so its error."""
     rows = ["| what | on | iteration | x real time | floes off after 8 s | ice force off | deepest overlap | commit |", "|" + "---|" * 8]
@@ -169,7 +182,7 @@ def rewrite(page, tables):
 def main():
     rewrite("README.md", [("results", results_table())])
     rewrite(os.path.join("gem", "manual", "performance.md"),
-            [("set-up", set_up_table()), ("speed", speed_table()), ("gpu", gpu_table()), ("scenes", scenes_table())])
+            [("set-up", set_up_table()), ("speed", speed_table()), ("gpu", gpu_table()), ("iterations", iterations_table()), ("scenes", scenes_table())])
 
 
 if __name__ == "__main__":

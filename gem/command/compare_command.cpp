@@ -6,6 +6,7 @@
 
 #include "gem/command/command.h"
 #include "gem/command/time_option.h"
+#include "gem/command/verdict_output.h"
 #include "gem/record/output/output_path.h"
 #include "gem/report/compare/compare_page.h"
 
@@ -30,6 +31,7 @@ Json json_of(const ComparedCell& cell) {
     object["low"] = cell.interval->low;
     object["high"] = cell.interval->high;
   }
+  if (cell.not_converged) object["not_converged"] = true;
   return object;
 }
 
@@ -39,7 +41,11 @@ Json json_of(const Comparison& comparison) {
                  {"differences", Json::object()},
                  {"numbers", Json::object()}};
   for (const ComparedRun& run : comparison.runs)
-    object["runs"].push_back({{"file", run.path}, {"name", run.data.identity.name}, {"label", run.label}});
+    object["runs"].push_back({{"file", run.path},
+                              {"name", run.data.identity.name},
+                              {"label", run.label},
+                              {"verdict", grade_name(run.data.verdict.grade)},
+                              {"verdict_criteria", criteria_json(run.data.verdict)}});
   for (const CaseDifference& difference : comparison.differences)
     object["differences"][difference.key] = difference.values;
   if (const auto reasons = missing_intervals(comparison); !reasons.empty()) object["no_intervals"] = reasons;

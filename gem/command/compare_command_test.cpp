@@ -68,6 +68,34 @@ TEST_F(CompareCommand, SaysWhyThereAreNoIntervals) {
   EXPECT_NE(text_of("out").find("\"no_intervals\""), std::string::npos) << text_of("out");
 }
 
+TEST_F(CompareCommand, SaysWhichRunHasNotConverged) {
+  const std::string run = "gem run " GEM_SOURCE_DIR "/cases/small_sweep.toml --index 1 -q --threads 1 ";
+  ASSERT_EQ(shell(run + "--out fine.h5 && " + run +
+                  "--set numerics.iteration=gradient --set numerics.iterations_maximum=1 --out rough.h5"),
+            0)
+      << text_of("err");
+  ASSERT_EQ(shell("gem compare fine.h5 rough.h5"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("verdict_reasons"), std::string::npos) << text_of("out");
+  ASSERT_EQ(shell("gem compare fine.h5 rough.h5 --json"), 0) << text_of("err");
+  const auto object = nlohmann::json::parse(text_of("out"));
+  const auto& numbers = object.at("numbers");
+  EXPECT_EQ(object.at("runs").at(0).at("verdict"), "good");
+  EXPECT_EQ(object.at("runs").at(1).at("verdict"), "bad");
+  EXPECT_EQ(object.at("runs").at(1).at("verdict_criteria").size(), 6u);
+  EXPECT_EQ(numbers.at("verdict_reasons").at("values").at(0), "-");
+  for (const char* load : {"ice_force_window_largest_N", "event_impulse_largest_N_s", "crushing_peak_largest_N"}) {
+    const auto& values = numbers.at(load).at("values");
+    EXPECT_FALSE(values.at(0).contains("not_converged")) << load;
+    EXPECT_EQ(values.at(1).at("not_converged"), true) << load;
+  }
+  EXPECT_FALSE(numbers.at("mooring_force_largest_N").at("values").at(1).contains("not_converged"));
+  if (shell("command -v gnuplot") != 0) return;
+  ASSERT_EQ(shell("gem compare fine.h5 rough.h5 --out page"), 0) << text_of("err");
+  const std::string html = text_of("page/index.html");
+  EXPECT_NE(html.find("its verdict is bad: "), std::string::npos);
+  EXPECT_NE(html.find("N (not converged)</td>"), std::string::npos);
+}
+
 TEST_F(CompareCommand, WritesAPage) {
   if (shell("command -v gnuplot") != 0) GTEST_SKIP() << "gnuplot is not installed";
   make_runs();
@@ -115,6 +143,18 @@ TEST_F(CompareCommand, AReportShowsTheChosenTime) {
   EXPECT_EQ(shell("gem report r.h5 --at 3s --out other"), 2);
   EXPECT_NE(text_of("err").find("it lasts 2 s"), std::string::npos) << text_of("err");
   EXPECT_FALSE(exists("other"));
+}
+
+TEST_F(CompareCommand, AReportOfASweepSaysWhichRunsHaveNotConverged) {
+  if (shell("command -v gnuplot") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_EQ(shell("gem sweep run " GEM_SOURCE_DIR "/cases/small_sweep.toml --index 1 -q --out runs --set "
+                  "numerics.iteration=gradient --set numerics.iterations_maximum=1 && gem report runs"),
+            0)
+      << text_of("err");
+  const std::string html = text_of("runs_report/index.html");
+  EXPECT_NE(html.find("<strong>bad</strong><br><small>"), std::string::npos);
+  EXPECT_NE(html.find("N (not converged)</span>"), std::string::npos);
+  EXPECT_NE(html.find("<em>Not converged</em> are runs"), std::string::npos);
 }
 
 TEST_F(CompareCommand, AReportOfASweepShowsItsRuns) {

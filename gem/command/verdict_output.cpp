@@ -27,11 +27,4 @@ nlohmann::ordered_json criteria_json(const RunVerdict& verdict) {
   return list;
 }
 
-std::string criteria_of_grade(const RunVerdict& verdict, Grade grade) {
-  std::string names;
-  for (const Judgement& one : verdict.judgements)
-    if (one.grade == grade) names += (names.empty() ? "" : ", ") + one.criterion;
-  return names;
-}
-
 }  // namespace gem

@@ -14,7 +14,4 @@ std::string reasons_text(const RunVerdict& verdict, const std::string& indent);
 /// A list with one object per criterion. Numbers that are not finite are null.
 nlohmann::ordered_json criteria_json(const RunVerdict& verdict);
 
-/// The criteria of one grade, for a message: "overlap, residual".
-std::string criteria_of_grade(const RunVerdict& verdict, Grade grade);
-
 }  // namespace gem

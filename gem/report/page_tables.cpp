@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "gem/analysis/verdict/verdict_words.h"
 #include "gem/base/number_text.h"
 #include "gem/report/display.h"
 #include "gem/report/page_frame.h"
@@ -98,13 +99,6 @@ std::string with_share(double depth, double share) {
 }
 std::string impulse_text(double impulse) { return with_unit(impulse, impulse_unit(std::abs(impulse))); }
 
-/// Whether the verdict doubts a run for its unfinished time steps.
-bool stops_short(const RunVerdict& verdict) {
-  return std::any_of(verdict.judgements.begin(), verdict.judgements.end(), [](const Judgement& one) {
-    return one.criterion == "unfinished_steps" && one.grade == Grade::doubtful;
-  });
-}
-
 }  // namespace
 
 std::string headline_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis) {
@@ -190,7 +184,7 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
   const bool still = untouched && findings.radial_excursion < kLeastMotion;
   const auto of_ice = [untouched](const std::string& text) { return untouched ? "no contact" : text; };
   // What one contact gives in a short time is wrong first where the iterations stop short.
-  const std::string doubt = untouched || !stops_short(run.verdict) ? "" : " (not converged)";
+  const std::string doubt = untouched ? "" : doubt_text(run.verdict);
   const auto of_short = [&](const std::string& text) { return of_ice(text) + doubt; };
   const auto of_mooring = [still](const std::string& text) { return still ? "no contact" : text; };
   const double sample_force = l.sample_s > 0.0 ? l.sample_impulse_largest / l.sample_s : 0.0;

@@ -29,12 +29,15 @@ struct BookLimits {
 /// cost adds, see RunSteps::checkpoint().
 inline constexpr double usual_checkpoint_interval_s = 4.0;
 
+/// Wall time between two flushes of the run file [s]. A run that is killed loses this much and what a flush takes.
+inline constexpr double usual_flush_interval_s = 4.0;
+
 struct RunOptions {
   std::string output;  ///< run file; empty: no file
   bool overwrite = false;
   LogOptions log;
   BookLimits books;
-  double flush_interval_s = 4.0;       ///< wall time between two flushes; a kill loses this much and what a flush takes
+  double flush_interval_s = usual_flush_interval_s;  ///< wall time; 0: after every block of time steps
   std::int64_t step_limit = 0;         ///< > 0: stop after so many time steps; a checkpoint can go on from there
   double checkpoint_interval_s = 0.0;  ///< wall time between two checkpoints; 0: none, not even at a stop
   /// Go on from here; `output` is the run file of the checkpoint. Null: begin at t = 0.

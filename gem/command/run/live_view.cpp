@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <new>
 #include <thread>
@@ -73,7 +74,7 @@ void LiveView::serve(const std::string& run_file, const std::string& token) {
 void LiveView::join(RunOptions& options, double duration_s) {
   control_->duration_s = duration_s;
   options.stop = &stop_signal_;
-  options.flush_interval_s = flush_interval_s;
+  options.flush_interval_s = std::min(options.flush_interval_s, flush_interval_s);
   options.on_block = [this, &options](double time) {
     control_->time_s = time;
     while (control_->paused && !control_->stop && stop_signal_of(options) == 0) std::this_thread::sleep_for(20ms);

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "gem/analysis/verdict/verdict_words.h"
 #include "gem/base/error.h"
 #include "gem/command/verdict_output.h"
 #include "gem/record/output/output_path.h"

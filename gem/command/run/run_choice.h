@@ -30,6 +30,9 @@ struct RunChoice {
   const CLI::Option* engine_option = nullptr;
 };
 
+/// Adds --flush-every, which `gem run` and `gem sweep run` share.
+void add_flush_option(CLI::App& command, double& interval_s);
+
 /// The number after --until [s]. Throws Error(usage) for anything else.
 double until_of(const RunChoice& choice);
 

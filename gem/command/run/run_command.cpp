@@ -135,7 +135,7 @@ void add_baseline_options(CLI::App& command, RunChoice& choice) {
           ->allow_extra_args(false));
 }
 
-/// Adds --continue and --checkpoint-every.
+/// Adds --continue, --checkpoint-every and --flush-every.
 void add_checkpoint_options(CLI::App& command, RunChoice& choice) {
   CLI::Option* go_on = command.add_option("--continue", choice.continued,
                                           "go on with a run that stopped or was killed, from its last checkpoint, to "
@@ -150,9 +150,20 @@ void add_checkpoint_options(CLI::App& command, RunChoice& choice) {
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str();
+  add_flush_option(command, choice.options.flush_interval_s);
 }
 
 }  // namespace
+
+void add_flush_option(CLI::App& command, double& interval_s) {
+  command
+      .add_option(
+          "--flush-every", interval_s,
+          "wall time after which a run file shows its new rows to readers, the first ones after a second at most")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
+}
 
 void add_run_command(CLI::App& app, Chosen& chosen) {
   const auto choice = std::make_shared<RunChoice>();

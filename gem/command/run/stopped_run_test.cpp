@@ -48,6 +48,7 @@ TEST_F(CommandTest, WhatCannotGoOnSaysWhy) {
       {"gem run --continue parts.h5 --set run.seed=2", 2, "--set"},
       {"gem run --continue parts.h5 --out other.h5", 2, "--out"},
       {"gem run --continue parts.h5 --checkpoint-every -1", 2, "--checkpoint-every"},
+      {"gem run --continue parts.h5 --flush-every -1", 2, "--flush-every"},
   };
   for (const auto& row : rows) {
     EXPECT_EQ(shell(row.line), row.code) << row.line << "\n" << text_of("err");
@@ -100,6 +101,16 @@ TEST_F(CommandTest, AKilledRunIsReadableToTheLastFlush) {
   const double late = file.column("platform/time").back() - 50.0;
   EXPECT_EQ(shell("gem analyse --allow-incomplete swing.h5 swing.h5 --from " + std::to_string(late)), 2);
   EXPECT_NE(text_of("err").find("the same run as swing.h5 (several runs"), std::string::npos) << text_of("err");
+}
+
+// Without the option a run has no file in its first second. A loaded machine may need more than one try.
+TEST_F(CommandTest, ARunShowsItsRowsAsOftenAsAsked) {
+  const std::string killed_early =
+      "timeout -s KILL 0.9 '" GEM_PROGRAM "' run swing.toml --until 1e8 --force --threads 1 -q --out early.h5";
+  EXPECT_NE(shell(killed_early), 0);
+  EXPECT_FALSE(exists("early.h5"));
+  for (int attempt = 0; attempt < 5 && !exists("early.h5"); ++attempt) shell(killed_early + " --flush-every 0");
+  EXPECT_TRUE(exists("early.h5"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "gem/base/error.h"
 #include "gem/command/command.h"
+#include "gem/command/run/run_choice.h"
 #include "gem/command/sweep/sweep_collect.h"
 #include "gem/command/sweep/sweep_run.h"
 #include "gem/command/sweep/sweep_sensitivity.h"
@@ -70,6 +71,7 @@ void add_run(CLI::App& group, Chosen& chosen) {
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str();
+  add_flush_option(*run, choice->flush_interval_s);
   run->add_flag("--dry-run", choice->dry_run,
                 "print which runs would be made and what they need, without running or writing anything");
   run->add_flag("--strict", choice->strict, "exit code 6 if the verdict on a chosen run is bad");

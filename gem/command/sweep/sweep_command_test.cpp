@@ -141,6 +141,10 @@ TEST_F(SweepCommandTest, StrictCountsTheBadRuns) {
   for (const auto& [name, verdict] : status("nonsense", "verdict")) EXPECT_EQ(verdict, "bad") << name;
   EXPECT_EQ(gem({"sweep", "status", "nonsense"}), 0);
   EXPECT_NE(text_of("out_").find("bad"), std::string::npos) << text_of("out_");
+  for (const auto& [name, doubts] : status("nonsense", "doubts")) {
+    EXPECT_NE(doubts, "") << name;
+    EXPECT_NE(text_of("out_").find(doubts), std::string::npos) << text_of("out_");
+  }
   ASSERT_EQ(gem({"sweep", "collect", "nonsense", "--out", "s.h5"}), 0) << text_of("err_");
   const SummaryTable table = read_summary(path("s.h5"));
   ASSERT_NE(table.column("verdict"), nullptr);

@@ -15,6 +15,7 @@
 #include <system_error>
 #include <utility>
 
+#include "gem/analysis/verdict/verdict_words.h"
 #include "gem/base/error.h"
 #include "gem/base/hash.h"
 #include "gem/command/command.h"
@@ -92,7 +93,9 @@ void judge(SweepRow& row, const RunFile& file, const std::string& engine) {
     return;
   }
   row.engine = found;
-  row.verdict = grade_name(verdict_of(file).grade);
+  const RunVerdict verdict = verdict_of(file);
+  row.verdict = grade_name(verdict.grade);
+  row.doubts = doubts_of(verdict);
   row.time_s = last_of(file, "stats/time");
   row.wall_time_s = last_of(file, "stats/wall_time");
   row.state_hash = status == "running" ? "" : file.attribute("gem_state_hash");
@@ -248,6 +251,7 @@ SweepRow look_at_file(const std::string& folder, SweepRow row, const std::string
   row.engine.clear();
   row.state_hash.clear();
   row.verdict.clear();
+  row.doubts.clear();
   row.time_s = row.wall_time_s = 0.0;
   try {
     judge(row, RunFile(path, true), engine);

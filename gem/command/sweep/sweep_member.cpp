@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "gem/analysis/verdict/verdict_words.h"
 #include "gem/record/run_file/run_writer.h"
 #include "gem/scene/toml/scene_file.h"
 
@@ -27,6 +28,7 @@ RunOptions options_of(const SweepMember& member, const SweepSettings& settings, 
   options.command_line = settings.command_line;
   options.threads = settings.engine.threads;
   options.checkpoint_interval_s = settings.checkpoint_interval_s;
+  options.flush_interval_s = settings.flush_interval_s;
   options.stop = &stop;
   options.on_block = [&entry](double time) { entry.time = time; };
   return options;
@@ -38,6 +40,7 @@ Outcome outcome_of(const RunSummary& summary, SweepRow& row) {
   row.time_s = summary.time;
   row.wall_time_s = summary.wall_time;
   row.verdict = grade_name(summary.verdict.grade);
+  row.doubts = doubts_of(summary.verdict);
   const bool complete = summary.status == "complete";
   row.status = complete ? "done" : "stopped";
   row.error = complete ? "" : summary.status;

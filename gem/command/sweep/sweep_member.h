@@ -22,6 +22,7 @@ struct SweepSettings {
   bool overwrite = false;
   std::string command_line;
   double checkpoint_interval_s = usual_checkpoint_interval_s;  // wall time; 0: no checkpoints
+  double flush_interval_s = usual_flush_interval_s;            // wall time
 };
 
 /// The row of a run before anything is known of it.

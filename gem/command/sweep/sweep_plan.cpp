@@ -183,6 +183,7 @@ SweepPlan plan_sweep(const SweepRunChoice& choice, RunLog& log) {
   plan.settings.overwrite = choice.overwrite;
   plan.settings.command_line = choice.command_line;
   plan.settings.checkpoint_interval_s = choice.checkpoint_interval_s;
+  plan.settings.flush_interval_s = choice.flush_interval_s;
   plan.settings.engine.name = choice.engine;
   const std::vector<SweepRow> known = known_rows(choice.folder, plan.members);
   for (const std::size_t place : plan.chosen)

@@ -43,6 +43,7 @@ Json row_json(const SweepRow& row) {
                  {"wall_time_s", row.wall_time_s},
                  {"error", row.error},
                  {"verdict", row.verdict},
+                 {"doubts", row.doubts},
                  {"case_sha256", row.case_sha256}};
   if (row.draw.draw > 0) object["draw"] = json_of(row.draw);
   return object;
@@ -54,6 +55,7 @@ SweepRow row_of_json(const Json& object) {
   SweepRow row{object.at("index"),       object.at("name"),   object.at("case_sha256"),    object.at("status"),
                object.at("state_hash"),  object.at("engine"), object.at("duration_s"),     object.at("time_s"),
                object.at("wall_time_s"), object.at("error"),  object.value("verdict", ""), {}};
+  row.doubts = object.value("doubts", "");
   if (const auto draw = object.find("draw"); draw != object.end()) row.draw = draw_of(*draw);
   return row;
 }

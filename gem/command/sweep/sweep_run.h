@@ -21,6 +21,7 @@ struct SweepRunChoice {
   std::string log_format = "text";
   std::string command_line;
   double checkpoint_interval_s = usual_checkpoint_interval_s;  // wall time; 0: no checkpoints
+  double flush_interval_s = usual_flush_interval_s;            // wall time
   bool dry_run = false;
   bool overwrite = false;
   bool force = false;

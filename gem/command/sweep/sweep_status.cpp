@@ -51,7 +51,8 @@ std::string table_text(const std::vector<SweepRow>& rows) {
             cell(row.state_hash.empty() ? "-" : row.state_hash, 16) + cell(row.engine.empty() ? "-" : row.engine, 6) +
             cell(number_text(row.time_s, 6) + " s", 9) + cell(fixed_text(row.wall_time_s, 1) + " s", 7) +
             cell(row.verdict.empty() ? "-" : row.verdict, 10) +
-            (drawn_width > 0 ? cell(drawn_text(row.draw), drawn_width) : "") + shown(row.error) + "\n";
+            (drawn_width > 0 ? cell(drawn_text(row.draw), drawn_width) : "") +
+            shown(row.error.empty() ? row.doubts : row.error) + "\n";
   }
   text += std::to_string(rows.size()) + " runs:";
   for (const auto& [status, runs] : count) text += " " + std::to_string(runs) + " " + status;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "gem/analysis/verdict/verdict_words.h"
 #include "gem/base/number_text.h"
 #include "gem/report/compare/compare_figures.h"
 #include "gem/report/display.h"
@@ -79,10 +80,18 @@ std::string title_of(const Comparison& comparison) {
 
 std::string warnings_html(const Comparison& comparison) {
   std::string html;
-  for (const ComparedRun& run : comparison.runs)
-    if (run.data.verdict.grade == Grade::bad)
-      html += "<p class=\"warning\">The numbers of " + escaped(run.label) +
-              " cannot be believed: its verdict is bad.</p>\n";
+  for (const ComparedRun& run : comparison.runs) {
+    const RunVerdict& verdict = run.data.verdict;
+    if (verdict.grade == Grade::bad)
+      html += "<p class=\"warning\">The numbers of " + escaped(run.label) + " cannot be believed: its verdict is " +
+              escaped(verdict_text(verdict)) + ".</p>\n";
+    if (verdict.grade == Grade::doubtful)
+      html += "<p class=\"warning\">" + escaped(run.label) + " is " + escaped(verdict_text(verdict)) +
+              (stops_short(verdict)
+                   ? ". Its contacts had not converged: its loads of a short time are the first to be wrong"
+                   : "") +
+              ".</p>\n";
+  }
   const double first = comparison.runs.front().data.duration_s;
   if (std::any_of(comparison.runs.begin(), comparison.runs.end(),
                   [&](const ComparedRun& run) { return std::abs(run.data.duration_s - first) > 1e-3 * first; }))
@@ -104,7 +113,7 @@ std::string cell_text(const ComparedRow& row, const ComparedCell& cell) {
   if (cell.interval)
     text += " [" + rounded_text(cell.interval->low / unit.size, 3) + ", " +
             rounded_text(cell.interval->high / unit.size, 3) + "]";
-  return text + (unit.name.empty() ? "" : " " + unit.name);
+  return text + (unit.name.empty() ? "" : " " + unit.name) + (cell.not_converged ? " (not converged)" : "");
 }
 
 void write_comparison(const Comparison& comparison, const std::string& out_dir) {

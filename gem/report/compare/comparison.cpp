@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "gem/analysis/verdict/verdict_words.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/record/output/output_path.h"
@@ -91,6 +92,13 @@ class Rows {
   void number(const std::string& name, const std::string& meaning, const Number& of) {
     add(name, meaning, [&](const ComparedRun& run) { return ComparedCell{double(of(run)), std::nullopt, ""}; });
   }
+  /// Marks the last row, a load of a short time, in runs whose contacts had not converged.
+  void short_load() {
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      ComparedCell& cell = list.back().cells[i];
+      cell.not_converged = cell.value.value_or(0.0) != 0.0 && stops_short(runs_[i].data.verdict);
+    }
+  }
   template <class Text>
   void text(const std::string& name, const std::string& meaning, const Text& of) {
     add(name, meaning, [&](const ComparedRun& run) { return ComparedCell{std::nullopt, std::nullopt, of(run)}; });
@@ -110,14 +118,17 @@ class Rows {
 
 void add_loads(Rows& rows) {
   rows.analysed("ice_force_window_largest_N", "ice force averaged over the force window, largest");
+  rows.short_load();
   rows.analysed("mooring_force_largest_N", "mooring force, largest");
   rows.analysed("ice_force_x_mean_N", "ice force, mean, x");
   rows.analysed("ice_force_y_mean_N", "ice force, mean, y");
   rows.analysed("mooring_force_x_mean_N", "mooring force, mean, x");
   rows.number("event_impulse_largest_N_s", "impulse of one hit, largest",
               [](const ComparedRun& run) { return run.findings.loads.event_impulse_largest; });
+  rows.short_load();
   rows.number("crushing_peak_largest_N", "crushing peak of one hit, largest",
               [](const ComparedRun& run) { return run.findings.loads.crushing_largest; });
+  rows.short_load();
 }
 
 void add_motion(Rows& rows) {
@@ -156,6 +167,10 @@ std::vector<ComparedRow> compared_rows(const std::vector<ComparedRun>& runs) {
   Rows rows(runs);
   rows.text("verdict", "verdict on the run",
             [](const ComparedRun& run) { return std::string(grade_name(run.data.verdict.grade)); });
+  rows.text("verdict_reasons", "why it is not good", [](const ComparedRun& run) {
+    const std::string doubts = doubts_of(run.data.verdict);
+    return doubts.empty() ? "-" : doubts;
+  });
   rows.text("status", "status of the file", [](const ComparedRun& run) { return run.data.identity.status; });
   rows.number("duration_s", "simulated time", [](const ComparedRun& run) { return run.data.duration_s; });
   add_loads(rows);

@@ -25,6 +25,7 @@ struct ComparedCell {
   std::optional<double> value;
   std::optional<IntervalEstimate> interval;  // 95 %
   std::string text;                          // instead of a number
+  bool not_converged = false;                // a load of a short time in a run that ends its iterations too early
 };
 
 /// Whether the intervals of a row have a common part. Intervals that overlap do not show that two numbers are equal.

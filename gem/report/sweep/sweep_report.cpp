@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "gem/analysis/verdict/verdict_words.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/report/display.h"
@@ -21,7 +22,7 @@ namespace {
 struct SweepPageCell {
   SweepPageRun run;
   std::string picture;  // SVG; empty without frames of the floes
-  Grade grade = Grade::not_judged;
+  RunVerdict verdict;
   PlatformLoads loads;
   double radial_excursion = 0.0;  // [m]
   double duration_s = 0.0;
@@ -32,11 +33,11 @@ struct SweepPageCell {
 
 SweepPageCell page_cell(const SweepPageRun& run, std::size_t number, std::optional<double> at_s,
                         const PlotFolder& folder) {
-  SweepPageCell cell{run, "", Grade::not_judged, {}, 0.0, 0.0, 0.0, "", {}};
+  SweepPageCell cell{run, "", {}, {}, 0.0, 0.0, 0.0, "", {}};
   if (run.path.empty()) return cell;
   RunData data = load_run(run.path, true);
   const RunFindings findings = run_findings(data);
-  cell.grade = data.verdict.grade;
+  cell.verdict = data.verdict;
   cell.loads = findings.loads;
   cell.radial_excursion = findings.radial_excursion;
   cell.duration_s = data.duration_s;
@@ -67,9 +68,13 @@ std::string share_bar(double value, double largest) {
   return "<i style=\"width:" + decimal_text(largest > 0.0 ? 100.0 * value / largest : 0.0, 1) + "%\"></i>";
 }
 
+/// The verdict, with the criteria that gave it below it.
 std::string grade_html(const SweepPageCell& cell) {
-  const bool loud = cell.grade == Grade::bad;
-  return std::string(loud ? "<strong>" : "") + grade_name(cell.grade) + (loud ? "</strong>" : "");
+  const Grade grade = cell.verdict.grade;
+  const std::string doubts = doubts_of(cell.verdict);
+  const bool loud = grade == Grade::bad;
+  return std::string(loud ? "<strong>" : "") + grade_name(grade) + (loud ? "</strong>" : "") +
+         (doubts.empty() ? "" : "<br><small>" + escaped(doubts) + "</small>");
 }
 
 /// The largest loads of all runs, which fill the bars.
@@ -87,12 +92,16 @@ Largest largest_loads(const std::vector<SweepPageCell>& cells) {
 
 std::string force_text_of(double force) { return with_unit(force, force_unit(force)); }
 
+std::string ice_text(const SweepPageCell& cell) {
+  return force_text_of(cell.loads.ice_window_largest) + doubt_text(cell.verdict);
+}
+
 std::string cell_html(const SweepPageCell& cell, const Largest& largest) {
   const std::string name = "<b>" + escaped(cell.run.name) + "</b>";
   if (cell.run.path.empty()) return "<td>" + name + "<p>" + escaped(cell.run.status) + "</p></td>";
   return "<td>" + cell.picture + "<p>" + name + (cell.run.status == "done" ? "" : " " + escaped(cell.run.status)) +
-         "<span>" + grade_html(cell) + "</span></p><p>ice <span>" + force_text_of(cell.loads.ice_window_largest) +
-         "</span></p>" + share_bar(cell.loads.ice_window_largest, largest.ice) + "<p>mooring <span>" +
+         "<span>" + grade_html(cell) + "</span></p><p>ice <span>" + ice_text(cell) + "</span></p>" +
+         share_bar(cell.loads.ice_window_largest, largest.ice) + "<p>mooring <span>" +
          force_text_of(cell.loads.mooring_largest) + "</span></p>" +
          share_bar(cell.loads.mooring_largest, largest.mooring) + "</td>";
 }
@@ -142,8 +151,8 @@ std::string table_row(const SweepPageCell& cell) {
     return mean_with_interval(finding, size > 0.0 ? length_unit(size) : force_unit(value));
   };
   for (const std::string& text :
-       {grade_html(cell), force_text_of(cell.loads.ice_window_largest), force_text_of(cell.loads.mooring_largest),
-        mean("ice_force_x_mean_N", 0.0), mean("x_offset_m", std::max(cell.radial_excursion, 1e-9)),
+       {grade_html(cell), ice_text(cell), force_text_of(cell.loads.mooring_largest), mean("ice_force_x_mean_N", 0.0),
+        mean("x_offset_m", std::max(cell.radial_excursion, 1e-9)),
         with_unit(cell.radial_excursion, length_unit(cell.radial_excursion)), std::to_string(cell.loads.events)})
     html += "<td>" + text + "</td>";
   return html + "</tr>\n";
@@ -162,6 +171,8 @@ std::string table_html(const std::vector<SweepPageCell>& cells) {
 std::string notes_html(const std::vector<SweepPageCell>& cells, std::optional<double> at_s) {
   double window = 0.0;
   for (const SweepPageCell& cell : cells) window = std::max(window, cell.force_window_s);
+  const bool doubted =
+      std::any_of(cells.begin(), cells.end(), [](const SweepPageCell& cell) { return stops_short(cell.verdict); });
   return "<p class=\"notes\">Each picture shows the ice around the platform " +
          (at_s ? "at " + time_text(*at_s) : std::string("when the ice force was largest")) +
          ", in the recorded frame nearest to that time; floes are coloured by speed, from dark (at rest) to yellow "
@@ -169,7 +180,12 @@ std::string notes_html(const std::vector<SweepPageCell>& cells, std::optional<do
          "fastest of the run). <em>Ice</em> is the largest ice force averaged over " +
          number_text(window, 6) +
          " s, <em>mooring</em> the largest mooring force; the bars are shares of the largest value of the sweep. A "
-         "largest value is a single draw. Brackets are intervals of 95 % of one run.</p>\n";
+         "largest value is a single draw. Brackets are intervals of 95 % of one run." +
+         (doubted
+              ? " <em>Not converged</em> are runs whose time steps often end before their contacts agree: what acts "
+                "for a short time is wrong there first."
+              : "") +
+         "</p>\n";
 }
 
 }  // namespace

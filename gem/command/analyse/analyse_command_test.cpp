@@ -1,0 +1,100 @@
+// gem analyse: one run, several runs, and what is refused.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "gem/command/command_fixture.h"
+
+namespace gem {
+namespace {
+
+TEST_F(CommandTest, AnalyseSaysPeriodsThreeWays) {
+  // Released 1 m off centre, at rest. 25 cycles of 2 pi sqrt(1e8 / 5e5) = 88.858 s, without damping or ice.
+  ASSERT_EQ(shell("gem run swing.toml -q --until 2200 --threads 1"), 0) << text_of("err");
+  ASSERT_EQ(shell("gem analyse swing.h5 --json"), 0) << text_of("err");
+  const auto findings = nlohmann::json::parse(text_of("out")).at("findings");
+  for (const char* way : {"spectrum", "crossings", "maxima"}) {
+    const auto period = findings.at(std::string("x_period_by_") + way + "_s");
+    // Samples are 0.1 s apart. Crossings are found to (omega dt)^2 of a sample; maxima to one sample at either end.
+    EXPECT_NEAR(period.at("value").get<double>(), 88.8577, way == std::string("spectrum") ? 0.5 : 0.01) << way;
+    EXPECT_LE(period.at("low").get<double>(), period.at("value").get<double>());
+  }
+  EXPECT_LT(findings.at("x_period_by_spectrum_s").at("low").get<double>(), 88.8577);
+  EXPECT_GT(findings.at("x_period_by_spectrum_s").at("high").get<double>(), 88.8577);
+  EXPECT_NEAR(findings.at("x_largest_m").at("value").get<double>(), 1.0, 1e-12);
+  EXPECT_TRUE(findings.at("contact_gap_mean_s").is_null());
+  EXPECT_EQ(findings.at("contact_fraction").at("value").get<double>(), 0.0);
+  ASSERT_EQ(shell("gem analyse swing.h5 --from 500"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("x_period_by_crossings_s"), std::string::npos);
+  EXPECT_NE(text_of("out").find("not resolved"), std::string::npos);
+  EXPECT_NE(text_of("out").find("Kaplan-Meier"), std::string::npos);
+}
+
+TEST_F(CommandTest, AnalyseCombinesRunsOfOneLength) {
+  std::string files;
+  for (const char* start : {"0.5", "0.8", "1.1", "1.4", "2.2"}) {
+    const std::string file = std::string("run_") + start + ".h5";
+    files += " " + file;
+    ASSERT_EQ(shell("gem run swing.toml -q --until 200 --threads 1 --out " + file + " --set platform.start_offset_m=[" +
+                    start + ",0]"),
+              0)
+        << text_of("err");
+  }
+  ASSERT_EQ(shell("gem analyse --json" + files), 0) << text_of("err");
+  const auto object = nlohmann::json::parse(text_of("out"));
+  EXPECT_EQ(object.at("runs").size(), 5u);
+  const auto largest = object.at("over_runs").at("x_largest_m");
+  EXPECT_EQ(largest.at("runs"), 5);
+  EXPECT_NEAR(largest.at("mean").at("value").get<double>(), 1.2, 1e-12);
+  EXPECT_LT(largest.at("mean").at("low").get<double>(), 1.2);
+  const auto extreme = object.at("extremes").at("x_largest_m");
+  EXPECT_GT(extreme.at("p90").at("value").get<double>(), extreme.at("most_probable").at("value").get<double>());
+  ASSERT_EQ(shell("gem analyse" + files), 0);
+  EXPECT_NE(text_of("out").find("most probable"), std::string::npos) << text_of("out");
+}
+
+TEST_F(CommandTest, AnalyseRefusesWhatItCannotJudge) {
+  ASSERT_EQ(shell("gem run swing.toml -q --threads 1 && gem run swing.toml -q --threads 1 --until 40 --out long.h5"),
+            0);
+  EXPECT_EQ(shell("gem analyse swing.h5 --from 19"), 2);
+  EXPECT_NE(text_of("err").find("too short"), std::string::npos) << text_of("err");
+  EXPECT_EQ(shell("gem analyse swing.h5 --from nan"), 2);
+  EXPECT_EQ(shell("gem analyse swing.h5 --from -1"), 2);
+  EXPECT_EQ(shell("gem analyse swing.h5 long.h5"), 2);
+  EXPECT_NE(text_of("err").find("one length"), std::string::npos) << text_of("err");
+  EXPECT_EQ(shell("gem analyse missing.h5"), 4);
+  ASSERT_EQ(shell("gem run swing.toml -q --threads 1 --out soft.h5 --set mooring.stiffness_N_per_m=5e4"), 0);
+  EXPECT_EQ(shell("gem analyse swing.h5 soft.h5"), 2);
+  EXPECT_NE(text_of("err").find("not the same condition as swing.h5 (stiffness_N_per_m"), std::string::npos)
+      << text_of("err");
+  EXPECT_EQ(shell("gem analyse swing.h5 swing.h5"), 2);
+  EXPECT_NE(text_of("err").find("the same run as swing.h5"), std::string::npos) << text_of("err");
+  EXPECT_EQ(shell("gem run swing.toml -q --threads 1 --out copy.h5 && gem analyse swing.h5 copy.h5"), 2);
+  EXPECT_NE(text_of("err").find("copy.h5: the same run as swing.h5"), std::string::npos) << text_of("err");
+}
+
+TEST_F(CommandTest, AnalyseSaysWhichRunsAreNotToBeBelieved) {
+  const std::string run = "gem run " GEM_SOURCE_DIR "/cases/small_sweep.toml --index 1 -q --threads 1 ";
+  ASSERT_EQ(shell(run + "--out fine.h5; for seed in 1 2; do " + run +
+                  "--set numerics.iteration=gradient --set numerics.iterations_maximum=1 --set run.seed=$seed --set "
+                  "platform.start_offset_m=[0.$seed,0] --out bad$seed.h5; done"),
+            0)
+      << text_of("err");
+  ASSERT_EQ(shell("gem analyse fine.h5"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("verdict                         good\n"), std::string::npos) << text_of("out");
+  ASSERT_EQ(shell("gem analyse bad1.h5"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("verdict                         bad\n    bad         "), std::string::npos)
+      << text_of("out");
+  EXPECT_NE(text_of("out").find("    doubtful    unfinished_steps: "), std::string::npos) << text_of("out");
+  ASSERT_EQ(shell("gem analyse bad1.h5 --json"), 0) << text_of("err");
+  const auto object = nlohmann::json::parse(text_of("out"));
+  EXPECT_EQ(object.at("verdict"), "bad");
+  EXPECT_EQ(object.at("verdict_criteria").size(), 6u);
+  ASSERT_EQ(shell("gem analyse bad1.h5 bad2.h5"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("verdict                         2 bad\n    bad1.h5: bad: "), std::string::npos)
+      << text_of("out");
+}
+
+}  // namespace
+}  // namespace gem

@@ -29,7 +29,8 @@ double work_on(const Bodies& b, std::size_t i, Vec2 velocity, double spin) {
 
 Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options)
     : options_(options), touches_(field_, options_) {
-  const StepConstants constants = step_constants(scene, bodies);
+  mooring_ = mooring_tables(scene.mooring.law, scene.mooring_design);
+  const StepConstants constants = step_constants(scene, bodies, mooring_.view());
   field_ = make_field_state(std::move(bodies), constants);
   drives_ = drive_schedule(scene);
   make_world();

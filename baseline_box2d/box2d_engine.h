@@ -47,6 +47,7 @@ class Box2dEngine : public Engine {
   Box2dOptions options_;
   FieldState field_;
   DriveSchedule drives_;
+  MooringTables mooring_;
   Ledger ledger_;
   std::int64_t step_ = 0;
   double platform_angle_ = 0.0;             // [rad]

@@ -8,6 +8,7 @@
 
 #include "gem/base/vec2.h"
 #include "gem/events/events.h"
+#include "gem/events/mooring_tables.h"
 
 namespace gem {
 
@@ -153,6 +154,7 @@ struct SceneDef : EventDefinitions {
   NumericsDef numerics;
   OutputDef output;
   DriveDef drive;                  ///< tables of current, tide and wind
+  MooringDesign mooring_design;    ///< tables and lines of the mooring
   std::vector<FloeDef> floe;       ///< for source = listed
   std::vector<FixedDef> fixed;     ///< obstacles besides the boundary
   std::vector<std::string> notes;  ///< old key names that the file uses; not part of the scene

@@ -310,6 +310,21 @@ TEST(ReferenceJudgesMotion, AShipIsHitOnTwoSides) {
   }
 }
 
+TEST(ReferenceJudgesMotion, MooringOfTablesWithYaw) {
+  for (const Yaw yaw : {Yaw::free, Yaw::locked}) {
+    SceneDef s = still_scene();
+    s.mooring = test::moored_scene(1).mooring;
+    s.mooring_design = test::moored_scene(1).mooring_design;
+    s.platform.present = true;
+    s.platform.mass_kg = 4e6;
+    s.platform.yaw = yaw;
+    s.platform.start_yaw_rad = 0.2;
+    s.platform.start_offset_m = {1.0, -2.0};
+    s.platform_drag.present = true;
+    compare({.scene = s, .steps = 400, .contacts = 0});
+  }
+}
+
 /// Two floes that wind and a turning current press against a wall.
 TEST(ReferenceJudgesMotion, ATurningCurrentPressesOnAWall) {
   SceneDef s = still_scene();

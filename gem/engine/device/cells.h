@@ -53,6 +53,7 @@ struct PlatformCell {
   Quantity mooring_force;
   Vec2 mooring_before, drag_before;  // impulses summed since the start of the run, at the start of the time step [N s]
   std::int32_t row_begin = 0;        // copy of BodyMotion::row_begin
+  LineSet broken = 0;                // lines of the mooring
 };
 
 /// A near pair; A has the lower id.

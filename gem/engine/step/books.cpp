@@ -86,16 +86,14 @@ Quantity total(const FieldState& f) {
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
     if (f.bodies.active[i]) sum += of_body(f.bodies, i);
   const Events& e = f.constants.events;
-  if (e.platform_present) {
-    const Vec2 offset = f.bodies.position[0] - e.anchor;
-    sum.energy += 0.5 * e.mooring.stiffness_N_per_m * dot(offset, offset);
-  }
+  if (e.platform_present) sum.energy += mooring_energy(e, f.bodies.position[0], f.bodies.rotation[0], f.broken);
   return sum;
 }
 
 void open_books(FieldState& f, const EngineState& state) {
   const Ledger& ledger = state.ledger;
   f.mooring_force = ledger.mooring_force;
+  f.broken = state.broken;
   if (state.books.size() == f.books.size()) {
     f.books = state.books;
     return;

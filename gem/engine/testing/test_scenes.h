@@ -81,6 +81,20 @@ inline SceneDef ship_scene(std::uint64_t seed, bool fixed) {
   return scene;
 }
 
+/// The busy scene on a mooring of tables by direction, with stiffness and damping of the yaw.
+inline SceneDef moored_scene(std::uint64_t seed) {
+  SceneDef scene = busy_scene(seed);
+  scene.mooring = {.damping_ratio = 0.0,
+                   .law = MooringLaw::table,
+                   .damping_N_s_per_m = 3e4,
+                   .yaw_stiffness_N_m_per_rad = 5e7,
+                   .yaw_damping_N_m_s_per_rad = 1e6};
+  for (const auto& [angle, stiffness] : {std::pair{-1.0, 1e5}, {0.3, 4e5}, {1.7, 2e5}, {3.0, 3e5}, {4.2, 2.5e5}})
+    for (const auto& [offset, share] : {std::pair{0.05, 0.0}, {0.2, 0.15}, {2.0, 4.0}})
+      scene.mooring_design.direction.push_back({angle, offset, share * stiffness});
+  return scene;
+}
+
 /// The field of a scene, with random velocities and spins of the floes.
 inline Bodies busy_field(const SceneDef& scene) {
   Bodies bodies = make_field(scene);

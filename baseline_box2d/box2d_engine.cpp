@@ -115,6 +115,7 @@ void Box2dEngine::one_step(StepLog& log) {
   row.rotation = f.bodies.rotation[0];
   row.velocity = f.bodies.velocity[0];
   row.spin = f.bodies.spin[0];
+  row.broken = f.broken;
   const PlatformImpulses after = platform_impulses(f);
   row.mooring_impulse = after.mooring - before.mooring;
   row.drag_impulse = after.drag - before.drag;
@@ -243,7 +244,7 @@ void Box2dEngine::disable_retired() {
 
 Ledger Box2dEngine::ledger() { return closed_books(field_, ledger_); }
 
-EngineState Box2dEngine::save() { return {step_, field_.bodies, saved_books(field_, ledger_), {}, {}, {}}; }
+EngineState Box2dEngine::save() { return {step_, field_.bodies, saved_books(field_, ledger_), {}, {}, {}, field_.broken}; }
 
 void Box2dEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);

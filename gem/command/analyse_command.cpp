@@ -32,13 +32,36 @@ struct AnalyseOptions {
   bool json = false;
 };
 
+/// A mooring line: its largest tension, if the run recorded it, strength (0: none) and time of failure (0: it held).
+struct LineFinding {
+  std::optional<double> largest;  // [N]
+  double at = 0.0;                // [s]
+  double strength, break_time;    // [N], [s]
+};
+
 /// The findings of one run, its file and its duration.
 struct Run {
   std::string path, name;
   std::string state_hash;  // empty if the run did not end in order
   double duration_s = 0.0;
   std::vector<Finding> findings;
+  std::vector<LineFinding> lines;  // of the mooring
 };
+
+/// The largest tension of each mooring line from sample `first` on.
+std::vector<LineFinding> line_findings(const RunData& data, std::size_t first) {
+  std::vector<LineFinding> findings;
+  for (const LineRecord& line : data.lines) {
+    LineFinding finding{{}, 0.0, line.strength, line.break_time};
+    const LargestTension largest = largest_tension(line, first);
+    if (largest.sample < line.tension.size()) {
+      finding.largest = largest.value;
+      finding.at = data.platform.time[largest.sample];
+    }
+    findings.push_back(finding);
+  }
+  return findings;
+}
 
 Run analysed(const std::string& path, const AnalyseOptions& options) {
   const RunData data = load_run(path, options.allow_incomplete);
@@ -53,7 +76,7 @@ Run analysed(const std::string& path, const AnalyseOptions& options) {
                                      std::to_string(kSamplesForStatistics) + " platform samples after --from " +
                                      number_text(options.from_s) + " s) choose an earlier start or a longer run");
   return {path, data.identity.name, data.identity.state_hash, time.back() - time[first],
-          analyse_platform(platform_series(data, first))};
+          analyse_platform(platform_series(data, first)), line_findings(data, first)};
 }
 
 Json json_of(const IntervalEstimate& estimate) {
@@ -65,9 +88,16 @@ Json json_of(const Finding& finding) {
   return finding.interval ? json_of(*finding.interval) : Json{{"value", *finding.value}};
 }
 
+Json json_of(const LineFinding& line) {
+  Json object = {{"strength_N", line.strength}, {"break_time_s", line.break_time}};
+  if (line.largest) object["tension_largest_N"] = *line.largest, object["tension_largest_at_s"] = line.at;
+  return object;
+}
+
 Json json_of(const Run& run) {
   Json object = {{"file", run.path}, {"name", run.name}, {"duration_s", run.duration_s}};
   for (const Finding& finding : run.findings) object["findings"][finding.name] = json_of(finding);
+  for (const LineFinding& line : run.lines) object["mooring_lines"].push_back(json_of(line));
   return object;
 }
 
@@ -103,6 +133,20 @@ std::string value_text(const Finding& finding) {
   return short_text(*finding.value);
 }
 
+std::string text_of(const std::vector<LineFinding>& lines) {
+  if (lines.empty()) return "";
+  std::string text = row_text("mooring line", {"largest N", "at s", "of strength", "broke at s"});
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const LineFinding& line = lines[k];
+    const bool has_share = line.largest && line.strength > 0.0;
+    text += row_text("line " + std::to_string(k + 1),
+                     {line.largest ? short_text(*line.largest) : "not recorded", line.largest ? short_text(line.at) : "-",
+                      has_share ? number_text(100.0 * *line.largest / line.strength, 3) + " %" : "-",
+                      line.break_time > 0.0 ? short_text(line.break_time) : "no"});
+  }
+  return text;
+}
+
 std::string text_of(const Run& run) {
   std::string text = shown(run.path) + ": " + run.name + ", " + short_text(run.duration_s) + " s\n" +
                      row_text("", {"value", "95 % interval"});
@@ -112,7 +156,7 @@ std::string text_of(const Run& run) {
     text += row_text(finding.name, {rounding ? "no contact" : value_text(finding),
                                     finding.interval && !rounding ? interval_text(*finding.interval) : "-"});
   }
-  return text +
+  return text + text_of(run.lines) +
          "spells and gaps cut by an end of the record count with their observed part: mean = total time over "
          "the\n"
          "observed ends (exponential), median by Kaplan-Meier, the longest is a lower bound\n";

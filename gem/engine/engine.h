@@ -30,6 +30,7 @@ struct PlatformStep {
   Vec2 mooring_impulse;          // [N s]
   Vec2 drag_impulse;             // [N s]
   std::int32_t contacts = 0;     // contacts of the platform that carried an impulse
+  LineSet broken = 0;            // lines of the mooring
 };
 
 /// One event on the platform. The normal points from the platform into the ice; the impulse acts on the ice.

@@ -237,7 +237,8 @@ GEM_HD inline double moored_energy(const Events& e, const PlatformMotion& p, Rot
   return kinetic_energy(p.mass, p.inertia, p.velocity, p.spin) + mooring_pull(e.moored, p.position, q, p.broken).energy;
 }
 
-/// Half a time step on a mooring of any law. `damps_first`: damping before the pull, else after it.
+/// Half a time step on a mooring of any law. `damps_first`: damping before the pull, in the first half of a time step;
+/// else after it, and lines may break.
 GEM_HD inline void platform_on_laws(const Events& e, const PlatformMotion& p, bool damps_first) {
   const Vec2 velocity = p.velocity;
   const double moment_of_momentum = cross(p.position, velocity), spin = p.spin,
@@ -245,7 +246,10 @@ GEM_HD inline void platform_on_laws(const Events& e, const PlatformMotion& p, bo
   const Moored moored{p.position, p.velocity, p.spin, p.mass, p.inverse_inertia};
   if (damps_first) damp(e.moored, moored);
   swing(e.moored, moored, p.next, p.broken);
-  if (!damps_first) damp(e.moored, moored);
+  if (!damps_first) {
+    damp(e.moored, moored);
+    p.broken = broken_after(e.moored, p.position, p.next, p.broken);
+  }
   p.mooring_force.momentum += p.mass * (p.velocity - velocity);
   p.mooring_force.angular_momentum +=
       p.mass * (cross(p.position, p.velocity) - moment_of_momentum) + p.inertia * (p.spin - spin);

@@ -5,6 +5,7 @@
 //               U = U_1(r) + w (U_2(r) - U_1(r)),   w = s^2 (3 - 2 s),   s = (d_1 x e) / (d_1 x e + e x d_2)
 //               F = -(f_1 + w (f_2 - f_1)) e - (dU/dphi / r) n
 //   catenary  F = sum over lines of  H(d) t,   N = sum of arm x H(d) t,   U = sum of the integrals of H
+//   failure   a line breaks at the end of a time step in which its tension at the fairlead is above its strength
 //   yaw       N = -k_yaw psi,  U = k_yaw psi^2 / 2        damping   v' = v e^(-c t / M),  likewise for the spin
 //
 //   r, e   offset from the anchor and its direction [m], [-]    n     e turned left
@@ -16,7 +17,8 @@
 // h / 2, a kick of h and a drift of h / 2. The yaw turns between the kicks of two half steps. Damping stands outside,
 // first in the first half, last in the second. All of this is symmetric in time and symplectic without damping: the
 // error is of second order, (omega h)^2 / 24 of the period of a linear swing, and no energy is lost or won on average.
-// Linear surge and sway keep their exact solution (mooring.h).
+// Linear surge and sway keep their exact solution (mooring.h). A line that breaks takes its energy out of the books at
+// once and pulls no more; so the time of the break is exact to one time step.
 //
 // Range: quasi-static moorings. Neglected: mass, drag and seabed friction of lines, and time that they need to settle.
 #pragma once
@@ -34,7 +36,7 @@ namespace gem {
 struct MooringBranch {
   Vec2 direction;         // table: of the offset, unit vector
   Vec2 anchor, fairlead;  // line: in world axes, and from the platform's centre in body axes [m]
-  double strength = 0.0;  // line: tension at which it breaks; 0: never [N]
+  double strength = 0.0;  // line: it breaks with more tension; 0: never [N]
   std::int32_t first_knot = 0, knots = 0;
 };
 
@@ -112,6 +114,16 @@ GEM_HD inline bool is_broken(LineSet broken, std::int32_t line) { return (broken
 /// Tension of a line at its fairlead, where it is largest [N].
 GEM_HD inline double line_tension(const MooringView& view, std::int32_t line, Vec2 position, Rotation q) {
   return branch_at(view, view.branch[line], length(line_reach(view.branch[line], position, q).reach)).beside;
+}
+
+/// The broken lines after those that have too much tension have broken too.
+GEM_HD inline LineSet broken_after(const MooringLaws& m, Vec2 position, Rotation q, LineSet broken) {
+  if (m.law != MooringLaw::catenary) return broken;
+  for (std::int32_t k = 0; k < m.view.branches; ++k) {
+    const double strength = m.view.branch[k].strength;
+    if (strength > 0.0 && line_tension(m.view, k, position, q) > strength) broken |= LineSet{1} << k;
+  }
+  return broken;
 }
 
 /// Pull of all lines that are not broken.

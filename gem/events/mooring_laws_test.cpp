@@ -110,5 +110,25 @@ TEST(MooringTable, TheSameInAllDirectionsIsTheRadialOne) {
   }
 }
 
+TEST(MooringLaws, ALineBreaksAboveItsStrengthAndStaysBroken) {
+  MooringDesign design;
+  design.line_height_m = 40.0;
+  for (const double side : {1.0, -1.0})
+    design.lines.push_back({side * 640.0, 0.0, side * 50.0, 0.0, 600.0, 1400.0, 7e8, 0.0});
+  MooringTables tables = mooring_tables(MooringLaw::catenary, design);
+  MooringLaws laws;
+  laws.law = MooringLaw::catenary;
+  laws.view = tables.view();
+  const Rotation ahead{1.0, 0.0};
+  EXPECT_EQ(broken_after(laws, {100.0, 0.0}, ahead, 0), 0U) << "without a strength no line breaks";
+  const double tension = line_tension(laws.view, 1, {1.0, 0.0}, ahead);
+  for (MooringBranch& line : tables.branch) line.strength = tension;
+  EXPECT_EQ(broken_after(laws, {1.0, 0.0}, ahead, 0), 0U) << "it holds its strength";
+  EXPECT_EQ(broken_after(laws, {1.001, 0.0}, ahead, 0), 2U);
+  EXPECT_EQ(broken_after(laws, {-1.001, 0.0}, ahead, 2), 3U) << "a broken line stays broken";
+  EXPECT_EQ(lines_pull(laws.view, {1.0, 0.0}, ahead, 3).energy, 0.0);
+  EXPECT_LT(lines_pull(laws.view, {1.0, 0.0}, ahead, 1).force.x, 0.0) << "only the line at -x pulls";
+}
+
 }  // namespace
 }  // namespace gem

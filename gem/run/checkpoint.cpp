@@ -63,7 +63,7 @@ template <class Stream, class Position>
 void pass_position(Stream& s, Position& p) {
   s(p.platform, p.events, p.stats, p.frames, p.contacts, p.last_time);
   auto& w = p.waiting;
-  s(w.platform, w.events, w.stats, w.contacts, w.side_normal, w.side_friction, w.time);
+  s(w.platform, w.events, w.stats, w.contacts, w.side_normal, w.side_friction, w.line_tension, w.line_break_time, w.time);
   s(w.floes.time, w.floes.x, w.floes.y, w.floes.theta, w.floes.vx, w.floes.vy, w.floes.omega, w.floes.active);
 }
 
@@ -75,7 +75,7 @@ void pass_parts(State& c, Part part) {
   part([&](auto& s) { pass_floes(s, c.floes); });
   part([&](auto& s) {
     s(c.recorder.now, c.recorder.window, c.recorder.hits, c.watch, c.totals);
-    s(c.recorder.sides.normal, c.recorder.sides.friction);
+    s(c.recorder.sides.normal, c.recorder.sides.friction, c.recorder.lines.tension, c.recorder.lines.break_time);
   });
   part([&](auto& s) { pass_position(s, c.position); });
 }

@@ -156,6 +156,10 @@ void warn_of_mooring(const SceneDef& scene, std::vector<std::string>& warnings) 
   const MooringDef &m = scene.mooring, usual;
   if (m.law != MooringLaw::linear && m.stiffness_N_per_m != usual.stiffness_N_per_m)
     warnings.push_back("mooring.stiffness_N_per_m: has no effect (mooring.law is not \"linear\") remove it");
+  if (scene.platform.present && scene.platform.fixed && m.law != MooringLaw::linear)
+    warnings.push_back("mooring.law: has no effect (a fixed platform needs no mooring) remove it");
+  if (scene.output.line_tensions && m.law != MooringLaw::catenary)
+    warnings.push_back("output.line_tensions: has no effect (mooring.law is not \"catenary\") remove it");
   if (scene.platform.yaw == Yaw::locked && (m.yaw_stiffness_N_m_per_rad > 0.0 || m.yaw_damping_N_m_s_per_rad > 0.0))
     warnings.push_back("mooring.yaw_stiffness_N_m_per_rad: has no effect (the yaw is locked) remove it");
 }

@@ -325,6 +325,22 @@ TEST(ReferenceJudgesMotion, MooringOfTablesWithYaw) {
   }
 }
 
+TEST(ReferenceJudgesMotion, LinesBreak) {
+  SceneDef s = still_scene();
+  const SceneDef lines = test::lines_scene(1);
+  s.mooring = lines.mooring;
+  s.mooring_design = lines.mooring_design;
+  s.platform.present = true;
+  s.platform.mass_kg = 4e6;
+  s.platform.start_offset_m = lines.platform.start_offset_m;
+  s.platform.start_velocity_m_per_s = {0.3, 0.1};
+  compare({.scene = s, .steps = 400, .contacts = 0});
+  const auto cpu = make_engine(s, make_field(s), {});
+  StepLog log;
+  cpu->advance(400, log);
+  EXPECT_NE(cpu->broken_lines(), 0U);
+}
+
 /// Two floes that wind and a turning current press against a wall.
 TEST(ReferenceJudgesMotion, ATurningCurrentPressesOnAWall) {
   SceneDef s = still_scene();

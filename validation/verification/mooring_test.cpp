@@ -1,4 +1,4 @@
-// Moorings beyond the linear one against closed form: tables, yaw stiffness, lines: V67 to V70.
+// Moorings beyond the linear one against closed form: tables, yaw stiffness, lines and their failure: V67 to V71.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -207,6 +207,81 @@ TEST_P(Mooring, V70_lines_hold_the_yaw) {
   EXPECT_LT(run.bodies().spin[0], 0.0);
   run.advance(200);
   expect_closed_books(run, 1e-11);
+}
+
+/// The chains, of which that at -x breaks when the platform, pushed to +x, is 2 m from its anchor.
+constexpr double break_at = 2.0, push = 0.4;
+
+SceneDef on_weak_chains(double dt) {
+  SceneDef scene = on_chains();
+  scene.numerics.time_step_s = dt;
+  scene.platform.start_velocity_m_per_s = {push, 0.0};
+  const MooringTables tables = mooring_tables(scene.mooring.law, scene.mooring_design);
+  const double strength = line_tension(tables.view(), 2, {break_at, 0.0}, {1.0, 0.0});
+  for (LineRow& line : scene.mooring_design.lines) line[7] = strength;
+  return scene;
+}
+
+constexpr LineSet line_at_minus_x = 4;
+
+/// Energy of the chains with the platform at x on the axis [J].
+double energy_at(const SceneDef& scene, double x, LineSet broken) {
+  const MooringTables tables = mooring_tables(scene.mooring.law, scene.mooring_design);
+  return lines_pull(tables.view(), {x, 0.0}, {1.0, 0.0}, broken).energy;
+}
+
+/// Time from the anchor to x without a break, from the energy of the chains, by Simpson's rule [s].
+double time_to(const SceneDef& scene, double x) {
+  constexpr int parts = 400;
+  double sum = 0.0;
+  for (int k = 0; k <= parts; ++k) {
+    const double won = energy_at(scene, x * k / parts, 0) - energy_at(scene, 0.0, 0);
+    sum += (k == 0 || k == parts ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) / std::sqrt(push * push - 2.0 * won / barge_mass);
+  }
+  return sum * x / parts / 3.0;
+}
+
+TEST_P(Mooring, V71_a_line_breaks) {
+  const double dt = 0.01;
+  const SceneDef scene = on_weak_chains(dt);
+  Simulation run = start(scene, setting());
+  double before = 0.0;
+  while (run.engine->broken_lines() == 0 && run.engine->step() < 2000) {
+    before = run.engine->ledger()[Channel::mooring].energy;
+    run.log.clear();
+    run.advance(1);
+  }
+  EXPECT_EQ(run.engine->broken_lines(), line_at_minus_x);
+  EXPECT_EQ(run.log.platform.back().broken, line_at_minus_x);
+  const double x = place_of(run).x, speed = run.bodies().velocity[0].x;
+  // it breaks at the end of the time step; the swing is fast by (omega dt)^2 / 24 with omega dt < 2e-3
+  EXPECT_GE(x, break_at);
+  EXPECT_LT(x - speed * dt, break_at + 1e-6);
+  check_value("V71.time", time_to(scene, x), static_cast<double>(run.engine->step()) * dt, 1e-5, "s", where());
+  // the books lose the energy of the line; the steps keep the energy of the swing to (omega dt)^2 / 4 of it
+  const double lost = energy_at(scene, x, 0) - energy_at(scene, x, line_at_minus_x);
+  check_value("V71.energy", -lost, run.engine->ledger()[Channel::mooring].energy - before, 1e-6 * lost, "J", where());
+  run.advance(2000);
+  EXPECT_EQ(run.engine->broken_lines(), line_at_minus_x);
+  const double place = place_of(run).x;
+  const double gain = energy_at(scene, x, line_at_minus_x) - energy_at(scene, place, line_at_minus_x);
+  check_value("V71.speed", std::sqrt(speed * speed + 2.0 * gain / barge_mass), run.bodies().velocity[0].x, 1e-5, "m/s",
+              where());
+  EXPECT_GT(place, x + 5.0) << "the chain at +x pulls it away";
+  expect_closed_books(run, 1e-11);
+}
+
+TEST_P(Mooring, V71_a_run_that_goes_on_keeps_its_broken_lines) {
+  const SceneDef scene = on_weak_chains(0.5);
+  Simulation whole = start(scene, setting()), part = start(scene, setting()), rest = start(scene, setting());
+  whole.advance(40);
+  part.advance(20);
+  EXPECT_EQ(part.engine->broken_lines(), line_at_minus_x);
+  rest.engine->restore(part.engine->save());
+  rest.advance(20);
+  EXPECT_EQ(rest.engine->state_hash(), whole.engine->state_hash());
+  EXPECT_NE(hash_of(40, whole.bodies(), 0), whole.engine->state_hash()) << "broken lines are a part of the state";
+  expect_closed_books(rest, 1e-11);
 }
 
 TEST_P(Mooring, A_run_that_goes_on_has_the_same_bits) {

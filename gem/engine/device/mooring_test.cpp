@@ -30,12 +30,20 @@ void expect_bits_of_cpu(SceneDef scene, bool phases, ContactSolver solver) {
     device.restore(cpu->save());
   }
   EXPECT_GT(test::contacts_in(expected), 300);
+  EXPECT_EQ(cpu->broken_lines() != 0, scene.mooring.law == MooringLaw::catenary);
+  EXPECT_EQ(cpu->broken_lines(), expected.platform.back().broken);
 }
 
 TEST(DeviceMooring, TablesGiveTheBitsOfTheCpuEngineOnBothRoutes) {
   for (const bool phases : {false, true})
     for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled})
       expect_bits_of_cpu(test::moored_scene(7), phases, solver);
+}
+
+TEST(DeviceMooring, LinesThatBreakGiveTheBitsOfTheCpuEngineOnBothRoutes) {
+  for (const bool phases : {false, true})
+    for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled})
+      expect_bits_of_cpu(test::lines_scene(7), phases, solver);
 }
 
 }  // namespace

@@ -187,6 +187,7 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformLoaded& 
   sample.mooring_impulse = p.mooring_force.momentum - p.mooring_before;
   sample.drag_impulse = loaded.drag_book.momentum - p.drag_before;
   sample.contacts = pressed;
+  sample.broken = p.broken;
 }
 
 /// Moves the platform by one thread, after the contacts are summed.

@@ -165,6 +165,7 @@ PlatformStep platform_sample(const State& s, const std::vector<Touch>& touches) 
   sample.rotation = b.rotation[0];
   sample.velocity = b.velocity[0];
   sample.spin = b.spin[0];
+  sample.broken = s.broken;
   sample.mooring_impulse = s.mooring_impulse;
   sample.drag_impulse = s.drag_impulse;
   for (const Touch& touch : touches) {

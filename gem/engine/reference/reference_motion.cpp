@@ -83,7 +83,8 @@ double moored_energy(const Rules& rules, const State& s, Rotation q) {
          mooring_pull(rules.events.moored, b.position[0], q, s.broken).energy;
 }
 
-/// Half a time step on a mooring of any law. The platform turns to `next` before the mooring pulls.
+/// Half a time step on a mooring of any law. The platform turns to `next` before the mooring pulls. Lines break at the
+/// end of the second half.
 void swing_on_laws(const Rules& rules, State& s, Rotation next, bool damps_first) {
   Bodies& b = s.bodies;
   const MooringLaws& laws = rules.events.moored;
@@ -92,7 +93,10 @@ void swing_on_laws(const Rules& rules, State& s, Rotation next, bool damps_first
   const Moored moored{b.position[0], b.velocity[0], b.spin[0], b.mass[0], b.inverse_inertia[0]};
   if (damps_first) damp(laws, moored);
   swing(laws, moored, next, s.broken);
-  if (!damps_first) damp(laws, moored);
+  if (!damps_first) {
+    damp(laws, moored);
+    s.broken = broken_after(laws, b.position[0], next, s.broken);
+  }
   const Vec2 impulse = b.mass[0] * (b.velocity[0] - velocity);
   s.mooring_impulse += impulse;
   s.ledger.mooring_force.momentum += impulse;

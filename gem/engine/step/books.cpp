@@ -179,6 +179,7 @@ void log_step(const FieldState& f, Contacts contacts, const PlatformImpulses& be
   p.rotation = f.bodies.rotation[0];
   p.velocity = f.bodies.velocity[0];
   p.spin = f.bodies.spin[0];
+  p.broken = f.broken;
   const PlatformImpulses after = platform_impulses(f);
   p.mooring_impulse = after.mooring - before.mooring;
   p.drag_impulse = after.drag - before.drag;

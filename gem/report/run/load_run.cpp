@@ -193,6 +193,7 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
     if (!time->empty()) run.duration_s = std::max(run.duration_s, time->back());
   run.platform_outline = file.platform_outline();
   run.sides = side_record(file, scene);
+  run.lines = line_record(file, scene);
   run.fixed = file.boundary_outlines();
   run.floe_outlines = file.floe_outlines();
   for (const std::vector<Corners>& outlines : {run.fixed, run.floe_outlines})

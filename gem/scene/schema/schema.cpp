@@ -253,6 +253,9 @@ void add_output(SceneTable& t) {
   t.flag("output.side_loads",
          "whether every platform sample records the impulse of the ice on each side of the outline",
          GEM_FIELD(output.side_loads));
+  t.flag("output.line_tensions",
+         "whether every platform sample records the largest tension of each mooring line since the last",
+         GEM_FIELD(output.line_tensions));
   t.opt_in = false;
 }
 
@@ -334,8 +337,8 @@ void add_mooring_laws(SceneTable& t) {
        {"stiffness", "N", {1e4, 1e13}},
        {"strength", "N", {0.0, 1e12}}},
       "lines from an anchor to a fairlead, which is given from the platform's centre at yaw 0: length without load, "
-      "weight in water, axial stiffness EA, and strength: a case that starts with more tension is refused (0: not "
-      "checked). Lines do not break in a run",
+      "weight in water, axial stiffness EA, and strength: a line with more tension "
+      "breaks (0: never); a case that starts with a broken line is refused",
       GEM_FIELD(mooring_design.lines));
   t.number("mooring.line_height_m", "m", {0.0, 1e4}, "height of the fairleads above the anchors on the level seabed",
            GEM_FIELD(mooring_design.line_height_m));

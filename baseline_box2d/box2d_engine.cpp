@@ -244,7 +244,9 @@ void Box2dEngine::disable_retired() {
 
 Ledger Box2dEngine::ledger() { return closed_books(field_, ledger_); }
 
-EngineState Box2dEngine::save() { return {step_, field_.bodies, saved_books(field_, ledger_), {}, {}, {}, field_.broken}; }
+EngineState Box2dEngine::save() {
+  return {step_, field_.bodies, saved_books(field_, ledger_), {}, {}, {}, field_.broken};
+}
 
 void Box2dEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);

@@ -75,8 +75,12 @@ Run analysed(const std::string& path, const AnalyseOptions& options) {
     throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " +
                                      std::to_string(kSamplesForStatistics) + " platform samples after --from " +
                                      number_text(options.from_s) + " s) choose an earlier start or a longer run");
-  return {path, data.identity.name, data.identity.state_hash, time.back() - time[first],
-          analyse_platform(platform_series(data, first)), line_findings(data, first)};
+  return {path,
+          data.identity.name,
+          data.identity.state_hash,
+          time.back() - time[first],
+          analyse_platform(platform_series(data, first)),
+          line_findings(data, first)};
 }
 
 Json json_of(const IntervalEstimate& estimate) {
@@ -139,10 +143,11 @@ std::string text_of(const std::vector<LineFinding>& lines) {
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const LineFinding& line = lines[k];
     const bool has_share = line.largest && line.strength > 0.0;
-    text += row_text("line " + std::to_string(k + 1),
-                     {line.largest ? short_text(*line.largest) : "not recorded", line.largest ? short_text(line.at) : "-",
-                      has_share ? number_text(100.0 * *line.largest / line.strength, 3) + " %" : "-",
-                      line.break_time > 0.0 ? short_text(line.break_time) : "no"});
+    text +=
+        row_text("line " + std::to_string(k + 1),
+                 {line.largest ? short_text(*line.largest) : "not recorded", line.largest ? short_text(line.at) : "-",
+                  has_share ? number_text(100.0 * *line.largest / line.strength, 3) + " %" : "-",
+                  line.break_time > 0.0 ? short_text(line.break_time) : "no"});
   }
   return text;
 }

@@ -21,8 +21,7 @@ void LineTensions::add(const PlatformStep& step, double time) {
     const auto line = static_cast<std::int32_t>(k);
     // a line that breaks in this time step had its tension until the end
     if (keeps_tensions_)
-      sums_.tension[k] =
-          std::max(sums_.tension[k], line_tension(tables_.view(), line, step.position, step.rotation));
+      sums_.tension[k] = std::max(sums_.tension[k], line_tension(tables_.view(), line, step.position, step.rotation));
     if (is_broken(step.broken, line)) sums_.break_time[k] = time;
   }
 }

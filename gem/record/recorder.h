@@ -74,7 +74,9 @@ class Recorder {
   const std::vector<double>& line_break_times() const { return lines_.sums().break_time; }
   std::int64_t hits_seen() const { return now_.hits_taken + static_cast<std::int64_t>(slab_.events.size()); }
   /// The rows that were not taken are not part of the state.
-  RecorderState state() const { return {now_, {window_.begin(), window_.end()}, hits_.open(), sides_.sums(), lines_.sums()}; }
+  RecorderState state() const {
+    return {now_, {window_.begin(), window_.end()}, hits_.open(), sides_.sums(), lines_.sums()};
+  }
   /// Whether the state is one of a run of this scene.
   bool fits(const RecorderState& state) const;
   /// Goes on from a state that fits, without rows that wait.

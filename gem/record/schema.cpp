@@ -116,10 +116,10 @@ std::vector<LineColumn> line_columns(const SceneDef& scene) {
                                        "end of the time step in which the mooring line broke; 0 while it holds", ""},
                                       &Slab::line_break_time}};
   if (scene.output.line_tensions)
-    columns.push_back({{"platform", "line_tension", "time mooring_line", Stored::f4, "N",
-                        "largest tension of the mooring line at its fairlead since the last sample; 0 after it broke",
-                        ""},
-                       &Slab::line_tension});
+    columns.push_back(
+        {{"platform", "line_tension", "time mooring_line", Stored::f4, "N",
+          "largest tension of the mooring line at its fairlead since the last sample; 0 after it broke", ""},
+         &Slab::line_tension});
   return columns;
 }
 

@@ -42,7 +42,8 @@ std::string broken_lines_text(const std::vector<double>& break_times) {
   std::string text;
   for (std::size_t k = 0; k < break_times.size(); ++k)
     if (break_times[k] > 0.0)
-      text += (text.empty() ? "line " : ", line ") + std::to_string(k + 1) + " at " + number_text(break_times[k]) + " s";
+      text +=
+          (text.empty() ? "line " : ", line ") + std::to_string(k + 1) + " at " + number_text(break_times[k]) + " s";
   return text.empty() ? "none" : text;
 }
 

@@ -29,7 +29,8 @@ double work_on(const Bodies& b, std::size_t i, Vec2 velocity, double spin) {
 
 Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options)
     : options_(options), touches_(field_, options_) {
-  const StepConstants constants = step_constants(scene, bodies);
+  mooring_ = mooring_tables(scene.mooring.law, scene.mooring_design);
+  const StepConstants constants = step_constants(scene, bodies, mooring_.view());
   field_ = make_field_state(std::move(bodies), constants);
   drives_ = drive_schedule(scene);
   make_world();
@@ -114,6 +115,7 @@ void Box2dEngine::one_step(StepLog& log) {
   row.rotation = f.bodies.rotation[0];
   row.velocity = f.bodies.velocity[0];
   row.spin = f.bodies.spin[0];
+  row.broken = f.broken;
   const PlatformImpulses after = platform_impulses(f);
   row.mooring_impulse = after.mooring - before.mooring;
   row.drag_impulse = after.drag - before.drag;
@@ -242,7 +244,9 @@ void Box2dEngine::disable_retired() {
 
 Ledger Box2dEngine::ledger() { return closed_books(field_, ledger_); }
 
-EngineState Box2dEngine::save() { return {step_, field_.bodies, saved_books(field_, ledger_), {}, {}, {}}; }
+EngineState Box2dEngine::save() {
+  return {step_, field_.bodies, saved_books(field_, ledger_), {}, {}, {}, field_.broken};
+}
 
 void Box2dEngine::restore(const EngineState& state) {
   field_ = make_field_state(state.bodies, field_.constants);

@@ -26,6 +26,7 @@ class Box2dEngine : public Engine {
   std::int64_t step() const override { return step_; }
   const Bodies& bodies() override { return field_.bodies; }
   Ledger ledger() override;
+  LineSet broken_lines() const override { return field_.broken; }
   EngineState save() override;
   /// Restores the bodies and makes a new world. The impulses that would warm-start Box2D's next step are lost, so the
   /// run does not continue with the same bits.
@@ -47,6 +48,7 @@ class Box2dEngine : public Engine {
   Box2dOptions options_;
   FieldState field_;
   DriveSchedule drives_;
+  MooringTables mooring_;
   Ledger ledger_;
   std::int64_t step_ = 0;
   double platform_angle_ = 0.0;             // [rad]

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "gem/base/strict_math.h"
 #include "gem/engine/engine.h"
 #include "gem/field/field.h"
 #include "gem/record/run_file/run_writer.h"
@@ -63,6 +64,21 @@ const std::vector<Feature> features = {
          if (b.kind[i] == BodyKind::fixed) b.active[i] = 0;
      }},
     {"without_mooring", [](SceneDef& s) { s.mooring.stiffness_N_per_m = s.mooring.damping_ratio = 0.0; }},
+    {"with_mooring_table",
+     [](SceneDef& s) {
+       s.mooring = {.damping_ratio = 0.0, .law = MooringLaw::table, .yaw_stiffness_N_m_per_rad = 1e9};
+       s.mooring_design.force = {{0.5, 0.0}, {5.0, 2e6}, {20.0, 2e7}};
+     }},
+    {"with_lines",
+     [](SceneDef& s) {
+       s.mooring = {.damping_ratio = 0.0, .law = MooringLaw::catenary};
+       s.mooring_design.line_height_m = 40.0;
+       for (int k = 0; k < 8; ++k) {
+         const Rotation q = strict::rotation_of_turns((k + 0.5) / 8.0);
+         s.mooring_design.lines.push_back(
+             {641.0 * q.cosine, 641.0 * q.sine, 40.0 * q.cosine, 40.0 * q.sine, 610.0, 1400.0, 7e8, 1e8});
+       }
+     }},
     {"with_heading",
      [](SceneDef& s) {
        s.heading = {1e8, 1e10};

@@ -115,6 +115,18 @@ TEST(StrictMath, QuarterTurnsAreExact) {
   EXPECT_EQ(strict::rotation_of_angle(0.0).cosine, 1.0);
 }
 
+TEST(StrictMath, AngleOfARotation) {
+  for (int k = -3141; k <= 3141; ++k) {
+    const long double angle = 1e-3L * k;
+    const Rotation q{static_cast<double>(std::cos(angle)), static_cast<double>(std::sin(angle))};
+    EXPECT_NEAR(strict::angle_of(q), static_cast<double>(angle), 1e-15) << k;
+  }
+  EXPECT_EQ(strict::angle_of({1.0, 0.0}), 0.0);
+  EXPECT_NEAR(strict::angle_of({0.0, 1.0}), 0.25 * strict::two_pi, 1e-15);
+  EXPECT_NEAR(strict::angle_of({0.0, -1.0}), -0.25 * strict::two_pi, 1e-15);
+  EXPECT_EQ(strict::angle_of({-1.0, 0.0}), 0.5 * strict::two_pi);
+}
+
 TEST(StrictMath, ExactAtZeroAndOne) {
   EXPECT_EQ(strict::log(1.0), 0.0);
   EXPECT_EQ(strict::log1p(0.0), 0.0);

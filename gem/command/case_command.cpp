@@ -5,10 +5,10 @@
 
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
-#include "gem/events/mooring.h"
 #include "gem/field/field.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/platform_shape.h"
+#include "gem/scene/scene_mooring.h"
 #include "gem/scene/toml/case_text.h"
 #include "gem/scene/toml/scene_file.h"
 
@@ -38,8 +38,9 @@ std::string check_json(const SceneDef& scene, const FieldSummary& field, const s
 /// Natural period without damping and added mass, to compare with the known period of the platform.
 std::string mooring_text(const SceneDef& scene) {
   if (scene.platform.fixed) return "fixed";
-  const double period = natural_period(mooring_stiffness(scene), scene.platform.mass_kg);
-  return period > 0.0 ? "natural period " + number_text(period, 4) + " s" : "not moored";
+  const double period = natural_period(scene);
+  if (period > 0.0) return "natural period " + number_text(period, 4) + " s";
+  return scene.mooring.law == MooringLaw::linear ? "not moored" : "moored, slack at rest";
 }
 
 std::string shape_text(const PlatformDef& platform) {

@@ -9,6 +9,7 @@
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
+#include "gem/report/run/line_record.h"
 
 namespace gem {
 
@@ -27,6 +28,8 @@ nlohmann::ordered_json describe(const RunFile& file) {
   object["frames"] = frames.size();
   object["platform_samples"] = time.size();
   object["events"] = file.rows("events/time");
+  if (file.has("platform/line_break_time"))
+    object["broken_lines"] = broken_lines_text(break_times(line_record(file, stored_scene(file))));
   const auto largest = [&](const std::string& dataset) {
     const std::vector<double> values = file.has(dataset) ? file.column(dataset) : std::vector<double>{};
     return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());

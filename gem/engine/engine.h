@@ -30,6 +30,7 @@ struct PlatformStep {
   Vec2 mooring_impulse;          // [N s]
   Vec2 drag_impulse;             // [N s]
   std::int32_t contacts = 0;     // contacts of the platform that carried an impulse
+  LineSet broken = 0;            // lines of the mooring
 };
 
 /// One event on the platform. The normal points from the platform into the ice; the impulse acts on the ice.
@@ -112,6 +113,7 @@ struct EngineState {
   std::vector<Quantity> books;  // by channel, then by body, as FieldState::books; empty: only their sums are known
   std::vector<std::uint64_t> impulse_key;  // points of `coupled`: contact_key(), ascending by pair
   std::vector<PointMemory> impulse_value;
+  LineSet broken = 0;  // lines of the mooring
 };
 
 class Engine {
@@ -131,6 +133,8 @@ class Engine {
   virtual const Bodies& bodies() = 0;
   /// The ledger since t = 0.
   virtual Ledger ledger() = 0;
+  /// Lines of the mooring that have broken.
+  virtual LineSet broken_lines() const { return 0; }
   /// Whether contact_forces() is known.
   virtual bool has_contact_forces() const { return false; }
   /// The contacts that carried an impulse in the last time step, ascending in (a, b), without retired bodies. Empty
@@ -143,8 +147,9 @@ class Engine {
   std::uint64_t state_hash();
 };
 
-/// Hash of positions, rotations, velocities, active flags and the step number: the same bits give the same hash.
-std::uint64_t hash_of(std::int64_t step, const Bodies& bodies);
+/// Hash of positions, rotations, velocities, active flags, the step number and broken lines, if there are any: the same
+/// bits give the same hash.
+std::uint64_t hash_of(std::int64_t step, const Bodies& bodies, LineSet broken);
 
 struct EngineOptions {
   std::string name = "cpu";                   // reference | cpu | cuda

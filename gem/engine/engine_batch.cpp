@@ -20,6 +20,7 @@ class CudaMember : public Engine {
   std::int64_t step() const override { return batch_.step(scene_); }
   const Bodies& bodies() override { return batch_.bodies(scene_); }
   Ledger ledger() override { return batch_.ledger(scene_); }
+  LineSet broken_lines() const override { return batch_.broken_lines(scene_); }
   EngineState save() override { return batch_.save(scene_); }
   void restore(const EngineState& state) override { batch_.restore(scene_, state); }
 

@@ -80,9 +80,9 @@ bool is_baseline(const std::string& engine) {
   return false;
 }
 
-std::uint64_t Engine::state_hash() { return hash_of(step(), bodies()); }
+std::uint64_t Engine::state_hash() { return hash_of(step(), bodies(), broken_lines()); }
 
-std::uint64_t hash_of(std::int64_t step, const Bodies& b) {
+std::uint64_t hash_of(std::int64_t step, const Bodies& b, LineSet broken) {
   Hash hash;
   hash.add(static_cast<std::uint64_t>(step));
   for (std::size_t i = 0; i < b.count(); ++i) {
@@ -91,6 +91,7 @@ std::uint64_t hash_of(std::int64_t step, const Bodies& b) {
       hash.add(value);
     hash.add(static_cast<std::uint64_t>(b.active[i]));
   }
+  if (broken != 0) hash.add(broken);
   return hash.value();
 }
 

@@ -25,6 +25,23 @@ HeadingLaw heading_law(const HeadingDef& def, const PlatformInEvents& platform, 
   return {def.moment_N_m, strict::exp(-def.damping_N_m_s * 0.5 * dt / platform.inertia), 0.5 * dt};
 }
 
+/// Laws beyond the linear mooring of surge and sway.
+MooringLaws mooring_laws(const MooringDef& def, const PlatformInEvents& platform, double dt) {
+  MooringLaws m;
+  m.law = def.law;
+  m.anchor = platform.anchor;
+  m.stiffness = def.stiffness_N_per_m;
+  m.yaw_stiffness = def.yaw_stiffness_N_m_per_rad;
+  m.step = 0.5 * dt;
+  m.flow = mooring_flow(def.stiffness_N_per_m, platform.mass, def.damping_ratio, m.step);
+  m.decay = std::exp(-def.damping_N_s_per_m * m.step / platform.mass);
+  m.yaw_decay = std::exp(-def.yaw_damping_N_m_s_per_rad * m.step / platform.inertia);
+  m.view = platform.mooring;
+  m.present = def.law != MooringLaw::linear || def.damping_N_s_per_m > 0.0 || def.yaw_stiffness_N_m_per_rad > 0.0 ||
+              def.yaw_damping_N_m_s_per_rad > 0.0;
+  return m;
+}
+
 }  // namespace
 
 Events make_events(const EventDefinitions& definitions, const PlatformInEvents* platform, double dt, bool wind) {
@@ -39,6 +56,7 @@ Events make_events(const EventDefinitions& definitions, const PlatformInEvents* 
   e.mooring_damped = mooring.stiffness_N_per_m > 0.0 && mooring.damping_ratio > 0.0;
   e.half_mooring = mooring_flow(mooring.stiffness_N_per_m, platform->mass, mooring.damping_ratio, 0.5 * dt);
   e.heading = heading_law(definitions.heading, *platform, dt);
+  e.moored = mooring_laws(mooring, *platform, dt);
   if (wind) e.platform_wind_rate = platform_wind_rate(definitions.wind, platform->mass);
   const PlatformDragDef& drag = definitions.platform_drag;
   if (!drag.present) return e;

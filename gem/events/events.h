@@ -2,8 +2,8 @@
 // law.
 //
 // A new law is a header in this folder with its definition, and a test. Here it gets one member (EventDefinitions) and
-// one call; its keys go into the schema. A law of floes changes no engine file. One of the platform or of pairs may: see
-// "How to add a law" in gem/manual/architecture.md.
+// one call; its keys go into the schema. A law of floes changes no engine file. One of the platform or of pairs may:
+// see "How to add a law" in gem/manual/architecture.md.
 #pragma once
 
 #include "gem/events/contact_def.h"
@@ -16,7 +16,8 @@
 #include "gem/events/heading.h"          // solo: heading control of the platform
 #include "gem/events/impact.h"           // pair: plastic impact with friction
 #include "gem/events/mass_reduction.h"   // pair: effective mass
-#include "gem/events/mooring.h"          // solo: platform on its mooring
+#include "gem/events/mooring.h"          // solo: platform on its linear mooring
+#include "gem/events/mooring_laws.h"     // solo: platform on tables, lines, yaw stiffness
 #include "gem/events/motion.h"           // solo: motion
 #include "gem/events/platform_drag.h"    // solo: water drag on the platform
 #include "gem/events/quantity.h"
@@ -44,6 +45,7 @@ struct PlatformInEvents {
   double diameter = 0.0;  // width on which the water drags [m]
   double inertia = 0.0;   // [kg m2]
   bool turns = false;     // its yaw is free
+  MooringView mooring;    // tables of the mooring
 };
 
 /// The laws of one run: their definitions and the constants derived from them. Plain values, copied to any device.
@@ -61,6 +63,7 @@ struct Events : EventDefinitions {
   Vec2 anchor;               // [m]
   MooringFlow half_mooring;  // over dt / 2
   bool mooring_damped = false;
+  MooringLaws moored;               // if the mooring is more than linear in surge and sway
   double platform_drag_rate = 0.0;  // [1/m]; 0: none
   double platform_wind_rate = 0.0;  // [1/m]; 0: none
   HeadingLaw heading;
@@ -174,6 +177,11 @@ struct PlatformMotion {
   Quantity& drag_book;
   Quantity& mooring_book;
   Quantity& mooring_force;
+  // only for laws beyond the linear mooring
+  double inertia, inverse_inertia;  // [kg m2], [1/(kg m2)]
+  double& spin;                     // [rad/s]
+  Rotation rotation, next;          // at the start of the half step, and when it pulls; see yaw_of_pull()
+  LineSet& broken;
 };
 
 /// Velocity of the water around the platform, for its drag [m/s].
@@ -203,8 +211,8 @@ GEM_HD inline void platform_in_wind(const Events& e, const Drive& drive, const P
   push_platform(p, blown(e.platform_wind_rate, p.velocity, drive.air, 0.5 * e.dt));
 }
 
-/// Half a time step on the mooring.
-GEM_HD inline void platform_on_mooring(const Events& e, const PlatformMotion& p) {
+/// Half a time step on the linear mooring.
+GEM_HD inline void platform_on_spring(const Events& e, const PlatformMotion& p) {
   const double stiffness = e.mooring.stiffness_N_per_m;
   const Vec2 velocity = p.velocity;
   const double moment_of_momentum = cross(p.position, velocity);
@@ -219,18 +227,55 @@ GEM_HD inline void platform_on_mooring(const Events& e, const PlatformMotion& p)
         0.5 * p.mass * dot(p.velocity, p.velocity) + 0.5 * stiffness * dot(offset, offset) - energy;
 }
 
+/// The platform's rotation when the mooring pulls after the pair events: it has turned over the time step.
+GEM_HD inline Rotation yaw_of_pull(const Events& e, Rotation q, double spin) {
+  return e.moored.present ? turned(q, e.dt * spin) : q;
+}
+
+/// Energy of the platform's motion and of its mooring [J].
+GEM_HD inline double moored_energy(const Events& e, const PlatformMotion& p, Rotation q) {
+  return kinetic_energy(p.mass, p.inertia, p.velocity, p.spin) + mooring_pull(e.moored, p.position, q, p.broken).energy;
+}
+
+/// Half a time step on a mooring of any law. `damps_first`: damping before the pull, in the first half of a time step;
+/// else after it, and lines may break.
+GEM_HD inline void platform_on_laws(const Events& e, const PlatformMotion& p, bool damps_first) {
+  const Vec2 velocity = p.velocity;
+  const double moment_of_momentum = cross(p.position, velocity), spin = p.spin,
+               energy = moored_energy(e, p, p.rotation);
+  const Moored moored{p.position, p.velocity, p.spin, p.mass, p.inverse_inertia};
+  if (damps_first) damp(e.moored, moored);
+  swing(e.moored, moored, p.next, p.broken);
+  if (!damps_first) {
+    damp(e.moored, moored);
+    p.broken = broken_after(e.moored, p.position, p.next, p.broken);
+  }
+  p.mooring_force.momentum += p.mass * (p.velocity - velocity);
+  p.mooring_force.angular_momentum +=
+      p.mass * (cross(p.position, p.velocity) - moment_of_momentum) + p.inertia * (p.spin - spin);
+  p.mooring_book.energy += moored_energy(e, p, p.next) - energy;
+}
+
+/// Half a time step on the mooring.
+GEM_HD inline void platform_on_mooring(const Events& e, const PlatformMotion& p, bool damps_first) {
+  if (e.moored.present)
+    platform_on_laws(e, p, damps_first);
+  else
+    platform_on_spring(e, p);
+}
+
 /// The platform's solo events up to the pair events: half a time step, drag first.
 GEM_HD inline void platform_events_before(const Events& e, const Drive& drive, const PlatformMotion& p) {
   if (!e.platform_present) return;
   platform_in_water(e, drive, p);
   platform_in_wind(e, drive, p);
-  platform_on_mooring(e, p);
+  platform_on_mooring(e, p, true);
 }
 
 /// The platform's solo events after the pair events: half a time step, mooring first.
 GEM_HD inline void platform_events_after(const Events& e, const Drive& drive, const PlatformMotion& p) {
   if (!e.platform_present) return;
-  platform_on_mooring(e, p);
+  platform_on_mooring(e, p, false);
   platform_in_wind(e, drive, p);
   platform_in_water(e, drive, p);
 }
@@ -255,12 +300,30 @@ GEM_HD inline void steer_platform(const Events& e, const Drive& drive, const Pla
   p.book.energy += 0.5 * twist * (p.spin + before);
 }
 
-/// Books the change of mooring energy and angular momentum when the platform is shifted from `position`.
-GEM_HD inline void book_platform_shift(const Events& e, double mass, Vec2 position, Vec2 velocity, Vec2 shift,
-                                       Quantity& book) {
+/// A position repair of the platform.
+struct PlatformShift {
+  Vec2 position, shift;     // before it, and by how much [m]
+  Rotation rotation, next;  // before and after it
+};
+
+/// Energy stored in the mooring of a platform at rest [J].
+GEM_HD inline double mooring_energy(const Events& e, Vec2 position, Rotation q, LineSet broken) {
+  if (e.moored.present) return mooring_pull(e.moored, position, q, broken).energy;
   const Vec2 offset = position - e.anchor;
-  book.angular_momentum += mass * cross(shift, velocity);
-  book.energy += e.mooring.stiffness_N_per_m * (dot(offset, shift) + 0.5 * dot(shift, shift));
+  return 0.5 * e.mooring.stiffness_N_per_m * dot(offset, offset);
+}
+
+/// Books the change of mooring energy and angular momentum when the platform is shifted.
+GEM_HD inline void book_platform_shift(const Events& e, double mass, Vec2 velocity, LineSet broken,
+                                       const PlatformShift& s, Quantity& book) {
+  book.angular_momentum += mass * cross(s.shift, velocity);
+  if (e.moored.present) {
+    book.energy +=
+        mooring_energy(e, s.position + s.shift, s.next, broken) - mooring_energy(e, s.position, s.rotation, broken);
+    return;
+  }
+  const Vec2 offset = s.position - e.anchor;
+  book.energy += e.mooring.stiffness_N_per_m * (dot(offset, s.shift) + 0.5 * dot(s.shift, s.shift));
 }
 
 // ---- pair events

@@ -15,9 +15,15 @@
 
 namespace gem {
 
+enum class MooringLaw { linear, table, catenary };
+
 struct MooringDef {
   double stiffness_N_per_m = 5e5;  ///< equal in x and y; 0: unmoored
   double damping_ratio = 0.0;
+  MooringLaw law = MooringLaw::linear;  ///< of surge and sway; the others are in mooring_laws.h
+  double damping_N_s_per_m = 0.0;       ///< linear, in surge and sway, beside damping_ratio
+  double yaw_stiffness_N_m_per_rad = 0.0;
+  double yaw_damping_N_m_s_per_rad = 0.0;
 };
 
 /// Coefficients of the exact solution for one duration: the first letter says what they give, the second from what.

@@ -53,7 +53,8 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
       window_steps_(
           static_cast<std::size_t>(std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / time_step_)))),
       hits_({scene.output.hit_release_s, scene.output.event_speed_m_per_s, scene.output.force_window_s}, time_step_),
-      sides_(scene.output.side_loads && has_platform_ ? platform_corners(engine.bodies()) : std::vector<Vec2>{}) {
+      sides_(scene.output.side_loads && has_platform_ ? platform_corners(engine.bodies()) : std::vector<Vec2>{}),
+      lines_(scene) {
   if (has_platform_) {
     const Bodies& b = engine.bodies();
     now_.yaw = angle_of(b.rotation[0]);
@@ -64,6 +65,11 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
     row.spin = b.spin[0];
     slab_.platform.push_back(row);
     sides_.take(slab_.side_normal, slab_.side_friction);
+    PlatformStep start;
+    start.position = b.position[0];
+    start.rotation = b.rotation[0];
+    lines_.add(start, 0.0);
+    lines_.take(slab_.line_tension, slab_.line_break_time);
   }
   keep_frame(engine.bodies());
   keep_stats(engine, 0.0);
@@ -82,6 +88,7 @@ void Recorder::add(const StepLog& log, std::int64_t last_step) {
     now_.since_sample.drag_impulse += now.drag_impulse;
     for (; row != log.events.end() && std::llround(row->time / time_step_) < now_.step; ++row)
       sides_.add(*row, now.position, now.rotation);
+    lines_.add(now, double(now_.step) * time_step_);
     now_.since_sample.contacts = std::max(now_.since_sample.contacts, now.contacts);
     window_.push_back(now.ice_impulse);
     if (window_.size() > window_steps_) window_.pop_front();
@@ -117,6 +124,7 @@ void Recorder::sample(const PlatformStep& now, std::int64_t step) {
   row.contacts = now_.since_sample.contacts;
   slab_.platform.push_back(row);
   sides_.take(slab_.side_normal, slab_.side_friction);
+  lines_.take(slab_.line_tension, slab_.line_break_time);
   now_.since_sample = {};
   now_.sample_step = step;
 }
@@ -186,11 +194,19 @@ void Recorder::keep_stats(Engine& engine, double wall_time) {
   slab_.stats.push_back(row);
 }
 
+bool Recorder::fits(const RecorderState& state) const {
+  return state.sides.normal.size() == sides_.sums().normal.size() &&
+         state.sides.friction.size() == sides_.sums().friction.size() &&
+         state.lines.tension.size() == lines_.sums().tension.size() &&
+         state.lines.break_time.size() == lines_.sums().break_time.size();
+}
+
 void Recorder::restore(const RecorderState& state) {
   now_ = state.now;
   window_.assign(state.window.begin(), state.window.end());
   hits_.restore(state.hits);
-  if (sides_.sides() > 0) sides_.restore(state.sides);
+  sides_.restore(state.sides);
+  lines_.restore(state.lines);
   slab_ = {};
 }
 

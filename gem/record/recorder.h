@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gem/record/hits.h"
+#include "gem/record/line_tensions.h"
 #include "gem/record/run_file/run_writer.h"
 #include "gem/record/side_loads.h"
 
@@ -43,6 +44,7 @@ struct RecorderState {
   std::vector<Vec2> window;   // ice impulses of the last time steps, the oldest first
   std::vector<OpenHit> hits;  // of floes that press
   SideSums sides = {};        // empty unless they are recorded
+  LineSums lines = {};        // empty without lines
 };
 
 /// Most forces between bodies that are recorded of a floe frame: the largest. A frame of a jam has about two for each
@@ -68,10 +70,16 @@ class Recorder {
   /// Returns what was recorded since the last call.
   Slab take();
   std::size_t frames_waiting() const { return slab_.floes.time.size(); }
+  /// When each mooring line broke [s]; 0: it holds. Empty without lines.
+  const std::vector<double>& line_break_times() const { return lines_.sums().break_time; }
   std::int64_t hits_seen() const { return now_.hits_taken + static_cast<std::int64_t>(slab_.events.size()); }
   /// The rows that were not taken are not part of the state.
-  RecorderState state() const { return {now_, {window_.begin(), window_.end()}, hits_.open(), sides_.sums()}; }
-  /// Goes on from a state, without rows that wait.
+  RecorderState state() const {
+    return {now_, {window_.begin(), window_.end()}, hits_.open(), sides_.sums(), lines_.sums()};
+  }
+  /// Whether the state is one of a run of this scene.
+  bool fits(const RecorderState& state) const;
+  /// Goes on from a state that fits, without rows that wait.
   void restore(const RecorderState& state);
 
  private:
@@ -91,6 +99,7 @@ class Recorder {
   std::deque<Vec2> window_;  // ice impulses of the last time steps
   Hits hits_;
   SideLoads sides_;
+  LineTensions lines_;
   Slab slab_;
 };
 

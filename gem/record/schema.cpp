@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "gem/record/line_tensions.h"
 #include "gem/record/run_file/run_writer.h"
 
 namespace gem {
@@ -106,6 +107,19 @@ const std::vector<SideColumn>& side_columns() {
       {{"platform", "side_friction_impulse", "time platform_side", Stored::f4, "N s",
         "ice impulse since the last sample along the side, from corner k to corner k + 1", ""},
        &Slab::side_friction}};
+  return columns;
+}
+
+std::vector<LineColumn> line_columns(const SceneDef& scene) {
+  if (!has_lines(scene)) return {};
+  std::vector<LineColumn> columns = {{{"platform", "line_break_time", "time mooring_line", Stored::f8, "s",
+                                       "end of the time step in which the mooring line broke; 0 while it holds", ""},
+                                      &Slab::line_break_time}};
+  if (scene.output.line_tensions)
+    columns.push_back(
+        {{"platform", "line_tension", "time mooring_line", Stored::f4, "N",
+          "largest tension of the mooring line at its fairlead since the last sample; 0 after it broke", ""},
+         &Slab::line_tension});
   return columns;
 }
 
@@ -251,6 +265,7 @@ std::vector<Column> schema(const SceneDef& scene) {
   for (const auto& entry : platform_columns()) all.push_back(entry.column);
   if (scene.output.side_loads && scene.platform.present)
     for (const auto& entry : side_columns()) all.push_back(entry.column);
+  for (const auto& entry : line_columns(scene)) all.push_back(entry.column);
   for (const auto& entry : event_columns()) all.push_back(entry.column);
   for (const auto& entry : stats_columns()) all.push_back(entry.column);
   if (scene.output.contact_forces)

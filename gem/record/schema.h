@@ -109,6 +109,12 @@ struct SideColumn {
   std::vector<float> Slab::*values;
 };
 
+/// A column with a value for each mooring line.
+struct LineColumn {
+  Column column;
+  std::vector<double> Slab::*values;
+};
+
 /// A dataset that is known before the first time step.
 struct ShapeColumn {
   Column column;
@@ -117,6 +123,8 @@ struct ShapeColumn {
 
 const std::vector<RowColumn<PlatformRow>>& platform_columns();
 const std::vector<SideColumn>& side_columns();
+/// Those that runs of this scene have.
+std::vector<LineColumn> line_columns(const SceneDef& scene);
 const std::vector<RowColumn<Hit>>& event_columns();
 const std::vector<RowColumn<ContactRow>>& contact_columns();
 const std::vector<RowColumn<StatsRow>>& stats_columns();

@@ -238,6 +238,24 @@ std::string sides_html(const RunData& run) {
                rows);
 }
 
+std::string lines_html(const RunData& run) {
+  if (run.lines.empty()) return "";
+  std::string rows =
+      "<tr><td></td><th scope=\"col\">largest tension</th><th scope=\"col\">of its strength</th><th "
+      "scope=\"col\">broke</th></tr>\n";
+  for (std::size_t k = 0; k < run.lines.size(); ++k) {
+    const LineRecord& line = run.lines[k];
+    const LargestTension largest = largest_tension(line, 0);
+    const bool known = largest.sample < run.platform.time.size() && !line.tension.empty();
+    rows += row("line " + std::to_string(k + 1),
+                {known ? force_text(largest.value) + at_time(run.platform.time[largest.sample], run.duration_s)
+                       : "not recorded",
+                 known && line.strength > 0.0 ? with_unit(largest.value / line.strength, Unit{"%", 0.01}) : "-",
+                 line.break_time > 0.0 ? "at " + with_unit(line.break_time, time_unit(run.duration_s)) : "no"});
+  }
+  return table("Mooring lines", rows);
+}
+
 std::string quality_html(const RunData& run, const RunFindings& findings) {
   if (run.stats.time.empty()) return "";
   const RunQuality& q = findings.quality;

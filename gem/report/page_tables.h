@@ -15,6 +15,8 @@ std::string motion_html(const RunData& run, const RunFindings& findings, const s
 std::string loads_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis);
 /// Nothing if the run did not record loads by side. Of an outline with many sides, the dozen that took most.
 std::string sides_html(const RunData& run);
+/// Nothing for a run without mooring lines.
+std::string lines_html(const RunData& run);
 std::string verdict_html(const RunVerdict& verdict);
 std::string quality_html(const RunData& run, const RunFindings& findings);
 

@@ -45,6 +45,16 @@ bool sides_fit(const Checkpoint& c) {
          rows.side_friction.size() == values;
 }
 
+/// Tensions of all lines or none, times of all.
+bool lines_fit(const Checkpoint& c) {
+  const LineSums& sums = c.recorder.lines;
+  const Slab& rows = c.position.waiting;
+  const std::size_t samples = rows.platform.size();
+  return (sums.tension.empty() || sums.tension.size() == sums.break_time.size()) &&
+         rows.line_tension.size() == samples * sums.tension.size() &&
+         rows.line_break_time.size() == samples * sums.break_time.size();
+}
+
 bool rows_fit(const Slab& rows, std::size_t floes) {
   const std::size_t values = rows.floes.time.size() * floes;
   const FloeFrames& f = rows.floes;
@@ -61,6 +71,7 @@ std::string fault_of(const Checkpoint& c) {
   if (!kinds_fit(b)) return "its bodies are not in order";
   if (!impulses_fit(c.engine)) return "its contacts do not fit";
   if (!sides_fit(c)) return "its sides do not fit";
+  if (!lines_fit(c)) return "its mooring lines do not fit";
   if (!rows_fit(c.position.waiting, b.count() - first_floe(b))) return "its rows do not fit";
   if (c.engine.step < 0 || c.engine.step != c.recorder.now.step) return "its time steps do not fit";
   return "";

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<char, 8> mark = {'g', 'e', 'm', 'c', 'h', 'e', 'c', 'k'};
 
 /// Raised with every change of a type below: a checkpoint of another version cannot be read.
-constexpr std::uint64_t version = 3;
+constexpr std::uint64_t version = 4;
 
 std::uint64_t checksum(const std::byte* bytes, std::size_t size) {
   Hash hash;
@@ -39,7 +39,7 @@ void pass_bodies(Stream& s, State& b) {
 
 template <class Stream, class State>
 void pass_engine(Stream& s, State& e) {
-  s(e.step, e.ledger, e.books, e.impulse_key, e.impulse_value);
+  s(e.step, e.ledger, e.books, e.impulse_key, e.impulse_value, e.broken);
   pass_bodies(s, e.bodies);
 }
 
@@ -63,7 +63,8 @@ template <class Stream, class Position>
 void pass_position(Stream& s, Position& p) {
   s(p.platform, p.events, p.stats, p.frames, p.contacts, p.last_time);
   auto& w = p.waiting;
-  s(w.platform, w.events, w.stats, w.contacts, w.side_normal, w.side_friction, w.time);
+  s(w.platform, w.events, w.stats, w.contacts, w.side_normal, w.side_friction, w.line_tension, w.line_break_time,
+    w.time);
   s(w.floes.time, w.floes.x, w.floes.y, w.floes.theta, w.floes.vx, w.floes.vy, w.floes.omega, w.floes.active);
 }
 
@@ -75,7 +76,7 @@ void pass_parts(State& c, Part part) {
   part([&](auto& s) { pass_floes(s, c.floes); });
   part([&](auto& s) {
     s(c.recorder.now, c.recorder.window, c.recorder.hits, c.watch, c.totals);
-    s(c.recorder.sides.normal, c.recorder.sides.friction);
+    s(c.recorder.sides.normal, c.recorder.sides.friction, c.recorder.lines.tension, c.recorder.lines.break_time);
   });
   part([&](auto& s) { pass_position(s, c.position); });
 }

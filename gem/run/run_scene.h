@@ -72,6 +72,7 @@ struct RunSummary : RunTotals {
   double sim_rate = 0.0;  // simulated over wall time
   std::int64_t steps = 0;
   std::int64_t events = 0;
+  std::vector<double> line_break_times;  // of each mooring line [s]; 0: it holds
   std::uint64_t state_hash = 0;
   double asked_residual = std::nan("");  // that ends the iterations [m/s]; NaN: the solver has none
   RunVerdict verdict;

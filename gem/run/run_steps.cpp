@@ -186,6 +186,7 @@ RunSummary RunSteps::finish(int stop_signal) {
   summary_.sim_rate = summary_.wall_time > 0.0 ? summary_.time / summary_.wall_time : 0.0;
   summary_.steps = engine_.step();
   summary_.events = recorder_.hits_seen();
+  summary_.line_break_times = recorder_.line_break_times();
   const Bodies& b = engine_.bodies();
   summary_.active_floes = double(std::count(b.active.begin() + std::ptrdiff_t(first_floe(b)), b.active.end(), 1));
   summary_.peak_memory = peak_memory();

@@ -1,5 +1,6 @@
 // How a run leaves checkpoints, and goes on from one.
 #include "gem/base/error.h"
+#include "gem/record/output/output_path.h"
 #include "gem/run/checkpoint_file.h"
 #include "gem/run/run_steps.h"
 
@@ -16,6 +17,9 @@ constexpr double least_pause = 100.0;
 /// The recorder and the watch have looked at the state at t = 0 before; what they saw is replaced. The engine comes
 /// first: its books at t = 0 must not be looked at again.
 void RunSteps::go_on_from(const Checkpoint& from) {
+  if (!recorder_.fits(from.recorder))
+    throw Error(ExitCode::file_system, "cannot go on with " + shown(options_.output) +
+                                           " (its checkpoint has other columns than its case) run the case anew");
   engine_.restore(from.engine);
   recorder_.restore(from.recorder);
   watch_.restore(from.watch);

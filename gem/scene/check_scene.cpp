@@ -9,9 +9,11 @@
 #include "gem/base/number_text.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_drive.h"
+#include "gem/scene/check_mooring.h"
 #include "gem/scene/check_platform.h"
 #include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_bounds.h"
+#include "gem/scene/scene_mooring.h"
 #include "gem/scene/schema/schema.h"
 #include "gem/scene/toml/toml_text.h"
 
@@ -61,6 +63,7 @@ void check_name(const SceneDef& s, List& out) {
 }
 
 void check_step(const SceneDef& s, List& out) {
+  if (!mooring_is_sound(s)) return;
   const double dt = s.numerics.time_step_s;
   const double width = smallest_floe_width(s);
   const double speed = closing_speed_bound(s);
@@ -76,9 +79,9 @@ void check_step(const SceneDef& s, List& out) {
                                          number(steps_maximum * dt) + " s with this time step)"});
 }
 
-void check_mooring(const SceneDef& s, List& out) {
-  if (mooring_stiffness(s) == 0.0) return;
-  const double omega = std::sqrt(mooring_stiffness(s) / s.platform.mass_kg);
+void check_swing(const SceneDef& s, List& out) {
+  if (!s.platform.present || s.platform.fixed || !mooring_is_sound(s)) return;
+  const double omega = std::sqrt(largest_mooring_stiffness(s) / s.platform.mass_kg);
   if (omega * s.numerics.time_step_s > mooring_phase_maximum)
     out.push_back({"numerics.time_step_s",
                    "the time step is too long for the mooring (value " + number(s.numerics.time_step_s) +
@@ -227,8 +230,8 @@ void check_floating(const SceneDef& s, List& out) {
 std::vector<SceneProblem> check_scene(const SceneDef& scene) {
   List problems;
   for (const auto rule :
-       {check_name, check_step, check_mooring, check_record, check_source, check_sizes, check_classes,
-        check_field_place, check_platform, check_listed, check_listed_sizes, check_floating, check_drive})
+       {check_name, check_step, check_swing, check_record, check_source, check_sizes, check_classes, check_field_place,
+        check_platform, check_listed, check_listed_sizes, check_floating, check_drive, check_mooring})
     rule(scene, problems);
   return problems;
 }
@@ -288,6 +291,7 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
                        number(step) + " s");
   warn_of_platform(scene, warnings);
   warn_of_drive(scene, warnings);
+  warn_of_mooring(scene, warnings);
   return warnings;
 }
 

@@ -135,8 +135,4 @@ double platform_drag_width(const PlatformDef& platform) {
   return high - low;
 }
 
-double mooring_stiffness(const SceneDef& scene) {
-  return scene.platform.present && !scene.platform.fixed ? scene.mooring.stiffness_N_per_m : 0.0;
-}
-
 }  // namespace gem

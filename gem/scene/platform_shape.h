@@ -39,7 +39,4 @@ PlatformReach platform_reach(const PlatformDef& platform);
 /// which is the beam of a ship [m].
 double platform_drag_width(const PlatformDef& platform);
 
-/// Stiffness that holds the platform [N/m]; 0 without a platform, and for a fixed one, which needs no mooring.
-double mooring_stiffness(const SceneDef& scene);
-
 }  // namespace gem

@@ -11,6 +11,7 @@
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/scene_bounds.h"
+#include "gem/scene/scene_mooring.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {
@@ -103,7 +104,7 @@ TEST(PlatformShape, AFixedPlatformNeedsNoMooring) {
   EXPECT_GT(platform_speed_bound(scene), 0.0);
   scene.platform.fixed = true;
   EXPECT_EQ(platform_speed_bound(scene), 0.0);
-  EXPECT_EQ(mooring_stiffness(scene), 0.0);
+  EXPECT_EQ(mooring_stiffness_at_rest(scene), 0.0);
   scene.mooring.stiffness_N_per_m = 1e15;  // would need a short time step
   EXPECT_TRUE(check_scene(scene).empty());
 }

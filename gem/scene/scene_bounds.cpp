@@ -9,6 +9,7 @@
 #include "gem/geometry/polygon.h"
 #include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_drive.h"
+#include "gem/scene/scene_mooring.h"
 
 namespace gem {
 namespace {
@@ -68,8 +69,7 @@ double rim_speed(const FloeDef& floe) {
 
 double platform_speed_bound(const SceneDef& scene) {
   if (!scene.platform.present || scene.platform.fixed) return 0.0;
-  const double swing =
-      std::sqrt(scene.mooring.stiffness_N_per_m / scene.platform.mass_kg) * length(scene.platform.start_offset_m);
+  const double swing = mooring_swing_speed(scene);
   const double rim =
       platform_radius(scene.platform) * (std::abs(scene.platform.start_spin_rad_per_s) + heading_rate(scene));
   return std::hypot(length(scene.platform.start_velocity_m_per_s), swing) + rim + platform_wind_speed(scene);

@@ -8,6 +8,7 @@
 
 #include "gem/base/vec2.h"
 #include "gem/events/events.h"
+#include "gem/events/mooring_tables.h"
 
 namespace gem {
 
@@ -123,6 +124,7 @@ struct OutputDef {
   bool platform_events = true;
   bool contact_forces = false;  ///< with every floe frame: the forces between bodies
   bool side_loads = false;      ///< with every platform sample: the impulse on each side of the outline
+  bool line_tensions = false;   ///< with every platform sample: the largest tension of each mooring line since the last
   double event_speed_m_per_s =
       0.01;                    ///< slower contacts count as static load: in the force channels, not in the event list
   double hit_release_s = 3.0;  ///< a floe that has not pressed on the platform for this long hits anew
@@ -153,6 +155,7 @@ struct SceneDef : EventDefinitions {
   NumericsDef numerics;
   OutputDef output;
   DriveDef drive;                  ///< tables of current, tide and wind
+  MooringDesign mooring_design;    ///< tables and lines of the mooring
   std::vector<FloeDef> floe;       ///< for source = listed
   std::vector<FixedDef> fixed;     ///< obstacles besides the boundary
   std::vector<std::string> notes;  ///< old key names that the file uses; not part of the scene

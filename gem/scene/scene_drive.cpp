@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "gem/scene/scene_mooring.h"
+
 namespace gem {
 namespace {
 
@@ -122,6 +124,8 @@ double platform_wind_speed(const SceneDef& scene) {
   const PlatformDef& p = scene.platform;
   if (!p.present || p.fixed || !has_wind(scene) || scene.wind.platform_area_m2 == 0.0) return 0.0;
   const double wind = largest_wind(scene), rate = platform_wind_rate(scene.wind, p.mass_kg);
+  if (scene.mooring.law != MooringLaw::linear)
+    return std::min(wind, mooring_pushed_speed(scene, rate * p.mass_kg * wind * wind));
   if (scene.mooring.stiffness_N_per_m == 0.0) return wind;
   return std::min(wind, rate * wind * wind / std::sqrt(scene.mooring.stiffness_N_per_m / p.mass_kg));
 }

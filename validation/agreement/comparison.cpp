@@ -89,6 +89,7 @@ void expect_bodies(const Bodies& a, const Bodies& b, const Allowed& allowed) {
 }
 
 void expect_sample(const PlatformStep& a, const PlatformStep& b, const Allowed& allowed, double radius) {
+  EXPECT_EQ(a.broken, b.broken) << "broken lines";
   EXPECT_LE(radius * std::fabs(a.spin - b.spin), allowed.velocity) << "sampled spin";
   EXPECT_LE(radius * std::fabs(a.rotation.sine - b.rotation.sine), allowed.position) << "sampled turn";
   EXPECT_LE(radius * std::fabs(a.rotation.cosine - b.rotation.cosine), allowed.position) << "sampled turn";

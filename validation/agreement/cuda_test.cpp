@@ -106,6 +106,24 @@ TEST_P(CudaDrive, GivesTheBitsOfTheCpu) {
   }
 }
 
+TEST_P(CudaDrive, MooringsOfTablesAndOfLinesThatBreakGiveTheBitsOfTheCpuEngine) {
+  for (SceneDef scene : {test::moored_scene(8), test::lines_scene(8)}) {
+    scene.contact.solver = GetParam();
+    for (const Route route : {Route::resident, Route::phases}) {
+      const auto cpu = test::busy_engine(scene, "cpu");
+      CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = route});
+      StepLog expected;
+      std::vector<StepLog> logs(1);
+      cpu->advance(150, expected);
+      batch.advance(150, &logs);
+      EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
+      EXPECT_EQ(batch.broken_lines(0), cpu->broken_lines());
+      test::expect_same_log(logs[0], expected);
+      test::expect_same_books(batch.ledger(0), cpu->ledger());
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Solvers, CudaDrive, testing::Values(ContactSolver::independent, ContactSolver::coupled),
                          test::LawNames());
 

@@ -310,6 +310,37 @@ TEST(ReferenceJudgesMotion, AShipIsHitOnTwoSides) {
   }
 }
 
+TEST(ReferenceJudgesMotion, MooringOfTablesWithYaw) {
+  for (const Yaw yaw : {Yaw::free, Yaw::locked}) {
+    SceneDef s = still_scene();
+    s.mooring = test::moored_scene(1).mooring;
+    s.mooring_design = test::moored_scene(1).mooring_design;
+    s.platform.present = true;
+    s.platform.mass_kg = 4e6;
+    s.platform.yaw = yaw;
+    s.platform.start_yaw_rad = 0.2;
+    s.platform.start_offset_m = {1.0, -2.0};
+    s.platform_drag.present = true;
+    compare({.scene = s, .steps = 400, .contacts = 0});
+  }
+}
+
+TEST(ReferenceJudgesMotion, LinesBreak) {
+  SceneDef s = still_scene();
+  const SceneDef lines = test::lines_scene(1);
+  s.mooring = lines.mooring;
+  s.mooring_design = lines.mooring_design;
+  s.platform.present = true;
+  s.platform.mass_kg = 4e6;
+  s.platform.start_offset_m = lines.platform.start_offset_m;
+  s.platform.start_velocity_m_per_s = {0.3, 0.1};
+  compare({.scene = s, .steps = 400, .contacts = 0});
+  const auto cpu = make_engine(s, make_field(s), {});
+  StepLog log;
+  cpu->advance(400, log);
+  EXPECT_NE(cpu->broken_lines(), 0U);
+}
+
 /// Two floes that wind and a turning current press against a wall.
 TEST(ReferenceJudgesMotion, ATurningCurrentPressesOnAWall) {
   SceneDef s = still_scene();

@@ -23,6 +23,12 @@ Json json_of(const Finding& finding) {
   return finding.interval ? json_of(*finding.interval) : Json{{"value", *finding.value}};
 }
 
+Json json_of(const LineFinding& line) {
+  Json object = {{"strength_N", line.strength}, {"break_time_s", line.break_time}};
+  if (line.largest) object["tension_largest_N"] = *line.largest, object["tension_largest_at_s"] = line.at;
+  return object;
+}
+
 std::string row_text(const std::string& name, const std::vector<std::string>& cells) {
   std::string line = "  " + name;
   std::size_t end = 34;
@@ -55,6 +61,21 @@ std::string value_text(const Finding& finding) {
   return short_text(*finding.value);
 }
 
+std::string text_of(const std::vector<LineFinding>& lines) {
+  if (lines.empty()) return "";
+  std::string text = row_text("mooring line", {"largest N", "at s", "of strength", "broke at s"});
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const LineFinding& line = lines[k];
+    const bool has_share = line.largest && line.strength > 0.0;
+    text +=
+        row_text("line " + std::to_string(k + 1),
+                 {line.largest ? short_text(*line.largest) : "not recorded", line.largest ? short_text(line.at) : "-",
+                  has_share ? number_text(100.0 * *line.largest / line.strength, 3) + " %" : "-",
+                  line.break_time > 0.0 ? short_text(line.break_time) : "no"});
+  }
+  return text;
+}
+
 /// The verdict of one run with its reasons.
 std::string verdict_lines(const AnalysedRun& run) {
   return std::string("  verdict") + std::string(25, ' ') + grade_name(run.verdict.grade) + "\n" +
@@ -82,6 +103,7 @@ Json json_of(const AnalysedRun& run) {
   object["verdict"] = grade_name(run.verdict.grade);
   object["verdict_criteria"] = criteria_json(run.verdict);
   for (const Finding& finding : run.findings) object["findings"][finding.name] = json_of(finding);
+  for (const LineFinding& line : run.lines) object["mooring_lines"].push_back(json_of(line));
   return object;
 }
 
@@ -94,7 +116,7 @@ std::string text_of(const AnalysedRun& run) {
     text += row_text(finding.name, {rounding ? "no contact" : value_text(finding),
                                     finding.interval && !rounding ? interval_text(*finding.interval) : "-"});
   }
-  return text +
+  return text + text_of(run.lines) +
          "spells and gaps cut by an end of the record count with their observed part: mean = total time over "
          "the\n"
          "observed ends (exponential), median by Kaplan-Meier, the longest is a lower bound\n";

@@ -92,6 +92,21 @@ void check_different(const std::vector<AnalysedRun>& runs) {
                                          "several runs count as independent) give each run once");
 }
 
+/// The largest tension of each mooring line from sample `first` on.
+std::vector<LineFinding> line_findings(const RunData& data, std::size_t first) {
+  std::vector<LineFinding> findings;
+  for (const LineRecord& line : data.lines) {
+    LineFinding finding{{}, 0.0, line.strength, line.break_time};
+    const LargestTension largest = largest_tension(line, first);
+    if (largest.sample < line.tension.size()) {
+      finding.largest = largest.value;
+      finding.at = data.platform.time[largest.sample];
+    }
+    findings.push_back(finding);
+  }
+  return findings;
+}
+
 }  // namespace
 
 AnalysedRun analysed(const std::string& path, double from_s, bool allow_incomplete) {
@@ -111,7 +126,8 @@ AnalysedRun analysed(const std::string& path, double from_s, bool allow_incomple
           data.identity.state_hash,
           time.back() - time[first],
           data.verdict,
-          analyse_platform(platform_series(data, first))};
+          analyse_platform(platform_series(data, first)),
+          line_findings(data, first)};
 }
 
 CombinedRuns combined(const std::vector<AnalysedRun>& runs) {

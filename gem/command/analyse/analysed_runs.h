@@ -1,6 +1,7 @@
 // The runs that `gem analyse` was given, and what they say together.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,13 @@
 
 namespace gem {
 
+/// A mooring line: its largest tension, if the run recorded it, strength (0: none) and time of failure (0: it held).
+struct LineFinding {
+  std::optional<double> largest;  // [N]
+  double at = 0.0;                // [s]
+  double strength, break_time;    // [N], [s]
+};
+
 /// The findings of one run, its file, its duration and the verdict on it.
 struct AnalysedRun {
   std::string path, name;
@@ -17,6 +25,7 @@ struct AnalysedRun {
   double duration_s = 0.0;
   RunVerdict verdict;
   std::vector<Finding> findings;
+  std::vector<LineFinding> lines;  // of the mooring
 };
 
 /// What several runs of one condition say together.

@@ -56,7 +56,8 @@ Estimate estimate(const SceneDef& scene) {
   // two columns with four bytes for each side
   const double side_bytes =
       scene.output.side_loads && scene.platform.present ? 8.0 * double(platform_outline(scene.platform).size()) : 0.0;
-  const double platform_bytes = samples * (8.0 * double(platform_columns().size()) + side_bytes);
+  const double line_bytes = 8.0 * double(line_columns(scene).size()) * double(scene.mooring_design.lines.size());
+  const double platform_bytes = samples * (8.0 * double(platform_columns().size()) + side_bytes + line_bytes);
   need.platform_disk = compression * platform_bytes;
   need.disk = compression * (frames * (frame_bytes + contact_bytes) + platform_bytes +
                              frames * 8.0 * double(stats_columns().size()) + floe_count(scene) * 160.0) +

@@ -7,6 +7,7 @@
 #include "gem/command/command.h"
 #include "gem/command/verdict_output.h"
 #include "gem/record/run_file/run_writer.h"
+#include "gem/report/run/line_record.h"
 
 namespace gem {
 namespace {
@@ -32,6 +33,7 @@ std::string summary_text(const RunSummary& s) {
   text += line("wall time", fixed_text(s.wall_time, 2) + " s, " + rate_text(s.sim_rate) + " x real time");
   text += line("recorded", std::to_string(s.frames) + " floe frames, " + std::to_string(s.events) + " events");
   text += line("active floes", fixed_text(s.active_floes, 0));
+  if (!s.line_break_times.empty()) text += line("broken mooring lines", broken_lines_text(s.line_break_times));
   text += line("most contacts", std::to_string(s.worst.contacts));
   text += line("most iterations", std::to_string(s.worst.iterations) + ", limit reached in " +
                                       std::to_string(s.at_limit) + " of " + std::to_string(s.steps) + " time steps");
@@ -55,34 +57,35 @@ std::string summary_text(const RunSummary& s) {
 }
 
 std::string summary_json(const RunSummary& s) {
-  const nlohmann::ordered_json object = {{"status", s.status},
-                                         {"file", s.file},
-                                         {"engine", s.engine},
-                                         {"time_s", s.time},
-                                         {"steps", s.steps},
-                                         {"wall_time_s", s.wall_time},
-                                         {"sim_rate", s.sim_rate},
-                                         {"frames", s.frames},
-                                         {"events", s.events},
-                                         {"active_floes", s.active_floes},
-                                         {"contacts", s.worst.contacts},
-                                         {"iterations", s.worst.iterations},
-                                         {"steps_at_iteration_limit", s.at_limit},
-                                         {"maximum_overlap_m", s.worst.maximum_overlap},
-                                         {"maximum_overlap_share", s.worst.maximum_share},
-                                         {"overlap_99_9_m", most_overlap(s)},
-                                         {"overlap_99_9_share", most_share(s)},
-                                         {"closing_residual_m_per_s", s.worst.residual},
-                                         {"complementarity_m_per_s", s.worst.complementarity},
-                                         {"cone_excess_N_s", s.worst.cone_excess},
-                                         {"energy_created_J", s.worst.energy_created},
-                                         {"residual_momentum", s.residual.momentum},
-                                         {"residual_angular_momentum", s.residual.angular_momentum},
-                                         {"residual_energy", s.residual.energy},
-                                         {"peak_memory_bytes", s.peak_memory},
-                                         {"state_hash", hash_text(s.state_hash)},
-                                         {"verdict", grade_name(s.verdict.grade)},
-                                         {"verdict_criteria", criteria_json(s.verdict)}};
+  nlohmann::ordered_json object = {{"status", s.status},
+                                   {"file", s.file},
+                                   {"engine", s.engine},
+                                   {"time_s", s.time},
+                                   {"steps", s.steps},
+                                   {"wall_time_s", s.wall_time},
+                                   {"sim_rate", s.sim_rate},
+                                   {"frames", s.frames},
+                                   {"events", s.events},
+                                   {"active_floes", s.active_floes},
+                                   {"contacts", s.worst.contacts},
+                                   {"iterations", s.worst.iterations},
+                                   {"steps_at_iteration_limit", s.at_limit},
+                                   {"maximum_overlap_m", s.worst.maximum_overlap},
+                                   {"maximum_overlap_share", s.worst.maximum_share},
+                                   {"overlap_99_9_m", most_overlap(s)},
+                                   {"overlap_99_9_share", most_share(s)},
+                                   {"closing_residual_m_per_s", s.worst.residual},
+                                   {"complementarity_m_per_s", s.worst.complementarity},
+                                   {"cone_excess_N_s", s.worst.cone_excess},
+                                   {"energy_created_J", s.worst.energy_created},
+                                   {"residual_momentum", s.residual.momentum},
+                                   {"residual_angular_momentum", s.residual.angular_momentum},
+                                   {"residual_energy", s.residual.energy},
+                                   {"peak_memory_bytes", s.peak_memory},
+                                   {"state_hash", hash_text(s.state_hash)},
+                                   {"verdict", grade_name(s.verdict.grade)},
+                                   {"verdict_criteria", criteria_json(s.verdict)}};
+  if (!s.line_break_times.empty()) object["line_break_times_s"] = s.line_break_times;
   return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

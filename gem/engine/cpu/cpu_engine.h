@@ -26,6 +26,7 @@ class CpuEngine : public Engine {
   std::int64_t step() const override { return step_; }
   const Bodies& bodies() override { return field_.bodies; }
   Ledger ledger() override;
+  LineSet broken_lines() const override { return field_.broken; }
   bool has_contact_forces() const override { return true; }
   std::vector<ContactForce> contact_forces() override { return gem::contact_forces(field_, pairs_.contacts()); }
   EngineState save() override;
@@ -53,6 +54,7 @@ class CpuEngine : public Engine {
 
   FieldState field_;
   DriveSchedule drives_;
+  MooringTables mooring_;
   ThreadTeam all_threads_;
   ThreadTeam one_thread_{1};
   TeamChoice choice_;

@@ -23,7 +23,8 @@ class CudaScene {
   CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status) : status_(status) {
     check_solver(scene.scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cuda");
     check_device_steps(std::llround(scene.scene.run.duration_s / scene.scene.numerics.time_step_s));
-    const StepConstants constants = step_constants(scene.scene, scene.bodies);
+    mooring_ = mooring_tables(scene.scene.mooring.law, scene.scene.mooring_design);
+    const StepConstants constants = step_constants(scene.scene, scene.bodies, mooring_.view());
     drives_ = drive_schedule(scene.scene);
     field_ = make_field_state(std::move(scene.bodies), constants);
     ledger_.start = total(field_);
@@ -109,6 +110,12 @@ class CudaScene {
     return field_.bodies;
   }
 
+  LineSet broken_lines() {
+    if (sizes_.mooring_branches == 0) return 0;
+    fetch_books();
+    return field_.broken;
+  }
+
   Ledger ledger() {
     fetch_books();
     return closed_books(field_, ledger_);
@@ -116,7 +123,7 @@ class CudaScene {
 
   EngineState save() {
     fetch_books();
-    EngineState state{step_, field_.bodies, saved_books(field_, ledger_), field_.books, {}, {}};
+    EngineState state{step_, field_.bodies, saved_books(field_, ledger_), field_.books, {}, {}, field_.broken};
     save_memory(carried(), state);
     return state;
   }
@@ -147,6 +154,7 @@ class CudaScene {
         "fetch the books");
     check_cuda(cudaMemcpy(&platform, device_.platform, sizeof platform, cudaMemcpyDeviceToHost), "fetch the books");
     field_.mooring_force = platform.mooring_force;
+    field_.broken = platform.broken;
     host_books_valid_ = true;
   }
 
@@ -235,6 +243,7 @@ class CudaScene {
 
   FieldState field_;
   DriveSchedule drives_;
+  MooringTables mooring_;
   Ledger ledger_;  // start values and scales
   std::int64_t step_ = 0;
   SceneSizes sizes_;

@@ -28,6 +28,7 @@ class CudaEngine : public Engine {
   std::int64_t step() const override { return batch_.step(0); }
   const Bodies& bodies() override { return batch_.bodies(0); }
   Ledger ledger() override { return batch_.ledger(0); }
+  LineSet broken_lines() const override { return batch_.broken_lines(0); }
   EngineState save() override { return batch_.save(0); }
   void restore(const EngineState& state) override { batch_.restore(0, state); }
 

@@ -25,9 +25,11 @@ GEM_DEVICE inline PlatformLoaded load_platform(const DeviceScene& s) {
   PlatformLoaded loaded;
   loaded.cell.mid_position = p.mid_position;
   loaded.cell.velocity = p.velocity;
+  loaded.cell.spin = p.spin;
   loaded.cell.mooring_force = p.mooring_force;
   loaded.cell.mooring_before = p.mooring_before;
   loaded.cell.drag_before = p.drag_before;
+  loaded.cell.broken = p.broken;
   loaded.drag_book = s.book(Channel::platform_drag, 0);
   loaded.mooring_book = s.book(Channel::mooring, 0);
   return loaded;
@@ -37,33 +39,52 @@ GEM_DEVICE inline void store_platform(const DeviceScene& s, const PlatformLoaded
   PlatformCell& p = *s.platform;
   p.mid_position = loaded.cell.mid_position;
   p.velocity = loaded.cell.velocity;
+  p.spin = loaded.cell.spin;
   p.mooring_force = loaded.cell.mooring_force;
   p.mooring_before = loaded.cell.mooring_before;
   p.drag_before = loaded.cell.drag_before;
+  p.broken = loaded.cell.broken;
   s.book(Channel::platform_drag, 0) = loaded.drag_book;
   s.book(Channel::mooring, 0) = loaded.mooring_book;
 }
 
-GEM_DEVICE inline PlatformMotion platform_motion(double mass, PlatformLoaded& loaded) {
-  return {mass,
+/// The platform's inertia, and how it turns in the half time step that is made.
+struct PlatformTurn {
+  double mass, inertia, inverse_inertia;  // [kg], [kg m2], [1/(kg m2)]
+  Rotation rotation, next;                // `next`: when the mooring pulls
+};
+
+GEM_DEVICE inline PlatformTurn turn_of(const BodyCell& cell, const BodyMotion& motion, Rotation rotation,
+                                       Rotation next) {
+  return {motion.mass, motion.inertia, cell.inverse_inertia, rotation, next};
+}
+
+/// `spin`: of the platform, changed by the motion [rad/s].
+GEM_DEVICE inline PlatformMotion platform_motion(const PlatformTurn& turn, double& spin, PlatformLoaded& loaded) {
+  return {turn.mass,
           loaded.cell.mid_position,
           loaded.cell.velocity,
           loaded.drag_book,
           loaded.mooring_book,
-          loaded.cell.mooring_force};
+          loaded.cell.mooring_force,
+          turn.inertia,
+          turn.inverse_inertia,
+          spin,
+          turn.rotation,
+          turn.next,
+          loaded.cell.broken};
 }
 
 /// Moves the platform up to the pair events of the next time step, which is number `sample` of the call. `spin` is its
 /// present spin [rad/s].
 GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded& loaded, Mover& mover,
-                                           const BodyMotion& motion, double spin, std::int32_t sample) {
+                                           const PlatformTurn& turn, double spin, std::int32_t sample) {
   PlatformCell& p = loaded.cell;
   p.mooring_before = p.mooring_force.momentum;
   p.drag_before = loaded.drag_book.momentum;
   p.mid_position = mover.position;
-  platform_events_before(s.constants.events, s.drive_of(sample), platform_motion(motion.mass, loaded));
-  steer_platform(s.constants.events, s.drive_of(sample), {motion.inertia, mover.rotation, spin, loaded.drag_book},
-                 true);
+  platform_events_before(s.constants.events, s.drive_of(sample), platform_motion(turn, spin, loaded));
+  steer_platform(s.constants.events, s.drive_of(sample), {turn.inertia, turn.rotation, spin, loaded.drag_book}, true);
   mover.velocity = p.velocity;
   mover.spin = spin;
 }
@@ -168,6 +189,7 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformLoaded& 
   sample.mooring_impulse = p.mooring_force.momentum - p.mooring_before;
   sample.drag_impulse = loaded.drag_book.momentum - p.drag_before;
   sample.contacts = pressed;
+  sample.broken = p.broken;
 }
 
 /// Moves the platform by one thread, after the contacts are summed.
@@ -189,21 +211,26 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   const Events& e = s.constants.events;
   double spin = sums.spin;  // it turns with the spin after the pair events
   if (e.platform_present) {
-    platform_events_after(e, s.drive_of(step.sample), platform_motion(motion.mass, loaded));
+    const Rotation next = yaw_of_pull(e, mover.rotation, spin);
+    platform_events_after(e, s.drive_of(step.sample),
+                          platform_motion(turn_of(cell, motion, mover.rotation, next), spin, loaded));
     mover.position = p.mid_position + repair.shift;
-    if constexpr (solver == ContactSolver::coupled)
-      book_platform_shift(e, motion.mass, p.mid_position, p.velocity, repair.shift, s.book(Channel::repair, 0));
     turn(mover, s.constants.dt * sums.spin + repair.turn);
+    if constexpr (solver == ContactSolver::coupled)
+      book_platform_shift(e, motion.mass, p.velocity, p.broken, {p.mid_position, repair.shift, next, mover.rotation},
+                          s.book(Channel::repair, 0));
     steer_platform(e, s.drive_of(step.sample), {motion.inertia, mover.rotation, spin, loaded.drag_book}, false);
   }
   if (cell.active && !is_finite(mover, p.velocity, spin)) group.raise(alarm_not_finite);
   if (s.wants_samples) write_sample(s, loaded, mover, spin, sums, pressed, step.sample);
   if (cell.active && left_trajectory(s, mover, cell.radius, motion, step.elapsed)) group.raise(alarm_strayed);
   if (s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) group.raise(alarm_ring_full);
-  if (step.kick_next) platform_first_half(s, loaded, mover, motion, spin, step.sample + 1);
+  p.spin = spin;
+  if (step.kick_next)
+    platform_first_half(s, loaded, mover, turn_of(cell, motion, mover.rotation, mover.rotation), spin, step.sample + 1);
   store_platform(s, loaded);
   s.after[0].velocity = sums.velocity;
-  s.after[0].spin = spin;
+  s.after[0].spin = sums.spin;
   write_mover(cell, mover);
   if (workspace.writes_through) write_mover(s.body[0], mover);
 }

@@ -31,7 +31,8 @@ GEM_DEVICE inline void first_solo_events(const DeviceScene& s, const Group& grou
   if (!workspace.platform || group.warp().rank() != 0) return;
   Mover mover = mover_of(workspace.body[0]);
   PlatformLoaded loaded = load_platform(s);
-  platform_first_half(s, loaded, mover, workspace.motion[0], s.after[0].spin, 0);
+  platform_first_half(s, loaded, mover, turn_of(workspace.body[0], workspace.motion[0], mover.rotation, mover.rotation),
+                      s.platform->spin, 0);
   store_platform(s, loaded);
   write_mover(workspace.body[0], mover);
   write_mover(s.body[0], mover);
@@ -84,7 +85,8 @@ GEM_DEVICE inline void write_state(const DeviceScene& s, const Group& group) {
   for (std::int32_t i = rank_of(group); i < s.bodies; i += size_of(group)) {
     const BodyCell& cell = s.body[i];
     const Vec2 velocity = i == 0 ? s.platform->velocity : s.after[i].velocity;
-    s.state[i] = {cell.position, cell.rotation, velocity, s.after[i].spin, cell.active};
+    const double spin = i == 0 ? s.platform->spin : s.after[i].spin;
+    s.state[i] = {cell.position, cell.rotation, velocity, spin, cell.active};
   }
 }
 

@@ -105,6 +105,9 @@ struct DeviceScene {
   float* wake = nullptr;  // the pair sleeps while the clock is below [m]
 
   const double* area = nullptr;  // of each body [m2]
+  // of the mooring; constants.events.moored.view shows them
+  const MooringBranch* mooring_branch = nullptr;
+  const CurveKnot* mooring_knot = nullptr;
   // of each time step of a call, and the one after it; null: the steady drive of the scene
   const Drive* drive = nullptr;
 

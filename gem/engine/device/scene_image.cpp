@@ -193,6 +193,19 @@ void place_solver(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   if (sizes.splitting) place_islands(s, sizes, placer);
 }
 
+/// A scene without tables has no arrays for them.
+void place_mooring(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
+  if (sizes.mooring_branches == 0) return;
+  placer.place(s.mooring_branch, sizes.mooring_branches);
+  placer.place(s.mooring_knot, sizes.mooring_knots);
+  s.constants.events.moored.view = {s.mooring_branch, s.mooring_knot, sizes.mooring_branches, sizes.mooring_knots};
+}
+
+void write_mooring(const MooringView& mooring, const DeviceScene& s) {
+  std::copy_n(mooring.branch, mooring.branches, const_cast<MooringBranch*>(s.mooring_branch));
+  std::copy_n(mooring.knot, mooring.knots, const_cast<CurveKnot*>(s.mooring_knot));
+}
+
 }  // namespace
 
 void check_device_steps(std::int64_t steps) {
@@ -215,6 +228,8 @@ SceneSizes scene_sizes(const FieldState& f) {
   sizes.coupled = f.constants.solver == ContactSolver::coupled;
   sizes.momentum_coefficients = f.momentum_coefficients.size();
   sizes.splitting = sizes.coupled && f.constants.iteration == Iteration::splitting;
+  sizes.mooring_branches = f.constants.events.moored.view.branches;
+  sizes.mooring_knots = f.constants.events.moored.view.knots;
   sizes.phases = !sizes.coupled || sizes.splitting || sizes.bodies <= most_cluster_bodies;
   return sizes;
 }
@@ -234,6 +249,7 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.vertex, vertices);
   placer.place(s.body_normal, vertices);
   placer.place(s.area, n);
+  place_mooring(s, sizes, placer);
   if (!sizes.coupled) return placer.used();
   placer.place(s.crushing, n);
   placer.place(s.added, n);
@@ -320,7 +336,10 @@ void write_field(const FieldState& f, std::int64_t step, const DeviceScene& s) {
   s.status->horizon = s.horizon;
   *s.platform = {};
   s.platform->velocity = f.bodies.velocity[0];
+  s.platform->spin = f.bodies.spin[0];
   s.platform->mooring_force = f.mooring_force;
+  s.platform->broken = f.broken;
+  write_mooring(f.constants.events.moored.view, s);
   for (std::size_t i = 0; i < f.bodies.count(); ++i) {
     s.body[i] = cell_of(f, i);
     s.motion[i] = motion_of(f.bodies, i);

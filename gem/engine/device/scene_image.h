@@ -29,6 +29,7 @@ struct SceneSizes {
   std::size_t momentum_coefficients = 0;  // numbers
   bool phases = true;                     // the scene can take the phases route
   bool drives = false;                    // current or wind change during the run
+  std::int32_t mooring_branches = 0, mooring_knots = 0;
 };
 
 /// Sizes for a field, with a first guess for the list; `samples` and `blocks` are left to the caller.

@@ -79,7 +79,8 @@ Quantity quantity_of(const Bodies& b, std::size_t i) {
           0.5 * b.mass[i] * dot(b.velocity[i], b.velocity[i]) + 0.5 * b.inertia[i] * b.spin[i] * b.spin[i]};
 }
 
-Quantity total_of(const Rules& rules, const Bodies& b) {
+Quantity total_of(const Rules& rules, const State& s) {
+  const Bodies& b = s.bodies;
   Quantity sum;
   for (std::size_t i = 0; i < b.count(); ++i) {
     if (!b.active[i]) continue;
@@ -88,8 +89,12 @@ Quantity total_of(const Rules& rules, const Bodies& b) {
     sum.angular_momentum += q.angular_momentum;
     sum.energy += q.energy;
   }
+  const MooringLaws& moored = rules.events.moored;
   const Vec2 offset = b.position[0] - rules.scene.platform.anchor_m;
-  if (rules.stiffness > 0.0) sum.energy += 0.5 * rules.stiffness * dot(offset, offset);
+  if (moored.present)
+    sum.energy += mooring_pull(moored, b.position[0], b.rotation[0], s.broken).energy;
+  else if (rules.stiffness > 0.0)
+    sum.energy += 0.5 * rules.stiffness * dot(offset, offset);
   return sum;
 }
 
@@ -103,7 +108,7 @@ void close_ledger(const Rules& rules, State& s) {
     angular += length(b.position[i]) * p + b.inertia[i] * std::fabs(b.spin[i]);
     if (b.active[i] && b.inverse_mass[i] > 0.0) reach = std::max(reach, length(b.position[i]) + b.radius[i]);
   }
-  ledger.now = total_of(rules, b);
+  ledger.now = total_of(rules, s);
   for (const Quantity& q : ledger.channel) {
     momentum = std::max(momentum, length(q.momentum));
     angular = std::max(angular, std::fabs(q.angular_momentum));
@@ -160,6 +165,7 @@ PlatformStep platform_sample(const State& s, const std::vector<Touch>& touches) 
   sample.rotation = b.rotation[0];
   sample.velocity = b.velocity[0];
   sample.spin = b.spin[0];
+  sample.broken = s.broken;
   sample.mooring_impulse = s.mooring_impulse;
   sample.drag_impulse = s.drag_impulse;
   for (const Touch& touch : touches) {

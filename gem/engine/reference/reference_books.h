@@ -10,7 +10,7 @@ namespace gem::reference {
 Quantity quantity_of(const Bodies& bodies, std::size_t i);
 
 /// Total of all active bodies, with the energy of the mooring.
-Quantity total_of(const Rules& rules, const Bodies& bodies);
+Quantity total_of(const Rules& rules, const State& s);
 
 /// Updates `now` and the scales of the ledger. Residuals are relative to the largest scales so far.
 void close_ledger(const Rules& rules, State& s);

@@ -22,7 +22,7 @@ namespace gem {
 ReferenceEngine::ReferenceEngine(const SceneDef& scene, Bodies bodies) : rules_(reference::rules_of(scene, bodies)) {
   check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "reference");
   state_.bodies = std::move(bodies);
-  state_.ledger.start = total_of(rules_, state_.bodies);
+  state_.ledger.start = total_of(rules_, state_);
 }
 
 void ReferenceEngine::advance(std::int64_t steps, StepLog& log) {
@@ -123,13 +123,14 @@ Ledger ReferenceEngine::ledger() {
 }
 
 EngineState ReferenceEngine::save() {
-  return {state_.steps, state_.bodies, state_.ledger, {}, impulse_key_, impulse_value_};
+  return {state_.steps, state_.bodies, state_.ledger, {}, impulse_key_, impulse_value_, state_.broken};
 }
 
 void ReferenceEngine::restore(const EngineState& state) {
   state_.bodies = state.bodies;
   state_.ledger = state.ledger;
   state_.steps = state.step;
+  state_.broken = state.broken;
   touches_.clear();
   impulse_key_ = state.impulse_key;
   impulse_value_ = state.impulse_value;

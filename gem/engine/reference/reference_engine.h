@@ -27,6 +27,7 @@ class ReferenceEngine : public Engine {
   std::int64_t step() const override { return state_.steps; }
   const Bodies& bodies() override { return state_.bodies; }
   Ledger ledger() override;
+  LineSet broken_lines() const override { return state_.broken; }
   bool has_contact_forces() const override { return true; }
   std::vector<ContactForce> contact_forces() override;
   EngineState save() override;

@@ -76,19 +76,53 @@ void steer(const Rules& rules, State& s, bool damps_first) {
   book.energy += 0.5 * twist * (b.spin[0] + before);
 }
 
+/// Energy of the platform's motion and of a mooring of any law, with the platform turned to `q` [J].
+double moored_energy(const Rules& rules, const State& s, Rotation q) {
+  const Bodies& b = s.bodies;
+  return 0.5 * b.mass[0] * dot(b.velocity[0], b.velocity[0]) + 0.5 * b.inertia[0] * b.spin[0] * b.spin[0] +
+         mooring_pull(rules.events.moored, b.position[0], q, s.broken).energy;
+}
+
+/// Half a time step on a mooring of any law. The platform turns to `next` before the mooring pulls. Lines break at the
+/// end of the second half.
+void swing_on_laws(const Rules& rules, State& s, Rotation next, bool damps_first) {
+  Bodies& b = s.bodies;
+  const MooringLaws& laws = rules.events.moored;
+  const double energy = moored_energy(rules, s, b.rotation[0]);
+  const Vec2 velocity = b.velocity[0], moment = {cross(b.position[0], velocity), b.spin[0]};
+  const Moored moored{b.position[0], b.velocity[0], b.spin[0], b.mass[0], b.inverse_inertia[0]};
+  if (damps_first) damp(laws, moored);
+  swing(laws, moored, next, s.broken);
+  if (!damps_first) {
+    damp(laws, moored);
+    s.broken = broken_after(laws, b.position[0], next, s.broken);
+  }
+  const Vec2 impulse = b.mass[0] * (b.velocity[0] - velocity);
+  s.mooring_impulse += impulse;
+  s.ledger.mooring_force.momentum += impulse;
+  s.ledger.mooring_force.angular_momentum +=
+      b.mass[0] * (cross(b.position[0], b.velocity[0]) - moment.x) + b.inertia[0] * (b.spin[0] - moment.y);
+  s.ledger[Channel::mooring].energy += moored_energy(rules, s, next) - energy;
+}
+
 void turn(Bodies& b, std::size_t i, double angle) {
   if (angle != 0.0) b.rotation[i] = turned(b.rotation[i], angle);
 }
 
-/// The position repair of the platform stretches its mooring.
-void repair_platform(const Rules& rules, State& s) {
+/// The position repair of the platform stretches its mooring. The platform turns by `angle` [rad] in the time step, to
+/// `next` without the repair.
+void repair_platform(const Rules& rules, State& s, double angle, Rotation next) {
   Bodies& b = s.bodies;
   const Vec2 shift = s.repair_shift[0], offset = b.position[0] - rules.scene.platform.anchor_m;
+  const double unrepaired = mooring_pull(rules.events.moored, b.position[0], next, s.broken).energy;
   b.position[0] += shift;
+  turn(b, 0, angle + s.repair_turn[0]);
   Quantity& book = s.ledger[Channel::repair];
   book.angular_momentum += b.mass[0] * cross(shift, b.velocity[0]);
-  book.energy += rules.stiffness * (dot(offset, shift) + 0.5 * dot(shift, shift));
-  turn(b, 0, rules.dt * b.spin[0] + s.repair_turn[0]);
+  if (rules.events.moored.present)
+    book.energy += mooring_pull(rules.events.moored, b.position[0], b.rotation[0], s.broken).energy - unrepaired;
+  else
+    book.energy += rules.stiffness * (dot(offset, shift) + 0.5 * dot(shift, shift));
 }
 
 void move_floe(const Rules& rules, State& s, std::size_t i) {
@@ -128,16 +162,24 @@ void move_platform_before(const Rules& rules, State& s) {
   if (!rules.platform_moves) return;
   in_water(rules, s);
   in_wind(rules, s);
-  swing_platform(rules, s);
+  if (rules.events.moored.present)
+    swing_on_laws(rules, s, s.bodies.rotation[0], true);
+  else
+    swing_platform(rules, s);
   steer(rules, s, true);
 }
 
 void move_platform_after(const Rules& rules, State& s) {
   if (!rules.platform_moves) return;
-  swing_platform(rules, s);
+  const double angle = rules.dt * s.bodies.spin[0];
+  const Rotation next = turned(s.bodies.rotation[0], angle);
+  if (rules.events.moored.present)
+    swing_on_laws(rules, s, next, false);
+  else
+    swing_platform(rules, s);
   in_wind(rules, s);
   in_water(rules, s);
-  repair_platform(rules, s);
+  repair_platform(rules, s, angle, next);
   steer(rules, s, false);
 }
 

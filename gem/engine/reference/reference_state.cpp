@@ -28,10 +28,12 @@ Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
   if (rules.coupled() && scene.contact.manifold == Manifold::chord_ends)
     rules.contact_margin = reach * fastest * rules.dt;
   rules.repair_reach = std::max((reach - 1.0) * fastest, scene.numerics.repair_speed_m_per_s) * rules.dt;
+  rules.mooring = mooring_tables(scene.mooring.law, scene.mooring_design);
   const double mass = scene.platform.present ? bodies.mass[0] : 0.0;
   const double width = platform_drag_width(scene.platform);
   const double inertia = scene.platform.present ? bodies.inertia[0] : 0.0;
-  const PlatformInEvents platform{scene.platform.anchor_m, mass, width, inertia, scene.platform.yaw == Yaw::free};
+  const PlatformInEvents platform{scene.platform.anchor_m, mass, width, inertia, scene.platform.yaw == Yaw::free,
+                                  rules.mooring.view()};
   rules.platform_moves = scene.platform.present && !scene.platform.fixed;
   rules.events = make_events(scene, rules.platform_moves ? &platform : nullptr, rules.dt, has_wind(scene));
   if (!rules.platform_moves) return rules;

@@ -22,6 +22,7 @@ struct Rules {
   double platform_drag_rate = 0.0;  // [1/m]; 0: none
   double platform_wind_rate = 0.0;  // [1/m]; 0: none
   DriveSchedule drives;             // of each time step
+  MooringTables mooring;            // of the laws in events.moored
 
   bool coupled() const { return scene.contact.solver == ContactSolver::coupled; }
 };
@@ -33,6 +34,7 @@ struct State {
   Bodies bodies;
   Ledger ledger;  // `now` and the scales are updated on request
   std::int64_t steps = 0;
+  LineSet broken = 0;  // lines of the mooring
 
   // of the current time step
   Drive drive;

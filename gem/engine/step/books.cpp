@@ -86,16 +86,14 @@ Quantity total(const FieldState& f) {
   for (std::size_t i = 0; i < f.bodies.count(); ++i)
     if (f.bodies.active[i]) sum += of_body(f.bodies, i);
   const Events& e = f.constants.events;
-  if (e.platform_present) {
-    const Vec2 offset = f.bodies.position[0] - e.anchor;
-    sum.energy += 0.5 * e.mooring.stiffness_N_per_m * dot(offset, offset);
-  }
+  if (e.platform_present) sum.energy += mooring_energy(e, f.bodies.position[0], f.bodies.rotation[0], f.broken);
   return sum;
 }
 
 void open_books(FieldState& f, const EngineState& state) {
   const Ledger& ledger = state.ledger;
   f.mooring_force = ledger.mooring_force;
+  f.broken = state.broken;
   if (state.books.size() == f.books.size()) {
     f.books = state.books;
     return;
@@ -181,6 +179,7 @@ void log_step(const FieldState& f, Contacts contacts, const PlatformImpulses& be
   p.rotation = f.bodies.rotation[0];
   p.velocity = f.bodies.velocity[0];
   p.spin = f.bodies.spin[0];
+  p.broken = f.broken;
   const PlatformImpulses after = platform_impulses(f);
   p.mooring_impulse = after.mooring - before.mooring;
   p.drag_impulse = after.drag - before.drag;

@@ -36,6 +36,7 @@ struct FieldState {
       books;  // by channel, then by body; a contact's entries stand with body B, the platform's with body 0
   Quantity mooring_force;  // momentum from the mooring to the platform; its energy is not used
   Vec2 held_impulse;       // of this time step, from the ground to a fixed platform [N s]
+  LineSet broken = 0;      // lines of the mooring
 
   Quantity& book(Channel channel, std::size_t i) {
     return books[static_cast<std::size_t>(channel) * bodies.count() + i];

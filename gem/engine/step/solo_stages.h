@@ -100,13 +100,21 @@ inline void retire_floe(FieldState& f, std::size_t i) {
   b.active[i] = 0;
 }
 
-inline PlatformMotion platform_motion(FieldState& f) {
-  return {f.bodies.mass[0],
-          f.bodies.position[0],
-          f.bodies.velocity[0],
+/// `next`: the platform's rotation when its mooring pulls.
+inline PlatformMotion platform_motion(FieldState& f, Rotation next) {
+  Bodies& b = f.bodies;
+  return {b.mass[0],
+          b.position[0],
+          b.velocity[0],
           f.book(Channel::platform_drag, 0),
           f.book(Channel::mooring, 0),
-          f.mooring_force};
+          f.mooring_force,
+          b.inertia[0],
+          b.inverse_inertia[0],
+          b.spin[0],
+          b.rotation[0],
+          next,
+          f.broken};
 }
 
 inline PlatformYaw platform_yaw(FieldState& f) {
@@ -116,7 +124,7 @@ inline PlatformYaw platform_yaw(FieldState& f) {
 /// Moves the platform up to the time of the pair events.
 inline void platform_first_half(FieldState& f) {
   f.platform_position = f.bodies.position[0];
-  platform_events_before(f.constants.events, f.drive, platform_motion(f));
+  platform_events_before(f.constants.events, f.drive, platform_motion(f, f.bodies.rotation[0]));
   steer_platform(f.constants.events, f.drive, platform_yaw(f), true);
 }
 
@@ -131,15 +139,18 @@ inline void hold_platform(FieldState& f) {
 inline void platform_second_half(FieldState& f) {
   const Events& e = f.constants.events;
   if (!e.platform_present) return hold_platform(f);
-  platform_events_after(e, f.drive, platform_motion(f));
+  Bodies& b = f.bodies;
+  const double spin = b.spin[0];  // it turns with the spin after the pair events
+  const Rotation next = yaw_of_pull(e, b.rotation[0], spin);
+  platform_events_after(e, f.drive, platform_motion(f, next));
   f.struck[0] = 0;
-  const Vec2 shift = f.repair_shift[0];
-  book_platform_shift(e, f.bodies.mass[0], f.bodies.position[0], f.bodies.velocity[0], shift,
-                      f.book(Channel::repair, 0));
-  f.bodies.position[0] += shift;
+  const Vec2 position = b.position[0], shift = f.repair_shift[0];
+  b.position[0] += shift;
   f.repair_shift[0] = {};
-  turn_body(f, 0, f.constants.dt * f.bodies.spin[0] + f.repair_turn[0]);
+  turn_body(f, 0, f.constants.dt * spin + f.repair_turn[0]);
   f.repair_turn[0] = 0.0;
+  book_platform_shift(e, b.mass[0], b.velocity[0], f.broken, {position, shift, next, b.rotation[0]},
+                      f.book(Channel::repair, 0));
   steer_platform(e, f.drive, platform_yaw(f), false);
 }
 

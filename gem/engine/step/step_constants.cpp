@@ -28,12 +28,16 @@ double fastest_of(const SceneDef& scene) {
 
 }  // namespace
 
-StepConstants step_constants(const SceneDef& scene, const Bodies& bodies) {
+StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const MooringView& mooring) {
   StepConstants c;
   c.dt = scene.numerics.time_step_s;
   const PlatformDef& p = scene.platform;
-  const PlatformInEvents platform{p.anchor_m, p.present ? bodies.mass[0] : 0.0, platform_drag_width(p),
-                                  p.present ? bodies.inertia[0] : 0.0, p.yaw == Yaw::free};
+  const PlatformInEvents platform{p.anchor_m,
+                                  p.present ? bodies.mass[0] : 0.0,
+                                  platform_drag_width(p),
+                                  p.present ? bodies.inertia[0] : 0.0,
+                                  p.yaw == Yaw::free,
+                                  mooring};
   c.events = make_events(scene, p.present && !p.fixed ? &platform : nullptr, c.dt, has_wind(scene));
 
   c.solver = scene.contact.solver;

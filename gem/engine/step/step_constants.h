@@ -32,6 +32,8 @@ struct StepConstants {
   double retire_x = 0.0;          // [m]
 };
 
-StepConstants step_constants(const SceneDef& scene, const Bodies& bodies);
+/// `mooring`: the tables of mooring_tables(), which must outlive the constants. Only code that moves the platform needs
+/// them.
+StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const MooringView& mooring = {});
 
 }  // namespace gem

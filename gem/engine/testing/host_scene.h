@@ -22,7 +22,8 @@ class HostScene {
  public:
   HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0,
             std::size_t shared_memory = 1 << 20)
-      : field_(make_field_state(bodies, step_constants(scene, bodies))),
+      : mooring_(mooring_tables(scene.mooring.law, scene.mooring_design)),
+        field_(make_field_state(bodies, step_constants(scene, bodies, mooring_.view()))),
         sizes_(scene_sizes(field_)),
         scene_(scene_constants(field_)),
         drives_(drive_schedule(scene)),
@@ -95,6 +96,7 @@ class HostScene {
     running.start = start.start;
     field_.books.assign(scene_.books, scene_.books + field_.books.size());
     field_.mooring_force = scene_.platform->mooring_force;
+    field_.broken = scene_.platform->broken;
     return closed_books(field_, running);
   }
 
@@ -115,7 +117,9 @@ class HostScene {
   EngineState save() {
     field_.books.assign(scene_.books, scene_.books + field_.books.size());
     field_.mooring_force = scene_.platform->mooring_force;
-    EngineState state{scene_.status->step, field_.bodies, saved_books(field_, running_), field_.books, {}, {}};
+    field_.broken = scene_.platform->broken;
+    EngineState state{scene_.status->step, field_.bodies, saved_books(field_, running_), field_.books, {}, {},
+                      field_.broken};
     save_memory(memory(), state);
     return state;
   }
@@ -231,6 +235,7 @@ class HostScene {
     *scene_.counters = {};
   }
 
+  MooringTables mooring_;
   FieldState field_;
   Ledger running_;  // of the restored state
   SceneSizes sizes_;

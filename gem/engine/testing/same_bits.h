@@ -43,6 +43,7 @@ inline void expect_same_log(const StepLog& a, const StepLog& b) {
     ASSERT_TRUE(same(p.drag_impulse, q.drag_impulse)) << "time step " << m;
     ASSERT_EQ(p.spin, q.spin) << "time step " << m;
     ASSERT_EQ(p.contacts, q.contacts) << "time step " << m;
+    ASSERT_EQ(p.broken, q.broken) << "time step " << m;
     ASSERT_EQ(a.quality[m].contacts, b.quality[m].contacts) << "time step " << m;
     ASSERT_EQ(a.quality[m].iterations, b.quality[m].iterations) << "time step " << m;
     ASSERT_EQ(a.quality[m].residual, b.quality[m].residual) << "time step " << m;

@@ -5,8 +5,10 @@
 #include <string>
 
 #include "gem/base/random.h"
+#include "gem/base/strict_math.h"
 #include "gem/engine/engine.h"
 #include "gem/field/field.h"
+#include "gem/scene/scene_mooring.h"
 
 namespace gem::test {
 
@@ -78,6 +80,35 @@ inline SceneDef ship_scene(std::uint64_t seed, bool fixed) {
   scene.heading = {2e7, 1e8};
   scene.platform.fixed = fixed;
   scene.platform.start_velocity_m_per_s = {fixed ? 0.0 : -0.5, 0.0};
+  return scene;
+}
+
+/// The busy scene on a mooring of tables by direction, with stiffness and damping of the yaw.
+inline SceneDef moored_scene(std::uint64_t seed) {
+  SceneDef scene = busy_scene(seed);
+  scene.mooring = {.damping_ratio = 0.0,
+                   .law = MooringLaw::table,
+                   .damping_N_s_per_m = 3e4,
+                   .yaw_stiffness_N_m_per_rad = 5e7,
+                   .yaw_damping_N_m_s_per_rad = 1e6};
+  for (const auto& [angle, stiffness] : {std::pair{-1.0, 1e5}, {0.3, 4e5}, {1.7, 2e5}, {3.0, 3e5}, {4.2, 2.5e5}})
+    for (const auto& [offset, share] : {std::pair{0.05, 0.0}, {0.2, 0.15}, {2.0, 4.0}})
+      scene.mooring_design.direction.push_back({angle, offset, share * stiffness});
+  return scene;
+}
+
+/// The busy scene on six taut lines that are hardly stronger than at the start: some of them break within seconds.
+inline SceneDef lines_scene(std::uint64_t seed) {
+  SceneDef scene = busy_scene(seed);
+  scene.mooring = {.damping_ratio = 0.0, .law = MooringLaw::catenary, .damping_N_s_per_m = 3e4};
+  scene.mooring_design.line_height_m = 30.0;
+  for (int k = 0; k < 6; ++k) {
+    const Rotation q = strict::rotation_of_turns(k / 6.0 + 0.05);
+    const Vec2 e{q.cosine, q.sine};
+    scene.mooring_design.lines.push_back({310.0 * e.x, 310.0 * e.y, 10.0 * e.x, 10.0 * e.y, 303.0, 800.0, 2e8, 0.0});
+  }
+  const std::vector<double> tensions = line_tensions_at_start(scene);
+  for (std::size_t k = 0; k < tensions.size(); ++k) scene.mooring_design.lines[k][7] = 1.001 * tensions[k];
   return scene;
 }
 

@@ -70,6 +70,7 @@ class RunLayout {
   ChunkShape chunk_;
   bool has_contacts_;  // the forces between bodies are recorded
   bool has_sides_;     // the impulses on the sides of the platform are recorded
+  std::vector<LineColumn> lines_;
   ColumnFile file_;
   Slab waiting_;      // rows of chunks that are not full
   RowCount written_;  // for good

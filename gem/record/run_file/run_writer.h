@@ -17,7 +17,8 @@ struct Slab {
   std::vector<Hit> events;
   std::vector<StatsRow> stats;
   std::vector<ContactRow> contacts;
-  std::vector<float> side_normal, side_friction;  // a row for each of `platform`; empty unless they are recorded
+  std::vector<float> side_normal, side_friction;      // a row for each of `platform`; empty unless they are recorded
+  std::vector<double> line_tension, line_break_time;  // likewise, with a value for each mooring line
   FloeFrames floes;
   double time = 0.0;  // end of the recorded time [s]
   bool empty() const { return platform.empty() && events.empty() && stats.empty() && floes.time.empty(); }

@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "gem/base/error.h"
-#include "gem/events/mooring.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_drive.h"
+#include "gem/scene/scene_mooring.h"
 
 namespace gem {
 namespace {
@@ -185,7 +185,7 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
   run.current_speed = drive_speed(scene);
   run.force_window_s = scene.output.force_window_s;
   run.rest = scene.platform.anchor_m;
-  run.natural_period_s = natural_period(mooring_stiffness(scene), scene.platform.mass_kg);
+  run.natural_period_s = natural_period(scene);
   run.platform = platform_record(file);
   run.events = event_record(file);
   run.stats = stats_record(file);
@@ -193,6 +193,7 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
     if (!time->empty()) run.duration_s = std::max(run.duration_s, time->back());
   run.platform_outline = file.platform_outline();
   run.sides = side_record(file, scene);
+  run.lines = line_record(file, scene);
   run.fixed = file.boundary_outlines();
   run.floe_outlines = file.floe_outlines();
   for (const std::vector<Corners>& outlines : {run.fixed, run.floe_outlines})

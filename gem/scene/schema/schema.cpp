@@ -253,6 +253,9 @@ void add_output(SceneTable& t) {
   t.flag("output.side_loads",
          "whether every platform sample records the impulse of the ice on each side of the outline",
          GEM_FIELD(output.side_loads));
+  t.flag("output.line_tensions",
+         "whether every platform sample records the largest tension of each mooring line since the last",
+         GEM_FIELD(output.line_tensions));
   t.opt_in = false;
 }
 
@@ -309,6 +312,44 @@ void add_wind(SceneTable& t) {
            GEM_FIELD(wind.platform_coefficient));
 }
 
+void add_mooring_laws(SceneTable& t) {
+  const OptionColumn offset = {"offset", "m", {0.0, 1e4}}, force = {"force", "N", {0.0, 1e12}};
+  t.choice("mooring.law", {"linear", "table", "catenary"},
+           "linear: stiffness_N_per_m and damping_ratio; table: force_table or direction_table; catenary: line_table",
+           GEM_FIELD(mooring.law));
+  t.table(
+      "mooring.force_table", {offset, force},
+      "force towards the anchor over the offset, the same in every direction: from 0 where the mooring tightens on, "
+      "linear between the rows; before the first row it is slack, beyond the last the last slope goes on",
+      GEM_FIELD(mooring_design.force));
+  t.table("mooring.direction_table", {direction_column, offset, force},
+          "the same by direction of the offset, at least three directions around a turn; the rows of a direction stand "
+          "together, directions rise. Between two directions the energy is interpolated",
+          GEM_FIELD(mooring_design.direction));
+  t.table(
+      "mooring.line_table",
+      {{"anchor_x", "m", place_range},
+       {"anchor_y", "m", place_range},
+       {"fairlead_x", "m", {-1e3, 1e3}},
+       {"fairlead_y", "m", {-1e3, 1e3}},
+       {"length", "m", {1.0, 1e5}},
+       {"weight", "N/m", {1.0, 1e6}},
+       {"stiffness", "N", {1e4, 1e13}},
+       {"strength", "N", {0.0, 1e12}}},
+      "lines from an anchor to a fairlead, which is given from the platform's centre at yaw 0: length without load, "
+      "weight in water, axial stiffness EA, and strength: a line with more tension "
+      "breaks (0: never); a case that starts with a broken line is refused",
+      GEM_FIELD(mooring_design.lines));
+  t.number("mooring.line_height_m", "m", {0.0, 1e4}, "height of the fairleads above the anchors on the level seabed",
+           GEM_FIELD(mooring_design.line_height_m));
+  t.number("mooring.damping_N_s_per_m", "N s/m", {0.0, 1e12}, "linear damping of surge and sway, with any law; 0: none",
+           GEM_FIELD(mooring.damping_N_s_per_m));
+  t.number("mooring.yaw_stiffness_N_m_per_rad", "N m/rad", {0.0, 1e15},
+           "stiffness of the yaw about 0, with any law; 0: none", GEM_FIELD(mooring.yaw_stiffness_N_m_per_rad));
+  t.number("mooring.yaw_damping_N_m_s_per_rad", "N m s/rad", {0.0, 1e15}, "linear damping of the yaw; 0: none",
+           GEM_FIELD(mooring.yaw_damping_N_m_s_per_rad));
+}
+
 std::string section_of(const Option<SceneDef>& option) { return option.path.substr(0, option.path.find('.')); }
 
 /// Younger options stand at the end of their sections, so that cases without them keep their text.
@@ -326,7 +367,7 @@ std::vector<Option<SceneDef>> make_scene_options() {
                              add_mooring, add_contact, add_numerics, add_output})
     section(t);
   t.opt_in = true;
-  for (const auto section : {add_drive, add_wind}) section(t);
+  for (const auto section : {add_drive, add_wind, add_mooring_laws}) section(t);
   group_by_section(t.options);
   return t.options;
 }

@@ -9,6 +9,7 @@
 #include "gem/report/plain_text.h"
 #include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_drive.h"
+#include "gem/scene/scene_mooring.h"
 #include "gem/view/pack/pack_run.h"
 
 namespace gem::view {
@@ -62,8 +63,8 @@ Json platform_json(const RunFile& file, const SceneDef& scene) {
           {"mass_kg", scene.platform.mass_kg},
           {"diameter_m", 2.0 * platform_radius(scene.platform)},
           {"anchor_m", {scene.platform.anchor_m.x, scene.platform.anchor_m.y}},
-          {"stiffness_N_per_m", mooring_stiffness(scene)},
-          {"natural_period_s", natural_period(mooring_stiffness(scene), scene.platform.mass_kg)}};
+          {"stiffness_N_per_m", mooring_stiffness_at_rest(scene)},
+          {"natural_period_s", natural_period(scene)}};
 }
 
 }  // namespace

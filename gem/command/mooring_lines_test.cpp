@@ -1,0 +1,116 @@
+// Mooring lines from the case to the file, the summary, the analysis and the report.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gem/command/command_fixture.h"
+#include "gem/record/run_file/run_file.h"
+
+namespace gem {
+namespace {
+
+/// A barge that drifts off on four chains, of which that at -x breaks in the fifth second.
+class MooringLinesCommandTest : public CommandTest {
+ protected:
+  void SetUp() override {
+    CommandTest::SetUp();
+    std::ofstream(path("lines.toml")) << R"([run]
+name = "lines"
+duration_s = 20.0
+[floes]
+count = 0
+[boundary]
+present = false
+[platform]
+start_velocity_m_per_s = [0.4, 0.0]
+[mooring]
+law = "catenary"
+line_height_m = 40.0
+line_table = [
+  [648.2, 0.0, 50.0, 0.0, 600.0, 1400.0, 7e8, 4e6],
+  [0.0, 648.2, 0.0, 50.0, 600.0, 1400.0, 7e8, 4e6],
+  [-648.2, 0.0, -50.0, 0.0, 600.0, 1400.0, 7e8, 4e6],
+  [0.0, -648.2, 0.0, -50.0, 600.0, 1400.0, 7e8, 4e6],
+]
+[numerics]
+time_step_s = 0.05
+[output]
+platform_interval_s = 0.2
+)";
+  }
+
+  static std::string lines(const std::string& more) { return "gem run lines.toml --threads 1 -q " + more; }
+};
+
+TEST_F(MooringLinesCommandTest, AreRecordedAndChangeNoRun) {
+  ASSERT_EQ(shell(lines("--out plain.h5") + " && " + lines("--out lines.h5 --set output.line_tensions=true")), 0)
+      << text_of("err");
+  const RunFile plain(path("plain.h5")), run(path("lines.h5"));
+  EXPECT_FALSE(plain.has("platform/line_tension"));
+  EXPECT_EQ(run.attribute("gem_state_hash"), plain.attribute("gem_state_hash"));
+  EXPECT_EQ(run.column("platform/line_break_time"), plain.column("platform/line_break_time"));
+  const std::vector<double> tension = run.column("platform/line_tension"), time = run.column("platform/time"),
+                            broke = run.column("platform/line_break_time");
+  ASSERT_EQ(tension.size(), 4 * time.size());
+  ASSERT_EQ(broke.size(), tension.size());
+  const double at = broke.end()[-2];
+  EXPECT_GT(at, 1.0);
+  EXPECT_EQ(at, 0.05 * std::round(at / 0.05)) << "the end of a time step";
+  EXPECT_EQ(broke.end()[-4] + broke.end()[-3] + broke.end()[-1], 0.0) << "the others hold";
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    EXPECT_EQ(broke[4 * i + 2], time[i] < at ? 0.0 : at);
+    // a slack line still carries the weight of what hangs below its fairlead
+    EXPECT_GT(tension[4 * i], 1400.0 * 40.0);
+    if (time[i] > at + 0.2) EXPECT_EQ(tension[4 * i + 2], 0.0);
+  }
+  double largest = 0.0;
+  for (std::size_t i = 2; i < tension.size(); i += 4) largest = std::max(largest, tension[i]);
+  EXPECT_GT(largest, 4e6);
+  EXPECT_LT(largest, 4.2e6) << "it breaks in the first time step above its strength";
+}
+
+TEST_F(MooringLinesCommandTest, ARunThatGoesOnHasTheRowsOfOneThatNeverStopped) {
+  const std::string with = " --set output.line_tensions=true";
+  for (const char* until : {"1.0", "15.0"}) {
+    ASSERT_EQ(shell(lines("--out whole.h5 --overwrite" + with) + " && " +
+                    lines("--out parts.h5 --overwrite --until " + std::string(until) + with) +
+                    " && gem run --continue parts.h5 -q --threads 1"),
+              0)
+        << text_of("err");
+    const RunFile whole(path("whole.h5")), parts(path("parts.h5"));
+    EXPECT_EQ(whole.attribute("gem_state_hash"), parts.attribute("gem_state_hash"));
+    for (const char* name : {"platform/line_tension", "platform/line_break_time"})
+      EXPECT_EQ(whole.column(name), parts.column(name)) << name;
+  }
+}
+
+TEST_F(MooringLinesCommandTest, StandInSummaryInfoAndAnalysis) {
+  ASSERT_EQ(shell("gem run lines.toml --threads 1 --out lines.h5 --set output.line_tensions=true --json"), 0)
+      << text_of("err");
+  const auto summary = nlohmann::json::parse(text_of("out"));
+  const double at = summary.at("line_break_times_s").at(2);
+  EXPECT_GT(at, 1.0);
+  ASSERT_EQ(shell("gem info lines.h5"), 0);
+  EXPECT_NE(text_of("out").find("line 3 at "), std::string::npos) << text_of("out");
+  ASSERT_EQ(shell("gem analyse lines.h5 --json"), 0) << text_of("err");
+  const auto found = nlohmann::json::parse(text_of("out")).at("mooring_lines");
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ(found.at(2).at("break_time_s"), at);
+  EXPECT_GT(found.at(2).at("tension_largest_N"), 4e6);
+  EXPECT_EQ(found.at(0).at("break_time_s"), 0.0);
+  ASSERT_EQ(shell("gem analyse lines.h5"), 0);
+  EXPECT_NE(text_of("out").find("line 3"), std::string::npos) << text_of("out");
+}
+
+TEST_F(MooringLinesCommandTest, StandInTheReport) {
+  if (shell("command -v gnuplot") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_EQ(shell(lines("--out lines.h5 --set output.line_tensions=true") + " && gem report lines.h5 --out report"), 0)
+      << text_of("err");
+  const std::string page = text_of("report/index.html");
+  EXPECT_NE(page.find("Mooring lines"), std::string::npos);
+  EXPECT_NE(page.find("line 3"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gem

@@ -8,7 +8,8 @@
 #   PART      closed_form paths windows speed ensembles; default: all, in this order. Ensembles always come last;
 #             ensembles:agreement and the like run one part of the plan
 # Environment: GEM_TIMED=14 processors for timed tasks, so that each has a core of its own; default: JOBS less two
-#              GEM_WINDOWS=20 of each regime, GEM_WINDOW_S=32 long (a multiple of 4, which all time steps divide)
+#              GEM_WINDOWS=20 of each regime, GEM_WINDOW_S=32 long (a multiple of 4, which all time steps divide), one every
+#              GEM_SPACING_S=32
 #              GEM_MINUTES=9 stop after this time, with what is finished
 #              GEM_DRIFT_M=600 drift distance for speed; GEM_WHOLE=1 speed over whole runs
 #              GEM_QUICK=1 a rehearsal in minutes; its numbers mean nothing
@@ -22,7 +23,7 @@
 #   GEM_TIMED=28 GEM_WINDOW_S=8 GEM_MINUTES=12 scripts/measure.sh bin OUT 28 windows ensembles:agreement ensembles:experiment
 set -eu
 [ $# -ge 3 ] || {
-  sed -n '2,15s/^# //p' "$0" >&2
+  sed -n '2,16s/^# //p' "$0" >&2
   exit 2
 }
 mkdir -p "$2/results"
@@ -90,7 +91,7 @@ together() {
   done
 }
 
-# regimes: name, case, first start [s]; a window starts every 32 s, one task each
+# regimes: name, case, first start [s]; one task for each window
 regimes() {
   echo "jam cases/table1.toml#27 600"
   echo "plug cases/table1.toml#24 600"
@@ -110,7 +111,7 @@ windows() {
     k=0
     while [ "$k" -lt "$(choice 1 "${GEM_WINDOWS:-20}")" ]; do
       name=windows_${regime}_$k
-      in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + 32 * k)))" "$(choice 1 $((seconds / 4)))" \
+      in_tabs "$name" window_errors "$case" "$regime" "$(choice 20 $((start + ${GEM_SPACING_S:-32} * k)))" "$(choice 1 $((seconds / 4)))" \
         1 "$(choice 4 "$seconds")" "$(choice 2 $((seconds / 4)))" 0 bench/window_settings.txt "$out/tasks/$name.errors" \
         "$out/tasks/$name.paths"
       k=$((k + 1))

@@ -25,7 +25,7 @@ CURVES = (
     ("Box2D thin skin, time step", "thin moment", r"Box2D thin skin 8/3 (dt/\d|dt|2dt)"),
 )
 # What is dropped, from which setting.
-DROPPED = (("friction", "gem dt", "gem without friction"), ("yaw", "gem dt", "gem without yaw"),
+DROPPED = (("friction", "gem gradient dt", "gem gradient without friction"),
            ("elastic stress", "gem independent dt", "gem independent without elastic stress"))
 # Settings of bench/cuda_splitting.cpp and the same on the processor, by the case's own time step.
 CUDA_SETTINGS = {"gradient 32 dt": "gem gradient dt", "gradient 200 dt": "gem gradient dt 200 iterations",

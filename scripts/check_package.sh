@@ -37,6 +37,8 @@ if [ "$1" = --root ]; then
   need debootstrap
   folder=${3:-$(mktemp -d)/root}
   [ -d "$folder/bin" ] || debootstrap --variant=minbase bookworm "$folder" >"$folder.log" 2>&1 || fail "$(tail -3 "$folder.log")"
+  # as on a machine: with /proc the program finds its installed files; without the right to mount, it does not
+  ! mount -t proc proc "$folder/proc" 2>/dev/null || trap 'umount "$folder/proc"' EXIT
   cp "$deb" "$folder/root/gem.deb"
   chroot "$folder" apt-get install -y --no-install-recommends /root/gem.deb >"$folder.log" 2>&1 || fail "$(tail -5 "$folder.log")"
   chroot "$folder" env -i PATH=/usr/bin:/bin HOME=/root bash -c "$try_in_root"

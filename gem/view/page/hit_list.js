@@ -47,16 +47,17 @@ export class LoadCard {
 
   // What made the load, in words.
   text({hits: list, explained, lying}) {
-    const {hits, largest} = this.view;
+    const {hits, largest, run} = this.view;
     const many = (count, one) => `${count} ${one}${count === 1 ? '' : 's'}`;
     const guess = hits.windowImpulse.length ? '' : ', estimated by the mean force of each hit';
     if (lying.length) return `The ice that lay at the platform pressed: ${many(lying.length, 'floe')} on that side. Which of them ` +
-        `carried how much is not recorded. New hits made ${Math.max(0, Math.round(100 * explained))} %${guess}. The largest:`;
+        `carried how much is not recorded${run.description.contacts_recorded ? '' : ' (output.contact_forces does)'}. New hits made ${Math.max(0, Math.round(100 * explained))} %${guess}. The largest:`;
     if (!list.length) return 'No listed hit pressed then: slow contacts alone made it.';
-    const last = list.reduce((late, one) => hits.time[late.hit] >= hits.time[one.hit] ? late : one);
-    return `${many(list.length, 'floe')} pressed. The last to come was floe ${hits.floe[last.hit]}, ` +
-        `${shortNumber(largest.time - hits.time[last.hit], 2)} s before. All hits together: ` +
-        `${Math.round(100 * explained)} % of the load, slow contacts and friction the rest${guess}; the largest:`;
+    const rest = `their hits made ${Math.round(100 * explained)} % of the load${guess}, slow contacts and friction the rest:`;
+    const [{hit, share}] = list, all = `${many(list.length, 'floe')} pressed;`;
+    if (share < 0.3) return `${all} ${rest}`;
+    return `Mainly floe ${hits.floe[hit]}: it hit ${shortNumber(largest.time - hits.time[hit], 2)} s before, with ` +
+        `${shortNumber(hits.closing[hit])} m/s. ${list.length > 1 ? 'In all ' : ''}${all} ${rest}`;
   }
 }
 

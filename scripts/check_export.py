@@ -86,8 +86,9 @@ def check_platform(data, run, time):
     for name in ("ice_force", "mooring_force"):
         wanted = [run[f"platform/{name}_{axis}"][sample] for axis in "xy"]
         assert (cells[name][0, :2] == numpy.float32(wanted)).all(), name
-    centre = vtk_to_numpy(data.GetPoints().GetData())[:, :2].mean(axis=0)
-    assert numpy.allclose(centre, [run["platform/x"][sample], run["platform/y"][sample]], atol=1e-4), "a regular outline"
+    c, s = numpy.cos(run["platform/psi"][sample]), numpy.sin(run["platform/psi"][sample])
+    wanted = run["shape/platform_xy"][...] @ numpy.array([[c, s], [-s, c]]) + [run["platform/x"][sample], run["platform/y"][sample]]
+    assert numpy.allclose(vtk_to_numpy(data.GetPoints().GetData())[:, :2], wanted, rtol=1e-7, atol=1e-5), "corners of the platform"
 
 
 def check_forces(data, run, time):
@@ -155,15 +156,25 @@ def check_damaged(gem, folder):
     print(f"{len(damages)} damaged files are refused")
 
 
+# A ship that is turned, with loads by side, in place of the platform of the case.
+SHIP = {"outline": '"ship"', "length_m": 90, "beam_m": 20, "bow_length_m": 25, "stern_length_m": 15, "start_yaw_rad": 0.4}
+
+
+def export_run(gem, case, folder, settings):
+    more = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
+    subprocess.run([gem, "run", case, "--quiet", "--set", "run.duration_s=120", "--set", "output.contact_forces=true",
+                    "--engine", "cpu", "--overwrite", "--out", folder / "run.h5", *more], check=True)
+    subprocess.run([gem, "export", folder / "run.h5", folder / "film.pvd", "--overwrite"], check=True)
+    with h5py.File(folder / "run.h5", "r") as run:
+        check_film(folder, run)
+
+
 def main():
     gem, case = sys.argv[1:3]
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        subprocess.run([gem, "run", case, "--quiet", "--set", "run.duration_s=120", "--set", "output.contact_forces=true",
-                        "--engine", "cpu", "--out", folder / "run.h5"], check=True)
-        subprocess.run([gem, "export", folder / "run.h5", folder / "film.pvd"], check=True)
-        with h5py.File(folder / "run.h5", "r") as run:
-            check_film(folder, run)
+        export_run(gem, case, folder, {"output.side_loads": "true", **{f"platform.{key}": value for key, value in SHIP.items()}})
+        export_run(gem, case, folder, {})
         check_damaged(gem, folder)
         few = subprocess.run([gem, "export", folder / "run.h5", folder / "few.pvd", "--every", "1min"], check=True,
                              stdout=subprocess.PIPE, text=True).stdout

@@ -27,6 +27,11 @@ HEADER = ("group: platform", "time = UNLIMITED", 'ice_force_x:units = "N"', 'gem
 GROUPS = {"shape": None, "boundary": None, "floes": "time", "platform": "time", "stats": "time", "events": "event"}
 
 
+# Has every column that a run file can have but for forces between bodies.
+SHIP = {"output.side_loads": "true", "platform.outline": '"ship"', "platform.length_m": 90, "platform.beam_m": 20,
+        "platform.bow_length_m": 25, "platform.stern_length_m": 15}
+
+
 def check_h5py(path):
     with h5py.File(path, "r") as file:
         status = file.attrs["gem_status"]
@@ -53,14 +58,22 @@ def check_h5py(path):
 
 
 def check_xarray(path):
+    """What xarray and h5netcdf read is what h5py reads, number by number."""
+    compared = 0
     for group, unlimited in GROUPS.items():
-        with xarray.open_dataset(path, engine="h5netcdf", group=group) as data:
+        with xarray.open_dataset(path, engine="h5netcdf", group=group) as data, h5py.File(path, "r") as file:
             assert unlimited is None or unlimited in data.dims, group
             assert not any(name.startswith("phony") for name in data.dims), data.dims
             if "time" in data:
                 assert data["time"].dtype == numpy.float64, "time was decoded as a date"
             data.load()
+            for name in data.variables:
+                wanted = file[group][name][...]
+                assert data[name].shape == wanted.shape and data[name].values.tobytes() == wanted.tobytes(), f"{group}/{name}"
+                compared += 1
             print(f"xarray: {group}: {dict(data.sizes)}")
+    assert compared > 60, compared
+    print(f"xarray: {compared} variables have the numbers of h5py")
 
 
 def check_ncdump(path):
@@ -103,7 +116,8 @@ def check_running(gem, case, folder):
 
 def run(gem, case, folder):
     path = f"{folder}/run.h5"
-    subprocess.run([gem, "run", case, "--quiet", "--set", "run.duration_s=20", "--out", path], check=True)
+    more = [word for key, value in SHIP.items() for word in ("--set", f"{key}={value}")]
+    subprocess.run([gem, "run", case, "--quiet", "--set", "run.duration_s=120", "--out", path, *more], check=True)
     readers = {"ncdump (package netcdf-bin)": (shutil.which("ncdump"), check_ncdump),
                "h5py (package python3-h5py)": (h5py, check_h5py),
                "xarray with h5netcdf (packages python3-xarray python3-h5netcdf)": (xarray and h5py, check_xarray)}

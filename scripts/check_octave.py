@@ -15,7 +15,7 @@ except ImportError as missing:
     print(f"skipped: {missing} (package python3-h5py)")
     sys.exit(77)
 
-DATASETS = ("platform/time", "platform/x", "platform/mooring_force_x", "platform/contacts", "floes/x", "floes/omega",
+DATASETS = ("platform/time", "platform/x", "platform/side_impulse", "platform/mooring_force_x", "platform/contacts", "floes/x", "floes/omega",
             "floes/active", "events/impulse", "events/body_b", "shape/vertex_xy", "shape/vertex_count", "stats/overlap_count")
 # Octave's matrices have the dimensions in the opposite order, so that column by column is the order of the file.
 SCRIPT = """run = load('-hdf5', 'run.h5');
@@ -37,7 +37,8 @@ def main():
         sys.exit(77)
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder)
-        subprocess.run([gem, "run", case, "--quiet", "--set", "run.duration_s=120", "--out", path / "run.h5"], check=True)
+        subprocess.run([gem, "run", case, "--quiet", "--set", "run.duration_s=120", "--set", "output.side_loads=true", "--out",
+                        path / "run.h5"], check=True)
         (path / "compare.m").write_text(SCRIPT % ", ".join(f"'{name}'" for name in DATASETS), encoding="utf-8")
         subprocess.run([octave, "--no-gui", "--no-init-file", "--quiet", "compare.m"], cwd=folder, check=True, timeout=120)
         with h5py.File(path / "run.h5", "r") as run:

@@ -13,7 +13,8 @@ need() {
 
 # What a user does first, in the bare root: no compiler, no sources.
 try_in_root='set -e
-! command -v gcc cc c++ cmake
+absent() { if "$@"; then echo "should have failed: $*" >&2; exit 1; fi; }
+absent command -v gcc cc c++ cmake
 cd /root
 gem --version --json
 gem case explain current
@@ -27,16 +28,18 @@ gem compare first.h5 second.h5 --out comparison
 gem view first.h5 --out first.html
 grep -q "gem view" first.html
 # without ffmpeg a film is refused with a reason, and nothing is left
-! command -v ffmpeg
-! gem film first.h5 first.mp4 2>film_err
+absent command -v ffmpeg
+absent gem film first.h5 first.mp4 2>film_err
 grep "ffmpeg was not found" film_err
-! ls first.mp4 .first.new.mp4'
+absent ls first.mp4 .first.new.mp4 2>/dev/null'
 
 if [ "$1" = --root ]; then
   deb=$(realpath "$2")
   need debootstrap
   folder=${3:-$(mktemp -d)/root}
   [ -d "$folder/bin" ] || debootstrap --variant=minbase bookworm "$folder" >"$folder.log" 2>&1 || fail "$(tail -3 "$folder.log")"
+  # as on a machine: with /proc the program finds its installed files; without the right to mount, it does not
+  ! mount -t proc proc "$folder/proc" 2>/dev/null || trap 'umount "$folder/proc"' EXIT
   cp "$deb" "$folder/root/gem.deb"
   chroot "$folder" apt-get install -y --no-install-recommends /root/gem.deb >"$folder.log" 2>&1 || fail "$(tail -5 "$folder.log")"
   chroot "$folder" env -i PATH=/usr/bin:/bin HOME=/root bash -c "$try_in_root"

@@ -242,6 +242,12 @@ def check_forces(page, file):
     expect(page.value("gemView.shares.some(s => s > 0.2)"), "floes are coloured by their forces")
 
 
+def check_drive(page):
+    """A current that stays is the same at any time."""
+    shown = page.value("[gemView.run.driveAt('current', 0), gemView.run.driveAt('current', 1e9), gemView.run.driveAt('wind', 0)]")
+    expect(shown[0] == shown[1] and abs(shown[0][0]) > 0.1 and shown[2] is None, f"current and wind: {shown}")
+
+
 def check_play(page):
     page.value("gemView.player.seek(0)")
     page.value("document.getElementById('speed').value = '20'; document.getElementById('speed').dispatchEvent(new Event('change'))")
@@ -311,6 +317,7 @@ def check_page(page, gem, file, with_hits):
     page.open(address)
     page.until("window.gemView && 1", 40)
     check_numbers(page, file)
+    check_drive(page)
     check_play(page)
     check_click(page)
     check_colours(page)

@@ -1,6 +1,9 @@
 // gem view writes one page or refuses, and gem run --view ends by itself when nobody looks.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+
 #include "gem/command/command_fixture.h"
 
 namespace gem {
@@ -34,6 +37,29 @@ TEST_F(CommandTest, ThePageOfAnotherRunIsNotReplaced) {
   EXPECT_EQ(shell("cmp page.html kept.html"), 0);
   EXPECT_EQ(shell("gem view swing2.h5 --out page.html --overwrite"), 0) << text_of("err");
   EXPECT_EQ(shell("cmp page.html kept.html"), 1);
+}
+
+TEST_F(CommandTest, ThePageKnowsCurrentAndWindOverTime) {
+  const auto drive_of = [this](const std::string& settings) {
+    EXPECT_EQ(shell("gem run swing.toml --overwrite --out swing.h5 -q --threads 1 " + settings +
+                    " && gem view swing.h5 --out page.html --overwrite"),
+              0)
+        << text_of("err");
+    const std::string page = text_of("page.html"), tag = "application/json\">";
+    const std::size_t from = page.find(tag) + tag.size();
+    return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from)).at("drive");
+  };
+  const auto steady = drive_of("--set current.velocity_m_per_s=[0.3,0.1]");
+  EXPECT_EQ(steady.at("current_m_per_s"), nlohmann::json::parse("[[0.3, 0.1]]"));
+  EXPECT_TRUE(steady.at("wind_m_per_s").is_null());
+  // turns by a right angle in the 20 s of the run; rows are the middles of time steps of 0.1 s
+  const auto turning = drive_of(
+      "--set current.direction_table=[[0,0.2,0],[20,0.2,1.5707963267948966]] --set wind.velocity_m_per_s=[5.0,0.0]");
+  ASSERT_EQ(turning.at("current_m_per_s").size(), 241u);
+  EXPECT_NEAR(turning.at("current_m_per_s").at(0).at(0).get<double>(), 0.2, 1e-5);
+  EXPECT_NEAR(turning.at("current_m_per_s").at(120).at(0).get<double>(), 0.2 * std::sqrt(0.5), 2e-3);
+  EXPECT_NEAR(turning.at("current_m_per_s").at(240).at(1).get<double>(), 0.2, 1e-5);
+  EXPECT_EQ(turning.at("wind_m_per_s").at(240), nlohmann::json::parse("[5.0, 0.0]"));
 }
 
 TEST_F(CommandTest, AShownRunEndsByItselfWhenNobodyLooks) {

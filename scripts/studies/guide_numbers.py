@@ -21,10 +21,10 @@ PAGE = ROOT / "gem" / "manual" / "user_guide.md"
 CASES = ROOT / "cases"
 # Lines that depend on the machine: they are not in the page.
 OF_THE_MACHINE = ("wall time", "peak memory")
-ANALYSED = ("x_offset_m", "x_deviation_m", "x_largest_m", "x_period_by_spectrum_s", "contact_fraction",
+ANALYSED = ("verdict", "value", "x_offset_m", "x_deviation_m", "x_largest_m", "x_period_by_spectrum_s", "contact_fraction",
             "ice_force_x_mean_N", "ice_force_y_mean_N", "mooring_force_x_mean_N", "ice_force_window_largest_N",
             "mooring_force_largest_N")
-OF_SEEDS = ("x_offset_m", "ice_force_x_mean_N", "ice_force_window_largest_N", "mooring_force_largest_N")
+OF_SEEDS = ("verdict", "mean", "most", "x_offset_m", "ice_force_x_mean_N", "ice_force_window_largest_N", "mooring_force_largest_N")
 
 
 class Example:
@@ -42,11 +42,11 @@ class Example:
 
 
 def shown(lines, names, indent="  "):
-    """The first two lines and those of `names`, with ... for what is left out."""
+    """The first line, those that begin with one of `names`, and headings, with ... for what is left out."""
     kept, left_out = [], False
     for number, line in enumerate(lines):
         word = line.split()[0] if line.split() else ""
-        if number < 2 or word in names or (line and not line.startswith(" ")):
+        if number == 0 or word in names or (line and not line.startswith(" ")):
             kept, left_out = kept + ([indent + "..."] if left_out else []) + [line], False
         else:
             left_out = True

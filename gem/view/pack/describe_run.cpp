@@ -1,4 +1,5 @@
 // The description of a run for its page. Every text of the file passes plain_text().
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -67,6 +68,21 @@ Json platform_json(const RunFile& file, const SceneDef& scene) {
           {"natural_period_s", natural_period(scene)}};
 }
 
+/// Velocities of water and air in equal distances over the run; one row if they stay as they are. No wind is null.
+Json drive_json(const SceneDef& scene) {
+  constexpr std::int64_t rows = 240;  // chosen by hand: arrows turn without jumps
+  const DriveSchedule schedule = drive_schedule(scene);
+  const std::int64_t last_step =
+      std::max<std::int64_t>(0, std::llround(scene.run.duration_s / scene.numerics.time_step_s) - 1);
+  Json water = Json::array(), air = Json::array();
+  for (std::int64_t row = 0; row <= (schedule.varies() ? rows : 0); ++row) {
+    const Drive drive = schedule.at(last_step * row / rows);
+    water.push_back({drive.water.x, drive.water.y});
+    air.push_back({drive.air.x, drive.air.y});
+  }
+  return {{"current_m_per_s", water}, {"wind_m_per_s", has_wind(scene) ? air : Json()}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json describe_run(const RunFile& file, const PagePlan& plan) {
@@ -87,7 +103,7 @@ nlohmann::ordered_json describe_run(const RunFile& file, const PagePlan& plan) {
           {"contacts_recorded", ContactRecord::is_in(file)},
           {"frame_stride", plan.frame_stride},
           {"platform_bucket", plan.platform_bucket},
-          {"current_m_per_s", {drive_at_start(scene).water.x, drive_at_start(scene).water.y}},
+          {"drive", drive_json(scene)},
           {"platform", platform_json(file, scene)},
           {"fixed", fixed},
           {"classes", classes},

@@ -27,6 +27,10 @@ function motionData(run) {
   };
 }
 
+// Distances between two times on an axis [s]
+const timeSteps = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, ...[1, 2, 5, 10, 15, 30, 60, 120, 180, 360, 720, 1440, 2880].map(
+    minutes => 60 * minutes)];
+
 class Chart {
   constructor(title, read, view) {
     Object.assign(this, {title, read, view});
@@ -43,12 +47,12 @@ class Chart {
     }));
     return {
       width: Math.max(200, this.box.clientWidth), height: Math.max(60, this.box.clientHeight - 30),
-      padding: [6, 12, 0, 0],
+      padding: [6, 26, 0, 0],  // room for half a time at the right end
       cursor: {sync: {key: 'gem'}, points: {size: 5}, drag: {x: true, y: false}},
       legend: {live: true},
       scales: {x: {time: false}},
       axes: [
-        {...axis, size: 22, values: (_, times) => times.map(clockText)},
+        {...axis, size: 22, incrs: timeSteps, values: (_, times) => times.map(clockText)},
         {...axis, size: 56, values: (_, values) => values.map(value => String(Number(value.toPrecision(6))))},
       ],
       series: [{label: 'time', value: (_, time) => time == null ? '-' : clockText(time)}, ...series],

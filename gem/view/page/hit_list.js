@@ -1,5 +1,6 @@
 // The largest load with its causes, and the hits on the platform, largest first. A click goes there.
 import {button, clockText, element, shortNumber, withUnit} from './dom.js';
+import {leastShare, loadCauses} from './load_causes.js';
 
 const shown = 60;
 const orders = [
@@ -22,20 +23,14 @@ export class LoadCard {
           element('p', {className: 'note', textContent: 'None: no ice has pressed on a platform in this file.'}));
       return;
     }
-    const window = view.run.description.force_window_s;
-    const causes = view.hits.causes(largest.time);
-    const last = causes.reduce((late, one) => late && view.hits.time[late.hit] >= view.hits.time[one.hit] ? late : one, null);
-    const say = !last ? 'No listed hit pressed then: slow contacts alone made it.' :
-        `${causes.length} ${causes.length === 1 ? 'floe' : 'floes'} pressed. The last to come was floe ` +
-            `${view.hits.floe[last.hit]}, ${shortNumber(largest.time - view.hits.time[last.hit], 2)} s before. ` +
-            `All hits together: ${Math.round(100 * causes.reduce((sum, one) => sum + one.share, 0))} % of the load, ` +
-            'slow contacts and friction the rest' +
-            `${view.hits.windowImpulse.length ? '' : ', estimated by the mean force of each hit'}; the largest:`;
-    const list = causes.slice(0, 3).map(({hit, share, impulse}) => element('li', {}, [
-      button(`floe ${view.hits.floe[hit]}`, 'show this floe', () => this.goTo(largest.time, view.hits.floe[hit])),
-      ` ${Math.round(100 * share)} %, ${withUnit(impulse / window, 'N')}, hit at ` +
-          `${clockText(view.hits.time[hit])} with ${shortNumber(view.hits.closing[hit])} m/s`,
-    ]));
+    const {hits, run} = view, window = run.description.force_window_s;
+    const causes = loadCauses(run, hits, largest.time);
+    const listed = causes.lying.length ? causes.hits.filter(one => one.share >= leastShare) : causes.hits;
+    const list = listed.slice(0, 3).map(({hit, share, impulse}) => this.item(hits.floe[hit],
+        `${Math.round(100 * share)} %, ${withUnit(impulse / window, 'N')}, hit at ` +
+            `${clockText(hits.time[hit])} with ${shortNumber(hits.closing[hit])} m/s`));
+    for (const floe of causes.lying.slice(0, 3))
+      list.push(this.item(floe, `${shortNumber(run.shapes.area[floe], 2)} m², lay at the platform`));
     this.box.replaceChildren(
         element('h2', {textContent: 'Largest ice load'}),
         element('p', {className: 'headline'}, [
@@ -43,7 +38,26 @@ export class LoadCard {
           ` at ${clockText(largest.time)} (mean of ${window} s) `,
           button('Show it', 'go to the largest load (L)', () => this.goTo(largest.time, 'causes'), {id: 'show_largest'}),
         ]),
-        element('p', {className: 'note', textContent: say}), element('ul', {}, list));
+        element('p', {className: 'note', textContent: this.text(causes)}), element('ul', {}, list));
+  }
+
+  item(floe, text) {
+    return element('li', {}, [button(`floe ${floe}`, 'show this floe', () => this.goTo(this.view.largest.time, floe)), ` ${text}`]);
+  }
+
+  // What made the load, in words.
+  text({hits: list, explained, lying}) {
+    const {hits, largest, run} = this.view;
+    const many = (count, one) => `${count} ${one}${count === 1 ? '' : 's'}`;
+    const guess = hits.windowImpulse.length ? '' : ', estimated by the mean force of each hit';
+    if (lying.length) return `The ice that lay at the platform pressed: ${many(lying.length, 'floe')} on that side. Which of them ` +
+        `carried how much is not recorded${run.description.contacts_recorded ? '' : ' (output.contact_forces does)'}. New hits made ${Math.max(0, Math.round(100 * explained))} %${guess}. The largest:`;
+    if (!list.length) return 'No listed hit pressed then: slow contacts alone made it.';
+    const rest = `their hits made ${Math.round(100 * explained)} % of the load${guess}, slow contacts and friction the rest:`;
+    const [{hit, share}] = list, all = `${many(list.length, 'floe')} pressed;`;
+    if (share < 0.3) return `${all} ${rest}`;
+    return `Mainly floe ${hits.floe[hit]}: it hit ${shortNumber(largest.time - hits.time[hit], 2)} s before, with ` +
+        `${shortNumber(hits.closing[hit])} m/s. ${list.length > 1 ? 'In all ' : ''}${all} ${rest}`;
   }
 }
 

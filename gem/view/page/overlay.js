@@ -1,5 +1,6 @@
 // What lies over the floes: platform, channel, track, forces, marked floes, scale. Drawn by any 2D context.
 import {eachChain} from './chains.js';
+import {shortNumber} from './dom.js';
 
 const trackSeconds = 600;
 
@@ -53,6 +54,7 @@ export class Overlay {
     if (this.view.options.chains) this.drawChains(context);
     if (this.view.run.description.platform.present) this.drawPlatform(context);
     this.drawMarks(context);
+    this.drawDrive(context);
     this.drawScale(context);
   }
 
@@ -160,6 +162,23 @@ export class Overlay {
     context.strokeStyle = theme.mark;
     context.lineWidth = 2;
     context.stroke();
+  }
+
+  // Current and wind at this time: where they go to, and how fast.
+  drawDrive(context) {
+    const {camera, theme, run, time} = this.view;
+    const rows = ['current', 'wind'].map(name => [name, run.driveAt(name, time)]).filter(([, v]) => v && Math.hypot(...v) > 0);
+    if (rows.length === 0) return;
+    const left = camera.width - 158, top = camera.height - 54 - 32 * rows.length;
+    context.fillStyle = theme.legend;
+    context.fillRect(left, top, 150, 2 + 32 * rows.length);
+    rows.forEach(([name, [vx, vy]], k) => {
+      const speed = Math.hypot(vx, vy), [ux, uy] = [13 * vx / speed, -13 * vy / speed], [x, y] = [left + 20, top + 17 + 32 * k];
+      arrow(context, [x - ux, y - uy], [x + ux, y + uy], name === 'wind' ? theme.track : theme.series_a, theme.panel, '');
+      context.fillStyle = theme.ink;
+      context.textAlign = 'left';
+      context.fillText(`${name} ${shortNumber(speed)} m/s`, left + 42, y + 4);
+    });
   }
 
   drawScale(context) {

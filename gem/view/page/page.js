@@ -6,6 +6,7 @@ import {colourTable} from './colour_maps.js';
 import {element} from './dom.js';
 import {FieldGl} from './field_gl.js';
 import {HitList, LoadCard} from './hit_list.js';
+import {loadCauses} from './load_causes.js';
 import {Hits} from './hits.js';
 import {clockLine, layOut, Legend, setKeys, showBadge} from './layout.js';
 import {LiveBar, describedByServer, fetchAll} from './live.js';
@@ -254,9 +255,10 @@ class View {
     this.player.play(false);
     this.select(what === 'causes' ? 'platform' : what);
     if (what === 'causes') {
-      const causes = this.hits.causes(time);
-      this.causes = causes.filter(one => one.share >= 0.05).map(one => this.hits.floe[one.hit]);
-      this.caption.textContent = 'Largest ice load. Thick outlines: floes with 5 % of it or more.';
+      const {floes, lying} = loadCauses(this.run, this.hits, time);
+      this.causes = floes;
+      this.caption.textContent = 'Largest ice load. Thick outlines: ' +
+          (lying.length ? 'floes that lay at the platform.' : 'floes with 5 % of it or more.');
     }
     this.camera.follows = true;
     this.camera.scale = this.closeScale();

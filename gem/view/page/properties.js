@@ -3,13 +3,27 @@ import {clockText, element, shortNumber, withUnit} from './dom.js';
 
 const degrees = 180 / Math.PI;
 
+const velocityText = ([x, y]) => `${shortNumber(Math.hypot(x, y))} m/s` +
+    (x || y ? `, to ${Math.round(Math.atan2(y, x) * degrees)}° from +x` : '');
+
+// A hull is long, or as wide as it is long.
+function hullRow(platform) {
+  const [length, width] = [0, 1].map(axis => {
+    const values = platform.outline.map(corner => corner[axis]);
+    return Math.max(...values) - Math.min(...values);
+  });
+  return Math.abs(length - width) < 0.03 * length ? ['Diameter', `${shortNumber(platform.diameter_m)} m`] :
+      ['Length × width', `${shortNumber(length)} × ${shortNumber(width)} m`];
+}
+
 function runRows(view) {
-  const {run} = view, {description} = run, {origin, rounding} = description;
+  const {run, time} = view, {description} = run, {origin, rounding} = description;
   const frame = run.frameTimes.length;
   const rows = [
     ['Run', description.name], ['Status', description.status], ['Verdict', description.verdict.grade],
     ['Floes', `${description.floes}`], ['Simulated', clockText(run.end)],
-    ['Current', `${shortNumber(Math.hypot(...description.current_m_per_s))} m/s`],
+    ...['current', 'wind'].filter(name => run.driveAt(name, time)).map(
+        name => [name === 'wind' ? 'Wind' : 'Current', velocityText(run.driveAt(name, time))]),
     ['Hits on the platform', `${view.hits.count}`],
     ['Engine', `${origin.gem_engine}, ${origin.gem_solver}`], ['Seed', origin.gem_seed],
     ['State hash', origin.gem_state_hash || '-'], ['Program', origin.source],
@@ -31,7 +45,7 @@ function platformRows(view) {
     ['Offset y', `${shortNumber(at('y') - platform.anchor_m[1])} m`], ['Yaw', `${shortNumber(at('psi') * degrees)}°`],
     ['Speed', `${shortNumber(Math.hypot(at('vx'), at('vy')))} m/s`],
     ['Ice yaw moment', withUnit(at('ice_yaw_moment'), 'N m')], ['Contacts', `${Math.round(at('contacts'))}`],
-    ['Floes pressing', `${view.hits.during(time, time).length}`], ['Diameter', `${shortNumber(platform.diameter_m)} m`],
+    ['Floes pressing', `${view.hits.during(time, time).length}`], hullRow(platform),
     ['Mass', `${shortNumber(platform.mass_kg / 1000)} t`],
     ['Stiffness', `${withUnit(platform.stiffness_N_per_m, 'N/m')}`],
     ['Natural period', platform.natural_period_s > 0 ? `${shortNumber(platform.natural_period_s)} s` : '-'],

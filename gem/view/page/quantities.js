@@ -20,7 +20,7 @@ function sampled(run, value) {
 
 const speedOf = (block, i) => Math.hypot(block.vx[i], block.vy[i]) * block.steps.speed_m_per_s;
 const spinOf = (block, i) => Math.abs(block.omega[i]) * block.steps.spin_rad_per_s;
-const current = run => Math.hypot(...run.description.current_m_per_s);
+const current = run => Math.max(...run.description.drive.current_m_per_s.map(row => Math.hypot(...row)));
 const noHits = run => run.column('events', 'time').length === 0 ? 'this file has no hits on the platform' : '';
 
 export const quantities = [

@@ -99,6 +99,15 @@ export class RunData {
     const share = seconds > 0 ? Math.min(1, Math.max(0, (time - times[i]) / seconds)) : 0;
     return values[i] + share * (values[j] - values[i]);
   }
+
+  // Velocity of the 'current' or the 'wind' at a time [m/s]; null without wind.
+  driveAt(name, time) {
+    const {drive, duration_s} = this.description, rows = drive[`${name}_m_per_s`];
+    if (!rows) return null;
+    const place = rows.length > 1 ? Math.min(1, Math.max(0, time / duration_s)) * (rows.length - 1) : 0;
+    const i = Math.min(Math.floor(place), rows.length - 1), j = Math.min(i + 1, rows.length - 1);
+    return [0, 1].map(axis => rows[i][axis] + (place - i) * (rows[j][axis] - rows[i][axis]));
+  }
 }
 
 // Where every floe is at a time: cubic between two frames, so that places and speeds are those of the frames.

@@ -1,0 +1,36 @@
+"""What all faults share: the cases, the paths of their runs, the table of what was tried and lost."""
+import concurrent.futures
+import pathlib
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SMALL = ROOT / "cases/analytic/V10_floe_on_moored_platform.toml"
+LARGE = ROOT / "cases/004_400_25.toml"
+SWEEP = ROOT / "cases/small_sweep.toml"
+FLUSH_S = 5.0
+
+
+class FaultRuns:
+    def __init__(self, gem, library, folder, options):
+        self.gem, self.library, self.folder = gem, library, folder
+        self.short, self.tries = options.short, options.tries
+        self.table = []
+        self.number = 0
+
+    def count_of(self, usual, short):
+        """How often a fault is tried."""
+        return self.tries or (short if self.short else usual)
+
+    def path(self):
+        self.number += 1
+        return f"{self.folder}/run_{self.number}.h5"
+
+    def report(self, what, faults):
+        lost = [(what_of, fault) for what_of, fault in faults if fault]
+        self.table.append((what, len(faults), len(faults) - len(lost), len(lost)))
+        print(f"{what}: {len(faults)} tried, {len(lost)} lost", flush=True)
+        for what_of, fault in lost[:20]:
+            print(f"  {what_of}: {fault}", flush=True)
+
+    def each(self, what, action, items):
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            self.report(what, list(zip(items, pool.map(action, items))))

@@ -62,7 +62,9 @@ TEST_F(MooringLinesCommandTest, AreRecordedAndChangeNoRun) {
     EXPECT_EQ(broke[4 * i + 2], time[i] < at ? 0.0 : at);
     // a slack line still carries the weight of what hangs below its fairlead
     EXPECT_GT(tension[4 * i], 1400.0 * 40.0);
-    if (time[i] > at + 0.2) EXPECT_EQ(tension[4 * i + 2], 0.0);
+    if (time[i] > at + 0.2) {
+      EXPECT_EQ(tension[4 * i + 2], 0.0);
+    }
   }
   double largest = 0.0;
   for (std::size_t i = 2; i < tension.size(); i += 4) largest = std::max(largest, tension[i]);

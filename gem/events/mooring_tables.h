@@ -16,9 +16,9 @@ using DirectionRow = std::array<double, 3>;  ///< direction of the offset [rad];
 
 /// What law = "table" and law = "catenary" read.
 struct MooringDesign {
-  std::vector<ForceRow> force;          ///< the same in every direction
-  std::vector<DirectionRow> direction;  ///< by direction; rows of one direction stand together
-  std::vector<LineRow> lines;
+  std::vector<ForceRow> force = {};          ///< the same in every direction
+  std::vector<DirectionRow> direction = {};  ///< by direction; rows of one direction stand together
+  std::vector<LineRow> lines = {};
   double line_height_m = 0.0;  ///< of the fairleads above the anchors
 };
 

@@ -35,7 +35,7 @@ struct PolyData {
 /// Vectors in the plane as an array of three components, as VTK wants them.
 PolyArray vector_array(const std::string& name, const std::vector<Vec2>& values);
 
-/// Writes the file: XML with the arrays behind it, as bytes.
+/// Writes the file: XML with the arrays in base64.
 void write_poly_data(std::ostream& out, const PolyData& data);
 
 }  // namespace gem

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gem/base/base64.h"
 #include "gem/base/sha256.h"
 #include "gem/report/page_frame.h"
 #include "gem/view/pack/packet.h"

@@ -107,14 +107,19 @@ class RandomMoments:
                 path = f"{place}/run.h5"
                 run = subprocess.Popen([self.gem, "run", LARGE, "--until", "100000", "--engine", "cpu", "--threads", "1", "--force", "--quiet",
                                         "--out", path], stderr=subprocess.PIPE, text=True)
+                fill = ["dd", "if=/dev/zero", f"of={place}/other", "bs=4k"]
                 if filled:
                     time.sleep(random.uniform(0.2, 4.0))
-                    subprocess.run(["dd", "if=/dev/zero", f"of={place}/other", "bs=4k"], capture_output=True)
+                    subprocess.run(fill, capture_output=True)
                 try:
-                    message = run.communicate(timeout=100)[1]
-                except subprocess.TimeoutExpired:
-                    run.kill()
-                    return "does not end"
+                    message = run.communicate(timeout=60)[1]
+                except subprocess.TimeoutExpired:  # a slow machine has not filled the disk by itself
+                    subprocess.run(fill, capture_output=True)
+                    try:
+                        message = run.communicate(timeout=60)[1]
+                    except subprocess.TimeoutExpired:
+                        run.kill()
+                        return "does not end"
                 return judge(self.gem, run.returncode, message, path)
             finally:
                 subprocess.run(["umount", "-l", place], capture_output=True)

@@ -12,6 +12,7 @@
 #include "gem/engine/cuda/cuda_kernel.h"
 #include "gem/engine/cuda/cuda_memory.cuh"
 #include "gem/engine/device/scene_image.h"
+#include "gem/engine/device/scene_layout.h"
 #include "gem/engine/step/books.h"
 #include "gem/scene/scene_drive.h"
 

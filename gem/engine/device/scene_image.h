@@ -17,30 +17,6 @@ constexpr std::int64_t device_steps_maximum = (std::int64_t{1} << 31) - 3;
 /// Throws Error(usage) if a run of so many time steps, counted from t = 0, is too long for the device.
 void check_device_steps(std::int64_t steps);
 
-/// Sizes of a scene's arrays.
-struct SceneSizes {
-  std::int32_t bodies = 0, non_floes = 0, vertices = 0;
-  std::int32_t rows = 0;           // entries in the rows of all bodies; grows on demand
-  std::int32_t platform_rows = 0;  // entries in the platform's row; grows on demand
-  std::int32_t samples = 0;        // time steps in the ring
-  std::int32_t blocks = 1;         // most blocks that work on the scene
-  std::int32_t phase_blocks = 1;   // blocks that work on it on the phases route
-  bool coupled = false, splitting = false;
-  std::size_t momentum_coefficients = 0;  // numbers
-  bool phases = true;                     // the scene can take the phases route
-  bool drives = false;                    // current or wind change during the run
-  std::int32_t mooring_branches = 0, mooring_knots = 0;
-};
-
-/// Sizes for a field, with a first guess for the list; `samples` and `blocks` are left to the caller.
-SceneSizes scene_sizes(const FieldState& f);
-
-/// The three parts of a scene's memory. Each function points the scene's arrays into the memory at `base` and returns
-/// the bytes needed. With a null base it only computes the bytes.
-std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base);
-std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base);
-std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base);
-
 /// Writes the drive of `steps` time steps from `first` on, and of the one after them.
 void write_drives(const DriveSchedule& drives, std::int64_t first, std::int64_t steps, Drive* to);
 

@@ -9,6 +9,7 @@
 
 #include "gem/engine/device/phases.h"
 #include "gem/engine/device/scene_image.h"
+#include "gem/engine/device/scene_layout.h"
 #include "gem/engine/step/books.h"
 #include "gem/engine/testing/host_group.h"
 #include "gem/engine/testing/one_thread_group.h"

@@ -12,7 +12,4 @@ std::string packet(const nlohmann::ordered_json& description, const std::string&
 /// JSON on one line. Bytes that are not UTF-8 become replacement characters.
 std::string json_text(const nlohmann::ordered_json& object);
 
-/// Base64 with the alphabet of RFC 4648 and padding.
-std::string base64(const std::string& bytes);
-
 }  // namespace gem::view

@@ -47,7 +47,7 @@ figcaption a:hover { text-decoration: underline; }
 .matrix th[scope=row] { width: 4rem; overflow-wrap: anywhere; color: var(--ink); font-weight: 600; }
 .matrix svg { display: block; width: 100%; height: auto; border: 1px solid var(--line); margin-bottom: .3rem; }
 .matrix p { margin: 0; overflow: hidden; }
-.matrix p span { float: right; }
+.matrix p span { float: right; text-align: right; }
 .matrix i { display: block; height: 4px; min-width: 1px; background: var(--accent); margin-bottom: .2rem; }
 .runs { font-size: .82rem; }
 .runs th[scope=row] { width: auto; color: var(--ink); }

@@ -101,6 +101,9 @@ TEST_F(ExportTest, NothingIsReplacedUnasked) {
   EXPECT_FALSE(exists("b.pvd"));
   ASSERT_EQ(shell("gem export swing.h5 '<c>&.pvd' && gem export swing.h5 '<c>&.pvd' --overwrite"), 0) << text_of("err");
   EXPECT_NE(text_of("<c>&.pvd").find("&lt;c>&amp;_vtp/platform_000000.vtp"), std::string::npos);
+  const std::string platform = text_of("<c>&_vtp/platform_000000.vtp");
+  EXPECT_NE(platform.find("NumberOfComponents=\"1\" format=\"binary\">"), std::string::npos);
+  EXPECT_EQ(platform.find("AppendedData"), std::string::npos) << "some versions of ParaView cannot read it";
   EXPECT_FALSE(exists(".<c>&_vtp.new"));
 }
 

@@ -13,6 +13,8 @@
 
 #include "gem/base/error.h"
 #include "gem/record/fake_engine.h"
+#include "gem/record/run_file/run_layout.h"
+#include "gem/record/run_file/run_writer.h"
 #include "gem/run/run_file_fixture.h"
 
 namespace gem {

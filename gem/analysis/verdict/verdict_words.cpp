@@ -17,7 +17,6 @@ std::string criteria_of_grade(const RunVerdict& verdict, Grade grade) {
   std::string names;
   for (const Judgement& one : verdict.judgements)
     if (one.grade == grade) names += (names.empty() ? "" : ", ") + one.criterion;
-  std::replace(names.begin(), names.end(), '_', ' ');
   return names;
 }
 

@@ -21,7 +21,7 @@ RunVerdict verdict_with(Grade overlap, Grade unfinished) {
 
 TEST(VerdictWords, NameTheCriteriaOfTheWorstGrade) {
   EXPECT_EQ(verdict_text(verdict_with(Grade::good, Grade::good)), "good");
-  EXPECT_EQ(verdict_text(verdict_with(Grade::doubtful, Grade::doubtful)), "doubtful: overlap, unfinished steps");
+  EXPECT_EQ(verdict_text(verdict_with(Grade::doubtful, Grade::doubtful)), "doubtful: overlap, unfinished_steps");
   EXPECT_EQ(verdict_text(verdict_with(Grade::bad, Grade::doubtful)), "bad: overlap");
   EXPECT_EQ(verdict_text(verdict_with(Grade::not_judged, Grade::not_judged)), "not judged");
   EXPECT_EQ(verdict_text({Grade::bad, {}}), "bad") << "a file without criteria";

@@ -25,7 +25,7 @@ struct SweepRow {
   std::string error;         // why it is not done; empty if unknown
   std::string verdict;       // good | doubtful | bad | not judged; empty: no file
   SweepDraw draw = {};       // what was drawn for it
-  std::string doubts = {};   // the criteria that gave a doubtful or bad verdict: "overlap, unfinished steps"
+  std::string doubts = {};   // the criteria that gave a doubtful or bad verdict: "overlap, unfinished_steps"
 };
 
 /// A lock that ends with the object, or with the process. It is a lock of the operating system on one byte of

@@ -1,4 +1,5 @@
 // gem case: its subcommands check, resolve, explain and schema.
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -6,6 +7,7 @@
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
 #include "gem/field/field.h"
+#include "gem/record/line_tensions.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_mooring.h"
@@ -43,6 +45,14 @@ std::string mooring_text(const SceneDef& scene) {
   return scene.mooring.law == MooringLaw::linear ? "not moored" : "moored, slack at rest";
 }
 
+/// Number of lines and their tensions, to compare with those of the design.
+std::string lines_text(const SceneDef& scene) {
+  const std::vector<double> tensions = line_tensions_at_start(scene);
+  const auto [least, most] = std::minmax_element(tensions.begin(), tensions.end());
+  return std::to_string(tensions.size()) + ", at the start with " + number_text(1e-3 * *least, 4) + " to " +
+         number_text(1e-3 * *most, 4) + " kN";
+}
+
 std::string shape_text(const PlatformDef& platform) {
   const std::size_t sides = platform_outline(platform).size();
   const std::string area = ", " + number_text(platform_area(platform), 4) + " m2";
@@ -75,6 +85,7 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
   if (scene.platform.present)
     line("platform",
          shape_text(scene.platform) + ", mass " + number_text(scene.platform.mass_kg) + " kg, " + mooring_text(scene));
+  if (has_lines(scene)) line("mooring lines", lines_text(scene));
   line("floes", std::to_string(field.floe_count));
   if (field.floe_count > 0) {
     line("size sqrt(area)", "mean " + fixed_text(field.size_mean, 3) + " m, sd " + fixed_text(field.size_deviation, 3) +

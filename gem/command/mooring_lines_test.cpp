@@ -10,7 +10,7 @@
 namespace gem {
 namespace {
 
-/// A barge that drifts off on four chains, of which that at -x breaks in the fifth second.
+/// A barge that drifts off on four chains, of which that at -x breaks within ten seconds.
 class MooringLinesCommandTest : public CommandTest {
  protected:
   void SetUp() override {
@@ -103,6 +103,11 @@ TEST_F(MooringLinesCommandTest, StandInSummaryInfoAndAnalysis) {
   EXPECT_EQ(found.at(0).at("break_time_s"), 0.0);
   ASSERT_EQ(shell("gem analyse lines.h5"), 0);
   EXPECT_NE(text_of("out").find("line 3"), std::string::npos) << text_of("out");
+}
+
+TEST_F(MooringLinesCommandTest, AreShownByTheCheckOfTheCase) {
+  ASSERT_EQ(shell("gem case check lines.toml"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("4, at the start with 1830 to 1830 kN"), std::string::npos) << "V70: 1830.47 kN";
 }
 
 TEST_F(MooringLinesCommandTest, StandInTheReport) {

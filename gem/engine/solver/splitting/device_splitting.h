@@ -132,7 +132,9 @@ class IslandsOnDevice {
         const std::int32_t entry = m_.entry[rank];
         m_.index[rank] = at;
         m_.member[cell.base + at] = entry;
-        m_.position[cell.base + at] = s_.body[s_.solver_entry[entry].body].position;
+        const std::int32_t body = s_.solver_entry[entry].body;
+        // body 0 is the platform: its cell has the position before the first half of the time step
+        m_.position[cell.base + at] = body == 0 ? s_.platform->mid_position : s_.body[body].position;
         ++at;
       }
     }

@@ -86,6 +86,9 @@ def all_settings(regimes):
         rivals = [s for s in points["places"] if s.startswith("Box2D")]
         found = {kind: {s: ratios(points[kind], s) for s in rivals} for kind, _ in KINDS}
         for kind, _ in KINDS:
+            if all(math.isnan(error) for _, error in points[kind].values()):
+                lines.append(f"- {regime}, {kind}: nothing pressed on the platform in these windows.")
+                continue
             words = []
             for k, (what, bar) in enumerate((("faster", FASTER), ("more exact", MORE_EXACT))):
                 values = {s: r[k] for s, r in found[kind].items()}

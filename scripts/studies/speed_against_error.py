@@ -125,8 +125,8 @@ def part_speed():
         span = max(float(r["to_s"]) for r in group)
         cells = [case, f"{span:g}"] + [f"{span / total[s]:.3g}" if total.get(s) else "" for s in SPEED_SETTINGS]
         blocks = {s[0]: {r["block"]: float(r["wall_s"]) for r in b} for s, b in settings.items()}
-        both = [blocks["Box2D 8/3"][k] / blocks["gem"][k] for k in blocks.get("gem", {})
-                if blocks.get("Box2D 8/3", {}).get(k) and blocks["gem"][k] > 0.0]
+        mine = blocks.get("gem", blocks.get("gem gradient", {}))
+        both = [blocks["Box2D 8/3"][k] / mine[k] for k in mine if blocks.get("Box2D 8/3", {}).get(k) and mine[k] > 0.0]
         if len(both) >= 2:
             low, middle, high = statistics.quantiles(both, n=4)
             middles.append(middle)

@@ -78,10 +78,13 @@ def panel_of(title, group, kind, what):
     for family in ("gem", "gradient", "dropped", "Box2D", "thin"):
         rest = [p for s, p in points.items() if s not in drawn and chart.family_of(s) == family]
         panel.curve(f"{chart.FAMILIES[family]}, other", chart.COLOURS[family], rest, "points pt 6 ps 0.7")
+    told = set()
     for name, (cost, error, _) in gpu.items():
         label, point = ("a batch of copies", 11) if "copies" in name else ("one scene", 9)
         iteration, filled = ("gradient", point - 1) if "gradient" in name else ("splitting", point)
-        panel.curve(f"GPU {iteration}, {label}", chart.COLOURS["cuda"], [(cost, error)], f"points pt {filled} ps 1.2")
+        title = f"GPU {iteration}, {label}"
+        panel.curve(None if title in told else title, chart.COLOURS["cuda"], [(cost, error)], f"points pt {filled} ps 1.2")
+        told.add(title)
     front = pareto_front({s: p for s, p in points.items() if chart.family_of(s) != "dropped"})
     panel.curve("Pareto front of the processor", "#000000", staircase(front), "lines lw 1 dt 3")
     for setting, (cost, error) in front:

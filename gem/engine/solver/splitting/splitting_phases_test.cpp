@@ -62,7 +62,7 @@ TEST(DeviceIslands, CutsAnIslandWhereThePlatformIsInTheMiddleOfTheTimeStep) {
   const auto cpu = make_engine(barge->scene, field, {"cpu", 1});
   StepLog expected, log;
   cpu->advance(367, expected);
-  HostScene device(barge->scene, field, 1, test::team_warp, 0, bodies_shared_bytes);
+  HostScene device(barge->scene, field, 2, test::team_warp, 0, bodies_shared_bytes);
   device.use_phases();
   device.restore(cpu->save());
   expected.clear();

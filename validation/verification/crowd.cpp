@@ -1,6 +1,8 @@
 // Builds and compares crowds of floes.
 #include "validation/verification/crowd.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -95,6 +97,15 @@ double farthest_apart(const Bodies& a, const Bodies& b) {
     farthest = std::max(farthest, length(a.position[i] - b.position[i]) + a.radius[i] * length(turned));
   }
   return farthest;
+}
+
+void expect_restart_changes_nothing(const SceneDef& scene, const Setting& setting) {
+  Simulation whole = start(scene, setting), part = start(scene, setting), rest = start(scene, setting);
+  whole.advance(40);
+  part.advance(15);
+  rest.engine->restore(part.engine->save());
+  rest.advance(25);
+  EXPECT_EQ(rest.engine->state_hash(), whole.engine->state_hash());
 }
 
 }  // namespace gem::verification

@@ -33,4 +33,7 @@ int different_bits(const Bodies& a, const Bodies& b, std::size_t count = 0);
 /// Largest distance between the same corners in two states [m]: position and angle in one number.
 double farthest_apart(const Bodies& a, const Bodies& b);
 
+/// A run of 40 time steps has the bits of one that is saved after 15 and goes on in another engine.
+void expect_restart_changes_nothing(const SceneDef& scene, const Setting& setting);
+
 }  // namespace gem::verification

@@ -167,12 +167,7 @@ TEST_P(Driving, A_run_that_goes_on_takes_its_place_in_the_tables) {
   SceneDef scene = crowd(setting());
   scene.drive.current_direction = {{0.0, 0.5, 0.0}, {3.0, 0.7, 1.5}};
   scene.drive.tide = {{60.0, 0.1, 0.5, 0.2, 0.0}};
-  Simulation whole = start(scene, setting()), part = start(scene, setting()), rest = start(scene, setting());
-  whole.advance(40);
-  part.advance(15);
-  rest.engine->restore(part.engine->save());
-  rest.advance(25);
-  EXPECT_EQ(rest.engine->state_hash(), whole.engine->state_hash());
+  expect_restart_changes_nothing(scene, setting());
 }
 
 TEST_P(Driving, V66_a_table_of_one_velocity_changes_no_bit) {
@@ -180,7 +175,7 @@ TEST_P(Driving, V66_a_table_of_one_velocity_changes_no_bit) {
   const std::uint64_t steady = hash_after(scene, setting());
   const Vec2 water = scene.current.velocity_m_per_s;
   scene.drive.current_velocity = {{0.0, water.x, water.y}, {10.0, water.x, water.y}};
-  EXPECT_EQ(hash_after(scene, setting()), steady);
+  check_value("V66.hashes", 0.0, hash_after(scene, setting()) == steady ? 0.0 : 1.0, 0.0, "differ", where());
   scene.drive.current_velocity.back()[1] += 0.5;
   EXPECT_NE(hash_after(scene, setting()), steady);
 }

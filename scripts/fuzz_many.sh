@@ -74,6 +74,6 @@ wait
 {
   echo "$(date -u +%F), $processes processes for $seconds s, $(nproc) processors:$(sed -n 's/^model name[^:]*://p' /proc/cpuinfo | head -n 1)"
   printf '%-10s %15s %12s %10s %8s %8s\n' target process-seconds executions coverage seeds faults
-  for target in "${targets[@]}"; do [ -e "$TMPDIR/spent/$target" ] && row "$target"; done
+  for target in "${targets[@]}"; do if [ -e "$TMPDIR/spent/$target" ]; then row "$target"; fi; done
 } | tee "$TMPDIR/table.txt"
 tar -C "$TMPDIR" -cf "$out/fz.tar" table.txt faults new

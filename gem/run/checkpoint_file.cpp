@@ -1,6 +1,7 @@
 #include "gem/run/checkpoint_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -44,6 +45,10 @@ class OpenFile {
     }
     return true;
   }
+  void set_time(const std::timespec& time) const {
+    const std::timespec both[2] = {time, time};
+    futimens(file_, both);
+  }
   /// Some file systems cannot wait for a folder: EINVAL.
   bool sync() const { return fsync(file_) == 0 || errno == EINVAL; }
 
@@ -51,9 +56,11 @@ class OpenFile {
   int file_;
 };
 
-bool write_draft(const std::string& draft, const std::vector<std::byte>& bytes) {
+bool write_draft(const std::string& draft, const std::vector<std::byte>& bytes, const std::timespec& taken) {
   const OpenFile file(draft, O_WRONLY | O_CREAT | O_TRUNC);
-  return file.is_open() && file.write_all(bytes) && file.sync();
+  if (!file.is_open() || !file.write_all(bytes)) return false;
+  file.set_time(taken);
+  return file.sync();
 }
 
 bool sync_folder_of(const std::string& path) {
@@ -78,9 +85,9 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, std::string& 
 
 }  // namespace
 
-void write_checkpoint(const std::string& run_file, const Checkpoint& checkpoint) {
+void write_checkpoint(const std::string& run_file, const Checkpoint& checkpoint, const std::timespec& taken) {
   const std::string path = path_of(run_file, checkpoint.serial), draft = draft_of(path);
-  if (write_draft(draft, checkpoint_bytes(checkpoint)) && std::rename(draft.c_str(), path.c_str()) == 0 &&
+  if (write_draft(draft, checkpoint_bytes(checkpoint), taken) && std::rename(draft.c_str(), path.c_str()) == 0 &&
       sync_folder_of(path))
     return;
   const int fault = errno;

@@ -1,6 +1,7 @@
 // The two checkpoint files beside a run file. They are written in turn, so that one of them is always whole.
 #pragma once
 
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,9 @@
 namespace gem {
 
 /// Writes a checkpoint to the file whose turn it is (by `checkpoint.serial`): under another name first, then renamed,
-/// and on the disk when this returns. Throws Error(file_system); the earlier checkpoint is still there then.
-void write_checkpoint(const std::string& run_file, const Checkpoint& checkpoint);
+/// and on the disk when this returns. The file gets the time `taken` of its state. Throws Error(file_system); the
+/// earlier checkpoint is still there then.
+void write_checkpoint(const std::string& run_file, const Checkpoint& checkpoint, const std::timespec& taken);
 
 /// What the checkpoint files of a run hold.
 struct FoundCheckpoints {

@@ -42,6 +42,11 @@ void check_book(const char* what, double residual, double limit, double time) {
                                             number_text(limit) + ") choose a smaller numerics.time_step_s");
 }
 
+/// Wall time between two checkpoints [s]; 0: none.
+double checkpoint_interval(const RunOptions& options, const Engine& engine) {
+  return options.output.empty() || !engine.method().empty() ? 0.0 : options.checkpoint_interval_s;
+}
+
 /// Does what can still be done after a failure.
 template <class Action>
 void attempt(Action action) {
@@ -68,15 +73,14 @@ RunSteps::RunSteps(const SceneDef& scene, Engine& engine, const RunOptions& opti
       options_(options),
       log_(options.log),
       recorder_(scene, engine),
-      watch_(scene, engine) {
+      watch_(scene, engine),
+      checkpoints_(checkpoint_interval(options, engine)) {
   if (scene.output.contact_forces && !engine.has_contact_forces())
     throw Error(ExitCode::usage, "the engine " + engine.name() +
                                      " cannot record output.contact_forces (it keeps the forces between bodies to "
                                      "itself) use --engine cpu, or leave the key out");
   case_steps_ = last_step_ = steps_of(scene);
   if (options.step_limit > 0) last_step_ = std::min(last_step_, options.step_limit);
-  keeps_checkpoints_ = options.checkpoint_interval_s > 0.0 && !options.output.empty() && engine.method().empty();
-  checkpoint_pause_ = options.checkpoint_interval_s;
   summary_.frames = 1;
   summary_.file = options.output;
   summary_.engine = engine.name();
@@ -96,7 +100,8 @@ void RunSteps::begin_file() {
 }
 
 void RunSteps::begin() {
-  flushed_ = checkpointed_ = Clock::now();
+  flushed_ = Clock::now();
+  checkpoints_.begin(options_.from ? options_.from->serial + 1 : 0);
   start_ = flushed_ - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(summary_.wall_time));
 }
 
@@ -127,10 +132,11 @@ void RunSteps::take(const StepLog& log) {
   summary_.overlap += log.overlap;
   summary_.overlap_share += log.overlap_share;
   if (engine_.step() == recorder_.next_frame() || engine_.step() == case_steps_) frame();
+  if (checkpoints_.is_due()) checkpoint();
+  tell_fault_of_checkpoints();
   const double pause = flushes_ > 0 ? options_.flush_interval_s : std::min(options_.flush_interval_s, first_flush_s);
   const bool due = seconds_since(flushed_) >= pause;
   if (recorder_.frames_waiting() >= slab_frames || due) hand_over(due);
-  if (seconds_since(checkpointed_) >= checkpoint_pause_) checkpoint();
   if (writer_) writer_->check();
   if (options_.on_block) options_.on_block(time());
   progress(log);
@@ -180,6 +186,7 @@ RunSummary RunSteps::finish(int stop_signal) {
   recorder_.end_hits();
   hand_over(false);
   if (writer_) writer_->finish(summary_.status, summary_.state_hash, summary_.verdict);
+  tell_fault_of_checkpoints();
   if (writer_ && engine_.step() >= case_steps_) remove_checkpoints(options_.output);
   summary_.time = time();
   summary_.wall_time = seconds_since(start_);

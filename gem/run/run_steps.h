@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "gem/record/recorder.h"
+#include "gem/run/checkpoint_keeper.h"
 #include "gem/run/run_scene.h"
 #include "gem/run/run_watch.h"
 
@@ -45,7 +46,9 @@ class RunSteps {
   void frame();
   /// Gives the recorded rows to the writer. With `flush` it shows them to readers.
   void hand_over(bool flush);
+  /// Takes the state for a checkpoint, which the writer's thread writes, and shows all rows to readers.
   void checkpoint();
+  void tell_fault_of_checkpoints();
   void progress(const StepLog& log);
 
   const SceneDef& scene_;
@@ -54,6 +57,7 @@ class RunSteps {
   RunLog log_;
   Recorder recorder_;
   RunWatch watch_;
+  CheckpointKeeper checkpoints_;  // outlives the writer, whose thread uses it
   std::optional<RunWriter> writer_;
   RunSummary summary_;
   std::int64_t case_steps_ = 0;  // of the whole case
@@ -62,13 +66,7 @@ class RunSteps {
   std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point flushed_;
   std::int64_t flushes_ = 0;
-  // checkpoints
-  bool keeps_checkpoints_ = false;
-  bool said_no_checkpoint_ = false;
   std::string case_sha256_;
-  std::uint64_t next_checkpoint_ = 0;
-  double checkpoint_pause_ = 0.0;  // wall time between two [s]
-  std::chrono::steady_clock::time_point checkpointed_;
 };
 
 }  // namespace gem

@@ -1,16 +1,15 @@
 // How a run leaves checkpoints, and goes on from one.
+#include <memory>
+#include <utility>
+
 #include "gem/base/error.h"
 #include "gem/record/output/output_path.h"
-#include "gem/run/checkpoint_file.h"
 #include "gem/run/run_steps.h"
 
 namespace gem {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Checkpoints take at most 1 / least_pause of the wall time, however large the field and slow the disk.
-constexpr double least_pause = 100.0;
 
 }  // namespace
 
@@ -25,18 +24,17 @@ void RunSteps::go_on_from(const Checkpoint& from) {
   watch_.restore(from.watch);
   static_cast<RunTotals&>(summary_) = from.totals;
   frame_step_ = from.recorder.now.frame_step;
-  next_checkpoint_ = from.serial + 1;
   case_sha256_ = from.case_sha256;
   writer_.emplace(options_.output, from.position, scene_, engine_.bodies(), provenance_of(scene_, engine_, options_));
 }
 
 void RunSteps::checkpoint() {
-  const auto begin = checkpointed_ = Clock::now();
-  if (!keeps_checkpoints_) return;
-  hand_over(false);
-  Checkpoint now;
-  now.position = writer_->settle();
-  now.serial = next_checkpoint_;
+  if (!checkpoints_.on()) return;
+  const double begin = thread_seconds();
+  const auto taken = std::make_shared<TakenCheckpoint>();  // shared, since a std::function can be copied
+  checkpoints_.start(*taken);
+  Slab slab = recorder_.take();  // first: the recorder's state is without the rows that wait in it
+  Checkpoint& now = taken->state;
   now.build = build_text();
   now.case_sha256 = case_sha256_;
   now.engine_name = engine_.name();
@@ -45,17 +43,19 @@ void RunSteps::checkpoint() {
   now.recorder = recorder_.state();
   now.watch = watch_.state();
   now.totals = summary_;
-  now.totals.wall_time = std::chrono::duration<double>(begin - start_).count();
-  try {
-    write_checkpoint(options_.output, now);
-    ++next_checkpoint_;
-  } catch (const Error& error) {
-    if (!said_no_checkpoint_) log_.message("warning", error.what());
-    said_no_checkpoint_ = true;
-  }
-  checkpointed_ = Clock::now();
-  const double cost = std::chrono::duration<double>(checkpointed_ - begin).count();
-  checkpoint_pause_ = std::max(options_.checkpoint_interval_s, least_pause * cost);
+  flushed_ = Clock::now();
+  ++flushes_;
+  now.totals.wall_time = std::chrono::duration<double>(flushed_ - start_).count();
+  taken->cost = thread_seconds() - begin;
+  writer_->write(std::move(slab), [this, taken](FilePosition position) {
+    taken->state.position = std::move(position);
+    checkpoints_.write(options_.output, *taken);
+  });
+}
+
+void RunSteps::tell_fault_of_checkpoints() {
+  const std::string fault = checkpoints_.take_fault();
+  if (!fault.empty()) log_.message("warning", fault);
 }
 
 }  // namespace gem

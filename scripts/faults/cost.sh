@@ -50,12 +50,13 @@ one() {
     NR == 2 { printf "%s,%.2f,%.2f,%.2f\n", head, in_seconds($1), in_seconds($2), wall }' "$folder/times" >>"$out"
 }
 
-# both KIND PAIR OPTIONS: with and without, the order changes from pair to pair
+# both KIND PAIR OPTIONS: with and without, the order changes from pair to pair. Which comes first in the first pair is up to the process
+# number, so that several of these scripts side by side do not all begin with the same one: a machine's speed may change in common.
 both() {
   kind=$1 pair=$2
   shift 2
   order="yes no"
-  [ $((pair % 2)) = 1 ] || order="no yes"
+  [ $(((pair + $$) % 2)) = 1 ] || order="no yes"
   for side in $order; do
     case "$kind $side" in
       "checkpoints no" | "flushes yes" | "reader "*) one "$kind" "$side" "$pair" --checkpoint-every 0 "$@" ;;
@@ -69,8 +70,9 @@ kinds=checkpoints
 # shellcheck disable=SC2086
 ! "$gem" $command --help | grep -q -- --flush-every || kinds="$kinds flushes"
 [ "$command" != run ] || kinds="$kinds reader"
-echo "kind,with,pair,user_s,system_s,wall_s" >"$out"
 "$gem" --version >&2
+one warm-up no 0 --checkpoint-every 0 "$@"
+echo "kind,with,pair,user_s,system_s,wall_s" >"$out"
 n=1
 while [ "$n" -le "$pairs" ]; do
   for kind in $kinds; do both "$kind" "$n" "$@"; done

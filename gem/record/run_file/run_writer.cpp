@@ -59,6 +59,7 @@ class RunWriter::Thread {
   struct QueuedSlab {
     Slab slab;
     bool flush;
+    std::function<void(FilePosition)> then;  // null: nothing
   };
 
  public:
@@ -79,11 +80,11 @@ class RunWriter::Thread {
     if (claim_.published() && !any_written_ && !finished_) claim_.remove();
   }
 
-  void put(Slab slab, bool flush) {
+  void put(Slab slab, bool flush, std::function<void(FilePosition)> then = nullptr) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return queue_.size() < queue_limit || failed_; });
     if (failed_) throw failure();
-    queue_.push_back({std::move(slab), flush});
+    queue_.push_back({std::move(slab), flush, std::move(then)});
     changed_.notify_all();
   }
 
@@ -97,11 +98,6 @@ class RunWriter::Thread {
 
   void check() const {
     if (failed_) throw failure();
-  }
-
-  FilePosition settle() {
-    flush();
-    return layout_->position();
   }
 
   void finish(const std::string& status, std::uint64_t state_hash, const RunVerdict& verdict) {
@@ -181,6 +177,7 @@ class RunWriter::Thread {
       layout_->append(std::move(next.slab));
       if (next.flush) show();
     });
+    if (next.then && !failed_) next.then(layout_->position());
   }
 
   /// Whether the library surely gets the memory that it needs. Else the failure is kept.
@@ -318,9 +315,11 @@ RunWriter::~RunWriter() = default;
 
 void RunWriter::write(Slab slab, bool flush) { thread_->put(std::move(slab), flush); }
 
-RowCount RunWriter::flush() { return thread_->flush(); }
+void RunWriter::write(Slab slab, std::function<void(FilePosition)> then) {
+  thread_->put(std::move(slab), true, std::move(then));
+}
 
-FilePosition RunWriter::settle() { return thread_->settle(); }
+RowCount RunWriter::flush() { return thread_->flush(); }
 
 void RunWriter::check() const { thread_->check(); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -65,11 +66,13 @@ class RunWriter {
   /// Queues a slab. With `flush` readers see all rows so far when it is written; without, only some of them. If an
   /// earlier slab could not be written, throws Error(file_system), or Error(resource_limit) if memory was too small.
   void write(Slab slab, bool flush = false);
+  /// Queues a slab. When it is on the disk and readers see all rows so far, calls `then` on the writer's thread with
+  /// the rows that are written for good, and those that readers see but that wait for their chunk to fill. After a
+  /// failure `then` is not called. It must not throw, and what it uses must outlive this object. Throws like the other
+  /// one.
+  void write(Slab slab, std::function<void(FilePosition)> then);
   /// Waits until all rows so far are on the disk and readers see them. Returns how many there are. Throws like write().
   RowCount flush();
-  /// The same, with the rows that are written for good, and those that readers see but that wait for their chunk to
-  /// fill.
-  FilePosition settle();
   /// Throws the Error of the writer thread, if there is one. Cheap.
   void check() const;
   /// Waits for the queue, sets the status ("complete" or "stopped:<reason>"), the state hash and the verdict (none if

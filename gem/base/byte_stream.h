@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace gem {
@@ -25,7 +26,13 @@ class ByteWriter {
   void operator()(const Values&... values) {
     (put(values), ...);
   }
-  const std::vector<std::byte>& bytes() const { return bytes_; }
+  std::size_t size() const { return bytes_.size(); }
+  const std::byte* data() const { return bytes_.data(); }
+  /// Asks for the memory of `size` bytes at once.
+  void reserve(std::size_t size) { bytes_.reserve(size); }
+  /// Overwrites the eight bytes at `at`, which were written before.
+  void replace(std::size_t at, std::uint64_t value) { std::memcpy(bytes_.data() + at, &value, sizeof value); }
+  std::vector<std::byte> take() { return std::move(bytes_); }
 
  private:
   template <class Value>
@@ -47,6 +54,29 @@ class ByteWriter {
   }
 
   std::vector<std::byte> bytes_;
+};
+
+/// Counts the bytes that a ByteWriter would write.
+class ByteCount {
+ public:
+  template <class... Values>
+  void operator()(const Values&... values) {
+    (add(values), ...);
+  }
+  std::size_t size() const { return size_; }
+
+ private:
+  template <class Value>
+  void add(const Value&) {
+    size_ += sizeof(Value);
+  }
+  void add(const std::string& text) { add(std::vector<char>(text.begin(), text.end())); }
+  template <class Value>
+  void add(const std::vector<Value>& values) {
+    size_ += 2 * sizeof(std::uint64_t) + values.size() * sizeof(Value);
+  }
+
+  std::size_t size_ = 0;
 };
 
 /// Reads what a ByteWriter wrote. Throws ByteFault if the bytes end too early or elements have another size.

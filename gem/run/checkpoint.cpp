@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstring>
 
 #include "gem/base/byte_stream.h"
@@ -16,6 +17,13 @@ constexpr std::array<char, 8> mark = {'g', 'e', 'm', 'c', 'h', 'e', 'c', 'k'};
 
 /// Raised with every change of a type below: a checkpoint of another version cannot be read.
 constexpr std::uint64_t version = 5;
+
+/// What stands before the bytes of a part: a ByteReader takes it for a number and the head of a list of bytes.
+struct PartHead {
+  std::uint64_t sum = 0;
+  std::uint64_t element_size = 1;
+  std::uint64_t length = 0;
+};
 
 /// FNV-1a over words of 8 bytes instead of bytes, five times as fast. The rotation lets the highest bit of a word reach
 /// the others, else two changed words could cancel.
@@ -51,7 +59,8 @@ void pass_floe(Stream& s, Floe& f) {
   s(f.outline_m, f.position_m, f.angle_rad, f.velocity_m_per_s, f.spin_rad_per_s, f.thickness_m);
 }
 
-void pass_floes(ByteWriter& s, const std::vector<FloeDef>& floes) {
+template <class Stream>
+void pass_floes(Stream& s, const std::vector<FloeDef>& floes) {
   s(std::uint64_t{floes.size()});
   for (const FloeDef& floe : floes) pass_floe(s, floe);
 }
@@ -87,14 +96,26 @@ void pass_parts(State& c, Part part) {
 }  // namespace
 
 std::vector<std::byte> checkpoint_bytes(const Checkpoint& checkpoint) {
+  ByteCount size;
+  size(mark, version);
+  pass_parts(checkpoint, [&size](auto pass) {
+    size(PartHead{});
+    pass(size);
+  });
+  // memory of the right size, and no copies: most of the time of a checkpoint goes into memory that is touched first
   ByteWriter file;
+  file.reserve(size.size());
   file(mark, version);
   pass_parts(checkpoint, [&file](auto pass) {
-    ByteWriter part;
-    pass(part);
-    file(checksum(part.bytes().data(), part.bytes().size()), part.bytes());
+    const std::size_t head = file.size();
+    file(PartHead{});
+    const std::size_t begin = file.size();
+    pass(file);
+    const std::size_t length = file.size() - begin;
+    file.replace(head + offsetof(PartHead, sum), checksum(file.data() + begin, length));
+    file.replace(head + offsetof(PartHead, length), length);
   });
-  return file.bytes();
+  return file.take();
 }
 
 Checkpoint checkpoint_of(const std::vector<std::byte>& bytes) {

@@ -32,7 +32,8 @@ class CheckpointKeeper {
   bool on() const { return interval_ > 0.0; }
   /// Starts the wall clock; the first checkpoint has the number `serial`.
   void begin(std::uint64_t serial);
-  /// Whether the next checkpoint should be taken: its time has come, and the last one is on the disk.
+  /// Whether the next checkpoint should be taken: its time has come, the last one is on the disk, and checkpoints have
+  /// not cost too much so far.
   bool is_due() const;
   /// Marks the moment at which a state is taken.
   void start(TakenCheckpoint& taken);
@@ -45,9 +46,10 @@ class CheckpointKeeper {
   using Clock = std::chrono::steady_clock;
 
   double interval_;
-  Clock::time_point taken_at_;
+  double pause_;  // wall time from the last state, or from the start, to the next one [s]
+  Clock::time_point begun_at_, taken_at_;
   std::uint64_t serial_ = 0;           // of the next one; used by write() only once the run has begun
-  std::atomic<double> pause_;          // wall time from one state to the next [s]
+  std::atomic<double> spent_ = 0.0;    // processor time of all checkpoints so far [s]
   std::atomic<int> on_their_way_ = 0;  // taken, not yet written
   std::mutex mutex_;                   // of the two members below
   std::string fault_;

@@ -146,7 +146,7 @@ void add_checkpoint_options(CLI::App& command, RunChoice& choice) {
   choice.options.checkpoint_interval_s = usual_checkpoint_interval_s;
   command
       .add_option("--checkpoint-every", choice.options.checkpoint_interval_s,
-                  "wall time between two checkpoints, at most one hundredth of it spent on them; 0: none at all")
+                  "wall time between two checkpoints, the first one after a second at most; 0: none at all")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 1e9))
       ->capture_default_str();

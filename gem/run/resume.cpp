@@ -1,8 +1,11 @@
 #include "gem/run/resume.h"
 
+#include <optional>
+
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/record/output/output_path.h"
+#include "gem/record/run_file/killed_end.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/run/checkpoint_file.h"
@@ -35,15 +38,19 @@ std::string misfit(const RunFile& file, const Checkpoint& c) {
 }  // namespace
 
 Resumable resumable(const std::string& run_file) {
-  const RunFile file(run_file, true);
-  if (file.status() == "complete") refuse(run_file, "it is complete");
-  const SceneDef scene = stored_scene(file);
+  std::optional<RunFile> file(std::in_place, run_file, true);
+  if (file->status() == "complete") {
+    file.reset();  // it holds a lock
+    finish_killed_end(run_file);
+    refuse(run_file, "it is complete");
+  }
+  const SceneDef scene = stored_scene(*file);
   FoundCheckpoints found = find_checkpoints(run_file);
   if (found.whole.empty() && found.faults.empty())
     refuse(run_file, "there is no checkpoint beside it: the run ended before its first one, or kept none");
   std::string why = found.faults;
   for (Checkpoint& one : found.whole) {
-    const std::string fault = misfit(file, one);
+    const std::string fault = misfit(*file, one);
     if (!fault.empty()) {
       why += (why.empty() ? "" : "; ") + fault;
       continue;
@@ -59,6 +66,10 @@ Resumable resumable(const std::string& run_file) {
     return run;
   }
   refuse(run_file, why);
+}
+
+void finish_killed_end(const std::string& run_file) {
+  if (close_killed_end(run_file)) remove_checkpoints(run_file);
 }
 
 void go_on(RunOptions& options, const Resumable& run) {

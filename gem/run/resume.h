@@ -18,8 +18,12 @@ struct Resumable {
 };
 
 /// Throws Error(file_system) if the run file cannot be read, is complete, or has no checkpoint to go on from. Changes
-/// nothing.
+/// nothing, but see finish_killed_end() for a complete one.
 Resumable resumable(const std::string& run_file);
+
+/// Does what is left of a complete run that was killed before it closed its file: closes it and removes the
+/// checkpoints.
+void finish_killed_end(const std::string& run_file);
 
 /// The options that make a run go on.
 void go_on(RunOptions& options, const Resumable& run);

@@ -15,6 +15,7 @@
 #include "gem/command/sweep/sweep_plan.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/verdict.h"
+#include "gem/run/resume.h"
 #include "gem/run/run_signals.h"
 
 namespace gem {
@@ -254,6 +255,8 @@ int run_sweep(const SweepRunChoice& choice) {
   std::vector<SweepRow> all;
   for (const SweepMember& member : plan.members) all.push_back(row_of(member));
   const SweepLock share = enter_folder(choice.folder, all);
+  for (const SweepRow& row : plan.rows)
+    if (row.status == "done") finish_killed_end(run_path(choice.folder, row.name));
   for (const std::size_t i : plan.to_do)
     if (const SweepRow& row = plan.rows[i]; row.status == "stopped" || row.status == "failed")
       log.message("info", shown(row.name) + " is run again, from its last checkpoint if it has one: " + row.error);

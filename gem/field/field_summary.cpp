@@ -6,6 +6,7 @@
 #include "gem/field/check_field.h"
 #include "gem/field/field.h"
 #include "gem/field/floe_file.h"
+#include "gem/field/reached_concentration.h"
 #include "gem/geometry/polygon.h"
 
 namespace gem {
@@ -64,6 +65,7 @@ std::int64_t clockwise_outlines(const SceneDef& scene) {
 FieldSummary summarise(const SceneDef& scene, const Bodies& bodies) {
   FieldSummary summary;
   summary.smallest_gap = smallest_gap(bodies);
+  if (scene.floes.concentration > 0.0) summary.concentration = concentration_text(reached_concentration(scene, bodies));
   summary.clockwise_outlines = clockwise_outlines(scene);
   for (const IceClassDef& c : scene.floes.classes) summary.asked_cover += 0.1 * c.tenths;
   summary.class_share.resize(scene.floes.classes.size(), 0.0);

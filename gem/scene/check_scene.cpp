@@ -115,6 +115,9 @@ void check_source(const SceneDef& s, List& out) {
   if (!from_file && s.floes.time_s != 0.0)
     out.push_back({"floes.time_s", "has no effect (value " + number(s.floes.time_s) +
                                        ", allowed only with floes.source = \"file\") remove it or change the source"});
+  if (!from_file && s.floes.concave != ConcaveFloes::refuse)
+    out.push_back(
+        {"floes.concave", "has no effect (allowed only with floes.source = \"file\") remove it or change the source"});
   const std::string& sha256 = s.floes.sha256;
   if (!sha256.empty() && (sha256.size() != 64 || sha256.find_first_not_of("0123456789abcdef") != std::string::npos))
     out.push_back({"floes.sha256", "not a SHA-256 (value " + quoted_text(sha256) +
@@ -259,6 +262,7 @@ SceneDef with_listed_floes(const SceneDef& scene, std::vector<FloeDef> floes) {
   listed.floes.time_s = 0.0;
   listed.floes.sha256.clear();
   listed.floes.concentration = 0.0;
+  listed.floes.concave = ConcaveFloes::refuse;
   listed.floe = std::move(floes);
   for (const SceneProblem& problem : check_scene(listed))
     throw Error(ExitCode::scene_rejected, problem.key + ": " + problem.text);

@@ -70,6 +70,13 @@ void add_floe_source(SceneTable& t) {
   t.text("floes.sha256",
          "SHA-256 of the floes that floes.path must hold: a file with other floes is refused. Stored cases have it",
          GEM_FIELD(floes.sha256));
+  t.opt_in = true;
+  t.choice(
+      "floes.concave", {"refuse", "cut", "hull"},
+      "outlines of a .csv or .geojson file that are not convex, or have more than 20 corners: refuse the file, cut "
+      "them into convex floes of the same area (not bonded to each other), or take their convex hull",
+      GEM_FIELD(floes.concave));
+  t.opt_in = false;
   t.integer("floes.count", {0.0, 1e7},
             "number of floes; it sets the concentration: count x (size_mean_m^2 + size_deviation_m^2) / "
             "(length_m x width_m)",

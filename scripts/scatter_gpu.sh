@@ -4,8 +4,8 @@
 # Usage: scripts/scatter_gpu.sh GEM OUT SECONDS
 #   GEM      the program gem
 #   OUT      gets runs/ (some 3 MB a run), shares.json, runs.csv, log and result.tar.xz with the last three
-#   SECONDS  wall time in all; a chunk begins only if the last one's time and a minute for the shares are left
-# Environment: GEM_RUN="--engine cuda" options of `gem sweep run`;  GEM_CHUNK=5 draws a chunk;  GEM_SPARE=60 for the shares [s]
+#   SECONDS  wall time in all; a chunk begins only if the last one's time and GEM_SPARE are left
+# Environment: GEM_RUN="--engine cuda" options of `gem sweep run`;  GEM_CHUNK=5 draws a chunk;  GEM_SPARE=90 for the shares [s]
 # The page: python3 scripts/studies scatter36 OUT
 # Exit code: 0 the shares are made, 2 usage error, else that of `gem sweep sensitivity`.
 set -euo pipefail
@@ -22,7 +22,7 @@ mkdir -p "$2"
 out=$(realpath "$2")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 sweep=cases/table1_short_draws.toml conditions=36 draws=100 repeats=2
-chunk=${GEM_CHUNK:-5} spare=${GEM_SPARE:-60}
+chunk=${GEM_CHUNK:-5} spare=${GEM_SPARE:-90}
 read -ra options <<<"${GEM_RUN:=--engine cuda}"
 note() { echo "$SECONDS s: $*" | tee -a "$out/log"; }
 

@@ -3,11 +3,11 @@
 # conditions in each, as long as time is left, and writes the shares of what is made. Run it again to continue after a stop.
 # Usage: scripts/scatter_gpu.sh GEM OUT SECONDS
 #   GEM      the program gem
-#   OUT      gets runs/ (some 3 MB a run), shares.json, runs.csv, log and result.tar.xz with the last three
+#   OUT      gets runs/ (some 3 MB a run), shares/ with a JSON and a CSV file for each condition, log, and result.tar.xz with both
 #   SECONDS  wall time in all; a chunk begins only if the last one's time and GEM_SPARE are left
 # Environment: GEM_RUN="--engine cuda" options of `gem sweep run`;  GEM_CHUNK=5 draws a chunk;  GEM_SPARE=90 for the shares [s]
 # The page: python3 scripts/studies scatter36 OUT
-# Exit code: 0 the shares are made, 2 usage error, else that of `gem sweep sensitivity`.
+# Exit code: 0, also if not all was made (log says what), 2 usage error.
 set -euo pipefail
 [ $# -eq 3 ] && [ "$3" -gt 0 ] 2>/dev/null || {
   sed -n '2,11s/^# //p' "$0" >&2
@@ -52,7 +52,24 @@ for ((first = 1; first <= draws; first += chunk)); do
   ((SECONDS - begin <= longest)) || longest=$((SECONDS - begin))
   note "draws $first to $last: $((SECONDS - begin)) s"
 done
-"$program" sweep sensitivity "$out/runs" --partial --json --out "$out/page" >"$out/shares.json" 2>>"$out/log"
-cp "$out/page/runs.csv" "$out/runs.csv"
+
+# The shares, one condition at a time on each processor: a folder with its runs and the list of all.
+shares_of() {
+  local name=$1 folder
+  folder=$out/by_run/$name
+  mkdir -p "$folder"
+  cp "$out/runs/manifest.json" "$folder"
+  ln -f "$out/runs/$name"_d*.h5 "$folder"
+  "$program" sweep sensitivity "$folder" --partial --json --table "$out/shares/$name.csv" >"$out/shares/$name.json" ||
+    rm -f "$out/shares/$name.json"
+}
+export -f shares_of
+export out program
+rm -rf "$out/by_run" "$out/shares"
+mkdir -p "$out/shares"
+for run in "$out"/runs/*_d*.h5; do
+  name=${run##*/}
+  echo "${name%%_d*}"
+done | sort -u | xargs -P "$(nproc)" -I NAME bash -c 'shares_of NAME' >>"$out/log" 2>&1 || note "not all shares were made"
 note "shares are made"
-tar -C "$out" -cJf "$out/result.tar.xz" shares.json runs.csv log
+tar -C "$out" -cJf "$out/result.tar.xz" shares log

@@ -1,10 +1,9 @@
 """Writes the generated part of validation/paper/scatter36.md and its figure from what scripts/scatter_gpu.sh made.
 
-usage: python3 scripts/studies scatter36 FOLDER       (shares.json and runs.csv are read)
+usage: python3 scripts/studies scatter36 FOLDER       (its shares/*.json and shares/*.csv are read)
 """
 import argparse
 import json
-import shutil
 from pathlib import Path
 from statistics import median
 
@@ -54,7 +53,7 @@ def details(runs, inputs):
 def bars(measures, inputs):
     """One row of stacked bars for each load, one bar for each run."""
     count = max(len(runs) for runs in measures.values())
-    width, height = LEFT + count * (BAR + GAP) + 10, len(measures) * (HEIGHT + 40) + 120
+    width, height = max(LEFT + count * (BAR + GAP) + 10, LEFT + 110 * len(inputs)), len(measures) * (HEIGHT + 40) + 120
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" font-size="11">',
              f'<rect width="{width}" height="{height}" fill="white"/>']
     for k, entry in enumerate(inputs):
@@ -91,13 +90,32 @@ def lines_of(study):
     return lines
 
 
+def study_in(folder):
+    """The conditions of all files as one study, in the order of Table 1."""
+    ice = ["004", "040", "400", "121"]
+
+    def place(name):
+        parts = name.split("_")
+        return (ice.index(parts[0]) if parts[0] in ice else len(ice), [-int(p) if k == 0 else int(p) for k, p in enumerate(parts[1:])])
+    studies = [json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))]
+    conditions = [c for study in studies for c in study["conditions"]]
+    return {"runs": sum(s["runs"] for s in studies), "listed": studies[0]["listed"],
+            "conditions": sorted(conditions, key=lambda c: place(c["condition"]))}
+
+
+def all_runs(folder):
+    """The tables of all files under one head."""
+    texts = [path.read_text().splitlines() for path in sorted(folder.glob("*.csv"))]
+    return "\n".join(texts[0][:1] + [line for text in texts for line in text[1:]]) + "\n"
+
+
 def main():
     parser = argparse.ArgumentParser(prog="studies scatter36", description=__doc__.split("\n\n")[0])
     parser.add_argument("folder", help="folder that scripts/scatter_gpu.sh made", type=Path)
-    folder = parser.parse_args().folder
-    study = json.loads((folder / "shares.json").read_text())
+    folder = parser.parse_args().folder / "shares"
+    study = study_in(folder)
     FIGURE.write_text(bars(by_measure(study), study["conditions"][0]["measures"][0]["inputs"]))
-    shutil.copyfile(folder / "runs.csv", PAGE.with_suffix(".csv"))
+    PAGE.with_suffix(".csv").write_text(all_runs(folder))
     replace_generated(PAGE, "scatter36", lines_of(study))
 
 

@@ -9,6 +9,7 @@
 #include "gem/base/number_text.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_drive.h"
+#include "gem/scene/check_floes.h"
 #include "gem/scene/check_mooring.h"
 #include "gem/scene/check_platform.h"
 #include "gem/scene/platform_shape.h"
@@ -44,10 +45,6 @@ std::string short_number(double value) { return number_text(value, 4); }
 std::string limit_number(double limit) {
   const double unit = std::pow(10.0, std::floor(std::log10(limit)) - 3.0);
   return short_number(std::floor(limit / unit * (1.0 + 1e-12)) * unit);
-}
-
-bool is_made(const FloesDef& floes) {
-  return floes.source == FloeSource::generated || floes.source == FloeSource::copied;
 }
 
 bool makes_floes(const FloesDef& floes) { return is_made(floes) && (floes.count > 0 || floes.concentration > 0.0); }
@@ -105,30 +102,6 @@ void check_record(const SceneDef& s, List& out) {
   check("output.force_window_s", s.output.force_window_s);
 }
 
-void check_source(const SceneDef& s, List& out) {
-  const bool from_file = s.floes.source == FloeSource::file;
-  if (from_file && s.floes.path.empty())
-    out.push_back({"floes.path", "missing (source = \"file\") name the floe file"});
-  if (!from_file && !s.floes.path.empty())
-    out.push_back({"floes.path", "has no effect (value " + quoted_text(s.floes.path) +
-                                     ", allowed only with floes.source = \"file\") remove it or change the source"});
-  if (!from_file && s.floes.time_s != 0.0)
-    out.push_back({"floes.time_s", "has no effect (value " + number(s.floes.time_s) +
-                                       ", allowed only with floes.source = \"file\") remove it or change the source"});
-  if (!from_file && s.floes.concave != ConcaveFloes::refuse)
-    out.push_back(
-        {"floes.concave", "has no effect (allowed only with floes.source = \"file\") remove it or change the source"});
-  const std::string& sha256 = s.floes.sha256;
-  if (!sha256.empty() && (sha256.size() != 64 || sha256.find_first_not_of("0123456789abcdef") != std::string::npos))
-    out.push_back({"floes.sha256", "not a SHA-256 (value " + quoted_text(sha256) +
-                                       ", allowed 64 digits 0-9 and a-f) leave it out to use any floes"});
-  if (!from_file && !sha256.empty())
-    out.push_back({"floes.sha256", "has no effect (allowed only with floes.source = \"file\") remove it"});
-  if (s.floes.source != FloeSource::listed && !s.floe.empty())
-    out.push_back({"floe", "listed floes have no effect (value " + std::to_string(s.floe.size()) +
-                               " floes) set floes.source = \"listed\""});
-}
-
 void check_sizes(const SceneDef& s, List& out) {
   const FloesDef& f = s.floes;
   if (!makes_floes(f)) return;
@@ -154,19 +127,6 @@ void check_sizes(const SceneDef& s, List& out) {
                    "the floes do not fit into the field (value " + std::to_string(f.count) + ", they would cover " +
                        short_number(cover) +
                        " of its area; about 0.8 is the limit) lower it or enlarge floes.length_m or floes.width_m"});
-}
-
-void check_concentration(const SceneDef& s, List& out) {
-  const double value = s.floes.concentration;
-  if (value == 0.0) return;
-  if (!is_made(s.floes))
-    out.push_back({"floes.concentration", "has no effect (value " + number(value) +
-                                              ", allowed only with floes.source = \"generated\" or \"copied\") " +
-                                              "remove it or change the source"});
-  else if (value < concentration_minimum)
-    out.push_back({"floes.concentration", "too low to be a pack (value " + number(value) + ", allowed 0 or " +
-                                              range_text({concentration_minimum, concentration_maximum}, "") +
-                                              ") give a share, such as 0.9 for 9/10"});
 }
 
 void check_classes(const SceneDef& s, List& out) {

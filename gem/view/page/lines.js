@@ -1,8 +1,8 @@
 // Mooring lines from above: as wide as their tension is large. A slack line is dashed, a broken one a stub at its anchor.
 import {withUnit} from './dom.js';
 
-const narrowest = 1, usual = 2.5, widest = 8;  // pixels; usual: at the largest tension of the start
-const stub = 0.2;  // of its length that is drawn of a broken line
+// Widths in pixels; usual: at the largest tension of the start. Stub: share of a broken line that is drawn.
+const lineStyle = {narrowest: 1, usual: 2.5, widest: 8, stub: 0.2};
 
 // Horizontal pull and tension of a line over a horizontal distance, between the knots [distance m, pull N, tension N].
 function curveAt(knots, distance) {
@@ -22,9 +22,9 @@ export function linesNow(view) {
     const from = [x + cosine * a - sine * b, y + sine * a + cosine * b];
     const apart = [from[0] - to[0], from[1] - to[1]];
     if (break_time_s > 0 && view.time >= break_time_s)
-      return {from: [to[0] + stub * apart[0], to[1] + stub * apart[1]], to, width: 2, state: 'broken', tension: 0};
+      return {from: [to[0] + lineStyle.stub * apart[0], to[1] + lineStyle.stub * apart[1]], to, width: 2, state: 'broken', tension: 0};
     const [pull, tension] = curveAt(knots, Math.hypot(...apart));
-    const width = Math.min(widest, Math.max(narrowest, usual * tension / most));
+    const width = Math.min(lineStyle.widest, Math.max(lineStyle.narrowest, lineStyle.usual * tension / most));
     return {from, to, width, state: pull > 0 ? 'holds' : 'slack', tension};
   });
 }

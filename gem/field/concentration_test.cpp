@@ -15,7 +15,7 @@
 namespace gem {
 namespace {
 
-SceneDef scene_of(double concentration) {
+SceneDef packed_scene(double concentration) {
   SceneDef scene;
   scene.floes.concentration = concentration;
   scene.floes.length_m = 200.0;
@@ -25,14 +25,14 @@ SceneDef scene_of(double concentration) {
   return scene;
 }
 
-std::uint64_t hash_of(const Bodies& bodies) {
+std::uint64_t outline_hash(const Bodies& bodies) {
   Hash hash;
   for (std::size_t i = 0; i < bodies.count(); ++i)
     for (const Vec2 p : world_outline(bodies, i)) hash.add(p.x), hash.add(p.y);
   return hash.value();
 }
 
-std::vector<double> sizes_of(const Bodies& bodies) {
+std::vector<double> sorted_sizes(const Bodies& bodies) {
   std::vector<double> sizes;
   for (std::size_t i = 0; i < bodies.count(); ++i)
     if (bodies.kind[i] == BodyKind::floe) sizes.push_back(std::sqrt(bodies.area[i]));
@@ -44,7 +44,7 @@ class Concentration : public testing::TestWithParam<double> {};
 
 TEST_P(Concentration, IsReachedWithoutOverlapAndWithTheSizesOfTheLaw) {
   for (const std::uint64_t seed : {1U, 7U}) {
-    SceneDef scene = scene_of(GetParam());
+    SceneDef scene = packed_scene(GetParam());
     scene.run.seed = seed;
     const Bodies bodies = make_field(scene);
     // Areas again, by themselves: corners inside the rectangle make the cut needless.
@@ -63,7 +63,7 @@ TEST_P(Concentration, IsReachedWithoutOverlapAndWithTheSizesOfTheLaw) {
     // The quantiles of some hundred floes miss the law's mean area by less than 1 part in 1000.
     EXPECT_NEAR(reached.reached, GetParam(), reached.tolerance + 1e-3 * GetParam());
     EXPECT_GE(summarise(scene, bodies).smallest_gap, scene.floes.gap_m - 1e-9);
-    const std::vector<double> sizes = sizes_of(bodies);
+    const std::vector<double> sizes = sorted_sizes(bodies);
     const TruncatedSizeLaw law(scene.floes);
     for (std::size_t i = 0; i < sizes.size(); ++i)
       EXPECT_NEAR(sizes[i], law.quantile((double(i) + 0.5) / double(sizes.size())), 1e-9);
@@ -71,17 +71,17 @@ TEST_P(Concentration, IsReachedWithoutOverlapAndWithTheSizesOfTheLaw) {
 }
 
 TEST_P(Concentration, TheSeedDecidesEveryBit) {
-  SceneDef scene = scene_of(GetParam());
-  const std::uint64_t first = hash_of(make_field(scene));
-  EXPECT_EQ(hash_of(make_field(scene)), first);
+  SceneDef scene = packed_scene(GetParam());
+  const std::uint64_t first = outline_hash(make_field(scene));
+  EXPECT_EQ(outline_hash(make_field(scene)), first);
   scene.run.seed = 2;
-  EXPECT_NE(hash_of(make_field(scene)), first);
+  EXPECT_NE(outline_hash(make_field(scene)), first);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shares, Concentration, testing::Values(0.05, 0.5, 0.7, 0.8, 0.9, 0.95));
 
 TEST(Concentration, ClassesKeepTheirRatio) {
-  SceneDef scene = scene_of(0.9);
+  SceneDef scene = packed_scene(0.9);
   scene.floes.classes = {{"thin", 0.3, 6.0}, {"thick", 1.2, 3.0}};
   const FieldSummary summary = summarise(scene, make_field(scene));
   EXPECT_NEAR(summary.class_share[0], 2.0 / 3.0, 2e-3);
@@ -89,7 +89,7 @@ TEST(Concentration, ClassesKeepTheirRatio) {
 }
 
 TEST(Concentration, IsThatOfTheWaterBetweenBoundaryAndObstacles) {
-  SceneDef scene = scene_of(0.85);
+  SceneDef scene = packed_scene(0.85);
   scene.fixed.push_back({{{-220.0, -15.0}, {-180.0, -15.0}, {-180.0, 15.0}, {-220.0, 15.0}}});
   scene.boundary = {true, -320.0, 150.0, -320.0, 110.0, 60.0};
   const Bodies bodies = make_field(scene);
@@ -104,7 +104,7 @@ TEST(Concentration, IsThatOfTheWaterBetweenBoundaryAndObstacles) {
 }
 
 TEST(Concentration, WhatWasReachedIsSaidWhenItIsNotEnough) {
-  SceneDef scene = scene_of(0.95);
+  SceneDef scene = packed_scene(0.95);
   scene.floes.gap_m = 0.5;
   try {
     make_field(scene);

@@ -43,14 +43,14 @@ class FloeOutlines : public testing::Test {
   std::string path_;
 };
 
-double total_area(const std::vector<FloeDef>& floes) {
+double floes_area(const std::vector<FloeDef>& floes) {
   double sum = 0.0;
   for (const FloeDef& floe : floes) sum += std::fabs(polygon_moments(floe.outline_m).area);
   return sum;
 }
 
 // Clockwise, 12 corners; its area is 30 x 10 + 10 x 20 = 500 m2.
-const char* const tee = "[[[0,0],[0,10],[30,10],[30,0],[20,0],[20,-20],[10,-20],[10,0],[0,0]]]";
+const char* const tee_outline = "[[[0,0],[0,10],[30,10],[30,0],[20,0],[20,-20],[10,-20],[10,0],[0,0]]]";
 
 TEST_F(FloeOutlines, EveryPolygonOfAMultiPolygonIsAFloe) {
   const ReadFloes read =
@@ -72,7 +72,7 @@ TEST_F(FloeOutlines, MessagesNameThePolygon) {
 }
 
 TEST_F(FloeOutlines, ConcaveFloesAreRefusedUnlessTheCaseSaysWhatToDo) {
-  write("Polygon", tee);
+  write("Polygon", tee_outline);
   EXPECT_NE(refusal().find("turns inwards"), std::string::npos) << refusal();
   EXPECT_NE(refusal().find("set floes.concave = \"cut\" or \"hull\""), std::string::npos) << refusal();
 }
@@ -80,14 +80,14 @@ TEST_F(FloeOutlines, ConcaveFloesAreRefusedUnlessTheCaseSaysWhatToDo) {
 TEST_F(FloeOutlines, CutFloesKeepAreaThicknessAndPlace) {
   SceneDef scene;
   scene.floes.source = FloeSource::file;
-  scene.floes.path = write("Polygon", tee);
+  scene.floes.path = write("Polygon", tee_outline);
   scene.floes.concave = ConcaveFloes::cut;
   scene.boundary.present = false;
   scene.platform.present = false;
   const ReadFloes read = read_floe_file(path_, ConcaveFloes::cut);
   EXPECT_EQ(read.changed, 1);
   EXPECT_EQ(read.made, std::int64_t(read.floes.size()));
-  EXPECT_NEAR(total_area(read.floes), 500.0, 1e-10);
+  EXPECT_NEAR(floes_area(read.floes), 500.0, 1e-10);
   for (const FloeDef& floe : read.floes) EXPECT_EQ(floe.thickness_m, 0.8);
   const FieldSummary summary = summarise(scene, make_field(scene));
   EXPECT_EQ(summary.floe_count, std::int64_t(read.floes.size()));
@@ -98,11 +98,11 @@ TEST_F(FloeOutlines, CutFloesKeepAreaThicknessAndPlace) {
 }
 
 TEST_F(FloeOutlines, TheHullAddsTheBays) {
-  const ReadFloes read = read_floe_file(write("Polygon", tee), ConcaveFloes::hull);
+  const ReadFloes read = read_floe_file(write("Polygon", tee_outline), ConcaveFloes::hull);
   ASSERT_EQ(read.floes.size(), 1U);
   // Two triangles of 10 m x 20 m beside the stem.
   EXPECT_NEAR(read.area_added, 200.0, 1e-10);
-  EXPECT_NEAR(total_area(read.floes), 700.0, 1e-10);
+  EXPECT_NEAR(floes_area(read.floes), 700.0, 1e-10);
   EXPECT_EQ(concave_text(read, ConcaveFloes::hull), "1 outline replaced by the convex hull, which adds 200 m2 of ice");
 }
 
@@ -136,7 +136,7 @@ TEST_F(FloeOutlines, ManyCornersAreCutUpToALimit) {
   const ReadFloes read = read_floe_file(path_, ConcaveFloes::cut);
   EXPECT_GE(read.floes.size(), 3U);
   for (const FloeDef& floe : read.floes) EXPECT_LE(floe.outline_m.size(), listed_corners_maximum);
-  EXPECT_NEAR(total_area(read.floes), 20.0 * 1e4 * std::sin(2.0 * 3.141592653589793 / 40.0), 1e-2);
+  EXPECT_NEAR(floes_area(read.floes), 20.0 * 1e4 * std::sin(2.0 * 3.141592653589793 / 40.0), 1e-2);
   write("Polygon", ring(501));
   EXPECT_NE(refusal(ConcaveFloes::cut).find("at most 500 are allowed"), std::string::npos);
 }

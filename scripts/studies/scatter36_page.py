@@ -21,6 +21,10 @@ def share_of(entry):
     return part(entry, "total") if entry["key"] == "run.seed" else part(entry, "monotone", "share")
 
 
+def kilonewtons(estimate):
+    return "-" if estimate is None else f"{1e-3 * estimate['value']:.4g}"
+
+
 def by_measure(study):
     """{measure: [(condition, its numbers)]}"""
     return {name: [(c["condition"], m) for c in study["conditions"] for m in c["measures"] if m["measure"] == name]
@@ -39,13 +43,14 @@ def middle(values):
 def summary(measures, inputs):
     rows = [[entry["input"]] + [middle([part(share_of(m["inputs"][k]), "value") for _, m in runs]) for runs in measures.values()]
             for k, entry in enumerate(inputs)]
-    spread = [middle([m["deviation"]["value"] / abs(m["mean"]["value"]) for _, m in runs if m["mean"]["value"]])
+    spread = [middle([m["deviation"]["value"] / abs(m["mean"]["value"]) for _, m in runs
+                      if part(m["mean"], "value") and part(m["deviation"], "value") is not None])
               for runs in measures.values()]
     return table_of(["median share [%]"] + [MEASURES[name] for name in measures], rows + [["scatter, sd over mean [%]"] + spread])
 
 
 def details(runs, inputs):
-    rows = [[name, str(m["runs"]), f"{1e-3 * m['mean']['value']:.4g}", f"{1e-3 * m['deviation']['value']:.3g}"] +
+    rows = [[name, str(m["runs"]), kilonewtons(m["mean"]), kilonewtons(m["deviation"])] +
             [share(share_of(entry)) for entry in m["inputs"]] for name, m in runs]
     return table_of(["run", "made", "mean [kN]", "sd [kN]"] + [entry["input"] for entry in inputs], rows)
 

@@ -75,9 +75,12 @@ SceneDef named_floes(SceneDef scene) {
   if (scene.floes.time_s != 0.0 && !is_run_file(path))
     throw Error(ExitCode::scene_rejected, "floes.time_s: has no effect (value " + number_text(scene.floes.time_s) +
                                               ", " + shown(path) + " is not a run file) remove it or name a run file");
+  if (scene.floes.concave != ConcaveFloes::refuse && is_run_file(path))
+    throw Error(ExitCode::scene_rejected, "floes.concave: has no effect (" + shown(path) +
+                                              " is a run file, whose floes are convex) remove it or name a floe file");
   if (is_run_file(path)) tried_in_child({{path}}, [&] { floes_of_run_file(path, scene.floes.time_s); });
-  const std::vector<FloeDef> floes =
-      is_run_file(path) ? floes_of_run_file(path, scene.floes.time_s).floes : read_floe_file(path);
+  const std::vector<FloeDef> floes = is_run_file(path) ? floes_of_run_file(path, scene.floes.time_s).floes
+                                                       : read_floe_file(path, scene.floes.concave).floes;
   check_same_floes(scene, floes);
   scene.floes.sha256 = floes_sha256(floes);
   return scene;

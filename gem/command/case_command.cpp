@@ -33,6 +33,8 @@ std::string check_json(const SceneDef& scene, const FieldSummary& field, const s
                                    {"thickness_maximum_m", field.thickness_maximum},
                                    {"sides", field.sides},
                                    {"warnings", warnings}};
+  if (!field.concave.empty()) object["concave"] = field.concave;
+  if (!field.concentration.empty()) object["concentration"] = field.concentration;
   if (std::isfinite(field.smallest_gap)) object["smallest_gap_m"] = field.smallest_gap;
   return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
@@ -92,6 +94,8 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
                                 " m, " + fixed_text(field.size_minimum, 2) + " to " +
                                 fixed_text(field.size_maximum, 2) + " m");
     if (scene.floes.source != FloeSource::listed) line("cover", fixed_text(field.cover, 4));
+    if (!field.concave.empty()) line("concave floes", field.concave);
+    if (!field.concentration.empty()) line("concentration", field.concentration);
     line("smallest gap", std::isfinite(field.smallest_gap) ? number_text(field.smallest_gap, 4) + " m" : "one body");
     line("ice", number_text(field.ice_mass, 6) + " kg, " + thickness_text(field) + " thick, crushes at " +
                     number_text(1e-6 * scene.ice.crushing_pressure_Pa, 4) + " MPa on 1 m2");

@@ -29,7 +29,7 @@ TEST_F(ExportTest, AFrameIsAFloeFileThatRuns) {
   ASSERT_EQ(shell("gem export jam.h5 at.geojson --at 0.7min"), 0) << text_of("err");
   EXPECT_NE(text_of("out").find("60 floes at 40 s"), std::string::npos) << text_of("out");
   EXPECT_NE(text_of("out").find("of them overlap"), std::string::npos) << "the jam must be one: " << text_of("out");
-  const std::vector<FloeDef> floes = read_floe_file(path("at.geojson"));
+  const std::vector<FloeDef> floes = read_floe_file(path("at.geojson")).floes;
   const RunFile run(path("jam.h5"));
   ASSERT_EQ(floes.size(), 60u);
   const auto thickness = run.column("shape/thickness");

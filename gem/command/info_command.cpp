@@ -25,6 +25,8 @@ nlohmann::ordered_json describe(const RunFile& file) {
   const std::vector<double> time = file.column("platform/time");
   const std::vector<double> frames = file.column("floes/time");
   object["floes"] = file.floe_count();
+  if (const std::string reached = file.attribute("gem_concentration"); !reached.empty())
+    object["concentration"] = reached;
   object["frames"] = frames.size();
   object["platform_samples"] = time.size();
   object["events"] = file.rows("events/time");

@@ -6,6 +6,9 @@
 
 #include "gem/command/command_fixture.h"
 #include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/stored_case.h"
+#include "gem/record/summary/summary_file.h"
+#include "gem/report/run/drawn_lines.h"
 
 namespace gem {
 namespace {
@@ -108,6 +111,56 @@ TEST_F(MooringLinesCommandTest, StandInSummaryInfoAndAnalysis) {
 TEST_F(MooringLinesCommandTest, AreShownByTheCheckOfTheCase) {
   ASSERT_EQ(shell("gem case check lines.toml"), 0) << text_of("err");
   EXPECT_NE(text_of("out").find("4, at the start with 1830 to 1830 kN"), std::string::npos) << "V70: 1830.47 kN";
+}
+
+TEST_F(MooringLinesCommandTest, AreDrawnWhereTheyAreWithWhatTheyHold) {
+  ASSERT_EQ(shell(lines("--out lines.h5 --set output.line_tensions=true")), 0) << text_of("err");
+  const RunFile run(path("lines.h5"));
+  const DrawnLines drawn(run, stored_scene(run));
+  EXPECT_NEAR(drawn.usual_tension(), 1830.47e3, 10.0) << "V70";
+  const double broke = drawn.break_times()[2];
+  ASSERT_GT(broke, 1.0);
+  // Turned by a quarter: the fairlead of line 1 stands at +y of the platform.
+  const std::vector<DrawnLine> turned = drawn.at({3.0, 1.0}, 1.5707963267948966, 0.0);
+  EXPECT_NEAR(turned[0].fairlead.x, 3.0, 1e-12);
+  EXPECT_NEAR(turned[0].fairlead.y, 51.0, 1e-12);
+  EXPECT_EQ(turned[0].anchor.x, 648.2);
+  const std::vector<DrawnLine> before = drawn.at({0.0, 0.0}, 0.0, broke - 0.1),
+                               after = drawn.at({0.0, 0.0}, 0.0, broke);
+  EXPECT_EQ(before[2].state, LineState::holds);
+  EXPECT_NEAR(before[2].tension, 1830.47e3, 10.0);
+  EXPECT_EQ(after[2].state, LineState::broken);
+  EXPECT_EQ(after[2].tension, 0.0);
+  // 200 m nearer to its anchor than 598 m a line of 600 m hangs and pulls no more. It carries w h, and its stretch
+  // w h^2 / (2 EA) lies on the seabed: 56 kN less w h w h / (2 EA) = 2.24 N.
+  const DrawnLine slack = drawn.at({200.0, 0.0}, 0.0, 0.0)[0];
+  EXPECT_EQ(slack.state, LineState::slack);
+  EXPECT_NEAR(slack.tension, 56e3 - 56e3 * 56e3 / (2.0 * 7e8), 1e-2);
+}
+
+TEST_F(MooringLinesCommandTest, StandInTheSummaryOfASweep) {
+  std::ofstream(path("sweep.toml")) << R"(include = ["lines.toml"]
+[output]
+line_tensions = true
+[sweep]
+mode = "product"
+name = "{speed}"
+speed = [0, 40]
+[sweep.set.speed]
+0.platform.start_velocity_m_per_s = [0.0, 0.0]
+40.platform.start_velocity_m_per_s = [0.4, 0.0]
+)";
+  ASSERT_EQ(shell("gem sweep run sweep.toml --out runs -q && gem sweep collect runs --out all.h5"), 0)
+      << text_of("err");
+  const SummaryTable summary = read_summary(path("all.h5"));
+  const auto values = [&](const std::string& name) {
+    const SummaryColumn* column = summary.column(name);
+    return column ? column->numbers : std::vector<double>{};
+  };
+  EXPECT_EQ(values("lines_broken"), (std::vector<double>{0.0, 1.0}));
+  ASSERT_EQ(values("line_tension_largest_N").size(), 2U);
+  EXPECT_NEAR(values("line_tension_largest_N")[0], 1830.47e3, 10.0);
+  EXPECT_GT(values("line_tension_largest_N")[1], 4e6);
 }
 
 TEST_F(MooringLinesCommandTest, StandInTheReport) {

@@ -6,6 +6,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/geometry/convex_pieces.h"
 #include "gem/geometry/polygon.h"
 
 namespace gem {
@@ -57,11 +58,15 @@ std::vector<double> turns_of(const std::vector<Vec2>& outline) {
   return turns;
 }
 
-void check_turns(const std::vector<double>& turns, double area, const std::string& name, const char* where_concave) {
+void check_corners(const std::vector<double>& turns, const std::string& name) {
   if (std::all_of(turns.begin(), turns.end(), [](double t) { return t == 0.0; }))
     refuse_outline(name, "zero area (all vertices lie on one line) correct the outline");
   for (std::size_t i = 0; i < turns.size(); ++i)
     if (turns[i] == 0.0) refuse_vertex(name, i, "lies on the line of its neighbours (corners must turn) remove it");
+}
+
+void check_turns(const std::vector<double>& turns, double area, const std::string& name, const char* where_concave) {
+  check_corners(turns, name);
   for (std::size_t i = 0; i < turns.size(); ++i)
     if ((turns[i] > 0.0) != (area > 0.0))
       refuse_vertex(name, i,
@@ -83,6 +88,21 @@ CheckedOutline check_outline(const std::vector<Vec2>& outline, const std::string
     refuse_vertex(name, checked.reversed ? outline.size() - 1 - vertex : vertex,
                   "winds around a second time (the outline crosses itself) correct the order of the corners");
   }
+  return checked;
+}
+
+CheckedOutline check_simple_outline(const std::vector<Vec2>& outline, const std::string& name,
+                                    std::size_t corners_maximum) {
+  check_count(outline, name, corners_maximum);
+  check_points(outline, name);
+  check_corners(turns_of(outline), name);
+  const CrossingEdges crossing = crossing_edges(outline);
+  if (crossing.first < outline.size())
+    refuse_vertex(name, crossing.first,
+                  "starts an edge that meets the edge from vertex " + std::to_string(crossing.second) +
+                      " (the outline crosses or touches itself) correct it");
+  CheckedOutline checked{outline, polygon_moments(outline).area < 0.0};
+  if (checked.reversed) std::reverse(checked.outline.begin(), checked.outline.end());
   return checked;
 }
 

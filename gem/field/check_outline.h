@@ -28,4 +28,8 @@ struct OutlineRule {
 /// that turns inwards, self-crossing. Nothing is repaired.
 CheckedOutline check_outline(const std::vector<Vec2>& outline, const std::string& name, const OutlineRule& rule = {});
 
+/// The same for a simple outline, which may turn inwards: it must not cross or touch itself.
+CheckedOutline check_simple_outline(const std::vector<Vec2>& outline, const std::string& name,
+                                    std::size_t corners_maximum);
+
 }  // namespace gem

@@ -141,7 +141,7 @@ TEST_F(FloeFile, ReadsCsvInEitherDirection) {
   const std::string path = write(".csv",
                                  "floe,x,y,thickness\r\na,-500,0,0.7\na,-490,0,0.7\na,-490,1e1,0.7\n\n"
                                  "b,-400,0,1.2\nb,-400,10,1.2\nb,-390.5,0,1.2\n");
-  const auto floes = read_floe_file(path);
+  const auto floes = read_floe_file(path).floes;
   ASSERT_EQ(floes.size(), 2U);
   EXPECT_EQ(floes[0].outline_m.size(), 3U);
   EXPECT_EQ(floes[0].outline_m[2].y, 10.0);
@@ -220,7 +220,7 @@ std::string feature(const std::string& coordinates, const std::string& propertie
 
 TEST_F(FloeFile, ReadsGeoJson) {
   const auto floes =
-      read_floe_file(write(".geojson", feature("[[[0,0],[10,0],[10,10],[0,0]]]", R"({"thickness":0.7})")));
+      read_floe_file(write(".geojson", feature("[[[0,0],[10,0],[10,10],[0,0]]]", R"({"thickness":0.7})"))).floes;
   ASSERT_EQ(floes.size(), 1U);
   EXPECT_EQ(floes[0].outline_m.size(), 3U);
   EXPECT_EQ(floes[0].thickness_m, 0.7);
@@ -237,7 +237,7 @@ TEST_F(FloeFile, RefusesBadGeoJson) {
       {R"({"type":"FeatureCollection","features":[{"geometry":null}]})", {"feature 0: not a Polygon"}},
       {R"({"type":"FeatureCollection","features":[3]})", {"feature 0: not a Polygon"}},
       {feature("[[[0,0],[10,0],[10,10]]]"), {"feature 0: the ring is not closed"}},
-      {feature("[[[0,0],[9,0],[9,9],[0,0]],[[1,1],[2,1],[2,2],[1,1]]]"), {"not exactly one ring"}},
+      {feature("[[[0,0],[9,0],[9,9],[0,0]],[[1,1],[2,1],[2,2],[1,1]]]"), {"feature 0: a hole (1 inner ring(s)"}},
       {feature("[[[0,0],[9,\"a\"],[9,9],[0,0]]]"), {"a position is not"}},
       {feature("[[[0,0],[9,0],[0,0]]]"), {"feature 0: 2 vertices"}},
       {feature("[[[0,0],[9,0],[9,9],[0,0]]]", R"({"thickness":"x"})"), {"thickness is not a number"}},
@@ -257,7 +257,7 @@ TEST_F(FloeFile, RefusesBadGeoJson) {
 
 TEST_F(FloeFile, OtherPropertiesAreAllowed) {
   const std::string properties = R"({"id":7,"area":50,"thickness":0.7,"source":"satellite"})";
-  EXPECT_EQ(read_floe_file(write(".geojson", feature("[[[0,0],[10,0],[10,10],[0,0]]]", properties))).size(), 1U);
+  EXPECT_EQ(read_floe_file(write(".geojson", feature("[[[0,0],[10,0],[10,10],[0,0]]]", properties))).floes.size(), 1U);
 }
 
 TEST_F(FloeFile, MessagesAndFilesHaveLimits) {
@@ -273,7 +273,7 @@ TEST_F(FloeFile, AFileWithOtherFloesThanTheCaseNamesIsRefused) {
   SceneDef scene;
   scene.floes.source = FloeSource::file;
   scene.floes.path = write(".csv", "floe,x,y\n1,-500,0\n1,-490,0\n1,-490,10\n");
-  scene.floes.sha256 = floes_sha256(read_floe_file(scene.floes.path));
+  scene.floes.sha256 = floes_sha256(read_floe_file(scene.floes.path).floes);
   EXPECT_EQ(make_field(scene).count(), 4U);
   write(".csv", "floe,x,y\n1,-500,0\n1,-490,0\n1,-490,10.5\n");
   expect_contains(message_of([&] { make_field(scene); }),

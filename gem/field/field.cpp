@@ -104,7 +104,7 @@ std::vector<FloeDef> floes_of(const SceneDef& scene, const std::vector<std::vect
     case FloeSource::listed:
       return scene.floe;
     case FloeSource::file: {
-      std::vector<FloeDef> floes = read_floe_file(scene.floes.path);
+      std::vector<FloeDef> floes = read_floe_file(scene.floes.path, scene.floes.concave).floes;
       check_same_floes(scene, floes);  // the file may have changed since the case was read
       return with_listed_floes(scene, std::move(floes)).floe;
     }

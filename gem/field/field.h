@@ -30,6 +30,8 @@ struct FieldSummary {
   std::vector<double> class_share;                          // share of the floe area in each ice class [-]
   std::int64_t clockwise_outlines = 0;  // listed or read floes that were given clockwise and were reversed
   double asked_cover = 0.0;             // sum of the classes' tenths / 10, to compare with `cover` [-]
+  std::string concave;                  // what was done to outlines that are not convex; empty: nothing
+  std::string concentration;            // what was reached, in words; empty if no concentration was asked
 };
 
 FieldSummary summarise(const SceneDef& scene, const Bodies& bodies);

@@ -6,6 +6,7 @@
 #include "gem/field/check_field.h"
 #include "gem/field/field.h"
 #include "gem/field/floe_file.h"
+#include "gem/field/reached_concentration.h"
 #include "gem/geometry/polygon.h"
 
 namespace gem {
@@ -51,10 +52,7 @@ double size_deviation(const Bodies& bodies, double mean, double count) {
   return std::sqrt(sum / count);
 }
 
-std::int64_t clockwise_outlines(const SceneDef& scene) {
-  std::vector<FloeDef> given;
-  if (scene.floes.source == FloeSource::listed) given = scene.floe;
-  if (scene.floes.source == FloeSource::file) given = read_floe_file(scene.floes.path);
+std::int64_t clockwise_outlines(const std::vector<FloeDef>& given) {
   return std::count_if(given.begin(), given.end(),
                        [](const FloeDef& floe) { return polygon_moments(floe.outline_m).area < 0.0; });
 }
@@ -64,7 +62,12 @@ std::int64_t clockwise_outlines(const SceneDef& scene) {
 FieldSummary summarise(const SceneDef& scene, const Bodies& bodies) {
   FieldSummary summary;
   summary.smallest_gap = smallest_gap(bodies);
-  summary.clockwise_outlines = clockwise_outlines(scene);
+  if (scene.floes.concentration > 0.0) summary.concentration = concentration_text(reached_concentration(scene, bodies));
+  ReadFloes given;
+  if (scene.floes.source == FloeSource::listed) given.floes = scene.floe;
+  if (scene.floes.source == FloeSource::file) given = read_floe_file(scene.floes.path, scene.floes.concave);
+  summary.clockwise_outlines = clockwise_outlines(given.floes);
+  summary.concave = concave_text(given, scene.floes.concave);
   for (const IceClassDef& c : scene.floes.classes) summary.asked_cover += 0.1 * c.tenths;
   summary.class_share.resize(scene.floes.classes.size(), 0.0);
   summary.size_minimum = std::numeric_limits<double>::infinity();

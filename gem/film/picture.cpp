@@ -16,7 +16,8 @@ namespace gem::film {
 namespace {
 
 constexpr Colour water = {203, 224, 236}, land = {165, 175, 185}, hull = {223, 229, 234}, ink = {31, 37, 48},
-                 rim = {70, 82, 96}, load = {211, 84, 0}, mooring = {11, 99, 181}, chain = {179, 0, 27};
+                 rim = {70, 82, 96}, load = {211, 84, 0}, mooring = {11, 99, 181}, chain = {179, 0, 27},
+                 slack = {120, 130, 140};
 
 /// The map viridis (CC0), at nine places.
 constexpr std::array<Colour, 9> viridis = {{{68, 1, 84},
@@ -94,6 +95,7 @@ std::string clock_text(double seconds) {
 Picture::Picture(const RunFile& file, FilmPoses& poses)
     : poses_(poses),
       contacts_(file),
+      lines_(file, stored_scene(file)),
       outlines_(file.floe_outlines()),
       fixed_(file.boundary_outlines()),
       platform_(file.platform_outline()),
@@ -169,6 +171,24 @@ void Picture::draw_chains(Canvas& canvas, const Window& window, double time) con
   }
 }
 
+/// As wide as the tension is large. A slack line is thin and grey, of a broken one a stub is left at its anchor.
+void Picture::draw_lines(Canvas& canvas, const Window& window, double time) const {
+  constexpr double usual = 2.5, narrowest = 1.0, widest = 8.0, stub = 0.2;
+  if (!poses_.has_platform()) return;
+  const PlatformPose pose = poses_.platform_at(time);
+  if (!std::isfinite(pose.position.x + pose.position.y + pose.angle)) return;
+  for (const DrawnLine& line : lines_.at(pose.position, pose.angle, time)) {
+    const Vec2 anchor = pixel(canvas, window, line.anchor);
+    const Vec2 end =
+        line.state == LineState::broken ? line.anchor + stub * (line.fairlead - line.anchor) : line.fairlead;
+    const double width = std::clamp(usual * line.tension / lines_.usual_tension(), narrowest, widest);
+    canvas.line({anchor, pixel(canvas, window, end)}, line.state == LineState::broken ? 2.0 : width,
+                line.state == LineState::holds   ? mooring
+                : line.state == LineState::slack ? slack
+                                                 : chain);
+  }
+}
+
 void Picture::draw_platform(Canvas& canvas, const Window& window, double time) const {
   if (!poses_.has_platform()) return;
   const PlatformPose pose = poses_.platform_at(time);
@@ -226,6 +246,7 @@ void Picture::draw(Canvas& canvas, const Window& window, double time) {
   draw_floes(canvas, window);
   draw_fixed(canvas, window);
   draw_chains(canvas, window, time);
+  draw_lines(canvas, window, time);
   draw_platform(canvas, window, time);
   draw_texts(canvas, window, time);
 }

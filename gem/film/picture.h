@@ -8,6 +8,7 @@
 #include "gem/film/film_poses.h"
 #include "gem/record/run_file/contact_record.h"
 #include "gem/record/run_file/run_file.h"
+#include "gem/report/run/drawn_lines.h"
 
 namespace gem::film {
 
@@ -32,11 +33,13 @@ class Picture {
   void draw_floes(Canvas& canvas, const Window& window);
   void draw_fixed(Canvas& canvas, const Window& window) const;
   void draw_chains(Canvas& canvas, const Window& window, double time) const;
+  void draw_lines(Canvas& canvas, const Window& window, double time) const;
   void draw_platform(Canvas& canvas, const Window& window, double time) const;
   void draw_texts(Canvas& canvas, const Window& window, double time) const;
 
   FilmPoses& poses_;
   ContactRecord contacts_;
+  DrawnLines lines_;
   std::vector<std::vector<Vec2>> outlines_, fixed_;
   std::vector<Vec2> platform_;
   std::vector<FloePose> floes_;  // of the picture that is drawn

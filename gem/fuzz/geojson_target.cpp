@@ -6,7 +6,8 @@
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string path = gem::fuzz::input_file("floes.geojson", gem::fuzz::text_of(data, size));
   gem::SceneDef scene;
-  if (gem::fuzz::accepted([&] { scene = gem::with_listed_floes({}, gem::read_floe_file(path)); }))
-    gem::fuzz::make_listed_field(scene);
+  for (const auto concave : {gem::ConcaveFloes::refuse, gem::ConcaveFloes::cut, gem::ConcaveFloes::hull})
+    if (gem::fuzz::accepted([&] { scene = gem::with_listed_floes({}, gem::read_floe_file(path, concave).floes); }))
+      gem::fuzz::make_listed_field(scene);
   return 0;
 }

@@ -9,6 +9,7 @@
 #include "gem/base/number_text.h"
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_drive.h"
+#include "gem/scene/check_floes.h"
 #include "gem/scene/check_mooring.h"
 #include "gem/scene/check_platform.h"
 #include "gem/scene/platform_shape.h"
@@ -46,9 +47,7 @@ std::string limit_number(double limit) {
   return short_number(std::floor(limit / unit * (1.0 + 1e-12)) * unit);
 }
 
-bool is_made(const FloesDef& floes) {
-  return floes.source == FloeSource::generated || floes.source == FloeSource::copied;
-}
+bool makes_floes(const FloesDef& floes) { return is_made(floes) && (floes.count > 0 || floes.concentration > 0.0); }
 
 void check_name(const SceneDef& s, List& out) {
   const std::string& name = s.run.name;
@@ -103,30 +102,9 @@ void check_record(const SceneDef& s, List& out) {
   check("output.force_window_s", s.output.force_window_s);
 }
 
-void check_source(const SceneDef& s, List& out) {
-  const bool from_file = s.floes.source == FloeSource::file;
-  if (from_file && s.floes.path.empty())
-    out.push_back({"floes.path", "missing (source = \"file\") name the floe file"});
-  if (!from_file && !s.floes.path.empty())
-    out.push_back({"floes.path", "has no effect (value " + quoted_text(s.floes.path) +
-                                     ", allowed only with floes.source = \"file\") remove it or change the source"});
-  if (!from_file && s.floes.time_s != 0.0)
-    out.push_back({"floes.time_s", "has no effect (value " + number(s.floes.time_s) +
-                                       ", allowed only with floes.source = \"file\") remove it or change the source"});
-  const std::string& sha256 = s.floes.sha256;
-  if (!sha256.empty() && (sha256.size() != 64 || sha256.find_first_not_of("0123456789abcdef") != std::string::npos))
-    out.push_back({"floes.sha256", "not a SHA-256 (value " + quoted_text(sha256) +
-                                       ", allowed 64 digits 0-9 and a-f) leave it out to use any floes"});
-  if (!from_file && !sha256.empty())
-    out.push_back({"floes.sha256", "has no effect (allowed only with floes.source = \"file\") remove it"});
-  if (s.floes.source != FloeSource::listed && !s.floe.empty())
-    out.push_back({"floe", "listed floes have no effect (value " + std::to_string(s.floe.size()) +
-                               " floes) set floes.source = \"listed\""});
-}
-
 void check_sizes(const SceneDef& s, List& out) {
   const FloesDef& f = s.floes;
-  if (!is_made(f) || f.count == 0) return;
+  if (!makes_floes(f)) return;
   if (!(f.size_minimum_m < f.size_mean_m && f.size_mean_m < f.size_maximum_m)) {
     out.push_back({"floes.size_mean_m", "not between the limits (value " + number(f.size_mean_m) +
                                             ", allowed between floes.size_minimum_m = " + number(f.size_minimum_m) +
@@ -141,6 +119,7 @@ void check_sizes(const SceneDef& s, List& out) {
                                                  " m with size_mean_m = " + number(f.size_mean_m) +
                                                  " between size_minimum_m = " + number(f.size_minimum_m) +
                                                  " and size_maximum_m = " + number(f.size_maximum_m) + " m)"});
+  if (f.concentration > 0.0) return;
   const double mean_area = f.size_mean_m * f.size_mean_m + f.size_deviation_m * f.size_deviation_m;
   const double cover = static_cast<double>(f.count) * mean_area / (f.length_m * f.width_m);
   if (cover > cover_maximum)
@@ -151,7 +130,7 @@ void check_sizes(const SceneDef& s, List& out) {
 }
 
 void check_classes(const SceneDef& s, List& out) {
-  if (!is_made(s.floes) || s.floes.count == 0) return;
+  if (!makes_floes(s.floes)) return;
   double sum = 0.0;
   for (const IceClassDef& c : s.floes.classes) sum += c.tenths;
   if (!(sum > 0.0) || sum > 9.0)
@@ -164,7 +143,7 @@ void check_classes(const SceneDef& s, List& out) {
 
 void check_field_place(const SceneDef& s, List& out) {
   const FloesDef& f = s.floes;
-  if (!is_made(f) || f.count == 0) return;
+  if (!makes_floes(f)) return;
   const double end = f.start_x_m + f.length_m;
   const double bow = s.platform.anchor_m.x + s.platform.start_offset_m.x - platform_reach(s.platform).upstream;
   if (s.platform.present && end > bow)
@@ -229,9 +208,9 @@ void check_floating(const SceneDef& s, List& out) {
 
 std::vector<SceneProblem> check_scene(const SceneDef& scene) {
   List problems;
-  for (const auto rule :
-       {check_name, check_step, check_swing, check_record, check_source, check_sizes, check_classes, check_field_place,
-        check_platform, check_listed, check_listed_sizes, check_floating, check_drive, check_mooring})
+  for (const auto rule : {check_name, check_step, check_swing, check_record, check_source, check_sizes,
+                          check_concentration, check_classes, check_field_place, check_platform, check_listed,
+                          check_listed_sizes, check_floating, check_drive, check_mooring})
     rule(scene, problems);
   return problems;
 }
@@ -242,6 +221,8 @@ SceneDef with_listed_floes(const SceneDef& scene, std::vector<FloeDef> floes) {
   listed.floes.path.clear();
   listed.floes.time_s = 0.0;
   listed.floes.sha256.clear();
+  listed.floes.concentration = 0.0;
+  listed.floes.concave = ConcaveFloes::refuse;
   listed.floe = std::move(floes);
   for (const SceneProblem& problem : check_scene(listed))
     throw Error(ExitCode::scene_rejected, problem.key + ": " + problem.text);
@@ -259,7 +240,7 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
   friction("ice.friction_structure", scene.ice.friction_structure);
 
   const FloesDef& f = scene.floes;
-  if (is_made(f) && f.count > 0) {
+  if (is_made(f) && f.count > 0 && f.concentration == 0.0) {
     double tenths = 0.0;
     for (const IceClassDef& c : f.classes) tenths += c.tenths;
     const double mean_area = f.size_mean_m * f.size_mean_m + f.size_deviation_m * f.size_deviation_m;
@@ -270,6 +251,9 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
                          " tenths) only the ratio of the tenths is used");
   }
   const FloesDef usual_floes;
+  if (f.concentration > 0.0 && f.count != usual_floes.count)
+    warnings.push_back("floes.count: has no effect (value " + std::to_string(f.count) +
+                       ", floes.concentration sets the number of floes) remove it");
   if (!is_made(f) && f.count != usual_floes.count)
     warnings.push_back("floes.count: has no effect (value " + std::to_string(f.count) +
                        ", the floes that are given count) remove it");

@@ -92,7 +92,7 @@ double smallest_floe_width(const SceneDef& scene) {
   double smallest = std::numeric_limits<double>::infinity();
   const FloesDef& floes = scene.floes;
   const bool made = floes.source == FloeSource::generated || floes.source == FloeSource::copied;
-  if (made && floes.count > 0) smallest = floes.size_minimum_m;
+  if (made && (floes.count > 0 || floes.concentration > 0.0)) smallest = floes.size_minimum_m;
   for (const FloeDef& floe : scene.floe) smallest = std::min(smallest, outline_width(floe.outline_m));
   return smallest;
 }

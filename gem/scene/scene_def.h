@@ -16,6 +16,7 @@ enum class Yaw { free, locked };
 enum class PlatformOutline { regular, ship, listed };
 enum class Placement { random, tiled };
 enum class FloeSource { generated, copied, file, listed };
+enum class ConcaveFloes { refuse, cut, hull };
 enum class SizeLaw { lognormal, gamma };
 
 struct RunDef {
@@ -37,8 +38,10 @@ struct FloesDef {
   std::string path;     ///< for `file`: .csv, .geojson or a run file; relative to the case file
   double time_s = 0.0;  ///< of the frame, where `path` is a run file; 0: its start
   std::string sha256;   ///< for `file`: of the floes that it must hold, see floes_sha256(); empty: not checked
+  ConcaveFloes concave = ConcaveFloes::refuse;  ///< for .csv and .geojson: outlines that are not convex
   std::int64_t count = 4008;
-  double length_m = 1500.0;  ///< along the current
+  double concentration = 0.0;  ///< share of the field's free water that floes cover, replaces `count`; 0: not used
+  double length_m = 1500.0;    ///< along the current
   double width_m = 400.0;
   double start_x_m = -1575.0;  ///< upstream end of the field; it ends at start_x_m + length_m
   SizeLaw size_law = SizeLaw::lognormal;

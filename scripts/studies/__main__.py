@@ -18,6 +18,7 @@ COMMANDS = {
     "phase_times": ("phase_times", "reads Nsight Compute's output; prints the time of each phase on a GPU as CSV"),
     "guide_numbers": ("guide_numbers", "runs the example of the user guide; writes its numbers into the page"),
     "scatter": ("scatter_page", "reads the folder of cases/scatter.toml; writes validation/paper/scatter.md"),
+    "scatter36": ("scatter36_page", "reads what scripts/scatter_gpu.sh made; writes validation/paper/scatter36.md"),
     "readme_tables": ("readme_tables", "writes the tables of README.md from bench/results"),
 }
 

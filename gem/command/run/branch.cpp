@@ -108,6 +108,8 @@ SceneDef begun_from(const CaseChoice& choice, SceneDef scene) {
   scene.floes.time_s = from.time;
   scene.floes.sha256.clear();
   scene.floes.count = usual.count;  // the run counts them
+  scene.floes.concentration = usual.concentration;
+  scene.floes.concave = usual.concave;
   take_ice(choice, stored_scene(RunFile(from.path, true)).floes, scene);
   place_platform(choice, from, scene.platform);
   return named_floes(std::move(scene));

@@ -24,7 +24,11 @@ constexpr double slabs_in_memory = 4.0;    // buffers of output: one being fille
 
 double floe_count(const SceneDef& scene) {
   const bool listed = scene.floes.source == FloeSource::listed;
-  return listed ? double(scene.floe.size()) : double(scene.floes.count);
+  const FloesDef& f = scene.floes;
+  if (!listed && f.concentration > 0.0)
+    return f.concentration * f.length_m * f.width_m /
+           (f.size_mean_m * f.size_mean_m + f.size_deviation_m * f.size_deviation_m);
+  return listed ? double(scene.floe.size()) : double(f.count);
 }
 
 /// MemAvailable of the system [bytes]; infinity if the system does not report it.

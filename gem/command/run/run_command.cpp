@@ -9,6 +9,7 @@
 #include "gem/base/number_text.h"
 #include "gem/command/run/run_choice.h"
 #include "gem/field/field.h"
+#include "gem/field/floe_file.h"
 #include "gem/record/output/output_path.h"
 #include "gem/run/run_signals.h"
 #include "gem/scene/check_scene.h"
@@ -89,6 +90,7 @@ int run(RunChoice choice) {
     check_replaceable(choice.options.output);
   }
   const SceneDef listed = with_floes_of_run_file(scene);
+  if (const std::string cut = concave_floes_text(scene); !cut.empty()) log.message("info", "floes.concave: " + cut);
   const Estimate need = estimate(listed);
   if (!choice.force) check_resources(need, choice.options.output);
 

@@ -16,6 +16,7 @@
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/record/summary/summary_file.h"
+#include "gem/report/run/line_record.h"
 #include "gem/report/run/load_run.h"
 #include "gem/report/run/platform_series.h"
 #include "gem/report/run/run_findings.h"
@@ -87,6 +88,20 @@ void set_platform(Columns& columns, std::size_t run, const RunData& data, double
   columns.set(run, "ice_force_window_mean_N", "N",
               "mean over the run of the magnitude of the ice force, averaged over output.force_window_s",
               mean_length(series.ice_force_window_x, series.ice_force_window_y));
+}
+
+/// What the mooring lines had to hold, of the whole run; --from applies to tensions.
+void set_lines(Columns& columns, std::size_t run, const RunData& data, double from_s) {
+  if (data.lines.empty()) return;
+  double tension = nothing;
+  const std::size_t first = sample_from(data, from_s);
+  for (const LineRecord& line : data.lines)
+    if (!line.tension.empty()) tension = std::fmax(tension, largest_tension(line, first).value);
+  const auto broken =
+      std::count_if(data.lines.begin(), data.lines.end(), [](const LineRecord& l) { return l.break_time > 0.0; });
+  columns.set(run, "line_tension_largest_N", "N",
+              "largest tension of any mooring line; missing unless output.line_tensions recorded them", tension);
+  columns.set(run, "lines_broken", "1", "mooring lines that broke", static_cast<double>(broken));
 }
 
 /// Quality of the whole run; --from does not apply.
@@ -250,6 +265,7 @@ int collect_sweep(const SweepCollectChoice& choice, const SummaryPart& part) {
     scenes.push_back(stored_scene(records));
     set_quality(columns, run, data);
     set_platform(columns, run, data, choice.from_s);
+    set_lines(columns, run, data, choice.from_s);
     series.push_back(kept_series(data));
     if (choice.interval_s > 0.0) series.back().path = kept_path(path, choice);
     if (part.look_at) part.look_at(records, data);

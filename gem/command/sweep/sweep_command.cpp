@@ -133,6 +133,9 @@ void add_sensitivity(CLI::App& group, Chosen& chosen) {
       ->allow_extra_args(false);
   command->add_option("--from", choice->from_s, "leave earlier times out [s]");
   command->add_flag("--partial", choice->partial, "use the runs that are done even if others are missing");
+  command->add_option("--table", choice->table, "write no page, only this CSV file of the runs; needs no gnuplot")
+      ->type_name("FILE")
+      ->check(not_empty());
   command->add_flag("--json", choice->json, "the shares as JSON");
   command->callback([choice, &chosen] {
     chosen.reading = {{choice->folder}};

@@ -177,11 +177,16 @@ int sweep_sensitivity(const SweepSensitivityChoice& choice) {
   if (!(choice.from_s >= 0.0))
     throw Error(ExitCode::usage,
                 "--from " + number_text(choice.from_s) + " is not a valid time (it must be 0 s or more) correct it");
+  if (!choice.table.empty()) check_output_path(choice.table, false);
   const SensitivityPage page = study_of(choice);
   const std::string out = page_folder(choice);
-  write_sensitivity_page(page, out);
+  if (choice.table.empty())
+    write_sensitivity_page(page, out);
+  else
+    write_sensitivity_runs(page, choice.table);
   print(choice.json ? json_of(page).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                    : sensitivity_text(page) + shown(out) + "/index.html\n");
+                    : sensitivity_text(page) +
+                          (choice.table.empty() ? shown(out) + "/index.html\n" : shown(choice.table) + "\n"));
   return 0;
 }
 

@@ -11,6 +11,7 @@ struct SweepSensitivityChoice {
   std::string output;                 // folder of the page; empty: FOLDER_sensitivity
   std::vector<std::string> measures;  // names of findings; empty: the usual loads
   double from_s = 0.0;                // earlier times are left out
+  std::string table;                  // if not empty: no page, only this CSV file of the runs
   bool partial = false;
   bool json = false;
 };

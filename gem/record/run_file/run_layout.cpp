@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "gem/field/reached_concentration.h"
 #include "gem/record/run_file/run_layout_parts.h"
 #include "gem/record/run_file/verdict_attributes.h"
 #include "gem_version.h"
@@ -99,6 +100,8 @@ void RunLayout::write_header(const SceneDef& scene, const Bodies& bodies, const 
   reserve_verdict(file_.id());
   hdf5::write_text(file_.id(), "gem_case_sha256", provenance.case_sha256);
   hdf5::write_text(file_.id(), "gem_seed", std::to_string(scene.run.seed));
+  if (scene.floes.concentration > 0.0)
+    hdf5::write_text(file_.id(), "gem_concentration", concentration_text(reached_concentration(scene, bodies)));
   hdf5::write_text(file_.id(), "gem_engine", provenance.engine);
   hdf5::write_text(file_.id(), "gem_solver", provenance.solver);
   hdf5::write_text(file_.id(), "gem_threads", std::to_string(provenance.threads));

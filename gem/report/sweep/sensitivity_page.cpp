@@ -150,7 +150,9 @@ std::string csv_text(const std::string& text) {
   return quoted + "\"";
 }
 
-void write_runs(const SensitivityPage& page, const std::filesystem::path& path) {
+}  // namespace
+
+void write_sensitivity_runs(const SensitivityPage& page, const std::filesystem::path& path) {
   std::ofstream file(path, std::ios::binary);
   file << "run,condition,draw,part,repeat";
   for (const StudyInput& input : page.study.inputs) file << ',' << csv_text(input.name);
@@ -169,8 +171,6 @@ void write_runs(const SensitivityPage& page, const std::filesystem::path& path) 
                 "cannot write " + path.string() + " (disk full or no permission) choose another output folder");
 }
 
-}  // namespace
-
 void write_sensitivity_page(const SensitivityPage& page, const std::string& out_dir) {
   const std::filesystem::path folder(out_dir);
   const std::string title = escaped(page.sweep) + " - scatter of a sweep";
@@ -185,7 +185,7 @@ void write_sensitivity_page(const SensitivityPage& page, const std::string& out_
     body += condition_html(page, condition, plots);
   body += notes_html(page) + "<p class=\"notes\"><a href=\"runs.csv\">All runs as CSV</a></p>\n";
   write_page(folder, html_page(title, body));
-  write_runs(page, folder / "runs.csv");
+  write_sensitivity_runs(page, folder / "runs.csv");
 }
 
 }  // namespace gem

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ struct SensitivityPage {
 /// Error(file_system) if gnuplot is missing or something cannot be written, Error(usage) if the folder holds another
 /// page.
 void write_sensitivity_page(const SensitivityPage& page, const std::string& out_dir);
+
+/// Only the table of the page: inputs and results of each run as CSV. Throws Error(file_system).
+void write_sensitivity_runs(const SensitivityPage& page, const std::filesystem::path& path);
 
 /// The same as text for the terminal.
 std::string sensitivity_text(const SensitivityPage& page);

@@ -70,10 +70,23 @@ void add_floe_source(SceneTable& t) {
   t.text("floes.sha256",
          "SHA-256 of the floes that floes.path must hold: a file with other floes is refused. Stored cases have it",
          GEM_FIELD(floes.sha256));
+  t.opt_in = true;
+  t.choice(
+      "floes.concave", {"refuse", "cut", "hull"},
+      "outlines of a .csv or .geojson file that are not convex, or have more than 20 corners: refuse the file, cut "
+      "them into convex floes of the same area (not bonded to each other), or take their convex hull",
+      GEM_FIELD(floes.concave));
+  t.opt_in = false;
   t.integer("floes.count", {0.0, 1e7},
             "number of floes; it sets the concentration: count x (size_mean_m^2 + size_deviation_m^2) / "
             "(length_m x width_m)",
             GEM_FIELD(floes.count));
+  t.opt_in = true;
+  t.number("floes.concentration", "", {0.0, concentration_maximum},
+           "share of the free water in the field that floes cover, from 0.05; it replaces floes.count; 0: not used. "
+           "Above 0.75 the floes of a generated field are the cells of a mosaic",
+           GEM_FIELD(floes.concentration));
+  t.opt_in = false;
   t.number("floes.length_m", "m", extent_range, "length of the field along the current", GEM_FIELD(floes.length_m));
   t.number("floes.width_m", "m", extent_range, "width of the field", GEM_FIELD(floes.width_m));
   t.number("floes.start_x_m", "m", place_range, "x of the upstream end of the field", GEM_FIELD(floes.start_x_m));

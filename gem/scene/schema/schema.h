@@ -26,11 +26,12 @@ struct Range {
   }
 };
 
-inline constexpr Range place_range = {-1e6, 1e6};        // of a coordinate [m]
-inline constexpr Range floe_size_range = {0.1, 1000.0};  // root of the area [m]
-inline constexpr Range thickness_range = {0.01, 10.0};   // of ice [m]
-inline constexpr Range speed_range = {-10.0, 10.0};      // of one component [m/s]
-inline constexpr Range spin_range = {-10.0, 10.0};       // [rad/s]
+inline constexpr Range place_range = {-1e6, 1e6};                                    // of a coordinate [m]
+inline constexpr Range floe_size_range = {0.1, 1000.0};                              // root of the area [m]
+inline constexpr double concentration_minimum = 0.05, concentration_maximum = 0.95;  // of a generated field [-]
+inline constexpr Range thickness_range = {0.01, 10.0};                               // of ice [m]
+inline constexpr Range speed_range = {-10.0, 10.0};                                  // of one component [m/s]
+inline constexpr Range spin_range = {-10.0, 10.0};                                   // [rad/s]
 
 /// "[0, 1)" with the unit.
 std::string range_text(const Range& range, const std::string& unit);

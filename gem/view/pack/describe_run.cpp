@@ -8,6 +8,7 @@
 #include "gem/record/run_file/contact_record.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/report/plain_text.h"
+#include "gem/report/run/drawn_lines.h"
 #include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_drive.h"
 #include "gem/scene/scene_mooring.h"
@@ -68,6 +69,28 @@ Json platform_json(const RunFile& file, const SceneDef& scene) {
           {"natural_period_s", natural_period(scene)}};
 }
 
+/// Anchors, fairleads and curves of the mooring lines; none for other moorings.
+Json mooring_json(const RunFile& file, const SceneDef& scene) {
+  constexpr std::int32_t knots_maximum = 100;  // chosen by hand: straight between them, the eye sees no corners
+  const DrawnLines drawn(file, scene);
+  Json lines = Json::array();
+  for (std::size_t k = 0; k < drawn.tables().branch.size(); ++k) {
+    const MooringBranch& branch = drawn.tables().branch[k];
+    const CurveKnot* knot = drawn.tables().knot.data() + branch.first_knot;
+    const std::int32_t last = branch.knots - 1, count = std::min(branch.knots, knots_maximum);
+    Json knots = Json::array();
+    for (std::int32_t i = 0; i < count; ++i) {
+      const CurveKnot& one = knot[count > 1 ? std::int64_t{i} * last / (count - 1) : 0];
+      knots.push_back({one.at, one.force[0], one.beside[0]});
+    }
+    lines.push_back({{"anchor_m", {branch.anchor.x, branch.anchor.y}},
+                     {"fairlead_m", {branch.fairlead.x, branch.fairlead.y}},
+                     {"break_time_s", drawn.break_times()[k]},
+                     {"knots", knots}});
+  }
+  return {{"usual_tension_N", drawn.usual_tension()}, {"lines", lines}};
+}
+
 /// Velocities of water and air in equal distances over the run; one row if they stay as they are. No wind is null.
 Json drive_json(const SceneDef& scene) {
   constexpr std::int64_t rows = 240;  // chosen by hand: arrows turn without jumps
@@ -105,6 +128,7 @@ nlohmann::ordered_json describe_run(const RunFile& file, const PagePlan& plan) {
           {"platform_bucket", plan.platform_bucket},
           {"drive", drive_json(scene)},
           {"platform", platform_json(file, scene)},
+          {"mooring", mooring_json(file, scene)},
           {"fixed", fixed},
           {"classes", classes},
           {"verdict", verdict_json(file)},

@@ -1,6 +1,7 @@
 // What lies over the floes: platform, channel, track, forces, marked floes, scale. Drawn by any 2D context.
 import {eachChain} from './chains.js';
 import {shortNumber} from './dom.js';
+import {drawLines} from './lines.js';
 
 const trackSeconds = 600;
 
@@ -52,6 +53,7 @@ export class Overlay {
       context.stroke();
     }
     if (this.view.options.chains) this.drawChains(context);
+    drawLines(context, this.view);
     if (this.view.run.description.platform.present) this.drawPlatform(context);
     this.drawMarks(context);
     this.drawDrive(context);

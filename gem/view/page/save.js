@@ -1,5 +1,6 @@
 // Saves the picture as PNG or SVG, and what is played as a film (WebM).
 import {eachChain} from './chains.js';
+import {dashOf, linesNow} from './lines.js';
 import {tableColour} from './colour_maps.js';
 
 export function offer(blob, name) {
@@ -56,6 +57,9 @@ export function svgText(view) {
   const chains = [];
   if (view.options.chains) eachChain(view, (points, width) => chains.push(
       `<polyline points="${points.map(([px, py]) => point(px, py)).join(' ')}" stroke-width="${width.toFixed(2)}"/>`));
+  const lines = linesNow(view).map(({from, to, width, state}) =>
+      `<polyline points="${point(...from)} ${point(...to)}" stroke="${state === 'broken' ? theme.chain : theme.mooring}" ` +
+      `stroke-width="${width.toFixed(2)}" stroke-dasharray="${dashOf(state).join(' ') || 'none'}"/>`);
   const fixed = run.description.fixed.map(outline => polygon(turned(outline, 0, 0, 1, 0), theme.fixed));
   const {x, y, cosine, sine} = view.overlay.platformPose();
   const platform = run.description.platform.present ?
@@ -64,7 +68,7 @@ export function svgText(view) {
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${camera.width} ${camera.height}">` +
       `<title>${escapedText(title)}</title><rect width="100%" height="100%" fill="${hexColour(theme.water)}"/>` +
       `<g stroke="${hexColour(theme.outline)}" stroke-width="0.5">${parts.join('')}</g>${fixed.join('')}` +
-      `<g stroke="${theme.chain}" fill="none" stroke-linecap="round">${chains.join('')}</g>${platform}</svg>\n`;
+      `<g stroke="${theme.chain}" fill="none" stroke-linecap="round">${chains.join('')}</g>${lines.join('')}${platform}</svg>\n`;
 }
 
 export function saveSvg(view) {

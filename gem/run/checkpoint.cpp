@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<char, 8> mark = {'g', 'e', 'm', 'c', 'h', 'e', 'c', 'k'};
 
 /// Raised with every change of a type below: a checkpoint of another version cannot be read.
-constexpr std::uint64_t version = 4;
+constexpr std::uint64_t version = 5;
 
 std::uint64_t checksum(const std::byte* bytes, std::size_t size) {
   Hash hash;
@@ -39,7 +39,7 @@ void pass_bodies(Stream& s, State& b) {
 
 template <class Stream, class State>
 void pass_engine(Stream& s, State& e) {
-  s(e.step, e.ledger, e.books, e.impulse_key, e.impulse_value, e.broken);
+  s(e.step, e.ledger, e.books, e.impulse_key, e.impulse_value, e.broken, e.dp);
   pass_bodies(s, e.bodies);
 }
 

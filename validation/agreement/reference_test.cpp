@@ -330,8 +330,8 @@ TEST(ReferenceJudgesMotion, ThrustersHoldAPlatformThatIsHit) {
   s.dp = test::dp_scene(1).dp;
   s.current.velocity_m_per_s = {0.3, 0.1};  // without drag it only says where the bow should point
   s.platform.present = true;
-  s.platform.mass_kg = 4e5;
-  s.platform.inertia_kg_m2 = 4e7;
+  s.platform.mass_kg = 4e6;
+  s.platform.inertia_kg_m2 = 4e9;
   s.platform.start_yaw_rad = 0.2;
   s.floe = {floe(10.0, 9.0, {-57.0, 1.0}, {0.8, 0.0}, 0.3)};
   compare({.scene = s, .steps = 300, .row = 1, .anew = true});

@@ -123,13 +123,8 @@ AnalysedRun analysed(const std::string& path, double from_s, bool allow_incomple
                                      number_text(from_s) + " s) choose an earlier start or a longer run");
   std::vector<Finding> findings = analyse_platform(platform_series(data, first));
   for (const Finding& finding : dp_findings(data.dp, first)) findings.push_back(finding);
-  return {path,
-          data.identity.name,
-          data.identity.state_hash,
-          time.back() - time[first],
-          data.verdict,
-          findings,
-          line_findings(data, first)};
+  return {path,         data.identity.name, data.identity.state_hash,  time.back() - time[first],
+          data.verdict, findings,           line_findings(data, first)};
 }
 
 CombinedRuns combined(const std::vector<AnalysedRun>& runs) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "gem/engine/step/step_constants.h"
 #include "gem/events/platform_drag.h"
 #include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_bounds.h"
@@ -35,8 +34,8 @@ Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
   const double inertia = scene.platform.present ? bodies.inertia[0] : 0.0;
   const PlatformInEvents platform{scene.platform.anchor_m, mass, width, inertia, scene.platform.yaw == Yaw::free,
                                   rules.mooring.view()};
-  rules.dp = dp_law_of(scene, bodies);
   rules.platform_moves = scene.platform.present && !scene.platform.fixed;
+  if (rules.platform_moves) rules.dp = dp_law(scene.dp, mass, inertia, rules.dt);
   rules.events = make_events(scene, rules.platform_moves ? &platform : nullptr, rules.dt, has_wind(scene));
   if (!rules.platform_moves) return rules;
   rules.stiffness = scene.mooring.stiffness_N_per_m;

@@ -93,7 +93,8 @@ std::string markdown_range(const OptionInfo& info) {
 }
 
 std::string heading(const std::string& section) {
-  if (section == "ice.class" || section == "dp.thruster" || section == "floe" || section == "fixed") return "[[" + section + "]]";
+  if (section == "ice.class" || section == "dp.thruster" || section == "floe" || section == "fixed")
+    return "[[" + section + "]]";
   return "[" + section + "]";
 }
 

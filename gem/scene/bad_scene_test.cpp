@@ -209,7 +209,7 @@ INSTANTIATE_TEST_SUITE_P(
                  {"mooring.line_table: line 1 is torn at the start", "at most its strength of 1e+06 N"}},
         BadScene{"thrusters_of_a_locked_platform",
                  "[platform]\nyaw = \"locked\"\n[[dp.thruster]]\nposition_m = [10, 0]\n[[dp.thruster]]\n",
-                 {"bad.toml:2:8: platform.yaw: thrusters need a platform that moves and turns", "\"locked\""}},
+                 {"bad.toml:2:7: platform.yaw: thrusters need a platform that moves and turns", "\"locked\""}},
         BadScene{"thrusters_that_cannot_turn",
                  "[[dp.thruster]]\nposition_m = [0, 0]\n",
                  {"dp.thruster: the thrusters cannot push the yaw by itself"}},

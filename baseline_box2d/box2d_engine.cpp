@@ -30,7 +30,8 @@ double work_on(const Bodies& b, std::size_t i, Vec2 velocity, double spin) {
 Box2dEngine::Box2dEngine(const SceneDef& scene, Bodies bodies, const Box2dOptions& options)
     : options_(options), touches_(field_, options_) {
   mooring_ = mooring_tables(scene.mooring.law, scene.mooring_design);
-  const StepConstants constants = step_constants(scene, bodies, mooring_.view());
+  dp_ = dp_law_of(scene, bodies);
+  const StepConstants constants = step_constants(scene, bodies, mooring_.view(), &dp_);
   field_ = make_field_state(std::move(bodies), constants);
   drives_ = drive_schedule(scene);
   make_world();
@@ -120,6 +121,7 @@ void Box2dEngine::one_step(StepLog& log) {
   row.mooring_impulse = after.mooring - before.mooring;
   row.drag_impulse = after.drag - before.drag;
   log.platform.push_back(row);
+  if (f.constants.events.dp) log.dp.push_back(f.dp);
   log.quality.push_back(quality);
 }
 
@@ -245,7 +247,7 @@ void Box2dEngine::disable_retired() {
 Ledger Box2dEngine::ledger() { return closed_books(field_, ledger_); }
 
 EngineState Box2dEngine::save() {
-  return {step_, field_.bodies, saved_books(field_, ledger_), {}, {}, {}, field_.broken};
+  return {step_, field_.bodies, saved_books(field_, ledger_), {}, {}, {}, field_.broken, field_.dp};
 }
 
 void Box2dEngine::restore(const EngineState& state) {

@@ -27,6 +27,7 @@ class Box2dEngine : public Engine {
   const Bodies& bodies() override { return field_.bodies; }
   Ledger ledger() override;
   LineSet broken_lines() const override { return field_.broken; }
+  const DpState* dp_state() const override { return field_.constants.events.dp ? &field_.dp : nullptr; }
   EngineState save() override;
   /// Restores the bodies and makes a new world. The impulses that would warm-start Box2D's next step are lost, so the
   /// run does not continue with the same bits.
@@ -49,6 +50,7 @@ class Box2dEngine : public Engine {
   FieldState field_;
   DriveSchedule drives_;
   MooringTables mooring_;
+  DpLaw dp_;
   Ledger ledger_;
   std::int64_t step_ = 0;
   double platform_angle_ = 0.0;             // [rad]

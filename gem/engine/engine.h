@@ -94,12 +94,14 @@ struct StepLog {
   std::vector<PlatformStep> platform;
   std::vector<StepQuality> quality;
   std::vector<ContactEvent> events;
+  std::vector<DpState> dp;     // as `platform`, only with dynamic positioning
   OverlapCount overlap;        // depth of every overlap at the start of every time step [m]
   OverlapCount overlap_share;  // overlap depth over the size (root of the area) of the smaller body [-]
   void clear() {
     platform.clear();
     quality.clear();
     events.clear();
+    dp.clear();
     overlap = {};
     overlap_share = {};
   }
@@ -114,6 +116,7 @@ struct EngineState {
   std::vector<std::uint64_t> impulse_key;  // points of `coupled`: contact_key(), ascending by pair
   std::vector<PointMemory> impulse_value;
   LineSet broken = 0;  // lines of the mooring
+  DpState dp;          // dynamic positioning
 };
 
 class Engine {
@@ -135,6 +138,8 @@ class Engine {
   virtual Ledger ledger() = 0;
   /// Lines of the mooring that have broken.
   virtual LineSet broken_lines() const { return 0; }
+  /// Dynamic positioning after the last time step; null without it.
+  virtual const DpState* dp_state() const { return nullptr; }
   /// Whether contact_forces() is known.
   virtual bool has_contact_forces() const { return false; }
   /// The contacts that carried an impulse in the last time step, ascending in (a, b), without retired bodies. Empty
@@ -147,9 +152,9 @@ class Engine {
   std::uint64_t state_hash();
 };
 
-/// Hash of positions, rotations, velocities, active flags, the step number and broken lines, if there are any: the same
-/// bits give the same hash.
-std::uint64_t hash_of(std::int64_t step, const Bodies& bodies, LineSet broken);
+/// Hash of positions, rotations, velocities, active flags, the step number, and broken lines and the state of dynamic
+/// positioning, if there are any: the same bits give the same hash.
+std::uint64_t hash_of(std::int64_t step, const Bodies& bodies, LineSet broken, const DpState* dp = nullptr);
 
 struct EngineOptions {
   std::string name = "cpu";                   // reference | cpu | cuda

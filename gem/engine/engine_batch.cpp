@@ -21,6 +21,7 @@ class CudaMember : public Engine {
   const Bodies& bodies() override { return batch_.bodies(scene_); }
   Ledger ledger() override { return batch_.ledger(scene_); }
   LineSet broken_lines() const override { return batch_.broken_lines(scene_); }
+  const DpState* dp_state() const override { return batch_.dp_state(scene_); }
   EngineState save() override { return batch_.save(scene_); }
   void restore(const EngineState& state) override { batch_.restore(scene_, state); }
 

@@ -80,9 +80,22 @@ bool is_baseline(const std::string& engine) {
   return false;
 }
 
-std::uint64_t Engine::state_hash() { return hash_of(step(), bodies(), broken_lines()); }
+std::uint64_t Engine::state_hash() { return hash_of(step(), bodies(), broken_lines(), dp_state()); }
 
-std::uint64_t hash_of(std::int64_t step, const Bodies& b, LineSet broken) {
+namespace {
+
+/// What the next time step reads of the state.
+void add_dp(Hash& hash, const DpState& dp) {
+  hash.add(static_cast<std::uint64_t>(dp.steps));
+  for (const double value : {dp.offset.x, dp.offset.y, dp.velocity.x, dp.velocity.y, dp.yaw, dp.spin, dp.integral.x,
+                             dp.integral.y, dp.yaw_integral})
+    hash.add(value);
+  for (const Vec2& thrust : dp.thrust) hash.add(thrust.x), hash.add(thrust.y);
+}
+
+}  // namespace
+
+std::uint64_t hash_of(std::int64_t step, const Bodies& b, LineSet broken, const DpState* dp) {
   Hash hash;
   hash.add(static_cast<std::uint64_t>(step));
   for (std::size_t i = 0; i < b.count(); ++i) {
@@ -92,6 +105,7 @@ std::uint64_t hash_of(std::int64_t step, const Bodies& b, LineSet broken) {
     hash.add(static_cast<std::uint64_t>(b.active[i]));
   }
   if (broken != 0) hash.add(broken);
+  if (dp) add_dp(hash, *dp);
   return hash.value();
 }
 

@@ -57,6 +57,7 @@ Events make_events(const EventDefinitions& definitions, const PlatformInEvents* 
   e.half_mooring = mooring_flow(mooring.stiffness_N_per_m, platform->mass, mooring.damping_ratio, 0.5 * dt);
   e.heading = heading_law(definitions.heading, *platform, dt);
   e.moored = mooring_laws(mooring, *platform, dt);
+  if (platform->dp && platform->dp->thrusters > 0) e.dp = platform->dp;
   if (wind) e.platform_wind_rate = platform_wind_rate(definitions.wind, platform->mass);
   const PlatformDragDef& drag = definitions.platform_drag;
   if (!drag.present) return e;

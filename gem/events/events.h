@@ -10,6 +10,7 @@
 #include "gem/events/coriolis.h"         // solo: Coriolis force on a floe
 #include "gem/events/crushing.h"         // pair: closed-form peak of an impact
 #include "gem/events/current_drag.h"     // solo: water drag on a floe
+#include "gem/events/dp.h"               // solo: dynamic positioning of the platform
 #include "gem/events/drive.h"            // velocities of water and air over time
 #include "gem/events/elastic_contact.h"  // pair: static stress
 #include "gem/events/friction_memory.h"  // pair: friction of a hit that takes two time steps
@@ -40,12 +41,13 @@ struct EventDefinitions {
 
 /// The platform's properties that the laws read.
 struct PlatformInEvents {
-  Vec2 anchor;            // [m]
-  double mass = 0.0;      // [kg]
-  double diameter = 0.0;  // width on which the water drags [m]
-  double inertia = 0.0;   // [kg m2]
-  bool turns = false;     // its yaw is free
-  MooringView mooring;    // tables of the mooring
+  Vec2 anchor;                // [m]
+  double mass = 0.0;          // [kg]
+  double diameter = 0.0;      // width on which the water drags [m]
+  double inertia = 0.0;       // [kg m2]
+  bool turns = false;         // its yaw is free
+  MooringView mooring;        // tables of the mooring
+  const DpLaw* dp = nullptr;  // dynamic positioning; null: none
 };
 
 /// The laws of one run: their definitions and the constants derived from them. Plain values, copied to any device.
@@ -67,6 +69,7 @@ struct Events : EventDefinitions {
   double platform_drag_rate = 0.0;  // [1/m]; 0: none
   double platform_wind_rate = 0.0;  // [1/m]; 0: none
   HeadingLaw heading;
+  const DpLaw* dp = nullptr;  // null: no dynamic positioning
 };
 
 /// Returns the laws of a run. `platform`: null without a platform; `dt` in [s]; `wind`: there is wind at some time.
@@ -298,6 +301,40 @@ GEM_HD inline void steer_platform(const Events& e, const Drive& drive, const Pla
   const double twist = p.inertia * (p.spin - before);
   p.book.angular_momentum += twist;
   p.book.energy += 0.5 * twist * (p.spin + before);
+}
+
+/// The platform under dynamic positioning.
+struct PlatformOnDp {
+  double mass, inertia;  // [kg], [kg m2]
+  Vec2 position;         // [m]
+  const Rotation& rotation;
+  Vec2& velocity;  // [m/s]
+  double& spin;    // [rad/s]
+  Quantity& work;  // its energy
+  Quantity& push;  // its momentum
+  DpState& state;
+};
+
+/// Half a time step of the thrust that is held through it.
+GEM_HD inline void push_by_thrusters(double half_step, const PlatformOnDp& p) {
+  const Vec2 velocity = p.velocity;
+  const double spin = p.spin;
+  const ShipForce& force = p.state.given;
+  p.velocity += (half_step / p.mass) * rotate(p.rotation, {force.surge, force.sway});
+  p.spin += half_step * force.yaw / p.inertia;
+  const Vec2 impulse = p.mass * (p.velocity - velocity);
+  const double twist = p.inertia * (p.spin - spin);
+  p.push.momentum += impulse;
+  p.push.angular_momentum += cross(p.position, impulse) + twist;
+  p.work.energy += 0.5 * dot(impulse, p.velocity + velocity) + 0.5 * twist * (p.spin + spin);
+}
+
+/// Half a time step of dynamic positioning: before all other events of the time step with `commands`, which sets the
+/// thrust, else after them.
+GEM_HD inline void hold_station(const Events& e, const Drive& drive, const PlatformOnDp& p, bool commands) {
+  if (!e.platform_present || !e.dp) return;
+  if (commands) dp_command(*e.dp, {p.position, p.velocity, p.rotation, p.spin, drive.water}, p.state);
+  push_by_thrusters(0.5 * e.dt, p);
 }
 
 /// A position repair of the platform.

@@ -54,25 +54,28 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
           static_cast<std::size_t>(std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / time_step_)))),
       hits_({scene.output.hit_release_s, scene.output.event_speed_m_per_s, scene.output.force_window_s}, time_step_),
       sides_(scene.output.side_loads && has_platform_ ? platform_corners(engine.bodies()) : std::vector<Vec2>{}),
-      lines_(scene) {
-  if (has_platform_) {
-    const Bodies& b = engine.bodies();
-    now_.yaw = angle_of(b.rotation[0]);
-    PlatformRow row;
-    row.position = b.position[0];
-    row.yaw = now_.yaw;
-    row.velocity = b.velocity[0];
-    row.spin = b.spin[0];
-    slab_.platform.push_back(row);
-    sides_.take(slab_.side_normal, slab_.side_friction);
-    PlatformStep start;
-    start.position = b.position[0];
-    start.rotation = b.rotation[0];
-    lines_.add(start, 0.0);
-    lines_.take(slab_.line_tension, slab_.line_break_time);
-  }
+      lines_(scene),
+      thrusters_(scene) {
+  if (has_platform_) record_start(scene, engine.bodies());
   keep_frame(engine.bodies());
   keep_stats(engine, 0.0);
+}
+
+void Recorder::record_start(const SceneDef& scene, const Bodies& b) {
+  now_.yaw = angle_of(b.rotation[0]);
+  PlatformRow row;
+  row.position = b.position[0];
+  row.yaw = now_.yaw;
+  row.velocity = b.velocity[0];
+  row.spin = b.spin[0];
+  slab_.platform.push_back(row);
+  sides_.take(slab_.side_normal, slab_.side_friction);
+  PlatformStep start;
+  start.position = b.position[0];
+  start.rotation = b.rotation[0];
+  lines_.add(start, 0.0);
+  lines_.take(slab_.line_tension, slab_.line_break_time);
+  thrusters_.start(scene, start, slab_);
 }
 
 void Recorder::add(const StepLog& log, std::int64_t last_step) {
@@ -89,6 +92,7 @@ void Recorder::add(const StepLog& log, std::int64_t last_step) {
     for (; row != log.events.end() && std::llround(row->time / time_step_) < now_.step; ++row)
       sides_.add(*row, now.position, now.rotation);
     lines_.add(now, double(now_.step) * time_step_);
+    if (i < log.dp.size()) thrusters_.add(now, log.dp[i]);
     now_.since_sample.contacts = std::max(now_.since_sample.contacts, now.contacts);
     window_.push_back(now.ice_impulse);
     if (window_.size() > window_steps_) window_.pop_front();
@@ -125,6 +129,7 @@ void Recorder::sample(const PlatformStep& now, std::int64_t step) {
   slab_.platform.push_back(row);
   sides_.take(slab_.side_normal, slab_.side_friction);
   lines_.take(slab_.line_tension, slab_.line_break_time);
+  thrusters_.take(slab_);
   now_.since_sample = {};
   now_.sample_step = step;
 }
@@ -198,7 +203,8 @@ bool Recorder::fits(const RecorderState& state) const {
   return state.sides.normal.size() == sides_.sums().normal.size() &&
          state.sides.friction.size() == sides_.sums().friction.size() &&
          state.lines.tension.size() == lines_.sums().tension.size() &&
-         state.lines.break_time.size() == lines_.sums().break_time.size();
+         state.lines.break_time.size() == lines_.sums().break_time.size() &&
+         state.thrusters.size() == thrusters_.sums().size();
 }
 
 void Recorder::restore(const RecorderState& state) {
@@ -207,6 +213,7 @@ void Recorder::restore(const RecorderState& state) {
   hits_.restore(state.hits);
   sides_.restore(state.sides);
   lines_.restore(state.lines);
+  thrusters_.restore(state.thrusters);
   slab_ = {};
 }
 

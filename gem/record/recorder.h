@@ -10,6 +10,7 @@
 #include "gem/record/line_tensions.h"
 #include "gem/record/run_file/run_writer.h"
 #include "gem/record/side_loads.h"
+#include "gem/record/thruster_record.h"
 
 namespace gem {
 
@@ -41,10 +42,11 @@ struct RecorderState {
     OverlapCount overlap, overlap_share;
   };
   Numbers now;
-  std::vector<Vec2> window;   // ice impulses of the last time steps, the oldest first
-  std::vector<OpenHit> hits;  // of floes that press
-  SideSums sides = {};        // empty unless they are recorded
-  LineSums lines = {};        // empty without lines
+  std::vector<Vec2> window;            // ice impulses of the last time steps, the oldest first
+  std::vector<OpenHit> hits;           // of floes that press
+  SideSums sides = {};                 // empty unless they are recorded
+  LineSums lines = {};                 // empty without lines
+  std::vector<double> thrusters = {};  // empty without thrusters: see ThrusterRecord::sums()
 };
 
 /// Most forces between bodies that are recorded of a floe frame: the largest. A frame of a jam has about two for each
@@ -75,7 +77,7 @@ class Recorder {
   std::int64_t hits_seen() const { return now_.hits_taken + static_cast<std::int64_t>(slab_.events.size()); }
   /// The rows that were not taken are not part of the state.
   RecorderState state() const {
-    return {now_, {window_.begin(), window_.end()}, hits_.open(), sides_.sums(), lines_.sums()};
+    return {now_, {window_.begin(), window_.end()}, hits_.open(), sides_.sums(), lines_.sums(), thrusters_.sums()};
   }
   /// Whether the state is one of a run of this scene.
   bool fits(const RecorderState& state) const;
@@ -83,6 +85,7 @@ class Recorder {
   void restore(const RecorderState& state);
 
  private:
+  void record_start(const SceneDef& scene, const Bodies& bodies);
   void sample(const PlatformStep& now, std::int64_t step);
   void keep_frame(const Bodies& bodies);
   void keep_stats(Engine& engine, double wall_time);
@@ -100,6 +103,7 @@ class Recorder {
   Hits hits_;
   SideLoads sides_;
   LineTensions lines_;
+  ThrusterRecord thrusters_;
   Slab slab_;
 };
 

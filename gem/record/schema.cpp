@@ -5,6 +5,7 @@
 
 #include "gem/record/line_tensions.h"
 #include "gem/record/run_file/run_writer.h"
+#include "gem/record/thruster_record.h"
 
 namespace gem {
 
@@ -110,9 +111,9 @@ const std::vector<SideColumn>& side_columns() {
   return columns;
 }
 
-std::vector<LineColumn> line_columns(const SceneDef& scene) {
+std::vector<PartColumn> line_columns(const SceneDef& scene) {
   if (!has_lines(scene)) return {};
-  std::vector<LineColumn> columns = {{{"platform", "line_break_time", "time mooring_line", Stored::f8, "s",
+  std::vector<PartColumn> columns = {{{"platform", "line_break_time", "time mooring_line", Stored::f8, "s",
                                        "end of the time step in which the mooring line broke; 0 while it holds", ""},
                                       &Slab::line_break_time}};
   if (scene.output.line_tensions)
@@ -120,6 +121,39 @@ std::vector<LineColumn> line_columns(const SceneDef& scene) {
         {{"platform", "line_tension", "time mooring_line", Stored::f4, "N",
           "largest tension of the mooring line at its fairlead since the last sample; 0 after it broke", ""},
          &Slab::line_tension});
+  return columns;
+}
+
+std::vector<PartColumn> thruster_columns(const SceneDef& scene) {
+  if (!has_dp(scene)) return {};
+  const auto row = [](const char* name, const char* dimensions, const char* units, const char* long_name,
+                      std::vector<double> Slab::*values) {
+    return PartColumn{{"platform", name, dimensions, Stored::f8, units, long_name, ""}, values};
+  };
+  const char* each = "time thruster";
+  return {
+      row("thruster_force_x", each, "N",
+          "thrust of the thruster, mean over the sample interval, along the ship's x axis", &Slab::thruster_x),
+      row("thruster_force_y", each, "N",
+          "thrust of the thruster, mean over the sample interval, along the ship's y axis", &Slab::thruster_y),
+      row("thruster_at_limit", each, "1",
+          "share of the sample interval in which the thruster was at its largest thrust or its rate limit",
+          &Slab::thruster_limit),
+      row("dp_demand_surge", "time", "N", "force asked of the thrusters, mean over the sample interval, surge",
+          &Slab::dp_demand_surge),
+      row("dp_demand_sway", "time", "N", "force asked of the thrusters, mean over the sample interval, sway",
+          &Slab::dp_demand_sway),
+      row("dp_demand_yaw", "time", "N m", "moment asked of the thrusters, mean over the sample interval",
+          &Slab::dp_demand_yaw),
+      row("dp_offset_surge", "time", "m", "offset from the set point, along the ship's x axis", &Slab::dp_offset_surge),
+      row("dp_offset_sway", "time", "m", "offset from the set point, along the ship's y axis", &Slab::dp_offset_sway),
+      row("dp_offset_yaw", "time", "rad", "yaw from its set point, at the start of the last time step",
+          &Slab::dp_offset_yaw)};
+}
+
+std::vector<PartColumn> part_columns(const SceneDef& scene) {
+  std::vector<PartColumn> columns = line_columns(scene);
+  for (PartColumn& column : thruster_columns(scene)) columns.push_back(std::move(column));
   return columns;
 }
 
@@ -265,7 +299,7 @@ std::vector<Column> schema(const SceneDef& scene) {
   for (const auto& entry : platform_columns()) all.push_back(entry.column);
   if (scene.output.side_loads && scene.platform.present)
     for (const auto& entry : side_columns()) all.push_back(entry.column);
-  for (const auto& entry : line_columns(scene)) all.push_back(entry.column);
+  for (const auto& entry : part_columns(scene)) all.push_back(entry.column);
   for (const auto& entry : event_columns()) all.push_back(entry.column);
   for (const auto& entry : stats_columns()) all.push_back(entry.column);
   if (scene.output.contact_forces)

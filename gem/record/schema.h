@@ -109,8 +109,8 @@ struct SideColumn {
   std::vector<float> Slab::*values;
 };
 
-/// A column with a value for each mooring line.
-struct LineColumn {
+/// A column of the platform that only some runs have: with a value for each mooring line or thruster, or one value.
+struct PartColumn {
   Column column;
   std::vector<double> Slab::*values;
 };
@@ -124,7 +124,10 @@ struct ShapeColumn {
 const std::vector<RowColumn<PlatformRow>>& platform_columns();
 const std::vector<SideColumn>& side_columns();
 /// Those that runs of this scene have.
-std::vector<LineColumn> line_columns(const SceneDef& scene);
+std::vector<PartColumn> line_columns(const SceneDef& scene);
+std::vector<PartColumn> thruster_columns(const SceneDef& scene);
+/// Both.
+std::vector<PartColumn> part_columns(const SceneDef& scene);
 const std::vector<RowColumn<Hit>>& event_columns();
 const std::vector<RowColumn<ContactRow>>& contact_columns();
 const std::vector<RowColumn<StatsRow>>& stats_columns();

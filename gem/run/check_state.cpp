@@ -55,6 +55,18 @@ bool lines_fit(const Checkpoint& c) {
          rows.line_break_time.size() == samples * sums.break_time.size();
 }
 
+/// A row of thrusters for each sample, or none.
+bool thrusters_fit(const Checkpoint& c) {
+  const Slab& rows = c.position.waiting;
+  const std::size_t sums = c.recorder.thrusters.size();
+  if (sums > 0 && (sums < 10 || (sums - 7) % 3 != 0)) return false;
+  const std::size_t samples = sums > 0 ? rows.platform.size() : 0, values = sums > 0 ? samples * ((sums - 7) / 3) : 0;
+  const auto fits = [](std::size_t count, const auto&... columns) { return ((columns.size() == count) && ...); };
+  return fits(values, rows.thruster_x, rows.thruster_y, rows.thruster_limit) &&
+         fits(samples, rows.dp_demand_surge, rows.dp_demand_sway, rows.dp_demand_yaw, rows.dp_offset_surge,
+              rows.dp_offset_sway, rows.dp_offset_yaw);
+}
+
 bool rows_fit(const Slab& rows, std::size_t floes) {
   const std::size_t values = rows.floes.time.size() * floes;
   const FloeFrames& f = rows.floes;
@@ -72,6 +84,7 @@ std::string fault_of(const Checkpoint& c) {
   if (!impulses_fit(c.engine)) return "its contacts do not fit";
   if (!sides_fit(c)) return "its sides do not fit";
   if (!lines_fit(c)) return "its mooring lines do not fit";
+  if (!thrusters_fit(c)) return "its thrusters do not fit";
   if (!rows_fit(c.position.waiting, b.count() - first_floe(b))) return "its rows do not fit";
   if (c.engine.step < 0 || c.engine.step != c.recorder.now.step) return "its time steps do not fit";
   return "";

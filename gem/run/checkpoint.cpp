@@ -50,7 +50,7 @@ void pass_bodies(Stream& s, State& b) {
 
 template <class Stream, class State>
 void pass_engine(Stream& s, State& e) {
-  s(e.step, e.ledger, e.books, e.impulse_key, e.impulse_value, e.broken);
+  s(e.step, e.ledger, e.books, e.impulse_key, e.impulse_value, e.broken, e.dp);
   pass_bodies(s, e.bodies);
 }
 
@@ -77,6 +77,8 @@ void pass_position(Stream& s, Position& p) {
   auto& w = p.waiting;
   s(w.platform, w.events, w.stats, w.contacts, w.side_normal, w.side_friction, w.line_tension, w.line_break_time,
     w.time);
+  s(w.thruster_x, w.thruster_y, w.thruster_limit, w.dp_demand_surge, w.dp_demand_sway, w.dp_demand_yaw,
+    w.dp_offset_surge, w.dp_offset_sway, w.dp_offset_yaw);
   s(w.floes.time, w.floes.x, w.floes.y, w.floes.theta, w.floes.vx, w.floes.vy, w.floes.omega, w.floes.active);
 }
 
@@ -89,6 +91,7 @@ void pass_parts(State& c, Part part) {
   part([&](auto& s) {
     s(c.recorder.now, c.recorder.window, c.recorder.hits, c.watch, c.totals);
     s(c.recorder.sides.normal, c.recorder.sides.friction, c.recorder.lines.tension, c.recorder.lines.break_time);
+    s(c.recorder.thrusters);
   });
   part([&](auto& s) { pass_position(s, c.position); });
 }

@@ -8,6 +8,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/geometry/polygon.h"
+#include "gem/scene/check_dp.h"
 #include "gem/scene/check_drive.h"
 #include "gem/scene/check_floes.h"
 #include "gem/scene/check_mooring.h"
@@ -210,7 +211,7 @@ std::vector<SceneProblem> check_scene(const SceneDef& scene) {
   List problems;
   for (const auto rule : {check_name, check_step, check_swing, check_record, check_source, check_sizes,
                           check_concentration, check_classes, check_field_place, check_platform, check_listed,
-                          check_listed_sizes, check_floating, check_drive, check_mooring})
+                          check_listed_sizes, check_floating, check_drive, check_mooring, check_dp})
     rule(scene, problems);
   return problems;
 }
@@ -276,6 +277,7 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
   warn_of_platform(scene, warnings);
   warn_of_drive(scene, warnings);
   warn_of_mooring(scene, warnings);
+  warn_of_dp(scene, warnings);
   return warnings;
 }
 

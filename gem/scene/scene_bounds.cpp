@@ -57,6 +57,22 @@ double heading_rate(const SceneDef& scene) {
   return heading.damping_N_m_s > 0.0 ? std::min(rate, heading.moment_N_m / heading.damping_N_m_s) : rate;
 }
 
+/// Largest speed of the platform's rim by which the thrusters bring it from the start to its set point [m/s]. As a
+/// spring without damping would; the drift turns its set point.
+double dp_speed(const SceneDef& scene) {
+  const PlatformDef& p = scene.platform;
+  const double inertia = platform_inertia(p);
+  if (scene.dp.thruster.empty() || !(inertia > 0.0)) return 0.0;
+  const std::array<DpGain, 3> gains = dp_gains(scene.dp, p.mass_kg, inertia);
+  const double fastest = std::sqrt(std::max(gains[0].proportional, gains[1].proportional) / p.mass_kg);
+  const DpLaw law = dp_law(scene.dp, p.mass_kg, inertia, scene.numerics.time_step_s);
+  const double yaw =
+      std::abs(dp_yaw_error(law, strict::rotation_of_angle(p.start_yaw_rad), drive_at_start(scene).water));
+  const double turn = law.follows ? turn_of_current(scene.drive.current_direction) : 0.0;
+  const double rate = std::sqrt(gains[2].proportional / inertia) * yaw + turn;
+  return fastest * length(p.anchor_m + p.start_offset_m - scene.dp.position_m) + platform_radius(p) * rate;
+}
+
 }  // namespace
 
 double rim_speed(const FloeDef& floe) {
@@ -72,7 +88,8 @@ double platform_speed_bound(const SceneDef& scene) {
   const double swing = mooring_swing_speed(scene);
   const double rim =
       platform_radius(scene.platform) * (std::abs(scene.platform.start_spin_rad_per_s) + heading_rate(scene));
-  return std::hypot(length(scene.platform.start_velocity_m_per_s), swing) + rim + platform_wind_speed(scene);
+  return std::hypot(length(scene.platform.start_velocity_m_per_s), swing) + rim + platform_wind_speed(scene) +
+         dp_speed(scene);
 }
 
 double closing_speed_bound(const SceneDef& scene) {

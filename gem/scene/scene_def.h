@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/events/dp_design.h"
 #include "gem/events/events.h"
 #include "gem/events/mooring_tables.h"
 
@@ -159,6 +160,7 @@ struct SceneDef : EventDefinitions {
   OutputDef output;
   DriveDef drive;                  ///< tables of current, tide and wind
   MooringDesign mooring_design;    ///< tables and lines of the mooring
+  DpDef dp;                        ///< dynamic positioning
   std::vector<FloeDef> floe;       ///< for source = listed
   std::vector<FixedDef> fixed;     ///< obstacles besides the boundary
   std::vector<std::string> notes;  ///< old key names that the file uses; not part of the scene

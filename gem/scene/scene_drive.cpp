@@ -30,6 +30,13 @@ Vec2 tide_reach(const SceneDef& scene) {
   return sum;
 }
 
+/// Stiffness that the thrusters give to surge and sway, the smaller one [N/m].
+double dp_stiffness(const SceneDef& scene) {
+  if (scene.dp.thruster.empty()) return 0.0;
+  const std::array<DpGain, 3> gains = dp_gains(scene.dp, scene.platform.mass_kg, 1.0);
+  return std::min(gains[0].proportional, gains[1].proportional);
+}
+
 /// Times at which the current without tide is looked at: its table is nowhere outside what it is there.
 std::vector<double> times_of_current(const DriveDef& drive) {
   const std::vector<TimeRow>& table = drive.current_velocity.empty() ? drive.current_direction : drive.current_velocity;
@@ -126,8 +133,9 @@ double platform_wind_speed(const SceneDef& scene) {
   const double wind = largest_wind(scene), rate = platform_wind_rate(scene.wind, p.mass_kg);
   if (scene.mooring.law != MooringLaw::linear)
     return std::min(wind, mooring_pushed_speed(scene, rate * p.mass_kg * wind * wind));
-  if (scene.mooring.stiffness_N_per_m == 0.0) return wind;
-  return std::min(wind, rate * wind * wind / std::sqrt(scene.mooring.stiffness_N_per_m / p.mass_kg));
+  const double stiffness = scene.mooring.stiffness_N_per_m + dp_stiffness(scene);
+  if (stiffness == 0.0) return wind;
+  return std::min(wind, rate * wind * wind / std::sqrt(stiffness / p.mass_kg));
 }
 
 }  // namespace gem

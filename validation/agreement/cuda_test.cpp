@@ -124,6 +124,33 @@ TEST_P(CudaDrive, MooringsOfTablesAndOfLinesThatBreakGiveTheBitsOfTheCpuEngine) 
   }
 }
 
+TEST_P(CudaDrive, DynamicPositioningGivesTheBitsOfTheCpuEngine) {
+  SceneDef scene = test::dp_scene(8);
+  scene.contact.solver = GetParam();
+  for (const Route route : {Route::resident, Route::phases}) {
+    const auto cpu = test::busy_engine(scene, "cpu");
+    CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = route});
+    StepLog expected;
+    std::vector<StepLog> logs(1);
+    for (const std::int64_t steps : {1, 7, 150}) {
+      cpu->advance(steps, expected);
+      batch.advance(steps, &logs);
+    }
+    EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
+    test::expect_same_log(logs[0], expected);
+    test::expect_same_books(batch.ledger(0), cpu->ledger());
+    EXPECT_EQ(expected.dp.size(), 158U);
+
+    const EngineState half = batch.save(0);
+    cpu->restore(half);
+    batch.restore(0, half);
+    cpu->advance(40, expected);
+    batch.advance(40, &logs);
+    EXPECT_EQ(batch.state_hash(0), cpu->state_hash()) << "after a restart";
+    test::expect_same_log(logs[0], expected);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Solvers, CudaDrive, testing::Values(ContactSolver::independent, ContactSolver::coupled),
                          test::LawNames());
 

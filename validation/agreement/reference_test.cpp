@@ -325,6 +325,19 @@ TEST(ReferenceJudgesMotion, MooringOfTablesWithYaw) {
   }
 }
 
+TEST(ReferenceJudgesMotion, ThrustersHoldThePlatform) {
+  SceneDef s = still_scene();
+  s.dp = test::dp_scene(1).dp;
+  s.current.velocity_m_per_s = {0.3, 0.1};  // without drag it only says where the bow should point
+  s.platform.present = true;
+  s.platform.mass_kg = 4e6;
+  s.platform.inertia_kg_m2 = 4e9;
+  s.platform.start_yaw_rad = 0.2;
+  s.platform.start_velocity_m_per_s = {0.3, 0.1};
+  s.platform_drag.present = true;
+  compare({.scene = s, .steps = 400, .contacts = 0});
+}
+
 TEST(ReferenceJudgesMotion, LinesBreak) {
   SceneDef s = still_scene();
   const SceneDef lines = test::lines_scene(1);

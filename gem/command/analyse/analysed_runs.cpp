@@ -121,13 +121,10 @@ AnalysedRun analysed(const std::string& path, double from_s, bool allow_incomple
     throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " +
                                      std::to_string(kSamplesForStatistics) + " platform samples after --from " +
                                      number_text(from_s) + " s) choose an earlier start or a longer run");
-  return {path,
-          data.identity.name,
-          data.identity.state_hash,
-          time.back() - time[first],
-          data.verdict,
-          analyse_platform(platform_series(data, first)),
-          line_findings(data, first)};
+  std::vector<Finding> findings = analyse_platform(platform_series(data, first));
+  for (const Finding& finding : dp_findings(data.dp, first)) findings.push_back(finding);
+  return {path,         data.identity.name, data.identity.state_hash,  time.back() - time[first],
+          data.verdict, findings,           line_findings(data, first)};
 }
 
 CombinedRuns combined(const std::vector<AnalysedRun>& runs) {

@@ -4,6 +4,7 @@
 #include "gem/command/command.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/schema.h"
+#include "gem/record/thruster_record.h"
 #include "gem/scene/platform_shape.h"
 
 #include <algorithm>
@@ -61,7 +62,9 @@ Estimate estimate(const SceneDef& scene) {
   const double side_bytes =
       scene.output.side_loads && scene.platform.present ? 8.0 * double(platform_outline(scene.platform).size()) : 0.0;
   const double line_bytes = 8.0 * double(line_columns(scene).size()) * double(scene.mooring_design.lines.size());
-  const double platform_bytes = samples * (8.0 * double(platform_columns().size()) + side_bytes + line_bytes);
+  const double thruster_bytes = has_dp(scene) ? 8.0 * (3.0 * double(scene.dp.thruster.size()) + 6.0) : 0.0;
+  const double platform_bytes =
+      samples * (8.0 * double(platform_columns().size()) + side_bytes + line_bytes + thruster_bytes);
   need.platform_disk = compression * platform_bytes;
   need.disk = compression * (frames * (frame_bytes + contact_bytes) + platform_bytes +
                              frames * 8.0 * double(stats_columns().size()) + floe_count(scene) * 160.0) +

@@ -15,10 +15,11 @@ namespace gem {
 CpuEngine::CpuEngine(const SceneDef& scene, Bodies bodies, int threads, std::size_t contacts_worth_a_thread)
     : drives_(drive_schedule(scene)),
       mooring_(mooring_tables(scene.mooring.law, scene.mooring_design)),
+      dp_(dp_law_of(scene, bodies)),
       all_threads_(threads),
       coupled_(contacts_worth_a_thread) {
   check_solver(scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cpu");
-  const StepConstants constants = step_constants(scene, bodies, mooring_.view());
+  const StepConstants constants = step_constants(scene, bodies, mooring_.view(), &dp_);
   field_ = make_field_state(std::move(bodies), constants);
   field_.drive = drives_.at(step_);
   ledger_.start = total(field_);
@@ -125,8 +126,8 @@ void CpuEngine::move(ThreadTeam& team, int rank, StepLog& log) {
 Ledger CpuEngine::ledger() { return closed_books(field_, ledger_); }
 
 EngineState CpuEngine::save() {
-  return {step_,        field_.bodies, saved_books(field_, ledger_), field_.books, coupled_.keys(), coupled_.memory(),
-          field_.broken};
+  return {step_,         field_.bodies, saved_books(field_, ledger_), field_.books, coupled_.keys(), coupled_.memory(),
+          field_.broken, field_.dp};
 }
 
 void CpuEngine::restore(const EngineState& state) {

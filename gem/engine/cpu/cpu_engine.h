@@ -27,6 +27,7 @@ class CpuEngine : public Engine {
   const Bodies& bodies() override { return field_.bodies; }
   Ledger ledger() override;
   LineSet broken_lines() const override { return field_.broken; }
+  const DpState* dp_state() const override { return field_.constants.events.dp ? &field_.dp : nullptr; }
   bool has_contact_forces() const override { return true; }
   std::vector<ContactForce> contact_forces() override { return gem::contact_forces(field_, pairs_.contacts()); }
   EngineState save() override;
@@ -55,6 +56,7 @@ class CpuEngine : public Engine {
   FieldState field_;
   DriveSchedule drives_;
   MooringTables mooring_;
+  DpLaw dp_;
   ThreadTeam all_threads_;
   ThreadTeam one_thread_{1};
   TeamChoice choice_;

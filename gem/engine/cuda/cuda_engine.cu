@@ -354,9 +354,10 @@ Ledger CudaBatch::ledger(std::size_t scene) { return work_->scene(scene).ledger(
 EngineState CudaBatch::save(std::size_t scene) { return work_->scene(scene).save(); }
 void CudaBatch::restore(std::size_t scene, const EngineState& state) { work_->scene(scene).restore(state); }
 std::uint64_t CudaBatch::state_hash(std::size_t scene) {
-  return hash_of(step(scene), bodies(scene), broken_lines(scene));
+  return hash_of(step(scene), bodies(scene), broken_lines(scene), dp_state(scene));
 }
 LineSet CudaBatch::broken_lines(std::size_t scene) const { return work_->scene(scene).broken_lines(); }
+const DpState* CudaBatch::dp_state(std::size_t scene) const { return work_->scene(scene).dp_state(); }
 const CudaDevice& CudaBatch::device() const { return work_->device(); }
 int CudaBatch::blocks() const { return work_->blocks(); }
 int CudaBatch::threads() const { return work_->threads(); }

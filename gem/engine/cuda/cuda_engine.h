@@ -87,6 +87,7 @@ class CudaBatch {
   void restore(std::size_t scene, const EngineState& state);
   std::uint64_t state_hash(std::size_t scene);
   LineSet broken_lines(std::size_t scene) const;
+  const DpState* dp_state(std::size_t scene) const;
   /// The GPU that the scenes run on.
   const CudaDevice& device() const;
   /// Blocks of the first scene in the last launch; other scenes may have another number.

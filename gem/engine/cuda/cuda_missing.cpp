@@ -33,6 +33,7 @@ EngineState CudaBatch::save(std::size_t) { return {}; }
 void CudaBatch::restore(std::size_t, const EngineState&) {}
 std::uint64_t CudaBatch::state_hash(std::size_t) { return 0; }
 LineSet CudaBatch::broken_lines(std::size_t) const { return 0; }
+const DpState* CudaBatch::dp_state(std::size_t) const { return nullptr; }
 const CudaDevice& CudaBatch::device() const { throw Error(ExitCode::device, missing); }
 int CudaBatch::blocks() const { return 0; }
 int CudaBatch::threads() const { return 0; }

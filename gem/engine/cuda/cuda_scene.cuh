@@ -25,7 +25,8 @@ class CudaScene {
     check_solver(scene.scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cuda");
     check_device_steps(std::llround(scene.scene.run.duration_s / scene.scene.numerics.time_step_s));
     mooring_ = mooring_tables(scene.scene.mooring.law, scene.scene.mooring_design);
-    const StepConstants constants = step_constants(scene.scene, scene.bodies, mooring_.view());
+    dp_ = dp_law_of(scene.scene, scene.bodies);
+    const StepConstants constants = step_constants(scene.scene, scene.bodies, mooring_.view(), &dp_);
     drives_ = drive_schedule(scene.scene);
     field_ = make_field_state(std::move(scene.bodies), constants);
     ledger_.start = total(field_);
@@ -117,6 +118,12 @@ class CudaScene {
     return field_.broken;
   }
 
+  const DpState* dp_state() {
+    if (!sizes_.dp) return nullptr;
+    fetch_books();
+    return &field_.dp;
+  }
+
   Ledger ledger() {
     fetch_books();
     return closed_books(field_, ledger_);
@@ -124,7 +131,8 @@ class CudaScene {
 
   EngineState save() {
     fetch_books();
-    EngineState state{step_, field_.bodies, saved_books(field_, ledger_), field_.books, {}, {}, field_.broken};
+    EngineState state{step_,         field_.bodies, saved_books(field_, ledger_), field_.books, {}, {},
+                      field_.broken, field_.dp};
     save_memory(carried(), state);
     return state;
   }
@@ -156,6 +164,8 @@ class CudaScene {
     check_cuda(cudaMemcpy(&platform, device_.platform, sizeof platform, cudaMemcpyDeviceToHost), "fetch the books");
     field_.mooring_force = platform.mooring_force;
     field_.broken = platform.broken;
+    if (sizes_.dp)
+      check_cuda(cudaMemcpy(&field_.dp, device_.dp, sizeof field_.dp, cudaMemcpyDeviceToHost), "fetch the books");
     host_books_valid_ = true;
   }
 
@@ -245,6 +255,7 @@ class CudaScene {
   FieldState field_;
   DriveSchedule drives_;
   MooringTables mooring_;
+  DpLaw dp_;
   Ledger ledger_;  // start values and scales
   std::int64_t step_ = 0;
   SceneSizes sizes_;

@@ -29,6 +29,7 @@ class CudaEngine : public Engine {
   const Bodies& bodies() override { return batch_.bodies(0); }
   Ledger ledger() override { return batch_.ledger(0); }
   LineSet broken_lines() const override { return batch_.broken_lines(0); }
+  const DpState* dp_state() const override { return batch_.dp_state(0); }
   EngineState save() override { return batch_.save(0); }
   void restore(const EngineState& state) override { batch_.restore(0, state); }
 

@@ -75,6 +75,16 @@ GEM_DEVICE inline PlatformMotion platform_motion(const PlatformTurn& turn, doubl
           loaded.cell.broken};
 }
 
+/// Half a time step of dynamic positioning in time step `sample` of the call; see hold_station().
+GEM_DEVICE inline void hold_station(const DeviceScene& s, PlatformLoaded& loaded, const PlatformTurn& turn,
+                                    Vec2 position, double& spin, std::int32_t sample, bool commands) {
+  if (!s.dp) return;
+  hold_station(s.constants.events, s.drive_of(sample),
+               {turn.mass, turn.inertia, position, turn.rotation, loaded.cell.velocity, spin, loaded.mooring_book,
+                loaded.cell.mooring_force, *s.dp},
+               commands);
+}
+
 /// Moves the platform up to the pair events of the next time step, which is number `sample` of the call. `spin` is its
 /// present spin [rad/s].
 GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded& loaded, Mover& mover,
@@ -83,6 +93,7 @@ GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded&
   p.mooring_before = p.mooring_force.momentum;
   p.drag_before = loaded.drag_book.momentum;
   p.mid_position = mover.position;
+  hold_station(s, loaded, turn, p.mid_position, spin, sample, true);
   platform_events_before(s.constants.events, s.drive_of(sample), platform_motion(turn, spin, loaded));
   steer_platform(s.constants.events, s.drive_of(sample), {turn.inertia, turn.rotation, spin, loaded.drag_book}, true);
   mover.velocity = p.velocity;
@@ -190,6 +201,7 @@ GEM_DEVICE inline void write_sample(const DeviceScene& s, const PlatformLoaded& 
   sample.drag_impulse = loaded.drag_book.momentum - p.drag_before;
   sample.contacts = pressed;
   sample.broken = p.broken;
+  if (s.dp) s.dp_sample[at] = *s.dp;
 }
 
 /// Moves the platform by one thread, after the contacts are summed.
@@ -220,6 +232,8 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
       book_platform_shift(e, motion.mass, p.velocity, p.broken, {p.mid_position, repair.shift, next, mover.rotation},
                           s.book(Channel::repair, 0));
     steer_platform(e, s.drive_of(step.sample), {motion.inertia, mover.rotation, spin, loaded.drag_book}, false);
+    hold_station(s, loaded, turn_of(cell, motion, mover.rotation, mover.rotation), mover.position, spin, step.sample,
+                 false);
   }
   if (cell.active && !is_finite(mover, p.velocity, spin)) group.raise(alarm_not_finite);
   if (s.wants_samples) write_sample(s, loaded, mover, spin, sums, pressed, step.sample);

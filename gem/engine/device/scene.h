@@ -108,6 +108,9 @@ struct DeviceScene {
   // of the mooring; constants.events.moored.view shows them
   const MooringBranch* mooring_branch = nullptr;
   const CurveKnot* mooring_knot = nullptr;
+  const DpLaw* dp_law = nullptr;  // constants.events.dp shows it
+  DpState* dp = nullptr;          // null: no dynamic positioning
+  DpState* dp_sample = nullptr;   // ring
   // of each time step of a call, and the one after it; null: the steady drive of the scene
   const Drive* drive = nullptr;
 

@@ -133,6 +133,10 @@ void write_field(const FieldState& f, std::int64_t step, const DeviceScene& s) {
   s.platform->spin = f.bodies.spin[0];
   s.platform->mooring_force = f.mooring_force;
   s.platform->broken = f.broken;
+  if (s.dp) {
+    *const_cast<DpLaw*>(s.dp_law) = *f.constants.events.dp;
+    *s.dp = f.dp;
+  }
   write_mooring(f.constants.events.moored.view, s);
   for (std::size_t i = 0; i < f.bodies.count(); ++i) {
     s.body[i] = cell_of(f, i);
@@ -196,6 +200,7 @@ void read_state(const BodyState* state, FieldState& f) {
 void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatus& status, int blocks, StepLog& log) {
   if (rings.wants_samples) {
     log.platform.insert(log.platform.end(), rings.sample, rings.sample + status.samples);
+    if (rings.dp_sample) log.dp.insert(log.dp.end(), rings.dp_sample, rings.dp_sample + status.samples);
     for (std::int32_t m = 0; m < status.samples; ++m)
       log.quality.push_back(quality_of(rings.quality + m * blocks, blocks, f.constants.solver));
     for (int k = 0; k < OverlapCount::classes; ++k) {

@@ -118,6 +118,13 @@ void place_mooring(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   s.constants.events.moored.view = {s.mooring_branch, s.mooring_knot, sizes.mooring_branches, sizes.mooring_knots};
 }
 
+void place_dp(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
+  if (!sizes.dp) return;
+  placer.place(s.dp_law, 1);
+  placer.place(s.dp, 1);
+  s.constants.events.dp = s.dp_law;
+}
+
 }  // namespace
 
 SceneSizes scene_sizes(const FieldState& f) {
@@ -135,6 +142,7 @@ SceneSizes scene_sizes(const FieldState& f) {
   sizes.splitting = sizes.coupled && f.constants.iteration == Iteration::splitting;
   sizes.mooring_branches = f.constants.events.moored.view.branches;
   sizes.mooring_knots = f.constants.events.moored.view.knots;
+  sizes.dp = f.constants.events.dp != nullptr;
   sizes.phases = !sizes.coupled || sizes.splitting || sizes.bodies <= most_cluster_bodies;
   return sizes;
 }
@@ -155,6 +163,7 @@ std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   placer.place(s.body_normal, vertices);
   placer.place(s.area, n);
   place_mooring(s, sizes, placer);
+  place_dp(s, sizes, placer);
   if (!sizes.coupled) return placer.used();
   placer.place(s.crushing, n);
   placer.place(s.added, n);
@@ -215,6 +224,7 @@ std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   // in this order: one copy fetches everything from overlap_count to the last quality
   placer.place(s.overlap_count, 2 * OverlapCount::classes);
   placer.place(s.sample, sizes.samples);
+  if (sizes.dp) placer.place(s.dp_sample, sizes.samples);
   placer.place(s.quality, static_cast<std::size_t>(sizes.samples) * static_cast<std::size_t>(sizes.blocks));
   placer.place(s.event, s.events_capacity);
   if (sizes.drives) placer.place(s.drive, static_cast<std::size_t>(sizes.samples) + 1);

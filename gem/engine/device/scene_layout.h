@@ -22,6 +22,7 @@ struct SceneSizes {
   bool phases = true;                     // the scene can take the phases route
   bool drives = false;                    // current or wind change during the run
   std::int32_t mooring_branches = 0, mooring_knots = 0;
+  bool dp = false;  // dynamic positioning
 };
 
 /// Sizes for a field, with a first guess for the list; `samples` and `blocks` are left to the caller.

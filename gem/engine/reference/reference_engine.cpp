@@ -58,6 +58,7 @@ void ReferenceEngine::one_step(StepLog& log) {
   check_finite();
   retire_floes(rules_, state_);
   log.platform.push_back(platform_sample(state_, touches));
+  if (rules_.dp.thrusters > 0) log.dp.push_back(state_.dp);
   log.quality.push_back(quality);
   touches_ = std::move(touches);
 }
@@ -123,7 +124,7 @@ Ledger ReferenceEngine::ledger() {
 }
 
 EngineState ReferenceEngine::save() {
-  return {state_.steps, state_.bodies, state_.ledger, {}, impulse_key_, impulse_value_, state_.broken};
+  return {state_.steps, state_.bodies, state_.ledger, {}, impulse_key_, impulse_value_, state_.broken, state_.dp};
 }
 
 void ReferenceEngine::restore(const EngineState& state) {
@@ -131,6 +132,7 @@ void ReferenceEngine::restore(const EngineState& state) {
   state_.ledger = state.ledger;
   state_.steps = state.step;
   state_.broken = state.broken;
+  state_.dp = state.dp;
   touches_.clear();
   impulse_key_ = state.impulse_key;
   impulse_value_ = state.impulse_value;

@@ -28,6 +28,7 @@ class ReferenceEngine : public Engine {
   const Bodies& bodies() override { return state_.bodies; }
   Ledger ledger() override;
   LineSet broken_lines() const override { return state_.broken; }
+  const DpState* dp_state() const override { return rules_.dp.thrusters > 0 ? &state_.dp : nullptr; }
   bool has_contact_forces() const override { return true; }
   std::vector<ContactForce> contact_forces() override;
   EngineState save() override;

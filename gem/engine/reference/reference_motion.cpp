@@ -105,6 +105,29 @@ void swing_on_laws(const Rules& rules, State& s, Rotation next, bool damps_first
   s.ledger[Channel::mooring].energy += moored_energy(rules, s, next) - energy;
 }
 
+/// Half a time step of the thrusters. Force and moment are summed thruster by thruster in the world's axes.
+void thrust(const Rules& rules, State& s, bool commands) {
+  if (rules.dp.thrusters == 0) return;
+  Bodies& b = s.bodies;
+  const Rotation q = b.rotation[0];
+  const Vec2 before = b.velocity[0];
+  const double spin = b.spin[0];
+  if (commands) dp_command(rules.dp, {b.position[0], before, q, spin, s.drive.water}, s.dp);
+  Vec2 impulse;
+  double twist = 0.0;
+  for (std::int32_t i = 0; i < rules.dp.thrusters; ++i) {
+    const Vec2 push = 0.5 * rules.dt * rotate(q, s.dp.thrust[i]);
+    impulse += push;
+    twist += cross(rotate(q, rules.dp.thruster[i].position), push);
+  }
+  b.velocity[0] += b.inverse_mass[0] * impulse;
+  b.spin[0] += b.inverse_inertia[0] * twist;
+  s.mooring_impulse += impulse;
+  s.ledger.mooring_force.momentum += impulse;
+  s.ledger.mooring_force.angular_momentum += cross(b.position[0], impulse) + twist;
+  s.ledger[Channel::mooring].energy += 0.5 * dot(impulse, b.velocity[0] + before) + 0.5 * twist * (b.spin[0] + spin);
+}
+
 void turn(Bodies& b, std::size_t i, double angle) {
   if (angle != 0.0) b.rotation[i] = turned(b.rotation[i], angle);
 }
@@ -160,6 +183,7 @@ void drive_floes(const Rules& rules, State& s) {
 
 void move_platform_before(const Rules& rules, State& s) {
   if (!rules.platform_moves) return;
+  thrust(rules, s, true);
   in_water(rules, s);
   in_wind(rules, s);
   if (rules.events.moored.present)
@@ -181,6 +205,7 @@ void move_platform_after(const Rules& rules, State& s) {
   in_water(rules, s);
   repair_platform(rules, s, angle, next);
   steer(rules, s, false);
+  thrust(rules, s, false);
 }
 
 void move_floes(const Rules& rules, State& s) {

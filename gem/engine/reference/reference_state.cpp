@@ -35,6 +35,7 @@ Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
   const PlatformInEvents platform{scene.platform.anchor_m, mass, width, inertia, scene.platform.yaw == Yaw::free,
                                   rules.mooring.view()};
   rules.platform_moves = scene.platform.present && !scene.platform.fixed;
+  if (rules.platform_moves) rules.dp = dp_law(scene.dp, mass, inertia, rules.dt);
   rules.events = make_events(scene, rules.platform_moves ? &platform : nullptr, rules.dt, has_wind(scene));
   if (!rules.platform_moves) return rules;
   rules.stiffness = scene.mooring.stiffness_N_per_m;

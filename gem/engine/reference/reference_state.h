@@ -23,6 +23,7 @@ struct Rules {
   double platform_wind_rate = 0.0;  // [1/m]; 0: none
   DriveSchedule drives;             // of each time step
   MooringTables mooring;            // of the laws in events.moored
+  DpLaw dp;                         // without thrusters: none
 
   bool coupled() const { return scene.contact.solver == ContactSolver::coupled; }
 };
@@ -35,6 +36,7 @@ struct State {
   Ledger ledger;  // `now` and the scales are updated on request
   std::int64_t steps = 0;
   LineSet broken = 0;  // lines of the mooring
+  DpState dp;          // dynamic positioning
 
   // of the current time step
   Drive drive;

@@ -94,6 +94,7 @@ void open_books(FieldState& f, const EngineState& state) {
   const Ledger& ledger = state.ledger;
   f.mooring_force = ledger.mooring_force;
   f.broken = state.broken;
+  f.dp = state.dp;
   if (state.books.size() == f.books.size()) {
     f.books = state.books;
     return;
@@ -198,6 +199,7 @@ void log_step(const FieldState& f, Contacts contacts, const PlatformImpulses& be
     if (pressed) ++p.contacts;
   }
   log.platform.push_back(p);
+  if (f.constants.events.dp) log.dp.push_back(f.dp);
   log.quality.push_back(quality);
 }
 

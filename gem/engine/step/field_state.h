@@ -37,6 +37,7 @@ struct FieldState {
   Quantity mooring_force;  // momentum from the mooring to the platform; its energy is not used
   Vec2 held_impulse;       // of this time step, from the ground to a fixed platform [N s]
   LineSet broken = 0;      // lines of the mooring
+  DpState dp;              // dynamic positioning
 
   Quantity& book(Channel channel, std::size_t i) {
     return books[static_cast<std::size_t>(channel) * bodies.count() + i];

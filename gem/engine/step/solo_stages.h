@@ -121,9 +121,23 @@ inline PlatformYaw platform_yaw(FieldState& f) {
   return {f.bodies.inertia[0], f.bodies.rotation[0], f.bodies.spin[0], f.book(Channel::platform_drag, 0)};
 }
 
+inline PlatformOnDp platform_on_dp(FieldState& f) {
+  Bodies& b = f.bodies;
+  return {b.mass[0],
+          b.inertia[0],
+          b.position[0],
+          b.rotation[0],
+          b.velocity[0],
+          b.spin[0],
+          f.book(Channel::mooring, 0),
+          f.mooring_force,
+          f.dp};
+}
+
 /// Moves the platform up to the time of the pair events.
 inline void platform_first_half(FieldState& f) {
   f.platform_position = f.bodies.position[0];
+  hold_station(f.constants.events, f.drive, platform_on_dp(f), true);
   platform_events_before(f.constants.events, f.drive, platform_motion(f, f.bodies.rotation[0]));
   steer_platform(f.constants.events, f.drive, platform_yaw(f), true);
 }
@@ -152,6 +166,7 @@ inline void platform_second_half(FieldState& f) {
   book_platform_shift(e, b.mass[0], b.velocity[0], f.broken, {position, shift, next, b.rotation[0]},
                       f.book(Channel::repair, 0));
   steer_platform(e, f.drive, platform_yaw(f), false);
+  hold_station(e, f.drive, platform_on_dp(f), false);
 }
 
 }  // namespace gem

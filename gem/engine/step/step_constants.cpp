@@ -28,7 +28,12 @@ double fastest_of(const SceneDef& scene) {
 
 }  // namespace
 
-StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const MooringView& mooring) {
+DpLaw dp_law_of(const SceneDef& scene, const Bodies& bodies) {
+  if (!scene.platform.present || scene.platform.fixed) return {};
+  return dp_law(scene.dp, bodies.mass[0], bodies.inertia[0], scene.numerics.time_step_s);
+}
+
+StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const MooringView& mooring, const DpLaw* dp) {
   StepConstants c;
   c.dt = scene.numerics.time_step_s;
   const PlatformDef& p = scene.platform;
@@ -37,7 +42,8 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const 
                                   platform_drag_width(p),
                                   p.present ? bodies.inertia[0] : 0.0,
                                   p.yaw == Yaw::free,
-                                  mooring};
+                                  mooring,
+                                  dp};
   c.events = make_events(scene, p.present && !p.fixed ? &platform : nullptr, c.dt, has_wind(scene));
 
   c.solver = scene.contact.solver;

@@ -32,8 +32,12 @@ struct StepConstants {
   double retire_x = 0.0;          // [m]
 };
 
-/// `mooring`: the tables of mooring_tables(), which must outlive the constants. Only code that moves the platform needs
-/// them.
-StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const MooringView& mooring = {});
+/// The law of dynamic positioning of a scene; without thrusters: none.
+DpLaw dp_law_of(const SceneDef& scene, const Bodies& bodies);
+
+/// `mooring` and `dp`: the tables of mooring_tables() and the law of dp_law_of(), which must outlive the constants.
+/// Only code that moves the platform needs them.
+StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const MooringView& mooring = {},
+                             const DpLaw* dp = nullptr);
 
 }  // namespace gem

@@ -24,7 +24,8 @@ class HostScene {
   HostScene(const SceneDef& scene, const Bodies& bodies, int blocks = 1, int threads = 1, std::int32_t rows = 0,
             std::size_t shared_memory = 1 << 20)
       : mooring_(mooring_tables(scene.mooring.law, scene.mooring_design)),
-        field_(make_field_state(bodies, step_constants(scene, bodies, mooring_.view()))),
+        dp_(dp_law_of(scene, bodies)),
+        field_(make_field_state(bodies, step_constants(scene, bodies, mooring_.view(), &dp_))),
         sizes_(scene_sizes(field_)),
         scene_(scene_constants(field_)),
         drives_(drive_schedule(scene)),
@@ -98,6 +99,7 @@ class HostScene {
     field_.books.assign(scene_.books, scene_.books + field_.books.size());
     field_.mooring_force = scene_.platform->mooring_force;
     field_.broken = scene_.platform->broken;
+    if (scene_.dp) field_.dp = *scene_.dp;
     return closed_books(field_, running);
   }
 
@@ -119,8 +121,9 @@ class HostScene {
     field_.books.assign(scene_.books, scene_.books + field_.books.size());
     field_.mooring_force = scene_.platform->mooring_force;
     field_.broken = scene_.platform->broken;
+    if (scene_.dp) field_.dp = *scene_.dp;
     EngineState state{scene_.status->step, field_.bodies, saved_books(field_, running_), field_.books, {}, {},
-                      field_.broken};
+                      field_.broken,       field_.dp};
     save_memory(memory(), state);
     return state;
   }
@@ -237,6 +240,7 @@ class HostScene {
   }
 
   MooringTables mooring_;
+  DpLaw dp_;
   FieldState field_;
   Ledger running_;  // of the restored state
   SceneSizes sizes_;

@@ -30,6 +30,23 @@ inline void expect_same_bodies(const Bodies& a, const Bodies& b) {
   }
 }
 
+inline void expect_same_dp(const std::vector<DpState>& a, const std::vector<DpState>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t m = 0; m < a.size(); ++m) {
+    const DpState &p = a[m], &q = b[m];
+    ASSERT_EQ(p.steps, q.steps) << "time step " << m;
+    ASSERT_TRUE(same(p.offset, q.offset) && same(p.velocity, q.velocity) && same(p.integral, q.integral))
+        << "time step " << m;
+    ASSERT_EQ(std::tie(p.yaw, p.spin, p.yaw_integral, p.yaw_offset, p.at_limit),
+              std::tie(q.yaw, q.spin, q.yaw_integral, q.yaw_offset, q.at_limit))
+        << "time step " << m;
+    for (const auto& [f, g] : {std::pair{p.demand, q.demand}, std::pair{p.given, q.given}})
+      ASSERT_EQ(std::tie(f.surge, f.sway, f.yaw), std::tie(g.surge, g.sway, g.yaw)) << "time step " << m;
+    for (std::int32_t i = 0; i < thrusters_maximum; ++i)
+      ASSERT_TRUE(same(p.thrust[i], q.thrust[i])) << "time step " << m << ", thruster " << i;
+  }
+}
+
 inline void expect_same_log(const StepLog& a, const StepLog& b) {
   ASSERT_EQ(a.platform.size(), b.platform.size());
   ASSERT_EQ(a.quality.size(), b.quality.size());
@@ -50,6 +67,7 @@ inline void expect_same_log(const StepLog& a, const StepLog& b) {
     ASSERT_EQ(a.quality[m].maximum_overlap, b.quality[m].maximum_overlap) << "time step " << m;
     ASSERT_EQ(a.quality[m].maximum_share, b.quality[m].maximum_share) << "time step " << m;
   }
+  expect_same_dp(a.dp, b.dp);
   ASSERT_EQ(a.overlap.count, b.overlap.count);
   ASSERT_EQ(a.overlap_share.count, b.overlap_share.count);
   ASSERT_EQ(a.events.size(), b.events.size());

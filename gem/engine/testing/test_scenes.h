@@ -112,6 +112,27 @@ inline SceneDef lines_scene(std::uint64_t seed) {
   return scene;
 }
 
+/// The busy scene with thrusters of every kind that are too weak at times, beside the mooring.
+inline SceneDef dp_scene(std::uint64_t seed) {
+  SceneDef scene = busy_scene(seed);
+  DpDef& dp = scene.dp;
+  dp.position_m = {0.5, -0.3};
+  dp.follows_drift = true;
+  dp.surge_period_s = dp.sway_period_s = 40.0;
+  dp.yaw_period_s = 30.0;
+  dp.integral_time_s = 60.0;
+  dp.filter_time_s = 0.5;
+  dp.thruster = {{.kind = ThrusterKind::azimuth, .position_m = {8.0, 1.0}, .maximum_N = 2e5, .rate_N_per_s = 4e5},
+                 {.kind = ThrusterKind::azimuth, .position_m = {8.0, -1.0}, .maximum_N = 2e4},
+                 {.kind = ThrusterKind::tunnel, .position_m = {-9.0, 0.0}, .maximum_N = 1e5},
+                 {.kind = ThrusterKind::fixed,
+                  .position_m = {-7.0, 2.0},
+                  .direction_rad = 0.4,
+                  .maximum_N = 1e5,
+                  .reverse_share = 0.6}};
+  return scene;
+}
+
 /// The field of a scene, with random velocities and spins of the floes.
 inline Bodies busy_field(const SceneDef& scene) {
   Bodies bodies = make_field(scene);

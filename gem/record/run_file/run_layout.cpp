@@ -44,7 +44,18 @@ std::map<std::string, hsize_t> sizes_of(const SceneDef& scene, const Bodies& bod
           {"boundary_vertex", vertices(fixed, floe)},
           {"platform_vertex", scene.platform.present ? vertices(0, fixed) : 0},
           {"platform_side", scene.platform.present ? vertices(0, fixed) : 0},
-          {"mooring_line", scene.mooring_design.lines.size()}};
+          {"mooring_line", scene.mooring_design.lines.size()},
+          {"thruster", scene.dp.thruster.size()}};
+}
+
+bool is_by(const Column& column, const std::string& dimension) { return column.dimensions == "time " + dimension; }
+
+hsize_t RunLayout::width_of(const Column& column) const { return width_of_part(column, size_); }
+
+hsize_t width_of_part(const Column& column, const std::map<std::string, hsize_t>& size) {
+  for (const char* name : {"mooring_line", "thruster"})
+    if (is_by(column, name)) return size.at(name);
+  return 1;
 }
 
 bool records_sides(const SceneDef& scene) { return scene.output.side_loads && scene.platform.present; }
@@ -56,14 +67,16 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
       chunk_(chunk_shape(size_["floe"])),
       has_contacts_(scene.output.contact_forces),
       has_sides_(records_sides(scene)),
-      lines_(line_columns(scene)),
+      parts_(part_columns(scene)),
       file_(path, size_, chunk_) {
   write_header(scene, bodies, provenance);
   for (const char* name : {"floe", "vertex", "xy", "overlap_class"})
     file_.add_dimension(file_.id(), name, size_[name], false);
   // not in /platform: there it would count as a column with rows
   if (has_sides_) file_.add_dimension(file_.id(), "platform_side", size_["platform_side"], false);
-  if (!lines_.empty()) file_.add_dimension(file_.id(), "mooring_line", size_["mooring_line"], false);
+  for (const char* name : {"mooring_line", "thruster"})
+    if (std::any_of(parts_.begin(), parts_.end(), [&](const auto& part) { return is_by(part.column, name); }))
+      file_.add_dimension(file_.id(), name, size_[name], false);
   add_group("shape");
   add_group("boundary");
   add_group("floes");
@@ -80,7 +93,7 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
   for (const auto& entry : platform_columns()) file_.add_column(entry.column, nullptr);
   if (has_sides_)
     for (const auto& entry : side_columns()) file_.add_column(entry.column, nullptr);
-  for (const auto& entry : lines_) file_.add_column(entry.column, nullptr);
+  for (const auto& entry : parts_) file_.add_column(entry.column, nullptr);
   for (const auto& entry : event_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : stats_columns()) file_.add_column(entry.column, nullptr);
   for (const auto& entry : count_columns()) file_.add_column(entry.column, nullptr);
@@ -159,8 +172,8 @@ std::vector<Number> first_rows(const std::vector<Number>& all, std::size_t rows,
 
 void RunLayout::append_platform(std::size_t count, Rows kind) {
   append_rows(platform_columns(), waiting_.platform, count, kind);
-  for (const auto& entry : lines_)
-    file_.append(path_of(entry.column), first_rows(waiting_.*(entry.values), count, size_.at("mooring_line")), count,
+  for (const auto& entry : parts_)
+    file_.append(path_of(entry.column), first_rows(waiting_.*(entry.values), count, width_of(entry.column)), count,
                  kind);
   if (!has_sides_) return;
   for (const auto& entry : side_columns())
@@ -218,7 +231,7 @@ void RunLayout::drop_waiting(const RowCount& count) {
   drop(waiting_.platform, count.platform);
   if (has_sides_)
     for (const auto& entry : side_columns()) drop(waiting_.*(entry.values), count.platform * size_.at("platform_side"));
-  for (const auto& entry : lines_) drop(waiting_.*(entry.values), count.platform * size_.at("mooring_line"));
+  for (const auto& entry : parts_) drop(waiting_.*(entry.values), count.platform * width_of(entry.column));
   drop(waiting_.events, count.events);
   drop(waiting_.stats, count.stats);
   drop(waiting_.contacts, count.contacts);
@@ -235,7 +248,7 @@ void RunLayout::append(Slab slab) {
   const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
   add(waiting_.platform, slab.platform);
   for (const auto& entry : side_columns()) add(waiting_.*(entry.values), slab.*(entry.values));
-  for (const auto& entry : lines_) add(waiting_.*(entry.values), slab.*(entry.values));
+  for (const auto& entry : parts_) add(waiting_.*(entry.values), slab.*(entry.values));
   add(waiting_.events, slab.events);
   add(waiting_.stats, slab.stats);
   add(waiting_.contacts, slab.contacts);

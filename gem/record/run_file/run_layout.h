@@ -64,13 +64,14 @@ class RunLayout {
   void append_frames(std::size_t count, Rows kind);
   void append_waiting(const RowCount& count, Rows kind);
   RowCount waiting() const;
+  hsize_t width_of(const Column& column) const;
   void drop_waiting(const RowCount& count);
 
   std::map<std::string, hsize_t> size_;  // of the dimensions that do not grow
   ChunkShape chunk_;
-  bool has_contacts_;  // the forces between bodies are recorded
-  bool has_sides_;     // the impulses on the sides of the platform are recorded
-  std::vector<LineColumn> lines_;
+  bool has_contacts_;              // the forces between bodies are recorded
+  bool has_sides_;                 // the impulses on the sides of the platform are recorded
+  std::vector<PartColumn> parts_;  // of mooring lines and thrusters
   ColumnFile file_;
   Slab waiting_;      // rows of chunks that are not full
   RowCount written_;  // for good

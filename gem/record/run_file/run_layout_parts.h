@@ -19,6 +19,12 @@ Column floe_time_column();
 /// Whether the impulses on the sides of the platform are recorded.
 bool records_sides(const SceneDef& scene);
 
+/// Whether a row of the column has a value for each member of a dimension.
+bool is_by(const Column& column, const std::string& dimension);
+
+/// Length of a row of a column of part_columns().
+hsize_t width_of_part(const Column& column, const std::map<std::string, hsize_t>& size);
+
 /// Lengths of the dimensions that do not grow.
 std::map<std::string, hsize_t> sizes_of(const SceneDef& scene, const Bodies& bodies);
 

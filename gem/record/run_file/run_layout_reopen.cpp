@@ -17,7 +17,7 @@ struct Growing {
 };
 
 std::vector<Growing> growing_columns(const std::map<std::string, hsize_t>& size, const FilePosition& from,
-                                     const std::vector<LineColumn>& lines, bool has_contacts, bool has_sides) {
+                                     const std::vector<PartColumn>& parts, bool has_contacts, bool has_sides) {
   const auto columns_of = [](const auto& entries) {
     std::vector<Column> columns;
     for (const auto& entry : entries) columns.push_back(entry.column);
@@ -30,7 +30,8 @@ std::vector<Growing> growing_columns(const std::map<std::string, hsize_t>& size,
                                  {columns_of(stats_columns()), 1, from.stats},
                                  {columns_of(count_columns()), size.at("overlap_class"), from.stats}};
   if (has_sides) groups.push_back({columns_of(side_columns()), size.at("platform_side"), from.platform});
-  if (!lines.empty()) groups.push_back({columns_of(lines), size.at("mooring_line"), from.platform});
+  for (const PartColumn& part : parts)
+    groups.push_back({{part.column}, width_of_part(part.column, size), from.platform});
   if (has_contacts) groups.push_back({columns_of(contact_columns()), 1, from.contacts});
   return groups;
 }
@@ -55,13 +56,13 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
       chunk_(chunk_shape(size_["floe"])),
       has_contacts_(scene.output.contact_forces),
       has_sides_(records_sides(scene)),
-      lines_(line_columns(scene)),
+      parts_(part_columns(scene)),
       file_(ColumnFile::reopened(path, size_, chunk_)),
       waiting_(from.waiting),
       written_{from.platform, from.events, from.stats, from.frames, from.contacts},
       last_time_(from.last_time),
       saved_time_(from.last_time) {
-  const std::vector<Growing> groups = growing_columns(size_, from, lines_, has_contacts_, has_sides_);
+  const std::vector<Growing> groups = growing_columns(size_, from, parts_, has_contacts_, has_sides_);
   check_rows("/events/event", file_.open_dimension("/events/event"), from.events);
   if (has_contacts_) check_rows("/contacts/contact", file_.open_dimension("/contacts/contact"), from.contacts);
   for (const Growing& group : groups)

@@ -20,6 +20,9 @@ struct Slab {
   std::vector<ContactRow> contacts;
   std::vector<float> side_normal, side_friction;      // a row for each of `platform`; empty unless they are recorded
   std::vector<double> line_tension, line_break_time;  // likewise, with a value for each mooring line
+  std::vector<double> thruster_x, thruster_y, thruster_limit;          // likewise, with a value for each thruster
+  std::vector<double> dp_demand_surge, dp_demand_sway, dp_demand_yaw;  // likewise, with one value
+  std::vector<double> dp_offset_surge, dp_offset_sway, dp_offset_yaw;
   FloeFrames floes;
   double time = 0.0;  // end of the recorded time [s]
   bool empty() const { return platform.empty() && events.empty() && stats.empty() && floes.time.empty(); }

@@ -27,6 +27,9 @@ std::vector<Figure> motion_figures(const RunData& run, const RunFindings& findin
 /// Net ice force with an extract (force_window.h), and ice against mooring force.
 std::vector<Figure> force_figures(const RunData& run, const PlotFolder& folder);
 
+/// Offset, yaw error and used thrust of dynamic positioning; none without thrusters.
+std::vector<Figure> dp_figures(const RunData& run, const PlotFolder& folder);
+
 /// Residuals of the books, and overlap, against time.
 std::vector<Figure> book_figures(const RunData& run, const PlotFolder& folder);
 

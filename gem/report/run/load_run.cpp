@@ -194,6 +194,8 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
   run.platform_outline = file.platform_outline();
   run.sides = side_record(file, scene);
   run.lines = line_record(file, scene);
+  run.dp = dp_record(file, scene);
+  if (!run.dp.thruster.empty() && run.natural_period_s == 0.0) run.rest = scene.dp.position_m;
   run.fixed = file.boundary_outlines();
   run.floe_outlines = file.floe_outlines();
   for (const std::vector<Corners>& outlines : {run.fixed, run.floe_outlines})

@@ -9,6 +9,7 @@
 #include "gem/base/vec2.h"
 #include "gem/engine/step/overlap_count.h"
 #include "gem/record/verdict.h"
+#include "gem/report/run/dp_record.h"
 #include "gem/report/run/line_record.h"
 #include "gem/report/run/side_record.h"
 
@@ -85,6 +86,7 @@ struct RunData {
   std::optional<double> at_s = {};     // the time that the report shows; empty: the middle of the run
   std::vector<SideRecord> sides = {};  // of the platform; empty if not recorded
   std::vector<LineRecord> lines = {};  // of the mooring
+  DpRecord dp = {};                    // empty without thrusters
   std::vector<FloeFrame> frames;       // start, at_s, end; fewer if the run recorded fewer than three
 };
 

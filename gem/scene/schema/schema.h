@@ -82,8 +82,9 @@ inline constexpr std::size_t table_rows_maximum = 100000;
 /// "[time s, x m/s, y m/s]".
 std::string columns_text(const std::vector<OptionColumn>& columns);
 
-/// The lists [[ice.class]], [[floe]] and [[fixed]].
+/// The lists [[ice.class]], [[dp.thruster]], [[floe]] and [[fixed]].
 const std::vector<Option<IceClassDef>>& ice_class_options();
+const std::vector<Option<ThrusterDef>>& thruster_options();
 const std::vector<Option<FloeDef>>& floe_options();
 const std::vector<Option<FixedDef>>& fixed_options();
 

@@ -62,6 +62,7 @@ std::string resolved_toml(const SceneDef& scene) {
     text += option.path.substr(dot + 1) + " = " + value_text(option.get(scene)) + "\n";
   }
   append_entries(text, "ice.class", scene.floes.classes, ice_class_options());
+  append_entries(text, "dp.thruster", scene.dp.thruster, thruster_options());
   append_entries(text, "floe", scene.floe, floe_options());
   append_entries(text, "fixed", scene.fixed, fixed_options());
   return text;

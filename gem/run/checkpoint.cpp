@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<char, 8> mark = {'g', 'e', 'm', 'c', 'h', 'e', 'c', 'k'};
 
 /// Raised with every change of a type below: a checkpoint of another version cannot be read.
-constexpr std::uint64_t version = 4;
+constexpr std::uint64_t version = 5;
 
 std::uint64_t checksum(const std::byte* bytes, std::size_t size) {
   Hash hash;
@@ -39,7 +39,7 @@ void pass_bodies(Stream& s, State& b) {
 
 template <class Stream, class State>
 void pass_engine(Stream& s, State& e) {
-  s(e.step, e.ledger, e.books, e.impulse_key, e.impulse_value, e.broken);
+  s(e.step, e.ledger, e.books, e.impulse_key, e.impulse_value, e.broken, e.loads.before, e.loads.now);
   pass_bodies(s, e.bodies);
 }
 
@@ -61,9 +61,9 @@ void pass_floes(ByteReader& s, std::vector<FloeDef>& floes) {
 
 template <class Stream, class Position>
 void pass_position(Stream& s, Position& p) {
-  s(p.platform, p.events, p.stats, p.frames, p.contacts, p.last_time);
+  s(p.platform, p.events, p.stats, p.frames, p.contacts, p.splits, p.last_time);
   auto& w = p.waiting;
-  s(w.platform, w.events, w.stats, w.contacts, w.side_normal, w.side_friction, w.line_tension, w.line_break_time,
+  s(w.platform, w.events, w.stats, w.contacts, w.splits, w.side_normal, w.side_friction, w.line_tension, w.line_break_time,
     w.time);
   s(w.floes.time, w.floes.x, w.floes.y, w.floes.theta, w.floes.vx, w.floes.vy, w.floes.omega, w.floes.active);
 }

@@ -118,6 +118,7 @@ void RunSteps::last_rows() {
 
 void RunSteps::take(const StepLog& log) {
   recorder_.add(log, case_steps_);
+  recorder_.keep_pieces(log, engine_.bodies());
   watch_.add(log);
   const bool coupled = scene_.contact.solver == ContactSolver::coupled;
   for (const StepQuality& quality : log.quality) {

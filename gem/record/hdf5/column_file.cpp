@@ -241,6 +241,11 @@ void ColumnFile::append(const std::string& path, const std::vector<Value>& value
 template void ColumnFile::append(const std::string&, const std::vector<double>&, hsize_t, Rows);
 template void ColumnFile::append(const std::string&, const std::vector<float>&, hsize_t, Rows);
 
+void ColumnFile::overwrite(const std::string& path, const std::vector<double>& values, hsize_t first, hsize_t width) {
+  const Dataset dataset{checked(H5Dopen2(file_, path.c_str(), dataset_access()), H5Dclose, path.c_str()), 0, width};
+  write_packed(dataset, values.data(), first, values.size() / width);
+}
+
 std::uint64_t ColumnFile::room_for(const std::string& path, hsize_t rows) const {
   const Dataset& dataset = dataset_.at(path);
   const auto chunks = [](hsize_t cells, hsize_t chunk) { return (cells + chunk - 1) / chunk; };

@@ -25,8 +25,8 @@ void PieceShapes::add(const Bodies& b, std::size_t piece) {
 }
 
 std::vector<std::pair<std::string, const std::vector<double>*>> PieceShapes::columns() const {
-  return {{"vertex_count", &vertex_count}, {"area", &area},       {"thickness", &thickness},
-          {"mass", &mass},                 {"inertia", &inertia}, {"class", &ice_class}};
+  return {{"vertex_count", &vertex_count}, {"area", &area},      {"thickness", &thickness}, {"mass", &mass},
+          {"inertia", &inertia},           {"class", &ice_class}};
 }
 
 PieceShapes pieces_of(const Bodies& bodies, std::size_t first) {

@@ -260,7 +260,8 @@ const std::vector<RowColumn<SplitEvent>>& split_columns() {
       row("length", Stored::f8, "m", "length of the crack", [](const S& s) { return s.split.length; }),
       row("force", Stored::f8, "N", "force along the crack, mean over breakup.load_time_s",
           [](const S& s) { return s.force; }),
-      row("splitting_force", Stored::f8, "N", "force that the floe bears", [](const S& s) { return s.splitting_force; }),
+      row("splitting_force", Stored::f8, "N", "force that the floe bears",
+          [](const S& s) { return s.splitting_force; }),
       row("energy", Stored::f8, "J", "energy of the crack, a part of what the contacts took",
           [](const S& s) { return s.energy; }),
   };

@@ -37,9 +37,8 @@ bool impulses_fit(const EngineState& e) {
 bool loads_fit(const EngineState& e) {
   const auto bodies = static_cast<std::int64_t>(e.bodies.count());
   const auto fits = [bodies](const std::vector<ContactLoad>& loads) {
-    return std::all_of(loads.begin(), loads.end(), [bodies](const ContactLoad& load) {
-      return load.a >= 0 && load.a < load.b && load.b < bodies;
-    });
+    return std::all_of(loads.begin(), loads.end(),
+                       [bodies](const ContactLoad& load) { return load.a >= 0 && load.a < load.b && load.b < bodies; });
   };
   return fits(e.loads.before) && fits(e.loads.now);
 }

@@ -63,8 +63,8 @@ template <class Stream, class Position>
 void pass_position(Stream& s, Position& p) {
   s(p.platform, p.events, p.stats, p.frames, p.contacts, p.splits, p.last_time);
   auto& w = p.waiting;
-  s(w.platform, w.events, w.stats, w.contacts, w.splits, w.side_normal, w.side_friction, w.line_tension, w.line_break_time,
-    w.time);
+  s(w.platform, w.events, w.stats, w.contacts, w.splits, w.side_normal, w.side_friction, w.line_tension,
+    w.line_break_time, w.time);
   s(w.floes.time, w.floes.x, w.floes.y, w.floes.theta, w.floes.vx, w.floes.vy, w.floes.omega, w.floes.active);
 }
 

@@ -42,7 +42,7 @@ std::vector<std::string> words(const std::string& text) {
 }
 
 bool grows(const std::string& dimension) {
-  return dimension == "time" || dimension == "event" || dimension == "contact";
+  return dimension == "time" || dimension == "event" || dimension == "contact" || dimension == "split";
 }
 
 }  // namespace

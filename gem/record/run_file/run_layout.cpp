@@ -225,8 +225,8 @@ void RunLayout::append_waiting(const RowCount& count, Rows kind) {
 }
 
 RowCount RunLayout::waiting() const {
-  return {waiting_.platform.size(), waiting_.events.size(), waiting_.stats.size(), waiting_.floes.time.size(),
-          waiting_.contacts.size(), waiting_.splits.size()};
+  return {waiting_.platform.size(),   waiting_.events.size(),   waiting_.stats.size(),
+          waiting_.floes.time.size(), waiting_.contacts.size(), waiting_.splits.size()};
 }
 
 void RunLayout::drop_waiting(const RowCount& count) {
@@ -267,7 +267,7 @@ void RunLayout::append(Slab slab) {
   const auto whole = [](std::size_t rows, hsize_t chunk) { return rows - rows % chunk; };
   const RowCount all = waiting();
   const RowCount full = {whole(all.platform, chunk_.rows), whole(all.events, chunk_.rows),
-                         whole(all.stats, chunk_.frames), whole(all.frames, chunk_.frames),
+                         whole(all.stats, chunk_.frames),  whole(all.frames, chunk_.frames),
                          whole(all.contacts, chunk_.rows), whole(all.splits, chunk_.rows)};
   append_waiting(full, Rows::whole);
   drop_waiting(full);
@@ -285,8 +285,8 @@ void RunLayout::flush(const std::function<void()>& sync) {
   sync();
   file_.flush();
   sync();
-  visible_ = {written_.platform + rest.platform, written_.events + rest.events, written_.stats + rest.stats,
-              written_.frames + rest.frames, written_.contacts + rest.contacts, written_.splits + rest.splits};
+  visible_ = {written_.platform + rest.platform, written_.events + rest.events,     written_.stats + rest.stats,
+              written_.frames + rest.frames,     written_.contacts + rest.contacts, written_.splits + rest.splits};
   saved_time_ = rest.frames > 0 ? waiting_.floes.time.back() : last_time_;
 }
 

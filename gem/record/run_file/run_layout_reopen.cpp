@@ -97,7 +97,8 @@ void RunLayout::renew_header(const Provenance& provenance) {
 }
 
 FilePosition RunLayout::position() const {
-  return {written_.platform, written_.events, written_.stats, written_.frames, written_.contacts, written_.splits, last_time_, waiting_};
+  return {written_.platform, written_.events, written_.stats, written_.frames,
+          written_.contacts, written_.splits, last_time_,     waiting_};
 }
 
 }  // namespace gem

@@ -19,12 +19,14 @@ struct Slab {
   std::vector<StatsRow> stats;
   std::vector<ContactRow> contacts;
   std::vector<SplitEvent> splits;
-  PieceShapes pieces;  // made since the last slab
+  PieceShapes pieces;                                 // made since the last slab
   std::vector<float> side_normal, side_friction;      // a row for each of `platform`; empty unless they are recorded
   std::vector<double> line_tension, line_break_time;  // likewise, with a value for each mooring line
   FloeFrames floes;
   double time = 0.0;  // end of the recorded time [s]
-  bool empty() const { return platform.empty() && events.empty() && stats.empty() && floes.time.empty() && splits.empty(); }
+  bool empty() const {
+    return platform.empty() && events.empty() && stats.empty() && floes.time.empty() && splits.empty();
+  }
 };
 
 /// How far a run file is written: its rows in whole chunks, and those behind them.

@@ -119,6 +119,7 @@ void RunSteps::last_rows() {
 void RunSteps::take(const StepLog& log) {
   recorder_.add(log, case_steps_);
   recorder_.keep_pieces(log, engine_.bodies());
+  say_no_room(log);
   watch_.add(log);
   const bool coupled = scene_.contact.solver == ContactSolver::coupled;
   for (const StepQuality& quality : log.quality) {
@@ -135,6 +136,16 @@ void RunSteps::take(const StepLog& log) {
   if (writer_) writer_->check();
   if (options_.on_block) options_.on_block(time());
   progress(log);
+}
+
+void RunSteps::say_no_room(const StepLog& log) {
+  for (const SplitEvent& one : log.splits) {
+    if (said_no_room_ || one.split.result != FloeSplit::Result::no_room) continue;
+    log_.message("warning", "no room for more pieces at " + number_text(one.time) +
+                                " s (breakup.maximum_pieces = " + std::to_string(scene_.breakup.maximum_pieces) +
+                                ") floes stay whole from now on; raise the key");
+    said_no_room_ = true;
+  }
 }
 
 void RunSteps::frame() {

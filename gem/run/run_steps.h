@@ -42,6 +42,7 @@ class RunSteps {
   double time() const { return double(engine_.step()) * scene_.numerics.time_step_s; }
   void begin_file();
   void go_on_from(const Checkpoint& checkpoint);
+  void say_no_room(const StepLog& log);
   void frame();
   /// Gives the recorded rows to the writer. With `flush` it shows them to readers.
   void hand_over(bool flush);
@@ -65,6 +66,7 @@ class RunSteps {
   // checkpoints
   bool keeps_checkpoints_ = false;
   bool said_no_checkpoint_ = false;
+  bool said_no_room_ = false;
   std::string case_sha256_;
   std::uint64_t next_checkpoint_ = 0;
   double checkpoint_pause_ = 0.0;  // wall time between two [s]

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "gem/base/error.h"
+#include "gem/field/floe_reserve.h"
 
 namespace gem {
 namespace {
@@ -40,7 +40,7 @@ void BreakupEngine::advance(std::int64_t steps, StepLog& log) {
 
 void BreakupEngine::split(StepLog& log) {
   const std::vector<LoadedCrack> loaded = loads_.close_half(engine_->bodies());
-  if (loaded.empty()) return;
+  if (loaded.empty() || first_unborn(engine_->bodies()) + 2 > engine_->bodies().count()) return;
   std::vector<FloeCrack> cracks;
   for (const LoadedCrack& one : loaded) cracks.push_back(one.crack);
   EngineState state = engine_->save();

@@ -21,6 +21,7 @@ void describe_splits(const RunFile& file, nlohmann::ordered_json& object) {
   const auto splits =
       static_cast<std::int64_t>(std::count_if(left.begin(), left.end(), [](double p) { return p > 0.0; }));
   const std::int64_t most = stored_scene(file).breakup.maximum_pieces;
+  object["floes"] = file.floe_count() - std::min(file.floe_count(), static_cast<std::size_t>(most));  // at the start
   object["splits"] = splits;
   object["pieces"] = std::to_string(2 * splits) + " of " + std::to_string(most) + " allowed" +
                      (2 * splits + 2 > most ? ": the limit is reached, floes stayed whole after that" : "");

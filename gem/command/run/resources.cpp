@@ -24,7 +24,7 @@ constexpr double slabs_in_memory = 4.0;    // buffers of output: one being fille
 
 double floe_count(const SceneDef& scene) {
   const bool listed = scene.floes.source == FloeSource::listed;
-  return listed ? double(scene.floe.size()) : double(scene.floes.count);
+  return (listed ? double(scene.floe.size()) : double(scene.floes.count)) + double(scene.breakup.maximum_pieces);
 }
 
 /// MemAvailable of the system [bytes]; infinity if the system does not report it.

@@ -11,6 +11,7 @@
 #include "gem/analysis/verdict/judge_run.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/field/floe_reserve.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/run/checkpoint_file.h"
 #include "gem/scene/toml/scene_file.h"
@@ -139,13 +140,12 @@ void RunSteps::take(const StepLog& log) {
 }
 
 void RunSteps::say_no_room(const StepLog& log) {
-  for (const SplitEvent& one : log.splits) {
-    if (said_no_room_ || one.split.result != FloeSplit::Result::no_room) continue;
-    log_.message("warning", "no room for more pieces at " + number_text(one.time) +
-                                " s (breakup.maximum_pieces = " + std::to_string(scene_.breakup.maximum_pieces) +
-                                ") floes stay whole from now on; raise the key");
-    said_no_room_ = true;
-  }
+  const Bodies& b = engine_.bodies();
+  if (said_no_room_ || log.splits.empty() || first_unborn(b) + 2 <= b.count()) return;
+  log_.message("warning", "the last of breakup.maximum_pieces = " + std::to_string(scene_.breakup.maximum_pieces) +
+                              " pieces is made at " + number_text(log.splits.back().time) +
+                              " s: floes stay whole from now on; raise the key");
+  said_no_room_ = true;
 }
 
 void RunSteps::frame() {

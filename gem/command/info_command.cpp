@@ -15,6 +15,21 @@ namespace gem {
 
 namespace {
 
+/// Splits, pieces of those that the case allows, and the energy of the cracks.
+void describe_splits(const RunFile& file, nlohmann::ordered_json& object) {
+  const std::vector<double> left = file.column("splits/piece_left"), energy = file.column("splits/energy");
+  const auto splits =
+      static_cast<std::int64_t>(std::count_if(left.begin(), left.end(), [](double p) { return p > 0.0; }));
+  const std::int64_t most = stored_scene(file).breakup.maximum_pieces;
+  object["floes"] = file.floe_count() - std::min(file.floe_count(), static_cast<std::size_t>(most));  // at the start
+  object["splits"] = splits;
+  object["pieces"] = std::to_string(2 * splits) + " of " + std::to_string(most) + " allowed" +
+                     (2 * splits + 2 > most ? ": the limit is reached, floes stayed whole after that" : "");
+  double sum = 0.0;
+  for (std::size_t i = 0; i < std::min(left.size(), energy.size()); ++i) sum += left[i] > 0.0 ? energy[i] : 0.0;
+  object["crack_energy_J"] = sum;
+}
+
 nlohmann::ordered_json describe(const RunFile& file) {
   nlohmann::ordered_json object = {{"file", file.path()}};
   for (const char* name : {"title", "gem_status", "source", "gem_build", "gem_engine", "gem_device", "gem_solver",
@@ -32,6 +47,7 @@ nlohmann::ordered_json describe(const RunFile& file) {
   object["events"] = file.rows("events/time");
   if (file.has("platform/line_break_time"))
     object["broken_lines"] = broken_lines_text(break_times(line_record(file, stored_scene(file))));
+  if (file.has_pieces()) describe_splits(file, object);
   const auto largest = [&](const std::string& dataset) {
     const std::vector<double> values = file.has(dataset) ? file.column(dataset) : std::vector<double>{};
     return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());

@@ -15,6 +15,7 @@
 #include "gem/engine/step/ledger.h"
 #include "gem/engine/step/overlap_count.h"
 #include "gem/field/bodies.h"
+#include "gem/field/split_floes.h"
 #include "gem/scene/scene_def.h"
 
 namespace gem {
@@ -58,6 +59,30 @@ struct ContactForce {
   Vec2 force;  // in world axes [N]
 };
 
+/// A floe that split at the end of a time step, or would have if there were room for its pieces.
+struct SplitEvent {
+  double time = 0.0;      // [s]
+  std::int32_t floe = 0;  // body
+  FloeSplit split;
+  Vec2 point, along;             // where the crack begins and its direction, in world axes
+  double force = 0.0;            // of the contact along the crack, mean over breakup.load_time_s [N]
+  double splitting_force = 0.0;  // that the floe bears [N]
+  double energy = 0.0;           // of the crack [J]
+};
+
+/// Impulses of a contact since the start of a half load time (contact_loads.h).
+struct ContactLoad {
+  std::int32_t a = 0, b = 0;
+  Vec2 impulse;         // on b, in world axes [N s]
+  double weight = 0.0;  // sum of the magnitudes [N s]
+  Vec2 arm_a, arm_b;    // contact points in the axes of a and b, times their weights [m N s]
+};
+
+/// The contacts of the last half and of the one that runs, each ascending in (a, b).
+struct LoadSums {
+  std::vector<ContactLoad> before, now;
+};
+
 /// How well the contacts of one time step were resolved.
 struct StepQuality {
   std::int32_t contacts = 0;    // points that overlap at the start of the step or carry an impulse
@@ -95,6 +120,7 @@ struct StepLog {
   std::vector<StepQuality> quality;
   std::vector<ContactEvent> events;
   std::vector<DpState> dp;     // as `platform`, only with dynamic positioning
+  std::vector<SplitEvent> splits;
   OverlapCount overlap;        // depth of every overlap at the start of every time step [m]
   OverlapCount overlap_share;  // overlap depth over the size (root of the area) of the smaller body [-]
   void clear() {
@@ -102,6 +128,7 @@ struct StepLog {
     quality.clear();
     events.clear();
     dp.clear();
+    splits.clear();
     overlap = {};
     overlap_share = {};
   }
@@ -115,8 +142,9 @@ struct EngineState {
   std::vector<Quantity> books;  // by channel, then by body, as FieldState::books; empty: only their sums are known
   std::vector<std::uint64_t> impulse_key;  // points of `coupled`: contact_key(), ascending by pair
   std::vector<PointMemory> impulse_value;
-  LineSet broken = 0;  // lines of the mooring
-  DpState dp;          // dynamic positioning
+  LineSet broken = 0;   // lines of the mooring
+  DpState dp;           // dynamic positioning
+  LoadSums loads = {};  // of floes that may split
 };
 
 class Engine {
@@ -167,6 +195,9 @@ struct EngineOptions {
 /// Throws Error(usage) if `solver` is none of those that the engine knows. Every engine calls it in its constructor: a
 /// solver that an engine lacks must not run as another one.
 void check_solver(ContactSolver solver, std::initializer_list<ContactSolver> known, const std::string& engine);
+
+/// Throws Error(usage): the engine does not tell the contact forces by which floes split.
+[[noreturn]] void refuse_breakup(const std::string& engine);
 
 /// Makes the named engine for a scene and its field. Throws Error(usage) for an unknown name, or for a contact solver
 /// that the engine does not have.

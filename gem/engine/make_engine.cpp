@@ -5,6 +5,7 @@
 
 #include "gem/base/error.h"
 #include "gem/base/hash.h"
+#include "gem/engine/breakup/breakup_engine.h"
 #include "gem/engine/cpu/cpu_engine.h"
 #include "gem/engine/cuda/cuda_engine.h"
 #include "gem/engine/engine.h"
@@ -42,7 +43,15 @@ void check_solver(ContactSolver solver, std::initializer_list<ContactSolver> kno
 
 std::vector<std::string> engine_names() { return {"reference", "cpu"}; }
 
-std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options) {
+void refuse_breakup(const std::string& engine) {
+  throw Error(ExitCode::usage, "the engine " + engine +
+                                   " cannot split floes (breakup.maximum_pieces; it keeps the forces between bodies to "
+                                   "itself) use --engine cpu, or leave the key out");
+}
+
+namespace {
+
+std::unique_ptr<Engine> make_named_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options) {
   const int machine = std::max(1u, std::thread::hardware_concurrency());
   const int threads = options.threads > 0 ? options.threads : machine;
   if (options.name == "reference") return std::make_unique<ReferenceEngine>(scene, std::move(bodies));
@@ -55,6 +64,14 @@ std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const 
   known.push_back("cuda");
   for (const std::string& name : baseline_names()) known.push_back(name);
   throw Error(ExitCode::usage, "unknown engine '" + options.name + "' (" + joined(known) + ")");
+}
+
+}  // namespace
+
+std::unique_ptr<Engine> make_engine(const SceneDef& scene, Bodies bodies, const EngineOptions& options) {
+  auto engine = make_named_engine(scene, std::move(bodies), options);
+  if (scene.breakup.maximum_pieces == 0) return engine;
+  return std::make_unique<BreakupEngine>(scene, std::move(engine));
 }
 
 void register_baseline(const std::string& name, BaselineMaker make, std::vector<BaselineSetting> settings) {

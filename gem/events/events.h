@@ -6,6 +6,7 @@
 // see "How to add a law" in gem/manual/architecture.md.
 #pragma once
 
+#include "gem/events/breakup.h"
 #include "gem/events/contact_def.h"
 #include "gem/events/coriolis.h"         // solo: Coriolis force on a floe
 #include "gem/events/crushing.h"         // pair: closed-form peak of an impact
@@ -37,6 +38,7 @@ struct EventDefinitions {
   WindDef wind;
   CoriolisDef coriolis;
   HeadingDef heading;
+  BreakupDef breakup;
 };
 
 /// The platform's properties that the laws read.

@@ -46,7 +46,8 @@ FloeRecord::FloeRecord(const RunFile& file) : file_(file), outlines_(file.floe_o
   class_ = whole_column(file, "shape/class", count());
   times_ = ascending_column(file, "floes/time");
   for (const std::vector<Vec2>& outline : outlines_) {
-    if (outline.size() < 3) refuse_damaged(file, "an outline has " + std::to_string(outline.size()) + " corners");
+    if (!file.is_floe_outline(outline))
+      refuse_damaged(file, "an outline has " + std::to_string(outline.size()) + " corners");
     for (const Vec2 corner : outline)
       if (!std::isfinite(corner.x) || !std::isfinite(corner.y)) refuse_damaged(file, "an outline is not finite");
   }
@@ -68,6 +69,7 @@ std::vector<FrameFloe> FloeRecord::frame(std::size_t index) const {
   std::vector<FrameFloe> floes;
   for (std::size_t i = 0; i < count(); ++i) {
     if (view.active[i] == 0.0F) continue;
+    if (outlines_[i].empty()) refuse_damaged(file_, "a floe has no outline");
     for (const float value : {view.x[i], view.y[i], view.theta[i], view.vx[i], view.vy[i], view.omega[i]})
       if (!std::isfinite(value))
         refuse_damaged(file_, "frame " + std::to_string(index) + " holds a value that is not a number");

@@ -75,18 +75,20 @@ double edge_integral_s3(const std::vector<Vec2>& outline) {
   return 0.5 * sum;
 }
 
-void set_drag(Bodies& bodies, const SceneDef& scene) {
-  for (std::size_t i = 0; i < bodies.count(); ++i) {
-    bodies.drag[i] = 0.0;
-    bodies.spin_drag[i] = 0.0;
-    if (bodies.kind[i] != BodyKind::floe || scene.water.drag_law == DragLaw::none) continue;
-    if (scene.water.drag_law == DragLaw::quadratic) {
-      set_quadratic(bodies, i, scene);
-    } else {
-      bodies.drag[i] = 1.0 / scene.water.linear_time_s;
-      bodies.spin_drag[i] = scene.water.spin_drag ? bodies.drag[i] : 0.0;
-    }
+void set_floe_drag(Bodies& bodies, std::size_t i, const SceneDef& scene) {
+  bodies.drag[i] = 0.0;
+  bodies.spin_drag[i] = 0.0;
+  if (bodies.kind[i] != BodyKind::floe || scene.water.drag_law == DragLaw::none) return;
+  if (scene.water.drag_law == DragLaw::quadratic) {
+    set_quadratic(bodies, i, scene);
+  } else {
+    bodies.drag[i] = 1.0 / scene.water.linear_time_s;
+    bodies.spin_drag[i] = scene.water.spin_drag ? bodies.drag[i] : 0.0;
   }
+}
+
+void set_drag(Bodies& bodies, const SceneDef& scene) {
+  for (std::size_t i = 0; i < bodies.count(); ++i) set_floe_drag(bodies, i, scene);
 }
 
 }  // namespace gem

@@ -23,6 +23,9 @@ double integral_r3(const std::vector<Vec2>& outline);
 /// Half the sum over the edges of the integral of |s|^3 ds [m4].
 double edge_integral_s3(const std::vector<Vec2>& outline);
 
+/// Sets drag and spin_drag of body i; 0 unless it is a floe.
+void set_floe_drag(Bodies& bodies, std::size_t i, const SceneDef& scene);
+
 /// Sets drag and spin_drag of every floe. The platform and fixed bodies get 0.
 void set_drag(Bodies& bodies, const SceneDef& scene);
 

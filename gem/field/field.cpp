@@ -11,6 +11,7 @@
 #include "gem/field/check_outline.h"
 #include "gem/field/drag_coefficients.h"
 #include "gem/field/floe_file.h"
+#include "gem/field/floe_reserve.h"
 #include "gem/field/generator/floe_set.h"
 #include "gem/field/generator/generator.h"
 #include "gem/geometry/polygon.h"
@@ -146,6 +147,7 @@ Bodies make_field(const SceneDef& scene) {
   append_floes(bodies, scene, with_moved_floe(floes_of(scene, obstacles), scene));
   check_field(scene, bodies);
   set_drag(bodies, scene);
+  append_reserve(bodies, scene);
   return bodies;
 }
 

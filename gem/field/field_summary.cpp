@@ -6,6 +6,7 @@
 #include "gem/field/check_field.h"
 #include "gem/field/field.h"
 #include "gem/field/floe_file.h"
+#include "gem/field/floe_reserve.h"
 #include "gem/field/reached_concentration.h"
 #include "gem/geometry/polygon.h"
 
@@ -45,7 +46,7 @@ void add_floe(FieldSummary& summary, const Bodies& bodies, std::size_t i) {
 double size_deviation(const Bodies& bodies, double mean, double count) {
   double sum = 0.0;
   for (std::size_t i = 0; i < bodies.count(); ++i) {
-    if (bodies.kind[i] != BodyKind::floe) continue;
+    if (bodies.kind[i] != BodyKind::floe || is_unborn(bodies, i)) continue;
     const double offset = std::sqrt(bodies.area[i]) - mean;
     sum += offset * offset;
   }
@@ -72,7 +73,7 @@ FieldSummary summarise(const SceneDef& scene, const Bodies& bodies) {
   summary.class_share.resize(scene.floes.classes.size(), 0.0);
   summary.size_minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < bodies.count(); ++i)
-    if (bodies.kind[i] == BodyKind::floe) add_floe(summary, bodies, i);
+    if (bodies.kind[i] == BodyKind::floe && !is_unborn(bodies, i)) add_floe(summary, bodies, i);
   if (summary.floe_count == 0) {
     summary.size_minimum = 0.0;
     return summary;

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
+
+#include "gem/field/floe_reserve.h"
 
 namespace gem {
 
@@ -98,10 +101,17 @@ void Recorder::add(const StepLog& log, std::int64_t last_step) {
     if (window_.size() > window_steps_) window_.pop_front();
     if (now_.step == platform_.next_after(now_.sample_step) || now_.step == last_step) sample(now, now_.step);
   }
+  slab_.splits.insert(slab_.splits.end(), log.splits.begin(), log.splits.end());
   now_.overlap += log.overlap;
   now_.overlap_share += log.overlap_share;
   if (has_hits_) hits_.add(log.events, now_.step, slab_.events);
   slab_.time = double(now_.step) * time_step_;
+}
+
+void Recorder::keep_pieces(const StepLog& log, const Bodies& bodies) {
+  for (const SplitEvent& one : log.splits)
+    if (one.split.result == FloeSplit::Result::split)
+      for (const std::int32_t piece : one.split.piece) slab_.pieces.add(bodies, static_cast<std::size_t>(piece));
 }
 
 void Recorder::sample_rest() {
@@ -149,6 +159,12 @@ void Recorder::keep_frame(const Bodies& b) {
   FloeFrames& f = slab_.floes;
   f.time.push_back(double(now_.step) * time_step_);
   for (std::size_t i = first_floe(b); i < b.count(); ++i) {
+    if (is_unborn(b, i)) {
+      for (std::vector<float>* values : {&f.x, &f.y, &f.theta, &f.vx, &f.vy, &f.omega})
+        values->push_back(std::numeric_limits<float>::quiet_NaN());
+      f.active.push_back(0.0F);
+      continue;
+    }
     f.x.push_back(static_cast<float>(b.position[i].x));
     f.y.push_back(static_cast<float>(b.position[i].y));
     f.theta.push_back(static_cast<float>(angle_of(b.rotation[i])));

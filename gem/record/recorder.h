@@ -62,6 +62,8 @@ class Recorder {
   /// Adds the time steps in `log`, which follow those added before: samples the platform and keeps the events. Always
   /// samples the platform at `last_step`.
   void add(const StepLog& log, std::int64_t last_step);
+  /// Keeps the outlines of the pieces of floes that split in the time steps just added.
+  void keep_pieces(const StepLog& log, const Bodies& bodies);
   /// Records all floes and the books after the last added time step. Returns the row of statistics.
   StatsRow add_frame(Engine& engine, double wall_time);
   /// Samples the platform at the last added time step if it is not sampled yet.

@@ -273,6 +273,35 @@ const std::vector<RowColumn<ContactRow>>& contact_columns() {
   return columns;
 }
 
+const std::vector<RowColumn<SplitEvent>>& split_columns() {
+  using S = SplitEvent;
+  const auto row = [](const char* name, Stored stored, const char* units, const char* long_name,
+                      std::function<double(const S&)> value) {
+    return RowColumn<S>{{"splits", name, "split", stored, units, long_name, ""}, std::move(value)};
+  };
+  static const std::vector<RowColumn<S>> columns = {
+      row("time", Stored::f8, "s", "end of the time step in which the floe split", [](const S& s) { return s.time; }),
+      row("body", Stored::i4, "1", "the floe that split; its floe index is body - gem_first_floe_body",
+          [](const S& s) { return double(s.floe); }),
+      row("piece_left", Stored::i4, "1", "body left of the crack; -1: no room for pieces, the floe stayed whole",
+          [](const S& s) { return double(s.split.piece[0]); }),
+      row("piece_right", Stored::i4, "1", "body right of the crack; -1: no room for pieces, the floe stayed whole",
+          [](const S& s) { return double(s.split.piece[1]); }),
+      row("x", Stored::f8, "m", "where the crack begins, x", [](const S& s) { return s.point.x; }),
+      row("y", Stored::f8, "m", "where the crack begins, y", [](const S& s) { return s.point.y; }),
+      row("direction_x", Stored::f8, "1", "direction of the crack, x", [](const S& s) { return s.along.x; }),
+      row("direction_y", Stored::f8, "1", "direction of the crack, y", [](const S& s) { return s.along.y; }),
+      row("length", Stored::f8, "m", "length of the crack", [](const S& s) { return s.split.length; }),
+      row("force", Stored::f8, "N", "force along the crack, mean over breakup.load_time_s",
+          [](const S& s) { return s.force; }),
+      row("splitting_force", Stored::f8, "N", "force that the floe bears",
+          [](const S& s) { return s.splitting_force; }),
+      row("energy", Stored::f8, "J", "energy of the crack, a part of what the contacts took",
+          [](const S& s) { return s.energy; }),
+  };
+  return columns;
+}
+
 const std::vector<RowColumn<StatsRow>>& stats_columns() {
   static const std::vector<StatsColumn> columns = make_stats_columns();
   return columns;
@@ -305,6 +334,8 @@ std::vector<Column> schema(const SceneDef& scene) {
   if (scene.output.contact_forces)
     for (const auto& entry : contact_columns()) all.push_back(entry.column);
   for (const auto& entry : count_columns()) all.push_back(entry.column);
+  if (records_splits(scene))
+    for (const auto& entry : split_columns()) all.push_back(entry.column);
   return all;
 }
 

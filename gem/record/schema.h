@@ -130,6 +130,8 @@ std::vector<PartColumn> thruster_columns(const SceneDef& scene);
 std::vector<PartColumn> part_columns(const SceneDef& scene);
 const std::vector<RowColumn<Hit>>& event_columns();
 const std::vector<RowColumn<ContactRow>>& contact_columns();
+/// Of floes that split.
+const std::vector<RowColumn<SplitEvent>>& split_columns();
 const std::vector<RowColumn<StatsRow>>& stats_columns();
 const std::vector<CountColumn>& count_columns();
 const std::vector<FloeColumn>& floe_columns();
@@ -137,6 +139,9 @@ std::vector<ShapeColumn> shape_columns(const SceneDef& scene);
 
 /// All datasets of a run file of this scene, for documentation and checks.
 std::vector<Column> schema(const SceneDef& scene);
+
+/// Whether floes may split in this scene.
+inline bool records_splits(const SceneDef& scene) { return scene.breakup.maximum_pieces > 0; }
 
 /// Number of bodies by kind. The order is: platform (body 0), fixed bodies, floes.
 std::size_t first_fixed(const Bodies& bodies);

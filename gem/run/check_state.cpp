@@ -34,6 +34,15 @@ bool impulses_fit(const EngineState& e) {
          });
 }
 
+bool loads_fit(const EngineState& e) {
+  const auto bodies = static_cast<std::int64_t>(e.bodies.count());
+  const auto fits = [bodies](const std::vector<ContactLoad>& loads) {
+    return std::all_of(loads.begin(), loads.end(),
+                       [bodies](const ContactLoad& load) { return load.a >= 0 && load.a < load.b && load.b < bodies; });
+  };
+  return fits(e.loads.before) && fits(e.loads.now);
+}
+
 /// A side for each corner of the platform, or none.
 bool sides_fit(const Checkpoint& c) {
   const SideSums& sums = c.recorder.sides;
@@ -82,6 +91,7 @@ std::string fault_of(const Checkpoint& c) {
   if (!outlines_fit(b)) return "its outlines do not fit";
   if (!kinds_fit(b)) return "its bodies are not in order";
   if (!impulses_fit(c.engine)) return "its contacts do not fit";
+  if (!loads_fit(c.engine)) return "its loads do not fit";
   if (!sides_fit(c)) return "its sides do not fit";
   if (!lines_fit(c)) return "its mooring lines do not fit";
   if (!thrusters_fit(c)) return "its thrusters do not fit";

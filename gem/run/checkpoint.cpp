@@ -50,7 +50,7 @@ void pass_bodies(Stream& s, State& b) {
 
 template <class Stream, class State>
 void pass_engine(Stream& s, State& e) {
-  s(e.step, e.ledger, e.books, e.impulse_key, e.impulse_value, e.broken, e.dp);
+  s(e.step, e.ledger, e.books, e.impulse_key, e.impulse_value, e.broken, e.dp, e.loads.before, e.loads.now);
   pass_bodies(s, e.bodies);
 }
 
@@ -73,10 +73,10 @@ void pass_floes(ByteReader& s, std::vector<FloeDef>& floes) {
 
 template <class Stream, class Position>
 void pass_position(Stream& s, Position& p) {
-  s(p.platform, p.events, p.stats, p.frames, p.contacts, p.last_time);
+  s(p.platform, p.events, p.stats, p.frames, p.contacts, p.splits, p.last_time);
   auto& w = p.waiting;
-  s(w.platform, w.events, w.stats, w.contacts, w.side_normal, w.side_friction, w.line_tension, w.line_break_time,
-    w.time);
+  s(w.platform, w.events, w.stats, w.contacts, w.splits, w.side_normal, w.side_friction, w.line_tension,
+    w.line_break_time, w.time);
   s(w.thruster_x, w.thruster_y, w.thruster_limit, w.dp_demand_surge, w.dp_demand_sway, w.dp_demand_yaw,
     w.dp_offset_surge, w.dp_offset_sway, w.dp_offset_yaw);
   s(w.floes.time, w.floes.x, w.floes.y, w.floes.theta, w.floes.vx, w.floes.vy, w.floes.omega, w.floes.active);

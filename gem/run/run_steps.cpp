@@ -11,6 +11,7 @@
 #include "gem/analysis/verdict/judge_run.h"
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/field/floe_reserve.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/run/checkpoint_file.h"
 #include "gem/scene/toml/scene_file.h"
@@ -123,6 +124,8 @@ void RunSteps::last_rows() {
 
 void RunSteps::take(const StepLog& log) {
   recorder_.add(log, case_steps_);
+  recorder_.keep_pieces(log, engine_.bodies());
+  say_no_room(log);
   watch_.add(log);
   const bool coupled = scene_.contact.solver == ContactSolver::coupled;
   for (const StepQuality& quality : log.quality) {
@@ -140,6 +143,15 @@ void RunSteps::take(const StepLog& log) {
   if (writer_) writer_->check();
   if (options_.on_block) options_.on_block(time());
   progress(log);
+}
+
+void RunSteps::say_no_room(const StepLog& log) {
+  const Bodies& b = engine_.bodies();
+  if (said_no_room_ || log.splits.empty() || first_unborn(b) + 2 <= b.count()) return;
+  log_.message("warning", "the last of breakup.maximum_pieces = " + std::to_string(scene_.breakup.maximum_pieces) +
+                              " pieces is made at " + number_text(log.splits.back().time) +
+                              " s: floes stay whole from now on; raise the key");
+  said_no_room_ = true;
 }
 
 void RunSteps::frame() {

@@ -43,6 +43,7 @@ class RunSteps {
   double time() const { return double(engine_.step()) * scene_.numerics.time_step_s; }
   void begin_file();
   void go_on_from(const Checkpoint& checkpoint);
+  void say_no_room(const StepLog& log);
   void frame();
   /// Gives the recorded rows to the writer. With `flush` it shows them to readers.
   void hand_over(bool flush);

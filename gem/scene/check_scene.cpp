@@ -207,11 +207,19 @@ void check_floating(const SceneDef& s, List& out) {
 
 }  // namespace
 
+void check_breakup(const SceneDef& s, List& out) {
+  const double least = 2.0 * s.numerics.time_step_s;
+  if (s.breakup.maximum_pieces > 0 && s.breakup.load_time_s < least)
+    out.push_back({"breakup.load_time_s", "shorter than two time steps (value " + number(s.breakup.load_time_s) +
+                                              ", allowed from " + number(least) +
+                                              " s on) raise it, or take a smaller numerics.time_step_s"});
+}
+
 std::vector<SceneProblem> check_scene(const SceneDef& scene) {
   List problems;
   for (const auto rule : {check_name, check_step, check_swing, check_record, check_source, check_sizes,
                           check_concentration, check_classes, check_field_place, check_platform, check_listed,
-                          check_listed_sizes, check_floating, check_drive, check_mooring, check_dp})
+                          check_listed_sizes, check_floating, check_drive, check_mooring, check_dp, check_breakup})
     rule(scene, problems);
   return problems;
 }

@@ -149,8 +149,8 @@ struct FixedDef {
   std::vector<Vec2> outline_m;  ///< world coordinates
 };
 
-/// The definitions of the events (current, water, ice, mooring, platform_drag, contact, wind, coriolis) stand with the
-/// laws in events.h.
+/// The definitions of the events (current, water, ice, mooring, platform_drag, contact, wind, coriolis, breakup) stand
+/// with the laws in events.h.
 struct SceneDef : EventDefinitions {
   RunDef run;
   FloesDef floes;

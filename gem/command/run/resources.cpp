@@ -26,10 +26,12 @@ constexpr double slabs_in_memory = 4.0;    // buffers of output: one being fille
 double floe_count(const SceneDef& scene) {
   const bool listed = scene.floes.source == FloeSource::listed;
   const FloesDef& f = scene.floes;
+  const auto pieces = double(scene.breakup.maximum_pieces);
   if (!listed && f.concentration > 0.0)
     return f.concentration * f.length_m * f.width_m /
-           (f.size_mean_m * f.size_mean_m + f.size_deviation_m * f.size_deviation_m);
-  return listed ? double(scene.floe.size()) : double(f.count);
+               (f.size_mean_m * f.size_mean_m + f.size_deviation_m * f.size_deviation_m) +
+           pieces;
+  return (listed ? double(scene.floe.size()) : double(f.count)) + pieces;
 }
 
 /// MemAvailable of the system [bytes]; infinity if the system does not report it.

@@ -178,7 +178,7 @@ class RunFile:
         data = {key: (dimensions, item[tuple(slice(rows[d]) for d in dimensions)], _attributes(item))
                 for key, (dimensions, item) in variables.items()}
         dataset = xarray.Dataset(data, attrs={"run": self.name})
-        return dataset.set_coords("time") if "time" in data and data["time"][0] in (("event",), ("contact",)) else dataset
+        return dataset.set_coords("time") if "time" in data and data["time"][0] in (("event",), ("contact",), ("split",)) else dataset
 
     def _dimensions(self, item: h5py.Dataset) -> tuple[str, ...]:
         if h5py.h5ds.is_scale(item.id):

@@ -42,7 +42,7 @@ std::vector<std::string> words(const std::string& text) {
 }
 
 bool grows(const std::string& dimension) {
-  return dimension == "time" || dimension == "event" || dimension == "contact";
+  return dimension == "time" || dimension == "event" || dimension == "contact" || dimension == "split";
 }
 
 }  // namespace
@@ -240,6 +240,11 @@ void ColumnFile::append(const std::string& path, const std::vector<Value>& value
 
 template void ColumnFile::append(const std::string&, const std::vector<double>&, hsize_t, Rows);
 template void ColumnFile::append(const std::string&, const std::vector<float>&, hsize_t, Rows);
+
+void ColumnFile::overwrite(const std::string& path, const std::vector<double>& values, hsize_t first, hsize_t width) {
+  const Dataset dataset{checked(H5Dopen2(file_, path.c_str(), dataset_access()), H5Dclose, path.c_str()), 0, width};
+  write_packed(dataset, values.data(), first, values.size() / width);
+}
 
 std::uint64_t ColumnFile::room_for(const std::string& path, hsize_t rows) const {
   const Dataset& dataset = dataset_.at(path);

@@ -57,6 +57,8 @@ class ColumnFile {
   /// at once; readers see them after flush().
   template <class Value>
   void append(const std::string& path, const std::vector<Value>& values, hsize_t rows, Rows kind);
+  /// Writes values over rows of a column that does not grow, from row `first` on; rows are `width` wide.
+  void overwrite(const std::string& path, const std::vector<double>& values, hsize_t first, hsize_t width);
   /// Bytes that `rows` more rows of the column can take, in whole chunks, uncompressed.
   std::uint64_t room_for(const std::string& path, hsize_t rows) const;
   /// Paths of the growing columns.

@@ -49,7 +49,8 @@ herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
 
 /// A dimension of netCDF that holds no values.
 bool is_bare_dimension(const std::string& group, const std::string& name) {
-  return (group == "events" && name == "event") || (group == "contacts" && name == "contact");
+  return (group == "events" && name == "event") || (group == "contacts" && name == "contact") ||
+         (group == "splits" && name == "split");
 }
 
 }  // namespace

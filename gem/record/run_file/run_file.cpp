@@ -27,7 +27,7 @@ using hdf5::Handle;
 
 namespace {
 
-constexpr const char* growing_groups[] = {"floes", "platform", "events", "stats", "contacts"};
+constexpr const char* growing_groups[] = {"floes", "platform", "events", "stats", "contacts", "splits"};
 constexpr hssize_t number_list_maximum = 10000;
 
 [[noreturn]] void refuse_run_file(const std::string& path, const std::string& why, const std::string& hint) {

@@ -58,6 +58,12 @@ class RunFile {
   bool has(const std::string& dataset) const;
 
   std::size_t floe_count() const;
+  /// Whether floes may split: pieces that were not made yet have an empty outline.
+  bool has_pieces() const { return has("splits/time"); }
+  /// Whether a floe of this file may have this outline.
+  bool is_floe_outline(const std::vector<Vec2>& outline) const {
+    return outline.size() >= 3 || (outline.empty() && has_pieces());
+  }
   std::size_t frame_count() const;
   FrameView frame(std::size_t index) const;
   /// `count` frames from `first` on: faster than one by one, because frames are compressed together.

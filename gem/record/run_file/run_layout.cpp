@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "gem/field/floe_reserve.h"
 #include "gem/field/reached_concentration.h"
 #include "gem/record/run_file/run_layout_parts.h"
 #include "gem/record/run_file/verdict_attributes.h"
@@ -37,7 +38,7 @@ std::map<std::string, hsize_t> sizes_of(const SceneDef& scene, const Bodies& bod
   const std::size_t fixed = first_fixed(bodies);
   const std::size_t floe = first_floe(bodies);
   return {{"floe", bodies.count() - floe},
-          {"vertex", vertices(floe, bodies.count())},
+          {"vertex", vertices(floe, first_piece(bodies, scene)) + piece_corners_maximum(scene)},
           {"xy", 2},
           {"overlap_class", OverlapCount::classes},
           {"boundary", floe - fixed},
@@ -66,6 +67,7 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
     : size_(sizes_of(scene, bodies)),
       chunk_(chunk_shape(size_["floe"])),
       has_contacts_(scene.output.contact_forces),
+      has_splits_(records_splits(scene)),
       has_sides_(records_sides(scene)),
       parts_(part_columns(scene)),
       file_(path, size_, chunk_) {
@@ -84,8 +86,10 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
   add_group("events");
   add_group("stats");
   if (has_contacts_) add_group("contacts");
+  if (has_splits_) add_group("splits");
   for (const auto& entry : shape_columns(scene)) {
-    const std::vector<double> values = entry.values(bodies);
+    std::vector<double> values = entry.values(bodies);
+    if (entry.column.dimensions == "vertex xy") values.resize(2 * size_["vertex"]);  // room for pieces
     file_.add_column(entry.column, &values);
   }
   file_.add_column(floe_time_column(), nullptr);
@@ -99,6 +103,8 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
   for (const auto& entry : count_columns()) file_.add_column(entry.column, nullptr);
   if (has_contacts_)
     for (const auto& entry : contact_columns()) file_.add_column(entry.column, nullptr);
+  if (has_splits_)
+    for (const auto& entry : split_columns()) file_.add_column(entry.column, nullptr);
   file_.start();
 }
 
@@ -147,6 +153,7 @@ void RunLayout::add_group(const std::string& group) {
   const hdf5::Handle id = file_.add_group(group);
   if (group == "events") file_.add_dimension(id, "event", 0, true);
   if (group == "contacts") file_.add_dimension(id, "contact", 0, true);
+  if (group == "splits") file_.add_dimension(id, "split", 0, true);
   if (group == "boundary") {
     file_.add_dimension(id, "boundary", size_["boundary"], false);
     file_.add_dimension(id, "boundary_vertex", size_["boundary_vertex"], false);
@@ -202,6 +209,19 @@ void RunLayout::append_contacts(std::size_t count, Rows kind) {
   file_.append("/contacts/contact", std::vector<double>{}, count, kind);
 }
 
+void RunLayout::append_splits(std::size_t count, Rows kind) {
+  if (!has_splits_) return;
+  append_rows(split_columns(), waiting_.splits, count, kind);
+  file_.append("/splits/split", std::vector<double>{}, count, kind);
+}
+
+/// Fills the free rows of /shape. A run that goes on from a checkpoint fills them anew.
+void RunLayout::write_pieces(const PieceShapes& pieces) {
+  if (pieces.vertex_count.empty()) return;
+  file_.overwrite("/shape/vertex_xy", pieces.vertex_xy, pieces.first_vertex, 2);
+  for (const auto& [name, values] : pieces.columns()) file_.overwrite("/shape/" + name, *values, pieces.first_floe, 1);
+}
+
 void RunLayout::append_frames(std::size_t count, Rows kind) {
   const FloeFrames& floes = waiting_.floes;
   for (const auto& entry : floe_columns())
@@ -216,12 +236,13 @@ void RunLayout::append_waiting(const RowCount& count, Rows kind) {
   append_events(count.events, kind);
   append_stats(count.stats, kind);
   append_contacts(count.contacts, kind);
+  append_splits(count.splits, kind);
   append_frames(count.frames, kind);
 }
 
 RowCount RunLayout::waiting() const {
-  return {waiting_.platform.size(), waiting_.events.size(), waiting_.stats.size(), waiting_.floes.time.size(),
-          waiting_.contacts.size()};
+  return {waiting_.platform.size(),   waiting_.events.size(),   waiting_.stats.size(),
+          waiting_.floes.time.size(), waiting_.contacts.size(), waiting_.splits.size()};
 }
 
 void RunLayout::drop_waiting(const RowCount& count) {
@@ -235,6 +256,7 @@ void RunLayout::drop_waiting(const RowCount& count) {
   drop(waiting_.events, count.events);
   drop(waiting_.stats, count.stats);
   drop(waiting_.contacts, count.contacts);
+  drop(waiting_.splits, count.splits);
   drop(floes.time, count.frames);
   for (const auto& entry : floe_columns()) drop(floes.*(entry.values), count.frames * size_.at("floe"));
   written_.platform += count.platform;
@@ -242,6 +264,7 @@ void RunLayout::drop_waiting(const RowCount& count) {
   written_.stats += count.stats;
   written_.frames += count.frames;
   written_.contacts += count.contacts;
+  written_.splits += count.splits;
 }
 
 void RunLayout::append(Slab slab) {
@@ -252,14 +275,16 @@ void RunLayout::append(Slab slab) {
   add(waiting_.events, slab.events);
   add(waiting_.stats, slab.stats);
   add(waiting_.contacts, slab.contacts);
+  add(waiting_.splits, slab.splits);
+  write_pieces(slab.pieces);
   add(waiting_.floes.time, slab.floes.time);
   for (const auto& entry : floe_columns()) add(waiting_.floes.*(entry.values), slab.floes.*(entry.values));
 
   const auto whole = [](std::size_t rows, hsize_t chunk) { return rows - rows % chunk; };
   const RowCount all = waiting();
   const RowCount full = {whole(all.platform, chunk_.rows), whole(all.events, chunk_.rows),
-                         whole(all.stats, chunk_.frames), whole(all.frames, chunk_.frames),
-                         whole(all.contacts, chunk_.rows)};
+                         whole(all.stats, chunk_.frames),  whole(all.frames, chunk_.frames),
+                         whole(all.contacts, chunk_.rows), whole(all.splits, chunk_.rows)};
   append_waiting(full, Rows::whole);
   drop_waiting(full);
 }
@@ -276,8 +301,8 @@ void RunLayout::flush(const std::function<void()>& sync) {
   sync();
   file_.flush();
   sync();
-  visible_ = {written_.platform + rest.platform, written_.events + rest.events, written_.stats + rest.stats,
-              written_.frames + rest.frames, written_.contacts + rest.contacts};
+  visible_ = {written_.platform + rest.platform, written_.events + rest.events,     written_.stats + rest.stats,
+              written_.frames + rest.frames,     written_.contacts + rest.contacts, written_.splits + rest.splits};
   saved_time_ = rest.frames > 0 ? waiting_.floes.time.back() : last_time_;
 }
 
@@ -287,6 +312,7 @@ std::uint64_t RunLayout::room_for(const Slab& slab) const {
     if (group == "platform") return now.platform + slab.platform.size();
     if (group == "events") return now.events + slab.events.size();
     if (group == "contacts") return now.contacts + slab.contacts.size();
+    if (group == "splits") return now.splits + slab.splits.size();
     if (group == "stats") return now.stats + slab.stats.size();
     return now.frames + slab.floes.time.size();
   };

@@ -19,6 +19,7 @@ struct RowCount {
   std::size_t stats = 0;
   std::size_t frames = 0;
   std::size_t contacts = 0;
+  std::size_t splits = 0;
 };
 
 /// An open run file. Every failed call throws hdf5::Failure.
@@ -61,6 +62,8 @@ class RunLayout {
   void append_platform(std::size_t count, Rows kind);
   void append_events(std::size_t count, Rows kind);
   void append_contacts(std::size_t count, Rows kind);
+  void append_splits(std::size_t count, Rows kind);
+  void write_pieces(const PieceShapes& pieces);
   void append_frames(std::size_t count, Rows kind);
   void append_waiting(const RowCount& count, Rows kind);
   RowCount waiting() const;
@@ -70,6 +73,7 @@ class RunLayout {
   std::map<std::string, hsize_t> size_;  // of the dimensions that do not grow
   ChunkShape chunk_;
   bool has_contacts_;              // the forces between bodies are recorded
+  bool has_splits_;                // floes may split
   bool has_sides_;                 // the impulses on the sides of the platform are recorded
   std::vector<PartColumn> parts_;  // of mooring lines and thrusters
   ColumnFile file_;

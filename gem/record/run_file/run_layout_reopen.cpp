@@ -1,4 +1,5 @@
 // A run file that a later process goes on with.
+#include "gem/field/floe_reserve.h"
 #include "gem/record/hdf5/column_file.h"
 #include "gem/record/run_file/run_layout.h"
 #include "gem/record/run_file/run_layout_parts.h"
@@ -17,7 +18,8 @@ struct Growing {
 };
 
 std::vector<Growing> growing_columns(const std::map<std::string, hsize_t>& size, const FilePosition& from,
-                                     const std::vector<PartColumn>& parts, bool has_contacts, bool has_sides) {
+                                     const std::vector<PartColumn>& parts, bool has_contacts, bool has_sides,
+                                     bool has_splits) {
   const auto columns_of = [](const auto& entries) {
     std::vector<Column> columns;
     for (const auto& entry : entries) columns.push_back(entry.column);
@@ -33,6 +35,7 @@ std::vector<Growing> growing_columns(const std::map<std::string, hsize_t>& size,
   for (const PartColumn& part : parts)
     groups.push_back({{part.column}, width_of_part(part.column, size), from.platform});
   if (has_contacts) groups.push_back({columns_of(contact_columns()), 1, from.contacts});
+  if (has_splits) groups.push_back({columns_of(split_columns()), 1, from.splits});
   return groups;
 }
 
@@ -55,23 +58,27 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
     : size_(sizes_of(scene, bodies)),
       chunk_(chunk_shape(size_["floe"])),
       has_contacts_(scene.output.contact_forces),
+      has_splits_(records_splits(scene)),
       has_sides_(records_sides(scene)),
       parts_(part_columns(scene)),
       file_(ColumnFile::reopened(path, size_, chunk_)),
       waiting_(from.waiting),
-      written_{from.platform, from.events, from.stats, from.frames, from.contacts},
+      written_{from.platform, from.events, from.stats, from.frames, from.contacts, from.splits},
       last_time_(from.last_time),
       saved_time_(from.last_time) {
-  const std::vector<Growing> groups = growing_columns(size_, from, parts_, has_contacts_, has_sides_);
+  const std::vector<Growing> groups = growing_columns(size_, from, parts_, has_contacts_, has_sides_, has_splits_);
   check_rows("/events/event", file_.open_dimension("/events/event"), from.events);
   if (has_contacts_) check_rows("/contacts/contact", file_.open_dimension("/contacts/contact"), from.contacts);
+  if (has_splits_) check_rows("/splits/split", file_.open_dimension("/splits/split"), from.splits);
   for (const Growing& group : groups)
     for (const Column& column : group.columns)
       check_rows(path_of(column), file_.open_column(column, group.width), group.rows);
   file_.cut("/events/event", from.events);
   if (has_contacts_) file_.cut("/contacts/contact", from.contacts);
+  if (has_splits_) file_.cut("/splits/split", from.splits);
   for (const Growing& group : groups)
     for (const Column& column : group.columns) file_.cut(path_of(column), group.rows);
+  if (has_splits_) write_pieces(pieces_of(bodies, first_piece(bodies, scene)));
   renew_header(provenance);
   file_.flush();  // the file takes its shorter length now, not while others read
   file_.start();
@@ -91,7 +98,8 @@ void RunLayout::renew_header(const Provenance& provenance) {
 }
 
 FilePosition RunLayout::position() const {
-  return {written_.platform, written_.events, written_.stats, written_.frames, written_.contacts, last_time_, waiting_};
+  return {written_.platform, written_.events, written_.stats, written_.frames,
+          written_.contacts, written_.splits, last_time_,     waiting_};
 }
 
 }  // namespace gem

@@ -23,7 +23,7 @@ using hdf5::Handle;
 
 namespace {
 
-constexpr const char* mended_groups[] = {"floes", "platform", "events", "stats", "contacts"};
+constexpr const char* mended_groups[] = {"floes", "platform", "events", "stats", "contacts", "splits"};
 
 [[noreturn]] void refuse_repair(const std::string& path, const std::string& why, const std::string& hint) {
   throw Error(ExitCode::file_system, "cannot repair " + shown(path) + " (" + why + ") " + hint);

@@ -67,8 +67,9 @@ void check_range(const RunFile& file, const std::string& what, double value, con
 }
 
 /// Outlines and places are checked where the case is, as those of listed floes.
-void check_floes(const RunFile& file, const std::vector<FloeDef>& floes) {
+void check_floes(const RunFile& file, const std::vector<FloeDef>& floes, const FrameView& frame) {
   for (std::size_t i = 0; i < floes.size(); ++i) {
+    if (file.has_pieces() && frame.active[i] == 0.0f) continue;  // not made yet, or split
     const std::string name = "floe " + std::to_string(i) + ": ";
     check_range(file, name + "thickness", floes[i].thickness_m, thickness_range, "m");
     check_range(file, name + "speed", floes[i].velocity_m_per_s.x, speed_range, "m/s");
@@ -100,8 +101,8 @@ FloesStart floes_of_run_file(const std::string& path, double time) {
   const std::size_t index = frame_at(file, time);
   const FrameView frame = file.frame(index);
   FloesStart start{frame.time, floes_at_start(file, frame), 0.0};
-  check_floes(file, start.floes);
-  if (index == 0) return start;
+  check_floes(file, start.floes, frame);
+  if (index == 0 && !file.has_pieces()) return start;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < start.floes.size(); ++i) {
     if (frame.active[i] == 0.0f) continue;

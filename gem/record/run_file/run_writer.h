@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gem/record/piece_shapes.h"
 #include "gem/record/schema.h"
 #include "gem/record/verdict.h"
 
@@ -18,6 +19,8 @@ struct Slab {
   std::vector<Hit> events;
   std::vector<StatsRow> stats;
   std::vector<ContactRow> contacts;
+  std::vector<SplitEvent> splits;
+  PieceShapes pieces;                                 // made since the last slab
   std::vector<float> side_normal, side_friction;      // a row for each of `platform`; empty unless they are recorded
   std::vector<double> line_tension, line_break_time;  // likewise, with a value for each mooring line
   std::vector<double> thruster_x, thruster_y, thruster_limit;          // likewise, with a value for each thruster
@@ -25,12 +28,14 @@ struct Slab {
   std::vector<double> dp_offset_surge, dp_offset_sway, dp_offset_yaw;
   FloeFrames floes;
   double time = 0.0;  // end of the recorded time [s]
-  bool empty() const { return platform.empty() && events.empty() && stats.empty() && floes.time.empty(); }
+  bool empty() const {
+    return platform.empty() && events.empty() && stats.empty() && floes.time.empty() && splits.empty();
+  }
 };
 
 /// How far a run file is written: its rows in whole chunks, and those behind them.
 struct FilePosition {
-  std::uint64_t platform = 0, events = 0, stats = 0, frames = 0, contacts = 0;
+  std::uint64_t platform = 0, events = 0, stats = 0, frames = 0, contacts = 0, splits = 0;
   double last_time = 0.0;  // of the last of these floe frames [s]
   Slab waiting;
 };

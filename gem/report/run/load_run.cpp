@@ -200,7 +200,8 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
   run.floe_outlines = file.floe_outlines();
   for (const std::vector<Corners>& outlines : {run.fixed, run.floe_outlines})
     for (const Corners& outline : outlines)
-      if (outline.size() < 3) refuse_record(file, "an outline has " + std::to_string(outline.size()) + " corners");
+      if (!file.is_floe_outline(outline))
+        refuse_record(file, "an outline has " + std::to_string(outline.size()) + " corners");
   run.at_s = at_s;
   run.frames = up_to_three_frames(file, at_s);
   return run;

@@ -393,6 +393,23 @@ void add_dp(SceneTable& t) {
 
 std::string section_of(const Option<SceneDef>& option) { return option.path.substr(0, option.path.find('.')); }
 
+void add_breakup(SceneTable& t) {
+  t.integer("breakup.maximum_pieces", {0.0, 1e6},
+            "most pieces that floes which split in their plane give in a run, two for each split; 0: floes stay whole",
+            GEM_FIELD(breakup.maximum_pieces));
+  t.number("breakup.fracture_toughness_Pa_sqrt_m", "Pa m^0.5", {1e3, 1e7}, "fracture toughness of the ice",
+           GEM_FIELD(breakup.fracture_toughness_Pa_sqrt_m));
+  t.number("breakup.elastic_modulus_Pa", "Pa", {1e7, 1e11}, "elastic modulus of the ice, for the energy of cracks",
+           GEM_FIELD(breakup.elastic_modulus_Pa));
+  t.number("breakup.wedge_ratio", "", {0.01, 10.0},
+           "force that opens the crack over the force of the contact: 1 / (2 tan t) for a wedge of half angle t",
+           GEM_FIELD(breakup.wedge_ratio));
+  t.number("breakup.load_time_s", "s", {1e-3, 60.0}, "a floe splits by the mean force of a contact over this time",
+           GEM_FIELD(breakup.load_time_s));
+  t.number("breakup.minimum_size_m", "m", floe_size_range, "size, the root of the area, of the smallest piece",
+           GEM_FIELD(breakup.minimum_size_m));
+}
+
 /// Younger options stand at the end of their sections, so that cases without them keep their text.
 void group_by_section(std::vector<Option<SceneDef>>& options) {
   std::vector<std::string> order;
@@ -408,7 +425,7 @@ std::vector<Option<SceneDef>> make_scene_options() {
                              add_mooring, add_contact, add_numerics, add_output})
     section(t);
   t.opt_in = true;
-  for (const auto section : {add_drive, add_wind, add_mooring_laws, add_dp}) section(t);
+  for (const auto section : {add_drive, add_wind, add_mooring_laws, add_dp, add_breakup}) section(t);
   group_by_section(t.options);
   return t.options;
 }

@@ -72,7 +72,7 @@ std::string pack_shapes(const RunFile& file, const PagePlan& plan) {
   const auto outlines = file.floe_outlines();
   ByteWriter out;
   for (const auto& outline : outlines) {
-    if (outline.size() < 3 || outline.size() > 1000)
+    if (!file.is_floe_outline(outline) || outline.size() > 1000)
       refuse_shape(file, "an outline has " + std::to_string(outline.size()) + " corners");
     out.whole(outline.size());
   }

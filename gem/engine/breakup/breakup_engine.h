@@ -1,0 +1,42 @@
+// An engine whose floes split: it looks at the contacts of another engine, and splits floes between its time steps.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gem/engine/breakup/contact_loads.h"
+#include "gem/engine/engine.h"
+
+namespace gem {
+
+/// Splitting is written once, on the host, on the state that engines save and restore: engines with the same bits and
+/// contact forces make the same pieces. The engine inside must tell contact_forces().
+class BreakupEngine : public Engine {
+ public:
+  /// Throws Error(usage) if `engine` does not tell its contact forces.
+  BreakupEngine(const SceneDef& scene, std::unique_ptr<Engine> engine);
+
+  std::string name() const override { return engine_->name(); }
+  std::string method() const override { return engine_->method(); }
+  std::string device() const override { return engine_->device(); }
+  void advance(std::int64_t steps, StepLog& log) override;
+  std::int64_t step() const override { return engine_->step(); }
+  const Bodies& bodies() override { return engine_->bodies(); }
+  Ledger ledger() override { return engine_->ledger(); }
+  LineSet broken_lines() const override { return engine_->broken_lines(); }
+  bool has_contact_forces() const override { return true; }
+  std::vector<ContactForce> contact_forces() override { return forces_; }
+  EngineState save() override;
+  void restore(const EngineState& state) override;
+
+ private:
+  void split(StepLog& log);
+
+  SceneDef scene_;
+  std::unique_ptr<Engine> engine_;
+  ContactLoads loads_;
+  std::vector<ContactForce> forces_;  // of the last time step
+};
+
+}  // namespace gem

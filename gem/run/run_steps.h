@@ -67,6 +67,7 @@ class RunSteps {
   std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point flushed_;
   std::int64_t flushes_ = 0;
+  bool said_no_room_ = false;  // for more pieces
   std::string case_sha256_;
 };
 

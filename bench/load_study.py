@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Loads of run 1 by setting of the solver, over seeds: means, deviations, largest 0.2 s force, spectrum, crushing peaks.
 
-Usage: load_study.py GEM FOLDER SEEDS SETTING...      runs what is not in FOLDER yet, and prints rows as CSV
-A setting is iteration:iterations:tolerance:time_step, e.g. splitting:192:1e-3:0.2. The last one is the reference.
+Usage: load_study.py GEM FOLDER SEEDS [--speed U] SETTING...     runs what is not in FOLDER yet, and prints rows as CSV
+U is another speed of the current [m/s]; the drift stays the same. A setting is iteration:iterations:tolerance:time_step,
+e.g. splitting:192:1e-3:0.2. The last one is the reference.
 Needs h5py and numpy.
 """
 import os
@@ -14,20 +15,21 @@ import h5py
 import numpy
 
 CASE = os.path.join(os.path.dirname(__file__), "..", "cases", "004_400_25.toml")
-END_S, START_S, WINDOW_S = 1200.0, 400.0, 0.2  # before START_S little ice touches the barge
+END_M, START_M, WINDOW_S = 300.0, 100.0, 0.2  # drift; before START_M little ice touches the barge
 BAND_HZ, SEGMENT = (0.3, 1.0), 256
 COLUMNS = ["mean_N", "sd_N", "largest_N", "largest_1s_N", "psd_N2_per_Hz", "peak_median_N", "peak_95_N", "hits", "wall_s"]
 
 
-def run(gem, path, setting, seed):
+def run(gem, path, setting, seed, speed):
     """Runs one setting with one seed; the wall time stands beside the file [s]."""
     iteration, iterations, tolerance, step = setting.split(":")
     keys = {
         "numerics.iteration": iteration, "numerics.iterations_maximum": iterations,
         "numerics.residual_tolerance": tolerance, "numerics.time_step_s": step, "run.seed": seed,
-        "output.platform_interval_s": WINDOW_S, "output.floes_interval_s": 400,
+        "current.velocity_m_per_s": f"[{speed},0.0]", "output.platform_interval_s": WINDOW_S,
+        "output.floes_interval_s": START_M / speed,
     }
-    words = [gem, "run", CASE, "--out", path + ".part", "--overwrite", "--until", str(END_S), "--engine", "cpu",
+    words = [gem, "run", CASE, "--out", path + ".part", "--overwrite", "--until", str(END_M / speed), "--engine", "cpu",
              "--threads", "1", "--quiet"]
     for key, value in keys.items():
         words += ["--set", f"{key}={value}"]
@@ -38,13 +40,13 @@ def run(gem, path, setting, seed):
     os.rename(path + ".part", path)
 
 
-def loads(path):
+def loads(path, speed):
     """The numbers of one run, in the order of COLUMNS."""
     with h5py.File(path) as f:
         times = f["platform/time"][:]
         force = f["platform/ice_impulse_x"][1:].astype(float) / WINDOW_S  # impulse since the last row
         peaks = f["events/force_peak"][:]
-    force = force[times[1:] > START_S]
+    force = force[times[1:] > START_M / speed]
     second = round(1.0 / WINDOW_S)
     hann = numpy.hanning(SEGMENT)
     segments = [force[i:i + SEGMENT] for i in range(0, len(force) - SEGMENT, SEGMENT // 2)]
@@ -59,15 +61,17 @@ def loads(path):
 
 
 def main():
-    gem, folder, seeds, settings = sys.argv[1], sys.argv[2], int(sys.argv[3]), sys.argv[4:]
+    gem, folder, seeds, settings, speed = sys.argv[1], sys.argv[2], int(sys.argv[3]), sys.argv[4:], 0.25
+    if settings[0] == "--speed":
+        speed, settings = float(settings[1]), settings[2:]
     rows = {}
     print("setting,seed," + ",".join(COLUMNS))
     for setting in settings:
         for seed in range(1, seeds + 1):
             path = os.path.join(folder, f"{setting.replace(':', '_')}_{seed}.h5")
             if not os.path.exists(path):
-                run(gem, path, setting, seed)
-            rows[setting, seed] = loads(path)
+                run(gem, path, setting, seed, speed)
+            rows[setting, seed] = loads(path, speed)
             print(f"{setting},{seed}," + ",".join(f"{x:.5g}" for x in rows[setting, seed]), flush=True)
     reference = numpy.array([rows[settings[-1], seed] for seed in range(1, seeds + 1)])
     for setting in settings[:-1]:

@@ -119,7 +119,7 @@ struct StepLog {
   std::vector<PlatformStep> platform;
   std::vector<StepQuality> quality;
   std::vector<ContactEvent> events;
-  std::vector<DpState> dp;     // as `platform`, only with dynamic positioning
+  std::vector<DpState> dp;  // as `platform`, only with dynamic positioning
   std::vector<SplitEvent> splits;
   OverlapCount overlap;        // depth of every overlap at the start of every time step [m]
   OverlapCount overlap_share;  // overlap depth over the size (root of the area) of the smaller body [-]

@@ -1,10 +1,9 @@
-#!/usr/bin/env python3
 """Table of validation/breakup.md: mean and largest load of cases/splitting_thickness.toml, whole and splitting.
 
-gem sweep run cases/splitting_thickness.toml -o DIR --engine cpu; splitting_loads.py DIR
+gem sweep run cases/splitting_thickness.toml -o DIR --engine cpu; scripts/studies breakup DIR
 """
+import argparse
 import pathlib
-import sys
 
 import h5py
 import numpy
@@ -22,7 +21,9 @@ def loads(path):
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1])
+    parser = argparse.ArgumentParser(prog="studies breakup", description=__doc__.split("\n\n")[0])
+    parser.add_argument("folder", help="of gem sweep run cases/splitting_thickness.toml", type=pathlib.Path)
+    folder = parser.parse_args().folder
     print("| thickness m | whole: mean kN | splitting: mean kN | ratio | whole: largest kN | splitting: largest kN | splits |")
     print("|---|---|---|---|---|---|---|")
     for name, thickness in (("h025", 0.25), ("h050", 0.5), ("h100", 1.0), ("h200", 2.0)):

@@ -68,7 +68,7 @@ TEST_F(DpCommandTest, IsRecordedWithEverySample) {
                             limit = run.column("platform/thruster_at_limit"), r = run.column("platform/psi"),
                             surge = run.column("platform/dp_offset_surge"),
                             all = run.column("platform/mooring_force_y");
-  EXPECT_EQ(surge[0], 9.0) << "at t = 0 the yaw is 0";
+  EXPECT_NEAR(surge[0], 9.0, 1e-12) << "at t = 0 the yaw is 0";
   EXPECT_EQ(run.column("platform/dp_offset_yaw")[0], -0.1);
   double limited = 0.0;
   for (std::size_t i = 0; i < time.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gem/analysis/statistics/moments.h"
 #include "gem/base/error.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/thruster_record.h"
@@ -27,14 +28,6 @@ std::vector<double> lengths(const std::vector<double>& x, const std::vector<doub
   std::vector<double> all(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) all[i] = std::hypot(x[i], y[i]);
   return all;
-}
-
-/// Value below which a share of the values lie, the nearest rank.
-double percentile(std::vector<double> values, double share) {
-  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(share * double(values.size()))) - 1;
-  const auto at = values.begin() + std::clamp<std::ptrdiff_t>(rank, 0, std::ptrdiff_t(values.size()) - 1);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 }  // namespace

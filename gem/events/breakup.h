@@ -9,10 +9,13 @@
 //
 //   F_split  force of the contact along the crack at which the floe splits            [N]
 //   P        pair of forces at the mouth of the crack that opens it                   [N]
-//   w        P / F: how much of the contact force opens the crack; a wedge of half angle t without friction: 1 / (2 tan
-//   t) h, L     thickness of the floe, its length along the crack                        [m] K, E     fracture
-//   toughness, elastic modulus of the ice                           [Pa sqrt(m)], [Pa] a        depth of the crack over
-//   L; the largest P is at a = 0.21                  [-] E_crack  energy that the new faces take, plane stress [J]
+//   w        P / F: how much of the contact force opens the crack [-]
+//            1 / (2 tan t) for a wedge of half angle t without friction
+//   h, L     thickness of the floe, its length along the crack [m]
+//   K        fracture toughness of the ice [Pa sqrt(m)]
+//   E        elastic modulus of the ice [Pa]
+//   a        depth of the crack over L; the largest P is at a = 0.21 [-]
+//   E_crack  energy that the new faces take, plane stress [J]
 //
 // A short crack first grows only if the force rises. From a = 0.21 on a falling force is enough, so the crack runs
 // through: its speed is of another scale than that of floes, and the floe is in two pieces at once.

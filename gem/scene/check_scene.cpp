@@ -205,8 +205,6 @@ void check_floating(const SceneDef& s, List& out) {
                        ", allowed below water.density_kg_per_m3 = " + number(s.water.density_kg_per_m3) + " kg/m3)"});
 }
 
-}  // namespace
-
 void check_breakup(const SceneDef& s, List& out) {
   const double least = 2.0 * s.numerics.time_step_s;
   if (s.breakup.maximum_pieces > 0 && s.breakup.load_time_s < least)
@@ -214,6 +212,8 @@ void check_breakup(const SceneDef& s, List& out) {
                                               ", allowed from " + number(least) +
                                               " s on) raise it, or take a smaller numerics.time_step_s"});
 }
+
+}  // namespace
 
 std::vector<SceneProblem> check_scene(const SceneDef& scene) {
   List problems;

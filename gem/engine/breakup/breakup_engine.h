@@ -25,6 +25,7 @@ class BreakupEngine : public Engine {
   const Bodies& bodies() override { return engine_->bodies(); }
   Ledger ledger() override { return engine_->ledger(); }
   LineSet broken_lines() const override { return engine_->broken_lines(); }
+  const DpState* dp_state() const override { return engine_->dp_state(); }
   bool has_contact_forces() const override { return true; }
   std::vector<ContactForce> contact_forces() override { return forces_; }
   EngineState save() override;

@@ -1,4 +1,4 @@
-// Finds the number of floes of a concentration from the quantiles of the size law.
+// Finds the number of floes of a concentration from the mean and the deviation of the size law.
 #include "gem/field/generator/floe_count.h"
 
 #include <algorithm>

@@ -177,7 +177,10 @@ class RunWriter::Thread {
       layout_->append(std::move(next.slab));
       if (next.flush) show();
     });
-    if (next.then && !failed_) next.then(layout_->position());
+    if (!next.then || failed_) return;
+    std::optional<FilePosition> position;
+    guarded([&] { position.emplace(layout_->position()); });  // copies the rows that wait
+    if (position) next.then(std::move(*position));
   }
 
   /// Whether the library surely gets the memory that it needs. Else the failure is kept.

@@ -16,6 +16,7 @@
 #include "gem/engine/reference/reference_books.h"
 #include "gem/engine/reference/reference_contacts.h"
 #include "gem/engine/reference/reference_motion.h"
+#include "gem/engine/step/contact_forces.h"
 
 namespace gem {
 
@@ -61,6 +62,7 @@ void ReferenceEngine::one_step(StepLog& log) {
   if (rules_.dp.thrusters > 0) log.dp.push_back(state_.dp);
   log.quality.push_back(quality);
   touches_ = std::move(touches);
+  if (log.wants_forces) log_forces(contact_forces(), state_.bodies, state_.steps - 1, log);
 }
 
 std::vector<ContactForce> ReferenceEngine::contact_forces() {

@@ -133,13 +133,13 @@ inline SceneDef dp_scene(std::uint64_t seed) {
   return scene;
 }
 
-/// The busy scene of soft ice: dozens of floes split within 400 time steps.
+/// The busy scene of soft ice: thirty floes split within 120 time steps.
 inline SceneDef breaking_scene(std::uint64_t seed) {
   SceneDef scene = busy_scene(seed);
   scene.breakup.maximum_pieces = 100;
   scene.breakup.minimum_size_m = 1.0;
   scene.breakup.load_time_s = 0.4;
-  scene.breakup.fracture_toughness_Pa_sqrt_m = 8e3;
+  scene.breakup.fracture_toughness_Pa_sqrt_m = 5e4;
   return scene;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gem/engine/device/bodies.h"
+#include "gem/engine/device/forces.h"
 
 namespace gem {
 
@@ -238,7 +239,8 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   if (cell.active && !is_finite(mover, p.velocity, spin)) group.raise(alarm_not_finite);
   if (s.wants_samples) write_sample(s, loaded, mover, spin, sums, pressed, step.sample);
   if (cell.active && left_trajectory(s, mover, cell.radius, motion, step.elapsed)) group.raise(alarm_strayed);
-  if (s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) group.raise(alarm_ring_full);
+  if ((s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) || forces_fill_up(s))
+    group.raise(alarm_ring_full);
   p.spin = spin;
   if (step.kick_next)
     platform_first_half(s, loaded, mover, turn_of(cell, motion, mover.rotation, mover.rotation), spin, step.sample + 1);

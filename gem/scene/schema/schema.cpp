@@ -251,7 +251,7 @@ void add_output(SceneTable& t) {
   t.flag("output.platform_events", "whether every event on the platform is recorded",
          GEM_FIELD(output.platform_events));
   t.flag("output.contact_forces",
-         "whether every floe frame records the forces between touching bodies (engines cpu and reference)",
+         "whether every floe frame records the forces between touching bodies (engines cpu, cuda and reference)",
          GEM_FIELD(output.contact_forces));
   t.number("output.event_speed_m_per_s", "m/s", {0.0, 10.0},
            "first touches that close more slowly count as static load: in the force channels, not in the event list",

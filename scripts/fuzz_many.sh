@@ -2,6 +2,8 @@
 # Fuzzes all targets side by side on a machine with many processors: scripts/fuzz_many.sh PROGRAMS CORPUS PROCESSES SECONDS OUT
 # PROGRAMS is the folder with the built targets and words.dict (build-fuzz); CORPUS has one folder of seeds for each target (gem/fuzz/corpus).
 # The processes are shared evenly. Those of one target share what they find, and a process that ends with a fault is started again.
+# FUZZ_SEED of the environment starts other random numbers.
+# Ends within SECONDS and the time of the merge, 60 s or MERGE_SECONDS of the environment, and 10 s.
 # Writes one file: OUT/fz.tar with table.txt, the inputs that showed a fault, the ends of their logs and the inputs that reach new code.
 set -euo pipefail
 
@@ -37,9 +39,10 @@ one() {
     turn=$((turn + 1))
     start=$(date +%s)
     # shellcheck disable=SC2046  # the options are words
-    env TMPDIR="$work" nice -n 19 "$programs/gem_fuzz_$target" $(options_of "$target") -max_total_time="$left" -dict="$programs/words.dict" \
-      -rss_limit_mb=3000 -close_fd_mask=3 -print_final_stats=1 -reload=10 -seed=$((number * 1000 + turn)) \
-      -artifact_prefix="$TMPDIR/faults/$target-" "$TMPDIR/found/$target" "$corpus/$target" >"$work/log-$turn.txt" 2>&1 || true
+    env TMPDIR="$work" timeout -k 2 $((left + 5)) nice -n 19 "$programs/gem_fuzz_$target" $(options_of "$target") \
+      -max_total_time="$left" -dict="$programs/words.dict" -rss_limit_mb=3000 -close_fd_mask=3 \
+      -print_final_stats=1 -reload=10 -seed=$((${FUZZ_SEED:-0} + number * 1000 + turn)) -artifact_prefix="$TMPDIR/faults/$target-" \
+      "$TMPDIR/found/$target" "$corpus/$target" >"$work/log-$turn.txt" 2>&1 || true
     echo $(($(date +%s) - start)) >>"$TMPDIR/spent/$target"
     grep -q 'Test unit written' "$work/log-$turn.txt" && tail -c 6000 "$work/log-$turn.txt" >"$TMPDIR/faults/log-$target-$number-$turn.txt"
   done
@@ -50,8 +53,8 @@ merge() {
   mkdir -p "$TMPDIR/new/$1" "$TMPDIR/merge-$1"
   cp "$corpus/$1"/* "$TMPDIR/new/$1"
   # shellcheck disable=SC2046
-  env TMPDIR="$TMPDIR/merge-$1" timeout 60 "$programs/gem_fuzz_$1" $(options_of "$1") -rss_limit_mb=3000 -close_fd_mask=3 -merge=1 \
-    "$TMPDIR/new/$1" "$TMPDIR/found/$1" >"$TMPDIR/merge-$1/log" 2>&1 || true
+  env TMPDIR="$TMPDIR/merge-$1" timeout "${MERGE_SECONDS:-60}" "$programs/gem_fuzz_$1" $(options_of "$1") -rss_limit_mb=3000 \
+    -close_fd_mask=3 -merge=1 "$TMPDIR/new/$1" "$TMPDIR/found/$1" >"$TMPDIR/merge-$1/log" 2>&1 || true
   for seed in "$corpus/$1"/*; do rm -f "$TMPDIR/new/$1/$(basename "$seed")"; done
 }
 

@@ -68,8 +68,7 @@ struct StepForce {
 
 /// A floe that split at the end of a time step, or would have if there were room for its pieces.
 struct SplitEvent {
-  double time = 0.0;      // [s]
-  std::int32_t floe = 0;  // body
+  double time = 0.0;  // [s]
   FloeSplit split;
   Vec2 point, along;             // where the crack begins and its direction, in world axes
   double force = 0.0;            // of the contact along the crack, mean over breakup.load_time_s [N]
@@ -85,9 +84,12 @@ struct ContactLoad {
   Vec2 arm_a, arm_b;    // contact points in the axes of a and b, times their weights [m N s]
 };
 
-/// The contacts of the last half and of the one that runs, each ascending in (a, b).
+/// The contacts of the last half and of the one that runs, each ascending in (a, b); and what splitting left since
+/// t = 0.
 struct LoadSums {
   std::vector<ContactLoad> before, now;
+  double crack_energy = 0.0;  // of all cracks [J]
+  std::int64_t full = 0;      // 1: a floe found no room for its pieces; no floe splits any more
 };
 
 /// How well the contacts of one time step were resolved.

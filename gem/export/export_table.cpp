@@ -45,7 +45,9 @@ std::vector<Column> columns_of(const std::string& table) {
   if (table == "platform") return columns_of(platform_columns());
   if (table == "events") return columns_of(event_columns());
   if (table == "contacts") return columns_of(contact_columns());
-  return columns_of(stats_columns());
+  std::vector<Column> columns = columns_of(stats_columns());
+  for (const Column& column : columns_of(crack_columns())) columns.push_back(column);
+  return columns;
 }
 
 /// Body numbers become those of floes, as on the page of gem view.

@@ -73,6 +73,7 @@ std::vector<FloeSplit> split_floes(Bodies& b, const SceneDef& scene, const std::
   std::vector<FloeSplit> splits;
   for (const FloeCrack& crack : cracks) {
     FloeSplit& split = splits.emplace_back();
+    split.floe = crack.floe;
     const auto cut = good_cut(b, scene, crack);
     if (!cut) continue;
     if (row + 2 > b.count() || b.vertex.size() + cut->left.size() + cut->right.size() > corners_maximum) {
@@ -85,8 +86,10 @@ std::vector<FloeSplit> split_floes(Bodies& b, const SceneDef& scene, const std::
     make_piece(b, scene, i, row, cut->left, mass);
     make_piece(b, scene, i, row + 1, cut->right, b.mass[i] - mass);
     b.active[i] = 0;
-    split = {
-        FloeSplit::Result::split, {static_cast<std::int32_t>(row), static_cast<std::int32_t>(row + 1)}, cut->length};
+    split.result = FloeSplit::Result::split;
+    split.piece[0] = static_cast<std::int32_t>(row);
+    split.piece[1] = static_cast<std::int32_t>(row + 1);
+    split.length = cut->length;
     row += 2;
   }
   if (row > first)

@@ -18,12 +18,13 @@ struct FloeCrack {
 
 /// What became of a crack.
 struct FloeSplit {
-  enum class Result : std::uint8_t {
+  enum class Result : std::int32_t {
     split,
     too_small,  // a piece would be smaller than allowed, a sliver, or have too many corners: the floe stays whole
     no_room     // all rows for pieces are taken: the floe stays whole
   };
   Result result = Result::too_small;
+  std::int32_t floe = -1;            // body that shall split
   std::int32_t piece[2] = {-1, -1};  // bodies, left and right of the crack
   double length = 0.0;               // of the crack [m]
 };

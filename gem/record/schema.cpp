@@ -282,7 +282,7 @@ const std::vector<RowColumn<SplitEvent>>& split_columns() {
   static const std::vector<RowColumn<S>> columns = {
       row("time", Stored::f8, "s", "end of the time step in which the floe split", [](const S& s) { return s.time; }),
       row("body", Stored::i4, "1", "the floe that split; its floe index is body - gem_first_floe_body",
-          [](const S& s) { return double(s.floe); }),
+          [](const S& s) { return double(s.split.floe); }),
       row("piece_left", Stored::i4, "1", "body left of the crack; -1: no room for pieces, the floe stayed whole",
           [](const S& s) { return double(s.split.piece[0]); }),
       row("piece_right", Stored::i4, "1", "body right of the crack; -1: no room for pieces, the floe stayed whole",
@@ -304,6 +304,13 @@ const std::vector<RowColumn<SplitEvent>>& split_columns() {
 
 const std::vector<RowColumn<StatsRow>>& stats_columns() {
   static const std::vector<StatsColumn> columns = make_stats_columns();
+  return columns;
+}
+
+const std::vector<RowColumn<StatsRow>>& crack_columns() {
+  static const std::vector<StatsColumn> columns = {stats_column(
+      "energy_cracks", "J", "energy, taken by the cracks of floes that split since t = 0; energy_impact is without it",
+      [](const StatsRow& s) { return s.ledger.crack_energy; })};
   return columns;
 }
 
@@ -334,8 +341,9 @@ std::vector<Column> schema(const SceneDef& scene) {
   if (scene.output.contact_forces)
     for (const auto& entry : contact_columns()) all.push_back(entry.column);
   for (const auto& entry : count_columns()) all.push_back(entry.column);
-  if (records_splits(scene))
-    for (const auto& entry : split_columns()) all.push_back(entry.column);
+  if (!records_splits(scene)) return all;
+  for (const auto& entry : crack_columns()) all.push_back(entry.column);
+  for (const auto& entry : split_columns()) all.push_back(entry.column);
   return all;
 }
 

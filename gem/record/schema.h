@@ -133,6 +133,8 @@ const std::vector<RowColumn<ContactRow>>& contact_columns();
 /// Of floes that split.
 const std::vector<RowColumn<SplitEvent>>& split_columns();
 const std::vector<RowColumn<StatsRow>>& stats_columns();
+/// The books' entry of runs whose floes may split.
+const std::vector<RowColumn<StatsRow>>& crack_columns();
 const std::vector<CountColumn>& count_columns();
 const std::vector<FloeColumn>& floe_columns();
 std::vector<ShapeColumn> shape_columns(const SceneDef& scene);

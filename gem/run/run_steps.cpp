@@ -146,10 +146,16 @@ void RunSteps::take(const StepLog& log) {
 }
 
 void RunSteps::say_no_room(const StepLog& log) {
+  if (said_no_room_ || log.splits.empty()) return;
   const Bodies& b = engine_.bodies();
-  if (said_no_room_ || log.splits.empty() || first_unborn(b) + 2 <= b.count()) return;
-  log_.message("warning", "the last of breakup.maximum_pieces = " + std::to_string(scene_.breakup.maximum_pieces) +
-                              " pieces is made at " + number_text(log.splits.back().time) +
+  const bool rows_left = first_unborn(b) + 2 <= b.count();
+  const bool refused = std::any_of(log.splits.begin(), log.splits.end(), [](const SplitEvent& one) {
+    return one.split.result == FloeSplit::Result::no_room;
+  });
+  if (rows_left && !refused) return;
+  const std::string what = rows_left ? "the corners are used up of" : "the last is made of";
+  log_.message("warning", what + " breakup.maximum_pieces = " + std::to_string(scene_.breakup.maximum_pieces) +
+                              " pieces at " + number_text(log.splits.back().time) +
                               " s: floes stay whole from now on; raise the key");
   said_no_room_ = true;
 }

@@ -20,7 +20,7 @@ double speed_scale_of(const SceneDef& scene, const Bodies& bodies) {
 }
 
 double contact_energy(const Ledger& ledger) {
-  double sum = 0.0;
+  double sum = ledger.crack_energy;
   for (const Channel channel : {Channel::impact, Channel::friction, Channel::elastic, Channel::repair})
     sum += ledger[channel].energy;
   return sum;

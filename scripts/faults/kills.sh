@@ -1,24 +1,27 @@
 #!/bin/sh
 # Kills runs with SIGKILL at random moments, lets them go on, and compares their state hashes with that of a run that was left alone.
 #
-# usage: scripts/faults/kills.sh GEM CASE N OUT.csv [--seconds S] [--seed K] [OPTIONS OF GEM RUN, e.g. --engine cuda]
+# usage: scripts/faults/kills.sh GEM CASE N OUT.csv [--seconds S] [--seed K] [--wall W] [OPTIONS OF GEM RUN, e.g. --engine cuda]
 #
 # Of a sweep file all runs are made in one folder, the whole process group is killed, and `gem sweep run` is called again. Each run is
 # killed once, after a moment drawn from its whole length; one that has no checkpoint yet begins again. Kills that come too late are
-# drawn again. --seconds sets run.duration_s. --seconds and --seed stand before options of gem run.
+# drawn again. --seconds sets run.duration_s. --wall ends the kills early, so that the script takes W seconds of wall time. These options
+# stand before those of gem run.
 # A row of OUT.csv: number, moment of the kill [s of wall time], how the run came to its end, wall time redone [s] (from the newest
 # checkpoint to the kill, the longest of a sweep's runs), simulated time that a reader found after the kill and from which the run went
 # on [s; single runs], equal hashes (yes or no).
 # Exit code 1: a hash differs or a run does not come to its end. Needs a POSIX shell, awk, sort, and from Linux setsid and date -r.
 set -eu
-[ $# -ge 4 ] || { sed -n '2,13p' "$0" >&2; exit 2; }
+[ $# -ge 4 ] || { sed -n '2,14p' "$0" >&2; exit 2; }
 gem=$1 case=$2 runs=$3 out=$4
 shift 4
-seed=1
+seed=1 allowed=
+script_begun=$(date +%s)
 while [ $# -gt 0 ]; do
   case $1 in
     --seconds) duration=$2 && shift 2 ;;
     --seed) seed=$2 && shift 2 ;;
+    --wall) allowed=$2 && shift 2 ;;
     *) break ;;
   esac
 done
@@ -35,6 +38,12 @@ less() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.2f", b - a }'; }
 # the value of a key in the JSON of `gem info`
 told() { "$gem" info "$1" --json 2>/dev/null | sed -n "s/^  \"$2\": \"\{0,1\}\([^\",]*\).*/\1/p"; }
 
+# is_late: one more kill, with the run that follows, may take more than what is left of the wall time
+is_late() {
+  [ -n "$allowed" ] || return 1
+  awk -v past="$(($(date +%s) - script_begun))" -v wall="$wall" -v w="$allowed" 'BEGIN { exit past + 2 * wall + 2 < w }'
+}
+
 # begin PLACE OPTIONS: the run or the sweep from its start, or what is left of the sweep; in a process group of its own
 begin() {
   place=$1
@@ -46,6 +55,9 @@ begin() {
     exec setsid "$gem" run "$case" --out "$place" --overwrite --quiet $length "$@"
   fi
 }
+
+# lives GROUP: a process of the group still runs. The processes of a sweep die after their leader, and hold locks until then
+lives() { cat /proc/[0-9]*/stat 2>/dev/null | awk -v g="$1" '{ sub(/^.*\) /, "") } $3 == g && $1 != "Z" { found = 1 } END { exit !found }'; }
 
 # is_complete PLACE: all that was left alone is there and complete
 is_complete() {
@@ -101,7 +113,7 @@ echo "left alone: $wall s; $(wc -l <"$folder/wanted") runs" >&2
 
 echo "n,killed_after_s,end,redone_wall_s,read_to_s,went_on_from_s,same_hash" >"$out"
 n=1 draw=0
-while [ "$n" -le "$runs" ]; do
+while [ "$n" -le "$runs" ] && ! is_late; do
   draw=$((draw + 1))
   [ "$draw" -le $((10 * runs)) ] || { echo "kills.sh: the run is too short to be killed (choose another length)" >&2; exit 1; }
   parts=$folder/parts
@@ -114,6 +126,7 @@ while [ "$n" -le "$runs" ]; do
   kill -9 -$! 2>/dev/null || :
   killed=$(now)
   wait $! 2>/dev/null || :
+  while lives $!; do sleep 0.02; done
   if is_complete "$parts"; then continue; fi # the kill came too late
   lost=$(redone "$parts" "$begun" "$killed")
   read_to=

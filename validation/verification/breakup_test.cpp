@@ -69,7 +69,7 @@ TEST_P(Breakup, V90_a_pressed_floe_splits_at_the_force_of_the_closed_form) {
   check_value("V90.energy", 115e3 * 115e3 / 5e9 * 0.5 * 80.0, event.energy, 1e-9, "J", where());
   const Bodies& b = split.bodies();
   const auto left = static_cast<std::size_t>(event.split.piece[0]);
-  EXPECT_FALSE(b.active[static_cast<std::size_t>(event.floe)]);
+  EXPECT_FALSE(b.active[static_cast<std::size_t>(event.split.floe)]);
   EXPECT_NEAR(b.area[left], 3200.0, 1e-6);
   EXPECT_NEAR(b.area[left + 1], 3200.0, 1e-6);
   expect_closed_books(split, 1e-12);

@@ -122,10 +122,21 @@ class SweepCommandTest : public testing::Test {
     FAIL() << "no run was done within half a minute";
   }
 
+  /// Waits until a run of `endless_` has begun.
+  void wait_for_start(const std::string& out) {
+    for (int tries = 0; tries < 600; ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      if (fs::exists(folder_ / out / "manifest.json") && count(out, "running") >= 1) return;
+    }
+    FAIL() << "no run began within half a minute";
+  }
+
   ScratchFolder scratch_{"gem sweep"};
   const fs::path& folder_ = scratch_.path();
   /// Makes each run take long enough to be interrupted.
   const Words slow_ = {"--set", "numerics.time_step_s=1.2e-5", "--set", "output.platform_interval_s=0.02"};
+  /// No run comes to its end, however loaded the machine.
+  const Words endless_ = {slow_[0], slow_[1], slow_[2], slow_[3], "--set", "run.duration_s=1000"};
 };
 
 TEST_F(SweepCommandTest, StrictCountsTheBadRuns) {
@@ -198,8 +209,8 @@ TEST_F(SweepCommandTest, AKilledSweepGoesOnToTheSameHashes) {
 }
 
 TEST_F(SweepCommandTest, AnInterruptStopsAllRunsInOrder) {
-  const pid_t child = start_sweep("d", slow_);
-  wait_for_first("d");
+  const pid_t child = start_sweep("d", endless_);
+  wait_for_start("d");
   kill(child, SIGINT);
   EXPECT_EQ(ended(child), 130);
   EXPECT_EQ(count("d", "running"), 0u);
@@ -252,8 +263,8 @@ TEST_F(SweepCommandTest, SeveralProcessesShareOneFolder) {
 }
 
 TEST_F(SweepCommandTest, ASweepOfOtherCasesIsRefusedWhileOneRuns) {
-  const pid_t child = start_sweep("d", slow_, "first");
-  wait_for_first("d");
+  const pid_t child = start_sweep("d", endless_, "first");
+  wait_for_start("d");
   EXPECT_EQ(sweep("d", {"--set", "run.duration_s=1.0", "--index", "5-6"}), 4);
   EXPECT_NE(text_of("err_").find("another sweep runs in"), std::string::npos) << text_of("err_");
   kill(child, SIGHUP);

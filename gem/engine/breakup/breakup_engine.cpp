@@ -2,6 +2,7 @@
 #include "gem/engine/breakup/breakup_engine.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "gem/field/floe_reserve.h"
@@ -55,26 +56,62 @@ void BreakupEngine::look_at(StepLog& log) {
 
 void BreakupEngine::split(StepLog& log) {
   const std::vector<LoadedCrack> loaded = loads_.close_half(engine_->bodies());
-  if (loaded.empty() || first_unborn(engine_->bodies()) + 2 > engine_->bodies().count()) return;
+  if (loaded.empty() || loads_.is_full() || first_unborn(engine_->bodies()) + 2 > engine_->bodies().count()) return;
   std::vector<FloeCrack> cracks;
   for (const LoadedCrack& one : loaded) cracks.push_back(one.crack);
   EngineState state = engine_->save();
   const std::vector<FloeSplit> splits = split_floes(state.bodies, scene_, cracks);
-  bool changed = false;
+  std::vector<SplitEvent> made;
   for (std::size_t k = 0; k < splits.size(); ++k) {
-    if (splits[k].result == FloeSplit::Result::too_small) continue;
-    changed = changed || splits[k].result == FloeSplit::Result::split;
+    const FloeSplit::Result result = splits[k].result;
+    if (result == FloeSplit::Result::too_small) continue;
     const Bodies& b = state.bodies;
     const std::int32_t floe = cracks[k].floe;
-    log.splits.push_back({double(state.step) * scene_.numerics.time_step_s, floe, splits[k],
-                          b.position[floe] + rotate(b.rotation[floe], cracks[k].point),
-                          rotate(b.rotation[floe], cracks[k].along), loaded[k].force, loaded[k].splitting_force,
-                          crack_energy(scene_.breakup, b.thickness[floe], splits[k].length)});
+    const SplitEvent event = {double(state.step) * scene_.numerics.time_step_s,
+                              splits[k],
+                              b.position[floe] + rotate(b.rotation[floe], cracks[k].point),
+                              rotate(b.rotation[floe], cracks[k].along),
+                              loaded[k].force,
+                              loaded[k].splitting_force,
+                              crack_energy(scene_.breakup, b.thickness[floe], splits[k].length)};
+    log.splits.push_back(event);
+    if (result == FloeSplit::Result::split) made.push_back(event);
+    if (result == FloeSplit::Result::no_room) loads_.set_full();
   }
-  if (!changed) return;
+  if (made.empty()) return;
+  for (const SplitEvent& event : made) loads_.add_crack(event.energy);
   drop_impulses(state);
   engine_->restore(state);
   loads_.drop_inactive(engine_->bodies());
+  name_pieces(made);
+}
+
+/// A force on a floe that has just split is one on the piece that has its point. A point on the crack counts for the
+/// left piece.
+void BreakupEngine::name_pieces(const std::vector<SplitEvent>& splits) {
+  const auto name = [&](std::int32_t& body, Vec2 point) {
+    for (const SplitEvent& s : splits)
+      if (s.split.floe == body) {
+        body = s.split.piece[cross(s.along, point - s.point) < 0.0 ? 1 : 0];
+        return;
+      }
+  };
+  for (ContactForce& contact : forces_) {
+    name(contact.a, contact.point);
+    name(contact.b, contact.point);
+    if (contact.a < contact.b) continue;
+    std::swap(contact.a, contact.b);
+    contact.force = -1.0 * contact.force;
+  }
+  std::sort(forces_.begin(), forces_.end(),
+            [](const ContactForce& p, const ContactForce& q) { return std::tie(p.a, p.b) < std::tie(q.a, q.b); });
+}
+
+Ledger BreakupEngine::ledger() {
+  Ledger ledger = engine_->ledger();
+  ledger.crack_energy = -loads_.sums().crack_energy;
+  ledger[Channel::impact].energy -= ledger.crack_energy;
+  return ledger;
 }
 
 EngineState BreakupEngine::save() {

@@ -29,7 +29,8 @@ class BreakupEngine : public Engine {
   void look_at(StepLog& log);
   std::int64_t step() const override { return engine_->step(); }
   const Bodies& bodies() override { return engine_->bodies(); }
-  Ledger ledger() override { return engine_->ledger(); }
+  /// The books of the engine inside; the energy of cracks is moved from the contacts to an entry of its own.
+  Ledger ledger() override;
   LineSet broken_lines() const override { return engine_->broken_lines(); }
   const DpState* dp_state() const override { return engine_->dp_state(); }
   bool has_contact_forces() const override { return true; }
@@ -39,6 +40,7 @@ class BreakupEngine : public Engine {
 
  private:
   void split(StepLog& log);
+  void name_pieces(const std::vector<SplitEvent>& splits);
 
   SceneDef scene_;
   std::unique_ptr<Engine> engine_;

@@ -36,6 +36,12 @@ class ContactLoads {
   /// Forgets the loads of floes that take part no more.
   void drop_inactive(const Bodies& bodies);
 
+  /// Books the energy of a crack [J].
+  void add_crack(double energy) { sums_.crack_energy += energy; }
+  /// No floe splits any more: there is no room for pieces.
+  void set_full() { sums_.full = 1; }
+  bool is_full() const { return sums_.full != 0; }
+
   const LoadSums& sums() const { return sums_; }
   void restore(const LoadSums& sums) { sums_ = sums; }
 

@@ -207,6 +207,7 @@ LedgerResidual residual(const Ledger& ledger) {
   Quantity explained = ledger.start;
   for (const Quantity& q : ledger.channel) explained += q;
   explained += ledger.mooring_force;
+  explained.energy += ledger.crack_energy;
   auto relative = [](double difference, double scale) { return scale > 0.0 ? std::fabs(difference) / scale : 0.0; };
   return {relative(length(ledger.now.momentum - explained.momentum), ledger.momentum_scale),
           relative(ledger.now.angular_momentum - explained.angular_momentum, ledger.angular_scale),

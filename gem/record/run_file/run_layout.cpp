@@ -103,8 +103,10 @@ RunLayout::RunLayout(const std::string& path, const SceneDef& scene, const Bodie
   for (const auto& entry : count_columns()) file_.add_column(entry.column, nullptr);
   if (has_contacts_)
     for (const auto& entry : contact_columns()) file_.add_column(entry.column, nullptr);
-  if (has_splits_)
+  if (has_splits_) {
+    for (const auto& entry : crack_columns()) file_.add_column(entry.column, nullptr);
     for (const auto& entry : split_columns()) file_.add_column(entry.column, nullptr);
+  }
   file_.start();
 }
 
@@ -196,6 +198,7 @@ void RunLayout::append_stats(std::size_t count, Rows kind) {
     file_.append("/stats/" + entry.column.name, values, count, kind);
   }
   append_rows(stats_columns(), waiting_.stats, count, kind);
+  if (has_splits_) append_rows(crack_columns(), waiting_.stats, count, kind);
 }
 
 void RunLayout::append_events(std::size_t count, Rows kind) {

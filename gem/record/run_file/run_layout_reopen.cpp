@@ -35,7 +35,10 @@ std::vector<Growing> growing_columns(const std::map<std::string, hsize_t>& size,
   for (const PartColumn& part : parts)
     groups.push_back({{part.column}, width_of_part(part.column, size), from.platform});
   if (has_contacts) groups.push_back({columns_of(contact_columns()), 1, from.contacts});
-  if (has_splits) groups.push_back({columns_of(split_columns()), 1, from.splits});
+  if (has_splits) {
+    groups.push_back({columns_of(crack_columns()), 1, from.stats});
+    groups.push_back({columns_of(split_columns()), 1, from.splits});
+  }
   return groups;
 }
 

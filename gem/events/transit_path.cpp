@@ -49,7 +49,8 @@ std::vector<double> straight_rests(const TransitDef& def, Vec2 start) {
   std::vector<double> rests;
   for (std::size_t k = 0; k < legs.size(); ++k) {
     const double before = k > 0 ? touching(legs, k - 1, def.turn_radius_m) : 0.0;
-    rests.push_back(legs[k].length - before - touching(legs, k, def.turn_radius_m));
+    const double rest = legs[k].length - before - touching(legs, k, def.turn_radius_m);
+    rests.push_back(legs[k].length > 0.0 ? rest : std::nan(""));
   }
   return rests;
 }

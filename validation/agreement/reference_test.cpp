@@ -351,7 +351,7 @@ TEST(ReferenceJudgesMotion, AShipIsLedThroughTwoFloes) {
   s.mooring = {.stiffness_N_per_m = 0.0, .damping_ratio = 0.0};
   s.platform_drag.present = true;
   s.transit = {.speed_m_per_s = 1.0, .way_point_m = {{-10.0, 0.0}, {-60.0, 20.0}}, .turn_radius_m = 25.0};
-  s.floe = {floe(10.0, 9.0, {-26.0, 1.0}, {}, 0.3), floe(9.0, 7.0, {-36.0, 6.0}, {}, 0.1)};
+  s.floe = {floe(10.0, 9.0, {-26.0, 1.0}, {}, 0.3), floe(9.0, 7.0, {-39.0, 8.0}, {}, 0.1)};
   compare({.scene = s, .steps = 400, .anew = true});
 }
 

@@ -143,6 +143,15 @@ inline SceneDef breaking_scene(std::uint64_t seed) {
   return scene;
 }
 
+/// The busy scene around a platform on its way upstream, which turns at a way point within two seconds.
+inline SceneDef transit_scene(std::uint64_t seed) {
+  SceneDef scene = busy_scene(seed);
+  scene.platform.start_velocity_m_per_s = {};
+  scene.mooring.stiffness_N_per_m = scene.mooring.damping_ratio = 0.0;
+  scene.transit = {.speed_m_per_s = 1.0, .way_point_m = {{-4.0, 0.0}, {-40.0, 12.0}}, .turn_radius_m = 20.0};
+  return scene;
+}
+
 /// The field of a scene, with random velocities and spins of the floes.
 inline Bodies busy_field(const SceneDef& scene) {
   Bodies bodies = make_field(scene);

@@ -28,10 +28,9 @@ class PhaseGroup : public DeviceGroup {
   GridBarrier* grid_barrier_;
 };
 
-/// Barrier of all threads of a cluster. The barrier counts warps, so a warp that has diverged must reconverge first.
+/// Barrier of all threads of a cluster; not `aligned`, as SolveGroup::block_barrier().
 __device__ inline void cluster_barrier() {
-  __syncwarp();
-  asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
+  asm volatile("barrier.cluster.arrive.release;\n\tbarrier.cluster.wait.acquire;" ::: "memory");
 }
 
 /// The blocks that iterate a scene: a cluster, or the first block of the cluster alone. They have barriers and reach
@@ -46,6 +45,9 @@ class SolveGroup : public DeviceGroup {
       : DeviceGroup(shared_memory), alone_(alone), block_(alone ? 0 : static_cast<int>(cluster().block_rank())) {}
 
   __device__ Lanes lanes() const { return {}; }
+  /// Counts threads. __syncthreads() counts warps: where the compiler keeps the threads of a warp apart, as it did in
+  /// DeviceFactor, each part of the warp counts as a whole one, and the blocks of a cluster wait for ever.
+  __device__ static void block_barrier() { asm volatile("barrier.sync 0;" ::: "memory"); }
   __device__ int block() const { return block_; }
   __device__ int blocks() const { return alone_ ? 1 : static_cast<int>(cluster().num_blocks()); }
   /// Shared memory of a block of the cluster. The own one is addressed directly: most bodies and points of a block are
@@ -57,7 +59,7 @@ class SolveGroup : public DeviceGroup {
 
   __device__ void barrier() const {
     if (alone_)
-      __syncthreads();
+      block_barrier();
     else
       cluster_barrier();
   }

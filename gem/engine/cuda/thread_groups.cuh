@@ -83,9 +83,7 @@ class DeviceGroup {
   __device__ int threads() const { return static_cast<int>(blockDim.x); }
   __device__ Warp warp() const { return {}; }
   __device__ Wide wide() const { return {}; }
-  /// Counts threads, not warps: the compiler may keep the threads of a warp apart here, and __syncthreads() then counts
-  /// each part of the warp as a whole one.
-  __device__ static void block_barrier() { asm volatile("barrier.sync 0;" ::: "memory"); }
+  __device__ void block_barrier() { __syncthreads(); }
   __device__ BlockCell& shared() { return shared_memory_.shared; }
   __device__ std::byte* shared_memory() const { return shared_memory_.shared_memory; }
   __device__ std::size_t shared_bytes() const { return shared_memory_.bytes; }

@@ -28,9 +28,10 @@ class PhaseGroup : public DeviceGroup {
   GridBarrier* grid_barrier_;
 };
 
-/// Barrier of all threads of a cluster; not `aligned`, as SolveGroup::block_barrier().
+/// Barrier of all threads of a cluster. The barrier counts warps, so a warp that has diverged must reconverge first.
 __device__ inline void cluster_barrier() {
-  asm volatile("barrier.cluster.arrive.release;\n\tbarrier.cluster.wait.acquire;" ::: "memory");
+  __syncwarp();
+  asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
 }
 
 /// The blocks that iterate a scene: a cluster, or the first block of the cluster alone. They have barriers and reach
@@ -45,9 +46,6 @@ class SolveGroup : public DeviceGroup {
       : DeviceGroup(shared_memory), alone_(alone), block_(alone ? 0 : static_cast<int>(cluster().block_rank())) {}
 
   __device__ Lanes lanes() const { return {}; }
-  /// Counts threads. __syncthreads() counts warps: where the compiler keeps the threads of a warp apart, as it did in
-  /// DeviceFactor, each part of the warp counts as a whole one, and the blocks of a cluster wait for ever.
-  __device__ static void block_barrier() { asm volatile("barrier.sync 0;" ::: "memory"); }
   __device__ int block() const { return block_; }
   __device__ int blocks() const { return alone_ ? 1 : static_cast<int>(cluster().num_blocks()); }
   /// Shared memory of a block of the cluster. The own one is addressed directly: most bodies and points of a block are
@@ -59,10 +57,13 @@ class SolveGroup : public DeviceGroup {
 
   __device__ void barrier() const {
     if (alone_)
-      block_barrier();
+      __syncthreads();
     else
       cluster_barrier();
   }
+
+ protected:
+  __device__ bool alone() const { return alone_; }
 
  private:
   __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
@@ -155,6 +156,13 @@ class IslandGroup : public SolveGroup {
   __device__ IslandGroup(const BlockMemory& shared_memory, bool alone, GridBarrier* grid_barrier)
       : SolveGroup(shared_memory, alone), grid_barrier_(grid_barrier) {}
   __device__ void raise(std::uint32_t alarms) { atomicOr(&grid_barrier_->alarms, alarms); }
+  /// The block's barrier counts warps. The compiler left the warps diverged at those of DeviceFactor: one warp then
+  /// counts twice, its last barrier waits for ever, and so does the cluster. So warps reconverge first.
+  __device__ static void block_barrier() {
+    __syncwarp();
+    __syncthreads();
+  }
+  __device__ void barrier() const { alone() ? block_barrier() : cluster_barrier(); }
 
  private:
   GridBarrier* grid_barrier_;

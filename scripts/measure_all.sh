@@ -10,10 +10,11 @@
 # scatter uses the GPU and the first core all the time. The others come in this order: factor on two cores for each run, hard beside
 # it; then windows, closed_form and speed, one process a core; then the ensembles, one process a processor.
 # Environment: as for scripts/measure.sh; GEM_FACTOR_S=600 seconds of each run at 0.25 m/s for factor, less at higher speed
+#              GEM_CORES="0,8 1,9" processors of each core, in place of what the machine tells; GEM_HARD='*H3*' only these hard cases
 # Exit code: 0 all is done, 2 wrong use, 8 something is left.
 set -euo pipefail
-[ $# -ge 4 ] && [ "$3" -ge 4 ] && [ "$4" -gt 0 ] || {
-  sed -n '2,15s/^# //p' "$0" >&2
+[ $# -ge 4 ] && [ "$3" -ge 2 ] && [ "$4" -gt 0 ] || {
+  sed -n '2,16s/^# //p' "$0" >&2
   exit 2
 }
 programs=$(realpath "$1") processors=$3 seconds=$4
@@ -24,7 +25,7 @@ shift 4
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/workers.sh
 begin=$(date +%s)
-export GEM_DEADLINE=$((begin + seconds - 15))
+export GEM_DEADLINE=$((begin + seconds - 15)) GEM_WINDOWS=${GEM_WINDOWS:-12} GEM_WINDOW_S=${GEM_WINDOW_S:-4} GEM_DRIFT_M=${GEM_DRIFT_M:-240}
 note() { echo "$(($(date +%s) - begin)) s: $*" | tee -a "$out/results/progress.txt"; }
 
 # The processors of each core, a core a line; in pairs if the machine does not tell.
@@ -40,7 +41,8 @@ pairs() {
   if grep -q '[,-]' <<<"$1"; then echo "$1"; else paste -d, - - <<<"$1"; fi
 }
 
-mapfile -t cores < <(pairs "$(cores_of_machine)")
+mapfile -t cores < <(if [ -n "${GEM_CORES:-}" ]; then tr ' ' '\n' <<<"$GEM_CORES"; else pairs "$(cores_of_machine)"; fi)
+unset GEM_CORES
 wanted() { [[ " ${parts[*]} " == *" $1 "* ]]; }
 parts=("$@")
 free=0 # the first core that is free
@@ -82,19 +84,22 @@ one_hard() {
 # The tests, with those first that took longest; a / of a name is an @, since each is a file too.
 hard_tests() {
   local suite="" line
-  "$programs/gem_hard_tests" --gtest_list_tests --gtest_filter="-*/Long*:Long*" | while IFS= read -r line; do
+  "$programs/gem_hard_tests" --gtest_list_tests --gtest_filter="${GEM_HARD:-*}-*/Long*:Long*" | while IFS= read -r line; do
     case $line in
     " "*) line=${line%%#*} line=${line// /} && echo "${suite//\//@}${line//\//@}" ;;
     *) suite=${line%%#*} suite=${suite// /} ;;
     esac
   done >"$out/hard/list.txt"
-  { grep -E 'H7|H11|n1000|H13|H16|R2|column_of_100' "$out/hard/list.txt"; cat "$out/hard/list.txt"; } | awk '!seen[$0]++' >"$out/hard.txt"
+  { grep -E "H7|H11|H13|H16|R2|column_of_100" "$out/hard/list.txt" || true; cat "$out/hard/list.txt"; } | awk '!seen[$0]++' >"$out/hard.txt"
 }
 
 if wanted hard; then
   hard_tests
   ((free < ${#cores[@]})) || free=1
-  GEM_CORES="${cores[*]:free}" in_parallel $((${#cores[@]} - free)) "$out/hard.txt" "$out/hard" one_hard
+  ( # in_parallel waits for all children
+    GEM_CORES="${cores[*]:free}"
+    in_parallel $((${#cores[@]} - free)) "$out/hard.txt" "$out/hard" one_hard
+  )
   xargs -I NAME cat "$out/hard/rows.NAME" <"$out/hard.txt" >"$out/results/hard_rows.csv" 2>/dev/null || true
   while read -r name; do [ -e "$out/hard/$name" ] || echo "hard $name"; done <"$out/hard.txt" >>"$out/left.txt"
   note "hard cases end"

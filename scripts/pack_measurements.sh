@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the measuring programs as single files and packs them with their cases and settings for a machine without these
 # packages: unpack there and run `scripts/measure_all.sh bin OUT PROCESSORS SECONDS`, or parts by `sh scripts/measure.sh bin OUT JOBS`.
-# Usage: scripts/pack_measurements.sh BOX2D_SOURCES OUT.tar.gz [CMAKE_OPTION...]
+# Usage: scripts/pack_measurements.sh BOX2D_SOURCES OUT.tar.xz [CMAKE_OPTION...]
 #   BOX2D_SOURCES  the folder that scripts/box2d_source.sh prints
 # Environment: GEM_CUDA_PROGRAM=FILE a static gem with CUDA, packed as gem_cuda for scripts/scatter_gpu.sh
 #              GEM_SLOP=0 without gem_slop
@@ -38,5 +38,5 @@ strip "$work"/measure/bin/*
 cp -r --parents cases bench/*_settings.txt bench/speed_pairs.txt validation/baseline/{ensembles.txt,table1_5cm.toml} validation/hard/known_misses.txt \
   scripts/measure.sh scripts/measure_all.sh scripts/ensembles.sh scripts/workers.sh scripts/scatter_gpu.sh scripts/studies "$work/measure"
 find "$work" -name __pycache__ -prune -exec rm -r {} +
-tar -C "$work" -czf "$out" measure
+XZ_OPT="-6 --lzma2=dict=128MiB" tar -C "$work" -caf "$out" measure # as its suffix says; xz finds what the programs share
 echo "$out: $(du -h "$out" | cut -f1); there: tar xzf, cd measure, scripts/measure_all.sh bin out PROCESSORS SECONDS"

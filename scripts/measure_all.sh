@@ -9,7 +9,7 @@
 #   PART        those wanted, of: factor hard windows closed_form speed ensembles ensembles:PART scatter; default: all
 # scatter uses the GPU and the first core all the time. The others come in this order: factor on two cores for each run, hard beside
 # it; then windows, closed_form and speed, one process a core; then the ensembles, one process a processor.
-# Environment: as for scripts/measure.sh; GEM_FACTOR_S=600 seconds of each run at 0.25 m/s for factor, less at higher speed
+# Environment: as for scripts/measure.sh; GEM_FACTOR_S=900 seconds of each run at 0.25 m/s for factor, less at higher speed
 #              GEM_CORES="0,8 1,9" processors of each core, in place of what the machine tells; GEM_HARD='*H3*' only these hard cases
 # Exit code: 0 all is done, 2 wrong use, 8 something is left.
 set -euo pipefail
@@ -59,7 +59,7 @@ factor() {
   local table=$out/factor/$1.csv
   [ ! -e "$table" ] || return 0
   taskset -c "$2,$3" timeout $((GEM_DEADLINE - $(date +%s))) python3 scripts/studies real_time_factor "$programs/gem" \
-    "$table.part" --seconds "${GEM_FACTOR_S:-600}" --threads 2 --index "$1" >"$out/factor/$1.log" 2>&1 &&
+    "$table.part" --seconds "${GEM_FACTOR_S:-900}" --threads 2 --index "$1" >"$out/factor/$1.log" 2>&1 &&
     mv "$table.part" "$table" || echo "factor $1" >>"$out/left.txt"
 }
 

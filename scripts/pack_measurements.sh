@@ -39,4 +39,4 @@ cp -r --parents cases bench/*_settings.txt bench/speed_pairs.txt validation/base
   scripts/measure.sh scripts/measure_all.sh scripts/ensembles.sh scripts/workers.sh scripts/scatter_gpu.sh scripts/studies "$work/measure"
 find "$work" -name __pycache__ -prune -exec rm -r {} +
 XZ_OPT="-6 --lzma2=dict=128MiB" tar -C "$work" -caf "$out" measure # as its suffix says; xz finds what the programs share
-echo "$out: $(du -h "$out" | cut -f1); there: tar xzf, cd measure, scripts/measure_all.sh bin out PROCESSORS SECONDS"
+echo "$out: $(du -h "$out" | cut -f1); there: tar xf, cd measure, scripts/measure_all.sh bin out PROCESSORS SECONDS"

@@ -3,7 +3,8 @@
 # python3 and the files packed by scripts/pack_measurements.sh.
 # Usage: scripts/measure_all.sh PROGRAMS OUT PROCESSORS SECONDS [PART...]
 #   PROGRAMS    folder with the packed programs; scatter needs gem_cuda among them
-#   OUT         gets all.tar.gz, with the folder results: what the scripts/studies take (scripts/studies take OUT/all.tar.gz)
+#   OUT         gets all.tar.gz: its folder results is what `scripts/studies take OUT/all.tar.gz` takes. To continue elsewhere, unpack it
+#               in OUT first
 #   PROCESSORS  to use; timed parts use one process for each core of them
 #   SECONDS     wall time in all. What is not finished then is left out; run it again in the same OUT to continue
 #   PART        those wanted, of: factor hard windows closed_form speed ensembles ensembles:PART scatter; default: all
@@ -14,7 +15,7 @@
 # Exit code: 0 all is done, 2 wrong use, 8 something is left.
 set -euo pipefail
 [ $# -ge 4 ] && [ "$3" -ge 2 ] && [ "$4" -gt 0 ] || {
-  sed -n '2,16s/^# //p' "$0" >&2
+  sed -n '2,17s/^# //p' "$0" >&2
   exit 2
 }
 programs=$(realpath "$1") processors=$3 seconds=$4
@@ -136,6 +137,7 @@ if wanted scatter; then cp "$out/scatter/result.tar.xz" "$out/results/scatter36.
   echo "cores: ${cores[*]}"
 } >"$out/results/machine.txt"
 cp "$out/left.txt" "$out/results/"
-tar -C "$out" -czf "$out/all.tar.gz" results
+mkdir -p "$out/tasks" "$out/ensembles"
+tar -C "$out" -czf "$out/all.tar.gz" --exclude='*.h5' --exclude='taken.*' results hard factor tasks ensembles
 note "done; not finished: $(wc -l <"$out/left.txt") lines of left.txt; $out/all.tar.gz"
 [ ! -s "$out/left.txt" ] || exit 8

@@ -106,7 +106,9 @@ if wanted hard; then
   note "hard cases end"
 fi
 [ ${#factors[@]} -eq 0 ] || wait "${factors[@]}" || true
-[ ! -d "$out/factor" ] || awk 'FNR > 1 || NR == 1' "$out"/factor/*.csv >"$out/results/real_time_factor.csv" 2>/dev/null || true
+if compgen -G "$out/factor/*.csv" >/dev/null; then
+  awk 'FNR > 1 || NR == 1' "$out"/factor/*.csv >"$out/results/real_time_factor.csv"
+fi
 note "factors end"
 
 # measure.sh makes what is left of the time; its workers stay on the cores that scatter leaves.

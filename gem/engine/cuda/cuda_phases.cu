@@ -62,9 +62,6 @@ class SolveGroup : public DeviceGroup {
       cluster_barrier();
   }
 
- protected:
-  __device__ bool alone() const { return alone_; }
-
  private:
   __device__ static cooperative_groups::cluster_group cluster() { return cooperative_groups::this_cluster(); }
 
@@ -156,13 +153,6 @@ class IslandGroup : public SolveGroup {
   __device__ IslandGroup(const BlockMemory& shared_memory, bool alone, GridBarrier* grid_barrier)
       : SolveGroup(shared_memory, alone), grid_barrier_(grid_barrier) {}
   __device__ void raise(std::uint32_t alarms) { atomicOr(&grid_barrier_->alarms, alarms); }
-  /// The block's barrier counts warps. The compiler left the warps diverged at those of DeviceFactor: one warp then
-  /// counts twice, its last barrier waits for ever, and so does the cluster. So warps reconverge first.
-  __device__ static void block_barrier() {
-    __syncwarp();
-    __syncthreads();
-  }
-  __device__ void barrier() const { alone() ? block_barrier() : cluster_barrier(); }
 
  private:
   GridBarrier* grid_barrier_;

@@ -172,7 +172,7 @@ def check_goodbye(page, gem, case, folder):
     page.open(f"http://{server.host}{server.base}")
     page.until("window.gemView && 1", 40)
     page.open("about:blank")
-    expect(server.process.wait(30) == 0, "a run whose page was closed does not wait for it")
+    expect(server.process.wait(120) == 0, "a run whose page was closed does not wait for it")
 
 
 def check_server(gem, cases, folder):

@@ -42,6 +42,51 @@ TEST_F(ExportTest, AFrameIsAFloeFileThatRuns) {
   EXPECT_EQ(shell("gem run again.toml --until 1 -q --threads 1"), 0) << text_of("err");
 }
 
+TEST_F(ExportTest, AFrameOfATurnedShipInTransitRuns) {
+  ASSERT_EQ(shell("gem run " GEM_SOURCE_DIR "/cases/ship_transit.toml --threads 1 -q --out way.h5 --until 300"), 0)
+      << text_of("err");
+  ASSERT_EQ(shell("gem export way.h5 way.geojson --at 300"), 0) << text_of("err");
+  const auto platform = nlohmann::json::parse(text_of("way.geojson")).at("platform");
+  ASSERT_GT(std::abs(platform.at("yaw_rad").get<double>()), 0.1) << "the ship must have turned";
+  for (const FloeDef& floe : read_floe_file(path("way.geojson")).floes) ASSERT_GE(floe.outline_m.size(), 3u);
+  const double yaw = platform.at("yaw_rad").get<double>();
+  std::ofstream(path("on.toml")) << "[run]\nduration_s = 10.0\n[current]\nvelocity_m_per_s = [0.0, 0.0]\n"
+                                 << "[floes]\nsource = \"file\"\npath = \"way.geojson\"\n"
+                                 << "[boundary]\npresent = false\n[platform]\noutline = \"ship\"\nlength_m = 110.0\n"
+                                 << "beam_m = 22.0\nbow_length_m = 30.0\nstern_length_m = 20.0\nmass_kg = 1.5e7\n"
+                                 << "start_offset_m = " << platform.at("start_offset_m").dump()
+                                 << "\nstart_yaw_rad = " << yaw << "\n[mooring]\nstiffness_N_per_m = 0.0\n"
+                                 << "[transit]\nspeed_m_per_s = 2.0\ncourse_rad = " << 3.141592653589793 + yaw
+                                 << "\n[numerics]\ntime_step_s = 0.05\n";
+  EXPECT_EQ(shell("gem run on.toml --until 1 -q --threads 1"), 0) << text_of("err");
+}
+
+TEST_F(ExportTest, ThrustersHaveColumnsOfTheirOwn) {
+  ASSERT_EQ(shell("gem run " GEM_SOURCE_DIR "/cases/dp_drillship.toml --threads 1 -q --out dp.h5 --until 5"), 0)
+      << text_of("err");
+  ASSERT_EQ(shell("gem export dp.h5 dp.csv"), 0) << text_of("err");
+  const RunFile run(path("dp.h5"));
+  const std::vector<double> thrust = run.column("platform/thruster_force_x");
+  std::istringstream lines(text_of("dp.csv"));
+  std::string line, cell;
+  std::getline(lines, line);
+  std::vector<std::string> header;
+  for (std::istringstream cells(line); std::getline(cells, cell, ',');) header.push_back(cell);
+  const auto place = [&](const std::string& name) {
+    return std::size_t(std::find(header.begin(), header.end(), name) - header.begin());
+  };
+  ASSERT_LT(place("dp_offset_yaw_rad"), header.size());
+  const std::size_t second = place("thruster_force_x_1_N");
+  ASSERT_LT(second, header.size()) << line;
+  const std::size_t rows = run.column("platform/time").size(), thrusters = thrust.size() / rows;
+  for (std::size_t row = 0; row < rows; ++row) {
+    ASSERT_TRUE(std::getline(lines, line));
+    std::istringstream cells(line);
+    for (std::size_t c = 0; c <= second; ++c) std::getline(cells, cell, ',');
+    EXPECT_EQ(parse_number(cell).value(), thrust[row * thrusters + 1]);
+  }
+}
+
 TEST_F(ExportTest, ATableReadsBackExactly) {
   run_jam();
   ASSERT_EQ(shell("gem export jam.h5 platform.csv && gem export jam.h5 hits.csv --table events"), 0) << text_of("err");

@@ -36,13 +36,15 @@ std::string feature_text(const FloeRecord& record, const FrameFloe& floe, double
          pair_text(corners.front()) + "]]}}";
 }
 
-/// What the next run would meet: the fixed bodies, and the platform where it is, as it is turned and as it would start.
-std::vector<std::vector<Vec2>> obstacles_at(const RunFile& file, const PlatformTrack& platform, double time_s) {
+/// What the next run would meet: the fixed bodies, and the platform where it is, as it is turned and as it would start
+/// without a yaw. A ship in transit turns with its course, so it is taken as it is turned alone.
+std::vector<std::vector<Vec2>> obstacles_at(const RunFile& file, const PlatformTrack& platform, double time_s,
+                                            bool turns_with_course) {
   std::vector<std::vector<Vec2>> obstacles = file.boundary_outlines();
   if (!platform.present()) return obstacles;
   const std::size_t sample = platform.sample_at(time_s);
   obstacles.push_back(platform.outline(sample));
-  obstacles.push_back(platform.unturned_outline(sample));
+  if (!turns_with_course) obstacles.push_back(platform.unturned_outline(sample));
   return obstacles;
 }
 
@@ -77,8 +79,10 @@ ExportReport export_geojson(const ExportTarget& target, double at_s) {
     throw Error(ExitCode::usage, shown(file.path()) + ": no floe takes part at " + number_text(time) +
                                      " s (all have left the field) choose an earlier --at");
   const PlatformTrack platform(file);
-  const Vec2 anchor = stored_scene(file).platform.anchor_m;
-  const std::vector<std::vector<Vec2>> obstacles = obstacles_at(file, platform, time);
+  const SceneDef scene = stored_scene(file);
+  const Vec2 anchor = scene.platform.anchor_m;
+  const std::vector<std::vector<Vec2>> obstacles =
+      obstacles_at(file, platform, time, scene.transit.speed_m_per_s > 0.0);
   const std::vector<double> scales = parting_scales(floes, obstacles);
   std::vector<std::string> features;
   for (std::size_t i = 0; i < floes.size(); ++i) features.push_back(feature_text(record, floes[i], scales[i]));

@@ -11,6 +11,7 @@
 #include "gem/export/export_run.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
+#include "gem/record/run_file/stored_case.h"
 #include "gem/record/schema.h"
 
 namespace gem {
@@ -58,6 +59,27 @@ void number_floes(const RunFile& file, const std::string& table, TableColumn& co
   for (double& body : column.values) body = exported_body(body, first);
 }
 
+/// Columns of lines and thrusters: one with a value for each gives a column for each, numbered from 0 as in the case.
+void add_parts(const RunFile& file, std::vector<TableColumn>& columns) {
+  if (columns.empty()) return;
+  const std::size_t rows = columns.front().values.size();
+  for (const PartColumn& part : part_columns(stored_scene(file))) {
+    const std::string dataset = part.column.group + "/" + part.column.name;
+    if (!file.has(dataset)) continue;
+    const std::vector<double> all = file.column(dataset);
+    const std::size_t parts = rows == 0 ? 0 : all.size() / rows;
+    if (parts * rows != all.size())
+      throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + dataset +
+                                             " does not fit the columns beside it) the file may be damaged");
+    const bool several = part.column.dimensions.find(' ') != std::string::npos;
+    for (std::size_t k = 0; k < parts; ++k) {
+      const std::string number = several ? "_" + std::to_string(k) : "";
+      columns.push_back({part.column.name + number + unit_suffix(part.column.units), part.column.stored, {}});
+      for (std::size_t row = 0; row < rows; ++row) columns.back().values.push_back(all[row * parts + k]);
+    }
+  }
+}
+
 /// The columns of the schema that the file has; an older file has fewer.
 std::vector<TableColumn> read_table(const RunFile& file, const std::string& table) {
   std::vector<TableColumn> columns;
@@ -71,6 +93,7 @@ std::vector<TableColumn> read_table(const RunFile& file, const std::string& tabl
       throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + dataset +
                                              " is not as long as the columns beside it) the file may be damaged");
   }
+  if (table == "platform") add_parts(file, columns);
   if (columns.empty())
     throw Error(ExitCode::usage, shown(file.path()) + ": no " + table +
                                      " (the run did not record them) choose another "

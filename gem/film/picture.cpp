@@ -10,6 +10,7 @@
 #include "gem/base/number_text.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/stored_case.h"
+#include "gem/scene/scene_mooring.h"
 
 namespace gem::film {
 
@@ -29,6 +30,11 @@ constexpr std::array<Colour, 9> viridis = {{{68, 1, 84},
                                             {92, 200, 99},
                                             {170, 220, 50},
                                             {253, 231, 37}}};
+
+/// Speed at the end of the colours [m/s].
+double fastest_shown(const SceneDef& scene) {
+  return std::max({1.1 * length(scene.current.velocity_m_per_s), scene.transit.speed_m_per_s, 0.05});
+}
 
 Colour colour_of(double share) {
   const double at = std::clamp(share, 0.0, 1.0) * (viridis.size() - 1);
@@ -92,6 +98,16 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
+namespace {
+
+/// A tow gives back each hit in one time step, so its largest force is no measure for arrows.
+double largest_load(const RunFile& file, const std::string& holder) {
+  const double held = holder == "tow" ? 0.0 : largest_of(file, "mooring_force");
+  return std::max({largest_of(file, "ice_force_mean"), held, 1.0});
+}
+
+}  // namespace
+
 Picture::Picture(const RunFile& file, FilmPoses& poses)
     : poses_(poses),
       contacts_(file),
@@ -101,8 +117,9 @@ Picture::Picture(const RunFile& file, FilmPoses& poses)
       platform_(file.platform_outline()),
       title_(file.attribute("title").substr(0, 60)),
       first_floe_(static_cast<std::size_t>(contacts_.first_floe())),
-      fastest_(std::max(1.1 * length(stored_scene(file).current.velocity_m_per_s), 0.05)),
-      largest_load_(std::max({largest_of(file, "ice_force_mean"), largest_of(file, "mooring_force"), 1.0})),
+      holder_(holder_of(stored_scene(file))),
+      fastest_(fastest_shown(stored_scene(file))),
+      largest_load_(largest_load(file, holder_)),
       strong_force_(strong_force(contacts_, file.column("floes/time"))) {
   if (outlines_.size() != file.floe_count())
     throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + std::to_string(outlines_.size()) +
@@ -217,7 +234,7 @@ void Picture::draw_texts(Canvas& canvas, const Window& window, double time) cons
   if (poses_.has_platform()) {
     const PlatformPose pose = poses_.platform_at(time);
     label("ice " + fixed_text(length(pose.ice_force) / 1e3, 0) + " kN", {margin, margin + 3.2 * high}, load);
-    label("mooring " + fixed_text(length(pose.mooring) / 1e3, 0) + " kN", {margin, margin + 5.4 * high}, mooring);
+    label(holder_ + " " + fixed_text(length(pose.mooring) / 1e3, 0) + " kN", {margin, margin + 5.4 * high}, mooring);
   }
   // colours
   const double width = 0.2 * canvas.width(), bottom = canvas.height() - margin;

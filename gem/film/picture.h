@@ -45,8 +45,9 @@ class Picture {
   std::vector<FloePose> floes_;  // of the picture that is drawn
   std::string title_;
   std::size_t first_floe_;
+  std::string holder_;     // what the platform is held by
   double fastest_;         // end of the colour scale [m/s]
-  double largest_load_;    // of ice and mooring [N]
+  double largest_load_;    // of ice and what holds the platform [N]
   double strong_force_;    // between bodies: the widest line [N]
   double diameter_ = 0.0;  // of the platform [m]
 };

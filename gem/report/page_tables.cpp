@@ -79,6 +79,14 @@ std::string main_period_html(const RunData& run, const Finding& period) {
   return figure_of_run(is_resolved(period) ? with_unit(*period.value, kSeconds) : "not resolved", meaning);
 }
 
+bool is_transit(const RunData& run) { return run.transit.speed > 0.0; }
+
+/// What holds the platform.
+std::string holder_text(const RunData& run) {
+  if (is_transit(run)) return "tow";
+  return run.dp.thruster.empty() ? "mooring" : "thruster";
+}
+
 std::string force_text(double force) { return with_unit(force, force_unit(std::abs(force))); }
 
 /// " at 487.4 s, 12 degrees from +x"; nothing without a force.
@@ -103,13 +111,21 @@ std::string impulse_text(double impulse) { return with_unit(impulse, impulse_uni
 
 std::string headline_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis) {
   std::string html = "<section class=\"headline\">\n";
-  if (!run.platform.time.empty()) {
+  if (is_transit(run) && !run.platform.time.empty()) {
+    const double distance = run.transit.distance.back();
+    html += figure_of_run(with_unit(distance, length_unit(distance)), "along the path");
+    html += figure_of_run(force_text(finding_of(analysis, "resistance_mean_N").value.value_or(0.0)),
+                          "mean resistance of the ice");
+    html += figure_of_run(force_text(findings.loads.ice_window_largest),
+                          "largest ice force averaged over " + number_text(run.force_window_s, 6) + " s");
+  } else if (!run.platform.time.empty()) {
     html += figure_of_run(excursion_text(findings.radial_excursion, length_unit(findings.radial_excursion)),
                           "largest excursion of the platform");
     html += main_period_html(run, finding_of(analysis, "x_period_by_spectrum_s"));
     const bool untouched = without_contact(run, findings.loads);
     const bool still = untouched && findings.radial_excursion < kLeastMotion;
-    html += figure_of_run(still ? "no contact" : force_text(findings.loads.mooring_largest), "largest mooring force");
+    html += figure_of_run(still ? "no contact" : force_text(findings.loads.mooring_largest),
+                          "largest " + holder_text(run) + " force");
     html += figure_of_run(untouched ? "no contact" : force_text(findings.loads.ice_window_largest),
                           "largest ice force averaged over " + number_text(run.force_window_s, 6) + " s");
   }
@@ -143,7 +159,7 @@ std::string identity_html(const RunData& run) {
 }
 
 std::string motion_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis) {
-  if (run.platform.time.empty()) return "";
+  if (run.platform.time.empty() || is_transit(run)) return "";  // a ship on its way has no rest
   if (findings.radial_excursion < kLeastMotion)
     return table("Motion of the platform", row("largest excursion from rest", {"none"}));
   const AxisMotion& x = findings.x;
@@ -170,6 +186,21 @@ std::string motion_html(const RunData& run, const RunFindings& findings, const s
   return table("Motion of the platform", rows);
 }
 
+namespace {
+
+/// Nothing without transit.
+std::string resistance_rows(const RunData& run, const std::vector<Finding>& analysis) {
+  if (!is_transit(run)) return "";
+  const Finding mean = finding_of(analysis, "resistance_mean_N");
+  const std::string window = number_text(run.force_window_s, 6) + " s";
+  const auto value = [&](const char* name) { return force_text(finding_of(analysis, name).value.value_or(0.0)); };
+  return row("resistance averaged over the run", {mean_text(mean, force_unit(std::abs(mean.value.value_or(0.0))))}) +
+         row("resistance averaged over " + window + ", 99 % below", {value("resistance_window_p99_N")}) +
+         row("resistance averaged over " + window + ", largest", {value("resistance_window_largest_N")});
+}
+
+}  // namespace
+
 std::string loads_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis) {
   if (run.platform.time.empty()) return "";
   const PlatformLoads& l = findings.loads;
@@ -189,6 +220,7 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
   const auto of_mooring = [still](const std::string& text) { return still ? "no contact" : text; };
   const double sample_force = l.sample_s > 0.0 ? l.sample_impulse_largest / l.sample_s : 0.0;
   std::string rows =
+      resistance_rows(run, analysis) +
       row("impulse of one hit, largest", {of_short(of_events(impulse_text(l.event_impulse_largest)))}) +
       row("ice force averaged over one sample (" + sample + "), largest",
           {of_short(force_text(sample_force) +
@@ -202,9 +234,9 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
           {of_ice(mean_text(finding_of(analysis, "ice_force_y_mean_N"), mean_unit))}) +
       row("crushing peak (closed form) of one hit, largest", {of_short(of_events(force_text(l.crushing_largest)))}) +
       row("crushing peak of a hit, median", {of_short(of_events(force_text(l.crushing_median)))}) +
-      row("mooring force, largest",
+      row(holder_text(run) + " force, largest",
           {of_mooring(force_text(l.mooring_largest) + where_text(l.mooring_largest, l.mooring_at))}) +
-      row("mooring force averaged over the run, x",
+      row(holder_text(run) + " force averaged over the run, x",
           {of_mooring(mean_text(mooring, force_unit(std::abs(mooring.value.value_or(0.0)))))}) +
       row("hits on the platform, each from first touch to release", {of_events(std::to_string(l.events))}) +
       row("different floes that hit the platform", {of_events(std::to_string(l.arrivals))}) +

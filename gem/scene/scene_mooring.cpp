@@ -60,6 +60,11 @@ double largest_slope(const MooringView& view, const MooringBranch& branch) {
 
 MooringTables mooring_tables(const SceneDef& scene) { return mooring_tables(scene.mooring.law, scene.mooring_design); }
 
+const char* holder_of(const SceneDef& scene) {
+  if (scene.transit.speed_m_per_s > 0.0) return "tow";
+  return scene.dp.thruster.empty() ? "mooring" : "thrusters";
+}
+
 double largest_mooring_stiffness(const SceneDef& scene) {
   if (is_linear(scene)) return scene.mooring.stiffness_N_per_m;
   const MooringTables tables = mooring_tables(scene);

@@ -28,4 +28,8 @@ double mooring_swing_speed(const SceneDef& scene);
 /// linear [m/s].
 double mooring_pushed_speed(const SceneDef& scene, double force);
 
+/// What holds the platform, for labels: "tow" of a ship in transit, "thrusters", or "mooring". The force of each stands
+/// where that of a mooring does.
+const char* holder_of(const SceneDef& scene);
+
 }  // namespace gem

@@ -130,7 +130,15 @@ PlotSize channel_size(const View& view) {
 View close_view(const RunData& run) {
   double reach = 30.0;
   for (const Vec2 p : run.platform_outline) reach = std::max(reach, 3.0 * length(p));
-  return {-1.4 * reach, reach, -reach, reach};
+  // A platform is looked at from its rest, a ship in transit where it is.
+  Vec2 centre;
+  const auto& times = run.platform.time;
+  if (run.transit.speed > 0.0 && !times.empty() && run.frames.size() > 1) {
+    const auto next = std::lower_bound(times.begin(), times.end(), run.frames[1].time);
+    const std::size_t at = std::min<std::size_t>(next - times.begin(), times.size() - 1);
+    centre = {run.platform.x[at], run.platform.y[at]};
+  }
+  return {centre.x - 1.4 * reach, centre.x + reach, centre.y - reach, centre.y + reach};
 }
 
 }  // namespace

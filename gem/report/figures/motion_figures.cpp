@@ -129,9 +129,12 @@ std::vector<Figure> motion_figures(const RunData& run, const RunFindings& findin
   const Unit length = length_unit(findings.radial_excursion);
   const AxisCurve along{"motion_x", "x", "along the current", 1};
   const AxisCurve across{"motion_y", "y", "across the current", 2};
-  return {draw_axis(run, along, run.platform.x, run.rest.x, length, folder),
-          draw_axis(run, across, run.platform.y, run.rest.y, length, folder), draw_orbit(run, length, folder),
-          draw_spectra(run, findings, folder)};
+  std::vector<Figure> figures = {draw_axis(run, along, run.platform.x, run.rest.x, length, folder),
+                                 draw_axis(run, across, run.platform.y, run.rest.y, length, folder)};
+  if (run.transit.speed > 0.0) return figures;  // a ship on its way does not swing
+  figures.push_back(draw_orbit(run, length, folder));
+  figures.push_back(draw_spectra(run, findings, folder));
+  return figures;
 }
 
 }  // namespace gem

@@ -136,7 +136,9 @@ RunFindings run_findings(const RunData& run) {
 
 std::vector<Finding> whole_run_analysis(const RunData& run) {
   if (run.platform.time.size() < kSamplesForStatistics) return {};
-  return analyse_platform(platform_series(run));
+  std::vector<Finding> findings = analyse_platform(platform_series(run));
+  for (const Finding& finding : transit_findings(run.transit, 0)) findings.push_back(finding);
+  return findings;
 }
 
 }  // namespace gem

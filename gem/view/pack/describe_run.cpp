@@ -62,6 +62,7 @@ Json platform_json(const RunFile& file, const SceneDef& scene) {
           {"outline", outline_json(outline)},
           {"side_names", platform_side_names(scene.platform)},
           {"side_impulse", side_impulse_json(file, outline.size())},
+          {"holder", holder_of(scene)},
           {"mass_kg", scene.platform.mass_kg},
           {"diameter_m", 2.0 * platform_radius(scene.platform)},
           {"anchor_m", {scene.platform.anchor_m.x, scene.platform.anchor_m.y}},

@@ -15,7 +15,7 @@ function loadData(run) {
   const ice = sizeOf(get('ice_force_mean_x'), get('ice_force_mean_y'));
   const mooring = sizeOf(get('mooring_force_x'), get('mooring_force_y'));
   const {columns, unit} = scaled([ice, mooring], 'N');
-  return {columns, unit, names: ['ice load', 'mooring'], colours: ['load', 'mooring']};
+  return {columns, unit, names: ['ice load', run.description.platform.holder], colours: ['load', 'mooring']};
 }
 
 function motionData(run) {

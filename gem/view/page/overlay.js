@@ -118,7 +118,7 @@ export class Overlay {
       const most = 2.5 * platform.diameter_m, size = Math.hypot(fx, fy) * metres, cut = size > most ? most / size : 1;
       arrow(context, centre, camera.toScreen(pose.x + fx * metres * cut, pose.y + fy * metres * cut), colour, theme.panel, label);
     };
-    show(force('mooring_force'), theme.mooring, 'mooring');
+    show(force('mooring_force'), theme.mooring, platform.holder);
     show(force('ice_force_mean'), theme.load, 'ice');
     const [ax, ay] = camera.toScreen(...platform.anchor_m);
     context.strokeStyle = theme.mooring;

@@ -35,12 +35,14 @@ function runRows(view) {
   return rows;
 }
 
+const forceOf = {mooring: 'Mooring force', thrusters: 'Force of thrusters', tow: 'Force of the tow'};
+
 function platformRows(view) {
   const {run, time} = view, {platform} = run.description;
   const at = name => run.platformAt(name, time);
   const size = name => Math.hypot(at(`${name}_x`), at(`${name}_y`));
   return [
-    ['Ice load', withUnit(size('ice_force_mean'), 'N')], ['Mooring force', withUnit(size('mooring_force'), 'N')],
+    ['Ice load', withUnit(size('ice_force_mean'), 'N')], [forceOf[platform.holder], withUnit(size('mooring_force'), 'N')],
     ['Offset x', `${shortNumber(at('x') - platform.anchor_m[0])} m`],
     ['Offset y', `${shortNumber(at('y') - platform.anchor_m[1])} m`], ['Yaw', `${shortNumber(at('psi') * degrees)}°`],
     ['Speed', `${shortNumber(Math.hypot(at('vx'), at('vy')))} m/s`],

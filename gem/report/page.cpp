@@ -58,8 +58,7 @@ std::string page_title(const std::string& run) { return escaped(run) + " - run r
 std::string page_html(const RunData& run, const RunFindings& findings, const std::vector<Finding>& analysis,
                       const PageFigures& figures) {
   const std::string name = escaped(run.identity.name);
-  std::string html =
-      "<header><h1>" + name + "</h1>\n<p>Ice loads on a moored platform: report of one run</p></header>\n";
+  std::string html = "<header><h1>" + name + "</h1>\n<p>Ice loads on a platform: report of one run</p></header>\n";
   html += warning(run.identity) + bad_warning(run.verdict) + headline_html(run, findings, analysis);
   html += figures.field.empty() ? no_field_html(run) : figure_section("The field", figures.field, false);
   html += "<section><h2 class=\"page\">The run in numbers</h2>\n" + verdict_html(run.verdict) +

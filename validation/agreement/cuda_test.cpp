@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -106,20 +108,40 @@ TEST_P(CudaDrive, GivesTheBitsOfTheCpu) {
   }
 }
 
+/// A scene on a route of the GPU, and the same on the cpu engine.
+struct BesideCpu {
+  std::unique_ptr<Engine> cpu;
+  CudaBatch cuda;
+  StepLog expected;
+  std::vector<StepLog> logs{1};
+
+  BesideCpu(const SceneDef& scene, Route route)
+      : cpu(test::busy_engine(scene, "cpu")), cuda({{scene, test::busy_field(scene)}}, {.route = route}) {}
+
+  void advance(std::initializer_list<std::int64_t> calls) {
+    for (const std::int64_t steps : calls) {
+      cpu->advance(steps, expected);
+      cuda.advance(steps, &logs);
+    }
+  }
+  void expect_same() {
+    EXPECT_EQ(cuda.state_hash(0), cpu->state_hash());
+    test::expect_same_log(logs[0], expected);
+    test::expect_same_books(cuda.ledger(0), cpu->ledger());
+    double felt = 0.0;
+    for (const PlatformStep& step : expected.platform) felt += length(step.ice_impulse);
+    EXPECT_GT(felt, 0.0) << "ice hits the platform";
+  }
+};
+
 TEST_P(CudaDrive, MooringsOfTablesAndOfLinesThatBreakGiveTheBitsOfTheCpuEngine) {
   for (SceneDef scene : {test::moored_scene(8), test::lines_scene(8)}) {
     scene.contact.solver = GetParam();
     for (const Route route : {Route::resident, Route::phases}) {
-      const auto cpu = test::busy_engine(scene, "cpu");
-      CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = route});
-      StepLog expected;
-      std::vector<StepLog> logs(1);
-      cpu->advance(150, expected);
-      batch.advance(150, &logs);
-      EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
-      EXPECT_EQ(batch.broken_lines(0), cpu->broken_lines());
-      test::expect_same_log(logs[0], expected);
-      test::expect_same_books(batch.ledger(0), cpu->ledger());
+      BesideCpu both(scene, route);
+      both.advance({150});
+      both.expect_same();
+      EXPECT_EQ(both.cuda.broken_lines(0), both.cpu->broken_lines());
     }
   }
 }
@@ -128,17 +150,9 @@ TEST_P(CudaDrive, AShipInTransitHasTheBitsOfTheCpuEngine) {
   SceneDef scene = test::transit_scene(8);
   scene.contact.solver = GetParam();
   for (const Route route : {Route::resident, Route::phases}) {
-    const auto cpu = test::busy_engine(scene, "cpu");
-    CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = route});
-    StepLog expected;
-    std::vector<StepLog> logs(1);
-    for (const std::int64_t steps : {1, 7, 150}) {
-      cpu->advance(steps, expected);
-      batch.advance(steps, &logs);
-    }
-    EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
-    test::expect_same_log(logs[0], expected);
-    test::expect_same_books(batch.ledger(0), cpu->ledger());
+    BesideCpu both(scene, route);
+    both.advance({1, 7, 150});
+    both.expect_same();
   }
 }
 
@@ -146,26 +160,16 @@ TEST_P(CudaDrive, DynamicPositioningGivesTheBitsOfTheCpuEngine) {
   SceneDef scene = test::dp_scene(8);
   scene.contact.solver = GetParam();
   for (const Route route : {Route::resident, Route::phases}) {
-    const auto cpu = test::busy_engine(scene, "cpu");
-    CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = route});
-    StepLog expected;
-    std::vector<StepLog> logs(1);
-    for (const std::int64_t steps : {1, 7, 150}) {
-      cpu->advance(steps, expected);
-      batch.advance(steps, &logs);
-    }
-    EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
-    test::expect_same_log(logs[0], expected);
-    test::expect_same_books(batch.ledger(0), cpu->ledger());
-    EXPECT_EQ(expected.dp.size(), 158U);
+    BesideCpu both(scene, route);
+    both.advance({1, 7, 150});
+    both.expect_same();
+    EXPECT_EQ(both.expected.dp.size(), 158U);
 
-    const EngineState half = batch.save(0);
-    cpu->restore(half);
-    batch.restore(0, half);
-    cpu->advance(40, expected);
-    batch.advance(40, &logs);
-    EXPECT_EQ(batch.state_hash(0), cpu->state_hash()) << "after a restart";
-    test::expect_same_log(logs[0], expected);
+    const EngineState half = both.cuda.save(0);
+    both.cpu->restore(half);
+    both.cuda.restore(0, half);
+    both.advance({40});
+    both.expect_same();
   }
 }
 
@@ -180,20 +184,9 @@ TEST_P(CudaShip, GivesTheBitsOfTheCpu) {
     for (const Route route : {Route::resident, Route::phases}) {
       SceneDef scene = test::ship_scene(8, fixed);
       scene.contact.solver = GetParam();
-      const auto cpu = test::busy_engine(scene, "cpu");
-      CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = route});
-      StepLog expected;
-      std::vector<StepLog> logs(1);
-      for (const std::int64_t steps : {1, 7, 292}) {
-        cpu->advance(steps, expected);
-        batch.advance(steps, &logs);
-      }
-      EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
-      test::expect_same_log(logs[0], expected);
-      test::expect_same_books(batch.ledger(0), cpu->ledger());
-      double felt = 0.0;
-      for (const PlatformStep& step : expected.platform) felt += length(step.ice_impulse);
-      EXPECT_GT(felt, 0.0);
+      BesideCpu both(scene, route);
+      both.advance({1, 7, 292});
+      both.expect_same();
     }
 }
 

@@ -11,6 +11,9 @@ TEST(DeviceTransit, GivesTheBitsOfTheCpuEngineOnBothRoutes) {
       ASSERT_EQ(log.platform.size(), 60U);
       EXPECT_NE(log.platform.back().spin, 0.0) << "it turns at its way point";
       EXPECT_GT(length(log.platform.back().mooring_impulse), 0.0);
+      double felt = 0.0;
+      for (const PlatformStep& step : log.platform) felt += length(step.ice_impulse);
+      EXPECT_GT(felt, 0.0) << "ice hits it";
     }
 }
 

@@ -143,12 +143,13 @@ inline SceneDef breaking_scene(std::uint64_t seed) {
   return scene;
 }
 
-/// The busy scene around a platform on its way upstream, which turns at a way point within two seconds.
+/// The busy scene around a platform on its way upstream, which turns at a way point within two seconds, and into the ice.
 inline SceneDef transit_scene(std::uint64_t seed) {
   SceneDef scene = busy_scene(seed);
+  scene.platform.anchor_m = {-14.5, 0.0};
   scene.platform.start_velocity_m_per_s = {};
   scene.mooring.stiffness_N_per_m = scene.mooring.damping_ratio = 0.0;
-  scene.transit = {.speed_m_per_s = 1.0, .way_point_m = {{-4.0, 0.0}, {-40.0, 12.0}}, .turn_radius_m = 20.0};
+  scene.transit = {.speed_m_per_s = 1.0, .way_point_m = {{-18.5, 0.0}, {-54.5, 12.0}}, .turn_radius_m = 20.0};
   return scene;
 }
 

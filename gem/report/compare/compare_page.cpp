@@ -125,7 +125,7 @@ void write_comparison(const Comparison& comparison, const std::string& out_dir) 
   write_page(
       folder,
       html_page(title, "<header><h1>Comparison of " + std::to_string(comparison.runs.size()) +
-                           " runs</h1>\n<p>Ice loads on a moored platform" + from + "</p></header>\n" +
+                           " runs</h1>\n<p>Ice loads on a platform" + from + "</p></header>\n" +
                            warnings_html(comparison) + differences_html(comparison) + numbers_html(comparison) +
                            figure_section("The runs over each other", compare_figures(comparison.runs, plots), true) +
                            kCompareNotes));

@@ -206,8 +206,8 @@ void write_sweep_report(const std::string& sweep, const std::vector<SweepPageRun
   const auto shown_runs =
       std::count_if(runs.begin(), runs.end(), [](const SweepPageRun& run) { return !run.path.empty(); });
   write_page(folder, html_page(title, "<header><h1>" + escaped(sweep) +
-                                          "</h1>\n<p>Ice loads on a moored platform: " + std::to_string(shown_runs) +
-                                          " of " + std::to_string(runs.size()) + " runs of a sweep</p></header>\n" +
+                                          "</h1>\n<p>Ice loads on a platform: " + std::to_string(shown_runs) + " of " +
+                                          std::to_string(runs.size()) + " runs of a sweep</p></header>\n" +
                                           matrix_html(cells) + notes_html(cells, at_s) + table_html(cells)));
 }
 

@@ -5,7 +5,7 @@
 #   PROGRAMS  folder with gem and gem_ensembles, and gem_slop for the setting that needs it (left out without it)
 #   OUT       gets rows.csv, maps.csv, ensembles.csv, map_means.csv; OUT/members holds what is finished
 #   PART      of the plan: agreement, experiment, error, one after the other as given; all of them together if left out
-# Environment: GEM_PLAN another plan; GEM_KEEP=1 keeps the run files (some 10 MB each)
+# Environment: GEM_PLAN another plan; GEM_CASES="400_300_100" only these cases of it; GEM_KEEP=1 keeps the run files (some 10 MB each)
 # Exit code: 0 all members of these parts are done, 2 wrong use, 8 some are left: run it again.
 set -eu
 [ $# -ge 3 ] || {
@@ -18,11 +18,16 @@ cd "$(dirname "$0")/.."
 shift 3
 plan=${GEM_PLAN:-validation/baseline/ensembles.txt}
 . scripts/workers.sh
+tab=$(printf '\t')
 "$programs/gem_ensembles" members "$plan" >"$out/all.txt"
 if [ $# -eq 0 ]; then
   cp "$out/all.txt" "$out/list.txt"
 else
   for part; do "$programs/gem_ensembles" members "$plan" "$part"; done >"$out/list.txt"
+fi
+if [ -n "${GEM_CASES:-}" ]; then
+  for case in $GEM_CASES; do grep "^$case\." "$out/list.txt" || true; done | sort -t"$tab" -k4,4n -s >"$out/chosen.txt"
+  mv "$out/chosen.txt" "$out/list.txt"
 fi
 # members that need gem_slop are left out without it
 [ -x "$programs/gem_slop" ] || sed -i '/@slop/d' "$out/list.txt"

@@ -91,11 +91,14 @@ together() {
   done
 }
 
+# 5 cm of drift a time step; settings state theirs relative to it
+sweep=validation/baseline/table1_5cm.toml
+
 # regimes: name, case, first start [s]; one task for each window
 regimes() {
-  echo "jam cases/table1.toml#27 600"
-  echo "plug cases/table1.toml#24 600"
-  echo "drift cases/table1.toml#1 60"
+  echo "jam $sweep#27 600"
+  echo "plug $sweep#24 600"
+  echo "drift $sweep#1 60"
 }
 
 # Each part prints its tasks.
@@ -139,7 +142,7 @@ speed() {
   for size in $(choice "" "64128_6000_1600 16032_3000_800") 4008_1500_400 1002_750_200; do
     # shellcheck disable=SC2046
     set -- $(echo "$size" | tr _ ' ')
-    in_tabs "speed_growth_$1" paired_speed "cases/table1.toml#2" bench/speed_pairs.txt "$(choice 2 12)" \
+    in_tabs "speed_growth_$1" paired_speed "$sweep#2" bench/speed_pairs.txt "$(choice 2 12)" \
       "$(choice 2 $((drift / 5)))" "$out/tasks/speed_growth_$1.csv" "growth" "floes.count=$1" "floes.length_m=$2" \
       "floes.width_m=$3" "floes.start_x_m=-$(($2 + 75))" "boundary.inlet_x_m=-$(($2 + 100))" \
       "boundary.taper_start_x_m=-$(($2 + 100))" "boundary.inlet_width_m=$3" "boundary.gap_m=$3"
@@ -148,7 +151,7 @@ speed() {
   while [ "$k" -le "$(choice 2 36)" ]; do
     # 0.25, 0.5 and 1 m/s in turn
     case $((k % 3)) in 1) until=$((4 * drift)) ;; 2) until=$((2 * drift)) ;; *) until=$drift ;; esac
-    speed_of "1_$k" "cases/table1.toml#$k" "$until"
+    speed_of "1_$k" "$sweep#$k" "$until"
     k=$((k + 1))
   done
   k=2

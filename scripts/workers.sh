@@ -2,6 +2,7 @@
 # Distributes work among several processes of one machine, in plain sh. Sourced, not run.
 #
 # Environment: GEM_DEADLINE, time in seconds since 1970. Nothing is started after it, and `limited` ends running commands.
+#              GEM_CORES="0,16 1,17" processors of each worker: `limited` keeps its commands on them (needs taskset)
 #
 # in_parallel JOBS LIST DONE FUNCTION: calls FUNCTION with each line of the file LIST, JOBS at a time. A line is skipped if
 # DONE/NAME exists (NAME: its first field, up to a tab), so a stopped run can continue. FUNCTION creates that file last. A
@@ -26,8 +27,10 @@ seconds_left() {
   if [ -n "${GEM_DEADLINE:-}" ]; then echo $((GEM_DEADLINE - $(date +%s))); else echo 1000000; fi
 }
 
-# limited COMMAND...: ended at the deadline
+# limited COMMAND...: ended at the deadline, on the processors of its worker
 limited() {
+  cores=$(echo "${GEM_CORES:-}" | cut -d' ' -f"${worker:-1}")
+  [ -z "$cores" ] || set -- taskset -c "$cores" "$@"
   if [ -n "${GEM_DEADLINE:-}" ]; then
     left=$(seconds_left)
     timeout "$((left > 0 ? left : 1))" "$@"
@@ -38,6 +41,7 @@ limited() {
 
 worker_loop() {
   tab=$(printf '\t')
+  worker=$5
   while IFS= read -r line; do
     name=${line%%"$tab"*}
     [ ! -e "$2/$name" ] || continue

@@ -15,8 +15,6 @@ std::unique_ptr<Engine> engine_for(const SceneDef& scene, const Bodies& field, c
   if (options.name != "auto") return make_engine(scene, field, options);
   EngineOptions chosen = options;
   try {
-    if (scene.output.contact_forces || scene.breakup.maximum_pieces > 0)
-      throw Error(ExitCode::device, "the GPU does not tell the forces between bodies");
     chosen.name = "cuda";
     return make_engine(scene, field, chosen);
   } catch (const Error& error) {

@@ -59,6 +59,13 @@ struct ContactForce {
   Vec2 force;  // in world axes [N]
 };
 
+/// A force of one time step, and its point as the two bodies see it at the end of that step.
+struct StepForce {
+  std::int64_t step = 0;  // time steps done before this one
+  ContactForce force;
+  Vec2 arm_a, arm_b;  // the point in the axes of a and b, from their centroids [m]
+};
+
 /// A floe that split at the end of a time step, or would have if there were room for its pieces.
 struct SplitEvent {
   double time = 0.0;  // [s]
@@ -118,19 +125,22 @@ struct StepQuality {
 /// platform in a time step, in order of time and body id.
 struct StepLog {
   bool wants_events = true;
+  bool wants_forces = false;
   std::vector<PlatformStep> platform;
   std::vector<StepQuality> quality;
   std::vector<ContactEvent> events;
   std::vector<DpState> dp;  // as `platform`, only with dynamic positioning
   std::vector<SplitEvent> splits;
-  OverlapCount overlap;        // depth of every overlap at the start of every time step [m]
-  OverlapCount overlap_share;  // overlap depth over the size (root of the area) of the smaller body [-]
+  std::vector<StepForce> forces;  // if wanted, of engines that tell contact_forces(); ascending in (step, a, b)
+  OverlapCount overlap;           // depth of every overlap at the start of every time step [m]
+  OverlapCount overlap_share;     // overlap depth over the size (root of the area) of the smaller body [-]
   void clear() {
     platform.clear();
     quality.clear();
     events.clear();
     dp.clear();
     splits.clear();
+    forces.clear();
     overlap = {};
     overlap_share = {};
   }

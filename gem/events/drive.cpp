@@ -49,15 +49,18 @@ bool varies(const DriveDef& def) {
 
 Drive drive_at(const DriveDef& def, const Drive& steady, double time) {
   return {velocity_at(def.current_velocity, def.current_direction, steady.water, time) + tide_at(def.tide, time),
-          velocity_at(def.wind_velocity, def.wind_direction, steady.air, time)};
+          velocity_at(def.wind_velocity, def.wind_direction, steady.air, time),
+          {}};
 }
 
-DriveSchedule::DriveSchedule(DriveDef def, const Drive& steady, double dt)
-    : def_(std::move(def)), steady_(steady), dt_(dt), varies_(gem::varies(def_)) {}
+DriveSchedule::DriveSchedule(DriveDef def, const Drive& steady, double dt, TransitPath path)
+    : def_(std::move(def)), steady_(steady), dt_(dt), varies_(gem::varies(def_)), path_(std::move(path)) {}
 
 Drive DriveSchedule::at(std::int64_t step) const {
-  if (!varies_) return steady_;
-  return drive_at(def_, steady_, def_.start_time_s + (static_cast<double>(step) + 0.5) * dt_);
+  Drive drive = steady_;
+  if (varies_) drive = drive_at(def_, steady_, def_.start_time_s + (static_cast<double>(step) + 0.5) * dt_);
+  if (path_.present()) drive.tow = path_.step(step, dt_);
+  return drive;
 }
 
 }  // namespace gem

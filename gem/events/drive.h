@@ -17,12 +17,14 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
+#include "gem/events/transit_path.h"
 
 namespace gem {
 
-/// Velocities of water and air in one time step [m/s].
+/// Velocities of water and air in one time step [m/s], and where the path of a ship in transit leads.
 struct Drive {
   Vec2 water, air;
+  TowStep tow = {};
 };
 
 using TimeRow = std::array<double, 3>;  ///< time [s]; x and y [m/s], or speed [m/s] and direction [rad]
@@ -47,9 +49,10 @@ class DriveSchedule {
  public:
   DriveSchedule() = default;
   /// `dt`: time step [s].
-  DriveSchedule(DriveDef def, const Drive& steady, double dt);
+  DriveSchedule(DriveDef def, const Drive& steady, double dt, TransitPath path = {});
 
-  bool varies() const { return varies_; }
+  /// Whether any part of the drive changes.
+  bool varies() const { return varies_ || path_.present(); }
   /// Velocities in the middle of a time step, counted from 0.
   Drive at(std::int64_t step) const;
 
@@ -58,6 +61,7 @@ class DriveSchedule {
   Drive steady_;
   double dt_ = 0.0;
   bool varies_ = false;
+  TransitPath path_;
 };
 
 }  // namespace gem

@@ -23,7 +23,8 @@
 #include "gem/events/motion.h"           // solo: motion
 #include "gem/events/platform_drag.h"    // solo: water drag on the platform
 #include "gem/events/quantity.h"
-#include "gem/events/wind.h"  // solo: wind on a floe and on the platform
+#include "gem/events/transit.h"  // solo: the platform as a ship on its way
+#include "gem/events/wind.h"     // solo: wind on a floe and on the platform
 
 namespace gem {
 
@@ -50,6 +51,7 @@ struct PlatformInEvents {
   bool turns = false;         // its yaw is free
   MooringView mooring;        // tables of the mooring
   const DpLaw* dp = nullptr;  // dynamic positioning; null: none
+  bool towed = false;         // it is in transit
 };
 
 /// The laws of one run: their definitions and the constants derived from them. Plain values, copied to any device.
@@ -72,6 +74,7 @@ struct Events : EventDefinitions {
   double platform_wind_rate = 0.0;  // [1/m]; 0: none
   HeadingLaw heading;
   const DpLaw* dp = nullptr;  // null: no dynamic positioning
+  double tow_rate = 0.0;      // of a ship in transit [1/s]; 0: none
 };
 
 /// Returns the laws of a run. `platform`: null without a platform; `dt` in [s]; `wind`: there is wind at some time.
@@ -80,7 +83,7 @@ Events make_events(const EventDefinitions& definitions, const PlatformInEvents* 
 
 /// The drive of a run without tables.
 GEM_HD inline Drive steady_drive(const EventDefinitions& e) {
-  return {e.current.velocity_m_per_s, e.wind.velocity_m_per_s};
+  return {e.current.velocity_m_per_s, e.wind.velocity_m_per_s, {}};
 }
 
 // ---- solo events of a floe
@@ -303,6 +306,36 @@ GEM_HD inline void steer_platform(const Events& e, const Drive& drive, const Pla
   const double twist = p.inertia * (p.spin - before);
   p.book.angular_momentum += twist;
   p.book.energy += 0.5 * twist * (p.spin + before);
+}
+
+/// The platform and the books of what pushes it from outside.
+struct PushedPlatform {
+  double mass, inertia;  // [kg], [kg m2]
+  Vec2 position;         // [m]
+  const Rotation& rotation;
+  Vec2& velocity;  // [m/s]
+  double& spin;    // [rad/s]
+  Quantity& work;  // its energy
+  Quantity& push;  // its momentum
+};
+
+/// Books a change of the platform's motion from `velocity` and `spin`.
+GEM_HD inline void book_push(const PushedPlatform& p, Vec2 velocity, double spin) {
+  const Vec2 impulse = p.mass * (p.velocity - velocity);
+  const double twist = p.inertia * (p.spin - spin);
+  p.push.momentum += impulse;
+  p.push.angular_momentum += cross(p.position, impulse) + twist;
+  p.work.energy += 0.5 * dot(impulse, p.velocity + velocity) + 0.5 * twist * (p.spin + spin);
+}
+
+/// Leads a ship in transit: before all other events of the time step. `turns`: its yaw is free.
+GEM_HD inline void tow_platform(const Events& e, const Drive& drive, const PushedPlatform& p, bool turns) {
+  if (!(e.tow_rate > 0.0)) return;
+  const Vec2 velocity = p.velocity;
+  const double spin = p.spin;
+  p.velocity = tow_velocity(drive.tow, p.position, e.tow_rate);
+  if (turns) p.spin = tow_spin(drive.tow, p.rotation, e.tow_rate);
+  book_push(p, velocity, spin);
 }
 
 /// The platform under dynamic positioning.

@@ -17,6 +17,7 @@
 #include "gem/geometry/polygon.h"
 #include "gem/scene/check_scene.h"
 #include "gem/scene/platform_shape.h"
+#include "gem/scene/scene_drive.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem {
@@ -49,6 +50,8 @@ void append_platform(Bodies& bodies, const SceneDef& scene) {
     def.rotation = strict::rotation_of_angle(scene.platform.start_yaw_rad);
     def.velocity = scene.platform.start_velocity_m_per_s;
     def.spin = scene.platform.start_spin_rad_per_s;
+    if (const TransitPath path = transit_path(scene); path.present())
+      def.velocity = path.step(0, scene.numerics.time_step_s).velocity;
     def.mass = scene.platform.mass_kg;
     def.inertia = scene.platform.inertia_kg_m2;
     def.locked_yaw = scene.platform.yaw == Yaw::locked;

@@ -13,6 +13,7 @@
 #include "gem/scene/check_floes.h"
 #include "gem/scene/check_mooring.h"
 #include "gem/scene/check_platform.h"
+#include "gem/scene/check_transit.h"
 #include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_bounds.h"
 #include "gem/scene/scene_mooring.h"
@@ -217,9 +218,10 @@ void check_breakup(const SceneDef& s, List& out) {
 
 std::vector<SceneProblem> check_scene(const SceneDef& scene) {
   List problems;
-  for (const auto rule : {check_name, check_step, check_swing, check_record, check_source, check_sizes,
-                          check_concentration, check_classes, check_field_place, check_platform, check_listed,
-                          check_listed_sizes, check_floating, check_drive, check_mooring, check_dp, check_breakup})
+  for (const auto rule :
+       {check_name, check_step, check_swing, check_record, check_source, check_sizes, check_concentration,
+        check_classes, check_field_place, check_platform, check_listed, check_listed_sizes, check_floating, check_drive,
+        check_mooring, check_dp, check_breakup, check_transit})
     rule(scene, problems);
   return problems;
 }
@@ -286,6 +288,7 @@ std::vector<std::string> scene_warnings(const SceneDef& scene) {
   warn_of_drive(scene, warnings);
   warn_of_mooring(scene, warnings);
   warn_of_dp(scene, warnings);
+  warn_of_transit(scene, warnings);
   return warnings;
 }
 

@@ -73,6 +73,13 @@ double dp_speed(const SceneDef& scene) {
   return fastest * length(p.anchor_m + p.start_offset_m - scene.dp.position_m) + platform_radius(p) * rate;
 }
 
+/// Largest speed of a point of a ship in transit [m/s]. At way points it turns.
+double transit_speed(const SceneDef& scene) {
+  const TransitDef& transit = scene.transit;
+  if (transit.way_point_m.size() < 2) return transit.speed_m_per_s;
+  return transit.speed_m_per_s * (1.0 + platform_radius(scene.platform) / transit.turn_radius_m);
+}
+
 }  // namespace
 
 double rim_speed(const FloeDef& floe) {
@@ -89,7 +96,7 @@ double platform_speed_bound(const SceneDef& scene) {
   const double rim =
       platform_radius(scene.platform) * (std::abs(scene.platform.start_spin_rad_per_s) + heading_rate(scene));
   return std::hypot(length(scene.platform.start_velocity_m_per_s), swing) + rim + platform_wind_speed(scene) +
-         dp_speed(scene);
+         dp_speed(scene) + transit_speed(scene);
 }
 
 double closing_speed_bound(const SceneDef& scene) {

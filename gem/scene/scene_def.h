@@ -161,6 +161,7 @@ struct SceneDef : EventDefinitions {
   DriveDef drive;                  ///< tables of current, tide and wind
   MooringDesign mooring_design;    ///< tables and lines of the mooring
   DpDef dp;                        ///< dynamic positioning
+  TransitDef transit;              ///< the platform as a ship on its way
   std::vector<FloeDef> floe;       ///< for source = listed
   std::vector<FixedDef> fixed;     ///< obstacles besides the boundary
   std::vector<std::string> notes;  ///< old key names that the file uses; not part of the scene

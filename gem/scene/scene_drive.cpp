@@ -86,7 +86,13 @@ double wind_drift(const SceneDef& scene) {
 }  // namespace
 
 DriveSchedule drive_schedule(const SceneDef& scene) {
-  return {scene.drive, steady_drive(scene), scene.numerics.time_step_s};
+  return {scene.drive, steady_drive(scene), scene.numerics.time_step_s, transit_path(scene)};
+}
+
+TransitPath transit_path(const SceneDef& scene) {
+  const PlatformDef& p = scene.platform;
+  if (!p.present || p.fixed) return {};
+  return {scene.transit, p.anchor_m + p.start_offset_m, p.start_yaw_rad};
 }
 
 Drive drive_at_start(const SceneDef& scene) {

@@ -8,6 +8,9 @@ namespace gem {
 /// The drive of each time step of a run.
 DriveSchedule drive_schedule(const SceneDef& scene);
 
+/// The path of a ship in transit; without transit: none.
+TransitPath transit_path(const SceneDef& scene);
+
 /// The drive at t = 0.
 Drive drive_at_start(const SceneDef& scene);
 

@@ -3,6 +3,9 @@ find_package(GTest REQUIRED)
 include(GoogleTest)
 include(gem_rules)
 
+# Programs that run on another machine need "." here: they find cases/ in the folder where they are called.
+set(GEM_TEST_ROOT ${PROJECT_SOURCE_DIR} CACHE STRING "where tests find the tree with cases/ and validation/")
+
 # gem_test_program(NAME LABEL SOURCES...): one executable of tests with the label LABEL. The files of a folder compile together, as in
 # gem_cold. Tests whose name starts with Long get the label `long` instead. NO_PRETTY_VALUES: the name of a parameterised test ends in
 # what its name generator returns, without the printed parameter behind it.
@@ -20,7 +23,7 @@ function(gem_test_program name label)
   list(REMOVE_DUPLICATES folders)
   gem_cold(${name} ${folders})
   target_link_libraries(${name} PRIVATE gem_command gem_baseline GTest::gtest_main nlohmann_json::nlohmann_json)
-  target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+  target_compile_definitions(${name} PRIVATE GEM_SOURCE_DIR="${GEM_TEST_ROOT}"
     GEM_PROGRAM="$<TARGET_FILE:gem>")
   add_dependencies(${name} gem)
   gtest_discover_tests(${name} TEST_FILTER "-Long*:*/Long*" NO_PRETTY_VALUES PROPERTIES LABELS ${label} DISCOVERY_TIMEOUT 60)

@@ -11,6 +11,7 @@ COMMANDS = {
     "hard": ("hard_table", "runs the hard cases; writes the table of validation/hard/README.md"),
     "closed_form": ("closed_form_table", "runs the closed-form cases with gem and Box2D; writes validation/baseline"),
     "speed_against_error": ("speed_against_error", "measures, or takes a measurement; writes validation/baseline"),
+    "take": ("take_all", "takes what scripts/measure_all.sh made elsewhere; makes its pages again"),
     "time_step_windows": ("time_step_windows", "runs the windows of the time step study; writes bench/results/time_step"),
     "time_step_study": ("time_step_study", "writes validation/time_step_study.md from bench/results/time_step"),
     "real_time_factor": ("real_time_factor", "measures the speed of whole runs; writes one CSV"),

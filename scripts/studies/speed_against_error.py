@@ -179,7 +179,7 @@ def stated_conditions():
                                                        "```"] + (text or ["(nothing measured)"]) + ["```", ""]
 
 
-KEPT = ("conditions.txt", "closed_form_errors.csv", "windows.csv", "paths.csv", "speed.csv", "ensemble_rows.csv", "ensembles.csv",
+KEPT = ("closed_form_errors.csv", "windows.csv", "paths.csv", "speed.csv", "ensemble_rows.csv", "ensembles.csv",
         "map_means.csv")
 
 
@@ -189,6 +189,18 @@ def keep(folder):
     for name in KEPT:
         if (folder / name).exists():
             shutil.copy(folder / name, ROWS / name)
+    if (folder / "conditions.txt").exists():
+        add_conditions((folder / "conditions.txt").read_text(encoding="utf-8"))
+
+
+def add_conditions(text):
+    """Adds the measurements in `text` that are not known yet."""
+    path = ROWS / "conditions.txt"
+    known = path.read_text(encoding="utf-8") if path.exists() else ""
+    for part in ("\n" + text).split("\nbegun ")[1:]:
+        if "begun " + part.split("\n", 1)[0] not in known:
+            known += "begun " + part.rstrip("\n") + "\n"
+    path.write_text(known, encoding="utf-8")
 
 
 def measure(jobs, *parts):

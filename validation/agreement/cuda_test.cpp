@@ -124,6 +124,24 @@ TEST_P(CudaDrive, MooringsOfTablesAndOfLinesThatBreakGiveTheBitsOfTheCpuEngine) 
   }
 }
 
+TEST_P(CudaDrive, AShipInTransitHasTheBitsOfTheCpuEngine) {
+  SceneDef scene = test::transit_scene(8);
+  scene.contact.solver = GetParam();
+  for (const Route route : {Route::resident, Route::phases}) {
+    const auto cpu = test::busy_engine(scene, "cpu");
+    CudaBatch batch({{scene, test::busy_field(scene)}}, {.route = route});
+    StepLog expected;
+    std::vector<StepLog> logs(1);
+    for (const std::int64_t steps : {1, 7, 150}) {
+      cpu->advance(steps, expected);
+      batch.advance(steps, &logs);
+    }
+    EXPECT_EQ(batch.state_hash(0), cpu->state_hash());
+    test::expect_same_log(logs[0], expected);
+    test::expect_same_books(batch.ledger(0), cpu->ledger());
+  }
+}
+
 TEST_P(CudaDrive, DynamicPositioningGivesTheBitsOfTheCpuEngine) {
   SceneDef scene = test::dp_scene(8);
   scene.contact.solver = GetParam();

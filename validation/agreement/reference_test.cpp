@@ -338,6 +338,23 @@ TEST(ReferenceJudgesMotion, ThrustersHoldThePlatform) {
   compare({.scene = s, .steps = 400, .contacts = 0});
 }
 
+TEST(ReferenceJudgesMotion, AShipIsLedThroughTwoFloes) {
+  SceneDef s = still_scene();
+  s.platform.present = true;
+  s.platform.outline = PlatformOutline::ship;
+  s.platform.length_m = 30.0;
+  s.platform.beam_m = 9.0;
+  s.platform.bow_length_m = 8.0;
+  s.platform.stern_length_m = 5.0;
+  s.platform.mass_kg = 4e6;
+  s.platform.anchor_m = s.platform.start_offset_m = s.platform.start_velocity_m_per_s = {};
+  s.mooring = {.stiffness_N_per_m = 0.0, .damping_ratio = 0.0};
+  s.platform_drag.present = true;
+  s.transit = {.speed_m_per_s = 1.0, .way_point_m = {{-10.0, 0.0}, {-60.0, 20.0}}, .turn_radius_m = 25.0};
+  s.floe = {floe(10.0, 9.0, {-26.0, 1.0}, {}, 0.3), floe(9.0, 7.0, {-39.0, 8.0}, {}, 0.1)};
+  compare({.scene = s, .steps = 400, .row = 2, .anew = true});
+}
+
 TEST(ReferenceJudgesMotion, LinesBreak) {
   SceneDef s = still_scene();
   const SceneDef lines = test::lines_scene(1);

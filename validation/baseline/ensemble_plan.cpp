@@ -25,7 +25,10 @@ void add_line(EnsemblePlan& plan, const std::vector<std::string>& f, const std::
     plan.cases.push_back({f[1], f[2], static_cast<int>(number(3)), number(4), number(5)});
   } else if (f[0] == "setting") {
     needs(5);
-    plan.settings.push_back({f[1], f[2], number(3), f[4]});
+    const std::vector<std::string> step = fields_of(f[3], ' ');
+    const bool in_seconds = step.size() == 2 && step[1] == "s";
+    plan.settings.push_back(
+        {f[1], f[2], in_seconds ? 0.0 : number(3), in_seconds ? number_field(step[0], where) : 0.0, f[4]});
   } else if (f[0] == "quantity") {
     needs(4);
     plan.quantities.push_back({f[1], number(2), f[3]});

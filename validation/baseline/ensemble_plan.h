@@ -24,6 +24,7 @@ struct PlannedCase {
 struct PlannedSetting {
   std::string label, part;
   double step_factor = 1.0;  // factor on the time step of the case
+  double step_s = 0.0;       // time step [s]; 0: by the factor
   std::string arguments;     // of gem run; @slop stands for another program
 };
 

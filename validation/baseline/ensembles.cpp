@@ -54,8 +54,8 @@ int members(const Texts& a) {
         if (!wanted || seed > plan.members_of(setting, chosen)) continue;
         std::cout << member_name(chosen, setting, seed) << '\t' << chosen.name << '\t' << setting.label << '\t' << seed
                   << '\t' << chosen.path << " --index " << chosen.index << " --until " << number_text(chosen.to_s)
-                  << " --set run.seed=" << seed
-                  << " --set numerics.time_step_s=" << number_text(setting.step_factor * step) << ' '
+                  << " --set run.seed=" << seed << " --set numerics.time_step_s="
+                  << number_text(setting.step_s > 0.0 ? setting.step_s : setting.step_factor * step) << ' '
                   << setting.arguments << '\n';
       }
     }

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "gem/base/random.h"
+#include "gem/engine/testing/same_bits.h"
 #include "gem/engine/testing/test_scenes.h"
 #include "gem/field/field.h"
 #include "gem/field/floe_reserve.h"
@@ -13,12 +14,7 @@
 namespace gem::verification {
 namespace {
 
-class Breakup : public OnEngines {
- protected:
-  void SetUp() override {
-    if (setting().engine == "cuda") GTEST_SKIP() << "the GPU does not tell the forces between bodies";
-  }
-};
+class Breakup : public OnEngines {};
 INSTANTIATE_TEST_SUITE_P(Engines, Breakup, ::testing::ValuesIn(all_settings()), setting_name);
 
 /// A floe 80 m x 80 m x 0.5 m of 2592 t that touches the floor or comes down on it.
@@ -37,10 +33,7 @@ SceneDef breakup_scene(std::int64_t pieces) {
   return scene;
 }
 
-std::int64_t splits_of(const StepLog& log) {
-  return std::count_if(log.splits.begin(), log.splits.end(),
-                       [](const SplitEvent& s) { return s.split.result == FloeSplit::Result::split; });
-}
+std::int64_t splits_of(const StepLog& log) { return test::splits_in(log); }
 
 /// A steady current with a linear drag presses the floe on the floor with m U (1 - exp(-dt / tau)) / dt.
 struct Press {
@@ -153,18 +146,8 @@ TEST(SplitFloes, V91_pieces_keep_mass_momentum_and_energy) { check_totals("V91",
 
 TEST(SplitFloes, V92_a_hundred_thousand_splits_in_the_rows_set_aside) { check_totals("V92", 100000); }
 
-/// A field driven against the platform, whose floes split.
-SceneDef breaking_field() {
-  SceneDef scene = test::busy_scene(5);
-  scene.breakup.maximum_pieces = 60;
-  scene.breakup.minimum_size_m = 1.0;
-  scene.breakup.load_time_s = 0.4;
-  scene.breakup.fracture_toughness_Pa_sqrt_m = 2e3;
-  return scene;
-}
-
 TEST(SplitFloes, V93_any_number_of_threads_and_a_run_in_two_parts_make_the_same_pieces) {
-  const SceneDef scene = breaking_field();
+  const SceneDef scene = test::breaking_scene(5);
   const Bodies field = test::busy_field(scene);
   const auto run = [&](int threads, std::int64_t first) {
     EngineOptions options;

@@ -86,6 +86,7 @@ void set_platform(Columns& columns, std::size_t run, const RunData& data, double
   const PlatformSeries series = platform_series(data, first);
   for (const Finding& finding : analyse_platform(series)) set_finding(columns, run, finding);
   for (const Finding& finding : dp_findings(data.dp, first)) set_finding(columns, run, finding);
+  for (const Finding& finding : transit_findings(data.transit, first)) set_finding(columns, run, finding);
   columns.set(run, "ice_force_window_mean_N", "N",
               "mean over the run of the magnitude of the ice force, averaged over output.force_window_s",
               mean_length(series.ice_force_window_x, series.ice_force_window_y));

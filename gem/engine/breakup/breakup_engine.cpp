@@ -32,12 +32,26 @@ BreakupEngine::BreakupEngine(const SceneDef& scene, std::unique_ptr<Engine> engi
 }
 
 void BreakupEngine::advance(std::int64_t steps, StepLog& log) {
-  for (std::int64_t i = 0; i < steps; ++i) {
-    engine_->advance(1, log);
-    forces_ = engine_->contact_forces();
-    loads_.add(forces_, engine_->bodies());
-    if (loads_.is_due(engine_->step())) split(log);
+  for (std::int64_t end = step() + steps; step() < end;) {
+    engine_->advance(begin(end - step(), log), log);
+    look_at(log);
   }
+}
+
+std::int64_t BreakupEngine::begin(std::int64_t steps, StepLog& log) {
+  begun_ = step();
+  log.wants_forces = true;
+  log.forces.clear();
+  return std::min(steps, loads_.steps_to_end(step()));
+}
+
+void BreakupEngine::look_at(StepLog& log) {
+  loads_.add(log.forces);
+  log.wants_forces = false;
+  log.forces.clear();
+  if (step() == begun_) return;  // a half that ended was looked at
+  forces_ = engine_->contact_forces();
+  if (loads_.ends_with(step())) split(log);
 }
 
 void BreakupEngine::split(StepLog& log) {

@@ -11,7 +11,8 @@
 namespace gem {
 
 /// Splitting is written once, on the host, on the state that engines save and restore: engines with the same bits and
-/// contact forces make the same pieces. The engine inside must tell contact_forces().
+/// contact forces make the same pieces. The engine inside must tell contact_forces(). It runs to the end of each half
+/// load time; floes split only there.
 class BreakupEngine : public Engine {
  public:
   /// Throws Error(usage) if `engine` does not tell its contact forces.
@@ -21,6 +22,11 @@ class BreakupEngine : public Engine {
   std::string method() const override { return engine_->method(); }
   std::string device() const override { return engine_->device(); }
   void advance(std::int64_t steps, StepLog& log) override;
+  /// For a batch, which advances the engine inside by itself: the most time steps that it may make next. `log` will ask
+  /// for the forces that look_at() needs.
+  std::int64_t begin(std::int64_t steps, StepLog& log);
+  /// Takes the forces of the time steps made since begin() out of `log`; splits floes if a half load time has ended.
+  void look_at(StepLog& log);
   std::int64_t step() const override { return engine_->step(); }
   const Bodies& bodies() override { return engine_->bodies(); }
   /// The books of the engine inside; the energy of cracks is moved from the contacts to an entry of its own.
@@ -40,6 +46,7 @@ class BreakupEngine : public Engine {
   std::unique_ptr<Engine> engine_;
   ContactLoads loads_;
   std::vector<ContactForce> forces_;  // of the last time step
+  std::int64_t begun_ = -1;           // time step at the last begin()
 };
 
 }  // namespace gem

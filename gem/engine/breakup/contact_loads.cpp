@@ -36,12 +36,6 @@ void merge(const std::vector<ContactLoad>& p, const std::vector<ContactLoad>& q,
   }
 }
 
-/// A point in the axes of a body.
-Vec2 in_axes_of(const Bodies& b, std::int32_t i, Vec2 point) {
-  const Rotation q = b.rotation[i];
-  return rotate({q.cosine, -q.sine}, point - b.position[i]);
-}
-
 /// The crack that a load makes in floe i; nothing if it does not split. `force` acts on the floe, in its axes.
 std::optional<LoadedCrack> crack_of(const BreakupDef& def, const Bodies& b, std::int32_t i, Vec2 point, Vec2 force) {
   const double depth = length(point);  // of the centroid below the contact
@@ -67,14 +61,20 @@ std::int64_t half_steps(const SceneDef& scene) {
 ContactLoads::ContactLoads(const SceneDef& scene)
     : def_(scene.breakup), dt_(scene.numerics.time_step_s), half_steps_(half_steps(scene)) {}
 
-void ContactLoads::add(const std::vector<ContactForce>& forces, const Bodies& bodies) {
-  if (forces.empty()) return;
+void ContactLoads::add(const std::vector<StepForce>& forces) {
+  for (auto from = forces.begin(); from != forces.end();) {
+    const auto to = std::find_if(from, forces.end(), [&](const StepForce& f) { return f.step != from->step; });
+    add_step({from, to});
+    from = to;
+  }
+}
+
+void ContactLoads::add_step(std::span<const StepForce> forces) {
   std::vector<ContactLoad> step;
-  for (const ContactForce& f : forces) {
-    const Vec2 impulse = dt_ * f.force;
+  for (const StepForce& f : forces) {
+    const Vec2 impulse = dt_ * f.force.force;
     const double weight = length(impulse);
-    step.push_back({f.a, f.b, impulse, weight, weight * in_axes_of(bodies, f.a, f.point),
-                    weight * in_axes_of(bodies, f.b, f.point)});
+    step.push_back({f.force.a, f.force.b, impulse, weight, weight * f.arm_a, weight * f.arm_b});
   }
   merge(sums_.now, step, scratch_);
   sums_.now.swap(scratch_);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "gem/engine/engine.h"
@@ -23,10 +24,12 @@ class ContactLoads {
  public:
   explicit ContactLoads(const SceneDef& scene);
 
-  /// Adds the contacts of one time step, ascending in (a, b).
-  void add(const std::vector<ContactForce>& forces, const Bodies& bodies);
-  /// Whether a half of the load time ends with this time step.
-  bool is_due(std::int64_t step) const { return step % half_steps_ == 0; }
+  /// Adds the forces of some time steps, ascending in (step, a, b).
+  void add(const std::vector<StepForce>& forces);
+  /// Whether a half of the load time ends with the time step before `step`.
+  bool ends_with(std::int64_t step) const { return step % half_steps_ == 0; }
+  /// Time steps from `step` to the end of its half of the load time.
+  std::int64_t steps_to_end(std::int64_t step) const { return half_steps_ - step % half_steps_; }
   /// Cracks of the floes whose force is large enough, ascending by floe: for each floe the one whose force is largest
   /// over the splitting force. Then begins the next half.
   std::vector<LoadedCrack> close_half(const Bodies& bodies);
@@ -43,6 +46,8 @@ class ContactLoads {
   void restore(const LoadSums& sums) { sums_ = sums; }
 
  private:
+  void add_step(std::span<const StepForce> forces);
+
   BreakupDef def_;
   double dt_;
   std::int64_t half_steps_;

@@ -120,6 +120,7 @@ void CpuEngine::move(ThreadTeam& team, int rank, StepLog& log) {
     f.drive = drives_.at(step_);
     if (lost_.exchange(false) || !finite_or_inactive(f.bodies, 0)) check_finite(f, step_);
     log_step(f, pairs_.contacts(), before_, quality_, log);
+    if (log.wants_forces) log_forces(contact_forces(), f.bodies, step_ - 1, log);
   });
 }
 

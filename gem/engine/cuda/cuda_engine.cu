@@ -107,7 +107,7 @@ class CudaBatch::Work {
     faults_.assign(scenes_.size(), nullptr);
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
       if (ahead[k].most == 0) continue;
-      scenes_[k].want_events(logs && (*logs)[k].wants_events);
+      scenes_[k].want(logs ? &(*logs)[k] : nullptr);
       guarded(k, ahead[k], [&] { scenes_[k].check_start(ahead[k].most); });
     }
   }
@@ -358,6 +358,10 @@ std::uint64_t CudaBatch::state_hash(std::size_t scene) {
 }
 LineSet CudaBatch::broken_lines(std::size_t scene) const { return work_->scene(scene).broken_lines(); }
 const DpState* CudaBatch::dp_state(std::size_t scene) const { return work_->scene(scene).dp_state(); }
+bool CudaBatch::has_contact_forces(std::size_t scene) const { return work_->scene(scene).has_contact_forces(); }
+std::vector<ContactForce> CudaBatch::contact_forces(std::size_t scene) const {
+  return work_->scene(scene).contact_forces();
+}
 const CudaDevice& CudaBatch::device() const { return work_->device(); }
 int CudaBatch::blocks() const { return work_->blocks(); }
 int CudaBatch::threads() const { return work_->threads(); }

@@ -88,6 +88,9 @@ class CudaBatch {
   std::uint64_t state_hash(std::size_t scene);
   LineSet broken_lines(std::size_t scene) const;
   const DpState* dp_state(std::size_t scene) const;
+  /// As those of Engine; known if the case asks for them, or its floes may split. A batch splits no floes by itself.
+  bool has_contact_forces(std::size_t scene) const;
+  std::vector<ContactForce> contact_forces(std::size_t scene) const;
   /// The GPU that the scenes run on.
   const CudaDevice& device() const;
   /// Blocks of the first scene in the last launch; other scenes may have another number.

@@ -34,6 +34,8 @@ void CudaBatch::restore(std::size_t, const EngineState&) {}
 std::uint64_t CudaBatch::state_hash(std::size_t) { return 0; }
 LineSet CudaBatch::broken_lines(std::size_t) const { return 0; }
 const DpState* CudaBatch::dp_state(std::size_t) const { return nullptr; }
+bool CudaBatch::has_contact_forces(std::size_t) const { return false; }
+std::vector<ContactForce> CudaBatch::contact_forces(std::size_t) const { return {}; }
 const CudaDevice& CudaBatch::device() const { throw Error(ExitCode::device, missing); }
 int CudaBatch::blocks() const { return 0; }
 int CudaBatch::threads() const { return 0; }

@@ -23,7 +23,6 @@ class CudaScene {
   /// `status`: where the scene's status stands on the device. `blocks`: the most blocks that ever work on the scene.
   CudaScene(BatchScene scene, const CudaOptions& options, int blocks, DeviceStatus* status) : status_(status) {
     check_solver(scene.scene.contact.solver, {ContactSolver::independent, ContactSolver::coupled}, "cuda");
-    if (scene.scene.breakup.maximum_pieces > 0) refuse_breakup("cuda");
     check_device_steps(std::llround(scene.scene.run.duration_s / scene.scene.numerics.time_step_s));
     mooring_ = mooring_tables(scene.scene.mooring.law, scene.scene.mooring_design);
     dp_ = dp_law_of(scene.scene, scene.bodies);
@@ -33,6 +32,7 @@ class CudaScene {
     ledger_.start = total(field_);
     device_ = scene_constants(field_);
     sizes_ = scene_sizes(field_);
+    allow_for(scene.scene, sizes_);
     sizes_.samples = options.ring_steps;
     sizes_.drives = drives_.varies();
     sizes_.blocks = std::max(blocks, largest_cluster);
@@ -49,7 +49,13 @@ class CudaScene {
   const FieldState& field() const { return field_; }
   std::int64_t step() const { return step_; }
 
-  void want_events(bool wanted) { device_.wants_events = wanted; }
+  /// What the next calls record; a null `log`: no events.
+  void want(const StepLog* log) {
+    device_.wants_events = log && log->wants_events;
+    device_.wants_forces = !has_contact_forces()      ? ForcesWanted::none
+                           : log && log->wants_forces ? ForcesWanted::all
+                                                      : ForcesWanted::last;
+  }
 
   /// Throws Error(usage) if the device cannot count `steps` more time steps, and Error(numerical_stop) if a state that
   /// was given is not finite. Every engine checks such a state before it goes on from it.
@@ -73,6 +79,7 @@ class CudaScene {
     step_ = status.step;
     carried_ = status.carried;
     host_state_valid_ = host_books_valid_ = false;
+    if (status.samples > 0) last_forces_.clear();
   }
 
   /// Begins to fetch the rings of the last call, which `blocks` blocks made.
@@ -81,15 +88,20 @@ class CudaScene {
     const auto steps = static_cast<std::size_t>(status.samples) * static_cast<std::size_t>(blocks);
     fetch(device_.overlap_count, device_.quality + steps, stream);  // the samples stand between them
     fetch(device_.event, device_.event + status.events, stream);
+    fetch(device_.force, device_.force + std::min(status.forces, device_.forces_capacity), stream);
   }
 
   /// Appends the rings to `log`, after fetch() has completed.
-  void append(const DeviceStatus& status, int blocks, StepLog& log) const {
+  void append(const DeviceStatus& status, int blocks, StepLog& log) {
     if (status.samples == 0) return;
     DeviceScene rings;
     rings.wants_samples = device_.wants_samples;
     place_rings(rings, sizes_, host_ring_.data());
     append_log(field_, rings, status, blocks, log);
+    if (!has_contact_forces()) return;
+    const std::vector<StepForce> forces = forces_of_call(rings, status);
+    last_forces_ = forces_of_last_step(forces, status.step);
+    if (log.wants_forces) log.forces.insert(log.forces.end(), forces.begin(), forces.end());
   }
 
   /// Enlarges the memory of the list.
@@ -125,6 +137,9 @@ class CudaScene {
     return &field_.dp;
   }
 
+  bool has_contact_forces() const { return sizes_.forces != ForcesWanted::none; }
+  const std::vector<ContactForce>& contact_forces() const { return last_forces_; }
+
   Ledger ledger() {
     fetch_books();
     return closed_books(field_, ledger_);
@@ -149,6 +164,8 @@ class CudaScene {
       make_list();
     }
     carried_ = static_cast<std::int32_t>(memory.size());
+    last_forces_.clear();
+    hold_corners();
     upload();
     send(memory);
   }
@@ -177,6 +194,16 @@ class CudaScene {
     if (bytes == 0) return;
     check_cuda(cudaMemcpyAsync(host_ring_.data() + at, from, bytes, cudaMemcpyDeviceToHost, stream),
                "fetch the record");
+  }
+
+  /// Enlarges the memory of the field for a state with more corners than the case allows.
+  void hold_corners() {
+    const auto corners = static_cast<std::int32_t>(field_.bodies.vertex.size());
+    if (corners <= sizes_.vertices) return;
+    sizes_.vertices = corners;
+    field_memory_ = DeviceMemory(place_field(device_, sizes_, nullptr));
+    place_field(device_, sizes_, field_memory_.data());
+    device_.status = status_;
   }
 
   void upload() {
@@ -262,7 +289,8 @@ class CudaScene {
   SceneSizes sizes_;
   DeviceScene device_;
   DeviceStatus* status_;
-  std::int32_t carried_ = 0;  // contacts in device_.carried
+  std::int32_t carried_ = 0;               // contacts in device_.carried
+  std::vector<ContactForce> last_forces_;  // of the last time step
   DeviceMemory field_memory_, list_memory_, ring_memory_;
   PinnedMemory host_ring_, state_copy_, drive_copy_;
   bool fresh_ = true;  // not yet moved on from the state that was given

@@ -30,6 +30,8 @@ class CudaEngine : public Engine {
   Ledger ledger() override { return batch_.ledger(0); }
   LineSet broken_lines() const override { return batch_.broken_lines(0); }
   const DpState* dp_state() const override { return batch_.dp_state(0); }
+  bool has_contact_forces() const override { return batch_.has_contact_forces(0); }
+  std::vector<ContactForce> contact_forces() override { return batch_.contact_forces(0); }
   EngineState save() override { return batch_.save(0); }
   void restore(const EngineState& state) override { batch_.restore(0, state); }
 

@@ -5,6 +5,7 @@
 //   3. each thread: the event of one touching pair, written to the rows of its bodies
 #pragma once
 
+#include "gem/engine/device/forces.h"
 #include "gem/engine/device/narrow_phase.h"
 #include "gem/engine/solver/device_points.h"
 
@@ -180,6 +181,7 @@ GEM_DEVICE inline void pair_stages(const DeviceScene& s, Group& group, const Wor
   BlockCell& shared = group.shared();
   const std::int32_t lane_groups = group.threads() / Group::Lanes::size;
   work_of_last_step(s, group, workspace, step);
+  if (records_forces(s, false)) note_forces(s, group, workspace, std::int64_t{step} - 1);
   for (std::int32_t first = workspace.pairs.begin; first < workspace.pairs.end; first += group.threads()) {
     const std::int32_t p = first + group.thread();
     const auto next_candidate = [&]() -> CandidatePair& {

@@ -38,13 +38,17 @@ GEM_DEVICE inline void begin_call(const DeviceScene& s, Group& group) {
   for (std::int32_t k = rank_of(group); k < 2 * OverlapCount::classes; k += size_of(group)) s.overlap_count[k] = 0;
 }
 
-/// Computes the work of the last time step's contacts. `carries`: also copies their impulses out of the list.
+/// Computes the work of the last time step's contacts, and records their forces. `carries`: also copies their impulses
+/// out of the list. `last`: the call ends.
 template <class Group>
-GEM_DEVICE inline void close_contacts(const DeviceScene& s, Group& group, std::int32_t stamp, bool carries) {
+GEM_DEVICE inline void close_contacts(const DeviceScene& s, Group& group, std::int32_t stamp, bool carries,
+                                      bool last = false) {
+  const bool records = records_forces(s, last);
   for (std::int32_t k = rank_of(group); k < s.status->touched; k += size_of(group)) {
     const std::int32_t p = s.touched[k];
     work_of_contact(s, s.pair[p], s.contact[p], stamp);
     if (carries) carry_pair(s, group, s.pair[p], s.memory[p]);
+    if (records) note_force(s, group, s.contact[p], s.status->step - 1);
   }
 }
 
@@ -291,7 +295,7 @@ GEM_DEVICE inline void run_stage(const DeviceScene& s, Group& group) {
   if constexpr (stage == Stage::iterate) SolverRounds<Group>::run_first(s, group);
   if constexpr (stage == Stage::settle) settle_points(s, group);
   if constexpr (stage == Stage::move) move_by_blocks<solver>(s, group);
-  if constexpr (stage == Stage::last_books) close_contacts(s, group, closing_stamp(s), is_coupled(s));
+  if constexpr (stage == Stage::last_books) close_contacts(s, group, closing_stamp(s), is_coupled(s), true);
   if constexpr (stage == Stage::close_call) {
     close_bodies(s, group);
     write_state(s, group);

@@ -25,7 +25,7 @@ GEM_DEVICE inline void forget_counts(const DeviceScene& s) {
 GEM_DEVICE inline void open_call(const DeviceScene& s, std::int32_t steps) {
   DeviceStatus& status = *s.status;
   status.wanted = steps;
-  status.samples = status.events = status.touched = 0;
+  status.samples = status.events = status.forces = status.touched = 0;
   status.stop = DeviceStop::done;
   status.phase_step = steps > 0 ? PhaseStep::begins : PhaseStep::ended;
   status.barriers = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gem/engine/device/bodies.h"
+#include "gem/engine/device/forces.h"
 
 namespace gem {
 
@@ -85,6 +86,16 @@ GEM_DEVICE inline void hold_station(const DeviceScene& s, PlatformLoaded& loaded
                commands);
 }
 
+/// Leads a ship in transit in time step `sample` of the call; see tow_platform().
+GEM_DEVICE inline void tow_platform(const DeviceScene& s, PlatformLoaded& loaded, const PlatformTurn& turn,
+                                    Vec2 position, double& spin, std::int32_t sample) {
+  if (!(s.constants.events.tow_rate > 0.0)) return;
+  tow_platform(s.constants.events, s.drive_of(sample),
+               {turn.mass, turn.inertia, position, turn.rotation, loaded.cell.velocity, spin, loaded.mooring_book,
+                loaded.cell.mooring_force},
+               turn.inverse_inertia > 0.0);
+}
+
 /// Moves the platform up to the pair events of the next time step, which is number `sample` of the call. `spin` is its
 /// present spin [rad/s].
 GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded& loaded, Mover& mover,
@@ -93,6 +104,7 @@ GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded&
   p.mooring_before = p.mooring_force.momentum;
   p.drag_before = loaded.drag_book.momentum;
   p.mid_position = mover.position;
+  tow_platform(s, loaded, turn, p.mid_position, spin, sample);
   hold_station(s, loaded, turn, p.mid_position, spin, sample, true);
   platform_events_before(s.constants.events, s.drive_of(sample), platform_motion(turn, spin, loaded));
   steer_platform(s.constants.events, s.drive_of(sample), {turn.inertia, turn.rotation, spin, loaded.drag_book}, true);
@@ -238,7 +250,8 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
   if (cell.active && !is_finite(mover, p.velocity, spin)) group.raise(alarm_not_finite);
   if (s.wants_samples) write_sample(s, loaded, mover, spin, sums, pressed, step.sample);
   if (cell.active && left_trajectory(s, mover, cell.radius, motion, step.elapsed)) group.raise(alarm_strayed);
-  if (s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) group.raise(alarm_ring_full);
+  if ((s.wants_events && s.events_capacity - s.status->events < s.platform_capacity) || forces_fill_up(s))
+    group.raise(alarm_ring_full);
   p.spin = spin;
   if (step.kick_next)
     platform_first_half(s, loaded, mover, turn_of(cell, motion, mover.rotation, mover.rotation), spin, step.sample + 1);

@@ -166,7 +166,7 @@ class ResidentSteps {
     group_.barrier();
     if (rank_of(group_) == 0) {
       s_.status->solo_events_done = 1;
-      s_.status->events = 0;
+      s_.status->events = s_.status->forces = 0;
     }
     for (std::int32_t k = rank_of(group_); k < 2 * OverlapCount::classes; k += size_of(group_)) s_.overlap_count[k] = 0;
     group_.barrier();
@@ -184,7 +184,7 @@ class ResidentSteps {
 
   GEM_DEVICE void renew_list() {
     list_.end(s_, step());
-    store();
+    store(false);
     build_list(s_, group_, step(), list_.horizon);
     load_bodies(s_, group_, workspace_);
     load_pairs(s_, group_, workspace_);
@@ -197,11 +197,12 @@ class ResidentSteps {
       hand_out_memory(s_, group_, step());
   }
 
-  /// Brings the scene's memory up to date.
-  GEM_DEVICE void store() {
+  /// Brings the scene's memory up to date. `last`: the call ends.
+  GEM_DEVICE void store(bool last) {
     if constexpr (coupled)
       if (!carried_) carry_memory(s_, group_, workspace_);
     carried_ = true;
+    if (records_forces(s_, last)) note_forces(s_, group_, workspace_, std::int64_t{step()} - 1);
     close_work(s_, group_, workspace_, step());
     group_.block_barrier();
     store_bodies(s_, group_, workspace_);
@@ -211,7 +212,7 @@ class ResidentSteps {
   GEM_DEVICE void end() {
     if (stop_ == DeviceStop::done && (group_.alarms() & alarm_not_finite)) stop_ = DeviceStop::not_finite;
     if (group_.alarms() & alarm_strayed) list_.end(s_, step());
-    store();
+    store(true);
     write_state(s_, group_);
     group_.barrier();
     if (rank_of(group_) != 0) return;

@@ -51,6 +51,9 @@ enum class PhaseStep : std::int32_t { ended, begins, moves, moves_on_new_list };
 /// Why a call ended.
 enum class DeviceStop : std::int32_t { done, list_full, ring_full, not_finite, solver_full };
 
+/// Of which time steps of a call the forces between bodies are recorded.
+enum class ForcesWanted : std::int32_t { none, last, all };
+
 struct DeviceStatus {
   std::int64_t step = 0;
   std::int64_t list_step = 0;  // time step at whose start the list was built
@@ -60,6 +63,7 @@ struct DeviceStatus {
   std::int32_t solo_events_done = 0;                  // the solo events of the next time step are done
   std::int32_t samples = 0;                           // time steps in the ring of this call
   std::int32_t events = 0;                            // platform events in the ring of this call
+  std::int32_t forces = 0;                            // forces in the ring of this call
   std::int32_t carried = 0;                           // contacts in DeviceScene::carried
   std::int32_t barriers = 0;                          // grid barriers in this call
   std::int32_t rows_needed = 0, platform_needed = 0;  // entries of all rows, of the platform's row
@@ -80,8 +84,9 @@ struct DeviceScene {
   StepConstants constants;
   std::int64_t horizon = 1;  // longest life of a list [time steps]
   std::int32_t bodies = 0, non_floes = 0, rows_capacity = 0, platform_capacity = 0, grid_capacity = 0;
-  std::int32_t events_capacity = 0;
+  std::int32_t events_capacity = 0, forces_capacity = 0;
   std::int32_t wants_events = 0, wants_samples = 0;
+  ForcesWanted wants_forces = ForcesWanted::none;
   std::int32_t phase_blocks = 0;  // that share a stage, on the phases route
 
   BodyCell* body = nullptr;
@@ -167,6 +172,7 @@ struct DeviceScene {
   std::int32_t* overlap_count = nullptr;  // of the call: depths by class, then shares by class
   BlockQuality* quality = nullptr;        // ring: by time step, then by block
   PlatformEventRecord* event = nullptr;   // ring
+  StepForce* force = nullptr;             // ring, in no order
   BodyState* state = nullptr;
   DeviceStatus* status = nullptr;
 

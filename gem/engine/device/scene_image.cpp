@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <tuple>
 
 #include "gem/base/error.h"
 #include "gem/engine/device/scene_layout.h"
@@ -195,6 +196,25 @@ void read_state(const BodyState* state, FieldState& f) {
     b.spin[i] = state[i].spin;
     b.active[i] = static_cast<std::uint8_t>(state[i].active);
   }
+}
+
+std::vector<StepForce> forces_of_call(const DeviceScene& rings, const DeviceStatus& status) {
+  if (status.forces > rings.forces_capacity)
+    throw Error(ExitCode::device, "the GPU lost forces between bodies (" + std::to_string(status.forces) +
+                                      ", room for " + std::to_string(rings.forces_capacity) +
+                                      ") please report this, and use --engine cpu");
+  std::vector<StepForce> forces(rings.force, rings.force + status.forces);
+  std::sort(forces.begin(), forces.end(), [](const StepForce& p, const StepForce& q) {
+    return std::tie(p.step, p.force.a, p.force.b) < std::tie(q.step, q.force.a, q.force.b);
+  });
+  return forces;
+}
+
+std::vector<ContactForce> forces_of_last_step(const std::vector<StepForce>& forces, std::int64_t step) {
+  std::vector<ContactForce> last;
+  for (const StepForce& f : forces)
+    if (f.step == step - 1) last.push_back(f.force);
+  return last;
 }
 
 void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatus& status, int blocks, StepLog& log) {

@@ -33,6 +33,12 @@ void save_memory(std::vector<CarriedMemory> carried, EngineState& state);
 /// Copies the state that a call left into the field.
 void read_state(const BodyState* state, FieldState& f);
 
+/// The forces that a call recorded, ascending in (step, a, b).
+std::vector<StepForce> forces_of_call(const DeviceScene& rings, const DeviceStatus& status);
+
+/// Those of the time step after which `step` time steps are done.
+std::vector<ContactForce> forces_of_last_step(const std::vector<StepForce>& forces, std::int64_t step);
+
 /// Appends the rings of a call to `log`: its events and, if the scene wants samples, the samples, quality and overlaps
 /// of its time steps.
 void append_log(const FieldState& f, const DeviceScene& rings, const DeviceStatus& status, int blocks, StepLog& log);

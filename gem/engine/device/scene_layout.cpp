@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "gem/engine/device/forces.h"
 #include "gem/engine/solver/device_solver.h"
 #include "gem/engine/solver/splitting/island_view.h"
 #include "gem/engine/step/books.h"
+#include "gem/field/floe_reserve.h"
 
 namespace gem {
 namespace {
@@ -147,6 +149,12 @@ SceneSizes scene_sizes(const FieldState& f) {
   return sizes;
 }
 
+void allow_for(const SceneDef& scene, SceneSizes& sizes) {
+  sizes.vertices += static_cast<std::int32_t>(piece_corners_maximum(scene));
+  if (scene.output.contact_forces) sizes.forces = ForcesWanted::last;
+  if (scene.breakup.maximum_pieces > 0) sizes.forces = ForcesWanted::all;
+}
+
 std::size_t place_field(DeviceScene& s, const SceneSizes& sizes, std::byte* base) {
   Placer placer(base);
   const std::size_t n = sizes.bodies, vertices = sizes.vertices;
@@ -218,6 +226,16 @@ std::size_t place_list(DeviceScene& s, const SceneSizes& sizes, std::byte* base)
 /// about thirty in a jam; a full ring ends the launch early.
 constexpr std::int32_t platform_rows_a_step = 16;
 
+/// Forces of each body that a launch has room for, beside those that its last two time steps may need. Chosen by hand:
+/// a floe has one or two contacts, so this lasts for about 20 time steps; a full ring ends the launch early.
+constexpr std::int32_t forces_of_body = 32;
+
+std::int32_t forces_in_ring(const SceneSizes& sizes) {
+  const std::int32_t contacts = contacts_capacity(sizes.rows);
+  if (sizes.forces == ForcesWanted::none) return 0;
+  return sizes.forces == ForcesWanted::last ? contacts : 2 * contacts + forces_of_body * sizes.bodies;
+}
+
 std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base) {
   Placer placer(base);
   s.events_capacity = std::max(2 * sizes.platform_rows, platform_rows_a_step * sizes.samples);
@@ -227,6 +245,8 @@ std::size_t place_rings(DeviceScene& s, const SceneSizes& sizes, std::byte* base
   if (sizes.dp) placer.place(s.dp_sample, sizes.samples);
   placer.place(s.quality, static_cast<std::size_t>(sizes.samples) * static_cast<std::size_t>(sizes.blocks));
   placer.place(s.event, s.events_capacity);
+  s.forces_capacity = forces_in_ring(sizes);
+  placer.place(s.force, s.forces_capacity);
   if (sizes.drives) placer.place(s.drive, static_cast<std::size_t>(sizes.samples) + 1);
   return placer.used();
 }

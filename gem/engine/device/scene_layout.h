@@ -22,11 +22,15 @@ struct SceneSizes {
   bool phases = true;                     // the scene can take the phases route
   bool drives = false;                    // current or wind change during the run
   std::int32_t mooring_branches = 0, mooring_knots = 0;
-  bool dp = false;  // dynamic positioning
+  bool dp = false;                           // dynamic positioning
+  ForcesWanted forces = ForcesWanted::none;  // most that calls want
 };
 
 /// Sizes for a field, with a first guess for the list; `samples` and `blocks` are left to the caller.
 SceneSizes scene_sizes(const FieldState& f);
+
+/// Adds the corners of pieces that are not made yet, and room for the forces that the case asks for.
+void allow_for(const SceneDef& scene, SceneSizes& sizes);
 
 /// The three parts of a scene's memory. Each function points the scene's arrays into the memory at `base` and returns
 /// the bytes needed. With a null base it only computes the bytes.

@@ -61,6 +61,7 @@ void ReferenceEngine::one_step(StepLog& log) {
   if (rules_.dp.thrusters > 0) log.dp.push_back(state_.dp);
   log.quality.push_back(quality);
   touches_ = std::move(touches);
+  if (log.wants_forces) log_forces(log);
 }
 
 std::vector<ContactForce> ReferenceEngine::contact_forces() {
@@ -80,6 +81,15 @@ std::vector<ContactForce> ReferenceEngine::contact_forces() {
     forces.push_back({touch.a, touch.b, b.position[touch.b] + arm, (1.0 / rules_.dt) * impulse});
   }
   return forces;
+}
+
+void ReferenceEngine::log_forces(StepLog& log) {
+  const Bodies& b = state_.bodies;
+  const auto seen_by = [&](std::int32_t i, Vec2 point) {
+    return rotate({b.rotation[i].cosine, -b.rotation[i].sine}, point - b.position[i]);
+  };
+  for (const ContactForce& f : contact_forces())
+    log.forces.push_back({state_.steps - 1, f, seen_by(f.a, f.point), seen_by(f.b, f.point)});
 }
 
 void ReferenceEngine::recall_points(std::vector<reference::Touch>& touches) const {

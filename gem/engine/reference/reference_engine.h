@@ -37,6 +37,7 @@ class ReferenceEngine : public Engine {
  private:
   void one_step(StepLog& log);
   /// Gives the points what they have from the last time step.
+  void log_forces(StepLog& log);
   void recall_points(std::vector<reference::Touch>& touches) const;
   void keep_impulses(const std::vector<reference::Touch>& touches);
   void check_finite() const;

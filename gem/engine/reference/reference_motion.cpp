@@ -128,6 +128,27 @@ void thrust(const Rules& rules, State& s, bool commands) {
   s.ledger[Channel::mooring].energy += 0.5 * dot(impulse, b.velocity[0] + before) + 0.5 * twist * (b.spin[0] + spin);
 }
 
+/// Leads a ship in transit: it gets the path's velocity, and some of what it lags behind.
+void tow(const Rules& rules, State& s) {
+  if (!(rules.tow_rate > 0.0)) return;
+  Bodies& b = s.bodies;
+  const TowStep& to = s.drive.tow;
+  const Vec2 lag = to.place - b.position[0];
+  const Vec2 change = to.velocity + rules.tow_rate * lag - b.velocity[0];
+  double turn = 0.0;
+  if (b.inverse_inertia[0] > 0.0)
+    turn = to.spin - b.spin[0] +
+           rules.tow_rate * cross({b.rotation[0].cosine, b.rotation[0].sine}, {to.rotation.cosine, to.rotation.sine});
+  const Vec2 impulse = b.mass[0] * change;
+  s.ledger.mooring_force.momentum += impulse;
+  s.ledger.mooring_force.angular_momentum += cross(b.position[0], impulse) + b.inertia[0] * turn;
+  s.ledger[Channel::mooring].energy +=
+      dot(impulse, b.velocity[0] + 0.5 * change) + b.inertia[0] * turn * (b.spin[0] + 0.5 * turn);
+  s.mooring_impulse += impulse;
+  b.velocity[0] += change;
+  b.spin[0] += turn;
+}
+
 void turn(Bodies& b, std::size_t i, double angle) {
   if (angle != 0.0) b.rotation[i] = turned(b.rotation[i], angle);
 }
@@ -183,6 +204,7 @@ void drive_floes(const Rules& rules, State& s) {
 
 void move_platform_before(const Rules& rules, State& s) {
   if (!rules.platform_moves) return;
+  tow(rules, s);
   thrust(rules, s, true);
   in_water(rules, s);
   in_wind(rules, s);

@@ -24,6 +24,7 @@ struct Rules {
   DriveSchedule drives;             // of each time step
   MooringTables mooring;            // of the laws in events.moored
   DpLaw dp;                         // without thrusters: none
+  double tow_rate = 0.0;            // of a ship in transit [1/s]; 0: none
 
   bool coupled() const { return scene.contact.solver == ContactSolver::coupled; }
 };

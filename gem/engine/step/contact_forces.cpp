@@ -1,30 +1,24 @@
-// Sums the impulses of the points of each contact.
+// The forces of all contacts of a host engine.
 #include "gem/engine/step/contact_forces.h"
 
-#include "gem/engine/step/contact_stages.h"
+#include "gem/engine/step/step_force.h"
 
 namespace gem {
 
 std::vector<ContactForce> contact_forces(const FieldState& f, Contacts contacts) {
   std::vector<ContactForce> forces;
   for (const Contact* at : contacts) {
-    const Contact& contact = *at;
-    if (!f.bodies.active[contact.a] || !f.bodies.active[contact.b]) continue;
-    Vec2 impulse, arm;
-    double weight = 0.0;
-    bool acted = false;
-    for (int k = 0; k < contact.count; ++k) {
-      const ContactSlot& slot = contact.slot[k];
-      acted = acted || slot.impulse.normal != 0.0 || slot.impulse.tangential != 0.0;
-      impulse += world_impulse(contact, slot.impulse);
-      arm += slot.impulse.normal * slot.arm_b;
-      weight += slot.impulse.normal;
-    }
-    if (!acted) continue;
-    arm = weight > 0.0 ? (1.0 / weight) * arm : contact.slot[0].arm_b;
-    forces.push_back({contact.a, contact.b, f.bodies.position[contact.b] + arm, (1.0 / f.constants.dt) * impulse});
+    if (!f.bodies.active[at->a] || !f.bodies.active[at->b]) continue;
+    ContactForce force;
+    if (force_of(*at, f.bodies.position[at->b], f.constants.dt, force)) forces.push_back(force);
   }
   return forces;
+}
+
+void log_forces(const std::vector<ContactForce>& forces, const Bodies& b, std::int64_t step, StepLog& log) {
+  for (const ContactForce& f : forces)
+    log.forces.push_back({step, f, in_axes(b.position[f.a], b.rotation[f.a], f.point),
+                          in_axes(b.position[f.b], b.rotation[f.b], f.point)});
 }
 
 }  // namespace gem

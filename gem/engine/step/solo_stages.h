@@ -134,9 +134,17 @@ inline PlatformOnDp platform_on_dp(FieldState& f) {
           f.dp};
 }
 
+inline PushedPlatform pushed_platform(FieldState& f) {
+  Bodies& b = f.bodies;
+  return {
+      b.mass[0],      b.inertia[0], b.position[0], b.rotation[0], b.velocity[0], b.spin[0], f.book(Channel::mooring, 0),
+      f.mooring_force};
+}
+
 /// Moves the platform up to the time of the pair events.
 inline void platform_first_half(FieldState& f) {
   f.platform_position = f.bodies.position[0];
+  tow_platform(f.constants.events, f.drive, pushed_platform(f), f.bodies.inverse_inertia[0] > 0.0);
   hold_station(f.constants.events, f.drive, platform_on_dp(f), true);
   platform_events_before(f.constants.events, f.drive, platform_motion(f, f.bodies.rotation[0]));
   steer_platform(f.constants.events, f.drive, platform_yaw(f), true);

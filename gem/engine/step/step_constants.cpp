@@ -43,7 +43,8 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const 
                                   p.present ? bodies.inertia[0] : 0.0,
                                   p.yaw == Yaw::free,
                                   mooring,
-                                  dp};
+                                  dp,
+                                  scene.transit.speed_m_per_s > 0.0};
   c.events = make_events(scene, p.present && !p.fixed ? &platform : nullptr, c.dt, has_wind(scene));
 
   c.solver = scene.contact.solver;

@@ -31,15 +31,15 @@ class HostScene {
         drives_(drive_schedule(scene)),
         threads_(threads),
         shared_memory_(shared_memory) {
+    allow_for(scene, sizes_);
     sizes_.blocks = blocks;
+    running_.start = total(field_);
     if (rows > 0) sizes_.rows = rows;
     sizes_.samples = 32;
     sizes_.drives = drives_.varies();
     scene_.wants_events = scene_.wants_samples = 1;
     memory_[0].resize(place_field(scene_, sizes_, nullptr));
     place_field(scene_, sizes_, memory_[0].data());
-    memory_[2].resize(place_rings(scene_, sizes_, nullptr));
-    place_rings(scene_, sizes_, memory_[2].data());
     grow();
     write_field(field_, 0, scene_);
   }
@@ -64,6 +64,7 @@ class HostScene {
   void give_space(std::size_t bytes) { shared_memory_ = bytes; }
 
   void advance(std::int64_t steps, StepLog& log) {
+    if (has_contact_forces()) scene_.wants_forces = log.wants_forces ? ForcesWanted::all : ForcesWanted::last;
     while (steps > 0) {
       const std::int32_t some = static_cast<std::int32_t>(std::min<std::int64_t>(steps, sizes_.samples));
       if (scene_.drive) write_drives(drives_, scene_.status->step, some, const_cast<Drive*>(scene_.drive));
@@ -73,6 +74,7 @@ class HostScene {
         run_steps(some);
       const DeviceStatus& status = *scene_.status;
       append_log(field_, scene_, status, phases_ ? 1 : sizes_.blocks, log);
+      take_forces(log);
       steps -= status.samples;
       if (status.stop == DeviceStop::list_full) {
         sizes_.rows = std::max(sizes_.rows, status.rows_needed);
@@ -108,6 +110,7 @@ class HostScene {
     field_ = make_field_state(state.bodies, field_.constants);
     open_books(field_, state);
     running_ = state.ledger;
+    last_forces_.clear();
     const std::vector<CarriedMemory> carried = carried_memory(state);
     sizes_.rows = std::max(sizes_.rows, static_cast<std::int32_t>(2 * carried.size()));
     grow();
@@ -130,6 +133,16 @@ class HostScene {
 
   std::vector<CarriedMemory> memory() const { return {scene_.carried, scene_.carried + scene_.status->carried}; }
 
+  bool has_contact_forces() const { return sizes_.forces != ForcesWanted::none; }
+  const std::vector<ContactForce>& contact_forces() const { return last_forces_; }
+  /// Makes the ring of forces as small as it may be, so that calls end early.
+  void shorten_forces() {
+    short_forces_ = true;
+    scene_.forces_capacity = 2 * contacts_capacity(scene_.rows_capacity);
+  }
+  /// Calls that ended early.
+  int short_calls() const { return short_calls_; }
+
   const Bodies& bodies() const { return field_.bodies; }
   const DeviceStatus& status() const { return *scene_.status; }
   int growths() const { return growths_; }
@@ -149,6 +162,15 @@ class HostScene {
   }
 
  private:
+  void take_forces(StepLog& log) {
+    const DeviceStatus& status = *scene_.status;
+    short_calls_ += status.stop == DeviceStop::ring_full ? 1 : 0;
+    if (!has_contact_forces() || status.samples == 0) return;
+    const std::vector<StepForce> forces = forces_of_call(scene_, status);
+    last_forces_ = forces_of_last_step(forces, status.step);
+    if (log.wants_forces) log.forces.insert(log.forces.end(), forces.begin(), forces.end());
+  }
+
   void run_steps(std::int32_t steps) {
     if (sizes_.blocks == 1 && threads_ == 1) {
       OneThreadGroup group;
@@ -237,6 +259,9 @@ class HostScene {
     std::memset(memory_[1].data(), 0xff, memory_[1].size());
     place_list(scene_, sizes_, memory_[1].data());
     *scene_.counters = {};
+    memory_[2].resize(place_rings(scene_, sizes_, nullptr));
+    place_rings(scene_, sizes_, memory_[2].data());
+    if (short_forces_) scene_.forces_capacity = 2 * contacts_capacity(scene_.rows_capacity);
   }
 
   MooringTables mooring_;
@@ -248,11 +273,12 @@ class HostScene {
   DriveSchedule drives_;
   int threads_;
   std::size_t shared_memory_, solver_shared_memory_ = 0;
-  bool phases_ = false;
+  bool phases_ = false, short_forces_ = false;
   bool lists_ = false;        // phases route: the next time step needs a new list
   std::uint32_t alarms_ = 0;  // phases route
   std::vector<std::byte> memory_[3];
-  int growths_ = 0;
+  std::vector<ContactForce> last_forces_;  // of the last time step
+  int growths_ = 0, short_calls_ = 0;
 };
 
 /// Checks of coupled time steps beyond those of all: the warm start and the quality of the contacts.

@@ -81,6 +81,43 @@ inline void expect_same_log(const StepLog& a, const StepLog& b) {
   }
 }
 
+inline void expect_same_splits(const StepLog& a, const StepLog& b) {
+  ASSERT_EQ(a.splits.size(), b.splits.size());
+  for (std::size_t k = 0; k < a.splits.size(); ++k) {
+    const SplitEvent &e = a.splits[k], &g = b.splits[k];
+    ASSERT_EQ(std::tie(e.time, e.split.floe, e.split.result, e.split.piece[0], e.split.piece[1], e.split.length),
+              std::tie(g.time, g.split.floe, g.split.result, g.split.piece[0], g.split.piece[1], g.split.length));
+    ASSERT_EQ(std::tie(e.force, e.splitting_force, e.energy), std::tie(g.force, g.splitting_force, g.energy));
+    ASSERT_TRUE(same(e.point, g.point) && same(e.along, g.along)) << "split " << k;
+  }
+}
+
+inline void expect_same_forces(const std::vector<ContactForce>& a, const std::vector<ContactForce>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ASSERT_EQ(std::tie(a[k].a, a[k].b), std::tie(b[k].a, b[k].b));
+    ASSERT_TRUE(same(a[k].point, b[k].point) && same(a[k].force, b[k].force)) << a[k].a << " on " << a[k].b;
+  }
+}
+
+inline void expect_same_loads(const LoadSums& a, const LoadSums& b) {
+  ASSERT_EQ(std::tie(a.crack_energy, a.full), std::tie(b.crack_energy, b.full));
+  for (const auto& [some, others] : {std::pair{a.before, b.before}, std::pair{a.now, b.now}}) {
+    ASSERT_EQ(some.size(), others.size());
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      const ContactLoad &p = some[k], &q = others[k];
+      ASSERT_EQ(std::tie(p.a, p.b, p.weight), std::tie(q.a, q.b, q.weight));
+      ASSERT_TRUE(same(p.impulse, q.impulse) && same(p.arm_a, q.arm_a) && same(p.arm_b, q.arm_b));
+    }
+  }
+}
+
+/// Splits of a log that were made.
+inline std::int64_t splits_in(const StepLog& log) {
+  return std::count_if(log.splits.begin(), log.splits.end(),
+                       [](const SplitEvent& s) { return s.split.result == FloeSplit::Result::split; });
+}
+
 /// The quality of coupled time steps after the events.
 inline void expect_same_judgement(const StepLog& a, const StepLog& b) {
   ASSERT_EQ(a.quality.size(), b.quality.size());
@@ -110,6 +147,7 @@ inline void expect_same_books(const Ledger& a, const Ledger& b) {
   EXPECT_TRUE(same(a.mooring_force.momentum, b.mooring_force.momentum));
   EXPECT_EQ(a.mooring_force.angular_momentum, b.mooring_force.angular_momentum);
   EXPECT_EQ(a.now.energy, b.now.energy);
+  EXPECT_EQ(a.crack_energy, b.crack_energy);
 }
 
 }  // namespace gem::test

@@ -133,6 +133,25 @@ inline SceneDef dp_scene(std::uint64_t seed) {
   return scene;
 }
 
+/// The busy scene of soft ice: thirty floes split within 120 time steps.
+inline SceneDef breaking_scene(std::uint64_t seed) {
+  SceneDef scene = busy_scene(seed);
+  scene.breakup.maximum_pieces = 100;
+  scene.breakup.minimum_size_m = 1.0;
+  scene.breakup.load_time_s = 0.4;
+  scene.breakup.fracture_toughness_Pa_sqrt_m = 5e4;
+  return scene;
+}
+
+/// The busy scene around a platform on its way upstream, which turns at a way point within two seconds.
+inline SceneDef transit_scene(std::uint64_t seed) {
+  SceneDef scene = busy_scene(seed);
+  scene.platform.start_velocity_m_per_s = {};
+  scene.mooring.stiffness_N_per_m = scene.mooring.damping_ratio = 0.0;
+  scene.transit = {.speed_m_per_s = 1.0, .way_point_m = {{-4.0, 0.0}, {-40.0, 12.0}}, .turn_radius_m = 20.0};
+  return scene;
+}
+
 /// The field of a scene, with random velocities and spins of the floes.
 inline Bodies busy_field(const SceneDef& scene) {
   Bodies bodies = make_field(scene);

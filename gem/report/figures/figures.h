@@ -30,6 +30,9 @@ std::vector<Figure> force_figures(const RunData& run, const PlotFolder& folder);
 /// Offset, yaw error and used thrust of dynamic positioning; none without thrusters.
 std::vector<Figure> dp_figures(const RunData& run, const PlotFolder& folder);
 
+/// Resistance and side force of the ice along the path; none without transit.
+std::vector<Figure> transit_figures(const RunData& run, const PlotFolder& folder);
+
 /// Residuals of the books, and overlap, against time.
 std::vector<Figure> book_figures(const RunData& run, const PlotFolder& folder);
 

@@ -12,6 +12,7 @@
 #include "gem/report/run/dp_record.h"
 #include "gem/report/run/line_record.h"
 #include "gem/report/run/side_record.h"
+#include "gem/report/run/transit_record.h"
 
 namespace gem {
 
@@ -87,6 +88,7 @@ struct RunData {
   std::vector<SideRecord> sides = {};  // of the platform; empty if not recorded
   std::vector<LineRecord> lines = {};  // of the mooring
   DpRecord dp = {};                    // empty without thrusters
+  TransitRecord transit = {};          // empty without transit
   std::vector<FloeFrame> frames;       // start, at_s, end; fewer if the run recorded fewer than three
 };
 

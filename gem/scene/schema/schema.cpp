@@ -251,7 +251,7 @@ void add_output(SceneTable& t) {
   t.flag("output.platform_events", "whether every event on the platform is recorded",
          GEM_FIELD(output.platform_events));
   t.flag("output.contact_forces",
-         "whether every floe frame records the forces between touching bodies (engines cpu and reference)",
+         "whether every floe frame records the forces between touching bodies (engines cpu, cuda and reference)",
          GEM_FIELD(output.contact_forces));
   t.number("output.event_speed_m_per_s", "m/s", {0.0, 10.0},
            "first touches that close more slowly count as static load: in the force channels, not in the event list",
@@ -391,6 +391,21 @@ void add_dp(SceneTable& t) {
            "time constant of the low-pass of position, yaw and their rates; 0: none", GEM_FIELD(dp.filter_time_s));
 }
 
+void add_transit(SceneTable& t) {
+  t.number("transit.speed_m_per_s", "m/s", {0.0, 10.0},
+           "speed at which the platform, a ship, is led along a path by a tow that holds it; 0: no transit",
+           GEM_FIELD(transit.speed_m_per_s));
+  t.number("transit.course_rad", "rad", {-6.3, 6.3},
+           "direction in which a path without way points leads; 3.14 is where the bow of a ship at yaw 0 points to",
+           GEM_FIELD(transit.course_rad));
+  t.table("transit.way_point_table", {{"x", "m", place_range}, {"y", "m", place_range}},
+          "way points of the path, which begins where the platform starts and goes straight on after the last; the "
+          "yaw turns with the course",
+          GEM_FIELD(transit.way_point_m));
+  t.number("transit.turn_radius_m", "m", {1.0, 1e5}, "radius of the arcs at way points",
+           GEM_FIELD(transit.turn_radius_m));
+}
+
 std::string section_of(const Option<SceneDef>& option) { return option.path.substr(0, option.path.find('.')); }
 
 void add_breakup(SceneTable& t) {
@@ -425,7 +440,7 @@ std::vector<Option<SceneDef>> make_scene_options() {
                              add_mooring, add_contact, add_numerics, add_output})
     section(t);
   t.opt_in = true;
-  for (const auto section : {add_drive, add_wind, add_mooring_laws, add_dp, add_breakup}) section(t);
+  for (const auto section : {add_drive, add_wind, add_mooring_laws, add_dp, add_breakup, add_transit}) section(t);
   group_by_section(t.options);
   return t.options;
 }

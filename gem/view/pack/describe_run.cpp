@@ -98,7 +98,7 @@ Json drive_json(const SceneDef& scene) {
   const std::int64_t last_step =
       std::max<std::int64_t>(0, std::llround(scene.run.duration_s / scene.numerics.time_step_s) - 1);
   Json water = Json::array(), air = Json::array();
-  for (std::int64_t row = 0; row <= (schedule.varies() ? rows : 0); ++row) {
+  for (std::int64_t row = 0; row <= (varies(scene.drive) ? rows : 0); ++row) {
     const Drive drive = schedule.at(last_step * row / rows);
     water.push_back({drive.water.x, drive.water.y});
     air.push_back({drive.air.x, drive.air.y});

@@ -38,14 +38,16 @@ class FrontFinder {
       : team_(team), p_(part), v_(view), m_(view.m), cell_(cell), memory_(memory) {}
 
   /// Sets the fronts, and the part's own slots and numbers. Raises the island's overflow if they do not fit in the
-  /// scene's memory. The fronts below are set, and the places of all bodies.
+  /// scene's memory. The fronts below are set, and the places of all bodies. Threads decide by the part's own overflow:
+  /// another block may raise the island's at any time.
   GEM_DEVICE void find() {
     for (std::int32_t level = p_.levels; level-- > 0;) {
       each_node(level, [&](std::int32_t id) { draft_others(id); });
       team_.sync();
     }
-    if (cell_.overflow == 0) place_nodes();
+    if (p_.overflow == 0) place_nodes();
     team_.sync();
+    if (team_.rank() == 0 && p_.overflow != 0) Atomics::add(&cell_.overflow, 1);
   }
 
   /// Sets the rows of the others in the fronts above, which are set, and counts the slots of the bodies.
@@ -115,7 +117,7 @@ class FrontFinder {
     f.draft = most > 0 ? Atomics::add(&m_.counters->drafts, most) : 0;
     f.others = 0;
     if (f.draft < 0 || f.draft > m_.slots_capacity - most) {
-      Atomics::add(&cell_.overflow, 1);
+      Atomics::add(&p_.overflow, 1);
       return;
     }
     std::int32_t* const to = m_.draft + f.draft;
@@ -173,14 +175,14 @@ class FrontFinder {
           static_cast<std::int64_t>(Atomics::add(&m_.counters->numbers, static_cast<std::uint64_t>(p_.numbers)));
       if (p_.first_slot > m_.slots_capacity - p_.slots || p_.numbers < 0 ||
           p_.first_number + p_.numbers > static_cast<std::int64_t>(m_.numbers_capacity))
-        Atomics::add(&cell_.overflow, 1);
+        p_.overflow = 1;
       IslandLevel& end = m_.level[p_.level + p_.levels];
       end.own = p_.first_own + p_.owns;
       end.forth_tile = p_.first_slot + sums.all.part[2];
       end.back_tile = p_.first_own + sums.all.part[3];
     }
     team_.sync();
-    if (cell_.overflow != 0) return;
+    if (p_.overflow != 0) return;
     IslandNode at;
     at.first_other = p_.first_slot + sums.below.part[0];
     at.first_own = p_.first_own + sums.below.part[1];

@@ -38,6 +38,7 @@ struct TreePart {
   std::int32_t first_slot = 0, slots = 0;     // others of its fronts; slots are the scene's
   std::int32_t first_sorted = 0, sorted = 0;  // slots of its bodies in fronts below them
   std::int64_t first_number = 0, numbers = 0;
+  std::int32_t overflow = 0;  // its fronts do not fit in the scene's memory
 };
 
 /// An island under work. Arrays by body, place, node and point begin with the island's part; numbers, slots and records

@@ -1,0 +1,30 @@
+// The resistance of the ice to a ship in transit.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "gem/analysis/run_analysis.h"
+#include "gem/scene/scene_def.h"
+
+namespace gem {
+
+struct PlatformRecord;
+
+/// One value for each platform sample; forces as means over output.force_window_s, against the course at the time.
+struct TransitRecord {
+  double speed = 0.0;                     // [m/s]; 0: no transit
+  std::vector<double> distance;           // along the path [m]
+  std::vector<double> resistance;         // force of the ice against the course, mean over the sample [N]
+  std::vector<double> resistance_window;  // the same, mean over the force window [N]
+  std::vector<double> side_window;        // to the left of the course [N]
+};
+
+/// Empty for a run without transit.
+TransitRecord transit_record(const PlatformRecord& platform, const SceneDef& scene);
+
+/// Mean, scatter, percentile and peak of the resistance from sample `first` on, and the distance covered. None without
+/// transit. The interval of the mean takes stretches of a twentieth of the record as independent.
+std::vector<Finding> transit_findings(const TransitRecord& transit, std::size_t first);
+
+}  // namespace gem

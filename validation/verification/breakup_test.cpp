@@ -170,7 +170,7 @@ TEST(SplitFloes, V93_any_number_of_threads_and_a_run_in_two_parts_make_the_same_
 }
 
 TEST_P(Breakup, CracksHaveAnEntryInTheBooks) {
-  const SceneDef scene = breaking_field();
+  const SceneDef scene = test::breaking_scene(5);
   auto engine = test::busy_engine(scene, setting().engine, 1);
   StepLog log;
   double cracks = 0.0;
@@ -187,7 +187,7 @@ TEST_P(Breakup, CracksHaveAnEntryInTheBooks) {
 
 /// In a time step with a split the forces name the pieces, which take part; the floe does not.
 TEST_P(Breakup, ForcesOfATimeStepWithASplitNameThePieces) {
-  const SceneDef scene = breaking_field();
+  const SceneDef scene = test::breaking_scene(5);
   auto engine = test::busy_engine(scene, setting().engine, 1);
   StepLog log;
   std::size_t with_forces = 0;
@@ -199,7 +199,9 @@ TEST_P(Breakup, ForcesOfATimeStepWithASplitNameThePieces) {
     for (std::size_t i = 0; i < forces.size(); ++i) {
       EXPECT_TRUE(b.active[static_cast<std::size_t>(forces[i].a)] && b.active[static_cast<std::size_t>(forces[i].b)]);
       EXPECT_LT(forces[i].a, forces[i].b);
-      if (i > 0) EXPECT_LE(forces[i - 1].a, forces[i].a);
+      if (i > 0) {
+        EXPECT_LE(forces[i - 1].a, forces[i].a);
+      }
     }
     with_forces += splits_of(log) > 0 && !forces.empty();
   }
@@ -208,7 +210,7 @@ TEST_P(Breakup, ForcesOfATimeStepWithASplitNameThePieces) {
 
 /// Without room for the corners of pieces one row says so, and no floe splits any more.
 TEST_P(Breakup, NoRoomIsSaidOnce) {
-  SceneDef scene = breaking_field();
+  SceneDef scene = test::breaking_scene(5);
   scene.breakup.maximum_pieces = 6;
   Bodies field = test::busy_field(scene);
   auto engine = make_engine(scene, field, {setting().engine, 1});

@@ -86,8 +86,7 @@ TEST(SceneDrive, WindBeyondTheThrustRaisesTheSpeedBound) {
   for (ThrusterDef& one : scene.dp.thruster) one.maximum_N = 1e5;
   const double rate = platform_wind_rate(scene.wind, scene.platform.mass_kg);
   double speed = 0.0;
-  for (int step = 0; step < 600; ++step)
-    speed += rate * (20.0 - speed) * (20.0 - speed) - 2e5 / scene.platform.mass_kg;
+  for (int step = 0; step < 600; ++step) speed += rate * (20.0 - speed) * (20.0 - speed) - 2e5 / scene.platform.mass_kg;
   EXPECT_GT(speed, 2.0 * springs);
   EXPECT_GT(platform_speed_bound(scene), speed);
 }

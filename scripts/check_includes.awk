@@ -14,7 +14,7 @@ BEGIN {
   confined["toml"] = "^toml[+][+]/"
   home["toml"] = "^gem/scene/"
   confined["hdf5"] = "^(hdf5|H5)"
-  home["hdf5"] = "^gem/(record|fuzz)/"
+  home["hdf5"] = "^gem/record/"
   confined["gsl"] = "^gsl/"
   home["gsl"] = "^(gem|validation/paper)/analysis/"
   confined["eigen"] = "^(Eigen|eigen3)/"

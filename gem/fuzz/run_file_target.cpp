@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "gem/command/command.h"
-#include "gem/fuzz/described_file.h"
 #include "gem/fuzz/target.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/run_start.h"

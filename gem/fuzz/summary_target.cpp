@@ -1,5 +1,4 @@
 // Fuzz target: the summary of a sweep.
-#include "gem/fuzz/described_file.h"
 #include "gem/fuzz/target.h"
 #include "gem/record/summary/summary_file.h"
 

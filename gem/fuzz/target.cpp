@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "gem/field/field.h"
+#include "gem/record/testing/described_file.h"
 #include "gem/scene/toml/scene_file.h"
 
 namespace gem::fuzz {
@@ -27,6 +28,12 @@ void make_listed_field(const SceneDef& scene) {
 std::string input_file(const std::string& name, const std::string& content) {
   static const ScratchFolder folder("gem-fuzz");
   return folder.write(name, content);
+}
+
+std::string hdf5_input(const std::string& name, const std::string& input) {
+  const std::string path = input_file(name, input);
+  if (!input.starts_with("\x89HDF")) test::write_described_file(input, path);
+  return path;
 }
 
 }  // namespace gem::fuzz

@@ -37,6 +37,9 @@ void make_listed_field(const SceneDef& scene);
 /// Path of a file with this name in a temporary folder that lives as long as the process. Each call replaces it.
 std::string input_file(const std::string& name, const std::string& content);
 
+/// The input as a file: an HDF5 file as it is, anything else as a description.
+std::string hdf5_input(const std::string& name, const std::string& input);
+
 inline std::string text_of(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }

@@ -275,6 +275,27 @@ TEST_P(ContinueOnceTest, ACheckpointOfAnotherCaseOrOfLaterRowsIsRefused) {
   expect_refusal("its checkpoint belongs to another case");
 }
 
+TEST_P(ContinueOnceTest, ACheckpointCountsOnSplitsAndContactsToo) {
+  scene_.output.contact_forces = true;
+  scene_.breakup.maximum_pieces = 60;
+  scene_.breakup.minimum_size_m = 1.0;
+  scene_.breakup.load_time_s = 0.4;
+  scene_.breakup.fracture_toughness_Pa_sqrt_m = 2e3;
+  options_.step_limit = 403;
+  go(scene_, one_thread, options_);
+  const Checkpoint sound = find_checkpoints(path("run.h5")).whole.front();
+  for (const char* dataset : {"splits/time", "contacts/time"}) {
+    Checkpoint later = sound;
+    (dataset[0] == 's' ? later.position.splits : later.position.contacts) += 100000;
+    write_checkpoint(path("run.h5"), later, {});
+    expect_refusal(std::string("newer than its rows: ") + dataset);
+  }
+  write_checkpoint(path("run.h5"), sound, {});
+  EXPECT_GT(RunFile(path("run.h5")).shape("splits/time").at(0), 4u) << "nothing split";
+  options_.step_limit = 0;
+  expect_the_whole_run();
+}
+
 TEST_P(ContinueOnceTest, ANewRunRemovesOldCheckpoints) {
   stop_twice();
   options_.overwrite = true;

@@ -25,6 +25,9 @@ using Clock = std::chrono::steady_clock;
 /// Floe frames per slab. Chosen by hand: bounds the memory of the rows that wait.
 constexpr std::size_t slab_frames = 64;
 
+/// Floe frames that wait at most for a disk that is slow; then the run waits. Chosen by hand.
+constexpr std::size_t most_frames = 2 * slab_frames;
+
 /// Wall time from the start to the first flush [s], so that a run can be watched soon. Chosen by hand.
 constexpr double first_flush_s = 1.0;
 
@@ -135,11 +138,13 @@ void RunSteps::take(const StepLog& log) {
   summary_.overlap += log.overlap;
   summary_.overlap_share += log.overlap_share;
   if (engine_.step() == recorder_.next_frame() || engine_.step() == case_steps_) frame();
-  if (checkpoints_.is_due()) checkpoint();
+  const bool free = !writer_ || writer_->has_room();  // else a slow disk has not yet taken what waits
+  if (free && checkpoints_.is_due()) checkpoint();
   tell_fault_of_checkpoints();
   const double pause = flushes_ > 0 ? options_.flush_interval_s : std::min(options_.flush_interval_s, first_flush_s);
   const bool due = seconds_since(flushed_) >= pause;
-  if (recorder_.frames_waiting() >= slab_frames || due) hand_over(due);
+  const std::size_t frames = recorder_.frames_waiting();
+  if ((free && (due || frames >= slab_frames)) || frames >= most_frames) hand_over(due);
   if (writer_) writer_->check();
   if (options_.on_block) options_.on_block(time());
   progress(log);

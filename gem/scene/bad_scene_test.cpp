@@ -233,6 +233,11 @@ INSTANTIATE_TEST_SUITE_P(
                  "[heading]\nmoment_N_m = 1e6\n[[dp.thruster]]\nposition_m = [40, 0]\n"
                  "[[dp.thruster]]\nposition_m = [-40, 0]\n",
                  {"heading.moment_N_m: the yaw has two controls", "dp.follows_drift"}},
+        BadScene{"strong_dp_damping",
+                 "[platform]\nmass_kg = 1e7\n[numerics]\ntime_step_s = 0.1\n"
+                 "[dp]\ngain_table = [[1e3, 2e8, 0], [1e3, 1e5, 0], [1e6, 1e8, 0]]\n"
+                 "[[dp.thruster]]\nposition_m = [40, 0]\n[[dp.thruster]]\nposition_m = [-40, 0]\n",
+                 {"numerics.time_step_s: the time step is too long for the damping of the surge", "at most 0.05 s"}},
         BadScene{"short_dp_period",
                  "[dp]\nyaw_period_s = 1\n[numerics]\ntime_step_s = 0.05\n[[dp.thruster]]\nposition_m = [40, 0]\n"
                  "[[dp.thruster]]\nposition_m = [-40, 0]\n",

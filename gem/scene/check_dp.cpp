@@ -101,6 +101,17 @@ void check_dp_step(const SceneDef& s, int k, const DpGain& gain, double inertia,
                                                " s) give a smaller time step or a longer period"});
 }
 
+/// A damping that turns the speed round within a time step.
+void check_dp_damping(const SceneDef& s, int k, const DpGain& gain, double inertia, List& out) {
+  const double dt = s.numerics.time_step_s;
+  if (gain.derivative * dt <= inertia) return;
+  out.push_back({"numerics.time_step_s", std::string("the time step is too long for the damping of the ") + dp_axes[k] +
+                                             " (value " + dp_digits(dt) + ", allowed at most " +
+                                             dp_digits(inertia / gain.derivative) +
+                                             " s: derivative gain x time step up to the mass or the moment of inertia) "
+                                             "give a smaller time step or less damping"});
+}
+
 void check_dp_gains(const SceneDef& s, List& out) {
   if (!s.platform.present || (!s.dp.gains.empty() && s.dp.gains.size() != 3)) return;
   const double inertia = platform_inertia(s.platform);
@@ -110,6 +121,7 @@ void check_dp_gains(const SceneDef& s, List& out) {
     const double of = k < 2 ? s.platform.mass_kg : inertia;
     check_dp_stability(s, k, gains[k], of, out);
     check_dp_step(s, k, gains[k], of, out);
+    check_dp_damping(s, k, gains[k], of, out);
   }
 }
 

@@ -118,6 +118,7 @@ double smallest_floe_width(const SceneDef& scene) {
   const bool made = floes.source == FloeSource::generated || floes.source == FloeSource::copied;
   if (made && (floes.count > 0 || floes.concentration > 0.0)) smallest = floes.size_minimum_m;
   for (const FloeDef& floe : scene.floe) smallest = std::min(smallest, outline_width(floe.outline_m));
+  if (scene.breakup.maximum_pieces > 0) smallest = std::min(smallest, scene.breakup.minimum_size_m);
   return smallest;
 }
 

@@ -37,6 +37,22 @@ double dp_stiffness(const SceneDef& scene) {
   return std::min(gains[0].proportional, gains[1].proportional);
 }
 
+/// Thrust that surely acts in any direction: that of the thrusters that turn [N].
+double dp_thrust(const SceneDef& scene) {
+  double sum = 0.0;
+  for (const ThrusterDef& one : scene.dp.thruster)
+    if (one.kind == ThrusterKind::azimuth) sum += one.maximum_N;
+  return sum;
+}
+
+/// Speed that the wind gives to a platform whose thrusters are at their limit [m/s]: until the wind over the moving
+/// platform pushes as hard as they do, or until the run ends.
+double speed_beyond_thrust(const SceneDef& scene, double wind, double rate) {
+  const double held = dp_thrust(scene) / scene.platform.mass_kg;
+  if (scene.dp.thruster.empty() || rate * wind * wind <= held) return 0.0;
+  return std::min(wind - std::sqrt(held / rate), (rate * wind * wind - held) * scene.run.duration_s);
+}
+
 /// Times at which the current without tide is looked at: its table is nowhere outside what it is there.
 std::vector<double> times_of_current(const DriveDef& drive) {
   const std::vector<TimeRow>& table = drive.current_velocity.empty() ? drive.current_direction : drive.current_velocity;
@@ -141,7 +157,8 @@ double platform_wind_speed(const SceneDef& scene) {
     return std::min(wind, mooring_pushed_speed(scene, rate * p.mass_kg * wind * wind));
   const double stiffness = scene.mooring.stiffness_N_per_m + dp_stiffness(scene);
   if (stiffness == 0.0) return wind;
-  return std::min(wind, rate * wind * wind / std::sqrt(stiffness / p.mass_kg));
+  const double beyond = scene.mooring.stiffness_N_per_m > 0.0 ? 0.0 : speed_beyond_thrust(scene, wind, rate);
+  return std::min(wind, rate * wind * wind / std::sqrt(stiffness / p.mass_kg) + beyond);
 }
 
 }  // namespace gem

@@ -73,5 +73,34 @@ TEST(SceneDrive, WindOnAMooredPlatformRaisesItsSpeedBound) {
   EXPECT_NEAR(platform_speed_bound(scene), 1.3e6 / std::sqrt(5e5 * 1e8), 1e-12);
 }
 
+/// The bound against the motion of a platform under wind and a constant thrust against it.
+TEST(SceneDrive, WindBeyondTheThrustRaisesTheSpeedBound) {
+  SceneDef scene;
+  scene.mooring.stiffness_N_per_m = 0.0;
+  scene.wind.velocity_m_per_s = {20.0, 0.0};
+  scene.wind.platform_area_m2 = 5000.0;
+  scene.run.duration_s = 600.0;
+  scene.dp.thruster.resize(2);
+  for (ThrusterDef& one : scene.dp.thruster) one.maximum_N = 1e6;
+  const double springs = platform_speed_bound(scene);
+  for (ThrusterDef& one : scene.dp.thruster) one.maximum_N = 1e5;
+  const double rate = platform_wind_rate(scene.wind, scene.platform.mass_kg);
+  double speed = 0.0;
+  for (int step = 0; step < 600; ++step) speed += rate * (20.0 - speed) * (20.0 - speed) - 2e5 / scene.platform.mass_kg;
+  EXPECT_GT(speed, 2.0 * springs);
+  EXPECT_GT(platform_speed_bound(scene), speed);
+}
+
+TEST(SceneDrive, PiecesCountAsTheSmallestFloes) {
+  SceneDef scene;
+  scene.floes.source = FloeSource::listed;
+  scene.floe.resize(1);
+  scene.floe[0].outline_m = {{0.0, 0.0}, {40.0, 0.0}, {40.0, 40.0}, {0.0, 40.0}};
+  EXPECT_NEAR(smallest_floe_width(scene), 40.0, 1e-9);
+  scene.breakup.maximum_pieces = 10;
+  scene.breakup.minimum_size_m = 5.0;
+  EXPECT_EQ(smallest_floe_width(scene), 5.0);
+}
+
 }  // namespace
 }  // namespace gem

@@ -22,7 +22,7 @@ else()
   add_library(gem_fuzz_readers INTERFACE)
   target_link_libraries(gem_fuzz_readers INTERFACE gem_command)
 endif()
-add_library(gem_fuzz_shared STATIC gem/fuzz/target.cpp gem/fuzz/described_file.cpp)
+add_library(gem_fuzz_shared STATIC gem/fuzz/target.cpp gem/record/testing/described_file.cpp)
 target_link_libraries(gem_fuzz_shared PUBLIC gem_fuzz_readers PRIVATE hdf5::hdf5 hdf5::hdf5_hl)
 add_custom_target(gem_fuzz)  # all targets
 

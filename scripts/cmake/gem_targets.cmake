@@ -27,7 +27,7 @@ function(gem_sources out)
     file(GLOB_RECURSE files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
     list(APPEND found ${files})
   endforeach()
-  list(FILTER found EXCLUDE REGEX "_(test|bench)\\.cpp$")
+  list(FILTER found EXCLUDE REGEX "_(test|bench)\\.cpp$|/record/testing/")
   set(${out} ${found} PARENT_SCOPE)
 endfunction()
 

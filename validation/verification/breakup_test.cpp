@@ -169,6 +169,65 @@ TEST(SplitFloes, V93_any_number_of_threads_and_a_run_in_two_parts_make_the_same_
   check_value("V93.parts", 0.0, double(whole != run(1, 201)) + double(whole != run(2, 203)), 0.0, "differ");
 }
 
+TEST_P(Breakup, CracksHaveAnEntryInTheBooks) {
+  const SceneDef scene = test::breaking_scene(5);
+  auto engine = test::busy_engine(scene, setting().engine, 1);
+  StepLog log;
+  double cracks = 0.0;
+  for (int k = 0; k < 40; ++k) {
+    log.clear();
+    engine->advance(10, log);
+    for (const SplitEvent& one : log.splits) cracks += one.energy;
+    const Ledger books = engine->ledger();
+    EXPECT_NEAR(books.crack_energy, -cracks, 1e-12 * cracks);
+    EXPECT_LE(residual(books).energy, 1e-12);
+  }
+  EXPECT_GT(cracks, 0.0);
+}
+
+/// In a time step with a split the forces name the pieces, which take part; the floe does not.
+TEST_P(Breakup, ForcesOfATimeStepWithASplitNameThePieces) {
+  const SceneDef scene = test::breaking_scene(5);
+  auto engine = test::busy_engine(scene, setting().engine, 1);
+  StepLog log;
+  std::size_t with_forces = 0;
+  for (int k = 0; k < 400; ++k) {
+    log.clear();
+    engine->advance(1, log);
+    const std::vector<ContactForce> forces = engine->contact_forces();
+    const Bodies& b = engine->bodies();
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      EXPECT_TRUE(b.active[static_cast<std::size_t>(forces[i].a)] && b.active[static_cast<std::size_t>(forces[i].b)]);
+      EXPECT_LT(forces[i].a, forces[i].b);
+      if (i > 0) {
+        EXPECT_LE(forces[i - 1].a, forces[i].a);
+      }
+    }
+    with_forces += splits_of(log) > 0 && !forces.empty();
+  }
+  EXPECT_GT(with_forces, 0u);
+}
+
+/// Without room for the corners of pieces one row says so, and no floe splits any more.
+TEST_P(Breakup, NoRoomIsSaidOnce) {
+  SceneDef scene = test::breaking_scene(5);
+  scene.breakup.maximum_pieces = 6;
+  Bodies field = test::busy_field(scene);
+  auto engine = make_engine(scene, field, {setting().engine, 1});
+  EngineState state = engine->save();
+  // fills the corners: a piece with all of them, as after many splits of floes with many corners
+  const std::size_t first = first_piece(state.bodies, scene);
+  for (std::size_t k = 0; k + 3 < piece_corners_maximum(scene); ++k) state.bodies.vertex.push_back({});
+  for (std::size_t i = first + 1; i < state.bodies.vertex_begin.size(); ++i)
+    state.bodies.vertex_begin[i] = static_cast<std::int32_t>(state.bodies.vertex.size());
+  engine = make_engine(scene, state.bodies, {setting().engine, 1});
+  StepLog log;
+  engine->advance(400, log);
+  EXPECT_EQ(splits_of(log), 0);
+  ASSERT_FALSE(log.splits.empty());
+  for (const SplitEvent& one : log.splits) EXPECT_EQ(one.time, log.splits.front().time);
+}
+
 /// Eighty floes come down side by side with 2 mm/s, 4 mm/s and so on; those faster than F_split T / m split.
 TEST_P(Breakup, V94_the_number_of_splits_does_not_depend_on_the_time_step) {
   for (const double dt : {0.1, 0.05, 0.025, 0.0125}) {

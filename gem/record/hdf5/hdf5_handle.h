@@ -1,4 +1,4 @@
-// HDF5 identifiers that close themselves, and reasons of failed calls. Included by gem/record and gem/fuzz only.
+// HDF5 identifiers that close themselves, and reasons of failed calls. Included by gem/record only.
 #pragma once
 
 #include <hdf5.h>

@@ -88,6 +88,11 @@ class RunWriter::Thread {
     changed_.notify_all();
   }
 
+  bool has_room() const {
+    const std::lock_guard lock(mutex_);
+    return queue_.size() < queue_limit || failed_;
+  }
+
   RowCount flush() {
     put({}, true);
     std::unique_lock lock(mutex_);
@@ -321,6 +326,8 @@ void RunWriter::write(Slab slab, bool flush) { thread_->put(std::move(slab), flu
 void RunWriter::write(Slab slab, std::function<void(FilePosition)> then) {
   thread_->put(std::move(slab), true, std::move(then));
 }
+
+bool RunWriter::has_room() const { return thread_->has_room(); }
 
 RowCount RunWriter::flush() { return thread_->flush(); }
 

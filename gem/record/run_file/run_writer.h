@@ -79,6 +79,8 @@ class RunWriter {
   /// failure `then` is not called. It must not throw, and what it uses must outlive this object. Throws like the other
   /// one.
   void write(Slab slab, std::function<void(FilePosition)> then);
+  /// Whether the next write() would not wait.
+  bool has_room() const;
   /// Waits until all rows so far are on the disk and readers see them. Returns how many there are. Throws like write().
   RowCount flush();
   /// Throws the Error of the writer thread, if there is one. Cheap.

@@ -1,5 +1,5 @@
 // Builds HDF5 files line by line; the library refuses what makes no sense, and the line is left out.
-#include "gem/fuzz/described_file.h"
+#include "gem/record/testing/described_file.h"
 
 #include <hdf5_hl.h>
 
@@ -8,11 +8,10 @@
 #include <sstream>
 #include <vector>
 
-#include "gem/fuzz/target.h"
 #include "gem/record/hdf5/hdf5_handle.h"
 #include "gem/record/schema.h"
 
-namespace gem::fuzz {
+namespace gem::test {
 namespace {
 
 using hdf5::check;
@@ -194,10 +193,4 @@ void write_described_file(const std::string& description, const std::string& pat
     }
 }
 
-std::string hdf5_input(const std::string& name, const std::string& input) {
-  const std::string path = input_file(name, input);
-  if (!input.starts_with("\x89HDF")) write_described_file(input, path);
-  return path;
-}
-
-}  // namespace gem::fuzz
+}  // namespace gem::test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace gem::fuzz {
+namespace gem::test {
 
 /// Writes the file. One line makes one thing; a line that makes no sense is left out. The schema of
 /// run files is there from the start. PATH is that of a dataset, or
@@ -20,7 +20,4 @@ namespace gem::fuzz {
 ///   attach PATH 1 SCALE                             gives dimension 1 of a dataset its scale
 void write_described_file(const std::string& description, const std::string& path);
 
-/// The input as a file: an HDF5 file as it is, anything else as a description.
-std::string hdf5_input(const std::string& name, const std::string& input);
-
-}  // namespace gem::fuzz
+}  // namespace gem::test

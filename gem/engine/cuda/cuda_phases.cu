@@ -153,9 +153,6 @@ class IslandGroup : public SolveGroup {
   __device__ IslandGroup(const BlockMemory& shared_memory, bool alone, GridBarrier* grid_barrier)
       : SolveGroup(shared_memory, alone), grid_barrier_(grid_barrier) {}
   __device__ void raise(std::uint32_t alarms) { atomicOr(&grid_barrier_->alarms, alarms); }
-  /// Counts threads. __syncthreads() asks for warps that have not diverged. The compiler leaves one diverged in a loop
-  /// of DeviceFactor (synccheck of compute-sanitizer shows it), and then the cluster waited for ever.
-  __device__ static void block_barrier() { asm volatile("barrier.sync 0;" ::: "memory"); }
 
  private:
   GridBarrier* grid_barrier_;

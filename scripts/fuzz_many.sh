@@ -33,17 +33,15 @@ options_of() {
 
 # one TARGET NUMBER: one process until the end; again with another seed after a fault.
 one() {
-  local target=$1 number=$2 turn=0 left start work=$TMPDIR/$1-$2
+  local target=$1 number=$2 turn=0 left work=$TMPDIR/$1-$2 TIMEFORMAT='%R %U %S'
   mkdir -p "$work"
   while left=$((end - $(date +%s))) && [ "$left" -gt 1 ] && [ "$turn" -lt 500 ]; do
     turn=$((turn + 1))
-    start=$(date +%s)
     # shellcheck disable=SC2046  # the options are words
-    env TMPDIR="$work" timeout -k 2 $((left + 5)) nice -n 19 "$programs/gem_fuzz_$target" $(options_of "$target") \
+    { time env TMPDIR="$work" timeout -k 2 $((left + 5)) nice -n 19 "$programs/gem_fuzz_$target" $(options_of "$target") \
       -max_total_time="$left" -dict="$programs/words.dict" -rss_limit_mb=3000 -close_fd_mask=3 \
       -print_final_stats=1 -reload=10 -seed=$((${FUZZ_SEED:-0} + number * 1000 + turn)) -artifact_prefix="$TMPDIR/faults/$target-" \
-      "$TMPDIR/found/$target" "$corpus/$target" >"$work/log-$turn.txt" 2>&1 || true
-    echo $(($(date +%s) - start)) >>"$TMPDIR/spent/$target"
+      "$TMPDIR/found/$target" "$corpus/$target" >"$work/log-$turn.txt" 2>&1 || true; } 2>>"$TMPDIR/spent/$target"
     grep -q 'Test unit written' "$work/log-$turn.txt" && tail -c 6000 "$work/log-$turn.txt" >"$TMPDIR/faults/log-$target-$number-$turn.txt"
   done
 }
@@ -61,10 +59,10 @@ merge() {
 # row TARGET: what all its processes did.
 row() {
   local spent executions coverage
-  spent=$(awk '{ n += $1 } END { print n + 0 }' "$TMPDIR/spent/$1")
+  spent=$(awk '{ wall += $1; processor += $2 + $3 } END { printf "%15.0f %17.0f", wall, processor }' "$TMPDIR/spent/$1")
   executions=$(cat "$TMPDIR/$1"-*/log-*.txt | awk '/^#[0-9]/ { sub("#", "", $1); last = $1 } /^INFO: Seed/ { n += last; last = 0 } END { print n + last }')
   coverage=$(cat "$TMPDIR/$1"-*/log-*.txt | sed -n "s/.*cov: \([0-9]*\).*/\1/p" | awk '$1 > n { n = $1 } END { print n + 0 }')
-  printf '%-10s %15s %12s %10s %8s %8s\n' "$1" "$spent" "$executions" "$coverage" \
+  printf '%-10s %s %12s %10s %8s %8s\n' "$1" "$spent" "$executions" "$coverage" \
     "$(find "$TMPDIR/new/$1" -type f | wc -l)" "$(find "$TMPDIR/faults" -name "$1-*" | wc -l)"
 }
 
@@ -76,7 +74,7 @@ for target in "${targets[@]}"; do merge "$target" & done
 wait
 {
   echo "$(date -u +%F), $processes processes for $seconds s, $(nproc) processors:$(sed -n 's/^model name[^:]*://p' /proc/cpuinfo | head -n 1)"
-  printf '%-10s %15s %12s %10s %8s %8s\n' target process-seconds executions coverage seeds faults
+  printf '%-10s %15s %17s %12s %10s %8s %8s\n' target process-seconds processor-seconds executions coverage seeds faults
   for target in "${targets[@]}"; do if [ -e "$TMPDIR/spent/$target" ]; then row "$target"; fi; done
 } | tee "$TMPDIR/table.txt"
 tar -C "$TMPDIR" -cf "$out/fz.tar" table.txt faults new

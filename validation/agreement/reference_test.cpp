@@ -362,6 +362,7 @@ TEST(ReferenceJudgesMotion, LinesBreak) {
   s.mooring_design = lines.mooring_design;
   s.platform.present = true;
   s.platform.mass_kg = 4e6;
+  s.platform.anchor_m = lines.platform.anchor_m;
   s.platform.start_offset_m = lines.platform.start_offset_m;
   s.platform.start_velocity_m_per_s = {0.3, 0.1};
   compare({.scene = s, .steps = 400, .contacts = 0});

@@ -32,6 +32,7 @@ inline StepLog expect_bits_of_cpu(SceneDef scene, bool phases, ContactSolver sol
     device.restore(cpu->save());
   }
   EXPECT_GT(contacts_in(expected), 300);
+  EXPECT_GT(ice_impulse_in(expected), 0.0) << "ice hits the platform";
   return expected;
 }
 

@@ -83,9 +83,16 @@ inline SceneDef ship_scene(std::uint64_t seed, bool fixed) {
   return scene;
 }
 
+/// The busy scene with its platform close behind the ice, which is there within a second.
+inline SceneDef scene_close_to_ice(std::uint64_t seed) {
+  SceneDef scene = busy_scene(seed);
+  scene.platform.anchor_m = {-18.0, 0.0};
+  return scene;
+}
+
 /// The busy scene on a mooring of tables by direction, with stiffness and damping of the yaw.
 inline SceneDef moored_scene(std::uint64_t seed) {
-  SceneDef scene = busy_scene(seed);
+  SceneDef scene = scene_close_to_ice(seed);
   scene.mooring = {.damping_ratio = 0.0,
                    .law = MooringLaw::table,
                    .damping_N_s_per_m = 3e4,
@@ -99,13 +106,14 @@ inline SceneDef moored_scene(std::uint64_t seed) {
 
 /// The busy scene on six taut lines that are hardly stronger than at the start: some of them break within seconds.
 inline SceneDef lines_scene(std::uint64_t seed) {
-  SceneDef scene = busy_scene(seed);
+  SceneDef scene = scene_close_to_ice(seed);
   scene.mooring = {.damping_ratio = 0.0, .law = MooringLaw::catenary, .damping_N_s_per_m = 3e4};
   scene.mooring_design.line_height_m = 30.0;
   for (int k = 0; k < 6; ++k) {
     const Rotation q = strict::rotation_of_turns(k / 6.0 + 0.05);
     const Vec2 e{q.cosine, q.sine};
-    scene.mooring_design.lines.push_back({310.0 * e.x, 310.0 * e.y, 10.0 * e.x, 10.0 * e.y, 303.0, 800.0, 2e8, 0.0});
+    const Vec2 at = scene.platform.anchor_m + 310.0 * e;
+    scene.mooring_design.lines.push_back({at.x, at.y, 10.0 * e.x, 10.0 * e.y, 303.0, 800.0, 2e8, 0.0});
   }
   const std::vector<double> tensions = line_tensions_at_start(scene);
   for (std::size_t k = 0; k < tensions.size(); ++k) scene.mooring_design.lines[k][7] = 1.001 * tensions[k];
@@ -114,9 +122,9 @@ inline SceneDef lines_scene(std::uint64_t seed) {
 
 /// The busy scene with thrusters of every kind that are too weak at times, beside the mooring.
 inline SceneDef dp_scene(std::uint64_t seed) {
-  SceneDef scene = busy_scene(seed);
+  SceneDef scene = scene_close_to_ice(seed);
   DpDef& dp = scene.dp;
-  dp.position_m = {0.5, -0.3};
+  dp.position_m = {-17.5, -0.3};
   dp.follows_drift = true;
   dp.surge_period_s = dp.sway_period_s = 40.0;
   dp.yaw_period_s = 30.0;
@@ -143,13 +151,12 @@ inline SceneDef breaking_scene(std::uint64_t seed) {
   return scene;
 }
 
-/// The busy scene around a platform on its way upstream, which turns at a way point within two seconds, and into the ice.
+/// The busy scene around a platform that goes upstream into the ice and turns at a way point within two seconds.
 inline SceneDef transit_scene(std::uint64_t seed) {
-  SceneDef scene = busy_scene(seed);
-  scene.platform.anchor_m = {-14.5, 0.0};
+  SceneDef scene = scene_close_to_ice(seed);
   scene.platform.start_velocity_m_per_s = {};
   scene.mooring.stiffness_N_per_m = scene.mooring.damping_ratio = 0.0;
-  scene.transit = {.speed_m_per_s = 1.0, .way_point_m = {{-18.5, 0.0}, {-54.5, 12.0}}, .turn_radius_m = 20.0};
+  scene.transit = {.speed_m_per_s = 1.0, .way_point_m = {{-22.0, 0.0}, {-58.0, 12.0}}, .turn_radius_m = 20.0};
   return scene;
 }
 
@@ -173,6 +180,13 @@ inline std::unique_ptr<Engine> busy_engine(const SceneDef& scene, const std::str
 inline std::int64_t contacts_in(const StepLog& log) {
   std::int64_t sum = 0;
   for (const StepQuality& quality : log.quality) sum += quality.contacts;
+  return sum;
+}
+
+/// Sum of the magnitudes of the ice's impulses on the platform over all time steps of a log [N s].
+inline double ice_impulse_in(const StepLog& log) {
+  double sum = 0.0;
+  for (const PlatformStep& step : log.platform) sum += length(step.ice_impulse);
   return sum;
 }
 

@@ -31,8 +31,11 @@ std::string input_file(const std::string& name, const std::string& content) {
 }
 
 std::string hdf5_input(const std::string& name, const std::string& input) {
+  expect(test::open_hdf5_objects() == 0, "the reader left something of the input before this one open");
   const std::string path = input_file(name, input);
   if (!input.starts_with("\x89HDF")) test::write_described_file(input, path);
+  if (test::open_hdf5_objects() != 0)
+    test::close_hdf5_objects();  // the library may leave things open when it refuses a call
   return path;
 }
 

@@ -124,7 +124,7 @@ class Builder {
     std::vector<double> values = numbers_of(line);
     std::size_t count = 1;
     for (const hsize_t length : size)
-      count = std::min<std::size_t>(count * std::min<hsize_t>(length, values_maximum), values_maximum + 1);
+      count = std::min<std::size_t>(count * std::min<hsize_t>(length, values_maximum + 1), values_maximum + 1);
     if (!stored || count > values_maximum) return;
     if (values.empty()) values.push_back(0.0);
     while (values.size() < count)
@@ -192,5 +192,9 @@ void write_described_file(const std::string& description, const std::string& pat
     } catch (const hdf5::Failure&) {
     }
 }
+
+std::int64_t open_hdf5_objects() { return H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL); }
+
+void close_hdf5_objects() { H5close(); }
 
 }  // namespace gem::test

@@ -2,6 +2,7 @@
 // read, and a mutated seed is still a sound HDF5 file with other content.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace gem::test {
@@ -19,5 +20,11 @@ namespace gem::test {
 ///   scale PATH                                      makes a dataset a dimension scale
 ///   attach PATH 1 SCALE                             gives dimension 1 of a dataset its scale
 void write_described_file(const std::string& description, const std::string& path);
+
+/// Number of files, datasets, groups, types and attributes that the HDF5 library holds open.
+std::int64_t open_hdf5_objects();
+
+/// Closes all of them.
+void close_hdf5_objects();
 
 }  // namespace gem::test

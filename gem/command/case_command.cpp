@@ -82,7 +82,7 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
     text += "  " + name + std::string(18 - name.size(), ' ') + value + "\n";
   };
   line("case", scene_hash(scene));
-  line("run", number_text(scene.run.duration_s) + " s, " + fixed_text(estimate(scene).steps, 0) + " time steps of " +
+  line("run", number_text(scene.run.duration_s) + " s, " + fixed_text(double(steps_of(scene)), 0) + " time steps of " +
                   number_text(scene.numerics.time_step_s) + " s");
   if (scene.platform.present)
     line("platform",

@@ -109,7 +109,8 @@ struct Estimate {
   double disk = 0.0;           // [bytes], without the events
   double platform_disk = 0.0;  // the part taken by the platform's samples
 };
-Estimate estimate(const SceneDef& scene);
+/// `checkpoints`: whether the run keeps checkpoints, which stand beside its file.
+Estimate estimate(const SceneDef& scene, bool checkpoints);
 
 /// Throws Error(resource_limit) if the run needs more memory than is free, or more disk than is free at `output`.
 void check_resources(const Estimate& need, const std::string& output);

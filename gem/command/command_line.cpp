@@ -39,19 +39,29 @@ std::string joined(std::string text, int argc, char** argv) {
   return text;
 }
 
+/// Parses the command line and runs the chosen command. Prints the help that was asked for.
+int run_action(CLI::App& app, Chosen& chosen, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream help;
+    const int code = app.exit(error, help, std::cerr) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    print(help.str());
+    return code;
+  }
+  if (chosen.action && chosen.in_child && !chosen.reading.files.empty())
+    if (const std::optional<int> code = left_to_child(chosen.reading)) return *code;
+  if (chosen.action) return chosen.action();
+  std::cerr << app.help();
+  return static_cast<int>(ExitCode::usage);
+}
+
 }  // namespace
 
 int run_command_line(CLI::App& app, Chosen& chosen, int argc, char** argv) {
   chosen.command_line = joined(app.get_name(), argc, argv);
   try {
-    app.parse(argc, argv);
-    if (chosen.action && chosen.in_child && !chosen.reading.files.empty())
-      if (const std::optional<int> code = left_to_child(chosen.reading)) return *code;
-    if (chosen.action) return chosen.action();
-    std::cerr << app.help();
-    return static_cast<int>(ExitCode::usage);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
+    return run_action(app, chosen, argc, argv);
   } catch (const Error& error) {
     return fault(app, chosen, error.what(), error.code());
   } catch (const std::bad_alloc&) {

@@ -157,6 +157,18 @@ TEST_F(CommandTest, DryRunComputesNothing) {
   EXPECT_NE(text_of("out").find("reference, 1 thread\n"), std::string::npos) << text_of("out");
 }
 
+// The two checkpoints of a run, and the draft of the next one.
+TEST_F(CommandTest, TheDiskThatARunNeedsHoldsItsCheckpoints) {
+  const auto need = [&](const std::string& more) {
+    EXPECT_EQ(shell("gem run --dry-run --json " + more), 0) << text_of("err");
+    return nlohmann::json::parse(text_of("out")).at("disk_bytes").get<double>();
+  };
+  ASSERT_EQ(shell("gem run --until 1 --out run.h5 -q --threads 1"), 0) << text_of("err");
+  const auto size = std::filesystem::file_size(path("run.h5.checkpoint-a"));
+  EXPECT_GT(size, 10000u);
+  EXPECT_GE(need("") - need("--checkpoint-every 0"), 3.0 * double(size));
+}
+
 TEST_F(CommandTest, ABaselinesSettingsAreRefusedByOtherEngines) {
   if (shell("gem run --help | grep -q velocity-iterations") != 0) GTEST_SKIP() << "built without a baseline";
   for (const char* engine : {"cpu", "auto", "reference"}) {
@@ -176,7 +188,15 @@ TEST_F(CommandTest, ClosedOutputsDoNotStopARun) {
   EXPECT_EQ(shell("gem run swing.toml >&- 2>&-"), 0);
   EXPECT_EQ(RunFile(path("swing.h5")).status(), "complete");
   EXPECT_EQ(shell("set -o pipefail; gem run swing.toml --overwrite | true"), 0) << text_of("err");
-  EXPECT_EQ(shell("gem case schema > /dev/full"), 4);
+}
+
+TEST_F(CommandTest, TextThatCannotBeWrittenIsExitCodeFour) {
+  for (const char* words : {"case schema", "case explain", "--help", "run --help", "--version", "manual"}) {
+    EXPECT_EQ(shell(std::string("gem ") + words + " > /dev/full"), 4) << words;
+    EXPECT_NE(text_of("err").find("cannot write to standard output (No space left on device)"), std::string::npos)
+        << words << "\n"
+        << text_of("err");
+  }
 }
 
 // A closed descriptor must not become the run file, into which messages would then be written.

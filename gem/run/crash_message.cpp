@@ -51,6 +51,7 @@ CrashMessage::CrashMessage(const std::string& run_file) {
   runs_on = is_registered;
   struct sigaction action {};
   action.sa_handler = end_with_message;
+  action.sa_flags = SA_ONSTACK;
   sigemptyset(&action.sa_mask);
   for (std::size_t i = 0; i < std::size(crashes); ++i) sigaction(crashes[i], &action, &former[i]);
 }

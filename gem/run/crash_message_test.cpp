@@ -7,9 +7,19 @@
 #include <cstdlib>
 
 #include "gem/base/sanitizers.h"
+#include "gem/engine/cpu/thread_team.h"
 
 namespace gem {
 namespace {
+
+/// Calls itself until the stack is used up.
+[[gnu::noinline]] int without_end(int depth) {
+  static volatile int end = -1;  // never reached, which the compiler does not know
+  volatile char room[1000] = {};
+  if (depth == end) return 0;
+  room[0] = static_cast<char>(depth);
+  return room[0] + without_end(depth + 1) + room[999];
+}
 
 class CrashMessageTest : public testing::Test {
  protected:
@@ -27,6 +37,23 @@ TEST_F(CrashMessageTest, ACrashNamesTheFileAndEndsWithItsCode) {
           raise(signal_number);
         },
         testing::ExitedWithCode(7), "the run crashed .* mend .?a.x0a.h5.? with `gem repair`");
+}
+
+TEST_F(CrashMessageTest, AStackThatIsUsedUpIsACrash) {
+  EXPECT_EXIT(
+      {
+        const CrashMessage message("run.h5");
+        without_end(0);
+      },
+      testing::ExitedWithCode(7), "the run crashed");
+  EXPECT_EXIT(
+      {
+        const CrashMessage message("run.h5");
+        ThreadTeam(2).run([](int rank) {
+          if (rank == 1) without_end(0);
+        });
+      },
+      testing::ExitedWithCode(7), "the run crashed");
 }
 
 TEST_F(CrashMessageTest, ALibraryThatEndsTheProcessIsACrash) {

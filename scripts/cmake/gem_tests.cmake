@@ -150,7 +150,8 @@ gem_python_test(export_readers scripts/check_export.py 120 $<TARGET_FILE:gem> ${
 gem_python_test(octave_reader scripts/check_octave.py 120 $<TARGET_FILE:gem> ${PROJECT_SOURCE_DIR}/cases/first.toml)
 gem_python_test(python_package gem/python/tests 300)
 
-# Failing system calls, kills, full disks, several processes: a short round as a test, the whole one with the label `long`.
+# Failing system calls, kills, full disks, several processes: a few of each as a test, the whole round with the label `long`; .ci/run
+# calls the short one.
 add_library(gem_fail_nth SHARED ${PROJECT_SOURCE_DIR}/scripts/faults/fail_nth.c)
 target_link_libraries(gem_fail_nth PRIVATE ${CMAKE_DL_LIBS})
 function(gem_faults_test name label timeout)
@@ -162,7 +163,7 @@ function(gem_faults_test name label timeout)
   endif()
   set_tests_properties(${name} PROPERTIES LABELS ${label} SKIP_RETURN_CODE 77 TIMEOUT ${timeout} PROCESSORS 2)
 endfunction()
-gem_faults_test(faults unit 300 --short)
+gem_faults_test(faults unit 300 --few)
 gem_faults_test(faults_long long 7200)
 
 # Runs that are killed at random moments and go on to the same bits.

@@ -1,6 +1,6 @@
 // Preloaded library that fails the n-th call of one system function, or all from the n-th on.
 //
-//   GEM_FAIL_CALL    write, pwrite, fsync, open, ftruncate, malloc
+//   GEM_FAIL_CALL    write, pwrite, fsync (and fdatasync), open, ftruncate, fallocate, rename, malloc
 //   GEM_FAIL_NTH     the call that fails, from 1
 //   GEM_FAIL_STAYS   1: all later calls fail too
 //   GEM_FAIL_COUNT   file that gets the number of calls at the end of the process
@@ -85,6 +85,13 @@ ssize_t pwrite64(int file, const void* data, size_t size, off64_t at) {
 
 ssize_t pwrite(int file, const void* data, size_t size, off_t at) { return pwrite64(file, data, size, at); }
 
+int fsync(int file) {
+  static int (*real)(int);
+  if (real == NULL) real = dlsym(RTLD_NEXT, "fsync");
+  if (inside_of(file) && fails("fsync")) return fail(EIO);
+  return real(file);
+}
+
 int fdatasync(int file) {
   static int (*real)(int);
   if (real == NULL) real = dlsym(RTLD_NEXT, "fdatasync");
@@ -100,6 +107,29 @@ int ftruncate64(int file, off64_t size) {
 }
 
 int ftruncate(int file, off_t size) { return ftruncate64(file, size); }
+
+int fallocate64(int file, int mode, off64_t from, off64_t size) {
+  static int (*real)(int, int, off64_t, off64_t);
+  if (real == NULL) real = dlsym(RTLD_NEXT, "fallocate64");
+  if (inside_of(file) && fails("fallocate")) return fail(ENOSPC);
+  return real(file, mode, from, size);
+}
+
+int fallocate(int file, int mode, off_t from, off_t size) { return fallocate64(file, mode, from, size); }
+
+int rename(const char* from, const char* to) {
+  static int (*real)(const char*, const char*);
+  if (real == NULL) real = dlsym(RTLD_NEXT, "rename");
+  if (call != NULL && inside(from) && fails("rename")) return fail(EIO);
+  return real(from, to);
+}
+
+int renameat2(int folder_from, const char* from, int folder_to, const char* to, unsigned flags) {
+  static int (*real)(int, const char*, int, const char*, unsigned);
+  if (real == NULL) real = dlsym(RTLD_NEXT, "renameat2");
+  if (call != NULL && inside(from) && fails("rename")) return fail(EIO);
+  return real(folder_from, from, folder_to, to, flags);
+}
 
 static int open_with(const char* path, int flags, mode_t mode) {
   static int (*real)(const char*, int, ...);

@@ -15,7 +15,8 @@ class FailingCalls:
             settings["GEM_FAIL_STAYS"] = "1"
         if count:
             settings["GEM_FAIL_COUNT"] = count
-        done = subprocess.run([self.gem, "run", SMALL, "--until", "5", "--engine", "cpu", "--threads", "2", "--quiet", "--out", path],
+        done = subprocess.run([self.gem, "run", SMALL, "--until", "2" if self.short else "5", "--engine", "cpu", "--threads", "2",
+                               "--checkpoint-every", "1e-9", "--quiet", "--out", path],
                               env={**os.environ, "LD_PRELOAD": self.library, **settings}, capture_output=True, text=True,
                               timeout=120)
         return done.returncode, done.stderr, path
@@ -28,10 +29,15 @@ class FailingCalls:
         return int(pathlib.Path(counter).read_text())
 
     def nth_calls(self):
-        # a failed malloc inside HDF5 may end in SIGSEGV, so the short round leaves it out
-        calls_to_fail = ("pwrite", "write", "fsync", "open", "ftruncate") + (() if self.short or self.tries else ("malloc",))
+        # a failed malloc inside HDF5 may end in SIGSEGV, so only the whole round has it
+        calls_to_fail = ("pwrite", "write", "fsync", "open", "ftruncate", "fallocate", "rename")
+        if not (self.few or self.short or self.tries):
+            calls_to_fail += ("malloc",)
         for call in calls_to_fail:
             calls = self.count(call)
+            if calls == 0:
+                print(f"{call}: never called", flush=True)
+                continue
             most = self.count_of(3000 if call == "malloc" else calls, 20)
             stride = max(1, -(-calls // most))
 
@@ -50,7 +56,7 @@ class FailingCalls:
             self.each(f"{call}: call n fails (n to {calls}{note})", one, items)
             if call in ("pwrite", "fsync"):
                 self.each(f"{call}: calls from n on fail", lambda nth, one=one: one(nth, stays=True),
-                          sorted({*items[::2], *range(max(1, calls - 4), calls + 1)}))  # the last calls close the file
+                          sorted({*items[:: 10 if self.short else 2], *range(max(1, calls - 4), calls + 1)}))  # the last calls close the file
 
     def memory(self):
         limits = range(20000, 400000, 380000 // self.count_of(38, 4))

@@ -1,5 +1,6 @@
 """What all faults share: the cases, the paths of their runs, the table of what was tried and lost."""
 import concurrent.futures
+import os
 import pathlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -12,13 +13,13 @@ FLUSH_S = 5.0
 class FaultRuns:
     def __init__(self, gem, library, folder, options):
         self.gem, self.library, self.folder = gem, library, folder
-        self.short, self.tries = options.short, options.tries
+        self.few, self.short, self.tries = options.few, options.short, options.tries
         self.table = []
         self.number = 0
 
-    def count_of(self, usual, short):
-        """How often a fault is tried."""
-        return self.tries or (short if self.short else usual)
+    def count_of(self, usual, few, short=None):
+        """How often a fault is tried: in the whole round, as a test, in continuous integration."""
+        return self.tries or (few if self.few else (short or usual) if self.short else usual)
 
     def path(self):
         self.number += 1
@@ -32,5 +33,5 @@ class FaultRuns:
             print(f"  {what_of}: {fault}", flush=True)
 
     def each(self, what, action, items):
-        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        with concurrent.futures.ThreadPoolExecutor(max(2, os.cpu_count())) as pool:
             self.report(what, list(zip(items, pool.map(action, items))))

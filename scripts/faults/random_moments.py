@@ -16,8 +16,9 @@ class RandomMoments:
         def one(after):
             path = self.path()
             start = time.time()
-            run = subprocess.Popen([self.gem, "run", LARGE, "--until", "100000", "--engine", "cpu", "--threads", "1", "--quiet", "--out",
-                                    path])
+            run = subprocess.Popen([self.gem, "run", LARGE, "--until", "100000", "--engine", "cpu", "--threads", "1", "--quiet",
+                                    "--flush-every", "0.2" if self.short else "4", "--checkpoint-every", "0.2" if self.short else "4",
+                                    "--out", path])
             time.sleep(after * 0.7)
             copy = path + ".copy.h5"
             if os.path.exists(path):
@@ -44,13 +45,25 @@ class RandomMoments:
                     if wall - seen > FLUSH_S + 1.5:
                         fault = f"{wall - seen:.1f} s of data lost"
                         break
-            for name in (path, copy):
-                if not fault and os.path.exists(name):
-                    os.remove(name)
+            fault = fault or self.cannot_go_on(path)
+            for left in () if fault else pathlib.Path(self.folder).glob(pathlib.Path(path).name + "*"):
+                left.unlink()
             return fault
 
-        kills = self.count_of(200, 6)
-        self.each("kill -9 and a copy, at random moments", one, [random.uniform(0.05, 4.0 if self.short else 10.0) for _ in range(kills)])
+        kills = self.count_of(200, 6, 100)
+        longest = 2.0 if self.short else 4.0 if self.few else 10.0
+        self.each("kill -9 and a copy, at random moments", one, [random.uniform(0.05, longest) for _ in range(kills)])
+
+    def cannot_go_on(self, path):
+        """Why a killed run does not go on for a second of the simulation; None if it does, or was killed before its first checkpoint."""
+        checkpoints = list(pathlib.Path(self.folder).glob(pathlib.Path(path).name + ".checkpoint-?"))
+        if not checkpoints or not os.path.exists(path):
+            return None
+        with h5py.File(path, "r", swmr=True) as file:
+            until = file["platform/time"][-1] + 1.0
+        done = subprocess.run([self.gem, "run", "--continue", path, "--until", str(until), "--threads", "1", "--quiet"],
+                              capture_output=True, text=True, timeout=120)
+        return judge(self.gem, done.returncode, done.stderr, path) if done.returncode == 0 else f"--continue: {done.stderr.strip()[-300:]}"
 
     def power_cuts(self):
         """Copies of a growing file, whole or cut at a random length. A whole copy is readable from the first second on; a cut one is read

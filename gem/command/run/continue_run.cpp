@@ -4,6 +4,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/command/run/run_choice.h"
+#include "gem/record/output/output_claim.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/run/resume.h"
@@ -46,6 +47,7 @@ int continue_run(RunChoice& choice, RunLog& log) {
     log.message("info", shown(file) + " is complete: nothing to continue");
     return 0;
   }
+  check_unclaimed(file);  // a reader of a complete file may hold it
   check_output_path(file, true);
   const Resumable run = resumable(file);
   if (!run.note.empty()) log.message("warning", run.note);

@@ -18,10 +18,13 @@ namespace gem {
 namespace {
 
 // Measured on the paper's run and rounded up.
-constexpr double bytes_per_floe = 4096.0;  // state, outlines, pair lists and their copies
-constexpr double base_memory = 48e6;       // program, libraries, chunk caches
-constexpr double compression = 0.75;       // compressed size over raw size with gzip and shuffle
-constexpr double slabs_in_memory = 4.0;    // buffers of output: one being filled, some queued, one being written
+constexpr double bytes_per_floe = 4096.0;             // state, outlines, pair lists and their copies
+constexpr double base_memory = 48e6;                  // program, libraries, chunk caches
+constexpr double compression = 0.75;                  // compressed size over raw size with gzip and shuffle
+constexpr double checkpoint_bytes_per_floe = 1200.0;  // in contact, with rows that wait
+constexpr double checkpoint_base = 1e5;
+constexpr double checkpoint_files = 3.0;  // two, and the draft of the next one
+constexpr double slabs_in_memory = 4.0;   // buffers of output: one being filled, some queued, one being written
 
 double floe_count(const SceneDef& scene) {
   const bool listed = scene.floes.source == FloeSource::listed;
@@ -49,7 +52,7 @@ double available_memory() {
 
 }  // namespace
 
-Estimate estimate(const SceneDef& scene) {
+Estimate estimate(const SceneDef& scene, bool checkpoints) {
   const double duration = scene.run.duration_s;
   const double frames = 2.0 + duration / std::max(scene.output.floes_interval_s, scene.numerics.time_step_s);
   const double samples = 2.0 + duration / std::max(scene.output.platform_interval_s, scene.numerics.time_step_s);
@@ -71,6 +74,7 @@ Estimate estimate(const SceneDef& scene) {
   need.disk = compression * (frames * (frame_bytes + contact_bytes) + platform_bytes +
                              frames * 8.0 * double(stats_columns().size()) + floe_count(scene) * 160.0) +
               1e6;
+  if (checkpoints) need.disk += checkpoint_files * (checkpoint_base + floe_count(scene) * checkpoint_bytes_per_floe);
   return need;
 }
 
@@ -81,8 +85,8 @@ void check_resources(const Estimate& need, const std::string& output) {
   }
   const double room = double(room_at(output));
   if (need.disk > room) {
-    throw Error(ExitCode::resource_limit, "the run file needs about " + size_text(need.disk) + " (" + size_text(room) +
-                                              " are free at " + shown(output) + ") raise output." +
+    throw Error(ExitCode::resource_limit, "the run file and its checkpoints need about " + size_text(need.disk) + " (" +
+                                              size_text(room) + " are free at " + shown(output) + ") raise output." +
                                               (need.platform_disk > 0.5 * need.disk ? "platform" : "floes") +
                                               "_interval_s, choose another --out, or use --force");
   }

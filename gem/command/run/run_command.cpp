@@ -91,7 +91,7 @@ int run(RunChoice choice) {
   }
   const SceneDef listed = with_floes_of_run_file(scene);
   if (const std::string cut = concave_floes_text(scene); !cut.empty()) log.message("info", "floes.concave: " + cut);
-  const Estimate need = estimate(listed);
+  const Estimate need = estimate(listed, choice.options.checkpoint_interval_s > 0.0);
   if (!choice.force) check_resources(need, choice.options.output);
 
   if (!choice.dry_run) start_live_view(choice, log);

@@ -1,5 +1,8 @@
 // Runs that are stopped, interrupted or killed, and go on.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <string>
 
@@ -55,6 +58,21 @@ TEST_F(CommandTest, WhatCannotGoOnSaysWhy) {
     EXPECT_NE(text_of("err").find(row.message), std::string::npos) << row.line << "\n" << text_of("err");
   }
   EXPECT_EQ(shell("gem run --continue parts.h5 -q"), 0) << text_of("err");
+}
+
+// Before a checkpoint is read, or anything is said or shown in a browser.
+TEST_F(CommandTest, ARunThatIsWrittenIsLeftAlone) {
+  ASSERT_EQ(shell("gem run swing.toml --until 7 --out parts.h5 -q"), 0) << text_of("err");
+  const int writer = open(path("parts.h5").c_str(), O_RDWR | O_CLOEXEC);
+  for (const int held :
+       {LOCK_SH, LOCK_EX}) {  // by a run that writes the file; by one that goes on, until its first flush
+    ASSERT_EQ(flock(writer, held | LOCK_NB), 0);
+    EXPECT_EQ(shell("gem run --continue parts.h5"), 4);
+    EXPECT_EQ(text_of("err").find("goes on"), std::string::npos) << text_of("err");
+    EXPECT_NE(text_of("err").find("wait for its end"), std::string::npos) << text_of("err");
+  }
+  close(writer);
+  EXPECT_EQ(shell("gem run --continue parts.h5"), 0) << text_of("err");
 }
 
 TEST_F(CommandTest, AnInterruptedRunGoesOn) {

@@ -62,7 +62,7 @@ Estimate need_of(const SweepPlan& plan) {
   std::vector<double> memory;
   Estimate need;
   for (const std::size_t i : plan.to_do) {
-    const Estimate one = estimate(plan.members[plan.chosen[i]].scene);
+    const Estimate one = estimate(plan.members[plan.chosen[i]].scene, plan.settings.checkpoint_interval_s > 0.0);
     need.steps += one.steps;
     need.disk += one.disk;
     need.platform_disk += one.platform_disk;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gem/base/error.h"
+#include "gem/base/fault_stack.h"
 
 namespace gem {
 namespace {
@@ -46,6 +47,7 @@ void ThreadTeam::close() {
 }
 
 void ThreadTeam::worker_loop(int rank) {
+  const FaultStack stack;
   std::uint64_t served = 0;
   for (;;) {
     const std::function<void(int)>* task = nullptr;

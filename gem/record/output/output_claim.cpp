@@ -54,6 +54,14 @@ bool same_file(const struct stat& one, const struct stat& other) {
 
 }  // namespace
 
+void check_unclaimed(const std::string& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return;
+  const bool free = lock(file, LOCK_EX);
+  close(file);
+  if (!free) refuse_claim(path, "another process writes or reads it", "wait for its end");
+}
+
 OutputClaim::OutputClaim(const std::string& path, bool overwrite)
     : path_(behind_links(path)), draft_(draft_of(path_)), overwrite_(overwrite) {
   hold_existing(overwrite);

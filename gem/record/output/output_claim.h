@@ -6,6 +6,10 @@
 
 namespace gem {
 
+/// Throws Error(file_system) if another process holds the file, as a run that writes it. A file that is not there is
+/// free.
+void check_unclaimed(const std::string& path);
+
 /// The output file of this process, locked against other processes that write. It begins as a draft, `.NAME.new` beside
 /// `path`, and gets its name when it can be read: a kill leaves a readable file or none. The destructor removes a
 /// draft. Others can read the file; `--overwrite` and programs that write are refused while it is claimed.

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "gem/base/error.h"
+#include "gem/base/fault_stack.h"
 #include "gem/base/number_text.h"
 #include "gem/record/output/memory_reserve.h"
 #include "gem/record/output/output_claim.h"
@@ -162,6 +163,7 @@ class RunWriter::Thread {
   }
 
   void work() {
+    const FaultStack stack;
     for (;;) {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [this] { return !queue_.empty() || stopping_; });

@@ -127,7 +127,7 @@ AnalysedRun analysed(const std::string& path, double from_s, bool allow_incomple
                                      std::to_string(kSamplesForStatistics) + " platform samples after --from " +
                                      number_text(from_s) + " s) choose an earlier start or a longer run");
   std::vector<Finding> findings = analyse_platform(platform_series(data, first));
-  if (data.transit.speed > 0.0) std::erase_if(findings, is_of_swing);
+  if (data.transit.present) std::erase_if(findings, is_of_swing);
   for (const Finding& finding : dp_findings(data.dp, first)) findings.push_back(finding);
   for (const Finding& finding : transit_findings(data.transit, first)) findings.push_back(finding);
   return {path,         data.identity.name, data.identity.state_hash,  time.back() - time[first],

@@ -59,6 +59,7 @@ Events make_events(const EventDefinitions& definitions, const PlatformInEvents* 
   e.moored = mooring_laws(mooring, *platform, dt);
   if (platform->dp && platform->dp->thrusters > 0) e.dp = platform->dp;
   if (platform->towed) e.tow_rate = tow_rate(dt);
+  e.thrust = platform->thrust;
   if (wind) e.platform_wind_rate = platform_wind_rate(definitions.wind, platform->mass);
   const PlatformDragDef& drag = definitions.platform_drag;
   if (!drag.present) return e;

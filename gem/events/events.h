@@ -23,8 +23,9 @@
 #include "gem/events/motion.h"           // solo: motion
 #include "gem/events/platform_drag.h"    // solo: water drag on the platform
 #include "gem/events/quantity.h"
-#include "gem/events/transit.h"  // solo: the platform as a ship on its way
-#include "gem/events/wind.h"     // solo: wind on a floe and on the platform
+#include "gem/events/transit.h"         // solo: the platform as a ship on its way
+#include "gem/events/transit_thrust.h"  // solo: thrust of a ship on its way
+#include "gem/events/wind.h"            // solo: wind on a floe and on the platform
 
 namespace gem {
 
@@ -52,6 +53,7 @@ struct PlatformInEvents {
   MooringView mooring;        // tables of the mooring
   const DpLaw* dp = nullptr;  // dynamic positioning; null: none
   bool towed = false;         // it is in transit
+  ThrustLaw thrust;           // of a ship in transit that runs free
 };
 
 /// The laws of one run: their definitions and the constants derived from them. Plain values, copied to any device.
@@ -75,6 +77,7 @@ struct Events : EventDefinitions {
   HeadingLaw heading;
   const DpLaw* dp = nullptr;  // null: no dynamic positioning
   double tow_rate = 0.0;      // of a ship in transit [1/s]; 0: none
+  ThrustLaw thrust;
 };
 
 /// Returns the laws of a run. `platform`: null without a platform; `dt` in [s]; `wind`: there is wind at some time.
@@ -333,9 +336,19 @@ GEM_HD inline void tow_platform(const Events& e, const Drive& drive, const Pushe
   if (!(e.tow_rate > 0.0)) return;
   const Vec2 velocity = p.velocity;
   const double spin = p.spin;
-  p.velocity = tow_velocity(drive.tow, p.position, e.tow_rate);
+  p.velocity = e.thrust.present() ? tow_across(drive.tow, p.position, e.tow_rate, e.thrust.course, velocity)
+                                  : tow_velocity(drive.tow, p.position, e.tow_rate);
   if (turns) p.spin = tow_spin(drive.tow, p.rotation, e.tow_rate);
   book_push(p, velocity, spin);
+}
+
+/// Half a time step of the thrust of a ship in transit: after the tow, and at the end of the time step.
+GEM_HD inline void thrust_platform(const Events& e, const Drive& drive, const PushedPlatform& p) {
+  if (!e.thrust.present()) return;
+  const Vec2 velocity = p.velocity;
+  const double speed = dot(e.thrust.course, velocity - drive.water);
+  p.velocity += (speed_under_thrust(e.thrust, speed) - speed) * e.thrust.course;
+  book_push(p, velocity, p.spin);
 }
 
 /// The platform under dynamic positioning.

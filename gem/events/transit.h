@@ -1,4 +1,5 @@
-// Transit: the platform is a ship that is led along a path at a given speed, as a tow at constant speed does.
+// Transit: the platform is a ship that is led along a path at a given speed, as a tow at constant speed does. A ship
+// with a thrust runs free along a straight path: then the tow holds it only across the path and in yaw.
 //
 //   v := v_p + (x_p - x) / T       r := r_p + sin(theta_p - theta) / T       at the start of a time step
 //
@@ -18,8 +19,8 @@
 // Sources: captive tests in ice tanks (ITTC 7.5-02-04-02.1, resistance test in ice: towed model at constant speed; the
 // mean force along the course is the resistance). The law is a proportional control of the place over a reset of the
 // velocity.
-// Range: dt well below T; F dt well below M v. Neglected: a ship that slows down in the ice as its thrust is given,
-// squat, the change of the water resistance by the ice.
+// Range: dt well below T; F dt well below M v. Neglected: squat, the change of the water resistance by the ice. Thrust:
+// transit_thrust.h.
 #pragma once
 
 #include <algorithm>
@@ -32,11 +33,19 @@ namespace gem {
 
 /// The section [transit].
 struct TransitDef {
-  double speed_m_per_s = 0.0;                      ///< along the path; 0: no transit
+  double speed_m_per_s = 0.0;                      ///< along the path; of a ship with thrust at the start
   double course_rad = 3.141592653589793;           ///< of a path without way points
   std::vector<std::array<double, 2>> way_point_m;  ///< from the place at the start on; none: straight along the course
   double turn_radius_m = 200.0;                    ///< of the arcs at way points
+  double bollard_thrust_N = 0.0;                   ///< net thrust at rest; 0: the ship is towed
+  double open_water_speed_m_per_s = 0.0;           ///< at which no thrust is left
 };
+
+/// Whether there is a ship in transit that runs free, by its own thrust.
+inline bool runs_free(const TransitDef& def) { return def.bollard_thrust_N > 0.0; }
+
+/// Whether there is a ship in transit.
+inline bool in_transit(const TransitDef& def) { return def.speed_m_per_s > 0.0 || runs_free(def); }
 
 /// Where the path leads in one time step.
 struct TowStep {
@@ -52,6 +61,11 @@ inline double tow_rate(double dt) { return 1.0 / std::max(1.0, 5.0 * dt); }
 /// Velocity that the tow gives to a ship at `place` [m/s].
 GEM_HD inline Vec2 tow_velocity(const TowStep& step, Vec2 place, double rate) {
   return step.velocity + rate * (step.place - place);
+}
+
+/// Velocity that the tow gives to a ship that runs free along `course` with the velocity `v`: it holds it across only.
+GEM_HD inline Vec2 tow_across(const TowStep& step, Vec2 place, double rate, Vec2 course, Vec2 v) {
+  return dot(course, v) * course + rate * cross(course, step.place - place) * Vec2{-course.y, course.x};
 }
 
 /// Yaw rate that the tow gives to a ship turned by `q` [rad/s].

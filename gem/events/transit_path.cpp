@@ -56,8 +56,11 @@ std::vector<double> straight_rests(const TransitDef& def, Vec2 start) {
 }
 
 TransitPath::TransitPath(const TransitDef& def, Vec2 start, double yaw)
-    : speed_(def.speed_m_per_s), start_(start), yaw_(strict::rotation_of_angle(yaw)) {
-  if (!present()) return;
+    : speed_(runs_free(def) ? 0.0 : def.speed_m_per_s),
+      start_speed_(def.speed_m_per_s),
+      start_(start),
+      yaw_(strict::rotation_of_angle(yaw)) {
+  if (!in_transit(def)) return;
   const std::vector<Leg> legs = legs_of(def, start);
   const std::vector<double> rests = straight_rests(def, start);
   for (std::size_t k = 0; k < legs.size(); ++k) {
@@ -97,6 +100,11 @@ TowStep TransitPath::step(std::int64_t number, double dt) const {
   const Rotation since_start = product(now.course, inverse(pieces_.front().course));
   return {now.place, product(since_start, yaw_), (1.0 / dt) * (next.place - now.place),
           strict::angle_of(product(next.course, inverse(now.course))) / dt};
+}
+
+Vec2 TransitPath::start_velocity(double dt) const {
+  const Rotation course = pieces_.front().course;
+  return speed_ > 0.0 ? step(0, dt).velocity : start_speed_ * Vec2{course.cosine, course.sine};
 }
 
 double TransitPath::length() const { return pieces_.empty() ? 0.0 : pieces_.back().begin + pieces_.back().length; }

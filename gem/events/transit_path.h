@@ -20,11 +20,14 @@ class TransitPath {
   /// From `start` [m] with the yaw `yaw` [rad].
   TransitPath(const TransitDef& def, Vec2 start, double yaw);
 
-  bool present() const { return speed_ > 0.0; }
+  bool present() const { return !pieces_.empty(); }
   /// At a distance along the path [m].
   PathPlace at(double distance) const;
-  /// In a time step of `dt` [s], counted from 0.
+  /// In a time step of `dt` [s], counted from 0. The path does not lead on a ship that runs free: it stays at its
+  /// start.
   TowStep step(std::int64_t number, double dt) const;
+  /// Of the ship at the start [m/s], for time steps of `dt` [s].
+  Vec2 start_velocity(double dt) const;
   /// Of all pieces up to the last way point [m].
   double length() const;
 
@@ -39,7 +42,8 @@ class TransitPath {
   void append(double length, Rotation course, double curvature);
   static PathPlace on(const Piece& piece, double distance);
 
-  double speed_ = 0.0;
+  double speed_ = 0.0;        // at which it leads [m/s]; of a ship that runs free 0
+  double start_speed_ = 0.0;  // [m/s]
   Vec2 start_;
   Rotation yaw_;
   std::vector<Piece> pieces_;  // the last one goes on

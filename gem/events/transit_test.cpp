@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gem/base/strict_math.h"
+#include "gem/events/transit_thrust.h"
 
 namespace gem {
 namespace {
@@ -56,6 +57,50 @@ TEST(TransitPath, SaysWhichLegIsTooShort) {
   EXPECT_FALSE(straight_rests(def, {})[0] >= 0.0) << "it turns back";
   def.way_point_m = {{0.0, 0.0}};
   EXPECT_FALSE(straight_rests(def, {})[0] >= 0.0) << "it lies at the start";
+}
+
+TEST(TransitPath, StaysAtItsStartForAShipThatRunsFree) {
+  const TransitDef def{
+      .speed_m_per_s = 2.0, .course_rad = 0.5, .bollard_thrust_N = 1e6, .open_water_speed_m_per_s = 6.0};
+  const TransitPath path(def, {10.0, -5.0}, 0.2);
+  const TowStep step = path.step(100, 0.1);
+  EXPECT_EQ(step.place.x, 10.0);
+  EXPECT_EQ(length(step.velocity), 0.0);
+  EXPECT_EQ(step.spin, 0.0);
+  EXPECT_NEAR(path.start_velocity(0.1).x, 2.0 * std::cos(0.5), 1e-14);
+  EXPECT_NEAR(path.start_velocity(0.1).y, 2.0 * std::sin(0.5), 1e-14);
+}
+
+TEST(Thrust, TakesTheSpeedThroughTheWaterAlongTheNetThrustCurve) {
+  constexpr double bollard = 1e6, open_water = 6.0, mass = 1e7;
+  EXPECT_EQ(net_thrust(bollard, open_water, 0.0), bollard);
+  EXPECT_EQ(net_thrust(bollard, open_water, -3.0), bollard);
+  EXPECT_EQ(net_thrust(bollard, open_water, open_water), 0.0);
+  EXPECT_NEAR(net_thrust(bollard, open_water, 3.0), bollard * (1.0 - 1.0 / 6.0 - 1.0 / 6.0), 1e-9);
+  EXPECT_LT(net_thrust(bollard, open_water, 7.0), 0.0);
+  const TransitDef def{.bollard_thrust_N = bollard, .open_water_speed_m_per_s = open_water};
+  for (const double speed : {-1.0, -0.02, 0.0, 2.0, 6.0, 8.0}) {
+    // fourth-order Runge-Kutta of half a time step, cut into small ones: errors of 1e-16
+    const double dt = 2.0;
+    double v = speed;
+    const auto rate = [&](double at) { return net_thrust(bollard, open_water, at) / mass; };
+    constexpr int parts = 20000;  // the curve has a corner at rest: a part errs by its square there
+    const double h = 0.5 * dt / parts;
+    for (int k = 0; k < parts; ++k) {
+      const double a = rate(v), b = rate(v + 0.5 * h * a), c = rate(v + 0.5 * h * b), d = rate(v + h * c);
+      v += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+    }
+    EXPECT_NEAR(speed_under_thrust(thrust_law(def, {1.0, 0.0}, mass, dt), speed), v, 1e-11) << speed;
+  }
+  EXPECT_FALSE(thrust_law({.speed_m_per_s = 2.0}, {1.0, 0.0}, mass, 0.1).present());
+}
+
+TEST(Tow, HoldsAShipThatRunsFreeAcrossItsCourseOnly) {
+  const TowStep step{{10.0, 0.0}, {}, {}, 0.0};
+  const Vec2 course{0.6, 0.8};
+  const Vec2 v = tow_across(step, {10.0 + 3.0 * 0.6 - 0.8, 3.0 * 0.8 + 0.6}, 0.5, course, {2.0, 1.0});
+  EXPECT_NEAR(dot(v, course), 2.0, 1e-15);
+  EXPECT_NEAR(cross(course, v), -0.5, 1e-15) << "it lies 1 m to the left of its path";
 }
 
 TEST(Tow, MakesUpWhatTheShipLags) {

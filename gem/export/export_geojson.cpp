@@ -81,8 +81,7 @@ ExportReport export_geojson(const ExportTarget& target, double at_s) {
   const PlatformTrack platform(file);
   const SceneDef scene = stored_scene(file);
   const Vec2 anchor = scene.platform.anchor_m;
-  const std::vector<std::vector<Vec2>> obstacles =
-      obstacles_at(file, platform, time, scene.transit.speed_m_per_s > 0.0);
+  const std::vector<std::vector<Vec2>> obstacles = obstacles_at(file, platform, time, in_transit(scene.transit));
   const std::vector<double> scales = parting_scales(floes, obstacles);
   std::vector<std::string> features;
   for (std::size_t i = 0; i < floes.size(); ++i) features.push_back(feature_text(record, floes[i], scales[i]));

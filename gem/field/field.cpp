@@ -51,7 +51,7 @@ void append_platform(Bodies& bodies, const SceneDef& scene) {
     def.velocity = scene.platform.start_velocity_m_per_s;
     def.spin = scene.platform.start_spin_rad_per_s;
     if (const TransitPath path = transit_path(scene); path.present())
-      def.velocity = path.step(0, scene.numerics.time_step_s).velocity;
+      def.velocity = path.start_velocity(scene.numerics.time_step_s);
     def.mass = scene.platform.mass_kg;
     def.inertia = scene.platform.inertia_kg_m2;
     def.locked_yaw = scene.platform.yaw == Yaw::locked;

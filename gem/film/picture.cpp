@@ -33,7 +33,9 @@ constexpr std::array<Colour, 9> viridis = {{{68, 1, 84},
 
 /// Speed at the end of the colours [m/s].
 double fastest_shown(const SceneDef& scene) {
-  return std::max({1.1 * length(scene.current.velocity_m_per_s), scene.transit.speed_m_per_s, 0.05});
+  const TransitDef& transit = scene.transit;
+  return std::max(
+      {1.1 * length(scene.current.velocity_m_per_s), transit.speed_m_per_s, transit.open_water_speed_m_per_s, 0.05});
 }
 
 Colour colour_of(double share) {

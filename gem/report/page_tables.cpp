@@ -50,6 +50,7 @@ std::string ends_text(const IntervalEstimate& interval, const Unit& unit) {
 std::string at_time(double time, double duration) { return " at " + with_unit(time, time_unit(duration)); }
 
 const Unit kSeconds{"s", 1.0};
+const Unit kSpeed{"m/s", 1.0};
 
 /// A period whose interval spans more than a factor of two is not resolved.
 bool is_resolved(const Finding& period) {
@@ -79,11 +80,11 @@ std::string main_period_html(const RunData& run, const Finding& period) {
   return figure_of_run(is_resolved(period) ? with_unit(*period.value, kSeconds) : "not resolved", meaning);
 }
 
-bool is_transit(const RunData& run) { return run.transit.speed > 0.0; }
+bool is_transit(const RunData& run) { return run.transit.present; }
 
 /// What holds the platform.
 std::string holder_text(const RunData& run) {
-  if (is_transit(run)) return "tow";
+  if (is_transit(run)) return run.transit.free ? "thrust" : "tow";
   return run.dp.thruster.empty() ? "mooring" : "thruster";
 }
 
@@ -114,6 +115,9 @@ std::string headline_html(const RunData& run, const RunFindings& findings, const
   if (is_transit(run) && !run.platform.time.empty()) {
     const double distance = run.transit.distance.back();
     html += figure_of_run(with_unit(distance, length_unit(distance)), "along the path");
+    if (run.transit.free)
+      html += figure_of_run(with_unit(finding_of(analysis, "transit_speed_mean_m_per_s").value.value_or(0.0), kSpeed),
+                            "mean speed");
     html += figure_of_run(force_text(finding_of(analysis, "resistance_mean_N").value.value_or(0.0)),
                           "mean resistance of the ice");
     html += figure_of_run(force_text(findings.loads.ice_window_largest),
@@ -188,13 +192,22 @@ std::string motion_html(const RunData& run, const RunFindings& findings, const s
 
 namespace {
 
+/// Nothing for a ship that is towed.
+std::string speed_rows(const RunData& run, const std::vector<Finding>& analysis) {
+  if (!run.transit.free) return "";
+  const Finding thrust = finding_of(analysis, "thrust_mean_N");
+  return row("speed averaged over the run", {mean_text(finding_of(analysis, "transit_speed_mean_m_per_s"), kSpeed)}) +
+         row("net thrust averaged over the run", {mean_text(thrust, force_unit(std::abs(thrust.value.value_or(0.0))))});
+}
+
 /// Nothing without transit.
 std::string resistance_rows(const RunData& run, const std::vector<Finding>& analysis) {
   if (!is_transit(run)) return "";
   const Finding mean = finding_of(analysis, "resistance_mean_N");
   const std::string window = number_text(run.force_window_s, 6) + " s";
   const auto value = [&](const char* name) { return force_text(finding_of(analysis, name).value.value_or(0.0)); };
-  return row("resistance averaged over the run", {mean_text(mean, force_unit(std::abs(mean.value.value_or(0.0))))}) +
+  return speed_rows(run, analysis) +
+         row("resistance averaged over the run", {mean_text(mean, force_unit(std::abs(mean.value.value_or(0.0))))}) +
          row("resistance averaged over " + window + ", 99 % below", {value("resistance_window_p99_N")}) +
          row("resistance averaged over " + window + ", largest", {value("resistance_window_largest_N")});
 }

@@ -18,7 +18,7 @@ void check_ship_moves(const SceneDef& s, List& out) {
     out.push_back({p.present ? "platform.fixed" : "platform.present",
                    std::string("a transit needs a platform that moves (value ") + (p.present ? "true" : "false") +
                        ") set it otherwise, or remove [transit]"});
-  else if (s.transit.way_point_m.size() > 1 && p.yaw == Yaw::locked)
+  else if (s.transit.way_point_m.size() > 1 && p.yaw == Yaw::locked && !runs_free(s.transit))
     out.push_back({"platform.yaw",
                    "the ship turns at its way points (value \"locked\", allowed \"free\") set it "
                    "otherwise, or give one way point"});
@@ -34,6 +34,24 @@ void check_ship_start(const SceneDef& s, List& out) {
   if (length(p.start_velocity_m_per_s) > 0.0)
     refuse("platform.start_velocity_m_per_s", pair_text(p.start_velocity_m_per_s));
   if (p.start_spin_rad_per_s != 0.0) refuse("platform.start_spin_rad_per_s", plain_number_text(p.start_spin_rad_per_s));
+}
+
+/// A ship with thrust runs free on a straight path; its net thrust is what the water leaves.
+void check_thrust(const SceneDef& s, List& out) {
+  const TransitDef& transit = s.transit;
+  if (!runs_free(transit)) return;
+  if (!(transit.open_water_speed_m_per_s > 0.0))
+    out.push_back({"transit.open_water_speed_m_per_s",
+                   "a ship with thrust needs its speed in open water (value 0, allowed above 0) give it, or remove "
+                   "transit.bollard_thrust_N and give transit.speed_m_per_s"});
+  if (transit.way_point_m.size() > 1)
+    out.push_back({"transit.way_point_table",
+                   "a ship with thrust keeps to a straight path (value " + std::to_string(transit.way_point_m.size()) +
+                       " way points, allowed 1) give one, or remove transit.bollard_thrust_N"});
+  if (s.platform_drag.present)
+    out.push_back({"platform_drag.present",
+                   "the thrust of a ship in transit is what the resistance of the water leaves (value true, allowed "
+                   "false with transit.bollard_thrust_N) set it to false"});
 }
 
 /// A ship on its way has neither mooring nor thrusters nor heading control.
@@ -67,18 +85,22 @@ void check_legs(const SceneDef& s, List& out) {
 }  // namespace
 
 void check_transit(const SceneDef& scene, List& problems) {
-  if (!(scene.transit.speed_m_per_s > 0.0)) return;
-  for (const auto rule : {check_ship_moves, check_ship_start, check_free_of_holds, check_legs}) rule(scene, problems);
+  if (!in_transit(scene.transit)) return;
+  for (const auto rule : {check_ship_moves, check_ship_start, check_thrust, check_free_of_holds, check_legs})
+    rule(scene, problems);
 }
 
 void warn_of_transit(const SceneDef& scene, std::vector<std::string>& warnings) {
   const TransitDef& transit = scene.transit;
   const SceneDef usual;
-  const bool on = transit.speed_m_per_s > 0.0;
+  const bool on = in_transit(transit);
   for (const auto& option : scene_options())
     if (!on && option.path.starts_with("transit.") && value_text(option.get(scene)) != value_text(option.get(usual)))
       warnings.push_back(option.path + ": has no effect (there is no transit) give transit.speed_m_per_s");
   if (!on) return;
+  if (!runs_free(transit) && transit.open_water_speed_m_per_s > 0.0)
+    warnings.push_back(
+        "transit.open_water_speed_m_per_s: has no effect (the ship is towed) give transit.bollard_thrust_N");
   if (!transit.way_point_m.empty() && transit.course_rad != usual.transit.course_rad)
     warnings.push_back("transit.course_rad: has no effect (the way points give the course) remove it");
   if (transit.way_point_m.size() < 2 && transit.turn_radius_m != usual.transit.turn_radius_m)

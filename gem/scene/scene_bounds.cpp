@@ -73,9 +73,11 @@ double dp_speed(const SceneDef& scene) {
   return fastest * length(p.anchor_m + p.start_offset_m - scene.dp.position_m) + platform_radius(p) * rate;
 }
 
-/// Largest speed of a point of a ship in transit [m/s]. At way points it turns.
+/// Largest speed of a point of a ship in transit [m/s]. At way points it turns; one that runs free goes with the water.
 double transit_speed(const SceneDef& scene) {
   const TransitDef& transit = scene.transit;
+  if (runs_free(transit))
+    return std::max(transit.speed_m_per_s, transit.open_water_speed_m_per_s + largest_current(scene));
   if (transit.way_point_m.size() < 2) return transit.speed_m_per_s;
   return transit.speed_m_per_s * (1.0 + platform_radius(scene.platform) / transit.turn_radius_m);
 }

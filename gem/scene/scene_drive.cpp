@@ -95,6 +95,13 @@ TransitPath transit_path(const SceneDef& scene) {
   return {scene.transit, p.anchor_m + p.start_offset_m, p.start_yaw_rad};
 }
 
+ThrustLaw transit_thrust(const SceneDef& scene, double mass) {
+  const TransitPath path = transit_path(scene);
+  if (!path.present()) return {};
+  const Rotation course = path.at(0.0).course;
+  return thrust_law(scene.transit, {course.cosine, course.sine}, mass, scene.numerics.time_step_s);
+}
+
 Drive drive_at_start(const SceneDef& scene) {
   return drive_at(scene.drive, steady_drive(scene), scene.drive.start_time_s);
 }

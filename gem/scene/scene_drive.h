@@ -11,6 +11,9 @@ DriveSchedule drive_schedule(const SceneDef& scene);
 /// The path of a ship in transit; without transit: none.
 TransitPath transit_path(const SceneDef& scene);
 
+/// The thrust of a ship in transit of the mass `mass` [kg]; of one that is towed: none.
+ThrustLaw transit_thrust(const SceneDef& scene, double mass);
+
 /// The drive at t = 0.
 Drive drive_at_start(const SceneDef& scene);
 

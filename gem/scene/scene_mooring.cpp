@@ -61,7 +61,7 @@ double largest_slope(const MooringView& view, const MooringBranch& branch) {
 MooringTables mooring_tables(const SceneDef& scene) { return mooring_tables(scene.mooring.law, scene.mooring_design); }
 
 const char* holder_of(const SceneDef& scene) {
-  if (scene.transit.speed_m_per_s > 0.0) return "tow";
+  if (in_transit(scene.transit)) return runs_free(scene.transit) ? "thrust" : "tow";
   return scene.dp.thruster.empty() ? "mooring" : "thrusters";
 }
 

@@ -145,12 +145,13 @@ TEST_P(CudaDrive, MooringsOfTablesAndOfLinesThatBreakGiveTheBitsOfTheCpuEngine) 
 }
 
 TEST_P(CudaDrive, AShipInTransitHasTheBitsOfTheCpuEngine) {
-  SceneDef scene = test::transit_scene(8);
-  scene.contact.solver = GetParam();
-  for (const Route route : {Route::resident, Route::phases}) {
-    BesideCpu both(scene, route);
-    both.advance({1, 7, 150});
-    both.expect_same();
+  for (SceneDef scene : {test::transit_scene(8), test::free_ship_scene(8)}) {
+    scene.contact.solver = GetParam();
+    for (const Route route : {Route::resident, Route::phases}) {
+      BesideCpu both(scene, route);
+      both.advance({1, 7, 150});
+      both.expect_same();
+    }
   }
 }
 

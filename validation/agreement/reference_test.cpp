@@ -338,7 +338,8 @@ TEST(ReferenceJudgesMotion, ThrustersHoldThePlatform) {
   compare({.scene = s, .steps = 400, .contacts = 0});
 }
 
-TEST(ReferenceJudgesMotion, AShipIsLedThroughTwoFloes) {
+/// A ship of 30 m, two floes ahead of it.
+SceneDef ship_before_two_floes() {
   SceneDef s = still_scene();
   s.platform.present = true;
   s.platform.outline = PlatformOutline::ship;
@@ -349,9 +350,20 @@ TEST(ReferenceJudgesMotion, AShipIsLedThroughTwoFloes) {
   s.platform.mass_kg = 4e6;
   s.platform.anchor_m = s.platform.start_offset_m = s.platform.start_velocity_m_per_s = {};
   s.mooring = {.stiffness_N_per_m = 0.0, .damping_ratio = 0.0};
+  s.floe = {floe(10.0, 9.0, {-26.0, 1.0}, {}, 0.3), floe(9.0, 7.0, {-39.0, 8.0}, {}, 0.1)};
+  return s;
+}
+
+TEST(ReferenceJudgesMotion, AShipIsLedThroughTwoFloes) {
+  SceneDef s = ship_before_two_floes();
   s.platform_drag.present = true;
   s.transit = {.speed_m_per_s = 1.0, .way_point_m = {{-10.0, 0.0}, {-60.0, 20.0}}, .turn_radius_m = 25.0};
-  s.floe = {floe(10.0, 9.0, {-26.0, 1.0}, {}, 0.3), floe(9.0, 7.0, {-39.0, 8.0}, {}, 0.1)};
+  compare({.scene = s, .steps = 400, .row = 2, .anew = true});
+}
+
+TEST(ReferenceJudgesMotion, AShipRunsFreeThroughTwoFloes) {
+  SceneDef s = ship_before_two_floes();
+  s.transit = {.speed_m_per_s = 1.0, .course_rad = 3.1, .bollard_thrust_N = 1e5, .open_water_speed_m_per_s = 1.5};
   compare({.scene = s, .steps = 400, .row = 2, .anew = true});
 }
 

@@ -107,11 +107,6 @@ std::vector<LineFinding> line_findings(const RunData& data, std::size_t first) {
   return findings;
 }
 
-/// Offsets, periods and the orbit about a rest, which a ship on its way has not.
-bool is_of_swing(const Finding& finding) {
-  return finding.name.starts_with("x_") || finding.name.starts_with("y_") || finding.name.starts_with("orbit_");
-}
-
 }  // namespace
 
 AnalysedRun analysed(const std::string& path, double from_s, bool allow_incomplete) {
@@ -126,12 +121,13 @@ AnalysedRun analysed(const std::string& path, double from_s, bool allow_incomple
     throw Error(ExitCode::usage, shown(path) + ": too short to analyse (fewer than " +
                                      std::to_string(kSamplesForStatistics) + " platform samples after --from " +
                                      number_text(from_s) + " s) choose an earlier start or a longer run");
-  std::vector<Finding> findings = analyse_platform(platform_series(data, first));
-  if (data.transit.speed > 0.0) std::erase_if(findings, is_of_swing);
-  for (const Finding& finding : dp_findings(data.dp, first)) findings.push_back(finding);
-  for (const Finding& finding : transit_findings(data.transit, first)) findings.push_back(finding);
-  return {path,         data.identity.name, data.identity.state_hash,  time.back() - time[first],
-          data.verdict, findings,           line_findings(data, first)};
+  return {path,
+          data.identity.name,
+          data.identity.state_hash,
+          time.back() - time[first],
+          data.verdict,
+          platform_findings(data, first),
+          line_findings(data, first)};
 }
 
 CombinedRuns combined(const std::vector<AnalysedRun>& runs) {

@@ -53,6 +53,7 @@ class Columns {
 };
 
 std::string unit_of(const std::string& name) {
+  if (name.ends_with("_m_per_s")) return "m/s";
   for (const char* unit : {"m", "s", "N", "rad"})
     if (name.ends_with(std::string("_") + unit)) return unit;
   return "1";
@@ -84,9 +85,7 @@ void set_platform(Columns& columns, std::size_t run, const RunData& data, double
   const std::size_t first = sample_from(data, from_s);
   if (data.platform.time.size() < first + kSamplesForStatistics) return;
   const PlatformSeries series = platform_series(data, first);
-  for (const Finding& finding : analyse_platform(series)) set_finding(columns, run, finding);
-  for (const Finding& finding : dp_findings(data.dp, first)) set_finding(columns, run, finding);
-  for (const Finding& finding : transit_findings(data.transit, first)) set_finding(columns, run, finding);
+  for (const Finding& finding : platform_findings(data, first)) set_finding(columns, run, finding);
   columns.set(run, "ice_force_window_mean_N", "N",
               "mean over the run of the magnitude of the ice force, averaged over output.force_window_s",
               mean_length(series.ice_force_window_x, series.ice_force_window_y));

@@ -300,6 +300,32 @@ TEST_F(SweepCommandTest, CollectAsksForAllRuns) {
   EXPECT_EQ(gem({"sweep", "collect", "d", "--out", "s.h5", "--partial"}), 4);
 }
 
+/// Columns of the summary that begin with one of the names.
+std::size_t columns_of(const std::string& path, const Words& beginnings) {
+  std::size_t found = 0;
+  for (const SummaryColumn& column : read_summary(path).columns)
+    for (const std::string& beginning : beginnings) found += column.name.starts_with(beginning) ? 1 : 0;
+  return found;
+}
+
+TEST_F(SweepCommandTest, CollectLeavesOutTheSwingOfAShipOnItsWay) {
+  const Words swing = {"x_", "y_", "orbit_"};
+  ASSERT_EQ(sweep("d", {"--index", "1"}), 0) << text_of("err_");
+  ASSERT_EQ(gem({"sweep", "collect", "d", "--out", "d.h5", "--partial"}), 0) << text_of("err_");
+  EXPECT_GT(columns_of(path("d.h5"), swing), 5U) << "a moored platform swings";
+  ASSERT_EQ(sweep("t", {"--index", "1", "--set", "mooring.stiffness_N_per_m=0", "--set", "transit.bollard_thrust_N=1e5",
+                        "--set", "transit.open_water_speed_m_per_s=1.0"}),
+            0)
+      << text_of("err_");
+  ASSERT_EQ(gem({"sweep", "collect", "t", "--out", "t.h5", "--partial"}), 0) << text_of("err_");
+  EXPECT_EQ(columns_of(path("t.h5"), swing), 0U);
+  const SummaryTable table = read_summary(path("t.h5"));
+  ASSERT_NE(table.column("resistance_mean_N"), nullptr);
+  EXPECT_GT(table.column("resistance_mean_N")->numbers[0], 0.0) << "ice hits it";
+  ASSERT_NE(table.column("transit_speed_mean_m_per_s"), nullptr);
+  EXPECT_EQ(table.column("transit_speed_mean_m_per_s")->units, "m/s");
+}
+
 TEST_F(SweepCommandTest, CollectKeepsNoMoreThanWasRecorded) {
   ASSERT_EQ(sweep("d", {"--index", "1"}), 0);
   const auto collect = [&](const Words& more) {

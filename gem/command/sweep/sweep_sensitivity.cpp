@@ -42,9 +42,7 @@ std::vector<double> measured(const std::string& path, const std::vector<std::str
                                      std::to_string(kSamplesForStatistics) + " platform samples after --from " +
                                      number_text(from_s) + " s) choose an earlier start or longer runs");
   const PlatformSeries series = platform_series(data, first);
-  std::vector<Finding> findings = analyse_platform(series);
-  for (const Finding& finding : dp_findings(data.dp, first)) findings.push_back(finding);
-  for (const Finding& finding : transit_findings(data.transit, first)) findings.push_back(finding);
+  std::vector<Finding> findings = platform_findings(data, first);
   findings.push_back({"ice_sample_largest_N", sample_largest(series), {}});
   std::vector<std::string> known;
   for (const Finding& finding : findings) known.push_back(finding.name);

@@ -86,14 +86,26 @@ GEM_DEVICE inline void hold_station(const DeviceScene& s, PlatformLoaded& loaded
                commands);
 }
 
-/// Leads a ship in transit in time step `sample` of the call; see tow_platform().
+/// The platform at `position`, for what pushes it from outside.
+GEM_DEVICE inline PushedPlatform pushed_platform(PlatformLoaded& loaded, const PlatformTurn& turn, Vec2 position,
+                                                 double& spin) {
+  return {turn.mass,
+          turn.inertia,
+          position,
+          turn.rotation,
+          loaded.cell.velocity,
+          spin,
+          loaded.mooring_book,
+          loaded.cell.mooring_force};
+}
+
+/// Leads a ship in transit in time step `sample` of the call; see tow_platform() and thrust_platform().
 GEM_DEVICE inline void tow_platform(const DeviceScene& s, PlatformLoaded& loaded, const PlatformTurn& turn,
                                     Vec2 position, double& spin, std::int32_t sample) {
   if (!(s.constants.events.tow_rate > 0.0)) return;
-  tow_platform(s.constants.events, s.drive_of(sample),
-               {turn.mass, turn.inertia, position, turn.rotation, loaded.cell.velocity, spin, loaded.mooring_book,
-                loaded.cell.mooring_force},
-               turn.inverse_inertia > 0.0);
+  const PushedPlatform pushed = pushed_platform(loaded, turn, position, spin);
+  tow_platform(s.constants.events, s.drive_of(sample), pushed, turn.inverse_inertia > 0.0);
+  thrust_platform(s.constants.events, s.drive_of(sample), pushed);
 }
 
 /// Moves the platform up to the pair events of the next time step, which is number `sample` of the call. `spin` is its
@@ -244,8 +256,9 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
       book_platform_shift(e, motion.mass, p.velocity, p.broken, {p.mid_position, repair.shift, next, mover.rotation},
                           s.book(Channel::repair, 0));
     steer_platform(e, s.drive_of(step.sample), {motion.inertia, mover.rotation, spin, loaded.drag_book}, false);
-    hold_station(s, loaded, turn_of(cell, motion, mover.rotation, mover.rotation), mover.position, spin, step.sample,
-                 false);
+    const PlatformTurn turned = turn_of(cell, motion, mover.rotation, mover.rotation);
+    hold_station(s, loaded, turned, mover.position, spin, step.sample, false);
+    thrust_platform(e, s.drive_of(step.sample), pushed_platform(loaded, turned, mover.position, spin));
   }
   if (cell.active && !is_finite(mover, p.velocity, spin)) group.raise(alarm_not_finite);
   if (s.wants_samples) write_sample(s, loaded, mover, spin, sums, pressed, step.sample);

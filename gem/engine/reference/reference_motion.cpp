@@ -134,7 +134,8 @@ void tow(const Rules& rules, State& s) {
   Bodies& b = s.bodies;
   const TowStep& to = s.drive.tow;
   const Vec2 lag = to.place - b.position[0];
-  const Vec2 change = to.velocity + rules.tow_rate * lag - b.velocity[0];
+  Vec2 change = to.velocity + rules.tow_rate * lag - b.velocity[0];
+  if (rules.thrust.present()) change -= dot(change, rules.thrust.course) * rules.thrust.course;
   double turn = 0.0;
   if (b.inverse_inertia[0] > 0.0)
     turn = to.spin - b.spin[0] +
@@ -147,6 +148,20 @@ void tow(const Rules& rules, State& s) {
   s.mooring_impulse += impulse;
   b.velocity[0] += change;
   b.spin[0] += turn;
+}
+
+/// Half a time step of the thrust of a ship in transit that runs free.
+void run_free(const Rules& rules, State& s) {
+  if (!rules.thrust.present()) return;
+  Bodies& b = s.bodies;
+  const double through_water = dot(rules.thrust.course, b.velocity[0] - s.drive.water);
+  const double gain = speed_under_thrust(rules.thrust, through_water) - through_water;
+  const Vec2 impulse = b.mass[0] * gain * rules.thrust.course;
+  s.mooring_impulse += impulse;
+  s.ledger.mooring_force.momentum += impulse;
+  s.ledger.mooring_force.angular_momentum += cross(b.position[0], impulse);
+  s.ledger[Channel::mooring].energy += dot(impulse, b.velocity[0] + 0.5 * gain * rules.thrust.course);
+  b.velocity[0] += gain * rules.thrust.course;
 }
 
 void turn(Bodies& b, std::size_t i, double angle) {
@@ -205,6 +220,7 @@ void drive_floes(const Rules& rules, State& s) {
 void move_platform_before(const Rules& rules, State& s) {
   if (!rules.platform_moves) return;
   tow(rules, s);
+  run_free(rules, s);
   thrust(rules, s, true);
   in_water(rules, s);
   in_wind(rules, s);
@@ -228,6 +244,7 @@ void move_platform_after(const Rules& rules, State& s) {
   repair_platform(rules, s, angle, next);
   steer(rules, s, false);
   thrust(rules, s, false);
+  run_free(rules, s);
 }
 
 void move_floes(const Rules& rules, State& s) {

@@ -36,7 +36,8 @@ Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
                                   rules.mooring.view()};
   rules.platform_moves = scene.platform.present && !scene.platform.fixed;
   if (rules.platform_moves) rules.dp = dp_law(scene.dp, mass, inertia, rules.dt);
-  if (rules.platform_moves && scene.transit.speed_m_per_s > 0.0) rules.tow_rate = tow_rate(rules.dt);
+  if (rules.platform_moves && in_transit(scene.transit)) rules.tow_rate = tow_rate(rules.dt);
+  if (rules.platform_moves) rules.thrust = transit_thrust(scene, mass);
   rules.events = make_events(scene, rules.platform_moves ? &platform : nullptr, rules.dt, has_wind(scene));
   if (!rules.platform_moves) return rules;
   rules.stiffness = scene.mooring.stiffness_N_per_m;

@@ -25,6 +25,7 @@ struct Rules {
   MooringTables mooring;            // of the laws in events.moored
   DpLaw dp;                         // without thrusters: none
   double tow_rate = 0.0;            // of a ship in transit [1/s]; 0: none
+  ThrustLaw thrust;                 // of one that runs free
 
   bool coupled() const { return scene.contact.solver == ContactSolver::coupled; }
 };

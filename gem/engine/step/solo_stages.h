@@ -145,6 +145,7 @@ inline PushedPlatform pushed_platform(FieldState& f) {
 inline void platform_first_half(FieldState& f) {
   f.platform_position = f.bodies.position[0];
   tow_platform(f.constants.events, f.drive, pushed_platform(f), f.bodies.inverse_inertia[0] > 0.0);
+  thrust_platform(f.constants.events, f.drive, pushed_platform(f));
   hold_station(f.constants.events, f.drive, platform_on_dp(f), true);
   platform_events_before(f.constants.events, f.drive, platform_motion(f, f.bodies.rotation[0]));
   steer_platform(f.constants.events, f.drive, platform_yaw(f), true);
@@ -175,6 +176,7 @@ inline void platform_second_half(FieldState& f) {
                       f.book(Channel::repair, 0));
   steer_platform(e, f.drive, platform_yaw(f), false);
   hold_station(e, f.drive, platform_on_dp(f), false);
+  thrust_platform(e, f.drive, pushed_platform(f));
 }
 
 }  // namespace gem

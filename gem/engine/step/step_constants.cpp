@@ -44,7 +44,8 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const 
                                   p.yaw == Yaw::free,
                                   mooring,
                                   dp,
-                                  scene.transit.speed_m_per_s > 0.0};
+                                  in_transit(scene.transit),
+                                  transit_thrust(scene, p.present ? bodies.mass[0] : 0.0)};
   c.events = make_events(scene, p.present && !p.fixed ? &platform : nullptr, c.dt, has_wind(scene));
 
   c.solver = scene.contact.solver;

@@ -160,6 +160,16 @@ inline SceneDef transit_scene(std::uint64_t seed) {
   return scene;
 }
 
+/// The same with a ship that runs free: it starts at 1 m/s, and the ice slows it down.
+inline SceneDef free_ship_scene(std::uint64_t seed) {
+  SceneDef scene = transit_scene(seed);
+  scene.transit = {.speed_m_per_s = 1.0,
+                   .course_rad = 3.0,
+                   .bollard_thrust_N = 0.02 * scene.platform.mass_kg,
+                   .open_water_speed_m_per_s = 2.0};
+  return scene;
+}
+
 /// The field of a scene, with random velocities and spins of the floes.
 inline Bodies busy_field(const SceneDef& scene) {
   Bodies bodies = make_field(scene);

@@ -26,6 +26,7 @@ Unit unit_of(const std::string& name, double size) {
   if (name.ends_with("_N_s")) return impulse_unit(size);
   if (name.ends_with("_N")) return force_unit(size);
   if (name.ends_with("_m")) return length_unit(size);
+  if (name.ends_with("_m_per_s")) return {"m/s", 1.0};
   if (name.ends_with("_s")) return {"s", 1.0};
   if (name.ends_with("_fraction")) return {"%", 0.01};
   return {"", 1.0};

@@ -133,7 +133,7 @@ View close_view(const RunData& run) {
   // A platform is looked at from its rest, a ship in transit where it is.
   Vec2 centre;
   const auto& times = run.platform.time;
-  if (run.transit.speed > 0.0 && !times.empty() && run.frames.size() > 1) {
+  if (run.transit.present && !times.empty() && run.frames.size() > 1) {
     const auto next = std::lower_bound(times.begin(), times.end(), run.frames[1].time);
     const std::size_t at = std::min<std::size_t>(next - times.begin(), times.size() - 1);
     centre = {run.platform.x[at], run.platform.y[at]};

@@ -131,7 +131,7 @@ std::vector<Figure> motion_figures(const RunData& run, const RunFindings& findin
   const AxisCurve across{"motion_y", "y", "across the current", 2};
   std::vector<Figure> figures = {draw_axis(run, along, run.platform.x, run.rest.x, length, folder),
                                  draw_axis(run, across, run.platform.y, run.rest.y, length, folder)};
-  if (run.transit.speed > 0.0) return figures;  // a ship on its way does not swing
+  if (run.transit.present) return figures;  // a ship on its way does not swing
   figures.push_back(draw_orbit(run, length, folder));
   figures.push_back(draw_spectra(run, findings, folder));
   return figures;

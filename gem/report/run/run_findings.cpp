@@ -93,6 +93,11 @@ RunQuality quality(const StatsRecord& stats) {
   return result;
 }
 
+/// Offsets, periods and the orbit about a rest, which a ship on its way has not.
+bool is_of_swing(const Finding& finding) {
+  return finding.name.starts_with("x_") || finding.name.starts_with("y_") || finding.name.starts_with("orbit_");
+}
+
 }  // namespace
 
 double sample_interval(const std::vector<double>& time) {
@@ -131,6 +136,14 @@ RunFindings run_findings(const RunData& run) {
   findings.radial_excursion = radial.value;
   findings.radial_time = run.platform.time[radial.sample];
   findings.loads = loads(run);
+  return findings;
+}
+
+std::vector<Finding> platform_findings(const RunData& run, std::size_t first) {
+  std::vector<Finding> findings = analyse_platform(platform_series(run, first));
+  if (run.transit.present) std::erase_if(findings, is_of_swing);
+  for (const Finding& finding : dp_findings(run.dp, first)) findings.push_back(finding);
+  for (const Finding& finding : transit_findings(run.transit, first)) findings.push_back(finding);
   return findings;
 }
 

@@ -14,11 +14,20 @@ namespace {
 Vec2 direction(Rotation course) { return {course.cosine, course.sine}; }
 
 /// Mean with the interval of one correlated record.
-Finding mean_resistance(const std::vector<double>& resistance) {
+Finding mean_of(const char* name, const std::vector<double>& record) {
   constexpr std::size_t stretches = 20;
-  const double mean = moments(resistance).mean;
-  if (resistance.size() < 2 * stretches) return {"resistance_mean_N", mean, {}};
-  return {"resistance_mean_N", mean, moving_block_mean(resistance, resistance.size() / stretches)};
+  const double mean = moments(record).mean;
+  if (record.size() < 2 * stretches) return {name, mean, {}};
+  return {name, mean, moving_block_mean(record, record.size() / stretches)};
+}
+
+/// What the way of a ship that runs free says; `distance` from its start.
+void add_free_way(TransitRecord& transit, double time, double distance, double thrust) {
+  const bool first = transit.time.size() == 1;
+  const double before = first ? 0.0 : transit.time[transit.time.size() - 2];
+  const double from = first ? 0.0 : transit.distance[transit.distance.size() - 2];
+  transit.thrust.push_back(thrust);
+  transit.made_good.push_back(time > before ? (distance - from) / (time - before) : transit.speed);
 }
 
 }  // namespace
@@ -27,13 +36,20 @@ TransitRecord transit_record(const PlatformRecord& platform, const SceneDef& sce
   TransitRecord transit;
   const TransitPath path = transit_path(scene);
   if (!path.present()) return transit;
+  transit.present = true;
+  transit.free = runs_free(scene.transit);
   transit.speed = scene.transit.speed_m_per_s;
   for (std::size_t i = 0; i < platform.time.size(); ++i) {
-    const double distance = transit.speed * platform.time[i];
+    const Vec2 way = Vec2{platform.x[i], platform.y[i]} - path.at(0.0).place;
+    const double distance = transit.free ? dot(way, direction(path.at(0.0).course)) : transit.speed * platform.time[i];
     const Vec2 ahead = direction(path.at(distance).course);
     const Vec2 ice{platform.ice_force_x[i], platform.ice_force_y[i]};
     const Vec2 window{platform.ice_force_mean_x[i], platform.ice_force_mean_y[i]};
+    transit.time.push_back(platform.time[i]);
     transit.distance.push_back(distance);
+    if (transit.free)
+      add_free_way(transit, platform.time[i], distance,
+                   dot({platform.mooring_force_x[i], platform.mooring_force_y[i]}, ahead));
     transit.resistance.push_back(-dot(ice, ahead));
     transit.resistance_window.push_back(-dot(window, ahead));
     transit.side_window.push_back(cross(ahead, window));
@@ -47,12 +63,18 @@ std::vector<Finding> transit_findings(const TransitRecord& transit, std::size_t 
     return std::vector<double>(all.begin() + std::ptrdiff_t(first), all.end());
   };
   const std::vector<double> window = from(transit.resistance_window), side = from(transit.side_window);
-  return {{"transit_distance_m", transit.distance.back() - transit.distance[first], {}},
-          mean_resistance(from(transit.resistance)),
-          {"resistance_window_deviation_N", moments(window).deviation, {}},
-          {"resistance_window_p99_N", percentile(window, 0.99), {}},
-          {"resistance_window_largest_N", moments(window).maximum, {}},
-          {"side_force_window_largest_N", std::abs(maximum_excursion(side).value), {}}};
+  std::vector<Finding> findings = {{"transit_distance_m", transit.distance.back() - transit.distance[first], {}},
+                                   mean_of("resistance_mean_N", from(transit.resistance)),
+                                   {"resistance_window_deviation_N", moments(window).deviation, {}},
+                                   {"resistance_window_p99_N", percentile(window, 0.99), {}},
+                                   {"resistance_window_largest_N", moments(window).maximum, {}},
+                                   {"side_force_window_largest_N", std::abs(maximum_excursion(side).value), {}}};
+  if (!transit.free) return findings;
+  const std::vector<double> speed = from(transit.made_good);
+  findings.push_back(mean_of("transit_speed_mean_m_per_s", speed));
+  findings.push_back({"transit_speed_least_m_per_s", moments(speed).minimum, {}});
+  findings.push_back(mean_of("thrust_mean_N", from(transit.thrust)));
+  return findings;
 }
 
 }  // namespace gem

@@ -13,6 +13,7 @@ namespace {
 Unit unit_of_output(const std::string& name, double size) {
   if (name.ends_with("_N")) return force_unit(size);
   if (name.ends_with("_m")) return length_unit(size);
+  if (name.ends_with("_m_per_s")) return {"m/s", 1.0};
   if (name.ends_with("_s")) return {"s", 1.0};
   if (name.ends_with("_rad")) return {"rad", 1.0};
   return {"", 1.0};

@@ -77,7 +77,6 @@ GEM_INLINE PointFrame<FloatPack> CoupledRounds::frame_of(const Block& b) {
 }
 
 GEM_INLINE Approach<FloatPack> CoupledRounds::approach_of(const Block& b) const {
-  const FloatMask of_both{0, 1, 10, 11, 4, 5, 14, 15};
   constexpr int half = float_lanes / 2;
   const float* const motion = reinterpret_cast<const float*>(motion_.data());
   FloatPack apart[half], turns[half];  // velocity and shift of B relative to A; spin and turn of A, then of B
@@ -85,8 +84,8 @@ GEM_INLINE Approach<FloatPack> CoupledRounds::approach_of(const Block& b) const 
     const float *a = motion + b.a[lane], *other_a = motion + b.a[lane + half];
     const float *to = motion + b.b[lane], *other_to = motion + b.b[lane + half];
     apart[lane] = side_by_side(to, other_to) - side_by_side(a, other_a);
-    turns[lane] =
-        __builtin_shuffle(side_by_side(a + half, other_a + half), side_by_side(to + half, other_to + half), of_both);
+    turns[lane] = __builtin_shufflevector(side_by_side(a + half, other_a + half),
+                                          side_by_side(to + half, other_to + half), 0, 1, 10, 11, 4, 5, 14, 15);
   }
   transpose_halves(apart);
   transpose_halves(turns);
@@ -100,10 +99,11 @@ GEM_INLINE void CoupledRounds::write_push(std::int32_t block) {
                               push.twist_a, push.turn_a, push.twist_b, push.turn_b};
   transpose_halves(w);
   transpose_halves(w + half);
-  const FloatMask left{0, 1, 2, 3, 8, 9, 10, 11}, right{4, 5, 6, 7, 12, 13, 14, 15};
   for (int lane = 0; lane < half; ++lane) {
-    push_[float_lanes * block + lane].lanes = __builtin_shuffle(w[lane], w[lane + half], left);
-    push_[float_lanes * block + lane + half].lanes = __builtin_shuffle(w[lane], w[lane + half], right);
+    push_[float_lanes * block + lane].lanes =
+        __builtin_shufflevector(w[lane], w[lane + half], 0, 1, 2, 3, 8, 9, 10, 11);
+    push_[float_lanes * block + lane + half].lanes =
+        __builtin_shufflevector(w[lane], w[lane + half], 4, 5, 6, 7, 12, 13, 14, 15);
   }
 }
 
@@ -165,8 +165,8 @@ GEM_CLONES void CoupledRounds::push(std::int32_t begin, std::int32_t end) {
 }
 
 GEM_INLINE void CoupledRounds::move_body(std::int32_t entry, const FloatPack& to_b, const FloatPack& to_a) {
-  const FloatMask of_a{0, 1, 2, 3, 4, 5, 4, 5}, of_b{0, 1, 2, 3, 6, 7, 6, 7};
-  motion_[entry].lanes = answer_[entry].lanes * (__builtin_shuffle(to_b, of_b) - __builtin_shuffle(to_a, of_a));
+  motion_[entry].lanes = answer_[entry].lanes * (__builtin_shufflevector(to_b, to_b, 0, 1, 2, 3, 6, 7, 6, 7) -
+                                                 __builtin_shufflevector(to_a, to_a, 0, 1, 2, 3, 4, 5, 4, 5));
 }
 
 GEM_INLINE void CoupledRounds::move_any(const CoupledLayout& layout, std::int32_t begin, std::int32_t end) {

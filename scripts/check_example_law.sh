@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Adds the manual's example of a law to a copy of the tree, as a reader would, and runs its tests there. They judge it by
 # closed form on every engine, and by the state hash of a case that does not use it: that of GEM, which is without the law.
-# The patch may touch the list of laws and the keys, and no other file. FOLDER keeps what was compiled.
+# The patch may touch the list of laws and that of sections, and no other file. FOLDER keeps what was compiled.
 # Usage: scripts/check_example_law.sh GEM FOLDER EXAMPLE
 set -euo pipefail
 gem=$1 folder=$2 example=$(cd "$3" && pwd)
@@ -10,7 +10,7 @@ tree=$folder/tree
 law=$(basename "$example")
 
 touched=$(sed -n 's,^+++ b/\([^[:space:]]*\).*,\1,p' "$example/$law.patch")
-allowed=$'gem/events/events.h\ngem/scene/schema/schema.cpp'
+allowed=$'gem/events/events.h\ngem/scene/schema/sections/sections.h'
 if [ "$touched" != "$allowed" ]; then
   printf 'a law changes\n%s\nand no other file; %s.patch changes\n%s\n' "$allowed" "$law" "$touched"
   exit 1
@@ -28,11 +28,12 @@ for file in $touched; do
   touch -r "$newest" "$tree/$file"
 done
 cp -p "$example/$law.h" "$example/${law}_test.cpp" "$tree/gem/events"
+cp -p "$example/${law}_keys.cpp" "$tree/gem/scene/schema/sections/$law.cpp"
 cp -p "$example/${law}_scene_test.cpp" "$tree/validation/verification"
 
 # the rules of who includes whom hold for its files
 rm -rf "$folder/rules"
-for file in gem/events/{events.h,"$law".h,"${law}_test.cpp"} gem/scene/schema/schema.cpp \
+for file in gem/events/{events.h,"$law".h,"${law}_test.cpp"} gem/scene/schema/sections/{sections.h,"$law".cpp} \
   validation/verification/"${law}_scene_test.cpp"; do
   mkdir -p "$(dirname "$folder/rules/$file")"
   cp "$tree/$file" "$folder/rules/$file"

@@ -8,6 +8,10 @@
 
 #include "gem/scene/schema/schema.h"
 
+// Accessor of one member, for const and mutable scenes.
+#define GEM_FIELD(member) \
+  [](auto& s) -> auto& { return s.member; }
+
 namespace gem {
 
 /// `Field` maps a T (const or not) to a reference to one member.

@@ -1,0 +1,40 @@
+// Faults of the platform.
+#include <gtest/gtest.h>
+
+#include "gem/scene/checks/bad_scene.h"
+
+namespace gem {
+namespace {
+
+INSTANTIATE_TEST_SUITE_P(
+    Platform, BadSceneTest,
+    testing::Values(
+        BadScene{"gap_below_platform", "[boundary]\ngap_m = 90\n", {"bad.toml:2:9: boundary.gap_m", "at least 100 m"}},
+        BadScene{
+            "retired_too_early", "[output]\nretire_x_m = 20\n", {"bad.toml:2:14: output.retire_x_m", "at least 50 m"}},
+        BadScene{"unknown_outline",
+                 "[platform]\noutline = \"shp\"\n",
+                 {"bad.toml:2:", "platform.outline: unknown choice", "ship"}},
+        BadScene{"listed_without_corners", "[platform]\noutline = \"listed\"\n", {"platform.outline_m: missing"}},
+        BadScene{"two_corners",
+                 "[platform]\noutline = \"listed\"\noutline_m = [[0, 0], [1, 0]]\n",
+                 {"bad.toml:3:", "platform.outline_m: wrong number of corners (value 2, allowed [3, 256])"}},
+        BadScene{"too_many_corners",
+                 "[platform]\noutline_m = [" + repeated("[0, 0],", 257) + "]\n",
+                 {"wrong number of corners (value 257"}},
+        BadScene{"ship_too_short",
+                 "[platform]\noutline = \"ship\"\nlength_m = 70\n",
+                 {"bad.toml:3:", "platform.length_m: the ship is shorter", "at least 80 m"}},
+        BadScene{"fixed_with_speed",
+                 "[platform]\nfixed = true\nstart_velocity_m_per_s = [1, 0]\n",
+                 {"bad.toml:3:", "platform.start_velocity_m_per_s: a fixed platform does not move"}},
+        BadScene{"fixed_with_spin",
+                 "[platform]\nfixed = true\nstart_spin_rad_per_s = 0.1\n",
+                 {"platform.start_spin_rad_per_s: a fixed platform does not move (value 0.1"}},
+        BadScene{"field_reaches_the_bow",
+                 "[platform]\noutline = \"ship\"\n[floes]\nstart_x_m = -1580\n",
+                 {"floes.start_x_m: the field reaches the platform", "allowed at most -1604.87"}}),
+    bad_scene_name);
+
+}  // namespace
+}  // namespace gem

@@ -1,6 +1,7 @@
 #include "gem/base/fault_stack.h"
 
 #include <cstddef>
+#include <new>
 
 #include "gem/base/sanitizers.h"
 
@@ -11,7 +12,9 @@ constexpr std::size_t bytes = 65536;
 
 FaultStack::FaultStack() {
   if (is_sanitized) return;  // a sanitizer has a stack and handlers of its own
-  memory_ = std::make_unique<char[]>(bytes);
+  // Without memory for it the thread runs all the same: a stack that is never used up needs no second one.
+  memory_.reset(new (std::nothrow) char[bytes]);
+  if (!memory_) return;
   stack_t stack{};
   stack.ss_sp = memory_.get();
   stack.ss_size = bytes;

@@ -53,7 +53,7 @@ struct PlatformInEvents {
   MooringView mooring;        // tables of the mooring
   const DpLaw* dp = nullptr;  // dynamic positioning; null: none
   bool towed = false;         // it is in transit
-  ThrustLaw thrust;           // of a ship in transit that runs free
+  ThrustLaw thrust = {};      // of a ship in transit that runs free
 };
 
 /// The laws of one run: their definitions and the constants derived from them. Plain values, copied to any device.

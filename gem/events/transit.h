@@ -33,12 +33,12 @@ namespace gem {
 
 /// The section [transit].
 struct TransitDef {
-  double speed_m_per_s = 0.0;                      ///< along the path; of a ship with thrust at the start
-  double course_rad = 3.141592653589793;           ///< of a path without way points
-  std::vector<std::array<double, 2>> way_point_m;  ///< from the place at the start on; none: straight along the course
-  double turn_radius_m = 200.0;                    ///< of the arcs at way points
-  double bollard_thrust_N = 0.0;                   ///< net thrust at rest; 0: the ship is towed
-  double open_water_speed_m_per_s = 0.0;           ///< at which no thrust is left
+  double speed_m_per_s = 0.0;                           ///< along the path; of a ship with thrust at the start
+  double course_rad = 3.141592653589793;                ///< of a path without way points
+  std::vector<std::array<double, 2>> way_point_m = {};  ///< from the start on; none: straight along the course
+  double turn_radius_m = 200.0;                         ///< of the arcs at way points
+  double bollard_thrust_N = 0.0;                        ///< net thrust at rest; 0: the ship is towed
+  double open_water_speed_m_per_s = 0.0;                ///< at which no thrust is left
 };
 
 /// Whether there is a ship in transit that runs free, by its own thrust.

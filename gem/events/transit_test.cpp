@@ -72,7 +72,7 @@ TEST(TransitPath, StaysAtItsStartForAShipThatRunsFree) {
 }
 
 TEST(Thrust, TakesTheSpeedThroughTheWaterAlongTheNetThrustCurve) {
-  constexpr double bollard = 1e6, open_water = 6.0, mass = 1e7;
+  constexpr double bollard = 1e6, open_water = 6.0, ship_mass = 1e7;
   EXPECT_EQ(net_thrust(bollard, open_water, 0.0), bollard);
   EXPECT_EQ(net_thrust(bollard, open_water, -3.0), bollard);
   EXPECT_EQ(net_thrust(bollard, open_water, open_water), 0.0);
@@ -83,16 +83,16 @@ TEST(Thrust, TakesTheSpeedThroughTheWaterAlongTheNetThrustCurve) {
     // fourth-order Runge-Kutta of half a time step, cut into small ones: errors of 1e-16
     const double dt = 2.0;
     double v = speed;
-    const auto rate = [&](double at) { return net_thrust(bollard, open_water, at) / mass; };
+    const auto rate = [&](double at) { return net_thrust(bollard, open_water, at) / ship_mass; };
     constexpr int parts = 20000;  // the curve has a corner at rest: a part errs by its square there
     const double h = 0.5 * dt / parts;
     for (int k = 0; k < parts; ++k) {
       const double a = rate(v), b = rate(v + 0.5 * h * a), c = rate(v + 0.5 * h * b), d = rate(v + h * c);
       v += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
     }
-    EXPECT_NEAR(speed_under_thrust(thrust_law(def, {1.0, 0.0}, mass, dt), speed), v, 1e-11) << speed;
+    EXPECT_NEAR(speed_under_thrust(thrust_law(def, {1.0, 0.0}, ship_mass, dt), speed), v, 1e-11) << speed;
   }
-  EXPECT_FALSE(thrust_law({.speed_m_per_s = 2.0}, {1.0, 0.0}, mass, 0.1).present());
+  EXPECT_FALSE(thrust_law({.speed_m_per_s = 2.0}, {1.0, 0.0}, ship_mass, 0.1).present());
 }
 
 TEST(Tow, HoldsAShipThatRunsFreeAcrossItsCourseOnly) {

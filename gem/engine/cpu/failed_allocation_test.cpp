@@ -91,6 +91,26 @@ TEST_P(FailedAllocation, EndsTheCallCleanly) {
   }
 }
 
+// The threads start while the memory runs out: in the program that makes them, and in themselves.
+TEST_P(FailedAllocation, WhileAnEngineIsMadeEndsCleanly) {
+  if (!can_fail) GTEST_SKIP() << "an allocation cannot be made to fail under the address sanitizer";
+  SceneDef scene = test::busy_scene(4);
+  scene.contact.solver = GetParam();
+  const Bodies bodies = test::busy_field(scene);
+  std::int64_t failed = 0;
+  for (bool again = true; again; ++failed) {
+    again = false;
+    allocations_left = failed;
+    try {
+      make_engine(scene, bodies, EngineOptions{"cpu", 4});
+    } catch (const std::bad_alloc&) {
+      again = true;
+    }
+    allocations_left = none_fails;
+  }
+  EXPECT_GT(failed, 20) << "few allocations were tried";
+}
+
 INSTANTIATE_TEST_SUITE_P(Solvers, FailedAllocation, testing::Values(ContactSolver::independent, ContactSolver::coupled),
                          test::LawNames());
 

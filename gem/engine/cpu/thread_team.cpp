@@ -32,6 +32,9 @@ ThreadTeam::ThreadTeam(int threads) : size_(threads) {
     close();
     throw Error(ExitCode::resource_limit, "cannot start " + std::to_string(size_) + " threads (" + error.what() +
                                               ") ask for fewer with --threads, or run fewer programs at once");
+  } catch (...) {
+    close();
+    throw;
   }
 }
 

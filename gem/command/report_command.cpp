@@ -4,7 +4,8 @@
 
 #include "gem/base/error.h"
 #include "gem/command/command.h"
-#include "gem/command/sweep/sweep_folder.h"
+#include "gem/command/sweep/folder/sweep_folder.h"
+#include "gem/command/sweep/folder/sweep_manifest.h"
 #include "gem/command/time_option.h"
 #include "gem/record/output/output_path.h"
 #include "gem/report/report.h"

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "gem/command/command.h"
+#include "gem/command/sweep/folder/sweep_manifest.h"
 #include "gem/command/sweep/sweep_worker.h"
 #include "gem/engine/cpu/thread_team.h"
 #include "gem/field/field.h"
@@ -64,8 +65,11 @@ class SweepBatch {
     }
     std::vector<SceneDef> scenes;
     std::vector<RunOptions> options;
+    std::vector<SweepRow> rows;
     for (Held& held : group) {
-      say_running(settings_, *held.task.entry, held.row);
+      held.task.entry->outcome = Outcome::running;
+      held.row.status = "running";
+      rows.push_back(held.row);
       scenes.push_back(held.task.member->scene);
       options.push_back(options_of(*held.task.member, settings_, *held.task.entry, stop_));
       if (held.found)
@@ -73,14 +77,20 @@ class SweepBatch {
       else if (scenes.back().floe.empty())
         options.back().floes_of_engine = held.listed.floe;
     }
+    // One call for all: the manifest is read and written as a whole, and may have thousands of rows.
+    update_manifest(settings_.folder, rows);
     constexpr int useful_recorders = 16;
     const std::vector<BatchEnd> ends =
         run_batch(scenes, *batch, options, std::min(settings_.engine.threads, useful_recorders));
+    std::vector<Outcome> outcomes;
     for (std::size_t k = 0; k < group.size(); ++k) {
       Held& held = group[k];
-      end(held, ends[k].fault.empty() ? outcome_of(ends[k].summary, held.row)
-                                      : failure(held.row, *held.task.entry, ends[k].fault, ends[k].code));
+      outcomes.push_back(ends[k].fault.empty() ? outcome_of(ends[k].summary, held.row)
+                                               : failure(held.row, *held.task.entry, ends[k].fault, ends[k].code));
+      rows[k] = held.row;
     }
+    update_manifest(settings_.folder, rows);
+    for (std::size_t k = 0; k < group.size(); ++k) group[k].task.entry->outcome = outcomes[k];
   }
 
  private:

@@ -15,7 +15,7 @@
 #include "gem/base/error.h"
 #include "gem/base/scratch_folder.h"
 #include "gem/command/index_list.h"
-#include "gem/command/sweep/sweep_folder.h"
+#include "gem/command/sweep/folder/sweep_folder.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/summary/summary_file.h"
 

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "gem/analysis/verdict/verdict_words.h"
+#include "gem/command/sweep/folder/sweep_manifest.h"
 #include "gem/record/run_file/run_writer.h"
 #include "gem/scene/toml/scene_file.h"
 

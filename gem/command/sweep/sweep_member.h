@@ -6,8 +6,8 @@
 #include <string>
 
 #include "gem/base/error.h"
+#include "gem/command/sweep/folder/sweep_folder.h"
 #include "gem/command/sweep/sweep_board.h"
-#include "gem/command/sweep/sweep_folder.h"
 #include "gem/engine/engine.h"
 #include "gem/run/resume.h"
 #include "gem/run/run_scene.h"

@@ -15,6 +15,8 @@
 #include "gem/base/number_text.h"
 #include "gem/command/index_list.h"
 #include "gem/command/sweep/case_difference.h"
+#include "gem/command/sweep/folder/sweep_manifest.h"
+#include "gem/command/sweep/folder/sweep_row_json.h"
 #include "gem/command/sweep/process_pool.h"
 #include "gem/engine/cuda/cuda_engine.h"
 #include "gem/record/output/output_path.h"
@@ -213,14 +215,10 @@ std::string plan_text(const SweepPlan& plan) {
 }
 
 std::string plan_json(const SweepPlan& plan) {
-  const nlohmann::ordered_json object = {{"to_do", plan.to_do.size()},
-                                         {"jobs", plan.jobs},
-                                         {"threads", plan.settings.engine.threads},
-                                         {"engine", plan.settings.engine.name},
-                                         {"steps", plan.need.steps},
-                                         {"memory_bytes", plan.need.memory},
-                                         {"disk_bytes", plan.need.disk},
-                                         {"runs", nlohmann::ordered_json::parse(rows_json(plan.rows))}};
+  const nlohmann::ordered_json object = {
+      {"to_do", plan.to_do.size()},          {"jobs", plan.jobs},         {"threads", plan.settings.engine.threads},
+      {"engine", plan.settings.engine.name}, {"steps", plan.need.steps},  {"memory_bytes", plan.need.memory},
+      {"disk_bytes", plan.need.disk},        {"runs", json_of(plan.rows)}};
   return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

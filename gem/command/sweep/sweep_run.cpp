@@ -11,6 +11,8 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/command/sweep/folder/sweep_manifest.h"
+#include "gem/command/sweep/folder/sweep_row_json.h"
 #include "gem/command/sweep/process_pool.h"
 #include "gem/command/sweep/sweep_plan.h"
 #include "gem/record/output/output_path.h"
@@ -218,7 +220,7 @@ std::string count_json(const Count& all, double wall, const std::vector<SweepRow
                        {"good", with_verdict(rows, grade_name(Grade::good))},
                        {"doubtful", with_verdict(rows, grade_name(Grade::doubtful))},
                        {"bad", with_verdict(rows, grade_name(Grade::bad))},
-                       {"runs", Json::parse(rows_json(rows))}};
+                       {"runs", json_of(rows)}};
   return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -267,6 +269,7 @@ int run_sweep(const SweepRunChoice& choice) {
                           shown(choice.folder));
   SweepRun run(plan, log);
   run.go();
+  settle_manifest(choice.folder);
   const Count came_to = run.count();
   const std::vector<SweepRow> rows = rows_now(plan);
   if (!choice.quiet || choice.json)

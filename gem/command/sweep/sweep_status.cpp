@@ -7,6 +7,8 @@
 
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
+#include "gem/command/sweep/folder/sweep_manifest.h"
+#include "gem/command/sweep/folder/sweep_row_json.h"
 #include "gem/command/sweep/sweep_plan.h"
 #include "gem/record/output/output_path.h"
 
@@ -74,7 +76,8 @@ int sweep_status(const SweepStatusChoice& choice) {
   const std::string folder = is_folder ? choice.path : choice.folder;
   std::vector<SweepRow> rows = rows_of(choice, folder);
   for (SweepRow& row : rows) row = look_at_run(folder, row);
-  print(choice.json ? rows_json(rows) : table_text(rows));
+  print(choice.json ? json_of(rows).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n"
+                    : table_text(rows));
   return 0;
 }
 

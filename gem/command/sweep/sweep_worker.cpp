@@ -2,6 +2,7 @@
 #include "gem/command/sweep/sweep_worker.h"
 
 #include "gem/command/command.h"
+#include "gem/command/sweep/folder/sweep_manifest.h"
 #include "gem/field/field.h"
 
 namespace gem {

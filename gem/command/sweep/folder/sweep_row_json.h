@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "gem/command/sweep/sweep_folder.h"
+#include "gem/command/sweep/folder/sweep_row.h"
 
 namespace gem {
 

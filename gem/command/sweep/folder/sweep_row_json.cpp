@@ -1,5 +1,5 @@
 // Conversion of sweep rows, checked by the JSON library and by what names of variables may be.
-#include "gem/command/sweep/sweep_row_json.h"
+#include "gem/command/sweep/folder/sweep_row_json.h"
 
 #include <stdexcept>
 
@@ -64,10 +64,6 @@ Json json_of(const std::vector<SweepRow>& rows) {
   Json list = Json::array();
   for (const SweepRow& row : rows) list.push_back(row_json(row));
   return list;
-}
-
-std::string rows_json(const std::vector<SweepRow>& rows) {
-  return json_of(rows).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace gem

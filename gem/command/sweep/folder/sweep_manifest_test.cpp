@@ -1,0 +1,99 @@
+// The manifest of a sweep and its updates: nothing is lost, and its cost does not grow with the number of runs.
+#include "gem/command/sweep/folder/sweep_manifest.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "gem/base/scratch_folder.h"
+
+namespace gem {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<SweepRow> rows_of(int runs) {
+  std::vector<SweepRow> rows;
+  for (int k = 1; k <= runs; ++k) {
+    SweepRow row;
+    row.index = k;
+    row.name = "run_" + std::to_string(k);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+class SweepManifest : public testing::Test {
+ protected:
+  void update(const SweepRow& row, const std::string& status) {
+    SweepRow changed = row;
+    changed.status = status;
+    update_manifest(folder(), {changed});
+  }
+  std::string folder() const { return folder_.path().string(); }
+  fs::path updates() const { return folder_.path() / "manifest.updates"; }
+  fs::path manifest() const { return folder_.path() / "manifest.json"; }
+
+ private:
+  ScratchFolder folder_;
+};
+
+TEST_F(SweepManifest, KeepsTheNewestRowOfEachRun) {
+  const std::vector<SweepRow> rows = rows_of(40);
+  write_manifest(folder(), rows);
+  update(rows[30], "running");
+  update(rows[2], "failed");
+  update(rows[30], "done");
+  ASSERT_TRUE(fs::exists(updates()));
+  const auto check = [&] {
+    const std::vector<SweepRow> read = read_manifest(folder());
+    ASSERT_EQ(read.size(), 40u);
+    for (std::size_t k = 0; k < 40; ++k) {
+      EXPECT_EQ(read[k].index, static_cast<std::int64_t>(k + 1));
+      EXPECT_EQ(read[k].status, k == 30 ? "done" : k == 2 ? "failed" : "missing");
+    }
+  };
+  check();
+  settle_manifest(folder());
+  EXPECT_FALSE(fs::exists(updates()));
+  check();
+}
+
+TEST_F(SweepManifest, PassesOverALineThatAKilledProcessLeftUnfinished) {
+  const std::vector<SweepRow> rows = rows_of(40);
+  write_manifest(folder(), rows);
+  update(rows[0], "done");
+  fs::resize_file(updates(), fs::file_size(updates()) - 10);
+  EXPECT_EQ(read_manifest(folder())[0].status, "missing");
+  update(rows[1], "done");
+  EXPECT_EQ(read_manifest(folder())[0].status, "missing");
+  EXPECT_EQ(read_manifest(folder())[1].status, "done");
+}
+
+TEST_F(SweepManifest, WritesBytesInProportionToItsRowsHoweverManyTheyAre) {
+  constexpr int runs = 300;
+  const std::vector<SweepRow> rows = rows_of(runs);
+  write_manifest(folder(), rows);
+  int rewritten = 0;
+  for (const SweepRow& row : rows) {
+    for (const char* const status : {"running", "done"}) {
+      update(row, status);
+      if (!fs::exists(updates())) ++rewritten;
+      EXPECT_LE(fs::exists(updates()) ? fs::file_size(updates()) : 0, fs::file_size(manifest()));
+    }
+  }
+  EXPECT_GE(rewritten, 1);
+  EXPECT_LE(rewritten, 3) << "600 updates are about two manifests in size";
+  for (const SweepRow& row : read_manifest(folder())) EXPECT_EQ(row.status, "done");
+}
+
+TEST_F(SweepManifest, WithoutItThereAreNoRows) {
+  write_manifest(folder(), rows_of(20));
+  update(rows_of(1)[0], "done");
+  ASSERT_TRUE(fs::exists(updates()));
+  fs::remove(manifest());
+  EXPECT_TRUE(read_manifest(folder()).empty());
+}
+
+}  // namespace
+}  // namespace gem

@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "gem/base/error.h"
-#include "gem/scene/check_dp.h"
-#include "gem/scene/check_transit.h"
 #include "gem/scene/checks/checks.h"
 
 namespace gem {

@@ -22,7 +22,9 @@ void check_listed_floes(const SceneDef& scene, SceneProblems& problems);
 void check_ice(const SceneDef& scene, SceneProblems& problems);
 void check_drive(const SceneDef& scene, SceneProblems& problems);
 void check_mooring(const SceneDef& scene, SceneProblems& problems);
+void check_dp(const SceneDef& scene, SceneProblems& problems);
 void check_breakup(const SceneDef& scene, SceneProblems& problems);
+void check_transit(const SceneDef& scene, SceneProblems& problems);
 
 /// Each appends what is allowed, but has no effect, is unusual or may not be meant.
 void warn_of_ice(const SceneDef& scene, SceneWarnings& warnings);
@@ -31,6 +33,8 @@ void warn_of_time_step(const SceneDef& scene, SceneWarnings& warnings);
 void warn_of_platform(const SceneDef& scene, SceneWarnings& warnings);
 void warn_of_drive(const SceneDef& scene, SceneWarnings& warnings);
 void warn_of_mooring(const SceneDef& scene, SceneWarnings& warnings);
+void warn_of_dp(const SceneDef& scene, SceneWarnings& warnings);
+void warn_of_transit(const SceneDef& scene, SceneWarnings& warnings);
 
 /// Whether the floes are generated: of own shapes or copies.
 bool is_made(const FloesDef& floes);

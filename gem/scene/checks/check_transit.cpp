@@ -1,5 +1,5 @@
 // Each rule is one small function that compares a few options and may add a problem.
-#include "gem/scene/check_transit.h"
+#include "gem/scene/checks/checks.h"
 
 #include <cmath>
 

@@ -10,17 +10,24 @@ fail() {
   exit 1
 }
 
-# phase TITLE COMMAND...: announces and runs the command, and keeps its time for the final table.
-phase() {
+# try_phase TITLE COMMAND...: announces and runs the command, and keeps its time for the final table. Returns its exit code.
+try_phase() {
   local title=$1 start=$EPOCHREALTIME status=0
   shift
   say "$title ..."
   "$@" || status=$?
   local tenths=$(((${EPOCHREALTIME/[.,]/} - ${start/[.,]/}) / 100000))
   phase_times+=("$(printf '%8d.%d s  %s' $((tenths / 10)) $((tenths % 10)) "$title")")
-  [ "$status" -eq 0 ] || fail "'$title' failed (exit code $status); what it said is above"
-  say "$title: done in $((tenths / 10)).$((tenths % 10)) s"
+  if [ "$status" -eq 0 ]; then
+    say "$title: done in $((tenths / 10)).$((tenths % 10)) s"
+  else
+    say "error: '$title' failed (exit code $status); what it said is above" >&2
+  fi
+  return "$status"
 }
+
+# phase TITLE COMMAND...: the same, but a failure ends the script.
+phase() { try_phase "$@" || exit 1; }
 
 print_phase_times() {
   say "time of each phase:"

@@ -105,9 +105,10 @@ std::string run_file_name(const std::string& run_name);
 /// What a run needs, estimated before anything is allocated.
 struct Estimate {
   double steps = 0.0;
-  double memory = 0.0;         // [bytes]
-  double disk = 0.0;           // [bytes], without the events
-  double platform_disk = 0.0;  // the part taken by the platform's samples
+  double memory = 0.0;           // [bytes]
+  double disk = 0.0;             // [bytes], without the events
+  double platform_disk = 0.0;    // the part taken by the platform's samples
+  double checkpoint_disk = 0.0;  // the part that is free again when the run is done
 };
 /// `checkpoints`: whether the run keeps checkpoints, which stand beside its file.
 Estimate estimate(const SceneDef& scene, bool checkpoints);

@@ -1,5 +1,6 @@
 """What all faults share: the cases, the paths of their runs, the table of what was tried and lost."""
 import concurrent.futures
+import itertools
 import os
 import pathlib
 
@@ -7,7 +8,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SMALL = ROOT / "cases/analytic/V10_floe_on_moored_platform.toml"
 LARGE = ROOT / "cases/004_400_25.toml"
 SWEEP = ROOT / "cases/small_sweep.toml"
-FLUSH_S = 5.0
 
 
 class FaultRuns:
@@ -15,15 +15,14 @@ class FaultRuns:
         self.gem, self.library, self.folder = gem, library, folder
         self.few, self.short, self.tries = options.few, options.short, options.tries
         self.table = []
-        self.number = 0
+        self.numbers = itertools.count(1)  # threads share it
 
     def count_of(self, usual, few, short=None):
         """How often a fault is tried: in the whole round, as a test, in continuous integration."""
         return self.tries or (few if self.few else (short or usual) if self.short else usual)
 
     def path(self):
-        self.number += 1
-        return f"{self.folder}/run_{self.number}.h5"
+        return f"{self.folder}/run_{next(self.numbers)}.h5"
 
     def report(self, what, faults):
         lost = [(what_of, fault) for what_of, fault in faults if fault]

@@ -7,8 +7,8 @@ processes, kills. --few: seconds, a few of each fault, as a test. --tries: how o
 LIBRARY is gem_fail_nth (CMake builds it with the tests).
 
 A run survives if it ends with exit code 0 and a complete file, or with exit code 4 or 7, a message, and no file or a file that `gem info`
-reads, without rows of zeros. A killed run survives if its file is absent, or holds all but the last 5 s of wall time and can go on from its
-checkpoint, if it had one. Exit code 1: something was lost; 77: no module h5py would check the rows.
+reads, without rows of zeros. A killed run survives if it holds all but what came since its last flush (--flush-every and 1.5 s of wall time;
+no file in its first seconds) and can go on from its checkpoint, if it had one. Exit code 1: something was lost; 77: no module h5py would check the rows.
 """
 import argparse
 import os

@@ -7,18 +7,21 @@ import subprocess
 import tempfile
 import time
 
-from fault_runs import FLUSH_S, LARGE
+from fault_runs import LARGE
 from judge import h5py, judge, look
 
 
 class RandomMoments:
     def kills(self):
+        flush_s, longest_s = (0.2, 4.0) if self.short else (1.0, 4.0) if self.few else (4.0, 10.0)
+        may_be_lost_s = flush_s + 1.5  # also the start of the process, and the time between two frames
+        begins_file_s = may_be_lost_s + 1.0  # a run has a file after its first second
+
         def one(after):
             path = self.path()
             start = time.time()
             run = subprocess.Popen([self.gem, "run", LARGE, "--until", "100000", "--engine", "cpu", "--threads", "1", "--quiet",
-                                    "--flush-every", "0.2" if self.short else "4", "--checkpoint-every", "0.2" if self.short else "4",
-                                    "--out", path])
+                                    "--flush-every", str(flush_s), "--checkpoint-every", str(flush_s), "--out", path])
             time.sleep(after * 0.7)
             copy = path + ".copy.h5"
             if os.path.exists(path):
@@ -35,14 +38,13 @@ class RandomMoments:
                 if fault:
                     fault = f"{name}: {fault}"
                     break
-                if name == path and info is None and wall > FLUSH_S:
+                if name == path and info is None and wall > begins_file_s:
                     fault = "no file"
                     break
                 if name == path and info:
                     with h5py.File(path, "r", swmr=True) as file:
                         seen = file["stats/wall_time"][-1]
-                    # one more second: the start of the process, and the time between two frames
-                    if wall - seen > FLUSH_S + 1.5:
+                    if wall - seen > may_be_lost_s:
                         fault = f"{wall - seen:.1f} s of data lost"
                         break
             fault = fault or self.cannot_go_on(path)
@@ -50,9 +52,8 @@ class RandomMoments:
                 left.unlink()
             return fault
 
-        kills = self.count_of(200, 6, 100)
-        longest = 2.0 if self.short else 4.0 if self.few else 10.0
-        self.each("kill -9 and a copy, at random moments", one, [random.uniform(0.05, longest) for _ in range(kills)])
+        kills = self.count_of(200, 6, 50)
+        self.each("kill -9 and a copy, at random moments", one, [random.uniform(0.05, longest_s) for _ in range(kills)])
 
     def cannot_go_on(self, path):
         """Why a killed run does not go on for a second of the simulation; None if it does, or was killed before its first checkpoint."""

@@ -74,7 +74,9 @@ Estimate estimate(const SceneDef& scene, bool checkpoints) {
   need.disk = compression * (frames * (frame_bytes + contact_bytes) + platform_bytes +
                              frames * 8.0 * double(stats_columns().size()) + floe_count(scene) * 160.0) +
               1e6;
-  if (checkpoints) need.disk += checkpoint_files * (checkpoint_base + floe_count(scene) * checkpoint_bytes_per_floe);
+  if (checkpoints)
+    need.checkpoint_disk = checkpoint_files * (checkpoint_base + floe_count(scene) * checkpoint_bytes_per_floe);
+  need.disk += need.checkpoint_disk;
   return need;
 }
 
@@ -85,10 +87,12 @@ void check_resources(const Estimate& need, const std::string& output) {
   }
   const double room = double(room_at(output));
   if (need.disk > room) {
-    throw Error(ExitCode::resource_limit, "the run file and its checkpoints need about " + size_text(need.disk) + " (" +
-                                              size_text(room) + " are free at " + shown(output) + ") raise output." +
-                                              (need.platform_disk > 0.5 * need.disk ? "platform" : "floes") +
-                                              "_interval_s, choose another --out, or use --force");
+    throw Error(ExitCode::resource_limit,
+                "the run file and its checkpoints need about " + size_text(need.disk) + " (" + size_text(room) +
+                    " are free at " + shown(output) + ") raise output." +
+                    (need.platform_disk > 0.5 * need.disk ? "platform" : "floes") + "_interval_s, " +
+                    (need.checkpoint_disk > 0.0 ? "keep no checkpoints (--checkpoint-every 0), " : "") +
+                    "choose another --out, or use --force");
   }
 }
 

@@ -48,7 +48,7 @@ void ProcessPool::start(std::size_t job, const std::function<void()>& work) {
   job_[process] = job;
 }
 
-void ProcessPool::reap(const std::function<void(std::size_t job, int killed_by)>& ended) {
+void ProcessPool::reap(const std::function<void(std::size_t job, ProcessEnd end)>& ended) {
   for (;;) {
     int status = 0;
     const pid_t process = waitpid(-1, &status, WNOHANG);
@@ -57,7 +57,7 @@ void ProcessPool::reap(const std::function<void(std::size_t job, int killed_by)>
     if (found == job_.end()) continue;
     const std::size_t job = found->second;
     job_.erase(found);
-    ended(job, WIFSIGNALED(status) ? WTERMSIG(status) : 0);
+    ended(job, {WIFSIGNALED(status) ? WTERMSIG(status) : 0, WIFEXITED(status) ? WEXITSTATUS(status) : 0});
   }
 }
 

@@ -9,6 +9,12 @@
 
 namespace gem {
 
+/// How a process ended.
+struct ProcessEnd {
+  int signal = 0;     // that killed it; 0: none did
+  int exit_code = 0;  // if it was not killed
+};
+
 /// Child processes that die with this process, however it ends. SIGINT, SIGTERM and SIGHUP are blocked in them; the
 /// owner must tell them to stop in another way. Only for a process without threads.
 class ProcessPool {
@@ -23,8 +29,8 @@ class ProcessPool {
   /// can be started.
   void start(std::size_t job, const std::function<void()>& work);
   std::size_t running() const { return job_.size(); }
-  /// Reports each process that has ended: its job, and the signal that killed it (0 if none).
-  void reap(const std::function<void(std::size_t job, int killed_by)>& ended);
+  /// Reports each process that has ended, with its job.
+  void reap(const std::function<void(std::size_t job, ProcessEnd end)>& ended);
 
  private:
   std::map<pid_t, std::size_t> job_;

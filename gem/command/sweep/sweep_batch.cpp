@@ -67,8 +67,7 @@ class SweepBatch {
     std::vector<RunOptions> options;
     std::vector<SweepRow> rows;
     for (Held& held : group) {
-      held.task.entry->outcome = Outcome::running;
-      held.row.status = "running";
+      note_running(*held.task.entry, held.row);
       rows.push_back(held.row);
       scenes.push_back(held.task.member->scene);
       options.push_back(options_of(*held.task.member, settings_, *held.task.entry, stop_));
@@ -77,7 +76,7 @@ class SweepBatch {
       else if (scenes.back().floe.empty())
         options.back().floes_of_engine = held.listed.floe;
     }
-    // One call for all: the manifest is read and written as a whole, and may have thousands of rows.
+    // One lock and one write for the whole batch.
     update_manifest(settings_.folder, rows);
     constexpr int useful_recorders = 16;
     const std::vector<BatchEnd> ends =

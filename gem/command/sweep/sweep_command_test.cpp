@@ -3,10 +3,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -232,6 +234,30 @@ TEST_F(SweepCommandTest, AFailingRunStopsNoOther) {
   EXPECT_NE(status("d", "error").at("slow_4000000").find("overlap"), std::string::npos);
   EXPECT_EQ(sweep("d", {"--index", "1"}), 3) << "a single run has its own code";
   EXPECT_EQ(sweep("d", {"--index", "3-6"}), 0);
+}
+
+/// The processes that this one has started and that still run.
+std::vector<pid_t> children_of(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/task/" + std::to_string(process) + "/children");
+  return {std::istream_iterator<pid_t>(file), {}};
+}
+
+TEST_F(SweepCommandTest, ARunWhoseProcessCrashedHasFailed) {
+  const pid_t sweep = start_sweep("d", {"--index", "1-2", endless_[0], endless_[1], endless_[4], endless_[5]}, "crash");
+  // With a draft of its file a run has the handler that turns a crash into an exit code.
+  const auto drafts = [&] {
+    return std::count_if(fs::directory_iterator(folder_ / "d"), fs::directory_iterator(),
+                         [](const auto& entry) { return entry.path().string().find(".h5") != std::string::npos; });
+  };
+  wait_for_start("d");
+  for (int tries = 0; tries < 600 && drafts() < 2; ++tries) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const std::vector<pid_t> workers = children_of(sweep);
+  ASSERT_FALSE(workers.empty());
+  for (const pid_t worker : workers) kill(worker, SIGSEGV);
+  EXPECT_EQ(ended(sweep), 8);
+  EXPECT_EQ(Json::parse(text_of("out_crash")).at("failed"), 2) << text_of("out_crash");
+  EXPECT_NE(text_of("err_crash").find("its process ended before the run did"), std::string::npos)
+      << text_of("err_crash");
 }
 
 TEST_F(SweepCommandTest, IndexRunsOnlyWhatIsChosen) {

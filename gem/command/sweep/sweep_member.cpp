@@ -4,7 +4,6 @@
 #include <new>
 
 #include "gem/analysis/verdict/verdict_words.h"
-#include "gem/command/sweep/folder/sweep_manifest.h"
 #include "gem/record/run_file/run_writer.h"
 #include "gem/scene/toml/scene_file.h"
 
@@ -81,10 +80,9 @@ std::optional<Resumable> resumable_run(const SweepSettings& settings, const Swee
   }
 }
 
-void say_running(const SweepSettings& settings, SweepBoard::Entry& entry, SweepRow& row) {
+void note_running(SweepBoard::Entry& entry, SweepRow& row) {
   entry.outcome = Outcome::running;
   row.status = "running";
-  update_manifest(settings.folder, {row});
 }
 
 Outcome failure_now(SweepRow& row, SweepBoard::Entry& entry) {

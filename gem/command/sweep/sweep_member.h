@@ -31,8 +31,8 @@ SweepRow row_of(const SweepMember& member);
 /// Empty if the holder of the run's lock must make the run; otherwise the outcome, and `row` says why.
 std::optional<Outcome> reason_not_to(const SweepSettings& settings, SweepBoard::Entry& entry, SweepRow& row);
 
-/// Reports on the board and in the manifest that the run has started.
-void say_running(const SweepSettings& settings, SweepBoard::Entry& entry, SweepRow& row);
+/// Reports on the board and in the row that the run has started.
+void note_running(SweepBoard::Entry& entry, SweepRow& row);
 
 /// The checkpoint from which the holder of the run's lock can go on; empty if the run begins at t = 0.
 std::optional<Resumable> resumable_run(const SweepSettings& settings, const SweepRow& row);

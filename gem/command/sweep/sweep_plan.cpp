@@ -60,22 +60,29 @@ void share_processors(const SweepRunChoice& choice, SweepPlan& plan, RunLog& log
   if (!given) threads = std::max(1, machine / plan.jobs);
 }
 
+double sum_of_largest(std::vector<double> all, std::size_t count) {
+  std::sort(all.rbegin(), all.rend());
+  all.resize(std::min(all.size(), count));
+  return std::accumulate(all.begin(), all.end(), 0.0);
+}
+
 Estimate need_of(const SweepPlan& plan) {
-  std::vector<double> memory;
+  std::vector<double> memory, checkpoints;
   Estimate need;
   for (const std::size_t i : plan.to_do) {
     const Estimate one = estimate(plan.members[plan.chosen[i]].scene, plan.settings.checkpoint_interval_s > 0.0);
     need.steps += one.steps;
-    need.disk += one.disk;
+    need.disk += one.disk - one.checkpoint_disk;
     need.platform_disk += one.platform_disk;
     memory.push_back(one.memory);
+    checkpoints.push_back(one.checkpoint_disk);
   }
-  std::sort(memory.rbegin(), memory.rend());
   std::size_t largest = 1;
   for (const auto& batch : plan.batches) largest = std::max(largest, batch.size());
   const std::size_t at_once = largest * static_cast<std::size_t>(plan.jobs);
-  memory.resize(std::min(memory.size(), at_once));
-  for (const double one : memory) need.memory += one;
+  need.memory = sum_of_largest(memory, at_once);
+  need.checkpoint_disk = sum_of_largest(checkpoints, at_once);
+  need.disk += need.checkpoint_disk;
   return need;
 }
 
@@ -120,7 +127,7 @@ std::vector<int> gpus_that_answer() {
   });
   while (probe.running() > 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    probe.reap([](std::size_t, int) {});
+    probe.reap([](std::size_t, ProcessEnd) {});
   }
   std::vector<int> devices;
   for (int index = 0; index < most_devices; ++index)

@@ -21,7 +21,7 @@ struct SweepPlan {
   std::vector<int> devices;  // GPUs, one batch at a time on each; empty: each run by itself
   SweepSettings settings;
   int jobs = 1;   // processes at a time, one batch each
-  Estimate need;  // memory of the largest `jobs` batches together; disk and time steps of all runs to do
+  Estimate need;  // of all runs to do; memory and checkpoints only of as many as run at one time, the largest ones
 };
 
 /// Reads the sweep file and the folder. Warnings go to `log`. Throws Error(usage) for an impossible choice, and

@@ -48,7 +48,7 @@ class SweepRun {
       }
       while (next_ < plan_.batches.size() && pool_.running() < static_cast<std::size_t>(plan_.jobs)) start_next();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      pool_.reap([this](std::size_t job, int killed_by) { ended(job, killed_by); });
+      pool_.reap([this](std::size_t place, ProcessEnd end) { ended(place, end); });
       progress();
     }
     signal_ = board_.stop();
@@ -114,25 +114,31 @@ class SweepRun {
     });
   }
 
-  /// A worker reports how its runs ended, unless it was killed.
-  void ended(std::size_t place, int killed_by) {
+  /// A worker reports how its runs ended. A run of which it says nothing was lost with it.
+  void ended(std::size_t place, ProcessEnd end) {
     if (const auto device = device_of_.find(place); device != device_of_.end()) free_devices_.push_back(device->second);
     for (const std::size_t job : plan_.batches[place]) {
       const Outcome outcome = board_[job].outcome;
-      if (killed_by != 0 && (outcome == Outcome::waiting || outcome == Outcome::running)) {
-        note_killed(job, killed_by);
+      if (outcome == Outcome::waiting || outcome == Outcome::running) {
+        note_lost(job, end);
       } else if (outcome == Outcome::failed) {
         say_failure(job);
       }
     }
   }
 
-  void note_killed(std::size_t job, int killed_by) {
+  static std::string lost_by(ProcessEnd end) {
+    if (end.signal == 0)
+      return "its process ended before the run did (exit code " + std::to_string(end.exit_code) +
+             ") please report this";
+    return "its process was killed by signal " + std::to_string(end.signal) +
+           (end.signal == SIGKILL ? " (by a user, or because memory ran out) use fewer --jobs" : " please report this");
+  }
+
+  void note_lost(std::size_t job, ProcessEnd end) {
     SweepRow row = row_of(member(job));
     row.status = "failed";
-    row.error =
-        "its process was killed by signal " + std::to_string(killed_by) +
-        (killed_by == SIGKILL ? " (by a user, or because memory ran out) use fewer --jobs" : " please report this");
+    row.error = lost_by(end);
     row.time_s = board_[job].time;
     board_[job].exit_code = static_cast<int>(ExitCode::resource_limit);
     board_[job].outcome = Outcome::failed;

@@ -26,7 +26,8 @@ RunSummary run_member(const SweepMember& member, const SweepSettings& settings, 
 Outcome locked_run(const SweepMember& member, const SweepSettings& settings, SweepBoard::Entry& entry,
                    const std::atomic<int>& stop, SweepRow& row) {
   if (const auto reason = reason_not_to(settings, entry, row)) return *reason;
-  say_running(settings, entry, row);
+  note_running(entry, row);
+  update_manifest(settings.folder, {row});
   return outcome_of(run_member(member, settings, entry, stop, row), row);
 }
 

@@ -76,7 +76,7 @@ SweepLock enter_folder(const std::string& folder, const std::vector<SweepRow>& r
   auto share = SweepLock::try_folder(folder, false);
   std::vector<SweepRow> added = rows;
   std::erase_if(added, [&known](const SweepRow& row) { return known.count({row.name, row.case_sha256}) > 0; });
-  if (!added.empty()) write_manifest(folder, laid_over(all, added));
+  if (!added.empty()) write_manifest(folder, added);
   return std::move(*share);
 }
 

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -53,13 +54,23 @@ void write_at_one_stroke(const std::string& path, const std::string& text) {
 constexpr std::size_t manifest_bytes_maximum = std::size_t{256} << 20;
 constexpr int manifest_depth_maximum = 8;
 
-std::string manifest_text(std::istream& file) {
+[[noreturn]] void throw_unreadable(const std::string& path, const std::string& why) {
+  throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + why +
+                                         ") remove it; the next `gem sweep run` makes it again from the run files");
+}
+
+/// Empty if there is no file. Throws Error(file_system).
+std::optional<std::string> text_of(const std::string& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file && errno == ENOENT) return std::nullopt;
   std::string text;
   std::vector<char> block(65536);
   while (file.read(block.data(), static_cast<std::streamsize>(block.size())), file.gcount() > 0) {
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > manifest_bytes_maximum) throw std::length_error("the file is too large");
+    if (text.size() > manifest_bytes_maximum) throw_unreadable(path, "the file is too large");
   }
+  if (!file.eof()) throw_unreadable(path, std::generic_category().message(errno));
   return text;
 }
 
@@ -78,15 +89,15 @@ Json checked_json(const std::string& text) {
 
 /// The newest row of each name. A line that a killed process left unfinished says nothing.
 std::vector<SweepRow> read_updates(const std::string& folder) {
-  std::ifstream file(updates_path(folder), std::ios::binary);
-  if (!file) return {};
-  std::istringstream text(manifest_text(file));
+  std::istringstream text(text_of(updates_path(folder)).value_or(""));
   std::map<std::string, SweepRow> newest;
   for (std::string line; std::getline(text, line);) {
     try {
       const SweepRow row = row_of_json(checked_json(line));
       newest[row.name] = row;
-    } catch (const std::exception&) {
+    } catch (const Json::exception&) {
+      continue;
+    } catch (const std::length_error&) {
       continue;
     }
   }
@@ -121,8 +132,18 @@ void append_updates(const std::string& folder, const std::string& lines) {
   if (!written || !restored) throw_unwritable(path, fault);
 }
 
-}  // namespace
+void append_rows(const std::string& folder, const std::vector<SweepRow>& rows) {
+  std::string lines;
+  for (const Json& object : json_of(rows)) lines += object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  append_updates(folder, lines);
+}
 
+void remove_updates(const std::string& folder) {
+  const std::string path = updates_path(folder);
+  if (unlink(path.c_str()) != 0 && errno != ENOENT) throw_unwritable(path, errno);
+}
+
+/// `all` with the rows of `newer` in place of those of the same name, by index.
 std::vector<SweepRow> laid_over(std::vector<SweepRow> all, const std::vector<SweepRow>& newer) {
   std::set<std::string> names;
   for (const SweepRow& row : newer) names.insert(row.name);
@@ -132,42 +153,56 @@ std::vector<SweepRow> laid_over(std::vector<SweepRow> all, const std::vector<Swe
   return all;
 }
 
+void replace_manifest(const std::string& folder, const std::vector<SweepRow>& rows) {
+  const Json document = {{"gem_build", build_text()}, {"runs", json_of(rows)}};
+  write_at_one_stroke(manifest_path(folder), document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+bool has_manifest(const std::string& folder) { return access(manifest_path(folder).c_str(), F_OK) == 0; }
+
+/// A process that is killed before the updates are removed leaves the rows that the manifest has: none is older.
+void settle(const std::string& folder) {
+  replace_manifest(folder, read_manifest(folder));
+  remove_updates(folder);
+}
+
+}  // namespace
+
 std::vector<SweepRow> read_manifest(const std::string& folder) {
   const std::string path = manifest_path(folder);
   // The updates come first: if they are settled in between, the manifest has them.
   const std::vector<SweepRow> updates = read_updates(folder);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return {};
+  const auto text = text_of(path);
+  if (!text) return {};
   try {
     std::vector<SweepRow> rows;
-    const Json document = checked_json(manifest_text(file));
+    const Json document = checked_json(*text);
     for (const Json& object : document.at("runs")) rows.push_back(row_of_json(object));
     return updates.empty() ? rows : laid_over(std::move(rows), updates);
   } catch (const std::exception& fault) {  // of JSON, or a limit
-    throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + fault.what() +
-                                           ") remove it; the next `gem sweep run` makes it again from the run files");
+    throw_unreadable(path, fault.what());
   }
 }
 
 void write_manifest(const std::string& folder, const std::vector<SweepRow>& rows) {
-  const Json document = {{"gem_build", build_text()}, {"runs", json_of(rows)}};
-  write_at_one_stroke(manifest_path(folder), document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
-  unlink(updates_path(folder).c_str());
+  if (has_manifest(folder)) {
+    append_rows(folder, rows);
+    return settle(folder);
+  }
+  remove_updates(folder);  // of a manifest that somebody removed
+  replace_manifest(folder, laid_over({}, rows));
 }
 
 void update_manifest(const std::string& folder, const std::vector<SweepRow>& rows) {
   const SweepLock held = SweepLock::wait_manifest(folder);
-  std::string lines;
-  for (const Json& object : json_of(rows)) lines += object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (size_of(updates_path(folder)) + lines.size() > size_of(manifest_path(folder)))
-    write_manifest(folder, laid_over(read_manifest(folder), rows));
-  else
-    append_updates(folder, lines);
+  if (!has_manifest(folder)) return write_manifest(folder, rows);
+  append_rows(folder, rows);
+  if (size_of(updates_path(folder)) > size_of(manifest_path(folder))) settle(folder);
 }
 
 void settle_manifest(const std::string& folder) {
   const SweepLock held = SweepLock::wait_manifest(folder);
-  if (size_of(updates_path(folder)) > 0) write_manifest(folder, read_manifest(folder));
+  if (size_of(updates_path(folder)) > 0) settle(folder);
 }
 
 }  // namespace gem

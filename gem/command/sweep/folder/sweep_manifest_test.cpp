@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 
+#include "gem/base/error.h"
 #include "gem/base/scratch_folder.h"
+#include "gem/command/sweep/folder/sweep_folder.h"
 
 namespace gem {
 namespace {
@@ -32,6 +35,17 @@ class SweepManifest : public testing::Test {
   }
   std::string folder() const { return folder_.path().string(); }
   fs::path updates() const { return folder_.path() / "manifest.updates"; }
+  /// What is left of the updates if the process that wrote the manifest was killed before it removed them. Makes
+  /// `change` write the manifest.
+  void kill_before_removal(const std::function<void()>& change) {
+    const fs::path kept = folder_.path() / "kept";
+    while (fs::exists(updates())) {
+      fs::remove(kept);
+      fs::create_hard_link(updates(), kept);
+      change();
+    }
+    fs::rename(kept, updates());
+  }
   fs::path manifest() const { return folder_.path() / "manifest.json"; }
 
  private:
@@ -85,6 +99,40 @@ TEST_F(SweepManifest, WritesBytesInProportionToItsRowsHoweverManyTheyAre) {
   EXPECT_GE(rewritten, 1);
   EXPECT_LE(rewritten, 3) << "600 updates are about two manifests in size";
   for (const SweepRow& row : read_manifest(folder())) EXPECT_EQ(row.status, "done");
+}
+
+TEST_F(SweepManifest, AKillBeforeTheUpdatesAreRemovedBringsBackNoOldRow) {
+  const std::vector<SweepRow> rows = rows_of(3);
+  write_manifest(folder(), rows);
+  update(rows[0], "running");
+  ASSERT_TRUE(fs::exists(updates()));
+  int number = 0;
+  kill_before_removal([&] { update(rows[0], "step " + std::to_string(++number)); });
+  ASSERT_GE(number, 1);
+  EXPECT_EQ(read_manifest(folder())[0].status, "step " + std::to_string(number));
+}
+
+TEST_F(SweepManifest, AKilledSweepOfOtherCasesLeavesNoOldRowEither) {
+  std::vector<SweepRow> rows = rows_of(3);
+  write_manifest(folder(), rows);
+  update(rows[1], "failed");
+  ASSERT_TRUE(fs::exists(updates()));
+  rows[1].case_sha256 = "another";
+  kill_before_removal([&] { enter_folder(folder(), rows); });
+  EXPECT_EQ(read_manifest(folder())[1].case_sha256, "another");
+  EXPECT_EQ(read_manifest(folder())[1].status, "missing");
+}
+
+TEST_F(SweepManifest, UpdatesThatCannotBeReadAreNamed) {
+  write_manifest(folder(), rows_of(3));
+  fs::create_directory(updates());
+  try {
+    read_manifest(folder());
+    ADD_FAILURE() << "read";
+  } catch (const Error& fault) {
+    EXPECT_EQ(fault.code(), ExitCode::file_system);
+    EXPECT_NE(std::string(fault.what()).find("manifest.updates"), std::string::npos) << fault.what();
+  }
 }
 
 TEST_F(SweepManifest, WithoutItThereAreNoRows) {

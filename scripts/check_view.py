@@ -21,6 +21,8 @@ import browser
 EVIL = "<b>@script@<!--<script>&amp;"
 JAM = ["--set", "floes.count=110", "--set", "floes.length_m=130", "--set", "floes.width_m=280", "--set", "floes.start_x_m=-175",
        "--set", "boundary.gap_m=110", "--set", "output.floes_interval_s=5", "--set", "run.duration_s=90"]
+THRUSTERS = ["--set", "floes.count=20", "--set", "run.duration_s=20", "--set", "output.floes_interval_s=5", "--set",
+             "mooring.stiffness_N_per_m=5e4", "--set", "platform.start_offset_m=[4.0,3.0]"]
 THREE = """[run]
 name = "@name@"
 duration_s = 40.0
@@ -242,6 +244,45 @@ def check_forces(page, file):
     expect(page.value("gemView.shares.some(s => s > 0.2)"), "floes are coloured by their forces")
 
 
+def check_arrows(page, file, time):
+    """The arrows of the forces on the platform at a time: their vectors against the file, and that the sum is drawn."""
+    import h5py
+    import numpy
+    page.value(f"gemView.player.seek({time!r})")
+    shown = {force["name"]: numpy.array(force["vector"]) for force in page.value("gemView.overlay.platformForces()")}
+    with h5py.File(file) as data:
+        platform = data["platform"]
+        row = int(numpy.abs(platform["time"][:] - time).argmin())
+        expect(abs(platform["time"][row] - time) < 1e-6, "the time is that of a row")
+        at = {name: numpy.array([platform[f"{name}_{axis}"][row] for axis in "xy"])
+              for name in ("ice_force_mean", "mooring_force", "drag_force")}
+        holder = [name for name in shown if name not in ("ice", "drag", "total")]
+        if "thruster_force_x" in platform:
+            c, s = numpy.cos(platform["psi"][row]), numpy.sin(platform["psi"][row])
+            fx, fy = (platform[f"thruster_force_{axis}"][row].sum() for axis in "xy")
+            wanted = {"thrusters": numpy.array([c * fx - s * fy, s * fx + c * fy])}
+            wanted["mooring"] = at["mooring_force"] - wanted["thrusters"]
+        else:
+            wanted = {holder[0]: at["mooring_force"]}
+        wanted |= {"ice": at["ice_force_mean"], "drag": at["drag_force"],
+                   "total": at["ice_force_mean"] + at["mooring_force"] + at["drag_force"]}
+        bound = 1e-4 * max(numpy.hypot(platform[f"{name}_x"], platform[f"{name}_y"]).max() for name in at)
+    expect(shown.keys() == wanted.keys(), f"arrows: {list(shown)}, wanted {list(wanted)}")
+    for name, vector in wanted.items():
+        expect(numpy.abs(shown[name] - vector).max() <= bound, f"arrow {name} at {time} s: {shown[name]}, wanted {vector}")
+    page.value("(() => { const v = gemView; if (!v.camera.follows) v.follow(); v.draw(); })()")
+    half, longest = page.value(  # colour half way along the arrow of the total
+        "(() => { const v = gemView, {vector} = v.overlay.platformForces().at(-1), {x, y} = v.overlay.platformPose();"
+        " const metres = 0.5 * v.run.description.platform.diameter_m / v.largestForce;"
+        " const at = v.camera.toScreen(x + metres * vector[0], y + metres * vector[1]), scale = v.canvases.over.width / v.camera.width;"
+        " const from = v.camera.toScreen(x, y), [r, g, b] = v.canvases.over.getContext('2d').getImageData("
+        "   Math.round(at[0] * scale), Math.round(at[1] * scale), 1, 1).data;"
+        " return [[r, g, b], 2 * Math.hypot(at[0] - from[0], at[1] - from[1])]; })()")
+    expect(longest > 30, f"the total is long enough to be looked for: {longest} pixels")
+    ink = bytes.fromhex(page.value("gemView.theme.ink")[1:])
+    expect(max(abs(a - b) for a, b in zip(half, ink)) < 5, f"the total is drawn: colour {half}, wanted {list(ink)}")
+
+
 def check_drive(page):
     """A current that stays is the same at any time."""
     shown = page.value("[gemView.run.driveAt('current', 0), gemView.run.driveAt('current', 1e9), gemView.run.driveAt('wind', 0)]")
@@ -321,6 +362,8 @@ def check_page(page, gem, file, with_hits):
     check_play(page)
     check_click(page)
     check_colours(page)
+    if page.value("gemView.largest && gemView.largest.force > 0"):
+        check_arrows(page, file, page.value("gemView.largest.time"))
     if page.value("gemView.run.description.contacts_recorded"):
         check_forces(page, file)
     if with_hits:
@@ -334,6 +377,15 @@ def check_page(page, gem, file, with_hits):
     expect(not outside, f"nothing is loaded: {outside}")
 
 
+def check_ship(page, gem, file):
+    """A ship on thrusters and a mooring, that starts beside its set point: an arrow each."""
+    html = file[:-3] + ".html"
+    subprocess.run([gem, "view", file, "--out", html], check=True, stdout=subprocess.DEVNULL)
+    page.open("file://" + urllib.parse.quote(html))
+    page.until("window.gemView && 1", 40)
+    check_arrows(page, file, 4.0)
+
+
 def check_browser(gem, cases, folder):
     if not browser.program():
         skip("no Chromium (package chromium)")
@@ -341,19 +393,21 @@ def check_browser(gem, cases, folder):
         import h5py  # noqa: F401
     except ImportError:
         skip("no h5py (package python3-h5py)")
-    made = {name: os.path.join(folder, name + ".h5") for name in ("one", "jam", "three")}
+    made = {name: os.path.join(folder, name + ".h5") for name in ("one", "jam", "three", "thrusters")}
     case = os.path.join(folder, "three.toml")
     with open(case, "w", encoding="utf-8") as file:
         file.write(three_floes())
     run(gem, os.path.join(cases, "004_400_25.toml"), made["one"], "--until", "20")
     run(gem, os.path.join(cases, "first.toml"), made["jam"], *JAM, "--set", "output.contact_forces=true")
     run(gem, case, made["three"])
+    run(gem, os.path.join(cases, "dp_drillship.toml"), made["thrusters"], *THRUSTERS)
     with browser.Browser() as page:
         check_page(page, gem, made["one"], False)
         check_page(page, gem, made["jam"], True)
         check_page(page, gem, made["three"], True)
         expect(page.value("document.querySelector('h1').textContent") == EVIL, "names are text")
         expect(page.value("document.querySelectorAll('b').length") == 0, "names are never HTML")
+        check_ship(page, gem, made["thrusters"])
         check_live(page, gem, os.path.join(cases, "first.toml"), folder)
         check_goodbye(page, gem, os.path.join(cases, "first.toml"), folder)
 

@@ -24,6 +24,34 @@ double step_of(const std::string& name, const std::vector<double>& values) {
   return largest > 0.0 ? largest / parts : 1.0;
 }
 
+/// Thrust of all thrusters together along axis x or y of the world [N]. Their columns are in the ship's axes.
+std::vector<double> thrust_of(const RunFile& file, bool along_y) {
+  if (!file.has("platform/thruster_force_x")) return {};
+  const std::vector<double> psi = file.column("platform/psi"), fx = file.column("platform/thruster_force_x"),
+                            fy = file.column("platform/thruster_force_y");
+  if (psi.empty() || fx.size() != fy.size() || fx.size() % psi.size() != 0) return {};
+  const std::size_t thrusters = fx.size() / psi.size();
+  std::vector<double> thrust(psi.size());
+  for (std::size_t i = 0; i < fx.size(); ++i) {
+    const double c = std::cos(psi[i / thrusters]), s = std::sin(psi[i / thrusters]);
+    thrust[i / thrusters] += along_y ? s * fx[i] + c * fy[i] : c * fx[i] - s * fy[i];
+  }
+  return thrust;
+}
+
+struct PageColumn {
+  std::vector<double> values;  // empty if the file has none
+  std::string units, long_name;
+};
+
+PageColumn column_of(const RunFile& file, const std::string& group, const std::string& name) {
+  if (name == "thrust_x" || name == "thrust_y")
+    return {thrust_of(file, name == "thrust_y"), "N", "thrust of all thrusters, mean over the sample interval"};
+  const std::string path = group + "/" + name;
+  if (name.empty() || !file.has(path)) return {};
+  return {file.column(path), file.units(path), file.long_name(path)};
+}
+
 /// Rows that are kept: of each bucket the one with the largest length of the vector (x, y).
 std::vector<std::size_t> kept_rows(std::size_t rows, const RowChoice& choice, const std::vector<double>& x,
                                    const std::vector<double>& y) {
@@ -42,25 +70,21 @@ std::vector<std::size_t> kept_rows(std::size_t rows, const RowChoice& choice, co
 }  // namespace
 
 std::string pack_rows(const RunFile& file, const RowChoice& choice) {
-  const auto column = [&](const std::string& name) {
-    const std::string path = choice.group + "/" + name;
-    return !name.empty() && file.has(path) ? file.column(path) : std::vector<double>{};
-  };
   const std::size_t rows = file.has(choice.group + "/time") ? file.rows(choice.group + "/time") : 0;
-  const std::vector<std::size_t> kept = kept_rows(rows, choice, column(choice.by_x), column(choice.by_y));
+  const std::vector<std::size_t> kept = kept_rows(rows, choice, column_of(file, choice.group, choice.by_x).values,
+                                                  column_of(file, choice.group, choice.by_y).values);
   ByteWriter out;
   nlohmann::ordered_json columns = nlohmann::ordered_json::array();
   for (const std::string& name : choice.columns) {
-    const std::vector<double> all = column(name);
-    if (all.size() != rows || rows == 0) continue;
+    const PageColumn all = column_of(file, choice.group, name);
+    if (all.values.size() != rows || rows == 0) continue;
     std::vector<double> values;
-    for (const std::size_t row : kept) values.push_back(all[row]);
+    for (const std::size_t row : kept) values.push_back(all.values[row]);
     const double step = step_of(name, values);
     const int order = write_column(out, values, step);
-    const std::string path = choice.group + "/" + name;
     columns.push_back({{"name", name},
-                       {"units", plain_text(file.units(path))},
-                       {"long_name", plain_text(file.long_name(path))},
+                       {"units", plain_text(all.units)},
+                       {"long_name", plain_text(all.long_name)},
                        {"step", step},
                        {"order", order}});
   }

@@ -76,7 +76,7 @@ function topBar(view, live) {
     element('label', {}, ['Colour ', colourChoice(view)]),
     button('Largest load', 'go to the largest ice load (L)', () => view.showLargest(), {id: 'largest', className: 'main'}),
     button('Show all', 'the whole field (0)', () => view.fitAll()), view.followButton,
-    toggle('Forces', 'arrows of ice and mooring force; floes that press', view, 'forces'),
+    toggle('Forces', 'arrows of the forces on the platform; floes that press', view, 'forces'),
     toggle('Chains', run.description.contacts_recorded ? 'forces between bodies, the wider the larger' :
       'forces between bodies: not recorded, run with --set output.contact_forces=true', view, 'chains',
     {disabled: !run.description.contacts_recorded, id: 'chains'}),

@@ -2,6 +2,7 @@
 import {eachChain} from './chains.js';
 import {shortNumber} from './dom.js';
 import {drawLines} from './lines.js';
+import {platformForces} from './platform_forces.js';
 
 const trackSeconds = 600;
 
@@ -12,10 +13,11 @@ function path(context, camera, outline, x = 0, y = 0, cosine = 1, sine = 0) {
   context.closePath();
 }
 
-function arrow(context, from, to, colour, halo, label) {
+// Returns whether it is long enough to be seen.
+function arrow(context, from, to, colour) {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
   const size = Math.hypot(dx, dy);
-  if (size < 4) return;
+  if (size < 4) return false;
   const [ux, uy] = [dx / size, dy / size];
   context.strokeStyle = context.fillStyle = colour;
   context.lineWidth = 3;
@@ -28,12 +30,21 @@ function arrow(context, from, to, colour, halo, label) {
   context.lineTo(to[0] - 12 * ux - 6 * uy, to[1] - 12 * uy + 6 * ux);
   context.lineTo(to[0] - 12 * ux + 6 * uy, to[1] - 12 * uy - 6 * ux);
   context.fill();
+  return true;
+}
+
+// A name beside the tip of an arrow; below the names that `taken` holds already.
+function nameTip(context, from, to, name, halo, taken) {
+  const line = 14, side = Math.sign(to[0] - from[0] || 1), x = to[0] + 8 * side;
+  let y = to[1] + 4;
+  for (const place of taken.sort((a, b) => a.y - b.y))
+    if (place.side === side && Math.abs(place.x - x) < 70 && Math.abs(place.y - y) < line) y = place.y + line;
+  taken.push({side, x, y});
   context.font = '12px sans-serif';
-  context.textAlign = ux < 0 ? 'right' : 'left';
-  const at = [to[0] + 8 * Math.sign(ux || 1), to[1] + 4];
+  context.textAlign = side < 0 ? 'right' : 'left';
   context.strokeStyle = halo;
-  context.strokeText(label, ...at);
-  context.fillText(label, ...at);
+  context.strokeText(name, x, y);
+  context.fillText(name, x, y);
 }
 
 export class Overlay {
@@ -79,6 +90,10 @@ export class Overlay {
     return {x: at('x') || 0, y: at('y') || 0, cosine: Math.cos(psi), sine: Math.sin(psi)};
   }
 
+  platformForces() {
+    return platformForces(this.view.run, this.view.time);
+  }
+
   drawPlatform(context) {
     const {camera, theme, run, options} = this.view;
     const pose = this.platformPose();
@@ -107,19 +122,17 @@ export class Overlay {
     context.stroke();
   }
 
-  // Arrows of the ice force and the mooring force: as long as the platform is wide at the largest force of the run.
+  // Arrows of the forces on the platform and of their sum: as long as the platform is wide at the largest force of the run.
   drawForces(context, pose) {
-    const {camera, theme, run, time, largestForce} = this.view;
+    const {camera, theme, run, largestForce} = this.view;
     const platform = run.description.platform;
     const metres = platform.diameter_m / Math.max(largestForce, 1);
-    const centre = camera.toScreen(pose.x, pose.y);
-    const force = name => ['x', 'y'].map(axis => run.platformAt(`${name}_${axis}`, time) || 0);
-    const show = ([fx, fy], colour, label) => {
+    const centre = camera.toScreen(pose.x, pose.y), taken = [];
+    for (const {name, colour, vector: [fx, fy]} of this.platformForces()) {
       const most = 2.5 * platform.diameter_m, size = Math.hypot(fx, fy) * metres, cut = size > most ? most / size : 1;
-      arrow(context, centre, camera.toScreen(pose.x + fx * metres * cut, pose.y + fy * metres * cut), colour, theme.panel, label);
-    };
-    show(force('mooring_force'), theme.mooring, platform.holder);
-    show(force('ice_force_mean'), theme.load, 'ice');
+      const tip = camera.toScreen(pose.x + fx * metres * cut, pose.y + fy * metres * cut);
+      if (arrow(context, centre, tip, theme[colour])) nameTip(context, centre, tip, name, theme.panel, taken);
+    }
     const [ax, ay] = camera.toScreen(...platform.anchor_m);
     context.strokeStyle = theme.mooring;
     context.lineWidth = 1.5;
@@ -176,7 +189,8 @@ export class Overlay {
     context.fillRect(left, top, 150, 2 + 32 * rows.length);
     rows.forEach(([name, [vx, vy]], k) => {
       const speed = Math.hypot(vx, vy), [ux, uy] = [13 * vx / speed, -13 * vy / speed], [x, y] = [left + 20, top + 17 + 32 * k];
-      arrow(context, [x - ux, y - uy], [x + ux, y + uy], name === 'wind' ? theme.track : theme.series_a, theme.panel, '');
+      arrow(context, [x - ux, y - uy], [x + ux, y + uy], name === 'wind' ? theme.track : theme.series_a);
+      context.font = '12px sans-serif';
       context.fillStyle = theme.ink;
       context.textAlign = 'left';
       context.fillText(`${name} ${shortNumber(speed)} m/s`, left + 42, y + 4);

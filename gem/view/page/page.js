@@ -11,6 +11,7 @@ import {Hits} from './hits.js';
 import {clockLine, layOut, Legend, setKeys, showBadge} from './layout.js';
 import {LiveBar, describedByServer, fetchAll} from './live.js';
 import {Overlay} from './overlay.js';
+import {largestForce} from './platform_forces.js';
 import {Player} from './player.js';
 import {Properties} from './properties.js';
 import {quantities} from './quantities.js';
@@ -21,12 +22,12 @@ import {bytesOfBase64, openPacket} from './unpack.js';
 const themes = {
   dark: {
     water: [0.06, 0.11, 0.17], without: [0.42, 0.48, 0.54], outline: [0.03, 0.05, 0.08], ink: '#e6ebf0', panel: '#18212b',
-    fixed: '#3a4653', platform: '#3c4a58', track: '#f5d76e', mark: '#ff4fd8', load: '#ff9f43', mooring: '#5ab4ff',
+    fixed: '#3a4653', platform: '#3c4a58', track: '#f5d76e', mark: '#ff4fd8', load: '#ff9f43', mooring: '#5ab4ff', thrust: '#7bd88f',
     grid: '#2c3947', chain: '#ff4f5e', series_a: '#5ab4ff', series_b: '#f5d76e', legend: 'rgba(24, 33, 43, 0.85)',
   },
   light: {
     water: [0.80, 0.88, 0.93], without: [0.97, 0.98, 0.99], outline: [0.25, 0.31, 0.37], ink: '#1f2530', panel: '#ffffff',
-    fixed: '#a5afb9', platform: '#dfe5ea', track: '#8a4b00', mark: '#c4008f', load: '#d35400', mooring: '#0b63b5',
+    fixed: '#a5afb9', platform: '#dfe5ea', track: '#8a4b00', mark: '#c4008f', load: '#d35400', mooring: '#0b63b5', thrust: '#1d7a34',
     grid: '#e1e4e8', chain: '#b3001b', series_a: '#0b63b5', series_b: '#a05a00', legend: 'rgba(255, 255, 255, 0.85)',
   },
 };
@@ -50,7 +51,7 @@ class View {
     this.overlay = new Overlay(this);
     this.themeName = matchMedia('(prefers-color-scheme: light)').matches ? 'light' : 'dark';
     this.strongForce = 1;   // between bodies: the widest line [N]
-    this.largestForce = 1;  // of ice and mooring in the whole run [N]
+    this.largestForce = 1;  // on the platform in the whole run: the measure of arrows [N]
     this.framesDrawn = 0;
     this.started = false;
     this.pose.moveTo(0);
@@ -89,8 +90,7 @@ class View {
   refresh() {
     this.hits.refresh();
     this.largest = this.hits.largestLoad();
-    const x = this.run.column('platform', 'mooring_force_x'), y = this.run.column('platform', 'mooring_force_y');
-    this.largestForce = x.reduce((most, value, i) => Math.max(most, Math.hypot(value, y[i]) || 0), this.largest?.force ?? 1);
+    this.largestForce = largestForce(this.run, this.largest?.force ?? 1);
     document.getElementById('largest').disabled = !this.largest;
     this.scrub.max = this.run.end;
     showBadge(this);

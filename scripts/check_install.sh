@@ -17,9 +17,11 @@ mv "$folder/first" "$folder/some where/moved"
 prefix="$folder/some where/moved"
 gem="$prefix/bin/gem"
 
-# The installed files are found where they are now, and nothing names the places of the build.
+# The installed files are found where they are now, and nothing names the places of the build. Debug information and the reports of
+# sanitizers name the sources, so builds with them may.
 "$gem" --version --json | grep -qF "\"installed_files\": \"$prefix/share/gem\"" || fail "gem does not find its files"
-! grep -rlF -e "$source" -e "$build" -e "$folder/first" "$prefix" || fail "the files above name folders of the build"
+grep -qE '^(CMAKE_BUILD_TYPE:[A-Z]+=(Debug|RelWithDebInfo)|GEM_SANITIZE:[A-Z]+=.+)$' "$build/CMakeCache.txt" ||
+  ! grep -rlF -e "$source" -e "$build" -e "$folder/first" "$prefix" || fail "the files above name folders of the build"
 case="$prefix/share/gem/cases/analytic/V10_floe_on_moored_platform.toml"
 (cd "$folder" && "$gem" run "$case" --threads 1 --quiet --out run.h5 && "$gem" info run.h5 --json >info.json)
 gzip -dc "$prefix/share/man/man1/gem.1.gz" | grep -q '^\.TH GEM 1' || fail "no manual page"

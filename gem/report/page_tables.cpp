@@ -82,11 +82,8 @@ std::string main_period_html(const RunData& run, const Finding& period) {
 
 bool is_transit(const RunData& run) { return run.transit.present; }
 
-/// What holds the platform.
-std::string holder_text(const RunData& run) {
-  if (is_transit(run)) return run.transit.free ? "thrust" : "tow";
-  return run.dp.thruster.empty() ? "mooring" : "thruster";
-}
+/// What holds the platform, if it is no ship in transit.
+std::string holder_text(const RunData& run) { return run.dp.thruster.empty() ? "mooring" : "thruster"; }
 
 std::string force_text(double force) { return with_unit(force, force_unit(std::abs(force))); }
 
@@ -128,8 +125,9 @@ std::string headline_html(const RunData& run, const RunFindings& findings, const
     html += main_period_html(run, finding_of(analysis, "x_period_by_spectrum_s"));
     const bool untouched = without_contact(run, findings.loads);
     const bool still = untouched && findings.radial_excursion < kLeastMotion;
-    html += figure_of_run(still ? "no contact" : force_text(findings.loads.mooring_largest),
-                          "largest " + holder_text(run) + " force");
+    if (run.is_held)
+      html += figure_of_run(still ? "no contact" : force_text(findings.loads.mooring_largest),
+                            "largest " + holder_text(run) + " force");
     html += figure_of_run(untouched ? "no contact" : force_text(findings.loads.ice_window_largest),
                           "largest ice force averaged over " + number_text(run.force_window_s, 6) + " s");
   }
@@ -195,21 +193,33 @@ namespace {
 /// Nothing for a ship that is towed.
 std::string speed_rows(const RunData& run, const std::vector<Finding>& analysis) {
   if (!run.transit.free) return "";
-  const Finding thrust = finding_of(analysis, "thrust_mean_N");
-  return row("speed averaged over the run", {mean_text(finding_of(analysis, "transit_speed_mean_m_per_s"), kSpeed)}) +
-         row("net thrust averaged over the run", {mean_text(thrust, force_unit(std::abs(thrust.value.value_or(0.0))))});
+  return row("speed averaged over the run", {mean_text(finding_of(analysis, "transit_speed_mean_m_per_s"), kSpeed)});
+}
+
+std::string mean_force_text(const Finding& mean) {
+  return mean_text(mean, force_unit(std::abs(mean.value.value_or(0.0))));
+}
+
+/// What the thrust or the tow gives along the path, and what holds the ship across it.
+std::string pull_rows(const RunData& run, const std::vector<Finding>& analysis) {
+  const std::string name = run.transit.free ? "thrust" : "tow", words = run.transit.free ? "net thrust" : "tow force";
+  const auto largest = [&](const std::string& of) { return force_text(finding_of(analysis, of).value.value_or(0.0)); };
+  return row(words + " along the path, averaged over the run",
+             {mean_force_text(finding_of(analysis, name + "_mean_N"))}) +
+         row(words + " along the path, largest", {largest(name + "_largest_N")}) +
+         row("force that holds the ship across its path, largest", {largest("hold_across_largest_N")});
 }
 
 /// Nothing without transit.
 std::string resistance_rows(const RunData& run, const std::vector<Finding>& analysis) {
   if (!is_transit(run)) return "";
-  const Finding mean = finding_of(analysis, "resistance_mean_N");
   const std::string window = number_text(run.force_window_s, 6) + " s";
   const auto value = [&](const char* name) { return force_text(finding_of(analysis, name).value.value_or(0.0)); };
   return speed_rows(run, analysis) +
-         row("resistance averaged over the run", {mean_text(mean, force_unit(std::abs(mean.value.value_or(0.0))))}) +
+         row("resistance averaged over the run", {mean_force_text(finding_of(analysis, "resistance_mean_N"))}) +
          row("resistance averaged over " + window + ", 99 % below", {value("resistance_window_p99_N")}) +
-         row("resistance averaged over " + window + ", largest", {value("resistance_window_largest_N")});
+         row("resistance averaged over " + window + ", largest", {value("resistance_window_largest_N")}) +
+         pull_rows(run, analysis);
 }
 
 }  // namespace
@@ -220,7 +230,6 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
   const std::string window = number_text(run.force_window_s, 6) + " s";
   const std::string sample = number_text(l.sample_s, 6) + " s";
   const Unit mean_unit = force_unit(std::hypot(l.ice_mean_x, l.ice_mean_y));
-  const Finding mooring = finding_of(analysis, "mooring_force_x_mean_N");
   // A killed run loses its last events, and all of them if there are few.
   const bool cut = run.identity.status == "running";
   const auto of_events = [cut](const std::string& text) { return cut ? "not known: the run was cut off" : text; };
@@ -247,10 +256,12 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
           {of_ice(mean_text(finding_of(analysis, "ice_force_y_mean_N"), mean_unit))}) +
       row("crushing peak (closed form) of one hit, largest", {of_short(of_events(force_text(l.crushing_largest)))}) +
       row("crushing peak of a hit, median", {of_short(of_events(force_text(l.crushing_median)))}) +
-      row(holder_text(run) + " force, largest",
-          {of_mooring(force_text(l.mooring_largest) + where_text(l.mooring_largest, l.mooring_at))}) +
-      row(holder_text(run) + " force averaged over the run, x",
-          {of_mooring(mean_text(mooring, force_unit(std::abs(mooring.value.value_or(0.0)))))}) +
+      (run.is_held && !is_transit(run)
+           ? row(holder_text(run) + " force, largest",
+                 {of_mooring(force_text(l.mooring_largest) + where_text(l.mooring_largest, l.mooring_at))}) +
+                 row(holder_text(run) + " force averaged over the run, x",
+                     {of_mooring(mean_force_text(finding_of(analysis, "mooring_force_x_mean_N")))})
+           : "") +
       row("hits on the platform, each from first touch to release", {of_events(std::to_string(l.events))}) +
       row("different floes that hit the platform", {of_events(std::to_string(l.arrivals))}) +
       row("samples with contact", {contact_text(finding_of(analysis, "contact_fraction"))});

@@ -65,6 +65,12 @@ const char* holder_of(const SceneDef& scene) {
   return scene.dp.thruster.empty() ? "mooring" : "thrusters";
 }
 
+bool is_held(const SceneDef& scene) {
+  if (!scene.platform.present || scene.platform.fixed) return false;
+  return in_transit(scene.transit) || !scene.dp.thruster.empty() || !is_linear(scene) ||
+         scene.mooring.stiffness_N_per_m > 0.0 || scene.mooring.damping_N_s_per_m > 0.0;
+}
+
 double largest_mooring_stiffness(const SceneDef& scene) {
   if (is_linear(scene)) return scene.mooring.stiffness_N_per_m;
   const MooringTables tables = mooring_tables(scene);

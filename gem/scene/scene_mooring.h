@@ -32,4 +32,7 @@ double mooring_pushed_speed(const SceneDef& scene, double force);
 /// where that of a mooring does.
 const char* holder_of(const SceneDef& scene);
 
+/// Whether a mooring, thrusters or a tow can pull the platform. A fixed one needs none.
+bool is_held(const SceneDef& scene);
+
 }  // namespace gem

@@ -1,4 +1,5 @@
 """Kills, power cuts and full disks, at random moments of a run."""
+import itertools
 import os
 import pathlib
 import random
@@ -17,11 +18,12 @@ class RandomMoments:
         may_be_lost_s = flush_s + 1.5  # also the start of the process, and the time between two frames
         begins_file_s = may_be_lost_s + 1.0  # a run has a file after its first second
 
-        def one(after):
+        def one(kill):
+            after, checkpoint_s = kill
             path = self.path()
             start = time.time()
             run = subprocess.Popen([self.gem, "run", LARGE, "--until", "100000", "--engine", "cpu", "--threads", "1", "--quiet",
-                                    "--flush-every", str(flush_s), "--checkpoint-every", str(flush_s), "--out", path])
+                                    "--flush-every", str(flush_s), "--checkpoint-every", str(checkpoint_s), "--out", path])
             time.sleep(after * 0.7)
             copy = path + ".copy.h5"
             if os.path.exists(path):
@@ -53,7 +55,10 @@ class RandomMoments:
             return fault
 
         kills = self.count_of(200, 6, 50)
-        self.each("kill -9 and a copy, at random moments", one, [random.uniform(0.05, longest_s) for _ in range(kills)])
+        # The longest is always there: only late kills show that a flush did not come. Every second run has frequent checkpoints, which are
+        # then cut by the kill. They flush too, so the others have few.
+        moments = [longest_s] + [random.uniform(0.05, longest_s) for _ in range(kills - 1)]
+        self.each("kill -9 and a copy, at random moments", one, list(zip(moments, itertools.cycle((longest_s, flush_s)))))
 
     def cannot_go_on(self, path):
         """Why a killed run does not go on for a second of the simulation; None if it does, or was killed before its first checkpoint."""

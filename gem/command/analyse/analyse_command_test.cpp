@@ -31,6 +31,30 @@ TEST_F(CommandTest, AnalyseSaysPeriodsThreeWays) {
   EXPECT_NE(text_of("out").find("Kaplan-Meier"), std::string::npos);
 }
 
+/// The line of an output that begins with a name.
+std::string line_of(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find("\n  " + name + " ");
+  return at == std::string::npos ? "" : text.substr(at + 3, text.find('\n', at + 1) - at - 3);
+}
+
+TEST_F(CommandTest, AnalyseSaysWhatAShipDoesThatMeetsNoIce) {
+  const std::string unmoored =
+      "gem run swing.toml -q --threads 1 --set platform.start_offset_m=[0,0] --set mooring.stiffness_N_per_m=0";
+  const std::string thrust = " --set transit.bollard_thrust_N=1e5 --set transit.open_water_speed_m_per_s=2";
+  ASSERT_EQ(shell(unmoored + thrust + " --out way.h5 && gem analyse way.h5"), 0) << text_of("err");
+  for (const char* name : {"transit_distance_m", "thrust_mean_N", "thrust_largest_N", "hold_across_largest_N"}) {
+    const std::string line = line_of(text_of("out"), name);
+    EXPECT_NE(line.find_first_of("0123456789"), std::string::npos) << name << ": " << line;
+    EXPECT_EQ(line.find("no contact"), std::string::npos) << line;
+  }
+  EXPECT_NE(line_of(text_of("out"), "ice_force_window_largest_N").find("no contact"), std::string::npos);
+  EXPECT_EQ(text_of("out").find("mooring_"), std::string::npos) << text_of("out");
+  ASSERT_EQ(shell(unmoored + " --set transit.speed_m_per_s=1 --out tow.h5 && gem analyse tow.h5"), 0) << text_of("err");
+  EXPECT_NE(line_of(text_of("out"), "tow_mean_N"), "") << text_of("out");
+  ASSERT_EQ(shell(unmoored + " --out adrift.h5 && gem analyse adrift.h5"), 0) << text_of("err");
+  EXPECT_EQ(text_of("out").find("mooring_"), std::string::npos) << text_of("out");
+}
+
 TEST_F(CommandTest, AnalyseCombinesRunsOfOneLength) {
   std::string files;
   for (const char* start : {"0.5", "0.8", "1.1", "1.4", "2.2"}) {

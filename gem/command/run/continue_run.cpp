@@ -47,7 +47,7 @@ int continue_run(RunChoice& choice, RunLog& log) {
     log.message("info", shown(file) + " is complete: nothing to continue");
     return 0;
   }
-  check_unclaimed(file);  // a reader of a complete file may hold it
+  check_unclaimed(file);  // only now: a reader may hold a complete file
   check_output_path(file, true);
   const Resumable run = resumable(file);
   if (!run.note.empty()) log.message("warning", run.note);

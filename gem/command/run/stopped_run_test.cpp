@@ -60,7 +60,8 @@ TEST_F(CommandTest, WhatCannotGoOnSaysWhy) {
   EXPECT_EQ(shell("gem run --continue parts.h5 -q"), 0) << text_of("err");
 }
 
-// Before a checkpoint is read, or anything is said or shown in a browser.
+// Before anything is said or shown in a browser. The file is read before: a complete one that somebody reads is no
+// error.
 TEST_F(CommandTest, ARunThatIsWrittenIsLeftAlone) {
   ASSERT_EQ(shell("gem run swing.toml --until 7 --out parts.h5 -q"), 0) << text_of("err");
   const int writer = open(path("parts.h5").c_str(), O_RDWR | O_CLOEXEC);

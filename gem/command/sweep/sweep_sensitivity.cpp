@@ -35,7 +35,7 @@ double sample_largest(const PlatformSeries& series) {
   return maximum_radial_excursion(series.ice_force_x, series.ice_force_y).value;
 }
 
-std::vector<double> measured(const std::string& path, const std::vector<std::string>& names, double from_s) {
+std::vector<Finding> measured(const std::string& path, double from_s) {
   const RunData data = load_run(path, false);
   const std::size_t first = sample_from(data, from_s);
   if (data.platform.time.size() < first + kSamplesForStatistics)
@@ -45,11 +45,27 @@ std::vector<double> measured(const std::string& path, const std::vector<std::str
   const PlatformSeries series = platform_series(data, first);
   std::vector<Finding> findings = platform_findings(data, first);
   findings.push_back({"ice_sample_largest_N", sample_largest(series), {}});
+  return findings;
+}
+
+bool has(const std::vector<Finding>& findings, const std::string& name) {
+  return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.name == name; });
+}
+
+/// What is measured without the user's choice. Without a mooring there is no force of it.
+std::vector<std::string> usual_measures_of(const std::vector<Finding>& findings) {
+  std::vector<std::string> names = usual_measures();
+  std::erase_if(names, [&](const std::string& name) { return !has(findings, name); });
+  return names;
+}
+
+std::vector<double> values_of(const std::vector<Finding>& findings, const std::vector<std::string>& names,
+                              bool chosen) {
   std::vector<std::string> known;
   for (const Finding& finding : findings) known.push_back(finding.name);
   std::vector<double> values;
   for (const std::string& name : names) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (chosen && !has(findings, name))
       throw Error(ExitCode::usage,
                   "unknown measure " + shown(name) + " (`gem analyse` lists them)" + suggestion(name, known));
     const double value = finding_of(findings, name).value.value_or(std::numeric_limits<double>::quiet_NaN());
@@ -96,13 +112,15 @@ SensitivityPage study_of(const SweepSensitivityChoice& choice) {
   page.listed = rows.size();
   page.from_s = choice.from_s;
   page.study.inputs = inputs_of(rows.front().draw);
-  page.study.outputs = choice.measures.empty() ? usual_measures() : choice.measures;
+  page.study.outputs = choice.measures;
   for (SweepRow& row : rows) {
     row = look_at_run(choice.folder, row);
     if (row.status != "done") continue;
     StudyRun run{row.name, row.draw.condition, row.draw.draw, row.draw.part, row.draw.repeat, {}, {}};
     for (const DrawnValue& one : row.draw.values) run.inputs.push_back(one.value);
-    run.outputs = measured(run_path(choice.folder, row.name), page.study.outputs, choice.from_s);
+    const std::vector<Finding> findings = measured(run_path(choice.folder, row.name), choice.from_s);
+    if (page.study.outputs.empty()) page.study.outputs = usual_measures_of(findings);
+    run.outputs = values_of(findings, page.study.outputs, !choice.measures.empty());
     page.study.runs.push_back(std::move(run));
   }
   const std::size_t done = page.study.runs.size();

@@ -99,7 +99,8 @@ GEM_DEVICE inline PushedPlatform pushed_platform(PlatformLoaded& loaded, const P
           loaded.cell.mooring_force};
 }
 
-/// Leads a ship in transit in time step `sample` of the call; see tow_platform() and thrust_platform().
+/// Leads a ship in transit in time step `sample` of the call, and gives it its thrust if it runs free; see
+/// tow_platform() and thrust_platform() of the laws.
 GEM_DEVICE inline void tow_platform(const DeviceScene& s, PlatformLoaded& loaded, const PlatformTurn& turn,
                                     Vec2 position, double& spin, std::int32_t sample) {
   if (!(s.constants.events.tow_rate > 0.0)) return;

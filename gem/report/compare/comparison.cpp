@@ -103,6 +103,11 @@ class Rows {
   void text(const std::string& name, const std::string& meaning, const Text& of) {
     add(name, meaning, [&](const ComparedRun& run) { return ComparedCell{std::nullopt, std::nullopt, of(run)}; });
   }
+  /// Whether some run has this number.
+  bool any(const std::string& name) const {
+    return std::any_of(runs_.begin(), runs_.end(),
+                       [&](const ComparedRun& run) { return finding_of(run.analysis, name).value.has_value(); });
+  }
   std::vector<ComparedRow> list;
 
  private:
@@ -119,10 +124,11 @@ class Rows {
 void add_loads(Rows& rows) {
   rows.analysed("ice_force_window_largest_N", "ice force averaged over the force window, largest");
   rows.short_load();
-  rows.analysed("mooring_force_largest_N", "mooring force, largest");
+  const bool moored = rows.any("mooring_force_largest_N");
+  if (moored) rows.analysed("mooring_force_largest_N", "mooring force, largest");
   rows.analysed("ice_force_x_mean_N", "ice force, mean, x");
   rows.analysed("ice_force_y_mean_N", "ice force, mean, y");
-  rows.analysed("mooring_force_x_mean_N", "mooring force, mean, x");
+  if (moored) rows.analysed("mooring_force_x_mean_N", "mooring force, mean, x");
   rows.number("event_impulse_largest_N_s", "impulse of one hit, largest",
               [](const ComparedRun& run) { return run.findings.loads.event_impulse_largest; });
   rows.short_load();

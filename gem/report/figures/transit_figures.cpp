@@ -68,7 +68,7 @@ std::vector<Figure> transit_figures(const RunData& run, const PlotFolder& folder
   if (transit.distance.size() < kSamplesForStatistics) return {};
   double largest = std::max(std::abs(maximum_excursion(transit.resistance_window).value),
                             std::abs(maximum_excursion(transit.side_window).value));
-  if (transit.free) largest = std::max(largest, std::abs(maximum_excursion(transit.thrust).value));
+  if (transit.free) largest = std::max(largest, std::abs(maximum_excursion(transit.pull).value));
   const Unit unit = force_unit(largest), speed{"m/s", 1.0};
   write_column(transit, transit.resistance_window, "resistance", unit, folder);
   write_column(transit, running_mean(transit.resistance), "resistance_mean", unit, folder);
@@ -79,7 +79,7 @@ std::vector<Figure> transit_figures(const RunData& run, const PlotFolder& folder
            << "set xrange [0:" << rounded_text(abscissa(transit).back(), 6) << "]\nset offsets graph 0, 0, 0.08, 0\n";
   if (transit.free) {
     write_column(transit, transit.made_good, "speed", speed, folder);
-    write_column(transit, transit.thrust, "thrust", unit, folder);
+    write_column(transit, transit.pull, "thrust", unit, folder);
     commands
         << "set ylabel 'speed [m/s]'\nset xlabel\nplot 'speed.csv' using 1:2 with lines linestyle 1 lw 1.5 notitle\n"
         << "unset label 99\n";

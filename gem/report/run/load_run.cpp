@@ -186,6 +186,7 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
   run.force_window_s = scene.output.force_window_s;
   run.rest = scene.platform.anchor_m;
   run.natural_period_s = natural_period(scene);
+  run.is_held = is_held(scene);
   run.platform = platform_record(file);
   run.events = event_record(file);
   run.stats = stats_record(file);

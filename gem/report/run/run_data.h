@@ -78,6 +78,7 @@ struct RunData {
   double current_speed = 0.0;     // [m/s]
   double force_window_s = 0.0;    // of ice_force_mean
   Vec2 rest;                      // rest position of the mooring [m]
+  bool is_held = true;            // a mooring, thrusters or a tow can pull the platform
   PlatformRecord platform;
   EventColumns events;
   StatsRecord stats;

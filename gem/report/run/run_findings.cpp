@@ -98,6 +98,13 @@ bool is_of_swing(const Finding& finding) {
   return finding.name.starts_with("x_") || finding.name.starts_with("y_") || finding.name.starts_with("orbit_");
 }
 
+/// Left out where nothing can pull, and for a ship on its way: transit_findings() says what its thrust or its tow
+/// gives.
+void leave_out_mooring(const RunData& run, std::vector<Finding>& findings) {
+  if (run.is_held && !run.transit.present) return;
+  std::erase_if(findings, [](const Finding& finding) { return finding.name.starts_with("mooring_"); });
+}
+
 }  // namespace
 
 double sample_interval(const std::vector<double>& time) {
@@ -142,6 +149,7 @@ RunFindings run_findings(const RunData& run) {
 std::vector<Finding> platform_findings(const RunData& run, std::size_t first) {
   std::vector<Finding> findings = analyse_platform(platform_series(run, first));
   if (run.transit.present) std::erase_if(findings, is_of_swing);
+  leave_out_mooring(run, findings);
   for (const Finding& finding : dp_findings(run.dp, first)) findings.push_back(finding);
   for (const Finding& finding : transit_findings(run.transit, first)) findings.push_back(finding);
   return findings;
@@ -150,6 +158,7 @@ std::vector<Finding> platform_findings(const RunData& run, std::size_t first) {
 std::vector<Finding> whole_run_analysis(const RunData& run) {
   if (run.platform.time.size() < kSamplesForStatistics) return {};
   std::vector<Finding> findings = analyse_platform(platform_series(run));
+  leave_out_mooring(run, findings);
   for (const Finding& finding : transit_findings(run.transit, 0)) findings.push_back(finding);
   return findings;
 }

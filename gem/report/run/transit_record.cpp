@@ -21,12 +21,11 @@ Finding mean_of(const char* name, const std::vector<double>& record) {
   return {name, mean, moving_block_mean(record, record.size() / stretches)};
 }
 
-/// What the way of a ship that runs free says; `distance` from its start.
-void add_free_way(TransitRecord& transit, double time, double distance, double thrust) {
+/// The speed of a ship that runs free; `distance` from its start.
+void add_speed(TransitRecord& transit, double time, double distance) {
   const bool first = transit.time.size() == 1;
   const double before = first ? 0.0 : transit.time[transit.time.size() - 2];
   const double from = first ? 0.0 : transit.distance[transit.distance.size() - 2];
-  transit.thrust.push_back(thrust);
   transit.made_good.push_back(time > before ? (distance - from) / (time - before) : transit.speed);
 }
 
@@ -47,9 +46,10 @@ TransitRecord transit_record(const PlatformRecord& platform, const SceneDef& sce
     const Vec2 window{platform.ice_force_mean_x[i], platform.ice_force_mean_y[i]};
     transit.time.push_back(platform.time[i]);
     transit.distance.push_back(distance);
-    if (transit.free)
-      add_free_way(transit, platform.time[i], distance,
-                   dot({platform.mooring_force_x[i], platform.mooring_force_y[i]}, ahead));
+    if (transit.free) add_speed(transit, platform.time[i], distance);
+    const Vec2 holder{platform.mooring_force_x[i], platform.mooring_force_y[i]};
+    transit.pull.push_back(dot(holder, ahead));
+    transit.across.push_back(cross(ahead, holder));
     transit.resistance.push_back(-dot(ice, ahead));
     transit.resistance_window.push_back(-dot(window, ahead));
     transit.side_window.push_back(cross(ahead, window));
@@ -63,17 +63,20 @@ std::vector<Finding> transit_findings(const TransitRecord& transit, std::size_t 
     return std::vector<double>(all.begin() + std::ptrdiff_t(first), all.end());
   };
   const std::vector<double> window = from(transit.resistance_window), side = from(transit.side_window);
+  const std::vector<double> pull = from(transit.pull), across = from(transit.across);
   std::vector<Finding> findings = {{"transit_distance_m", transit.distance.back() - transit.distance[first], {}},
                                    mean_of("resistance_mean_N", from(transit.resistance)),
                                    {"resistance_window_deviation_N", moments(window).deviation, {}},
                                    {"resistance_window_p99_N", percentile(window, 0.99), {}},
                                    {"resistance_window_largest_N", moments(window).maximum, {}},
-                                   {"side_force_window_largest_N", std::abs(maximum_excursion(side).value), {}}};
+                                   {"side_force_window_largest_N", std::abs(maximum_excursion(side).value), {}},
+                                   mean_of(transit.free ? "thrust_mean_N" : "tow_mean_N", pull),
+                                   {transit.free ? "thrust_largest_N" : "tow_largest_N", moments(pull).maximum, {}},
+                                   {"hold_across_largest_N", std::abs(maximum_excursion(across).value), {}}};
   if (!transit.free) return findings;
   const std::vector<double> speed = from(transit.made_good);
   findings.push_back(mean_of("transit_speed_mean_m_per_s", speed));
   findings.push_back({"transit_speed_least_m_per_s", moments(speed).minimum, {}});
-  findings.push_back(mean_of("thrust_mean_N", from(transit.thrust)));
   return findings;
 }
 

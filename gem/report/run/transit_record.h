@@ -21,16 +21,17 @@ struct TransitRecord {
   std::vector<double> resistance;         // force of the ice against the course, mean over the sample [N]
   std::vector<double> resistance_window;  // the same, mean over the force window [N]
   std::vector<double> side_window;        // to the left of the course [N]
-  std::vector<double> thrust;             // of a ship that runs free: mean over the sample [N]
+  std::vector<double> pull;               // of the thrust of a ship that runs free, or of the tow: along the path [N]
+  std::vector<double> across;             // what holds the ship on its path: to the left [N]
   std::vector<double> made_good;          // the same: speed along the path over the sample [m/s]
 };
 
 /// Empty for a run without transit.
 TransitRecord transit_record(const PlatformRecord& platform, const SceneDef& scene);
 
-/// Mean, scatter, percentile and peak of the resistance from sample `first` on, and the distance covered; of a ship
-/// that runs free also speed and thrust. None without transit. The interval of the mean takes stretches of a twentieth
-/// of the record as independent.
+/// Mean, scatter, percentile and peak of the resistance from sample `first` on, the distance covered, and what the
+/// thrust or the tow gives along the path and across it; of a ship that runs free also its speed. None without transit.
+/// The interval of the mean takes stretches of a twentieth of the record as independent.
 std::vector<Finding> transit_findings(const TransitRecord& transit, std::size_t first);
 
 }  // namespace gem

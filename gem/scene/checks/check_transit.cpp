@@ -96,7 +96,9 @@ void warn_of_transit(const SceneDef& scene, std::vector<std::string>& warnings) 
   const bool on = in_transit(transit);
   for (const auto& option : scene_options())
     if (!on && option.path.starts_with("transit.") && value_text(option.get(scene)) != value_text(option.get(usual)))
-      warnings.push_back(option.path + ": has no effect (there is no transit) give transit.speed_m_per_s");
+      warnings.push_back(option.path +
+                         ": has no effect (there is no transit) give transit.speed_m_per_s or "
+                         "transit.bollard_thrust_N");
   if (!on) return;
   if (!runs_free(transit) && transit.open_water_speed_m_per_s > 0.0)
     warnings.push_back(

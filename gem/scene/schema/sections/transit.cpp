@@ -6,8 +6,8 @@ namespace gem::sections {
 void add_transit(SceneTable& t) {
   t.opt_in = true;
   t.number("transit.speed_m_per_s", "m/s", {0.0, 10.0},
-           "speed at which the platform, a ship, is led along a path by a tow that holds it; 0: no transit. With a "
-           "thrust: its speed at the start",
+           "speed at which the platform, a ship, is led along a path by a tow that holds it; 0 without a thrust: no "
+           "transit. With a thrust: its speed at the start",
            GEM_FIELD(transit.speed_m_per_s));
   t.number("transit.course_rad", "rad", {-6.3, 6.3},
            "direction in which a path without way points leads; 3.14 is where the bow of a ship at yaw 0 points to",

@@ -102,9 +102,9 @@ std::string clock_text(double seconds) {
 
 namespace {
 
-/// A tow gives back each hit in one time step, so its largest force is no measure for arrows.
+/// A tow or the ground gives back each hit in one time step, so their largest force is no measure for arrows.
 double largest_load(const RunFile& file, const std::string& holder) {
-  const double held = holder == "tow" ? 0.0 : largest_of(file, "mooring_force");
+  const double held = holder == "tow" || holder == "ground" ? 0.0 : largest_of(file, "mooring_force");
   return std::max({largest_of(file, "ice_force_mean"), held, 1.0});
 }
 

@@ -62,6 +62,7 @@ MooringTables mooring_tables(const SceneDef& scene) { return mooring_tables(scen
 
 const char* holder_of(const SceneDef& scene) {
   if (in_transit(scene.transit)) return runs_free(scene.transit) ? "thrust" : "tow";
+  if (scene.platform.fixed) return "ground";
   return scene.dp.thruster.empty() ? "mooring" : "thrusters";
 }
 

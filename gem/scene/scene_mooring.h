@@ -28,8 +28,8 @@ double mooring_swing_speed(const SceneDef& scene);
 /// linear [m/s].
 double mooring_pushed_speed(const SceneDef& scene, double force);
 
-/// What holds the platform, for labels: "tow" of a ship in transit, "thrusters", or "mooring". The force of each stands
-/// where that of a mooring does.
+/// What holds the platform, for labels: "tow" or "thrust" of a ship in transit, "thrusters", "ground" of a fixed one,
+/// or "mooring". The force of each stands where that of a mooring does.
 const char* holder_of(const SceneDef& scene);
 
 /// Whether a mooring, thrusters or a tow can pull the platform. A fixed one needs none.

@@ -47,9 +47,9 @@ std::string interval_text(const IntervalEstimate& estimate) {
 
 bool is_length_or_force(const std::string& name) { return name.ends_with("_m") || name.ends_with("_N"); }
 
-/// Of a ship in transit, which goes its way without ice too.
-bool is_of_way(const std::string& name) {
-  for (const char* beginning : {"transit_", "thrust_", "tow_", "hold_"})
+/// Of a ship in transit, which goes its way without ice too, or of bodies beside the platform.
+bool stands_alone(const std::string& name) {
+  for (const char* beginning : {"transit_", "thrust_", "tow_", "hold_", "fixed_"})
     if (name.starts_with(beginning)) return true;
   return false;
 }
@@ -119,7 +119,7 @@ std::string text_of(const AnalysedRun& run) {
                      verdict_lines(run) + row_text("", {"value", "95 % interval"});
   const bool without_contact = untouched(run.findings);
   for (const Finding& finding : run.findings) {
-    const bool rounding = without_contact && is_length_or_force(finding.name) && !is_of_way(finding.name);
+    const bool rounding = without_contact && is_length_or_force(finding.name) && !stands_alone(finding.name);
     text += row_text(finding.name, {rounding ? "no contact" : value_text(finding),
                                     finding.interval && !rounding ? interval_text(*finding.interval) : "-"});
   }

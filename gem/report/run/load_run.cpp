@@ -197,6 +197,7 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
   run.lines = line_record(file, scene);
   run.dp = dp_record(file, scene);
   run.transit = transit_record(run.platform, scene);
+  run.on_fixed = fixed_record(file, scene);
   if (!run.dp.thruster.empty() && run.natural_period_s == 0.0) run.rest = scene.dp.position_m;
   run.fixed = file.boundary_outlines();
   run.floe_outlines = file.floe_outlines();

@@ -10,6 +10,7 @@
 #include "gem/engine/step/overlap_count.h"
 #include "gem/record/verdict.h"
 #include "gem/report/run/dp_record.h"
+#include "gem/report/run/fixed_record.h"
 #include "gem/report/run/line_record.h"
 #include "gem/report/run/side_record.h"
 #include "gem/report/run/transit_record.h"
@@ -90,6 +91,7 @@ struct RunData {
   std::vector<LineRecord> lines = {};  // of the mooring
   DpRecord dp = {};                    // empty without thrusters
   TransitRecord transit = {};          // empty without transit
+  FixedRecord on_fixed = {};           // empty without [[fixed]] or without the forces between bodies
   std::vector<FloeFrame> frames;       // start, at_s, end; fewer if the run recorded fewer than three
 };
 

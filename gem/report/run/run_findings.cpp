@@ -152,6 +152,8 @@ std::vector<Finding> platform_findings(const RunData& run, std::size_t first) {
   leave_out_mooring(run, findings);
   for (const Finding& finding : dp_findings(run.dp, first)) findings.push_back(finding);
   for (const Finding& finding : transit_findings(run.transit, first)) findings.push_back(finding);
+  const double from_s = run.platform.time.at(first);
+  for (const Finding& finding : fixed_findings(run.on_fixed, from_s)) findings.push_back(finding);
   return findings;
 }
 

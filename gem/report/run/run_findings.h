@@ -86,8 +86,9 @@ RunFindings run_findings(const RunData& run);
 /// The result of analyse_platform() for the whole run; empty for a record too short to analyse.
 std::vector<Finding> whole_run_analysis(const RunData& run);
 
-/// What the platform's record from sample `first` on says: motion, loads, thrusters, transit. A ship in transit has no
-/// rest to swing about, so offsets, periods and orbit are left out. Without a mooring its force is left out.
+/// What the platform's record from sample `first` on says: motion, loads, thrusters, transit, and fixed bodies. A ship
+/// in transit has no rest to swing about, so offsets, periods and orbit are left out. Without a mooring its force is
+/// left out.
 std::vector<Finding> platform_findings(const RunData& run, std::size_t first);
 
 /// Interval of evenly spaced times [s]. Throws Error(file_system) if they are not even to 1e-6.

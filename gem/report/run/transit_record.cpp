@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "gem/analysis/statistics/bootstrap.h"
 #include "gem/analysis/statistics/moments.h"
+#include "gem/analysis/statistics/record_mean.h"
 #include "gem/report/run/run_data.h"
 #include "gem/scene/scene_drive.h"
 
@@ -12,14 +12,6 @@ namespace gem {
 namespace {
 
 Vec2 direction(Rotation course) { return {course.cosine, course.sine}; }
-
-/// Mean with the interval of one correlated record.
-Finding mean_of(const char* name, const std::vector<double>& record) {
-  constexpr std::size_t stretches = 20;
-  const double mean = moments(record).mean;
-  if (record.size() < 2 * stretches) return {name, mean, {}};
-  return {name, mean, moving_block_mean(record, record.size() / stretches)};
-}
 
 /// The speed of a ship that runs free; `distance` from its start.
 void add_speed(TransitRecord& transit, double time, double distance) {

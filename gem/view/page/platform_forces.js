@@ -11,17 +11,17 @@ export function platformForces(run, time) {
     forces.push({name: 'thrusters', colour: 'thrust', vector: thrust},
                 {name: 'mooring', colour: 'mooring', vector: held.map((force, axis) => force - thrust[axis])});
   } else {
-    forces.push({name: holder, colour: holder === 'mooring' ? 'mooring' : 'thrust', vector: held});
+    forces.push({name: holder, colour: ['tow', 'thrust'].includes(holder) ? 'thrust' : 'mooring', vector: held});
   }
   forces.push({name: 'drag', colour: 'track', vector: at('drag_force')});
   const total = [0, 1].map(axis => forces.reduce((sum, force) => sum + force.vector[axis], 0));
   return [...forces, {name: 'total', colour: 'ink', vector: total}];
 }
 
-// The largest force of ice or of what holds the platform in the run, at least `ice` [N]. A tow gives back each hit in one
-// time step, so its largest force is no measure for arrows.
+// The largest force of ice or of what holds the platform in the run, at least `ice` [N]. A tow or the ground gives
+// back each hit in one time step, so their largest force is no measure for arrows.
 export function largestForce(run, ice) {
-  if (run.description.platform.holder === 'tow') return ice;
+  if (['tow', 'ground'].includes(run.description.platform.holder)) return ice;
   const x = run.column('platform', 'mooring_force_x'), y = run.column('platform', 'mooring_force_y');
   return x.reduce((most, value, i) => Math.max(most, Math.hypot(value, y[i]) || 0), ice);
 }

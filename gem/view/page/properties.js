@@ -35,7 +35,7 @@ function runRows(view) {
   return rows;
 }
 
-const forceOf = {mooring: 'Mooring force', thrusters: 'Force of thrusters', tow: 'Force of the tow', thrust: 'Net thrust'};
+const forceOf = {mooring: 'Mooring force', thrusters: 'Force of thrusters', tow: 'Force of the tow', thrust: 'Net thrust', ground: 'Force of the ground'};
 
 function platformRows(view) {
   const {run, time} = view, {platform} = run.description;

@@ -140,7 +140,7 @@ foreach(what IN ITEMS server browser)
   endif()
   set_tests_properties(view_${what} PROPERTIES LABELS unit SKIP_RETURN_CODE 77 TIMEOUT 300)
 endforeach()
-# Exports read by VTK, run files by Octave, the Python package and its examples; each is skipped with the reason without them.
+# Exports read by VTK, run files by Octave, the trend of a ship's resistance, the Python package and its examples; each is skipped with the reason without them.
 function(gem_python_test name script timeout)
   if(GEM_PYTHON)
     add_test(NAME ${name} COMMAND ${GEM_PYTHON} ${PROJECT_SOURCE_DIR}/${script} ${ARGN})
@@ -151,6 +151,7 @@ function(gem_python_test name script timeout)
     "PYTHONPATH=${PROJECT_SOURCE_DIR}/gem/python;PYTHONDONTWRITEBYTECODE=1;GEM_PROGRAM=$<TARGET_FILE:gem>")
 endfunction()
 gem_python_test(export_readers scripts/check_export.py 120 $<TARGET_FILE:gem> ${PROJECT_SOURCE_DIR}/cases/first.toml)
+gem_python_test(resistance_trend scripts/studies 300 resistance --check $<TARGET_FILE:gem>)
 gem_python_test(octave_reader scripts/check_octave.py 120 $<TARGET_FILE:gem> ${PROJECT_SOURCE_DIR}/cases/first.toml)
 gem_python_test(python_package gem/python/tests 300)
 

@@ -14,7 +14,8 @@ void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
     // open() takes the lowest free number. That is this one, since all below are open.
-    if (open("/dev/null", O_RDWR) != stream) _exit(static_cast<int>(ExitCode::file_system));
+    const int flags = stream == STDOUT_FILENO ? O_RDONLY : O_RDWR;
+    if (open("/dev/null", flags) != stream) _exit(static_cast<int>(ExitCode::file_system));
   }
 }
 

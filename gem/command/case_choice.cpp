@@ -124,19 +124,35 @@ ProgressMode progress_mode(const std::string& name) {
   return name == "json" ? ProgressMode::json : ProgressMode::automatic;
 }
 
-void print(const std::string& text) {
-  std::size_t done = 0;
-  while (done < text.size()) {
+namespace {
+
+/// Writes to standard output. Returns the number of the fault, 0 if there was none. A reader that has gone is none.
+int written(const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
     const auto part = ::write(STDOUT_FILENO, text.data() + done, text.size() - done);
-    if (part > 0) {
+    if (part > 0)
       done += static_cast<std::size_t>(part);
-    } else if (errno == EPIPE || errno == EBADF) {
-      return;
-    } else if (errno != EINTR) {
-      throw Error(ExitCode::file_system, "cannot write to standard output (" + std::generic_category().message(errno) +
-                                             ") check where it goes");
-    }
+    else if (errno == EPIPE)
+      return 0;
+    else if (errno != EINTR)
+      return errno;
   }
+  return 0;
+}
+
+void refuse_output(int fault) {
+  if (fault == 0) return;
+  const std::string why = fault == EBADF ? "it is closed" : std::generic_category().message(fault);
+  throw Error(ExitCode::file_system, "cannot write to standard output (" + why + ") check where it goes");
+}
+
+}  // namespace
+
+void print(const std::string& text) { refuse_output(written(text)); }
+
+void print_about_file(const std::string& text) {
+  const int fault = written(text);
+  if (fault != EBADF) refuse_output(fault);
 }
 
 }  // namespace gem

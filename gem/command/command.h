@@ -79,8 +79,10 @@ SceneDef begun_from(const CaseChoice& choice, SceneDef scene);
 /// Error(scene_rejected) if the run file has no floes or they fail the checks of listed floes.
 SceneDef with_floes_of_run_file(const SceneDef& scene);
 
-/// Writes to standard output. A closed pipe is ignored; any other failure throws Error(file_system).
+/// Writes to standard output. A pipe whose reader has gone is ignored; any other failure throws Error(file_system).
 void print(const std::string& text);
+/// The same for what is said about a file that was written: a closed output is ignored too.
+void print_about_file(const std::string& text);
 
 /// The number of threads: --threads, else OMP_NUM_THREADS, else all processors. An invalid OMP_NUM_THREADS is ignored
 /// and a number above four times the processors is reduced; `message` then says so. Throws Error(usage) for --threads

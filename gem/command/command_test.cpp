@@ -104,7 +104,7 @@ TEST_F(CommandTest, FaultsHaveTheirExitCodeOneLineAndNoFile) {
       {"gem run swing.toml --index 1", 2, "single case"},
       {"gem run --index 1", 2, "--index"},
       {"gem run swing.toml --set run.duration=1", 3, "run.duration"},
-      {"gem run swing.toml --until 10min", 2, "--until 10min is not a number"},
+      {"gem run swing.toml --until 10mins", 2, "--until 10mins is not a time"},
       {"gem run swing.toml --until nan", 3, "duration_s"},
       {"gem run swing.toml --until -1", 3, "--until -1: run.duration_s: out of range"},
       {"gem run swing.toml --until 1e12", 3, "duration_s"},
@@ -188,6 +188,38 @@ TEST_F(CommandTest, ClosedOutputsDoNotStopARun) {
   EXPECT_EQ(shell("gem run swing.toml >&- 2>&-"), 0);
   EXPECT_EQ(RunFile(path("swing.h5")).status(), "complete");
   EXPECT_EQ(shell("set -o pipefail; gem run swing.toml --overwrite | true"), 0) << text_of("err");
+}
+
+TEST_F(CommandTest, AClosedOutputIsExitCodeFourWhereTheTextIsAll) {
+  ASSERT_EQ(shell("gem run swing.toml -q"), 0);
+  for (const char* words : {"info swing.h5", "analyse swing.h5", "case explain", "--version"}) {
+    EXPECT_EQ(shell(std::string("gem ") + words + " >&-"), 4) << words;
+    EXPECT_NE(text_of("err").find("cannot write to standard output (it is closed)"), std::string::npos)
+        << words << "\n"
+        << text_of("err");
+    EXPECT_EQ(shell(std::string("set -o pipefail; gem ") + words + " | true"), 0) << words << ": it has read enough";
+  }
+}
+
+TEST_F(CommandTest, WithoutACaseItSaysWhatAndHowLong) {
+  EXPECT_EQ(shell("gem run --dry-run"), 0);
+  EXPECT_NE(text_of("err").find("120 min of drift; gem run FILE runs another"), std::string::npos) << text_of("err");
+}
+
+TEST_F(CommandTest, ARunWithoutIceOnThePlatformIsWarnedOf) {
+  const std::string floe = " --set 'floe=[{outline_m=[[0,0],[5,0],[5,5],[0,5]],position_m=[";
+  ASSERT_EQ(shell("gem run swing.toml --out far.h5" + floe + "250,0]}]'"), 0) << text_of("err");
+  EXPECT_NE(text_of("err").find("no ice touched the platform"), std::string::npos) << text_of("err");
+  ASSERT_EQ(shell("gem run swing.toml --out near.h5" + floe + "-60,0],velocity_m_per_s=[0.5,0]}]'"), 0)
+      << text_of("err");
+  EXPECT_GT(RunFile(path("near.h5")).shape("events/time").at(0), 0u);
+  EXPECT_EQ(text_of("err").find("no ice touched the platform"), std::string::npos) << text_of("err");
+}
+
+TEST_F(CommandTest, NumbersForPeopleAreShort) {
+  ASSERT_EQ(shell("gem run swing.toml --until 0.3 --set numerics.time_step_s=0.1 && gem info swing.h5"), 0);
+  EXPECT_NE(text_of("out").find("0.3 s in 3 time steps"), std::string::npos) << text_of("out");
+  EXPECT_EQ(text_of("out").find("0.30000000000000004"), std::string::npos) << text_of("out");
 }
 
 TEST_F(CommandTest, TextThatCannotBeWrittenIsExitCodeFour) {

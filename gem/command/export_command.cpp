@@ -35,11 +35,11 @@ int export_chosen(const ExportOptions& options) {
   check_export_option("--every", options.every, film, ending);
   check_export_option("--table", options.table, table, ending);
   if (map) {
-    print(export_geojson(target, options.at.empty() ? -1.0 : time_of_option("--at", options.at)));
+    print_about_file(export_geojson(target, options.at.empty() ? -1.0 : time_of_option("--at", options.at)));
   } else if (table) {
-    print(export_table(target, options.table.empty() ? "platform" : options.table));
+    print_about_file(export_table(target, options.table.empty() ? "platform" : options.table));
   } else {
-    print(export_paraview(target, options.every.empty() ? 0.0 : time_of_option("--every", options.every)));
+    print_about_file(export_paraview(target, options.every.empty() ? 0.0 : time_of_option("--every", options.every)));
   }
   return 0;
 }

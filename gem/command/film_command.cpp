@@ -31,11 +31,13 @@ void read_size(const std::string& text, film::FilmOptions& options) {
 }
 
 int film_chosen(FilmChoice choice) {
+  if (choice.options.output.empty())
+    throw Error(ExitCode::usage, "the film has no name (NAME.mp4 or NAME.webm) give it after the run file");
   read_size(choice.size, choice.options);
   if (!choice.from.empty()) choice.options.from_s = time_of_option("--from", choice.from);
   if (!choice.to.empty()) choice.options.to_s = time_of_option("--to", choice.to);
   const StopSignals signals;
-  print(film::make_film(choice.options, [] { return StopSignals::received() != 0; }));
+  print_about_file(film::make_film(choice.options, [] { return StopSignals::received() != 0; }));
   return exit_code_of_signal(StopSignals::received());
 }
 
@@ -46,7 +48,12 @@ void add_film_command(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand("film", "write a run as a film; needs ffmpeg");
   film::FilmOptions& options = choice->options;
   command->add_option("file", options.run_file, "run file")->required()->type_name("RUNFILE");
-  command->add_option("out", options.output, "NAME.mp4 (H.264) or NAME.webm (VP9)")->required()->check(not_empty());
+  CLI::Option* place =
+      command->add_option("out", options.output, "NAME.mp4 (H.264) or NAME.webm (VP9)")->check(not_empty());
+  command->add_option("-o,--out", options.output, "the same, as in other commands")
+      ->type_name("FILM")
+      ->check(not_empty())
+      ->excludes(place);
   command->add_option("--speed", options.speed, "simulated over film time; default: the film lasts half a minute")
       ->check(CLI::Range(1e-3, 1e6));
   command->add_option("--from", choice->from, "begin of the film, e.g. 20min; default: 0")->type_name("TIME");

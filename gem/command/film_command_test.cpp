@@ -31,6 +31,13 @@ TEST_F(FilmTest, EveryPictureIsHandedOver) {
   EXPECT_EQ(std::stol(text_of("b.webm")), 11L * 64 * 64 * 3);
 }
 
+TEST_F(FilmTest, TheFilmMayBeNamedAsInOtherCommands) {
+  for (const char* out : {"--out c.mp4", "-o d.mp4"})
+    EXPECT_EQ(film(std::string("--size 64x64 --fps 1 ") + out), 0) << text_of("err");
+  EXPECT_TRUE(exists("c.mp4") && exists("d.mp4"));
+  EXPECT_EQ(film("--size 64x64"), 2);
+}
+
 TEST_F(FilmTest, NamesAreNeverCommands) {
   for (const std::string name : {"-y.mp4", "a b'; touch owned;'.mp4", "http:x.mp4"}) {
     ASSERT_EQ(film("--size 64x64 --fps 1 -- \"" + name + "\""), 0) << text_of("err");

@@ -6,10 +6,12 @@
 #include "gem/base/number_text.h"
 #include "gem/command/command.h"
 #include "gem/command/verdict_output.h"
+#include "gem/record/output/output_claim.h"
 #include "gem/record/output/output_path.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/report/run/line_record.h"
+#include "gem/run/checkpoint_file.h"
 
 namespace gem {
 
@@ -72,14 +74,26 @@ std::string shown_lines(const std::string& text, std::size_t indent) {
   return lines;
 }
 
+/// Ten digits are enough for people: 306.4, not 306.40000000000003.
+std::string value_text(const nlohmann::ordered_json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  return value.is_number_float() ? number_text(value.get<double>(), 10) : value.dump();
+}
+
 std::string text_of(const nlohmann::ordered_json& object) {
   std::size_t width = 0;
   for (const auto& entry : object.items()) width = std::max(width, entry.key().size() + 1);
   std::string text;
   for (const auto& [name, value] : object.items())
-    text += name + std::string(width - name.size(), ' ') +
-            shown_lines(value.is_string() ? value.get<std::string>() : value.dump(), width) + "\n";
+    text += name + std::string(width - name.size(), ' ') + shown_lines(value_text(value), width) + "\n";
   return text;
+}
+
+/// What to do with a run that was killed; `held`: a process has its file, so it may still run.
+std::string advice_text(const RunFile& file, bool held) {
+  if (held || file.status() != "running") return "";
+  if (has_checkpoint(file.path())) return "killed; go on with gem run --continue " + shown(file.path()) + "\n";
+  return "killed, and it left no checkpoint; run the case again, or close the file with gem repair\n";
 }
 
 }  // namespace
@@ -98,6 +112,7 @@ void add_info_command(CLI::App& app, Chosen& chosen) {
   command->callback([options, &chosen] {
     chosen.reading = {{options->path}};
     chosen.action = [options] {
+      const bool held = is_claimed(options->path);  // before this process holds it too
       const RunFile file(options->path, true);
       if (options->show_case) {
         print(stored_case(file));
@@ -110,7 +125,7 @@ void add_info_command(CLI::App& app, Chosen& chosen) {
         print(object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
         return 0;
       }
-      print(text_of(object) + reasons_text(verdict, "  "));
+      print(text_of(object) + reasons_text(verdict, "  ") + advice_text(file, held));
       return 0;
     };
   });

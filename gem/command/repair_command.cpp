@@ -35,7 +35,7 @@ void add_repair_command(CLI::App& app, Chosen& chosen) {
       const RepairReport report = repair_run_file(options->path, out, options->overwrite);
       std::string text = report.output.empty() ? shown(options->path) + ": nothing to mend\n" : shown(out) + "\n";
       for (const std::string& line : report.done) text += "  " + line + "\n";
-      print(text);
+      print_about_file(text);
       return 0;
     };
   });

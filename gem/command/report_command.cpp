@@ -73,7 +73,7 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
       } else {
         write_report(options->path, out, options->allow_incomplete, at_s);
       }
-      print(out + "/index.html\n");
+      print_about_file(out + "/index.html\n");
       return 0;
     };
   });

@@ -30,7 +30,7 @@ int serve_page(const ViewChoice& choice) {
   view::Site site(choice.path, choice.allow_incomplete, nullptr);
   const StopSignals signals;
   const view::ViewServer server(site, view::new_token());
-  print(server.address() + "\n");
+  print_about_file(server.address() + "\n");
   std::optional<view::OpenedBrowser> browser;
   if (!choice.no_browser) browser.emplace(server.address());
   while (StopSignals::received() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -56,7 +56,7 @@ void add_view_command(CLI::App& app, Chosen& chosen) {
     chosen.action = [choice] {
       if (choice->out.empty()) return serve_page(*choice);
       view::write_page(choice->path, choice->out, choice->allow_incomplete, choice->overwrite);
-      print(choice->out + "\n");
+      print_about_file(choice->out + "\n");
       return 0;
     };
   });

@@ -105,6 +105,10 @@ FoundCheckpoints find_checkpoints(const std::string& run_file) {
   return found;
 }
 
+bool has_checkpoint(const std::string& run_file) {
+  return access(path_of(run_file, 0).c_str(), F_OK) == 0 || access(path_of(run_file, 1).c_str(), F_OK) == 0;
+}
+
 void remove_checkpoints(const std::string& run_file) {
   for (const std::uint64_t turn : {0, 1}) {
     unlink(path_of(run_file, turn).c_str());

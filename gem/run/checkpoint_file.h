@@ -21,6 +21,9 @@ struct FoundCheckpoints {
 };
 FoundCheckpoints find_checkpoints(const std::string& run_file);
 
+/// Whether there is one, whole or not.
+bool has_checkpoint(const std::string& run_file);
+
 /// Removes the checkpoint files of a run, as far as there are any.
 void remove_checkpoints(const std::string& run_file);
 

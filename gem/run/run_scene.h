@@ -71,6 +71,7 @@ struct RunSummary : RunTotals {
   double time = 0.0;      // simulated [s]
   double sim_rate = 0.0;  // simulated over wall time
   std::int64_t steps = 0;
+  std::int64_t loaded_steps = 0;  // with an ice force on the platform
   std::int64_t events = 0;
   std::vector<double> line_break_times;  // of each mooring line [s]; 0: it holds
   std::uint64_t state_hash = 0;

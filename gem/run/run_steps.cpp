@@ -191,9 +191,11 @@ void RunSteps::hand_over(bool flush) {
 }
 
 void RunSteps::progress(const StepLog& log) {
-  if (!log_.wants(time(), scene_.run.duration_s)) return;
+  const double end =
+      last_step_ < case_steps_ ? double(last_step_) * scene_.numerics.time_step_s : scene_.run.duration_s;
+  if (!log_.wants(time(), end)) return;
   const int contacts = log.quality.empty() ? 0 : log.quality.back().contacts;
-  log_.show({time(), scene_.run.duration_s, seconds_since(start_), contacts, summary_.residual.energy});
+  log_.show({time(), end, seconds_since(start_), contacts, summary_.residual.energy});
 }
 
 RunSummary RunSteps::finish(int stop_signal) {
@@ -215,6 +217,7 @@ RunSummary RunSteps::finish(int stop_signal) {
   summary_.wall_time = seconds_since(start_);
   summary_.sim_rate = summary_.wall_time > 0.0 ? summary_.time / summary_.wall_time : 0.0;
   summary_.steps = engine_.step();
+  summary_.loaded_steps = watch_.measures().loaded_steps;
   summary_.events = recorder_.hits_seen();
   summary_.line_break_times = recorder_.line_break_times();
   const Bodies& b = engine_.bodies();

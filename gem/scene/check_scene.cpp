@@ -32,8 +32,8 @@ SceneDef with_listed_floes(const SceneDef& scene, std::vector<FloeDef> floes) {
 
 std::vector<std::string> scene_warnings(const SceneDef& scene) {
   SceneWarnings warnings = scene.notes;
-  for (const auto rule : {warn_of_ice, warn_of_floes, warn_of_time_step, warn_of_platform, warn_of_drive,
-                          warn_of_mooring, warn_of_dp, warn_of_transit})
+  for (const auto rule : {warn_of_ice, warn_of_floes, warn_of_time_step, warn_of_output, warn_of_platform,
+                          warn_of_drive, warn_of_mooring, warn_of_dp, warn_of_transit})
     rule(scene, warnings);
   return warnings;
 }

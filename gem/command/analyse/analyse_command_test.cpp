@@ -27,7 +27,7 @@ TEST_F(CommandTest, AnalyseSaysPeriodsThreeWays) {
   EXPECT_EQ(findings.at("contact_fraction").at("value").get<double>(), 0.0);
   ASSERT_EQ(shell("gem analyse swing.h5 --from 500"), 0) << text_of("err");
   EXPECT_NE(text_of("out").find("x_period_by_crossings_s"), std::string::npos);
-  EXPECT_NE(text_of("out").find("not resolved"), std::string::npos);
+  EXPECT_NE(text_of("out").find("not resolved: the record has too few cycles"), std::string::npos) << text_of("out");
   EXPECT_NE(text_of("out").find("Kaplan-Meier"), std::string::npos);
 }
 

@@ -61,10 +61,12 @@ bool untouched(const std::vector<Finding>& findings) {
          finding_of(findings, "orbit_largest_m").value.value_or(0.0) < kLeastMotion;
 }
 
+constexpr const char* not_resolved = "not resolved";
+
 std::string value_text(const Finding& finding) {
-  if (!finding.value) return "not resolved";
+  if (!finding.value) return not_resolved;
   const bool spectral = finding.name.ends_with("_period_by_spectrum_s") && finding.interval;
-  if (spectral && finding.interval->high > 2.0 * finding.interval->low) return "not resolved";
+  if (spectral && finding.interval->high > 2.0 * finding.interval->low) return not_resolved;
   return short_text(*finding.value);
 }
 
@@ -123,6 +125,10 @@ std::string text_of(const AnalysedRun& run) {
     text += row_text(finding.name, {rounding ? "no contact" : value_text(finding),
                                     finding.interval && !rounding ? interval_text(*finding.interval) : "-"});
   }
+  if (text.find(not_resolved) != std::string::npos)
+    text += std::string(not_resolved) +
+            ": the record has too few cycles or spells for it (a period by spectrum needs 5 cycles and an interval "
+            "within a\nfactor of two, one by crossings 20), or nothing moved; a longer run may have it\n";
   return text + text_of(run.lines) +
          "spells and gaps cut by an end of the record count with their observed part: mean = total time over "
          "the\n"

@@ -21,7 +21,7 @@ std::int64_t limit_of(const RunChoice& choice, const Resumable& run) {
   const double seconds = until_of(choice);
   if (seconds > now && seconds <= run.scene.run.duration_s) return std::llround(seconds / dt);
   throw Error(ExitCode::usage, "--until " + choice.until + " is not a time to go on to (allowed above " +
-                                   number_text(now) + ", the time of the checkpoint, up to " +
+                                   number_text(now, 10) + ", the time of the checkpoint, up to " +
                                    number_text(run.scene.run.duration_s) + ", the end of the case) choose another");
 }
 
@@ -58,7 +58,7 @@ int continue_run(RunChoice& choice, RunLog& log) {
   choice.engine.name = engine->name();
   if (choice.engine.name != "cpu") choice.engine.threads = 1;
   log.message("info", run.scene.run.name + ": goes on from " +
-                          number_text(static_cast<double>(run.from->engine.step) * run.scene.numerics.time_step_s) +
+                          number_text(static_cast<double>(run.from->engine.step) * run.scene.numerics.time_step_s, 10) +
                           " s to " + number_text(run.scene.run.duration_s) + " s, engine " + engine->name() + ", " +
                           (engine->device().empty() ? threads_text(choice.engine.threads) : engine->device()) +
                           ", in " + shown(file));

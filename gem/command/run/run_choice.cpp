@@ -4,8 +4,10 @@
 
 #include "gem/analysis/verdict/verdict_words.h"
 #include "gem/base/error.h"
+#include "gem/command/time_option.h"
 #include "gem/command/verdict_output.h"
 #include "gem/record/output/output_path.h"
+#include "gem/record/schema.h"
 #include "gem/run/run_signals.h"
 
 namespace gem {
@@ -15,8 +17,7 @@ double until_of(const RunChoice& choice) {
   const char* const end = choice.until.data() + choice.until.size();
   if (const auto read = std::from_chars(choice.until.data(), end, seconds); read.ec == std::errc{} && read.ptr == end)
     return seconds;
-  throw Error(ExitCode::usage,
-              "--until " + shown(choice.until) + " is not a number (it takes seconds) give e.g. --until 600");
+  return time_of_option("--until", choice.until);
 }
 
 std::string threads_text(int threads) { return std::to_string(threads) + (threads == 1 ? " thread" : " threads"); }
@@ -30,9 +31,16 @@ int run_and_print(const SceneDef& scene, Engine& engine, RunChoice& choice, RunL
   if (!engine.method().empty()) choice.options.books = reported_only;
   if (choice.live) choice.live->join(choice.options, scene.run.duration_s);
   const RunSummary summary = run_scene(scene, engine, choice.options);
-  if (!choice.options.log.quiet || choice.json) print(choice.json ? summary_json(summary) : summary_text(summary));
+  if (!choice.options.log.quiet || choice.json)
+    print_about_file(choice.json ? summary_json(summary) : summary_text(summary));
   if (summary.status != "complete" && choice.options.checkpoint_interval_s > 0.0 && engine.method().empty())
     log.message("info", "it can go on: gem run --continue " + shown(summary.file));
+  const bool has_floes = engine.bodies().count() > first_floe(engine.bodies());
+  if (scene.platform.present && has_floes && summary.loaded_steps == 0 && summary.status == "complete")
+    log.message("warning",
+                "no ice touched the platform in the whole run (it drifts past or away, or needs longer) see "
+                "where it goes: gem view " +
+                    shown(summary.file));
   if (choice.live) choice.live->end(log);
   if (summary.verdict.grade == Grade::bad) {
     const std::string text = "the run " + scene.run.name + " is bad (" +

@@ -42,7 +42,8 @@ SceneDef case_until(RunChoice& choice) {
       throw Error(ExitCode::usage, "--until " + choice.until + " and --set " + text +
                                        " both set the end of the run (one would be ignored) give only one");
   CaseChoice moved = choice.chosen_case;
-  moved.overrides.push_back("--until run.duration_s=" + choice.until);
+  moved.overrides.push_back("--until run.duration_s=" +
+                            (parse_number(choice.until) ? choice.until : number_text(seconds)));
   SceneDef until = read_case(moved);
   SceneDef whole = read_case(choice.chosen_case);
   if (steps_of(until) >= steps_of(whole) || steps_of(until) == 0) return until;
@@ -82,7 +83,10 @@ int run(RunChoice choice) {
 
   if (!choice.continued.empty()) return continue_run(choice, log);
   const SceneDef scene = case_until(choice);
-  if (choice.chosen_case.path.empty()) log.message("info", "no case file: running the built-in case " + scene.run.name);
+  if (choice.chosen_case.path.empty())
+    log.message("info", "no case file: running the built-in case " + scene.run.name + ", " +
+                            number_text(scene.run.duration_s / 60.0, 4) +
+                            " min of drift; gem run FILE runs another, --until 10min stops sooner");
   for (const std::string& warning : scene_warnings(scene)) log.message("warning", warning);
   if (choice.options.output.empty()) choice.options.output = run_file_name(scene.run.name);
   if (!choice.dry_run) {
@@ -190,8 +194,8 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   command
       ->add_option("--until", choice->until,
                    "end of the run; before the case's end the run stops there and can go on, beyond it sets "
-                   "run.duration_s")
-      ->type_name("SECONDS");
+                   "run.duration_s; in s, or with its unit, e.g. 20min")
+      ->type_name("TIME");
   command->add_flag("--overwrite", choice->options.overwrite, "replace an existing run file");
   command->add_flag("--dry-run", choice->dry_run, "check the case and print what the run needs, without running it");
   add_checkpoint_options(*command, *choice);

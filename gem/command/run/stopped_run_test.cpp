@@ -15,9 +15,10 @@ namespace {
 TEST_F(CommandTest, ARunGoesOnWhereItStopped) {
   ASSERT_EQ(shell("gem run swing.toml --out whole.h5 -q && gem run swing.toml --until 7 --out parts.h5"), 0);
   EXPECT_NE(text_of("err").find("it can go on: gem run --continue parts.h5"), std::string::npos) << text_of("err");
+  EXPECT_NE(text_of("err").find("100 %"), std::string::npos) << "of the way to --until\n" << text_of("err");
   EXPECT_EQ(RunFile(path("parts.h5")).status(), "stopped:until");
   EXPECT_EQ(RunFile(path("parts.h5")).column("platform/time").back(), 7.0);
-  ASSERT_EQ(shell("gem run --continue parts.h5 --until 12 -q && gem run --continue parts.h5"), 0) << text_of("err");
+  ASSERT_EQ(shell("gem run --continue parts.h5 --until 0.2min -q && gem run --continue parts.h5"), 0) << text_of("err");
   EXPECT_NE(text_of("err").find("goes on from 12 s to 20 s"), std::string::npos) << text_of("err");
   const RunFile whole(path("whole.h5")), parts(path("parts.h5"));
   EXPECT_EQ(parts.status(), "complete");
@@ -46,7 +47,7 @@ TEST_F(CommandTest, WhatCannotGoOnSaysWhy) {
       {"gem run --continue bare.h5", 4, "there is no checkpoint beside it"},
       {"gem run --continue parts.h5 --until 5", 2, "allowed above 7, the time of the checkpoint, up to 20"},
       {"gem run --continue parts.h5 --until 21", 2, "is not a time to go on to"},
-      {"gem run --continue parts.h5 --until soon", 2, "--until soon is not a number"},
+      {"gem run --continue parts.h5 --until soon", 2, "--until soon is not a time"},
       {"gem run swing.toml --continue parts.h5", 2, "--continue"},
       {"gem run --continue parts.h5 --set run.seed=2", 2, "--set"},
       {"gem run --continue parts.h5 --out other.h5", 2, "--out"},
@@ -110,6 +111,8 @@ TEST_F(CommandTest, HangUpEndsInOrder) {
 TEST_F(CommandTest, AKilledRunIsReadableToTheLastFlush) {
   for (int attempt = 1; attempt <= 6 && !exists("swing.h5"); ++attempt)
     ASSERT_TRUE(WIFSIGNALED(signalled(SIGKILL, 2500 * attempt)));
+  ASSERT_EQ(shell("gem info swing.h5"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("killed; go on with gem run --continue swing.h5"), std::string::npos) << text_of("out");
   const RunFile file(path("swing.h5"), true);
   EXPECT_EQ(file.status(), "running");
   EXPECT_GE(file.column("floes/time").size(), 16u);

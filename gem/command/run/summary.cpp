@@ -29,7 +29,7 @@ std::string summary_text(const RunSummary& s) {
   };
   std::string text = s.status + (s.file.empty() ? "" : ": " + s.file) + "\n";
   text += line("engine", s.engine);
-  text += line("simulated", number_text(s.time) + " s in " + std::to_string(s.steps) + " time steps");
+  text += line("simulated", number_text(s.time, 10) + " s in " + std::to_string(s.steps) + " time steps");
   text += line("wall time", fixed_text(s.wall_time, 2) + " s, " + rate_text(s.sim_rate) + " x real time");
   text += line("recorded", std::to_string(s.frames) + " floe frames, " + std::to_string(s.events) + " events");
   text += line("active floes", fixed_text(s.active_floes, 0));

@@ -281,8 +281,9 @@ int collect_sweep(const SweepCollectChoice& choice, const SummaryPart& part) {
   add_series(table, series);
   write_summary(choice.output, choice.overwrite, table);
   const SummaryAxis* time = table.axis("time");
-  print(shown(choice.output) + ": " + std::to_string(rows.size()) + " runs, " + std::to_string(table.columns.size()) +
-        " columns, " + std::to_string(time == nullptr ? 0 : time->values.size()) + " times of displacement\n");
+  print_about_file(shown(choice.output) + ": " + std::to_string(rows.size()) + " runs, " +
+                   std::to_string(table.columns.size()) + " columns, " +
+                   std::to_string(time == nullptr ? 0 : time->values.size()) + " times of displacement\n");
   return 0;
 }
 

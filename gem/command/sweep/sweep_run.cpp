@@ -211,7 +211,7 @@ std::string count_text(const Count& all, double wall, const std::vector<SweepRow
   if (all.failed > 0) text += ", " + std::to_string(all.failed) + " failed";
   if (all.stopped > 0) text += ", " + std::to_string(all.stopped) + " stopped";
   if (all.elsewhere > 0) text += ", " + std::to_string(all.elsewhere) + " in another process";
-  return text + "\n  simulated " + number_text(all.time) + " s in " + fixed_text(wall, 2) + " s, " +
+  return text + "\n  simulated " + number_text(all.time, 10) + " s in " + fixed_text(wall, 2) + " s, " +
          fixed_text(wall > 0.0 ? all.time / wall : 0.0, 1) + " x real time\n" + verdicts_text(rows);
 }
 
@@ -279,7 +279,8 @@ int run_sweep(const SweepRunChoice& choice) {
   const Count came_to = run.count();
   const std::vector<SweepRow> rows = rows_now(plan);
   if (!choice.quiet || choice.json)
-    print(choice.json ? count_json(came_to, run.wall_time(), rows) : count_text(came_to, run.wall_time(), rows));
+    print_about_file(choice.json ? count_json(came_to, run.wall_time(), rows)
+                                 : count_text(came_to, run.wall_time(), rows));
   if (run.exit_code() == 0 && choice.strict) refuse_bad(rows, choice.folder);
   return run.exit_code();
 }

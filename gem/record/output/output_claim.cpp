@@ -54,12 +54,16 @@ bool same_file(const struct stat& one, const struct stat& other) {
 
 }  // namespace
 
-void check_unclaimed(const std::string& path) {
+bool is_claimed(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return;
+  if (file < 0) return false;
   const bool free = lock(file, LOCK_EX);
   close(file);
-  if (!free) refuse_claim(path, "another process writes or reads it", "wait for its end");
+  return !free;
+}
+
+void check_unclaimed(const std::string& path) {
+  if (is_claimed(path)) refuse_claim(path, "another process writes or reads it", "wait for its end");
 }
 
 OutputClaim::OutputClaim(const std::string& path, bool overwrite)

@@ -6,6 +6,9 @@
 
 namespace gem {
 
+/// Whether a process holds the file, as a run that writes it, or a reader. A file that is not there is free.
+bool is_claimed(const std::string& path);
+
 /// Throws Error(file_system) if another process holds the file, as a run that writes it. A file that is not there is
 /// free.
 void check_unclaimed(const std::string& path);

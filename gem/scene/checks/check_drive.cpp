@@ -1,8 +1,11 @@
 // Each rule is one small function that compares a few options and may add a problem.
 #include "gem/scene/checks/checks.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "gem/scene/platform_shape.h"
 #include "gem/scene/scene_drive.h"
 #include "gem/scene/toml/toml_text.h"
 
@@ -74,6 +77,42 @@ void check_drive(const SceneDef& scene, List& problems) {
   for (const auto rule : {check_tables, check_wind, check_turning}) rule(scene, problems);
 }
 
+namespace {
+
+/// Whether a ray from `place` along `way` meets the field, which is `reach` larger on each side.
+bool meets_field(const FloesDef& floes, double reach, Vec2 place, Vec2 way) {
+  double first = 0.0, last = HUGE_VAL;  // the part of the ray inside
+  const auto clip = [&](double at, double speed, double low, double high) {
+    if (speed == 0.0) {
+      if (at < low || at > high) last = -1.0;
+      return;
+    }
+    const double a = (low - at) / speed, b = (high - at) / speed;
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  };
+  clip(place.x, way.x, floes.start_x_m - reach, floes.start_x_m + floes.length_m + reach);
+  clip(place.y, way.y, -0.5 * floes.width_m - reach, 0.5 * floes.width_m + reach);
+  return first <= last;
+}
+
+/// A steady current alone carries a generated field along a straight line.
+void warn_of_drift(const SceneDef& scene, std::vector<std::string>& warnings) {
+  const Vec2 current = scene.current.velocity_m_per_s;
+  const bool steady = !varies(scene.drive) && !has_wind(scene) && length(current) > 0.0;
+  if (!steady || !scene.platform.present || in_transit(scene.transit) || !is_made(scene.floes) ||
+      scene.water.drag_law == DragLaw::none)
+    return;
+  const Vec2 place = scene.platform.anchor_m + scene.platform.start_offset_m;
+  if (meets_field(scene.floes, platform_radius(scene.platform), place, -1.0 * current)) return;
+  warnings.push_back("current.velocity_m_per_s: it carries the ice past the platform or away from it (value " +
+                     pair_text(current) + ", the field begins at x " + plain_number_text(scene.floes.start_x_m) +
+                     " m and ends at " + plain_number_text(scene.floes.start_x_m + scene.floes.length_m) +
+                     " m) turn it round, or move the field with floes.start_x_m");
+}
+
+}  // namespace
+
 void warn_of_drive(const SceneDef& scene, std::vector<std::string>& warnings) {
   const DriveDef& d = scene.drive;
   const double end = d.start_time_s + scene.run.duration_s;
@@ -94,6 +133,7 @@ void warn_of_drive(const SceneDef& scene, std::vector<std::string>& warnings) {
   const Vec2 steady = scene.current.velocity_m_per_s, none = usual.current.velocity_m_per_s;
   if (table && (steady.x != none.x || steady.y != none.y))
     warnings.push_back("current.velocity_m_per_s: has no effect (the table of the current holds) remove it");
+  warn_of_drift(scene, warnings);
   if (scene.wind.platform_area_m2 > 0.0 && !has_wind(scene))
     warnings.push_back("wind.platform_area_m2: has no effect (there is no wind) give wind.velocity_m_per_s or a table");
 }

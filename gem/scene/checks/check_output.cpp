@@ -23,4 +23,11 @@ void check_output(const SceneDef& s, SceneProblems& out) {
   check("output.force_window_s", s.output.force_window_s);
 }
 
+void warn_of_output(const SceneDef& s, SceneWarnings& warnings) {
+  if (s.platform.present && s.output.platform_interval_s >= s.run.duration_s)
+    warnings.push_back("output.platform_interval_s: the run has no sample of the platform before its end (value " +
+                       plain_number_text(s.output.platform_interval_s) + ", the run lasts " +
+                       plain_number_text(s.run.duration_s) + " s) give less");
+}
+
 }  // namespace gem

@@ -30,6 +30,7 @@ void check_transit(const SceneDef& scene, SceneProblems& problems);
 void warn_of_ice(const SceneDef& scene, SceneWarnings& warnings);
 void warn_of_floes(const SceneDef& scene, SceneWarnings& warnings);
 void warn_of_time_step(const SceneDef& scene, SceneWarnings& warnings);
+void warn_of_output(const SceneDef& scene, SceneWarnings& warnings);
 void warn_of_platform(const SceneDef& scene, SceneWarnings& warnings);
 void warn_of_drive(const SceneDef& scene, SceneWarnings& warnings);
 void warn_of_mooring(const SceneDef& scene, SceneWarnings& warnings);

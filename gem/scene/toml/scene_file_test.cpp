@@ -207,6 +207,27 @@ TEST(SceneWarnings, TimesThatAreNoWholeTimeStepsAreNamed) {
   EXPECT_TRUE(warned("[run]\nduration_s = 15200.0\n[numerics]\ntime_step_s = 0.1\n").empty());
 }
 
+TEST(SceneWarnings, IceThatCannotReachThePlatformIsNamed) {
+  const auto warned = [](const std::string& text) {
+    const std::vector<std::string> warnings = scene_warnings(parse_scene(text, "t.toml"));
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [](const std::string& one) { return one.find("carries the ice past") != std::string::npos; });
+  };
+  EXPECT_TRUE(warned("[current]\nvelocity_m_per_s = [-0.5, 0.0]\n"));
+  EXPECT_TRUE(warned("[current]\nvelocity_m_per_s = [0.0, 0.5]\n"));
+  EXPECT_TRUE(warned("[platform]\nanchor_m = [0.0, 400.0]\n[boundary]\npresent = false\n"));
+  EXPECT_FALSE(warned("[current]\nvelocity_m_per_s = [0.5, 0.0]\n"));
+  EXPECT_FALSE(warned("[current]\nvelocity_m_per_s = [0.5, 0.1]\n"));
+  EXPECT_FALSE(warned("[current]\nvelocity_m_per_s = [-0.1, 0.0]\n[wind]\nvelocity_m_per_s = [20.0, 0.0]\n"));
+}
+
+TEST(SceneWarnings, APlatformWithoutSamplesIsNamed) {
+  const auto warnings = scene_warnings(parse_scene("[output]\nplatform_interval_s = 7200.0\n", "t.toml"));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("no sample of the platform before its end"), std::string::npos) << warnings[0];
+  EXPECT_TRUE(scene_warnings(parse_scene("[output]\nplatform_interval_s = 3600.0\n", "t.toml")).empty());
+}
+
 TEST(PlatformInterval, IsAWholeNumberOfTimeStepsUnlessGiven) {
   const auto interval = [](const std::string& step, const std::string& output = "") {
     const SceneDef scene =

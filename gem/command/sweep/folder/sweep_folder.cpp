@@ -53,6 +53,19 @@ void judge(SweepRow& row, const RunFile& file, const std::string& engine) {
   row.error = status == "complete" ? "" : status == "running" ? "the run was interrupted" : status;
 }
 
+/// How far a run has come. Its file has this from its first flush on, unless it is still that of an earlier run.
+void look_how_far(const std::string& path, SweepRow& row) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return;
+  try {
+    const RunFile file(path, true);
+    if (file.status() != "running" || file.attribute("gem_case_sha256") != row.case_sha256) return;
+    row.time_s = last_of(file, "stats/time");
+    row.wall_time_s = last_of(file, "stats/wall_time");
+  } catch (const Error&) {  // it is being made
+  }
+}
+
 }  // namespace
 
 std::string run_path(const std::string& folder, const std::string& run_name) {
@@ -83,6 +96,8 @@ SweepLock enter_folder(const std::string& folder, const std::vector<SweepRow>& r
 SweepRow look_at_run(const std::string& folder, SweepRow row, const std::string& engine) {
   if (SweepLock::is_held(folder, row.name)) {
     row.status = "running";
+    row.time_s = row.wall_time_s = 0.0;
+    look_how_far(run_path(folder, row.name), row);
     return row;
   }
   return look_at_file(folder, std::move(row), engine);

@@ -117,8 +117,10 @@ int compare(const CompareOptions& options) {
   if (!options.out.empty()) write_comparison(comparison, options.out);
   if (options.json)
     print(json_of(comparison).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  else if (options.out.empty())
+    print(text_of(comparison));
   else
-    print(options.out.empty() ? text_of(comparison) : options.out + "/index.html\n");
+    print_about_file(options.out + "/index.html\n");
   return 0;
 }
 

@@ -8,6 +8,7 @@
 
 #include "gem/engine/device/forces.h"
 #include "gem/engine/solver/device_solver.h"
+#include "gem/engine/solver/splitting/gradient_point.h"
 #include "gem/engine/solver/splitting/island_view.h"
 #include "gem/engine/step/books.h"
 #include "gem/field/floe_reserve.h"
@@ -73,6 +74,7 @@ void place_islands(DeviceScene& s, const SceneSizes& sizes, Placer& placer) {
   placer.place(m.where, points);
   m.points_capacity = static_cast<std::int64_t>(points);
   placer.place(m.point, points * (sizeof(SplitPoint<float>) / sizeof(float)));
+  placer.place(m.gradient_point, points * (sizeof(GradientPoint<float>) / sizeof(float)));
   for (std::int32_t** array : {&m.draft, &m.other, &m.front, &m.row_above, &m.unsorted, &m.sorted})
     placer.place(*array, slots);
   placer.place(m.product, 2 * slots);

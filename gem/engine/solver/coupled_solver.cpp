@@ -234,7 +234,7 @@ void CoupledSolver::hand_to_islands(const FieldState& f, Contacts contacts, int 
 void CoupledSolver::iterate_splitting(const FieldState& f, Contacts contacts, ThreadTeam& team, int rank) {
   const StepConstants& c = f.constants;
   team.single(rank, [&] { hand_to_islands(f, contacts, team.size()); });
-  islands_.solve({c.point_friction, c.residual_speed, c.dt, c.iterations_maximum}, rank);
+  islands_.solve({c.point_friction, c.residual_speed, c.dt, c.iterations_maximum, !c.tight_residual}, rank);
   team.barrier();
   move_by_base(f, stretch_of(team, rank));
   team.single(rank, [&] {

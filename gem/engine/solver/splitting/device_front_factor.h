@@ -58,7 +58,7 @@ class DeviceFactor {
     float block[9] = {b.mass, 0.0F, 0.0F, 0.0F, b.mass, 0.0F, 0.0F, 0.0F, b.inertia};
     const BodyRecords e = v_.m.records[place];
     for (std::int32_t k = 0; k < e.count; ++k) {
-      const SplitPoint<float> q = load_point(v_, v_.m.point_of[e.first + k]);
+      const SplitPoint<float> q = load_point<SplitPoint<float>>(v_, v_.m.point_of[e.first + k]);
       const bool as_b = k < e.as_b;
       float n[3], t[3];
       for (int c = 0; c < 3; ++c) {
@@ -80,7 +80,7 @@ class DeviceFactor {
     const IslandPointEnds ends = v_.m.ends[k];
     float block[9] = {};
     for (std::int32_t point = k; point >= 0; point = point == k ? at.second : -1) {
-      const SplitPoint<float> q = load_point(v_, point);
+      const SplitPoint<float> q = load_point<SplitPoint<float>>(v_, point);
       if (ends.a > ends.b)
         add_block(block, q, q.n_a, q.t_a, q.n_b, q.t_b);
       else

@@ -2,29 +2,21 @@
 // with the same sums in the same order. One thread visits each point, and one sums what the points of a body ask of it.
 #pragma once
 
-#include "gem/engine/solver/device_base.h"
 #include "gem/engine/solver/splitting/device_front_factor.h"
 #include "gem/engine/solver/splitting/device_front_solve.h"
+#include "gem/engine/solver/splitting/device_island_gradient.h"
+#include "gem/engine/solver/splitting/device_island_points.h"
 #include "gem/engine/solver/splitting/round_control.h"
 
 namespace gem {
 
-GEM_DEVICE inline InverseMass inverse_mass_of(const DeviceScene& s, const PointSide& side) {
-  if (side.place < 0) return {};
-  const BodyCell& body = s.body[side.body];
-  return {body.inverse_mass, body.inverse_inertia};
-}
-
 template <class Team>
-class DeviceIslandSolver {
+class DeviceIslandSolver : private DeviceIslandPoints<Team> {
  public:
   GEM_DEVICE DeviceIslandSolver(const DeviceScene& s, const Team& team, const TeamMemory& memory)
-      : s_(s),
-        team_(team),
-        part_(team.part()),
-        v_(memory.part->view),
+      : Base(s, team, memory),
         p_(*memory.part),
-        cell_(*memory.cell),
+        gradient_(s, team, memory),
         factor_(team, memory),
         fronts_(team, memory) {}
 
@@ -35,16 +27,18 @@ class DeviceIslandSolver {
     std::int64_t iterations = 0;
     double error = 0.0;
     move_by_base();
-    RoundKind kind = RoundControl::first_kind(c.iterations_maximum, v_.bodies, v_.points);
+    const bool chain = RoundControl::is_chain(v_.bodies, v_.points);
+    const RoundKind usual = RoundControl::usual_kind(!c.tight_residual, chain);
+    RoundKind kind = RoundControl::first_kind(usual, chain, c.iterations_maximum);
     do {
       begin_round();
       iterate_round(kind, iterations, error);
       const bool failed = kind == RoundKind::attempt && !(error <= c.residual_speed);
-      kind = RoundKind::full;
+      kind = usual;
       if (failed) continue;
-      each_of(team_, 0, v_.points, [&](std::int32_t k) { add_to_base(k); });
-      team_.sync();
-      move_by_base();
+      this->template add_to_base<Point>();
+      const bool leaves = kind == RoundKind::short_one && error > c.residual_speed;
+      if (leaves && gradient_.solve(true, iterations)) return;
     } while (RoundControl::goes_on(c.residual_speed, c.iterations_maximum, iterations, error));
     if (error > c.residual_speed) {
       keep_best_share();
@@ -79,41 +73,11 @@ class DeviceIslandSolver {
   }
 
  private:
-  using Atomics = typename Team::Atomics;
-  using Part = typename Team::Part;
+  using Base = DeviceIslandPoints<Team>;
   using Point = SplitPoint<float>;
-
-  GEM_DEVICE const SolverEntry& entry_of(std::int32_t body) const { return s_.solver_entry[v_.m.member[body]]; }
-
-  GEM_DEVICE void note(std::int64_t iterations, double error) {
-    if (team_.rank() != 0) return;
-    Atomics::add(&s_.island.counters->solved, 1);
-    Atomics::highest(&s_.island.counters->iterations, static_cast<std::uint32_t>(iterations));
-    if (!(error <= 0.0)) Atomics::highest(&s_.island.counters->error_bits, strict::bits_of(error));
-  }
-
-  /// Sets the motions of the bodies after the impulses of the base.
-  GEM_DEVICE void move_by_base() {
-    each_of(team_, 0, v_.bodies, [&](std::int32_t i) {
-      const SolverEntry& entry = entry_of(i);
-      Push<double> sum{};
-      for (std::int32_t k = 0; k < entry.count; ++k) {
-        const PushBase& p = s_.push_base[entry.place + k];
-        add(sum, k < entry.as_b ? 1.0 : -1.0,
-            Push<double>{p.part[0], p.part[1], p.part[4], p.part[2], p.part[3], p.part[5]});
-      }
-      const BodyCell& b = s_.body[entry.body];
-      const Motion<double> m = moved_by(sum, b.velocity.x, b.velocity.y, b.spin, b.inverse_mass, b.inverse_inertia);
-      s_.solved[entry.body] = {{m.x, m.y, m.shift_x, m.shift_y, m.spin, m.turn, 0.0, 0.0}};
-    });
-    team_.sync();
-  }
-
-  GEM_DEVICE Motion<double> motion_of(const PointSide& side) const {
-    if (side.place < 0) return {};
-    const SolvedMotion& m = s_.solved[side.body];
-    return {m.part[0], m.part[1], m.part[4], m.part[2], m.part[3], m.part[5]};
-  }
+  using Base::cell_, Base::part_, Base::s_, Base::team_, Base::v_;
+  using Base::entry_of, Base::motion_of, Base::move_by_base, Base::note, Base::raise_to;
+  using typename Base::Atomics, typename Base::Part;
 
   /// Sets the points at the base; the additions of the bodies are zero.
   GEM_DEVICE void begin_round() {
@@ -124,7 +88,7 @@ class DeviceIslandSolver {
       const PointCell& cell = s_.taken_point[i];
       const PointGeometry<double> g = s_.points.geometry(i);
       const PointImpulse<double> impulse = s_.points.impulse(i);
-      Point q = load_point(v_, k);
+      Point q = load_point<Point>(v_, k);
       set_base(q, 0, s_.constants.point_friction, g, s_.points.spare(i), impulse, motion_of(cell.a), motion_of(cell.b));
       store_point<point_fields::base>(v_, k, q);
       store_point<point_fields::watch>(v_, k, q);
@@ -162,7 +126,7 @@ class DeviceIslandSolver {
 
   GEM_DEVICE void stiffen(const RoundControl& round) {
     each_of(team_, 0, v_.points, [&](std::int32_t k) {
-      Point q = load_point(v_, k);
+      Point q = load_point<Point>(v_, k);
       stiffen_point(q, round.stiffness(), round.raised());
       store_point<point_fields::stiffness>(v_, k, q);
     });
@@ -183,7 +147,7 @@ class DeviceIslandSolver {
     if (team_.rank() == 0) cell_.raised = 0;
     team_.sync();
     each_of(team_, 0, v_.points, [&](std::int32_t k) {
-      Point q = load_point(v_, k);
+      Point q = load_point<Point>(v_, k);
       if (raise_point(q) > 0.0F) Atomics::add(&cell_.raised, 1);
       store_point<point_fields::scale>(v_, k, q);
       store_point<point_fields::watch>(v_, k, q);
@@ -192,37 +156,21 @@ class DeviceIslandSolver {
     return cell_.raised > 0;
   }
 
-  GEM_DEVICE void load(std::int32_t place, int half, float* motion) const {
-    for (int c = 0; c < 3; ++c) motion[c] = place < 0 ? 0.0F : v_.m.now[2 * place + half].part[c];
-  }
-
-  /// Writes what a point asks of both bodies.
-  GEM_DEVICE void write_push(const IslandPointEnds& at, const Point& q, int half, PointShare<float> share) const {
-    const auto write = [&](std::int32_t record, const float* n, const float* t) {
-      if (record < 0) return;
-      FloatQuad push{};
-      for (int c = 0; c < 3; ++c) push.part[c] = n[c] * share.n + t[c] * share.t;
-      v_.m.push[2 * static_cast<std::int64_t>(record) + half] = push;
-    };
-    write(at.record_b, q.n_b, q.t_b);
-    write(at.record_a, q.n_a, q.t_a);
-  }
-
   /// Calls of_velocity(point, a, b) and of_repair(point, a, b) for all points, writes what they ask for, and stores the
   /// fields in `changed`.
   template <FieldRange changed, class OfVelocity, class OfRepair>
   GEM_DEVICE GEM_INLINE void each_push(bool watches, OfVelocity&& of_velocity, OfRepair&& of_repair) {
     each_of(team_, 0, v_.points, [&](std::int32_t k) {
       const IslandPointEnds at = v_.m.ends[k];
-      Point q = load_point(v_, k);
+      Point q = load_point<Point>(v_, k);
       float a[3], b[3];
-      load(at.a, 0, a);
-      load(at.b, 0, b);
-      write_push(at, q, 0, of_velocity(q, a, b));
+      this->load(at.a, 0, a);
+      this->load(at.b, 0, b);
+      this->write_push(at, q, 0, of_velocity(q, a, b));
       if (halves_ == 2) {
-        load(at.a, 1, a);
-        load(at.b, 1, b);
-        write_push(at, q, 1, of_repair(q, a, b));
+        this->load(at.a, 1, a);
+        this->load(at.b, 1, b);
+        this->write_push(at, q, 1, of_repair(q, a, b));
       }
       store_point<changed>(v_, k, q);
       if (watches) store_point<point_fields::watch>(v_, k, q);
@@ -236,7 +184,7 @@ class DeviceIslandSolver {
       const ScaledBody& body = v_.m.scaled[place];
       const FloatQuad now = v_.m.now[2 * place + half];
       FloatQuad sum{{-(body.mass * now.part[0]), -(body.mass * now.part[1]), -(body.inertia * now.part[2]), 0.0F}};
-      add_pushes(records, half, sum);
+      this->add_pushes(records, half, sum);
       v_.m.sum[2 * place + half] = sum;
     });
     part_.sync();
@@ -252,18 +200,6 @@ class DeviceIslandSolver {
     each_of(part_, halves_ * trunk.first_own, halves_ * (trunk.first_own + trunk.owns),
             [&](std::int32_t k) { take(v_.m.own_place[k / halves_], k % halves_); });
   }
-  GEM_DEVICE void add_pushes(const BodyRecords& records, int half, FloatQuad& sum) const {
-    constexpr int together = 4;
-    const FloatQuad* const push = v_.m.push + 2 * static_cast<std::int64_t>(records.first) + half;
-    for (std::int32_t k = 0; k < records.count; k += together) {
-      FloatQuad some[together];
-      for (int j = 0; j < together; ++j) some[j] = k + j < records.count ? push[2 * (k + j)] : FloatQuad{};
-      for (int j = 0; j < together; ++j)
-        if (k + j < records.count)
-          for (int c = 0; c < 3; ++c) sum.part[c] += some[j].part[c];
-    }
-  }
-
   GEM_DEVICE void push() {
     each_push<FieldRange{0, 0}>(
         false, [](Point& q, const float* a, const float* b) { return push_of(q, a, b); },
@@ -288,12 +224,6 @@ class DeviceIslandSolver {
     sum_pushes();
   }
 
-  /// Raises a number of all threads to the largest of theirs; all call it.
-  GEM_DEVICE void raise_to(std::uint32_t* bits, float x) const {
-    const std::uint32_t most = warp_highest(x > 0.0F ? ordered_bits(x) : 0U);
-    if (most > 0 && part_.warp().rank() == 0) Atomics::highest(bits, most);
-  }
-  GEM_DEVICE std::uint32_t warp_highest(std::uint32_t x) const { return part_.warp().highest(x); }
   GEM_DEVICE static bool is_finite(float x) { return magnitude(x) <= 3.402823466e38F; }
 
   /// Sets the answers of the points and measures the differences.
@@ -321,7 +251,7 @@ class DeviceIslandSolver {
     bool finite = true;
     each_body_half([&](std::int32_t place, int half, const BodyRecords& records) {
       FloatQuad given{};
-      add_pushes(records, half, given);
+      this->add_pushes(records, half, given);
       const FloatQuad last = v_.m.given[2 * place + half], now = v_.m.now[2 * place + half];
       v_.m.given[2 * place + half] = given;
       const ScaledBody& body = v_.m.scaled[place];
@@ -344,14 +274,6 @@ class DeviceIslandSolver {
                            from_ordered_bits(cell_.change_bits), from_ordered_bits(cell_.motion_bits)};
     if (cell_.not_finite > 0) d.points = from_ordered_bits(0x7f800000U);  // infinity
     return d;
-  }
-
-  GEM_DEVICE void add_to_base(std::int32_t k) {
-    const std::int32_t i = v_.m.where[k].taken;
-    const PointGeometry<double> g = s_.points.geometry(i);
-    write_base(
-        s_, i, s_.taken_point[i], g,
-        with_answer(load_point(v_, k), 0, s_.constants.point_friction, g, s_.points.spare(i), s_.points.impulse(i)));
   }
 
   /// Scales the impulses of unfinished iterations by best_share() if all of them together would create energy.
@@ -390,12 +312,8 @@ class DeviceIslandSolver {
     });
   }
 
-  const DeviceScene& s_;
-  const Team& team_;
-  const Part part_;
-  const IslandView& v_;
   const PartCell& p_;
-  IslandCell& cell_;
+  DeviceIslandGradient<Team> gradient_;
   DeviceFactor<Team> factor_;
   FrontSolve<Team> fronts_;
   int halves_ = 1;  // 2: with the repair

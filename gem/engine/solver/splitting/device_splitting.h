@@ -2,6 +2,7 @@
 // then blocks take the others, and at last warps take the small ones.
 #pragma once
 
+#include "gem/engine/solver/splitting/device_island_gradient.h"
 #include "gem/engine/solver/splitting/device_island_solver.h"
 #include "gem/engine/solver/splitting/device_islands.h"
 
@@ -59,6 +60,11 @@ class IslandsOnDevice {
     gather_bodies(team, memory, root);
     gather_points(team, memory, view);
     if (DeviceIslandSolver<Team>(s_, team, memory).settled()) return false;
+    if (!s_.constants.tight_residual) {
+      DeviceIslandGradient<Team> gradient(s_, team, memory);
+      gradient.place_by_body();
+      if (gradient.solve(!RoundControl::is_chain(view.bodies, view.points), 0)) return false;
+    }
     TreeBuilder<Team>(team, view, *memory.cell, memory).build();
     if (!set_fronts(team, memory)) {
       group_.raise(alarm_solver_full);
@@ -198,6 +204,7 @@ class IslandsOnDevice {
       view.m.where += cell.first_point;
       view.m.ends += cell.first_point;
       view.m.point += cell.first_point;
+      view.m.gradient_point += cell.first_point;
     }
     team.part().sync();
     each_of(team, 0, view.bodies, [&](std::int32_t body) {

@@ -124,7 +124,7 @@ struct IslandMemory {
   // by point
   IslandPointEnds* ends = nullptr;
   IslandPointPlace* where = nullptr;
-  float* point = nullptr;  // fields of SplitPoint, each for all points
+  float *point = nullptr, *gradient_point = nullptr;  // fields of SplitPoint and GradientPoint, each for all points
   std::int64_t points_capacity = 0;
   // by slot: an other body of a front
   std::int32_t *draft = nullptr, *other = nullptr, *front = nullptr, *row_above = nullptr;

@@ -215,26 +215,40 @@ void IslandSolver::iterate_round(RoundKind kind, const IslandControl& control, I
   result.iterations += round.iteration();
 }
 
+/// Iterates by the gradient from the base. `keeps`: whether what was reached is the next base if that did not meet the
+/// tolerance. Returns whether it did; then the result is set.
+bool IslandSolver::ends_by_gradient(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
+                                    const IslandControl& control, bool keeps, IslandResult& result) {
+  if (gradient_.solve(bodies, points, motion_, control, keeps, result)) return true;
+  if (keeps) move_by_base(bodies, points);
+  return false;
+}
+
 IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
                                  const IslandControl& control) {
   IslandResult result;
   move_by_base(bodies, points);
   result.error = error_of_base(control, bodies, points);
   if (result.error <= control.tolerance) return result;
+  const bool chain =
+      RoundControl::is_chain(static_cast<std::int32_t>(bodies.size()), static_cast<std::int32_t>(points.size()));
+  if (control.gradient && ends_by_gradient(bodies, points, control, !chain, result)) return result;
   order_bodies(bodies, points);
   set_points(bodies, points);
-  RoundKind kind = RoundControl::first_kind(control.iterations_maximum, static_cast<std::int32_t>(bodies.size()),
-                                            static_cast<std::int32_t>(points.size()));
+  const RoundKind usual = RoundControl::usual_kind(control.gradient, chain);
+  RoundKind kind = RoundControl::first_kind(usual, chain, control.iterations_maximum);
   do {
     set_base(control.friction, points);
     iterate_round(kind, control, result);
     const bool failed = kind == RoundKind::attempt && !(result.error <= control.tolerance);
-    kind = RoundKind::full;
+    kind = usual;
     if (failed) continue;
     for (std::size_t k = 0; k < points.size(); ++k)
       blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, points[k].spare,
                      *points[k].impulse);
     move_by_base(bodies, points);
+    const bool leaves = kind == RoundKind::short_one && result.error > control.tolerance;
+    if (leaves && ends_by_gradient(bodies, points, control, true, result)) return result;
   } while (RoundControl::goes_on(control.tolerance, control.iterations_maximum, result.iterations, result.error));
   if (result.error > control.tolerance) {
     keep_best_share(control.friction, bodies, points);

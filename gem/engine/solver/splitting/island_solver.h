@@ -25,45 +25,18 @@
 #include <vector>
 
 #include "gem/base/vec2.h"
-#include "gem/engine/solver/coupled_point.h"
 #include "gem/engine/solver/splitting/dissection.h"
 #include "gem/engine/solver/splitting/front_factor.h"
+#include "gem/engine/solver/splitting/island.h"
+#include "gem/engine/solver/splitting/island_gradient.h"
 #include "gem/engine/solver/splitting/point_blocks.h"
 #include "gem/engine/solver/splitting/round_control.h"
 
 namespace gem {
 
-/// A moving body before the impulses of the time step.
-struct IslandBody {
-  Vec2 position;      // [m]
-  Vec2 velocity;      // [m/s]
-  double spin = 0.0;  // [rad/s]
-  InverseMass inverse;
-};
-
-/// A contact point: its bodies, its constants, and its impulse: the last one on entry, the result on return.
-struct IslandPoint {
-  std::int32_t a = 0, b = 0;  // IslandSolver::fixed: a fixed body
-  const PointGeometry<double>* geometry = nullptr;
-  PointImpulse<double>* impulse = nullptr;
-  SpareFriction spare;
-};
-
-struct IslandControl {
-  PointFriction friction = PointFriction::coulomb;
-  double tolerance = 1e-3;  // of the velocities [m/s]
-  double dt = 0.0;          // [s]
-  std::int64_t iterations_maximum = 0;
-};
-
-struct IslandResult {
-  std::int64_t iterations = 0;
-  double error = 0.0;  // estimate of the largest error of a velocity [m/s]
-};
-
 class IslandSolver {
  public:
-  static constexpr std::int32_t fixed = -1;
+  static constexpr std::int32_t fixed = IslandPoint::fixed;
 
   /// Solves one island: `points` refer to `bodies` by index. The result depends on nothing else.
   IslandResult solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
@@ -79,6 +52,8 @@ class IslandSolver {
   void set_base(PointFriction law, std::span<const IslandPoint> points);
   void keep_best_share(PointFriction law, std::span<const IslandBody> bodies,
                        std::span<const IslandPoint> points) const;
+  bool ends_by_gradient(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
+                        const IslandControl& control, bool keeps, IslandResult& result);
   void stiffen(const RoundControl& round);
   bool change_stiffness(RoundControl& round);
   void iterate_round(RoundKind kind, const IslandControl& control, IslandResult& result);
@@ -86,6 +61,7 @@ class IslandSolver {
   void step();
   SplittingDifferences compare(const IslandControl& control);
 
+  IslandGradient gradient_;
   Dissection dissection_;
   EliminationTree tree_;
   FrontFactor factor_;

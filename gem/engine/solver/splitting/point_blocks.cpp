@@ -1,32 +1,6 @@
 #include "gem/engine/solver/splitting/point_blocks.h"
 
 namespace gem {
-namespace {
-
-/// The half rows of eight bodies, by component.
-template <int half>
-GEM_INLINE void load_motions(const std::vector<BodyRow>& rows, const std::int32_t* place, FloatPack* motion) {
-  const auto at = [&](int k) { return reinterpret_cast<const float*>(&rows[place[k]]) + 4 * half; };
-  for (int k = 0; k < 4; ++k) motion[k] = side_by_side(at(k), at(k + 4));
-  transpose_halves(motion);
-}
-
-/// Adds the pushes of eight points, given by component, to the half rows of their bodies, in the order of the points.
-template <int half>
-GEM_INLINE void add_pushes(std::vector<BodyRow>& rows, const std::int32_t* place, FloatPack* push) {
-  transpose_halves(push);
-  for (int k = 0; k < float_lanes; ++k) {
-    float* const to = reinterpret_cast<float*>(&rows[place[k]]) + 4 * half;
-    FloatHalf part, sum;
-    __builtin_memcpy(&part, reinterpret_cast<const float*>(&push[k % 4]) + 4 * (k / 4), sizeof part);
-    __builtin_memcpy(&sum, to, sizeof sum);
-    sum += part;
-    __builtin_memcpy(to, &sum, sizeof sum);
-  }
-}
-
-}  // namespace
-
 void PointBlocks::resize(std::int32_t points) {
   block_.assign((points + float_lanes - 1) / float_lanes, Block{});
   for (Block& q : block_) q.scale_n = q.scale_t = FloatPack{} + 1.0F;
@@ -70,30 +44,17 @@ void PointBlocks::stiffen(float stiffness, bool raised, FrontFactor& factor) {
   }
 }
 
-/// Adds what eight points ask of both bodies. The points of a body as B come
-/// before its points as A, as in the order of the points.
-template <int half>
-GEM_INLINE void PointBlocks::push_bodies(const Block& q, std::vector<BodyRow>& to, PointShare<FloatPack> share) {
-  FloatPack push[4];
-  for (int c = 0; c < 3; ++c) push[c] = q.n_b[c] * share.n + q.t_b[c] * share.t;
-  push[3] = FloatPack{};
-  add_pushes<half>(to, q.b, push);
-  for (int c = 0; c < 3; ++c) push[c] = q.n_a[c] * share.n + q.t_a[c] * share.t;
-  push[3] = FloatPack{};
-  add_pushes<half>(to, q.a, push);
-}
-
 template <bool repairs>
 GEM_INLINE void PointBlocks::push_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& to) const {
   for (const Block& q : block_) {
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    push_bodies<0>(q, to, push_of(q, a, b));
+    push_bodies<0>(q, q.a, q.b, to, push_of(q, a, b));
     if constexpr (repairs) {
       load_motions<1>(now, q.a, a);
       load_motions<1>(now, q.b, b);
-      push_bodies<1>(q, to, repair_push_of(q, a, b));
+      push_bodies<1>(q, q.a, q.b, to, repair_push_of(q, a, b));
     }
   }
 }
@@ -104,11 +65,11 @@ GEM_INLINE void PointBlocks::visit_blocks(const std::vector<BodyRow>& now, std::
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    push_bodies<0>(q, to, visit_point<law>(q, a, b));
+    push_bodies<0>(q, q.a, q.b, to, visit_point<law>(q, a, b));
     if constexpr (repairs) {
       load_motions<1>(now, q.a, a);
       load_motions<1>(now, q.b, b);
-      push_bodies<1>(q, to, visit_repair(q, a, b));
+      push_bodies<1>(q, q.a, q.b, to, visit_repair(q, a, b));
     }
   }
 }
@@ -144,11 +105,11 @@ GEM_INLINE void PointBlocks::answer_blocks(const std::vector<BodyRow>& now, std:
     FloatPack a[4], b[4];
     load_motions<0>(now, q.a, a);
     load_motions<0>(now, q.b, b);
-    push_bodies<0>(q, to, answer_point<law>(q, a, b));
+    push_bodies<0>(q, q.a, q.b, to, answer_point<law>(q, a, b));
     if constexpr (repairs) {
       load_motions<1>(now, q.a, a);
       load_motions<1>(now, q.b, b);
-      push_bodies<1>(q, to, answer_repair(q, a, b));
+      push_bodies<1>(q, q.a, q.b, to, answer_repair(q, a, b));
     }
   }
 }

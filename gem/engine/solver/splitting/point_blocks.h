@@ -5,16 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "gem/base/pack.h"
+#include "gem/engine/solver/splitting/body_rows.h"
 #include "gem/engine/solver/splitting/front_factor.h"
 #include "gem/engine/solver/splitting/split_point.h"
 
 namespace gem {
-
-/// Velocity and repair of a body over its BodyScale: x, y, spin, 0 and the same of the repair.
-struct alignas(32) BodyRow {
-  FloatPack lanes;
-};
 
 class PointBlocks {
  public:
@@ -58,8 +53,6 @@ class PointBlocks {
   struct alignas(64) Block : SplitPoint<FloatPack> {
     std::int32_t a[float_lanes], b[float_lanes], pair[float_lanes];
   };
-  template <int half>
-  static void push_bodies(const Block& q, std::vector<BodyRow>& to, PointShare<FloatPack> share);
   template <bool repairs>
   void push_blocks(const std::vector<BodyRow>& now, std::vector<BodyRow>& sum) const;
   template <PointFriction law, bool repairs>

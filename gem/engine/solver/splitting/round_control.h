@@ -18,31 +18,37 @@ struct SplittingDifferences {
 
 /// An attempt takes every point for one that stays as it is, touching or not, sliding or not: it is so stiff that a
 /// push passes through a chain of any length at once, and it finds nothing where many points change. A full round finds
-/// what changes, and takes many iterations for a push through a long chain.
-enum class RoundKind { attempt, full };
+/// what changes, and takes many iterations for a push through a long chain. A short round leaves the end to gradient
+/// iterations.
+enum class RoundKind { attempt, short_one, full };
 
 class RoundControl {
  public:
   enum class Change { none, raise, fall };
 
-  /// A round that does not reach the tolerance has so many iterations, fewer at the limit of all. It is not begun if
-  /// less than the shorter length is left.
+  /// A full round that does not reach the tolerance has so many iterations, fewer at the limit of all. No round is
+  /// begun if less than the shorter length is left.
   static constexpr std::int64_t longest_round = 96, shortest_round = 48;
+  static constexpr std::int64_t short_round = 64;
 
-  /// What an island of so many bodies and points begins with. An attempt serves a chain: few loops, many bodies. A
-  /// contact has up to two points.
-  GEM_HD static RoundKind first_kind(std::int64_t iterations_maximum, std::int32_t bodies, std::int32_t points) {
-    const bool chain = bodies >= least_chain && points <= 2 * bodies + bodies / 4;
-    return chain && iterations_maximum >= attempt_iterations + shortest_round ? RoundKind::attempt : RoundKind::full;
+  /// Whether an island is mostly a chain: few loops, many bodies. A contact has up to two points.
+  GEM_HD static bool is_chain(std::int32_t bodies, std::int32_t points) {
+    return bodies >= least_chain && points <= 2 * bodies + bodies / 4;
+  }
+  /// What an island goes on with after `first_kind`. `gradient`: whether it is iterated by the gradient too.
+  GEM_HD static RoundKind usual_kind(bool gradient, bool chain) {
+    return gradient && !chain ? RoundKind::short_one : RoundKind::full;
+  }
+  GEM_HD static RoundKind first_kind(RoundKind usual, bool chain, std::int64_t iterations_maximum) {
+    return chain && iterations_maximum >= attempt_iterations + shortest_round ? RoundKind::attempt : usual;
   }
 
   /// `done`: iterations of earlier rounds. `tolerance` of the velocities [m/s].
   GEM_HD RoundControl(RoundKind kind, double tolerance, std::int64_t iterations_maximum, std::int64_t done)
       : tolerance_(tolerance),
-        last_(kind == RoundKind::attempt                  ? attempt_iterations
-              : longest_round < iterations_maximum - done ? longest_round
-                                                          : iterations_maximum - done),
-        scheduled_(kind == RoundKind::full && done < scheduled_iterations),
+        last_(length_of(kind) < iterations_maximum - done ? length_of(kind) : iterations_maximum - done),
+        falls_(kind == RoundKind::full ? 2 : 1),
+        scheduled_(kind != RoundKind::attempt && done < scheduled_iterations),
         stiffness_(kind == RoundKind::attempt ? attempt_stiffness
                    : scheduled_               ? first_stiffness
                                               : steady_stiffness) {}
@@ -92,7 +98,7 @@ class RoundControl {
   GEM_HD Change change() const {
     const std::int64_t left = last_ - iteration_;
     if (!scheduled_ || left % change_interval != 0) return Change::none;
-    return left > 2 * change_interval ? Change::raise : Change::fall;
+    return left > falls_ * change_interval ? Change::raise : Change::fall;
   }
   /// Notes that the stiffness changed.
   GEM_HD void changed(Change change) {
@@ -102,7 +108,8 @@ class RoundControl {
 
  private:
   /// A round begins with a high stiffness, which soon brings the points together. It ends with a low one, which brings
-  /// the impulses and the velocities of the bodies together: after `fall`, for the last two intervals.
+  /// the impulses and the velocities of the bodies together: after `fall`, for the last two intervals, of a short round
+  /// for the last one.
   static constexpr float first_stiffness = 20.0F, fall = 0.1F;
   /// The stiffness may change after so many iterations. Before it falls, points whose difference persists become
   /// stiffer.
@@ -130,8 +137,12 @@ class RoundControl {
     return change * ratio / (1.0 - ratio);
   }
 
+  GEM_HD static std::int64_t length_of(RoundKind kind) {
+    return kind == RoundKind::attempt ? attempt_iterations : kind == RoundKind::short_one ? short_round : longest_round;
+  }
+
   double tolerance_;
-  std::int64_t last_;
+  std::int64_t last_, falls_;
   bool scheduled_;
   float stiffness_;
   std::int64_t iteration_ = 0, next_estimate_ = first_estimate;

@@ -228,11 +228,11 @@ GEM_HD inline PointInertia inertia_of(const PointGeometry<double>& g, InverseMas
               1.0 / (mass + of_a.inertia * g.lever_a_t * g.lever_a_t + of_b.inertia * g.lever_b_t * g.lever_b_t))};
 }
 
-/// Sets the constants of a point. Zero masses for a fixed body.
-template <class Real>
-GEM_HD inline void set_point(SplitPoint<Real>& q, int lane, const PointGeometry<double>& g, InverseMass of_a,
-                             InverseMass of_b) {
-  const auto set_side = [&](InverseMass m, double sign, double lever_n, double lever_t, Real* n, Real* t) {
+/// Sets the Jacobian of a point times the scales of its bodies. Zero masses for a fixed body.
+template <class Point>
+GEM_HD inline void set_jacobian(Point& q, int lane, const PointGeometry<double>& g, InverseMass of_a,
+                                InverseMass of_b) {
+  const auto set_side = [&](InverseMass m, double sign, double lever_n, double lever_t, auto* n, auto* t) {
     const BodyScale scale = scale_of(m);
     const double by_mass = sign * scale.mass, by_inertia = sign * scale.inertia;
     lane_of(n[0], lane) = static_cast<float>(by_mass * g.normal_x);
@@ -244,6 +244,26 @@ GEM_HD inline void set_point(SplitPoint<Real>& q, int lane, const PointGeometry<
   };
   set_side(of_a, -1.0, g.lever_a_n, g.lever_a_t, q.n_a, q.t_a);
   set_side(of_b, 1.0, g.lever_b_n, g.lever_b_t, q.n_b, q.t_b);
+}
+
+/// Sets the bounds of the additions of a point to those of its frame.
+template <class Point>
+GEM_HD inline void set_bounds(Point& q, int lane, const PointFrame<float>& frame) {
+  lane_of(q.excess, lane) = frame.excess;
+  lane_of(q.slip, lane) = frame.slip;
+  lane_of(q.least, lane) = frame.least;
+  lane_of(q.most, lane) = frame.most;
+  lane_of(q.slack_left, lane) = frame.slack_left;
+  lane_of(q.slack_right, lane) = frame.slack_right;
+  lane_of(q.repair_excess, lane) = frame.repair_excess;
+  lane_of(q.repair_least, lane) = frame.repair_least;
+}
+
+/// Sets the constants of a point. Zero masses for a fixed body.
+template <class Real>
+GEM_HD inline void set_point(SplitPoint<Real>& q, int lane, const PointGeometry<double>& g, InverseMass of_a,
+                             InverseMass of_b) {
+  set_jacobian(q, lane, g, of_a, of_b);
   const PointInertia inertia = inertia_of(g, of_a, of_b);
   lane_of(q.inverse_nn, lane) = inertia.normal;
   lane_of(q.inverse_tt, lane) = inertia.tangential;
@@ -261,14 +281,7 @@ GEM_HD inline void set_base(SplitPoint<Real>& q, int lane, PointFriction law, co
                             const Motion<double>& b) {
   PointFrame<float> frame;
   set_base_values(frame, g, spare, impulse, a, b);
-  lane_of(q.excess, lane) = frame.excess;
-  lane_of(q.slip, lane) = frame.slip;
-  lane_of(q.least, lane) = frame.least;
-  lane_of(q.most, lane) = frame.most;
-  lane_of(q.slack_left, lane) = frame.slack_left;
-  lane_of(q.slack_right, lane) = frame.slack_right;
-  lane_of(q.repair_excess, lane) = frame.repair_excess;
-  lane_of(q.repair_least, lane) = frame.repair_least;
+  set_bounds(q, lane, frame);
   lane_of(q.gap, lane) = (impulse.normal > 0.0 ? 0.0F : larger(frame.excess, 0.0F)) - frame.excess;
   // at the bound of friction but for rounding
   const float nearest = smaller(frame.slack_left, frame.slack_right);
@@ -305,8 +318,8 @@ GEM_HD inline float speed_asked_at_base(PointFriction law, const PointGeometry<d
 }
 
 /// The impulse of a point with its last answer.
-template <class Real>
-GEM_HD inline PointImpulse<double> with_answer(const SplitPoint<Real>& q, int lane, PointFriction law,
+template <class Point>
+GEM_HD inline PointImpulse<double> with_answer(const Point& q, int lane, PointFriction law,
                                                const PointGeometry<double>& g, SpareFriction spare,
                                                const PointImpulse<double>& impulse) {
   return with_additions(law, g, spare, impulse,

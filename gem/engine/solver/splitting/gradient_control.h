@@ -1,0 +1,85 @@
+// The course of the gradient iterations of an island: how far they extrapolate, when they are judged, when they end.
+// The numbers were chosen in drift and jams (bench/notebook.md, "Gradient iterations first").
+#pragma once
+
+#include <cstdint>
+
+#include "gem/engine/solver/splitting/round_control.h"
+
+namespace gem {
+
+/// What the points of an island ask for in an iteration.
+struct GradientAsked {
+  std::uint64_t sum = 0;  // in units of GradientControl
+  float largest = 0.0F;   // [m/s]
+};
+
+class GradientControl {
+ public:
+  enum class Next { iteration, done, give_up };
+
+  /// `tolerance` of the velocities [m/s]. There are fewer iterations than `iterations_maximum`.
+  GEM_HD GradientControl(double tolerance, std::int64_t iterations_maximum)
+      : tolerance_(tolerance),
+        last_(longest < iterations_maximum - 1 ? longest : iterations_maximum - 1),
+        bound_(first_bound * static_cast<float>(tolerance)) {}
+
+  GEM_HD std::int64_t iteration() const { return iteration_; }
+  /// Estimate of the error after the iterations are done [m/s].
+  GEM_HD double error() const { return error_; }
+
+  /// Begins an iteration. Returns how far the additions are extrapolated along their last change (Nesterov 1983).
+  GEM_HD float begin_iteration() {
+    const auto since = static_cast<float>(iteration_ - restarted_);
+    ++iteration_;
+    return since / (since + 3.0F);
+  }
+  /// Whether this iteration is judged. Never two in a row.
+  GEM_HD bool judged() const { return iteration_ % judge_interval == 0; }
+
+  /// Units for 1 m/s.
+  GEM_HD float units() const { return static_cast<float>(static_cast<double>(asked_units) / tolerance_); }
+  /// What a point asks for [m/s], in units, rounded up; whole numbers, so that sums have no order. With more than
+  /// `enough` the iterations are not done, whatever the other points ask for.
+  static constexpr std::int32_t enough = static_cast<std::int32_t>(RoundControl::asked_units) + 1;
+  GEM_HD static std::int32_t units_of(float asked, float units_per_speed) {
+    return static_cast<std::int32_t>(smaller(units_per_speed * asked, static_cast<float>(enough))) +
+           (asked > 0.0F ? 1 : 0);
+  }
+
+  /// Judges an iteration.
+  GEM_HD Next after(const GradientAsked& asked) {
+    error_ = RoundControl::error_of_base(tolerance_, margin * asked.sum);
+    if (error_ <= tolerance_) return Next::done;
+    if (iteration_ > last_ - judge_interval) return Next::give_up;
+    if (iteration_ % bound_interval == 0) {
+      if (!(asked.largest <= bound_)) return Next::give_up;
+      bound_ *= fall;
+    }
+    // what the points ask for has grown: extrapolate from nothing
+    const bool grown = lowest_ > 0.0F && asked.largest > well_beyond * lowest_;
+    if (grown) restarted_ = iteration_;
+    if (grown || lowest_ == 0.0F || asked.largest < lowest_) lowest_ = asked.largest;
+    return Next::iteration;
+  }
+
+  static constexpr std::uint64_t asked_units = RoundControl::asked_units;
+
+ private:
+  /// What points ask for between iterations says less of the error than at rest: in a chain of a hundred floes that
+  /// ended without a margin, the force at its end was off by 0.3 % (H1).
+  static constexpr std::uint64_t margin = 8;
+  static constexpr std::int64_t longest = 96, judge_interval = 4;
+  static constexpr float well_beyond = 2.0F;
+  /// After so many iterations no point may ask for more than `first_bound` times the tolerance; after as many again,
+  /// for more than `fall` of that, and so on. Where they do, splitting ends sooner.
+  static constexpr std::int64_t bound_interval = 16;
+  static constexpr float first_bound = 16.0F, fall = 0.25F;
+
+  double tolerance_;
+  std::int64_t last_, iteration_ = 0, restarted_ = 0;
+  float bound_, lowest_ = 0.0F;
+  double error_ = 0.0;
+};
+
+}  // namespace gem

@@ -1,0 +1,132 @@
+// Gradient iterations of an island: when they end, and what they find.
+#include "gem/engine/solver/splitting/island_gradient.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace gem {
+namespace {
+
+constexpr double tolerance = 1e-3;
+constexpr std::uint64_t few = GradientControl::asked_units / 32;  // a quarter of the tolerance, with the margin
+
+/// Goes on to the next iteration that is judged. Returns what follows it.
+GradientControl::Next judge(GradientControl& course, const GradientAsked& asked) {
+  do course.begin_iteration();
+  while (!course.judged());
+  return course.after(asked);
+}
+
+TEST(GradientControl, EndsWhenAllPointsTogetherAskForLittle) {
+  GradientControl course(tolerance, 192);
+  EXPECT_EQ(judge(course, {few + 1, 1e-4F}), GradientControl::Next::iteration);
+  EXPECT_GT(course.error(), tolerance);
+  EXPECT_EQ(judge(course, {few, 1e-4F}), GradientControl::Next::done);
+  EXPECT_LE(course.error(), tolerance);
+}
+
+TEST(GradientControl, NeverJudgesTwoIterationsInARow) {
+  GradientControl course(tolerance, 192);
+  bool last = false;
+  for (int k = 0; k < 60; ++k) {
+    course.begin_iteration();
+    EXPECT_FALSE(course.judged() && last) << k;
+    last = course.judged();
+  }
+}
+
+TEST(GradientControl, GivesUpWhereAPointStaysFarOff) {
+  for (const float share : {0.9F, 1.1F}) {
+    GradientControl course(tolerance, 192);
+    auto next = GradientControl::Next::iteration;
+    while (next == GradientControl::Next::iteration && course.iteration() < 16)
+      next = judge(course, {4 * few, share * 16e-3F});
+    EXPECT_EQ(next, share < 1.0F ? GradientControl::Next::iteration : GradientControl::Next::give_up);
+    EXPECT_EQ(course.iteration(), 16);
+  }
+  GradientControl course(tolerance, 192);
+  auto next = GradientControl::Next::iteration;
+  while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, std::nanf("")});
+  EXPECT_EQ(next, GradientControl::Next::give_up);
+}
+
+TEST(GradientControl, StaysBelowTheMostIterations) {
+  for (const std::int64_t most : {8, 48, 96, 192}) {
+    GradientControl course(tolerance, most);
+    auto next = GradientControl::Next::iteration;
+    while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, 1e-9F});
+    EXPECT_EQ(next, GradientControl::Next::give_up);
+    EXPECT_LT(course.iteration(), most);
+    EXPECT_LE(course.iteration(), 96);
+  }
+}
+
+TEST(GradientControl, ExtrapolatesFromNothingAfterGrowth) {
+  GradientControl course(tolerance, 192);
+  judge(course, {4 * few, 1e-3F});
+  EXPECT_GT(course.begin_iteration(), 0.0F);
+  judge(course, {4 * few, 3e-3F});
+  EXPECT_EQ(course.begin_iteration(), 0.0F);
+}
+
+TEST(GradientControl, CountsWhatIsNoNumberAsFarTooMuch) {
+  const float units = GradientControl(tolerance, 192).units();
+  EXPECT_EQ(GradientControl::units_of(0.0F, units), 0);
+  EXPECT_EQ(GradientControl::units_of(std::numeric_limits<float>::denorm_min(), units), 1);
+  EXPECT_GT(GradientControl::units_of(std::nanf(""), units), static_cast<std::int32_t>(few));
+  EXPECT_GT(GradientControl::units_of(std::numeric_limits<float>::infinity(), units), static_cast<std::int32_t>(few));
+}
+
+/// A row of bodies that runs into a wall on its left.
+struct WallRow {
+  static constexpr double mass = 2e4, speed = 0.5;
+  std::vector<IslandBody> bodies;
+  std::vector<IslandPoint> points;
+  std::vector<PointGeometry<double>> geometry;
+  std::vector<PointImpulse<double>> impulse;
+  std::vector<Motion<double>> motion;
+
+  explicit WallRow(int count) : geometry(count), impulse(count) {
+    for (int i = 0; i < count; ++i) {
+      bodies.push_back({{1.0 * i, 0.0}, {-speed, 0.0}, 0.0, {1.0 / mass, 0.0}});
+      motion.push_back({-speed, 0.0, 0.0, 0.0, 0.0, 0.0});
+      PointGeometry<double>& g = geometry[i];
+      g.normal_x = 1.0;
+      g.friction = 0.3;
+      g.cap = 1e30;
+      const double points_right = i + 1 < count ? 2.0 : 1.0, points_left = i > 0 ? 2.0 : 0.0;
+      set_compliance(g, (points_right + points_left) / mass, 0.0, 0.0);
+      points.push_back({i == 0 ? IslandPoint::fixed : i - 1, i, &g, &impulse[i], {}});
+    }
+  }
+  bool solve(IslandResult& result) {
+    return IslandGradient().solve(bodies, points, motion, {PointFriction::coulomb, tolerance, 0.2, 192, true}, true,
+                                  result);
+  }
+};
+
+TEST(IslandGradient, StopsAShortRow) {
+  constexpr int count = 2;
+  WallRow row(count);
+  IslandResult result;
+  ASSERT_TRUE(row.solve(result));
+  EXPECT_GT(result.iterations, 0);
+  EXPECT_LE(result.error, tolerance);
+  for (int i = 0; i < count; ++i) {
+    const double behind = i + 1 < count ? row.impulse[i + 1].normal : 0.0;
+    EXPECT_GT(row.impulse[i].normal, 0.0);
+    EXPECT_NEAR(-WallRow::speed + (row.impulse[i].normal - behind) / WallRow::mass, 0.0, tolerance) << i;
+  }
+}
+
+TEST(IslandGradient, LeavesALongRowToSplitting) {
+  WallRow row(200);
+  IslandResult result;
+  EXPECT_FALSE(row.solve(result));
+  EXPECT_EQ(result.iterations, 0);
+}
+
+}  // namespace
+}  // namespace gem

@@ -19,10 +19,6 @@
 namespace gem {
 namespace {
 
-std::string path_of(const std::string& run_file, std::uint64_t serial) {
-  return run_file + (serial % 2 == 0 ? ".checkpoint-a" : ".checkpoint-b");
-}
-
 std::string draft_of(const std::string& path) { return path + ".tmp"; }
 
 /// A file descriptor that closes itself.
@@ -86,7 +82,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, std::string& 
 }  // namespace
 
 void write_checkpoint(const std::string& run_file, const Checkpoint& checkpoint, const std::timespec& taken) {
-  const std::string path = path_of(run_file, checkpoint.serial), draft = draft_of(path);
+  const std::string path = checkpoint_path(run_file, checkpoint.serial), draft = draft_of(path);
   if (write_draft(draft, checkpoint_bytes(checkpoint), taken) && std::rename(draft.c_str(), path.c_str()) == 0 &&
       sync_folder_of(path))
     return;
@@ -99,20 +95,17 @@ void write_checkpoint(const std::string& run_file, const Checkpoint& checkpoint,
 FoundCheckpoints find_checkpoints(const std::string& run_file) {
   FoundCheckpoints found;
   for (const std::uint64_t turn : {0, 1})
-    if (auto one = read_checkpoint(path_of(run_file, turn), found.faults)) found.whole.push_back(std::move(*one));
+    if (auto one = read_checkpoint(checkpoint_path(run_file, turn), found.faults))
+      found.whole.push_back(std::move(*one));
   if (found.whole.size() == 2 && found.whole[0].serial < found.whole[1].serial)
     std::swap(found.whole[0], found.whole[1]);
   return found;
 }
 
-bool has_checkpoint(const std::string& run_file) {
-  return access(path_of(run_file, 0).c_str(), F_OK) == 0 || access(path_of(run_file, 1).c_str(), F_OK) == 0;
-}
-
 void remove_checkpoints(const std::string& run_file) {
   for (const std::uint64_t turn : {0, 1}) {
-    unlink(path_of(run_file, turn).c_str());
-    unlink(draft_of(path_of(run_file, turn)).c_str());
+    unlink(checkpoint_path(run_file, turn).c_str());
+    unlink(draft_of(checkpoint_path(run_file, turn)).c_str());
   }
 }
 

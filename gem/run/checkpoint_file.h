@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gem/run/checkpoint.h"
+#include "gem/run/checkpoint_path.h"
 
 namespace gem {
 
@@ -20,9 +21,6 @@ struct FoundCheckpoints {
   std::string faults;             // why a file could not be used; empty: every file that exists is whole
 };
 FoundCheckpoints find_checkpoints(const std::string& run_file);
-
-/// Whether there is one, whole or not.
-bool has_checkpoint(const std::string& run_file);
 
 /// Removes the checkpoint files of a run, as far as there are any.
 void remove_checkpoints(const std::string& run_file);

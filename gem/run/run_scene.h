@@ -27,7 +27,7 @@ struct BookLimits {
 
 /// Wall time between two checkpoints [s]. A run that is killed redoes this much, what a checkpoint takes, and what its
 /// cost adds, see RunSteps::checkpoint().
-inline constexpr double usual_checkpoint_interval_s = 4.0;
+inline constexpr double usual_checkpoint_interval_s = 3.0;
 
 /// Wall time between two flushes of the run file [s]. A run that is killed loses this much and what a flush takes.
 inline constexpr double usual_flush_interval_s = 4.0;

@@ -54,7 +54,7 @@ class RandomMoments:
                 left.unlink()
             return fault
 
-        kills = self.count_of(200, 6, 50)
+        kills = self.count_of(200, 6, 100)
         # The longest is always there: only late kills show that a flush did not come. Every second run has frequent checkpoints, which are
         # then cut by the kill. They flush too, so the others have few.
         moments = [longest_s] + [random.uniform(0.05, longest_s) for _ in range(kills - 1)]

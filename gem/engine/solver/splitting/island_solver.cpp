@@ -1,6 +1,7 @@
 #include "gem/engine/solver/splitting/island_solver.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cmath>
 #include <limits>
 
@@ -232,10 +233,19 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
   if (result.error <= control.tolerance) return result;
   const bool chain =
       RoundControl::is_chain(static_cast<std::int32_t>(bodies.size()), static_cast<std::int32_t>(points.size()));
-  if (control.gradient && ends_by_gradient(bodies, points, control, !chain, result)) return result;
+  const bool keeps = !chain && bodies.size() >= 16;
+  const bool wedged = bodies.size() < 16 && points.size() > 2 * bodies.size() + bodies.size() / 4;
+  double heaviest = 0.0, lightest = 1e300;
+  for (const IslandBody& b : bodies) {
+    heaviest = std::max(heaviest, b.inverse.mass);
+    lightest = std::min(lightest, b.inverse.mass);
+  }
+  static const double ratio = std::getenv("GR") ? std::atof(std::getenv("GR")) : 1000.0;
+  const bool uneven = heaviest > ratio * lightest;
+  if (control.gradient && !wedged && !uneven && ends_by_gradient(bodies, points, control, keeps, result)) return result;
   order_bodies(bodies, points);
   set_points(bodies, points);
-  const RoundKind usual = RoundControl::usual_kind(control.gradient, chain);
+  const RoundKind usual = RoundControl::usual_kind(control.gradient, !keeps || uneven);
   RoundKind kind = RoundControl::first_kind(usual, chain, control.iterations_maximum);
   do {
     set_base(control.friction, points);

@@ -31,6 +31,26 @@ class DeviceIslandGradient : private DeviceIslandPoints<Team> {
     });
   }
 
+  /// What gradient iterations do in this island. All threads call it.
+  GEM_DEVICE GradientPlan plan() {
+    if (s_.constants.tight_residual) return {};
+    if (team_.rank() == 0) cell_.bodies_bits = cell_.change_bits = 0;
+    team_.sync();
+    float mass = 0.0F, inverse_mass = 0.0F;
+    each_of(team_, 0, v_.bodies, [&](std::int32_t i) {
+      const double inverse = s_.body[this->entry_of(i).body].inverse_mass;
+      mass = larger(mass, static_cast<float>(1.0 / inverse));
+      inverse_mass = larger(inverse_mass, static_cast<float>(inverse));
+    });
+    this->raise_to(&cell_.bodies_bits, mass);
+    this->raise_to(&cell_.change_bits, inverse_mass);
+    team_.sync();
+    const GradientPlan plan =
+        gradient_plan(v_.bodies, v_.points, from_ordered_bits(cell_.bodies_bits), from_ordered_bits(cell_.change_bits));
+    team_.sync();  // the numbers are free again
+    return plan;
+  }
+
   /// Iterates until the tolerance is met, or until that takes too long. The places are set, and the motions of the
   /// bodies at the base. `keeps`: whether what was reached is the next base if that did not meet the tolerance;
   /// `iterations`: of splitting before. Returns whether it did, and notes the error if so.

@@ -28,7 +28,7 @@ class DeviceIslandSolver : private DeviceIslandPoints<Team> {
     double error = 0.0;
     move_by_base();
     const bool chain = RoundControl::is_chain(v_.bodies, v_.points);
-    const RoundKind usual = RoundControl::usual_kind(!c.tight_residual, chain);
+    const RoundKind usual = RoundControl::usual_kind(gradient_.plan().onward);
     RoundKind kind = RoundControl::first_kind(usual, chain, c.iterations_maximum);
     do {
       begin_round();

@@ -60,10 +60,10 @@ class IslandsOnDevice {
     gather_bodies(team, memory, root);
     gather_points(team, memory, view);
     if (DeviceIslandSolver<Team>(s_, team, memory).settled()) return false;
-    if (!s_.constants.tight_residual) {
-      DeviceIslandGradient<Team> gradient(s_, team, memory);
+    DeviceIslandGradient<Team> gradient(s_, team, memory);
+    if (const GradientPlan plan = gradient.plan(); plan.first) {
       gradient.place_by_body();
-      if (gradient.solve(!RoundControl::is_chain(view.bodies, view.points), 0)) return false;
+      if (gradient.solve(plan.onward, 0)) return false;
     }
     TreeBuilder<Team>(team, view, *memory.cell, memory).build();
     if (!set_fronts(team, memory)) {

@@ -14,6 +14,23 @@ struct GradientAsked {
   float largest = 0.0F;   // [m/s]
 };
 
+/// What gradient iterations do in an island.
+struct GradientPlan {
+  bool first = false;   // they come before splitting
+  bool onward = false;  // splitting starts from what they reached, and they end its rounds
+};
+
+/// `largest_mass` [kg], `largest_inverse_mass` [1/kg] of the bodies. A floe locked among others needs the exact answer
+/// of splitting (H15, R3): a small island with loops has no gradient iterations. Nor has one with a body much heavier
+/// than another: what the light one still asks for says nothing of the momentum of the heavy one (H16).
+GEM_HD inline GradientPlan gradient_plan(std::int32_t bodies, std::int32_t points, float largest_mass,
+                                         float largest_inverse_mass) {
+  constexpr float uneven = 1000.0F;
+  if (largest_mass * largest_inverse_mass > uneven) return {};
+  const bool small = RoundControl::is_small(bodies), loops = RoundControl::has_loops(bodies, points);
+  return {!(small && loops), !small && loops};
+}
+
 class GradientControl {
  public:
   enum class Next { iteration, done, give_up };

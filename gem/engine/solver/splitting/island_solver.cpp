@@ -1,7 +1,6 @@
 #include "gem/engine/solver/splitting/island_solver.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cmath>
 #include <limits>
 
@@ -225,27 +224,29 @@ bool IslandSolver::ends_by_gradient(std::span<const IslandBody> bodies, std::spa
   return false;
 }
 
+GradientPlan IslandSolver::plan_of(std::span<const IslandBody> bodies, std::span<const IslandPoint> points) {
+  float mass = 0.0F, inverse_mass = 0.0F;
+  for (const IslandBody& b : bodies) {
+    mass = larger(mass, static_cast<float>(1.0 / b.inverse.mass));
+    inverse_mass = larger(inverse_mass, static_cast<float>(b.inverse.mass));
+  }
+  return gradient_plan(static_cast<std::int32_t>(bodies.size()), static_cast<std::int32_t>(points.size()), mass,
+                       inverse_mass);
+}
+
 IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
                                  const IslandControl& control) {
   IslandResult result;
   move_by_base(bodies, points);
   result.error = error_of_base(control, bodies, points);
   if (result.error <= control.tolerance) return result;
-  const bool chain =
-      RoundControl::is_chain(static_cast<std::int32_t>(bodies.size()), static_cast<std::int32_t>(points.size()));
-  const bool keeps = !chain && bodies.size() >= 16;
-  const bool wedged = bodies.size() < 16 && points.size() > 2 * bodies.size() + bodies.size() / 4;
-  double heaviest = 0.0, lightest = 1e300;
-  for (const IslandBody& b : bodies) {
-    heaviest = std::max(heaviest, b.inverse.mass);
-    lightest = std::min(lightest, b.inverse.mass);
-  }
-  static const double ratio = std::getenv("GR") ? std::atof(std::getenv("GR")) : 1000.0;
-  const bool uneven = heaviest > ratio * lightest;
-  if (control.gradient && !wedged && !uneven && ends_by_gradient(bodies, points, control, keeps, result)) return result;
+  const GradientPlan plan = control.gradient ? plan_of(bodies, points) : GradientPlan{};
+  if (plan.first && ends_by_gradient(bodies, points, control, plan.onward, result)) return result;
   order_bodies(bodies, points);
   set_points(bodies, points);
-  const RoundKind usual = RoundControl::usual_kind(control.gradient, !keeps || uneven);
+  const RoundKind usual = RoundControl::usual_kind(plan.onward);
+  const bool chain =
+      RoundControl::is_chain(static_cast<std::int32_t>(bodies.size()), static_cast<std::int32_t>(points.size()));
   RoundKind kind = RoundControl::first_kind(usual, chain, control.iterations_maximum);
   do {
     set_base(control.friction, points);

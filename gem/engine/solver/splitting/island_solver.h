@@ -52,6 +52,7 @@ class IslandSolver {
   void set_base(PointFriction law, std::span<const IslandPoint> points);
   void keep_best_share(PointFriction law, std::span<const IslandBody> bodies,
                        std::span<const IslandPoint> points) const;
+  static GradientPlan plan_of(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
   bool ends_by_gradient(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
                         const IslandControl& control, bool keeps, IslandResult& result);
   void stiffen(const RoundControl& round);

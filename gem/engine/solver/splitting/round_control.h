@@ -33,12 +33,12 @@ class RoundControl {
 
   /// Whether an island is mostly a chain: few loops, many bodies. A contact has up to two points.
   GEM_HD static bool is_chain(std::int32_t bodies, std::int32_t points) {
-    return bodies >= least_chain && points <= 2 * bodies + bodies / 4;
+    return !is_small(bodies) && !has_loops(bodies, points);
   }
-  /// What an island goes on with after `first_kind`. `gradient`: whether it is iterated by the gradient too.
-  GEM_HD static RoundKind usual_kind(bool gradient, bool chain) {
-    return gradient && !chain ? RoundKind::short_one : RoundKind::full;
-  }
+  GEM_HD static bool is_small(std::int32_t bodies) { return bodies < least_chain; }
+  GEM_HD static bool has_loops(std::int32_t bodies, std::int32_t points) { return points > 2 * bodies + bodies / 4; }
+  /// What an island goes on with after `first_kind`. `gradient`: whether gradient iterations end its rounds.
+  GEM_HD static RoundKind usual_kind(bool gradient) { return gradient ? RoundKind::short_one : RoundKind::full; }
   GEM_HD static RoundKind first_kind(RoundKind usual, bool chain, std::int64_t iterations_maximum) {
     return chain && iterations_maximum >= attempt_iterations + shortest_round ? RoundKind::attempt : usual;
   }

@@ -55,9 +55,10 @@ TEST_F(ExportTest, AFrameOfATurnedShipInTransitRuns) {
                                  << "[boundary]\npresent = false\n[platform]\noutline = \"ship\"\nlength_m = 110.0\n"
                                  << "beam_m = 22.0\nbow_length_m = 30.0\nstern_length_m = 20.0\nmass_kg = 1.5e7\n"
                                  << "start_offset_m = " << platform.at("start_offset_m").dump()
-                                 << "\nstart_yaw_rad = " << yaw << "\n[mooring]\nstiffness_N_per_m = 0.0\n"
-                                 << "[transit]\nspeed_m_per_s = 2.0\ncourse_rad = " << 3.141592653589793 + yaw
-                                 << "\n[numerics]\ntime_step_s = 0.05\n";
+                                 << "\nstart_yaw_rad = " << platform.at("yaw_rad").dump()
+                                 << "\n[mooring]\nstiffness_N_per_m = 0.0\n"
+                                 << "[transit]\nspeed_m_per_s = 2.0\ncourse_rad = "
+                                 << number_text(3.141592653589793 + yaw) << "\n[numerics]\ntime_step_s = 0.05\n";
   EXPECT_EQ(shell("gem run on.toml --until 1 -q --threads 1"), 0) << text_of("err");
 }
 

@@ -9,7 +9,7 @@
 namespace gem {
 namespace {
 
-constexpr double tolerance = 1e-3;
+constexpr double asked_tolerance = 1e-3;
 constexpr std::uint64_t few = GradientControl::asked_units / 32;  // a quarter of the tolerance, with the margin
 
 /// Goes on to the next iteration that is judged. Returns what follows it.
@@ -19,16 +19,35 @@ GradientControl::Next judge(GradientControl& course, const GradientAsked& asked)
   return course.after(asked);
 }
 
+TEST(GradientPlan, LocksAndUnevenMassesBelongToSplitting) {
+  struct Case {
+    const char* what;
+    std::int32_t bodies, points;
+    float heavy, light;
+    bool first, onward;
+  };
+  for (const Case& c :
+       {Case{"two floes", 2, 2, 1e5F, 1e5F, true, false}, Case{"a small chain", 15, 30, 1e5F, 1e5F, true, false},
+        Case{"a lock of a few floes", 15, 60, 1e5F, 1e5F, false, false},
+        Case{"a long chain", 100, 200, 1e5F, 1e5F, true, false}, Case{"a jam", 100, 300, 1e5F, 1e5F, true, true},
+        Case{"a jam on a ship", 100, 300, 9e7F, 1e5F, true, true},
+        Case{"a jam with a crumb", 100, 300, 2e5F, 1e2F, false, false}}) {
+    const GradientPlan plan = gradient_plan(c.bodies, c.points, c.heavy, 1.0F / c.light);
+    EXPECT_EQ(plan.first, c.first) << c.what;
+    EXPECT_EQ(plan.onward, c.onward) << c.what;
+  }
+}
+
 TEST(GradientControl, EndsWhenAllPointsTogetherAskForLittle) {
-  GradientControl course(tolerance, 192);
+  GradientControl course(asked_tolerance, 192);
   EXPECT_EQ(judge(course, {few + 1, 1e-4F}), GradientControl::Next::iteration);
-  EXPECT_GT(course.error(), tolerance);
+  EXPECT_GT(course.error(), asked_tolerance);
   EXPECT_EQ(judge(course, {few, 1e-4F}), GradientControl::Next::done);
-  EXPECT_LE(course.error(), tolerance);
+  EXPECT_LE(course.error(), asked_tolerance);
 }
 
 TEST(GradientControl, NeverJudgesTwoIterationsInARow) {
-  GradientControl course(tolerance, 192);
+  GradientControl course(asked_tolerance, 192);
   bool last = false;
   for (int k = 0; k < 60; ++k) {
     course.begin_iteration();
@@ -39,14 +58,14 @@ TEST(GradientControl, NeverJudgesTwoIterationsInARow) {
 
 TEST(GradientControl, GivesUpWhereAPointStaysFarOff) {
   for (const float share : {0.9F, 1.1F}) {
-    GradientControl course(tolerance, 192);
+    GradientControl course(asked_tolerance, 192);
     auto next = GradientControl::Next::iteration;
     while (next == GradientControl::Next::iteration && course.iteration() < 16)
       next = judge(course, {4 * few, share * 16e-3F});
     EXPECT_EQ(next, share < 1.0F ? GradientControl::Next::iteration : GradientControl::Next::give_up);
     EXPECT_EQ(course.iteration(), 16);
   }
-  GradientControl course(tolerance, 192);
+  GradientControl course(asked_tolerance, 192);
   auto next = GradientControl::Next::iteration;
   while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, std::nanf("")});
   EXPECT_EQ(next, GradientControl::Next::give_up);
@@ -54,7 +73,7 @@ TEST(GradientControl, GivesUpWhereAPointStaysFarOff) {
 
 TEST(GradientControl, StaysBelowTheMostIterations) {
   for (const std::int64_t most : {8, 48, 96, 192}) {
-    GradientControl course(tolerance, most);
+    GradientControl course(asked_tolerance, most);
     auto next = GradientControl::Next::iteration;
     while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, 1e-9F});
     EXPECT_EQ(next, GradientControl::Next::give_up);
@@ -64,7 +83,7 @@ TEST(GradientControl, StaysBelowTheMostIterations) {
 }
 
 TEST(GradientControl, ExtrapolatesFromNothingAfterGrowth) {
-  GradientControl course(tolerance, 192);
+  GradientControl course(asked_tolerance, 192);
   judge(course, {4 * few, 1e-3F});
   EXPECT_GT(course.begin_iteration(), 0.0F);
   judge(course, {4 * few, 3e-3F});
@@ -72,7 +91,7 @@ TEST(GradientControl, ExtrapolatesFromNothingAfterGrowth) {
 }
 
 TEST(GradientControl, CountsWhatIsNoNumberAsFarTooMuch) {
-  const float units = GradientControl(tolerance, 192).units();
+  const float units = GradientControl(asked_tolerance, 192).units();
   EXPECT_EQ(GradientControl::units_of(0.0F, units), 0);
   EXPECT_EQ(GradientControl::units_of(std::numeric_limits<float>::denorm_min(), units), 1);
   EXPECT_GT(GradientControl::units_of(std::nanf(""), units), static_cast<std::int32_t>(few));
@@ -102,8 +121,8 @@ struct WallRow {
     }
   }
   bool solve(IslandResult& result) {
-    return IslandGradient().solve(bodies, points, motion, {PointFriction::coulomb, tolerance, 0.2, 192, true}, true,
-                                  result);
+    return IslandGradient().solve(bodies, points, motion, {PointFriction::coulomb, asked_tolerance, 0.2, 192, true},
+                                  true, result);
   }
 };
 
@@ -113,11 +132,11 @@ TEST(IslandGradient, StopsAShortRow) {
   IslandResult result;
   ASSERT_TRUE(row.solve(result));
   EXPECT_GT(result.iterations, 0);
-  EXPECT_LE(result.error, tolerance);
+  EXPECT_LE(result.error, asked_tolerance);
   for (int i = 0; i < count; ++i) {
     const double behind = i + 1 < count ? row.impulse[i + 1].normal : 0.0;
     EXPECT_GT(row.impulse[i].normal, 0.0);
-    EXPECT_NEAR(-WallRow::speed + (row.impulse[i].normal - behind) / WallRow::mass, 0.0, tolerance) << i;
+    EXPECT_NEAR(-WallRow::speed + (row.impulse[i].normal - behind) / WallRow::mass, 0.0, asked_tolerance) << i;
   }
 }
 

@@ -6,11 +6,12 @@
 #   OUT      gets runs/ (some 3 MB a run), shares/ with a JSON and a CSV file for each condition, log, and result.tar.xz with both
 #   SECONDS  wall time in all; a chunk begins only if the last one's time and GEM_SPARE are left
 # Environment: GEM_RUN="--engine cuda" options of `gem sweep run`;  GEM_CHUNK=5 draws a chunk;  GEM_SPARE=90 for the shares [s]
+#              GEM_GPUS=1 GPUs of this machine; each makes a chunk at a time
 # The page: python3 scripts/studies scatter36 OUT
 # Exit code: 0, also if not all was made (log says what), 2 usage error.
 set -euo pipefail
 [ $# -eq 3 ] && [ "$3" -gt 0 ] 2>/dev/null || {
-  sed -n '2,11s/^# //p' "$0" >&2
+  sed -n '2,12s/^# //p' "$0" >&2
   exit 2
 }
 program=$(realpath "$1") seconds=$3
@@ -22,7 +23,7 @@ mkdir -p "$2"
 out=$(realpath "$2")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 sweep=cases/table1_short_draws.toml conditions=36 draws=100 repeats=2
-chunk=${GEM_CHUNK:-5} spare=${GEM_SPARE:-90}
+chunk=${GEM_CHUNK:-5} spare=${GEM_SPARE:-90} gpus=${GEM_GPUS:-1}
 read -ra options <<<"${GEM_RUN:=--engine cuda}"
 note() { echo "$SECONDS s: $*" | tee -a "$out/log"; }
 
@@ -36,19 +37,29 @@ indices() {
   echo "${list#,}"
 }
 
+# make_draws FIRST LAST: one chunk, on the GPU that CUDA_VISIBLE_DEVICES names. At the end of the time it is stopped; the runs that
+# are done count.
+make_draws() {
+  local left=$((seconds - spare - SECONDS))
+  timeout -s TERM $((left > 1 ? left : 1)) \
+    "$program" sweep run "$sweep" --out "$out/runs" --index "$(indices "$1" "$2")" "${options[@]}" --progress none \
+    >>"$out/log" 2>&1 || note "draws $1 to $2: not all were made"
+}
+
 SECONDS=0 longest=0
-note "$("$program" --version | head -n 1), $sweep, $GEM_RUN"
-for ((first = 1; first <= draws; first += chunk)); do
-  last=$((first + chunk - 1 < draws ? first + chunk - 1 : draws))
+note "$("$program" --version | head -n 1), $sweep, $GEM_RUN, $gpus GPUs"
+for ((first = 1; first <= draws; first += chunk * gpus)); do
   begin=$SECONDS
   if ((begin + longest + spare > seconds)); then
-    note "no time is left for draws $first to $last"
+    note "no time is left for draws from $first on"
     break
   fi
-  # A chunk that meets the end is stopped; the runs that are done count.
-  timeout -s TERM $((seconds - spare - begin > 1 ? seconds - spare - begin : 1)) \
-    "$program" sweep run "$sweep" --out "$out/runs" --index "$(indices "$first" "$last")" "${options[@]}" --progress none \
-    >>"$out/log" 2>&1 || note "draws $first to $last: not all were made"
+  last=$((first - 1))
+  for ((gpu = 0; gpu < gpus && last < draws; ++gpu)); do
+    from=$((last + 1)) last=$((last + chunk < draws ? last + chunk : draws))
+    CUDA_VISIBLE_DEVICES=$gpu make_draws "$from" "$last" &
+  done
+  wait
   ((SECONDS - begin <= longest)) || longest=$((SECONDS - begin))
   note "draws $first to $last: $((SECONDS - begin)) s"
 done

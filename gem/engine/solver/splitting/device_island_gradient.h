@@ -31,9 +31,8 @@ class DeviceIslandGradient : private DeviceIslandPoints<Team> {
     });
   }
 
-  /// What gradient iterations do in this island. All threads call it.
-  GEM_DEVICE GradientPlan plan() {
-    if (s_.constants.tight_residual) return {};
+  /// What gradient iterations do in this island. Notes whether they join the rounds. All threads call it.
+  GEM_DEVICE GradientPlan make_plan() {
     if (team_.rank() == 0) cell_.bodies_bits = cell_.change_bits = 0;
     team_.sync();
     float mass = 0.0F, inverse_mass = 0.0F;
@@ -45,16 +44,20 @@ class DeviceIslandGradient : private DeviceIslandPoints<Team> {
     this->raise_to(&cell_.bodies_bits, mass);
     this->raise_to(&cell_.change_bits, inverse_mass);
     team_.sync();
-    const GradientPlan plan =
-        gradient_plan(v_.bodies, v_.points, from_ordered_bits(cell_.bodies_bits), from_ordered_bits(cell_.change_bits));
+    GradientPlan plan;
+    if (!s_.constants.tight_residual)
+      plan = gradient_plan(v_.bodies, v_.points, from_ordered_bits(cell_.bodies_bits),
+                           from_ordered_bits(cell_.change_bits), s_.constants.iterations_maximum);
+    if (team_.rank() == 0) cell_.joins_rounds = plan.joins_rounds;
     team_.sync();  // the numbers are free again
     return plan;
   }
 
   /// Iterates until the tolerance is met, or until that takes too long. The places are set, and the motions of the
-  /// bodies at the base. `keeps`: whether what was reached is the next base if that did not meet the tolerance;
-  /// `iterations`: of splitting before. Returns whether it did, and notes the error if so.
-  GEM_DEVICE bool solve(bool keeps, std::int64_t iterations) {
+  /// bodies at the base. `iterations`, `error`: of splitting before. Returns whether the tolerance was met, and notes
+  /// the error if so. `keeps`: whether what was reached is the next base if not; then raises the error to what it asks
+  /// for.
+  GEM_DEVICE bool solve(bool keeps, std::int64_t iterations, double& error) {
     const StepConstants& c = s_.constants;
     set();
     GradientControl course(c.residual_speed, c.iterations_maximum);
@@ -71,9 +74,11 @@ class DeviceIslandGradient : private DeviceIslandPoints<Team> {
     }
     const bool done = next == GradientControl::Next::done;
     if (done || keeps) this->template add_to_base<Point>();
-    if (!done) return false;
-    this->note(iterations > course.iteration() ? iterations : course.iteration(), course.error());
-    return true;
+    if (done)
+      this->note(iterations > course.iteration() ? iterations : course.iteration(), course.error());
+    else if (keeps)
+      error = larger(error, static_cast<double>(course.largest_asked()));
+    return done;
   }
 
  private:

@@ -28,7 +28,8 @@ class DeviceIslandSolver : private DeviceIslandPoints<Team> {
     double error = 0.0;
     move_by_base();
     const bool chain = RoundControl::is_chain(v_.bodies, v_.points);
-    const RoundKind usual = RoundControl::usual_kind(gradient_.plan().onward);
+    const bool joined = cell_.joins_rounds;
+    const RoundKind usual = RoundControl::usual_kind(joined);
     RoundKind kind = RoundControl::first_kind(usual, chain, c.iterations_maximum);
     do {
       begin_round();
@@ -37,8 +38,8 @@ class DeviceIslandSolver : private DeviceIslandPoints<Team> {
       kind = usual;
       if (failed) continue;
       this->template add_to_base<Point>();
-      const bool leaves = kind == RoundKind::short_one && error > c.residual_speed;
-      if (leaves && gradient_.solve(true, iterations)) return;
+      const bool missed = error > c.residual_speed;
+      if (joined && missed && gradient_.solve(true, iterations, error)) return;
     } while (RoundControl::goes_on(c.residual_speed, c.iterations_maximum, iterations, error));
     if (error > c.residual_speed) {
       keep_best_share();

@@ -61,9 +61,10 @@ class IslandsOnDevice {
     gather_points(team, memory, view);
     if (DeviceIslandSolver<Team>(s_, team, memory).settled()) return false;
     DeviceIslandGradient<Team> gradient(s_, team, memory);
-    if (const GradientPlan plan = gradient.plan(); plan.first) {
+    if (const GradientPlan plan = gradient.make_plan(); plan.first) {
       gradient.place_by_body();
-      if (gradient.solve(plan.onward, 0)) return false;
+      double error = 0.0;  // rounds of splitting set it anew
+      if (gradient.solve(plan.joins_rounds, 0, error)) return false;
     }
     TreeBuilder<Team>(team, view, *memory.cell, memory).build();
     if (!set_fronts(team, memory)) {

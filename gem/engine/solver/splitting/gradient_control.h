@@ -14,23 +14,6 @@ struct GradientAsked {
   float largest = 0.0F;   // [m/s]
 };
 
-/// What gradient iterations do in an island.
-struct GradientPlan {
-  bool first = false;   // they come before splitting
-  bool onward = false;  // splitting starts from what they reached, and they end its rounds
-};
-
-/// `largest_mass` [kg], `largest_inverse_mass` [1/kg] of the bodies. A floe locked among others needs the exact answer
-/// of splitting (H15, R3): a small island with loops has no gradient iterations. Nor has one with a body much heavier
-/// than another: what the light one still asks for says nothing of the momentum of the heavy one (H16).
-GEM_HD inline GradientPlan gradient_plan(std::int32_t bodies, std::int32_t points, float largest_mass,
-                                         float largest_inverse_mass) {
-  constexpr float uneven = 1000.0F;
-  if (largest_mass * largest_inverse_mass > uneven) return {};
-  const bool small = RoundControl::is_small(bodies), loops = RoundControl::has_loops(bodies, points);
-  return {!(small && loops), !small && loops};
-}
-
 class GradientControl {
  public:
   enum class Next { iteration, done, give_up };
@@ -44,6 +27,8 @@ class GradientControl {
   GEM_HD std::int64_t iteration() const { return iteration_; }
   /// Estimate of the error after the iterations are done [m/s].
   GEM_HD double error() const { return error_; }
+  /// What a point asked for at most when the iterations were last judged [m/s].
+  GEM_HD double largest_asked() const { return largest_; }
 
   /// Begins an iteration. Returns how far the additions are extrapolated along their last change (Nesterov 1983).
   GEM_HD float begin_iteration() {
@@ -51,42 +36,45 @@ class GradientControl {
     ++iteration_;
     return since / (since + 3.0F);
   }
-  /// Whether this iteration is judged. Never two in a row.
+  /// Whether this iteration is judged. Never two in a row: a device forgets in between what the points asked for.
   GEM_HD bool judged() const { return iteration_ % judge_interval == 0; }
 
   /// Units for 1 m/s.
   GEM_HD float units() const { return static_cast<float>(static_cast<double>(asked_units) / tolerance_); }
-  /// What a point asks for [m/s], in units, rounded up; whole numbers, so that sums have no order. With more than
-  /// `enough` the iterations are not done, whatever the other points ask for.
-  static constexpr std::int32_t enough = static_cast<std::int32_t>(RoundControl::asked_units) + 1;
+  static constexpr std::uint64_t asked_units = RoundControl::asked_units;
+  /// So many units are too many for any island, and no point counts more.
+  static constexpr std::int32_t too_many_units = static_cast<std::int32_t>(asked_units) + 1;
+  /// What a point asks for [m/s], in units, rounded up; whole numbers, so that sums have no order.
   GEM_HD static std::int32_t units_of(float asked, float units_per_speed) {
-    return static_cast<std::int32_t>(smaller(units_per_speed * asked, static_cast<float>(enough))) +
+    return static_cast<std::int32_t>(smaller(units_per_speed * asked, static_cast<float>(too_many_units))) +
            (asked > 0.0F ? 1 : 0);
   }
 
   /// Judges an iteration.
   GEM_HD Next after(const GradientAsked& asked) {
     error_ = RoundControl::error_of_base(tolerance_, margin * asked.sum);
+    largest_ = asked.largest;
     if (error_ <= tolerance_) return Next::done;
     if (iteration_ > last_ - judge_interval) return Next::give_up;
     if (iteration_ % bound_interval == 0) {
       if (!(asked.largest <= bound_)) return Next::give_up;
       bound_ *= fall;
     }
-    // what the points ask for has grown: extrapolate from nothing
+    // what the points ask for has grown: extrapolate from nothing, as IterationControl does
     const bool grown = lowest_ > 0.0F && asked.largest > well_beyond * lowest_;
     if (grown) restarted_ = iteration_;
     if (grown || lowest_ == 0.0F || asked.largest < lowest_) lowest_ = asked.largest;
     return Next::iteration;
   }
 
-  static constexpr std::uint64_t asked_units = RoundControl::asked_units;
+  static constexpr std::int64_t judge_interval = 4;
+  static_assert(judge_interval > 1);
 
  private:
   /// What points ask for between iterations says less of the error than at rest: in a chain of a hundred floes that
   /// ended without a margin, the force at its end was off by 0.3 % (H1).
   static constexpr std::uint64_t margin = 8;
-  static constexpr std::int64_t longest = 96, judge_interval = 4;
+  static constexpr std::int64_t longest = 96;
   static constexpr float well_beyond = 2.0F;
   /// After so many iterations no point may ask for more than `first_bound` times the tolerance; after as many again,
   /// for more than `fall` of that, and so on. Where they do, splitting ends sooner.
@@ -95,8 +83,27 @@ class GradientControl {
 
   double tolerance_;
   std::int64_t last_, iteration_ = 0, restarted_ = 0;
-  float bound_, lowest_ = 0.0F;
+  float bound_, lowest_ = 0.0F, largest_ = 0.0F;
   double error_ = 0.0;
 };
+
+/// What gradient iterations do in an island.
+struct GradientPlan {
+  bool first = false;         // they come before splitting
+  bool joins_rounds = false;  // splitting starts from what they reached, and they end each of its rounds
+};
+
+/// `largest_mass` [kg], `largest_inverse_mass` [1/kg] of the bodies. A floe locked among others needs the exact answer
+/// of splitting (H15, R3): a small island with loops has no gradient iterations. Nor has one with a body much heavier
+/// than another: what the light one still asks for says nothing of the momentum of the heavy one (H16).
+GEM_HD inline GradientPlan gradient_plan(std::int32_t bodies, std::int32_t points, float largest_mass,
+                                         float largest_inverse_mass, std::int64_t iterations_maximum) {
+  constexpr float largest_mass_ratio = 1000.0F;
+  if (largest_mass * largest_inverse_mass > largest_mass_ratio) return {};
+  if (iterations_maximum <= GradientControl::judge_interval) return {};  // it would end before it is judged
+  const bool small = RoundControl::is_small(bodies), loops = RoundControl::has_loops(bodies, points);
+  const bool locked = small && loops, jam = !small && loops;
+  return {!locked, jam};
+}
 
 }  // namespace gem

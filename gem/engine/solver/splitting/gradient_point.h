@@ -56,21 +56,21 @@ GEM_HD GEM_INLINE Real visit_gradient(GradientPoint<Real>& q, const Real* a, con
   const Real next_n = smaller(larger(q.ahead_n - q.inverse_nn * n, q.least), q.most);
   const Real step_n = next_n - q.ahead_n;
   Real asked{};
-  if constexpr (judged) asked = magnitude(step_n) * q.nn;
+  if constexpr (judged) asked = unless_finite(n, magnitude(step_n) * q.nn);
   q.ahead_n = next_n + momentum_coefficient * (next_n - q.answer_n);
   q.answer_n = next_n;
-  if constexpr (law == PointFriction::none) return asked;
-  Real next_t;
-  if constexpr (law == PointFriction::coulomb) {
-    const Real t = q.slip + along(q.t_a, q.t_b, a, b), wider = q.friction * next_n;
-    next_t = q.ahead_t - q.inverse_tt * (t + q.nt * step_n);
-    next_t = larger(smaller(next_t, q.slack_left + wider), -(q.slack_right + wider));
-  } else {
-    next_t = q.slack_left + q.friction * next_n;
+  if constexpr (law != PointFriction::none) {
+    Real next_t = q.slack_left + q.friction * next_n;  // against the motion before the event
+    if constexpr (law == PointFriction::coulomb) {
+      const Real t = q.slip + along(q.t_a, q.t_b, a, b), wider = q.friction * next_n;
+      next_t = q.ahead_t - q.inverse_tt * (t + q.nt * step_n);
+      next_t = larger(smaller(next_t, q.slack_left + wider), -(q.slack_right + wider));
+      if constexpr (judged) asked = unless_finite(t, asked);
+    }
+    if constexpr (judged) asked = larger(asked, magnitude(next_t - q.ahead_t) * q.tt);
+    q.ahead_t = next_t + momentum_coefficient * (next_t - q.answer_t);
+    q.answer_t = next_t;
   }
-  if constexpr (judged) asked = larger(asked, magnitude(next_t - q.ahead_t) * q.tt);
-  q.ahead_t = next_t + momentum_coefficient * (next_t - q.answer_t);
-  q.answer_t = next_t;
   return asked;
 }
 
@@ -85,7 +85,7 @@ GEM_HD GEM_INLINE Real visit_gradient_repair(GradientPoint<Real>& q, const Real*
   const Real step = next - q.ahead_r, change = next - q.answer_r;
   q.ahead_r = next + pick(opposed(step, change), zero, momentum_coefficient * change);
   q.answer_r = next;
-  return judged ? magnitude(step) * q.nn : zero;
+  return judged ? unless_finite(r, magnitude(step) * q.nn) : zero;
 }
 
 }  // namespace gem

@@ -31,7 +31,7 @@ struct IslandControl {
   double tolerance = 1e-3;  // of the velocities [m/s]
   double dt = 0.0;          // [s]
   std::int64_t iterations_maximum = 0;
-  bool gradient = true;  // false: the tolerance is below the resolution of single precision
+  bool gradient_first = true;  // not where the tolerance is below the resolution of single precision
 };
 
 struct IslandResult {

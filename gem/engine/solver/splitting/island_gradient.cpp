@@ -58,9 +58,10 @@ GEM_INLINE GradientAsked IslandGradient::visit_blocks(const Pace& pace) {
     }
     if constexpr (judged) {
       largest = larger(largest, asked);
-      const FloatPack units = smaller(pace.units * asked, FloatPack{} + static_cast<float>(GradientControl::enough));
+      const FloatPack units =
+          smaller(pace.units * asked, FloatPack{} + static_cast<float>(GradientControl::too_many_units));
       sum += __builtin_convertvector(units, FloatMask) - (asked > FloatPack{});  // a comparison that holds is -1
-      sum = sum < GradientControl::enough ? sum : FloatMask{} + GradientControl::enough;
+      sum = sum < GradientControl::too_many_units ? sum : FloatMask{} + GradientControl::too_many_units;
     }
   }
   GradientAsked all;
@@ -109,13 +110,17 @@ bool IslandGradient::solve(std::span<const IslandBody> bodies, std::span<const I
     move();
   }
   const bool done = next == GradientControl::Next::done;
-  for (std::size_t k = 0; k < points.size() && (done || keeps); ++k)
-    *points[k].impulse = with_answer(block_[k / float_lanes], static_cast<int>(k % float_lanes), control.friction,
-                                     *points[k].geometry, points[k].spare, *points[k].impulse);
-  if (!done) return false;
-  result.iterations = std::max(result.iterations, course.iteration());
-  result.error = course.error();
-  return true;
+  if (done || keeps)
+    for (std::size_t k = 0; k < points.size(); ++k)
+      *points[k].impulse = with_answer(block_[k / float_lanes], static_cast<int>(k % float_lanes), control.friction,
+                                       *points[k].geometry, points[k].spare, *points[k].impulse);
+  if (done) {
+    result.iterations = std::max(result.iterations, course.iteration());
+    result.error = course.error();
+  } else if (keeps) {
+    result.error = larger(result.error, course.largest_asked());
+  }
+  return done;
 }
 
 }  // namespace gem

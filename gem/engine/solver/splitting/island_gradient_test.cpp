@@ -4,13 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace gem {
 namespace {
 
 constexpr double asked_tolerance = 1e-3;
-constexpr std::uint64_t few = GradientControl::asked_units / 32;  // a quarter of the tolerance, with the margin
+constexpr std::uint64_t few = GradientControl::asked_units / 32;  // what ends them
 
 /// Goes on to the next iteration that is judged. Returns what follows it.
 GradientControl::Next judge(GradientControl& course, const GradientAsked& asked) {
@@ -24,7 +26,7 @@ TEST(GradientPlan, LocksAndUnevenMassesBelongToSplitting) {
     const char* what;
     std::int32_t bodies, points;
     float heavy, light;
-    bool first, onward;
+    bool first, joins;
   };
   for (const Case& c :
        {Case{"two floes", 2, 2, 1e5F, 1e5F, true, false}, Case{"a small chain", 15, 30, 1e5F, 1e5F, true, false},
@@ -32,9 +34,9 @@ TEST(GradientPlan, LocksAndUnevenMassesBelongToSplitting) {
         Case{"a long chain", 100, 200, 1e5F, 1e5F, true, false}, Case{"a jam", 100, 300, 1e5F, 1e5F, true, true},
         Case{"a jam on a ship", 100, 300, 9e7F, 1e5F, true, true},
         Case{"a jam with a crumb", 100, 300, 2e5F, 1e2F, false, false}}) {
-    const GradientPlan plan = gradient_plan(c.bodies, c.points, c.heavy, 1.0F / c.light);
+    const GradientPlan plan = gradient_plan(c.bodies, c.points, c.heavy, 1.0F / c.light, 192);
     EXPECT_EQ(plan.first, c.first) << c.what;
-    EXPECT_EQ(plan.onward, c.onward) << c.what;
+    EXPECT_EQ(plan.joins_rounds, c.joins) << c.what;
   }
 }
 
@@ -69,10 +71,15 @@ TEST(GradientControl, GivesUpWhereAPointStaysFarOff) {
   auto next = GradientControl::Next::iteration;
   while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, std::nanf("")});
   EXPECT_EQ(next, GradientControl::Next::give_up);
+  EXPECT_EQ(course.iteration(), 16);
+}
+
+TEST(GradientPlan, HasNoIterationsThatNobodyJudges) {
+  for (const std::int64_t most : {1, 2, 3, 4, 5}) EXPECT_EQ(gradient_plan(3, 4, 1e5F, 1e-5F, most).first, most > 4);
 }
 
 TEST(GradientControl, StaysBelowTheMostIterations) {
-  for (const std::int64_t most : {8, 48, 96, 192}) {
+  for (const std::int64_t most : {5, 8, 48, 96, 192}) {
     GradientControl course(asked_tolerance, most);
     auto next = GradientControl::Next::iteration;
     while (next == GradientControl::Next::iteration) next = judge(course, {4 * few, 1e-9F});
@@ -120,9 +127,9 @@ struct WallRow {
       points.push_back({i == 0 ? IslandPoint::fixed : i - 1, i, &g, &impulse[i], {}});
     }
   }
-  bool solve(IslandResult& result) {
+  bool solve(bool keeps, IslandResult& result) {
     return IslandGradient().solve(bodies, points, motion, {PointFriction::coulomb, asked_tolerance, 0.2, 192, true},
-                                  true, result);
+                                  keeps, result);
   }
 };
 
@@ -130,7 +137,7 @@ TEST(IslandGradient, StopsAShortRow) {
   constexpr int count = 2;
   WallRow row(count);
   IslandResult result;
-  ASSERT_TRUE(row.solve(result));
+  ASSERT_TRUE(row.solve(true, result));
   EXPECT_GT(result.iterations, 0);
   EXPECT_LE(result.error, asked_tolerance);
   for (int i = 0; i < count; ++i) {
@@ -141,10 +148,14 @@ TEST(IslandGradient, StopsAShortRow) {
 }
 
 TEST(IslandGradient, LeavesALongRowToSplitting) {
-  WallRow row(200);
-  IslandResult result;
-  EXPECT_FALSE(row.solve(result));
-  EXPECT_EQ(result.iterations, 0);
+  for (const bool keeps : {false, true}) {
+    WallRow row(200);
+    IslandResult result;
+    EXPECT_FALSE(row.solve(keeps, result));
+    EXPECT_EQ(result.iterations, 0);
+    EXPECT_EQ(row.impulse[0].normal > 0.0, keeps);
+    EXPECT_EQ(result.error > asked_tolerance, keeps) << result.error;
+  }
 }
 
 }  // namespace

@@ -224,14 +224,15 @@ bool IslandSolver::ends_by_gradient(std::span<const IslandBody> bodies, std::spa
   return false;
 }
 
-GradientPlan IslandSolver::plan_of(std::span<const IslandBody> bodies, std::span<const IslandPoint> points) {
+GradientPlan IslandSolver::plan_of(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
+                                   std::int64_t iterations_maximum) {
   float mass = 0.0F, inverse_mass = 0.0F;
   for (const IslandBody& b : bodies) {
     mass = larger(mass, static_cast<float>(1.0 / b.inverse.mass));
     inverse_mass = larger(inverse_mass, static_cast<float>(b.inverse.mass));
   }
   return gradient_plan(static_cast<std::int32_t>(bodies.size()), static_cast<std::int32_t>(points.size()), mass,
-                       inverse_mass);
+                       inverse_mass, iterations_maximum);
 }
 
 IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
@@ -240,11 +241,12 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
   move_by_base(bodies, points);
   result.error = error_of_base(control, bodies, points);
   if (result.error <= control.tolerance) return result;
-  const GradientPlan plan = control.gradient ? plan_of(bodies, points) : GradientPlan{};
-  if (plan.first && ends_by_gradient(bodies, points, control, plan.onward, result)) return result;
+  const GradientPlan plan =
+      control.gradient_first ? plan_of(bodies, points, control.iterations_maximum) : GradientPlan{};
+  if (plan.first && ends_by_gradient(bodies, points, control, plan.joins_rounds, result)) return result;
   order_bodies(bodies, points);
   set_points(bodies, points);
-  const RoundKind usual = RoundControl::usual_kind(plan.onward);
+  const RoundKind usual = RoundControl::usual_kind(plan.joins_rounds);
   const bool chain =
       RoundControl::is_chain(static_cast<std::int32_t>(bodies.size()), static_cast<std::int32_t>(points.size()));
   RoundKind kind = RoundControl::first_kind(usual, chain, control.iterations_maximum);
@@ -258,8 +260,8 @@ IslandResult IslandSolver::solve(std::span<const IslandBody> bodies, std::span<c
       blocks_.add_to(control.friction, static_cast<std::int32_t>(k), *points[k].geometry, points[k].spare,
                      *points[k].impulse);
     move_by_base(bodies, points);
-    const bool leaves = kind == RoundKind::short_one && result.error > control.tolerance;
-    if (leaves && ends_by_gradient(bodies, points, control, true, result)) return result;
+    const bool missed = result.error > control.tolerance;
+    if (plan.joins_rounds && missed && ends_by_gradient(bodies, points, control, true, result)) return result;
   } while (RoundControl::goes_on(control.tolerance, control.iterations_maximum, result.iterations, result.error));
   if (result.error > control.tolerance) {
     keep_best_share(control.friction, bodies, points);

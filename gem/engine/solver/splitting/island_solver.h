@@ -17,6 +17,8 @@
 // there.
 //
 // At the end of a round the additions go to the base in double precision, and the next round starts from there.
+//
+// In most islands gradient iterations come first (island_gradient.h), and often nothing is left for splitting.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +54,8 @@ class IslandSolver {
   void set_base(PointFriction law, std::span<const IslandPoint> points);
   void keep_best_share(PointFriction law, std::span<const IslandBody> bodies,
                        std::span<const IslandPoint> points) const;
-  static GradientPlan plan_of(std::span<const IslandBody> bodies, std::span<const IslandPoint> points);
+  static GradientPlan plan_of(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
+                              std::int64_t iterations_maximum);
   bool ends_by_gradient(std::span<const IslandBody> bodies, std::span<const IslandPoint> points,
                         const IslandControl& control, bool keeps, IslandResult& result);
   void stiffen(const RoundControl& round);

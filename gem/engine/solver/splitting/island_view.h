@@ -60,6 +60,7 @@ struct IslandCell {
   std::uint64_t asked;  // of all points: 32 bits are too few for a cluster of blocks
   std::uint32_t points_bits, bodies_bits, change_bits, motion_bits;
   double share;
+  bool joins_rounds;  // of GradientPlan
   std::int32_t branches, trunk_bodies;
   TreePart trunk;
   std::int32_t branch[trunk_nodes / 2 + 1];  // node at the top of each branch

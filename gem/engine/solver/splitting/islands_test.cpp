@@ -3,8 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
+#include "gem/engine/solver/iteration_control.h"
+#include "gem/engine/solver/splitting/island_gradient.h"
 #include "gem/engine/solver/splitting/island_view.h"
 #include "gem/engine/solver/splitting/round_control.h"
 
@@ -50,8 +56,8 @@ struct Row {
 
 /// As a scene sets it whose residual tolerance is so much of `speed`.
 IslandControl control_of(double tolerance, std::int64_t iterations_maximum) {
-  constexpr double single_precision = 1e-6;
-  return {PointFriction::coulomb, tolerance, 0.2, iterations_maximum, tolerance >= single_precision * speed};
+  return {PointFriction::coulomb, tolerance, 0.2, iterations_maximum,
+          tolerance >= IterationControl::single_precision * speed};
 }
 
 IslandResult solve(Islands& islands, const IslandControl& control) {
@@ -148,13 +154,117 @@ TEST(Islands, DependOnThemselvesAlone) {
 }
 
 TEST(Islands, TakeNoAnswerThatIsNotANumber) {
-  Row row(5, 0.0);
-  row.bodies[3].velocity.x = std::nan("");
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    for (int body = 0; body < 5; ++body) {
+      Row row(5, 0.0);
+      row.bodies[body].velocity.x = bad;
+      Islands islands;
+      islands.begin(5, 5, 1);
+      row.add_to(islands, 0, 0);
+      const IslandControl control = control_of(1e-3, 96);
+      EXPECT_FALSE(solve(islands, control).error <= control.tolerance) << body;
+    }
+  }
+}
+
+/// Square bodies, side by side in a corner of two walls, that are pushed into it. Each face has two points.
+struct Block {
+  static constexpr int side = 10;
+  static constexpr double half = 0.5, arm = 0.4, light = 0.05;  // [m], [m], share of the mass of every seventh body
+  std::vector<IslandBody> bodies;
+  std::vector<PointGeometry<double>> geometry;
+  std::vector<std::pair<int, int>> ends;
+  std::vector<PointImpulse<double>> impulse;
+  std::vector<Motion<double>> motion;
+
+  Block() {
+    for (int k = 0; k < side * side; ++k) {
+      const double m = mass * (k % 7 == 0 ? light : 1.0);
+      bodies.push_back({{1.0 * (k % side), 1.0 * (k / side)}, {-speed, -0.5 * speed}, 0.0, {1.0 / m, 6.0 / m}});
+      motion.push_back({-speed, -0.5 * speed, 0.0, 0.0, 0.0, 0.0});
+    }
+    for (int k = 0; k < side * side; ++k) {
+      add_face(k % side == 0 ? Islands::fixed : k - 1, k, {1.0, 0.0});
+      add_face(k < side ? Islands::fixed : k - side, k, {0.0, 1.0});
+    }
+    impulse.resize(ends.size());
+    std::vector<int> count(bodies.size());
+    for (const auto& [a, b] : ends) {
+      if (a != Islands::fixed) ++count[a];
+      ++count[b];
+    }
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const auto [a, b] = ends[k];
+      const InverseMass of_a = a == Islands::fixed ? InverseMass{} : bodies[a].inverse, of_b = bodies[b].inverse;
+      const double from_a = a == Islands::fixed ? 0.0 : count[a];
+      set_compliance(geometry[k], from_a * of_a.mass + count[b] * of_b.mass, from_a * of_a.inertia,
+                     count[b] * of_b.inertia);
+    }
+  }
+
+  void add_face(int a, int b, Vec2 normal) {
+    for (const double at : {-arm, arm}) {
+      PointGeometry<double> g{};
+      g.normal_x = normal.x;
+      g.normal_y = normal.y;
+      const Vec2 tangent{-normal.y, normal.x}, from_b = -half * normal + at * tangent,
+                                               from_a = half * normal + at * tangent;
+      g.lever_a_n = cross(from_a, normal);
+      g.lever_a_t = cross(from_a, tangent);
+      g.lever_b_n = cross(from_b, normal);
+      g.lever_b_t = cross(from_b, tangent);
+      g.friction = 0.3;
+      g.cap = 1e30;
+      geometry.push_back(g);
+      ends.emplace_back(a, b);
+    }
+  }
+
+  IslandPoint point(std::size_t k) { return {ends[k].first, ends[k].second, &geometry[k], &impulse[k], {}}; }
+
+  /// Largest speed of a body with the impulses of its points [m/s].
+  double fastest() const {
+    std::vector<Push<double>> push(bodies.size());
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const PointGeometry<double>& g = geometry[k];
+      add(push[ends[k].second], 1.0, push_of(g, impulse[k], g.lever_b_n, g.lever_b_t));
+      if (ends[k].first != Islands::fixed)
+        add(push[ends[k].first], -1.0, push_of(g, impulse[k], g.lever_a_n, g.lever_a_t));
+    }
+    double largest = 0.0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const IslandBody& b = bodies[i];
+      const Motion<double> m = moved_by(push[i], b.velocity.x, b.velocity.y, b.spin, b.inverse.mass, b.inverse.inertia);
+      largest = std::max({largest, std::abs(m.x), std::abs(m.y)});
+    }
+    return largest;
+  }
+};
+
+/// Solves a block as islands do.
+IslandResult solve(Block& block, const IslandControl& control) {
+  const auto bodies = static_cast<std::int32_t>(block.bodies.size());
+  const auto points = static_cast<std::int32_t>(block.ends.size());
   Islands islands;
-  islands.begin(5, 5, 1);
-  row.add_to(islands, 0, 0);
-  const IslandControl control = control_of(1e-3, 96);
-  EXPECT_FALSE(solve(islands, control).error <= control.tolerance);
+  islands.begin(bodies, points, 1);
+  for (std::int32_t k = 0; k < bodies; ++k) islands.set_body(k, block.bodies[k]);
+  for (std::int32_t k = 0; k < points; ++k) islands.set_point(k, block.point(k));
+  return solve(islands, control);
+}
+
+TEST(Islands, StopABlockWithGradientIterationsAfterARound) {
+  IslandControl control = control_of(1e-3, 100);  // room for one round
+  Block by_gradient, by_splitting, by_both;
+  std::vector<IslandPoint> points;
+  for (std::size_t k = 0; k < by_gradient.ends.size(); ++k) points.push_back(by_gradient.point(k));
+  IslandResult result;
+  EXPECT_FALSE(IslandGradient().solve(by_gradient.bodies, points, by_gradient.motion, control, true, result));
+  EXPECT_GT(by_gradient.fastest(), 10.0 * control.tolerance);
+  control.gradient_first = false;
+  EXPECT_GT(solve(by_splitting, control).error, control.tolerance);
+  control.gradient_first = true;
+  EXPECT_LE(solve(by_both, control).error, control.tolerance);
+  EXPECT_LE(by_both.fastest(), 2.0 * control.tolerance);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The course of a round of operator splitting: when the error is estimated, when the stiffness changes, when the round
-// ends. The numbers were chosen in jams (bench/notebook.md, "Operator splitting").
+// ends. The numbers were chosen in jams (bench/notebook.md, "Operator splitting", "Gradient iterations first").
 #pragma once
 
 #include <cstdint>
@@ -47,7 +47,7 @@ class RoundControl {
   GEM_HD RoundControl(RoundKind kind, double tolerance, std::int64_t iterations_maximum, std::int64_t done)
       : tolerance_(tolerance),
         last_(length_of(kind) < iterations_maximum - done ? length_of(kind) : iterations_maximum - done),
-        falls_(kind == RoundKind::full ? 2 : 1),
+        low_intervals_(kind == RoundKind::full ? 2 : 1),
         scheduled_(kind != RoundKind::attempt && done < scheduled_iterations),
         stiffness_(kind == RoundKind::attempt ? attempt_stiffness
                    : scheduled_               ? first_stiffness
@@ -98,7 +98,7 @@ class RoundControl {
   GEM_HD Change change() const {
     const std::int64_t left = last_ - iteration_;
     if (!scheduled_ || left % change_interval != 0) return Change::none;
-    return left > falls_ * change_interval ? Change::raise : Change::fall;
+    return left > low_intervals_ * change_interval ? Change::raise : Change::fall;
   }
   /// Notes that the stiffness changed.
   GEM_HD void changed(Change change) {
@@ -142,7 +142,7 @@ class RoundControl {
   }
 
   double tolerance_;
-  std::int64_t last_, falls_;
+  std::int64_t last_, low_intervals_;
   bool scheduled_;
   float stiffness_;
   std::int64_t iteration_ = 0, next_estimate_ = first_estimate;

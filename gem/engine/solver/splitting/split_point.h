@@ -299,6 +299,14 @@ GEM_HD inline bool repairs(const PointGeometry<double>& g, const PointImpulse<do
   return g.repair_target > 0.0 || impulse.repair > 0.0;
 }
 
+/// `speed`, or the largest number if `x` is not a finite number: bounds hide such a number from what is measured after
+/// them.
+template <class Real>
+GEM_HD GEM_INLINE Real unless_finite(Real x, Real speed) {
+  constexpr float largest_float = 3.402823466e38F;
+  return pick(magnitude(x) <= Real{} + largest_float, speed, Real{} + largest_float);
+}
+
 /// Largest speed that a point would change if it alone answered the motions `a` and `b` of the base [m/s]. A shift of
 /// the repair counts `per_step` times [1/s].
 GEM_HD inline float speed_asked_at_base(PointFriction law, const PointGeometry<double>& g, PointInertia inertia,
@@ -313,8 +321,9 @@ GEM_HD inline float speed_asked_at_base(PointFriction law, const PointGeometry<d
   if (law == PointFriction::coulomb)
     tangential = larger(smaller(-f.slip * inertia.tangential, f.slack_left + wider), -(f.slack_right + wider));
   if (law == PointFriction::fixed_direction) tangential = f.slack_left + wider;
-  return larger(larger(magnitude(normal), per_step * magnitude(repair)) / inertia.normal,
-                magnitude(tangential) / inertia.tangential);
+  const float asked = larger(larger(magnitude(normal), per_step * magnitude(repair)) / inertia.normal,
+                             magnitude(tangential) / inertia.tangential);
+  return unless_finite(f.excess + f.slip + f.repair_excess, asked);
 }
 
 /// The impulse of a point with its last answer.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gem/engine/device/phases.h"
+#include "gem/engine/solver/splitting/round_control.h"
 #include "gem/engine/testing/host_scene.h"
 #include "gem/engine/testing/law_names.h"
 #include "gem/engine/testing/same_bits.h"
@@ -51,6 +52,34 @@ INSTANTIATE_TEST_SUITE_P(Laws, DeviceSplitting,
                                           testing::Values(FrictionLaw::one_step, FrictionLaw::fixed_direction),
                                           // where no island keeps its impulses, and where some do
                                           testing::Values(1e-5, 1e-2), testing::Values(test::team_warp)));
+
+/// Floes that are jammed at the platform, in islands that gradient iterations begin, and in which they end rounds.
+TEST(DeviceIslands, GiveTheBitsOfTheCpuEngineInAJam) {
+  SceneDef scene = test::busy_scene(7);
+  scene.numerics.iteration = Iteration::splitting;
+  scene.contact.solver = ContactSolver::coupled;
+  scene.numerics.residual_tolerance = 1e-4;
+  scene.numerics.iterations_maximum = 192;
+  scene.numerics.time_step_s = 0.2;
+  scene.boundary.gap_m = 24.0;
+  scene.output.retire_x_m = 60.0;
+  const auto cpu = test::busy_engine(scene, "cpu");
+  StepLog expected, log;
+  cpu->advance(500, expected);
+  HostScene device(scene, test::busy_field(scene), 2, test::team_warp, 0, bodies_shared_bytes);
+  device.use_phases();
+  device.divide_islands(16, 128);
+  device.restore(cpu->save());
+  expected.clear();
+  cpu->advance(2, expected);
+  device.advance(2, log);
+  test::expect_same_bodies(device.bodies(), cpu->bodies());
+  test::expect_same_log(log, expected);
+  for (const StepQuality& quality : expected.quality) {
+    EXPECT_GT(quality.contacts, 200);
+    EXPECT_GE(quality.iterations, RoundControl::short_round);
+  }
+}
 
 /// A barge runs into a box of ice at 1 m/s, and is 3 cm farther on when the islands are cut than at the start of the
 /// time step. From a state in which the cuts show the difference.

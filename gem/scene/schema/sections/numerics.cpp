@@ -9,13 +9,16 @@ void add_numerics(SceneTable& t) {
            "coupled: iterations end when the residual is below this share of the current speed; with gradient 1e-05 if "
            "it is not given",
            GEM_FIELD(numerics.residual_tolerance));
-  t.integer("numerics.iterations_maximum", {1.0, 1e5},
-            "coupled: largest number of iterations in one time step; with gradient 32 if it is not given",
-            GEM_FIELD(numerics.iterations_maximum));
+  t.integer(
+      "numerics.iterations_maximum", {1.0, 1e5},
+      "coupled: largest number of iterations in one time step; with splitting those with the matrix; with gradient 32 "
+      "if it is not given",
+      GEM_FIELD(numerics.iterations_maximum));
   t.choice(
       "numerics.iteration", {"gradient", "splitting"},
-      "coupled: splitting: iterations with a factored matrix, few to converge, each island by itself; gradient: cheap "
-      "iterations, many to converge",
+      "coupled: splitting: each island by itself, first by cheap iterations, then, where they do not end soon, by "
+      "iterations with a factored matrix, few to converge; gradient: cheap iterations of all islands together, many to "
+      "converge",
       GEM_FIELD(numerics.iteration));
   t.number("numerics.list_margin_m", "m", {0.0, 1e3}, "pairs closer than this are in the pair list",
            GEM_FIELD(numerics.list_margin_m));

@@ -185,5 +185,16 @@ TEST_F(CompareCommand, AReportOfASweepShowsItsRuns) {
   EXPECT_NE(text_of("runs_report/index.html").find("ends at 1 s"), std::string::npos);
 }
 
+TEST_F(CompareCommand, ASweepOfShipsInTransitHasNoMooring) {
+  if (shell("command -v gnuplot") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_EQ(shell("gem sweep run " GEM_SOURCE_DIR "/cases/pack_ice_resistance.toml --index 1 -q --out ships "
+                  "--set run.duration_s=1 --threads 1 && gem report ships"),
+            0)
+      << text_of("err");
+  const std::string page = text_of("ships_report/index.html");
+  EXPECT_NE(page.find("largest ice force"), std::string::npos);
+  EXPECT_EQ(page.find("mooring"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace gem

@@ -102,9 +102,11 @@ std::string clock_text(double seconds) {
 
 namespace {
 
-/// A tow or the ground gives back each hit in one time step, so their largest force is no measure for arrows.
+/// A tow, the thrust of a ship in transit with what holds it on its path, and the ground give back each hit in one time
+/// step, so their largest force is no measure for arrows.
 double largest_load(const RunFile& file, const std::string& holder) {
-  const double held = holder == "tow" || holder == "ground" ? 0.0 : largest_of(file, "mooring_force");
+  const bool gives_back_hits = holder == "tow" || holder == "thrust" || holder == "ground";
+  const double held = gives_back_hits ? 0.0 : largest_of(file, "mooring_force");
   return std::max({largest_of(file, "ice_force_mean"), held, 1.0});
 }
 
@@ -236,7 +238,8 @@ void Picture::draw_texts(Canvas& canvas, const Window& window, double time) cons
   if (poses_.has_platform()) {
     const PlatformPose pose = poses_.platform_at(time);
     label("ice " + fixed_text(length(pose.ice_force) / 1e3, 0) + " kN", {margin, margin + 3.2 * high}, load);
-    label(holder_ + " " + fixed_text(length(pose.mooring) / 1e3, 0) + " kN", {margin, margin + 5.4 * high}, mooring);
+    const std::string holder = holder_ == "tow" || holder_ == "thrust" ? holder_ + " and hold" : holder_;
+    label(holder + " " + fixed_text(length(pose.mooring) / 1e3, 0) + " kN", {margin, margin + 5.4 * high}, mooring);
   }
   // colours
   const double width = 0.2 * canvas.width(), bottom = canvas.height() - margin;

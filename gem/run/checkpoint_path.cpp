@@ -1,3 +1,4 @@
+// Paths and parts of checkpoint files.
 #include "gem/run/checkpoint_path.h"
 
 #include <unistd.h>

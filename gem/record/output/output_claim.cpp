@@ -7,9 +7,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "gem/base/error.h"
@@ -48,6 +51,25 @@ std::string draft_of(const std::string& path) {
 /// Returns whether nobody else holds the file. Where the file system has no locks, nobody does.
 bool lock(int file, int kind) { return flock(file, kind | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
 
+/// The same, with patience: readers as `gem sweep status` hold a file for moments, a run that writes it to its end.
+bool lock_soon(int file) {
+  for (int attempt = 0; attempt < 50; ++attempt) {
+    if (lock(file, LOCK_EX)) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
+}
+
+/// Whether `get_lock` fails for the file. A file that is not there, and one that cannot be opened, are free.
+bool is_held(const std::string& path, const std::function<bool(int)>& get_lock) {
+  // a pipe would wait for its writer
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0) return false;
+  const bool free = get_lock(file);
+  close(file);
+  return !free;
+}
+
 bool same_file(const struct stat& one, const struct stat& other) {
   return one.st_dev == other.st_dev && one.st_ino == other.st_ino;
 }
@@ -55,15 +77,11 @@ bool same_file(const struct stat& one, const struct stat& other) {
 }  // namespace
 
 bool is_claimed(const std::string& path) {
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return false;
-  const bool free = lock(file, LOCK_EX);
-  close(file);
-  return !free;
+  return is_held(path, [](int file) { return lock(file, LOCK_EX); });
 }
 
 void check_unclaimed(const std::string& path) {
-  if (is_claimed(path)) refuse_claim(path, "another process writes or reads it", "wait for its end");
+  if (is_held(path, lock_soon)) refuse_claim(path, "another process writes or reads it", "wait for its end");
 }
 
 OutputClaim::OutputClaim(const std::string& path, bool overwrite)
@@ -81,8 +99,7 @@ void OutputClaim::hold_existing(bool overwrite) {
   former_ = open(path_.c_str(), O_RDWR | O_CLOEXEC);
   if (former_ < 0 && errno == ENOENT) return;
   if (former_ < 0) refuse_claim(path_, reason_of(errno), "choose another --out");
-  const bool free = lock(former_, LOCK_EX);
-  if (overwrite && free) return;
+  if (overwrite && lock_soon(former_)) return;
   close(former_);
   if (!overwrite) refuse_claim(path_, "the file exists", "use --overwrite or another --out");
   refuse_held(path_);

@@ -9,8 +9,8 @@ namespace gem {
 /// Whether a process holds the file, as a run that writes it, or a reader. A file that is not there is free.
 bool is_claimed(const std::string& path);
 
-/// Throws Error(file_system) if another process holds the file, as a run that writes it. A file that is not there is
-/// free.
+/// Throws Error(file_system) if another process holds the file for longer than a second, as a run that writes it. A
+/// file that is not there is free.
 void check_unclaimed(const std::string& path);
 
 /// The output file of this process, locked against other processes that write. It begins as a draft, `.NAME.new` beside
@@ -19,7 +19,7 @@ void check_unclaimed(const std::string& path);
 class OutputClaim {
  public:
   /// Throws Error(file_system) if the file exists (and not overwrite), the draft cannot be created, or another process
-  /// holds one of them, as a run that writes it.
+  /// holds one of them, as a run that writes it; a reader may hold the file for up to a second.
   OutputClaim(const std::string& path, bool overwrite);
   ~OutputClaim();
   OutputClaim(const OutputClaim&) = delete;

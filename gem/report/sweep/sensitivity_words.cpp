@@ -46,7 +46,7 @@ std::string output_words(const std::string& name) {
       {"ice_force_x_mean_N", "mean ice force along x"},
       {"ice_force_window_largest_N", "largest ice force, averaged over output.force_window_s"},
       {"ice_sample_largest_N", "largest ice force in one sample of the platform"},
-      {"mooring_force_largest_N", "largest mooring force"},
+      {"mooring_force_largest_N", "largest force of mooring or thrusters"},
       {"orbit_largest_m", "largest excursion"},
       {"x_offset_m", "mean offset along x"},
       {"contact_fraction", "share of the time with contact"}};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "gem/analysis/verdict/verdict_words.h"
 #include "gem/base/error.h"
@@ -24,6 +25,7 @@ struct SweepPageCell {
   std::string picture;  // SVG; empty without frames of the floes
   RunVerdict verdict;
   PlatformLoads loads;
+  std::string holder;             // what holds the platform in its place; empty if nothing does
   double radial_excursion = 0.0;  // [m]
   double duration_s = 0.0;
   double force_window_s = 0.0;
@@ -33,12 +35,13 @@ struct SweepPageCell {
 
 SweepPageCell page_cell(const SweepPageRun& run, std::size_t number, std::optional<double> at_s,
                         const PlotFolder& folder) {
-  SweepPageCell cell{run, "", {}, {}, 0.0, 0.0, 0.0, "", {}};
+  SweepPageCell cell{run, "", {}, {}, "", 0.0, 0.0, 0.0, "", {}};
   if (run.path.empty()) return cell;
   RunData data = load_run(run.path, true);
   const RunFindings findings = run_findings(data);
   cell.verdict = data.verdict;
   cell.loads = findings.loads;
+  if (data.is_held && !data.transit.present) cell.holder = data.dp.thruster.empty() ? "mooring" : "thrusters";
   cell.radial_excursion = findings.radial_excursion;
   cell.duration_s = data.duration_s;
   cell.force_window_s = data.force_window_s;
@@ -96,14 +99,28 @@ std::string ice_text(const SweepPageCell& cell) {
   return force_text_of(cell.loads.ice_window_largest) + doubt_text(cell.verdict);
 }
 
+std::string holder_html(const SweepPageCell& cell, const Largest& largest) {
+  if (cell.holder.empty()) return "";
+  return "<p>" + cell.holder + " <span>" + force_text_of(cell.loads.mooring_largest) + "</span></p>" +
+         share_bar(cell.loads.mooring_largest, largest.mooring);
+}
+
+/// What holds the platforms of a sweep: "mooring", "thrusters", both, or nothing.
+std::string holders_text(const std::vector<SweepPageCell>& cells) {
+  std::set<std::string> holders;
+  for (const SweepPageCell& cell : cells)
+    if (!cell.holder.empty()) holders.insert(cell.holder);
+  std::string text;
+  for (const std::string& holder : holders) text += (text.empty() ? "" : " or ") + holder;
+  return text;
+}
+
 std::string cell_html(const SweepPageCell& cell, const Largest& largest) {
   const std::string name = "<b>" + escaped(cell.run.name) + "</b>";
   if (cell.run.path.empty()) return "<td>" + name + "<p>" + escaped(cell.run.status) + "</p></td>";
   return "<td>" + cell.picture + "<p>" + name + (cell.run.status == "done" ? "" : " " + escaped(cell.run.status)) +
          "<span>" + grade_html(cell) + "</span></p><p>ice <span>" + ice_text(cell) + "</span></p>" +
-         share_bar(cell.loads.ice_window_largest, largest.ice) + "<p>mooring <span>" +
-         force_text_of(cell.loads.mooring_largest) + "</span></p>" +
-         share_bar(cell.loads.mooring_largest, largest.mooring) + "</td>";
+         share_bar(cell.loads.ice_window_largest, largest.ice) + holder_html(cell, largest) + "</td>";
 }
 
 std::string matrix_html(const std::vector<SweepPageCell>& cells) {
@@ -141,7 +158,7 @@ std::string mean_with_interval(const Finding& finding, const Unit& unit) {
   return text + " " + unit.name;
 }
 
-std::string table_row(const SweepPageCell& cell) {
+std::string table_row(const SweepPageCell& cell, bool with_holder) {
   std::string html =
       "<tr><th scope=\"row\">" + escaped(cell.run.name) + "</th><td>" + escaped(cell.run.status) + "</td>";
   if (cell.run.path.empty()) return html + "</tr>\n";
@@ -150,9 +167,10 @@ std::string table_row(const SweepPageCell& cell) {
     const double value = std::abs(finding.value.value_or(0.0));
     return mean_with_interval(finding, size > 0.0 ? length_unit(size) : force_unit(value));
   };
+  html += "<td>" + grade_html(cell) + "</td><td>" + ice_text(cell) + "</td>";
+  if (with_holder) html += "<td>" + (cell.holder.empty() ? "-" : force_text_of(cell.loads.mooring_largest)) + "</td>";
   for (const std::string& text :
-       {grade_html(cell), ice_text(cell), force_text_of(cell.loads.mooring_largest), mean("ice_force_x_mean_N", 0.0),
-        mean("x_offset_m", std::max(cell.radial_excursion, 1e-9)),
+       {mean("ice_force_x_mean_N", 0.0), mean("x_offset_m", std::max(cell.radial_excursion, 1e-9)),
         with_unit(cell.radial_excursion, length_unit(cell.radial_excursion)), std::to_string(cell.loads.events)})
     html += "<td>" + text + "</td>";
   return html + "</tr>\n";
@@ -160,16 +178,19 @@ std::string table_row(const SweepPageCell& cell) {
 
 std::string table_html(const std::vector<SweepPageCell>& cells) {
   std::string html = "<table class=\"runs\"><caption>The runs in numbers</caption>\n<tr>";
-  for (const char* head : {"run", "status", "verdict", "largest ice force", "largest mooring force",
-                           "mean ice force, x", "mean offset, x", "largest excursion", "events"})
-    html += std::string("<th scope=\"col\">") + head + "</th>";
+  const std::string holders = holders_text(cells);
+  std::vector<std::string> heads = {"run", "status", "verdict", "largest ice force"};
+  if (!holders.empty()) heads.push_back("largest force of " + holders);
+  for (const char* head : {"mean ice force, x", "mean offset, x", "largest excursion", "events"}) heads.push_back(head);
+  for (const std::string& head : heads) html += "<th scope=\"col\">" + head + "</th>";
   html += "</tr>\n";
-  for (const SweepPageCell& cell : cells) html += table_row(cell);
+  for (const SweepPageCell& cell : cells) html += table_row(cell, !holders.empty());
   return html + "</table>\n";
 }
 
 std::string notes_html(const std::vector<SweepPageCell>& cells, std::optional<double> at_s) {
   double window = 0.0;
+  const std::string holders = holders_text(cells);
   for (const SweepPageCell& cell : cells) window = std::max(window, cell.force_window_s);
   const bool doubted =
       std::any_of(cells.begin(), cells.end(), [](const SweepPageCell& cell) { return stops_short(cell.verdict); });
@@ -178,8 +199,9 @@ std::string notes_html(const std::vector<SweepPageCell>& cells, std::optional<do
          ", in the recorded frame nearest to that time; floes are coloured by speed, from dark (at rest) to yellow "
          "(the "
          "fastest of the run). <em>Ice</em> is the largest ice force averaged over " +
-         number_text(window, 6) +
-         " s, <em>mooring</em> the largest mooring force; the bars are shares of the largest value of the sweep. A "
+         number_text(window, 6) + " s" +
+         (holders.empty() ? "" : ", <em>" + holders + "</em> the largest force of " + holders) +
+         "; the bars are shares of the largest value of the sweep. A "
          "largest value is a single draw. Brackets are intervals of 95 % of one run." +
          (doubted
               ? " <em>Not converged</em> are runs whose time steps often end before their contacts agree: what acts "

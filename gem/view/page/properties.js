@@ -35,7 +35,7 @@ function runRows(view) {
   return rows;
 }
 
-const forceOf = {mooring: 'Mooring force', thrusters: 'Force of thrusters', tow: 'Force of the tow', thrust: 'Net thrust', ground: 'Force of the ground'};
+const forceOf = {mooring: 'Mooring force', thrusters: 'Force of thrusters', tow: 'Force of tow and hold', thrust: 'Net thrust and hold', ground: 'Force of the ground'};
 
 function platformRows(view) {
   const {run, time} = view, {platform} = run.description;

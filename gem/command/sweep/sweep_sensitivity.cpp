@@ -52,10 +52,12 @@ bool has(const std::vector<Finding>& findings, const std::string& name) {
   return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.name == name; });
 }
 
-/// What is measured without the user's choice. Without a mooring there is no force of it.
-std::vector<std::string> usual_measures_of(const std::vector<Finding>& findings) {
+/// What is measured without the user's choice: what any of the runs has. Without a mooring there is no force of it.
+std::vector<std::string> usual_measures_of(const std::vector<std::vector<Finding>>& runs) {
   std::vector<std::string> names = usual_measures();
-  std::erase_if(names, [&](const std::string& name) { return !has(findings, name); });
+  std::erase_if(names, [&](const std::string& name) {
+    return std::none_of(runs.begin(), runs.end(), [&](const auto& findings) { return has(findings, name); });
+  });
   return names;
 }
 
@@ -112,17 +114,18 @@ SensitivityPage study_of(const SweepSensitivityChoice& choice) {
   page.listed = rows.size();
   page.from_s = choice.from_s;
   page.study.inputs = inputs_of(rows.front().draw);
-  page.study.outputs = choice.measures;
+  std::vector<std::vector<Finding>> findings;
   for (SweepRow& row : rows) {
     row = look_at_run(choice.folder, row);
     if (row.status != "done") continue;
     StudyRun run{row.name, row.draw.condition, row.draw.draw, row.draw.part, row.draw.repeat, {}, {}};
     for (const DrawnValue& one : row.draw.values) run.inputs.push_back(one.value);
-    const std::vector<Finding> findings = measured(run_path(choice.folder, row.name), choice.from_s);
-    if (page.study.outputs.empty()) page.study.outputs = usual_measures_of(findings);
-    run.outputs = values_of(findings, page.study.outputs, !choice.measures.empty());
+    findings.push_back(measured(run_path(choice.folder, row.name), choice.from_s));
     page.study.runs.push_back(std::move(run));
   }
+  page.study.outputs = choice.measures.empty() ? usual_measures_of(findings) : choice.measures;
+  for (std::size_t i = 0; i < findings.size(); ++i)
+    page.study.runs[i].outputs = values_of(findings[i], page.study.outputs, !choice.measures.empty());
   const std::size_t done = page.study.runs.size();
   if (done == 0 || (done < rows.size() && !choice.partial))
     throw Error(ExitCode::file_system, shown(choice.folder) + " holds " + std::to_string(done) + " done runs of " +

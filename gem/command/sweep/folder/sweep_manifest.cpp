@@ -2,6 +2,7 @@
 #include "gem/command/sweep/folder/sweep_manifest.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 #include "gem/base/error.h"
@@ -35,6 +37,15 @@ std::string updates_path(const std::string& folder) { return folder + "/manifest
 [[noreturn]] void throw_unwritable(const std::string& path, int fault) {
   throw Error(ExitCode::file_system, "cannot write " + shown(path) + " (" + std::generic_category().message(fault) +
                                          ") free disk space or choose another --out");
+}
+
+/// Tells one file of a name from the next: inode, and seconds and nanoseconds of its last change. Zeros: no file.
+using FileStamp = std::tuple<ino_t, time_t, long>;
+
+FileStamp stamp_of(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return {};
+  return {status.st_ino, status.st_ctim.tv_sec, status.st_ctim.tv_nsec};
 }
 
 /// Replaces the file atomically: a reader sees the old text or the new one.
@@ -170,9 +181,15 @@ void settle(const std::string& folder) {
 
 std::vector<SweepRow> read_manifest(const std::string& folder) {
   const std::string path = manifest_path(folder);
-  // The updates come first: if they are settled in between, the manifest has them.
-  const std::vector<SweepRow> updates = read_updates(folder);
-  const auto text = text_of(path);
+  std::vector<SweepRow> updates;
+  std::optional<std::string> text;
+  // If another process settled the updates in between, those of before may be older than the manifest.
+  FileStamp before;
+  do {
+    before = stamp_of(path);
+    updates = read_updates(folder);
+    text = text_of(path);
+  } while (stamp_of(path) != before);
   if (!text) return {};
   try {
     std::vector<SweepRow> rows;

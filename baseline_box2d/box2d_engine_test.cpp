@@ -176,6 +176,22 @@ TEST(Box2dEngine, V39_swingIsGemsToTheBit) {
   EXPECT_LT(box2d->bodies().position[0].x, 0.99);
 }
 
+TEST(Box2dEngine, DragByAxisIsGemsToTheBit) {
+  SceneDef scene = still_scene();
+  scene.platform.present = true;
+  scene.platform.outline = PlatformOutline::ship;
+  scene.platform.start_velocity_m_per_s = {0.5, 1.0};
+  scene.platform.start_spin_rad_per_s = 0.01;
+  scene.platform_drag = {.present = true, .law = PlatformDragLaw::by_axis};
+  const auto gems = make_engine(scene, make_field(scene), on("cpu"));
+  const auto box2d = make_engine(scene, make_field(scene), on("box2d"));
+  StepLog log;
+  gems->advance(2000, log);
+  box2d->advance(2000, log);
+  EXPECT_EQ(box2d->state_hash(), gems->state_hash());
+  EXPECT_LT(box2d->bodies().spin[0], 0.009);
+}
+
 TEST(Box2dEngine, V33_columnOnAWall) {
   SceneDef scene = still_scene();
   scene.current.velocity_m_per_s = {0.5, 0.0};

@@ -42,6 +42,18 @@ MooringLaws mooring_laws(const MooringDef& def, const PlatformInEvents& platform
   return m;
 }
 
+/// Of a platform that cannot turn: no drag of the yaw.
+AxisDrag axis_drag(const EventDefinitions& definitions, const PlatformInEvents& platform) {
+  const PlatformDragDef& def = definitions.platform_drag;
+  const double density = definitions.water.density_kg_per_m3;
+  AxisDrag drag;
+  drag.surge = platform_drag_rate(density, def.surge_coefficient, platform.diameter, def.draft_m, platform.mass);
+  drag.sway = platform_drag_rate(density, def.sway_coefficient, platform.length, def.draft_m, platform.mass);
+  if (platform.turns && platform.inertia > 0.0)
+    drag.yaw = yaw_drag_rate(density, def.yaw_coefficient, platform.length, def.draft_m, platform.inertia);
+  return drag;
+}
+
 }  // namespace
 
 Events make_events(const EventDefinitions& definitions, const PlatformInEvents* platform, double dt, bool wind) {
@@ -63,8 +75,11 @@ Events make_events(const EventDefinitions& definitions, const PlatformInEvents* 
   if (wind) e.platform_wind_rate = platform_wind_rate(definitions.wind, platform->mass);
   const PlatformDragDef& drag = definitions.platform_drag;
   if (!drag.present) return e;
-  e.platform_drag_rate = platform_drag_rate(definitions.water.density_kg_per_m3, drag.coefficient, platform->diameter,
-                                            drag.draft_m, platform->mass);
+  if (drag.law == PlatformDragLaw::by_axis)
+    e.axis_drag = axis_drag(definitions, *platform);
+  else
+    e.platform_drag_rate = platform_drag_rate(definitions.water.density_kg_per_m3, drag.coefficient, platform->diameter,
+                                              drag.draft_m, platform->mass);
   return e;
 }
 

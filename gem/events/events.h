@@ -47,7 +47,8 @@ struct EventDefinitions {
 struct PlatformInEvents {
   Vec2 anchor;                // [m]
   double mass = 0.0;          // [kg]
-  double diameter = 0.0;      // width on which the water drags [m]
+  double diameter = 0.0;      // width on which the water drags, across its x axis [m]
+  double length = 0.0;        // along its x axis, for drag by axis [m]
   double inertia = 0.0;       // [kg m2]
   bool turns = false;         // its yaw is free
   MooringView mooring;        // tables of the mooring
@@ -72,7 +73,8 @@ struct Events : EventDefinitions {
   MooringFlow half_mooring;  // over dt / 2
   bool mooring_damped = false;
   MooringLaws moored;               // if the mooring is more than linear in surge and sway
-  double platform_drag_rate = 0.0;  // [1/m]; 0: none
+  double platform_drag_rate = 0.0;  // of the round law [1/m]; 0: none
+  AxisDrag axis_drag;
   double platform_wind_rate = 0.0;  // [1/m]; 0: none
   HeadingLaw heading;
   const DpLaw* dp = nullptr;  // null: no dynamic positioning
@@ -188,10 +190,10 @@ struct PlatformMotion {
   Quantity& drag_book;
   Quantity& mooring_book;
   Quantity& mooring_force;
-  // only for laws beyond the linear mooring
+  // only for drag by axis and for laws beyond the linear mooring
   double inertia, inverse_inertia;  // [kg m2], [1/(kg m2)]
   double& spin;                     // [rad/s]
-  Rotation rotation, next;          // at the start of the half step, and when it pulls; see yaw_of_pull()
+  Rotation rotation, next;          // at the start of the half step, and when the laws act; see yaw_of_pull()
   LineSet& broken;
 };
 
@@ -210,8 +212,20 @@ GEM_HD inline void push_platform(const PlatformMotion& p, Vec2 velocity) {
   p.drag_book.energy += 0.5 * dot(impulse, p.velocity + before);
 }
 
+/// Half a time step of water drag by axis, with the axes as the platform lies then.
+GEM_HD inline void drag_by_axis(const Events& e, const Drive& drive, const PlatformMotion& p) {
+  push_platform(p, platform_drag(e.axis_drag, p.next, p.velocity, platform_water(e, drive), 0.5 * e.dt));
+  if (!(e.axis_drag.yaw > 0.0)) return;
+  const double before = p.spin;
+  p.spin = slowed(e.axis_drag.yaw, before, 0.5 * e.dt);
+  const double twist = p.inertia * (p.spin - before);
+  p.drag_book.angular_momentum += twist;
+  p.drag_book.energy += 0.5 * twist * (p.spin + before);
+}
+
 /// Half a time step of water drag.
 GEM_HD inline void platform_in_water(const Events& e, const Drive& drive, const PlatformMotion& p) {
+  if (e.axis_drag.present()) drag_by_axis(e, drive, p);
   if (!(e.platform_drag_rate > 0.0)) return;
   push_platform(p, platform_drag(e.platform_drag_rate, p.velocity, platform_water(e, drive), 0.5 * e.dt));
 }
@@ -238,9 +252,10 @@ GEM_HD inline void platform_on_spring(const Events& e, const PlatformMotion& p) 
         0.5 * p.mass * dot(p.velocity, p.velocity) + 0.5 * stiffness * dot(offset, offset) - energy;
 }
 
-/// The platform's rotation when the mooring pulls after the pair events: it has turned over the time step.
+/// The platform's rotation when mooring and drag act after the pair events: it has turned over the time step. Where no
+/// law looks at it, it stays as it was.
 GEM_HD inline Rotation yaw_of_pull(const Events& e, Rotation q, double spin) {
-  return e.moored.present ? turned(q, e.dt * spin) : q;
+  return e.moored.present || e.axis_drag.present() ? turned(q, e.dt * spin) : q;
 }
 
 /// Energy of the platform's motion and of its mooring [J].

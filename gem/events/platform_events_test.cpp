@@ -67,6 +67,42 @@ TEST(PlatformDrag, ExactAndRelativeToTheWater) {
   EXPECT_EQ(same.y, water.y);
 }
 
+TEST(PlatformDrag, ByAxisEachSpeedFallsOnItsOwn) {
+  constexpr double length = 200.0, beam = 40.0, draft = 10.0;
+  const AxisDrag drag{platform_drag_rate(1025.0, 0.1, beam, draft, mass),
+                      platform_drag_rate(1025.0, 0.7, length, draft, mass), 0.0};
+  EXPECT_NEAR(drag.sway / drag.surge, 0.7 * length / (0.1 * beam), 1e-12);
+  const Rotation q{0.6, 0.8};
+  const Vec2 water{0.25, -0.1};
+  for (const Vec2 slip : {Vec2{2.0, 0.0}, Vec2{0.0, -1.5}, Vec2{-2.0, 1.5}}) {
+    const Vec2 after = platform_drag(drag, q, water + rotate(q, slip), water, 100.0);
+    const Vec2 left = rotate({q.cosine, -q.sine}, after - water);
+    EXPECT_NEAR(left.x, slip.x / (1.0 + drag.surge * std::fabs(slip.x) * 100.0), 1e-15);
+    EXPECT_NEAR(left.y, slip.y / (1.0 + drag.sway * std::fabs(slip.y) * 100.0), 1e-15);
+    const Vec2 half = platform_drag(drag, q, water + rotate(q, slip), water, 50.0);
+    const Vec2 halves = platform_drag(drag, q, half, water, 50.0);
+    EXPECT_NEAR(halves.x, after.x, 1e-15);
+    EXPECT_NEAR(halves.y, after.y, 1e-15);
+  }
+}
+
+TEST(PlatformDrag, TheYawRateIsThatOfTheStrips) {
+  constexpr double length = 200.0, draft = 10.0, coefficient = 0.7, inertia = 2e11, spin = 0.004;
+  constexpr int strips = 2000;
+  double moment = 0.0;
+  for (int i = 0; i < strips; ++i) {
+    const double x = length * ((i + 0.5) / strips - 0.5), speed = spin * x;
+    moment -= 0.5 * 1025.0 * coefficient * draft * std::fabs(speed) * speed * x * (length / strips);
+  }
+  const double rate = yaw_drag_rate(1025.0, coefficient, length, draft, inertia);
+  // the rule of middles of |x|^3 is short by 2 / strips^2
+  EXPECT_NEAR(-rate * inertia * spin * spin / moment, 1.0, 2.1 / (strips * double{strips}));
+  EXPECT_EQ(slowed(rate, -spin, 500.0), -slowed(rate, spin, 500.0));
+  EXPECT_NEAR(slowed(rate, spin, 500.0), spin / (1.0 + rate * spin * 500.0), 1e-18);
+  EXPECT_NEAR(slowed(rate, slowed(rate, spin, 250.0), 250.0), slowed(rate, spin, 500.0), 1e-17);
+  EXPECT_EQ(slowed(0.0, spin, 500.0), spin);
+}
+
 TEST(ElasticContact, NeverOvershootsForAnyStiffness) {
   const double depth = 0.01;
   double last = 0.0;

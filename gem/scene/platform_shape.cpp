@@ -127,6 +127,14 @@ PlatformReach platform_reach(const PlatformDef& platform) {
   return reach;
 }
 
+double platform_drag_length(const PlatformDef& platform) {
+  if (platform.outline == PlatformOutline::regular) return platform.diameter_m;
+  if (platform.outline == PlatformOutline::ship) return platform.length_m;
+  double low = 0.0, high = 0.0;
+  for (const Vec2 corner : platform_outline(platform)) low = std::min(low, corner.x), high = std::max(high, corner.x);
+  return high - low;
+}
+
 double platform_drag_width(const PlatformDef& platform) {
   if (platform.outline == PlatformOutline::regular) return platform.diameter_m;
   if (platform.outline == PlatformOutline::ship) return platform.beam_m;

@@ -35,6 +35,10 @@ struct PlatformReach {
 };
 PlatformReach platform_reach(const PlatformDef& platform);
 
+/// Length on which the water drags by axis: the diameter of a regular polygon, or the extent of the outline along its x
+/// axis, which is the length of a ship [m].
+double platform_drag_length(const PlatformDef& platform);
+
 /// Width on which the water drags: the diameter of a regular polygon, or the extent of the outline across its x axis,
 /// which is the beam of a ship [m].
 double platform_drag_width(const PlatformDef& platform);

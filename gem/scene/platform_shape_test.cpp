@@ -77,6 +77,7 @@ TEST(PlatformShape, AListedOutlineIsCentredAndTurnedRound) {
   EXPECT_EQ(outline[1].y, -10.0);
   EXPECT_EQ(platform_area(platform), 800.0);
   EXPECT_EQ(platform_drag_width(platform), 20.0);
+  EXPECT_EQ(platform_drag_length(platform), 40.0);
   EXPECT_DOUBLE_EQ(platform_radius(platform), std::hypot(20.0, 10.0));
 }
 

@@ -19,7 +19,7 @@ class Mooring {
  public:
   explicit Mooring(const SceneDef& scene) : tables_(mooring_tables(scene)), rotation_(start_rotation(scene)) {
     const PlatformDef& p = scene.platform;
-    const PlatformInEvents platform{p.anchor_m, p.mass_kg, p.diameter_m, 1.0, false, tables_.view()};
+    const PlatformInEvents platform{p.anchor_m, p.mass_kg, p.diameter_m, 0.0, 1.0, false, tables_.view()};
     laws_ = make_events(scene, &platform, scene.numerics.time_step_s, false).moored;
     laws_.yaw_stiffness = 0.0;
   }

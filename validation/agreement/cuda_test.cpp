@@ -175,13 +175,12 @@ TEST_P(CudaDrive, DynamicPositioningGivesTheBitsOfTheCpuEngine) {
 INSTANTIATE_TEST_SUITE_P(Solvers, CudaDrive, testing::Values(ContactSolver::independent, ContactSolver::coupled),
                          test::LawNames());
 
-/// A ship with heading control, and a fixed one, by both routes.
+/// A ship with heading control, a fixed one, and one with water drag by axis, by both routes.
 class CudaShip : public OnGpu, public testing::WithParamInterface<ContactSolver> {};
 
 TEST_P(CudaShip, GivesTheBitsOfTheCpu) {
-  for (const bool fixed : {false, true})
+  for (SceneDef scene : {test::ship_scene(8, false), test::ship_scene(8, true), test::dragged_ship_scene(8)})
     for (const Route route : {Route::resident, Route::phases}) {
-      SceneDef scene = test::ship_scene(8, fixed);
       scene.contact.solver = GetParam();
       BesideCpu both(scene, route);
       both.advance({1, 7, 292});

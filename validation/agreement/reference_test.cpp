@@ -310,6 +310,34 @@ TEST(ReferenceJudgesMotion, AShipIsHitOnTwoSides) {
   }
 }
 
+/// Two floes hit a ship that drifts and turns, with water drag by axis: free, on a spring and on a mooring of tables.
+TEST(ReferenceJudgesMotion, AShipIsDraggedByAxis) {
+  for (const Yaw yaw : {Yaw::free, Yaw::locked})
+    for (const MooringLaw law : {MooringLaw::linear, MooringLaw::table}) {
+      SceneDef s = still_scene();
+      s.platform = test::ship_scene(1, false).platform;
+      s.platform.anchor_m = s.platform.start_offset_m = {};
+      s.platform.start_yaw_rad = 0.0;
+      s.platform.start_velocity_m_per_s = {-0.2, 0.1};
+      s.platform.start_spin_rad_per_s = yaw == Yaw::free ? 0.02 : 0.0;
+      s.platform.yaw = yaw;
+      s.platform.present = true;
+      s.platform.mass_kg = 4e5;
+      s.platform.inertia_kg_m2 = yaw == Yaw::free ? 4e7 : 0.0;
+      s.platform_drag = {
+          .present = true, .draft_m = 5.0, .water = DampingWater::current, .law = PlatformDragLaw::by_axis};
+      s.current.velocity_m_per_s = {0.3, 0.1};
+      if (law == MooringLaw::table) {
+        s.mooring = test::moored_scene(1).mooring;
+        s.mooring_design = test::moored_scene(1).mooring_design;
+      } else {
+        s.mooring.stiffness_N_per_m = 1e4;
+      }
+      s.floe = {floe(10.0, 9.0, {-26.0, 1.0}, {0.8, 0.0}, 0.3), floe(9.0, 7.0, {6.0, 12.0}, {0.0, -0.65}, 0.1)};
+      compare({.scene = s, .steps = 300, .row = 2, .anew = true});
+    }
+}
+
 TEST(ReferenceJudgesMotion, MooringOfTablesWithYaw) {
   for (const Yaw yaw : {Yaw::free, Yaw::locked}) {
     SceneDef s = still_scene();

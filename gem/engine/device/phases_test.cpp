@@ -96,9 +96,8 @@ TEST(DeviceDrive, GivesTheBitsOfTheCpuEngineOnBothRoutes) {
 
 TEST(DeviceShip, GivesTheBitsOfTheCpuEngineOnBothRoutes) {
   for (const bool phases : {false, true})
-    for (const bool fixed : {false, true})
+    for (SceneDef scene : {test::ship_scene(7, false), test::ship_scene(7, true), test::dragged_ship_scene(7)})
       for (const ContactSolver solver : {ContactSolver::independent, ContactSolver::coupled}) {
-        SceneDef scene = test::ship_scene(7, fixed);
         scene.contact.solver = solver;
         const auto cpu = test::busy_engine(scene, "cpu", 2);
         HostScene device(scene, test::busy_field(scene), 1, phases ? test::team_warp : 1, 0, bodies_shared_bytes);

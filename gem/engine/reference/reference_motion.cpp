@@ -31,9 +31,30 @@ void drag_platform(const Rules& rules, State& s, double rate, Vec2 stream) {
   book.energy += 0.5 * dot(impulse, b.velocity[0] + before);
 }
 
-void in_water(const Rules& rules, State& s) {
+/// Half a time step of drag by axis, along the world's components of each axis. The platform lies as `q` says.
+void drag_by_axis(const Rules& rules, State& s, Rotation q, Vec2 water) {
+  const AxisDrag& drag = rules.axis_drag;
+  if (!drag.present()) return;
+  Bodies& b = s.bodies;
+  const double h = 0.5 * rules.dt, spin = b.spin[0];
+  const Vec2 before = b.velocity[0], ahead{q.cosine, q.sine}, aside = turned_left(ahead);
+  const double surge = dot(ahead, before - water), sway = dot(aside, before - water);
+  b.velocity[0] += (slowed(drag.surge, surge, h) - surge) * ahead + (slowed(drag.sway, sway, h) - sway) * aside;
+  b.spin[0] = slowed(drag.yaw, spin, h);
+  const Vec2 impulse = b.mass[0] * (b.velocity[0] - before);
+  const double twist = b.inertia[0] * (b.spin[0] - spin);
+  s.drag_impulse += impulse;
+  Quantity& book = s.ledger[Channel::platform_drag];
+  book.momentum += impulse;
+  book.angular_momentum += cross(b.position[0], impulse) + twist;
+  book.energy += 0.5 * dot(impulse, b.velocity[0] + before) + 0.5 * twist * (b.spin[0] + spin);
+}
+
+void in_water(const Rules& rules, State& s, Rotation q) {
   const bool moves = rules.scene.platform_drag.water == DampingWater::current;
-  drag_platform(rules, s, rules.platform_drag_rate, moves ? s.drive.water : Vec2{});
+  const Vec2 water = moves ? s.drive.water : Vec2{};
+  drag_platform(rules, s, rules.platform_drag_rate, water);
+  drag_by_axis(rules, s, q, water);
 }
 
 void in_wind(const Rules& rules, State& s) { drag_platform(rules, s, rules.platform_wind_rate, s.drive.air); }
@@ -222,7 +243,7 @@ void move_platform_before(const Rules& rules, State& s) {
   tow(rules, s);
   run_free(rules, s);
   thrust(rules, s, true);
-  in_water(rules, s);
+  in_water(rules, s, s.bodies.rotation[0]);
   in_wind(rules, s);
   if (rules.events.moored.present)
     swing_on_laws(rules, s, s.bodies.rotation[0], true);
@@ -240,7 +261,7 @@ void move_platform_after(const Rules& rules, State& s) {
   else
     swing_platform(rules, s);
   in_wind(rules, s);
-  in_water(rules, s);
+  in_water(rules, s, next);
   repair_platform(rules, s, angle, next);
   steer(rules, s, false);
   thrust(rules, s, false);

@@ -30,9 +30,9 @@ Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
   rules.repair_reach = std::max((reach - 1.0) * fastest, scene.numerics.repair_speed_m_per_s) * rules.dt;
   rules.mooring = mooring_tables(scene.mooring.law, scene.mooring_design);
   const double mass = scene.platform.present ? bodies.mass[0] : 0.0;
-  const double width = platform_drag_width(scene.platform);
+  const double width = platform_drag_width(scene.platform), hull = platform_drag_length(scene.platform);
   const double inertia = scene.platform.present ? bodies.inertia[0] : 0.0;
-  const PlatformInEvents platform{scene.platform.anchor_m, mass, width, inertia, scene.platform.yaw == Yaw::free,
+  const PlatformInEvents platform{scene.platform.anchor_m, mass, width, hull, inertia, scene.platform.yaw == Yaw::free,
                                   rules.mooring.view()};
   rules.platform_moves = scene.platform.present && !scene.platform.fixed;
   if (rules.platform_moves) rules.dp = dp_law(scene.dp, mass, inertia, rules.dt);
@@ -43,9 +43,17 @@ Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
   rules.stiffness = scene.mooring.stiffness_N_per_m;
   rules.half_mooring = mooring_flow(rules.stiffness, mass, scene.mooring.damping_ratio, 0.5 * rules.dt);
   if (has_wind(scene)) rules.platform_wind_rate = platform_wind_rate(scene.wind, mass);
-  if (!scene.platform_drag.present) return rules;
-  rules.platform_drag_rate = platform_drag_rate(scene.water.density_kg_per_m3, scene.platform_drag.coefficient, width,
-                                                scene.platform_drag.draft_m, mass);
+  const PlatformDragDef& drag = scene.platform_drag;
+  if (!drag.present) return rules;
+  const double density = scene.water.density_kg_per_m3;
+  if (drag.law == PlatformDragLaw::round) {
+    rules.platform_drag_rate = platform_drag_rate(density, drag.coefficient, width, drag.draft_m, mass);
+    return rules;
+  }
+  rules.axis_drag = {platform_drag_rate(density, drag.surge_coefficient, width, drag.draft_m, mass),
+                     platform_drag_rate(density, drag.sway_coefficient, hull, drag.draft_m, mass), 0.0};
+  if (bodies.inverse_inertia[0] > 0.0)
+    rules.axis_drag.yaw = yaw_drag_rate(density, drag.yaw_coefficient, hull, drag.draft_m, inertia);
   return rules;
 }
 

@@ -19,7 +19,8 @@ struct Rules {
   MooringFlow half_mooring;         // over dt / 2
   bool platform_moves = false;      // present and not fixed
   double stiffness = 0.0;           // of the mooring; 0 without platform [N/m]
-  double platform_drag_rate = 0.0;  // [1/m]; 0: none
+  double platform_drag_rate = 0.0;  // of the round law [1/m]; 0: none
+  AxisDrag axis_drag;
   double platform_wind_rate = 0.0;  // [1/m]; 0: none
   DriveSchedule drives;             // of each time step
   MooringTables mooring;            // of the laws in events.moored

@@ -40,6 +40,7 @@ StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const 
   const PlatformInEvents platform{p.anchor_m,
                                   p.present ? bodies.mass[0] : 0.0,
                                   platform_drag_width(p),
+                                  platform_drag_length(p),
                                   p.present ? bodies.inertia[0] : 0.0,
                                   p.yaw == Yaw::free,
                                   mooring,

@@ -83,6 +83,13 @@ inline SceneDef ship_scene(std::uint64_t seed, bool fixed) {
   return scene;
 }
 
+/// The ship that moves, with water drag by axis.
+inline SceneDef dragged_ship_scene(std::uint64_t seed) {
+  SceneDef scene = ship_scene(seed, false);
+  scene.platform_drag.law = PlatformDragLaw::by_axis;
+  return scene;
+}
+
 /// The busy scene with its platform close behind the ice, which is there within a second.
 inline SceneDef scene_close_to_ice(std::uint64_t seed) {
   SceneDef scene = busy_scene(seed);

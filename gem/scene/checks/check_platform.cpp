@@ -57,6 +57,26 @@ void check_heading(const SceneDef& s, List& out) {
                        ") give a smaller moment or a smaller time step"});
 }
 
+/// Coefficients of the other law of the drag.
+void check_drag(const SceneDef& s, List& out) {
+  const PlatformDragDef &drag = s.platform_drag, usual;
+  const auto refuse = [&](const char* key, double value, double default_value, const char* law, const char* advice) {
+    if (value != default_value)
+      out.push_back({std::string("platform_drag.") + key, "has no effect (value " + plain_number_text(value) +
+                                                              ", allowed only with platform_drag.law = \"" + law +
+                                                              "\") " + advice});
+  };
+  if (drag.law == PlatformDragLaw::by_axis) {
+    refuse("coefficient", drag.coefficient, usual.coefficient, "round",
+           "remove it; surge_coefficient, sway_coefficient and yaw_coefficient take its place");
+    return;
+  }
+  const char* const advice = "remove it, or change the law";
+  refuse("surge_coefficient", drag.surge_coefficient, usual.surge_coefficient, "by_axis", advice);
+  refuse("sway_coefficient", drag.sway_coefficient, usual.sway_coefficient, "by_axis", advice);
+  refuse("yaw_coefficient", drag.yaw_coefficient, usual.yaw_coefficient, "by_axis", advice);
+}
+
 /// A fixed platform neither moves at the start nor turns.
 void check_fixed(const SceneDef& s, List& out) {
   const PlatformDef& p = s.platform;
@@ -75,7 +95,7 @@ void check_fixed(const SceneDef& s, List& out) {
 
 void check_platform(const SceneDef& scene, List& problems) {
   if (!scene.platform.present) return;
-  for (const auto rule : {check_place, check_shape, check_heading, check_fixed}) rule(scene, problems);
+  for (const auto rule : {check_place, check_shape, check_heading, check_drag, check_fixed}) rule(scene, problems);
 }
 
 namespace {
@@ -110,6 +130,15 @@ void warn_of_heading(const SceneDef& scene, std::vector<std::string>& warnings) 
         "is critical damping");
 }
 
+void warn_of_drag(const SceneDef& scene, std::vector<std::string>& warnings) {
+  const PlatformDragDef &drag = scene.platform_drag, usual;
+  if (drag.law != PlatformDragLaw::by_axis) return;
+  if (!drag.present)
+    warnings.push_back("platform_drag.law: has no effect (platform_drag.present is false) set it to true");
+  else if (drag.yaw_coefficient != usual.yaw_coefficient && scene.platform.yaw == Yaw::locked)
+    warnings.push_back("platform_drag.yaw_coefficient: has no effect (the platform cannot turn) remove it");
+}
+
 void warn_of_mass(const SceneDef& scene, std::vector<std::string>& warnings) {
   const double draught = scene.platform.mass_kg / (platform_area(scene.platform) * scene.water.density_kg_per_m3);
   if (draught >= 0.1 && draught <= 200.0) return;
@@ -135,6 +164,7 @@ void warn_of_platform(const SceneDef& scene, std::vector<std::string>& warnings)
   if (!scene.platform.present) return;
   warn_of_shape(scene.platform, warnings);
   warn_of_heading(scene, warnings);
+  warn_of_drag(scene, warnings);
   if (!scene.platform.fixed) warn_of_mass(scene, warnings);
   warn_of_inertia(scene.platform, platform_area(scene.platform), warnings);
 }

@@ -199,6 +199,17 @@ TEST(SceneWarnings, UnlikelyMassAndCoverAreNamed) {
             std::string::npos);
 }
 
+TEST(SceneWarnings, DragByAxisThatDoesNothingIsNamed) {
+  const auto warned = [](const std::string& text) { return scene_warnings(parse_scene(text, "t.toml")); };
+  const std::string law = "[platform_drag]\nlaw = \"by_axis\"\n", on = "present = true\n";
+  EXPECT_NE(warned(law).at(0).find("platform_drag.law: has no effect"), std::string::npos);
+  EXPECT_TRUE(warned(law + on).empty());
+  const std::string yaw = "yaw_coefficient = 0.5\n", locked = "[platform]\nyaw = \"locked\"\n";
+  EXPECT_TRUE(warned(law + on + yaw).empty());
+  EXPECT_NE(warned(law + on + yaw + locked).at(0).find("platform_drag.yaw_coefficient: has no effect"),
+            std::string::npos);
+}
+
 TEST(SceneWarnings, TimesThatAreNoWholeTimeStepsAreNamed) {
   const auto warned = [](const std::string& text) { return scene_warnings(parse_scene(text, "t.toml")); };
   EXPECT_NE(warned("[output]\nplatform_interval_s = 0.12\n").at(0).find("output.platform_interval_s"),

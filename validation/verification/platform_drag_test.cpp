@@ -52,18 +52,20 @@ double slowed_after(double rate, double start, double time) { return start / (1.
 /// Way, or turn, after `time`: the integral of the speed.
 double way_after(double rate, double start, double time) { return std::log(1.0 + rate * start * time) / rate; }
 
-constexpr double step = 0.5, duration = 200.0;
+constexpr double drag_step = 0.5, duration = 200.0;
 constexpr int steps = 400;
 // Each of the 800 half time steps turns the velocity into the axes and back: ten roundings of 1.1e-16.
 constexpr double rounded = 2 * steps * 1.1e-15;
 
-/// The middle of a time step stands for it: dt^2 / 24 of what the deceleration changes, b v^2 at most. Places at 500 m
-/// are rounded to 1e-13 m a time step.
-double way_error(double rate, double start) { return step * step / 24.0 * rate * start * start + steps * 1e-13; }
+/// The middle of a time step stands for it: dt^2 / 24 of what the deceleration changes, b v^2 at most. Places at
+/// 500 m are rounded to 1e-13 m a time step.
+double way_error(double rate, double start) {
+  return drag_step * drag_step / 24.0 * rate * start * start + steps * 1e-13;
+}
 
 TEST_P(ShipDrag, V95_surge_alone) {
   const Vec2 slip{-2.0, 0.0};
-  Simulation run = start(ship_with_drag(slip, 0.0, step), setting());
+  Simulation run = start(ship_with_drag(slip, 0.0, drag_step), setting());
   const Vec2 before = run.bodies().position[0];
   run.advance(steps);
   const Vec2 left = slip_of(run.bodies());
@@ -77,7 +79,7 @@ TEST_P(ShipDrag, V95_surge_alone) {
 }
 
 TEST_P(ShipDrag, V95_sway_alone) {
-  Simulation run = start(ship_with_drag({0.0, 1.5}, 0.0, step), setting());
+  Simulation run = start(ship_with_drag({0.0, 1.5}, 0.0, drag_step), setting());
   const Vec2 before = run.bodies().position[0];
   run.advance(steps);
   const Vec2 left = slip_of(run.bodies());
@@ -96,13 +98,13 @@ TEST_P(ShipDrag, V95_sway_alone) {
 
 TEST_P(ShipDrag, V95_yaw_alone) {
   constexpr double spin = 0.01;
-  Simulation run = start(ship_with_drag({}, -spin, step), setting());
+  Simulation run = start(ship_with_drag({}, -spin, drag_step), setting());
   run.advance(steps);
   const double left = slowed_after(yaw_rate, spin, duration);
   EXPECT_LT(left, 0.5 * spin);
   check_value("V95.yaw", -left, run.bodies().spin[0], spin * rounded, "rad/s", where());
   check_value("V95.yaw.turn", -way_after(yaw_rate, spin, duration), angle_of(run.bodies()),
-              step * step / 24.0 * yaw_rate * spin * spin + steps * 2.2e-16, "rad", where());
+              drag_step * drag_step / 24.0 * yaw_rate * spin * spin + steps * 2.2e-16, "rad", where());
   const double work = run.engine->ledger()[Channel::platform_drag].energy;
   check_value("V95.yaw.work", -0.5 * inertia * (spin * spin - left * left), work, inertia * spin * spin * rounded, "J",
               where());
@@ -110,7 +112,7 @@ TEST_P(ShipDrag, V95_yaw_alone) {
 }
 
 TEST_P(ShipDrag, V95_a_locked_yaw_is_not_dragged) {
-  SceneDef scene = ship_with_drag({0.0, 1.5}, 0.0, step);
+  SceneDef scene = ship_with_drag({0.0, 1.5}, 0.0, drag_step);
   scene.platform.yaw = Yaw::locked;
   scene.platform.inertia_kg_m2 = 0.0;
   Simulation run = start(scene, setting());
@@ -163,11 +165,11 @@ Vec2 drift_error(double dt, const Setting& setting) {
 }
 
 TEST_P(ShipDrag, V96_drift_and_turn_at_once) {
-  // Drag at both ends of a time step is the rule of trapezia for a force whose axes turn: dt^2 / 12 of what its rate of
-  // change changes. That rate is at most (2 b v + 2 r) b v^2 at the start, and little at the end.
+  // Drag at both ends of a time step is the rule of trapezia for a force whose axes turn: dt^2 / 12 of what its
+  // rate of change changes. That rate is at most (2 b v + 2 r) b v^2 at the start, and little at the end.
   const double speed = std::hypot(drift_start.surge, drift_start.sway), force = sway_rate * speed * speed;
-  const double bound = step * step / 12.0 * (2.0 * sway_rate * speed + 2.0 * drift_start.spin) * force;
-  const Vec2 coarse = drift_error(2.0 * step, setting()), fine = drift_error(step, setting());
+  const double bound = drag_step * drag_step / 12.0 * (2.0 * sway_rate * speed + 2.0 * drift_start.spin) * force;
+  const Vec2 coarse = drift_error(2.0 * drag_step, setting()), fine = drift_error(drag_step, setting());
   check_value("V96.surge", 0.0, fine.x, bound, "m/s", where());
   check_value("V96.sway", 0.0, fine.y, bound, "m/s", where());
   // Second order: half the time step gives a quarter of the error.

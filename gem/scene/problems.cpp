@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t lines_shown_maximum = 50;
 
-/// Insertions, deletions and substitutions that turn a into b.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
+/// Insertions, deletions and substitutions that turn a into each beginning of b, from the empty one to the whole.
+std::vector<std::size_t> edit_distances(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -24,7 +24,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
       row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
     }
   }
-  return row.back();
+  return row;
 }
 
 std::string last_part(const std::string& path) {
@@ -32,11 +32,16 @@ std::string last_part(const std::string& path) {
   return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
-/// The smaller of the distances to the whole key and to its first words: a missing unit suffix costs nothing.
+/// The smallest of the distances to the key and to its beginnings. A missing unit suffix costs nothing, nor do other
+/// whole words at the end. A name that stops within a word costs one edit; of few letters it says nothing.
 std::size_t distance_without_suffix(const std::string& name, const std::string& key) {
-  std::size_t least = edit_distance(name, key);
-  for (std::size_t cut = key.rfind('_'); cut != std::string::npos && cut > 0; cut = key.rfind('_', cut - 1))
-    least = std::min(least, edit_distance(name, key.substr(0, cut)));
+  const std::size_t shortest_beginning = key.rfind('.') + 1 + 4;  // without a point rfind() + 1 is 0
+  const std::vector<std::size_t> distances = edit_distances(name, key);
+  std::size_t least = distances.back();
+  for (std::size_t length = 1; length < key.size(); ++length) {
+    if (key[length] == '_') least = std::min(least, distances[length]);
+    if (length >= shortest_beginning) least = std::min(least, distances[length] + 1);
+  }
   return least;
 }
 

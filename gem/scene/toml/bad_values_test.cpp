@@ -25,6 +25,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"text_for_number",
                  "[platform]\nmass_kg = \"1e8 kg\"\n",
                  {"bad.toml:2:11: platform.mass_kg: wrong type (value \"1e8 kg\", expected a number in kg)"}},
+        BadScene{"unit_in_the_text",
+                 "[platform]\nmass_kg = \"1e8 kg\"\n",
+                 {"expected a number in kg) write the number alone; the unit is in the key's name"}},
+        BadScene{"text_for_number_without_unit",
+                 "[platform]\nmass_kg = \"heavy\"\n",
+                 {"bad.toml:2:11: platform.mass_kg: wrong type (value \"heavy\", expected a number in kg)"}},
         BadScene{
             "number_for_integer", "[floes]\ncount = 4008.0\n", {"bad.toml:2:9: floes.count: wrong type (value 4008.0"}},
         BadScene{"number_for_text", "[run]\nname = 7\n", {"bad.toml:2:8: run.name: wrong type"}},

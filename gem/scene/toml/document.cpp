@@ -12,6 +12,7 @@
 #include "gem/base/error.h"
 #include "gem/scene/schema/schema.h"
 #include "gem/scene/toml/toml_text.h"
+#include "gem/scene/toml/value_fault.h"
 
 namespace gem {
 namespace {
@@ -180,7 +181,12 @@ TomlNode parse_override(const std::string& text) {
     forget_lines(tree);
     return tree;
   } catch (const Error& error) {
-    const bool is_indexed = assignment.substr(0, assignment.find('=')).find('[') != std::string::npos;
+    const std::string key = assignment.substr(0, assignment.find('='));
+    if (const ValueFault fault = value_fault(key, assignment); !fault.problem.empty())
+      throw Error(error.code(),
+                  given + ": " + key + ": " + fault.problem +
+                      (fault.text.empty() ? "" : ", in a shell --set '" + key + "=" + quoted_text(fault.text) + "'"));
+    const bool is_indexed = key.find('[') != std::string::npos;
     throw Error(error.code(), std::string(error.what()) +
                                   (is_indexed ? " (--set cannot change one entry of a list) give the whole list, e.g. "
                                                 "'ice.class=[{name=\"thin\", thickness_m=0.7, tenths=4}]'"

@@ -4,34 +4,12 @@
 
 #include "gem/scene/toml/scene_tree.h"
 #include "gem/scene/toml/toml_text.h"
+#include "gem/scene/toml/value_fault.h"
 
 namespace gem {
 namespace {
 
 constexpr std::int64_t exact_integer_maximum = std::int64_t{1} << 53;
-
-std::string expectation(const OptionInfo& info) {
-  const std::string in_unit = info.unit.empty() ? "" : " in " + info.unit;
-  switch (info.type) {
-    case OptionType::number:
-      return "a number" + in_unit;
-    case OptionType::integer:
-      return "an integer";
-    case OptionType::text:
-      return "text in quotes";
-    case OptionType::choice:
-      return "one of the choices in quotes";
-    case OptionType::flag:
-      return "true or false";
-    case OptionType::pair:
-      return "a pair of numbers [x, y]" + in_unit;
-    case OptionType::outline:
-      return "a list of corners [[x, y], ...]" + in_unit;
-    case OptionType::table:
-      return "a list of rows " + columns_text(info.columns);
-  }
-  return "";
-}
 
 /// Reads one value and adds problems with their places.
 class ValueReader {
@@ -45,7 +23,9 @@ class ValueReader {
   }
 
   std::nullopt_t wrong_type(const TomlNode& node) {
-    return reject(node, "wrong type (value " + describe(node) + ", expected " + expectation(info_) + ")");
+    const bool has_unit = node.kind == TomlKind::text && is_number_with_unit(node.text);
+    return reject(node, "wrong type (value " + describe(node) + ", expected " + expected_text(info_) + ")" +
+                            (has_unit ? " write the number alone; the unit is in the key's name" : ""));
   }
 
   std::optional<double> number(const TomlNode& node) {
@@ -145,6 +125,29 @@ std::optional<OptionValue> widened(const std::optional<Value>& value) {
 }
 
 }  // namespace
+
+std::string expected_text(const OptionInfo& info) {
+  const std::string in_unit = info.unit.empty() ? "" : " in " + info.unit;
+  switch (info.type) {
+    case OptionType::number:
+      return "a number" + in_unit;
+    case OptionType::integer:
+      return "an integer";
+    case OptionType::text:
+      return "text in quotes";
+    case OptionType::choice:
+      return "one of the choices in quotes";
+    case OptionType::flag:
+      return "true or false";
+    case OptionType::pair:
+      return "a pair of numbers [x, y]" + in_unit;
+    case OptionType::outline:
+      return "a list of corners [[x, y], ...]" + in_unit;
+    case OptionType::table:
+      return "a list of rows " + columns_text(info.columns);
+  }
+  return "";
+}
 
 std::optional<OptionValue> read_value(const OptionInfo& info, const std::string& key, const TomlNode& node,
                                       Problems& problems) {

@@ -10,6 +10,9 @@
 
 namespace gem {
 
+/// What a value of the option looks like, for messages: "a number in kg".
+std::string expected_text(const OptionInfo& info);
+
 /// The value of one option if it has the right type and lies in its range; otherwise adds a problem. `key` is the full
 /// name used in messages.
 std::optional<OptionValue> read_value(const OptionInfo& info, const std::string& key, const TomlNode& node,

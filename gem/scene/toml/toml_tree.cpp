@@ -7,6 +7,7 @@
 
 #include "gem/base/error.h"
 #include "gem/scene/toml/toml_text.h"
+#include "gem/scene/toml/value_fault.h"
 
 // Header-only, because it then reads numbers with std::from_chars; the packaged library reads them through a stream.
 // Its assertions are off in every build: bad input reaches them, and the code behind them reports it properly.
@@ -70,6 +71,12 @@ std::string key_near_line(std::string_view text, std::uint32_t line) {
   }
   if (section.empty() || key.empty()) return section + key;
   return section + "." + key;
+}
+
+/// The line of that number, counted from 1.
+std::string_view line_of(std::string_view text, std::uint32_t line) {
+  for (; line > 1 && text.find('\n') != std::string_view::npos; --line) text.remove_prefix(text.find('\n') + 1);
+  return text.substr(0, text.find('\n'));
 }
 
 /// Refuses deep brackets, long dotted keys and long strings before the library spends stack or memory on them. Refuses
@@ -249,7 +256,9 @@ TomlNode parse_toml(const std::string& text, const std::string& origin) {
   } catch (const toml::parse_error& error) {
     const TomlPlace place = place_of(error.source(), file);
     std::string key = key_near_line(text, place.line);
+    const ValueFault fault = value_fault(key, line_of(text, place.line));
     if (!key.empty()) key += ": ";
+    if (!fault.problem.empty()) reject(place, key + fault.problem);
     std::string problem(error.description());
     if (const std::string opening = "Error while parsing "; problem.starts_with(opening))
       problem.replace(0, opening.size(), "malformed ");

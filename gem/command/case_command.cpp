@@ -32,6 +32,7 @@ std::string check_json(const SceneDef& scene, const FieldSummary& field, const s
                                    {"thickness_minimum_m", field.thickness_minimum},
                                    {"thickness_maximum_m", field.thickness_maximum},
                                    {"sides", field.sides},
+                                   {"fixed_bodies", scene.fixed.size()},
                                    {"warnings", warnings}};
   if (!field.concave.empty()) object["concave"] = field.concave;
   if (!field.concentration.empty()) object["concentration"] = field.concentration;
@@ -70,6 +71,18 @@ std::string shape_text(const PlatformDef& platform) {
   return std::to_string(sides) + " sides, diameter " + number_text(platform.diameter_m, 4) + " m";
 }
 
+/// What slows the platform in the water, to compare with what was meant.
+std::string drag_text(const PlatformDragDef& drag) {
+  const std::string water = drag.water == DampingWater::still ? "still water" : "the current";
+  const std::string coefficients = drag.law == PlatformDragLaw::round
+                                       ? "coefficient " + number_text(drag.coefficient, 4)
+                                       : "coefficients " + number_text(drag.surge_coefficient, 4) + " (surge), " +
+                                             number_text(drag.sway_coefficient, 4) + " (sway), " +
+                                             number_text(drag.yaw_coefficient, 4) + " (yaw)";
+  return (drag.law == PlatformDragLaw::round ? "round, " : "by axis, ") + coefficients + ", draft " +
+         number_text(drag.draft_m, 4) + " m, relative to " + water;
+}
+
 std::string thickness_text(const FieldSummary& field) {
   const std::string thinnest = number_text(field.thickness_minimum, 4),
                     thickest = number_text(field.thickness_maximum, 4);
@@ -88,6 +101,9 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
     line("platform",
          shape_text(scene.platform) + ", mass " + number_text(scene.platform.mass_kg) + " kg, " + mooring_text(scene));
   if (has_lines(scene)) line("mooring lines", lines_text(scene));
+  if (scene.platform.present && !scene.platform.fixed && scene.platform_drag.present)
+    line("platform drag", drag_text(scene.platform_drag));
+  if (!scene.fixed.empty()) line("fixed bodies", std::to_string(scene.fixed.size()));
   line("floes", std::to_string(field.floe_count));
   if (field.floe_count > 0) {
     line("size sqrt(area)", "mean " + fixed_text(field.size_mean, 3) + " m, sd " + fixed_text(field.size_deviation, 3) +

@@ -5,6 +5,8 @@
 
 #include "gem/base/number_text.h"
 #include "gem/scene/platform_shape.h"
+#include "gem/scene/scene_drive.h"
+#include "gem/scene/schema/schema.h"
 #include "gem/scene/toml/toml_text.h"
 
 namespace gem {
@@ -57,26 +59,6 @@ void check_heading(const SceneDef& s, List& out) {
                        ") give a smaller moment or a smaller time step"});
 }
 
-/// Coefficients of the other law of the drag.
-void check_drag(const SceneDef& s, List& out) {
-  const PlatformDragDef &drag = s.platform_drag, usual;
-  const auto refuse = [&](const char* key, double value, double default_value, const char* law, const char* advice) {
-    if (value != default_value)
-      out.push_back({std::string("platform_drag.") + key, "has no effect (value " + plain_number_text(value) +
-                                                              ", allowed only with platform_drag.law = \"" + law +
-                                                              "\") " + advice});
-  };
-  if (drag.law == PlatformDragLaw::by_axis) {
-    refuse("coefficient", drag.coefficient, usual.coefficient, "round",
-           "remove it; surge_coefficient, sway_coefficient and yaw_coefficient take its place");
-    return;
-  }
-  const char* const advice = "remove it, or change the law";
-  refuse("surge_coefficient", drag.surge_coefficient, usual.surge_coefficient, "by_axis", advice);
-  refuse("sway_coefficient", drag.sway_coefficient, usual.sway_coefficient, "by_axis", advice);
-  refuse("yaw_coefficient", drag.yaw_coefficient, usual.yaw_coefficient, "by_axis", advice);
-}
-
 /// A fixed platform neither moves at the start nor turns.
 void check_fixed(const SceneDef& s, List& out) {
   const PlatformDef& p = s.platform;
@@ -95,7 +77,7 @@ void check_fixed(const SceneDef& s, List& out) {
 
 void check_platform(const SceneDef& scene, List& problems) {
   if (!scene.platform.present) return;
-  for (const auto rule : {check_place, check_shape, check_heading, check_drag, check_fixed}) rule(scene, problems);
+  for (const auto rule : {check_place, check_shape, check_heading, check_fixed}) rule(scene, problems);
 }
 
 namespace {
@@ -130,12 +112,29 @@ void warn_of_heading(const SceneDef& scene, std::vector<std::string>& warnings) 
         "is critical damping");
 }
 
+/// Keys of a drag that is switched off.
+void warn_of_drag_without_water(const SceneDef& scene, std::vector<std::string>& warnings) {
+  for (const auto& option : scene_options())
+    if (option.path.starts_with("platform_drag.") &&
+        value_text(option.get(scene)) != value_text(option.get(SceneDef{})))
+      warnings.push_back(option.path +
+                         ": has no effect (platform_drag.present is false) set platform_drag.present = true");
+}
+
 void warn_of_drag(const SceneDef& scene, std::vector<std::string>& warnings) {
   const PlatformDragDef &drag = scene.platform_drag, usual;
-  if (drag.law != PlatformDragLaw::by_axis) return;
-  if (!drag.present)
-    warnings.push_back("platform_drag.law: has no effect (platform_drag.present is false) set it to true");
-  else if (drag.yaw_coefficient != usual.yaw_coefficient && scene.platform.yaw == Yaw::locked)
+  if (!drag.present) return warn_of_drag_without_water(scene, warnings);
+  if (scene.platform.fixed) {
+    warnings.push_back(
+        "platform_drag.present: has no effect (the platform is fixed) set platform_drag.present = false");
+    return;
+  }
+  if (const double current = largest_current(scene); drag.water == DampingWater::still && current > 0.0)
+    warnings.push_back("platform_drag.water: still water in a current (of up to " + number_text(current, 4) +
+                       " m/s, which drives the ice and not the platform) set platform_drag.water = \"current\" if it "
+                       "pushes the platform too");
+  if (drag.law == PlatformDragLaw::by_axis && drag.yaw_coefficient != usual.yaw_coefficient &&
+      scene.platform.yaw == Yaw::locked)
     warnings.push_back("platform_drag.yaw_coefficient: has no effect (the platform cannot turn) remove it");
 }
 

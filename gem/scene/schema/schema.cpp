@@ -1,6 +1,8 @@
 // The table of options, put together from its sections.
 #include "gem/scene/schema/schema.h"
 
+#include <algorithm>
+
 #include "gem/scene/schema/sections/sections.h"
 
 namespace gem {
@@ -10,6 +12,7 @@ std::vector<Option<SceneDef>> make_scene_options() {
   OptionTable<SceneDef> t;
   for (const auto add_section : sections::in_order) {
     t.opt_in = false;
+    t.counts_with = {};
     add_section(t);
   }
   return t.options;
@@ -20,6 +23,13 @@ std::vector<Option<SceneDef>> make_scene_options() {
 const std::vector<Option<SceneDef>>& scene_options() {
   static const auto options = make_scene_options();
   return options;
+}
+
+bool counts(const OptionInfo& option, const SceneDef& scene) {
+  const NeededChoice& needed = option.counts_with;
+  return std::all_of(scene_options().begin(), scene_options().end(), [&](const Option<SceneDef>& other) {
+    return other.path != needed.key || std::get<std::string>(other.get(scene)) == needed.choice;
+  });
 }
 
 const std::vector<Option<IceClassDef>>& ice_class_options() {

@@ -53,6 +53,11 @@ inline constexpr std::size_t listed_corners_minimum = 3;
 inline constexpr std::size_t listed_corners_maximum = 20;
 inline constexpr std::size_t platform_corners_maximum = 256;  // of the platform
 
+/// A choice that another option must have. An empty key: none.
+struct NeededChoice {
+  std::string key, choice;
+};
+
 /// An option without its place in a scene.
 struct OptionInfo {
   std::string path;  ///< "section.key" of the scene; the bare key in a list
@@ -65,6 +70,7 @@ struct OptionInfo {
   std::vector<OptionColumn> columns = {};  ///< of a table
   bool opt_in = false;  ///< not written where it has its default, so that cases without it keep their hash
   std::size_t corners_maximum = listed_corners_maximum;  ///< of an outline
+  NeededChoice counts_with = {};                         ///< without it the option may not be given, and is not written
 };
 
 template <class T>
@@ -75,6 +81,9 @@ struct Option : OptionInfo {
 
 /// Every option of a scene except those in lists, grouped by section, in the order of SceneDef.
 const std::vector<Option<SceneDef>>& scene_options();
+
+/// Whether the choice is made that the option needs to count.
+bool counts(const OptionInfo& option, const SceneDef& scene);
 
 /// Allowed number of rows of a table.
 inline constexpr std::size_t table_rows_maximum = 100000;

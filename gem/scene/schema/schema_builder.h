@@ -18,7 +18,8 @@ namespace gem {
 template <class T>
 struct OptionTable {
   std::vector<Option<T>> options;
-  bool opt_in = false;  ///< of the options that are added next
+  bool opt_in = false;            ///< of the options that are added next
+  NeededChoice counts_with = {};  ///< of the options that are added next
 
   template <class Field>
   void number(std::string path, std::string unit, Range range, std::string doc, Field field, std::string why = "") {
@@ -86,6 +87,7 @@ struct OptionTable {
     options.emplace_back();
     static_cast<OptionInfo&>(options.back()) = std::move(info);
     options.back().opt_in = opt_in;
+    options.back().counts_with = counts_with;
     return options.back();
   }
   template <class Value, class Field>

@@ -22,6 +22,7 @@ void append_entries(std::string& text, const std::string& name, const std::vecto
 /// Younger options are not written where they are not given, so that cases without them keep their hash.
 bool is_written(const Option<SceneDef>& option, const SceneDef& scene) {
   const std::string& path = option.path;
+  if (!option.counts_with.key.empty()) return counts(option, scene);
   if (option.opt_in) return value_text(option.get(scene)) != value_text(option.get(SceneDef{}));
   if (path == "floes.sha256") return !scene.floes.sha256.empty();
   if (path == "floes.time_s") return scene.floes.time_s != 0.0;

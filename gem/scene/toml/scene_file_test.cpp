@@ -14,6 +14,7 @@
 #include "gem/scene/check_scene.h"
 #include "gem/scene/problems.h"
 #include "gem/scene/schema/schema.h"
+#include "gem/scene/toml/scene_tree.h"
 #include "gem/scene/toml/toml_text.h"
 
 namespace gem {
@@ -36,9 +37,13 @@ TEST(SceneFile, ScenesWithNothingInThemAreValid) {
 }
 
 TEST(SceneFile, EveryOptionIsReadBackFromItsOwnText) {
-  // Sets each option to a value other than its default and checks it in the scene that is read.
+  // Sets each option to a value other than its default and checks it in the scene that is read. An option that counts
+  // only with a choice of another one gets that choice first.
   for (const auto& option : scene_options()) {
-    SceneDef scene;
+    SceneDef usual;
+    for (const auto& other : scene_options())
+      if (other.path == option.counts_with.key) other.set(usual, option.counts_with.choice);
+    SceneDef scene = usual;
     OptionValue value = option.get(scene);
     if (auto* number = std::get_if<double>(&value))
       *number = option.range.high <= 0.25 ? 0.5 * option.range.high : option.range.high <= 1.0 ? 0.25 : *number + 0.5;
@@ -56,8 +61,8 @@ TEST(SceneFile, EveryOptionIsReadBackFromItsOwnText) {
     }
     option.set(scene, value);
     EXPECT_EQ(value_text(option.get(scene)), value_text(value)) << option.path;
-    EXPECT_NE(resolved_toml(scene), resolved_toml(SceneDef{})) << option.path;
-    EXPECT_NE(scene_hash(scene), scene_hash(SceneDef{})) << option.path;
+    EXPECT_NE(resolved_toml(scene), resolved_toml(usual)) << option.path;
+    EXPECT_NE(scene_hash(scene), scene_hash(usual)) << option.path;
     if (!check_scene(scene).empty()) continue;
     const SceneDef again = parse_scene(resolved_toml(scene), "resolved.toml");
     EXPECT_EQ(value_text(option.get(again)), value_text(value)) << option.path;
@@ -199,15 +204,48 @@ TEST(SceneWarnings, UnlikelyMassAndCoverAreNamed) {
             std::string::npos);
 }
 
-TEST(SceneWarnings, DragByAxisThatDoesNothingIsNamed) {
+TEST(ResolvedText, HasTheCoefficientsOfTheChosenDragOnly) {
+  const auto has = [](const std::string& text, const std::string& line) {
+    return resolved_toml(parse_scene(text, "t.toml")).find("\n" + line + "\n") != std::string::npos;
+  };
+  const std::string by_axis = "[platform_drag]\npresent = true\nlaw = \"by_axis\"\n";
+  const std::string axes[] = {"surge_coefficient = 0.1", "sway_coefficient = 0.7", "yaw_coefficient = 0.7"};
+  for (const std::string& axis : axes) {
+    EXPECT_TRUE(has(by_axis, axis)) << axis;
+    EXPECT_FALSE(has("", axis)) << axis;
+  }
+  EXPECT_FALSE(has(by_axis, "coefficient = 0.8"));
+  EXPECT_TRUE(has("", "coefficient = 0.8"));
+  const std::string resolved = resolved_toml(parse_scene(by_axis, "t.toml"));
+  EXPECT_EQ(resolved_toml(parse_scene(resolved, "again.toml")), resolved);
+}
+
+TEST(SceneWarnings, DragThatDoesNothingIsNamed) {
   const auto warned = [](const std::string& text) { return scene_warnings(parse_scene(text, "t.toml")); };
-  const std::string law = "[platform_drag]\nlaw = \"by_axis\"\n", on = "present = true\n";
-  EXPECT_NE(warned(law).at(0).find("platform_drag.law: has no effect"), std::string::npos);
+  const std::string law = "[platform_drag]\nlaw = \"by_axis\"\n", on = "present = true\nwater = \"current\"\n";
+  EXPECT_EQ(warned(law).at(0),
+            "platform_drag.law: has no effect (platform_drag.present is false) set platform_drag.present = true");
+  EXPECT_NE(warned("[platform_drag]\ndraft_m = 8.0\n").at(0).find("platform_drag.draft_m: has no effect"),
+            std::string::npos);
   EXPECT_TRUE(warned(law + on).empty());
   const std::string yaw = "yaw_coefficient = 0.5\n", locked = "[platform]\nyaw = \"locked\"\n";
   EXPECT_TRUE(warned(law + on + yaw).empty());
   EXPECT_NE(warned(law + on + yaw + locked).at(0).find("platform_drag.yaw_coefficient: has no effect"),
             std::string::npos);
+  const std::string fixed = "[platform]\nfixed = true\n";
+  EXPECT_TRUE(warned(fixed).empty());
+  EXPECT_EQ(warned(fixed + law + on).at(0),
+            "platform_drag.present: has no effect (the platform is fixed) set platform_drag.present = false");
+}
+
+TEST(SceneWarnings, DragInStillWaterBesideACurrentIsNamed) {
+  const auto warned = [](const std::string& text) { return scene_warnings(parse_scene(text, "t.toml")); };
+  const std::string still = "[platform_drag]\npresent = true\nwater = \"still\"\n";
+  ASSERT_EQ(warned(still).size(), 1u);
+  EXPECT_NE(warned(still)[0].find("platform_drag.water: still water in a current (of up to 0.25 m/s"),
+            std::string::npos)
+      << warned(still)[0];
+  EXPECT_TRUE(warned(still + "[current]\nvelocity_m_per_s = [0.0, 0.0]\n").empty());
 }
 
 TEST(SceneWarnings, TimesThatAreNoWholeTimeStepsAreNamed) {
@@ -283,6 +321,17 @@ TEST(NearestName, FindsSlipsAndRefusesNonsense) {
   EXPECT_EQ(nearest_name("mooring.stifness", names), "mooring.stiffness_N_per_m");
   EXPECT_EQ(nearest_name("mass_kg", names), "platform.mass_kg");
   EXPECT_EQ(nearest_name("zzzzzzzz", names), "");
+  EXPECT_EQ(nearest_name("mooring.stiff", names), "mooring.stiffness_N_per_m");
+  EXPECT_EQ(nearest_name("mooring.stif", names), "mooring.stiffness_N_per_m");
+  EXPECT_EQ(nearest_name("x", names), "");
+}
+
+TEST(NearestName, FindsAKeyByItsBeginning) {
+  EXPECT_EQ(nearest_name("platform_drag.surge_coef", known_keys()), "platform_drag.surge_coefficient");
+  EXPECT_EQ(nearest_name("surge_coef", known_keys()), "platform_drag.surge_coefficient");
+  EXPECT_EQ(nearest_name("platform_drag.sway_koeff", known_keys()), "platform_drag.sway_coefficient");
+  EXPECT_EQ(nearest_name("floes.size_max", known_keys()), "floes.size_maximum_m");
+  EXPECT_EQ(nearest_name("numerics.iteration_max", known_keys()), "numerics.iterations_maximum");
 }
 
 TEST(NumberText, IsTheShortestThatReadsBack) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "gem/scene/check_scene.h"
+#include "gem/scene/toml/unused_keys.h"
 
 namespace gem {
 namespace {
@@ -143,6 +144,7 @@ SceneDef checked_scene(const TomlNode& document) {
   SceneDef scene = scene_from_tree(document, problems);
   // Options that could not be read are not compared: that would repeat the same error in other words.
   problems.throw_if_any();
+  check_unused_keys(document, scene, problems);
   for (const SceneProblem& problem : check_scene(scene)) {
     const TomlNode* node = find_path(document, problem.key);
     problems.add(node != nullptr ? node->place : document.place, problem.key, problem.text);

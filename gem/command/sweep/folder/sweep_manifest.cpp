@@ -65,9 +65,30 @@ void write_at_one_stroke(const std::string& path, const std::string& text) {
 constexpr std::size_t manifest_bytes_maximum = std::size_t{256} << 20;
 constexpr int manifest_depth_maximum = 8;
 
-[[noreturn]] void throw_unreadable(const std::string& path, const std::string& why) {
-  throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + why +
-                                         ") remove it; the next `gem sweep run` makes it again from the run files");
+/// Whether runs have left files: run files, or checkpoints of them.
+bool has_run_files(const std::filesystem::path& folder) {
+  std::error_code none;
+  const std::filesystem::directory_iterator entries(folder, none);
+  return std::any_of(begin(entries), end(entries), [](const std::filesystem::directory_entry& entry) {
+    return entry.path().filename().string().find(".h5") != std::string::npos;
+  });
+}
+
+[[noreturn]] void throw_unreadable(const std::string& path, const std::string& why, const std::string& advice) {
+  throw Error(ExitCode::file_system, "cannot read " + shown(path) + " (" + why + ") " + advice);
+}
+
+/// The manifest, or its updates, make no sense. A manifest of runs that were made also says why runs failed, so it is
+/// kept.
+[[noreturn]] void throw_damaged(const std::string& path, const std::string& why) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const std::string out = " --out " + shown(folder.string());
+  throw_unreadable(path, why,
+                   has_run_files(folder) ? "rename it; then `gem sweep status SWEEPFILE" + out +
+                                               "` shows which runs are done, by their files, and `gem sweep run "
+                                               "SWEEPFILE" +
+                                               out + "` makes the others and a new manifest"
+                                         : "remove it; no run has been made here, so nothing is lost");
 }
 
 /// Empty if there is no file. Throws Error(file_system).
@@ -79,9 +100,9 @@ std::optional<std::string> text_of(const std::string& path) {
   std::vector<char> block(65536);
   while (file.read(block.data(), static_cast<std::streamsize>(block.size())), file.gcount() > 0) {
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > manifest_bytes_maximum) throw_unreadable(path, "the file is too large");
+    if (text.size() > manifest_bytes_maximum) throw_damaged(path, "the file is too large");
   }
-  if (!file.eof()) throw_unreadable(path, std::generic_category().message(errno));
+  if (!file.eof()) throw_unreadable(path, std::generic_category().message(errno), "make it a file that can be read");
   return text;
 }
 
@@ -197,7 +218,7 @@ std::vector<SweepRow> read_manifest(const std::string& folder) {
     for (const Json& object : document.at("runs")) rows.push_back(row_of_json(object));
     return updates.empty() ? rows : laid_over(std::move(rows), updates);
   } catch (const std::exception& fault) {  // of JSON, or a limit
-    throw_unreadable(path, fault.what());
+    throw_damaged(path, fault.what());
   }
 }
 

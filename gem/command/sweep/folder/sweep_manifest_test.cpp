@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <functional>
 
 #include "gem/base/error.h"
@@ -123,6 +124,23 @@ TEST_F(SweepManifest, AKilledSweepOfOtherCasesLeavesNoOldRowEither) {
   EXPECT_EQ(read_manifest(folder())[1].status, "missing");
 }
 
+TEST_F(SweepManifest, ADamagedOneIsRemovedOnlyWhereNoRunWasMade) {
+  const auto advice = [&] {
+    try {
+      read_manifest(folder());
+    } catch (const Error& fault) {
+      EXPECT_EQ(fault.code(), ExitCode::file_system);
+      return std::string(fault.what());
+    }
+    return std::string("read");
+  };
+  std::ofstream(manifest()) << "{\"runs\": [";
+  EXPECT_NE(advice().find("remove it; no run has been made here"), std::string::npos) << advice();
+  std::ofstream(folder() + "/run_1.h5.checkpoint-a") << "state";
+  EXPECT_EQ(advice().find("remove"), std::string::npos) << advice();
+  EXPECT_NE(advice().find("rename it; then `gem sweep status SWEEPFILE --out "), std::string::npos) << advice();
+}
+
 TEST_F(SweepManifest, UpdatesThatCannotBeReadAreNamed) {
   write_manifest(folder(), rows_of(3));
   fs::create_directory(updates());
@@ -132,6 +150,7 @@ TEST_F(SweepManifest, UpdatesThatCannotBeReadAreNamed) {
   } catch (const Error& fault) {
     EXPECT_EQ(fault.code(), ExitCode::file_system);
     EXPECT_NE(std::string(fault.what()).find("manifest.updates"), std::string::npos) << fault.what();
+    EXPECT_NE(std::string(fault.what()).find("make it a file that can be read"), std::string::npos) << fault.what();
   }
 }
 

@@ -46,7 +46,7 @@ SceneDef read_case(const CaseChoice& choice) {
   TomlNode document = load_document(choice.path);
   if (document.entries.empty())
     throw Error(ExitCode::scene_rejected,
-                shown(choice.path) + ": no settings (the file is empty) leave it out to run the built-in case");
+                shown(choice.path) + ": no settings (the file is empty) give it keys; `gem case explain` lists them");
   if (document.find("sweep") == nullptr) {
     if (choice.index) {
       throw Error(ExitCode::usage, choice.path + " is a single case (no [sweep] table) leave out --index");

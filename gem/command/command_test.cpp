@@ -102,6 +102,8 @@ TEST_F(CommandTest, FaultsHaveTheirExitCodeOneLineAndNoFile) {
       {"gem run swing.toml --threads 2 --engine reference", 2, "--threads 2 has no effect on the engine reference"},
       {"gem run swing.toml --until 10 --set run.duration_s=20", 2, "--until 10 and --set run.duration_s=20"},
       {"gem run swing.toml --index 1", 2, "single case"},
+      {"gem run", 2, "no case (gem run computes the case of a file) name one, e.g. gem run cases/first.toml"},
+      {"gem run -q --out run.h5", 2, "no case"},
       {"gem run --index 1", 2, "--index"},
       {"gem run swing.toml --set run.duration=1", 3, "run.duration"},
       {"gem run swing.toml --until 10mins", 2, "--until 10mins is not a time"},
@@ -296,6 +298,20 @@ TEST_F(CommandTest, ACaseNamesTheIceOfItsFile) {
     EXPECT_EQ(RunFile(path("away/m1.h5")).attribute(name), RunFile(path("runs/m1.h5")).attribute(name)) << name;
 }
 
+TEST_F(CommandTest, TheAdviceOnADamagedManifestLosesNoRun) {
+  std::ofstream(folder_ / "sweep.toml") << text_of("swing.toml")
+                                        << "[sweep]\nmode = \"list\"\n[[sweep.run]]\nname = \"a\"\n";
+  ASSERT_EQ(shell("gem sweep run sweep.toml -q --out runs --threads 1"), 0) << text_of("err");
+  ASSERT_EQ(shell("cp runs/a.h5 before.h5 && echo '{' > runs/manifest.json && gem sweep status runs"), 4);
+  EXPECT_NE(text_of("err").find("rename it; then `gem sweep status SWEEPFILE --out runs`"), std::string::npos)
+      << text_of("err");
+  ASSERT_EQ(shell("mv runs/manifest.json runs/damaged && gem sweep status sweep.toml --out runs"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("1 runs: 1 done"), std::string::npos) << text_of("out");
+  ASSERT_EQ(shell("gem sweep run sweep.toml -q --out runs && cmp before.h5 runs/a.h5 && gem sweep status runs"), 0)
+      << text_of("err");
+  EXPECT_NE(text_of("out").find("1 runs: 1 done"), std::string::npos) << text_of("out");
+}
+
 TEST_F(CommandTest, ASweepOnAMissingGpuIsRefusedAsARunIs) {
   std::ofstream(folder_ / "sweep.toml")
       << "[run]\nduration_s = 5.0\n[sweep]\nmode = \"list\"\n[[sweep.run]]\nname = \"a\"\n";
@@ -311,6 +327,26 @@ TEST_F(CommandTest, ASweepOnAMissingGpuIsRefusedAsARunIs) {
 TEST_F(CommandTest, FloesThatAreGivenAreNotCounted) {
   ASSERT_EQ(shell("gem case check swing.toml --set floes.count=100"), 0);
   EXPECT_NE(text_of("out").find("floes.count: has no effect (value 100"), std::string::npos) << text_of("out");
+}
+
+TEST_F(CommandTest, TheCheckSaysThePlatformsDragAndTheFixedBodies) {
+  ASSERT_EQ(shell("gem case check swing.toml"), 0) << text_of("err");
+  EXPECT_EQ(text_of("out").find("platform drag"), std::string::npos) << text_of("out");
+  EXPECT_EQ(text_of("out").find("fixed bodies"), std::string::npos) << text_of("out");
+  const std::string drag = "gem case check swing.toml --set platform_drag.present=true";
+  ASSERT_EQ(shell(drag + " --set platform_drag.draft_m=8"), 0) << text_of("err");
+  EXPECT_NE(text_of("out").find("platform drag     round, coefficient 0.8, draft 8 m, relative to still water\n"),
+            std::string::npos)
+      << text_of("out");
+  ASSERT_EQ(shell(drag + " --set platform_drag.law=by_axis --set platform_drag.water=current" +
+                  " --set 'fixed=[{outline_m=[[200,0],[210,0],[200,10]]},{outline_m=[[200,50],[210,50],[200,60]]}]'"),
+            0)
+      << text_of("err");
+  EXPECT_NE(text_of("out").find("platform drag     by axis, coefficients 0.1 (surge), 0.7 (sway), 0.7 (yaw), "
+                                "draft 12.42 m, relative to the current\n"),
+            std::string::npos)
+      << text_of("out");
+  EXPECT_NE(text_of("out").find("fixed bodies      2\n"), std::string::npos) << text_of("out");
 }
 
 TEST_F(CommandTest, ACaseMayComeThroughAPipe) {

@@ -32,6 +32,17 @@ void check_engine_options(const RunChoice& choice) {
                                    " (only the engine cpu uses threads) leave it out");
 }
 
+/// The built-in case takes long: it runs only for somebody who changes it or says how far.
+void check_case_is_named(const RunChoice& choice) {
+  const CaseChoice& chosen = choice.chosen_case;
+  if (!chosen.path.empty() || !chosen.overrides.empty() || chosen.index || !choice.until.empty() || choice.dry_run)
+    return;
+  throw Error(
+      ExitCode::usage,
+      "no case (gem run computes the case of a file) name one, e.g. gem run cases/first.toml; the built-in case "
+      "runs with --until or --set, e.g. gem run --until 10min");
+}
+
 /// The case with its end. An --until beyond the end of the case moves that end; one before it stops the run there, so
 /// that it can go on later.
 SceneDef case_until(RunChoice& choice) {
@@ -82,6 +93,7 @@ int run(RunChoice choice) {
   if (!thread_message.empty()) log.message("warning", thread_message);
 
   if (!choice.continued.empty()) return continue_run(choice, log);
+  check_case_is_named(choice);
   const SceneDef scene = case_until(choice);
   if (choice.chosen_case.path.empty())
     log.message("info", "no case file: running the built-in case " + scene.run.name + ", " +
@@ -175,6 +187,8 @@ void add_run_command(CLI::App& app, Chosen& chosen) {
   const auto choice = std::make_shared<RunChoice>();
   CLI::App* command = app.add_subcommand("run", "run a case and write a run file");
   add_case_options(*command, choice->chosen_case, false);
+  command->get_option("case")->description(
+      "case file (TOML); without one the built-in case, which needs --until, --set or --dry-run");
   command
       ->add_option("--from", choice->chosen_case.from,
                    "begin with the floes and the platform of a run, at its last recorded frame or at the one of a "

@@ -153,9 +153,10 @@ def run(case: Path | None = None, out: Path | None = None, *, from_run: Path | N
         progress: Progress | None = None, gem: Path | None = None, **settings: Any) -> RunResult:
     """Runs a case and returns its file and summary.
 
-    `case`: a case file; None: the built-in case. `out`: the run file; by default the run's name with .h5 in the working
-    folder. `from_run`: begins with the floes and the platform of that run file, at its frame at `from_time` [s], by default
-    the last. `settings`: keys of the case, `section__key=value`, e.g. `run__duration_s=600.0`; lists and tables as in TOML.
+    `case`: a case file; None: the built-in case, which needs settings. `out`: the run file; by default the run's name with
+    .h5 in the working folder. `from_run`: begins with the floes and the platform of that run file, at its frame at
+    `from_time` [s], by default the last. `settings`: keys of the case, `section__key=value`, e.g. `run__duration_s=600.0`;
+    lists and tables as in TOML.
     `progress` is called with a dict for each line of progress: `fraction` (0 to 1), `time_s`, `wall_time_s`, `left_s`,
     `sim_rate`. `strict`: a bad verdict is an error. `gem`: the program.
 

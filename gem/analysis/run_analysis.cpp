@@ -151,6 +151,11 @@ std::vector<Finding> load_findings(const PlatformSeries& series) {
   add_mean(findings, "ice_force_x_mean_N", series.ice_force_x, stretch);
   add_mean(findings, "ice_force_y_mean_N", series.ice_force_y, stretch);
   add_mean(findings, "mooring_force_x_mean_N", series.mooring_force_x, stretch);
+  add_mean(findings, "mooring_force_y_mean_N", series.mooring_force_y, stretch);
+  if (!series.drag_force_x.empty()) {
+    add_mean(findings, "drag_force_x_mean_N", series.drag_force_x, stretch);
+    add_mean(findings, "drag_force_y_mean_N", series.drag_force_y, stretch);
+  }
   const auto largest = [](const std::vector<double>& x, const std::vector<double>& y) {
     return std::optional<double>(maximum_radial_excursion(x, y).value);
   };
@@ -165,6 +170,9 @@ void check(const PlatformSeries& series) {
        {&series.y, &series.ice_force_x, &series.ice_force_y, &series.ice_force_window_x, &series.ice_force_window_y,
         &series.mooring_force_x, &series.mooring_force_y, &series.contacts})
     if (column->size() != samples) throw std::invalid_argument("the columns of the platform have unequal lengths");
+  for (const auto* column : {&series.drag_force_x, &series.drag_force_y})
+    if (column->size() != series.drag_force_x.size() || (!column->empty() && column->size() != samples))
+      throw std::invalid_argument("the columns of the drag have another length than those of the platform");
   if (samples < kFewestSamples || !(series.interval > 0.0))
     throw std::invalid_argument("an analysis needs 64 samples of the platform at a positive interval");
 }
@@ -178,6 +186,12 @@ std::vector<Finding> analyse_platform(const PlatformSeries& series) {
        {axis_findings("y_", series.y, series), orbit_findings(series), contact_findings(series), load_findings(series)})
     all.insert(all.end(), part.begin(), part.end());
   return all;
+}
+
+bool is_resolved(const Finding& finding) {
+  if (!finding.value) return false;
+  if (!finding.name.ends_with("_period_by_spectrum_s")) return true;
+  return finding.interval && finding.interval->high <= 2.0 * finding.interval->low;
 }
 
 Finding finding_of(const std::vector<Finding>& findings, const std::string& name) {

@@ -64,6 +64,9 @@ TEST(AnalysePlatform, OfACirclingPlatform) {
   EXPECT_EQ(value("contact_gaps_cut"), 2.0);
   EXPECT_NEAR(value("contact_gap_longest_at_least_s"), 9.0, 1e-12);
   EXPECT_NEAR(value("ice_force_x_mean_N"), 1000.0, 1e-9);
+  EXPECT_NEAR(value("mooring_force_x_mean_N"), -6000.0, 1e-9);
+  EXPECT_NEAR(value("mooring_force_y_mean_N"), 8000.0, 1e-9);
+  EXPECT_TRUE(named(findings, "mooring_force_y_mean_N").interval->holds(8000.0));
   EXPECT_NEAR(value("ice_force_window_largest_N"), 5000.0, 1e-9);
   EXPECT_NEAR(value("mooring_force_largest_N"), 1e4, 1e-9);
 }
@@ -78,6 +81,19 @@ TEST(AnalysePlatform, OfAPlatformAtRestHasNoPeriods) {
   EXPECT_FALSE(named(findings, "x_offset_m").interval.has_value());
   EXPECT_EQ(named(findings, "orbit_largest_m").value, 0.0);
   EXPECT_EQ(findings.size(), analyse_platform(circling(3600)).size());
+}
+
+TEST(AnalysePlatform, HasTheDragWhereItActs) {
+  PlatformSeries series = circling(3600);
+  EXPECT_FALSE(finding_of(analyse_platform(series), "drag_force_x_mean_N").value.has_value());
+  series.drag_force_x = sum_of(sine(3600, 90.0, 500.0), std::vector<double>(3600, 2000.0));
+  series.drag_force_y.assign(3600, -300.0);
+  const auto findings = analyse_platform(series);
+  EXPECT_NEAR(named(findings, "drag_force_x_mean_N").value.value(), 2000.0, 1e-9);
+  EXPECT_TRUE(named(findings, "drag_force_x_mean_N").interval->holds(2000.0));
+  EXPECT_NEAR(named(findings, "drag_force_y_mean_N").value.value(), -300.0, 1e-9);
+  series.drag_force_y.pop_back();
+  EXPECT_THROW(analyse_platform(series), std::invalid_argument);
 }
 
 TEST(AnalysePlatform, RefusesShortOrUnequalColumns) {

@@ -52,13 +52,8 @@ std::string at_time(double time, double duration) { return " at " + with_unit(ti
 const Unit kSeconds{"s", 1.0};
 const Unit kSpeed{"m/s", 1.0};
 
-/// A period whose interval spans more than a factor of two is not resolved.
-bool is_resolved(const Finding& period) {
-  return period.value && period.interval && period.interval->high <= 2.0 * period.interval->low;
-}
-
 std::string period_text(const Finding& period) {
-  if (!is_resolved(period)) return "not resolved";
+  if (!is_resolved(period) || !period.interval) return "not resolved";
   return with_unit(*period.value, kSeconds) + " (" + ends_text(*period.interval, kSeconds) + ")";
 }
 
@@ -210,6 +205,16 @@ std::string pull_rows(const RunData& run, const std::vector<Finding>& analysis) 
          row("force that holds the ship across its path, largest", {largest("hold_across_largest_N")});
 }
 
+/// Nothing where neither water nor wind drags the platform.
+std::string drag_rows(const RunData& run, const std::vector<Finding>& analysis) {
+  if (run.platform.drag_force_x.empty()) return "";
+  std::string rows;
+  for (const std::string axis : {"x", "y"})
+    rows += row(run.dragged_by + " averaged over the run, " + axis,
+                {mean_force_text(finding_of(analysis, "drag_force_" + axis + "_mean_N"))});
+  return rows;
+}
+
 /// Nothing without transit.
 std::string resistance_rows(const RunData& run, const std::vector<Finding>& analysis) {
   if (!is_transit(run)) return "";
@@ -260,8 +265,11 @@ std::string loads_html(const RunData& run, const RunFindings& findings, const st
            ? row(holder_text(run) + " force, largest",
                  {of_mooring(force_text(l.mooring_largest) + where_text(l.mooring_largest, l.mooring_at))}) +
                  row(holder_text(run) + " force averaged over the run, x",
-                     {of_mooring(mean_force_text(finding_of(analysis, "mooring_force_x_mean_N")))})
+                     {of_mooring(mean_force_text(finding_of(analysis, "mooring_force_x_mean_N")))}) +
+                 row(holder_text(run) + " force averaged over the run, y",
+                     {of_mooring(mean_force_text(finding_of(analysis, "mooring_force_y_mean_N")))})
            : "") +
+      drag_rows(run, analysis) +
       row("hits on the platform, each from first touch to release", {of_events(std::to_string(l.events))}) +
       row("different floes that hit the platform", {of_events(std::to_string(l.arrivals))}) +
       row("samples with contact", {contact_text(finding_of(analysis, "contact_fraction"))});

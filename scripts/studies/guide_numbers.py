@@ -22,7 +22,7 @@ CASES = ROOT / "cases"
 # Lines that depend on the machine: they are not in the page.
 OF_THE_MACHINE = ("wall time", "peak memory")
 ANALYSED = ("verdict", "value", "x_offset_m", "x_deviation_m", "x_largest_m", "x_period_by_spectrum_s", "contact_fraction",
-            "ice_force_x_mean_N", "ice_force_y_mean_N", "mooring_force_x_mean_N", "ice_force_window_largest_N",
+            "ice_force_x_mean_N", "ice_force_y_mean_N", "mooring_force_x_mean_N", "mooring_force_y_mean_N", "ice_force_window_largest_N",
             "mooring_force_largest_N")
 OF_SEEDS = ("verdict", "mean", "most", "x_offset_m", "ice_force_x_mean_N", "ice_force_window_largest_N", "mooring_force_largest_N")
 

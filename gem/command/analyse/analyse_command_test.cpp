@@ -1,6 +1,7 @@
 // gem analyse: one run, several runs, and what is refused.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -53,6 +54,58 @@ TEST_F(CommandTest, AnalyseSaysWhatAShipDoesThatMeetsNoIce) {
   EXPECT_NE(line_of(text_of("out"), "tow_mean_N"), "") << text_of("out");
   ASSERT_EQ(shell(unmoored + " --out adrift.h5 && gem analyse adrift.h5"), 0) << text_of("err");
   EXPECT_EQ(text_of("out").find("mooring_"), std::string::npos) << text_of("out");
+}
+
+/// A barge of 200 m by 40 m that lies where mooring and drag of the water balance, in a current askew.
+constexpr const char* dragged =
+    "gem run swing.toml -q --threads 1 --overwrite --set platform.outline=listed "
+    "--set platform.outline_m=[[-100,-20],[100,-20],[100,20],[-100,20]] --set platform.yaw=locked "
+    "--set platform_drag.present=true --set platform_drag.draft_m=10 --set platform_drag.water=current "
+    "--set water.density_kg_per_m3=1025 --set mooring.stiffness_N_per_m=5e5 --set current.velocity_m_per_s=[1.0,0.5] ";
+
+TEST_F(CommandTest, AnalyseSaysTheDragOfWaterAndWindOnThePlatform) {
+  const auto mean = [this](const std::string& name) {
+    return nlohmann::json::parse(text_of("out")).at("findings").at(name).at("value").get<double>();
+  };
+  // The two halves of a time step find slips that differ by F dt / (2 M U), 1.8e-4 of them at most. That cancels but
+  // for its square. The start, between two halves, leaves a swing of F dt / (2 M).
+  const double left = 1e-4;
+  // by axis: 1025 x 0.1 x 40 x 10 x 1^2 / 2 and 1025 x 0.7 x 200 x 10 x 0.5^2 / 2
+  ASSERT_EQ(
+      shell(std::string(dragged) + "--set platform_drag.law=by_axis --set platform.start_offset_m=[0.041,0.35875] "
+                                   "--out axis.h5 && gem analyse axis.h5 --from 1 --json"),
+      0)
+      << text_of("err");
+  EXPECT_NEAR(mean("drag_force_x_mean_N"), 20500.0, left * 20500.0);
+  EXPECT_NEAR(mean("drag_force_y_mean_N"), 179375.0, left * 179375.0);
+  EXPECT_NEAR(mean("mooring_force_y_mean_N"), -179375.0, left * 179375.0);
+  // round: 1025 x 0.8 x 40 x 10 / 2 times |U| U, |U|^2 = 1.25
+  const double round = 164000.0 * std::sqrt(1.25);
+  ASSERT_EQ(shell(std::string(dragged) + "--set platform.start_offset_m=[" + std::to_string(round / 5e5) + "," +
+                  std::to_string(0.5 * round / 5e5) + "] --out round.h5 && gem analyse round.h5 --from 1 --json"),
+            0)
+      << text_of("err");
+  EXPECT_NEAR(mean("drag_force_x_mean_N"), round, left * round);
+  EXPECT_NEAR(mean("drag_force_y_mean_N"), 0.5 * round, left * round);
+  ASSERT_EQ(shell("gem analyse round.h5 --from 1"), 0) << text_of("err");
+  EXPECT_NE(line_of(text_of("out"), "drag_force_x_mean_N").find("1.8336e+05"), std::string::npos) << text_of("out");
+  ASSERT_EQ(shell("gem run swing.toml -q --threads 1 && gem analyse swing.h5"), 0) << text_of("err");
+  EXPECT_EQ(text_of("out").find("drag_force"), std::string::npos) << text_of("out");
+}
+
+TEST_F(CommandTest, AReportNamesWhatDragsThePlatform) {
+  if (shell("command -v gnuplot") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_EQ(shell(std::string(dragged) + "--out round.h5 && gem report round.h5 --out page"), 0) << text_of("err");
+  EXPECT_NE(text_of("page/index.html").find("<th scope=\"row\">water drag averaged over the run, x</th>"),
+            std::string::npos);
+  EXPECT_NE(text_of("page/index.html").find("<th scope=\"row\">mooring force averaged over the run, y</th>"),
+            std::string::npos);
+  ASSERT_EQ(shell(std::string(dragged) +
+                  "--set wind.velocity_m_per_s=[5.0,0.0] --set wind.platform_area_m2=100 --out windy.h5 && gem report "
+                  "windy.h5 --out windy"),
+            0)
+      << text_of("err");
+  EXPECT_NE(text_of("windy/index.html").find("water drag and wind averaged over the run, y</th>"), std::string::npos);
 }
 
 TEST_F(CommandTest, AnalyseCombinesRunsOfOneLength) {

@@ -47,9 +47,9 @@ std::string interval_text(const IntervalEstimate& estimate) {
 
 bool is_length_or_force(const std::string& name) { return name.ends_with("_m") || name.ends_with("_N"); }
 
-/// Of a ship in transit, which goes its way without ice too, or of bodies beside the platform.
+/// Of a ship in transit, which goes its way without ice too, of water and wind, or of bodies beside the platform.
 bool stands_alone(const std::string& name) {
-  for (const char* beginning : {"transit_", "thrust_", "tow_", "hold_", "fixed_"})
+  for (const char* beginning : {"transit_", "thrust_", "tow_", "hold_", "drag_", "fixed_"})
     if (name.starts_with(beginning)) return true;
   return false;
 }
@@ -61,13 +61,18 @@ bool untouched(const std::vector<Finding>& findings) {
          finding_of(findings, "orbit_largest_m").value.value_or(0.0) < kLeastMotion;
 }
 
-constexpr const char* not_resolved = "not resolved";
+/// A finding as people read it.
+struct FindingText {
+  std::string value, interval;
+  bool not_resolved = false;
+};
 
-std::string value_text(const Finding& finding) {
-  if (!finding.value) return not_resolved;
-  const bool spectral = finding.name.ends_with("_period_by_spectrum_s") && finding.interval;
-  if (spectral && finding.interval->high > 2.0 * finding.interval->low) return not_resolved;
-  return short_text(*finding.value);
+/// `without_contact`: lengths and forces are rounding, but for those that stand alone.
+FindingText words_of(const Finding& finding, bool without_contact) {
+  if (without_contact && is_length_or_force(finding.name) && !stands_alone(finding.name)) return {"no contact", "-"};
+  const std::string interval = finding.interval ? interval_text(*finding.interval) : "-";
+  if (!is_resolved(finding)) return {"not resolved", interval, true};
+  return {short_text(*finding.value), interval};
 }
 
 std::string text_of(const std::vector<LineFinding>& lines) {
@@ -120,15 +125,16 @@ std::string text_of(const AnalysedRun& run) {
   std::string text = shown(run.path) + ": " + run.name + ", " + short_text(run.duration_s) + " s\n" +
                      verdict_lines(run) + row_text("", {"value", "95 % interval"});
   const bool without_contact = untouched(run.findings);
+  bool some_not_resolved = false;
   for (const Finding& finding : run.findings) {
-    const bool rounding = without_contact && is_length_or_force(finding.name) && !stands_alone(finding.name);
-    text += row_text(finding.name, {rounding ? "no contact" : value_text(finding),
-                                    finding.interval && !rounding ? interval_text(*finding.interval) : "-"});
+    const FindingText words = words_of(finding, without_contact);
+    text += row_text(finding.name, {words.value, words.interval});
+    some_not_resolved = some_not_resolved || words.not_resolved;
   }
-  if (text.find(not_resolved) != std::string::npos)
-    text += std::string(not_resolved) +
-            ": the record has too few cycles or spells for it (a period by spectrum needs 5 cycles and an interval "
-            "within a\nfactor of two, one by crossings 20), or nothing moved; a longer run may have it\n";
+  if (some_not_resolved)
+    text +=
+        "not resolved: the record has too few cycles or spells for it (a period by spectrum needs 5 cycles and an "
+        "interval within a\nfactor of two, one by crossings 20), or nothing moved; a longer run may have it\n";
   return text + text_of(run.lines) +
          "spells and gaps cut by an end of the record count with their observed part: mean = total time over "
          "the\n"

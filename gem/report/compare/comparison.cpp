@@ -82,10 +82,7 @@ class Rows {
   void analysed(const std::string& name, const std::string& meaning) {
     add(name, meaning, [&](const ComparedRun& run) {
       const Finding finding = finding_of(run.analysis, name);
-      // The main period counts only if its interval spans less than a factor of two, as in the report.
-      const bool spectral = name.ends_with("_period_by_spectrum_s");
-      const bool resolved = !spectral || (finding.interval && finding.interval->high <= 2.0 * finding.interval->low);
-      return resolved ? ComparedCell{finding.value, finding.interval, ""} : ComparedCell{};
+      return is_resolved(finding) ? ComparedCell{finding.value, finding.interval, ""} : ComparedCell{};
     });
   }
   template <class Number>

@@ -71,6 +71,14 @@ std::vector<double> column(const RunFile& file, const std::string& dataset) {
   return file.has(dataset) ? file.column(dataset) : std::vector<double>{};
 }
 
+/// What is recorded as the drag of the platform: wind on it is in the same columns as the water.
+std::string drag_text(const SceneDef& scene) {
+  if (!scene.platform.present || scene.platform.fixed) return "";
+  const bool wind = scene.wind.platform_area_m2 > 0.0 && has_wind(scene);
+  if (!scene.platform_drag.present) return wind ? "wind" : "";
+  return wind ? "water drag and wind" : "water drag";
+}
+
 PlatformRecord platform_record(const RunFile& file) {
   const auto read = [&file](const std::string& name) { return column(file, "platform/" + name); };
   PlatformRecord p{read("time"),
@@ -96,6 +104,14 @@ PlatformRecord platform_record(const RunFile& file) {
                 {"contacts", &p.contacts}},
                {{"psi", &p.yaw}});
   return p;
+}
+
+/// Older files lack the columns.
+void add_drag(const RunFile& file, PlatformRecord& p) {
+  if (!file.has("platform/drag_force_x")) return;
+  p.drag_force_x = column(file, "platform/drag_force_x");
+  p.drag_force_y = column(file, "platform/drag_force_y");
+  check_record(file, "platform", p.time, {{"drag_force_x", &p.drag_force_x}, {"drag_force_y", &p.drag_force_y}});
 }
 
 EventColumns event_record(const RunFile& file) {
@@ -187,7 +203,9 @@ RunData load_run(const std::string& run_file, bool allow_incomplete, std::option
   run.rest = scene.platform.anchor_m;
   run.natural_period_s = natural_period(scene);
   run.is_held = is_held(scene);
+  run.dragged_by = drag_text(scene);
   run.platform = platform_record(file);
+  if (!run.dragged_by.empty()) add_drag(file, run.platform);
   run.events = event_record(file);
   run.stats = stats_record(file);
   for (const std::vector<double>* time : {&run.platform.time, &run.stats.time})

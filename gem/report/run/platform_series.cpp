@@ -8,8 +8,9 @@
 namespace gem {
 namespace {
 
-/// The end of a column from a sample on, minus a constant.
+/// The end of a column from a sample on, minus a constant. A column that the run does not have stays empty.
 std::vector<double> tail(const std::vector<double>& column, std::size_t first, double less = 0.0) {
+  if (column.empty()) return {};
   std::vector<double> kept(column.begin() + static_cast<std::ptrdiff_t>(first), column.end());
   for (double& value : kept) value -= less;
   return kept;
@@ -29,7 +30,8 @@ PlatformSeries platform_series(const RunData& run, std::size_t first) {
           tail(p.ice_force_x, first),      tail(p.ice_force_y, first),
           tail(p.ice_force_mean_x, first), tail(p.ice_force_mean_y, first),
           tail(p.mooring_force_x, first),  tail(p.mooring_force_y, first),
-          tail(p.contacts, first)};
+          tail(p.contacts, first),         tail(p.drag_force_x, first),
+          tail(p.drag_force_y, first)};
 }
 
 }  // namespace gem

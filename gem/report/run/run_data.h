@@ -40,7 +40,8 @@ struct PlatformRecord {
   std::vector<double> ice_force_mean_x, ice_force_mean_y;
   std::vector<double> mooring_force_x, mooring_force_y;
   std::vector<double> contacts;
-  std::vector<double> yaw = {};  // [rad]
+  std::vector<double> yaw = {};                              // [rad]
+  std::vector<double> drag_force_x = {}, drag_force_y = {};  // of water and wind; empty where neither acts
 };
 
 /// Events on the platform; the normal points from the platform into the ice.
@@ -80,6 +81,7 @@ struct RunData {
   double force_window_s = 0.0;    // of ice_force_mean
   Vec2 rest;                      // rest position of the mooring [m]
   bool is_held = true;            // a mooring, thrusters or a tow can pull the platform
+  std::string dragged_by = {};    // "water drag", "wind" or "water drag and wind" on the platform; empty: neither
   PlatformRecord platform;
   EventColumns events;
   StatsRecord stats;

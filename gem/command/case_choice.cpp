@@ -126,14 +126,12 @@ ProgressMode progress_mode(const std::string& name) {
 
 namespace {
 
-/// Writes to standard output. Returns the number of the fault, 0 if there was none. A reader that has gone is none.
+/// Writes to standard output. Returns the number of the fault, 0 if there was none.
 int written(const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
     const auto part = ::write(STDOUT_FILENO, text.data() + done, text.size() - done);
     if (part > 0)
       done += static_cast<std::size_t>(part);
-    else if (errno == EPIPE)
-      return 0;
     else if (errno != EINTR)
       return errno;
   }
@@ -142,17 +140,24 @@ int written(const std::string& text) {
 
 void refuse_output(int fault) {
   if (fault == 0) return;
-  const std::string why = fault == EBADF ? "it is closed" : std::generic_category().message(fault);
+  const std::string why = fault == EBADF   ? "it is closed"
+                          : fault == EPIPE ? "its reader has gone"
+                                           : std::generic_category().message(fault);
   throw Error(ExitCode::file_system, "cannot write to standard output (" + why + ") check where it goes");
 }
 
 }  // namespace
 
-void print(const std::string& text) { refuse_output(written(text)); }
+void print(const std::string& text) {
+  const int fault = written(text);
+  if (fault != EPIPE) refuse_output(fault);
+}
 
 void print_about_file(const std::string& text) {
   const int fault = written(text);
-  if (fault != EBADF) refuse_output(fault);
+  if (fault != EPIPE && fault != EBADF) refuse_output(fault);
 }
+
+void print_needed(const std::string& text) { refuse_output(written(text)); }
 
 }  // namespace gem

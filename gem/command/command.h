@@ -83,6 +83,8 @@ SceneDef with_floes_of_run_file(const SceneDef& scene);
 void print(const std::string& text);
 /// The same for what is said about a file that was written: a closed output is ignored too.
 void print_about_file(const std::string& text);
+/// The same for what nothing else says: a pipe whose reader has gone throws too.
+void print_needed(const std::string& text);
 
 /// The number of threads: --threads, else OMP_NUM_THREADS, else all processors. An invalid OMP_NUM_THREADS is ignored
 /// and a number above four times the processors is reduced; `message` then says so. Throws Error(usage) for --threads

@@ -89,11 +89,13 @@ std::string text_of(const nlohmann::ordered_json& object) {
   return text;
 }
 
-/// What to do with a run that was killed; `held`: a process has its file, so it may still run.
+/// What to do with a run that did not end in order: it was killed, or its machine went down, or the file is a copy of
+/// one that is written elsewhere. `held`: a process has the file, so the run may go on.
 std::string advice_text(const RunFile& file, bool held) {
   if (held || file.status() != "running") return "";
-  if (has_checkpoint(file.path())) return "killed; go on with gem run --continue " + shown(file.path()) + "\n";
-  return "killed, and it left no checkpoint; run the case again, or close the file with gem repair\n";
+  const std::string known = "the run has not ended in order, and no program has this file open; ";
+  if (has_checkpoint(file.path())) return known + "go on with gem run --continue " + shown(file.path()) + "\n";
+  return known + "without a checkpoint beside it, run the case again, or close the file with gem repair\n";
 }
 
 }  // namespace

@@ -30,9 +30,13 @@ int serve_page(const ViewChoice& choice) {
   view::Site site(choice.path, choice.allow_incomplete, nullptr);
   const StopSignals signals;
   const view::ViewServer server(site, view::new_token());
-  print_about_file(server.address() + "\n");
   std::optional<view::OpenedBrowser> browser;
   if (!choice.no_browser) browser.emplace(server.address());
+  // without a browser the page can be found by its address alone
+  if (browser && browser->is_open())
+    print_about_file(server.address() + "\n");
+  else
+    print_needed(server.address() + "\n");
   while (StopSignals::received() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   return 0;
 }

@@ -62,6 +62,21 @@ TEST_F(CommandTest, ThePageKnowsCurrentAndWindOverTime) {
   EXPECT_EQ(turning.at("wind_m_per_s").at(240), nlohmann::json::parse("[5.0, 0.0]"));
 }
 
+// Nobody can find a page whose address was not written. The command would serve it until it is stopped.
+TEST_F(CommandTest, ThePageIsNotServedIfItsAddressCannotBeWritten) {
+  ASSERT_EQ(shell("gem run swing.toml --out swing.h5 -q --threads 1"), 0);
+  const std::string view = "timeout 20 '" GEM_PROGRAM "' view swing.h5 --no-browser ";
+  const auto refuses = [&](const std::string& line, const std::string& why) {
+    const int code = shell(line);
+    if (text_of("err").find("cannot serve a page") != std::string::npos) return;  // built without a server
+    EXPECT_EQ(code, 4) << line << "\n" << text_of("err");
+    EXPECT_NE(text_of("err").find("cannot write to standard output (" + why), std::string::npos) << text_of("err");
+  };
+  refuses(view + ">&-", "it is closed");
+  refuses(view + ">/dev/full", "");
+  refuses("(sleep 0.3; " + view + ") | true; exit ${PIPESTATUS[0]}", "its reader has gone");
+}
+
 TEST_F(CommandTest, AShownRunEndsByItselfWhenNobodyLooks) {
   ASSERT_EQ(shell("gem run swing.toml --out bare.h5 -q"), 0);
   const int code = shell("gem run swing.toml --out seen.h5 --view --no-browser");

@@ -96,11 +96,16 @@ bool meets_field(const FloesDef& floes, double reach, Vec2 place, Vec2 way) {
   return first <= last;
 }
 
-/// A steady current alone carries a generated field along a straight line.
+/// Whether a generated field drifts along a straight line: the current is steady and alone. Coriolis force and a turned
+/// drag bend the way of a floe until it has the speed of the water.
+bool drifts_straight(const SceneDef& scene) {
+  return !varies(scene.drive) && !has_wind(scene) && length(scene.current.velocity_m_per_s) > 0.0 &&
+         scene.coriolis.parameter_per_s == 0.0 && scene.water.turning_rad == 0.0;
+}
+
 void warn_of_drift(const SceneDef& scene, std::vector<std::string>& warnings) {
   const Vec2 current = scene.current.velocity_m_per_s;
-  const bool steady = !varies(scene.drive) && !has_wind(scene) && length(current) > 0.0;
-  if (!steady || !scene.platform.present || in_transit(scene.transit) || !is_made(scene.floes) ||
+  if (!drifts_straight(scene) || !scene.platform.present || in_transit(scene.transit) || !is_made(scene.floes) ||
       scene.water.drag_law == DragLaw::none)
     return;
   const Vec2 place = scene.platform.anchor_m + scene.platform.start_offset_m;

@@ -35,7 +35,7 @@ OpenedBrowser::OpenedBrowser(const std::string& address) {
   std::string program = "xdg-open";
   char* arguments[] = {program.data(), file_.data(), nullptr};
   pid_t child = 0;
-  posix_spawnp(&child, program.c_str(), &quiet, nullptr, arguments, environ);
+  is_open_ = posix_spawnp(&child, program.c_str(), &quiet, nullptr, arguments, environ) == 0;
   posix_spawn_file_actions_destroy(&quiet);
 }
 

@@ -14,8 +14,12 @@ class OpenedBrowser {
   OpenedBrowser(const OpenedBrowser&) = delete;
   OpenedBrowser& operator=(const OpenedBrowser&) = delete;
 
+  /// Whether there is a desktop, whose browser was called.
+  bool is_open() const { return is_open_; }
+
  private:
   std::string file_;
+  bool is_open_ = false;
 };
 
 }  // namespace gem::view

@@ -55,6 +55,7 @@ class CommandTest : public testing::Test {
   int signalled(int signal_number, int wait_ms) {
     const pid_t child = fork();
     if (child == 0) {
+      std::signal(signal_number, SIG_DFL);  // under nohup a run would ignore a hang-up, and never end
       if (chdir(folder_.c_str()) != 0) _exit(99);
       execl(GEM_PROGRAM, "gem", "run", "swing.toml", "--until", "1e8", "--quiet", "--force", "--threads", "1", "--set",
             "output.floes_interval_s=1.0", "--set", "mooring.stiffness_N_per_m=0", "--set",

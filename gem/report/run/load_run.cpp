@@ -109,8 +109,8 @@ PlatformRecord platform_record(const RunFile& file) {
 /// Older files lack the columns.
 void add_drag(const RunFile& file, PlatformRecord& p) {
   if (!file.has("platform/drag_force_x")) return;
-  p.drag_force_x = column(file, "platform/drag_force_x");
-  p.drag_force_y = column(file, "platform/drag_force_y");
+  p.drag_force_x = file.column("platform/drag_force_x");
+  p.drag_force_y = file.column("platform/drag_force_y");
   check_record(file, "platform", p.time, {{"drag_force_x", &p.drag_force_x}, {"drag_force_y", &p.drag_force_y}});
 }
 

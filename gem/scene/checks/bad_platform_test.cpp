@@ -47,7 +47,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"coefficient_of_the_other_law_at_its_default",
                  "[platform_drag]\nlaw = \"by_axis\"\ncoefficient = 0.8\n",
                  {"bad.toml:3:", "platform_drag.coefficient: has no effect (value 0.8",
-                  "remove it; instead count platform_drag.surge_coefficient, platform_drag.sway_coefficient and"}},
+                  "remove it; platform_drag.surge_coefficient, platform_drag.sway_coefficient and "
+                  "platform_drag.yaw_coefficient "
+                  "count instead"}},
         BadScene{"axes_at_their_defaults_without_a_law",
                  "[platform_drag]\nsurge_coefficient = 0.1\nsway_coefficient = 0.7\nyaw_coefficient = 0.7\n",
                  {"bad.toml:2:21: platform_drag.surge_coefficient: has no effect (value 0.1, allowed only with "
@@ -56,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"axes_at_their_defaults_of_the_round_law",
                  "[platform_drag]\nlaw = \"round\"\nsway_coefficient = 0.7\n",
                  {"platform_drag.sway_coefficient: has no effect (value 0.7",
-                  "remove it; instead count platform_drag.coefficient, or set platform_drag.law = \"by_axis\""}},
+                  "remove it; platform_drag.coefficient counts instead, or set platform_drag.law = \"by_axis\""}},
         BadScene{"round_coefficient_by_axis",
                  "[platform_drag]\nlaw = \"by_axis\"\ncoefficient = 0.5\n",
                  {"bad.toml:3:", "platform_drag.coefficient: has no effect (value 0.5",

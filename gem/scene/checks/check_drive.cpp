@@ -97,7 +97,7 @@ bool meets_field(const FloesDef& floes, double reach, Vec2 place, Vec2 way) {
 }
 
 /// Whether a generated field drifts along a straight line: the current is steady and alone. Coriolis force and a turned
-/// drag bend the way of a floe until it has the speed of the water.
+/// drag bend the path of a floe until it has the speed of the water.
 bool drifts_straight(const SceneDef& scene) {
   return !varies(scene.drive) && !has_wind(scene) && length(scene.current.velocity_m_per_s) > 0.0 &&
          scene.coriolis.parameter_per_s == 0.0 && scene.water.turning_rad == 0.0;

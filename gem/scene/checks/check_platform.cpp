@@ -113,7 +113,7 @@ void warn_of_heading(const SceneDef& scene, std::vector<std::string>& warnings) 
 }
 
 /// Keys of a drag that is switched off.
-void warn_of_drag_without_water(const SceneDef& scene, std::vector<std::string>& warnings) {
+void warn_of_drag_switched_off(const SceneDef& scene, std::vector<std::string>& warnings) {
   for (const auto& option : scene_options())
     if (option.path.starts_with("platform_drag.") &&
         value_text(option.get(scene)) != value_text(option.get(SceneDef{})))
@@ -123,7 +123,7 @@ void warn_of_drag_without_water(const SceneDef& scene, std::vector<std::string>&
 
 void warn_of_drag(const SceneDef& scene, std::vector<std::string>& warnings) {
   const PlatformDragDef &drag = scene.platform_drag, usual;
-  if (!drag.present) return warn_of_drag_without_water(scene, warnings);
+  if (!drag.present) return warn_of_drag_switched_off(scene, warnings);
   if (scene.platform.fixed) {
     warnings.push_back(
         "platform_drag.present: has no effect (the platform is fixed) set platform_drag.present = false");

@@ -268,7 +268,7 @@ TEST(SceneWarnings, IceThatCannotReachThePlatformIsNamed) {
   EXPECT_FALSE(warned("[current]\nvelocity_m_per_s = [0.5, 0.0]\n"));
   EXPECT_FALSE(warned("[current]\nvelocity_m_per_s = [0.5, 0.1]\n"));
   EXPECT_FALSE(warned("[current]\nvelocity_m_per_s = [-0.1, 0.0]\n[wind]\nvelocity_m_per_s = [20.0, 0.0]\n"));
-  // what bends the way of the floes may bring them
+  // what bends the paths of the floes may bring them
   EXPECT_FALSE(warned("[current]\nvelocity_m_per_s = [0.0, 0.5]\n[coriolis]\nparameter_per_s = 1.4e-4\n"));
   EXPECT_FALSE(warned("[current]\nvelocity_m_per_s = [0.0, 0.5]\n[water]\nturning_rad = 0.4\n"));
 }

@@ -48,7 +48,10 @@ void check_unused_keys(const TomlNode& document, const SceneDef& scene, Problems
     std::string advice = " set " + choice + ", or remove " + them;
     if (find_path(document, needed.first) != nullptr)
       advice =
-          " remove " + them + (instead.empty() ? "" : "; instead count " + listed(instead, 0)) + ", or set " + choice;
+          " remove " + them +
+          (instead.empty() ? ""
+                           : "; " + listed(instead, 0) + (instead.size() == 1 ? " counts" : " count") + " instead") +
+          ", or set " + choice;
     const TomlNode& first = *find_path(document, options.front()->path);
     problems.add(first.place, options.front()->path,
                  "has no effect (value " + describe(first) + ", allowed only with " + choice +

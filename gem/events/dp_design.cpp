@@ -28,17 +28,17 @@ DpThruster thruster_of(const ThrusterDef& def, double dt) {
 
 }  // namespace
 
-std::array<DpGain, 3> dp_gains(const DpDef& def, double mass, double inertia) {
+std::array<DpGain, 3> dp_gains(const DpDef& def, const DpInertia& inertia) {
   if (def.gains.size() == 3) {
     std::array<DpGain, 3> gains;
     for (std::size_t k = 0; k < 3; ++k) gains[k] = {def.gains[k][0], def.gains[k][1], def.gains[k][2]};
     return gains;
   }
-  return {gain_of(mass, def.surge_period_s, def), gain_of(mass, def.sway_period_s, def),
-          gain_of(inertia, def.yaw_period_s, def)};
+  return {gain_of(inertia[0], def.surge_period_s, def), gain_of(inertia[1], def.sway_period_s, def),
+          gain_of(inertia[2], def.yaw_period_s, def)};
 }
 
-DpLaw dp_law(const DpDef& def, double mass, double inertia, double dt) {
+DpLaw dp_law(const DpDef& def, const DpInertia& inertia, double dt) {
   constexpr double rounding = 1e-9;  // of the allocation, over the thrust of all thrusters
   DpLaw law;
   law.thrusters = static_cast<std::int32_t>(std::min<std::size_t>(def.thruster.size(), thrusters_maximum));
@@ -46,7 +46,7 @@ DpLaw dp_law(const DpDef& def, double mass, double inertia, double dt) {
   law.place = def.position_m;
   law.heading = strict::rotation_of_angle(def.yaw_rad);
   law.follows = def.follows_drift;
-  const std::array<DpGain, 3> gains = dp_gains(def, mass, inertia);
+  const std::array<DpGain, 3> gains = dp_gains(def, inertia);
   std::copy(gains.begin(), gains.end(), law.gain);
   law.keep = def.filter_time_s > 0.0 ? strict::exp(-dt / def.filter_time_s) : 0.0;
   law.dt = dt;

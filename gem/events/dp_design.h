@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "gem/events/added_mass.h"
 #include "gem/events/dp.h"
 
 namespace gem {
@@ -35,10 +36,18 @@ struct DpDef {
   double filter_time_s = 0.0;    ///< 0: no filter
 };
 
-/// Gains of surge, sway and yaw for a platform of `mass` [kg] and `inertia` [kg m2]. Host only.
-std::array<DpGain, 3> dp_gains(const DpDef& def, double mass, double inertia);
+/// What the thrusters move: mass in surge and in sway [kg], moment of inertia [kg m2].
+using DpInertia = std::array<double, 3>;
+
+/// A platform of `mass` [kg] and `inertia` [kg m2] with its added mass.
+inline DpInertia dp_inertia(double mass, double inertia, const AddedMassDef& added) {
+  return {mass + added.surge_kg, mass + added.sway_kg, inertia + added.yaw_kg_m2};
+}
+
+/// Gains of surge, sway and yaw. Host only.
+std::array<DpGain, 3> dp_gains(const DpDef& def, const DpInertia& inertia);
 
 /// The constants of the law; no thrusters: none. Host only, once per run.
-DpLaw dp_law(const DpDef& def, double mass, double inertia, double dt);
+DpLaw dp_law(const DpDef& def, const DpInertia& inertia, double dt);
 
 }  // namespace gem

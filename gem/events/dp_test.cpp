@@ -22,7 +22,7 @@ DpDef ship_def() {
   return def;
 }
 
-DpLaw ship_law(const DpDef& def = ship_def()) { return dp_law(def, 5e7, 1e11, 0.5); }
+DpLaw ship_law(const DpDef& def = ship_def()) { return dp_law(def, {5e7, 5e7, 1e11}, 0.5); }
 
 ShipForce sum_of(const DpLaw& law, const Vec2* thrust) {
   ShipForce sum;

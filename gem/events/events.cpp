@@ -26,7 +26,7 @@ HeadingLaw heading_law(const HeadingDef& def, const PlatformInEvents& platform, 
 }
 
 /// Laws beyond the linear mooring of surge and sway.
-MooringLaws mooring_laws(const MooringDef& def, const PlatformInEvents& platform, double dt) {
+MooringLaws mooring_laws(const MooringDef& def, const PlatformInEvents& platform, const AddedMass& water, double dt) {
   MooringLaws m;
   m.law = def.law;
   m.anchor = platform.anchor;
@@ -37,8 +37,9 @@ MooringLaws mooring_laws(const MooringDef& def, const PlatformInEvents& platform
   m.decay = std::exp(-def.damping_N_s_per_m * m.step / platform.mass);
   m.yaw_decay = std::exp(-def.yaw_damping_N_m_s_per_rad * m.step / platform.inertia);
   m.view = platform.mooring;
-  m.present = def.law != MooringLaw::linear || def.damping_N_s_per_m > 0.0 || def.yaw_stiffness_N_m_per_rad > 0.0 ||
-              def.yaw_damping_N_m_s_per_rad > 0.0;
+  m.added_mass = water;
+  m.present = water.present || def.law != MooringLaw::linear || def.damping_N_s_per_m > 0.0 ||
+              def.yaw_stiffness_N_m_per_rad > 0.0 || def.yaw_damping_N_m_s_per_rad > 0.0;
   return m;
 }
 
@@ -68,7 +69,9 @@ Events make_events(const EventDefinitions& definitions, const PlatformInEvents* 
   e.mooring_damped = mooring.stiffness_N_per_m > 0.0 && mooring.damping_ratio > 0.0;
   e.half_mooring = mooring_flow(mooring.stiffness_N_per_m, platform->mass, mooring.damping_ratio, 0.5 * dt);
   e.heading = heading_law(definitions.heading, *platform, dt);
-  e.moored = mooring_laws(mooring, *platform, dt);
+  e.added_mass =
+      added_mass(definitions.added_mass, platform->mass, platform->inertia, platform->turns && platform->inertia > 0.0);
+  e.moored = mooring_laws(mooring, *platform, e.added_mass, dt);
   if (platform->dp && platform->dp->thrusters > 0) e.dp = platform->dp;
   if (platform->towed) e.tow_rate = tow_rate(dt);
   e.thrust = platform->thrust;

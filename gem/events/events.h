@@ -6,6 +6,7 @@
 // see "How to add a law" in gem/manual/architecture.md.
 #pragma once
 
+#include "gem/events/added_mass.h"  // solo: water that the platform sets in motion
 #include "gem/events/breakup.h"
 #include "gem/events/contact_def.h"
 #include "gem/events/coriolis.h"         // solo: Coriolis force on a floe
@@ -35,6 +36,7 @@ struct EventDefinitions {
   WaterDef water;
   IceDef ice;
   MooringDef mooring;
+  AddedMassDef added_mass;
   PlatformDragDef platform_drag;
   ContactDef contact;
   WindDef wind;
@@ -75,6 +77,7 @@ struct Events : EventDefinitions {
   MooringLaws moored;               // if the mooring is more than linear in surge and sway
   double platform_drag_rate = 0.0;  // of the round law [1/m]; 0: none
   AxisDrag axis_drag;
+  AddedMass added_mass;
   double platform_wind_rate = 0.0;  // [1/m]; 0: none
   HeadingLaw heading;
   const DpLaw* dp = nullptr;  // null: no dynamic positioning
@@ -223,6 +226,41 @@ GEM_HD inline void drag_by_axis(const Events& e, const Drive& drive, const Platf
   p.drag_book.energy += 0.5 * twist * (p.spin + before);
 }
 
+/// A platform whose speed has changed, and the book of what the water gives.
+struct MovedPlatform {
+  Rotation rotation;
+  Vec2 position;   // [m]
+  Vec2& velocity;  // [m/s]
+  double& spin;    // [rad/s]
+  Quantity& book;
+};
+
+/// The water takes its part of a change from `before`.
+GEM_HD inline void take_water_along(const Events& e, const MovedPlatform& p, const PlatformSpeed& before) {
+  const AddedMass& a = e.added_mass;
+  if (!a.present) return;
+  const PlatformSpeed alone{p.velocity, p.spin}, after = with_water(a, p.rotation, before, alone);
+  p.velocity = after.velocity;
+  p.spin = after.spin;
+  book_given(p.book, given_by_water(a, p.position, alone, after));
+}
+
+/// The motion that the water gives to a platform that turns: its half before the pair events with `next` at its present
+/// rotation, else the half after them, when it has turned to `next`.
+GEM_HD inline void turn_in_water(const Events& e, const Drive& drive, const MovedPlatform& p, Rotation next,
+                                 bool turns_first) {
+  const AddedMass& a = e.added_mass;
+  if (!a.present || !a.turns) return;
+  const Vec2 water = platform_water(e, drive);
+  const PlatformSpeed before{p.velocity, p.spin}, slip{p.velocity - water, p.spin};
+  const double h = 0.5 * e.dt;
+  const PlatformSpeed after =
+      turns_first ? after_turn(a, p.rotation, next, slip, h) : before_turn(a, p.rotation, slip, h);
+  p.velocity = water + after.velocity;
+  p.spin = after.spin;
+  book_given(p.book, given_by_water(a, p.position, before, {p.velocity, p.spin}));
+}
+
 /// Half a time step of water drag.
 GEM_HD inline void platform_in_water(const Events& e, const Drive& drive, const PlatformMotion& p) {
   if (e.axis_drag.present()) drag_by_axis(e, drive, p);
@@ -255,7 +293,7 @@ GEM_HD inline void platform_on_spring(const Events& e, const PlatformMotion& p) 
 /// The platform's rotation when mooring and drag act after the pair events: it has turned over the time step. Where no
 /// law looks at it, it stays as it was.
 GEM_HD inline Rotation yaw_of_pull(const Events& e, Rotation q, double spin) {
-  return e.moored.present || e.axis_drag.present() ? turned(q, e.dt * spin) : q;
+  return e.moored.present || e.axis_drag.present() || e.added_mass.present ? turned(q, e.dt * spin) : q;
 }
 
 /// Energy of the platform's motion and of its mooring [J].
@@ -270,16 +308,18 @@ GEM_HD inline void platform_on_laws(const Events& e, const PlatformMotion& p, bo
   const double moment_of_momentum = cross(p.position, velocity), spin = p.spin,
                energy = moored_energy(e, p, p.rotation);
   const Moored moored{p.position, p.velocity, p.spin, p.mass, p.inverse_inertia};
-  if (damps_first) damp(e.moored, moored);
-  swing(e.moored, moored, p.next, p.broken);
+  Quantity water;
+  if (damps_first) book_given(water, damp(e.moored, moored, p.next));
+  book_given(water, swing(e.moored, moored, p.next, p.broken));
   if (!damps_first) {
-    damp(e.moored, moored);
+    book_given(water, damp(e.moored, moored, p.next));
     p.broken = broken_after(e.moored, p.position, p.next, p.broken);
   }
-  p.mooring_force.momentum += p.mass * (p.velocity - velocity);
-  p.mooring_force.angular_momentum +=
-      p.mass * (cross(p.position, p.velocity) - moment_of_momentum) + p.inertia * (p.spin - spin);
-  p.mooring_book.energy += moored_energy(e, p, p.next) - energy;
+  p.mooring_force.momentum += p.mass * (p.velocity - velocity) - water.momentum;
+  p.mooring_force.angular_momentum += p.mass * (cross(p.position, p.velocity) - moment_of_momentum) +
+                                      p.inertia * (p.spin - spin) - water.angular_momentum;
+  p.mooring_book.energy += moored_energy(e, p, p.next) - energy - water.energy;
+  if (e.added_mass.present) book_given(p.drag_book, water);
 }
 
 /// Half a time step on the mooring.
@@ -293,8 +333,10 @@ GEM_HD inline void platform_on_mooring(const Events& e, const PlatformMotion& p,
 /// The platform's solo events up to the pair events: half a time step, drag first.
 GEM_HD inline void platform_events_before(const Events& e, const Drive& drive, const PlatformMotion& p) {
   if (!e.platform_present) return;
+  const PlatformSpeed before{p.velocity, p.spin};
   platform_in_water(e, drive, p);
   platform_in_wind(e, drive, p);
+  take_water_along(e, {p.next, p.position, p.velocity, p.spin, p.drag_book}, before);
   platform_on_mooring(e, p, true);
 }
 
@@ -302,15 +344,19 @@ GEM_HD inline void platform_events_before(const Events& e, const Drive& drive, c
 GEM_HD inline void platform_events_after(const Events& e, const Drive& drive, const PlatformMotion& p) {
   if (!e.platform_present) return;
   platform_on_mooring(e, p, false);
+  const PlatformSpeed before{p.velocity, p.spin};
   platform_in_wind(e, drive, p);
   platform_in_water(e, drive, p);
+  take_water_along(e, {p.next, p.position, p.velocity, p.spin, p.drag_book}, before);
 }
 
-/// The yaw of the platform, for its heading control.
+/// The platform under heading control.
 struct PlatformYaw {
   double inertia;  // [kg m2]
   const Rotation& rotation;
-  double& spin;  // [rad/s]
+  Vec2 position;   // [m]
+  Vec2& velocity;  // [m/s]
+  double& spin;    // [rad/s]
   Quantity& book;
 };
 
@@ -324,6 +370,7 @@ GEM_HD inline void steer_platform(const Events& e, const Drive& drive, const Pla
   const double twist = p.inertia * (p.spin - before);
   p.book.angular_momentum += twist;
   p.book.energy += 0.5 * twist * (p.spin + before);
+  take_water_along(e, {p.rotation, p.position, p.velocity, p.spin, p.book}, {p.velocity, before});
 }
 
 /// The platform and the books of what pushes it from outside.
@@ -371,15 +418,17 @@ struct PlatformOnDp {
   double mass, inertia;  // [kg], [kg m2]
   Vec2 position;         // [m]
   const Rotation& rotation;
-  Vec2& velocity;  // [m/s]
-  double& spin;    // [rad/s]
-  Quantity& work;  // its energy
-  Quantity& push;  // its momentum
+  Vec2& velocity;   // [m/s]
+  double& spin;     // [rad/s]
+  Quantity& work;   // its energy
+  Quantity& push;   // its momentum
+  Quantity& water;  // what the water gives
   DpState& state;
 };
 
 /// Half a time step of the thrust that is held through it.
-GEM_HD inline void push_by_thrusters(double half_step, const PlatformOnDp& p) {
+GEM_HD inline void push_by_thrusters(const Events& e, const PlatformOnDp& p) {
+  const double half_step = 0.5 * e.dt;
   const Vec2 velocity = p.velocity;
   const double spin = p.spin;
   const ShipForce& force = p.state.given;
@@ -390,6 +439,7 @@ GEM_HD inline void push_by_thrusters(double half_step, const PlatformOnDp& p) {
   p.push.momentum += impulse;
   p.push.angular_momentum += cross(p.position, impulse) + twist;
   p.work.energy += 0.5 * dot(impulse, p.velocity + velocity) + 0.5 * twist * (p.spin + spin);
+  take_water_along(e, {p.rotation, p.position, p.velocity, p.spin, p.water}, {velocity, spin});
 }
 
 /// Half a time step of dynamic positioning: before all other events of the time step with `commands`, which sets the
@@ -397,7 +447,7 @@ GEM_HD inline void push_by_thrusters(double half_step, const PlatformOnDp& p) {
 GEM_HD inline void hold_station(const Events& e, const Drive& drive, const PlatformOnDp& p, bool commands) {
   if (!e.platform_present || !e.dp) return;
   if (commands) dp_command(*e.dp, {p.position, p.velocity, p.rotation, p.spin, drive.water}, p.state);
-  push_by_thrusters(0.5 * e.dt, p);
+  push_by_thrusters(e, p);
 }
 
 /// A position repair of the platform.

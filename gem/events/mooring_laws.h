@@ -17,8 +17,9 @@
 // h / 2, a kick of h and a drift of h / 2. The yaw turns between the kicks of two half steps. Damping stands outside,
 // first in the first half, last in the second. All of this is symmetric in time and symplectic without damping: the
 // error is of second order, (omega h)^2 / 24 of the period of a linear swing, and no energy is lost or won on average.
-// Linear surge and sway keep their exact solution (mooring.h). A line that breaks takes its energy out of the books at
-// once and pulls no more; so the time of the break is exact to one time step.
+// Linear surge and sway keep their exact solution (mooring.h), but not with added mass: a kick then takes the water
+// along. A line that breaks takes its energy out of the books at once and pulls no more; so the time of the break is
+// exact to one time step.
 //
 // Range: quasi-static moorings. Neglected: mass, drag and seabed friction of lines, and time that they need to settle.
 #pragma once
@@ -27,6 +28,7 @@
 
 #include "gem/base/strict_math.h"
 #include "gem/base/vec2.h"
+#include "gem/events/added_mass.h"
 #include "gem/events/force_curve.h"
 #include "gem/events/mooring.h"
 
@@ -60,6 +62,7 @@ struct MooringLaws {
   double step = 0.0;                            // half a time step [s]
   MooringFlow flow;                             // linear law: over `step`
   double decay = 1.0, yaw_decay = 1.0;          // of the velocities over `step`
+  AddedMass added_mass;
   MooringView view;
 };
 
@@ -170,26 +173,40 @@ struct Moored {
   double mass, inverse_inertia;  // [kg], [1/(kg m2)]; inverse 0: the yaw is locked
 };
 
-/// Half a time step on the mooring, without its damping.
-GEM_HD inline void swing(const MooringLaws& m, const Moored& p, Rotation q, LineSet broken) {
-  if (m.law == MooringLaw::linear) {
+/// The water takes its part of a change from `before`. Returns what it gives.
+GEM_HD inline Quantity take_water_along(const AddedMass& a, const Moored& p, Rotation q, const PlatformSpeed& before) {
+  if (!a.present) return {};
+  const PlatformSpeed alone{p.velocity, p.spin}, after = with_water(a, q, before, alone);
+  p.velocity = after.velocity;
+  p.spin = after.spin;
+  return given_by_water(a, p.position, alone, after);
+}
+
+/// Half a time step on the mooring, without its damping. Returns what the water gives.
+GEM_HD inline Quantity swing(const MooringLaws& m, const Moored& p, Rotation q, LineSet broken) {
+  if (m.law == MooringLaw::linear && !m.added_mass.present) {
     Vec2 offset = p.position - m.anchor;
     p.spin += m.step * p.inverse_inertia * mooring_pull(m, p.position, q, broken).moment;
     apply(m.flow, offset, p.velocity);
     p.position = m.anchor + offset;
-    return;
+    return {};
   }
   p.position += (0.5 * m.step) * p.velocity;
+  const PlatformSpeed before{p.velocity, p.spin};
   const MooringPull pull = mooring_pull(m, p.position, q, broken);
   p.velocity += (m.step / p.mass) * pull.force;
   p.spin += m.step * p.inverse_inertia * pull.moment;
+  const Quantity water = take_water_along(m.added_mass, p, q, before);
   p.position += (0.5 * m.step) * p.velocity;
+  return water;
 }
 
-/// Half a time step of linear damping.
-GEM_HD inline void damp(const MooringLaws& m, const Moored& p) {
+/// Half a time step of linear damping. Returns what the water gives.
+GEM_HD inline Quantity damp(const MooringLaws& m, const Moored& p, Rotation q) {
+  const PlatformSpeed before{p.velocity, p.spin};
   p.velocity = m.decay * p.velocity;
   if (p.inverse_inertia > 0.0) p.spin *= m.yaw_decay;
+  return take_water_along(m.added_mass, p, q, before);
 }
 
 }  // namespace gem

@@ -33,7 +33,7 @@ void ThrusterRecord::set_offset(const PlatformStep& step, double yaw) {
 
 void ThrusterRecord::start(const SceneDef& scene, const PlatformStep& start, Slab& slab) {
   if (thrusters_ == 0) return;
-  const DpLaw law = dp_law(scene.dp, 1.0, 1.0, scene.numerics.time_step_s);  // only its set point is asked for
+  const DpLaw law = dp_law(scene.dp, {1.0, 1.0, 1.0}, scene.numerics.time_step_s);  // only its set point is asked for
   set_offset(start, dp_yaw_error(law, start.rotation, drive_at_start(scene).water));
   take(slab);
 }

@@ -63,9 +63,10 @@ double dp_speed(const SceneDef& scene) {
   const PlatformDef& p = scene.platform;
   const double inertia = platform_inertia(p);
   if (scene.dp.thruster.empty() || !(inertia > 0.0)) return 0.0;
-  const std::array<DpGain, 3> gains = dp_gains(scene.dp, p.mass_kg, inertia);
+  const DpInertia moved = dp_inertia(p.mass_kg, inertia, scene.added_mass);
+  const std::array<DpGain, 3> gains = dp_gains(scene.dp, moved);
   const double fastest = std::sqrt(std::max(gains[0].proportional, gains[1].proportional) / p.mass_kg);
-  const DpLaw law = dp_law(scene.dp, p.mass_kg, inertia, scene.numerics.time_step_s);
+  const DpLaw law = dp_law(scene.dp, moved, scene.numerics.time_step_s);
   const double yaw =
       std::abs(dp_yaw_error(law, strict::rotation_of_angle(p.start_yaw_rad), drive_at_start(scene).water));
   const double turn = law.follows ? turn_of_current(scene.drive.current_direction) : 0.0;

@@ -33,7 +33,7 @@ Vec2 tide_reach(const SceneDef& scene) {
 /// Stiffness that the thrusters give to surge and sway, the smaller one [N/m].
 double dp_stiffness(const SceneDef& scene) {
   if (scene.dp.thruster.empty()) return 0.0;
-  const std::array<DpGain, 3> gains = dp_gains(scene.dp, scene.platform.mass_kg, 1.0);
+  const std::array<DpGain, 3> gains = dp_gains(scene.dp, dp_inertia(scene.platform.mass_kg, 1.0, scene.added_mass));
   return std::min(gains[0].proportional, gains[1].proportional);
 }
 

@@ -93,7 +93,13 @@ double mooring_stiffness_at_rest(const SceneDef& scene) {
 }
 
 double natural_period(const SceneDef& scene) {
-  return natural_period(mooring_stiffness_at_rest(scene), scene.platform.mass_kg);
+  const double stiffness = mooring_stiffness_at_rest(scene), mass = scene.platform.mass_kg;
+  const AddedMass a = added_mass(scene.added_mass, mass, 1.0, false);
+  if (!a.present) return natural_period(stiffness, mass);
+  const Rotation q = strict::rotation_of_angle(scene.platform.start_yaw_rad);
+  // of a push along x, as much as the platform gives way along x
+  const double left = q.cosine * q.cosine * a.surge_left + q.sine * q.sine * a.sway_left;
+  return natural_period(stiffness, mass / left);
 }
 
 std::vector<double> line_tensions_at_start(const SceneDef& scene) {

@@ -82,7 +82,7 @@ GEM_DEVICE inline void hold_station(const DeviceScene& s, PlatformLoaded& loaded
   if (!s.dp) return;
   hold_station(s.constants.events, s.drive_of(sample),
                {turn.mass, turn.inertia, position, turn.rotation, loaded.cell.velocity, spin, loaded.mooring_book,
-                loaded.cell.mooring_force, *s.dp},
+                loaded.cell.mooring_force, loaded.drag_book, *s.dp},
                commands);
 }
 
@@ -120,7 +120,10 @@ GEM_DEVICE inline void platform_first_half(const DeviceScene& s, PlatformLoaded&
   tow_platform(s, loaded, turn, p.mid_position, spin, sample);
   hold_station(s, loaded, turn, p.mid_position, spin, sample, true);
   platform_events_before(s.constants.events, s.drive_of(sample), platform_motion(turn, spin, loaded));
-  steer_platform(s.constants.events, s.drive_of(sample), {turn.inertia, turn.rotation, spin, loaded.drag_book}, true);
+  steer_platform(s.constants.events, s.drive_of(sample),
+                 {turn.inertia, turn.rotation, p.mid_position, p.velocity, spin, loaded.drag_book}, true);
+  turn_in_water(s.constants.events, s.drive_of(sample),
+                {turn.rotation, p.mid_position, p.velocity, spin, loaded.drag_book}, turn.rotation, false);
   mover.velocity = p.velocity;
   mover.spin = spin;
 }
@@ -246,17 +249,22 @@ GEM_DEVICE inline void move_platform_body(const DeviceScene& s, Group& group, co
     p.mooring_force.angular_momentum += cross(mover.position, -sums.ice_impulse);
   }
   const Events& e = s.constants.events;
-  double spin = sums.spin;  // it turns with the spin after the pair events
+  double spin = sums.spin;
   if (e.platform_present) {
-    const Rotation next = yaw_of_pull(e, mover.rotation, spin);
+    const MovedPlatform moved{mover.rotation, p.mid_position, p.velocity, spin, loaded.drag_book};
+    take_water_along(e, moved, {cell.velocity, cell.spin});
+    const double turning = spin;  // it turns with the spin after the pair events
+    const Rotation next = yaw_of_pull(e, mover.rotation, turning);
+    turn_in_water(e, s.drive_of(step.sample), moved, next, true);
     platform_events_after(e, s.drive_of(step.sample),
                           platform_motion(turn_of(cell, motion, mover.rotation, next), spin, loaded));
     mover.position = p.mid_position + repair.shift;
-    turn(mover, s.constants.dt * sums.spin + repair.turn);
+    turn(mover, s.constants.dt * turning + repair.turn);
     if constexpr (solver == ContactSolver::coupled)
       book_platform_shift(e, motion.mass, p.velocity, p.broken, {p.mid_position, repair.shift, next, mover.rotation},
                           s.book(Channel::repair, 0));
-    steer_platform(e, s.drive_of(step.sample), {motion.inertia, mover.rotation, spin, loaded.drag_book}, false);
+    steer_platform(e, s.drive_of(step.sample),
+                   {motion.inertia, mover.rotation, mover.position, p.velocity, spin, loaded.drag_book}, false);
     const PlatformTurn turned = turn_of(cell, motion, mover.rotation, mover.rotation);
     hold_station(s, loaded, turned, mover.position, spin, step.sample, false);
     thrust_platform(e, s.drive_of(step.sample), pushed_platform(loaded, turned, mover.position, spin));

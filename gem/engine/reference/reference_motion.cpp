@@ -12,9 +12,45 @@ namespace {
 
 bool is_floe(const Bodies& b, std::size_t i) { return b.kind[i] == BodyKind::floe && b.active[i]; }
 
+PlatformSpeed speed_of_platform(const State& s) { return {s.bodies.velocity[0], s.bodies.spin[0]}; }
+
 FloeInEvents floe_in_events(const Bodies& b, std::size_t i) {
   return {b.mass[i],      b.inertia[i],  b.area[i],     b.thickness[i], b.drag[i],
           b.spin_drag[i], b.position[i], b.velocity[i], b.spin[i]};
+}
+
+/// Gives the platform a speed that the water has made, and books what the water gave.
+void set_by_water(State& s, const PlatformSpeed& after) {
+  Bodies& b = s.bodies;
+  const Vec2 impulse = b.mass[0] * (after.velocity - b.velocity[0]);
+  const double twist = b.inertia[0] * (after.spin - b.spin[0]);
+  s.drag_impulse += impulse;
+  Quantity& book = s.ledger[Channel::platform_drag];
+  book.momentum += impulse;
+  book.angular_momentum += cross(b.position[0], impulse) + twist;
+  book.energy += 0.5 * dot(impulse, after.velocity + b.velocity[0]) + 0.5 * twist * (after.spin + b.spin[0]);
+  b.velocity[0] = after.velocity;
+  b.spin[0] = after.spin;
+}
+
+/// The water takes its part of a change from `before`. The platform lies as `q` says.
+void take_water_along(const Rules& rules, State& s, Rotation q, const PlatformSpeed& before) {
+  const AddedMass& a = rules.events.added_mass;
+  if (a.present) set_by_water(s, with_water(a, q, before, speed_of_platform(s)));
+}
+
+/// The motion that the water gives to a platform that turns: before it turns, or when it has turned to `next`.
+void turn_in_water(const Rules& rules, State& s, const Rotation* next) {
+  const AddedMass& a = rules.events.added_mass;
+  if (!a.present || !a.turns) return;
+  const Vec2 water = rules.scene.platform_drag.water == DampingWater::current ? s.drive.water : Vec2{};
+  PlatformSpeed speed = speed_of_platform(s);
+  speed.velocity -= water;
+  const Rotation q = s.bodies.rotation[0];
+  const double h = 0.5 * rules.dt;
+  speed = next ? after_turn(a, q, *next, speed, h) : before_turn(a, q, speed, h);
+  speed.velocity += water;
+  set_by_water(s, speed);
 }
 
 /// Half a time step of a quadratic law in a stream of water or air.
@@ -95,6 +131,7 @@ void steer(const Rules& rules, State& s, bool damps_first) {
   Quantity& book = s.ledger[Channel::platform_drag];
   book.angular_momentum += twist;
   book.energy += 0.5 * twist * (b.spin[0] + before);
+  take_water_along(rules, s, b.rotation[0], {b.velocity[0], before});
 }
 
 /// Energy of the platform's motion and of a mooring of any law, with the platform turned to `q` [J].
@@ -112,18 +149,21 @@ void swing_on_laws(const Rules& rules, State& s, Rotation next, bool damps_first
   const double energy = moored_energy(rules, s, b.rotation[0]);
   const Vec2 velocity = b.velocity[0], moment = {cross(b.position[0], velocity), b.spin[0]};
   const Moored moored{b.position[0], b.velocity[0], b.spin[0], b.mass[0], b.inverse_inertia[0]};
-  if (damps_first) damp(laws, moored);
-  swing(laws, moored, next, s.broken);
+  Quantity water;
+  if (damps_first) book_given(water, damp(laws, moored, next));
+  book_given(water, swing(laws, moored, next, s.broken));
   if (!damps_first) {
-    damp(laws, moored);
+    book_given(water, damp(laws, moored, next));
     s.broken = broken_after(laws, b.position[0], next, s.broken);
   }
-  const Vec2 impulse = b.mass[0] * (b.velocity[0] - velocity);
+  const Vec2 impulse = b.mass[0] * (b.velocity[0] - velocity) - water.momentum;
   s.mooring_impulse += impulse;
   s.ledger.mooring_force.momentum += impulse;
-  s.ledger.mooring_force.angular_momentum +=
-      b.mass[0] * (cross(b.position[0], b.velocity[0]) - moment.x) + b.inertia[0] * (b.spin[0] - moment.y);
-  s.ledger[Channel::mooring].energy += moored_energy(rules, s, next) - energy;
+  s.ledger.mooring_force.angular_momentum += b.mass[0] * (cross(b.position[0], b.velocity[0]) - moment.x) +
+                                             b.inertia[0] * (b.spin[0] - moment.y) - water.angular_momentum;
+  s.ledger[Channel::mooring].energy += moored_energy(rules, s, next) - energy - water.energy;
+  s.drag_impulse += water.momentum;
+  book_given(s.ledger[Channel::platform_drag], water);
 }
 
 /// Half a time step of the thrusters. Force and moment are summed thruster by thruster in the world's axes.
@@ -147,6 +187,7 @@ void thrust(const Rules& rules, State& s, bool commands) {
   s.ledger.mooring_force.momentum += impulse;
   s.ledger.mooring_force.angular_momentum += cross(b.position[0], impulse) + twist;
   s.ledger[Channel::mooring].energy += 0.5 * dot(impulse, b.velocity[0] + before) + 0.5 * twist * (b.spin[0] + spin);
+  take_water_along(rules, s, q, {before, spin});
 }
 
 /// Leads a ship in transit: it gets the path's velocity, and some of what it lags behind.
@@ -243,25 +284,33 @@ void move_platform_before(const Rules& rules, State& s) {
   tow(rules, s);
   run_free(rules, s);
   thrust(rules, s, true);
+  const PlatformSpeed before = speed_of_platform(s);
   in_water(rules, s, s.bodies.rotation[0]);
   in_wind(rules, s);
+  take_water_along(rules, s, s.bodies.rotation[0], before);
   if (rules.events.moored.present)
     swing_on_laws(rules, s, s.bodies.rotation[0], true);
   else
     swing_platform(rules, s);
   steer(rules, s, true);
+  turn_in_water(rules, s, nullptr);
+  s.before_contacts = speed_of_platform(s);
 }
 
 void move_platform_after(const Rules& rules, State& s) {
   if (!rules.platform_moves) return;
+  take_water_along(rules, s, s.bodies.rotation[0], s.before_contacts);
   const double angle = rules.dt * s.bodies.spin[0];
   const Rotation next = turned(s.bodies.rotation[0], angle);
+  turn_in_water(rules, s, &next);
   if (rules.events.moored.present)
     swing_on_laws(rules, s, next, false);
   else
     swing_platform(rules, s);
+  const PlatformSpeed before = speed_of_platform(s);
   in_wind(rules, s);
   in_water(rules, s, next);
+  take_water_along(rules, s, next, before);
   repair_platform(rules, s, angle, next);
   steer(rules, s, false);
   thrust(rules, s, false);

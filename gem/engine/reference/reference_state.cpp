@@ -35,7 +35,7 @@ Rules rules_of(const SceneDef& scene, const Bodies& bodies) {
   const PlatformInEvents platform{scene.platform.anchor_m, mass, width, hull, inertia, scene.platform.yaw == Yaw::free,
                                   rules.mooring.view()};
   rules.platform_moves = scene.platform.present && !scene.platform.fixed;
-  if (rules.platform_moves) rules.dp = dp_law(scene.dp, mass, inertia, rules.dt);
+  if (rules.platform_moves) rules.dp = dp_law(scene.dp, dp_inertia(mass, inertia, scene.added_mass), rules.dt);
   if (rules.platform_moves && in_transit(scene.transit)) rules.tow_rate = tow_rate(rules.dt);
   if (rules.platform_moves) rules.thrust = transit_thrust(scene, mass);
   rules.events = make_events(scene, rules.platform_moves ? &platform : nullptr, rules.dt, has_wind(scene));

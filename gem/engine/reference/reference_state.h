@@ -49,6 +49,7 @@ struct State {
   std::vector<Vec2> repair_shift;        // [m]
   std::vector<double> repair_turn;       // [rad]
   Vec2 platform_start;                   // platform position when the touches were found [m]
+  PlatformSpeed before_contacts;         // of the platform
   Vec2 mooring_impulse, drag_impulse;    // on the platform [N s]
 
   /// Clears the data of the last time step.

@@ -28,6 +28,7 @@ struct FieldState {
   std::vector<Vec2> repair_shift;        // position repair of this time step [m]
   std::vector<double> repair_turn;       // [rad]
   Vec2 platform_position;                // at the start of the time step [m]
+  PlatformSpeed before_contacts;         // of the platform
   std::vector<CrushingPowers> crushing;  // coupled: of the bodies
 
   std::vector<float> momentum_coefficients;  // coupled: see momentum_coefficients()

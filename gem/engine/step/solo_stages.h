@@ -118,7 +118,13 @@ inline PlatformMotion platform_motion(FieldState& f, Rotation next) {
 }
 
 inline PlatformYaw platform_yaw(FieldState& f) {
-  return {f.bodies.inertia[0], f.bodies.rotation[0], f.bodies.spin[0], f.book(Channel::platform_drag, 0)};
+  Bodies& b = f.bodies;
+  return {b.inertia[0], b.rotation[0], b.position[0], b.velocity[0], b.spin[0], f.book(Channel::platform_drag, 0)};
+}
+
+inline MovedPlatform moved_platform(FieldState& f) {
+  Bodies& b = f.bodies;
+  return {b.rotation[0], b.position[0], b.velocity[0], b.spin[0], f.book(Channel::platform_drag, 0)};
 }
 
 inline PlatformOnDp platform_on_dp(FieldState& f) {
@@ -131,6 +137,7 @@ inline PlatformOnDp platform_on_dp(FieldState& f) {
           b.spin[0],
           f.book(Channel::mooring, 0),
           f.mooring_force,
+          f.book(Channel::platform_drag, 0),
           f.dp};
 }
 
@@ -149,6 +156,8 @@ inline void platform_first_half(FieldState& f) {
   hold_station(f.constants.events, f.drive, platform_on_dp(f), true);
   platform_events_before(f.constants.events, f.drive, platform_motion(f, f.bodies.rotation[0]));
   steer_platform(f.constants.events, f.drive, platform_yaw(f), true);
+  turn_in_water(f.constants.events, f.drive, moved_platform(f), f.bodies.rotation[0], false);
+  f.before_contacts = {f.bodies.velocity[0], f.bodies.spin[0]};
 }
 
 /// Books what the ground gives to a fixed platform. The device has only the sum over the contacts, so this adds it too.
@@ -163,8 +172,10 @@ inline void platform_second_half(FieldState& f) {
   const Events& e = f.constants.events;
   if (!e.platform_present) return hold_platform(f);
   Bodies& b = f.bodies;
+  take_water_along(e, moved_platform(f), f.before_contacts);
   const double spin = b.spin[0];  // it turns with the spin after the pair events
   const Rotation next = yaw_of_pull(e, b.rotation[0], spin);
+  turn_in_water(e, f.drive, moved_platform(f), next, true);
   platform_events_after(e, f.drive, platform_motion(f, next));
   f.struck[0] = 0;
   const Vec2 position = b.position[0], shift = f.repair_shift[0];

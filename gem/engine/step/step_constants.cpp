@@ -30,7 +30,7 @@ double fastest_of(const SceneDef& scene) {
 
 DpLaw dp_law_of(const SceneDef& scene, const Bodies& bodies) {
   if (!scene.platform.present || scene.platform.fixed) return {};
-  return dp_law(scene.dp, bodies.mass[0], bodies.inertia[0], scene.numerics.time_step_s);
+  return dp_law(scene.dp, dp_inertia(bodies.mass[0], bodies.inertia[0], scene.added_mass), scene.numerics.time_step_s);
 }
 
 StepConstants step_constants(const SceneDef& scene, const Bodies& bodies, const MooringView& mooring, const DpLaw* dp) {

@@ -50,7 +50,7 @@ void check_one_control(const SceneDef& s, List& out) {
 
 /// Which of surge, sway and yaw no thruster can push.
 void check_thruster_directions(const SceneDef& s, List& out) {
-  const DpLaw law = dp_law(s.dp, s.platform.mass_kg, 1.0, s.numerics.time_step_s);
+  const DpLaw law = dp_law(s.dp, dp_inertia(s.platform.mass_kg, 1.0, {}), s.numerics.time_step_s);
   DpMatrix g;
   for (std::int32_t i = 0; i < law.thrusters; ++i) dp_add(g, law.thruster[i], law.arm);
   const ShipForce one[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
@@ -116,12 +116,12 @@ void check_dp_gains(const SceneDef& s, List& out) {
   if (!s.platform.present || (!s.dp.gains.empty() && s.dp.gains.size() != 3)) return;
   const double inertia = platform_inertia(s.platform);
   if (!(inertia > 0.0)) return;
-  const std::array<DpGain, 3> gains = dp_gains(s.dp, s.platform.mass_kg, inertia);
+  const DpInertia moved = dp_inertia(s.platform.mass_kg, inertia, s.added_mass);
+  const std::array<DpGain, 3> gains = dp_gains(s.dp, moved);
   for (int k = 0; k < 3; ++k) {
-    const double of = k < 2 ? s.platform.mass_kg : inertia;
-    check_dp_stability(s, k, gains[k], of, out);
-    check_dp_step(s, k, gains[k], of, out);
-    check_dp_damping(s, k, gains[k], of, out);
+    check_dp_stability(s, k, gains[k], moved[k], out);
+    check_dp_step(s, k, gains[k], moved[k], out);
+    check_dp_damping(s, k, gains[k], moved[k], out);
   }
 }
 

@@ -59,6 +59,26 @@ void check_heading(const SceneDef& s, List& out) {
                        ") give a smaller moment or a smaller time step"});
 }
 
+/// Added mass that no water can have, or that another key excludes.
+void check_added_mass(const SceneDef& s, List& out) {
+  const AddedMassDef& a = s.added_mass;
+  if (!added_mass(a, 1.0, 1.0, false).present) return;
+  const double limit = std::sqrt(a.sway_kg * a.yaw_kg_m2);
+  if (std::abs(a.sway_yaw_kg_m) > limit)
+    out.push_back({"added_mass.sway_yaw_kg_m", "the matrix of the added mass is not positive (value " +
+                                                   plain_number_text(a.sway_yaw_kg_m) + ", allowed up to " +
+                                                   number_text(limit, 4) +
+                                                   " kg m: the root of sway_kg x yaw_kg_m2) give less of it"});
+  if (s.mooring.law == MooringLaw::linear && s.mooring.damping_ratio > 0.0)
+    out.push_back({"mooring.damping_ratio", "has no meaning with a mass that depends on the direction (value " +
+                                                plain_number_text(s.mooring.damping_ratio) +
+                                                ", allowed 0 with [added_mass]) give mooring.damping_N_s_per_m"});
+  if (in_transit(s.transit))
+    out.push_back({"added_mass.surge_kg", "the path of a ship in transit gives its motion (value " +
+                                              plain_number_text(a.surge_kg) +
+                                              ", allowed without [transit]) remove [added_mass]"});
+}
+
 /// A fixed platform neither moves at the start nor turns.
 void check_fixed(const SceneDef& s, List& out) {
   const PlatformDef& p = s.platform;
@@ -77,7 +97,8 @@ void check_fixed(const SceneDef& s, List& out) {
 
 void check_platform(const SceneDef& scene, List& problems) {
   if (!scene.platform.present) return;
-  for (const auto rule : {check_place, check_shape, check_heading, check_fixed}) rule(scene, problems);
+  for (const auto rule : {check_place, check_shape, check_heading, check_added_mass, check_fixed})
+    rule(scene, problems);
 }
 
 namespace {
@@ -138,6 +159,15 @@ void warn_of_drag(const SceneDef& scene, std::vector<std::string>& warnings) {
     warnings.push_back("platform_drag.yaw_coefficient: has no effect (the platform cannot turn) remove it");
 }
 
+void warn_of_added_mass(const SceneDef& scene, std::vector<std::string>& warnings) {
+  const AddedMassDef& a = scene.added_mass;
+  const bool turns = scene.platform.yaw == Yaw::free && platform_inertia(scene.platform) > 0.0;
+  if (scene.platform.fixed && added_mass(a, 1.0, 1.0, false).present)
+    warnings.push_back("added_mass.surge_kg: has no effect (the platform is fixed) remove [added_mass]");
+  else if (!turns && (a.yaw_kg_m2 > 0.0 || a.sway_yaw_kg_m != 0.0))
+    warnings.push_back("added_mass.yaw_kg_m2: has no effect (the platform cannot turn) set platform.yaw = \"free\"");
+}
+
 void warn_of_mass(const SceneDef& scene, std::vector<std::string>& warnings) {
   const double draught = scene.platform.mass_kg / (platform_area(scene.platform) * scene.water.density_kg_per_m3);
   if (draught >= 0.1 && draught <= 200.0) return;
@@ -164,6 +194,7 @@ void warn_of_platform(const SceneDef& scene, std::vector<std::string>& warnings)
   warn_of_shape(scene.platform, warnings);
   warn_of_heading(scene, warnings);
   warn_of_drag(scene, warnings);
+  warn_of_added_mass(scene, warnings);
   if (!scene.platform.fixed) warn_of_mass(scene, warnings);
   warn_of_inertia(scene.platform, platform_area(scene.platform), warnings);
 }

@@ -35,12 +35,13 @@ void add_wind(SceneTable& t);
 void add_dp(SceneTable& t);
 void add_breakup(SceneTable& t);
 void add_transit(SceneTable& t);
+void add_added_mass(SceneTable& t);
 
 /// All sections in the order of a case file. A new one stands at the end.
 inline constexpr void (*in_order[])(SceneTable&) = {
-    add_run,     add_current, add_water,         add_ice,     add_floes,    add_boundary, add_platform,
-    add_heading, add_mooring, add_platform_drag, add_contact, add_numerics, add_output,   add_coriolis,
-    add_wind,    add_dp,      add_breakup,       add_transit,
+    add_run,     add_current, add_water,         add_ice,     add_floes,      add_boundary, add_platform,
+    add_heading, add_mooring, add_platform_drag, add_contact, add_numerics,   add_output,   add_coriolis,
+    add_wind,    add_dp,      add_breakup,       add_transit, add_added_mass,
 };
 
 /// The keys of an entry of [[ice.class]], [[dp.thruster]], [[floe]] and [[fixed]].

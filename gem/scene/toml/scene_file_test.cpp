@@ -145,8 +145,8 @@ TEST(SceneFile, TheIterationSetsTheEndOfIterationsThatACaseLeavesOut) {
   };
   EXPECT_EQ(numerics("").iteration, Iteration::splitting);
   EXPECT_EQ(numerics("").residual_tolerance, 1e-3);
-  EXPECT_EQ(numerics("").iterations_maximum, 192);
-  EXPECT_EQ(numerics("iteration = \"splitting\"").iterations_maximum, 192);
+  EXPECT_EQ(numerics("").iterations_maximum, 384);
+  EXPECT_EQ(numerics("iteration = \"splitting\"").iterations_maximum, 384);
   EXPECT_EQ(numerics("iteration = \"gradient\"").residual_tolerance, 1e-5);
   EXPECT_EQ(numerics("iteration = \"gradient\"").iterations_maximum, 32);
   const NumericsDef given = numerics("iterations_maximum = 192\nresidual_tolerance = 1e-3\niteration = \"gradient\"");

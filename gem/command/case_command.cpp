@@ -56,6 +56,11 @@ std::string lines_text(const SceneDef& scene) {
          number_text(1e-3 * *most, 4) + " kN";
 }
 
+std::string added_mass_text(const AddedMassDef& a) {
+  return "surge " + number_text(a.surge_kg) + " kg, sway " + number_text(a.sway_kg) + " kg, yaw " +
+         number_text(a.yaw_kg_m2) + " kg m2, sway with yaw " + number_text(a.sway_yaw_kg_m) + " kg m";
+}
+
 std::string shape_text(const PlatformDef& platform) {
   const std::size_t sides = platform_outline(platform).size();
   const std::string area = ", " + number_text(platform_area(platform), 4) + " m2";
@@ -103,6 +108,8 @@ std::string check_text(const SceneDef& scene, const FieldSummary& field, const s
   if (has_lines(scene)) line("mooring lines", lines_text(scene));
   if (scene.platform.present && !scene.platform.fixed && scene.platform_drag.present)
     line("platform drag", drag_text(scene.platform_drag));
+  if (scene.platform.present && !scene.platform.fixed && added_mass(scene.added_mass, 1.0, 1.0, false).present)
+    line("added mass", added_mass_text(scene.added_mass));
   if (!scene.fixed.empty()) line("fixed bodies", std::to_string(scene.fixed.size()));
   line("floes", std::to_string(field.floe_count));
   if (field.floe_count > 0) {

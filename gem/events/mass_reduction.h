@@ -7,7 +7,7 @@
 //   r^2    squared radius of gyration, inertia / mass                                    [m2]
 //
 // Valid for a rigid body and a contact of short duration. A fixed body has inverse masses 0 and no finite R. Neglected:
-// added mass of floes, which the paper sets to 0. The added mass of the platform is part of platform.mass_kg.
+// added mass of floes, which the paper sets to 0. That of the platform follows a hit: added_mass.h.
 #pragma once
 
 #include "gem/base/vec2.h"

@@ -103,6 +103,13 @@ else()
   add_test(NAME manual.guide_numbers COMMAND python3 ${PROJECT_SOURCE_DIR}/scripts/studies guide_numbers $<TARGET_FILE:gem> --check)
 endif()
 set_tests_properties(manual.guide_numbers PROPERTIES LABELS unit PROCESSORS 2 SKIP_RETURN_CODE 77 TIMEOUT 300)
+# The page of the paper's converged runs must hold what their summaries say.
+if(GEM_SANITIZE)
+  add_test(NAME manual.converged_page COMMAND sh -c "echo skipped: a build with sanitizers is too slow for it; exit 77")
+else()
+  add_test(NAME manual.converged_page COMMAND python3 ${PROJECT_SOURCE_DIR}/scripts/studies converged $<TARGET_FILE:gem_paper> --check)
+endif()
+set_tests_properties(manual.converged_page PROPERTIES LABELS unit SKIP_RETURN_CODE 77 TIMEOUT 300)
 
 # The manual's example of a new law: in a copy of the tree, with its patch, against closed form and against this program.
 add_test(NAME manual.slope_example COMMAND ${PROJECT_SOURCE_DIR}/scripts/check_example_law.sh $<TARGET_FILE:gem>

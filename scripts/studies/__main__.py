@@ -20,6 +20,7 @@ COMMANDS = {
     "guide_numbers": ("guide_numbers", "runs the example of the user guide; writes its numbers into the page"),
     "scatter": ("scatter_page", "reads the folder of cases/scatter.toml; writes validation/paper/scatter.md"),
     "scatter36": ("scatter36_page", "reads what scripts/scatter_gpu.sh made; writes validation/paper/scatter36.md"),
+    "converged": ("converged_page", "judges the runs of bench/results/paper_splitting; writes validation/paper/converged.md"),
     "breakup": ("breakup_table", "reads the folder of cases/splitting_thickness.toml; prints the table of its page"),
     "resistance": ("resistance_page", "reads the folder of cases/pack_ice_resistance.toml; writes validation/resistance.md"),
     "readme_tables": ("readme_tables", "writes the tables of README.md from bench/results"),

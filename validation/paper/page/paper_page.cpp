@@ -22,6 +22,7 @@ the same for every seed, and one run decides it. *One seed* marks a verdict on a
 small proves nothing and is undecidable; one near 1 over many runs says besides that the null model, whose damping is
 taken from the same run, fits too well for the test to have power. Each row is judged for itself: of many rows at 95 %
 a few near their bound will be wrong. The paper's figures survive as statements only, so no curve is compared with a curve.
+`validation/paper/converged.md` judges run 1 and eleven other conditions again with converged contacts.
 )";
 
 std::string marked(Verdict verdict) {

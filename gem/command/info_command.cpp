@@ -8,6 +8,7 @@
 #include "gem/command/verdict_output.h"
 #include "gem/record/output/output_claim.h"
 #include "gem/record/output/output_path.h"
+#include "gem/record/run_file/column_pieces.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/report/run/line_record.h"
@@ -19,17 +20,22 @@ namespace {
 
 /// Splits, pieces of those that the case allows, and the energy of the cracks.
 void describe_splits(const RunFile& file, nlohmann::ordered_json& object) {
-  const std::vector<double> left = file.column("splits/piece_left"), energy = file.column("splits/energy");
-  const auto splits =
-      static_cast<std::int64_t>(std::count_if(left.begin(), left.end(), [](double p) { return p > 0.0; }));
+  std::int64_t splits = 0;
+  double energy = 0.0;
+  for_each_piece(file, {"splits/piece_left", "splits/energy"}, [&](const ColumnPiece& piece) {
+    const std::vector<double>& left = piece.values[0];
+    for (std::size_t i = 0; i < std::min(left.size(), piece.values[1].size()); ++i) {
+      if (!(left[i] > 0.0)) continue;
+      ++splits;
+      energy += piece.values[1][i];
+    }
+  });
   const std::int64_t most = stored_scene(file).breakup.maximum_pieces;
   object["floes"] = file.floe_count() - std::min(file.floe_count(), static_cast<std::size_t>(most));  // at the start
   object["splits"] = splits;
   object["pieces"] = std::to_string(2 * splits) + " of " + std::to_string(most) + " allowed" +
                      (2 * splits + 2 > most ? ": the limit is reached, floes stayed whole after that" : "");
-  double sum = 0.0;
-  for (std::size_t i = 0; i < std::min(left.size(), energy.size()); ++i) sum += left[i] > 0.0 ? energy[i] : 0.0;
-  object["crack_energy_J"] = sum;
+  object["crack_energy_J"] = energy;
 }
 
 nlohmann::ordered_json describe(const RunFile& file) {
@@ -39,27 +45,21 @@ nlohmann::ordered_json describe(const RunFile& file) {
     object[name] = file.attribute(name);
   }
   object["gem_solver"] = file.solver();
-  const std::vector<double> time = file.column("platform/time");
-  const std::vector<double> frames = file.column("floes/time");
   object["floes"] = file.floe_count();
   if (const std::string reached = file.attribute("gem_concentration"); !reached.empty())
     object["concentration"] = reached;
-  object["frames"] = frames.size();
-  object["platform_samples"] = time.size();
+  object["frames"] = file.rows("floes/time");
+  object["platform_samples"] = file.rows("platform/time");
   object["events"] = file.rows("events/time");
   if (file.has("platform/line_break_time"))
-    object["broken_lines"] = broken_lines_text(break_times(line_record(file, stored_scene(file))));
+    object["broken_lines"] = broken_lines_text(last_break_times(file, stored_scene(file)));
   if (file.has_pieces()) describe_splits(file, object);
-  const auto largest = [&](const std::string& dataset) {
-    const std::vector<double> values = file.has(dataset) ? file.column(dataset) : std::vector<double>{};
-    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-  };
-  object["overlap_largest_m"] = largest("stats/maximum_overlap");
+  object["overlap_largest_m"] = largest_value(file, "stats/maximum_overlap");
   object["overlap_99_9_m"] = overlaps_of(file, "stats/overlap_count").quantile(0.999);
-  object["overlap_largest_share"] = largest("stats/maximum_overlap_share");
+  object["overlap_largest_share"] = largest_value(file, "stats/maximum_overlap_share");
   object["overlap_99_9_share"] = overlaps_of(file, "stats/overlap_share_count").quantile(0.999);
   object["verdict"] = grade_name(verdict_of(file).grade);
-  object["end_s"] = std::max(frames.empty() ? 0.0 : frames.back(), time.empty() ? 0.0 : time.back());
+  object["end_s"] = std::max(last_value(file, "floes/time"), last_value(file, "platform/time"));
   return object;
 }
 

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 
 #include "gem/base/error.h"
@@ -10,6 +11,7 @@
 #include "gem/export/export_output.h"
 #include "gem/export/export_run.h"
 #include "gem/record/output/output_path.h"
+#include "gem/record/run_file/column_pieces.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/record/schema.h"
@@ -17,10 +19,18 @@
 namespace gem {
 namespace {
 
+/// A column of the table: values `part`, `part + width`, ... of a dataset with `width` values in each row.
 struct TableColumn {
   std::string header;
   Stored stored;
-  std::vector<double> values;
+  std::size_t dataset;  // index in Table::datasets
+  std::size_t part = 0, width = 1;
+  std::optional<double> first_floe = {};  // of body numbers, which become those of floes
+};
+
+struct Table {
+  std::vector<std::string> datasets;
+  std::vector<TableColumn> columns;
 };
 
 /// "m s-1" as "_m_per_s"; nothing for a number without unit.
@@ -55,50 +65,43 @@ std::vector<Column> columns_of(const std::string& table) {
 void number_floes(const RunFile& file, const std::string& table, TableColumn& column) {
   if (column.header != "body_a" && column.header != "body_b") return;
   column.header = table == "events" ? "floe" : column.header == "body_a" ? "floe_a" : "floe_b";
-  const double first = file.number_attribute("gem_first_floe_body");
-  for (double& body : column.values) body = exported_body(body, first);
+  column.first_floe = file.number_attribute("gem_first_floe_body");
 }
 
 /// Columns of lines and thrusters: one with a value for each gives a column for each, numbered from 0 as in the case.
-void add_parts(const RunFile& file, std::vector<TableColumn>& columns) {
-  if (columns.empty()) return;
-  const std::size_t rows = columns.front().values.size();
+void add_parts(const RunFile& file, Table& table) {
   for (const PartColumn& part : part_columns(stored_scene(file))) {
     const std::string dataset = part.column.group + "/" + part.column.name;
     if (!file.has(dataset)) continue;
-    const std::vector<double> all = file.column(dataset);
-    const std::size_t parts = rows == 0 ? 0 : all.size() / rows;
-    if (parts * rows != all.size())
-      throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + dataset +
-                                             " does not fit the columns beside it) the file may be damaged");
+    const std::vector<std::size_t> shape = file.shape(dataset);
+    const std::size_t parts = shape.size() > 1 ? shape[1] : 1;
     const bool several = part.column.dimensions.find(' ') != std::string::npos;
     for (std::size_t k = 0; k < parts; ++k) {
       const std::string number = several ? "_" + std::to_string(k) : "";
-      columns.push_back({part.column.name + number + unit_suffix(part.column.units), part.column.stored, {}});
-      for (std::size_t row = 0; row < rows; ++row) columns.back().values.push_back(all[row * parts + k]);
+      table.columns.push_back({part.column.name + number + unit_suffix(part.column.units), part.column.stored,
+                               table.datasets.size(), k, parts});
     }
+    table.datasets.push_back(dataset);
   }
 }
 
 /// The columns of the schema that the file has; an older file has fewer.
-std::vector<TableColumn> read_table(const RunFile& file, const std::string& table) {
-  std::vector<TableColumn> columns;
-  for (const Column& column : columns_of(table)) {
+Table table_of(const RunFile& file, const std::string& name) {
+  Table table;
+  for (const Column& column : columns_of(name)) {
     const std::string dataset = column.group + "/" + column.name;
     if (!file.has(dataset)) continue;
     if (dataset == "events/body_a") continue;  // always the platform
-    columns.push_back({column.name + unit_suffix(column.units), column.stored, file.column(dataset)});
-    number_floes(file, table, columns.back());
-    if (columns.back().values.size() != columns.front().values.size())
-      throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + dataset +
-                                             " is not as long as the columns beside it) the file may be damaged");
+    table.columns.push_back({column.name + unit_suffix(column.units), column.stored, table.datasets.size()});
+    number_floes(file, name, table.columns.back());
+    table.datasets.push_back(dataset);
   }
-  if (table == "platform") add_parts(file, columns);
-  if (columns.empty())
-    throw Error(ExitCode::usage, shown(file.path()) + ": no " + table +
+  if (name == "platform" && !table.columns.empty()) add_parts(file, table);
+  if (table.columns.empty())
+    throw Error(ExitCode::usage, shown(file.path()) + ": no " + name +
                                      " (the run did not record them) choose another "
                                      "--table");
-  return columns;
+  return table;
 }
 
 /// Shortest text that reads back as the stored number.
@@ -111,14 +114,28 @@ std::string cell_text(double value, Stored stored) {
   return {text.data(), end};
 }
 
-void write_rows(std::ostream& out, const std::vector<TableColumn>& columns) {
-  for (std::size_t c = 0; c < columns.size(); ++c) out << (c > 0 ? "," : "") << columns[c].header;
+void check_widths(const RunFile& file, const Table& table, const ColumnPiece& piece) {
+  for (const TableColumn& column : table.columns)
+    if (piece.values[column.dataset].size() != piece.rows * column.width)
+      throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (" + table.datasets[column.dataset] +
+                                             " does not fit the columns beside it) the file may be damaged");
+}
+
+void write_rows(std::ostream& out, const RunFile& file, const Table& table) {
+  for (std::size_t c = 0; c < table.columns.size(); ++c) out << (c > 0 ? "," : "") << table.columns[c].header;
   out << '\n';
-  for (std::size_t row = 0; row < columns.front().values.size(); ++row) {
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      out << (c > 0 ? "," : "") << cell_text(columns[c].values[row], columns[c].stored);
-    out << '\n';
-  }
+  for_each_piece(file, table.datasets, [&](const ColumnPiece& piece) {
+    check_widths(file, table, piece);
+    for (std::size_t row = 0; row < piece.rows; ++row) {
+      for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        const TableColumn& column = table.columns[c];
+        const double value = piece.values[column.dataset][row * column.width + column.part];
+        out << (c > 0 ? "," : "")
+            << cell_text(column.first_floe ? exported_body(value, *column.first_floe) : value, column.stored);
+      }
+      out << '\n';
+    }
+  });
 }
 
 }  // namespace
@@ -126,10 +143,10 @@ void write_rows(std::ostream& out, const std::vector<TableColumn>& columns) {
 ExportReport export_table(const ExportTarget& target, const std::string& table) {
   check_output_path(target.output, target.overwrite);
   const RunFile file(target.run_file, target.allow_incomplete);
-  const std::vector<TableColumn> columns = read_table(file, table);
-  write_export(target.output, [&](std::ostream& out) { write_rows(out, columns); });
-  return shown(target.output) + ": " + table + ", " + std::to_string(columns.size()) + " columns, " +
-         std::to_string(columns.front().values.size()) + " rows\n";
+  const Table chosen = table_of(file, table);
+  write_export(target.output, [&](std::ostream& out) { write_rows(out, file, chosen); });
+  return shown(target.output) + ": " + table + ", " + std::to_string(chosen.columns.size()) + " columns, " +
+         std::to_string(file.rows(chosen.datasets.front())) + " rows\n";
 }
 
 }  // namespace gem

@@ -9,6 +9,7 @@
 #include "gem/base/error.h"
 #include "gem/base/number_text.h"
 #include "gem/record/output/output_path.h"
+#include "gem/record/run_file/column_pieces.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/scene/scene_mooring.h"
 
@@ -72,10 +73,12 @@ void arrow(Canvas& canvas, Vec2 from, Vec2 to, Colour colour) {
 
 double largest_of(const RunFile& file, const std::string& name) {
   if (!file.has("platform/" + name + "_x")) return 0.0;
-  const std::vector<double> x = file.column("platform/" + name + "_x"), y = file.column("platform/" + name + "_y");
   double largest = 0.0;
-  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
-    if (std::isfinite(x[i]) && std::isfinite(y[i])) largest = std::max(largest, std::hypot(x[i], y[i]));
+  for_each_piece(file, {"platform/" + name + "_x", "platform/" + name + "_y"}, [&](const ColumnPiece& piece) {
+    const auto &x = piece.values[0], &y = piece.values[1];
+    for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
+      if (std::isfinite(x[i]) && std::isfinite(y[i])) largest = std::max(largest, std::hypot(x[i], y[i]));
+  });
   return largest;
 }
 

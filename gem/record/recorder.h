@@ -74,6 +74,10 @@ class Recorder {
   /// Returns what was recorded since the last call.
   Slab take();
   std::size_t frames_waiting() const { return slab_.floes.time.size(); }
+  /// Rows of the platform, hits and forces between bodies since the last take().
+  std::size_t rows_waiting() const {
+    return slab_.platform.size() + slab_.events.size() + slab_.contacts.size() + slab_.splits.size();
+  }
   /// When each mooring line broke [s]; 0: it holds. Empty without lines.
   const std::vector<double>& line_break_times() const { return lines_.sums().break_time; }
   std::int64_t hits_seen() const { return now_.hits_taken + static_cast<std::int64_t>(slab_.events.size()); }

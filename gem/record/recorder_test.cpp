@@ -46,6 +46,18 @@ TEST(Recorder, ForcesAreImpulsesOverTheInterval) {
   EXPECT_EQ(slab.events.size(), 3U);
 }
 
+TEST(Recorder, RowsWaitUntilTheyAreTaken) {
+  const SceneDef scene = short_scene();
+  FakeEngine engine(scene, fake_field(3));
+  Recorder recorder(scene, engine);
+  StepLog log;
+  engine.advance(30, log);
+  recorder.add(log, 200);
+  EXPECT_EQ(recorder.rows_waiting(), 4U + 3U);  // samples of the platform, and hits
+  recorder.take();
+  EXPECT_EQ(recorder.rows_waiting(), 0U);
+}
+
 TEST(Recorder, YawCountsOnOverFullTurns) {
   SceneDef scene = short_scene();
   scene.output.platform_interval_s = 0.05;

@@ -22,11 +22,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Floe frames per slab. Chosen by hand: bounds the memory of the rows that wait.
-constexpr std::size_t slab_frames = 64;
+/// Floe frames, and other rows, per slab. Chosen by hand: bounds the memory of the rows that wait.
+constexpr std::size_t slab_frames = 64, slab_rows = 65536;
 
-/// Floe frames that wait at most for a disk that is slow; then the run waits. Chosen by hand.
-constexpr std::size_t most_frames = 2 * slab_frames;
+/// Slabs of rows that wait at most for a disk that is slow; then the run waits. Chosen by hand.
+constexpr std::size_t most_slabs = 2;
 
 /// Wall time from the start to the first flush [s], so that a run can be watched soon. Chosen by hand.
 constexpr double first_flush_s = 1.0;
@@ -145,8 +145,8 @@ void RunSteps::take(const StepLog& log) {
   tell_fault_of_checkpoints();
   const double pause = flushes_ > 0 ? options_.flush_interval_s : std::min(options_.flush_interval_s, first_flush_s);
   const bool due = seconds_since(flushed_) >= pause;
-  const std::size_t frames = recorder_.frames_waiting();
-  if ((free && (due || frames >= slab_frames)) || frames >= most_frames) hand_over(due);
+  const std::size_t slabs = std::max(recorder_.frames_waiting() / slab_frames, recorder_.rows_waiting() / slab_rows);
+  if ((free && (due || slabs >= 1)) || slabs >= most_slabs) hand_over(due);
   if (writer_) writer_->check();
   if (options_.on_block) options_.on_block(time());
   progress(log);

@@ -59,6 +59,23 @@ hsize_t ChunkShape::rows_of(const std::string& group) const {
   return group == "floes" || group == "stats" ? frames : rows;
 }
 
+namespace {
+
+/// How much of the index stays in memory.
+enum class Index { all, little };
+
+H5AC_cache_config_t index_cache(H5AC_cache_config_t cache, Index kept) {
+  cache.set_initial_size = true;
+  cache.initial_size = kept == Index::all ? cache.max_size : cache.min_size;
+  cache.evictions_enabled = kept == Index::little;
+  cache.incr_mode = H5C_incr__off;
+  cache.flash_incr_mode = H5C_flash_incr__off;
+  cache.decr_mode = H5C_decr__off;
+  return cache;
+}
+
+}  // namespace
+
 Handle ColumnFile::file_access() {
   Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access");
   // needed to read the file while it is written
@@ -68,10 +85,7 @@ Handle ColumnFile::file_access() {
   H5AC_cache_config_t cache{};
   cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   check(H5Pget_mdc_config(access, &cache), "index cache");
-  cache.evictions_enabled = false;
-  cache.incr_mode = H5C_incr__off;
-  cache.flash_incr_mode = H5C_flash_incr__off;
-  cache.decr_mode = H5C_decr__off;
+  cache = index_cache(cache, Index::all);
   check(H5Pset_mdc_config(access, &cache), "index cache");
   return access;
 }
@@ -260,7 +274,31 @@ std::vector<std::string> ColumnFile::growing() const {
   return paths;
 }
 
-void ColumnFile::flush() { check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "cannot flush"); }
+void ColumnFile::flush() {
+  check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "cannot flush");
+  shrink_index();
+}
+
+/// All of the index is in the file now, so dropping it from memory writes nothing. What the next rows need is read
+/// back.
+void ColumnFile::shrink_index() {
+  H5AC_cache_config_t cache{};
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  check(H5Fget_mdc_config(file_, &cache), "index cache");
+  H5AC_cache_config_t change = index_cache(cache, Index::little);
+  check(H5Fset_mdc_config(file_, &change), "index cache");
+  H5G_info_t root{};  // the library drops what is too much when the index is used
+  check(H5Gget_info(file_, &root), "index cache");
+  change = index_cache(cache, Index::all);
+  check(H5Fset_mdc_config(file_, &change), "index cache");
+}
+
+std::size_t ColumnFile::index_bytes() const {
+  std::size_t most = 0, clean = 0, now = 0;
+  int entries = 0;
+  check(H5Fget_mdc_size(file_, &most, &clean, &now, &entries), "index cache");
+  return now;
+}
 
 void ColumnFile::close() {
   for (auto& [path, dataset] : dataset_) {

@@ -63,8 +63,11 @@ class ColumnFile {
   std::uint64_t room_for(const std::string& path, hsize_t rows) const;
   /// Paths of the growing columns.
   std::vector<std::string> growing() const;
-  /// Hands the lengths and the index of the file to the system. To be called when the values are on the disk.
+  /// Hands the lengths and the index of the file to the system. To be called when the values are on the disk. The index
+  /// then leaves memory, but for a megabyte.
   void flush();
+  /// Bytes of the index in memory.
+  std::size_t index_bytes() const;
   void close();
   /// Drops all handles without closing them. After a failed write the library cannot close the file.
   void abandon();
@@ -73,6 +76,7 @@ class ColumnFile {
   ColumnFile(const std::map<std::string, hsize_t>& size, const ChunkShape& chunk) : size_(size), chunk_(chunk) {}
   static hdf5::Handle file_access();
   static hdf5::Handle dataset_access();
+  void shrink_index();
 
   struct Dataset {
     hdf5::Handle id;

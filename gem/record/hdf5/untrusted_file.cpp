@@ -19,6 +19,13 @@ constexpr double expansion_free = 64e6;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& why) { throw Failure{name + ": " + why}; }
 
+hsize_t file_bytes(hid_t object) {
+  const Handle file = checked(H5Iget_file_id(object), H5Fclose, "file");
+  hsize_t bytes = 0;
+  check(H5Fget_filesize(file, &bytes), "file size");
+  return bytes;
+}
+
 void check_filters(const std::string& name, hid_t creation) {
   const int count = H5Pget_nfilters(creation);
   for (int i = 0; i < count; ++i) {
@@ -57,25 +64,29 @@ void check_type(const std::string& name, hid_t type) {
   refuse(name, "neither numbers nor text of a size that gem writes");
 }
 
-/// Checks the extent; returns how many values reading takes at a time.
-hsize_t check_extent(const std::string& name, bool is_frame, hid_t dataset, std::size_t value_size) {
+/// Checks the extent; returns how many values reading takes at a time. Tables that grow with a run are read some rows
+/// at a time.
+hsize_t check_extent(const std::string& name, hid_t dataset, std::size_t value_size, hsize_t file_bytes) {
   const Handle space = checked(H5Dget_space(dataset), H5Sclose, name.c_str());
   const int rank = H5Sget_simple_extent_ndims(space);
   if (rank < 0 || rank > dimensions_maximum) refuse(name, "too many dimensions");
-  std::array<hsize_t, dimensions_maximum> size{1, 1};
-  check(H5Sget_simple_extent_dims(space, size.data(), nullptr), name.c_str());
+  std::array<hsize_t, dimensions_maximum> size{1, 1}, most{1, 1};
+  check(H5Sget_simple_extent_dims(space, size.data(), most.data()), name.c_str());
   if (size[1] > row_values_maximum) refuse(name, "its rows are too long");
   if (size[0] > std::numeric_limits<std::uint32_t>::max()) refuse(name, "too many rows");
   const double bytes = double(size[0]) * double(size[1]) * double(value_size);
   if (bytes > expansion_maximum * double(H5Dget_storage_size(dataset)) + expansion_free)
     refuse(name, "it claims more data than the file holds");
-  const hsize_t at_once = is_frame && rank == 2 ? size[1] : size[0] * size[1];  // frames are read one by one
-  if (at_once > dataset_values_maximum) refuse(name, "too large to read at once");
+  const bool is_growing_table = rank == 2 && most[0] == H5S_UNLIMITED;
+  const hsize_t at_once = is_growing_table ? size[1] : size[0] * size[1];
+  if (at_once > values_at_once(file_bytes)) refuse(name, "too large to read at once");
   return at_once;
 }
 
 class Walk {
  public:
+  explicit Walk(hsize_t file_bytes) : file_bytes_(file_bytes) {}
+
   void group(hid_t place, const std::string& path, int depth) {
     H5G_info_t info{};
     check(H5Gget_info(place, &info), path.c_str());
@@ -103,10 +114,11 @@ class Walk {
     check_layout(path, object);
     const Handle type = checked(H5Dget_type(object), H5Tclose, path.c_str());
     check_type(path, type);
-    values_ += check_extent(path, path.starts_with("floes/"), object, H5Tget_size(type));
-    if (values_ > file_values_maximum) refuse(path, "the data of the file are too large to read");
+    values_ += check_extent(path, object, H5Tget_size(type), file_bytes_);
+    if (values_ > values_together(file_bytes_)) refuse(path, "the data of the file are too large to read");
   }
 
+  const hsize_t file_bytes_;
   hsize_t values_ = 0;
 };
 
@@ -114,6 +126,10 @@ class Walk {
 
 void refuse_plugins() { H5PLset_loading_state(0); }
 
-void check_untrusted(hid_t file) { Walk().group(file, "", 1); }
+void check_at_once(hid_t object, hsize_t values, const std::string& name) {
+  if (values > values_at_once(file_bytes(object))) refuse(name, "too large to read at once");
+}
+
+void check_untrusted(hid_t file) { Walk(file_bytes(file)).group(file, "", 1); }
 
 }  // namespace gem::hdf5

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -130,6 +129,24 @@ struct RunFile::Inside {
     return size;
   }
 
+  /// The values of a dataset from `start` on, `count` in each dimension, row by row.
+  std::vector<double> values(const std::string& dataset, hid_t id, const std::vector<hsize_t>& start,
+                             const std::vector<hsize_t>& count) const {
+    const Handle space = checked(H5Dget_space(id), H5Sclose, dataset.c_str());
+    hdf5::element_count(id, space, stored_bytes(id), dataset);
+    hsize_t total = 1;
+    for (const hsize_t size : count) total *= size;
+    hdf5::check_at_once(id, total, dataset);
+    std::vector<double> read(total);
+    if (total == 0) return read;
+    if (!count.empty())
+      check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), dataset.c_str());
+    const Handle memory =
+        checked(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, dataset.c_str());
+    check(H5Dread(id, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, read.data()), dataset.c_str());
+    return read;
+  }
+
   /// Rows `first` to `first + count - 1` of a dataset of rows, one after the other.
   std::vector<float> float_rows(const char* name, std::size_t first, std::size_t count_of_rows) const {
     const Handle id = open(name);
@@ -226,39 +243,20 @@ double RunFile::number_attribute(const std::string& name) const {
 std::vector<double> RunFile::column(const std::string& dataset) const {
   return reading(path(), [&] {
     const Handle id = inside_->open(dataset);
-    const Handle space = checked(H5Dget_space(id), H5Sclose, dataset.c_str());
-    hdf5::element_count(id, space, inside_->stored_bytes(id), dataset);
     const std::vector<hsize_t> count = inside_->length(dataset, id);
-    hsize_t total = 1;
-    for (const hsize_t size : count) total *= size;
-    if (total > std::numeric_limits<std::uint32_t>::max()) throw hdf5::Failure{dataset + ": too large to read at once"};
-    std::vector<double> values(total);
-    if (total == 0) return values;
-    const std::vector<hsize_t> start(count.size(), 0);
-    if (!count.empty())
-      check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), dataset.c_str());
-    const Handle memory =
-        checked(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, dataset.c_str());
-    check(H5Dread(id, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()), dataset.c_str());
-    return values;
+    return inside_->values(dataset, id, std::vector<hsize_t>(count.size(), 0), count);
   });
 }
 
 std::vector<double> RunFile::column_rows(const std::string& dataset, std::size_t first, std::size_t count) const {
   return reading(path(), [&] {
     const Handle id = inside_->open(dataset);
-    const Handle space = checked(H5Dget_space(id), H5Sclose, dataset.c_str());
-    hdf5::element_count(id, space, inside_->stored_bytes(id), dataset);
-    const std::vector<hsize_t> size = inside_->length(dataset, id);
-    if (size.size() != 1 || first > size[0] || count > size[0] - first)
+    std::vector<hsize_t> size = inside_->length(dataset, id), start(size.size(), 0);
+    if (size.empty() || first > size[0] || count > size[0] - first)
       throw hdf5::Failure{dataset + " has other rows than the columns beside it"};
-    std::vector<double> values(count);
-    if (count == 0) return values;
-    const hsize_t start = first, rows = count;
-    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, nullptr, &rows, nullptr), dataset.c_str());
-    const Handle memory = checked(H5Screate_simple(1, &rows, nullptr), H5Sclose, dataset.c_str());
-    check(H5Dread(id, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()), dataset.c_str());
-    return values;
+    start[0] = first;
+    size[0] = count;
+    return inside_->values(dataset, id, start, size);
   });
 }
 
@@ -316,8 +314,8 @@ std::vector<FrameView> RunFile::frames(std::size_t first, std::size_t count) con
         (views[n].*values)
             .assign(all.begin() + std::ptrdiff_t(n * floes), all.begin() + std::ptrdiff_t((n + 1) * floes));
     }
-    const std::vector<double> time = column("floes/time");
-    for (std::size_t n = 0; n < count; ++n) views[n].time = time.at(first + n);
+    const std::vector<double> time = column_rows("floes/time", first, count);
+    for (std::size_t n = 0; n < count; ++n) views[n].time = time.at(n);
     return views;
   });
 }
@@ -333,19 +331,6 @@ std::vector<std::vector<Vec2>> RunFile::boundary_outlines() const {
 std::vector<Vec2> RunFile::platform_outline() const {
   const std::vector<double> xy = column("shape/platform_xy");
   return split(xy, {double(xy.size()) / 2.0}).front();
-}
-
-OverlapCount overlaps_of(const RunFile& file, const std::string& dataset) {
-  OverlapCount sum;
-  if (!file.has(dataset)) return sum;
-  const std::vector<double> values = file.column(dataset);
-  constexpr double count_maximum = 9007199254740992.0;  // whole numbers up to this are exact
-  for (const double value : values)
-    if (!(value >= 0.0 && value <= count_maximum))
-      refuse_run_file(file.path(), dataset + " holds a value that is no count", "the file may be damaged");
-  for (std::size_t i = 0; i < values.size(); ++i)
-    sum.count[i % OverlapCount::classes] += static_cast<std::int64_t>(values[i]);
-  return sum;
 }
 
 }  // namespace gem

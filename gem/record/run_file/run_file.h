@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "gem/engine/step/overlap_count.h"
 #include "gem/record/verdict.h"
 #include "gem/scene/scene_def.h"
 
@@ -45,9 +44,10 @@ class RunFile {
   std::vector<double> number_list(const std::string& name) const;
   /// How contacts were solved; older files call it gem_resolution.
   std::string solver() const;
-  /// A whole dataset by path, e.g. "platform/x". Two-dimensional data are row by row.
+  /// A whole dataset by path, e.g. "platform/x". Two-dimensional data are row by row. Throws if it is too large for
+  /// that: for_each_piece() reads columns of any length.
   std::vector<double> column(const std::string& dataset) const;
-  /// `count` values from `first` on of a dataset of one dimension. Throws if they are not there.
+  /// `count` rows from `first` on of a dataset. Throws if they are not there.
   std::vector<double> column_rows(const std::string& dataset, std::size_t first, std::size_t count) const;
   /// Length of each dimension of a dataset.
   std::vector<std::size_t> shape(const std::string& dataset) const;
@@ -79,10 +79,6 @@ class RunFile {
   struct Inside;
   std::unique_ptr<Inside> inside_;
 };
-
-/// All overlaps of a run by size class, from stats/overlap_count or stats/overlap_share_count. Empty if the file has no
-/// such dataset.
-OverlapCount overlaps_of(const RunFile& file, const std::string& dataset);
 
 /// The verdict that the run ended with. Without judgements if the file has none: it is older, or the run still runs or
 /// was killed. Throws Error(file_system) if its lists differ in length.

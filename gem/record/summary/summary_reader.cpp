@@ -57,7 +57,9 @@ class Dataset {
   bool is_double() const { return H5Tget_size(type_) == sizeof(double); }
   std::size_t count() const {
     const Handle space = checked(H5Dget_space(id_), H5Sclose, name_.c_str());
-    return hdf5::element_count(id_, space, H5Tget_size(type_), name_);
+    const std::size_t elements = hdf5::element_count(id_, space, H5Tget_size(type_), name_);
+    hdf5::check_at_once(id_, elements, name_);
+    return elements;
   }
 
   /// Name of the scale of a dimension; empty if it has none.

@@ -7,27 +7,33 @@
 #include "gem/analysis/statistics/moments.h"
 #include "gem/base/error.h"
 #include "gem/record/output/output_path.h"
+#include "gem/record/run_file/column_pieces.h"
 #include "gem/record/thruster_record.h"
 
 namespace gem {
 namespace {
 
-/// A column with `width` numbers for each sample.
-std::vector<double> dp_column(const RunFile& file, const char* name, std::size_t width) {
-  const std::string path = std::string("platform/") + name;
-  std::vector<double> values = file.has(path) ? file.column(path) : std::vector<double>{};
-  const auto is_number = [](double value) { return std::isfinite(value); };
-  if (values.size() != file.rows("platform/time") * width || !std::all_of(values.begin(), values.end(), is_number))
-    throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (its column " + path +
+const std::vector<std::string> columns = {"platform/time",
+                                          "platform/thruster_force_x",
+                                          "platform/thruster_force_y",
+                                          "platform/thruster_at_limit",
+                                          "platform/dp_offset_surge",
+                                          "platform/dp_offset_sway",
+                                          "platform/dp_offset_yaw",
+                                          "platform/dp_demand_surge",
+                                          "platform/dp_demand_sway"};
+constexpr std::size_t by_thruster_end = 4;  // the columns before this one have a number for each thruster
+
+void check_piece(const RunFile& file, const ColumnPiece& piece, std::size_t thrusters) {
+  for (std::size_t column = 1; column < columns.size(); ++column) {
+    const std::vector<double>& values = piece.values[column];
+    if (values.size() == piece.rows * (column < by_thruster_end ? thrusters : 1) &&
+        std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+      continue;
+    throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) + " (its column " + columns[column] +
                                            " does not fit the case and the samples, or holds no numbers) the file may "
                                            "be damaged");
-  return values;
-}
-
-std::vector<double> lengths(const std::vector<double>& x, const std::vector<double>& y) {
-  std::vector<double> all(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) all[i] = std::hypot(x[i], y[i]);
-  return all;
+  }
 }
 
 }  // namespace
@@ -35,21 +41,22 @@ std::vector<double> lengths(const std::vector<double>& x, const std::vector<doub
 DpRecord dp_record(const RunFile& file, const SceneDef& scene) {
   DpRecord dp;
   if (!has_dp(scene) || !file.has("platform/thruster_force_x")) return dp;
-  const std::size_t thrusters = scene.dp.thruster.size(), samples = file.rows("platform/time");
-  const std::vector<double> x = dp_column(file, "thruster_force_x", thrusters),
-                            y = dp_column(file, "thruster_force_y", thrusters),
-                            limit = dp_column(file, "thruster_at_limit", thrusters);
+  const std::size_t thrusters = scene.dp.thruster.size();
   dp.thruster.resize(thrusters);
-  for (std::size_t k = 0; k < thrusters; ++k) {
-    dp.thruster[k].maximum = scene.dp.thruster[k].maximum_N;
-    for (std::size_t i = 0; i < samples; ++i) {
-      dp.thruster[k].thrust.push_back(std::hypot(x[i * thrusters + k], y[i * thrusters + k]));
-      dp.thruster[k].at_limit.push_back(limit[i * thrusters + k]);
+  for (std::size_t k = 0; k < thrusters; ++k) dp.thruster[k].maximum = scene.dp.thruster[k].maximum_N;
+  for_each_piece(file, columns, [&](const ColumnPiece& piece) {
+    check_piece(file, piece, thrusters);
+    const auto& v = piece.values;
+    for (std::size_t i = 0; i < piece.rows; ++i) {
+      for (std::size_t k = 0; k < thrusters; ++k) {
+        dp.thruster[k].thrust.push_back(std::hypot(v[1][i * thrusters + k], v[2][i * thrusters + k]));
+        dp.thruster[k].at_limit.push_back(v[3][i * thrusters + k]);
+      }
+      dp.offset.push_back(std::hypot(v[4][i], v[5][i]));
+      dp.yaw.push_back(v[6][i]);
+      dp.demand.push_back(std::hypot(v[7][i], v[8][i]));
     }
-  }
-  dp.offset = lengths(dp_column(file, "dp_offset_surge", 1), dp_column(file, "dp_offset_sway", 1));
-  dp.yaw = dp_column(file, "dp_offset_yaw", 1);
-  dp.demand = lengths(dp_column(file, "dp_demand_surge", 1), dp_column(file, "dp_demand_sway", 1));
+  });
   return dp;
 }
 

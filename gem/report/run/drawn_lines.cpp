@@ -13,7 +13,7 @@ namespace gem {
 DrawnLines::DrawnLines(const RunFile& file, const SceneDef& scene) {
   if (!has_lines(scene)) return;
   tables_ = mooring_tables(scene);
-  break_times_ = gem::break_times(line_record(file, scene));
+  break_times_ = last_break_times(file, scene);
   break_times_.resize(tables_.branch.size(), 0.0);
   for (const double tension : line_tensions_at_start(scene)) usual_tension_ = std::max(usual_tension_, tension);
 }

@@ -20,6 +20,9 @@ struct LineRecord {
 /// Empty for a run without lines. Throws Error(file_system) if the columns do not fit the case or the samples.
 std::vector<LineRecord> line_record(const RunFile& file, const SceneDef& scene);
 
+/// The time at which each line broke; 0: it held [s]. Throws like line_record().
+std::vector<double> last_break_times(const RunFile& file, const SceneDef& scene);
+
 /// The largest tension from sample `first` on.
 struct LargestTension {
   double value = 0.0;  // [N]
@@ -29,6 +32,5 @@ LargestTension largest_tension(const LineRecord& line, std::size_t first);
 
 /// "none", or "line 3 at 12.5 s, line 4 at 13.1 s", from the time at which each line broke; 0: it held.
 std::string broken_lines_text(const std::vector<double>& break_times);
-std::vector<double> break_times(const std::vector<LineRecord>& lines);
 
 }  // namespace gem

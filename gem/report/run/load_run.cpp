@@ -7,6 +7,7 @@
 
 #include "gem/base/error.h"
 #include "gem/record/output/output_path.h"
+#include "gem/record/run_file/column_pieces.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/scene/platform_shape.h"

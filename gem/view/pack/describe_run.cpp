@@ -5,6 +5,7 @@
 
 #include "gem/base/error.h"
 #include "gem/record/output/output_path.h"
+#include "gem/record/run_file/column_pieces.h"
 #include "gem/record/run_file/contact_record.h"
 #include "gem/record/run_file/stored_case.h"
 #include "gem/report/plain_text.h"
@@ -46,13 +47,16 @@ Json origin_json(const RunFile& file) {
 /// What each side took in the whole run [N s]; null unless the run recorded it and is over.
 Json side_impulse_json(const RunFile& file, std::size_t sides) {
   if (sides == 0 || file.status() == "running" || !file.has("platform/side_impulse")) return nullptr;
-  const std::vector<double> rows = file.column("platform/side_impulse");
-  if (rows.size() % sides != 0)
-    throw Error(ExitCode::file_system, "cannot read " + shown(file.path()) +
-                                           " (platform/side_impulse does not fit the outline) the file may be damaged");
   std::vector<double> sums(sides);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (std::isfinite(rows[i])) sums[i % sides] += rows[i];
+  for_each_piece(file, {"platform/side_impulse"}, [&](const ColumnPiece& piece) {
+    const std::vector<double>& values = piece.values[0];
+    if (values.size() != piece.rows * sides)
+      throw Error(ExitCode::file_system,
+                  "cannot read " + shown(file.path()) +
+                      " (platform/side_impulse does not fit the outline) the file may be damaged");
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (std::isfinite(values[i])) sums[i % sides] += values[i];
+  });
   return sums;
 }
 

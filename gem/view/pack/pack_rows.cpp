@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gem/record/run_file/column_pieces.h"
 #include "gem/report/plain_text.h"
 #include "gem/view/pack/pack_column.h"
 #include "gem/view/pack/packet.h"
@@ -27,15 +28,20 @@ double step_of(const std::string& name, const std::vector<double>& values) {
 /// Thrust of all thrusters together along axis x or y of the world [N]. Their columns are in the ship's axes.
 std::vector<double> thrust_of(const RunFile& file, bool along_y) {
   if (!file.has("platform/thruster_force_x")) return {};
-  const std::vector<double> psi = file.column("platform/psi"), fx = file.column("platform/thruster_force_x"),
-                            fy = file.column("platform/thruster_force_y");
-  if (psi.empty() || fx.size() != fy.size() || fx.size() % psi.size() != 0) return {};
-  const std::size_t thrusters = fx.size() / psi.size();
-  std::vector<double> thrust(psi.size());
-  for (std::size_t i = 0; i < fx.size(); ++i) {
-    const double c = std::cos(psi[i / thrusters]), s = std::sin(psi[i / thrusters]);
-    thrust[i / thrusters] += along_y ? s * fx[i] + c * fy[i] : c * fx[i] - s * fy[i];
-  }
+  const std::vector<std::string> columns = {"platform/psi", "platform/thruster_force_x", "platform/thruster_force_y"};
+  std::vector<double> thrust;
+  for_each_piece(file, columns, [&](const ColumnPiece& piece) {
+    const auto &psi = piece.values[0], &fx = piece.values[1], &fy = piece.values[2];
+    const std::size_t thrusters = fx.size() / piece.rows;
+    if (psi.size() != piece.rows || fx.size() != fy.size() || fx.size() != thrusters * piece.rows) return;
+    for (std::size_t row = 0; row < piece.rows; ++row) {
+      const double c = std::cos(psi[row]), s = std::sin(psi[row]);
+      double sum = 0.0;
+      for (std::size_t i = row * thrusters; i < (row + 1) * thrusters; ++i)
+        sum += along_y ? s * fx[i] + c * fy[i] : c * fx[i] - s * fy[i];
+      thrust.push_back(sum);
+    }
+  });
   return thrust;
 }
 

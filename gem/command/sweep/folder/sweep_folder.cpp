@@ -14,16 +14,12 @@
 #include "gem/command/sweep/folder/sweep_manifest.h"
 #include "gem/command/sweep/folder/sweep_row_json.h"
 #include "gem/record/output/output_path.h"
+#include "gem/record/run_file/column_pieces.h"
 #include "gem/record/run_file/run_file.h"
 #include "gem/record/run_file/run_writer.h"
 
 namespace gem {
 namespace {
-
-double last_of(const RunFile& file, const std::string& dataset) {
-  const std::vector<double> values = file.has(dataset) ? file.column(dataset) : std::vector<double>{};
-  return values.empty() ? 0.0 : values.back();
-}
 
 /// All engines of gem compute the same bits.
 bool same_physics(const std::string& asked, const std::string& found) {
@@ -45,8 +41,8 @@ void judge(SweepRow& row, const RunFile& file, const std::string& engine) {
   const RunVerdict verdict = verdict_of(file);
   row.verdict = grade_name(verdict.grade);
   row.doubts = doubts_of(verdict);
-  row.time_s = last_of(file, "stats/time");
-  row.wall_time_s = last_of(file, "stats/wall_time");
+  row.time_s = last_value(file, "stats/time");
+  row.wall_time_s = last_value(file, "stats/wall_time");
   row.state_hash = status == "running" ? "" : file.attribute("gem_state_hash");
   const bool failed = status.rfind("stopped:numerical", 0) == 0 || status.rfind("stopped:failure", 0) == 0;
   row.status = status == "complete" ? "done" : failed ? "failed" : "stopped";
@@ -60,8 +56,8 @@ void look_how_far(const std::string& path, SweepRow& row) {
   try {
     const RunFile file(path, true);
     if (file.status() != "running" || file.attribute("gem_case_sha256") != row.case_sha256) return;
-    row.time_s = last_of(file, "stats/time");
-    row.wall_time_s = last_of(file, "stats/wall_time");
+    row.time_s = last_value(file, "stats/time");
+    row.wall_time_s = last_value(file, "stats/wall_time");
   } catch (const Error&) {  // it is being made
   }
 }

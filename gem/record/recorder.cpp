@@ -51,6 +51,7 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
       has_platform_(scene.platform.present),
       has_contacts_(scene.output.contact_forces),
       has_hits_(scene.output.platform_events),
+      further_pieces_(platform_bodies(engine.bodies()) - 1),
       platform_(scene.output.platform_interval_s, time_step_),
       frames_(scene.output.floes_interval_s, time_step_),
       window_steps_(
@@ -233,7 +234,19 @@ void Recorder::restore(const RecorderState& state) {
   slab_ = {};
 }
 
+/// Gives the bodies in the rows the numbers of recorded_body().
+void Recorder::number_as_in_files() {
+  const auto number = [&](std::int32_t& body) {
+    if (body >= 0) body = std::max(0, body - further_pieces_);
+  };
+  for (Hit& hit : slab_.events) number(hit.first.body_a), number(hit.first.body_b);
+  for (ContactRow& row : slab_.contacts) number(row.contact.a), number(row.contact.b);
+  for (SplitEvent& split : slab_.splits)
+    for (std::int32_t* body : {&split.split.floe, &split.split.piece[0], &split.split.piece[1]}) number(*body);
+}
+
 Slab Recorder::take() {
+  if (further_pieces_ > 0) number_as_in_files();
   now_.hits_taken += static_cast<std::int64_t>(slab_.events.size());
   slab_.time = double(now_.step) * time_step_;
   return std::exchange(slab_, Slab{});

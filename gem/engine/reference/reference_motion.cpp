@@ -250,6 +250,7 @@ void move_platform_before(const Rules& rules, State& s) {
   else
     swing_platform(rules, s);
   steer(rules, s, true);
+  s.carry_pieces();
 }
 
 void move_platform_after(const Rules& rules, State& s) {
@@ -266,6 +267,7 @@ void move_platform_after(const Rules& rules, State& s) {
   steer(rules, s, false);
   thrust(rules, s, false);
   run_free(rules, s);
+  s.carry_pieces();
 }
 
 void move_floes(const Rules& rules, State& s) {

@@ -22,8 +22,11 @@ double unwrapped(Rotation q, double before) {
   return before + step - turn * std::round(step / turn);
 }
 
-std::vector<Vec2> platform_corners(const Bodies& b) {
-  return {b.vertex.begin(), b.vertex.begin() + b.vertex_begin[first_fixed(b)]};
+std::vector<std::vector<Vec2>> platform_outlines(const Bodies& b) {
+  std::vector<std::vector<Vec2>> pieces;
+  for (std::size_t i = 0; i < first_fixed(b); ++i)
+    pieces.emplace_back(b.vertex.begin() + b.vertex_begin[i], b.vertex.begin() + b.vertex_begin[i + 1]);
+  return pieces;
 }
 
 double kinetic_energy(const Bodies& b) {
@@ -57,7 +60,8 @@ Recorder::Recorder(const SceneDef& scene, Engine& engine)
       window_steps_(
           static_cast<std::size_t>(std::max<std::int64_t>(1, std::llround(scene.output.force_window_s / time_step_)))),
       hits_({scene.output.hit_release_s, scene.output.event_speed_m_per_s, scene.output.force_window_s}, time_step_),
-      sides_(scene.output.side_loads && has_platform_ ? platform_corners(engine.bodies()) : std::vector<Vec2>{}),
+      sides_(scene.output.side_loads && has_platform_ ? platform_outlines(engine.bodies())
+                                                      : std::vector<std::vector<Vec2>>{}),
       lines_(scene),
       thrusters_(scene) {
   if (has_platform_) record_start(scene, engine.bodies());

@@ -65,6 +65,18 @@ inline SceneDef driven_scene(std::uint64_t seed) {
   return scene;
 }
 
+/// The busy scene around a platform of three pieces, whose notch is open to the ice.
+inline SceneDef pieces_scene(std::uint64_t seed) {
+  SceneDef scene = busy_scene(seed);
+  scene.platform.outline = PlatformOutline::pieces;
+  scene.platform.piece = {{{{0.0, -12.0}, {6.0, -12.0}, {6.0, 12.0}, {0.0, 12.0}}},
+                          {{{-12.0, 6.0}, {0.0, 6.0}, {0.0, 12.0}, {-10.0, 12.0}}},
+                          {{{-12.0, -6.0}, {-10.0, -12.0}, {0.0, -12.0}, {0.0, -6.0}}}};
+  scene.platform.start_yaw_rad = 0.2;
+  scene.platform.anchor_m = {-8.0, 0.0};  // close behind the ice
+  return scene;
+}
+
 /// The busy scene around a ship whose bow is turned out of the ice and steered back; `fixed`: it does not move.
 inline SceneDef ship_scene(std::uint64_t seed, bool fixed) {
   SceneDef scene = busy_scene(seed);

@@ -11,13 +11,16 @@
 namespace gem {
 namespace {
 
-std::vector<SideRecord> empty_sides(const std::vector<Vec2>& outline, const PlatformDef& platform) {
+std::vector<SideRecord> empty_sides(const std::vector<std::vector<Vec2>>& pieces, const PlatformDef& platform) {
   const std::vector<std::string> names = platform_side_names(platform);
-  std::vector<SideRecord> sides(outline.size());
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    sides[k].name = k < names.size() ? names[k] : "side " + std::to_string(k + 1);
-    sides[k].length = length(outline[(k + 1) % outline.size()] - outline[k]);
-  }
+  std::vector<SideRecord> sides;
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    for (std::size_t k = 0; k < pieces[piece].size(); ++k) {
+      SideRecord& side = sides.emplace_back();
+      side.name = k < names.size() ? names[k] : "side " + std::to_string(k + 1);
+      if (pieces.size() > 1) side.name = "piece " + std::to_string(piece + 1) + ", " + side.name;
+      side.length = length(pieces[piece][(k + 1) % pieces[piece].size()] - pieces[piece][k]);
+    }
   return sides;
 }
 
@@ -25,10 +28,10 @@ std::vector<SideRecord> empty_sides(const std::vector<Vec2>& outline, const Plat
 
 std::vector<SideRecord> side_record(const RunFile& file, const SceneDef& scene) {
   if (!file.has("platform/side_impulse") || !file.has("platform/side_friction_impulse")) return {};
-  const std::vector<Vec2> outline = file.platform_outline();
+  const std::vector<std::vector<Vec2>> pieces = file.platform_pieces();
   const std::vector<double> time = file.column("platform/time"), normal = file.column("platform/side_impulse"),
                             friction = file.column("platform/side_friction_impulse");
-  std::vector<SideRecord> sides = empty_sides(outline, scene.platform);
+  std::vector<SideRecord> sides = empty_sides(pieces, scene.platform);
   const auto is_number = [](double value) { return std::isfinite(value); };
   if (normal.size() != time.size() * sides.size() || friction.size() != normal.size() ||
       !std::all_of(normal.begin(), normal.end(), is_number) ||

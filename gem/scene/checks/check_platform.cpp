@@ -110,6 +110,14 @@ void warn_of_shape(const PlatformDef& p, std::vector<std::string>& warnings) {
     warnings.push_back("platform.inertia_kg_m2: has no effect (the platform cannot turn) remove it");
 }
 
+void warn_of_pieces(const SceneDef& scene, std::vector<std::string>& warnings) {
+  const PlatformDef& p = scene.platform;
+  if (p.outline == PlatformOutline::pieces && p.piece.size() > 1 && scene.contact.solver == ContactSolver::independent)
+    warnings.push_back(
+        "platform.piece: a floe that touches two pieces at once is struck by each (contact.solver = \"independent\" "
+        "answers every pair alone) set contact.solver = \"coupled\"");
+}
+
 void warn_of_heading(const SceneDef& scene, std::vector<std::string>& warnings) {
   const HeadingDef& heading = scene.heading;
   const bool given = heading.moment_N_m > 0.0 || heading.damping_N_m_s > 0.0;
@@ -171,6 +179,7 @@ void warn_of_inertia(const PlatformDef& p, double area, std::vector<std::string>
 void warn_of_platform(const SceneDef& scene, std::vector<std::string>& warnings) {
   if (!scene.platform.present) return;
   warn_of_shape(scene.platform, warnings);
+  warn_of_pieces(scene, warnings);
   warn_of_heading(scene, warnings);
   warn_of_drag(scene, warnings);
   if (!scene.platform.fixed) warn_of_mass(scene, warnings);

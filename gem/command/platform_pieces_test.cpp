@@ -92,12 +92,10 @@ TEST_F(PlatformPieces, TheChoiceOfTheEngineTakesOneThatHasThem) {
 }
 
 TEST_F(PlatformPieces, StandOnThePageAndInExports) {
-  ASSERT_EQ(
-      shell(columns("") + " && gem view columns.h5 --out page.html && gem export columns.h5 --to paraview --out vtk"),
-      0)
+  ASSERT_EQ(shell(columns("") + " && gem view columns.h5 --out page.html && gem export columns.h5 vtk.pvd"), 0)
       << text_of("err");
   EXPECT_NE(text_of("page.html").find("\"pieces\":[[["), std::string::npos);
-  const std::string cells = text_of("vtk/platform_0000.vtp");
+  const std::string cells = text_of("vtk_vtp/platform_000000.vtp");
   EXPECT_NE(cells.find("NumberOfPolys=\"3\""), std::string::npos) << cells.substr(0, 500);
 }
 
